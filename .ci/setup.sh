@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: MIT
+# What check and reproduce share; sourced by both from the root of the project.
+
+build_packages="g++ cmake ninja-build pkg-config libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
+  libbenchmark-dev libcli11-dev nlohmann-json3-dev libfmt-dev"
+test_packages="libgtest-dev libboost-dev libgmp-dev librapidcheck-dev glslang-tools spirv-tools clang-format python3"
+
+say() { printf '\n== %s\n' "$*"; }
+fail() {
+  printf '%s\n' "$*" >&2
+  exit 1
+}
+
+missing_packages() {
+  for package in "$@"; do
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || echo "$package"
+  done
+}
+
+# Installs what is missing of the packages named; on a system without apt-get it only names them.
+install_packages() {
+  if ! command -v apt-get >/dev/null; then
+    echo "There is no apt-get here, so nothing is installed. Needed, by their Debian names: $*"
+    return
+  fi
+  local missing root=""
+  missing=$(missing_packages "$@" | xargs)
+  if [ -z "$missing" ]; then
+    echo "Every package needed is installed."
+    return
+  fi
+  if [ "$(id -u)" != 0 ]; then
+    command -v sudo >/dev/null || fail "These packages are missing and only an administrator can install them:" \
+      "apt-get install $missing"
+    root="sudo"
+  fi
+  echo "Installing: $missing"
+  $root apt-get -q update || echo "apt-get update failed; going on with the package lists that are here." >&2
+  # shellcheck disable=SC2086 # a list of words
+  $root env DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends install $missing ||
+    fail "apt-get could not install: $missing"
+}
+
+# Prints the path of nvcc, or nothing.
+find_nvcc() { command -v nvcc || ls "${CUDA_HOME:-/usr/local/cuda}/bin/nvcc" 2>/dev/null || true; }
+
+# The compute capability of the first GPU as nvcc writes it (90), or nothing without a working driver.
+gpu_architecture() {
+  { nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2>/dev/null || true; } | head -n 1 | tr -dc 0-9
+}

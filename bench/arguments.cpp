@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "arguments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace spherepair {
+
+void require_known(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
+  if (std::ranges::find(known, name) == known.end())
+    throw std::invalid_argument(fmt::format("unknown {} '{}'; known are {}", what, name, fmt::join(known, ", ")));
+}
+
+void require_known_backends(const std::vector<std::string>& names) {
+  for (const std::string& name : names) require_known("backend", name, backend_names());
+}
+
+std::vector<Method> all_methods() {
+  std::vector<Method> methods = {Method::sequential, Method::parallel};
+  for (Method method : device_methods()) methods.push_back(method);
+  return methods;
+}
+
+std::vector<Method> parse_methods(const std::vector<std::string>& names) {
+  if (names.empty()) return all_methods();
+  std::vector<Method> methods;
+  for (const std::string& name : names) methods.push_back(method_from_name(name));
+  return methods;
+}
+
+std::vector<uint> parse_blocks(const std::vector<uint>& blocks) {
+  const std::vector<uint> known(block_sizes().begin(), block_sizes().end());
+  for (uint block : blocks)
+    if (std::ranges::find(known, block) == known.end())
+      throw std::invalid_argument(fmt::format("unknown group size {}; known are {}", block, fmt::join(known, ", ")));
+  return blocks.empty() ? known : blocks;
+}
+
+SceneOptions parse_scene(const std::string& text, uint64_t seed) {
+  SceneOptions options;
+  options.seed = seed;
+  options.name = text.substr(0, text.find(':'));
+  std::vector<std::string> known;
+  for (const SceneKind& kind : scene_kinds()) known.push_back(kind.name);
+  require_known("scene", options.name, known);
+  if (options.name == text) return options;
+  char rest = 0;
+  const std::string shape = text.substr(options.name.size() + 1);
+  if (options.name != "aligned" ||
+      std::sscanf(shape.c_str(), "%ux%u%c", &options.groups, &options.group_size, &rest) != 2 ||
+      shape.find('-') != std::string::npos || options.groups == 0 || options.group_size == 0)
+    throw std::invalid_argument(fmt::format("scene '{}' is not understood; an arrangement reads aligned:8x16", text));
+  options.n = uint64_t(options.groups) * options.group_size;
+  return options;
+}
+
+}  // namespace spherepair

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// spherepair compare and spherepair equal
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "arguments.h"
+#include "commands.h"
+#include "context.h"
+#include "files.h"
+#include "study.h"
+
+namespace spherepair {
+namespace {
+
+// Everything that results.json holds, written anew after every table so that a stopped run leaves what it had.
+class Record {
+ public:
+  Record(std::filesystem::path folder, const CommandLine& line, const Session& session, const Plan& plan)
+      : folder_(std::move(folder)) {
+    constexpr const char* levels[] = {"quick", "standard", "full"};
+    root_ = {{"format", "spherepair results 1"},
+             {"verdict", "unfinished"},
+             {"context", capture_context(line.words)},
+             {"backends", session.to_json()},
+             {"warnings", session.warnings()},
+             {"seed", plan.seed},
+             {"level", levels[size_t(plan.level)]},
+             {"clocks", json::array()},
+             {"tables", json::object()}};
+  }
+
+  void add_clocks(const std::string& when) { root_["clocks"].push_back({{"when", when}, {"gpus", query_clocks()}}); }
+  void add_tables(const std::string& name, const std::vector<Table>& tables) {
+    for (const Table& table : tables) root_["tables"][name].push_back(table.to_json());
+  }
+  void set(const char* name, json value) { root_[name] = std::move(value); }
+
+  void write(const Study& study) {
+    json equality = json::array();
+    for (const EqualityEntry& entry : study.equality) equality.push_back(to_json(entry));
+    root_["equality"] = std::move(equality);
+    root_["measurements"] = study.measurements;
+    write_file(folder_ / "results.json", root_.dump(1) + "\n");
+  }
+
+  void write_text(const std::string& name, const std::vector<Table>& tables, const Table& details) {
+    std::string text;
+    for (const Table& table : tables) text += table.text() + "\n";
+    if (!details.rows.empty()) text += details.text();
+    write_file(folder_ / (name + ".txt"), text);
+  }
+
+ private:
+  std::filesystem::path folder_;
+  json root_;
+};
+
+void check_everything(Study& study) {
+  for (const CheckSize& check : study.plan.checks) {
+    for (const SceneOptions& scene : study.plan.scenes) {
+      LockstepPlan plan{scene, check.steps, study.plan.every, study.plan.methods, check.blocks};
+      if (!scene.groups) plan.scene.n = check.n;
+      for (EqualityEntry& entry : check_lockstep(study.session, plan, study.progress))
+        study.equality.push_back(std::move(entry));
+    }
+    study.progress.clear();
+    fmt::print("checked {} scenes of {} spheres over {} steps: all answers equal\n", study.plan.scenes.size(), check.n,
+               check.steps);
+    std::fflush(stdout);
+  }
+}
+
+void make_tables(Study& study, Record& record) {
+  record.add_clocks("before the tables");
+  for (const TableKind& kind : table_kinds()) {
+    if (std::ranges::find(study.plan.tables, kind.name) == study.plan.tables.end()) continue;
+    const std::vector<Table> tables = kind.make(study);
+    record.add_clocks(std::string("after ") + kind.name);
+    study.progress.clear();
+    for (const Table& table : tables) fmt::print("\n{}", table.text());
+    std::fflush(stdout);
+    record.add_tables(kind.name, tables);
+    record.write_text(kind.name, tables, measurement_table(study, kind.name));
+    record.write(study);
+  }
+}
+
+void print_heading(const Session& session) {
+  fmt::print("spherepair {} ({})\n{}", build_info.version, build_info.commit, session.summary());
+  if (!session.find("cpu")) fmt::print("The CPU is left out: {} is the reference.\n", session.reference().info().name);
+  if (session.devices().size() < 2) fmt::print("GLSL and CUDA are not both open: their comparison is skipped.\n");
+  for (const std::string& warning : session.warnings()) fmt::print("\n{}\n", wrap(warning, 118, "  "));
+  fmt::print("\n");
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int compare_command(const CommandLine& line, const CompareOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  require_known_backends(options.backends);
+  make_plan(options.plan, false);  // bad values end here, before any work
+  const std::filesystem::path folder = options.results.empty() ? default_results() : options.results;
+  prepare_folder(folder);
+  Session session(options.backends, line.open);
+  const bool hardware =
+      std::ranges::any_of(session.backends(), [](const auto& backend) { return on_hardware(*backend); });
+  const Plan plan = make_plan(options.plan, hardware);
+  print_heading(session);
+  Progress progress;
+  Study study(session, plan, progress);
+  Record record(folder, line, session, plan);
+  try {
+    check_everything(study);
+    make_tables(study, record);
+  } catch (const DifferenceFound& difference) {
+    progress.clear();
+    record.set("verdict", "difference");
+    record.set("difference", difference.details);
+    record.write(study);
+    throw;
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  record.set("verdict", "equal");
+  record.set("seconds", seconds);
+  record.write(study);
+  fmt::print("\nNo difference between {} backends, in {:.0f} s. Results: {}\n", session.backends().size(), seconds,
+             folder.string());
+  return kOk;
+}
+
+int equal_command(const EqualOptions& options) {
+  const RecordComparison result = compare_records(read_results(options.left), read_results(options.right));
+  for (const std::string& difference : result.differences) fmt::print("DIFFERENT: {}\n", difference);
+  fmt::print("{} configurations compared, {} differ; {} only in {}, {} only in {}\n", result.compared,
+             result.differences.size(), result.only_left, options.left, result.only_right, options.right);
+  if (result.compared == 0)
+    throw std::invalid_argument(
+        "the two runs have no configuration in common: run both with the same scenes, --n, --steps and --seed");
+  return result.differences.empty() ? kOk : kDifference;
+}
+
+}  // namespace spherepair

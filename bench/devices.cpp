@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// spherepair devices
+#include <fmt/format.h>
+
+#include "arguments.h"
+#include "commands.h"
+#include "context.h"
+#include "files.h"
+#include "session.h"
+
+namespace spherepair {
+
+int devices_command(const CommandLine& line, const DevicesOptions& options) {
+  require_known_backends(options.backends);
+  const Session session(options.backends, line.open);
+  const json list = session.to_json();
+  for (const json& backend : list) {
+    const std::string name = backend.at("name");
+    if (!backend.at("open")) {
+      fmt::print("{}\n  missing: {}\n", name, backend.at("reason").get<std::string>());
+      continue;
+    }
+    fmt::print("{}\n", name);
+    const auto show = [](const std::string& what, const std::string& value) {
+      fmt::print("  {:<34} {}\n", what, value);
+    };
+    show("device", device_label(session.find(name)->info()));
+    if (!backend.at("uuid").get<std::string>().empty()) show("uuid", backend.at("uuid"));
+    show("device timers", backend.at("device_timers") ? "yes" : "no");
+    for (const auto& [what, value] : backend.at("details").items()) show(what, value);
+  }
+  for (const std::string& warning : session.warnings()) fmt::print(stderr, "\n{}\n", warning);
+  if (!options.json_file.empty())
+    write_file(options.json_file, json{{"context", capture_context(line.words)}, {"backends", list}}.dump(1) + "\n");
+  return kOk;
+}
+
+}  // namespace spherepair

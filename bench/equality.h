@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The record of what was found equal, and the comparison of two machines' records.
+#pragma once
+
+#include <map>
+
+#include "answers.h"
+
+namespace spherepair {
+
+struct Checkpoint {
+  uint64_t step, pairs, colliding_spheres;
+  Fingerprint fingerprint;
+  uint64_t state;  // state_hash()
+};
+
+// All who answered alike for one set of pairs of one scene, and what they said at each compared step.
+struct EqualityEntry {
+  SceneOptions scene;
+  std::string set;
+  std::vector<std::string> answers;
+  std::vector<Checkpoint> checkpoints;
+};
+json to_json(const EqualityEntry& entry);
+
+struct RecordComparison {
+  uint64_t compared = 0, only_left = 0, only_right = 0;
+  std::vector<std::string> differences;
+};
+
+// Compares the configurations (scene with all its options, set, step) that two results.json hold both.
+RecordComparison compare_records(const json& left, const json& right);
+
+// Throws std::invalid_argument for a file that cannot be read or is no results.json.
+json read_results(const std::string& path);
+
+}  // namespace spherepair

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "lockstep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace spherepair {
+namespace {
+
+bool chosen(const std::vector<Method>& methods, Method method) {
+  return std::ranges::find(methods, method) != methods.end();
+}
+
+// One set that several answer: who they are and what the reference said.
+struct SetCheck {
+  Asked reference;
+  std::vector<Asked> others;
+  EqualityEntry entry;
+  uint64_t last_pairs = UINT64_MAX;  // at the last comparison: decides whether lists are worth asking for
+};
+
+std::vector<SetCheck> group_by_set(Session& session, const LockstepPlan& plan) {
+  std::vector<SetCheck> sets;
+  for (const Asked& asked : everyone(session, plan.methods, plan.blocks)) {
+    const std::string name = set_name(asked.options);
+    auto found = std::ranges::find_if(sets, [&](const SetCheck& set) { return set.entry.set == name; });
+    if (found == sets.end()) {
+      const Asked reference = reference_for(session, asked.options, plan.scene.n);
+      sets.push_back({reference, {}, {plan.scene, name, {label(reference)}, {}}});
+      found = sets.end() - 1;
+    }
+    if (label(asked) == label(found->reference)) continue;
+    found->others.push_back(asked);
+    found->entry.answers.push_back(label(asked));
+  }
+  return sets;
+}
+
+void check_set(Session& session, const Place& place, SetCheck& set, uint64_t state, uint64_t largest_list) {
+  Answer expected = ask(session, set.reference, set.last_pairs <= largest_list);
+  if (!expected.pairs && expected.totals.pairs <= largest_list) expected = ask(session, set.reference, true);
+  const bool list = expected.pairs.has_value();
+  for (const Asked& asked : set.others)
+    require_equal(session, place, set.reference, expected, asked, ask(session, asked, list));
+  set.last_pairs = expected.totals.pairs;
+  set.entry.checkpoints.push_back(
+      {place.step, expected.totals.pairs, expected.totals.colliding_spheres, expected.totals.fingerprint, state});
+}
+
+uint64_t check_states(Session& session, const Place& place) {
+  const Backend::State expected = session.reference().state();
+  for (const auto& backend : session.backends())
+    if (backend.get() != &session.reference())
+      require_same_state(place, session.reference(), expected, *backend, backend->state());
+  return state_hash(expected.positions, expected.velocities);
+}
+
+}  // namespace
+
+std::vector<Asked> everyone(Session& session, const std::vector<Method>& methods, const std::vector<uint>& blocks) {
+  std::vector<Asked> all;
+  for (const auto& backend : session.backends()) {
+    const bool cpu = backend->info().name == "cpu";
+    for (Method method : backend->methods()) {
+      if (!chosen(methods, method)) continue;
+      const bool cpu_only = method == Method::sequential || method == Method::parallel;
+      if (cpu && !cpu_only && method != Method::collide_group) continue;
+      for (uint block : blocks) {
+        all.push_back({backend.get(), {.method = method, .block = block}});
+        if (cpu_only) break;
+      }
+    }
+  }
+  return all;
+}
+
+std::vector<EqualityEntry> check_lockstep(Session& session, const LockstepPlan& plan, Progress& progress) {
+  const Scene scene = make_scene(plan.scene);
+  for (const auto& backend : session.backends()) backend->upload(scene);
+  std::vector<SetCheck> sets = group_by_set(session, plan);
+  for (uint64_t step = 0; step <= plan.steps; ++step) {
+    if (step > 0)
+      for (const auto& backend : session.backends()) backend->move();
+    if (step % plan.every != 0 && step != plan.steps) continue;
+    progress.say(
+        fmt::format("checking {} n = {}: step {} of {}", scene_label(plan.scene), plan.scene.n, step, plan.steps));
+    const Place place{plan.scene, step};
+    const uint64_t state = check_states(session, place);
+    for (SetCheck& set : sets) check_set(session, place, set, state, plan.largest_list);
+    for (const auto& backend : session.backends()) backend->check_guards();
+  }
+  std::vector<EqualityEntry> entries;
+  for (SetCheck& set : sets) entries.push_back(std::move(set.entry));
+  return entries;
+}
+
+}  // namespace spherepair

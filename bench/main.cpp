@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+// The command line of spherepair.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <functional>
+#include <limits>
+
+#include "answers.h"
+#include "arguments.h"
+#include "commands.h"
+#include "context.h"
+
+namespace spherepair {
+namespace {
+
+constexpr int64_t kMostSpheres = std::numeric_limits<int32_t>::max();
+const auto count_range = CLI::Range(int64_t(0), kMostSpheres);
+const auto positive_range = CLI::Range(int64_t(1), kMostSpheres);
+const auto steps_range = CLI::Range(int64_t(0), int64_t(1) << 53);
+
+std::string scene_help() {
+  std::string text = "Scene to start from. Known scenes:\n";
+  for (const SceneKind& kind : scene_kinds()) text += fmt::format("    {:<11} {}\n", kind.name, kind.summary);
+  return text;
+}
+
+void add_open_options(CLI::App& command, OpenOptions& open) {
+  command.add_option("--cuda-device", open.cuda_device, "CUDA device to use, counted from 0")
+      ->check(count_range)
+      ->capture_default_str();
+  command.add_flag("--require-hardware", open.require_hardware, "Refuse OpenGL in software");
+  command.add_flag("!--no-gpu", open.allow_gpu, "Use OpenGL in software even where a GPU is");
+  command.add_option("--threads", open.threads, "Threads of the CPU backend; 0 takes all cores")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str();
+}
+
+using Action = std::function<int()>;
+
+void add_devices(CLI::App& app, CommandLine& line, Action& action) {
+  auto* command =
+      app.add_subcommand("devices", "Show every backend: its device, versions and limits, or why it is missing");
+  auto options = std::make_shared<DevicesOptions>();
+  command->add_option("--backends", options->backends, "Only these, e.g. cpu,glsl")->delimiter(',');
+  command->add_option("--json", options->json_file, "Write the same as JSON to this file");
+  add_open_options(*command, line.open);
+  command->footer("Example:\n  spherepair devices");
+  command->callback([=, &line, &action] { action = [=, &line] { return devices_command(line, *options); }; });
+}
+
+void add_scene_options(CLI::App& command, SceneOptions& scene) {
+  command.add_option("--scene", scene.name, scene_help())->capture_default_str();
+  command.add_option("--n", scene.n, "Number of spheres")->check(count_range)->capture_default_str();
+  command.add_option("--seed", scene.seed, "Seed of the scene; the same on every machine")
+      ->check(steps_range)
+      ->capture_default_str();
+  command.add_option("--radius", scene.radius, "Radius in metres")->capture_default_str();
+  command.add_option("--radius-ratio", scene.radius_ratio, "Largest radius over smallest")->capture_default_str();
+  command.add_option("--packing-fraction", scene.packing_fraction, "Of the scene `uniform`")->capture_default_str();
+  command.add_option("--groups", scene.groups,
+                     "Of the scene `aligned`: m of the paper's m x n; n spheres = groups x group size");
+  command.add_option("--group-size", scene.group_size, "Of the scene `aligned`: n of the paper's m x n");
+  command.add_option("--offset", scene.offset, "Added to every coordinate of every centre, metres")
+      ->capture_default_str();
+}
+
+void add_run(CLI::App& app, CommandLine& line, Action& action) {
+  auto* command = app.add_subcommand("run", "Move one scene on one backend and find its colliding pairs");
+  auto options = std::make_shared<RunOptions>();
+  command->add_option("--backend", options->backend, "cpu, glsl or cuda")->capture_default_str();
+  add_scene_options(*command, options->scene);
+  command->add_option(
+      "--input", options->input_file,
+      "Take the spheres from a text file instead: a line each, `x y z radius [vx vy vz]`; # starts a comment");
+  command->add_option("--steps", options->steps, "Steps of 1/64 s before the pairs are found; 0: the scene as it is")
+      ->check(steps_range)
+      ->capture_default_str();
+  command->add_option("--method", options->method,
+                      "sequential, parallel (cpu); collide_group, collide_tiled, collide_square, collide_triangle; "
+                      "default: the backend's fastest");
+  command->add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024")->capture_default_str();
+  command->add_flag("--naive", options->naive, "Use the naive float32 test in place of the exact predicate");
+  command->add_flag("--per-step", options->per_step, "Print and record every step, not only the last");
+  command->add_option("--pairs", options->pairs_file,
+                      "Write the last step's colliding pairs to this file, a line `i j` each, i < j, in order");
+  command->add_option("--json", options->json_file, "Write totals and context as JSON to this file");
+  add_open_options(*command, line.open);
+  command->footer(
+      "Examples:\n  spherepair run --backend glsl --scene random --n 1024 --steps 100 --pairs pairs.txt\n"
+      "  spherepair run --input spheres.txt --pairs pairs.txt");
+  command->callback([=, &line, &action] { action = [=, &line] { return run_command(line, *options); }; });
+}
+
+void add_selection(CLI::App& command, CompareOptions& options) {
+  PlanOptions& plan = options.plan;
+  command.add_option("--backends", options.backends, "Only these, and each must open: cpu,glsl,cuda")->delimiter(',');
+  command.add_option("--scenes", plan.scenes, "Scenes of the check, e.g. random,aligned:8x16,grazing (see run --help)")
+      ->delimiter(',');
+  command.add_option("--methods", plan.methods, "Only these methods (see run --help)")->delimiter(',');
+  command.add_option("--blocks", plan.blocks, "Only these group sizes: 32,64,128,256,512,1024")->delimiter(',');
+  command.add_option("--n", plan.sizes, "Numbers of spheres, of the check and of every table but `counts`")
+      ->delimiter(',')
+      ->check(positive_range);
+  command
+      .add_option(
+          "--tables", plan.tables,
+          "Only these tables: table1, counts, methods, overhead, exactness, scale, step, equality; `none` only checks")
+      ->delimiter(',');
+}
+
+void add_compare(CLI::App& app, CommandLine& line, Action& action) {
+  auto* command =
+      app.add_subcommand("compare", "Prove that all backends find the same pairs, then time them against each other");
+  auto options = std::make_shared<CompareOptions>();
+  PlanOptions& plan = options->plan;
+  add_selection(*command, *options);
+  command->add_option("--steps", plan.steps, "Steps of the check")->check(steps_range);
+  command->add_option("--every", plan.every, "Compare after every so many steps")
+      ->check(positive_range)
+      ->capture_default_str();
+  command->add_option("--seed", plan.seed, "Seed of the scenes and of the order of the rounds")
+      ->check(steps_range)
+      ->capture_default_str();
+  command->add_option("--rounds", plan.rounds, "Rounds of each timing (default 11)")->check(CLI::Range(1, 100000));
+  command->add_option("--min-seconds", plan.min_seconds, "Least time of one sample (default 0.002 on a GPU, 0.05 else)")
+      ->check(CLI::Range(1e-6, 60.0));
+  command->add_flag("--quick", plan.quick, "A first look: small sizes, few rounds");
+  command->add_flag("--full", plan.full, "The long sweep: all sizes, more steps and rounds");
+  command->add_option("--results", options->results,
+                      "Folder for results.json and the tables (default results/<host>-<date>)");
+  add_open_options(*command, line.open);
+  command->footer(
+      "Every timed configuration is checked first; a wrong one is never timed.\n"
+      "Examples:\n  spherepair compare\n  spherepair compare --quick --backends cpu,glsl\n"
+      "  spherepair compare --tables none --scenes random --n 4096 --steps 100000 --every 1000");
+  command->callback([=, &line, &action] { action = [=, &line] { return compare_command(line, *options); }; });
+}
+
+void add_equal(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("equal", "Compare the collision sets and states that two compare runs recorded");
+  auto options = std::make_shared<EqualOptions>();
+  command->add_option("left", options->left, "results.json of one run")->required();
+  command->add_option("right", options->right, "results.json of another run, on another machine")->required();
+  command->footer("Example:\n  spherepair equal here/results.json there/results.json");
+  command->callback([=, &action] { action = [=] { return equal_command(*options); }; });
+}
+
+int fail(ExitCode code, const std::string& message) {
+  fmt::print(stderr, "spherepair: {}\n", message);
+  return code;
+}
+
+int run_action(const Action& action) {
+  try {
+    return action();
+  } catch (const DifferenceFound& difference) {
+    return fail(kDifference, std::string("DIFFERENCE FOUND: ") + difference.what());
+  } catch (const std::invalid_argument& error) {
+    return fail(kUsage, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(kDeviceTrouble, "out of memory on the host; use fewer spheres");
+  } catch (const std::exception& error) {
+    return fail(kDeviceTrouble, error.what());
+  }
+}
+
+int run_program(int argc, char** argv) {
+  CLI::App app(
+      "spherepair finds the colliding pairs of spheres, exactly, on the CPU, through GLSL compute shaders and through "
+      "CUDA; shows that all find the same pairs; and times them.");
+  app.set_version_flag("--version", fmt::format("spherepair {} ({})", build_info.version, build_info.commit));
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 all is well; 1 a difference was found; 2 bad usage or input; 3 a backend or device is missing or "
+      "fails.\n"
+      "Start with:\n  spherepair devices\n  spherepair compare --quick\nHelp on a subcommand: spherepair compare "
+      "--help");
+  CommandLine line;
+  line.words.assign(argv, argv + argc);
+  Action action;
+  add_devices(app, line, action);
+  add_run(app, line, action);
+  add_compare(app, line, action);
+  add_equal(app, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kOk : kUsage;
+  }
+  return run_action(action);
+}
+
+}  // namespace
+}  // namespace spherepair
+
+int main(int argc, char** argv) { return spherepair::run_program(argc, argv); }

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Readable text tables, numbers with their units, and progress for a terminal.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace spherepair {
+
+using json = nlohmann::ordered_json;
+
+struct Column {
+  std::string group;  // a heading over neighbouring columns of the same group; may be empty
+  std::string name, unit;
+  bool left = false;
+};
+
+// Cells are text, so that a figure and "skipped" can stand in one column.
+struct Table {
+  std::string title;
+  std::vector<Column> columns;
+  std::vector<std::vector<std::string>> rows;
+  std::vector<std::string> notes;
+
+  std::string text() const;
+  json to_json() const;
+};
+
+std::string format_ms(double seconds);       // milliseconds, four significant digits
+std::string format_us(double seconds);       // microseconds
+std::string format_number(double value);     // four significant digits
+std::string format_rate(double per_second);  // 3.13e+12
+std::string format_percent(double share);    // +4.2
+
+std::string hex64(uint64_t value);
+std::string wrap(const std::string& text, size_t width, const std::string& indent);
+
+// One line on standard error that overwrites itself; nothing at all when that is not a terminal.
+class Progress {
+ public:
+  Progress();
+  ~Progress() { clear(); }
+  void say(const std::string& what);
+  void clear();
+
+ private:
+  bool terminal_;
+  size_t shown_ = 0;
+};
+
+}  // namespace spherepair

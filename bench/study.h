@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Validate, then time: what every table is made with.
+#pragma once
+
+#include "lockstep.h"
+#include "plan.h"
+
+namespace spherepair {
+
+enum class Work { move, collide, step };  // step: move, then collide
+
+struct Task {
+  Work work;
+  Asked asked;
+};
+std::string label(const Task& task);
+
+class Study {
+ public:
+  Study(Session& session, const Plan& plan, Progress& progress) : session(session), plan(plan), progress(progress) {}
+
+  // Uploads the scene, checks every task's answer in this very configuration, throws DifferenceFound rather than time a
+  // wrong one, then times all tasks against each other. Samples come in the tasks' order and are kept for the record.
+  std::vector<Samples> time(const std::string& table, const SceneOptions& scene, const std::vector<Task>& tasks);
+
+  // The same record for contenders that have no answer to check.
+  std::vector<Samples> time_unchecked(const std::string& table, const std::vector<Contender>& contenders, json meta);
+
+  // Uploads the scene everywhere, compares the answers of `asked` and keeps what agreed.
+  Answer check(const SceneOptions& scene, const std::vector<Asked>& asked);
+
+  std::vector<Task> collide_tasks(Method method, uint block, bool exact = true) const;  // on every device
+  SceneOptions paper_scene(uint64_t n) const;
+
+  Session& session;
+  const Plan& plan;
+  Progress& progress;
+  json measurements = json::array();
+  std::vector<EqualityEntry> equality;
+
+ private:
+  void upload(const SceneOptions& options);
+  uint64_t check_step(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t step);
+  void record(const std::string& table, const SceneOptions& scene, const Task& task, const Samples& samples);
+  Asked referee(const std::vector<Asked>& asked, const CollideOptions& options, uint64_t n) const;
+
+  std::map<std::string, std::string> referees_;  // by set: who the last check trusted
+};
+
+struct TableKind {
+  const char *name, *summary;
+  std::vector<Table> (*make)(Study&);
+};
+const std::vector<TableKind>& table_kinds();
+
+std::vector<Table> make_table1(Study& study);
+std::vector<Table> make_counts(Study& study);
+std::vector<Table> make_methods(Study& study);
+std::vector<Table> make_overhead(Study& study);
+std::vector<Table> make_exactness(Study& study);
+std::vector<Table> make_scale(Study& study);
+std::vector<Table> make_step(Study& study);
+std::vector<Table> make_equality(Study& study);
+
+// Every measurement behind a table: K, rounds, median, interval, minimum, first step, device timer.
+Table measurement_table(const Study& study, const std::string& table);
+
+}  // namespace spherepair

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// What every backend does: hold a scene, move it, find its colliding pairs. One process can hold several backends; each
+// call is made a few times a step at most, so virtual functions cost nothing that could be measured.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "exact.h"
+#include "pair_set.h"
+#include "scene.h"
+
+namespace spherepair {
+
+// Out of memory, driver trouble, a limit of the device: what failed, where, and what to do.
+class BackendError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+enum class Method {
+  sequential,        // CPU only: the paper's code 2, one thread, double loop
+  parallel,          // CPU only: all cores, SIMD
+  collide_group,     // the paper's code 4: pairs within a group of `block` consecutive spheres only
+  collide_tiled,     // the paper's code 5: every group through shared memory, each ordered pair tested
+  collide_square,    // two-dimensional arrangement, a single loop
+  collide_triangle,  // each unordered pair once, several spheres per thread: the fast one
+};
+
+const char* method_name(Method method);
+Method method_from_name(const std::string& name);  // throws std::invalid_argument with the known names
+std::vector<Method> device_methods();              // the four that GLSL and CUDA mirror
+std::span<const uint> block_sizes();               // 32, 64 ... 1024
+
+struct CollideOptions {
+  Method method = Method::collide_triangle;
+  uint block = 128;        // group size of the kernel; decides the set only for collide_group
+  bool exact = true;       // false: the naive float32 predicate, to measure what exactness costs
+  bool want_pairs = false; // keep the pairs for pairs()
+  uint columns = 0;        // of collide_triangle: spheres that one group meets; 0: chosen by n. Never changes the set
+};
+
+// Totals of one collide(). Sizes are numbers of pairs (i<j) or spheres.
+struct Collisions {
+  uint64_t pairs = 0;
+  uint64_t colliding_spheres = 0;  // spheres with at least one contact
+  Fingerprint fingerprint;
+  uint64_t deferred = 0;                     // pairs that the float32 filter left undecided
+  std::array<uint64_t, STAGES> decided_by{}; // of those, by STAGE_*
+};
+
+struct StageTime {
+  std::string stage;  // the kernel's name
+  double seconds;     // on the device's own timer
+};
+
+struct BackendInfo {
+  std::string name;       // cpu, glsl, cuda
+  std::string device;     // as the driver names it
+  std::string uuid;       // of the GPU, 32 hex digits; empty for software
+  bool software = false;  // GL on the CPU
+  bool device_timers = false;
+  std::map<std::string, std::string> details;  // versions, extensions, limits
+};
+
+class Backend {
+ public:
+  virtual ~Backend() = default;
+  virtual const BackendInfo& info() const = 0;
+
+  // Methods that this backend runs under their own name.
+  virtual std::vector<Method> methods() const = 0;
+
+  // Checks the scene (check_scene), allocates every buffer and copies. Throws BackendError when it does not fit.
+  virtual void upload(const Scene& scene) = 0;
+
+  // Each enqueues work and returns; results wait for it. `move` is one step of the method `paper`.
+  virtual void move() = 0;
+  virtual void collide(const CollideOptions& options) = 0;
+  virtual void finish() = 0;
+
+  // Results of the last collide(). When a list was too short, the device's lists are grown and the collision step is
+  // repeated, never truncated; so ask before the next move().
+  virtual Collisions collisions() = 0;
+  virtual std::vector<uint> counts() = 0;  // contacts of each sphere
+  virtual std::vector<Pair> pairs() = 0;   // in canonical order; needs want_pairs
+
+  struct State {
+    std::vector<vec4> positions, velocities;
+  };
+  virtual State state() = 0;
+
+  // Decides spheres[2k] against spheres[2k + 1] for every k, with the same code as the kernels: verdict_code() each.
+  virtual std::vector<uint> decide(std::span<const vec4> spheres) = 0;
+
+  // An empty kernel, to measure what a dispatch or launch costs by itself.
+  virtual void launch_empty(uint groups) = 0;
+
+  // Throws BackendError naming the buffer when a kernel wrote behind the end of one: guard words stand there.
+  virtual void check_guards() = 0;
+
+  // With timing on, every kernel is bracketed by the device's timer; the times since the last call, in order.
+  virtual void time_stages(bool on) = 0;
+  virtual std::vector<StageTime> stage_times() = 0;
+};
+
+// The colliding flag of each sphere (the paper's colour) is that its count is not zero.
+inline bool colliding(uint count) { return count != 0; }
+
+struct OpenOptions {
+  int cuda_device = 0;
+  bool require_hardware = false;  // refuse GL in software
+  bool allow_gpu = true;          // false: software GL even where a GPU is
+  int threads = 0;                // of the CPU backend; 0: all cores
+};
+
+std::vector<std::string> backend_names();  // cpu, glsl, cuda
+
+// Throws BackendError with the reason when this build or machine does not have it, std::invalid_argument for a name that
+// does not exist.
+std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions& options = {});
+
+// Throws BackendError when two backends sit on different GPUs.
+void check_same_gpu(const Backend& left, const Backend& right);
+
+}  // namespace spherepair

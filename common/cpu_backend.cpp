@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// The oracle of the other backends, and the CPU code that a user without a GPU would run.
+#include "cpu_backend.h"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <chrono>
+#include <fstream>
+#include <optional>
+#include <utility>
+
+#include "cpu_pairs.h"
+#include "device_backend.h"
+#include "motion.h"
+
+namespace spherepair {
+namespace {
+
+std::string cpu_model() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown CPU";
+}
+
+class CpuBackend final : public Backend {
+ public:
+  explicit CpuBackend(const OpenOptions& options) : threads_(options.threads ? options.threads : omp_get_num_procs()) {
+    if (threads_ < 1) throw std::invalid_argument(fmt::format("the number of threads is {}, but must be at least 1", threads_));
+    info_.name = "cpu";
+    info_.device = cpu_model();
+    info_.details = {{"threads", std::to_string(threads_)}};
+  }
+
+  const BackendInfo& info() const override { return info_; }
+  std::vector<Method> methods() const override {
+    std::vector<Method> all = {Method::sequential, Method::parallel};
+    for (Method method : device_methods()) all.push_back(method);
+    return all;
+  }
+
+  void upload(const Scene& scene) override {
+    check_scene(scene);
+    positions_ = scene.positions;
+    velocities_ = scene.velocities;
+    equal_radii_ = scene.equal_radii;
+    constants_ = {scene_params(scene, false), scene_params(scene, true)};
+    found_.reset();
+  }
+
+  void move() override {
+    timed("move", [&] {
+#pragma omp parallel for num_threads(threads_) schedule(static)
+      for (size_t i = 0; i < positions_.size(); ++i) {
+        const Moving next = move_paper(positions_[i], velocities_[i], constants_[true]);
+        positions_[i] = next.position;
+        velocities_[i] = next.velocity;
+      }
+    });
+    found_.reset();
+  }
+
+  void collide(const CollideOptions& options) override {
+    const PairSearch search{positions_, constants_[options.exact], equal_radii_, options, threads_};
+    timed(method_name(options.method), [&] {
+      if (options.method == Method::sequential) {
+        found_ = search_sequential(search);
+      } else if (options.method == Method::collide_group) {
+        found_ = search_groups(search);
+      } else {
+        found_ = search_parallel(search);
+      }
+    });
+    listed_ = options.want_pairs;
+  }
+
+  void finish() override {}
+  Collisions collisions() override { return found().totals; }
+  std::vector<uint> counts() override { return found().counts; }
+  std::vector<Pair> pairs() override {
+    const std::vector<Pair>& list = found().list;
+    if (!listed_) throw BackendError("cpu: no pair list was asked for; set want_pairs");
+    return list;
+  }
+  State state() override { return {positions_, velocities_}; }
+
+  std::vector<uint> decide(std::span<const vec4> spheres) override {
+    const Params p = scene_params(Scene{}, true);
+    std::vector<uint> verdicts(spheres.size() / 2);
+#pragma omp parallel for num_threads(threads_) schedule(static)
+    for (size_t k = 0; k < verdicts.size(); ++k) {
+      verdicts[k] = verdict_code(decide_pair(spheres[2 * k], spheres[2 * k + 1], p.filter_scale, p.filter_offset));
+    }
+    return verdicts;
+  }
+
+  void launch_empty(uint) override {}   // a function call
+  void check_guards() override {}       // vectors; the sanitizers watch them
+  void time_stages(bool on) override {
+    times_.clear();
+    timing_ = on;
+  }
+  std::vector<StageTime> stage_times() override { return std::exchange(times_, {}); }
+
+ private:
+  const PairsFound& found() const {
+    if (!found_) throw BackendError("cpu: no collision step to report since the last move; call collide first");
+    return *found_;
+  }
+
+  template <typename Work>
+  void timed(const char* stage, Work work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    if (timing_) times_.push_back({stage, taken.count()});
+  }
+
+  int threads_;
+  BackendInfo info_;
+  std::vector<vec4> positions_, velocities_;
+  bool equal_radii_ = true;
+  std::array<Params, 2> constants_{};  // [exact]
+  std::optional<PairsFound> found_;
+  bool listed_ = false;
+  bool timing_ = false;
+  std::vector<StageTime> times_;
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> open_cpu_backend(const OpenOptions& options) { return std::make_unique<CpuBackend>(options); }
+
+}  // namespace spherepair

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "device_backend.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace spherepair {
+namespace {
+
+constexpr uint guard_words = 16;
+constexpr uint guard_pattern = 0xA5C3F00Du;
+constexpr uint64_t decide_batch = 1u << 20;
+constexpr uint settle_groups = 128;
+constexpr const char* slot_names[SLOT_TOTAL] = {"positions", "velocities", "counts", "summary",
+                                                "deferred pairs", "pairs", "spheres to decide", "verdicts"};
+
+uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
+
+// `groups` along one axis, folded into the next where one dispatch cannot hold them.
+std::array<uint, 3> folded(uint64_t groups) {
+  const uint64_t y = ceil_div(groups, MAX_GROUPS);
+  return {uint(y > 1 ? MAX_GROUPS : std::max<uint64_t>(groups, 1)), uint(std::max<uint64_t>(y, 1)), 1};
+}
+
+// Groups of collide_triangle should outnumber the multiprocessors many times, yet each should meet enough spheres to pay
+// for loading its rows.
+uint default_columns(uint64_t n, uint64_t rows_per_group) {
+  const uint64_t row_groups = ceil_div(n, rows_per_group);
+  const uint64_t wanted = row_groups * n / 2 / 8192;
+  const uint64_t least = ceil_div(n, MAX_GROUPS);
+  return uint(std::max(std::clamp<uint64_t>(ceil_div(wanted, 32) * 32, 64, 4096), least));
+}
+
+uint64_t join(const uint* words) { return uint64_t(words[1]) << 32 | words[0]; }
+
+}  // namespace
+
+const char* kernel_name(Kernel kernel) {
+  constexpr const char* names[] = {"move",          "clear",         "empty",          "settle",          "decide",
+                                   "collide_group", "collide_tiled", "collide_square", "collide_triangle"};
+  return names[int(kernel)];
+}
+
+void DeviceBackend::require_scene(const char* what) const {
+  if (!bytes_[SLOT_POSITION]) throw BackendError(fmt::format("{}: {} needs a scene; call upload first", info().name, what));
+}
+
+void DeviceBackend::make_buffer(uint slot, uint64_t bytes) {
+  bytes = ceil_div(std::max<uint64_t>(bytes, 16), 16) * 16;
+  const uint64_t whole = bytes + guard_words * sizeof(uint);
+  if (whole > largest_binding()) {
+    throw BackendError(fmt::format("{}: {} spheres need {} bytes for the {}, but a kernel of this device can bind at most {}; "
+                                   "use fewer spheres",
+                                   info().name, n_, whole, slot_names[slot], largest_binding()));
+  }
+  if (bytes_[slot] != bytes) allocate(slot, whole);
+  bytes_[slot] = bytes;
+  const std::vector<uint> guard(guard_words, guard_pattern);
+  write(slot, guard.data(), bytes, guard_words * sizeof(uint));
+}
+
+void DeviceBackend::check_guards() {
+  for (uint slot = 0; slot < SLOT_TOTAL; ++slot) {
+    if (!bytes_[slot]) continue;
+    std::vector<uint> guard(guard_words);
+    read(slot, guard.data(), bytes_[slot], guard_words * sizeof(uint));
+    if (std::ranges::any_of(guard, [](uint word) { return word != guard_pattern; })) {
+      throw BackendError(fmt::format("{}: something was written behind the end of the {}", info().name, slot_names[slot]));
+    }
+  }
+}
+
+void DeviceBackend::upload(const Scene& scene) {
+  check_scene(scene);
+  finish();
+  n_ = scene.size();
+  make_buffer(SLOT_POSITION, n_ * sizeof(vec4));
+  make_buffer(SLOT_VELOCITY, n_ * sizeof(vec4));
+  make_buffer(SLOT_COUNT, n_ * sizeof(uint));
+  make_buffer(SLOT_SUMMARY, SUMMARY_SLOTS * SUMMARY_WORDS * sizeof(uint));
+  make_buffer(SLOT_DEFERRED, std::max<uint64_t>(n_, 4096) * sizeof(uvec2));
+  make_buffer(SLOT_PAIR, std::max<uint64_t>(n_, 4096) * sizeof(uvec2));
+  make_buffer(SLOT_SPHERES, 16);
+  make_buffer(SLOT_VERDICT, 16);
+  write(SLOT_POSITION, scene.positions.data(), 0, n_ * sizeof(vec4));
+  write(SLOT_VELOCITY, scene.velocities.data(), 0, n_ * sizeof(vec4));
+  equal_radii_ = scene.equal_radii;
+  constants_ = {scene_params(scene, false), scene_params(scene, true)};
+  params_ = constants_[true];
+  params_.n = uint(n_);
+  cleared_ = collided_ = false;
+}
+
+// A thread for every sphere, and at least one for every word of the summary, which the same kernels clear.
+std::array<uint, 3> DeviceBackend::per_sphere_groups() const {
+  return folded(ceil_div(std::max<uint64_t>(n_, SUMMARY_SLOTS * SUMMARY_WORDS), SERVICE_BLOCK));
+}
+
+void DeviceBackend::move() {
+  require_scene("move");
+  launch({Kernel::move, SERVICE_BLOCK, true, per_sphere_groups()}, params_);
+  cleared_ = true;
+  collided_ = false;
+}
+
+Launch DeviceBackend::collide_launch() const {
+  const uint64_t groups = ceil_div(n_, options_.block);
+  const uint64_t fold = ceil_div(std::max<uint64_t>(groups, 1), MAX_GROUPS);
+  const uint side = uint(std::clamp<uint64_t>(groups, 1, MAX_GROUPS));
+  switch (options_.method) {
+    case Method::collide_group: return {Kernel::collide_group, options_.block, equal_radii_, folded(groups)};
+    case Method::collide_tiled: return {Kernel::collide_tiled, options_.block, equal_radii_, folded(groups)};
+    case Method::collide_square:
+      return {Kernel::collide_square, options_.block, equal_radii_, {side, side, uint(fold * fold)}};
+    case Method::collide_triangle: {
+      const uint64_t rows = ceil_div(std::max<uint64_t>(n_, 1), uint64_t(options_.block) * SPHERES_PER_THREAD);
+      const uint64_t columns = ceil_div(std::max<uint64_t>(n_, 1), params_.columns);
+      if (rows > MAX_GROUPS || columns > MAX_GROUPS) {
+        throw BackendError(fmt::format("{}: {} spheres are more than collide_triangle can dispatch in groups of {}; use a larger group",
+                                       info().name, n_, options_.block));
+      }
+      return {Kernel::collide_triangle, options_.block, equal_radii_, {uint(columns), uint(rows), 1}};
+    }
+    default:
+      throw std::invalid_argument(fmt::format("{}: the method {} runs on the backend cpu only", info().name, method_name(options_.method)));
+  }
+}
+
+void DeviceBackend::collide(const CollideOptions& options) {
+  require_scene("collide");
+  if (std::ranges::find(block_sizes(), options.block) == block_sizes().end()) {
+    throw std::invalid_argument(fmt::format("group size {} is not one of {}", options.block, fmt::join(block_sizes(), ", ")));
+  }
+  options_ = options;
+  run_collide();
+  collided_ = true;
+}
+
+void DeviceBackend::run_collide() {
+  params_ = constants_[options_.exact];
+  params_.n = uint(n_);
+  params_.columns = options_.columns ? options_.columns : default_columns(n_, uint64_t(options_.block) * SPHERES_PER_THREAD);
+  params_.pair_capacity = options_.want_pairs ? uint(bytes_[SLOT_PAIR] / sizeof(uvec2)) : 0;
+  params_.deferred_capacity = uint(bytes_[SLOT_DEFERRED] / sizeof(uvec2));
+  if (!cleared_) {
+    launch({Kernel::clear, SERVICE_BLOCK, true, per_sphere_groups()}, params_);
+  }
+  cleared_ = false;
+  if (n_ < 2) return;
+  launch(collide_launch(), params_);
+  if (options_.exact) launch({Kernel::settle, SERVICE_BLOCK, true, {settle_groups, 1, 1}}, params_);
+}
+
+std::vector<uint> DeviceBackend::read_summary() {
+  std::vector<uint> words(SUMMARY_SLOTS * SUMMARY_WORDS);
+  read(SLOT_SUMMARY, words.data(), 0, words.size() * sizeof(uint));
+  return words;
+}
+
+bool DeviceBackend::grow_lists(uint64_t deferred, uint64_t listed) {
+  const bool short_deferred = deferred > params_.deferred_capacity;
+  const bool short_pairs = options_.want_pairs && listed > params_.pair_capacity;
+  if (short_deferred) make_buffer(SLOT_DEFERRED, (deferred + deferred / 8) * sizeof(uvec2));
+  if (short_pairs) make_buffer(SLOT_PAIR, (listed + listed / 8) * sizeof(uvec2));
+  return short_deferred || short_pairs;
+}
+
+Collisions DeviceBackend::collisions() {
+  if (!collided_) throw BackendError(fmt::format("{}: no collision step to report since the last move; call collide first", info().name));
+  std::vector<uint> words = read_summary();
+  while (grow_lists(words[SUM_DEFERRED], words[SUM_LISTED])) {
+    run_collide();
+    words = read_summary();
+  }
+  Collisions total;
+  for (uint row = 0; row < SUMMARY_SLOTS; ++row) {
+    const uint* sum = &words[row * SUMMARY_WORDS];
+    total.pairs += join(sum + SUM_PAIRS);
+    total.fingerprint.a += join(sum + SUM_MIX_A);
+    total.fingerprint.b += join(sum + SUM_MIX_B);
+    total.colliding_spheres += sum[SUM_COLLIDING];
+    for (uint stage = 0; stage < STAGES; ++stage) total.decided_by[stage] += sum[SUM_STAGE + stage];
+  }
+  total.deferred = words[SUM_DEFERRED];
+  return total;
+}
+
+std::vector<uint> DeviceBackend::counts() {
+  collisions();  // grows and repeats if it must
+  std::vector<uint> counts(n_);
+  read(SLOT_COUNT, counts.data(), 0, n_ * sizeof(uint));
+  return counts;
+}
+
+std::vector<Pair> DeviceBackend::pairs() {
+  if (!options_.want_pairs) throw BackendError(fmt::format("{}: no pair list was asked for; set want_pairs", info().name));
+  const uint64_t count = collisions().pairs;
+  return read_pairs(count);
+}
+
+std::vector<Pair> DeviceBackend::read_pairs(uint64_t count) {
+  std::vector<Pair> pairs(count);
+  read(SLOT_PAIR, pairs.data(), 0, count * sizeof(Pair));
+  std::ranges::sort(pairs);
+  return pairs;
+}
+
+Backend::State DeviceBackend::state() {
+  require_scene("state");
+  State state{std::vector<vec4>(n_), std::vector<vec4>(n_)};
+  read(SLOT_POSITION, state.positions.data(), 0, n_ * sizeof(vec4));
+  read(SLOT_VELOCITY, state.velocities.data(), 0, n_ * sizeof(vec4));
+  return state;
+}
+
+std::vector<uint> DeviceBackend::decide(std::span<const vec4> spheres) {
+  const uint64_t total = spheres.size() / 2;
+  std::vector<uint> verdicts(total);
+  make_buffer(SLOT_SPHERES, std::min(total, decide_batch) * 2 * sizeof(vec4));
+  make_buffer(SLOT_VERDICT, std::min(total, decide_batch) * sizeof(uint));
+  Params params = scene_params(Scene{}, true);
+  for (uint64_t first = 0; first < total; first += decide_batch) {
+    const uint64_t count = std::min(decide_batch, total - first);
+    params.pairs_to_decide = uint(count);
+    write(SLOT_SPHERES, &spheres[2 * first], 0, count * 2 * sizeof(vec4));
+    launch({Kernel::decide, SERVICE_BLOCK, true, folded(ceil_div(count, SERVICE_BLOCK))}, params);
+    read(SLOT_VERDICT, &verdicts[first], 0, count * sizeof(uint));
+  }
+  return verdicts;
+}
+
+void DeviceBackend::launch_empty(uint groups) { launch({Kernel::empty, SERVICE_BLOCK, true, folded(groups)}, params_); }
+
+}  // namespace spherepair

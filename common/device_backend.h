@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// The host side that GLSL and CUDA have in common: which kernels run in which order, on which grid, with which parameters,
+// and what happens when a list is too short. The two APIs only allocate, copy and launch.
+#pragma once
+
+#include "backend.h"
+
+namespace spherepair {
+
+// The parameters of every kernel for this scene. All constants are computed here once, in float64, and rounded.
+Params scene_params(const Scene& scene, bool exact);
+
+enum class Kernel { move, clear, empty, settle, decide, collide_group, collide_tiled, collide_square, collide_triangle };
+const char* kernel_name(Kernel kernel);  // the stem of its two source files
+
+struct Launch {
+  Kernel kernel;
+  uint block;        // threads per group
+  bool equal_radii;  // the variant that loads no radius
+  std::array<uint, 3> groups;
+};
+
+class DeviceBackend : public Backend {
+ public:
+  std::vector<Method> methods() const override { return device_methods(); }
+  void upload(const Scene& scene) override;
+  void move() override;
+  void collide(const CollideOptions& options) override;
+  Collisions collisions() override;
+  std::vector<uint> counts() override;
+  std::vector<Pair> pairs() override;
+  State state() override;
+  std::vector<uint> decide(std::span<const vec4> spheres) override;
+  void launch_empty(uint groups) override;
+  void check_guards() override;
+
+ protected:
+  // A buffer of so many bytes at a slot, in place of what was there. Throws BackendError with the bytes asked and free.
+  virtual void allocate(uint slot, uint64_t bytes) = 0;
+  virtual void write(uint slot, const void* data, uint64_t offset, uint64_t bytes) = 0;
+  virtual void read(uint slot, void* data, uint64_t offset, uint64_t bytes) = 0;  // waits for the device
+  virtual void launch(const Launch& launch, const Params& params) = 0;
+  virtual uint64_t largest_binding() const = 0;  // bytes that a kernel can reach in one buffer
+  virtual std::vector<Pair> read_pairs(uint64_t count);
+
+ private:
+  void require_scene(const char* what) const;
+  void make_buffer(uint slot, uint64_t bytes);
+  void run_collide();
+  bool grow_lists(uint64_t deferred, uint64_t listed);
+  std::vector<uint> read_summary();
+  Launch collide_launch() const;
+
+  std::array<uint, 3> per_sphere_groups() const;
+
+  uint64_t n_ = 0;
+  bool equal_radii_ = true;
+  std::array<Params, 2> constants_{};  // of the scene: [exact]
+  Params params_{};                    // of the last launch
+  CollideOptions options_;
+  bool cleared_ = false, collided_ = false;
+  std::array<uint64_t, SLOT_TOTAL> bytes_{};
+};
+
+}  // namespace spherepair

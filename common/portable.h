@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The words in which C++20, CUDA and GLSL 4.50 differ. What a shader includes from this folder is written in the subset
+// that all three share: by-value parameters, struct returns, component arithmetic into EXACT locals. EXACT forbids the
+// compiler to contract or reorder; C++ and CUDA get the same from -ffp-contract=off and --fmad=false.
+#ifndef SPHEREPAIR_PORTABLE_H
+#define SPHEREPAIR_PORTABLE_H
+
+#ifdef GL_core_profile
+
+#define FN
+#define EXACT precise
+
+uint float_bits(float x) { return floatBitsToUint(x); }
+float bits_float(uint bits) { return uintBitsToFloat(bits); }
+double bits_double(uint high, uint low) { return packDouble2x32(uvec2(low, high)); }
+
+// a*b + c, rounded once or twice: only for filters whose error bound covers both.
+float multiply_add(float a, float b, float c) { return fma(a, b, c); }
+
+#else
+
+#include <bit>
+#include <cstdint>
+
+#ifdef __CUDACC__
+#define FN __host__ __device__ inline
+#else
+#define FN inline
+#endif
+#define EXACT
+
+using uint = unsigned int;
+
+struct alignas(8) uvec2 {
+  uint x, y;
+};
+struct alignas(16) vec4 {
+  float x, y, z, w;
+};
+
+#ifdef __CUDA_ARCH__
+FN uint float_bits(float x) { return __float_as_uint(x); }
+FN float bits_float(uint bits) { return __uint_as_float(bits); }
+FN double bits_double(uint high, uint low) { return __hiloint2double(int(high), int(low)); }
+FN float multiply_add(float a, float b, float c) { return __fmaf_rn(a, b, c); }
+#else
+FN uint float_bits(float x) { return std::bit_cast<uint>(x); }
+FN float bits_float(uint bits) { return std::bit_cast<float>(bits); }
+FN double bits_double(uint high, uint low) { return std::bit_cast<double>(uint64_t(high) << 32 | low); }
+FN float multiply_add(float a, float b, float c) { return a * b + c; }
+#endif
+
+#endif
+#endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <limits>
+
+#include "device_backend.h"
+
+namespace spherepair {
+namespace {
+
+constexpr float largest = std::numeric_limits<float>::max();
+
+// Rounded towards +infinity or -infinity; `value` may exceed the floats.
+float round_up(double value) {
+  const float nearest = float(value);
+  return double(nearest) >= value ? nearest : std::nextafter(nearest, std::numeric_limits<float>::infinity());
+}
+float round_down(double value) {
+  if (value > double(largest)) return largest;
+  const float nearest = float(value);
+  return double(nearest) <= value ? nearest : std::nextafter(nearest, -std::numeric_limits<float>::infinity());
+}
+
+}  // namespace
+
+Params scene_params(const Scene& scene, bool exact) {
+  Params p{};
+  const double dt = scene.dt, gravity = scene.gravity;
+  p.dt = scene.dt;
+  p.gravity_dt = float(gravity * dt);
+  p.half_gravity_dt2 = float(0.5 * gravity * dt * dt);
+  p.restitution = scene.restitution;
+  p.plane = scene.plane;
+  p.radius = scene.equal_radii && scene.size() ? scene.positions[0].w : 0.0f;
+  const double diameter = 2.0 * double(p.radius);
+  const double q = diameter * diameter;  // exact: 24-bit factor
+  const double margin = 12 * 0x1p-24, offset = 0x1p-100;
+  p.apart_above = exact ? round_up(q * (1 + margin) + offset) : float(q);
+  p.collide_below = exact ? round_down(q * (1 - margin) - offset) : float(q);
+  p.filter_scale = exact ? bits_float(0x3F80000Cu) : 1.0f;  // 1 + 24 * 2^-24
+  p.filter_offset = exact ? 0x1p-100f : 0.0f;
+  p.defer_undecided = exact;
+  return p;
+}
+
+}  // namespace spherepair

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Order statistics of timing samples: nothing here assumes a normal distribution.
+#pragma once
+
+#include <span>
+
+namespace spherepair {
+
+// Each throws std::invalid_argument for an empty sample.
+double median(std::span<const double> sample);
+double minimum(std::span<const double> sample);
+double quantile(std::span<const double> sample, double fraction);  // linear between order statistics
+
+// An interval between two order statistics that holds the true median with probability `coverage`. `coverage` is below
+// the confidence asked for when even the whole sample is too small (fewer than 6 values at 95 %).
+struct Interval {
+  double low, high, coverage;
+};
+Interval median_interval(std::span<const double> sample, double confidence = 0.95);
+
+inline bool overlap(const Interval& left, const Interval& right) {
+  return left.low <= right.high && right.low <= left.high;
+}
+
+// Two-sided p of the Mann-Whitney rank test that both samples come from one distribution: exact without ties up to 40
+// values a side, else the normal approximation with corrections for ties and continuity.
+double rank_test(std::span<const double> left, std::span<const double> right);
+
+}  // namespace spherepair

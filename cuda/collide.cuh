@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// What a thread does with the pairs that reach it: decide, record, defer; and the totals of its group.
+#pragma once
+
+#include "hash.h"
+#include "kernels.cuh"
+#include "predicate.h"
+
+namespace spherepair {
+
+// 64-bit sums by two 32-bit atomics: each wrap of the low word is seen by exactly one addition.
+__device__ inline void add_to_words(uint* words, uint low, uint high) {
+  uint before = atomicAdd(&words[0], low);
+  atomicAdd(&words[1], high + (before + low < before ? 1u : 0u));
+}
+
+template <bool EQUAL_RADII>
+struct Collider {
+  const Params& p;
+  const World& w;
+  uint* total;  // shared, SUM_DEFERRED words
+  uint pairs_found = 0u;
+  uint newly_colliding = 0u;
+  uint64_t mix_a = 0ul;
+  uint64_t mix_b = 0ul;
+
+  __device__ Collider(const Params& params, const World& world, uint* shared_total) : p(params), w(world), total(shared_total) {}
+
+  __device__ void start_totals() {
+    if (threadIdx.x < SUM_DEFERRED) total[threadIdx.x] = 0u;
+    __syncthreads();
+  }
+
+  __device__ void add_to_total(uint word, uint64_t value) {
+    add_to_words(&total[word], uint(value & 0xFFFFFFFFul), uint(value >> 32));
+  }
+
+  __device__ void finish_totals() {
+    if (pairs_found != 0u) {
+      add_to_total(SUM_PAIRS, uint64_t(pairs_found));
+      add_to_total(SUM_MIX_A, mix_a);
+      add_to_total(SUM_MIX_B, mix_b);
+    }
+    if (newly_colliding != 0u) atomicAdd(&total[SUM_COLLIDING], newly_colliding);
+    __syncthreads();
+    uint row = (group_index() % SUMMARY_SLOTS) * SUMMARY_WORDS;
+    uint word = 2u * threadIdx.x;
+    if (word < SUM_DEFERRED && (total[word] | total[word + 1u]) != 0u) add_to_words(&w.summary[row + word], total[word], total[word + 1u]);
+  }
+
+  // More contacts for sphere i. Of all additions to it exactly one finds a zero: that one counts the colliding sphere.
+  __device__ void touch(uint i, uint contacts) {
+    if (atomicAdd(&w.count[i], contacts) == 0u) newly_colliding += 1u;
+  }
+
+  __device__ void record(uint i, uint j) {
+    pairs_found += 1u;
+    mix_a += pair_mix_a(i, j);
+    mix_b += pair_mix_b(i, j);
+    if (p.pair_capacity != 0u) {
+      uint k = atomicAdd(&w.summary[SUM_LISTED], 1u);
+      if (k < p.pair_capacity) w.listed[k] = uvec2{i, j};
+    }
+  }
+
+  __device__ void defer(uint i, uint j) {
+    if (p.defer_undecided == 0u) return;
+    uint k = atomicAdd(&w.summary[SUM_DEFERRED], 1u);
+    if (k < p.deferred_capacity) w.deferred[k] = uvec2{i, j};
+  }
+
+  // Whether the filter must look closer at this pair: the one test of the hot loops.
+  __device__ bool in_reach(vec4 a, vec4 b) {
+    if constexpr (EQUAL_RADII) return !(squared_distance(a, b) > p.apart_above);
+    return filter_pair(a, b, p.filter_scale, p.filter_offset) != APART;
+  }
+
+  __device__ uint filter_spheres(vec4 a, vec4 b) {
+    if constexpr (EQUAL_RADII) return filter_equal(squared_distance(a, b), p.apart_above, p.collide_below);
+    return filter_pair(a, b, p.filter_scale, p.filter_offset);
+  }
+
+  // For kernels that meet every ordered pair: sphere i counts its own contacts, and i<j records the pair.
+  __device__ uint meet_ordered(uint i, vec4 a, uint j, vec4 b) {
+    if (i == j || i >= p.n) return 0u;
+    uint verdict = filter_spheres(a, b);
+    if (verdict == UNDECIDED && i < j) defer(i, j);
+    if (verdict == COLLIDE && i < j) record(i, j);
+    return verdict == COLLIDE ? 1u : 0u;
+  }
+
+  // For kernels that meet every unordered pair once.
+  __device__ void meet_once(uint i, uint j) {
+    uint verdict = filter_spheres(w.position[i], w.position[j]);
+    if (verdict == UNDECIDED) defer(i, j);
+    if (verdict != COLLIDE) return;
+    record(i, j);
+    touch(i, 1u);
+    touch(j, 1u);
+  }
+};
+
+}  // namespace spherepair

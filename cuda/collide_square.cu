@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// A square of groups, one thread per sphere and group of others: it meets that group in a single loop (the paper's
+// two-dimensional arrangement).
+#include "collide.cuh"
+
+namespace spherepair {
+
+template <int BLOCK, bool EQUAL_RADII>
+__global__ void __launch_bounds__(BLOCK) collide_square(Params p, World w) {
+  __shared__ vec4 tile[BLOCK];
+  __shared__ uint total[SUM_DEFERRED];
+  Collider<EQUAL_RADII> c(p, w, total);
+  uint lane = threadIdx.x;
+  uint groups = (p.n + BLOCK - 1u) / BLOCK;
+  uint fold = (groups + MAX_GROUPS - 1u) / MAX_GROUPS;
+  uint mine_group = blockIdx.x + (blockIdx.z % fold) * MAX_GROUPS;
+  uint other_group = blockIdx.y + (blockIdx.z / fold) * MAX_GROUPS;
+  if (mine_group >= groups || other_group >= groups) return;
+  uint i = mine_group * BLOCK + lane;
+  uint first = other_group * BLOCK;
+  vec4 mine = w.position[min(i, p.n - 1u)];
+  tile[lane] = w.position[min(first + lane, p.n - 1u)];
+  c.start_totals();
+  uint contacts = 0u;
+  uint others = min(uint(BLOCK), p.n - first);
+  for (uint k = 0u; k < others; ++k) {
+    if (c.in_reach(mine, tile[k])) contacts += c.meet_ordered(i, mine, first + k, tile[k]);
+  }
+  if (contacts != 0u) c.touch(i, contacts);
+  c.finish_totals();
+}
+
+Entry collide_square_kernel(uint block, bool equal_radii) {
+  return pick_kernel(block, equal_radii, [](auto size, auto equal) { return reinterpret_cast<Entry>(&collide_square<size(), equal()>); });
+}
+
+}  // namespace spherepair

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "cuda_backend.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "check.h"
+#include "device_backend.h"
+#include "kernels.h"
+#include "sort_pairs.h"
+
+namespace spherepair {
+namespace {
+
+Entry entry_of(const Launch& launch) {
+  switch (launch.kernel) {
+    case Kernel::move: return move_kernel();
+    case Kernel::clear: return clear_kernel();
+    case Kernel::empty: return empty_kernel();
+    case Kernel::settle: return settle_kernel();
+    case Kernel::decide: return decide_kernel();
+    case Kernel::collide_group: return collide_group_kernel(launch.block, launch.equal_radii);
+    case Kernel::collide_tiled: return collide_tiled_kernel(launch.block, launch.equal_radii);
+    case Kernel::collide_square: return collide_square_kernel(launch.block, launch.equal_radii);
+    case Kernel::collide_triangle: return collide_triangle_kernel(launch.block, launch.equal_radii);
+  }
+  return nullptr;
+}
+
+std::string version(int number) { return fmt::format("{}.{}", number / 1000, number % 1000 / 10); }
+
+// Owns a chunk of device memory.
+struct DeviceMemory {
+  void* data = nullptr;
+  ~DeviceMemory() { cudaFree(data); }
+};
+
+struct TimedStage {
+  Kernel kernel;
+  cudaEvent_t start, stop;
+};
+
+class CudaBackend final : public DeviceBackend {
+ public:
+  explicit CudaBackend(const OpenOptions& options);
+  ~CudaBackend() override;
+  const BackendInfo& info() const override { return info_; }
+  void finish() override { cuda_check(cudaDeviceSynchronize(), "waiting for the device"); }
+  void time_stages(bool on) override;
+  std::vector<StageTime> stage_times() override;
+
+ protected:
+  void allocate(uint slot, uint64_t bytes) override;
+  void write(uint slot, const void* data, uint64_t offset, uint64_t bytes) override;
+  void read(uint slot, void* data, uint64_t offset, uint64_t bytes) override;
+  void launch(const Launch& launch, const Params& params) override;
+  uint64_t largest_binding() const override { return uint64_t(1) << 47; }
+  std::vector<Pair> read_pairs(uint64_t count) override;
+
+ private:
+  void describe(int device);
+  void require_kernels(int device) const;
+
+  BackendInfo info_;
+  std::array<DeviceMemory, SLOT_TOTAL> memory_;
+  bool timing_ = false;
+  std::vector<TimedStage> timed_;
+};
+
+int usable_device(int wanted) {
+  int count = 0;
+  const cudaError_t error = cudaGetDeviceCount(&count);
+  if (error == cudaErrorInsufficientDriver) {
+    int driver = 0, runtime = 0;
+    cudaDriverGetVersion(&driver);
+    cudaRuntimeGetVersion(&runtime);
+    if (driver == 0) throw BackendError("cuda: no NVIDIA driver on this machine; install one or leave this backend out");
+    throw BackendError(fmt::format("cuda: the driver supports CUDA {}, but this build needs {}; update the driver or build "
+                                   "with an older toolkit", version(driver), version(runtime)));
+  }
+  if (error == cudaErrorNoDevice || (error == cudaSuccess && count == 0)) {
+    throw BackendError("cuda: the driver finds no device; check nvidia-smi and CUDA_VISIBLE_DEVICES");
+  }
+  cuda_check(error, "counting devices");
+  if (wanted < 0 || wanted >= count) {
+    throw BackendError(fmt::format("cuda: there is no device {}; devices are 0 to {}", wanted, count - 1));
+  }
+  return wanted;
+}
+
+CudaBackend::CudaBackend(const OpenOptions& options) {
+  const int device = usable_device(options.cuda_device);
+  cuda_check(cudaSetDevice(device), fmt::format("choosing device {}", device));
+  describe(device);
+  require_kernels(device);
+}
+
+CudaBackend::~CudaBackend() {
+  for (const TimedStage& stage : timed_) {
+    cudaEventDestroy(stage.start);
+    cudaEventDestroy(stage.stop);
+  }
+}
+
+void CudaBackend::describe(int device) {
+  cudaDeviceProp properties;
+  cuda_check(cudaGetDeviceProperties(&properties, device), "reading the device's properties");
+  int driver = 0, runtime = 0, clock_khz = 0;
+  cudaDriverGetVersion(&driver);
+  cudaRuntimeGetVersion(&runtime);
+  cudaDeviceGetAttribute(&clock_khz, cudaDevAttrClockRate, device);
+  info_.name = "cuda";
+  info_.device = properties.name;
+  for (const char byte : properties.uuid.bytes) info_.uuid += fmt::format("{:02x}", uint(uint8_t(byte)));
+  info_.device_timers = true;
+  info_.details = {{"compute capability", fmt::format("{}.{}", properties.major, properties.minor)},
+                   {"driver supports CUDA", version(driver)},
+                   {"CUDA runtime", version(runtime)},
+                   {"multiprocessors", std::to_string(properties.multiProcessorCount)},
+                   {"highest clock MHz", std::to_string(clock_khz / 1000)},
+                   {"memory bytes", std::to_string(properties.totalGlobalMem)},
+                   {"L2 bytes", std::to_string(properties.l2CacheSize)}};
+}
+
+void CudaBackend::require_kernels(int device) const {
+  cudaFuncAttributes attributes;
+  const cudaError_t error = cudaFuncGetAttributes(&attributes, empty_kernel());
+  if (error == cudaSuccess) return;
+  const std::string capability = info_.details.at("compute capability");
+  throw BackendError(fmt::format("cuda: the kernels of this build do not run on device {}, {} of compute capability {} ({}); "
+                                 "configure with -DCMAKE_CUDA_ARCHITECTURES=native",
+                                 device, info_.device, capability, cudaGetErrorString(error)));
+}
+
+void CudaBackend::allocate(uint slot, uint64_t bytes) {
+  cuda_check(cudaFree(std::exchange(memory_[slot].data, nullptr)), "freeing a buffer");
+  const cudaError_t error = cudaMalloc(&memory_[slot].data, bytes);
+  if (error == cudaErrorMemoryAllocation) {
+    size_t free = 0, total = 0;
+    cudaGetLastError();
+    cudaMemGetInfo(&free, &total);
+    throw BackendError(fmt::format("cuda: out of memory: {} bytes asked, {} of {} free; use fewer spheres or no pair list",
+                                   bytes, free, total));
+  }
+  cuda_check(error, fmt::format("allocating {} bytes", bytes));
+}
+
+void CudaBackend::write(uint slot, const void* data, uint64_t offset, uint64_t bytes) {
+  if (bytes == 0) return;
+  char* target = static_cast<char*>(memory_[slot].data) + offset;
+  cuda_check(cudaMemcpy(target, data, bytes, cudaMemcpyHostToDevice), fmt::format("writing {} bytes", bytes));
+}
+
+void CudaBackend::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
+  if (bytes == 0) return;
+  const char* source = static_cast<const char*>(memory_[slot].data) + offset;
+  cuda_check(cudaMemcpy(data, source, bytes, cudaMemcpyDeviceToHost), fmt::format("reading {} bytes", bytes));
+}
+
+void CudaBackend::launch(const Launch& launch, const Params& params) {
+  Params p = params;
+  World w = {static_cast<vec4*>(memory_[SLOT_POSITION].data),  static_cast<vec4*>(memory_[SLOT_VELOCITY].data),
+             static_cast<uint*>(memory_[SLOT_COUNT].data),     static_cast<uint*>(memory_[SLOT_SUMMARY].data),
+             static_cast<uvec2*>(memory_[SLOT_DEFERRED].data), static_cast<uvec2*>(memory_[SLOT_PAIR].data),
+             static_cast<vec4*>(memory_[SLOT_SPHERES].data),   static_cast<uint*>(memory_[SLOT_VERDICT].data)};
+  void* arguments[] = {&p, &w};
+  const dim3 groups(launch.groups[0], launch.groups[1], launch.groups[2]);
+  TimedStage stage{launch.kernel, nullptr, nullptr};
+  if (timing_) {
+    cuda_check(cudaEventCreate(&stage.start), "creating an event");
+    cuda_check(cudaEventCreate(&stage.stop), "creating an event");
+    cuda_check(cudaEventRecord(stage.start), "recording an event");
+  }
+  cuda_check(cudaLaunchKernel(entry_of(launch), groups, dim3(launch.block), arguments, 0, nullptr),
+             fmt::format("launching {} with {} threads a block", kernel_name(launch.kernel), launch.block));
+  if (timing_) {
+    cuda_check(cudaEventRecord(stage.stop), "recording an event");
+    timed_.push_back(stage);
+  }
+}
+
+std::vector<Pair> CudaBackend::read_pairs(uint64_t count) {
+  sort_pairs(memory_[SLOT_PAIR].data, count);
+  std::vector<Pair> pairs(count);
+  read(SLOT_PAIR, pairs.data(), 0, count * sizeof(Pair));
+  return pairs;
+}
+
+void CudaBackend::time_stages(bool on) {
+  stage_times();
+  timing_ = on;
+}
+
+std::vector<StageTime> CudaBackend::stage_times() {
+  finish();
+  std::vector<StageTime> times;
+  for (const TimedStage& stage : timed_) {
+    float milliseconds = 0;
+    cuda_check(cudaEventElapsedTime(&milliseconds, stage.start, stage.stop), "reading an event");
+    times.push_back({kernel_name(stage.kernel), milliseconds * 1e-3});
+    cudaEventDestroy(stage.start);
+    cudaEventDestroy(stage.stop);
+  }
+  timed_.clear();
+  return times;
+}
+
+}  // namespace
+
+std::unique_ptr<Backend> open_cuda_backend(const OpenOptions& options) { return std::make_unique<CudaBackend>(options); }
+
+}  // namespace spherepair

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "context.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace spherepair {
+namespace {
+
+// libepoxy's own wrappers abort before a display exists, so these come from EGL itself.
+template <typename Function>
+Function egl_function(const char* name) {
+  const auto function = reinterpret_cast<Function>(eglGetProcAddress(name));
+  if (!function) throw BackendError(fmt::format("glsl: EGL here has no {}; install libegl1 and a driver for it (libegl-mesa0 for software)", name));
+  return function;
+}
+
+std::vector<EGLDeviceEXT> egl_devices() {
+  const auto query = egl_function<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+  EGLint count = 0;
+  if (!query(0, nullptr, &count) || count == 0) {
+    throw BackendError("glsl: EGL finds no device; install the GPU's driver, or libegl-mesa0 and libgl1-mesa-dri for software");
+  }
+  std::vector<EGLDeviceEXT> devices(count);
+  query(count, devices.data(), &count);
+  devices.resize(count);
+  return devices;
+}
+
+bool is_software(EGLDeviceEXT device) {
+  const auto query = egl_function<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
+  const char* extensions = query(device, EGL_EXTENSIONS);
+  return extensions && std::strstr(extensions, "EGL_MESA_device_software");
+}
+
+bool renders_in_software() {
+  const std::string renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return renderer.find("llvmpipe") != std::string::npos || renderer.find("softpipe") != std::string::npos;
+}
+
+}  // namespace
+
+Context::Context(const OpenOptions& options) {
+  std::vector<EGLDeviceEXT> devices = egl_devices();
+  std::ranges::stable_partition(devices, [](EGLDeviceEXT device) { return !is_software(device); });
+  for (EGLDeviceEXT device : devices) {
+    if (!options.allow_gpu && !is_software(device)) continue;
+    if (!open_on(device)) continue;
+    software_ = renders_in_software();
+    if (!software_ || !options.require_hardware) return;
+  }
+  if (context_ != EGL_NO_CONTEXT) {
+    throw BackendError(fmt::format("glsl: hardware was asked for, but the renderer is {}; check that the vendor's EGL file is in "
+                                   "/usr/share/glvnd/egl_vendor.d", reinterpret_cast<const char*>(glGetString(GL_RENDERER))));
+  }
+  throw BackendError(fmt::format("glsl: none of the {} EGL devices gives an OpenGL 4.5 core context; update the driver", devices.size()));
+}
+
+bool Context::open_on(EGLDeviceEXT device) {
+  const auto get_display = egl_function<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
+  const EGLDisplay display = get_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
+  if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return false;
+  if (!epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context") || !epoxy_has_egl_extension(display, "EGL_KHR_no_config_context")) {
+    return false;
+  }
+  eglBindAPI(EGL_OPENGL_API);
+  const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+  if (context == EGL_NO_CONTEXT) return false;
+  if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
+  display_ = display;
+  context_ = context;
+  make_current();
+  return true;
+}
+
+Context::~Context() {
+  if (context_ == EGL_NO_CONTEXT) return;
+  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglDestroyContext(display_, context_);
+}
+
+void Context::make_current() const {
+  if (eglGetCurrentContext() == context_) return;
+  if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
+    throw BackendError(fmt::format("glsl: eglMakeCurrent failed with error 0x{:x}", eglGetError()));
+  }
+}
+
+void gl_check(const std::string& what) {
+  const GLenum error = glGetError();
+  if (error == GL_NO_ERROR) return;
+  const char* name = error == GL_OUT_OF_MEMORY       ? "out of memory"
+                     : error == GL_INVALID_VALUE     ? "invalid value"
+                     : error == GL_INVALID_OPERATION ? "invalid operation"
+                     : error == GL_INVALID_ENUM      ? "invalid enum"
+                                                     : "unknown error";
+  throw BackendError(fmt::format("glsl: {} failed: {} (0x{:x})", what, name, error));
+}
+
+}  // namespace spherepair

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "glsl_backend.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <filesystem>
+
+#include "context.h"
+#include "device_backend.h"
+#include "program.h"
+
+namespace spherepair {
+namespace {
+
+struct TimedStage {
+  Kernel kernel;
+  std::array<GLuint, 2> queries;
+};
+
+class GlslBackend final : public DeviceBackend {
+ public:
+  explicit GlslBackend(const OpenOptions& options);
+  ~GlslBackend() override;
+  const BackendInfo& info() const override { return info_; }
+  void finish() override;
+  void time_stages(bool on) override;
+  std::vector<StageTime> stage_times() override;
+
+ protected:
+  void allocate(uint slot, uint64_t bytes) override;
+  void write(uint slot, const void* data, uint64_t offset, uint64_t bytes) override;
+  void read(uint slot, void* data, uint64_t offset, uint64_t bytes) override;
+  void launch(const Launch& launch, const Params& params) override;
+  uint64_t largest_binding() const override { return largest_binding_; }
+
+ private:
+  void require_features() const;
+  void describe();
+  const Program& program(const Launch& launch);
+  void set_params(const Params& params);
+
+  Context context_;
+  BackendInfo info_;
+  uint64_t largest_binding_ = 0;
+  std::array<GLuint, SLOT_TOTAL> buffers_{};
+  GLuint params_buffer_ = 0;
+  Params params_on_device_{};
+  bool params_known_ = false;
+  std::map<std::tuple<Kernel, uint, bool>, std::unique_ptr<Program>> programs_;
+  bool timing_ = false;
+  std::vector<TimedStage> timed_;
+};
+
+std::string gl_string(GLenum name) { return reinterpret_cast<const char*>(glGetString(name)); }
+
+std::string device_uuid() {
+  GLubyte bytes[GL_UUID_SIZE_EXT] = {};
+  glGetUnsignedBytei_vEXT(GL_DEVICE_UUID_EXT, 0, bytes);
+  std::string uuid;
+  for (const GLubyte byte : bytes) uuid += fmt::format("{:02x}", byte);
+  return uuid;
+}
+
+GlslBackend::GlslBackend(const OpenOptions& options) : context_(options) {
+  context_.make_current();
+  require_features();
+  describe();
+  glCreateBuffers(1, &params_buffer_);
+  glNamedBufferStorage(params_buffer_, sizeof(Params), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  gl_check("making the parameter buffer");
+}
+
+GlslBackend::~GlslBackend() {
+  context_.make_current();
+  for (const TimedStage& stage : timed_) glDeleteQueries(2, stage.queries.data());
+  glDeleteBuffers(GLsizei(buffers_.size()), buffers_.data());
+  glDeleteBuffers(1, &params_buffer_);
+}
+
+void GlslBackend::require_features() const {
+  if (epoxy_gl_version() < 45) {
+    throw BackendError(fmt::format("glsl: {} offers OpenGL {}, but 4.5 is needed; update the driver", gl_string(GL_RENDERER), gl_string(GL_VERSION)));
+  }
+  if (!epoxy_has_gl_extension("GL_ARB_gpu_shader_int64")) {
+    throw BackendError(fmt::format("glsl: {} lacks GL_ARB_gpu_shader_int64, which the exact stages need; update the driver", gl_string(GL_RENDERER)));
+  }
+}
+
+void GlslBackend::describe() {
+  GLint64 binding = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &binding);
+  GLint shared_bytes = 0;
+  glGetIntegerv(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE, &shared_bytes);
+  largest_binding_ = uint64_t(binding);
+  info_.name = "glsl";
+  info_.device = gl_string(GL_RENDERER);
+  info_.software = context_.software();
+  info_.device_timers = !info_.software;  // a software renderer's timers stop before its work does
+  if (!info_.software && epoxy_has_gl_extension("GL_EXT_memory_object")) info_.uuid = device_uuid();
+  info_.details = {{"GL_RENDERER", gl_string(GL_RENDERER)},
+                   {"GL_VENDOR", gl_string(GL_VENDOR)},
+                   {"GL_VERSION", gl_string(GL_VERSION)},
+                   {"GLSL version", gl_string(GL_SHADING_LANGUAGE_VERSION)},
+                   {"largest storage block bytes", std::to_string(binding)},
+                   {"shared memory bytes", std::to_string(shared_bytes)}};
+  if (info_.software && std::filesystem::exists("/dev/nvidiactl")) {
+    info_.details["warning"] = "a GPU is present, but OpenGL runs in software";
+  }
+}
+
+void GlslBackend::allocate(uint slot, uint64_t bytes) {
+  context_.make_current();
+  glDeleteBuffers(1, &buffers_[slot]);
+  glCreateBuffers(1, &buffers_[slot]);
+  glNamedBufferStorage(buffers_[slot], GLsizeiptr(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  if (glGetError() == GL_NO_ERROR) return;
+  GLint free_kib = -1;
+  if (epoxy_has_gl_extension("GL_NVX_gpu_memory_info")) glGetIntegerv(GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, &free_kib);
+  const std::string free = free_kib < 0 ? "this driver does not say how many are free" : fmt::format("{} free", uint64_t(free_kib) * 1024);
+  throw BackendError(fmt::format("glsl: out of memory: {} bytes asked, {}; use fewer spheres or no pair list", bytes, free));
+}
+
+void GlslBackend::write(uint slot, const void* data, uint64_t offset, uint64_t bytes) {
+  if (bytes == 0) return;
+  context_.make_current();
+  glNamedBufferSubData(buffers_[slot], GLintptr(offset), GLsizeiptr(bytes), data);
+  gl_check(fmt::format("writing {} bytes", bytes));
+}
+
+void GlslBackend::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
+  if (bytes == 0) return;
+  context_.make_current();
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glGetNamedBufferSubData(buffers_[slot], GLintptr(offset), GLsizeiptr(bytes), data);
+  gl_check(fmt::format("reading {} bytes", bytes));
+}
+
+const Program& GlslBackend::program(const Launch& launch) {
+  auto& program = programs_[{launch.kernel, launch.block, launch.equal_radii}];
+  if (!program) program = std::make_unique<Program>(kernel_name(launch.kernel), launch.block, launch.equal_radii);
+  return *program;
+}
+
+// The same parameters serve a whole step, so they are sent only when they change.
+void GlslBackend::set_params(const Params& params) {
+  if (params_known_ && std::memcmp(&params, &params_on_device_, sizeof(Params)) == 0) return;
+  glNamedBufferSubData(params_buffer_, 0, sizeof(Params), &params);
+  params_on_device_ = params;
+  params_known_ = true;
+}
+
+// GL keeps an error until it is asked, so dispatches are checked where their results are waited for.
+void GlslBackend::launch(const Launch& launch, const Params& params) {
+  context_.make_current();
+  const Program& chosen = program(launch);
+  set_params(params);
+  glUseProgram(chosen.id());
+  glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_PARAMS, params_buffer_);
+  glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, 0, GLsizei(buffers_.size()), buffers_.data());
+  TimedStage stage{launch.kernel, {}};
+  if (timing_) {
+    glCreateQueries(GL_TIMESTAMP, 2, stage.queries.data());
+    glQueryCounter(stage.queries[0], GL_TIMESTAMP);
+  }
+  glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  if (timing_) {
+    glQueryCounter(stage.queries[1], GL_TIMESTAMP);
+    timed_.push_back(stage);
+  }
+}
+
+void GlslBackend::finish() {
+  context_.make_current();
+  glFinish();
+  gl_check("a dispatch, or waiting for it,");
+}
+
+void GlslBackend::time_stages(bool on) {
+  stage_times();
+  timing_ = on;
+}
+
+std::vector<StageTime> GlslBackend::stage_times() {
+  finish();
+  std::vector<StageTime> times;
+  for (const TimedStage& stage : timed_) {
+    GLuint64 start = 0, stop = 0;
+    glGetQueryObjectui64v(stage.queries[0], GL_QUERY_RESULT, &start);
+    glGetQueryObjectui64v(stage.queries[1], GL_QUERY_RESULT, &stop);
+    times.push_back({kernel_name(stage.kernel), double(stop - start) * 1e-9});
+    glDeleteQueries(2, stage.queries.data());
+  }
+  timed_.clear();
+  return times;
+}
+
+}  // namespace
+
+std::unique_ptr<Backend> open_glsl_backend(const OpenOptions& options) { return std::make_unique<GlslBackend>(options); }
+
+}  // namespace spherepair

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <string>
+
+namespace spherepair {
+
+// A compute program made from the embedded shader of this name, with the group size and variant defined in front of it.
+class Program {
+ public:
+  Program(const std::string& kernel, unsigned block, bool equal_radii);
+  ~Program() { glDeleteProgram(id_); }
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+  GLuint id() const { return id_; }
+
+ private:
+  GLuint id_;
+};
+
+}  // namespace spherepair

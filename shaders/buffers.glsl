@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The buffers of every kernel (layout.h says what they hold), and the index of a group whatever the fold of its dispatch.
+#extension GL_ARB_gpu_shader_int64 : require
+#include "layout.h"
+
+layout(std140, binding = SLOT_PARAMS) uniform ParamsBlock { Params p; };
+layout(std430, binding = SLOT_POSITION) restrict buffer PositionBuffer { vec4 position[]; };
+layout(std430, binding = SLOT_VELOCITY) restrict buffer VelocityBuffer { vec4 velocity[]; };
+layout(std430, binding = SLOT_COUNT) restrict buffer CountBuffer { uint count[]; };
+layout(std430, binding = SLOT_SUMMARY) restrict buffer SummaryBuffer { uint summary[]; };
+layout(std430, binding = SLOT_DEFERRED) restrict buffer DeferredBuffer { uvec2 deferred[]; };
+layout(std430, binding = SLOT_PAIR) restrict buffer PairBuffer { uvec2 listed[]; };
+
+uint group_index() { return gl_WorkGroupID.x + gl_NumWorkGroups.x * gl_WorkGroupID.y; }
+
+void clear_results(uint i) {
+  if (i < p.n) count[i] = 0u;
+  if (i < SUMMARY_SLOTS * SUMMARY_WORDS) summary[i] = 0u;
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// What a thread does with the pairs that reach it: decide, record, defer; and the totals of its group.
+#include "buffers.glsl"
+#include "hash.h"
+#include "predicate.h"
+
+shared uint total[SUM_DEFERRED];
+uint pairs_found = 0u;
+uint newly_colliding = 0u;
+uint64_t mix_a = 0ul;
+uint64_t mix_b = 0ul;
+
+// 64-bit sums by two 32-bit atomics: each wrap of the low word is seen by exactly one addition.
+void add_to_total(uint word, uint64_t value) {
+  uint low = uint(value & 0xFFFFFFFFul);
+  uint before = atomicAdd(total[word], low);
+  atomicAdd(total[word + 1u], uint(value >> 32) + (before + low < before ? 1u : 0u));
+}
+
+void add_to_summary(uint word, uint low, uint high) {
+  uint before = atomicAdd(summary[word], low);
+  atomicAdd(summary[word + 1u], high + (before + low < before ? 1u : 0u));
+}
+
+void start_totals() {
+  if (gl_LocalInvocationID.x < SUM_DEFERRED) total[gl_LocalInvocationID.x] = 0u;
+  barrier();
+}
+
+void finish_totals() {
+  if (pairs_found != 0u) {
+    add_to_total(SUM_PAIRS, uint64_t(pairs_found));
+    add_to_total(SUM_MIX_A, mix_a);
+    add_to_total(SUM_MIX_B, mix_b);
+  }
+  if (newly_colliding != 0u) atomicAdd(total[SUM_COLLIDING], newly_colliding);
+  barrier();
+  uint row = (group_index() % SUMMARY_SLOTS) * SUMMARY_WORDS;
+  uint word = 2u * gl_LocalInvocationID.x;
+  if (word < SUM_DEFERRED && (total[word] | total[word + 1u]) != 0u) add_to_summary(row + word, total[word], total[word + 1u]);
+}
+
+// More contacts for sphere i. Of all additions to it exactly one finds a zero: that one counts the colliding sphere.
+void touch(uint i, uint contacts) {
+  if (atomicAdd(count[i], contacts) == 0u) newly_colliding += 1u;
+}
+
+void record(uint i, uint j) {
+  pairs_found += 1u;
+  mix_a += pair_mix_a(i, j);
+  mix_b += pair_mix_b(i, j);
+  if (p.pair_capacity != 0u) {
+    uint k = atomicAdd(summary[SUM_LISTED], 1u);
+    if (k < p.pair_capacity) listed[k] = uvec2(i, j);
+  }
+}
+
+void defer(uint i, uint j) {
+  if (p.defer_undecided == 0u) return;
+  uint k = atomicAdd(summary[SUM_DEFERRED], 1u);
+  if (k < p.deferred_capacity) deferred[k] = uvec2(i, j);
+}
+
+// Whether the filter must look closer at this pair: the one test of the hot loops.
+bool in_reach(vec4 a, vec4 b) {
+#if EQUAL_RADII
+  return !(squared_distance(a, b) > p.apart_above);
+#else
+  return filter_pair(a, b, p.filter_scale, p.filter_offset) != APART;
+#endif
+}
+
+uint filter_spheres(vec4 a, vec4 b) {
+#if EQUAL_RADII
+  return filter_equal(squared_distance(a, b), p.apart_above, p.collide_below);
+#else
+  return filter_pair(a, b, p.filter_scale, p.filter_offset);
+#endif
+}
+
+// For kernels that meet every ordered pair: sphere i counts its own contacts, and i<j records the pair.
+uint meet_ordered(uint i, vec4 a, uint j, vec4 b) {
+  if (i == j || i >= p.n) return 0u;
+  uint verdict = filter_spheres(a, b);
+  if (verdict == UNDECIDED && i < j) defer(i, j);
+  if (verdict == COLLIDE && i < j) record(i, j);
+  return verdict == COLLIDE ? 1u : 0u;
+}
+
+// For kernels that meet every unordered pair once.
+void meet_once(uint i, uint j) {
+  uint verdict = filter_spheres(position[i], position[j]);
+  if (verdict == UNDECIDED) defer(i, j);
+  if (verdict != COLLIDE) return;
+  record(i, j);
+  touch(i, 1u);
+  touch(j, 1u);
+}

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: MIT
+"""Rules on what compilers make of float arithmetic: glslang's SPIR-V (a proxy, drivers get text), nvcc's PTX, flags.
+
+Each takes (root, build) and returns (complaints, what was checked)."""
+
+import json
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import tempfile
+
+from lint_sources import Skip
+
+STATE_FEEDING = ("move",)  # kernels whose results are the next step's input: every bit counts, so nothing is fused
+EXACT_FUNCTIONS = ("PackDouble2x32", "UnpackDouble2x32", "FAbs", "FMin", "FMax", "NMin", "NMax", "UMin", "UMax", "SMin",
+                   "SMax", "FindUMsb", "FindSMsb", "FindILsb")
+ROUNDED = re.compile(r"(%\w+) = (OpF(?:Add|Sub|Mul|Div|Rem|Mod)|Op(?:Vector|Matrix)Times\w+|OpDot|OpOuterProduct) ")
+LOOSE_PTX = re.compile(r"^\s*((?:fma|mad)\.(?:\w+\.)*f(?:32|64)|(?:add|sub|mul)\.(?:ftz\.|sat\.)*f(?:32|64)|"
+                       r"\w+\.(?:approx|full)\.(?:\w+\.)*f(?:32|64))\b.*", re.M)
+MAY_CONTRACT = ("common/cpu_simd.cpp", "tests/")  # a filter whose bound covers both roundings; negative controls
+LOOSE_FLAGS = ("-ffast-math", "-Ofast", "--use_fast_math", "-use_fast_math", "--ftz=true", "-ffp-contract=fast")
+
+
+def need(tool, package):
+    if not shutil.which(tool):
+        raise Skip(f"{tool} is not installed (package {package})")
+
+
+def with_defines(text, *defines):
+    """As the driver gets it: the definitions follow the #version line."""
+    lines = "".join(f"#define {define}\n" for define in defines)
+    return re.sub(r"(#version .*\n)", lambda match: match[1] + lines, text, count=1)
+
+
+def disassemble(text):
+    """SPIR-V assembly of a compute shader; raises ValueError with glslang's message."""
+    with tempfile.TemporaryDirectory() as folder:
+        shader, binary = pathlib.Path(folder, "shader.comp"), pathlib.Path(folder, "shader.spv")
+        shader.write_text(text)
+        made = subprocess.run(["glslangValidator", "-G", "-o", binary, shader], capture_output=True, text=True)
+        if made.returncode:
+            raise ValueError(made.stdout.replace(folder + "/", "").strip())
+        return subprocess.run(["spirv-dis", binary], capture_output=True, text=True, check=True).stdout
+
+
+def spirv_complaints(assembly, may_fuse):
+    exact = set(re.findall(r"OpDecorate (%\w+) NoContraction", assembly))
+    complaints = []
+    for result, operation in ROUNDED.findall(assembly):
+        if result not in exact:
+            complaints.append(f"{operation} {result} may be contracted: compute it into an EXACT local")
+    for function in re.findall(r"= OpExtInst %\w+ %\w+ (\w+)", assembly):
+        if function == "Fma" and not may_fuse:
+            complaints.append("Fma in a kernel that feeds state: it is fused on one driver and not on another")
+        elif function != "Fma" and function not in EXACT_FUNCTIONS:
+            complaints.append(f"{function} is not exact on every driver")
+    return complaints
+
+
+def shaders(root, build):
+    need("glslangValidator", "glslang-tools")
+    need("spirv-dis", "spirv-tools")
+    flattened = sorted((build / "flattened").glob("*.comp"))
+    if not flattened:
+        raise Skip("no flattened shaders: the build has no GLSL")
+    missing = {p.stem for p in (root / "shaders").glob("*.comp")} - {p.stem for p in flattened}
+    complaints = [f"{stem}.comp: is not built: add it to SPHEREPAIR_KERNELS" for stem in sorted(missing)]
+    for path in flattened:
+        for uniform in (0, 1):
+            text = with_defines(path.read_text(), "BLOCK 256", f"EQUAL_RADII {uniform}")
+            try:
+                found = spirv_complaints(disassemble(text), may_fuse=path.stem not in STATE_FEEDING)
+            except ValueError as error:
+                found = [str(error)]
+            complaints += [f"{path.name} (EQUAL_RADII {uniform}): {complaint}" for complaint in found]
+    return complaints, f"{len(flattened)} shaders, each twice"
+
+
+def ptx_complaints(text):
+    """Without .rn the assembler behind PTX may still fuse, so a rounding is asked for everywhere."""
+    return [f"{match[0].strip()}: is fused or may be" for match in LOOSE_PTX.finditer(text)]
+
+
+def compile_commands(build):
+    path = build / "compile_commands.json"
+    if not path.exists():
+        raise Skip(f"{path.name} is missing: configure with Ninja or Make")
+    return json.loads(path.read_text())
+
+
+def ptx_of(entry, *, without=()):
+    """PTX of one kernel with the flags that the build compiles it with."""
+    words, kept, skip = shlex.split(entry["command"]), [], False
+    for word in words:
+        if skip or word in ("-c", "-MD") or re.match(r"-{1,2}(generate-code|gencode|arch)\b", word) or word in without:
+            skip = False
+        elif word in ("-o", "-MT", "-MF"):
+            skip = True
+        else:
+            kept.append(word)
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "kernel.ptx")
+        subprocess.run([*kept, "-ptx", "-arch=compute_90", "-o", output], cwd=entry["directory"], check=True)
+        return pathlib.Path(output).read_text()
+
+
+def kernel_commands(root, build):
+    wanted = {str(root / "cuda" / f"{stem}.cu"): stem for stem in STATE_FEEDING}
+    found = {wanted[e["file"]]: e for e in compile_commands(build) if e["file"] in wanted}
+    if not found:
+        raise Skip("this build has no CUDA (no nvcc was found)")
+    return found
+
+
+def ptx(root, build):
+    commands = kernel_commands(root, build)
+    complaints = [f"cuda/{stem}.cu: is not built" for stem in STATE_FEEDING if stem not in commands]
+    for stem, entry in commands.items():
+        complaints += [f"cuda/{stem}.cu: {complaint}" for complaint in ptx_complaints(ptx_of(entry))]
+    return complaints, f"{len(commands)} kernels that feed state"
+
+
+def flag_complaints(entry):
+    words = shlex.split(entry["command"])
+    complaints = [f"is compiled with {flag}" for flag in LOOSE_FLAGS if flag in words]
+    if not any("-ffp-contract=off" in word for word in words):
+        complaints.append("is compiled without -ffp-contract=off")
+    if entry["file"].endswith(".cu") and "--fmad=false" not in words:
+        complaints.append("is compiled without --fmad=false")
+    return complaints
+
+
+def flags(root, build):
+    entries = [e for e in compile_commands(build) if e["file"].startswith((f"{root}/", f"{build}/"))]
+    complaints = []
+    for entry in entries:
+        name = os.path.relpath(entry["file"], root)
+        if not name.startswith(MAY_CONTRACT):
+            complaints += [f"{name}: {complaint}" for complaint in flag_complaints(entry)]
+    return complaints, f"{len(entries)} compilations"

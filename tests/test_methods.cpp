@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// Every method, group size and kind of scene: counts, flags, totals, fingerprint and pairs equal the oracle's.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "backends.h"
+#include "oracle.h"
+
+namespace spherepair {
+namespace {
+
+// Equal radii and a ratio of 1000, at a number of spheres that no group size divides; kinds that fix the radii refuse
+// the ratio.
+std::vector<Scene> scenes_of_kind(const std::string& kind, uint64_t n) {
+  std::vector<Scene> scenes;
+  for (float ratio : {1.0f, 1000.0f}) {
+    const float radius = ratio == 1.0f ? 0.5f : 0.01f;
+    try {
+      scenes.push_back(make_scene({.name = kind, .n = n, .radius = radius, .radius_ratio = ratio}));
+    } catch (const std::invalid_argument&) {
+      if (ratio == 1.0f) throw;
+    }
+  }
+  return scenes;
+}
+
+// The naive test may be wrong where rounding decides: only where S and Q differ by a few units in the last place.
+bool within_rounding(const vec4& a, const vec4& b) {
+  const auto square = [](long double x) { return x * x; };
+  const long double s =
+      square((long double)(a.x) - b.x) + square((long double)(a.y) - b.y) + square((long double)(a.z) - b.z);
+  const long double q = square((long double)(a.w) + b.w);
+  return std::abs(s - q) <= 16 * 0x1p-24L * std::max(s, q);
+}
+
+// A naive answer must be free of contradictions and equal the exact one but for pairs within rounding.
+void expect_naive(Backend& backend, const Scene& scene, std::span<const Pair> expected, CollideOptions options) {
+  options.exact = false;
+  options.want_pairs = true;
+  const Answer answer = ask(backend, options);
+  const std::string where = fmt::format("{}, scene {}, {}", backend.info().name, scene.name, describe(options));
+  EXPECT_EQ(objection(answer, *answer.pairs, scene.size()), "") << where;
+  EXPECT_EQ(answer.totals.deferred, 0u) << where;
+  std::vector<Pair> wrong;
+  std::set_symmetric_difference(answer.pairs->begin(), answer.pairs->end(), expected.begin(), expected.end(),
+                                std::back_inserter(wrong));
+  for (const Pair& pair : wrong)
+    EXPECT_TRUE(within_rounding(scene.positions[pair.first], scene.positions[pair.second]))
+        << where << ", pair (" << pair.first << ", " << pair.second << ")";
+}
+
+class Methods : public BackendTest {};
+
+TEST_P(Methods, EverySceneEqualsTheOracle) {
+  uint64_t n = 300;
+  for (const SceneKind& kind : scene_kinds()) {
+    n += 37;
+    for (const Scene& scene : scenes_of_kind(kind.name, n))
+      expect_pairs(backend(), scene, brute_force_pairs(scene.positions), every_method(backend(), block_sizes()));
+  }
+}
+
+TEST_P(Methods, NaiveIsWrongOnlyWithinRounding) {
+  for (const SceneKind& kind : scene_kinds())
+    for (const Scene& scene : scenes_of_kind(kind.name, 515)) {
+      const std::vector<Pair> expected = brute_force_pairs(scene.positions);
+      backend().upload(scene);
+      for (const CollideOptions& options : every_method(backend(), block_sizes().subspan(1, 2)))
+        expect_naive(backend(), scene,
+                     options.method == Method::collide_group ? within_groups(expected, options.block) : expected,
+                     options);
+    }
+}
+
+// Row 14 in small: a radius ratio of 10^5 in one scene.
+TEST_P(Methods, RadiiAcrossFiveDecades) {
+  Scene scene = make_scene({.name = "uniform", .n = 900, .radius = 0.001f, .radius_ratio = 1e5f});
+  for (size_t i = 0; i < scene.size(); i += 90) scene.positions[i].w = 0;
+  const std::vector<Pair> expected = brute_force_pairs(scene.positions);
+  EXPECT_FALSE(expected.empty());
+  expect_pairs(backend(), scene, expected, every_method(backend(), block_sizes()));
+}
+
+// How many spheres a group of collide_triangle meets is for speed alone.
+TEST_P(Methods, ColumnsNeverChangeTheSet) {
+  if (backend().info().name == "cpu") GTEST_SKIP() << "the CPU has no groups";
+  const Scene scene = make_scene({.name = "uniform", .n = 1111});
+  const std::vector<Pair> expected = brute_force_pairs(scene.positions);
+  std::vector<CollideOptions> methods;
+  for (uint block : {32u, 256u})
+    for (uint columns : {1u, 7u, 32u, 100u, 1024u, 5000u}) methods.push_back({.block = block, .columns = columns});
+  expect_pairs(backend(), scene, expected, methods);
+}
+
+// The answers of one step may not leak into the next, nor those of a larger scene into a smaller.
+TEST_P(Methods, NothingIsLeftFromTheStepBefore) {
+  for (uint64_t n : {2000, 150, 1100}) {
+    const Scene scene = make_scene({.name = "clustered", .n = n});
+    expect_pairs(backend(), scene, brute_force_pairs(scene.positions), every_method(backend(), block_sizes().first(1)));
+  }
+}
+
+TEST_P(Methods, RightAfterEveryMove) {
+  const Scene scene = make_scene({.name = "random", .n = 700});
+  backend().upload(scene);
+  const std::vector<CollideOptions> methods = every_method(backend(), block_sizes().subspan(3, 1));
+  for (size_t step = 0; step < 40; ++step) {
+    backend().move();
+    CollideOptions options = methods[step % methods.size()];
+    options.want_pairs = step % 3 == 0;
+    const Answer answer = ask(backend(), options);
+    const std::vector<Pair> expected = brute_force_pairs(backend().state().positions);
+    const std::vector<Pair> wanted =
+        options.method == Method::collide_group ? within_groups(expected, options.block) : expected;
+    EXPECT_EQ(objection(answer, wanted, scene.size()), "") << describe(options) << ", step " << step;
+  }
+}
+
+TEST_P(Methods, EmptyLaunchAndStageTimes) {
+  backend().upload(make_scene({.name = "random", .n = 300}));
+  backend().time_stages(true);
+  backend().launch_empty(10);
+  backend().move();
+  backend().collide(fast_method(backend()));
+  backend().finish();
+  const std::vector<StageTime> times = backend().stage_times();
+  backend().time_stages(false);
+  for (const StageTime& time : times) {
+    EXPECT_FALSE(time.stage.empty());
+    EXPECT_GE(time.seconds, 0) << time.stage;
+  }
+  if (backend().info().device_timers) {
+    EXPECT_FALSE(times.empty());
+  }
+  EXPECT_TRUE(backend().stage_times().empty()) << "reading them takes them away";
+}
+
+INSTANTIATE_BACKENDS(Methods);
+
+}  // namespace
+}  // namespace spherepair
