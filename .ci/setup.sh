@@ -2,8 +2,9 @@
 # What check and reproduce share; sourced by both from the root of the project.
 
 build_packages="g++ cmake ninja-build pkg-config libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
-  libbenchmark-dev libcli11-dev nlohmann-json3-dev libfmt-dev"
-test_packages="libgtest-dev libboost-dev libgmp-dev librapidcheck-dev glslang-tools spirv-tools clang-format python3"
+  libcli11-dev nlohmann-json3-dev libfmt-dev"
+test_packages="libbenchmark-dev libgtest-dev libboost-dev libgmp-dev librapidcheck-dev glslang-tools spirv-tools
+  clang-format python3"
 
 say() { printf '\n== %s\n' "$*"; }
 fail() {
@@ -23,6 +24,10 @@ install_packages() {
     echo "There is no apt-get here, so nothing is installed. Needed, by their Debian names: $*"
     return
   fi
+  if [ "${INSTALL:-yes}" = no ]; then
+    echo "INSTALL=no: nothing is installed"
+    return
+  fi
   local missing root=""
   missing=$(missing_packages "$@" | xargs)
   if [ -z "$missing" ]; then
@@ -31,7 +36,7 @@ install_packages() {
   fi
   if [ "$(id -u)" != 0 ]; then
     command -v sudo >/dev/null || fail "These packages are missing and only an administrator can install them:" \
-      "apt-get install $missing"
+      "apt-get install $missing" "(INSTALL=no goes on without them, where they came by another way)"
     root="sudo"
   fi
   echo "Installing: $missing"

@@ -139,9 +139,9 @@ void require_equal(Session& session, const Place& place, const Asked& reference,
       (!expected.pairs || !found.pairs || *expected.pairs == *found.pairs))
     return;
   // Sets too large to be kept are listed now, once, to name the pair.
-  const auto left = expected.pairs ? expected.pairs : ask(session, reference, true).pairs;
-  const auto right = found.pairs ? found.pairs : ask(session, asked, true).pairs;
-  if (const auto difference = first_difference(*left, *right)) report_pair(place, reference, asked, *difference);
+  const std::vector<Pair> left = expected.pairs ? *expected.pairs : *ask(session, reference, true).pairs;
+  const std::vector<Pair> right = found.pairs ? *found.pairs : *ask(session, asked, true).pairs;
+  if (const auto difference = first_difference(left, right)) report_pair(place, reference, asked, *difference);
   const auto at = std::ranges::mismatch(expected.counts, found.counts).in1 - expected.counts.begin();
   report_totals(place, label(reference), expected.totals, label(asked), found.totals,
                 size_t(at) < expected.counts.size() ? fmt::format("the count of sphere {}", at) : "totals");

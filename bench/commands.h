@@ -24,7 +24,7 @@ struct RunOptions {
   std::string backend = "cpu", method;  // no method: the backend's fast one
   SceneOptions scene;
   std::string input_file;  // spheres from a file, in place of a scene
-  uint block = 256;
+  uint block = CollideOptions{}.block;
   uint64_t steps = 0;
   bool per_step = false, naive = false;
   std::string pairs_file, json_file;

@@ -56,8 +56,13 @@ class Record {
   json root_;
 };
 
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 void check_everything(Study& study) {
   for (const CheckSize& check : study.plan.checks) {
+    const auto start = std::chrono::steady_clock::now();
     for (const SceneOptions& scene : study.plan.scenes) {
       LockstepPlan plan{scene, check.steps, study.plan.every, study.plan.methods, check.blocks};
       if (!scene.groups) plan.scene.n = check.n;
@@ -65,8 +70,8 @@ void check_everything(Study& study) {
         study.equality.push_back(std::move(entry));
     }
     study.progress.clear();
-    fmt::print("checked {} scenes of {} spheres over {} steps: all answers equal\n", study.plan.scenes.size(), check.n,
-               check.steps);
+    fmt::print("checked {} scenes of {} spheres over {} steps in {:.0f} s: all answers equal\n",
+               study.plan.scenes.size(), check.n, check.steps, seconds_since(start));
     std::fflush(stdout);
   }
 }
@@ -78,7 +83,8 @@ void make_tables(Study& study, Record& record) {
     const std::vector<Table> tables = kind.make(study);
     record.add_clocks(std::string("after ") + kind.name);
     study.progress.clear();
-    for (const Table& table : tables) fmt::print("\n{}", table.text());
+    for (const Table& table : tables)
+      if (!table.only_in_file) fmt::print("\n{}", table.text());
     std::fflush(stdout);
     record.add_tables(kind.name, tables);
     record.write_text(kind.name, tables, measurement_table(study, kind.name));
@@ -121,7 +127,7 @@ int compare_command(const CommandLine& line, const CompareOptions& options) {
     record.write(study);
     throw;
   }
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = seconds_since(start);
   record.set("verdict", "equal");
   record.set("seconds", seconds);
   record.write(study);
@@ -131,7 +137,8 @@ int compare_command(const CommandLine& line, const CompareOptions& options) {
 }
 
 int equal_command(const EqualOptions& options) {
-  const RecordComparison result = compare_records(read_results(options.left), read_results(options.right));
+  const json left = read_results(options.left), right = read_results(options.right);
+  const RecordComparison result = compare_records(left, right);
   for (const std::string& difference : result.differences) fmt::print("DIFFERENT: {}\n", difference);
   fmt::print("{} configurations compared, {} differ; {} only in {}, {} only in {}\n", result.compared,
              result.differences.size(), result.only_left, options.left, result.only_right, options.right);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cstdio>
 #include <functional>
 #include <limits>
@@ -15,10 +16,21 @@
 namespace spherepair {
 namespace {
 
+// CLI11 would call "abc" a value out of range.
+CLI::Validator whole_number(int64_t low, int64_t high) {
+  const auto check = [=](std::string& text) -> std::string {
+    int64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc() && end == text.data() + text.size() && value >= low && value <= high) return {};
+    return fmt::format("'{}' is not a whole number from {} to {}", text, low, high);
+  };
+  return CLI::Validator(check, fmt::format("{}..{}", low, high));
+}
+
 constexpr int64_t kMostSpheres = std::numeric_limits<int32_t>::max();
-const auto count_range = CLI::Range(int64_t(0), kMostSpheres);
-const auto positive_range = CLI::Range(int64_t(1), kMostSpheres);
-const auto steps_range = CLI::Range(int64_t(0), int64_t(1) << 53);
+const auto count_range = whole_number(0, kMostSpheres);
+const auto positive_range = whole_number(1, kMostSpheres);
+const auto steps_range = whole_number(0, int64_t(1) << 53);
 
 std::string scene_help() {
   std::string text = "Scene to start from. Known scenes:\n";
@@ -33,7 +45,7 @@ void add_open_options(CLI::App& command, OpenOptions& open) {
   command.add_flag("--require-hardware", open.require_hardware, "Refuse OpenGL in software");
   command.add_flag("!--no-gpu", open.allow_gpu, "Use OpenGL in software even where a GPU is");
   command.add_option("--threads", open.threads, "Threads of the CPU backend; 0 takes all cores")
-      ->check(CLI::Range(0, 4096))
+      ->check(whole_number(0, 4096))
       ->capture_default_str();
 }
 
@@ -123,7 +135,7 @@ void add_compare(CLI::App& app, CommandLine& line, Action& action) {
   command->add_option("--seed", plan.seed, "Seed of the scenes and of the order of the rounds")
       ->check(steps_range)
       ->capture_default_str();
-  command->add_option("--rounds", plan.rounds, "Rounds of each timing (default 11)")->check(CLI::Range(1, 100000));
+  command->add_option("--rounds", plan.rounds, "Rounds of each timing (default 11)")->check(whole_number(1, 100000));
   command->add_option("--min-seconds", plan.min_seconds, "Least time of one sample (default 0.002 on a GPU, 0.05 else)")
       ->check(CLI::Range(1e-6, 60.0));
   command->add_flag("--quick", plan.quick, "A first look: small sizes, few rounds");

@@ -28,7 +28,7 @@ std::vector<size_t> column_widths(const Table& table) {
   return widths;
 }
 
-// Columns [first, last) share a group heading; the last of them is widened when the heading needs the room.
+// Columns [first, last) share a group heading; they are widened when it needs the room.
 size_t group_end(const Table& table, size_t first) {
   size_t last = first + 1;
   const std::string& group = table.columns[first].group;
@@ -49,7 +49,7 @@ std::string group_line(const Table& table, std::vector<size_t>& widths) {
     last = group_end(table, first);
     const std::string& group = table.columns[first].group;
     const size_t have = span_width(widths, first, last);
-    if (group.size() > have) widths[last - 1] += group.size() - have;
+    for (size_t missing = have; missing < group.size(); ++missing) ++widths[first + missing % (last - first)];
     const size_t width = span_width(widths, first, last);
     line += (first ? kGap : "") + (group.empty() ? std::string(width, ' ') : fmt::format("{:-^{}}", group, width));
     any = any || !group.empty();
@@ -79,7 +79,8 @@ std::string Table::text() const {
     return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
   };
   out += line([&](size_t c) { return columns[c].name; });
-  out += line([&](size_t c) { return columns[c].unit; });
+  const bool units = std::ranges::any_of(columns, [](const Column& column) { return !column.unit.empty(); });
+  if (units) out += line([&](size_t c) { return columns[c].unit; });
   out += std::string(span_width(widths, 0, columns.size()), '-') + "\n";
   for (const auto& row : rows) out += line([&](size_t c) { return row[c]; });
   for (const std::string& note : notes) out += wrap(note, 118, "  ") + "\n";
@@ -108,10 +109,10 @@ std::string wrap(const std::string& text, size_t width, const std::string& inden
   std::string out = "*", word;
   for (size_t column = 1; words >> word; column += word.size() + 1) {
     if (column + 1 + word.size() > width) {
-      out += "\n" + indent.substr(0, indent.size() - 1);
+      out.append("\n").append(indent, 1);
       column = indent.size();
     }
-    out += " " + word;
+    out.append(" ").append(word);
   }
   return out;
 }

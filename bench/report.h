@@ -23,6 +23,7 @@ struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> notes;
+  bool only_in_file = false;  // too long for a terminal
 
   std::string text() const;
   json to_json() const;

@@ -149,6 +149,19 @@ void Study::record(const std::string& table, const SceneOptions& scene, const Ta
   measurements.push_back(std::move(row));
 }
 
+bool SizeWalk::next() {
+  while (at_ < sizes_.size()) {
+    const uint64_t n = sizes_[at_++];
+    if (study_.plan.hardware || last_.empty()) return true;
+    const double ratio = double(n) / double(last_n_);
+    const double seconds = predict_seconds(last_, std::max(1.0, ratio * ratio), study_.plan.sampling);
+    if (seconds <= study_.plan.row_seconds) return true;
+    notes_.push_back(fmt::format("n = {} is left out: about {:.0f} s on this machine. --full or --n {} includes it.", n,
+                                 seconds, n));
+  }
+  return false;
+}
+
 const std::vector<TableKind>& table_kinds() {
   static const std::vector<TableKind> kinds = {
       {"table1", "the paper's Table 1 beside ours", make_table1},

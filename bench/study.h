@@ -47,6 +47,24 @@ class Study {
   std::map<std::string, std::string> referees_;  // by set: who the last check trusted
 };
 
+// Walks a table's sizes in order and leaves out those that would take too long without a GPU.
+class SizeWalk {
+ public:
+  SizeWalk(const Study& study, std::vector<uint64_t> sizes) : study_(study), sizes_(std::move(sizes)) {}
+  bool next();  // false at the end
+  uint64_t n() const { return sizes_[at_ - 1]; }
+  void measured(std::span<const Samples> samples) { last_.assign(samples.begin(), samples.end()), last_n_ = n(); }
+  std::vector<std::string> notes() const { return notes_; }  // what was left out
+
+ private:
+  const Study& study_;
+  std::vector<uint64_t> sizes_;
+  size_t at_ = 0;
+  uint64_t last_n_ = 0;
+  std::vector<Samples> last_;
+  std::vector<std::string> notes_;
+};
+
 struct TableKind {
   const char *name, *summary;
   std::vector<Table> (*make)(Study&);

@@ -30,9 +30,8 @@ std::vector<Task> scale_tasks(const Study& study) {
   return tasks;
 }
 
-std::vector<std::string> scale_row(Study& study, const SceneOptions& scene, const std::vector<Task>& tasks,
-                                   double rate) {
-  const std::vector<Samples> samples = study.time("scale", scene, tasks);
+std::vector<std::string> scale_row(const SceneOptions& scene, const std::vector<Task>& tasks,
+                                   const std::vector<Samples>& samples, double rate) {
   const double pairs = 0.5 * double(scene.n) * double(scene.n - 1);
   std::vector<std::string> row = {scene_label(scene), std::to_string(scene.n)};
   for (size_t k = 0; k < tasks.size(); ++k) {
@@ -66,12 +65,17 @@ std::vector<Table> make_scale(Study& study) {
     if (on_hardware(*task.asked.backend) && !std::isnan(rate)) table.columns.push_back({group, "of floor", "%"});
   }
   if (tasks.size() > 1) table.columns.push_back({"", "verdict", "", true});
+  std::vector<std::string> left_out;
   for (const char* name : {"random", "uniform"}) {
-    for (uint64_t n : study.plan.scale_sizes) {
-      SceneOptions scene = study.paper_scene(n);
+    SizeWalk sizes(study, study.plan.scale_sizes);
+    while (sizes.next()) {
+      SceneOptions scene = study.paper_scene(sizes.n());
       scene.name = name;
-      table.rows.push_back(scale_row(study, scene, tasks, rate));
+      const std::vector<Samples> samples = study.time("scale", scene, tasks);
+      sizes.measured(samples);
+      table.rows.push_back(scale_row(scene, tasks, samples, rate));
     }
+    for (const std::string& note : sizes.notes()) left_out.push_back(fmt::format("{}: {}", name, note));
   }
   table.notes = {
       "random: the paper's fixed 20x20x20 box, so the spheres crowd as n grows; uniform: packing fraction 0.3."};
@@ -80,6 +84,7 @@ std::vector<Table> make_scale(Study& study) {
         fmt::format("of floor: share of the rate at which {:.3g} lane-instructions/s (multiprocessors x 128 lanes x "
                     "highest clock) would decide pairs at {} instructions each.",
                     rate, instructions_per_pair));
+  table.notes.insert(table.notes.end(), left_out.begin(), left_out.end());
   return {table};
 }
 
@@ -95,9 +100,11 @@ std::vector<Table> make_step(Study& study) {
   }
   const size_t devices = study.session.devices().size();
   if (devices > 1) table.columns.push_back({"", "verdict", "", true});
-  for (uint64_t n : study.plan.step_sizes) {
-    const std::vector<Samples> samples = study.time("step", study.paper_scene(n), tasks);
-    std::vector<std::string> row = {std::to_string(n)};
+  SizeWalk sizes(study, study.plan.step_sizes);
+  while (sizes.next()) {
+    const std::vector<Samples> samples = study.time("step", study.paper_scene(sizes.n()), tasks);
+    sizes.measured(samples);
+    std::vector<std::string> row = {std::to_string(sizes.n())};
     for (const Samples& one : samples) {
       row.push_back(format_ms(one.median_seconds()));
       row.push_back(format_number(16e-3 / one.median_seconds()));
@@ -108,6 +115,7 @@ std::vector<Table> make_step(Study& study) {
   table.notes = {
       "16 ms is what the paper reports for its parallel version up to 16384 spheres: one refresh interval of a 60 Hz "
       "display, an upper bound. The spheres keep moving while they are timed."};
+  for (const std::string& note : sizes.notes()) table.notes.push_back(note);
   return {table};
 }
 

@@ -122,6 +122,18 @@ std::vector<Samples> measure(std::span<const Contender> contenders, const Sampli
   return all;
 }
 
+// Choosing K and warming up take about as long as three samples.
+double predict_seconds(std::span<const Samples> samples, double growth, const Sampling& sampling) {
+  double sum = 0;
+  for (const Samples& one : samples) {
+    const double step = one.median_seconds() * growth;
+    const double sample = std::max(step, sampling.software_seconds);
+    const bool slow = sample * sampling.rounds > sampling.round_budget;
+    sum += sample * ((slow ? sampling.fewest_rounds : sampling.rounds) + 3);
+  }
+  return sum;
+}
+
 Contest contest(const Samples& left, const Samples& right) {
   const double ratio = right.median_seconds() / left.median_seconds();
   const double p = rank_test(left.seconds, right.seconds);

@@ -51,6 +51,9 @@ uint64_t choose_batch(const Contender& contender, const Sampling& sampling);
 // Warm-up apart, then rounds in which every contender takes its turn, in a new random order each round.
 std::vector<Samples> measure(std::span<const Contender> contenders, const Sampling& sampling, Progress& progress);
 
+// Seconds that measuring the same contenders will take when each step takes `growth` times as long.
+double predict_seconds(std::span<const Samples> samples, double growth, const Sampling& sampling);
+
 // Two differ only when the intervals of their medians are apart or the rank test says p < 0.01.
 struct Contest {
   bool differ;

@@ -39,10 +39,10 @@ std::span<const uint> block_sizes();               // 32, 64 ... 1024
 
 struct CollideOptions {
   Method method = Method::collide_triangle;
-  uint block = 128;        // group size of the kernel; decides the set only for collide_group
-  bool exact = true;       // false: the naive float32 predicate, to measure what exactness costs
-  bool want_pairs = false; // keep the pairs for pairs()
-  uint columns = 0;        // of collide_triangle: spheres that one group meets; 0: chosen by n. Never changes the set
+  uint block = 128;         // group size of the kernel; decides the set only for collide_group
+  bool exact = true;        // false: the naive float32 predicate, to measure what exactness costs
+  bool want_pairs = false;  // keep the pairs for pairs()
+  uint columns = 0;         // of collide_triangle: spheres that one group meets; 0: chosen by n. Never changes the set
 };
 
 // Totals of one collide(). Sizes are numbers of pairs (i<j) or spheres.
@@ -50,8 +50,8 @@ struct Collisions {
   uint64_t pairs = 0;
   uint64_t colliding_spheres = 0;  // spheres with at least one contact
   Fingerprint fingerprint;
-  uint64_t deferred = 0;                     // pairs that the float32 filter left undecided
-  std::array<uint64_t, STAGES> decided_by{}; // of those, by STAGE_*
+  uint64_t deferred = 0;                      // pairs that the float32 filter left undecided
+  std::array<uint64_t, STAGES> decided_by{};  // of those, by STAGE_*
 };
 
 struct StageTime {
@@ -121,8 +121,8 @@ struct OpenOptions {
 
 std::vector<std::string> backend_names();  // cpu, glsl, cuda
 
-// Throws BackendError with the reason when this build or machine does not have it, std::invalid_argument for a name that
-// does not exist.
+// Throws BackendError with the reason when this build or machine does not have it, std::invalid_argument for a name
+// that does not exist.
 std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions& options = {});
 
 // Throws BackendError when two backends sit on different GPUs.

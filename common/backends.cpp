@@ -56,15 +56,17 @@ std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions
     throw BackendError("cuda: not in this build; put nvcc on the PATH and configure again");
 #endif
   }
-  throw std::invalid_argument(fmt::format("unknown backend '{}'; known are {}", name, fmt::join(backend_names(), ", ")));
+  throw std::invalid_argument(
+      fmt::format("unknown backend '{}'; known are {}", name, fmt::join(backend_names(), ", ")));
 }
 
 void check_same_gpu(const Backend& left, const Backend& right) {
   const BackendInfo &a = left.info(), &b = right.info();
   if (a.uuid.empty() || b.uuid.empty() || a.uuid == b.uuid) return;
-  throw BackendError(fmt::format("{} runs on {} ({}) but {} on {} ({}): times would compare two machines; choose one GPU with "
-                                 "CUDA_VISIBLE_DEVICES or --cuda-device",
-                                 a.name, a.device, a.uuid, b.name, b.device, b.uuid));
+  throw BackendError(
+      fmt::format("{} runs on {} ({}) but {} on {} ({}): times would compare two machines; choose one GPU with "
+                  "CUDA_VISIBLE_DEVICES or --cuda-device",
+                  a.name, a.device, a.uuid, b.name, b.device, b.uuid));
 }
 
 }  // namespace spherepair

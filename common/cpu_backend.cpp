@@ -28,7 +28,8 @@ std::string cpu_model() {
 class CpuBackend final : public Backend {
  public:
   explicit CpuBackend(const OpenOptions& options) : threads_(options.threads ? options.threads : omp_get_num_procs()) {
-    if (threads_ < 1) throw std::invalid_argument(fmt::format("the number of threads is {}, but must be at least 1", threads_));
+    if (threads_ < 1)
+      throw std::invalid_argument(fmt::format("the number of threads is {}, but must be at least 1", threads_));
     info_.name = "cpu";
     info_.device = cpu_model();
     info_.details = {{"threads", std::to_string(threads_)}};
@@ -52,7 +53,7 @@ class CpuBackend final : public Backend {
 
   void move() override {
     timed("move", [&] {
-#pragma omp parallel for num_threads(threads_) schedule(static)
+#pragma omp parallel for num_threads(threads_) schedule(static) if (positions_.size() > 4096)
       for (size_t i = 0; i < positions_.size(); ++i) {
         const Moving next = move_paper(positions_[i], velocities_[i], constants_[true]);
         positions_[i] = next.position;
@@ -96,8 +97,8 @@ class CpuBackend final : public Backend {
     return verdicts;
   }
 
-  void launch_empty(uint) override {}   // a function call
-  void check_guards() override {}       // vectors; the sanitizers watch them
+  void launch_empty(uint) override {}  // a function call
+  void check_guards() override {}      // vectors; the sanitizers watch them
   void time_stages(bool on) override {
     times_.clear();
     timing_ = on;

@@ -8,7 +8,7 @@ namespace spherepair {
 
 struct PairSearch {
   std::span<const vec4> positions;
-  Params params;       // scene_params: filter constants
+  Params params;  // scene_params: filter constants
   bool equal_radii;
   CollideOptions options;
   int threads;

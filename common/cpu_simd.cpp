@@ -10,7 +10,7 @@
 #endif
 
 // All lanes of a vector combined into one.
-#define FOLD_BY(vector, op, distance)                                                                                    \
+#define FOLD_BY(vector, op, distance) \
   ((vector)op __builtin_shuffle(vector, (Ints{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15} ^ (distance))))
 #define FOLD(vector, op) FOLD_BY(FOLD_BY(FOLD_BY(FOLD_BY(vector, op, 8), op, 4), op, 2), op, 1)[0]
 
@@ -32,7 +32,8 @@ void meet_tile(const ColumnTile& tile, const vec4 (&rows)[rows_at_once], const f
     for (uint v = 0; v < vectors; ++v) {
       const uint at = chunk * chunk_columns + v * lanes;
       const Floats x = *reinterpret_cast<const Floats*>(tile.x + at), y = *reinterpret_cast<const Floats*>(tile.y + at);
-      const Floats z = *reinterpret_cast<const Floats*>(tile.z + at), minus_w = *reinterpret_cast<const Floats*>(tile.minus_w + at);
+      const Floats z = *reinterpret_cast<const Floats*>(tile.z + at),
+                   minus_w = *reinterpret_cast<const Floats*>(tile.minus_w + at);
       for (uint r = 0; r < rows_at_once; ++r) {
         Floats product = rows[r].x * x + (rows[r].y * y + (rows[r].z * z + minus_w));
         if (!equal_radii) product += radii[r] * *reinterpret_cast<const Floats*>(tile.radius + at);

@@ -14,9 +14,8 @@ namespace {
 constexpr uint guard_words = 16;
 constexpr uint guard_pattern = 0xA5C3F00Du;
 constexpr uint64_t decide_batch = 1u << 20;
-constexpr uint settle_groups = 128;
-constexpr const char* slot_names[SLOT_TOTAL] = {"positions", "velocities", "counts", "summary",
-                                                "deferred pairs", "pairs", "spheres to decide", "verdicts"};
+constexpr const char* slot_names[SLOT_TOTAL] = {
+    "positions", "velocities", "counts", "summary", "deferred pairs", "pairs", "spheres to decide", "verdicts"};
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
@@ -25,17 +24,6 @@ std::array<uint, 3> folded(uint64_t groups) {
   const uint64_t y = ceil_div(groups, MAX_GROUPS);
   return {uint(y > 1 ? MAX_GROUPS : std::max<uint64_t>(groups, 1)), uint(std::max<uint64_t>(y, 1)), 1};
 }
-
-// Groups of collide_triangle should outnumber the multiprocessors many times, yet each should meet enough spheres to pay
-// for loading its rows.
-uint default_columns(uint64_t n, uint64_t rows_per_group) {
-  const uint64_t row_groups = ceil_div(n, rows_per_group);
-  const uint64_t wanted = row_groups * n / 2 / 8192;
-  const uint64_t least = ceil_div(n, MAX_GROUPS);
-  return uint(std::max(std::clamp<uint64_t>(ceil_div(wanted, 32) * 32, 64, 4096), least));
-}
-
-uint64_t join(const uint* words) { return uint64_t(words[1]) << 32 | words[0]; }
 
 }  // namespace
 
@@ -46,16 +34,18 @@ const char* kernel_name(Kernel kernel) {
 }
 
 void DeviceBackend::require_scene(const char* what) const {
-  if (!bytes_[SLOT_POSITION]) throw BackendError(fmt::format("{}: {} needs a scene; call upload first", info().name, what));
+  if (!bytes_[SLOT_POSITION])
+    throw BackendError(fmt::format("{}: {} needs a scene; call upload first", info().name, what));
 }
 
 void DeviceBackend::make_buffer(uint slot, uint64_t bytes) {
   bytes = ceil_div(std::max<uint64_t>(bytes, 16), 16) * 16;
   const uint64_t whole = bytes + guard_words * sizeof(uint);
   if (whole > largest_binding()) {
-    throw BackendError(fmt::format("{}: {} spheres need {} bytes for the {}, but a kernel of this device can bind at most {}; "
-                                   "use fewer spheres",
-                                   info().name, n_, whole, slot_names[slot], largest_binding()));
+    throw BackendError(
+        fmt::format("{}: {} spheres need {} bytes for the {}, but a kernel of this device can bind at most {}; "
+                    "use fewer spheres",
+                    info().name, n_, whole, slot_names[slot], largest_binding()));
   }
   if (bytes_[slot] != bytes) allocate(slot, whole);
   bytes_[slot] = bytes;
@@ -69,7 +59,8 @@ void DeviceBackend::check_guards() {
     std::vector<uint> guard(guard_words);
     read(slot, guard.data(), bytes_[slot], guard_words * sizeof(uint));
     if (std::ranges::any_of(guard, [](uint word) { return word != guard_pattern; })) {
-      throw BackendError(fmt::format("{}: something was written behind the end of the {}", info().name, slot_names[slot]));
+      throw BackendError(
+          fmt::format("{}: something was written behind the end of the {}", info().name, slot_names[slot]));
     }
   }
 }
@@ -107,88 +98,6 @@ void DeviceBackend::move() {
   collided_ = false;
 }
 
-Launch DeviceBackend::collide_launch() const {
-  const uint64_t groups = ceil_div(n_, options_.block);
-  const uint64_t fold = ceil_div(std::max<uint64_t>(groups, 1), MAX_GROUPS);
-  const uint side = uint(std::clamp<uint64_t>(groups, 1, MAX_GROUPS));
-  switch (options_.method) {
-    case Method::collide_group: return {Kernel::collide_group, options_.block, equal_radii_, folded(groups)};
-    case Method::collide_tiled: return {Kernel::collide_tiled, options_.block, equal_radii_, folded(groups)};
-    case Method::collide_square:
-      return {Kernel::collide_square, options_.block, equal_radii_, {side, side, uint(fold * fold)}};
-    case Method::collide_triangle: {
-      const uint64_t rows = ceil_div(std::max<uint64_t>(n_, 1), uint64_t(options_.block) * SPHERES_PER_THREAD);
-      const uint64_t columns = ceil_div(std::max<uint64_t>(n_, 1), params_.columns);
-      if (rows > MAX_GROUPS || columns > MAX_GROUPS) {
-        throw BackendError(fmt::format("{}: {} spheres are more than collide_triangle can dispatch in groups of {}; use a larger group",
-                                       info().name, n_, options_.block));
-      }
-      return {Kernel::collide_triangle, options_.block, equal_radii_, {uint(columns), uint(rows), 1}};
-    }
-    default:
-      throw std::invalid_argument(fmt::format("{}: the method {} runs on the backend cpu only", info().name, method_name(options_.method)));
-  }
-}
-
-void DeviceBackend::collide(const CollideOptions& options) {
-  require_scene("collide");
-  if (std::ranges::find(block_sizes(), options.block) == block_sizes().end()) {
-    throw std::invalid_argument(fmt::format("group size {} is not one of {}", options.block, fmt::join(block_sizes(), ", ")));
-  }
-  options_ = options;
-  run_collide();
-  collided_ = true;
-}
-
-void DeviceBackend::run_collide() {
-  params_ = constants_[options_.exact];
-  params_.n = uint(n_);
-  params_.columns = options_.columns ? options_.columns : default_columns(n_, uint64_t(options_.block) * SPHERES_PER_THREAD);
-  params_.pair_capacity = options_.want_pairs ? uint(bytes_[SLOT_PAIR] / sizeof(uvec2)) : 0;
-  params_.deferred_capacity = uint(bytes_[SLOT_DEFERRED] / sizeof(uvec2));
-  if (!cleared_) {
-    launch({Kernel::clear, SERVICE_BLOCK, true, per_sphere_groups()}, params_);
-  }
-  cleared_ = false;
-  if (n_ < 2) return;
-  launch(collide_launch(), params_);
-  if (options_.exact) launch({Kernel::settle, SERVICE_BLOCK, true, {settle_groups, 1, 1}}, params_);
-}
-
-std::vector<uint> DeviceBackend::read_summary() {
-  std::vector<uint> words(SUMMARY_SLOTS * SUMMARY_WORDS);
-  read(SLOT_SUMMARY, words.data(), 0, words.size() * sizeof(uint));
-  return words;
-}
-
-bool DeviceBackend::grow_lists(uint64_t deferred, uint64_t listed) {
-  const bool short_deferred = deferred > params_.deferred_capacity;
-  const bool short_pairs = options_.want_pairs && listed > params_.pair_capacity;
-  if (short_deferred) make_buffer(SLOT_DEFERRED, (deferred + deferred / 8) * sizeof(uvec2));
-  if (short_pairs) make_buffer(SLOT_PAIR, (listed + listed / 8) * sizeof(uvec2));
-  return short_deferred || short_pairs;
-}
-
-Collisions DeviceBackend::collisions() {
-  if (!collided_) throw BackendError(fmt::format("{}: no collision step to report since the last move; call collide first", info().name));
-  std::vector<uint> words = read_summary();
-  while (grow_lists(words[SUM_DEFERRED], words[SUM_LISTED])) {
-    run_collide();
-    words = read_summary();
-  }
-  Collisions total;
-  for (uint row = 0; row < SUMMARY_SLOTS; ++row) {
-    const uint* sum = &words[row * SUMMARY_WORDS];
-    total.pairs += join(sum + SUM_PAIRS);
-    total.fingerprint.a += join(sum + SUM_MIX_A);
-    total.fingerprint.b += join(sum + SUM_MIX_B);
-    total.colliding_spheres += sum[SUM_COLLIDING];
-    for (uint stage = 0; stage < STAGES; ++stage) total.decided_by[stage] += sum[SUM_STAGE + stage];
-  }
-  total.deferred = words[SUM_DEFERRED];
-  return total;
-}
-
 std::vector<uint> DeviceBackend::counts() {
   collisions();  // grows and repeats if it must
   std::vector<uint> counts(n_);
@@ -197,7 +106,8 @@ std::vector<uint> DeviceBackend::counts() {
 }
 
 std::vector<Pair> DeviceBackend::pairs() {
-  if (!options_.want_pairs) throw BackendError(fmt::format("{}: no pair list was asked for; set want_pairs", info().name));
+  if (!options_.want_pairs)
+    throw BackendError(fmt::format("{}: no pair list was asked for; set want_pairs", info().name));
   const uint64_t count = collisions().pairs;
   return read_pairs(count);
 }

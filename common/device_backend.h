@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The host side that GLSL and CUDA have in common: which kernels run in which order, on which grid, with which parameters,
-// and what happens when a list is too short. The two APIs only allocate, copy and launch.
+// The host side that GLSL and CUDA have in common: which kernels run in which order, on which grid, with which
+// parameters, and what happens when a list is too short. The two APIs only allocate, copy and launch.
 #pragma once
 
 #include "backend.h"
@@ -10,7 +10,17 @@ namespace spherepair {
 // The parameters of every kernel for this scene. All constants are computed here once, in float64, and rounded.
 Params scene_params(const Scene& scene, bool exact);
 
-enum class Kernel { move, clear, empty, settle, decide, collide_group, collide_tiled, collide_square, collide_triangle };
+enum class Kernel {
+  move,
+  clear,
+  empty,
+  settle,
+  decide,
+  collide_group,
+  collide_tiled,
+  collide_square,
+  collide_triangle
+};
 const char* kernel_name(Kernel kernel);  // the stem of its two source files
 
 struct Launch {
@@ -49,7 +59,12 @@ class DeviceBackend : public Backend {
   void run_collide();
   bool grow_lists(uint64_t deferred, uint64_t listed);
   std::vector<uint> read_summary();
-  Launch collide_launch() const;
+  struct Division {
+    Kernel kernel;
+    uint64_t spheres, meets;  // of one group
+  };
+  Division division() const;
+  void launch_collide();
 
   std::array<uint, 3> per_sphere_groups() const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The exact stages of the collision predicate, for the few pairs that the filter leaves: float64 with the same two-sided
-// test, then integers. Floats are taken apart by their bits, so flushed denormals cannot change an answer.
+// The exact stages of the collision predicate, for the few pairs that the filter leaves: float64 with the same
+// two-sided test, then integers. Floats are taken apart by their bits, so flushed denormals cannot change an answer.
 #ifndef SPHEREPAIR_EXACT_H
 #define SPHEREPAIR_EXACT_H
 
@@ -26,7 +26,9 @@ FN uint scale_of(uint bits) {
 }
 FN uint mantissa_of(uint bits) { return (bits & 0x7FFFFFu) | (((bits >> 23) & 255u) == 0u ? 0u : 0x800000u); }
 FN bool finite_float(float x) { return ((float_bits(x) >> 23) & 255u) != 255u; }
-FN bool finite_sphere(vec4 a) { return finite_float(a.x) && finite_float(a.y) && finite_float(a.z) && finite_float(a.w); }
+FN bool finite_sphere(vec4 a) {
+  return finite_float(a.x) && finite_float(a.y) && finite_float(a.z) && finite_float(a.w);
+}
 
 // The float64 of the same value, also where the hardware would flush a float32 denormal. x must be finite.
 FN double exact_double(float x) {

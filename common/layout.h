@@ -31,16 +31,16 @@
 
 #define SPHERES_PER_THREAD 8  // rows that one thread of collide_triangle holds
 #define COLUMNS_AT_ONCE 2     // columns that a thread of collide_triangle meets between two branches
-#define NEAR_CAPACITY 1024     // near meetings that one group of collide_triangle can queue per tile
+#define NEAR_CAPACITY 1024    // near meetings that one group of collide_triangle can queue per tile
 #define SERVICE_BLOCK 128     // group size of the kernels whose size is no subject of the study
 #define MAX_GROUPS 65535      // of one dispatch along each axis, on every device; more are folded into the next axis
 
 struct Params {
-  float dt, gravity_dt, half_gravity_dt2, restitution;    // seconds, g*dt, g*dt*dt/2 (both <= 0 along y), 0..1
-  float plane, radius, apart_above, collide_below;        // y of the plane; for equal radii: squared-distance bounds
-  float filter_scale, filter_offset, spare_0, spare_1;    // K and T of filter_pair
-  uint n, columns, pair_capacity, deferred_capacity;      // columns: spheres that one group of collide_triangle meets
-  uint defer_undecided, pairs_to_decide, spare_2, spare_3;  // defer_undecided 0: the naive float32 predicate
+  float dt, gravity_dt, half_gravity_dt2, restitution;  // seconds, g*dt, g*dt*dt/2 (both <= 0 along y), 0..1
+  float plane, radius, apart_above, collide_below;      // y of the plane; for equal radii: squared-distance bounds
+  float filter_scale, filter_offset, spare_0, spare_1;  // K and T of filter_pair
+  uint n, columns, pair_capacity, deferred_capacity;    // columns: spheres that one group of collide_triangle meets
+  uint defer_undecided, pairs_to_decide, first_group, spare_2;  // 0: the naive predicate; of decide; of this slice
 };
 
 #ifndef GL_core_profile

@@ -14,8 +14,8 @@ struct Moving {
 // Components below 2^-64 and -0 become +0, so that a backend that flushes denormals cannot show it.
 FN float snap(float x) { return (float_bits(x) & 0x7FFFFFFFu) < 0x1F800000u ? 0.0f : x; }
 
-// Whether the sphere's lowest point is below the plane: y - r < plane in real arithmetic. Rounding is monotonic, so only
-// equality after rounding needs the integers.
+// Whether the sphere's lowest point is below the plane: y - r < plane in real arithmetic. Rounding is monotonic, so
+// only equality after rounding needs the integers.
 FN bool below_plane(float y, float r, float plane) {
   EXACT float bottom = y - r;
   if (bottom != plane) return bottom < plane;
@@ -30,8 +30,8 @@ FN float advance(float position, float velocity, float dt, float term) {
   return snap(fallen);
 }
 
-// Code 1 of the paper, to the letter: on contact the old velocity is turned round, times the restitution, and the step is
-// taken again from the old position. It sinks for restitution < 1 and gains energy at 1; both belong to the method.
+// Code 1 of the paper, to the letter: on contact the old velocity is turned round, times the restitution, and the step
+// is taken again from the old position. It sinks for restitution < 1 and gains energy at 1; both belong to the method.
 FN Moving move_paper(vec4 position, vec4 velocity, Params p) {
   Moving next = {position, velocity};
   EXACT float faster = velocity.y + p.gravity_dt;

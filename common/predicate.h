@@ -21,9 +21,9 @@ FN float squared_distance(vec4 a, vec4 b) {
   return s;
 }
 
-// With u = 2^-24, s carries at most 5 rounding factors, q 3 and the bound 2, so scale = 1 + 24u decides safely; offset =
-// 2^-100 absorbs underflow and flushed denormals. scale = 1 and offset = 0 make it the naive test. A q that overflowed
-// may come from an infinite radius, which never collides, so it stays undecided.
+// With u = 2^-24, s carries at most 5 rounding factors, q 3 and the bound 2, so scale = 1 + 24u decides safely; offset
+// = 2^-100 absorbs underflow and flushed denormals. scale = 1 and offset = 0 make it the naive test. A q that
+// overflowed may come from an infinite radius, which never collides, so it stays undecided.
 FN uint filter_pair(vec4 a, vec4 b, float scale, float offset) {
   EXACT float s = squared_distance(a, b);
   EXACT float r = a.w + b.w;
@@ -56,9 +56,9 @@ FN vec4 gram_form(vec4 a, vec4 origin, float share) {
   EXACT float xx = x * x;
   EXACT float norm = multiply_add(z, z, multiply_add(y, y, xx));
   EXACT float rr = a.w * a.w;
-  EXACT float reach = (rr * share) * bits_float(0x3F800020u);             // 1 + 2^-18
-  EXACT float half_norm = norm * bits_float(0x3EFFFFC0u);                 // (1 - 2^-18) / 2
-  EXACT float w = (half_norm - reach) - bits_float(0x0D800000u);          // 2^-100
+  EXACT float reach = (rr * share) * bits_float(0x3F800020u);                   // 1 + 2^-18
+  EXACT float half_norm = norm * bits_float(0x3EFFFFC0u);                       // (1 - 2^-18) / 2
+  EXACT float w = (half_norm - reach) - bits_float(0x0D800000u);                // 2^-100
   bool small = norm < bits_float(0x71800000u) && rr < bits_float(0x71800000u);  // 2^100
   if (!small) {
     x = 0.0f;

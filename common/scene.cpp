@@ -17,7 +17,20 @@ namespace {
 constexpr float box_side = 20.0f;  // the paper's, which reproduces its counts of colliding spheres
 
 // A stream of numbers for each purpose, each indexed by sphere: nothing depends on the order of evaluation.
-enum class Stream : uint64_t { x, y, z, speed, radius, kind, nudge, direction, cluster_x, cluster_y, cluster_z, octave };
+enum class Stream : uint64_t {
+  x,
+  y,
+  z,
+  speed,
+  radius,
+  kind,
+  nudge,
+  direction,
+  cluster_x,
+  cluster_y,
+  cluster_z,
+  octave
+};
 
 // With 11 the default seed falls inside all four ranges of colliding spheres that the paper gives, as 36 % of seeds do.
 uint64_t hash(const SceneOptions& o, Stream stream, uint64_t index) {
@@ -106,25 +119,25 @@ void make_lattice(Scene& scene, const SceneOptions& o) {
 
 float nudged(float x, int ulps) { return std::bit_cast<float>(std::bit_cast<uint32_t>(x) + uint32_t(ulps)); }
 
-// Pairs of spheres about to touch, far from each other pair. Half of them stand along an axis at exactly 2r, the others
-// along a Pythagorean direction (a, b, c)/d with a^2 + b^2 + c^2 = d^2; half of all are then moved by up to 8 ulp.
+// Pairs of spheres about to touch, far from each other pair: half of them stand along x at exactly 2r, half in a hashed
+// direction at 2r rounded, and half of all are then moved by up to 8 ulp. Steps along y and z are multiples of 2r/256,
+// exact far from the origin, while x stays near 0, where an ulp is small enough to mislead float32.
 void make_grazing(Scene& scene, const SceneOptions& o) {
-  constexpr int directions[][4] = {{1, 2, 2, 3}, {2, 3, 6, 7}, {4, 4, 7, 9}, {2, 6, 9, 11}, {3, 4, 12, 13}, {2, 10, 11, 15}};
-  const uint64_t side = lattice_side((o.n + 1) / 2);
-  const float cell = 8 * o.radius, reach = 2 * o.radius;
+  const uint64_t side = std::max<uint64_t>(uint64_t(std::ceil(std::sqrt(double(o.n) / 2))), 1);
+  const float reach = 2 * o.radius;
   for (uint64_t i = 0; i < o.n; ++i) {
-    const uint64_t pair = i / 2;
-    float at[3] = {float(pair % side + 1) * cell, float(pair / side % side + 1) * cell, float(pair / (side * side) + 1) * cell};
+    const uint64_t pair = i / 2, nudge = hash(o, Stream::nudge, pair);
+    float x = 0, y = float(pair % side) * 4 * reach, z = float(pair / side) * 4 * reach;
     if (i % 2 == 1) {
-      const uint64_t kind = hash(o, Stream::kind, pair), nudge = hash(o, Stream::nudge, pair);
-      const int* direction = directions[hash(o, Stream::direction, pair) % 6];
-      for (uint64_t axis = 0; axis < 3; ++axis) {
-        const float away = float(direction[axis]) * reach / float(direction[3]);
-        at[axis] += kind % 2 ? away : (kind / 2 % 3 == axis ? reach : 0.0f);
-      }
-      if (nudge % 2) at[nudge / 2 % 3] = nudged(at[nudge / 2 % 3], int(nudge / 8 % 17) - 8);
+      const bool along_x = hash(o, Stream::kind, pair) % 2;
+      const float dy = along_x ? 0 : float(hash(o, Stream::y, pair) % 181) / 256 * reach;  // 181^2 * 2 < 256^2
+      const float dz = along_x ? 0 : float(hash(o, Stream::z, pair) % 181) / 256 * reach;
+      x = float(std::sqrt(double(reach) * reach - double(dy) * dy - double(dz) * dz));  // IEEE: the same everywhere
+      if (nudge % 2) x = nudged(x, int(nudge / 2 % 17) - 8);
+      y += dy;
+      z += dz;
     }
-    place(scene, o, at[0], at[1], at[2]);
+    place(scene, o, x, y, z);
   }
 }
 
@@ -150,7 +163,8 @@ void make_coincident(Scene& scene, const SceneOptions& o) {
 void make_one_cell(Scene& scene, const SceneOptions& o) {
   const float side = 2 * o.radius;
   for (uint64_t i = 0; i < o.n; ++i) {
-    place(scene, o, side * unit(hash(o, Stream::x, i)), side * unit(hash(o, Stream::y, i)), side * unit(hash(o, Stream::z, i)));
+    place(scene, o, side * unit(hash(o, Stream::x, i)), side * unit(hash(o, Stream::y, i)),
+          side * unit(hash(o, Stream::z, i)));
   }
 }
 
@@ -180,8 +194,10 @@ struct Maker {
 };
 const std::vector<Maker>& makers() {
   static const std::vector<Maker> all = {
-      {{"random", "the paper's first animation: random places in a 20x20x20 box, random vertical velocities"}, make_random},
-      {{"aligned", "the paper's second animation: groups of spheres, each moving as one (--groups, --group-size)"}, make_aligned},
+      {{"random", "the paper's first animation: random places in a 20x20x20 box, random vertical velocities"},
+       make_random},
+      {{"aligned", "the paper's second animation: groups of spheres, each moving as one (--groups, --group-size)"},
+       make_aligned},
       {{"uniform", "uniform centres at a packing fraction (--packing-fraction)"}, make_uniform},
       {{"lattice", "a cubic lattice of tangent spheres: every neighbour an exact tie, none a collision"}, make_lattice},
       {{"grazing", "pairs within 8 ulp of touching"}, make_grazing},
@@ -190,23 +206,6 @@ const std::vector<Maker>& makers() {
       {{"far", "the uniform scene, 1e5 away from the origin"}, [](Scene& s, const SceneOptions& o) { make_far(s, o); }},
       {{"one_cell", "all centres within one cube of side 2r"}, make_one_cell}};
   return all;
-}
-
-void check_options(const SceneOptions& o) {
-  const auto refuse = [](const std::string& why) { throw std::invalid_argument(why); };
-  if (o.n > 0x7FFFFFFF) refuse(fmt::format("n is {}, but sphere indices allow 2147483647 at most", o.n));
-  if (!(o.radius > 0) || !std::isfinite(o.radius)) refuse(fmt::format("radius is {}, but must be positive and finite", o.radius));
-  if (!(o.radius_ratio >= 1) || !std::isfinite(o.radius_ratio)) {
-    refuse(fmt::format("radius ratio is {}, but must be at least 1 (largest over smallest radius)", o.radius_ratio));
-  }
-  if (!(o.packing_fraction > 0 && o.packing_fraction <= 0.74)) {
-    refuse(fmt::format("packing fraction is {}, but must be above 0 and at most 0.74", o.packing_fraction));
-  }
-  if (!std::isfinite(o.offset)) refuse(fmt::format("offset is {}, but must be finite", o.offset));
-  if ((o.groups == 0) != (o.group_size == 0)) refuse("groups and group size go together: give both or neither");
-  if (o.groups && uint64_t(o.groups) * o.group_size != o.n) {
-    refuse(fmt::format("{} groups of {} are {} spheres, but n is {}", o.groups, o.group_size, uint64_t(o.groups) * o.group_size, o.n));
-  }
 }
 
 }  // namespace
@@ -236,40 +235,6 @@ Scene make_scene(const SceneOptions& options) {
   if (options.radius_ratio > 1) vary_radii(scene, options);
   if (scene.velocities.empty()) finish_test_scene(scene, options);
   return scene;
-}
-
-void check_scene(const Scene& scene) {
-  uint64_t bad = 0, first = 0;
-  const auto wrong = [&](uint64_t i) {
-    const vec4 &p = scene.positions[i], &v = scene.velocities[i];
-    const bool finite = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w) &&
-                        std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-    return !finite || p.w < 0;
-  };
-  if (scene.positions.size() != scene.velocities.size()) {
-    throw std::invalid_argument(fmt::format("scene '{}' has {} positions but {} velocities", scene.name, scene.positions.size(), scene.velocities.size()));
-  }
-  for (uint64_t i = 0; i < scene.size(); ++i) {
-    if (wrong(i) && bad++ == 0) first = i;
-  }
-  if (bad == 0) return;
-  const vec4 &p = scene.positions[first], &v = scene.velocities[first];
-  throw std::invalid_argument(fmt::format("scene '{}': {} of {} spheres have a NaN, an infinity or a negative radius; the first is sphere {}: "
-                                          "centre ({}, {}, {}), radius {}, velocity ({}, {}, {}); remove or mend them",
-                                          scene.name, bad, scene.size(), first, p.x, p.y, p.z, p.w, v.x, v.y, v.z));
-}
-
-uint64_t state_hash(const std::vector<vec4>& positions, const std::vector<vec4>& velocities) {
-  uint64_t sum = positions.size();
-  const auto add = [&](const std::vector<vec4>& values) {
-    for (const vec4& v : values) {
-      sum = splitmix64(sum ^ (uint64_t(float_bits(v.x)) << 32 | float_bits(v.y)));
-      sum = murmur64(sum ^ (uint64_t(float_bits(v.z)) << 32 | float_bits(v.w)));
-    }
-  };
-  add(positions);
-  add(velocities);
-  return sum;
 }
 
 }  // namespace spherepair

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scenes: where spheres start. Every number comes from an integer hash of (seed, index), so a scene has the same bits on
-// every machine and with every compiler.
+// Scenes: where spheres start. Every number comes from an integer hash of (seed, index), so a scene has the same bits
+// on every machine and with every compiler.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@ namespace spherepair {
 struct Scene {
   std::string name;
   std::vector<vec4> positions, velocities;
-  float plane = -5.0f;           // height of the ground
-  float gravity = -9.81f;        // along y, metres per second squared
-  float dt = 0x1p-6f;            // seconds; a power of two keeps v*dt exact
-  float restitution = 1.0f;      // 0..1
-  bool equal_radii = true;       // all radii have the same bits
+  float plane = -5.0f;       // height of the ground
+  float gravity = -9.81f;    // along y, metres per second squared
+  float dt = 0x1p-6f;        // seconds; a power of two keeps v*dt exact
+  float restitution = 1.0f;  // 0..1
+  bool equal_radii = true;   // all radii have the same bits
 
   uint64_t size() const { return positions.size(); }
 };
@@ -29,10 +29,10 @@ struct SceneOptions {
   uint64_t n = 16384;
   uint64_t seed = 20251121;
   float radius = 0.5f;
-  float radius_ratio = 1.0f;       // largest radius over smallest; radii are log-uniform between radius and radius*ratio
-  double packing_fraction = 0.3;   // of `uniform`
-  uint groups = 0, group_size = 0; // of `aligned`: the paper's m x n; 0 x 0 takes groups of 128 or fewer
-  float offset = 0.0f;             // added to every coordinate of every centre
+  float radius_ratio = 1.0f;      // largest radius over smallest; radii are log-uniform between radius and radius*ratio
+  double packing_fraction = 0.3;  // of `uniform`
+  uint groups = 0, group_size = 0;  // of `aligned`: the paper's m x n; 0 x 0 takes groups of 128 or fewer
+  float offset = 0.0f;              // added to every coordinate of every centre
 };
 
 struct SceneKind {
@@ -41,10 +41,12 @@ struct SceneKind {
 };
 const std::vector<SceneKind>& scene_kinds();
 
-// Throws std::invalid_argument naming the option that is wrong and what it may be.
+// Both throw std::invalid_argument naming the option that is wrong and what it may be.
+void check_options(const SceneOptions& options);
 Scene make_scene(const SceneOptions& options);
 
-// Throws std::invalid_argument when a number is not finite or a radius negative: how many, the first one's index and why.
+// Throws std::invalid_argument when a number is not finite or a radius negative: how many, the first one's index and
+// why.
 void check_scene(const Scene& scene);
 
 // A 64-bit hash of the bits of all positions and velocities, in order.

@@ -5,7 +5,7 @@
 namespace spherepair {
 
 __global__ void __launch_bounds__(SERVICE_BLOCK) clear(Params p, World w) {
-  clear_results(p, w, group_index() * SERVICE_BLOCK + threadIdx.x);
+  clear_results(p, w, group_index(p) * SERVICE_BLOCK + threadIdx.x);
 }
 
 Entry clear_kernel() { return reinterpret_cast<Entry>(&clear); }

@@ -24,7 +24,8 @@ struct Collider {
   uint64_t mix_a = 0ul;
   uint64_t mix_b = 0ul;
 
-  __device__ Collider(const Params& params, const World& world, uint* shared_total) : p(params), w(world), total(shared_total) {}
+  __device__ Collider(const Params& params, const World& world, uint* shared_total)
+      : p(params), w(world), total(shared_total) {}
 
   __device__ void start_totals() {
     if (threadIdx.x < SUM_DEFERRED) total[threadIdx.x] = 0u;
@@ -43,9 +44,10 @@ struct Collider {
     }
     if (newly_colliding != 0u) atomicAdd(&total[SUM_COLLIDING], newly_colliding);
     __syncthreads();
-    uint row = (group_index() % SUMMARY_SLOTS) * SUMMARY_WORDS;
+    uint row = (group_index(p) % SUMMARY_SLOTS) * SUMMARY_WORDS;
     uint word = 2u * threadIdx.x;
-    if (word < SUM_DEFERRED && (total[word] | total[word + 1u]) != 0u) add_to_words(&w.summary[row + word], total[word], total[word + 1u]);
+    if (word < SUM_DEFERRED && (total[word] | total[word + 1u]) != 0u)
+      add_to_words(&w.summary[row + word], total[word], total[word + 1u]);
   }
 
   // More contacts for sphere i. Of all additions to it exactly one finds a zero: that one counts the colliding sphere.

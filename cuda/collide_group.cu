@@ -10,7 +10,7 @@ __global__ void __launch_bounds__(BLOCK) collide_group(Params p, World w) {
   __shared__ uint total[SUM_DEFERRED];
   Collider<EQUAL_RADII> c(p, w, total);
   uint lane = threadIdx.x;
-  uint first = group_index() * BLOCK;
+  uint first = group_index(p) * BLOCK;
   uint i = first + lane;
   vec4 mine = w.position[min(i, p.n - 1u)];
   tile[lane] = mine;
@@ -25,7 +25,8 @@ __global__ void __launch_bounds__(BLOCK) collide_group(Params p, World w) {
 }
 
 Entry collide_group_kernel(uint block, bool equal_radii) {
-  return pick_kernel(block, equal_radii, [](auto size, auto equal) { return reinterpret_cast<Entry>(&collide_group<size(), equal()>); });
+  return pick_kernel(block, equal_radii,
+                     [](auto size, auto equal) { return reinterpret_cast<Entry>(&collide_group<size(), equal()>); });
 }
 
 }  // namespace spherepair

@@ -12,9 +12,8 @@ __global__ void __launch_bounds__(BLOCK) collide_square(Params p, World w) {
   Collider<EQUAL_RADII> c(p, w, total);
   uint lane = threadIdx.x;
   uint groups = (p.n + BLOCK - 1u) / BLOCK;
-  uint fold = (groups + MAX_GROUPS - 1u) / MAX_GROUPS;
-  uint mine_group = blockIdx.x + (blockIdx.z % fold) * MAX_GROUPS;
-  uint other_group = blockIdx.y + (blockIdx.z / fold) * MAX_GROUPS;
+  uint mine_group = p.first_group + blockIdx.x;
+  uint other_group = blockIdx.y + MAX_GROUPS * blockIdx.z;
   if (mine_group >= groups || other_group >= groups) return;
   uint i = mine_group * BLOCK + lane;
   uint first = other_group * BLOCK;
@@ -31,7 +30,8 @@ __global__ void __launch_bounds__(BLOCK) collide_square(Params p, World w) {
 }
 
 Entry collide_square_kernel(uint block, bool equal_radii) {
-  return pick_kernel(block, equal_radii, [](auto size, auto equal) { return reinterpret_cast<Entry>(&collide_square<size(), equal()>); });
+  return pick_kernel(block, equal_radii,
+                     [](auto size, auto equal) { return reinterpret_cast<Entry>(&collide_square<size(), equal()>); });
 }
 
 }  // namespace spherepair

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere: every group of spheres passes through shared memory, and it meets them all (the paper's code 5).
+// One thread per sphere: every group of spheres passes through shared memory, and it meets them all (the paper's code
+// 5).
 #include "collide.cuh"
 
 namespace spherepair {
@@ -10,7 +11,7 @@ __global__ void __launch_bounds__(BLOCK) collide_tiled(Params p, World w) {
   __shared__ uint total[SUM_DEFERRED];
   Collider<EQUAL_RADII> c(p, w, total);
   uint lane = threadIdx.x;
-  uint i = group_index() * BLOCK + lane;
+  uint i = group_index(p) * BLOCK + lane;
   vec4 mine = w.position[min(i, p.n - 1u)];
   c.start_totals();
   uint contacts = 0u;
@@ -28,7 +29,8 @@ __global__ void __launch_bounds__(BLOCK) collide_tiled(Params p, World w) {
 }
 
 Entry collide_tiled_kernel(uint block, bool equal_radii) {
-  return pick_kernel(block, equal_radii, [](auto size, auto equal) { return reinterpret_cast<Entry>(&collide_tiled<size(), equal()>); });
+  return pick_kernel(block, equal_radii,
+                     [](auto size, auto equal) { return reinterpret_cast<Entry>(&collide_tiled<size(), equal()>); });
 }
 
 }  // namespace spherepair

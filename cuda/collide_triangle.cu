@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Each unordered pair once: a group holds SPHERES_PER_THREAD spheres a thread in registers, its rows, and meets p.columns
-// spheres of its row or later, its columns, which pass through shared memory in Gram form. Where a column comes near a
-// thread's rows the meeting is only queued; after the tile the whole group works the queue off, a thread per pair.
+// Each unordered pair once: a group holds SPHERES_PER_THREAD spheres a thread in registers, its rows, and meets
+// p.columns spheres of its row or later, its columns, which pass through shared memory in Gram form. Where a column
+// comes near a thread's rows the meeting is only queued; after the tile the whole group works the queue off, a thread
+// per pair.
 #include "collide.cuh"
 
 namespace spherepair {
@@ -11,7 +12,8 @@ constexpr uint MEETING_PAIRS = SPHERES_PER_THREAD * COLUMNS_AT_ONCE;
 // Pair number `pair` of the meeting between a thread's rows and the columns from j on.
 template <int BLOCK, bool EQUAL_RADII>
 __device__ void meet(Collider<EQUAL_RADII>& collider, uint pair, uint lane, uint j, uint end) {
-  uint i = blockIdx.y * BLOCK * SPHERES_PER_THREAD + (pair % SPHERES_PER_THREAD) * BLOCK + lane;
+  uint row_group = collider.p.first_group + blockIdx.y;
+  uint i = row_group * BLOCK * SPHERES_PER_THREAD + (pair % SPHERES_PER_THREAD) * BLOCK + lane;
   j += pair / SPHERES_PER_THREAD;
   if (i < j && j < end) collider.meet_once(i, j);
 }
@@ -27,7 +29,7 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, World w) {
   __shared__ uint total[SUM_DEFERRED];
   Collider<EQUAL_RADII> collider(p, w, total);
   uint lane = threadIdx.x;
-  uint first_row = blockIdx.y * ROWS;
+  uint first_row = (p.first_group + blockIdx.y) * ROWS;
   uint first_column = first_row + blockIdx.x * p.columns;
   if (first_column >= p.n) return;
   if (lane < 2u) near_length[lane] = 0u;

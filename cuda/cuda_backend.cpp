@@ -15,15 +15,24 @@ namespace {
 
 Entry entry_of(const Launch& launch) {
   switch (launch.kernel) {
-    case Kernel::move: return move_kernel();
-    case Kernel::clear: return clear_kernel();
-    case Kernel::empty: return empty_kernel();
-    case Kernel::settle: return settle_kernel();
-    case Kernel::decide: return decide_kernel();
-    case Kernel::collide_group: return collide_group_kernel(launch.block, launch.equal_radii);
-    case Kernel::collide_tiled: return collide_tiled_kernel(launch.block, launch.equal_radii);
-    case Kernel::collide_square: return collide_square_kernel(launch.block, launch.equal_radii);
-    case Kernel::collide_triangle: return collide_triangle_kernel(launch.block, launch.equal_radii);
+    case Kernel::move:
+      return move_kernel();
+    case Kernel::clear:
+      return clear_kernel();
+    case Kernel::empty:
+      return empty_kernel();
+    case Kernel::settle:
+      return settle_kernel();
+    case Kernel::decide:
+      return decide_kernel();
+    case Kernel::collide_group:
+      return collide_group_kernel(launch.block, launch.equal_radii);
+    case Kernel::collide_tiled:
+      return collide_tiled_kernel(launch.block, launch.equal_radii);
+    case Kernel::collide_square:
+      return collide_square_kernel(launch.block, launch.equal_radii);
+    case Kernel::collide_triangle:
+      return collide_triangle_kernel(launch.block, launch.equal_radii);
   }
   return nullptr;
 }
@@ -75,9 +84,12 @@ int usable_device(int wanted) {
     int driver = 0, runtime = 0;
     cudaDriverGetVersion(&driver);
     cudaRuntimeGetVersion(&runtime);
-    if (driver == 0) throw BackendError("cuda: no NVIDIA driver on this machine; install one or leave this backend out");
-    throw BackendError(fmt::format("cuda: the driver supports CUDA {}, but this build needs {}; update the driver or build "
-                                   "with an older toolkit", version(driver), version(runtime)));
+    if (driver == 0)
+      throw BackendError("cuda: no NVIDIA driver on this machine; install one or leave this backend out");
+    throw BackendError(
+        fmt::format("cuda: the driver supports CUDA {}, but this build needs {}; update the driver or build "
+                    "with an older toolkit",
+                    version(driver), version(runtime)));
   }
   if (error == cudaErrorNoDevice || (error == cudaSuccess && count == 0)) {
     throw BackendError("cuda: the driver finds no device; check nvidia-smi and CUDA_VISIBLE_DEVICES");
@@ -128,9 +140,10 @@ void CudaBackend::require_kernels(int device) const {
   const cudaError_t error = cudaFuncGetAttributes(&attributes, empty_kernel());
   if (error == cudaSuccess) return;
   const std::string capability = info_.details.at("compute capability");
-  throw BackendError(fmt::format("cuda: the kernels of this build do not run on device {}, {} of compute capability {} ({}); "
-                                 "configure with -DCMAKE_CUDA_ARCHITECTURES=native",
-                                 device, info_.device, capability, cudaGetErrorString(error)));
+  throw BackendError(
+      fmt::format("cuda: the kernels of this build do not run on device {}, {} of compute capability {} ({}); "
+                  "configure with -DCMAKE_CUDA_ARCHITECTURES=native",
+                  device, info_.device, capability, cudaGetErrorString(error)));
 }
 
 void CudaBackend::allocate(uint slot, uint64_t bytes) {
@@ -140,8 +153,8 @@ void CudaBackend::allocate(uint slot, uint64_t bytes) {
     size_t free = 0, total = 0;
     cudaGetLastError();
     cudaMemGetInfo(&free, &total);
-    throw BackendError(fmt::format("cuda: out of memory: {} bytes asked, {} of {} free; use fewer spheres or no pair list",
-                                   bytes, free, total));
+    throw BackendError(fmt::format(
+        "cuda: out of memory: {} bytes asked, {} of {} free; use fewer spheres or no pair list", bytes, free, total));
   }
   cuda_check(error, fmt::format("allocating {} bytes", bytes));
 }
@@ -208,6 +221,8 @@ std::vector<StageTime> CudaBackend::stage_times() {
 
 }  // namespace
 
-std::unique_ptr<Backend> open_cuda_backend(const OpenOptions& options) { return std::make_unique<CudaBackend>(options); }
+std::unique_ptr<Backend> open_cuda_backend(const OpenOptions& options) {
+  return std::make_unique<CudaBackend>(options);
+}
 
 }  // namespace spherepair

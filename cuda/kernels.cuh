@@ -15,12 +15,18 @@ using Constant = std::integral_constant<decltype(value), value>;
 template <typename Equal, typename Pick>
 Entry pick_block(uint block, Equal equal_radii, Pick pick) {
   switch (block) {
-    case 32: return pick(Constant<32>{}, equal_radii);
-    case 64: return pick(Constant<64>{}, equal_radii);
-    case 128: return pick(Constant<128>{}, equal_radii);
-    case 256: return pick(Constant<256>{}, equal_radii);
-    case 512: return pick(Constant<512>{}, equal_radii);
-    case 1024: return pick(Constant<1024>{}, equal_radii);
+    case 32:
+      return pick(Constant<32>{}, equal_radii);
+    case 64:
+      return pick(Constant<64>{}, equal_radii);
+    case 128:
+      return pick(Constant<128>{}, equal_radii);
+    case 256:
+      return pick(Constant<256>{}, equal_radii);
+    case 512:
+      return pick(Constant<512>{}, equal_radii);
+    case 1024:
+      return pick(Constant<1024>{}, equal_radii);
   }
   return nullptr;
 }
@@ -29,7 +35,7 @@ Entry pick_kernel(uint block, bool equal_radii, Pick pick) {
   return equal_radii ? pick_block(block, Constant<true>{}, pick) : pick_block(block, Constant<false>{}, pick);
 }
 
-__device__ inline uint group_index() { return blockIdx.x + gridDim.x * blockIdx.y; }
+__device__ inline uint group_index(Params p) { return p.first_group + blockIdx.x + gridDim.x * blockIdx.y; }
 
 __device__ inline void clear_results(Params p, World w, uint i) {
   if (i < p.n) w.count[i] = 0u;

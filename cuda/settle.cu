@@ -10,8 +10,8 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) settle(Params p, World w) {
   Collider<false> c(p, w, total);
   c.start_totals();
   uint pairs = min(w.summary[SUM_DEFERRED], p.deferred_capacity);
-  uint row = (group_index() % SUMMARY_SLOTS) * SUMMARY_WORDS;
-  for (uint k = group_index() * SERVICE_BLOCK + threadIdx.x; k < pairs; k += SERVICE_BLOCK * gridDim.x) {
+  uint row = (group_index(p) % SUMMARY_SLOTS) * SUMMARY_WORDS;
+  for (uint k = group_index(p) * SERVICE_BLOCK + threadIdx.x; k < pairs; k += SERVICE_BLOCK * gridDim.x) {
     uvec2 pair = w.deferred[k];
     Verdict verdict = decide_exact(w.position[pair.x], w.position[pair.y]);
     atomicAdd(&w.summary[row + SUM_STAGE + verdict.stage], 1u);

@@ -11,8 +11,8 @@
 namespace spherepair {
 namespace {
 
-// A little-endian uvec2 read as one 64-bit word holds its first index in the low half: the halves change places, so that
-// the order of the words is the order of the pairs.
+// A little-endian uvec2 read as one 64-bit word holds its first index in the low half: the halves change places, so
+// that the order of the words is the order of the pairs.
 struct SwapHalves {
   __host__ __device__ uint64_t operator()(uint64_t word) const { return word << 32 | word >> 32; }
 };

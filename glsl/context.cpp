@@ -13,7 +13,9 @@ namespace {
 template <typename Function>
 Function egl_function(const char* name) {
   const auto function = reinterpret_cast<Function>(eglGetProcAddress(name));
-  if (!function) throw BackendError(fmt::format("glsl: EGL here has no {}; install libegl1 and a driver for it (libegl-mesa0 for software)", name));
+  if (!function)
+    throw BackendError(
+        fmt::format("glsl: EGL here has no {}; install libegl1 and a driver for it (libegl-mesa0 for software)", name));
   return function;
 }
 
@@ -21,7 +23,8 @@ std::vector<EGLDeviceEXT> egl_devices() {
   const auto query = egl_function<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
   EGLint count = 0;
   if (!query(0, nullptr, &count) || count == 0) {
-    throw BackendError("glsl: EGL finds no device; install the GPU's driver, or libegl-mesa0 and libgl1-mesa-dri for software");
+    throw BackendError(
+        "glsl: EGL finds no device; install the GPU's driver, or libegl-mesa0 and libgl1-mesa-dri for software");
   }
   std::vector<EGLDeviceEXT> devices(count);
   query(count, devices.data(), &count);
@@ -52,22 +55,35 @@ Context::Context(const OpenOptions& options) {
     if (!software_ || !options.require_hardware) return;
   }
   if (context_ != EGL_NO_CONTEXT) {
-    throw BackendError(fmt::format("glsl: hardware was asked for, but the renderer is {}; check that the vendor's EGL file is in "
-                                   "/usr/share/glvnd/egl_vendor.d", reinterpret_cast<const char*>(glGetString(GL_RENDERER))));
+    throw BackendError(
+        fmt::format("glsl: hardware was asked for, but the renderer is {}; check that the vendor's EGL file is in "
+                    "/usr/share/glvnd/egl_vendor.d",
+                    reinterpret_cast<const char*>(glGetString(GL_RENDERER))));
   }
-  throw BackendError(fmt::format("glsl: none of the {} EGL devices gives an OpenGL 4.5 core context; update the driver", devices.size()));
+  throw BackendError(fmt::format("glsl: none of the {} EGL devices gives an OpenGL 4.5 core context; update the driver",
+                                 devices.size()));
 }
 
 bool Context::open_on(EGLDeviceEXT device) {
   const auto get_display = egl_function<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
   const EGLDisplay display = get_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
   if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return false;
-  if (!epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context") || !epoxy_has_egl_extension(display, "EGL_KHR_no_config_context")) {
+  if (!epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context") ||
+      !epoxy_has_egl_extension(display, "EGL_KHR_no_config_context")) {
     return false;
   }
   eglBindAPI(EGL_OPENGL_API);
-  const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                               4,
+                               EGL_CONTEXT_MINOR_VERSION,
+                               5,
+                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                               EGL_CONTEXT_OPENGL_ROBUST_ACCESS,
+                               EGL_FALSE,
+                               EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+                               EGL_LOSE_CONTEXT_ON_RESET,
+                               EGL_NONE};
   const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
   if (context == EGL_NO_CONTEXT) return false;
   if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
@@ -91,6 +107,12 @@ void Context::make_current() const {
 }
 
 void gl_check(const std::string& what) {
+  if (epoxy_has_gl_extension("GL_KHR_robustness") && glGetGraphicsResetStatus() != GL_NO_ERROR) {
+    throw BackendError(
+        fmt::format("glsl: {} failed: the driver reset the context, as it does when a dispatch runs too long; "
+                    "use fewer spheres or another method",
+                    what));
+  }
   const GLenum error = glGetError();
   if (error == GL_NO_ERROR) return;
   const char* name = error == GL_OUT_OF_MEMORY       ? "out of memory"

@@ -80,10 +80,13 @@ GlslBackend::~GlslBackend() {
 
 void GlslBackend::require_features() const {
   if (epoxy_gl_version() < 45) {
-    throw BackendError(fmt::format("glsl: {} offers OpenGL {}, but 4.5 is needed; update the driver", gl_string(GL_RENDERER), gl_string(GL_VERSION)));
+    throw BackendError(fmt::format("glsl: {} offers OpenGL {}, but 4.5 is needed; update the driver",
+                                   gl_string(GL_RENDERER), gl_string(GL_VERSION)));
   }
   if (!epoxy_has_gl_extension("GL_ARB_gpu_shader_int64")) {
-    throw BackendError(fmt::format("glsl: {} lacks GL_ARB_gpu_shader_int64, which the exact stages need; update the driver", gl_string(GL_RENDERER)));
+    throw BackendError(
+        fmt::format("glsl: {} lacks GL_ARB_gpu_shader_int64, which the exact stages need; update the driver",
+                    gl_string(GL_RENDERER)));
   }
 }
 
@@ -116,9 +119,12 @@ void GlslBackend::allocate(uint slot, uint64_t bytes) {
   glNamedBufferStorage(buffers_[slot], GLsizeiptr(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
   if (glGetError() == GL_NO_ERROR) return;
   GLint free_kib = -1;
-  if (epoxy_has_gl_extension("GL_NVX_gpu_memory_info")) glGetIntegerv(GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, &free_kib);
-  const std::string free = free_kib < 0 ? "this driver does not say how many are free" : fmt::format("{} free", uint64_t(free_kib) * 1024);
-  throw BackendError(fmt::format("glsl: out of memory: {} bytes asked, {}; use fewer spheres or no pair list", bytes, free));
+  if (epoxy_has_gl_extension("GL_NVX_gpu_memory_info"))
+    glGetIntegerv(GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, &free_kib);
+  const std::string free =
+      free_kib < 0 ? "this driver does not say how many are free" : fmt::format("{} free", uint64_t(free_kib) * 1024);
+  throw BackendError(
+      fmt::format("glsl: out of memory: {} bytes asked, {}; use fewer spheres or no pair list", bytes, free));
 }
 
 void GlslBackend::write(uint slot, const void* data, uint64_t offset, uint64_t bytes) {
@@ -198,6 +204,8 @@ std::vector<StageTime> GlslBackend::stage_times() {
 
 }  // namespace
 
-std::unique_ptr<Backend> open_glsl_backend(const OpenOptions& options) { return std::make_unique<GlslBackend>(options); }
+std::unique_ptr<Backend> open_glsl_backend(const OpenOptions& options) {
+  return std::make_unique<GlslBackend>(options);
+}
 
 }  // namespace spherepair

@@ -12,7 +12,8 @@ namespace {
 std::string source_of(const std::string& kernel, unsigned block, bool equal_radii) {
   const std::string& text = embedded_shaders().at(kernel);
   const size_t after_version = text.find('\n') + 1;
-  return text.substr(0, after_version) + fmt::format("#define BLOCK {}\n#define EQUAL_RADII {}\n", block, int(equal_radii)) +
+  return text.substr(0, after_version) +
+         fmt::format("#define BLOCK {}\n#define EQUAL_RADII {}\n", block, int(equal_radii)) +
          text.substr(after_version);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The buffers of every kernel (layout.h says what they hold), and the index of a group whatever the fold of its dispatch.
+// The buffers of every kernel (layout.h says what they hold), and the index of a group whatever the fold and slice of its
+// dispatch.
 #extension GL_ARB_gpu_shader_int64 : require
 #include "layout.h"
 
@@ -11,7 +12,7 @@ layout(std430, binding = SLOT_SUMMARY) restrict buffer SummaryBuffer { uint summ
 layout(std430, binding = SLOT_DEFERRED) restrict buffer DeferredBuffer { uvec2 deferred[]; };
 layout(std430, binding = SLOT_PAIR) restrict buffer PairBuffer { uvec2 listed[]; };
 
-uint group_index() { return gl_WorkGroupID.x + gl_NumWorkGroups.x * gl_WorkGroupID.y; }
+uint group_index() { return p.first_group + gl_WorkGroupID.x + gl_NumWorkGroups.x * gl_WorkGroupID.y; }
 
 void clear_results(uint i) {
   if (i < p.n) count[i] = 0u;

@@ -10,9 +10,8 @@ shared vec4 tile[BLOCK];
 void main() {
   uint lane = gl_LocalInvocationID.x;
   uint groups = (p.n + BLOCK - 1u) / BLOCK;
-  uint fold = (groups + MAX_GROUPS - 1u) / MAX_GROUPS;
-  uint mine_group = gl_WorkGroupID.x + (gl_WorkGroupID.z % fold) * MAX_GROUPS;
-  uint other_group = gl_WorkGroupID.y + (gl_WorkGroupID.z / fold) * MAX_GROUPS;
+  uint mine_group = p.first_group + gl_WorkGroupID.x;
+  uint other_group = gl_WorkGroupID.y + MAX_GROUPS * gl_WorkGroupID.z;
   if (mine_group >= groups || other_group >= groups) return;
   uint i = mine_group * BLOCK + lane;
   uint first = other_group * BLOCK;

@@ -23,14 +23,14 @@ shared uint near_length[2];  // of this tile and of the next
 
 // Pair number `pair` of the meeting between a thread's rows and the columns from j on.
 void meet(uint pair, uint lane, uint j, uint end) {
-  uint i = gl_WorkGroupID.y * ROWS + (pair % SPHERES_PER_THREAD) * BLOCK + lane;
+  uint i = (p.first_group + gl_WorkGroupID.y) * ROWS + (pair % SPHERES_PER_THREAD) * BLOCK + lane;
   j += pair / SPHERES_PER_THREAD;
   if (i < j && j < end) meet_once(i, j);
 }
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
-  uint first_row = gl_WorkGroupID.y * ROWS;
+  uint first_row = (p.first_group + gl_WorkGroupID.y) * ROWS;
   uint first_column = first_row + gl_WorkGroupID.x * p.columns;
   if (first_column >= p.n) return;
   if (lane < 2u) near_length[lane] = 0u;

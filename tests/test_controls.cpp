@@ -9,6 +9,7 @@
 #include "motion.h"
 #include "naive.h"
 #include "oracle.h"
+#include "scene.h"
 #include "tally.h"
 
 namespace spherepair {
@@ -117,19 +118,7 @@ TEST(Controls, StateHashSeesEveryBit) {
   EXPECT_NE(state_hash(exchanged.positions, exchanged.velocities), right);
 }
 
-// Couples along z, each touching across it: x and y stay small, so that they resolve what rounding gets wrong.
-std::vector<vec4> grazing_line() {
-  Random random(5);
-  std::vector<vec4> spheres;
-  for (int k = 0; k < 500; ++k) {
-    const double angle = random.uniform(0, 6.28), x = float(random.uniform(-0.5, 0.5)),
-                 y = float(random.uniform(-0.5, 0.5));
-    const float z = float(4 * k);
-    spheres.push_back({float(x), float(y), z, 0.5f});
-    spheres.push_back({float(x + std::cos(angle)), float(y + std::sin(angle)), z, 0.5f});
-  }
-  return spheres;
-}
+std::vector<vec4> grazing() { return make_scene({.name = "grazing", .n = 1000}).positions; }
 
 std::vector<Pair> pairs_by(const std::vector<vec4>& spheres, const Naive& naive) {
   std::vector<Pair> pairs;
@@ -142,7 +131,7 @@ std::vector<Pair> pairs_by(const std::vector<vec4>& spheres, const Naive& naive)
 void expect_found_out(const Naive& naive) {
   for (Family family : {Family::near_tangent, Family::quadruple, Family::quadruple_off, Family::axis_offset})
     EXPECT_GT(tally(family, 100'000, decider_of(naive.collide)).wrong, 100u) << "family " << int(family);
-  const std::vector<vec4> spheres = grazing_line();
+  const std::vector<vec4> spheres = grazing();
   EXPECT_TRUE(first_difference(pairs_by(spheres, naive), brute_force_pairs(spheres)));
 }
 
@@ -151,7 +140,7 @@ TEST(Controls, NaivePredicateIsFoundOut) { expect_found_out(naive_plain); }
 TEST(Controls, ContractedPredicateIsFoundOut) {
   if (!can_contract()) GTEST_SKIP() << "this CPU has no fused multiply-add";
   expect_found_out(naive_contracted);
-  const std::vector<vec4> spheres = grazing_line();
+  const std::vector<vec4> spheres = grazing();
   EXPECT_TRUE(first_difference(pairs_by(spheres, naive_contracted), pairs_by(spheres, naive_plain)))
       << "was it compiled with contraction at all?";
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -68,10 +69,16 @@ void record(const std::vector<Recording>& runs, const std::filesystem::path& fol
   if (!stream) throw std::runtime_error(fmt::format("cannot write state_hashes.json in {}", folder.string()));
 }
 
+// Where the recordings are: in the sources, or in SPHEREPAIR_DATA when the program was carried elsewhere.
+std::filesystem::path data_folder() {
+  const char* elsewhere = std::getenv("SPHEREPAIR_DATA");
+  return elsewhere ? elsewhere : SPHEREPAIR_DATA;
+}
+
 std::vector<std::filesystem::path> recorded_files() {
   std::vector<std::filesystem::path> files;
-  if (!std::filesystem::is_directory(SPHEREPAIR_DATA)) return files;
-  for (const auto& machine : std::filesystem::directory_iterator(SPHEREPAIR_DATA))
+  if (!std::filesystem::is_directory(data_folder())) return files;
+  for (const auto& machine : std::filesystem::directory_iterator(data_folder()))
     if (std::filesystem::exists(machine.path() / "state_hashes.json"))
       files.push_back(machine.path() / "state_hashes.json");
   return files;
@@ -81,6 +88,8 @@ TEST(RecordedStates, Row29_EqualOnAllBackends) {
   const std::vector<Recording>& runs = runs_here();
   ASSERT_FALSE(runs.empty());
   for (const Recording& run : runs) expect_equal_runs(runs.front(), run);
+  for (const OpenedBackend& entry : all_backends())
+    EXPECT_TRUE(entry.backend || !backend_required(entry.name)) << entry.name << " is missing: " << entry.reason;
   const Hashes& hashes = runs.front().hashes;
   EXPECT_EQ(std::adjacent_find(hashes.begin(), hashes.end()), hashes.end()) << "the scene came to rest";
   if (const char* folder = std::getenv("SPHEREPAIR_RECORD")) record(runs, folder);
@@ -88,7 +97,7 @@ TEST(RecordedStates, Row29_EqualOnAllBackends) {
 
 TEST(RecordedStates, Row29_EqualWithOtherMachines) {
   const std::vector<std::filesystem::path> files = recorded_files();
-  if (files.empty()) GTEST_SKIP() << "no recorded state_hashes.json below " << SPHEREPAIR_DATA;
+  if (files.empty()) GTEST_SKIP() << "no recorded state_hashes.json below " << data_folder();
   for (const auto& path : files) {
     const json file = json::parse(std::ifstream(path));
     const Scene scene = recorded_scene();

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// The collision step of DeviceBackend: slices, lists that grow, totals.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "device_backend.h"
+
+namespace spherepair {
+namespace {
+
+constexpr uint settle_groups = 128;
+constexpr uint64_t pairs_per_dispatch = uint64_t(1) << 40;
+
+uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
+
+// Groups of collide_triangle should outnumber the multiprocessors many times, yet each should meet enough spheres to
+// pay for loading its rows.
+uint default_columns(uint64_t n, uint64_t rows_per_group) {
+  const uint64_t row_groups = ceil_div(n, rows_per_group);
+  const uint64_t wanted = row_groups * n / 2 / 8192;
+  const uint64_t least = ceil_div(n, MAX_GROUPS);
+  return uint(std::max(std::clamp<uint64_t>(ceil_div(wanted, 32) * 32, 64, 4096), least));
+}
+
+uint64_t join(const uint* words) { return uint64_t(words[1]) << 32 | words[0]; }
+
+}  // namespace
+
+// How the spheres are cut into groups for this method: how many groups, and how many spheres each meets.
+DeviceBackend::Division DeviceBackend::division() const {
+  const uint64_t n = std::max<uint64_t>(n_, 1), block = options_.block;
+  switch (options_.method) {
+    case Method::collide_group:
+      return {Kernel::collide_group, block, block};
+    case Method::collide_tiled:
+      return {Kernel::collide_tiled, block, n};
+    case Method::collide_square:
+      return {Kernel::collide_square, block, n};
+    case Method::collide_triangle:
+      return {Kernel::collide_triangle, block * SPHERES_PER_THREAD, n};
+    default:
+      throw std::invalid_argument(
+          fmt::format("{}: the method {} runs on the backend cpu only", info().name, method_name(options_.method)));
+  }
+}
+
+// A driver may stop a dispatch that runs for many seconds, without a word, so a large one goes out in slices of about a
+// second; each also stays within MAX_GROUPS.
+void DeviceBackend::launch_collide() {
+  const Division cut = division();
+  const uint64_t groups = ceil_div(std::max<uint64_t>(n_, 1), cut.spheres);
+  const uint64_t slice = std::clamp<uint64_t>(pairs_per_dispatch / (cut.spheres * cut.meets), 1, MAX_GROUPS);
+  for (uint64_t first = 0; first < groups; first += slice) {
+    const uint part = uint(std::min(slice, groups - first));
+    Launch launching{cut.kernel, options_.block, equal_radii_, {part, 1, 1}};
+    if (cut.kernel == Kernel::collide_square) {
+      launching.groups = {part, uint(std::min<uint64_t>(groups, MAX_GROUPS)), uint(ceil_div(groups, MAX_GROUPS))};
+    } else if (cut.kernel == Kernel::collide_triangle) {
+      launching.groups = {uint(ceil_div(n_, params_.columns)), part, 1};
+    }
+    params_.first_group = uint(first);
+    launch(launching, params_);
+  }
+  params_.first_group = 0;
+}
+
+void DeviceBackend::collide(const CollideOptions& options) {
+  require_scene("collide");
+  if (std::ranges::find(block_sizes(), options.block) == block_sizes().end()) {
+    throw std::invalid_argument(
+        fmt::format("group size {} is not one of {}", options.block, fmt::join(block_sizes(), ", ")));
+  }
+  options_ = options;
+  run_collide();
+  collided_ = true;
+}
+
+void DeviceBackend::run_collide() {
+  params_ = constants_[options_.exact];
+  params_.n = uint(n_);
+  params_.columns =
+      options_.columns ? options_.columns : default_columns(n_, uint64_t(options_.block) * SPHERES_PER_THREAD);
+  params_.pair_capacity = options_.want_pairs ? uint(bytes_[SLOT_PAIR] / sizeof(uvec2)) : 0;
+  params_.deferred_capacity = uint(bytes_[SLOT_DEFERRED] / sizeof(uvec2));
+  if (!cleared_) {
+    launch({Kernel::clear, SERVICE_BLOCK, true, per_sphere_groups()}, params_);
+  }
+  cleared_ = false;
+  if (n_ < 2) return;
+  launch_collide();
+  if (options_.exact) launch({Kernel::settle, SERVICE_BLOCK, true, {settle_groups, 1, 1}}, params_);
+}
+
+std::vector<uint> DeviceBackend::read_summary() {
+  std::vector<uint> words(SUMMARY_SLOTS * SUMMARY_WORDS);
+  read(SLOT_SUMMARY, words.data(), 0, words.size() * sizeof(uint));
+  return words;
+}
+
+bool DeviceBackend::grow_lists(uint64_t deferred, uint64_t listed) {
+  const bool short_deferred = deferred > params_.deferred_capacity;
+  const bool short_pairs = options_.want_pairs && listed > params_.pair_capacity;
+  if (short_deferred) make_buffer(SLOT_DEFERRED, (deferred + deferred / 8) * sizeof(uvec2));
+  if (short_pairs) make_buffer(SLOT_PAIR, (listed + listed / 8) * sizeof(uvec2));
+  return short_deferred || short_pairs;
+}
+
+Collisions DeviceBackend::collisions() {
+  if (!collided_)
+    throw BackendError(
+        fmt::format("{}: no collision step to report since the last move; call collide first", info().name));
+  std::vector<uint> words = read_summary();
+  while (grow_lists(words[SUM_DEFERRED], words[SUM_LISTED])) {
+    run_collide();
+    words = read_summary();
+  }
+  Collisions total;
+  for (uint row = 0; row < SUMMARY_SLOTS; ++row) {
+    const uint* sum = &words[row * SUMMARY_WORDS];
+    total.pairs += join(sum + SUM_PAIRS);
+    total.fingerprint.a += join(sum + SUM_MIX_A);
+    total.fingerprint.b += join(sum + SUM_MIX_B);
+    total.colliding_spheres += sum[SUM_COLLIDING];
+    for (uint stage = 0; stage < STAGES; ++stage) total.decided_by[stage] += sum[SUM_STAGE + stage];
+  }
+  total.deferred = words[SUM_DEFERRED];
+  return total;
+}
+
+}  // namespace spherepair

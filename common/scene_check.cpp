@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "hash.h"
+#include "scene.h"
+
+namespace spherepair {
+
+void check_options(const SceneOptions& o) {
+  const auto refuse = [](const std::string& why) { throw std::invalid_argument(why); };
+  if (o.n > 0x7FFFFFFF) refuse(fmt::format("n is {}, but sphere indices allow 2147483647 at most", o.n));
+  if (!(o.radius > 0) || !std::isfinite(o.radius))
+    refuse(fmt::format("radius is {}, but must be positive and finite", o.radius));
+  if (!(o.radius_ratio >= 1) || !std::isfinite(o.radius_ratio)) {
+    refuse(fmt::format("radius ratio is {}, but must be at least 1 (largest over smallest radius)", o.radius_ratio));
+  }
+  if (!(o.packing_fraction > 0 && o.packing_fraction <= 0.74)) {
+    refuse(fmt::format("packing fraction is {}, but must be above 0 and at most 0.74", o.packing_fraction));
+  }
+  if (!std::isfinite(o.offset)) refuse(fmt::format("offset is {}, but must be finite", o.offset));
+  if ((o.groups == 0) != (o.group_size == 0)) refuse("groups and group size go together: give both or neither");
+  if (o.groups && uint64_t(o.groups) * o.group_size != o.n) {
+    refuse(fmt::format("{} groups of {} are {} spheres, but n is {}", o.groups, o.group_size,
+                       uint64_t(o.groups) * o.group_size, o.n));
+  }
+}
+
+void check_scene(const Scene& scene) {
+  uint64_t bad = 0, first = 0;
+  const auto wrong = [&](uint64_t i) {
+    const vec4 &p = scene.positions[i], &v = scene.velocities[i];
+    const bool finite = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w) &&
+                        std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    return !finite || p.w < 0;
+  };
+  if (scene.positions.size() != scene.velocities.size()) {
+    throw std::invalid_argument(fmt::format("scene '{}' has {} positions but {} velocities", scene.name,
+                                            scene.positions.size(), scene.velocities.size()));
+  }
+  for (uint64_t i = 0; i < scene.size(); ++i) {
+    if (wrong(i) && bad++ == 0) first = i;
+  }
+  if (bad == 0) return;
+  const vec4 &p = scene.positions[first], &v = scene.velocities[first];
+  throw std::invalid_argument(
+      fmt::format("scene '{}': {} of {} spheres have a NaN, an infinity or a negative radius; the first is sphere {}: "
+                  "centre ({}, {}, {}), radius {}, velocity ({}, {}, {}); remove or mend them",
+                  scene.name, bad, scene.size(), first, p.x, p.y, p.z, p.w, v.x, v.y, v.z));
+}
+
+uint64_t state_hash(const std::vector<vec4>& positions, const std::vector<vec4>& velocities) {
+  uint64_t sum = positions.size();
+  const auto add = [&](const std::vector<vec4>& values) {
+    for (const vec4& v : values) {
+      sum = splitmix64(sum ^ (uint64_t(float_bits(v.x)) << 32 | float_bits(v.y)));
+      sum = murmur64(sum ^ (uint64_t(float_bits(v.z)) << 32 | float_bits(v.w)));
+    }
+  };
+  add(positions);
+  add(velocities);
+  return sum;
+}
+
+}  // namespace spherepair
