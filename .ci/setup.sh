@@ -3,7 +3,7 @@
 
 build_packages="g++ cmake ninja-build pkg-config libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
   libcli11-dev nlohmann-json3-dev libfmt-dev"
-test_packages="libbenchmark-dev libgtest-dev libboost-dev libgmp-dev librapidcheck-dev glslang-tools spirv-tools
+test_packages="libbenchmark-dev libgtest-dev libgmp-dev librapidcheck-dev glslang-tools spirv-tools
   clang-format python3"
 
 say() { printf '\n== %s\n' "$*"; }

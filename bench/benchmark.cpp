@@ -58,7 +58,7 @@ void sample_case(benchmark::State& state, Bench& bench, Backend& backend, Method
   for (auto _ : state) state.SetIterationTime(time_batch(contender, batch) / double(batch));
   const double n = double(bench.scene.n);
   state.counters["n"] = n;
-  state.counters["block"] = block;
+  if (uses_blocks(asked)) state.counters["block"] = block;
   state.counters["K"] = double(batch);
   if (method != Method::collide_group)
     state.counters["pairs"] = benchmark::Counter(n * (n - 1) / 2, benchmark::Counter::kIsIterationInvariantRate);

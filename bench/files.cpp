@@ -33,12 +33,13 @@ std::vector<float> numbers(const std::string& line, const std::string& where) {
 }  // namespace
 
 void write_file(const fs::path& path, const std::string& text) {
-  const fs::path beside = path.string() + ".new";
+  const bool replace = !fs::exists(path) || fs::is_regular_file(fs::symlink_status(path));  // not a pipe or /dev/stdout
+  const fs::path beside = replace ? path.string() + ".new" : path.string();
   std::ofstream file(beside, std::ios::binary);
   file << text;
   file.close();
   std::error_code error;
-  if (file) fs::rename(beside, path, error);
+  if (file && replace) fs::rename(beside, path, error);
   if (!file || error)
     throw std::invalid_argument(
         fmt::format("cannot write {}: {}", path.string(), error ? error.message() : std::strerror(errno)));

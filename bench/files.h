@@ -9,7 +9,7 @@
 
 namespace spherepair {
 
-// Whole or not at all: written beside it first, then renamed.
+// A regular file is replaced whole or not at all: written beside it first, then renamed.
 void write_file(const std::filesystem::path& path, const std::string& text);
 
 // Creates the folder and proves that a file can be written in it.

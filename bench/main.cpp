@@ -43,7 +43,8 @@ void add_open_options(CLI::App& command, OpenOptions& open) {
       ->check(count_range)
       ->capture_default_str();
   command.add_flag("--require-hardware", open.require_hardware, "Refuse OpenGL in software");
-  command.add_flag("!--no-gpu", open.allow_gpu, "Use OpenGL in software even where a GPU is");
+  command.add_flag_callback(
+      "--no-gpu", [&open] { open.allow_gpu = false; }, "Use OpenGL in software even where a GPU is");
   command.add_option("--threads", open.threads, "Threads of the CPU backend; 0 takes all cores")
       ->check(whole_number(0, 4096))
       ->capture_default_str();

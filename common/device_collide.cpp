@@ -9,7 +9,7 @@
 namespace spherepair {
 namespace {
 
-constexpr uint settle_groups = 128;
+constexpr uint settle_groups = 64;
 constexpr uint64_t pairs_per_dispatch = uint64_t(1) << 40;
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
@@ -45,8 +45,8 @@ DeviceBackend::Division DeviceBackend::division() const {
   }
 }
 
-// A driver may stop a dispatch that runs for many seconds, without a word, so a large one goes out in slices of about a
-// second; each also stays within MAX_GROUPS.
+// A driver may stop work that keeps the device for many seconds, so a large dispatch goes out in slices of about a
+// second, each waited for; each also stays within MAX_GROUPS.
 void DeviceBackend::launch_collide() {
   const Division cut = division();
   const uint64_t groups = ceil_div(std::max<uint64_t>(n_, 1), cut.spheres);
@@ -61,6 +61,7 @@ void DeviceBackend::launch_collide() {
     }
     params_.first_group = uint(first);
     launch(launching, params_);
+    if (groups > slice) finish();
   }
   params_.first_group = 0;
 }

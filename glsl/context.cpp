@@ -99,9 +99,12 @@ Context::~Context() {
   eglDestroyContext(display_, context_);
 }
 
+bool Context::try_make_current() const {
+  return eglGetCurrentContext() == context_ || eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
+}
+
 void Context::make_current() const {
-  if (eglGetCurrentContext() == context_) return;
-  if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
+  if (!try_make_current()) {
     throw BackendError(fmt::format("glsl: eglMakeCurrent failed with error 0x{:x}", eglGetError()));
   }
 }

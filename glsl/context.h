@@ -18,6 +18,7 @@ class Context {
   Context& operator=(const Context&) = delete;
 
   void make_current() const;
+  bool try_make_current() const;  // false when the context is lost
   bool software() const { return software_; }
 
  private:

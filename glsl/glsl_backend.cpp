@@ -72,7 +72,7 @@ GlslBackend::GlslBackend(const OpenOptions& options) : context_(options) {
 }
 
 GlslBackend::~GlslBackend() {
-  context_.make_current();
+  if (!context_.try_make_current()) return;  // a lost context took everything with it
   for (const TimedStage& stage : timed_) glDeleteQueries(2, stage.queries.data());
   glDeleteBuffers(GLsizei(buffers_.size()), buffers_.data());
   glDeleteBuffers(1, &params_buffer_);

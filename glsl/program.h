@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
 #include <string>
@@ -11,7 +12,9 @@ namespace spherepair {
 class Program {
  public:
   Program(const std::string& kernel, unsigned block, bool equal_radii);
-  ~Program() { glDeleteProgram(id_); }
+  ~Program() {
+    if (eglGetCurrentContext() != EGL_NO_CONTEXT) glDeleteProgram(id_);
+  }
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
   GLuint id() const { return id_; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The buffers of every kernel (layout.h says what they hold), and the index of a group whatever the fold and slice of its
-// dispatch.
+// The buffers of every kernel (layout.h says what they hold), and the index of a group whatever the fold and slice of
+// its dispatch.
 #extension GL_ARB_gpu_shader_int64 : require
 #include "layout.h"
 

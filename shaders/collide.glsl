@@ -37,7 +37,8 @@ void finish_totals() {
   barrier();
   uint row = (group_index() % SUMMARY_SLOTS) * SUMMARY_WORDS;
   uint word = 2u * gl_LocalInvocationID.x;
-  if (word < SUM_DEFERRED && (total[word] | total[word + 1u]) != 0u) add_to_summary(row + word, total[word], total[word + 1u]);
+  if (word < SUM_DEFERRED && (total[word] | total[word + 1u]) != 0u)
+    add_to_summary(row + word, total[word], total[word + 1u]);
 }
 
 // More contacts for sphere i. Of all additions to it exactly one finds a zero: that one counts the colliding sphere.

@@ -1,8 +1,9 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Each unordered pair once: a group holds SPHERES_PER_THREAD spheres a thread in registers, its rows, and meets p.columns
-// spheres of its row or later, its columns, which pass through shared memory in Gram form. Where a column comes near a
-// thread's rows the meeting is only queued; after the tile the whole group works the queue off, a thread per pair.
+// Each unordered pair once: a group holds SPHERES_PER_THREAD spheres a thread in registers, its rows, and meets
+// p.columns spheres of its row or later, its columns, which pass through shared memory in Gram form. Where a column
+// comes near a thread's rows the meeting is only queued; after the tile the whole group works the queue off, a thread
+// per pair.
 #include "collide.glsl"
 
 #define ROWS (BLOCK * SPHERES_PER_THREAD)

@@ -1,6 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere: one step of motion and the plane (the paper's code 1), and the results of the last step cleared.
+// One thread per sphere: one step of motion and the plane (the paper's code 1), and the results of the last step
+// cleared.
 #include "buffers.glsl"
 #include "motion.h"
 

@@ -7,6 +7,7 @@
 layout(local_size_x = BLOCK) in;
 
 void main() {
+  if (summary[SUM_DEFERRED] == 0u) return;
   start_totals();
   uint pairs = min(summary[SUM_DEFERRED], p.deferred_capacity);
   uint row = (group_index() % SUMMARY_SLOTS) * SUMMARY_WORDS;
