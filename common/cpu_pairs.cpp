@@ -4,8 +4,8 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
+#include <stdexcept>
 
 #include "cpu_simd.h"
 #include "hash.h"
@@ -13,19 +13,23 @@
 namespace spherepair {
 namespace {
 
-constexpr uint row_block = 256;
-
 // What one thread has found. Sums do not depend on the order, so neither do the results on the number of threads.
 class Finder {
  public:
-  Finder(const PairSearch& search, std::span<uint> counts) : search_(search), counts_(counts) {}
+  explicit Finder(const PairSearch& search) : search_(search), counts_(search.positions.size()) {}
+
+  template <bool equal_radii>
+  void meet(vec4 a, vec4 b, uint i, uint j) {
+    const Params& p = search_.params;
+    const uint verdict = equal_radii ? filter_equal(squared_distance(a, b), p.apart_above, p.collide_below)
+                                     : filter_pair(a, b, p.filter_scale, p.filter_offset);
+    if (verdict != APART) [[unlikely]]
+      close(a, b, i, j, verdict);
+  }
 
   void meet(uint i, uint j) {
     const vec4 a = search_.positions[i], b = search_.positions[j];
-    const Params& p = search_.params;
-    const uint verdict = search_.equal_radii ? filter_equal(squared_distance(a, b), p.apart_above, p.collide_below)
-                                             : filter_pair(a, b, p.filter_scale, p.filter_offset);
-    if (verdict == COLLIDE || (verdict == UNDECIDED && p.defer_undecided && settle(a, b))) record(i, j);
+    search_.equal_radii ? meet<true>(a, b, i, j) : meet<false>(a, b, i, j);
   }
 
   void add_to(PairsFound& found) const {
@@ -34,10 +38,22 @@ class Finder {
     found.totals.fingerprint.b += totals_.fingerprint.b;
     found.totals.deferred += totals_.deferred;
     for (uint stage = 0; stage < STAGES; ++stage) found.totals.decided_by[stage] += totals_.decided_by[stage];
+    for (size_t i = 0; i < counts_.size(); ++i) found.counts[i] += counts_[i];
     found.list.insert(found.list.end(), list_.begin(), list_.end());
   }
 
  private:
+  // Kept out of the loops over all pairs, whose registers it would take.
+  [[gnu::noinline]] void close(vec4 a, vec4 b, uint i, uint j, uint verdict) {
+    if (verdict == UNDECIDED && !(search_.params.defer_undecided && settle(a, b))) return;
+    ++totals_.pairs;
+    totals_.fingerprint.a += pair_mix_a(i, j);
+    totals_.fingerprint.b += pair_mix_b(i, j);
+    ++counts_[i];
+    ++counts_[j];
+    if (search_.options.want_pairs) list_.push_back({i, j});
+  }
+
   bool settle(vec4 a, vec4 b) {
     const Verdict verdict = decide_exact(a, b);
     ++totals_.deferred;
@@ -45,86 +61,87 @@ class Finder {
     return verdict.collide;
   }
 
-  void record(uint i, uint j) {
-    ++totals_.pairs;
-    totals_.fingerprint.a += pair_mix_a(i, j);
-    totals_.fingerprint.b += pair_mix_b(i, j);
-    std::atomic_ref(counts_[i]).fetch_add(1, std::memory_order_relaxed);
-    std::atomic_ref(counts_[j]).fetch_add(1, std::memory_order_relaxed);
-    if (search_.options.want_pairs) list_.push_back({i, j});
-  }
-
   const PairSearch& search_;
-  std::span<uint> counts_;
+  std::vector<uint> counts_;
   Collisions totals_;
   std::vector<Pair> list_;
 };
 
-void load_tile(const PairSearch& search, vec4 origin, uint start, ColumnTile& tile) {
-  const float share = search.equal_radii ? 1.0f : 0.5f;
+// The paper's code 2 on the spheres from first to last.
+template <bool equal_radii>
+void double_loop(std::span<const vec4> spheres, uint first, uint last, Finder& finder) {
+  for (uint i = first; i < last; ++i) {
+    const vec4 a = spheres[i];
+    for (uint j = i + 1; j < last; ++j) finder.meet<equal_radii>(a, spheres[j], i, j);
+  }
+}
+void double_loop(const PairSearch& search, uint first, uint last, Finder& finder) {
+  search.equal_radii ? double_loop<true>(search.positions, first, last, finder)
+                     : double_loop<false>(search.positions, first, last, finder);
+}
+
+struct Tiles {
+  ColumnTile columns;
+  RowTile rows;
+  NearList near;
+};
+
+void load_rows(const PairSearch& search, uint first, float share, RowTile& rows) {
+  rows.count = std::min<uint>(tile_rows, uint(search.positions.size()) - first);
+  for (uint r = 0; r < rows.count; ++r) {
+    const vec4 sphere = search.positions[first + r];
+    rows.form[r] = gram_form(sphere, search.positions[first], share);
+    rows.radius[r] = sphere.w;
+  }
+}
+
+// Returns the number of columns; behind the last sphere, it repeats to the end of the tile.
+uint load_columns(const PairSearch& search, uint start, ColumnTile& tile) {
   const uint columns = std::min<uint>(tile_columns, uint(search.positions.size()) - start);
-  for (uint c = 0; c < columns; ++c) {
-    const vec4 sphere = search.positions[start + c];
-    const vec4 form = gram_form(sphere, origin, share);
-    tile.x[c] = form.x;
-    tile.y[c] = form.y;
-    tile.z[c] = form.z;
-    tile.minus_w[c] = -form.w;
+  for (uint c = 0; c < tile_columns; ++c) {
+    const vec4 sphere = search.positions[start + std::min(c, columns - 1)];
+    tile.x[c] = sphere.x;
+    tile.y[c] = sphere.y;
+    tile.z[c] = sphere.z;
     tile.radius[c] = sphere.w;
   }
-  for (uint c = columns; c < tile_columns; ++c) {
-    tile.x[c] = tile.y[c] = tile.z[c] = tile.radius[c] = 0;
-    tile.minus_w[c] = bits_float(0xFF800000u);  // never near
-  }
+  return columns;
 }
 
-void meet_near(const NearColumns& near, uint row, uint rows, uint start, Finder& finder) {
-  for (uint chunk = 0; chunk < chunks; ++chunk) {
-    if (!near.near[chunk]) continue;
-    for (uint r = 0; r < rows; ++r) {
-      for (uint v = 0; v < vectors; ++v) {
-        for (uint bits = near.columns[chunk][r][v]; bits; bits &= bits - 1) {
-          const uint column = start + chunk * chunk_columns + v * lanes + uint(std::countr_zero(bits));
-          if (row + r < column) finder.meet(row + r, column);
-        }
-      }
+void meet_near(const NearList& near, uint first_row, uint start, uint end, Finder& finder) {
+  for (uint k = 0; k < near.size; ++k) {
+    const NearColumns& entry = near.entry[k];
+    const uint row = first_row + entry.row;
+    for (uint64_t bits = entry.bits; bits; bits &= bits - 1) {
+      const uint column = start + entry.first_column + uint(std::countr_zero(bits));
+      if (row < column && column < end) finder.meet(row, column);
     }
   }
 }
 
-void meet_row_block(const PairSearch& search, uint first, Finder& finder) {
-  const uint n = uint(search.positions.size()), last = std::min(first + row_block, n);
+void meet_row_block(const PairSearch& search, uint first, Tiles& tiles, Finder& finder) {
+  const Simd& simd = best_simd();
   const float share = search.equal_radii ? 1.0f : 0.5f;
-  const vec4 origin = search.positions[first];
-  ColumnTile tile;
-  NearColumns near;
-  for (uint start = first; start < n; start += tile_columns) {
-    load_tile(search, origin, start, tile);
-    for (uint row = first; row < last; row += rows_at_once) {
-      const uint rows = std::min(rows_at_once, last - row);
-      vec4 forms[rows_at_once];
-      float radii[rows_at_once];
-      for (uint r = 0; r < rows_at_once; ++r) {
-        const vec4 sphere = search.positions[row + std::min(r, rows - 1)];
-        forms[r] = gram_form(sphere, origin, share);
-        radii[r] = sphere.w;
-      }
-      meet_tile(tile, forms, radii, search.equal_radii, near);
-      meet_near(near, row, rows, start, finder);
-    }
+  load_rows(search, first, share, tiles.rows);
+  for (uint64_t start = first; start < search.positions.size(); start += tile_columns) {
+    const uint columns = load_columns(search, uint(start), tiles.columns);
+    simd.form_columns(tiles.columns, search.positions[first], share);
+    simd.find_near(tiles.columns, columns, tiles.rows, search.equal_radii, tiles.near);
+    meet_near(tiles.near, first, uint(start), uint(start) + columns, finder);
   }
 }
 
-// Runs meet_block(block, finder) for every block, by as many threads as asked for.
+// Runs meet_block(block, finder, tiles) for every block, by as many threads as asked for.
 template <typename MeetBlock>
 PairsFound search_blocks(const PairSearch& search, int threads, uint64_t blocks, MeetBlock meet_block) {
   PairsFound found;
   found.counts.resize(search.positions.size());
 #pragma omp parallel num_threads(threads)
   {
-    Finder finder(search, found.counts);
+    Finder finder(search);
+    Tiles tiles;
 #pragma omp for schedule(dynamic, 1)
-    for (uint64_t block = 0; block < blocks; ++block) meet_block(uint(block), finder);
+    for (uint64_t block = 0; block < blocks; ++block) meet_block(uint(block), tiles, finder);
 #pragma omp critical
     finder.add_to(found);
   }
@@ -136,26 +153,22 @@ PairsFound search_blocks(const PairSearch& search, int threads, uint64_t blocks,
 }  // namespace
 
 PairsFound search_sequential(const PairSearch& search) {
-  const uint n = uint(search.positions.size());
-  return search_blocks(search, 1, 1, [&](uint, Finder& finder) {
-    for (uint i = 0; i < n; ++i) {
-      for (uint j = i + 1; j < n; ++j) finder.meet(i, j);
-    }
+  return search_blocks(search, 1, 1, [&](uint, Tiles&, Finder& finder) {
+    double_loop(search, 0, uint(search.positions.size()), finder);
   });
 }
 
 PairsFound search_parallel(const PairSearch& search) {
-  return search_blocks(search, search.threads, (search.positions.size() + row_block - 1) / row_block,
-                       [&](uint block, Finder& finder) { meet_row_block(search, block * row_block, finder); });
+  return search_blocks(
+      search, search.threads, (search.positions.size() + tile_rows - 1) / tile_rows,
+      [&](uint block, Tiles& tiles, Finder& finder) { meet_row_block(search, block * tile_rows, tiles, finder); });
 }
 
 PairsFound search_groups(const PairSearch& search) {
-  const uint n = uint(search.positions.size()), size = search.options.block;
-  return search_blocks(search, search.threads, (n + size - 1) / size, [&](uint group, Finder& finder) {
-    const uint end = std::min((group + 1) * size, n);
-    for (uint i = group * size; i < end; ++i) {
-      for (uint j = i + 1; j < end; ++j) finder.meet(i, j);
-    }
+  const uint64_t n = search.positions.size(), size = search.options.block;
+  if (size == 0) throw std::invalid_argument("the group size is 0, but must be at least 1");
+  return search_blocks(search, search.threads, (n + size - 1) / size, [&](uint group, Tiles&, Finder& finder) {
+    double_loop(search, uint(group * size), uint(std::min((group + 1) * size, n)), finder);
   });
 }
 

@@ -1,55 +1,67 @@
 // SPDX-License-Identifier: MIT
-// The Gram filter on whole vectors. GCC compiles it for several instruction sets and picks one when the program starts.
-// This file alone may contract: the filter's bound covers both roundings.
+// One body, compiled for several instruction sets; the program picks one when it starts. Fused operations are named
+// here, so the file needs no contraction, and the filter's bound covers fused and separate rounding alike.
 #include "cpu_simd.h"
 
 #ifdef __x86_64__
-#define FOR_EACH_MACHINE __attribute__((target_clones("avx512f", "arch=haswell", "default")))
-#else
-#define FOR_EACH_MACHINE
+#include <immintrin.h>
+
+#pragma GCC push_options
+#pragma GCC target("avx512f,avx512dq,avx2,fma")
+namespace spherepair::avx512 {
+using Floats = __m512;
+constexpr uint lanes = 16, vectors = 4;
+inline Floats load(const float* p) { return _mm512_load_ps(p); }
+inline Floats spread(float x) { return _mm512_set1_ps(x); }
+inline Floats fused(Floats a, Floats b, Floats c) { return _mm512_fmadd_ps(a, b, c); }
+inline Floats both(Floats a, Floats b) { return _mm512_and_ps(a, b); }
+inline uint near_lanes(Floats margin) { return 0xFFFFu & ~uint(_mm512_movepi32_mask(_mm512_castps_si512(margin))); }
+#include "cpu_simd_body.h"
+}  // namespace spherepair::avx512
+#pragma GCC pop_options
+
+#pragma GCC push_options
+#pragma GCC target("avx2,fma")
+namespace spherepair::avx2 {
+using Floats = __m256;
+constexpr uint lanes = 8, vectors = 2;
+inline Floats load(const float* p) { return _mm256_load_ps(p); }
+inline Floats spread(float x) { return _mm256_set1_ps(x); }
+inline Floats fused(Floats a, Floats b, Floats c) { return _mm256_fmadd_ps(a, b, c); }
+inline Floats both(Floats a, Floats b) { return _mm256_and_ps(a, b); }
+inline uint near_lanes(Floats margin) { return 0xFFu & ~uint(_mm256_movemask_ps(margin)); }
+#include "cpu_simd_body.h"
+}  // namespace spherepair::avx2
+#pragma GCC pop_options
 #endif
 
-// All lanes of a vector combined into one.
-#define FOLD_BY(vector, op, distance) \
-  ((vector)op __builtin_shuffle(vector, (Ints{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15} ^ (distance))))
-#define FOLD(vector, op) FOLD_BY(FOLD_BY(FOLD_BY(FOLD_BY(vector, op, 8), op, 4), op, 2), op, 1)[0]
+namespace spherepair::portable {
+typedef float Floats __attribute__((vector_size(16)));
+typedef int Ints __attribute__((vector_size(16)));
+constexpr uint lanes = 4, vectors = 2;
+inline Floats load(const float* p) { return *reinterpret_cast<const Floats*>(p); }
+inline Floats spread(float x) { return Floats{x, x, x, x}; }
+inline Floats fused(Floats a, Floats b, Floats c) { return a * b + c; }
+inline Floats both(Floats a, Floats b) { return Floats(Ints(a) & Ints(b)); }
+inline uint near_lanes(Floats margin) {
+  const Ints sign = ~Ints(margin) >> 31;
+  return uint((sign[0] & 1) | (sign[1] & 2) | (sign[2] & 4) | (sign[3] & 8));
+}
+#include "cpu_simd_body.h"
+}  // namespace spherepair::portable
 
 namespace spherepair {
-namespace {
 
-typedef float Floats __attribute__((vector_size(lanes * sizeof(float))));
-typedef int Ints __attribute__((vector_size(lanes * sizeof(int))));
-
-}  // namespace
-
-FOR_EACH_MACHINE
-void meet_tile(const ColumnTile& tile, const vec4 (&rows)[rows_at_once], const float (&radii)[rows_at_once],
-               bool equal_radii, NearColumns& result) {
-  constexpr Ints weights = {1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768};
-  for (uint chunk = 0; chunk < chunks; ++chunk) {
-    Floats margin[rows_at_once][vectors];  // negative where row and column cannot collide
-    Ints apart = ~Ints{};
-    for (uint v = 0; v < vectors; ++v) {
-      const uint at = chunk * chunk_columns + v * lanes;
-      const Floats x = *reinterpret_cast<const Floats*>(tile.x + at), y = *reinterpret_cast<const Floats*>(tile.y + at);
-      const Floats z = *reinterpret_cast<const Floats*>(tile.z + at),
-                   minus_w = *reinterpret_cast<const Floats*>(tile.minus_w + at);
-      for (uint r = 0; r < rows_at_once; ++r) {
-        Floats product = rows[r].x * x + (rows[r].y * y + (rows[r].z * z + minus_w));
-        if (!equal_radii) product += radii[r] * *reinterpret_cast<const Floats*>(tile.radius + at);
-        margin[r][v] = product - rows[r].w;
-        apart &= reinterpret_cast<Ints>(margin[r][v]);
-      }
-    }
-    result.near[chunk] = FOLD(apart, &) >= 0;
-    if (!result.near[chunk]) continue;
-    for (uint r = 0; r < rows_at_once; ++r) {
-      for (uint v = 0; v < vectors; ++v) {
-        const Ints bits = ~(reinterpret_cast<Ints>(margin[r][v]) >> 31) & weights;
-        result.columns[chunk][r][v] = uint16_t(FOLD(bits, |));
-      }
-    }
-  }
+const Simd& best_simd() {
+  static const Simd best = [] {
+#ifdef __x86_64__
+    if (__builtin_cpu_supports("avx512dq")) return Simd{"avx512", avx512::form_columns, avx512::find_near};
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+      return Simd{"avx2", avx2::form_columns, avx2::find_near};
+#endif
+    return Simd{"portable", portable::form_columns, portable::find_near};
+  }();
+  return best;
 }
 
 }  // namespace spherepair
