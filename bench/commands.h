@@ -2,6 +2,8 @@
 // The subcommands and their options. Each returns the exit code.
 #pragma once
 
+#include <optional>
+
 #include "plan.h"
 
 namespace spherepair {
@@ -23,13 +25,24 @@ int devices_command(const CommandLine& line, const DevicesOptions& options);
 struct RunOptions {
   std::string backend = "cpu", method;  // no method: the backend's fast one
   SceneOptions scene;
-  std::string input_file;  // spheres from a file, in place of a scene
+  std::string input_file;         // spheres from a file, in place of a scene
+  std::optional<float> radius;    // of the spheres of that file
+  std::optional<uint64_t> frame;  // of that file
   uint block = CollideOptions{}.block;
   uint64_t steps = 0;
   bool per_step = false, naive = false;
   std::string pairs_file, json_file;
 };
 int run_command(const CommandLine& line, const RunOptions& options);
+
+struct PairsOptions {
+  std::string backend, method;  // no backend: the fastest that opens; no method: the backend's fast one
+  std::string input_file, output_file, json_file;
+  std::optional<float> radius;
+  std::optional<uint64_t> frame;
+  uint block = CollideOptions{}.block;
+};
+int pairs_command(const CommandLine& line, const PairsOptions& options);
 
 struct CompareOptions {
   std::vector<std::string> backends;

@@ -11,6 +11,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "replaced_file.h"
+
 namespace spherepair {
 namespace {
 
@@ -33,16 +35,9 @@ std::vector<float> numbers(const std::string& line, const std::string& where) {
 }  // namespace
 
 void write_file(const fs::path& path, const std::string& text) {
-  const bool replace = !fs::exists(path) || fs::is_regular_file(fs::symlink_status(path));  // not a pipe or /dev/stdout
-  const fs::path beside = replace ? path.string() + ".new" : path.string();
-  std::ofstream file(beside, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file && replace) fs::rename(beside, path, error);
-  if (!file || error)
-    throw std::invalid_argument(
-        fmt::format("cannot write {}: {}", path.string(), error ? error.message() : std::strerror(errno)));
+  ReplacedFile file(path);
+  file.write(text);
+  file.commit();
 }
 
 void prepare_folder(const fs::path& folder) {

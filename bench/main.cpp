@@ -86,7 +86,9 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
   add_scene_options(*command, options->scene);
   command->add_option(
       "--input", options->input_file,
-      "Take the spheres from a text file instead: a line each, `x y z radius [vx vy vz]`; # starts a comment");
+      "Take the spheres from a file instead: .xyz, .extxyz or .npy (see pairs --help; at rest), or any other name for "
+      "text, a line each, `x y z radius [vx vy vz]`; # starts a comment");
+  command->add_option("--frame", options->frame, "Of an --input with several, counted from 0")->check(count_range);
   command->add_option("--steps", options->steps, "Steps of 1/64 s before the pairs are found; 0: the scene as it is")
       ->check(steps_range)
       ->capture_default_str();
@@ -103,7 +105,39 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
   command->footer(
       "Examples:\n  spherepair run --backend glsl --scene random --n 1024 --steps 100 --pairs pairs.txt\n"
       "  spherepair run --input spheres.txt --pairs pairs.txt");
-  command->callback([=, &line, &action] { action = [=, &line] { return run_command(line, *options); }; });
+  command->callback([=, &line, &action] {
+    const bool given = command->count("--radius") > 0;  // a scene has a radius without being told, a file has not
+    if (given) options->radius = options->scene.radius;
+    action = [=, &line] { return run_command(line, *options); };
+  });
+}
+
+void add_pairs(CLI::App& app, CommandLine& line, Action& action) {
+  auto* command =
+      app.add_subcommand("pairs", "Bring your own spheres: read them from a file, write the colliding pairs");
+  auto options = std::make_shared<PairsOptions>();
+  command
+      ->add_option(
+          "--input", options->input_file,
+          "Extended XYZ (.xyz, .extxyz; columns pos and radius by Properties=, else `[species] x y z [radius]`) "
+          "or NPY (.npy; n x 3, or n x 4 with the radius; float32 or float64)")
+      ->required();
+  command->add_option("--radius", options->radius, "Radius of all spheres, where the file has none");
+  command
+      ->add_option("--output", options->output_file,
+                   "Pairs i < j in order, by extension: .npy (m x 2, uint32), .txt (a line `i j` each), or - for "
+                   "text on standard output")
+      ->required();
+  command->add_option("--frame", options->frame, "Of an XYZ file with several, counted from 0")->check(count_range);
+  command->add_option("--backend", options->backend, "cpu, glsl or cuda; default: a GPU where there is one, else cpu");
+  command->add_option("--method", options->method, "See run --help; default: the backend's fastest");
+  command->add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024")->capture_default_str();
+  command->add_option("--json", options->json_file, "Write the summary and context as JSON to this file");
+  add_open_options(*command, line.open);
+  command->footer(
+      "Examples:\n  spherepair pairs --input spheres.npy --radius 0.5 --output pairs.npy\n"
+      "  spherepair pairs --input atoms.extxyz --output - | head");
+  command->callback([=, &line, &action] { action = [=, &line] { return pairs_command(line, *options); }; });
 }
 
 void add_selection(CLI::App& command, CompareOptions& options) {
@@ -195,6 +229,7 @@ int run_program(int argc, char** argv) {
   Action action;
   add_devices(app, line, action);
   add_run(app, line, action);
+  add_pairs(app, line, action);
   add_compare(app, line, action);
   add_equal(app, action);
   try {

@@ -70,6 +70,8 @@ std::string significant(double value, const char* missing = "-") {
 
 }  // namespace
 
+std::string json_text(const json& value) { return value.dump(1, ' ', false, json::error_handler_t::replace) + "\n"; }
+
 std::string Table::text() const {
   std::vector<size_t> widths = column_widths(*this);
   std::string out = title + "\n" + group_line(*this, widths);

@@ -11,6 +11,8 @@ namespace spherepair {
 
 using json = nlohmann::ordered_json;
 
+std::string json_text(const json& value);  // for a file; names that are no UTF-8 get replacement characters
+
 struct Column {
   std::string group;  // a heading over neighbouring columns of the same group; may be empty
   std::string name, unit;

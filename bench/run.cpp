@@ -4,9 +4,11 @@
 
 #include "answers.h"
 #include "arguments.h"
+#include "choice.h"
 #include "commands.h"
 #include "context.h"
 #include "files.h"
+#include "sphere_file.h"
 
 namespace spherepair {
 namespace {
@@ -18,13 +20,7 @@ struct StepResult {
 
 CollideOptions collide_options(const RunOptions& options, const Backend& backend) {
   CollideOptions collide;
-  const bool cpu = backend.info().name == "cpu";
-  collide.method = !options.method.empty() ? method_from_name(options.method)
-                   : cpu                   ? Method::parallel
-                                           : Method::collide_triangle;
-  std::vector<std::string> known;
-  for (Method method : backend.methods()) known.push_back(method_name(method));
-  require_known("method of the backend " + options.backend + ":", method_name(collide.method), known);
+  collide.method = choose_method(options.method, backend);
   collide.block = parse_blocks({options.block}).front();
   collide.exact = !options.naive;
   return collide;
@@ -64,6 +60,31 @@ void print_steps(const std::vector<StepResult>& results) {
   fmt::print("{}", table.text().substr(1));
 }
 
+struct Start {
+  Scene scene;
+  std::string label, notes;
+  json record;
+};
+
+// A scene, a file of another program, or one of our own text files, in which every sphere has its radius.
+Start start_of(const RunOptions& options, int threads) {
+  const std::string& file = options.input_file;
+  if (file.empty()) return {make_scene(options.scene), scene_label(options.scene), "", scene_json(options.scene)};
+  if (is_sphere_file(file)) {
+    SphereFile input = read_sphere_file(file, {.radius = options.radius, .frame = options.frame, .threads = threads});
+    const std::string notes = describe(input), label = input.scene.name;
+    const json record = to_json(input);
+    return {std::move(input.scene), label, notes, record};
+  }
+  if (options.radius || options.frame)
+    throw std::invalid_argument(fmt::format("{} has a radius on each line and no frames: leave {} out", file,
+                                            options.radius ? "--radius" : "--frame"));
+  Scene scene = read_spheres(file);
+  const json record = {{"file", file}, {"n", scene.size()}};
+  const std::string label = scene.name;
+  return {std::move(scene), label, "", record};
+}
+
 // Steps, and the results of those that are asked for.
 std::vector<StepResult> simulate(Backend& backend, const RunOptions& options, CollideOptions collide) {
   std::vector<StepResult> results;
@@ -86,7 +107,7 @@ std::vector<StepResult> simulate(Backend& backend, const RunOptions& options, Co
 
 int run_command(const CommandLine& line, const RunOptions& options) {
   require_known_backends({options.backend});
-  const Scene scene = options.input_file.empty() ? make_scene(options.scene) : read_spheres(options.input_file);
+  const auto [scene, scene_name, notes, record] = start_of(options, line.open.threads);
   check_scene(scene);
   Session session({options.backend}, line.open);
   Backend& backend = *session.find(options.backend);
@@ -94,25 +115,20 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   for (const std::string& warning : session.warnings()) fmt::print(stderr, "{}\n", warning);
   backend.upload(scene);
   const std::vector<StepResult> results = simulate(backend, options, collide);
-  fmt::print("{} on {}: {}{}, scene {}, {} spheres, {} steps\n", options.backend, device_label(backend.info()),
-             label({&backend, collide}), options.naive ? " (naive)" : "",
-             options.input_file.empty() ? scene_label(options.scene) : scene.name, scene.size(), options.steps);
+  fmt::print("{}{} on {}: {}{}, scene {}, {} spheres, {} steps\n", notes, options.backend, device_label(backend.info()),
+             label({&backend, collide}), options.naive ? " (naive)" : "", scene_name, scene.size(), options.steps);
   print_steps(results);
   if (!options.pairs_file.empty()) write_file(options.pairs_file, pairs_text(backend.pairs()));
   if (options.json_file.empty()) return kOk;
   json steps = json::array();
   for (const StepResult& result : results) steps.push_back(to_json(result));
-  const json input =
-      options.input_file.empty() ? scene_json(options.scene) : json{{"file", options.input_file}, {"n", scene.size()}};
-  write_file(options.json_file, json{{"context", capture_context(line.words)},
-                                     {"backends", session.to_json()},
-                                     {"scene", input},
-                                     {"method", method_name(collide.method)},
-                                     {"block", collide.block},
-                                     {"exact", collide.exact},
-                                     {"steps", steps}}
-                                        .dump(1) +
-                                    "\n");
+  write_file(options.json_file, json_text({{"context", capture_context(line.words)},
+                                           {"backends", session.to_json()},
+                                           {"scene", record},
+                                           {"method", method_name(collide.method)},
+                                           {"block", collide.block},
+                                           {"exact", collide.exact},
+                                           {"steps", steps}}));
   return kOk;
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "exact.h"
+#include "grid_plan.h"
 #include "pair_set.h"
 #include "scene.h"
 
@@ -29,7 +30,8 @@ enum class Method {
   collide_group,     // the paper's code 4: pairs within a group of `block` consecutive spheres only
   collide_tiled,     // the paper's code 5: every group through shared memory, each ordered pair tested
   collide_square,    // two-dimensional arrangement, a single loop
-  collide_triangle,  // each unordered pair once, several spheres per thread: the fast one
+  collide_triangle,  // each unordered pair once, several spheres per thread: the fastest of all pairs
+  collide_grid,      // only the spheres of neighbouring cells
 };
 
 const char* method_name(Method method);
@@ -37,12 +39,21 @@ Method method_from_name(const std::string& name);  // throws std::invalid_argume
 std::vector<Method> device_methods();              // the four that GLSL and CUDA mirror
 std::span<const uint> block_sizes();               // 32, 64 ... 1024
 
+// What the grid may skip or do in another way, each to be measured against its opposite.
+struct GridOptions {
+  Cells cells = Cells::automatic;
+  bool keep_order = true;  // spheres that stand in cell order already are not sorted again
+  bool keep_cells = true;  // spheres that have not moved keep the cells of the last step
+  auto operator<=>(const GridOptions&) const = default;
+};
+
 struct CollideOptions {
   Method method = Method::collide_triangle;
   uint block = 128;         // group size of the kernel; decides the set only for collide_group
   bool exact = true;        // false: the naive float32 predicate, to measure what exactness costs
   bool want_pairs = false;  // keep the pairs for pairs()
   uint columns = 0;         // of collide_triangle: spheres that one group meets; 0: chosen by n. Never changes the set
+  GridOptions grid = {};    // of collide_grid. Never changes the set
 };
 
 // Totals of one collide(). Sizes are numbers of pairs (i<j) or spheres.
@@ -116,6 +127,7 @@ struct OpenOptions {
   int cuda_device = 0;
   bool require_hardware = false;  // refuse GL in software
   bool allow_gpu = true;          // false: software GL even where a GPU is
+  bool sparse_buffers = true;     // GL: storage in large pages where the driver has it
   int threads = 0;                // of the CPU backend; 0: all cores
 };
 

@@ -16,8 +16,8 @@
 namespace spherepair {
 namespace {
 
-constexpr std::array<const char*, 6> method_names = {"sequential",    "parallel",       "collide_group",
-                                                     "collide_tiled", "collide_square", "collide_triangle"};
+constexpr std::array<const char*, 7> method_names = {"sequential",    "parallel",       "collide_group",
+                                                     "collide_tiled", "collide_square", "collide_triangle", "collide_grid"};
 constexpr std::array<uint, 6> blocks = {32, 64, 128, 256, 512, 1024};
 
 }  // namespace
@@ -33,7 +33,8 @@ Method method_from_name(const std::string& name) {
 }
 
 std::vector<Method> device_methods() {
-  return {Method::collide_group, Method::collide_tiled, Method::collide_square, Method::collide_triangle};
+  return {Method::collide_group, Method::collide_tiled, Method::collide_square, Method::collide_triangle,
+          Method::collide_grid};
 }
 
 std::span<const uint> block_sizes() { return blocks; }

@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "cpu_pairs.h"
+#include "cpu_grid.h"
 #include "device_backend.h"
 #include "motion.h"
 
@@ -48,6 +48,8 @@ class CpuBackend final : public Backend {
     velocities_ = scene.velocities;
     equal_radii_ = scene.equal_radii;
     constants_ = {scene_params(scene, false), scene_params(scene, true)};
+    plans_ = plan_grids(scene);
+    celled_.reset();
     found_.reset();
   }
 
@@ -60,6 +62,7 @@ class CpuBackend final : public Backend {
         velocities_[i] = next.velocity;
       }
     });
+    celled_.reset();
     found_.reset();
   }
 
@@ -70,16 +73,22 @@ class CpuBackend final : public Backend {
         found_ = search_sequential(search);
       } else if (options.method == Method::collide_group) {
         found_ = search_groups(search);
+      } else if (options.method == Method::collide_grid) {
+        found_ = search_cells(search);
       } else {
         found_ = search_parallel(search);
       }
     });
+    method_ = options.method;
     listed_ = options.want_pairs;
   }
 
   void finish() override {}
   Collisions collisions() override { return found().totals; }
-  std::vector<uint> counts() override { return found().counts; }
+  std::vector<uint> counts() override {
+    const PairsFound& last = found();
+    return method_ == Method::collide_grid ? grid_.counts(threads_) : last.counts;
+  }
   std::vector<Pair> pairs() override {
     const std::vector<Pair>& list = found().list;
     if (!listed_) throw BackendError("cpu: no pair list was asked for; set want_pairs");
@@ -111,6 +120,15 @@ class CpuBackend final : public Backend {
     return *found_;
   }
 
+  PairsFound search_cells(const PairSearch& search) {
+    const GridPlan& plan = plans_.plan(search.options.grid.cells);
+    const bool keep = search.options.grid.keep_cells && celled_ == plan.cells;
+    celled_.reset();
+    PairsFound found = grid_.search(search, plan, keep);
+    celled_ = plan.cells;
+    return found;
+  }
+
   template <typename Work>
   void timed(const char* stage, Work work) {
     const auto start = std::chrono::steady_clock::now();
@@ -124,7 +142,11 @@ class CpuBackend final : public Backend {
   std::vector<vec4> positions_, velocities_;
   bool equal_radii_ = true;
   std::array<Params, 2> constants_{};  // [exact]
+  GridPlans plans_;
+  CpuGrid grid_;
+  std::optional<Cells> celled_;  // the cells that grid_ has sorted these positions into
   std::optional<PairsFound> found_;
+  Method method_ = Method::sequential;  // of the last collide
   bool listed_ = false;
   bool timing_ = false;
   std::vector<StageTime> times_;

@@ -15,20 +15,22 @@ constexpr uint guard_words = 16;
 constexpr uint guard_pattern = 0xA5C3F00Du;
 constexpr uint64_t decide_batch = 1u << 20;
 constexpr const char* slot_names[SLOT_TOTAL] = {
-    "positions", "velocities", "counts", "summary", "deferred pairs", "pairs", "spheres to decide", "verdicts"};
+    "positions",      "velocities", "counts",  "summary", "deferred pairs", "pairs", "spheres to decide", "verdicts",
+    "cells",          "ranks",      "spheres in cell order", "sphere numbers", "counts in cell order", "tiles of the scan",
+    "spheres in buckets", "sphere numbers in buckets"};
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
-// `groups` along one axis, folded into the next where one dispatch cannot hold them.
+}  // namespace
+
 std::array<uint, 3> folded(uint64_t groups) {
   const uint64_t y = ceil_div(groups, MAX_GROUPS);
   return {uint(y > 1 ? MAX_GROUPS : std::max<uint64_t>(groups, 1)), uint(std::max<uint64_t>(y, 1)), 1};
 }
 
-}  // namespace
-
 const char* kernel_name(Kernel kernel) {
   constexpr const char* names[] = {"move",          "clear",         "empty",          "settle",          "decide",
+                                   "tally", "grid_clear", "grid_bounds", "grid_count", "grid_scan", "grid_scatter", "collide_grid", "collide_hashed",
                                    "collide_group", "collide_tiled", "collide_square", "collide_triangle"};
   return names[int(kernel)];
 }
@@ -83,7 +85,10 @@ void DeviceBackend::upload(const Scene& scene) {
   constants_ = {scene_params(scene, false), scene_params(scene, true)};
   params_ = constants_[true];
   params_.n = uint(n_);
-  cleared_ = collided_ = false;
+  plans_ = plan_grids(scene);
+  planned_.reset();
+  cell_order_.reset();
+  cleared_ = collided_ = sorted_ = cells_built_ = false;
 }
 
 // A thread for every sphere, and at least one for every word of the summary, which the same kernels clear.
@@ -91,18 +96,28 @@ std::array<uint, 3> DeviceBackend::per_sphere_groups() const {
   return folded(ceil_div(std::max<uint64_t>(n_, SUMMARY_SLOTS * SUMMARY_WORDS), SERVICE_BLOCK));
 }
 
+void DeviceBackend::launch_clear(bool in_cells) {
+  const uint64_t threads = std::max<uint64_t>(n_, SUMMARY_SLOTS * SUMMARY_WORDS);
+  launch({Kernel::clear, SERVICE_BLOCK, true, folded(ceil_div(threads, SERVICE_BLOCK * SPHERES_PER_SORTER)), in_cells}, params_);
+}
+
 void DeviceBackend::move() {
   require_scene("move");
   launch({Kernel::move, SERVICE_BLOCK, true, per_sphere_groups()}, params_);
   cleared_ = true;
-  collided_ = false;
+  collided_ = cells_built_ = false;
+  cell_order_.reset();
 }
 
 std::vector<uint> DeviceBackend::counts() {
   collisions();  // grows and repeats if it must
   std::vector<uint> counts(n_);
-  read(SLOT_COUNT, counts.data(), 0, n_ * sizeof(uint));
-  return counts;
+  read(sorted_ ? SLOT_SORTED_COUNT : SLOT_COUNT, counts.data(), 0, n_ * sizeof(uint));
+  if (!sorted_) return counts;
+  std::vector<uint> ids(n_), by_id(n_);
+  read(SLOT_ID, ids.data(), 0, n_ * sizeof(uint));
+  for (uint64_t k = 0; k < n_; ++k) by_id[ids[k]] = counts[k];
+  return by_id;
 }
 
 std::vector<Pair> DeviceBackend::pairs() {

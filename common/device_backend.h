@@ -3,6 +3,8 @@
 // parameters, and what happens when a list is too short. The two APIs only allocate, copy and launch.
 #pragma once
 
+#include <optional>
+
 #include "backend.h"
 
 namespace spherepair {
@@ -16,11 +18,23 @@ enum class Kernel {
   empty,
   settle,
   decide,
+  tally,
+  grid_clear,
+  grid_bounds,
+  grid_count,
+  grid_scan,
+  grid_scatter,
+  collide_grid,
+  collide_hashed,
   collide_group,
   collide_tiled,
   collide_square,
   collide_triangle
 };
+
+// `groups` along one axis, folded into the next where one dispatch cannot hold them.
+std::array<uint, 3> folded(uint64_t groups);
+
 const char* kernel_name(Kernel kernel);  // the stem of its two source files
 
 struct Launch {
@@ -28,6 +42,7 @@ struct Launch {
   uint block;        // threads per group
   bool equal_radii;  // the variant that loads no radius
   std::array<uint, 3> groups;
+  bool in_cells = false;  // positions and counts are those in cell order
 };
 
 class DeviceBackend : public Backend {
@@ -65,14 +80,28 @@ class DeviceBackend : public Backend {
   };
   Division division() const;
   void launch_collide();
+  void launch_clear(bool in_cells);
+  void launch_bounds();
+  void launch_grid();
+  void sort_into_cells();
+  bool stands_in_cell_order();
+  void plan_cells();
+  void make_sort_buffers();
+  void build_cells();
 
   std::array<uint, 3> per_sphere_groups() const;
 
   uint64_t n_ = 0;
   bool equal_radii_ = true;
   std::array<Params, 2> constants_{};  // of the scene: [exact]
+  GridPlans plans_;
+  std::optional<Cells> planned_;    // the cells that the buffers and parameters are for
+  std::optional<bool> cell_order_;  // whether the spheres stand in cell order as they are; not known after a move
+  bool cells_built_ = false;        // the cells are those of the spheres as they stand
+  bool sorted_ = false;             // results are those of copies in cell order
   Params params_{};                    // of the last launch
   CollideOptions options_;
+  bool tallied_ = true;  // colliding spheres are counted
   bool cleared_ = false, collided_ = false;
   std::array<uint64_t, SLOT_TOTAL> bytes_{};
 };

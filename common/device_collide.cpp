@@ -9,7 +9,7 @@
 namespace spherepair {
 namespace {
 
-constexpr uint settle_groups = 64;
+constexpr uint settle_groups = 64, tally_groups = 1024;
 constexpr uint64_t pairs_per_dispatch = uint64_t(1) << 40;
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
@@ -80,17 +80,19 @@ void DeviceBackend::collide(const CollideOptions& options) {
 void DeviceBackend::run_collide() {
   params_ = constants_[options_.exact];
   params_.n = uint(n_);
+  params_.in_cells = params_.tally_later = 0;
+  tallied_ = true;
   params_.columns =
       options_.columns ? options_.columns : default_columns(n_, uint64_t(options_.block) * SPHERES_PER_THREAD);
   params_.pair_capacity = options_.want_pairs ? uint(bytes_[SLOT_PAIR] / sizeof(uvec2)) : 0;
   params_.deferred_capacity = uint(bytes_[SLOT_DEFERRED] / sizeof(uvec2));
-  if (!cleared_) {
-    launch({Kernel::clear, SERVICE_BLOCK, true, per_sphere_groups()}, params_);
-  }
-  cleared_ = false;
+  const bool grid = options_.method == Method::collide_grid && n_ >= 2;
+  if (!grid) sorted_ = false;
+  if (!cleared_ && !grid) launch_clear(false);
   if (n_ < 2) return;
-  launch_collide();
-  if (options_.exact) launch({Kernel::settle, SERVICE_BLOCK, true, {settle_groups, 1, 1}}, params_);
+  grid ? launch_grid() : launch_collide();
+  cleared_ = false;
+  if (options_.exact) launch({Kernel::settle, SERVICE_BLOCK, true, {settle_groups, 1, 1}, sorted_}, params_);
 }
 
 std::vector<uint> DeviceBackend::read_summary() {
@@ -116,13 +118,18 @@ Collisions DeviceBackend::collisions() {
     run_collide();
     words = read_summary();
   }
+  if (!tallied_) {
+    launch({Kernel::tally, SERVICE_BLOCK, true, {tally_groups, 1, 1}, sorted_}, params_);
+    tallied_ = true;
+    words = read_summary();
+  }
   Collisions total;
   for (uint row = 0; row < SUMMARY_SLOTS; ++row) {
     const uint* sum = &words[row * SUMMARY_WORDS];
     total.pairs += join(sum + SUM_PAIRS);
     total.fingerprint.a += join(sum + SUM_MIX_A);
     total.fingerprint.b += join(sum + SUM_MIX_B);
-    total.colliding_spheres += sum[SUM_COLLIDING];
+    total.colliding_spheres += join(sum + SUM_COLLIDING);
     for (uint stage = 0; stage < STAGES; ++stage) total.decided_by[stage] += sum[SUM_STAGE + stage];
   }
   total.deferred = words[SUM_DEFERRED];

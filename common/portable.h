@@ -17,6 +17,13 @@ double bits_double(uint high, uint low) { return packDouble2x32(uvec2(low, high)
 // a*b + c, rounded once or twice: only for filters whose error bound covers both.
 float multiply_add(float a, float b, float c) { return fma(a, b, c); }
 
+uint count_bits(uint bits) { return uint(bitCount(bits)); }
+uint lowest_bit(uint bits) { return uint(findLSB(bits)); }
+
+// The larger and the smaller; b where a is not a number.
+float larger(float a, float b) { return a > b ? a : b; }
+float smaller(float a, float b) { return a < b ? a : b; }
+
 #else
 
 #include <bit>
@@ -34,6 +41,9 @@ using uint = unsigned int;
 struct alignas(8) uvec2 {
   uint x, y;
 };
+struct alignas(16) uvec4 {
+  uint x, y, z, w;
+};
 struct alignas(16) vec4 {
   float x, y, z, w;
 };
@@ -43,11 +53,19 @@ FN uint float_bits(float x) { return __float_as_uint(x); }
 FN float bits_float(uint bits) { return __uint_as_float(bits); }
 FN double bits_double(uint high, uint low) { return __hiloint2double(int(high), int(low)); }
 FN float multiply_add(float a, float b, float c) { return __fmaf_rn(a, b, c); }
+FN uint count_bits(uint bits) { return uint(__popc(bits)); }
+FN uint lowest_bit(uint bits) { return uint(__ffs(bits)) - 1u; }
+FN float larger(float a, float b) { return fmaxf(a, b); }
+FN float smaller(float a, float b) { return fminf(a, b); }
 #else
 FN uint float_bits(float x) { return std::bit_cast<uint>(x); }
 FN float bits_float(uint bits) { return std::bit_cast<float>(bits); }
 FN double bits_double(uint high, uint low) { return std::bit_cast<double>(uint64_t(high) << 32 | low); }
 FN float multiply_add(float a, float b, float c) { return a * b + c; }
+FN uint count_bits(uint bits) { return uint(std::popcount(bits)); }
+FN uint lowest_bit(uint bits) { return uint(std::countr_zero(bits)); }
+FN float larger(float a, float b) { return a > b ? a : b; }
+FN float smaller(float a, float b) { return a < b ? a : b; }
 #endif
 
 #endif

@@ -9,12 +9,14 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "cpu_buffer.h"
 #include "hash.h"
 
 namespace spherepair {
 namespace {
 
-constexpr float box_side = 20.0f;  // the paper's, which reproduces its counts of colliding spheres
+constexpr uint64_t many = 1 << 16;  // spheres from which on several threads share the work
+constexpr float box_side = 20.0f;   // the paper's, which reproduces its counts of colliding spheres
 
 // A stream of numbers for each purpose, each indexed by sphere: nothing depends on the order of evaluation.
 enum class Stream : uint64_t {
@@ -63,9 +65,10 @@ uint64_t lattice_side(uint64_t n) {
   return side;
 }
 
-void place(Scene& scene, const SceneOptions& o, float x, float y, float z) {
-  scene.positions.push_back({x + o.offset, y + o.offset, z + o.offset, o.radius});
+vec4 sphere(const SceneOptions& o, float x, float y, float z) {
+  return {x + o.offset, y + o.offset, z + o.offset, o.radius};
 }
+void place(Scene& to, const SceneOptions& o, float x, float y, float z) { to.positions.push_back(sphere(o, x, y, z)); }
 
 void make_random(Scene& scene, const SceneOptions& o) {
   for (uint64_t i = 0; i < o.n; ++i) {
@@ -100,7 +103,10 @@ void make_uniform(Scene& scene, const SceneOptions& o) {
     const float value = unit(splitmix64(o.seed * 0xD1342543DE82EF95ul + k)) * side;
     return value < side ? value : 0.0f;
   };
-  for (uint64_t i = 0; i < o.n; ++i) place(scene, o, coordinate(3 * i), coordinate(3 * i + 1), coordinate(3 * i + 2));
+  scene.positions.resize(o.n);
+#pragma omp parallel for if (o.n > many)
+  for (uint64_t i = 0; i < o.n; ++i)
+    scene.positions[i] = sphere(o, coordinate(3 * i), coordinate(3 * i + 1), coordinate(3 * i + 2));
 }
 
 void make_far(Scene& scene, SceneOptions o) {
@@ -172,6 +178,7 @@ void make_one_cell(Scene& scene, const SceneOptions& o) {
 void vary_radii(Scene& scene, const SceneOptions& o) {
   int octaves = 0;
   while (std::ldexp(1.0f, octaves) < o.radius_ratio) ++octaves;
+#pragma omp parallel for schedule(static) if (o.n > many)
   for (uint64_t i = 0; i < o.n; ++i) {
     const int octave = int(hash(o, Stream::octave, i) % uint64_t(octaves));
     const float factor = std::ldexp(1 + unit(hash(o, Stream::radius, i)), octave);
@@ -183,9 +190,13 @@ void vary_radii(Scene& scene, const SceneOptions& o) {
 // What the paper does not fix: slow vertical motion, and a plane that no sphere touches yet.
 void finish_test_scene(Scene& scene, const SceneOptions& o) {
   float lowest = 0;
-  for (const vec4& p : scene.positions) lowest = std::min(lowest, p.y - 2 * p.w);
+  scene.velocities.resize(o.n);
+#pragma omp parallel for schedule(static) reduction(min : lowest) if (o.n > many)
+  for (uint64_t i = 0; i < o.n; ++i) {
+    lowest = std::min(lowest, scene.positions[i].y - 2 * scene.positions[i].w);
+    scene.velocities[i] = {0, between(o, Stream::speed, i, -1, 1), 0, 0};
+  }
   scene.plane = std::floor(lowest) - 1;
-  for (uint64_t i = 0; i < o.n; ++i) scene.velocities.push_back({0, between(o, Stream::speed, i, -1, 1), 0, 0});
 }
 
 struct Maker {
@@ -229,8 +240,7 @@ Scene make_scene(const SceneOptions& options) {
   }
   Scene scene;
   scene.name = options.name;
-  scene.positions.reserve(options.n);
-  scene.velocities.reserve(options.n);
+  for (std::vector<vec4>* values : {&scene.positions, &scene.velocities}) reserve_large(*values, options.n);
   maker->make(scene, options);
   if (options.radius_ratio > 1) vary_radii(scene, options);
   if (scene.velocities.empty()) finish_test_scene(scene, options);

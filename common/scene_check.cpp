@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
 #include "hash.h"
 #include "scene.h"
 
 namespace spherepair {
+namespace {
+
+constexpr uint64_t many = 1 << 16;        // spheres from which on several threads share the work
+constexpr uint64_t hash_block = 1 << 20;  // recorded hashes of smaller states are those of a single chain
+
+}  // namespace
 
 void check_options(const SceneOptions& o) {
   const auto refuse = [](const std::string& why) { throw std::invalid_argument(why); };
@@ -29,7 +37,7 @@ void check_options(const SceneOptions& o) {
 }
 
 void check_scene(const Scene& scene) {
-  uint64_t bad = 0, first = 0;
+  uint64_t bad = 0, first = scene.size();
   const auto wrong = [&](uint64_t i) {
     const vec4 &p = scene.positions[i], &v = scene.velocities[i];
     const bool finite = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w) &&
@@ -40,8 +48,9 @@ void check_scene(const Scene& scene) {
     throw std::invalid_argument(fmt::format("scene '{}' has {} positions but {} velocities", scene.name,
                                             scene.positions.size(), scene.velocities.size()));
   }
+#pragma omp parallel for schedule(static) reduction(+ : bad) reduction(min : first) if (scene.size() > many)
   for (uint64_t i = 0; i < scene.size(); ++i) {
-    if (wrong(i) && bad++ == 0) first = i;
+    if (wrong(i)) ++bad, first = std::min(first, i);
   }
   if (bad == 0) return;
   const vec4 &p = scene.positions[first], &v = scene.velocities[first];
@@ -51,17 +60,31 @@ void check_scene(const Scene& scene) {
                   scene.name, bad, scene.size(), first, p.x, p.y, p.z, p.w, v.x, v.y, v.z));
 }
 
-uint64_t state_hash(const std::vector<vec4>& positions, const std::vector<vec4>& velocities) {
-  uint64_t sum = positions.size();
-  const auto add = [&](const std::vector<vec4>& values) {
-    for (const vec4& v : values) {
-      sum = splitmix64(sum ^ (uint64_t(float_bits(v.x)) << 32 | float_bits(v.y)));
-      sum = murmur64(sum ^ (uint64_t(float_bits(v.z)) << 32 | float_bits(v.w)));
-    }
-  };
-  add(positions);
-  add(velocities);
+namespace {
+
+uint64_t hash_of(std::span<const vec4> values, uint64_t sum) {
+  for (const vec4& v : values) {
+    sum = splitmix64(sum ^ (uint64_t(float_bits(v.x)) << 32 | float_bits(v.y)));
+    sum = murmur64(sum ^ (uint64_t(float_bits(v.z)) << 32 | float_bits(v.w)));
+  }
   return sum;
+}
+
+// A chain from value to value cannot be shared out, so blocks have chains of their own and a further one joins them.
+uint64_t hash_by_blocks(std::span<const vec4> values, uint64_t sum) {
+  if (values.size() <= hash_block) return hash_of(values, sum);
+  std::vector<uint64_t> sums((values.size() + hash_block - 1) / hash_block);
+#pragma omp parallel for schedule(dynamic, 1)
+  for (uint64_t b = 0; b < sums.size(); ++b)
+    sums[b] = hash_of(values.subspan(b * hash_block, std::min(hash_block, values.size() - b * hash_block)), b);
+  for (uint64_t block : sums) sum = splitmix64(sum ^ block);
+  return sum;
+}
+
+}  // namespace
+
+uint64_t state_hash(const std::vector<vec4>& positions, const std::vector<vec4>& velocities) {
+  return hash_by_blocks(velocities, hash_by_blocks(positions, positions.size()));
 }
 
 }  // namespace spherepair

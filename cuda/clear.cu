@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere: the results of the last collision step cleared, for a scene that did not move.
+// Each thread takes SPHERES_PER_SORTER spheres: the results of the last collision step cleared, for a scene that did not
+// move.
 #include "kernels.cuh"
 
 namespace spherepair {
 
 __global__ void __launch_bounds__(SERVICE_BLOCK) clear(Params p, World w) {
-  clear_results(p, w, group_index(p) * SERVICE_BLOCK + threadIdx.x);
+  uint first = group_index(p) * SERVICE_BLOCK * SPHERES_PER_SORTER + threadIdx.x;
+  for (uint k = 0u; k < SPHERES_PER_SORTER; ++k) clear_results(p, w, first + k * SERVICE_BLOCK);
 }
 
 Entry clear_kernel() { return reinterpret_cast<Entry>(&clear); }

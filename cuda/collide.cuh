@@ -18,7 +18,7 @@ template <bool EQUAL_RADII>
 struct Collider {
   const Params& p;
   const World& w;
-  uint* total;  // shared, SUM_DEFERRED words
+  uint* total;  // shared, TOTAL_ROWS * TOTAL_STRIDE words
   uint pairs_found = 0u;
   uint newly_colliding = 0u;
   uint64_t mix_a = 0ul;
@@ -28,12 +28,13 @@ struct Collider {
       : p(params), w(world), total(shared_total) {}
 
   __device__ void start_totals() {
-    if (threadIdx.x < SUM_DEFERRED) total[threadIdx.x] = 0u;
+    for (uint k = threadIdx.x; k < TOTAL_ROWS * TOTAL_STRIDE; k += blockDim.x) total[k] = 0u;
     __syncthreads();
   }
 
   __device__ void add_to_total(uint word, uint64_t value) {
-    add_to_words(&total[word], uint(value & 0xFFFFFFFFul), uint(value >> 32));
+    uint row = (threadIdx.x % TOTAL_ROWS) * TOTAL_STRIDE;
+    add_to_words(&total[row + word], uint(value & 0xFFFFFFFFul), uint(value >> 32));
   }
 
   __device__ void finish_totals() {
@@ -42,20 +43,30 @@ struct Collider {
       add_to_total(SUM_MIX_A, mix_a);
       add_to_total(SUM_MIX_B, mix_b);
     }
-    if (newly_colliding != 0u) atomicAdd(&total[SUM_COLLIDING], newly_colliding);
+    if (newly_colliding != 0u) add_to_total(SUM_COLLIDING, uint64_t(newly_colliding));
     __syncthreads();
-    uint row = (group_index(p) % SUMMARY_SLOTS) * SUMMARY_WORDS;
     uint word = 2u * threadIdx.x;
-    if (word < SUM_DEFERRED && (total[word] | total[word + 1u]) != 0u)
-      add_to_words(&w.summary[row + word], total[word], total[word + 1u]);
+    if (word >= SUM_DEFERRED) return;
+    uint64_t sum = 0ul;
+    for (uint k = 0u; k < TOTAL_ROWS; ++k)
+      sum += uint64_t(total[k * TOTAL_STRIDE + word]) + (uint64_t(total[k * TOTAL_STRIDE + word + 1u]) << 32);
+    uint row = (group_index(p) % SUMMARY_SLOTS) * SUMMARY_WORDS;
+    if (sum != 0ul) add_to_words(&w.summary[row + word], uint(sum & 0xFFFFFFFFul), uint(sum >> 32));
   }
 
   // More contacts for sphere i. Of all additions to it exactly one finds a zero: that one counts the colliding sphere.
   __device__ void touch(uint i, uint contacts) {
-    if (atomicAdd(&w.count[i], contacts) == 0u) newly_colliding += 1u;
+    if (atomicAdd(&w.count[i], contacts) == 0u && p.tally_later == 0u) newly_colliding += 1u;
   }
 
+  // i and j are places; in cell order they differ from the spheres that stand there.
   __device__ void record(uint i, uint j) {
+    if (p.in_cells != 0u) {
+      uint a = w.id[i];
+      uint b = w.id[j];
+      i = min(a, b);
+      j = max(a, b);
+    }
     pairs_found += 1u;
     mix_a += pair_mix_a(i, j);
     mix_b += pair_mix_b(i, j);
@@ -91,12 +102,16 @@ struct Collider {
     return verdict == COLLIDE ? 1u : 0u;
   }
 
-  // For kernels that meet every unordered pair once.
-  __device__ void meet_once(uint i, uint j) {
-    uint verdict = filter_spheres(w.position[i], w.position[j]);
+  // For kernels that meet every unordered pair once: true when it collides, and the caller counts the contact.
+  __device__ bool meets(uint i, vec4 a, uint j, vec4 b) {
+    uint verdict = filter_spheres(a, b);
     if (verdict == UNDECIDED) defer(i, j);
-    if (verdict != COLLIDE) return;
-    record(i, j);
+    if (verdict == COLLIDE) record(i, j);
+    return verdict == COLLIDE;
+  }
+
+  __device__ void meet_once(uint i, uint j) {
+    if (!meets(i, w.position[i], j, w.position[j])) return;
     touch(i, 1u);
     touch(j, 1u);
   }

@@ -8,7 +8,7 @@ namespace spherepair {
 template <int BLOCK, bool EQUAL_RADII>
 __global__ void __launch_bounds__(BLOCK) collide_tiled(Params p, World w) {
   __shared__ vec4 tile[BLOCK];
-  __shared__ uint total[SUM_DEFERRED];
+  __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
   Collider<EQUAL_RADII> c(p, w, total);
   uint lane = threadIdx.x;
   uint i = group_index(p) * BLOCK + lane;

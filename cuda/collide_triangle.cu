@@ -26,7 +26,7 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, World w) {
   __shared__ float tile_radius[EQUAL_RADII ? 1 : BLOCK];
   __shared__ uint near_queue[NEAR_CAPACITY];
   __shared__ uint near_length[2];  // of this tile and of the next
-  __shared__ uint total[SUM_DEFERRED];
+  __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
   Collider<EQUAL_RADII> collider(p, w, total);
   uint lane = threadIdx.x;
   uint first_row = (p.first_group + blockIdx.y) * ROWS;

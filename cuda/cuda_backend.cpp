@@ -25,6 +25,22 @@ Entry entry_of(const Launch& launch) {
       return settle_kernel();
     case Kernel::decide:
       return decide_kernel();
+    case Kernel::tally:
+      return tally_kernel();
+    case Kernel::grid_clear:
+      return grid_clear_kernel();
+    case Kernel::grid_bounds:
+      return grid_bounds_kernel();
+    case Kernel::grid_count:
+      return grid_count_kernel();
+    case Kernel::grid_scan:
+      return grid_scan_kernel();
+    case Kernel::grid_scatter:
+      return grid_scatter_kernel();
+    case Kernel::collide_grid:
+      return collide_grid_kernel(launch.block, launch.equal_radii);
+    case Kernel::collide_hashed:
+      return collide_hashed_kernel(launch.block, launch.equal_radii);
     case Kernel::collide_group:
       return collide_group_kernel(launch.block, launch.equal_radii);
     case Kernel::collide_tiled:
@@ -68,6 +84,9 @@ class CudaBackend final : public DeviceBackend {
   std::vector<Pair> read_pairs(uint64_t count) override;
 
  private:
+  template <typename T>
+  T* buffer(uint slot) const;
+  World world(bool in_cells) const;
   void describe(int device);
   void require_kernels(int device) const;
 
@@ -171,12 +190,33 @@ void CudaBackend::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
   cuda_check(cudaMemcpy(data, source, bytes, cudaMemcpyDeviceToHost), fmt::format("reading {} bytes", bytes));
 }
 
+template <typename T>
+T* CudaBackend::buffer(uint slot) const {
+  return static_cast<T*>(memory_[slot].data);
+}
+
+World CudaBackend::world(bool in_cells) const {
+  return {.position = buffer<vec4>(in_cells ? SLOT_SORTED : SLOT_POSITION),
+          .velocity = buffer<vec4>(SLOT_VELOCITY),
+          .count = buffer<uint>(in_cells ? SLOT_SORTED_COUNT : SLOT_COUNT),
+          .summary = buffer<uint>(SLOT_SUMMARY),
+          .deferred = buffer<uvec2>(SLOT_DEFERRED),
+          .listed = buffer<uvec2>(SLOT_PAIR),
+          .spheres = buffer<vec4>(SLOT_SPHERES),
+          .verdict = buffer<uint>(SLOT_VERDICT),
+          .cell = buffer<uint>(SLOT_CELL),
+          .rank = buffer<uint>(SLOT_RANK),
+          .sorted = buffer<vec4>(SLOT_SORTED),
+          .id = buffer<uint>(SLOT_ID),
+          .sorted_count = buffer<uint>(SLOT_SORTED_COUNT),
+          .scan = buffer<uint>(SLOT_SCAN),
+          .split = buffer<vec4>(SLOT_SPLIT),
+          .split_id = buffer<uint>(SLOT_SPLIT_ID)};
+}
+
 void CudaBackend::launch(const Launch& launch, const Params& params) {
   Params p = params;
-  World w = {static_cast<vec4*>(memory_[SLOT_POSITION].data),  static_cast<vec4*>(memory_[SLOT_VELOCITY].data),
-             static_cast<uint*>(memory_[SLOT_COUNT].data),     static_cast<uint*>(memory_[SLOT_SUMMARY].data),
-             static_cast<uvec2*>(memory_[SLOT_DEFERRED].data), static_cast<uvec2*>(memory_[SLOT_PAIR].data),
-             static_cast<vec4*>(memory_[SLOT_SPHERES].data),   static_cast<uint*>(memory_[SLOT_VERDICT].data)};
+  World w = world(launch.in_cells);
   void* arguments[] = {&p, &w};
   const dim3 groups(launch.groups[0], launch.groups[1], launch.groups[2]);
   TimedStage stage{launch.kernel, nullptr, nullptr};

@@ -37,6 +37,8 @@ Entry pick_kernel(uint block, bool equal_radii, Pick pick) {
 
 __device__ inline uint group_index(Params p) { return p.first_group + blockIdx.x + gridDim.x * blockIdx.y; }
 
+__device__ inline uint group_count() { return gridDim.x * gridDim.y; }
+
 __device__ inline void clear_results(Params p, World w, uint i) {
   if (i < p.n) w.count[i] = 0u;
   if (i < SUMMARY_SLOTS * SUMMARY_WORDS) w.summary[i] = 0u;

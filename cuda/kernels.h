@@ -16,6 +16,14 @@ struct World {
   uvec2* listed;
   const vec4* spheres;
   uint* verdict;
+  uint* cell;
+  uint* rank;
+  vec4* sorted;
+  uint* id;
+  uint* sorted_count;
+  uint* scan;
+  vec4* split;
+  uint* split_id;
 };
 
 // Every kernel is void (Params p, World w). A null entry means a group size that was not compiled.
@@ -25,6 +33,14 @@ Entry clear_kernel();
 Entry empty_kernel();
 Entry settle_kernel();
 Entry decide_kernel();
+Entry tally_kernel();
+Entry grid_clear_kernel();
+Entry grid_bounds_kernel();
+Entry grid_count_kernel();
+Entry grid_scan_kernel();
+Entry grid_scatter_kernel();
+Entry collide_grid_kernel(uint block, bool equal_radii);
+Entry collide_hashed_kernel(uint block, bool equal_radii);
 Entry collide_group_kernel(uint block, bool equal_radii);
 Entry collide_tiled_kernel(uint block, bool equal_radii);
 Entry collide_square_kernel(uint block, bool equal_radii);

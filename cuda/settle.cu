@@ -7,7 +7,7 @@ namespace spherepair {
 
 __global__ void __launch_bounds__(SERVICE_BLOCK) settle(Params p, World w) {
   if (w.summary[SUM_DEFERRED] == 0u) return;
-  __shared__ uint total[SUM_DEFERRED];
+  __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
   Collider<false> c(p, w, total);
   c.start_totals();
   uint pairs = min(w.summary[SUM_DEFERRED], p.deferred_capacity);

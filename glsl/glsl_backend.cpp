@@ -41,6 +41,7 @@ class GlslBackend final : public DeviceBackend {
   void set_params(const Params& params);
 
   Context context_;
+  bool sparse_;
   BackendInfo info_;
   uint64_t largest_binding_ = 0;
   std::array<GLuint, SLOT_TOTAL> buffers_{};
@@ -62,7 +63,7 @@ std::string device_uuid() {
   return uuid;
 }
 
-GlslBackend::GlslBackend(const OpenOptions& options) : context_(options) {
+GlslBackend::GlslBackend(const OpenOptions& options) : context_(options), sparse_(options.sparse_buffers) {
   context_.make_current();
   require_features();
   describe();
@@ -96,6 +97,7 @@ void GlslBackend::describe() {
   GLint shared_bytes = 0;
   glGetIntegerv(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE, &shared_bytes);
   largest_binding_ = uint64_t(binding);
+  sparse_ = sparse_ && epoxy_has_gl_extension("GL_ARB_sparse_buffer");
   info_.name = "glsl";
   info_.device = gl_string(GL_RENDERER);
   info_.software = context_.software();
@@ -106,7 +108,8 @@ void GlslBackend::describe() {
                    {"GL_VERSION", gl_string(GL_VERSION)},
                    {"GLSL version", gl_string(GL_SHADING_LANGUAGE_VERSION)},
                    {"largest storage block bytes", std::to_string(binding)},
-                   {"shared memory bytes", std::to_string(shared_bytes)}};
+                   {"shared memory bytes", std::to_string(shared_bytes)},
+                   {"buffers", sparse_ ? "sparse storage, committed whole" : "plain storage"}};
   if (info_.software && std::filesystem::exists("/dev/nvidiactl")) {
     info_.details["warning"] = "a GPU is present, but OpenGL runs in software";
   }
@@ -116,7 +119,13 @@ void GlslBackend::allocate(uint slot, uint64_t bytes) {
   context_.make_current();
   glDeleteBuffers(1, &buffers_[slot]);
   glCreateBuffers(1, &buffers_[slot]);
-  glNamedBufferStorage(buffers_[slot], GLsizeiptr(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  // Sparse storage comes in large pages; plain buffers of some drivers in small ones, slow under random access.
+  const GLbitfield sparse = sparse_ ? GL_SPARSE_STORAGE_BIT_ARB : 0;
+  glNamedBufferStorage(buffers_[slot], GLsizeiptr(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT | sparse);
+  if (sparse) {
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffers_[slot]);
+    glBufferPageCommitmentARB(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(bytes), GL_TRUE);
+  }
   if (glGetError() == GL_NO_ERROR) return;
   GLint free_kib = -1;
   if (epoxy_has_gl_extension("GL_NVX_gpu_memory_info"))
@@ -163,7 +172,12 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   set_params(params);
   glUseProgram(chosen.id());
   glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_PARAMS, params_buffer_);
-  glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, 0, GLsizei(buffers_.size()), buffers_.data());
+  std::array<GLuint, SLOT_TOTAL> bound = buffers_;
+  if (launch.in_cells) {
+    bound[SLOT_POSITION] = buffers_[SLOT_SORTED];
+    bound[SLOT_COUNT] = buffers_[SLOT_SORTED_COUNT];
+  }
+  glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, 0, GLsizei(bound.size()), bound.data());
   TimedStage stage{launch.kernel, {}};
   if (timing_) {
     glCreateQueries(GL_TIMESTAMP, 2, stage.queries.data());

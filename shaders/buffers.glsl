@@ -5,14 +5,23 @@
 #include "layout.h"
 
 layout(std140, binding = SLOT_PARAMS) uniform ParamsBlock { Params p; };
-layout(std430, binding = SLOT_POSITION) restrict buffer PositionBuffer { vec4 position[]; };
+#ifndef ID_ACCESS
+#define ID_ACCESS readonly
+#endif
+#ifndef POSITION_ACCESS
+#define POSITION_ACCESS readonly
+#endif
+layout(std430, binding = SLOT_POSITION) restrict POSITION_ACCESS buffer PositionBuffer { vec4 position[]; };
 layout(std430, binding = SLOT_VELOCITY) restrict buffer VelocityBuffer { vec4 velocity[]; };
 layout(std430, binding = SLOT_COUNT) restrict buffer CountBuffer { uint count[]; };
 layout(std430, binding = SLOT_SUMMARY) restrict buffer SummaryBuffer { uint summary[]; };
 layout(std430, binding = SLOT_DEFERRED) restrict buffer DeferredBuffer { uvec2 deferred[]; };
 layout(std430, binding = SLOT_PAIR) restrict buffer PairBuffer { uvec2 listed[]; };
+layout(std430, binding = SLOT_ID) restrict ID_ACCESS buffer IdBuffer { uint id[]; };
 
 uint group_index() { return p.first_group + gl_WorkGroupID.x + gl_NumWorkGroups.x * gl_WorkGroupID.y; }
+
+uint group_count() { return gl_NumWorkGroups.x * gl_NumWorkGroups.y; }
 
 void clear_results(uint i) {
   if (i < p.n) count[i] = 0u;

@@ -4,7 +4,7 @@
 #include "hash.h"
 #include "predicate.h"
 
-shared uint total[SUM_DEFERRED];
+shared uint total[TOTAL_ROWS * TOTAL_STRIDE];
 uint pairs_found = 0u;
 uint newly_colliding = 0u;
 uint64_t mix_a = 0ul;
@@ -13,8 +13,9 @@ uint64_t mix_b = 0ul;
 // 64-bit sums by two 32-bit atomics: each wrap of the low word is seen by exactly one addition.
 void add_to_total(uint word, uint64_t value) {
   uint low = uint(value & 0xFFFFFFFFul);
-  uint before = atomicAdd(total[word], low);
-  atomicAdd(total[word + 1u], uint(value >> 32) + (before + low < before ? 1u : 0u));
+  uint place = (gl_LocalInvocationID.x % TOTAL_ROWS) * TOTAL_STRIDE + word;
+  uint before = atomicAdd(total[place], low);
+  atomicAdd(total[place + 1u], uint(value >> 32) + (before + low < before ? 1u : 0u));
 }
 
 void add_to_summary(uint word, uint low, uint high) {
@@ -23,7 +24,7 @@ void add_to_summary(uint word, uint low, uint high) {
 }
 
 void start_totals() {
-  if (gl_LocalInvocationID.x < SUM_DEFERRED) total[gl_LocalInvocationID.x] = 0u;
+  for (uint k = gl_LocalInvocationID.x; k < TOTAL_ROWS * TOTAL_STRIDE; k += BLOCK) total[k] = 0u;
   barrier();
 }
 
@@ -33,20 +34,30 @@ void finish_totals() {
     add_to_total(SUM_MIX_A, mix_a);
     add_to_total(SUM_MIX_B, mix_b);
   }
-  if (newly_colliding != 0u) atomicAdd(total[SUM_COLLIDING], newly_colliding);
+  if (newly_colliding != 0u) add_to_total(SUM_COLLIDING, uint64_t(newly_colliding));
   barrier();
-  uint row = (group_index() % SUMMARY_SLOTS) * SUMMARY_WORDS;
   uint word = 2u * gl_LocalInvocationID.x;
-  if (word < SUM_DEFERRED && (total[word] | total[word + 1u]) != 0u)
-    add_to_summary(row + word, total[word], total[word + 1u]);
+  if (word >= SUM_DEFERRED) return;
+  uint64_t sum = 0ul;
+  for (uint k = 0u; k < TOTAL_ROWS; ++k)
+    sum += uint64_t(total[k * TOTAL_STRIDE + word]) + (uint64_t(total[k * TOTAL_STRIDE + word + 1u]) << 32);
+  uint row = (group_index() % SUMMARY_SLOTS) * SUMMARY_WORDS;
+  if (sum != 0ul) add_to_summary(row + word, uint(sum & 0xFFFFFFFFul), uint(sum >> 32));
 }
 
 // More contacts for sphere i. Of all additions to it exactly one finds a zero: that one counts the colliding sphere.
 void touch(uint i, uint contacts) {
-  if (atomicAdd(count[i], contacts) == 0u) newly_colliding += 1u;
+  if (atomicAdd(count[i], contacts) == 0u && p.tally_later == 0u) newly_colliding += 1u;
 }
 
+// i and j are places; in cell order they differ from the spheres that stand there.
 void record(uint i, uint j) {
+  if (p.in_cells != 0u) {
+    uint a = id[i];
+    uint b = id[j];
+    i = min(a, b);
+    j = max(a, b);
+  }
   pairs_found += 1u;
   mix_a += pair_mix_a(i, j);
   mix_b += pair_mix_b(i, j);
@@ -88,12 +99,16 @@ uint meet_ordered(uint i, vec4 a, uint j, vec4 b) {
   return verdict == COLLIDE ? 1u : 0u;
 }
 
-// For kernels that meet every unordered pair once.
-void meet_once(uint i, uint j) {
-  uint verdict = filter_spheres(position[i], position[j]);
+// For kernels that meet every unordered pair once: true when it collides, and the caller counts the contact.
+bool meets(uint i, vec4 a, uint j, vec4 b) {
+  uint verdict = filter_spheres(a, b);
   if (verdict == UNDECIDED) defer(i, j);
-  if (verdict != COLLIDE) return;
-  record(i, j);
+  if (verdict == COLLIDE) record(i, j);
+  return verdict == COLLIDE;
+}
+
+void meet_once(uint i, uint j) {
+  if (!meets(i, position[i], j, position[j])) return;
   touch(i, 1u);
   touch(j, 1u);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // One thread per sphere: one step of motion and the plane (the paper's code 1), and the results of the last step
 // cleared.
+#define POSITION_ACCESS
 #include "buffers.glsl"
 #include "motion.h"
 

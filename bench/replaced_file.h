@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Writing a file so that a failure loses nothing.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace spherepair {
+
+// Written beside its name and renamed to it by commit(); until then whatever has the name stays as it is, and without a
+// commit nothing is left. What is no regular file (a pipe, a device) is written directly. Throws std::invalid_argument.
+class ReplacedFile {
+ public:
+  explicit ReplacedFile(const std::filesystem::path& path);
+  ~ReplacedFile();
+  ReplacedFile(const ReplacedFile&) = delete;
+  ReplacedFile& operator=(const ReplacedFile&) = delete;
+
+  void write(std::string_view bytes);
+  void commit();
+
+ private:
+  [[noreturn]] void fail(int error) const;
+  void open_beside();
+
+  std::filesystem::path path_, target_, beside_;  // as given; with links followed; empty when written directly
+  int descriptor_ = -1;
+};
+
+// Throws when a file of that name could not be written; leaves nothing and touches no pipe or device.
+void check_writable(const std::filesystem::path& path);
+
+// Whether both name the same file, or would once it is written.
+bool same_file(const std::filesystem::path& left, const std::filesystem::path& right);
+
+}  // namespace spherepair

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "grid_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "cell.h"
+
+namespace spherepair {
+namespace {
+
+constexpr double huge_radius = 0x1p100;  // above, cells would overflow float32: one cell holds everything
+constexpr double smallest_side = 0x1p-90;  // far above what flushed denormals can move
+constexpr uint64_t sample_size = 1 << 16;
+constexpr float many_octaves = 4;  // largest over smallest radius from which on levels pay
+
+struct Extent {
+  double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+  float smallest = 0, largest = 0;  // radius
+
+  double length(int axis) const { return high[axis] - low[axis]; }
+};
+
+Extent extent_of(const std::vector<vec4>& spheres) {
+  if (spheres.empty()) return {};
+  constexpr float most = std::numeric_limits<float>::max();
+  float x0 = most, y0 = most, z0 = most, r0 = most, x1 = -most, y1 = -most, z1 = -most, r1 = 0;
+#pragma omp parallel for reduction(min : x0, y0, z0, r0) reduction(max : x1, y1, z1, r1) if (spheres.size() > 100000)
+  for (size_t i = 0; i < spheres.size(); ++i) {
+    const vec4& s = spheres[i];
+    x0 = std::min(x0, s.x), y0 = std::min(y0, s.y), z0 = std::min(z0, s.z), r0 = std::min(r0, s.w);
+    x1 = std::max(x1, s.x), y1 = std::max(y1, s.y), z1 = std::max(z1, s.z), r1 = std::max(r1, s.w);
+  }
+  return {{x0, y0, z0}, {x1, y1, z1}, r0, r1};
+}
+
+double cells_along(double length, double side) { return std::floor(length / side) + 1; }
+
+uint64_t slot_limit(uint64_t n) { return std::max(slots_per_sphere * n, least_slots); }
+
+// What rounding may move a place by, in cells, when an axis has so many of them: 12 units in the last place.
+double place_margin(double cells) { return cells * 12 * 0x1p-24; }
+
+// The smallest side whose cells stay within the limit and are longer than the largest diameter, so that a sphere's
+// reach is less than a cell.
+double dense_side(const Extent& extent, uint64_t n) {
+  const double limit = double(slot_limit(n));
+  const double longest = std::max({extent.length(0), extent.length(1), extent.length(2)});
+  double side = std::max({2.0 * double(extent.largest) * (1 + 0x1p-8), longest * 0x1p-19, smallest_side});
+  for (;;) {
+    double cells = 1;
+    for (int axis = 0; axis < 3; ++axis) cells *= cells_along(extent.length(axis), side);
+    const double reach = 2.0 * double(extent.largest) / side + place_margin(cells_along(longest, side));
+    if (cells <= limit && reach < 1 - 0x1p-9) return side;
+    side *= std::max(std::min(std::cbrt(cells / limit), 1000.0), 1.002);
+  }
+}
+
+GridPlan dense_plan(const Extent& extent, uint64_t n) {
+  GridPlan plan;
+  plan.cells = Cells::dense;
+  plan.largest_radius = extent.largest;
+  if (double(extent.largest) > huge_radius) return plan;
+  plan.side = float(dense_side(extent, n));
+  plan.slots = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    plan.origin[axis] = float(extent.low[axis]);
+    plan.size[axis] = uint(cells_along(extent.length(axis), plan.side));
+    plan.slots *= plan.size[axis];
+  }
+  return plan;
+}
+
+uint octave(float radius) { return std::bit_cast<uint>(radius) >> 23; }
+
+// The median coordinate of a sample: cells are fine where the crowd is, however far away a few spheres are, since float32
+// places are finest near the origin.
+float middle_of(const std::vector<vec4>& spheres, float vec4::*axis) {
+  const uint64_t m = std::min<uint64_t>(spheres.size(), 1023);
+  std::vector<float> sample(m);
+  for (uint64_t k = 0; k < m; ++k) sample[k] = spheres[k * spheres.size() / m].*axis;
+  std::ranges::nth_element(sample, sample.begin() + ptrdiff_t(m / 2));
+  return m ? sample[m / 2] : 0;
+}
+
+GridPlan hashed_plan(const std::vector<vec4>& spheres, const Extent& extent) {
+  GridPlan plan;
+  plan.cells = Cells::hashed;
+  plan.slots = uint(std::bit_ceil(std::max<uint64_t>(spheres.size(), least_slots)));
+  plan.origin[0] = middle_of(spheres, &vec4::x);
+  plan.origin[1] = middle_of(spheres, &vec4::y);
+  plan.origin[2] = middle_of(spheres, &vec4::z);
+  plan.largest_radius = extent.largest;
+  plan.side = std::max(2 * extent.largest, float(smallest_side));
+  if (extent.largest <= many_octaves * extent.smallest) return plan;
+  const uint top = octave(extent.largest);
+  plan.first_octave = std::max({octave(extent.smallest), top > 24 ? top - 24 : 0, octave(float(smallest_side))});
+  if (top <= plan.first_octave) return plan;
+  plan.top_level = top - plan.first_octave;
+  plan.largest_radius = std::bit_cast<float>((plan.first_octave + 1) << 23);
+  plan.side = 2 * plan.largest_radius;
+  Params p{};
+  set_grid(p, plan);
+  plan.levels = 0;
+  for (const vec4& sphere : spheres) plan.levels |= 1u << level_of(sphere.w, p);
+  return plan;
+}
+
+// How many other spheres share a sphere's slot, on average over the spheres, estimated from a sample.
+double crowding(const std::vector<vec4>& spheres, const GridPlan& plan) {
+  const uint64_t n = spheres.size(), m = std::min(n, sample_size);
+  if (m < 2) return 0;
+  Params p{};
+  set_grid(p, plan);
+  std::vector<uint> slots(m);
+  for (uint64_t k = 0; k < m; ++k) slots[k] = slot_of(spheres[k * n / m], p);
+  std::ranges::sort(slots);
+  double pairs = 0;
+  for (uint64_t first = 0, k = 0; k < m; ++k) {
+    if (slots[k] != slots[first]) first = k;
+    pairs += double(k - first);
+  }
+  return 2 * pairs / double(m) * double(n - 1) / double(m - 1);
+}
+
+}  // namespace
+
+GridPlans plan_grids(const Scene& scene) {
+  const Extent extent = extent_of(scene.positions);
+  GridPlans plans{dense_plan(extent, scene.size()), {}, Cells::dense, "dense: the largest radius leaves one cell"};
+  plans.hashed = plans.dense;
+  if (double(extent.largest) > huge_radius) return plans;
+  plans.hashed = hashed_plan(scene.positions, extent);
+  const double dense = crowding(scene.positions, plans.dense), hashed = crowding(scene.positions, plans.hashed);
+  if (dense > 4 * hashed + 4) plans.chosen = Cells::hashed;
+  plans.reason = fmt::format("{}: {:.3g} other spheres in a sphere's cell if dense (side {:.3g} m), {:.3g} if hashed ({:.3g} m)",
+                             plans.chosen == Cells::dense ? "dense" : "hashed", dense, plans.dense.side, hashed,
+                             plans.hashed.side);
+  return plans;
+}
+
+void set_grid(Params& p, const GridPlan& plan) {
+  p.origin_x = plan.origin[0], p.origin_y = plan.origin[1], p.origin_z = plan.origin[2];
+  p.cells_per_metre = 1 / plan.side;
+  p.largest_radius = plan.largest_radius;
+  const double scale = double(p.cells_per_metre) * (1 + 0x1p-19);
+  p.reach_scale = float(scale);
+  p.reach_offset = float(scale * double(plan.largest_radius) + place_margin(std::max({plan.size[0], plan.size[1], plan.size[2]})));
+  p.cells_x = plan.size[0], p.cells_y = plan.size[1], p.cells_z = plan.size[2];
+  p.cell_slots = plan.slots;
+  p.hash_mask = plan.cells == Cells::hashed ? plan.slots - 1 : 0;
+  p.first_octave = plan.first_octave;
+  p.top_level = plan.top_level;
+  p.levels = plan.levels;
+}
+
+}  // namespace spherepair

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Which cells a scene gets: dense or hashed, how large, how many levels. The choice decides the time, never the set.
+#pragma once
+
+#include "scene.h"
+
+namespace spherepair {
+
+enum class Cells { automatic, dense, hashed };
+
+// Cells of a table are at most this many times the spheres, and at least least_slots.
+constexpr uint64_t slots_per_sphere = 2;
+constexpr uint64_t least_slots = 1024;
+
+struct GridPlan {
+  Cells cells = Cells::dense;
+  float origin[3] = {0, 0, 0};  // metres
+  float side = 1;               // of a cell of level 0, metres
+  float largest_radius = 0;     // of level 0
+  uint size[3] = {1, 1, 1};     // cells along each axis; dense only
+  uint slots = 1;               // of the table
+  uint first_octave = 255;      // biased exponent of the radii of level 0
+  uint top_level = 0;
+  uint levels = 1;  // bit k is set when level k has spheres
+};
+
+// Both kinds for a scene, and which of them Cells::automatic takes, by the extent, the radii and a sample of the places.
+struct GridPlans {
+  GridPlan dense, hashed;
+  Cells chosen = Cells::dense;
+  std::string reason;  // one sentence: what was chosen, from which figures
+
+  const GridPlan& plan(Cells wanted) const {
+    return (wanted == Cells::automatic ? chosen : wanted) == Cells::dense ? dense : hashed;
+  }
+};
+GridPlans plan_grids(const Scene& scene);
+inline GridPlan plan_grid(const Scene& scene, Cells wanted) { return plan_grids(scene).plan(wanted); }
+
+void set_grid(Params& params, const GridPlan& plan);
+
+}  // namespace spherepair

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Each thread takes SPHERES_PER_SORTER spheres and puts each at its place in the cell order.
+#include "cell.h"
+#include "kernels.cuh"
+
+namespace spherepair {
+
+__global__ void __launch_bounds__(SERVICE_BLOCK) grid_scatter(Params p, World w) {
+  uint first = group_index(p) * SERVICE_BLOCK * SPHERES_PER_SORTER + threadIdx.x;
+  vec4 sphere[SPHERES_PER_SORTER];
+  uint place[SPHERES_PER_SORTER];
+  for (uint k = 0u; k < SPHERES_PER_SORTER; ++k) sphere[k] = w.position[min(first + k * SERVICE_BLOCK, p.n - 1u)];
+  for (uint k = 0u; k < SPHERES_PER_SORTER; ++k)
+    place[k] = w.cell[slot_of(sphere[k], p)] + w.rank[min(first + k * SERVICE_BLOCK, p.n - 1u)];
+  for (uint k = 0u; k < SPHERES_PER_SORTER; ++k) {
+    uint i = first + k * SERVICE_BLOCK;
+    if (i >= p.n) return;
+    w.sorted[place[k]] = sphere[k];
+    w.id[place[k]] = p.in_buckets != 0u ? w.split_id[i] : i;
+    w.sorted_count[i] = 0u;
+  }
+}
+
+Entry grid_scatter_kernel() { return reinterpret_cast<Entry>(&grid_scatter); }
+
+}  // namespace spherepair

@@ -1,0 +1,13 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// A fixed number of threads shares out the spheres: how many have a contact.
+#include "collide.glsl"
+
+layout(local_size_x = BLOCK) in;
+
+void main() {
+  start_totals();
+  for (uint i = group_index() * BLOCK + gl_LocalInvocationID.x; i < p.n; i += BLOCK * gl_NumWorkGroups.x)
+    if (count[i] != 0u) newly_colliding += 1u;
+  finish_totals();
+}
