@@ -16,8 +16,8 @@
 namespace spherepair {
 namespace {
 
-constexpr std::array<const char*, 7> method_names = {"sequential",    "parallel",       "collide_group",
-                                                     "collide_tiled", "collide_square", "collide_triangle", "collide_grid"};
+constexpr std::array<const char*, 7> method_names = {
+    "sequential", "parallel", "collide_group", "collide_tiled", "collide_square", "collide_triangle", "collide_grid"};
 constexpr std::array<uint, 6> blocks = {32, 64, 128, 256, 512, 1024};
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The cells of the uniform grid. A coordinate's cell number is a chain of one subtraction, one multiplication, a clamp
-// and a truncation, each of which is monotonic however it rounds. So x <= y gives cell(x) <= cell(y) for all floats, and
-// a sphere that reaches down to x - reach can only meet spheres of the cells from cell(x - reach) on: no margin is
+// and a truncation, each of which is monotonic however it rounds. So x <= y gives cell(x) <= cell(y) for all floats,
+// and a sphere that reaches down to x - reach can only meet spheres of the cells from cell(x - reach) on: no margin is
 // needed, at any distance from the origin. A cell belongs to a level, that of its spheres' radii; the cells of level k
 // are 2^k as large as those of level 0.
 #ifndef SPHEREPAIR_CELL_H
@@ -77,9 +77,7 @@ FN uint row_slot(uint level, int y, int z) {
   return h ^ (h >> 16);
 }
 
-FN uint slot_in_row(uint row, int x, Params p) {
-  return (row + uint(x)) & p.hash_mask;
-}
+FN uint slot_in_row(uint row, int x, Params p) { return (row + uint(x)) & p.hash_mask; }
 
 // The cells of a level in which a sphere can meet others lie between these two.
 FN Cell lowest_cell(vec4 sphere, float reach, uint level, Params p) {

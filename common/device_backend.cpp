@@ -14,10 +14,20 @@ namespace {
 constexpr uint guard_words = 16;
 constexpr uint guard_pattern = 0xA5C3F00Du;
 constexpr uint64_t decide_batch = 1u << 20;
-constexpr const char* slot_names[SLOT_TOTAL] = {
-    "positions",      "velocities", "counts",  "summary", "deferred pairs", "pairs", "spheres to decide", "verdicts",
-    "cells",          "ranks",      "spheres in cell order", "sphere numbers", "counts in cell order", "tiles of the scan",
-    "spheres in buckets", "sphere numbers in buckets"};
+constexpr const char* slot_names[SLOT_TOTAL] = {"positions",
+                                                "velocities",
+                                                "counts",
+                                                "summary",
+                                                "deferred pairs",
+                                                "pairs",
+                                                "spheres to decide",
+                                                "verdicts",
+                                                "cells",
+                                                "ranks",
+                                                "spheres in cell order",
+                                                "sphere numbers",
+                                                "counts in cell order",
+                                                "tiles of the scan"};
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
@@ -29,9 +39,10 @@ std::array<uint, 3> folded(uint64_t groups) {
 }
 
 const char* kernel_name(Kernel kernel) {
-  constexpr const char* names[] = {"move",          "clear",         "empty",          "settle",          "decide",
-                                   "tally", "grid_clear", "grid_bounds", "grid_count", "grid_scan", "grid_scatter", "collide_grid", "collide_hashed",
-                                   "collide_group", "collide_tiled", "collide_square", "collide_triangle"};
+  constexpr const char* names[] = {
+      "move",           "clear",         "empty",         "settle",         "decide",          "tally",
+      "grid_clear",     "grid_bounds",   "grid_count",    "grid_scan",      "grid_scatter",    "collide_grid",
+      "collide_hashed", "collide_group", "collide_tiled", "collide_square", "collide_triangle"};
   return names[int(kernel)];
 }
 
@@ -98,7 +109,8 @@ std::array<uint, 3> DeviceBackend::per_sphere_groups() const {
 
 void DeviceBackend::launch_clear(bool in_cells) {
   const uint64_t threads = std::max<uint64_t>(n_, SUMMARY_SLOTS * SUMMARY_WORDS);
-  launch({Kernel::clear, SERVICE_BLOCK, true, folded(ceil_div(threads, SERVICE_BLOCK * SPHERES_PER_SORTER)), in_cells}, params_);
+  launch({Kernel::clear, SERVICE_BLOCK, true, folded(ceil_div(threads, SERVICE_BLOCK * SPHERES_PER_SORTER)), in_cells},
+         params_);
 }
 
 void DeviceBackend::move() {

@@ -99,7 +99,7 @@ class DeviceBackend : public Backend {
   std::optional<bool> cell_order_;  // whether the spheres stand in cell order as they are; not known after a move
   bool cells_built_ = false;        // the cells are those of the spheres as they stand
   bool sorted_ = false;             // results are those of copies in cell order
-  Params params_{};                    // of the last launch
+  Params params_{};                 // of the last launch
   CollideOptions options_;
   bool tallied_ = true;  // colliding spheres are counted
   bool cleared_ = false, collided_ = false;

@@ -43,7 +43,8 @@ void DeviceBackend::make_sort_buffers() {
 
 void DeviceBackend::launch_bounds() {
   const uint64_t threads = std::max<uint64_t>(n_ + 1, SUMMARY_SLOTS * SUMMARY_WORDS);
-  launch({Kernel::grid_bounds, SERVICE_BLOCK, true, folded(ceil_div(threads, SERVICE_BLOCK * SPHERES_PER_SORTER))}, params_);
+  launch({Kernel::grid_bounds, SERVICE_BLOCK, true, folded(ceil_div(threads, SERVICE_BLOCK * SPHERES_PER_SORTER))},
+         params_);
 }
 
 // Asked once after spheres have moved; only then does the host wait for the device.

@@ -13,7 +13,7 @@
 namespace spherepair {
 namespace {
 
-constexpr double huge_radius = 0x1p100;  // above, cells would overflow float32: one cell holds everything
+constexpr double huge_radius = 0x1p100;    // above, cells would overflow float32: one cell holds everything
 constexpr double smallest_side = 0x1p-90;  // far above what flushed denormals can move
 constexpr uint64_t sample_size = 1 << 16;
 constexpr float many_octaves = 4;  // largest over smallest radius from which on levels pay
@@ -77,8 +77,8 @@ GridPlan dense_plan(const Extent& extent, uint64_t n) {
 
 uint octave(float radius) { return std::bit_cast<uint>(radius) >> 23; }
 
-// The median coordinate of a sample: cells are fine where the crowd is, however far away a few spheres are, since float32
-// places are finest near the origin.
+// The median coordinate of a sample: cells are fine where the crowd is, however far away a few spheres are, since
+// float32 places are finest near the origin.
 float middle_of(const std::vector<vec4>& spheres, float vec4::*axis) {
   const uint64_t m = std::min<uint64_t>(spheres.size(), 1023);
   std::vector<float> sample(m);
@@ -137,9 +137,9 @@ GridPlans plan_grids(const Scene& scene) {
   plans.hashed = hashed_plan(scene.positions, extent);
   const double dense = crowding(scene.positions, plans.dense), hashed = crowding(scene.positions, plans.hashed);
   if (dense > 4 * hashed + 4) plans.chosen = Cells::hashed;
-  plans.reason = fmt::format("{}: {:.3g} other spheres in a sphere's cell if dense (side {:.3g} m), {:.3g} if hashed ({:.3g} m)",
-                             plans.chosen == Cells::dense ? "dense" : "hashed", dense, plans.dense.side, hashed,
-                             plans.hashed.side);
+  plans.reason = fmt::format(
+      "{}: {:.3g} other spheres in a sphere's cell if dense (side {:.3g} m), {:.3g} if hashed ({:.3g} m)",
+      plans.chosen == Cells::dense ? "dense" : "hashed", dense, plans.dense.side, hashed, plans.hashed.side);
   return plans;
 }
 
@@ -149,7 +149,8 @@ void set_grid(Params& p, const GridPlan& plan) {
   p.largest_radius = plan.largest_radius;
   const double scale = double(p.cells_per_metre) * (1 + 0x1p-19);
   p.reach_scale = float(scale);
-  p.reach_offset = float(scale * double(plan.largest_radius) + place_margin(std::max({plan.size[0], plan.size[1], plan.size[2]})));
+  p.reach_offset =
+      float(scale * double(plan.largest_radius) + place_margin(std::max({plan.size[0], plan.size[1], plan.size[2]})));
   p.cells_x = plan.size[0], p.cells_y = plan.size[1], p.cells_z = plan.size[2];
   p.cell_slots = plan.slots;
   p.hash_mask = plan.cells == Cells::hashed ? plan.slots - 1 : 0;

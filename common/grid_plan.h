@@ -24,7 +24,8 @@ struct GridPlan {
   uint levels = 1;  // bit k is set when level k has spheres
 };
 
-// Both kinds for a scene, and which of them Cells::automatic takes, by the extent, the radii and a sample of the places.
+// Both kinds for a scene, and which of them Cells::automatic takes, by the extent, the radii and a sample of the
+// places.
 struct GridPlans {
   GridPlan dense, hashed;
   Cells chosen = Cells::dense;

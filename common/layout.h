@@ -14,15 +14,13 @@
 #define SLOT_PAIR 5      // uvec2[]: colliding pairs (i<j) in any order, when asked for; their number is SUM_LISTED
 #define SLOT_SPHERES 6   // vec4[2m]: the m pairs of spheres that `decide` is asked about
 #define SLOT_VERDICT 7   // uint[m]: what `decide` answers, verdict_code()
-#define SLOT_CELL 8           // uint[cell_slots + 1]: where each cell's spheres begin in cell order
-#define SLOT_RANK 9           // uint[n]: the place of each sphere among those of its cell
-#define SLOT_SORTED 10        // vec4[n]: spheres in cell order
-#define SLOT_ID 11            // uint[n]: which sphere stands at each place of the cell order
+#define SLOT_CELL 8      // uint[cell_slots + 1]: where each cell's spheres begin in cell order
+#define SLOT_RANK 9      // uint[n]: the place of each sphere among those of its cell
+#define SLOT_SORTED 10   // vec4[n]: spheres in cell order
+#define SLOT_ID 11       // uint[n]: which sphere stands at each place of the cell order
 #define SLOT_SORTED_COUNT 12  // uint[n]: contacts, in cell order
-#define SLOT_SCAN 13          // uint[]: the next tile of grid_scan, then the state of each; [0] of grid_bounds: 1 when out of order
-#define SLOT_SPLIT 14         // vec4[n]: spheres in the order of their buckets, ...
-#define SLOT_SPLIT_ID 15      // uint[n]: ... and which they are
-#define SLOT_TOTAL 16
+#define SLOT_SCAN 13  // uint[]: of grid_scan: the next tile, then states; of grid_bounds: [0] is 1 when out of order
+#define SLOT_TOTAL 14
 #define SLOT_PARAMS 0  // the uniform block's own binding
 
 // Totals are spread over SUMMARY_SLOTS rows so that thousands of groups do not queue on one address; the host adds the
@@ -45,12 +43,11 @@
 #define SERVICE_BLOCK 128     // group size of the kernels whose size is no subject of the study
 #define MAX_GROUPS 65535      // of one dispatch along each axis, on every device; more are folded into the next axis
 
-#define SPHERES_PER_SORTER 4   // spheres that one thread of grid_count and grid_scatter handles
-#define STRETCHES 5            // rows of cells in the later half of a neighbourhood
-#define MEETINGS_PER_THREAD 6  // that a group of collide_grid settles in one go, for each of its threads
-#define EMPTY_CELLS_AT_MOST 4096  // that one thread of grid_bounds fills in
-#define SCAN_BLOCK 256         // group size of grid_scan
-#define SCAN_VECTORS 4         // uvec4 that one thread of grid_scan handles
+#define SPHERES_PER_SORTER 4        // spheres that one thread of grid_count and grid_scatter handles
+#define ROWS_AHEAD 5                // rows of cells in the later half of a neighbourhood
+#define EMPTY_CELLS_AT_MOST 4096    // that one thread of grid_bounds fills in
+#define SCAN_BLOCK 256              // group size of grid_scan
+#define SCAN_VECTORS 4              // uvec4 that one thread of grid_scan handles
 #define SCAN_PARTIAL 0x40000000u    // state of a tile: its own sum is known, ...
 #define SCAN_INCLUSIVE 0x80000000u  // ... or that of all tiles up to it; the sum is in the other 30 bits
 
@@ -60,12 +57,12 @@ struct Params {
   float filter_scale, filter_offset, spare_0, spare_1;  // K and T of filter_pair
   uint n, columns, pair_capacity, deferred_capacity;    // columns: spheres that one group of collide_triangle meets
   uint defer_undecided, pairs_to_decide, first_group, in_cells;  // 0: the naive predicate; of decide; of this slice
-  float origin_x, origin_y, origin_z, cells_per_metre;  // of the grid's cells, at level 0
-  float largest_radius, reach_scale, reach_offset;      // of level 0, doubles with each level; see reach_in_cells
-  uint scan_tiles;                                      // of grid_scan
-  uint cells_x, cells_y, cells_z, cell_slots;           // dense grid; cell_slots: length of the table in either case
-  uint hash_mask, first_octave, top_level, levels;      // 0: dense; see level_of; levels: bit k set when k has spheres
-  uint in_buckets, bucket_shift, tally_later, spare_2;  // whether grid_split went before; colliding spheres are counted by tally
+  float origin_x, origin_y, origin_z, cells_per_metre;           // of the grid's cells, at level 0
+  float largest_radius, reach_scale, reach_offset;  // of level 0, doubles with each level; see reach_in_cells
+  uint scan_tiles;                                  // of grid_scan
+  uint cells_x, cells_y, cells_z, cell_slots;       // dense grid; cell_slots: length of the table in either case
+  uint hash_mask, first_octave, top_level, levels;  // 0: dense; see level_of; levels: bit k set when k has spheres
+  uint tally_later, spare_2, spare_3, spare_4;      // not 0: tally counts the colliding spheres
 };
 
 #ifndef GL_core_profile

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each thread takes SPHERES_PER_SORTER spheres: the results of the last collision step cleared, for a scene that did not
-// move.
+// Each thread takes SPHERES_PER_SORTER spheres: the results of the last collision step cleared, for a scene that did
+// not move.
 #include "kernels.cuh"
 
 namespace spherepair {

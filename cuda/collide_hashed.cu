@@ -9,7 +9,7 @@ namespace spherepair {
 
 template <int BLOCK, bool EQUAL_RADII>
 __global__ void __launch_bounds__(BLOCK) collide_hashed(Params p, World w) {
-  constexpr uint QUEUE = BLOCK <= 256 ? BLOCK * 8 : 2048;
+  constexpr uint QUEUE = BLOCK <= 256 ? BLOCK * 6 : 2048;
   __shared__ uint queue_mine[QUEUE];
   __shared__ uint queue_other[QUEUE];
   __shared__ uint queued;

@@ -7,51 +7,11 @@
 
 #include "check.h"
 #include "device_backend.h"
-#include "kernels.h"
+#include "entries.h"
 #include "sort_pairs.h"
 
 namespace spherepair {
 namespace {
-
-Entry entry_of(const Launch& launch) {
-  switch (launch.kernel) {
-    case Kernel::move:
-      return move_kernel();
-    case Kernel::clear:
-      return clear_kernel();
-    case Kernel::empty:
-      return empty_kernel();
-    case Kernel::settle:
-      return settle_kernel();
-    case Kernel::decide:
-      return decide_kernel();
-    case Kernel::tally:
-      return tally_kernel();
-    case Kernel::grid_clear:
-      return grid_clear_kernel();
-    case Kernel::grid_bounds:
-      return grid_bounds_kernel();
-    case Kernel::grid_count:
-      return grid_count_kernel();
-    case Kernel::grid_scan:
-      return grid_scan_kernel();
-    case Kernel::grid_scatter:
-      return grid_scatter_kernel();
-    case Kernel::collide_grid:
-      return collide_grid_kernel(launch.block, launch.equal_radii);
-    case Kernel::collide_hashed:
-      return collide_hashed_kernel(launch.block, launch.equal_radii);
-    case Kernel::collide_group:
-      return collide_group_kernel(launch.block, launch.equal_radii);
-    case Kernel::collide_tiled:
-      return collide_tiled_kernel(launch.block, launch.equal_radii);
-    case Kernel::collide_square:
-      return collide_square_kernel(launch.block, launch.equal_radii);
-    case Kernel::collide_triangle:
-      return collide_triangle_kernel(launch.block, launch.equal_radii);
-  }
-  return nullptr;
-}
 
 std::string version(int number) { return fmt::format("{}.{}", number / 1000, number % 1000 / 10); }
 
@@ -209,9 +169,7 @@ World CudaBackend::world(bool in_cells) const {
           .sorted = buffer<vec4>(SLOT_SORTED),
           .id = buffer<uint>(SLOT_ID),
           .sorted_count = buffer<uint>(SLOT_SORTED_COUNT),
-          .scan = buffer<uint>(SLOT_SCAN),
-          .split = buffer<vec4>(SLOT_SPLIT),
-          .split_id = buffer<uint>(SLOT_SPLIT_ID)};
+          .scan = buffer<uint>(SLOT_SCAN)};
 }
 
 void CudaBackend::launch(const Launch& launch, const Params& params) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Each thread takes SPHERES_PER_SORTER spheres that stand in cell order: it writes where the cells begin that lie between
-// the sphere's predecessor and it, and clears the results. A sphere out of order, or behind too many empty cells, is
-// reported.
+// Each thread takes SPHERES_PER_SORTER spheres that stand in cell order: it writes where the cells begin that lie
+// between the sphere's predecessor and it, and clears the results. A sphere out of order, or behind too many empty
+// cells, is reported.
 #include "cell.h"
 #include "kernels.cuh"
 
@@ -18,10 +18,9 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) grid_bounds(Params p, World w) 
   }
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k) {
     uint i = start + k * SERVICE_BLOCK;
-    if (i > p.n) return;
     clear_results(p, w, i);
-    bool in_order = last[k] + 1u >= first[k] && last[k] + 1u - first[k] <= EMPTY_CELLS_AT_MOST;
-    if (!in_order) w.scan[0] = 1u;
+    bool in_order = i <= p.n && last[k] + 1u >= first[k] && last[k] + 1u - first[k] <= EMPTY_CELLS_AT_MOST;
+    if (i <= p.n && !in_order) w.scan[0] = 1u;
     for (uint c = first[k]; in_order && c <= last[k]; ++c) w.cell[c] = i;
   }
 }

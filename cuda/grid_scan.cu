@@ -47,8 +47,9 @@ __global__ void __launch_bounds__(SCAN_BLOCK) grid_scan(Params p, World w) {
   uint first = tile * SCAN_BLOCK * SCAN_VECTORS + lane;
   uvec4 counts[SCAN_VECTORS];
   for (uint v = 0u; v < SCAN_VECTORS; ++v) counts[v] = cell[first + v * SCAN_BLOCK];
-  uvec4 own = {counts[0].x + counts[0].y + counts[0].z + counts[0].w, counts[1].x + counts[1].y + counts[1].z + counts[1].w,
-               counts[2].x + counts[2].y + counts[2].z + counts[2].w, counts[3].x + counts[3].y + counts[3].z + counts[3].w};
+  uvec4 own = {
+      counts[0].x + counts[0].y + counts[0].z + counts[0].w, counts[1].x + counts[1].y + counts[1].z + counts[1].w,
+      counts[2].x + counts[2].y + counts[2].z + counts[2].w, counts[3].x + counts[3].y + counts[3].z + counts[3].w};
   uvec4 upto = own;
   for (uint step = 1u; step < SCAN_BLOCK; step *= 2u) {
     sums[lane] = upto;

@@ -16,7 +16,7 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) grid_scatter(Params p, World w)
     uint i = first + k * SERVICE_BLOCK;
     if (i >= p.n) return;
     w.sorted[place[k]] = sphere[k];
-    w.id[place[k]] = p.in_buckets != 0u ? w.split_id[i] : i;
+    w.id[place[k]] = i;
     w.sorted_count[i] = 0u;
   }
 }

@@ -22,8 +22,6 @@ struct World {
   uint* id;
   uint* sorted_count;
   uint* scan;
-  vec4* split;
-  uint* split_id;
 };
 
 // Every kernel is void (Params p, World w). A null entry means a group size that was not compiled.

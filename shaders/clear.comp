@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Each thread takes SPHERES_PER_SORTER spheres: the results of the last collision step cleared, for a scene that did not
-// move.
+// Each thread takes SPHERES_PER_SORTER spheres: the results of the last collision step cleared, for a scene that did
+// not move.
 #include "buffers.glsl"
 
 layout(local_size_x = BLOCK) in;

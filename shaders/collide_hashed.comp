@@ -4,11 +4,10 @@
 // level and through its whole neighbourhood on every coarser level. Rows of cells may share slots, so whoever is in
 // reach is also asked for its cell. Pairs are queued and worked off by the whole group.
 #include "collide.glsl"
-#include "cell.h"
+#include "grid.glsl"
 
-#define QUEUE (BLOCK <= 256 ? BLOCK * 8 : 2048)
+#define QUEUE (BLOCK <= 256 ? BLOCK * 6 : 2048)
 
-layout(std430, binding = SLOT_CELL) restrict readonly buffer CellBuffer { uint cell[]; };
 layout(local_size_x = BLOCK) in;
 shared uint queue_mine[QUEUE];
 shared uint queue_other[QUEUE];

@@ -1,8 +1,10 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // Each thread takes SPHERES_PER_SORTER spheres: it counts each in its cell, and the count so far is the sphere's rank.
+#define CELL_ACCESS
 #include "grid.glsl"
 
+layout(std430, binding = SLOT_RANK) restrict writeonly buffer RankBuffer { uint rank[]; };
 layout(local_size_x = BLOCK) in;
 
 void main() {

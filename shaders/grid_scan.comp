@@ -46,8 +46,9 @@ void main() {
   uint first = tile * BLOCK * SCAN_VECTORS + lane;
   uvec4 counts[SCAN_VECTORS];
   for (uint v = 0u; v < SCAN_VECTORS; ++v) counts[v] = cell[first + v * BLOCK];
-  uvec4 own = uvec4(counts[0].x + counts[0].y + counts[0].z + counts[0].w, counts[1].x + counts[1].y + counts[1].z + counts[1].w,
-                    counts[2].x + counts[2].y + counts[2].z + counts[2].w, counts[3].x + counts[3].y + counts[3].z + counts[3].w);
+  uvec4 own = uvec4(
+      counts[0].x + counts[0].y + counts[0].z + counts[0].w, counts[1].x + counts[1].y + counts[1].z + counts[1].w,
+      counts[2].x + counts[2].y + counts[2].z + counts[2].w, counts[3].x + counts[3].y + counts[3].z + counts[3].w);
   uvec4 upto = own;
   for (uint step = 1u; step < BLOCK; step *= 2u) {
     sums[lane] = upto;
@@ -62,9 +63,9 @@ void main() {
   if (lane == 0u) scan[1u + tile] = (tile == 0u ? SCAN_INCLUSIVE : SCAN_PARTIAL) | tile_sum;
   uint before = sum_before(tile);
   if (lane == 0u) scan[1u + tile] = SCAN_INCLUSIVE | (before + tile_sum);
-  uint start[SCAN_VECTORS] = uint[](before + upto.x - own.x, before + total.x + upto.y - own.y,
-                                    before + total.x + total.y + upto.z - own.z,
-                                    before + total.x + total.y + total.z + upto.w - own.w);
+  uint start[SCAN_VECTORS] =
+      uint[](before + upto.x - own.x, before + total.x + upto.y - own.y, before + total.x + total.y + upto.z - own.z,
+             before + total.x + total.y + total.z + upto.w - own.w);
   for (uint v = 0u; v < SCAN_VECTORS; ++v) {
     uint x = start[v];
     uint y = x + counts[v].x;

@@ -4,7 +4,9 @@
 #define ID_ACCESS
 #include "grid.glsl"
 
-layout(std430, binding = SLOT_SPLIT_ID) restrict readonly buffer SplitIdBuffer { uint split_id[]; };
+layout(std430, binding = SLOT_RANK) restrict readonly buffer RankBuffer { uint rank[]; };
+layout(std430, binding = SLOT_SORTED) restrict writeonly buffer SortedBuffer { vec4 sorted[]; };
+layout(std430, binding = SLOT_SORTED_COUNT) restrict writeonly buffer SortedCountBuffer { uint sorted_count[]; };
 layout(local_size_x = BLOCK) in;
 
 void main() {
@@ -18,7 +20,7 @@ void main() {
     uint i = first + k * BLOCK;
     if (i >= p.n) return;
     sorted[place[k]] = sphere[k];
-    id[place[k]] = p.in_buckets != 0u ? split_id[i] : i;
+    id[place[k]] = i;
     sorted_count[i] = 0u;
   }
 }

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "entries.h"
+
+namespace spherepair {
+
+Entry entry_of(const Launch& launch) {
+  switch (launch.kernel) {
+    case Kernel::move:
+      return move_kernel();
+    case Kernel::clear:
+      return clear_kernel();
+    case Kernel::empty:
+      return empty_kernel();
+    case Kernel::settle:
+      return settle_kernel();
+    case Kernel::decide:
+      return decide_kernel();
+    case Kernel::tally:
+      return tally_kernel();
+    case Kernel::grid_clear:
+      return grid_clear_kernel();
+    case Kernel::grid_bounds:
+      return grid_bounds_kernel();
+    case Kernel::grid_count:
+      return grid_count_kernel();
+    case Kernel::grid_scan:
+      return grid_scan_kernel();
+    case Kernel::grid_scatter:
+      return grid_scatter_kernel();
+    case Kernel::collide_grid:
+      return collide_grid_kernel(launch.block, launch.equal_radii);
+    case Kernel::collide_hashed:
+      return collide_hashed_kernel(launch.block, launch.equal_radii);
+    case Kernel::collide_group:
+      return collide_group_kernel(launch.block, launch.equal_radii);
+    case Kernel::collide_tiled:
+      return collide_tiled_kernel(launch.block, launch.equal_radii);
+    case Kernel::collide_square:
+      return collide_square_kernel(launch.block, launch.equal_radii);
+    case Kernel::collide_triangle:
+      return collide_triangle_kernel(launch.block, launch.equal_radii);
+  }
+  return nullptr;
+}
+
+}  // namespace spherepair
