@@ -15,7 +15,7 @@ struct ChosenBackend {
 // The named one, or without a name the fastest that opens: a GPU through CUDA, one through OpenGL, the CPU.
 ChosenBackend choose_backend(const std::string& name, const OpenOptions& options);
 
-// The named method, which the backend must have, or without a name the backend's fastest that finds all pairs.
-Method choose_method(const std::string& name, const Backend& backend);
+// The named method, which the backend must have, or without a name its fastest for n spheres that finds all pairs.
+Method choose_method(const std::string& name, const Backend& backend, uint64_t n);
 
 }  // namespace spherepair

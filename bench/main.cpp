@@ -92,9 +92,10 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
   command->add_option("--steps", options->steps, "Steps of 1/64 s before the pairs are found; 0: the scene as it is")
       ->check(steps_range)
       ->capture_default_str();
-  command->add_option("--method", options->method,
-                      "sequential, parallel (cpu); collide_group, collide_tiled, collide_square, collide_triangle; "
-                      "default: the backend's fastest");
+  command->add_option(
+      "--method", options->method,
+      "sequential, parallel (cpu); collide_group, collide_tiled, collide_square, collide_triangle, collide_grid; "
+      "default: the backend's fastest");
   command->add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024")->capture_default_str();
   command->add_flag("--naive", options->naive, "Use the naive float32 test in place of the exact predicate");
   command->add_flag("--per-step", options->per_step, "Print and record every step, not only the last");

@@ -122,7 +122,7 @@ int pairs_command(const CommandLine& line, const PairsOptions& options) {
   });
   progress.say("opening a backend");
   seconds.open = seconds_of([&] { chosen = choose_backend(options.backend, line.open); });
-  method = choose_method(options.method, *chosen.backend);
+  method = choose_method(options.method, *chosen.backend, input.scene.size());
   progress.say(fmt::format("{} spheres on {}", input.scene.size(), chosen.backend->info().name));
   const CollideOptions collide = {.method = method, .block = options.block, .want_pairs = true};
   seconds.collide = seconds_of([&] { found = find_pairs(*chosen.backend, input.scene, collide); });

@@ -18,9 +18,9 @@ struct StepResult {
   Collisions totals;
 };
 
-CollideOptions collide_options(const RunOptions& options, const Backend& backend) {
+CollideOptions collide_options(const RunOptions& options, const Backend& backend, uint64_t n) {
   CollideOptions collide;
-  collide.method = choose_method(options.method, backend);
+  collide.method = choose_method(options.method, backend, n);
   collide.block = parse_blocks({options.block}).front();
   collide.exact = !options.naive;
   return collide;
@@ -111,7 +111,7 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   check_scene(scene);
   Session session({options.backend}, line.open);
   Backend& backend = *session.find(options.backend);
-  const CollideOptions collide = collide_options(options, backend);
+  const CollideOptions collide = collide_options(options, backend, scene.size());
   for (const std::string& warning : session.warnings()) fmt::print(stderr, "{}\n", warning);
   backend.upload(scene);
   const std::vector<StepResult> results = simulate(backend, options, collide);
