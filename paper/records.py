@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: MIT
+"""Recorded runs, as the figures, tables and numbers of the paper read them.
+
+A folder under paper/data is one machine. Every JSON file in it that holds a list `measurements` is a source; its id is
+the folder's name and the first 8 hexadecimal digits of the file's SHA-256. One record is one measurement: what was run
+(any parameters the writer chose), its samples, median and interval in milliseconds, and the source it came from.
+"""
+import hashlib
+import json
+from dataclasses import dataclass, field
+from pathlib import Path
+
+DATA = Path(__file__).resolve().parent / "data"
+
+
+class Missing(Exception):
+    """What a figure, table or number needs is not among the recorded runs."""
+
+
+@dataclass(frozen=True)
+class Record:
+    parameters: dict = field(repr=False)
+    median: float  # ms
+    low: float
+    high: float
+    source: str
+
+    def __getattr__(self, name):
+        if name in self.parameters:
+            return self.parameters[name]
+        raise AttributeError(name)
+
+    def matches(self, wanted):
+        values = {**self.parameters.get("scene", {}), **self.parameters}
+        values["scene"] = self.parameters.get("scene", {}).get("name")
+        return all(values.get(name) == value for name, value in wanted.items())
+
+
+def text_of(wanted):
+    return ", ".join(f"{name} {value}" for name, value in wanted.items())
+
+
+class Machine:
+    """One folder of recorded runs."""
+
+    def __init__(self, folder, name=None):
+        self.folder = Path(folder)
+        self.name = name or self.folder.name
+        self.records, self.sources = [], {}
+        for path in sorted(self.folder.glob("*.json")):
+            self._read(path)
+        if "results.json" not in self.sources:
+            raise Missing(f"{self.folder} holds no results.json of `spherepair compare`")
+        self.main = self.sources["results.json"]
+        self.id = self.ids["results.json"]
+
+    @property
+    def ids(self):
+        return {name: source["id"] for name, source in self.sources.items()}
+
+    def _read(self, path):
+        raw = path.read_bytes()
+        root = json.loads(raw)
+        if not isinstance(root, dict):
+            return
+        root["id"] = f"{self.name}:{hashlib.sha256(raw).hexdigest()[:8]}"
+        self.sources[path.name] = root
+        for row in root.get("measurements", []):
+            low, high = row["interval_ms"]
+            self.records.append(Record(row, row["median_ms"], low, high, root["id"]))
+
+    def select(self, **wanted):
+        """All records with these parameters, smallest n first; `scene` is the scene's name."""
+        found = [record for record in self.records if record.matches(wanted)]
+        return sorted(found, key=lambda record: record.parameters.get("n", 0))
+
+    def need(self, **wanted):
+        found = self.select(**wanted)
+        if not found:
+            raise Missing(f"{self.name} has no record of {text_of(wanted)}")
+        return found
+
+    def one(self, **wanted):
+        found = self.need(**wanted)
+        if len(found) > 1:
+            raise Missing(f"{self.name} has {len(found)} records of {text_of(wanted)}; one was expected")
+        return found[0]
+
+    def source(self, name):
+        if name not in self.sources:
+            raise Missing(f"{self.name} has no {name}")
+        return self.sources[name]
+
+    def backend(self, name):
+        for backend in self.main["backends"]:
+            if backend["name"] == name and backend["open"]:
+                return backend
+        raise Missing(f"{self.name} was run without {name}")
+
+    def has(self, name):
+        return any(backend["name"] == name and backend["open"] for backend in self.main["backends"])
+
+    @property
+    def driver(self):
+        for moment in self.main["clocks"]:
+            for gpu in moment["gpus"] or []:
+                return gpu["driver_version"]
+        return None
+
+    @property
+    def software(self):
+        """GLSL runs on the CPU there, so its times say nothing about a GPU."""
+        return self.has("glsl") and self.backend("glsl")["software"]
+
+    @property
+    def short(self):
+        """What a caption says: the appendix and the recorded file have the rest."""
+        name = "cuda" if self.has("cuda") else "glsl" if self.has("glsl") else "cpu"
+        return f"{self.backend(name)['device']}, run {self.id}"
+
+    @property
+    def title(self):
+        """One line that names the hardware and the run."""
+        context = self.main["context"]
+        cpu = f"{context['machine']['cpu'].replace('(R)', '')}, {context['machine']['hardware_threads']} threads"
+        if self.has("cuda"):
+            gpu = f"{self.backend('cuda')['device']}, driver {self.driver}; CPU: {cpu}"
+        elif self.has("glsl"):
+            gpu = f"{self.backend('glsl')['device']} on {cpu}" if self.software else self.backend("glsl")["device"]
+        else:
+            gpu = cpu
+        return f"{gpu}; run {self.id}"
+
+
+def original_paper():
+    """What the original paper printed, row by row."""
+    return json.loads((DATA / "original-paper.json").read_text())
