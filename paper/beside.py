@@ -3,7 +3,8 @@
 import html
 
 STYLE = ("body{font-family:sans-serif;margin:2em;max-width:110em}table{border-collapse:collapse}"
-         "td{vertical-align:top;padding:0 2em 2em 0;max-width:54em}img{max-width:100%}pre{font-size:75%;overflow-x:auto}")
+         "td{vertical-align:top;padding:0 2em 2em 0;max-width:54em}img{max-width:100%}"
+         "pre{font-size:75%;overflow-x:auto}")
 
 
 def cell(folder, machine, name, kind, reason):
@@ -24,6 +25,7 @@ def write(folder, machines, figures, tables, reasons):
                      for machine in machines)
             rows.append(f"<tr>{''.join(f'<td>{text}</td>' for text in cells)}</tr>")
     page = folder / "index.html"
-    page.write_text(f"<!doctype html><meta charset=utf-8><title>spherepair: recorded runs side by side</title>"
-                    f"<style>{STYLE}</style><h1>spherepair: recorded runs side by side</h1><table>{''.join(rows)}</table>")
+    title = "spherepair: recorded runs side by side"
+    page.write_text(f"<!doctype html><meta charset=utf-8><title>{title}</title><style>{STYLE}</style>"
+                    f"<h1>{title}</h1><table>{''.join(rows)}</table>")
     return page

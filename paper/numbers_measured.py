@@ -21,11 +21,11 @@ def original(put, machine, others):
     put("original/drawing", f"{last[2]}", PRINTED, "Table 1, sequential rendering, last row")
     put("original/fps", f"{last[1]}", PRINTED, "Table 1, fps, last row")
     frame = last[2] + last[4] + last[5]
-    put("original/frame", f"{frame:,}", PRINTED, "Table 1, last row: rendering + sphere-plane + sphere-sphere, sequential")
+    put("original/frame", f"{frame:,}", PRINTED, "Table 1, last row: the three sequential times added")
     put("original/frame-fps", f"{1000 / frame:.2f}", PRINTED, "1000 / the sum of the parts of the last row")
     put("original/largest", f"{paper['text']['largest n ms']}", PRINTED, "text, time at 32,768 spheres")
     put("original/at512/table", f"{paper['table1'][3][5]}", PRINTED, "Table 1, sequential sphere-sphere, 512 spheres")
-    put("original/at512/text", f"{paper['text']['pairs sequential at 512 ms']}", PRINTED, "text, sequential at 512 spheres")
+    put("original/at512/text", f"{paper['text']['pairs sequential at 512 ms']}", PRINTED, "text, sequential, 512")
     put("original/three-ticks", f"{3 * 1000 / 64:.1f}", "arithmetic", "3 ticks of a clock of 64 ticks a second")
     put("original/three-refreshes", f"{3 * 1000 / 60:.0f}", "arithmetic", "3 refreshes of a 60 Hz display")
 
@@ -38,7 +38,8 @@ def whole_steps(put, machine, others):
         put(f"step/smallest/{name}", ms(smallest.median), smallest.source, f"median, whole step, n = {smallest.n}")
     cpu = {record.n: record for record in machine.need(table="step", backend="cpu")}
     for name in DEVICES:
-        ahead = [r for r in machine.need(table="step", backend=name) if differ(r, cpu[r.n]) and r.median < cpu[r.n].median]
+        rows = machine.need(table="step", backend=name)
+        ahead = [r for r in rows if differ(r, cpu[r.n]) and r.median < cpu[r.n].median]
         put(f"step/ahead-of-cpu/{name}", f"{ahead[0].n:,}", ahead[0].source,
             f"least n where {name}'s whole step is faster than the CPU's")
     put("cpu/threads", str(machine.main["context"]["machine"]["hardware_threads"]), machine.id, "hardware threads")
@@ -51,7 +52,7 @@ def pairs_alone(put, machine, others):
     for name in DEVICES:
         for method in ("tiled", "triangle"):
             record = machine.one(table="table1", backend=name, method=f"collide_{method}", n=SIZE)
-            put(f"pairs/{name}/{method}", ms(record.median), record.source, f"median, pairs, n = {SIZE}, {record.label}")
+            put(f"pairs/{name}/{method}", ms(record.median), record.source, f"median, n = {SIZE}, {record.label}")
 
 
 def who_leads(put, machine, others):
@@ -75,14 +76,14 @@ def who_leads(put, machine, others):
 
 
 def floors(put, machine, others):
-    put("floor/rate", f"{issue_rate(machine) / 1e12:.1f}", machine.id, "multiprocessors x 128 x highest clock, in 10^12/s")
+    put("floor/rate", f"{issue_rate(machine) / 1e12:.1f}", machine.id, "10^12/s: multiprocessors x 128 x highest clock")
     for scene in ("random", "uniform"):
         for name in DEVICES:
             rows = machine.need(table="scale", scene=scene, backend=name)
             last, pairs = rows[-1], 0.5 * rows[-1].n * (rows[-1].n - 1)
-            put(f"floor/{scene}/{name}", f"{share_of_floor(machine, last):.0f}", last.source, f"share in %, n = {last.n}")
+            put(f"floor/{scene}/{name}", f"{share_of_floor(machine, last):.0f}", last.source, f"in %, n = {last.n}")
             put(f"rate/{scene}/{name}", f"{pairs / last.median / 1e9:.2f}", last.source, f"10^12 pairs/s, n = {last.n}")
-            put(f"slope/{scene}/{name}", f"{slope(rows[-2], last):.2f}", last.source, f"from n = {rows[-2].n} to {last.n}")
+            put(f"slope/{scene}/{name}", f"{slope(rows[-2], last):.2f}", last.source, f"n = {rows[-2].n} to {last.n}")
 
 
 def exactness(put, machine, others):
@@ -116,8 +117,8 @@ def first_uses(put, machine, others):
 def arrangements(put, machine, others):
     for name in DEVICES:
         tiled, square, triangle = (best(machine, name, f"collide_{m}") for m in ("tiled", "square", "triangle"))
-        put(f"gain/square/{name}", f"{tiled.median / square.median:.1f}", square.source, "tiled over square, best groups")
-        put(f"gain/triangle/{name}", f"{square.median / triangle.median:.1f}", square.source, "square over triangle, best groups")
+        put(f"gain/square/{name}", f"{tiled.median / square.median:.1f}", square.source, "tiled over square")
+        put(f"gain/triangle/{name}", f"{square.median / triangle.median:.1f}", square.source, "square over triangle")
         for method in ("tiled", "triangle"):
             rows = machine.need(table="methods", backend=name, method=f"collide_{method}")
             worst = max(rows, key=lambda record: record.median)

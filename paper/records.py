@@ -100,12 +100,14 @@ class Machine:
     def has(self, name):
         return any(backend["name"] == name and backend["open"] for backend in self.main["backends"])
 
+    def seen(self, field):
+        """What the GPU's own tool said about itself around every table, each value once."""
+        gpus = [gpu for moment in self.main["clocks"] for gpu in moment["gpus"] or []]
+        return ", ".join(dict.fromkeys(gpu[field] for gpu in gpus))
+
     @property
     def driver(self):
-        for moment in self.main["clocks"]:
-            for gpu in moment["gpus"] or []:
-                return gpu["driver_version"]
-        return None
+        return self.seen("driver_version")
 
     @property
     def software(self):

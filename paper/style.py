@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""One look for every figure: a series keeps its marker, line and grey level, so that print without colour still reads."""
+"""One look for every figure: a series keeps its marker, line and grey level, so that grey print still reads."""
 import matplotlib
 
 matplotlib.use("Agg")

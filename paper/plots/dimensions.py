@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The original paper's question about one and two dimensions: a double loop in a row of threads or a single one in a square."""
+"""The original paper's question about one and two dimensions: a double loop or a single one."""
 import numpy
 
 from records import Missing
@@ -7,8 +7,8 @@ from style import COLUMN, SERIES, panels, plain_ticks
 
 NAME = "dimensions"
 CAPTION = ("What the arrangement is worth: best group size of each method, all groups against all groups. "
-           "\\texttt{tiled} is the original paper's one-dimensional double loop, \\texttt{square} its two-dimensional single loop, "
-           "\\texttt{triangle} meets each pair once.")
+           "\\texttt{tiled} is the original paper's one-dimensional double loop, \\texttt{square} its "
+           "two-dimensional single loop, \\texttt{triangle} meets each pair once.")
 METHODS = ("collide_tiled", "collide_square", "collide_triangle")
 
 

@@ -3,8 +3,8 @@
 from style import COLUMN, SERIES, panels
 
 NAME = "exactness"
-CAPTION = ("What exactness costs: time with the exact predicate over time with the naive float32 comparison, less 1. Bars: the "
-           "least and greatest cost that the intervals of both medians allow.")
+CAPTION = ("What exactness costs: time with the exact predicate over time with the naive float32 comparison, less "
+           "1. Bars: the least and greatest cost that the intervals of both medians allow.")
 
 
 def cost(naive, exact):

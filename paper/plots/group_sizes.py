@@ -6,8 +6,9 @@ from records import Missing
 from style import PAGE, panels, plain_ticks, plot
 
 NAME = "group-sizes"
-CAPTION = ("Time of one collision step against the group size (work-group in GLSL, block in CUDA) for the four ways to "
-           "arrange the threads; the original paper's box. \\texttt{group} only meets pairs within a group.")
+CAPTION = ("Time of one collision step against the group size (work-group in GLSL, block in CUDA) for the four "
+           "ways to arrange the threads; the original paper's box. \\texttt{group} only meets pairs within a "
+           "group.")
 TITLES = {"collide_group": "group (within groups)", "collide_tiled": "tiled (one dimension)",
           "collide_square": "square (two dimensions)", "collide_triangle": "upper triangle"}
 

@@ -4,8 +4,8 @@ from records import Missing
 from style import COLUMN, panels, plain_ticks, plot
 
 NAME = "overhead"
-CAPTION = ("An empty kernel of one group: time per dispatch or launch against how many go out before the host waits. The first "
-           "point is a round trip, the last the rate.")
+CAPTION = ("An empty kernel of one group: time per dispatch or launch against how many go out before the host "
+           "waits. The first point is a round trip, the last the rate.")
 
 
 def draw(machine):

@@ -4,8 +4,9 @@ from records import Missing, original_paper
 from style import PAGE, SERIES, panels, plain_ticks, plot, spheres_axis
 
 NAME = "paper-times"
-CAPTION = ("The original paper's figure 5 again. (a) Finding the colliding pairs; (b) motion and plane. Black: as printed there "
-           "(GeForce GTX 590; its zeros cannot be shown on this axis). Ours are exact and give each sphere its count.")
+CAPTION = ("The original paper's figure 5 again. (a) Finding the colliding pairs; (b) motion and plane. Black: as "
+           "printed there (GeForce GTX 590; its zeros cannot be shown on this axis). Ours are exact and give each "
+           "sphere its count.")
 
 
 def printed(axis, column, series):

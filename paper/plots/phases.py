@@ -4,8 +4,9 @@ from records import Missing
 from style import COLUMN, panels
 
 NAME = "phases"
-CAPTION = ("Where a collision step's time goes: its kernels by the device's own timer (GL timer queries, CUDA events), groups of "
-           "128. The timers serialise the kernels, so the sum exceeds the host's time of back-to-back steps (black mark).")
+CAPTION = ("Where a collision step's time goes: its kernels by the device's own timer (GL timer queries, CUDA "
+           "events), groups of 128. The timers serialise the kernels, so the sum exceeds the host's time of "
+           "back-to-back steps (black mark).")
 GREYS = ["#d9d9d9", "#4f6d9e", "#e0b080", "#9dbf8d", "#777777", "#ffffff"]
 HATCHES = ["", "", "///", "...", "xxx", ""]
 
@@ -30,7 +31,8 @@ def draw(machine):
                       linewidth=0.3, label=stage if place == 0 else None)
             left += width
         axis.plot([1e3 * record.median] * 2, [place - 0.42, place + 0.42], color="black", linewidth=1.2)
-    axis.set_yticks(range(len(rows)), [f"{r.backend.upper()} {r.method.removeprefix('collide_')}" for r in reversed(rows)])
+    names = [f"{record.backend.upper()} {record.method.removeprefix('collide_')}" for record in reversed(rows)]
+    axis.set_yticks(range(len(rows)), names)
     axis.set_xlabel(f"time (µs), $n$ = {rows[0].n:,}")
     axis.grid(axis="y", visible=False)
     axis.legend(loc="upper center", bbox_to_anchor=(0.4, 1.28), ncols=len(stages), handlelength=1.2, columnspacing=1.0)

@@ -4,9 +4,9 @@ from records import Missing
 from style import PAGE, panels, spheres_axis
 
 NAME = "glsl-against-cuda"
-CAPTION = ("GLSL's time over CUDA's for the same work: above 1 CUDA leads, below 1 GLSL. (a) Against the number of spheres: "
-           "all pairs by the upper triangle, alone and as part of a whole step. (b) Per method at one size, groups of 128. "
-           "Bars: the least and greatest ratio that the intervals of both medians allow.")
+CAPTION = ("GLSL's time over CUDA's for the same work: above 1 CUDA leads, below 1 GLSL. (a) Against the number of "
+           "spheres: all pairs by the upper triangle, alone and as part of a whole step. (b) Per method at one "
+           "size, groups of 128. Bars: the least and greatest ratio that the intervals of both medians allow.")
 SETS = (("collide, paper's box", "o", "#15396b", {"table": "scale", "scene": "random"}),
         ("collide, gas of packing fraction 0.3", "s", "#e0812b", {"table": "scale", "scene": "uniform"}),
         ("whole step, paper's box", "^", "#5b8c5a", {"table": "step"}))

@@ -6,9 +6,10 @@ from records import Missing
 from style import PAGE, SERIES, panels, plain_ticks, plot, spheres_axis
 
 NAME = "scale"
-CAPTION = ("All pairs by the upper triangle, groups of 128, from {first:,} to {last:,} spheres. (a) Time of one collision step; "
-           "the numbers are the slope between neighbouring sizes on these axes (2 is quadratic). (b) The rate at which pairs "
-           "are decided, as a share of the issue floor: {rate:.3g} lane-instructions per second over {per_pair} instructions a pair.")
+CAPTION = ("All pairs by the upper triangle, groups of 128, from {first:,} to {last:,} spheres. (a) Time of one "
+           "collision step; the numbers are the slope between neighbouring sizes on these axes (2 is quadratic). "
+           "(b) The rate at which pairs are decided, as a share of the issue floor: {rate:.3g} lane-instructions "
+           "per second over {per_pair} instructions a pair.")
 INSTRUCTIONS = 4  # three fused multiply-adds and a comparison a pair, the least for the form that is used
 SCENES = {"random": ("the original paper's box", "-", 1.0), "uniform": ("gas of packing fraction 0.3", ":", 0.6)}
 
@@ -51,7 +52,8 @@ def draw(machine):
             look = {"label": f"{SERIES[name]['label']}, {title}", "linestyle": line, "alpha": alpha}
             plot(axes[0], rows, name, **look)
             if with_floor:
-                axes[1].plot([r.n for r in rows], [share_of_floor(machine, r) for r in rows], **{**SERIES[name], **look})
+                shares = [share_of_floor(machine, record) for record in rows]
+                axes[1].plot([record.n for record in rows], shares, **{**SERIES[name], **look})
     note_slopes(axes[0], machine.need(table="scale", scene="random", backend=devices[-1]))
     axes[0].set_yscale("log")
     plain_ticks(axes[0])

@@ -3,8 +3,9 @@
 from style import COLUMN, panels, plain_ticks, plot, spheres_axis
 
 NAME = "step"
-CAPTION = ("A whole step (motion, plane, all pairs, counts) against the number of spheres, the original paper's box. The line is the "
-           "16\\,ms that the original paper reports for its parallel version: one refresh of a 60\\,Hz display.")
+CAPTION = ("A whole step (motion, plane, all pairs, counts) against the number of spheres, the original paper's "
+           "box. The line is the 16\\,ms that the original paper reports for its parallel version: one refresh of "
+           "a 60\\,Hz display.")
 
 
 def draw(machine):
