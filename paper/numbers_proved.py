@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Numbers about equality: what was compared, what was tested, and what two machines have in common."""
-import hashlib
+"""Numbers about equality (what was compared and tested, what two machines have in common) and about the code."""
 import json
 import re
 
-from records import Missing
+from records import Missing, digest, recorded_code
 
 
 def answers(put, machine, others):
@@ -52,7 +51,7 @@ def tests(put, machine, others):
     if not path.exists():
         raise Missing(f"{machine.name} has no tests.txt")
     text = path.read_text()
-    source = f"{machine.name}:{hashlib.sha256(path.read_bytes()).hexdigest()[:8]}"
+    source = f"{machine.name}:{digest(path.read_bytes())}"
     if "[  FAILED  ]" in text:
         raise Missing(f"{machine.name}: a recorded test failed")
     put("tests/passed", re.search(r"\[  PASSED  \] (\d+) tests", text)[1], source, "tests passed; none failed")
@@ -61,4 +60,17 @@ def tests(put, machine, others):
     put("tests/ties", f"{sum(int(ties) for _, ties in families):,}", source, "exact ties among them")
 
 
-PROVED = (answers, across_machines, long_run, tests)
+def code(put, machine, others):
+    record = recorded_code()
+    for name in ("glsl", "cuda"):
+        lines = sum(twin[f"{name}_lines"] for twin in record["twins"])
+        put(f"code/kernels/{name}", f"{lines:,}", record["id"], f"lines of all kernels in {name}")
+        put(f"code/host/{name}", f"{record['host'][name]:,}", record["id"], f"lines of host code of {name} alone")
+    put("code/same", f"{sum(twin['same_lines'] for twin in record['twins']):,}", record["id"], "lines in both twins")
+    seconds = [twin["nvcc_seconds"] for twin in record["twins"] if "nvcc_seconds" in twin]
+    if len(seconds) != len(record["twins"]):
+        raise Missing("not every kernel was compiled when the code was counted")
+    put("code/nvcc", f"{sum(seconds):.0f}", record["id"], "processor seconds of nvcc for all kernels")
+
+
+PROVED = (answers, across_machines, long_run, tests, code)

@@ -40,6 +40,10 @@ def text_of(wanted):
     return ", ".join(f"{name} {value}" for name, value in wanted.items())
 
 
+def digest(raw):
+    return hashlib.sha256(raw).hexdigest()[:8]
+
+
 class Machine:
     """One folder of recorded runs."""
 
@@ -63,7 +67,7 @@ class Machine:
         root = json.loads(raw)
         if not isinstance(root, dict):
             return
-        root["id"] = f"{self.name}:{hashlib.sha256(raw).hexdigest()[:8]}"
+        root["id"] = f"{self.name}:{digest(raw)}"
         self.sources[path.name] = root
         for row in root.get("measurements", []):
             low, high = row["interval_ms"]
@@ -137,3 +141,11 @@ class Machine:
 def original_paper():
     """What the original paper printed, row by row."""
     return json.loads((DATA / "original-paper.json").read_text())
+
+
+def recorded_code():
+    """Lines and compile times of the twins, as count_code.py left them."""
+    path = DATA / "code.json"
+    if not path.exists():
+        raise Missing(f"{path} is not there: paper/count_code.py writes it")
+    return {**json.loads(path.read_text()), "id": f"code:{digest(path.read_bytes())}"}

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from ranks import verdict
-from records import Missing, original_paper
+from records import Missing, original_paper, recorded_code
 
 
 @dataclass
@@ -73,6 +73,21 @@ def methods(machine):
                  "least 95\\,\\% between order statistics.", heads, rows)
 
 
+def code(machine):
+    record, rows = recorded_code(), []
+    for twin in record["twins"]:
+        first = machine.select(table="methods", method=twin["kernel"], backend="glsl", block=128)
+        rows.append([twin["kernel"], *(str(twin[f"{what}_lines"]) for what in ("glsl", "cuda", "same")),
+                     f"{twin['nvcc_seconds']:.1f}" if "nvcc_seconds" in twin else "-",
+                     ms(first[0].first_step_ms) if first else "-"])
+    for what, name in (("support", "included by kernels"), ("host", "host code")):
+        rows.append([name, str(record[what]["glsl"]), str(record[what]["cuda"]), "-", "-", "-"])
+    heads = [[("", 1), ("lines of code", 3), ("compiling", 2)], ["kernel", "GLSL", "CUDA", "same", "nvcc, s", "GLSL, ms"]]
+    return Table("code", "What each API asks for. Lines without blanks and comments; same: lines in both. nvcc: processor "
+                 f"seconds on {record['context']['cpu']}, once, when the program is built ({record['id']}). GLSL: first "
+                 "use in a run, with the driver's compilation.", heads, rows)
+
+
 def machine_and_run(machine):
     context, glsl = machine.main["context"], machine.backend("glsl")["details"]
     build, host = context["build"], context["machine"]
@@ -89,7 +104,7 @@ def machine_and_run(machine):
     return Table("machine", "The recorded machine and run.", heads, rows, left=2)
 
 
-MAKERS = (table1, counts, methods, machine_and_run)
+MAKERS = (table1, counts, methods, code, machine_and_run)
 
 
 def escape(text):
