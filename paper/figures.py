@@ -3,6 +3,7 @@
 """Draws every figure and table that recorded runs allow.
 
   paper/figures.py                          of paper/data/h200 into build/paper, with the numbers of paper.tex
+  paper/figures.py --headline paper/headline.png    the picture of the README, from paper/data/h200
   paper/figures.py --data FOLDER... --output F    of those folders, each into a folder of its own, and side by side
 """
 import argparse
@@ -14,6 +15,7 @@ from pathlib import Path
 import beside
 import macros
 import plots
+import plots.ratio
 import style
 import tables
 from records import DATA, Machine, Missing
@@ -87,9 +89,12 @@ def side_by_side(machines, output):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--data", type=Path, nargs="+", help="folders of recorded runs")
+    parser.add_argument("--headline", type=Path, help="write the README's picture to this file and nothing else")
     parser.add_argument("--output", type=Path, default=ROOT / "build/paper", help="where the files go")
     options = parser.parse_args()
-    if options.data:
+    if options.headline:
+        style.save_png(plots.ratio.draw(Machine(DATA / "h200")), options.headline, Machine(DATA / "h200"))
+    elif options.data:
         side_by_side([Machine(folder) for folder in options.data], options.output)
     else:
         write_paper_inputs(options.output)

@@ -60,6 +60,10 @@ def save(figure, folder, name, machine):
     """A PDF for the paper, whose caption names the machine, and a PNG that says it in the picture."""
     folder.mkdir(parents=True, exist_ok=True)
     figure.savefig(folder / f"{name}.pdf", metadata={"CreationDate": None, "ModDate": None, "Producer": None})
-    figure.supxlabel(machine.title, x=0.99, ha="right", fontsize=4.8, color="#555555")
-    figure.savefig(folder / f"{name}.png", dpi=220, metadata={"Software": None})
+    save_png(figure, folder / f"{name}.png", machine)
     plt.close(figure)
+
+
+def save_png(figure, file, machine):
+    figure.supxlabel(machine.title, x=0.99, ha="right", fontsize=4.8, color="#555555")
+    figure.savefig(file, dpi=220, metadata={"Software": None})

@@ -82,10 +82,11 @@ def code(machine):
                      ms(first[0].first_step_ms) if first else "-"])
     for what, name in (("support", "included by kernels"), ("host", "host code")):
         rows.append([name, str(record[what]["glsl"]), str(record[what]["cuda"]), "-", "-", "-"])
-    heads = [[("", 1), ("lines of code", 3), ("compiling", 2)], ["kernel", "GLSL", "CUDA", "same", "nvcc, s", "GLSL, ms"]]
-    return Table("code", "What each API asks for. Lines without blanks and comments; same: lines in both. nvcc: processor "
-                 f"seconds on {record['context']['cpu']}, once, when the program is built ({record['id']}). GLSL: first "
-                 "use in a run, with the driver's compilation.", heads, rows)
+    heads = [[("", 1), ("lines of code", 3), ("compiling", 2)],
+             ["kernel", "GLSL", "CUDA", "same", "nvcc, s", "GLSL, ms"]]
+    return Table("code", "What each API asks for. Lines without blanks and comments; same: lines in both. nvcc: "
+                 f"processor seconds on {record['context']['cpu']}, once, when the program is built ({record['id']}). "
+                 "GLSL: first use in a run, with the driver's compilation.", heads, rows)
 
 
 def machine_and_run(machine):
