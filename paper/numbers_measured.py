@@ -1,9 +1,6 @@
 # SPDX-License-Identifier: MIT
 """How each number of the prose is made from recorded runs. A maker puts (key, text, run, how) for one section."""
-from plots.dimensions import best
-from plots.exactness import cost, pairs_of
-from plots.ratio import matched
-from plots.scale import issue_rate, share_of_floor, slope
+from derived import best, cost, issue_rate, matched, pairs_of, share_of_floor, slope
 from ranks import differ
 from records import Missing, original_paper
 from tables import ms

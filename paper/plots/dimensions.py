@@ -2,6 +2,7 @@
 """The original paper's question about one and two dimensions: a double loop or a single one."""
 import numpy
 
+from derived import best
 from records import Missing
 from style import COLUMN, SERIES, panels, plain_ticks
 
@@ -10,11 +11,6 @@ CAPTION = ("What the arrangement is worth: best group size of each method, all g
            "\\texttt{tiled} is the original paper's one-dimensional double loop, \\texttt{square} its "
            "two-dimensional single loop, \\texttt{triangle} meets each pair once.")
 METHODS = ("collide_tiled", "collide_square", "collide_triangle")
-
-
-def best(machine, name, method):
-    n = max(record.n for record in machine.need(table="methods"))
-    return min(machine.need(table="methods", backend=name, method=method, n=n), key=lambda record: record.median)
 
 
 def draw(machine):

@@ -1,24 +1,11 @@
 # SPDX-License-Identifier: MIT
 """What it costs to decide every pair exactly instead of by rounded float32 numbers."""
+from derived import cost, pairs_of
 from style import COLUMN, SERIES, panels
 
 NAME = "exactness"
 CAPTION = ("What exactness costs: time with the exact predicate over time with the naive float32 comparison, less "
            "1. Bars: the least and greatest cost that the intervals of both medians allow.")
-
-
-def cost(naive, exact):
-    middle = exact.median / naive.median
-    return [100 * (value - 1) for value in (middle, exact.low / naive.high, exact.high / naive.low)]
-
-
-def pairs_of(machine):
-    """(exact record, naive record), slowest first within each backend."""
-    rows = [record for record in machine.need(table="exactness", exact=True)]
-    n = max(record.n for record in rows)
-    for exact in rows:
-        if exact.n == n:
-            yield exact, machine.one(table="exactness", exact=False, backend=exact.backend, method=exact.method, n=n)
 
 
 def draw(machine):

@@ -1,30 +1,16 @@
 # SPDX-License-Identifier: MIT
 """GLSL against CUDA: who leads, by how much, and at which number of spheres."""
-from records import Missing
+from derived import matched, ratio
 from style import PAGE, panels, spheres_axis
 
 NAME = "glsl-against-cuda"
 CAPTION = ("GLSL's time over CUDA's for the same work: above 1 CUDA leads, below 1 GLSL. (a) Against the number of "
            "spheres: all pairs by the upper triangle, alone and as part of a whole step. (b) Per method at one "
            "size, groups of 128. Bars: the least and greatest ratio that the intervals of both medians allow.")
-SETS = (("collide, paper's box", "o", "#15396b", {"table": "scale", "scene": "random"}),
-        ("collide, gas of packing fraction 0.3", "s", "#e0812b", {"table": "scale", "scene": "uniform"}),
-        ("whole step, paper's box", "^", "#5b8c5a", {"table": "step"}))
+SETS = (("pairs, original box", "o", "#15396b", {"table": "scale", "scene": "random"}),
+        ("pairs, gas of packing fraction 0.3", "s", "#e0812b", {"table": "scale", "scene": "uniform"}),
+        ("whole step, original box", "^", "#5b8c5a", {"table": "step"}))
 METHODS = ("collide_group", "collide_tiled", "collide_square", "collide_triangle")
-
-
-def ratio(glsl, cuda):
-    middle = glsl.median / cuda.median
-    return middle, middle - glsl.low / cuda.high, glsl.high / cuda.low - middle
-
-
-def matched(machine, **wanted):
-    """(parameter record of GLSL, of CUDA) for every size both have."""
-    if not (machine.has("glsl") and machine.has("cuda")):
-        raise Missing(f"{machine.name} has no GLSL beside CUDA")
-    glsl, cuda = (machine.need(backend=name, **wanted) for name in ("glsl", "cuda"))
-    by_n = {record.n: record for record in cuda}
-    return [(record, by_n[record.n]) for record in glsl if record.n in by_n]
 
 
 def bars(axis, places, ratios, **look):

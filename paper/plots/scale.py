@@ -2,6 +2,7 @@
 """All pairs from small to large n: time with its slope, and the share of the instruction floor that is reached."""
 import math
 
+from derived import INSTRUCTIONS, issue_rate, share_of_floor, slope
 from records import Missing
 from style import PAGE, SERIES, panels, plain_ticks, plot, spheres_axis
 
@@ -10,23 +11,7 @@ CAPTION = ("All pairs by the upper triangle, groups of 128, from {first:,} to {l
            "collision step; the numbers are the slope between neighbouring sizes on these axes (2 is quadratic). "
            "(b) The rate at which pairs are decided, as a share of the issue floor: {rate:.3g} lane-instructions "
            "per second over {per_pair} instructions a pair.")
-INSTRUCTIONS = 4  # three fused multiply-adds and a comparison a pair, the least for the form that is used
 SCENES = {"random": ("the original paper's box", "-", 1.0), "uniform": ("gas of packing fraction 0.3", ":", 0.6)}
-
-
-def issue_rate(machine):
-    """Lane-instructions a second: multiprocessors x 128 lanes x highest clock."""
-    details = machine.backend("cuda")["details"]
-    return float(details["multiprocessors"]) * 128 * float(details["highest clock MHz"]) * 1e6
-
-
-def share_of_floor(machine, record, milliseconds=None):
-    pairs = 0.5 * record.n * (record.n - 1)
-    return 100 * pairs / (1e-3 * (milliseconds or record.median)) * INSTRUCTIONS / issue_rate(machine)
-
-
-def slope(small, large):
-    return math.log(large.median / small.median) / math.log(large.n / small.n)
 
 
 def caption(machine):
