@@ -10,6 +10,10 @@ if(Python3_Interpreter_FOUND)
   add_test(NAME lint.controls
     COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/lint_controls.py ${PROJECT_BINARY_DIR} -v)
   add_test(NAME paper.numbers COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/test_paper.py)
+  if(TARGET spherepair_bench)
+    add_test(NAME bench.sweep
+      COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/test_sweep.py $<TARGET_FILE:spherepair_bench>)
+  endif()
 else()
   message(WARNING "Python 3.9 or newer was not found: the lint and the paper's numbers are left out of the tests")
 endif()
