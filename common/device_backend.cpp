@@ -39,10 +39,26 @@ std::array<uint, 3> folded(uint64_t groups) {
 }
 
 const char* kernel_name(Kernel kernel) {
-  constexpr const char* names[] = {
-      "move",           "clear",         "empty",         "settle",         "decide",          "tally",
-      "grid_clear",     "grid_bounds",   "grid_count",    "grid_scan",      "grid_scatter",    "collide_grid",
-      "collide_hashed", "collide_group", "collide_tiled", "collide_square", "collide_triangle"};
+  constexpr const char* names[] = {"move",
+                                   "clear",
+                                   "empty",
+                                   "settle",
+                                   "decide",
+                                   "tally",
+                                   "grid_clear",
+                                   "grid_bounds",
+                                   "grid_count",
+                                   "grid_scan",
+                                   "grid_scatter",
+                                   "collide_grid",
+                                   "collide_hashed",
+                                   "collide_group",
+                                   "collide_tiled",
+                                   "collide_square",
+                                   "collide_triangle",
+                                   "ceiling_copy",
+                                   "ceiling_atomics",
+                                   "ceiling_issue"};
   return names[int(kernel)];
 }
 

@@ -29,7 +29,10 @@ enum class Kernel {
   collide_group,
   collide_tiled,
   collide_square,
-  collide_triangle
+  collide_triangle,
+  ceiling_copy,
+  ceiling_atomics,
+  ceiling_issue
 };
 
 // `groups` along one axis, folded into the next where one dispatch cannot hold them.
@@ -57,6 +60,8 @@ class DeviceBackend : public Backend {
   State state() override;
   std::vector<uint> decide(std::span<const vec4> spheres) override;
   void launch_empty(uint groups) override;
+  void launch_ceiling(Ceiling ceiling) override;
+  void check_ceiling(Ceiling ceiling) override;
   void check_guards() override;
 
  protected:

@@ -48,6 +48,9 @@
 #define EMPTY_CELLS_AT_MOST 4096    // that one thread of grid_bounds fills in
 #define SCAN_BLOCK 256              // group size of grid_scan
 #define SCAN_VECTORS 4              // uvec4 that one thread of grid_scan handles
+#define CEILING_CHAINS 8            // independent chains of multiply-adds of one thread of ceiling_issue, ...
+#define CEILING_TURNS 64            // ... so often round the loop, ...
+#define CEILING_STEPS 16            // ... with so many steps of each chain a time
 #define SCAN_PARTIAL 0x40000000u    // state of a tile: its own sum is known, ...
 #define SCAN_INCLUSIVE 0x80000000u  // ... or that of all tiles up to it; the sum is in the other 30 bits
 

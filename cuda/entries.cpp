@@ -39,6 +39,12 @@ Entry entry_of(const Launch& launch) {
       return collide_square_kernel(launch.block, launch.equal_radii);
     case Kernel::collide_triangle:
       return collide_triangle_kernel(launch.block, launch.equal_radii);
+    case Kernel::ceiling_copy:
+      return ceiling_copy_kernel();
+    case Kernel::ceiling_atomics:
+      return ceiling_atomics_kernel();
+    case Kernel::ceiling_issue:
+      return ceiling_issue_kernel();
   }
   return nullptr;
 }

@@ -43,5 +43,8 @@ Entry collide_group_kernel(uint block, bool equal_radii);
 Entry collide_tiled_kernel(uint block, bool equal_radii);
 Entry collide_square_kernel(uint block, bool equal_radii);
 Entry collide_triangle_kernel(uint block, bool equal_radii);
+Entry ceiling_copy_kernel();
+Entry ceiling_atomics_kernel();
+Entry ceiling_issue_kernel();
 
 }  // namespace spherepair
