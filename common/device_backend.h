@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "backend.h"
+#include "variant.h"
 
 namespace spherepair {
 
@@ -42,8 +43,8 @@ const char* kernel_name(Kernel kernel);  // the stem of its two source files
 
 struct Launch {
   Kernel kernel;
-  uint block;        // threads per group
-  bool equal_radii;  // the variant that loads no radius
+  uint block;  // threads per group
+  Variant variant;
   std::array<uint, 3> groups;
   bool in_cells = false;  // positions and counts are those in cell order
 };
@@ -97,7 +98,7 @@ class DeviceBackend : public Backend {
   std::array<uint, 3> per_sphere_groups() const;
 
   uint64_t n_ = 0;
-  bool equal_radii_ = true;
+  Variant variant_;                    // for this scene and step
   std::array<Params, 2> constants_{};  // of the scene: [exact]
   GridPlans plans_;
   std::optional<Cells> planned_;    // the cells that the buffers and parameters are for

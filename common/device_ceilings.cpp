@@ -22,7 +22,7 @@ bool same_bits(const vec4& a, const vec4& b) {
 // The kernels write over velocities and counts: the scene is no longer what was uploaded.
 void DeviceBackend::launch_ceiling(Ceiling ceiling) {
   require_scene("launch_ceiling");
-  launch({kernels[int(ceiling)], SERVICE_BLOCK, true, per_sphere_groups()}, params_);
+  launch({kernels[int(ceiling)], SERVICE_BLOCK, {}, per_sphere_groups()}, params_);
   cleared_ = collided_ = false;
 }
 

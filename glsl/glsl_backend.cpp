@@ -48,7 +48,7 @@ class GlslBackend final : public DeviceBackend {
   GLuint params_buffer_ = 0;
   Params params_on_device_{};
   bool params_known_ = false;
-  std::map<std::tuple<Kernel, uint, bool>, std::unique_ptr<Program>> programs_;
+  std::map<std::tuple<Kernel, uint, Variant>, std::unique_ptr<Program>> programs_;
   bool timing_ = false;
   std::vector<TimedStage> timed_;
 };
@@ -152,8 +152,8 @@ void GlslBackend::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
 }
 
 const Program& GlslBackend::program(const Launch& launch) {
-  auto& program = programs_[{launch.kernel, launch.block, launch.equal_radii}];
-  if (!program) program = std::make_unique<Program>(kernel_name(launch.kernel), launch.block, launch.equal_radii);
+  auto& program = programs_[{launch.kernel, launch.block, launch.variant}];
+  if (!program) program = std::make_unique<Program>(kernel_name(launch.kernel), launch.block, launch.variant);
   return *program;
 }
 

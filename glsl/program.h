@@ -6,12 +6,14 @@
 
 #include <string>
 
+#include "variant.h"
+
 namespace spherepair {
 
 // A compute program made from the embedded shader of this name, with the group size and variant defined in front of it.
 class Program {
  public:
-  Program(const std::string& kernel, unsigned block, bool equal_radii);
+  Program(const std::string& kernel, unsigned block, const Variant& variant);
   ~Program() {
     if (eglGetCurrentContext() != EGL_NO_CONTEXT) glDeleteProgram(id_);
   }

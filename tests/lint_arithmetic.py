@@ -70,7 +70,7 @@ def shaders(root, build):
     complaints = [f"{stem}.comp: is not built: add it to SPHEREPAIR_KERNELS" for stem in sorted(missing)]
     for path in flattened:
         for uniform in (0, 1):
-            text = with_defines(path.read_text(), "BLOCK 256", f"EQUAL_RADII {uniform}")
+            text = with_defines(path.read_text(), "BLOCK 256", f"EQUAL_RADII {uniform}", "LISTED 1")
             try:
                 found = spirv_complaints(disassemble(text), may_fuse=path.stem not in STATE_FEEDING)
             except ValueError as error:
