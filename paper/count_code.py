@@ -19,6 +19,7 @@ import shlex
 import subprocess
 from pathlib import Path
 
+SHARED_ARITHMETIC = ("predicate", "exact", "motion", "cell")
 ROOT = Path(__file__).resolve().parent.parent
 
 
@@ -92,7 +93,7 @@ def main():
     result = {"format": "spherepair code 1", "context": context(), "twins": list(twins(seconds)),
               "support": {"glsl": total("shaders/*.glsl"), "cuda": total("cuda/*.cuh")},
               "host": {"glsl": total("glsl/*.cpp", "glsl/*.h"), "cuda": total("cuda/*.cpp", "cuda/*.h")},
-              "shared": {"arithmetic": total(*(f"common/{name}.h" for name in ("predicate", "exact", "motion", "cell"))),
+              "shared": {"arithmetic": total(*(f"common/{name}.h" for name in SHARED_ARITHMETIC)),
                          "host": total("common/device_*.cpp", "common/device_*.h")}}
     options.output.write_text(json.dumps(result, indent=1) + "\n")
     print(f"{len(result['twins'])} twins, {len(seconds)} of them compiled: {options.output}")

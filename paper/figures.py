@@ -30,6 +30,7 @@ def modules():
 def draw_all(machine, folder):
     """Returns (what was drawn, what was left out and why); a figure without its data is never drawn in part."""
     drawn, left_out = [], []
+    style.name_devices(machine)
     for module in modules():
         try:
             figure = module.draw(machine)

@@ -49,7 +49,7 @@ def used_keys(tex):
 def stray_digits(tex):
     """Lines whose digits are neither a generated number nor marked as given."""
     prose = body_of(tex)
-    commands = r"\\(Nr|given|cite|ref|label|url|texttt|recorded\w+|begin|end)(\[[^]]*\])?\{[^{}]*\}"
+    commands = r"\\(Nr|given|cite|ref|label|url|texttt|recorded\w+|iftabled|ifrecorded|begin|end)(\[[^]]*\])?\{[^{}]*\}"
     for pattern in (r"\\begin\{equation\}.*?\\end\{equation\}", r"\$[^$]*\$", commands):
         prose = re.sub(pattern, "", prose, flags=re.DOTALL)
     return [line.strip() for line in prose.splitlines() if re.search(r"(?<![A-Za-z\d])\d", line)]

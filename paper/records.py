@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: MIT
 """Recorded runs, as the figures, tables and numbers of the paper read them.
 
-A folder under paper/data is one machine. Every JSON file in it that holds a list `measurements` is a source; its id is
-the folder's name and the first 8 hexadecimal digits of the file's SHA-256. One record is one measurement: what was run
-(any parameters the writer chose), its samples, median and interval in milliseconds, and the source it came from.
+A folder under paper/data is one machine. Every JSON file in it that holds a list `measurements` or `records` is a
+source; its id is the folder's name and the first 8 hexadecimal digits of the file's SHA-256. One record is one
+measurement: what was run (any parameters the writer chose), its samples, median and interval in milliseconds, and the
+source it came from.
 """
 import hashlib
 import json
+import math
+import statistics
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -34,6 +37,23 @@ class Record:
         values = {**self.parameters.get("scene", {}), **self.parameters}
         values["scene"] = self.parameters.get("scene", {}).get("name")
         return all(values.get(name) == value for name, value in wanted.items())
+
+
+def median_interval(samples, confidence=0.95):
+    """The narrowest symmetric pair of order statistics that holds the median so often; the whole range if none does."""
+    values, n = sorted(samples), len(samples)
+    left_out = 0  # on each side
+    while 2 * sum(math.comb(n, k) for k in range(left_out + 2)) <= (1 - confidence) * 2**n and 2 * left_out + 2 < n:
+        left_out += 1
+    return values[left_out], values[-1 - left_out]
+
+
+def summary(row):
+    """(median, low, high) in milliseconds, as the writer left them or from its samples."""
+    samples = row.get("samples_ms")
+    median = row["median_ms"] if "median_ms" in row else statistics.median(samples)
+    low, high = row["interval_ms"] if "interval_ms" in row else median_interval(samples)
+    return median, low, high
 
 
 def text_of(wanted):
@@ -69,9 +89,9 @@ class Machine:
             return
         root["id"] = f"{self.name}:{digest(raw)}"
         self.sources[path.name] = root
-        for row in root.get("measurements", []):
-            low, high = row["interval_ms"]
-            self.records.append(Record(row, row["median_ms"], low, high, root["id"]))
+        for row in root.get("measurements", root.get("records", [])):
+            median, low, high = summary(row)
+            self.records.append(Record(row, median, low, high, root["id"]))
 
     def select(self, **wanted):
         """All records with these parameters, smallest n first; `scene` is the scene's name."""

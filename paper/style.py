@@ -27,6 +27,11 @@ plt.rcParams.update({
 })
 
 
+def name_devices(machine):
+    """GL in software is never called GLSL alone."""
+    SERIES["glsl"]["label"] = "GLSL in software" if machine.software else "GLSL"
+
+
 def panels(width, height, columns=1, **options):
     figure, axes = plt.subplots(1, columns, figsize=(width, height), layout="constrained", squeeze=False, **options)
     return figure, list(axes[0])

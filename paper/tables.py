@@ -73,6 +73,17 @@ def methods(machine):
                  "least 95\\,\\% between order statistics.", heads, rows)
 
 
+def ceilings(machine):
+    rows = []
+    for record in machine.need(table="ceilings"):
+        rate = record.amount_per_step / (1e-3 * record.median)
+        rows.append([record.work, f"{record.n:,}", record.backend.upper(), interval_us(record),
+                     f"{ms(rate)} {record.unit}"])
+    heads = [[("", 1)] * 5, ["what", "spheres", "API", "median [interval], µs", "rate"]]
+    return Table("ceilings", "What the GPU does at best through each API: 16 bytes copied, a scattered atomic without "
+                 "a result, and chains of multiply-adds, each per sphere.", heads, rows, left=1)
+
+
 def code(machine):
     record, rows = recorded_code(), []
     for twin in record["twins"]:
@@ -105,7 +116,7 @@ def machine_and_run(machine):
     return Table("machine", "The recorded machine and run.", heads, rows, left=2)
 
 
-MAKERS = (table1, counts, methods, code, machine_and_run)
+MAKERS = (table1, counts, methods, ceilings, code, machine_and_run)
 
 
 def escape(text):

@@ -12,7 +12,7 @@ sys.path.insert(0, str(PAPER))
 
 import macros  # noqa: E402  (the path must be set first)
 import ranks  # noqa: E402
-from records import DATA, Machine, Missing  # noqa: E402
+from records import DATA, Machine, Missing, median_interval  # noqa: E402
 
 FRAME = "\\begin{abstract}%s\\begin{thebibliography}"
 
@@ -53,6 +53,12 @@ class Records(unittest.TestCase):
         for wanted in ({"table": "step", "backend": "abacus"}, {"table": "step", "backend": "glsl"}):
             with self.assertRaises(Missing):
                 machine.one(**wanted)
+
+    def test_intervals_are_those_of_the_program(self):
+        rows = Machine(DATA / "h200").records
+        self.assertLess(100, len(rows))
+        for record in rows:
+            self.assertEqual((record.low, record.high), median_interval(record.samples_ms))
 
     def test_a_folder_without_results_is_refused(self):
         with tempfile.TemporaryDirectory() as folder, self.assertRaises(Missing):
