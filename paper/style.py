@@ -4,7 +4,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
-from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator  # noqa: E402
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, NullLocator  # noqa: E402
 
 COLUMN, PAGE = 3.4, 7.0  # inches: one column of the paper, both columns
 
@@ -47,7 +47,10 @@ def spheres_axis(axis, label="number of spheres $n$"):
 
 
 def plain_ticks(axis):
-    """0.01, 0.1, 1, 10 instead of powers."""
+    """0.01, 0.1, 1, 10 instead of powers, and every one of them on a logarithmic axis."""
+    if axis.get_yscale() == "log":
+        axis.yaxis.set_major_locator(LogLocator(numticks=12))
+        axis.yaxis.set_minor_formatter(NullFormatter())
     axis.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
 
 

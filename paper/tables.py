@@ -111,7 +111,7 @@ def machine_and_run(machine):
                  ["throttle reasons seen", machine.seen("clocks_throttle_reasons.active")]]
     rows += [["GL", glsl["GL_VERSION"]], ["GL renderer", glsl["GL_RENDERER"]], ["CPU", host["cpu"].replace("(R)", "")],
              ["hardware threads", str(host["hardware_threads"])], ["system", host["system"]],
-             ["compiler", f"{build['compiler']} {build['flags']}"], ["seed", str(machine.main["seed"])]]
+             ["compiler", build["compiler"]], ["flags", build["flags"]], ["seed", str(machine.main["seed"])]]
     heads = [[("", 1), ("", 1)], ["what", "recorded"]]
     return Table("machine", "The recorded machine and run.", heads, rows, left=2)
 

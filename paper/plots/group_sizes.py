@@ -32,6 +32,6 @@ def draw(machine):
         plain_ticks(axis)
         axis.set_title(title, loc="left")
         axis.set_xlabel("threads in a group")
-    axes[0].set_ylabel(f"time of one step (ms), $n$ = {n:,}")
+    axes[0].set_ylabel("time of one step (ms)")
     axes[0].legend(loc="upper left")
     return figure

@@ -9,18 +9,18 @@ from style import PAGE, SERIES, panels, plain_ticks, plot, spheres_axis
 NAME = "scale"
 CAPTION = ("All pairs by the upper triangle, groups of 128, from {first:,} to {last:,} spheres. (a) Time of one "
            "collision step; the numbers are the slope between neighbouring sizes on these axes (2 is quadratic). "
-           "(b) The rate at which pairs are decided, as a share of the issue floor: {rate:.3g} lane-instructions "
-           "per second over {per_pair} instructions a pair.")
+           "(b) The rate at which pairs are decided, as a share of the issue floor: ${rate:.2f} \\cdot 10^{{13}}$ "
+           "lane-instructions per second over {per_pair} instructions a pair.")
 SCENES = {"random": ("the original paper's box", "-", 1.0), "uniform": ("gas of packing fraction 0.3", ":", 0.6)}
 
 
 def caption(machine):
     rows = machine.need(table="scale")
-    return CAPTION.format(first=rows[0].n, last=rows[-1].n, rate=issue_rate(machine), per_pair=INSTRUCTIONS)
+    return CAPTION.format(first=rows[0].n, last=rows[-1].n, rate=issue_rate(machine) / 1e13, per_pair=INSTRUCTIONS)
 
 
 def note_slopes(axis, rows):
-    for small, large in zip(rows, rows[1:]):
+    for small, large in zip(rows[1:], rows[2:]):  # below, launches weigh and a slope says nothing
         middle = math.sqrt(small.n * large.n), math.sqrt(small.median * large.median)
         axis.annotate(f"{slope(small, large):.2f}", middle, xytext=(5, -7), textcoords="offset points", fontsize=6)
 

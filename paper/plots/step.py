@@ -20,5 +20,5 @@ def draw(machine):
     plain_ticks(axis)
     spheres_axis(axis)
     axis.set_ylabel("time of one step (ms)")
-    axis.legend(loc="center left", bbox_to_anchor=(0.0, 0.72))
+    axis.legend(loc="center left", bbox_to_anchor=(0.0, 0.6))
     return figure
