@@ -66,8 +66,8 @@ def who_leads(put, machine, others):
         how = f"whole steps and all pairs where {name} is faster and the intervals are apart"
         put(f"lead/{name}/least", f"{min(found)[0]:.0f}", machine.id, f"least lead in %, {how}")
         put(f"lead/{name}/most", f"{max(found)[0]:.0f}", machine.id, f"greatest lead in %, {how}")
-    put("lead/cuda/last", f"{max(n for _, n in wins['cuda']):,}", machine.id, "largest n where CUDA is faster, intervals apart")
-    put("lead/glsl/first", f"{min(n for _, n in wins['glsl']):,}", machine.id, "smallest n where GLSL is faster, intervals apart")
+    put("lead/cuda/last", f"{max(n for _, n in wins['cuda']):,}", machine.id, "largest n of those")
+    put("lead/glsl/first", f"{min(n for _, n in wins['glsl']):,}", machine.id, "smallest n of those")
     between = sorted({glsl.n for glsl, cuda in contests if not apart(glsl, cuda)})
     if not between:
         raise Missing(f"{machine.name}: no intervals overlap, though the text says where they do")
