@@ -71,7 +71,7 @@ void sample_row(benchmark::State& state, BenchScene& scene, const BenchRow& row,
   }
   for (auto _ : state) state.SetIterationTime(scene.sample(row, batch));
   const double n = double(scene.options().n);
-  state.SetLabel("scene " + scene_label(scene.options()));
+  state.SetLabel(parameters_of(row, scene.options()));
   state.counters["n"] = n;
   state.counters["K"] = double(batch);
   if (row.work != Work::collide) return;

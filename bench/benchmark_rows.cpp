@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark_rows.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "arguments.h"
@@ -35,6 +37,13 @@ std::vector<BenchRow> bench_rows(Session& session, const std::vector<uint>& bloc
     rows.push_back({name, asked.backend, Work::collide, asked.options});
   }
   return rows;
+}
+
+std::string parameters_of(const BenchRow& row, const SceneOptions& scene) {
+  constexpr const char* works[] = {"move", "collide", "step"};
+  const std::string method = row.work && *row.work != Work::move ? method_name(row.options.method) : "none";
+  return fmt::format("backend={} work={} method={} scene={}", row.backend->info().name,
+                     row.work ? works[size_t(*row.work)] : "empty", method, scene.name);
 }
 
 BenchScene::BenchScene(Session& session, const SceneOptions& options, OnBackend& on_backend)

@@ -20,6 +20,10 @@ struct BenchRow {
 // Every backend's motion, whole step and empty kernel, and everyone whom `compare` asks, at these group sizes.
 std::vector<BenchRow> bench_rows(Session& session, const std::vector<uint>& blocks);
 
+// The row's parameters that are no numbers and so no counters, as `name=value` words: readers need not take names
+// apart.
+std::string parameters_of(const BenchRow& row, const SceneOptions& scene);
+
 class BenchScene;
 using OnBackend = std::map<const Backend*, const BenchScene*>;  // whose spheres stand there as they were made
 

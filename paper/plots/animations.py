@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: MIT
+"""The original paper's figure 6 again: a frame of each of its animations, as `spherepair render` left them with a JSON:
+
+  spherepair render --backend cpu --scene random --n 512 --steps 64 --size 640x480 --no-legend --output random.png
+  spherepair render --backend cpu --scene aligned --groups 8 --group-size 64 --n 512 --steps 64 ... --output aligned.png
+"""
+import json
+
+import matplotlib.pyplot as plt
+
+from records import DATA, Missing
+from style import COLUMN, panels
+
+NAME = "animations"
+CAPTION = "The original paper's figure 6 again: {frames}. Yellow spheres touch others; the pictures are equal on every backend."
+FOLDER = DATA / "animations"
+FRAMES = ("random", "aligned")
+
+
+def record(name):
+    path = FOLDER / f"{name}.json"
+    if not path.exists():
+        raise Missing(f"{path.relative_to(DATA)} was not recorded")
+    return json.loads(path.read_text())
+
+
+def describe(letter, frame):
+    return (f"({letter}) {frame['scene']['name']}, {frame['scene']['n']} spheres after {frame['step']} steps, "
+            f"{frame['pairs']} pairs")
+
+
+def caption(machine):
+    return CAPTION.format(frames="; ".join(describe(letter, record(name)) for letter, name in zip("ab", FRAMES)))
+
+
+def draw(machine):
+    if not all((FOLDER / f"{name}.png").exists() for name in FRAMES):
+        raise Missing("the pictures of the animations were not recorded")
+    figure, axes = panels(COLUMN, 1.4, 2)
+    for letter, axis, name in zip("ab", axes, FRAMES):
+        record(name)
+        axis.imshow(plt.imread(FOLDER / f"{name}.png"))
+        axis.set_title(f"({letter})", loc="left")
+        axis.axis("off")
+    return figure
