@@ -36,6 +36,8 @@ def draw_all(machine, folder):
             figure = module.draw(machine)
         except Missing as reason:
             left_out.append((module.NAME, str(reason)))
+            for kind in ("pdf", "png"):
+                (folder / f"{module.NAME}.{kind}").unlink(missing_ok=True)  # of an earlier run
             continue
         style.save(figure, folder, module.NAME, machine)
         drawn.append(module.NAME)
@@ -68,13 +70,13 @@ def write_captions(machine, path):
 
 def write_paper_inputs(output):
     machine, other = Machine(DATA / "h200"), Machine(DATA / "llvmpipe")
-    report(machine, output / "recorded")
+    drawn, _, _ = report(machine, output / "recorded")
     write_captions(machine, output / "captions.tex")
     tex = (ROOT / "paper/paper.tex").read_text()
     numbers = macros.collect(machine, [other])
-    macros.check(tex, numbers)
-    macros.write(numbers, tex, output / "numbers.tex")
-    print(f"  numbers: {len(macros.used_keys(tex))} in the text, each from a recorded run")
+    macros.check(tex, numbers, drawn)
+    macros.write(numbers, tex, output / "numbers.tex", drawn)
+    print(f"  numbers: {len(macros.used_keys(tex, drawn))} in the text, each from a recorded run")
 
 
 def side_by_side(machines, output):

@@ -35,29 +35,44 @@ def collect(machine, others):
     return numbers
 
 
-def body_of(tex):
+def without_unrecorded(tex, recorded):
+    """Drops \\ifrecorded{name}{text} where the figure `name` was not drawn; LaTeX does the same."""
+    start = re.compile(r"\\ifrecorded\{([\w-]+)\}\{")
+    found = start.search(tex)
+    while found:
+        depth, end = 1, found.end()
+        while depth:
+            depth += {"{": 1, "}": -1}.get(tex[end], 0)
+            end += 1
+        text = tex[found.end():end - 1] if found[1] in recorded else ""
+        tex = tex[:found.start()] + text + tex[end:]
+        found = start.search(tex)
+    return tex
+
+
+def body_of(tex, recorded=()):
     """The prose: without comments, preamble and bibliography."""
     tex = re.sub(r"(?<!\\)%.*", "", tex)
     start, end = tex.index("\\begin{abstract}"), tex.index("\\begin{thebibliography}")
-    return tex[start:end]
+    return without_unrecorded(tex[start:end], recorded)
 
 
-def used_keys(tex):
-    return list(dict.fromkeys(re.findall(r"\\Nr\{([^}]*)\}", body_of(tex))))
+def used_keys(tex, recorded=()):
+    return list(dict.fromkeys(re.findall(r"\\Nr\{([^}]*)\}", body_of(tex, recorded))))
 
 
-def stray_digits(tex):
+def stray_digits(tex, recorded=()):
     """Lines whose digits are neither a generated number nor marked as given."""
-    prose = body_of(tex)
+    prose = body_of(tex, recorded)
     commands = r"\\(Nr|given|cite|ref|label|url|texttt|recorded\w+|iftabled|ifrecorded|begin|end)(\[[^]]*\])?\{[^{}]*\}"
     for pattern in (r"\\begin\{equation\}.*?\\end\{equation\}", r"\$[^$]*\$", commands):
         prose = re.sub(pattern, "", prose, flags=re.DOTALL)
     return [line.strip() for line in prose.splitlines() if re.search(r"(?<![A-Za-z\d])\d", line)]
 
 
-def check(tex, numbers):
-    missing = [key for key in used_keys(tex) if key not in numbers.entries]
-    stray = stray_digits(tex)
+def check(tex, numbers, recorded=()):
+    missing = [key for key in used_keys(tex, recorded) if key not in numbers.entries]
+    stray = stray_digits(tex, recorded)
     for key in missing:
         print(f"paper.tex uses \\Nr{{{key}}}, which no recorded run gives", file=sys.stderr)
     for line in stray:
@@ -68,10 +83,10 @@ def check(tex, numbers):
         raise Missing("the paper's numbers are not all recorded")
 
 
-def write(numbers, tex, path):
+def write(numbers, tex, path, recorded=()):
     lines = ["% Made by paper/macros.py from recorded runs; one line a number: key, text, run, how."]
     for key, (text, source, how) in numbers.entries.items():
         lines.append(f"\\definenumber{{{key}}}{{{text}}}{{{source}}}{{{tables.escape(how)}}}")
     path.write_text("\n".join(lines) + "\n")
-    trace = [f"\\traced{{{key}}}" for key in used_keys(tex)]
+    trace = [f"\\traced{{{key}}}" for key in used_keys(tex, recorded)]
     path.with_name("trace.tex").write_text("\n".join(trace) + "\n")

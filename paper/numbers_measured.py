@@ -130,4 +130,18 @@ def arrangements(put, machine, others):
             put(f"groups/{method}/{name}/worst", f"{worst.block}", worst.source, f"{name}, slowest, {method}")
 
 
-MEASURED = (original, whole_steps, pairs_alone, who_leads, floors, exactness, launches, first_uses, arrangements)
+def grid(put, machine, others):
+    for name in DEVICES:
+        rows = machine.need(table="grid", method="collide_grid", scene="uniform", backend=name)
+        cold = [row for row in rows if row.parameters.get("order") in (None, "cold")]
+        pairs = {row.n: row for row in machine.need(table="scale", scene="uniform", backend=name)}
+        ahead = [row for row in cold if row.n in pairs and apart(row, pairs[row.n]) and row.high < pairs[row.n].low]
+        if not ahead:
+            raise Missing(f"{machine.name}: the grid is nowhere faster than all pairs on {name}")
+        put(f"grid/from/{name}", f"{ahead[0].n:,}", ahead[0].source, f"{name}, least n where the grid is faster, cold")
+        put(f"grid/ms/{name}", ms(cold[-1].median), cold[-1].source, f"{cold[-1].label}, n = {cold[-1].n}, cold")
+    put("grid/largest", f"{cold[-1].n:,}", cold[-1].source, "largest n of the grid")
+
+
+MEASURED = (original, whole_steps, pairs_alone, who_leads, floors, exactness, launches, first_uses, arrangements,
+            grid)

@@ -17,9 +17,9 @@ from records import DATA, Machine, Missing, median_interval  # noqa: E402
 FRAME = "\\begin{abstract}%s\\begin{thebibliography}"
 
 
-def check(prose, numbers):
+def check(prose, numbers, recorded=()):
     with contextlib.redirect_stderr(io.StringIO()):
-        macros.check(FRAME % prose, numbers)
+        macros.check(FRAME % prose, numbers, recorded)
 
 
 class Prose(unittest.TestCase):
@@ -28,8 +28,13 @@ class Prose(unittest.TestCase):
         cls.numbers = macros.collect(Machine(DATA / "h200"), [Machine(DATA / "llvmpipe")])
 
     def test_every_number_of_the_paper_is_recorded(self):
-        self.assertEqual([], self.numbers.left_out)
         macros.check((PAPER / "paper.tex").read_text(), self.numbers)
+
+    def test_what_awaits_a_figure_asks_for_no_number(self):
+        prose = "A. \\ifrecorded{abacus}{It takes \\Nr{step/abacus}\\,ms {at} 5.} B."
+        check(prose, self.numbers)
+        with self.assertRaises(Missing):
+            check(prose, self.numbers, ["abacus"])
 
     def test_a_number_without_a_run_is_found_out(self):
         with self.assertRaises(Missing):
