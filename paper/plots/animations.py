@@ -12,7 +12,8 @@ from records import DATA, Missing
 from style import COLUMN, panels
 
 NAME = "animations"
-CAPTION = "The original paper's figure 6 again: {frames}. Yellow spheres touch others; the pictures are equal on every backend."
+CAPTION = ("The original paper's figure 6 again: {frames}. Yellow spheres touch others; the pictures are equal on "
+           "every backend.")
 FOLDER = DATA / "animations"
 FRAMES = ("random", "aligned")
 
