@@ -3,7 +3,7 @@
 """Draws every figure and table that recorded runs allow.
 
   paper/figures.py                          of paper/data/h200 into build/paper, with the numbers of paper.tex
-  paper/figures.py --headline paper/headline.png    the picture of the README, from paper/data/h200
+  paper/figures.py --headline    the picture and table of the README, from paper/data/h200
   paper/figures.py --data FOLDER... --output F    of those folders, each into a folder of its own, and side by side
 """
 import argparse
@@ -13,6 +13,7 @@ import sys
 from pathlib import Path
 
 import beside
+import headline
 import macros
 import plots
 import plots.ratio
@@ -79,6 +80,12 @@ def write_paper_inputs(output):
     print(f"  numbers: {len(macros.used_keys(tex, drawn))} in the text, each from a recorded run")
 
 
+def write_headline(machine):
+    style.save_png(plots.ratio.draw(machine), ROOT / "paper/headline.png", machine)
+    readme = ROOT / "README.md"
+    readme.write_text(headline.updated(readme.read_text(), machine))
+
+
 def side_by_side(machines, output):
     figures, tables_made, reasons = [], [], {}
     for machine in machines:
@@ -92,11 +99,11 @@ def side_by_side(machines, output):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--data", type=Path, nargs="+", help="folders of recorded runs")
-    parser.add_argument("--headline", type=Path, help="write the README's picture to this file and nothing else")
+    parser.add_argument("--headline", action="store_true", help="the README's picture and table, and nothing else")
     parser.add_argument("--output", type=Path, default=ROOT / "build/paper", help="where the files go")
     options = parser.parse_args()
     if options.headline:
-        style.save_png(plots.ratio.draw(Machine(DATA / "h200")), options.headline, Machine(DATA / "h200"))
+        write_headline(Machine(DATA / "h200"))
     elif options.data:
         side_by_side([Machine(folder) for folder in options.data], options.output)
     else:

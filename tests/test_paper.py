@@ -10,6 +10,7 @@ import unittest
 PAPER = pathlib.Path(__file__).resolve().parent.parent / "paper"
 sys.path.insert(0, str(PAPER))
 
+import headline  # noqa: E402  (the path must be set first)
 import macros  # noqa: E402  (the path must be set first)
 import ranks  # noqa: E402
 from records import DATA, Machine, Missing, median_interval  # noqa: E402
@@ -41,7 +42,7 @@ class Prose(unittest.TestCase):
             check("It takes \\Nr{step/abacus}\\,ms.", self.numbers)
 
     def test_a_digit_in_the_prose_is_found_out(self):
-        check("A step on an H200 takes \\Nr{step/glsl}\\,ms of $2^{20}$ in float32, see GTX~\\given{590}.", self.numbers)
+        check("A step on an H200 takes \\Nr{step/glsl}\\,ms of $2^{20}$, see GTX~\\given{590}.", self.numbers)
         for prose in ("It takes 0.068\\,ms.", "GLSL is 8\\,\\% faster.", "In 2 of \\Nr{step/glsl} cases."):
             with self.assertRaises(Missing, msg=prose):
                 check(prose, self.numbers)
@@ -50,6 +51,27 @@ class Prose(unittest.TestCase):
         text, source, _ = self.numbers.entries["step/glsl"]
         self.assertEqual(Machine(DATA / "h200").id, source)
         self.assertEqual(f"{Machine(DATA / 'h200').one(table='step', backend='glsl', n=16384).median:.4f}", text)
+
+
+class Readme(unittest.TestCase):
+    def test_its_headline_is_the_recorded_one(self):
+        readme, machine = (PAPER.parent / "README.md").read_text(), Machine(DATA / "h200")
+        self.assertEqual(headline.updated(readme, machine), readme, "paper/figures.py --headline brings it up to date")
+        lead = {key: text.replace("{,}", ",") for key, (text, _, _) in macros.collect(machine, []).entries.items()}
+        prose = " ".join(readme.split())
+        for sentence in ("CUDA takes {lead/cuda/least} to {lead/cuda/most} % less time up to {lead/cuda/last} spheres",
+                         "GLSL {lead/glsl/least} to {lead/glsl/most} % less from {lead/glsl/first} on"):
+            for key in ("lead/cuda/least", "lead/cuda/most", "lead/cuda/last", "lead/glsl/least", "lead/glsl/most",
+                        "lead/glsl/first"):
+                sentence = sentence.replace("{" + key + "}", lead[key])
+            self.assertIn(sentence, prose)
+
+    def test_a_stale_row_is_found_out(self):
+        readme, machine = (PAPER.parent / "README.md").read_text(), Machine(DATA / "h200")
+        row = "| the paper's own tile, 16,384 spheres | "
+        stale = readme.replace(row, row + "9")
+        self.assertNotEqual(stale, readme)
+        self.assertEqual(readme, headline.updated(stale, machine))
 
 
 class Records(unittest.TestCase):
