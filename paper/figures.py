@@ -28,6 +28,11 @@ def modules():
     return [importlib.import_module(f"plots.{found.name}") for found in pkgutil.iter_modules(plots.__path__)]
 
 
+def source_of(module, machine, otherwise):
+    """What stands under a figure: the machine and run, unless the figure comes from elsewhere."""
+    return module.source(machine) if hasattr(module, "source") else otherwise
+
+
 def draw_all(machine, folder):
     """Returns (what was drawn, what was left out and why); a figure without its data is never drawn in part."""
     drawn, left_out = [], []
@@ -40,7 +45,7 @@ def draw_all(machine, folder):
             for kind in ("pdf", "png"):
                 (folder / f"{module.NAME}.{kind}").unlink(missing_ok=True)  # of an earlier run
             continue
-        style.save(figure, folder, module.NAME, machine)
+        style.save(figure, folder, module.NAME, source_of(module, machine, machine.title))
         drawn.append(module.NAME)
     return drawn, left_out
 
@@ -63,7 +68,8 @@ def write_captions(machine, path):
             text = module.caption(machine) if hasattr(module, "caption") else module.CAPTION
         except Missing:
             continue
-        lines.append(f"\\definecaption{{{module.NAME}}}{{{text} {tables.escape(machine.short)}.}}")
+        source = tables.escape(source_of(module, machine, machine.short))
+        lines.append(f"\\definecaption{{{module.NAME}}}{{{text} {source}.}}")
     for table in tables.all_tables(machine):
         lines.append(f"\\definecaption{{{table.name}}}{{{table.caption} {tables.escape(machine.short)}.}}")
     path.write_text("\n".join(lines) + "\n")
@@ -81,7 +87,7 @@ def write_paper_inputs(output):
 
 
 def write_headline(machine):
-    style.save_png(plots.ratio.draw(machine), ROOT / "paper/headline.png", machine)
+    style.save_png(plots.ratio.draw(machine), ROOT / "paper/headline.png", machine.title)
     readme = ROOT / "README.md"
     readme.write_text(headline.updated(readme.read_text(), machine))
 

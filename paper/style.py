@@ -64,14 +64,14 @@ def plot(axis, records, series, x=lambda record: record.n, scale=1.0, **options)
                          elinewidth=0.7, capthick=0.5, **look)
 
 
-def save(figure, folder, name, machine):
+def save(figure, folder, name, source):
     """A PDF for the paper, whose caption names the machine, and a PNG that says it in the picture."""
     folder.mkdir(parents=True, exist_ok=True)
     figure.savefig(folder / f"{name}.pdf", metadata={"CreationDate": None, "ModDate": None, "Producer": None})
-    save_png(figure, folder / f"{name}.png", machine)
+    save_png(figure, folder / f"{name}.png", source)
     plt.close(figure)
 
 
-def save_png(figure, file, machine):
-    figure.supxlabel(machine.title, x=0.99, ha="right", fontsize=4.8, color="#555555")
+def save_png(figure, file, source):
+    figure.supxlabel(source, x=0.99, ha="right", fontsize=4.8, color="#555555")
     figure.savefig(file, dpi=220, metadata={"Software": None})
