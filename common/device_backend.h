@@ -17,6 +17,9 @@ enum class Kernel {
   move,
   clear,
   empty,
+  ceiling_copy,
+  ceiling_atomics,
+  ceiling_issue,
   settle,
   decide,
   tally,
@@ -30,10 +33,7 @@ enum class Kernel {
   collide_group,
   collide_tiled,
   collide_square,
-  collide_triangle,
-  ceiling_copy,
-  ceiling_atomics,
-  ceiling_issue
+  collide_triangle
 };
 
 // `groups` along one axis, folded into the next where one dispatch cannot hold them.

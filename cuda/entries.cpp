@@ -11,6 +11,12 @@ Entry entry_of(const Launch& launch) {
       return clear_kernel();
     case Kernel::empty:
       return empty_kernel();
+    case Kernel::ceiling_copy:
+      return ceiling_copy_kernel();
+    case Kernel::ceiling_atomics:
+      return ceiling_atomics_kernel();
+    case Kernel::ceiling_issue:
+      return ceiling_issue_kernel();
     case Kernel::settle:
       return settle_kernel(launch.variant);
     case Kernel::decide:
@@ -39,12 +45,6 @@ Entry entry_of(const Launch& launch) {
       return collide_square_kernel(launch.block, launch.variant);
     case Kernel::collide_triangle:
       return collide_triangle_kernel(launch.block, launch.variant);
-    case Kernel::ceiling_copy:
-      return ceiling_copy_kernel();
-    case Kernel::ceiling_atomics:
-      return ceiling_atomics_kernel();
-    case Kernel::ceiling_issue:
-      return ceiling_issue_kernel();
   }
   return nullptr;
 }

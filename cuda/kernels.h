@@ -30,6 +30,9 @@ using Entry = const void*;
 Entry move_kernel();
 Entry clear_kernel();
 Entry empty_kernel();
+Entry ceiling_copy_kernel();
+Entry ceiling_atomics_kernel();
+Entry ceiling_issue_kernel();
 Entry settle_kernel(Variant variant);
 Entry decide_kernel();
 Entry tally_kernel();
@@ -44,8 +47,5 @@ Entry collide_group_kernel(uint block, Variant variant);
 Entry collide_tiled_kernel(uint block, Variant variant);
 Entry collide_square_kernel(uint block, Variant variant);
 Entry collide_triangle_kernel(uint block, Variant variant);
-Entry ceiling_copy_kernel();
-Entry ceiling_atomics_kernel();
-Entry ceiling_issue_kernel();
 
 }  // namespace spherepair
