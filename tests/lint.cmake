@@ -9,6 +9,8 @@ if(Python3_Interpreter_FOUND)
   endforeach()
   add_test(NAME lint.controls
     COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/lint_controls.py ${PROJECT_BINARY_DIR} -v)
+  add_test(NAME paper.figures COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/test_figures.py)
+  set_tests_properties(paper.figures PROPERTIES SKIP_RETURN_CODE 77)
   add_test(NAME paper.numbers COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/test_paper.py)
   if(TARGET spherepair_bench)
     add_test(NAME bench.sweep
