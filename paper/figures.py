@@ -29,8 +29,13 @@ def modules():
 
 
 def source_of(module, machine, otherwise):
-    """What stands under a figure: the machine and run, unless the figure comes from elsewhere."""
-    return module.source(machine) if hasattr(module, "source") else otherwise
+    """What stands under a figure: the machine and run, or where else its records come from."""
+    if hasattr(module, "source"):
+        return module.source(machine)
+    if hasattr(module, "TABLE"):
+        runs = dict.fromkeys(record.source for record in machine.need(table=module.TABLE))
+        return otherwise.replace(machine.id, ", ".join(runs))
+    return otherwise
 
 
 def draw_all(machine, folder):

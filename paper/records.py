@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Recorded runs, as the figures, tables and numbers of the paper read them.
 
-A folder under paper/data is one machine. Every JSON file in it that holds a list `measurements` or `records`, or is
-of spherepair_bench, is a source; its id is the folder's name and the first 8 hexadecimal digits of the file's
-SHA-256. One record is one measurement: what was run (any parameters the writer chose), its samples, median and
-interval in milliseconds, and the source it came from.
+A folder under paper/data is one machine. Every JSON file in it is a source; its id is the folder's name and the first
+8 hexadecimal digits of the file's SHA-256. One record is one measurement: what was run (any parameters the writer
+chose), its samples, median and interval in milliseconds, and the source it came from; formats.py knows how each
+program writes them.
 """
 import hashlib
 import json
@@ -12,6 +12,8 @@ import math
 import statistics
 from dataclasses import dataclass, field
 from pathlib import Path
+
+import formats
 
 DATA = Path(__file__).resolve().parent / "data"
 
@@ -56,20 +58,6 @@ def summary(row):
     return median, low, high
 
 
-def benchmark_rows(root):
-    """The rows of spherepair_bench, one for all repetitions: parameters stand in the label and in the counters."""
-    rows = {}
-    for entry in root.get("benchmarks", []):
-        if entry["run_type"] != "iteration" or entry.get("error_occurred"):
-            continue
-        words = dict(word.split("=", 1) for word in entry["label"].split())
-        counters = {name: int(entry[name]) for name in ("n", "block") if name in entry}
-        row = rows.setdefault(entry["name"], {"table": "sweep", "samples_ms": [], **words, **counters,
-                                              "scene": {"name": words["scene"]}, "label": entry["name"]})
-        row["samples_ms"].append(entry["real_time"])
-    return list(rows.values())
-
-
 def text_of(wanted):
     return ", ".join(f"{name} {value}" for name, value in wanted.items())
 
@@ -103,7 +91,7 @@ class Machine:
             return
         root["id"] = f"{self.name}:{digest(raw)}"
         self.sources[path.name] = root
-        for row in root.get("measurements", root.get("records", benchmark_rows(root))):
+        for row in formats.rows_of(root):
             median, low, high = summary(row)
             self.records.append(Record(row, median, low, high, root["id"]))
 

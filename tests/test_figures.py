@@ -26,13 +26,13 @@ def of_tables_to_come():
     rows = []
     for backend in ("glsl", "cuda"):
         rows += made_up("grid", [1], backend=backend, method="collide_grid", order="cold")
-        rows += made_up("draw", [1], backend=backend, draw="compute")
+        rows += made_up("draw", [1], backend=backend, draw="compute", place="outside", work="frame")
         rows += made_up("interop", [1], backend=backend, way=f"map from {backend}")
         for on in (True, False):
             rows += made_up("skips", [1 if on else 2], backend=backend, skip="kept order", on=on)
         for precision in ("float32", "float64"):
-            rows += made_up("precision", [1, 2], backend=backend, method="paper", precision=precision, dt_s=0.0625,
-                            error_m=1e-3)
+            rows += made_up("precision", [1, 2], backend=backend, method="paper", precision=precision, dt=0.0625,
+                            error_m=1e-3, simulated_s=10, work="move")
     return rows
 
 

@@ -3,7 +3,7 @@
 from records import Missing
 from style import PAGE, SERIES, panels, plain_ticks, plot, spheres_axis
 
-NAME = "grid"
+NAME = TABLE = "grid"
 CAPTION = ("The uniform grid against all pairs, packing fraction 0.3: time of one collision step divided by the "
            "number of spheres. A line that rises with slope 1 is quadratic in $n$, a level one linear.")
 LINES = {"warm": "-", "cold": "--", None: "-"}
@@ -22,7 +22,7 @@ def orders(rows):
 
 
 def draw(machine):
-    grid = machine.need(table="grid", method="collide_grid", scene="uniform")
+    grid = machine.need(table=TABLE, method="collide_grid", scene="uniform")
     figure, (axis,) = panels(PAGE, 2.4)
     for name in ("glsl", "cuda"):
         if not machine.has(name):
