@@ -71,9 +71,9 @@ def write_captions(machine, path):
     for module in modules():
         try:
             text = module.caption(machine) if hasattr(module, "caption") else module.CAPTION
+            source = tables.escape(source_of(module, machine, machine.short))
         except Missing:
             continue
-        source = tables.escape(source_of(module, machine, machine.short))
         lines.append(f"\\definecaption{{{module.NAME}}}{{{text} {source}.}}")
     for table in tables.all_tables(machine):
         lines.append(f"\\definecaption{{{table.name}}}{{{table.caption} {tables.escape(machine.short)}.}}")

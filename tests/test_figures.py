@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Every figure can be drawn: from recorded runs, or from made-up records where none are recorded yet."""
+import contextlib
 import importlib.util
+import io
 import pathlib
 import sys
+import tempfile
 import unittest
 
 PAPER = pathlib.Path(__file__).resolve().parent.parent / "paper"
@@ -57,6 +60,15 @@ class Figures(unittest.TestCase):
         machine.records = []
         drawn = {module.NAME for module in figures.modules()} - set(self.draw(machine))
         self.assertLessEqual(drawn, {"animations"})
+
+
+class Paper(unittest.TestCase):
+    def test_all_that_it_includes_is_made(self):
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()) as said:
+            figures.write_paper_inputs(pathlib.Path(folder))
+            made = {path.name for path in pathlib.Path(folder).rglob("*")}
+        self.assertLessEqual({"numbers.tex", "captions.tex", "trace.tex", "table1.tex", "scale.pdf", "scale.png"}, made)
+        self.assertRegex(said.getvalue(), "each from a recorded run")
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ LINES = ("-", "--", ":", "-.")
 
 def kind(row):
     """Anchored positions are evaluated only when they are asked for: with that, it is a method of its own."""
-    return row.method if row.work == "move" else f"{row.method}, {row.work.removeprefix('move ')}"
+    return row.method if row.work == "move" else f"{row.method} {row.work.replace('move and', '+')}"
 
 
 def look(methods, method):
