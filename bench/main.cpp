@@ -152,9 +152,9 @@ void add_selection(CLI::App& command, CompareOptions& options) {
       ->delimiter(',')
       ->check(positive_range);
   command
-      .add_option(
-          "--tables", plan.tables,
-          "Only these tables: table1, counts, methods, overhead, exactness, scale, step, equality; `none` only checks")
+      .add_option("--tables", plan.tables,
+                  "Only these tables: table1, counts, methods, ceilings, overhead, exactness, scale, step, equality; "
+                  "`none` only checks")
       ->delimiter(',');
 }
 

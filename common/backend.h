@@ -69,6 +69,9 @@ struct Collisions {
   std::array<uint64_t, STAGES> decided_by{};  // of those, by STAGE_*
 };
 
+// What a device can do at best: 16 bytes a sphere copied, a scattered atomic a sphere, multiply-adds in registers.
+enum class Ceiling { copy, atomics, issue };
+
 struct StageTime {
   std::string stage;  // the kernel's name
   double seconds;     // on the device's own timer
@@ -115,6 +118,11 @@ class Backend {
 
   // An empty kernel, to measure what a dispatch or launch costs by itself.
   virtual void launch_empty(uint groups) = 0;
+
+  // A kernel that does nothing else, to measure that ceiling; it writes over velocities and counts. Only devices have
+  // them. `check_ceiling` runs it once and throws BackendError when its result is wrong.
+  virtual void launch_ceiling(Ceiling) { throw BackendError(info().name + ": has no kernels for ceilings"); }
+  virtual void check_ceiling(Ceiling) { throw BackendError(info().name + ": has no kernels for ceilings"); }
 
   // Throws BackendError naming the buffer when a kernel wrote behind the end of one: guard words stand there.
   virtual void check_guards() = 0;

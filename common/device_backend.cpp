@@ -42,10 +42,11 @@ std::array<uint, 3> folded(uint64_t groups) {
 
 const char* kernel_name(Kernel kernel) {
   constexpr const char* names[] = {
-      "move",          "clear",         "empty",          "settle",          "decide",       "tally",
-      "grid_clear",    "grid_bounds",   "split_count",    "split_scan",      "grid_split",   "grid_sort",
-      "grid_count",    "grid_sums",     "grid_scan",      "grid_scatter",    "collide_grid", "collide_hashed",
-      "collide_group", "collide_tiled", "collide_square", "collide_triangle"};
+      "move",           "clear",         "empty",         "ceiling_copy",   "ceiling_atomics",
+      "ceiling_issue",  "settle",        "decide",        "tally",          "grid_clear",
+      "grid_bounds",    "split_count",   "split_scan",    "grid_split",     "grid_sort",
+      "grid_count",     "grid_sums",     "grid_scan",     "grid_scatter",   "collide_grid",
+      "collide_hashed", "collide_group", "collide_tiled", "collide_square", "collide_triangle"};
   return names[int(kernel)];
 }
 

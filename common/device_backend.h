@@ -17,6 +17,9 @@ enum class Kernel {
   move,
   clear,
   empty,
+  ceiling_copy,
+  ceiling_atomics,
+  ceiling_issue,
   settle,
   decide,
   tally,
@@ -73,6 +76,8 @@ class DeviceBackend : public Backend {
   State state() override;
   std::vector<uint> decide(std::span<const vec4> spheres) override;
   void launch_empty(uint groups) override;
+  void launch_ceiling(Ceiling ceiling) override;
+  void check_ceiling(Ceiling ceiling) override;
   void check_guards() override;
 
  protected:

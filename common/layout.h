@@ -56,6 +56,9 @@
 #define SCAN_BLOCK 256            // group size of grid_scan
 #define SCAN_VECTORS 4            // uvec4 that one thread of grid_scan handles
 #define SCAN_TILE 4096u           // entries of the table that one group of grid_scan handles
+#define CEILING_CHAINS 8          // independent chains of multiply-adds of one thread of ceiling_issue, ...
+#define CEILING_TURNS 64          // ... so often round the loop, ...
+#define CEILING_STEPS 16          // ... with so many steps of each chain a time
 
 struct Params {
   float dt, gravity_dt, half_gravity_dt2, restitution;  // seconds, g*dt, g*dt*dt/2 (both <= 0 along y), 0..1

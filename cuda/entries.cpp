@@ -11,6 +11,12 @@ Entry entry_of(const Launch& launch) {
       return clear_kernel();
     case Kernel::empty:
       return empty_kernel();
+    case Kernel::ceiling_copy:
+      return ceiling_copy_kernel();
+    case Kernel::ceiling_atomics:
+      return ceiling_atomics_kernel();
+    case Kernel::ceiling_issue:
+      return ceiling_issue_kernel();
     case Kernel::settle:
       return settle_kernel(launch.variant);
     case Kernel::decide:
