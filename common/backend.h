@@ -15,6 +15,7 @@
 #include "grid_plan.h"
 #include "pair_set.h"
 #include "scene.h"
+#include "view.h"
 
 namespace spherepair {
 
@@ -70,6 +71,18 @@ struct StageTime {
   double seconds;     // on the device's own timer
 };
 
+struct DrawOptions {
+  bool count = false;  // fill all of DrawCounts, which costs an atomic operation a sphere
+};
+
+// Of one draw(), numbers of spheres; `drawn` are those with a pixel's centre in their box, whether seen in the end or
+// not.
+struct DrawCounts {
+  uint64_t drawn = 0, unseen = 0;  // out of view, or between the centres of the pixels
+  uint64_t large = 0, tiles = 0;   // of those drawn, the ones cut into tiles; their tiles
+  uint64_t undrawable = 0;         // numbers beyond those that can be drawn (draw.h, in_camera)
+};
+
 struct BackendInfo {
   std::string name;       // cpu, glsl, cuda
   std::string device;     // as the driver names it
@@ -105,6 +118,16 @@ class Backend {
     std::vector<vec4> positions, velocities;
   };
   virtual State state() = 0;
+
+  // A picture of the spheres as they stand, coloured by the contacts that the last collide() found; none since the last
+  // move() or upload(): by 0 contacts. view.tile_capacity, counting and pass are the backend's own.
+  virtual void draw(const View& view, const DrawOptions& options) = 0;
+
+  // Of the last draw(), which is repeated when a list was too short. Pixels as SLOT_IMAGE has them, row by row from the
+  // top; visible: of each pixel the sphere's number and the depth, as SLOT_VISIBLE has them.
+  virtual std::vector<uint> image() = 0;
+  virtual std::vector<uvec2> visible() = 0;
+  virtual DrawCounts draw_counts() = 0;  // needs DrawOptions::count
 
   // Decides spheres[2k] against spheres[2k + 1] for every k, with the same code as the kernels: verdict_code() each.
   virtual std::vector<uint> decide(std::span<const vec4> spheres) = 0;

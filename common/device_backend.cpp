@@ -27,7 +27,11 @@ constexpr const char* slot_names[SLOT_TOTAL] = {"positions",
                                                 "spheres in cell order",
                                                 "sphere numbers",
                                                 "counts in cell order",
-                                                "tiles of the scan"};
+                                                "tiles of the scan",
+                                                "visible spheres",
+                                                "image",
+                                                "tiles of large spheres",
+                                                "counts of drawing"};
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
@@ -40,9 +44,10 @@ std::array<uint, 3> folded(uint64_t groups) {
 
 const char* kernel_name(Kernel kernel) {
   constexpr const char* names[] = {
-      "move",           "clear",         "empty",         "settle",         "decide",          "tally",
-      "grid_clear",     "grid_bounds",   "grid_count",    "grid_scan",      "grid_scatter",    "collide_grid",
-      "collide_hashed", "collide_group", "collide_tiled", "collide_square", "collide_triangle"};
+      "move",           "clear",         "empty",         "settle",         "decide",           "tally",
+      "grid_clear",     "grid_bounds",   "grid_count",    "grid_scan",      "grid_scatter",     "collide_grid",
+      "collide_hashed", "collide_group", "collide_tiled", "collide_square", "collide_triangle", "draw_clear",
+      "draw_counts",    "draw_spheres",  "draw_tiles",    "draw_resolve"};
   return names[int(kernel)];
 }
 
@@ -99,7 +104,8 @@ void DeviceBackend::upload(const Scene& scene) {
   plans_ = plan_grids(scene);
   planned_.reset();
   cell_order_.reset();
-  cleared_ = collided_ = sorted_ = cells_built_ = false;
+  cleared_ = collided_ = sorted_ = cells_built_ = counts_by_place_ = false;
+  view_ = {};
 }
 
 // A thread for every sphere, and at least one for every word of the summary, which the same kernels clear.

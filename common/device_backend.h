@@ -29,7 +29,12 @@ enum class Kernel {
   collide_group,
   collide_tiled,
   collide_square,
-  collide_triangle
+  collide_triangle,
+  draw_clear,
+  draw_counts,
+  draw_spheres,
+  draw_tiles,
+  draw_resolve
 };
 
 // `groups` along one axis, folded into the next where one dispatch cannot hold them.
@@ -55,6 +60,10 @@ class DeviceBackend : public Backend {
   std::vector<uint> counts() override;
   std::vector<Pair> pairs() override;
   State state() override;
+  void draw(const View& view, const DrawOptions& options) override;
+  std::vector<uint> image() override;
+  std::vector<uvec2> visible() override;
+  DrawCounts draw_counts() override;
   std::vector<uint> decide(std::span<const vec4> spheres) override;
   void launch_empty(uint groups) override;
   void check_guards() override;
@@ -67,6 +76,8 @@ class DeviceBackend : public Backend {
   virtual void launch(const Launch& launch, const Params& params) = 0;
   virtual uint64_t largest_binding() const = 0;  // bytes that a kernel can reach in one buffer
   virtual std::vector<Pair> read_pairs(uint64_t count);
+  virtual bool has_atomics_64() const = 0;
+  const View& view() const { return view_; }  // of the draw_* kernels
 
  private:
   void require_scene(const char* what) const;
@@ -89,6 +100,11 @@ class DeviceBackend : public Backend {
   void make_sort_buffers();
   void build_cells();
 
+  void make_draw_buffers();
+  void launch_draw();
+  void rasterise(const Params& params, bool in_cells);
+  std::vector<uint> finish_draw();
+
   std::array<uint, 3> per_sphere_groups() const;
 
   uint64_t n_ = 0;
@@ -103,6 +119,9 @@ class DeviceBackend : public Backend {
   CollideOptions options_;
   bool tallied_ = true;  // colliding spheres are counted
   bool cleared_ = false, collided_ = false;
+  bool counts_by_place_ = false;  // SLOT_COUNT lacks the counts that SLOT_SORTED_COUNT has
+  View view_{};                   // of the last draw; a width of 0: there was none
+  DrawOptions draw_options_;
   std::array<uint64_t, SLOT_TOTAL> bytes_{};
 };
 

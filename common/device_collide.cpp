@@ -92,6 +92,7 @@ void DeviceBackend::run_collide() {
   if (n_ < 2) return;
   grid ? launch_grid() : launch_collide();
   cleared_ = false;
+  counts_by_place_ = sorted_;
   if (options_.exact) launch({Kernel::settle, SERVICE_BLOCK, true, {settle_groups, 1, 1}, sorted_}, params_);
 }
 

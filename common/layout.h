@@ -19,8 +19,12 @@
 #define SLOT_SORTED 10   // vec4[n]: spheres in cell order
 #define SLOT_ID 11       // uint[n]: which sphere stands at each place of the cell order
 #define SLOT_SORTED_COUNT 12  // uint[n]: contacts, in cell order
-#define SLOT_SCAN 13  // uint[]: of grid_scan: the next tile, then states; of grid_bounds: [0] is 1 when out of order
-#define SLOT_TOTAL 14
+#define SLOT_SCAN 13     // uint[]: of grid_scan: the next tile, then states; of grid_bounds: [0] is 1 when out of order
+#define SLOT_VISIBLE 14  // uint[2 * pixels]: the number of the sphere seen, then its depth; both ~0 where there is none
+#define SLOT_IMAGE 15    // uint[pixels]: red, green, blue, 255 from the lowest byte up; rows from the top
+#define SLOT_TILE 16     // uvec2[]: large spheres cut into tiles: the sphere's place, the number of the tile in its box
+#define SLOT_DRAWN 17    // uint[DRAWN_WORDS]: see view.h
+#define SLOT_TOTAL 18
 #define SLOT_PARAMS 0  // the uniform block's own binding
 
 // Totals are spread over SUMMARY_SLOTS rows so that thousands of groups do not queue on one address; the host adds the

@@ -42,6 +42,7 @@ class CudaBackend final : public DeviceBackend {
   void launch(const Launch& launch, const Params& params) override;
   uint64_t largest_binding() const override { return uint64_t(1) << 47; }
   std::vector<Pair> read_pairs(uint64_t count) override;
+  bool has_atomics_64() const override { return true; }
 
  private:
   template <typename T>
@@ -169,13 +170,18 @@ World CudaBackend::world(bool in_cells) const {
           .sorted = buffer<vec4>(SLOT_SORTED),
           .id = buffer<uint>(SLOT_ID),
           .sorted_count = buffer<uint>(SLOT_SORTED_COUNT),
-          .scan = buffer<uint>(SLOT_SCAN)};
+          .scan = buffer<uint>(SLOT_SCAN),
+          .visible = buffer<uvec2>(SLOT_VISIBLE),
+          .image = buffer<uint>(SLOT_IMAGE),
+          .tile = buffer<uvec2>(SLOT_TILE),
+          .drawn = buffer<uint>(SLOT_DRAWN)};
 }
 
 void CudaBackend::launch(const Launch& launch, const Params& params) {
   Params p = params;
   World w = world(launch.in_cells);
-  void* arguments[] = {&p, &w};
+  View v = view();
+  void* arguments[] = {&p, &w, &v};  // a kernel that draws nothing takes the first two
   const dim3 groups(launch.groups[0], launch.groups[1], launch.groups[2]);
   TimedStage stage{launch.kernel, nullptr, nullptr};
   if (timing_) {

@@ -39,6 +39,16 @@ Entry entry_of(const Launch& launch) {
       return collide_square_kernel(launch.block, launch.equal_radii);
     case Kernel::collide_triangle:
       return collide_triangle_kernel(launch.block, launch.equal_radii);
+    case Kernel::draw_clear:
+      return draw_clear_kernel();
+    case Kernel::draw_counts:
+      return draw_counts_kernel();
+    case Kernel::draw_spheres:
+      return draw_spheres_kernel();
+    case Kernel::draw_tiles:
+      return draw_tiles_kernel();
+    case Kernel::draw_resolve:
+      return draw_resolve_kernel();
   }
   return nullptr;
 }

@@ -22,9 +22,14 @@ struct World {
   uint* id;
   uint* sorted_count;
   uint* scan;
+  uvec2* visible;
+  uint* image;
+  uvec2* tile;
+  uint* drawn;
 };
 
-// Every kernel is void (Params p, World w). A null entry means a group size that was not compiled.
+// Every kernel is void (Params p, World w), those that draw take a View v beside. A null entry means a group size that
+// was not compiled.
 using Entry = const void*;
 Entry move_kernel();
 Entry clear_kernel();
@@ -43,5 +48,10 @@ Entry collide_group_kernel(uint block, bool equal_radii);
 Entry collide_tiled_kernel(uint block, bool equal_radii);
 Entry collide_square_kernel(uint block, bool equal_radii);
 Entry collide_triangle_kernel(uint block, bool equal_radii);
+Entry draw_clear_kernel();
+Entry draw_counts_kernel();
+Entry draw_spheres_kernel();
+Entry draw_tiles_kernel();
+Entry draw_resolve_kernel();
 
 }  // namespace spherepair

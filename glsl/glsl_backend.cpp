@@ -33,21 +33,25 @@ class GlslBackend final : public DeviceBackend {
   void read(uint slot, void* data, uint64_t offset, uint64_t bytes) override;
   void launch(const Launch& launch, const Params& params) override;
   uint64_t largest_binding() const override { return largest_binding_; }
+  bool has_atomics_64() const override { return atomics_64_; }
 
  private:
   void require_features() const;
   void describe();
   const Program& program(const Launch& launch);
   void set_params(const Params& params);
+  void set_view();
 
   Context context_;
-  bool sparse_;
+  bool sparse_, atomics_64_ = false;
   BackendInfo info_;
   uint64_t largest_binding_ = 0;
   std::array<GLuint, SLOT_TOTAL> buffers_{};
   GLuint params_buffer_ = 0;
   Params params_on_device_{};
   bool params_known_ = false;
+  GLuint view_buffer_ = 0;
+  View view_on_device_{};
   std::map<std::tuple<Kernel, uint, bool>, std::unique_ptr<Program>> programs_;
   bool timing_ = false;
   std::vector<TimedStage> timed_;
@@ -69,7 +73,9 @@ GlslBackend::GlslBackend(const OpenOptions& options) : context_(options), sparse
   describe();
   glCreateBuffers(1, &params_buffer_);
   glNamedBufferStorage(params_buffer_, sizeof(Params), nullptr, GL_DYNAMIC_STORAGE_BIT);
-  gl_check("making the parameter buffer");
+  glCreateBuffers(1, &view_buffer_);
+  glNamedBufferStorage(view_buffer_, sizeof(View), &view_on_device_, GL_DYNAMIC_STORAGE_BIT);
+  gl_check("making the parameter buffers");
 }
 
 GlslBackend::~GlslBackend() {
@@ -77,6 +83,7 @@ GlslBackend::~GlslBackend() {
   for (const TimedStage& stage : timed_) glDeleteQueries(2, stage.queries.data());
   glDeleteBuffers(GLsizei(buffers_.size()), buffers_.data());
   glDeleteBuffers(1, &params_buffer_);
+  glDeleteBuffers(1, &view_buffer_);
 }
 
 void GlslBackend::require_features() const {
@@ -97,6 +104,7 @@ void GlslBackend::describe() {
   GLint shared_bytes = 0;
   glGetIntegerv(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE, &shared_bytes);
   largest_binding_ = uint64_t(binding);
+  atomics_64_ = epoxy_has_gl_extension("GL_NV_shader_atomic_int64");
   sparse_ = sparse_ && epoxy_has_gl_extension("GL_ARB_sparse_buffer");
   info_.name = "glsl";
   info_.device = gl_string(GL_RENDERER);
@@ -109,6 +117,7 @@ void GlslBackend::describe() {
                    {"GLSL version", gl_string(GL_SHADING_LANGUAGE_VERSION)},
                    {"largest storage block bytes", std::to_string(binding)},
                    {"shared memory bytes", std::to_string(shared_bytes)},
+                   {"64-bit atomics", atomics_64_ ? "yes" : "no: drawing takes two passes"},
                    {"buffers", sparse_ ? "sparse storage, committed whole" : "plain storage"}};
   if (info_.software && std::filesystem::exists("/dev/nvidiactl")) {
     info_.details["warning"] = "a GPU is present, but OpenGL runs in software";
@@ -139,6 +148,7 @@ void GlslBackend::allocate(uint slot, uint64_t bytes) {
 void GlslBackend::write(uint slot, const void* data, uint64_t offset, uint64_t bytes) {
   if (bytes == 0) return;
   context_.make_current();
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glNamedBufferSubData(buffers_[slot], GLintptr(offset), GLsizeiptr(bytes), data);
   gl_check(fmt::format("writing {} bytes", bytes));
 }
@@ -153,7 +163,8 @@ void GlslBackend::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
 
 const Program& GlslBackend::program(const Launch& launch) {
   auto& program = programs_[{launch.kernel, launch.block, launch.equal_radii}];
-  if (!program) program = std::make_unique<Program>(kernel_name(launch.kernel), launch.block, launch.equal_radii);
+  if (!program)
+    program = std::make_unique<Program>(kernel_name(launch.kernel), launch.block, launch.equal_radii, atomics_64_);
   return *program;
 }
 
@@ -165,11 +176,19 @@ void GlslBackend::set_params(const Params& params) {
   params_known_ = true;
 }
 
+void GlslBackend::set_view() {
+  glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_VIEW, view_buffer_);
+  if (std::memcmp(&view(), &view_on_device_, sizeof(View)) == 0) return;
+  glNamedBufferSubData(view_buffer_, 0, sizeof(View), &view());
+  view_on_device_ = view();
+}
+
 // GL keeps an error until it is asked, so dispatches are checked where their results are waited for.
 void GlslBackend::launch(const Launch& launch, const Params& params) {
   context_.make_current();
   const Program& chosen = program(launch);
   set_params(params);
+  set_view();
   glUseProgram(chosen.id());
   glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_PARAMS, params_buffer_);
   std::array<GLuint, SLOT_TOTAL> bound = buffers_;

@@ -9,11 +9,12 @@
 namespace spherepair {
 namespace {
 
-std::string source_of(const std::string& kernel, unsigned block, bool equal_radii) {
+std::string source_of(const std::string& kernel, unsigned block, bool equal_radii, bool atomics_64) {
   const std::string& text = embedded_shaders().at(kernel);
   const size_t after_version = text.find('\n') + 1;
   return text.substr(0, after_version) +
          fmt::format("#define BLOCK {}\n#define EQUAL_RADII {}\n", block, int(equal_radii)) +
+         (atomics_64 ? "#extension GL_NV_shader_atomic_int64 : require\n#define ATOMICS_64\n" : "") +
          text.substr(after_version);
 }
 
@@ -35,8 +36,9 @@ std::string program_log(GLuint program) {
 
 }  // namespace
 
-Program::Program(const std::string& kernel, unsigned block, bool equal_radii) : id_(glCreateProgram()) {
-  const std::string source = source_of(kernel, block, equal_radii);
+Program::Program(const std::string& kernel, unsigned block, bool equal_radii, bool atomics_64)
+    : id_(glCreateProgram()) {
+  const std::string source = source_of(kernel, block, equal_radii, atomics_64);
   const char* text = source.c_str();
   const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
   glShaderSource(shader, 1, &text, nullptr);

@@ -8,10 +8,11 @@
 
 namespace spherepair {
 
-// A compute program made from the embedded shader of this name, with the group size and variant defined in front of it.
+// A compute program made from the embedded shader of this name, with the group size and variants defined in front of
+// it.
 class Program {
  public:
-  Program(const std::string& kernel, unsigned block, bool equal_radii);
+  Program(const std::string& kernel, unsigned block, bool equal_radii, bool atomics_64);
   ~Program() {
     if (eglGetCurrentContext() != EGL_NO_CONTEXT) glDeleteProgram(id_);
   }

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// Drawing on GLSL and CUDA: which kernels run, and what happens when the list of tiles is too short.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "camera.h"
+#include "device_backend.h"
+
+namespace spherepair {
+namespace {
+
+constexpr uint tile_groups = 4096;
+constexpr uint64_t least_tiles = 1 << 16;
+
+static_assert(sizeof(View) == 176);
+
+uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
+uint64_t pixels(const View& view) { return uint64_t(view.width) * view.height; }
+
+}  // namespace
+
+void DeviceBackend::make_draw_buffers() {
+  const auto keep = [&](uint slot, uint64_t bytes) {
+    if (bytes_[slot] < bytes) make_buffer(slot, bytes);
+  };
+  keep(SLOT_VISIBLE, pixels(view_) * 2 * sizeof(uint));
+  keep(SLOT_IMAGE, pixels(view_) * sizeof(uint));
+  keep(SLOT_DRAWN, DRAWN_WORDS * sizeof(uint));
+  keep(SLOT_TILE, std::max(n_, least_tiles) * sizeof(uvec2));
+}
+
+// Every sphere into the buffer of visible ones; once for 64-bit atomics, else once for each of its words.
+void DeviceBackend::rasterise(const Params& params, bool in_cells) {
+  const std::vector<uint> passes =
+      has_atomics_64() ? std::vector<uint>{PASS_DEPTH} : std::vector<uint>{PASS_DEPTH, PASS_ID};
+  for (const uint pass : passes) {
+    view_.pass = pass;
+    const uint no_tiles = 0;
+    if (pass != PASS_DEPTH) write(SLOT_DRAWN, &no_tiles, DRAWN_TILES * sizeof(uint), sizeof(uint));
+    launch({Kernel::draw_spheres, SERVICE_BLOCK, true, folded(ceil_div(n_, SERVICE_BLOCK)), in_cells}, params);
+    launch({Kernel::draw_tiles, SERVICE_BLOCK, true, {tile_groups, 1, 1}, in_cells}, params);
+  }
+}
+
+void DeviceBackend::launch_draw() {
+  const bool in_cells = collided_ && cells_built_ && sorted_;
+  Params params = params_;
+  params.in_cells = in_cells;
+  if (collided_ && counts_by_place_) {
+    launch({Kernel::draw_counts, SERVICE_BLOCK, true, folded(ceil_div(n_, SERVICE_BLOCK))}, params);
+    counts_by_place_ = false;
+  }
+  view_.tile_capacity = uint(bytes_[SLOT_TILE] / sizeof(uvec2));
+  view_.counting = draw_options_.count;
+  view_.pass = PASS_DEPTH;
+  const auto per_pixel = folded(ceil_div(pixels(view_), SERVICE_BLOCK));
+  launch({Kernel::draw_clear, SERVICE_BLOCK, true, per_pixel}, params);
+  if (n_ > 0) rasterise(params, in_cells);
+  launch({Kernel::draw_resolve, SERVICE_BLOCK, true, per_pixel}, params);
+}
+
+void DeviceBackend::draw(const View& view, const DrawOptions& options) {
+  require_scene("draw");
+  check_view(view);
+  view_ = view;
+  draw_options_ = options;
+  if (!collided_ && !cleared_) launch_clear(false);
+  cleared_ |= !collided_;
+  make_draw_buffers();
+  launch_draw();
+}
+
+// Lists of the collision step that were too short mean wrong colours, so they are looked at too.
+std::vector<uint> DeviceBackend::finish_draw() {
+  if (view_.width == 0) throw BackendError(fmt::format("{}: nothing is drawn yet; call draw first", info().name));
+  std::vector<uint> drawn(DRAWN_WORDS);
+  for (bool again = true; again;) {
+    again = false;
+    read(SLOT_DRAWN, drawn.data(), 0, drawn.size() * sizeof(uint));
+    if (drawn[DRAWN_TILES] > view_.tile_capacity) {
+      make_buffer(SLOT_TILE, (drawn[DRAWN_TILES] + drawn[DRAWN_TILES] / 8) * sizeof(uvec2));
+      again = true;
+    }
+    if (collided_) {
+      const std::vector<uint> words = read_summary();
+      if (grow_lists(words[SUM_DEFERRED], words[SUM_LISTED])) {
+        run_collide();
+        again = true;
+      }
+    }
+    if (again) launch_draw();
+  }
+  return drawn;
+}
+
+std::vector<uint> DeviceBackend::image() {
+  finish_draw();
+  std::vector<uint> image(pixels(view_));
+  read(SLOT_IMAGE, image.data(), 0, image.size() * sizeof(uint));
+  return image;
+}
+
+std::vector<uvec2> DeviceBackend::visible() {
+  finish_draw();
+  std::vector<uvec2> visible(pixels(view_));
+  read(SLOT_VISIBLE, visible.data(), 0, visible.size() * sizeof(uvec2));
+  return visible;
+}
+
+DrawCounts DeviceBackend::draw_counts() {
+  const std::vector<uint> drawn = finish_draw();
+  if (!draw_options_.count) throw BackendError(fmt::format("{}: drawing was not counted; set count", info().name));
+  return {.drawn = uint64_t(drawn[DRAWN_SMALL]) + drawn[DRAWN_LARGE],
+          .unseen = drawn[DRAWN_UNSEEN],
+          .large = drawn[DRAWN_LARGE],
+          .tiles = drawn[DRAWN_TILES],
+          .undrawable = drawn[DRAWN_UNDRAWABLE]};
+}
+
+}  // namespace spherepair
