@@ -58,6 +58,7 @@ struct RenderOptions {
   uint64_t pictures = 1, every = 1;  // steps from each picture to the next
   uint width = 1280, height = 720, samples = 16;
   CameraOptions camera;
+  std::string draw = "compute";  // DrawMethod
   bool legend = true;
 };
 int render_command(const CommandLine& line, const RenderOptions& options);

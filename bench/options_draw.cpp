@@ -59,6 +59,11 @@ void add_render(CLI::App& app, CommandLine& line, Action& action) {
       ->check(whole_number(1, 1024))
       ->capture_default_str();
   add_camera_options(*command, options->camera);
+  command
+      ->add_option("--draw", options->draw,
+                   "compute (every backend), or of the backend glsl: mesh_each, mesh, mesh_indexed (the paper's 80 "
+                   "triangles), points, impostor")
+      ->capture_default_str();
   command->add_flag_callback(
       "--no-legend", [=] { options->legend = false; }, "Leave the key to the colours out");
   command->add_option("--backend", options->backend, "cpu, glsl or cuda; default: a GPU where there is one, else cpu");

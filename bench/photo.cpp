@@ -36,7 +36,8 @@ std::array<double, 2> jitter(uint k, uint samples) {
 
 std::vector<uint> take(Backend& backend, const Shot& shot) {
   const auto draw = [&](uint k) {
-    backend.draw(make_view(shot.camera, shot.look, shot.width, shot.height, jitter(k, shot.samples)), {});
+    backend.draw(make_view(shot.camera, shot.look, shot.width, shot.height, jitter(k, shot.samples)),
+                 {.method = shot.method});
     return backend.image();
   };
   if (shot.samples == 1) return draw(0);

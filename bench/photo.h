@@ -12,6 +12,7 @@ struct Shot {
   Camera camera;
   Look look;
   uint width, height, samples;
+  DrawMethod method = DrawMethod::compute;
 };
 
 Camera camera_of(const CameraOptions& options, const Bounds& bounds, double aspect);

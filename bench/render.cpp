@@ -39,6 +39,7 @@ void check_options(const RenderOptions& options) {
   if (!options.backend.empty()) require_known_backends({options.backend});
   for (const auto& [name, value] : {std::pair{"--eye", options.camera.eye}, {"--target", options.camera.target}})
     if (!value.empty() && value.size() != 3) throw std::invalid_argument(fmt::format("{} needs x,y,z", name));
+  draw_method_from_name(options.draw);
   check_writable(name_of(options, 0));
 }
 
@@ -52,6 +53,7 @@ json record(const Series& series, uint64_t step, const Collisions& totals) {
           {"scene", series.start.record},
           {"step", step},
           {"method", method_name(series.method)},
+          {"drawn_by", draw_method_name(shot.method)},
           {"pairs", totals.pairs},
           {"colliding_spheres", totals.colliding_spheres},
           {"fingerprint", hex64(totals.fingerprint.a) + hex64(totals.fingerprint.b)},
@@ -94,7 +96,8 @@ int render_command(const CommandLine& line, const RenderOptions& options) {
   const double aspect = double(options.width) / options.height;
   for (uint64_t step = 0; step < options.steps; ++step) chosen.backend->move();
   const Camera camera = camera_of(options.camera, bounds_of(chosen.backend->state().positions), aspect);
-  const Shot shot{camera, contact_look(), options.width, options.height, options.samples};
+  const Shot shot{camera,         contact_look(),  options.width,
+                  options.height, options.samples, draw_method_from_name(options.draw)};
   take_series({line, options, start, chosen, method, shot});
   fmt::print("{}{} on {}: scene {}, {} spheres\n", start.notes, chosen.backend->info().name,
              device_label(chosen.backend->info()), start.label, start.scene.size());

@@ -71,7 +71,20 @@ struct StageTime {
   double seconds;     // on the device's own timer
 };
 
+enum class DrawMethod {
+  compute,       // the rasteriser that CPU, GLSL and CUDA mirror: the exact sphere
+  mesh_each,     // OpenGL: the paper's sphere of 80 triangles, one draw a sphere
+  mesh,          // OpenGL: the same with one instanced draw for all
+  mesh_indexed,  // OpenGL: the same with shared vertices
+  points,        // OpenGL: a disc a sphere
+  impostor       // OpenGL: the exact sphere on two triangles
+};
+const char* draw_method_name(DrawMethod method);
+DrawMethod draw_method_from_name(const std::string& name);  // throws std::invalid_argument with the known names
+std::span<const DrawMethod> all_draw_methods();
+
 struct DrawOptions {
+  DrawMethod method = DrawMethod::compute;
   bool count = false;  // fill all of DrawCounts, which costs an atomic operation a sphere
 };
 
@@ -122,12 +135,13 @@ class Backend {
   // A picture of the spheres as they stand, coloured by the contacts that the last collide() found; none since the last
   // move() or upload(): by 0 contacts. view.tile_capacity, counting and pass are the backend's own.
   virtual void draw(const View& view, const DrawOptions& options) = 0;
+  virtual std::vector<DrawMethod> draw_methods() const { return {DrawMethod::compute}; }
 
   // Of the last draw(), which is repeated when a list was too short. Pixels as SLOT_IMAGE has them, row by row from the
   // top; visible: of each pixel the sphere's number and the depth, as SLOT_VISIBLE has them.
   virtual std::vector<uint> image() = 0;
   virtual std::vector<uvec2> visible() = 0;
-  virtual DrawCounts draw_counts() = 0;  // needs DrawOptions::count
+  virtual DrawCounts draw_counts() = 0;  // needs DrawOptions::count; this and visible(): of the method compute only
 
   // Decides spheres[2k] against spheres[2k + 1] for every k, with the same code as the kernels: verdict_code() each.
   virtual std::vector<uint> decide(std::span<const vec4> spheres) = 0;

@@ -101,6 +101,9 @@ class CpuBackend final : public Backend {
 
   void draw(const View& view, const DrawOptions& options) override {
     check_view(view);
+    if (options.method != DrawMethod::compute)
+      throw std::invalid_argument(
+          fmt::format("cpu: the method of drawing {} runs on OpenGL only", draw_method_name(options.method)));
     const std::vector<uint> contacts = found_ ? counts() : std::vector<uint>(positions_.size());
     timed("draw", [&] { picture_ = draw_picture(positions_, contacts, view, threads_); });
     counted_ = options.count;

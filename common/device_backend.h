@@ -77,7 +77,12 @@ class DeviceBackend : public Backend {
   virtual uint64_t largest_binding() const = 0;  // bytes that a kernel can reach in one buffer
   virtual std::vector<Pair> read_pairs(uint64_t count);
   virtual bool has_atomics_64() const = 0;
+
+  // The methods of draw_methods() but for compute; contacts stand in SLOT_COUNT, by the number of the sphere.
+  virtual void draw_by_pipeline(DrawMethod method) = 0;
+  virtual std::vector<uint> pipeline_image() = 0;
   const View& view() const { return view_; }  // of the draw_* kernels
+  uint spheres() const { return uint(n_); }
 
  private:
   void require_scene(const char* what) const;
@@ -101,9 +106,12 @@ class DeviceBackend : public Backend {
   void build_cells();
 
   void make_draw_buffers();
+  void require_drawn(bool by_compute) const;
   void launch_draw();
+  void launch_rasteriser();
+  bool grow_draw_lists();
   void rasterise(const Params& params, bool in_cells);
-  std::vector<uint> finish_draw();
+  void finish_draw();
 
   std::array<uint, 3> per_sphere_groups() const;
 

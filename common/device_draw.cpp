@@ -43,14 +43,10 @@ void DeviceBackend::rasterise(const Params& params, bool in_cells) {
   }
 }
 
-void DeviceBackend::launch_draw() {
+void DeviceBackend::launch_rasteriser() {
   const bool in_cells = collided_ && cells_built_ && sorted_;
   Params params = params_;
   params.in_cells = in_cells;
-  if (collided_ && counts_by_place_) {
-    launch({Kernel::draw_counts, SERVICE_BLOCK, true, folded(ceil_div(n_, SERVICE_BLOCK))}, params);
-    counts_by_place_ = false;
-  }
   view_.tile_capacity = uint(bytes_[SLOT_TILE] / sizeof(uvec2));
   view_.counting = draw_options_.count;
   view_.pass = PASS_DEPTH;
@@ -60,48 +56,67 @@ void DeviceBackend::launch_draw() {
   launch({Kernel::draw_resolve, SERVICE_BLOCK, true, per_pixel}, params);
 }
 
+void DeviceBackend::launch_draw() {
+  if (collided_ && counts_by_place_) {
+    launch({Kernel::draw_counts, SERVICE_BLOCK, true, folded(ceil_div(n_, SERVICE_BLOCK))}, params_);
+    counts_by_place_ = false;
+  }
+  if (draw_options_.method != DrawMethod::compute) return draw_by_pipeline(draw_options_.method);
+  make_draw_buffers();
+  launch_rasteriser();
+}
+
 void DeviceBackend::draw(const View& view, const DrawOptions& options) {
   require_scene("draw");
   check_view(view);
+  if (std::ranges::count(draw_methods(), options.method) == 0)
+    throw std::invalid_argument(
+        fmt::format("{}: the method of drawing {} runs on OpenGL only", info().name, draw_method_name(options.method)));
   view_ = view;
   draw_options_ = options;
   if (!collided_ && !cleared_) launch_clear(false);
   cleared_ |= !collided_;
-  make_draw_buffers();
   launch_draw();
 }
 
-// Lists of the collision step that were too short mean wrong colours, so they are looked at too.
-std::vector<uint> DeviceBackend::finish_draw() {
+void DeviceBackend::require_drawn(bool by_compute) const {
   if (view_.width == 0) throw BackendError(fmt::format("{}: nothing is drawn yet; call draw first", info().name));
-  std::vector<uint> drawn(DRAWN_WORDS);
-  for (bool again = true; again;) {
-    again = false;
-    read(SLOT_DRAWN, drawn.data(), 0, drawn.size() * sizeof(uint));
-    if (drawn[DRAWN_TILES] > view_.tile_capacity) {
-      make_buffer(SLOT_TILE, (drawn[DRAWN_TILES] + drawn[DRAWN_TILES] / 8) * sizeof(uvec2));
-      again = true;
-    }
-    if (collided_) {
-      const std::vector<uint> words = read_summary();
-      if (grow_lists(words[SUM_DEFERRED], words[SUM_LISTED])) {
-        run_collide();
-        again = true;
-      }
-    }
-    if (again) launch_draw();
+  if (by_compute && draw_options_.method != DrawMethod::compute)
+    throw BackendError(fmt::format("{}: the last picture was drawn by {}, which keeps no numbers of spheres",
+                                   info().name, draw_method_name(draw_options_.method)));
+}
+
+// Lists of the collision step that were too short mean wrong colours, so they are looked at too.
+bool DeviceBackend::grow_draw_lists() {
+  bool grown = false;
+  if (draw_options_.method == DrawMethod::compute) {
+    uint tiles = 0;
+    read(SLOT_DRAWN, &tiles, DRAWN_TILES * sizeof(uint), sizeof(uint));
+    grown = tiles > view_.tile_capacity;
+    if (grown) make_buffer(SLOT_TILE, (uint64_t(tiles) + tiles / 8) * sizeof(uvec2));
   }
-  return drawn;
+  if (!collided_) return grown;
+  const std::vector<uint> words = read_summary();
+  if (!grow_lists(words[SUM_DEFERRED], words[SUM_LISTED])) return grown;
+  run_collide();
+  return true;
+}
+
+void DeviceBackend::finish_draw() {
+  while (grow_draw_lists()) launch_draw();
 }
 
 std::vector<uint> DeviceBackend::image() {
+  require_drawn(false);
   finish_draw();
+  if (draw_options_.method != DrawMethod::compute) return pipeline_image();
   std::vector<uint> image(pixels(view_));
   read(SLOT_IMAGE, image.data(), 0, image.size() * sizeof(uint));
   return image;
 }
 
 std::vector<uvec2> DeviceBackend::visible() {
+  require_drawn(true);
   finish_draw();
   std::vector<uvec2> visible(pixels(view_));
   read(SLOT_VISIBLE, visible.data(), 0, visible.size() * sizeof(uvec2));
@@ -109,8 +124,11 @@ std::vector<uvec2> DeviceBackend::visible() {
 }
 
 DrawCounts DeviceBackend::draw_counts() {
-  const std::vector<uint> drawn = finish_draw();
+  require_drawn(true);
   if (!draw_options_.count) throw BackendError(fmt::format("{}: drawing was not counted; set count", info().name));
+  finish_draw();
+  std::vector<uint> drawn(DRAWN_WORDS);
+  read(SLOT_DRAWN, drawn.data(), 0, drawn.size() * sizeof(uint));
   return {.drawn = uint64_t(drawn[DRAWN_SMALL]) + drawn[DRAWN_LARGE],
           .unseen = drawn[DRAWN_UNSEEN],
           .large = drawn[DRAWN_LARGE],

@@ -43,6 +43,8 @@ class CudaBackend final : public DeviceBackend {
   uint64_t largest_binding() const override { return uint64_t(1) << 47; }
   std::vector<Pair> read_pairs(uint64_t count) override;
   bool has_atomics_64() const override { return true; }
+  void draw_by_pipeline(DrawMethod) override {}  // draw_methods() has none
+  std::vector<uint> pipeline_image() override { return {}; }
 
  private:
   template <typename T>

@@ -8,15 +8,12 @@
 
 #include "context.h"
 #include "device_backend.h"
+#include "gl_renderer.h"
 #include "program.h"
+#include "stage_timer.h"
 
 namespace spherepair {
 namespace {
-
-struct TimedStage {
-  Kernel kernel;
-  std::array<GLuint, 2> queries;
-};
 
 class GlslBackend final : public DeviceBackend {
  public:
@@ -24,6 +21,9 @@ class GlslBackend final : public DeviceBackend {
   ~GlslBackend() override;
   const BackendInfo& info() const override { return info_; }
   void finish() override;
+  std::vector<DrawMethod> draw_methods() const override {
+    return {all_draw_methods().begin(), all_draw_methods().end()};
+  }
   void time_stages(bool on) override;
   std::vector<StageTime> stage_times() override;
 
@@ -34,6 +34,8 @@ class GlslBackend final : public DeviceBackend {
   void launch(const Launch& launch, const Params& params) override;
   uint64_t largest_binding() const override { return largest_binding_; }
   bool has_atomics_64() const override { return atomics_64_; }
+  void draw_by_pipeline(DrawMethod method) override;
+  std::vector<uint> pipeline_image() override;
 
  private:
   void require_features() const;
@@ -53,8 +55,8 @@ class GlslBackend final : public DeviceBackend {
   GLuint view_buffer_ = 0;
   View view_on_device_{};
   std::map<std::tuple<Kernel, uint, bool>, std::unique_ptr<Program>> programs_;
-  bool timing_ = false;
-  std::vector<TimedStage> timed_;
+  std::unique_ptr<GlRenderer> renderer_;
+  StageTimer timer_;
 };
 
 std::string gl_string(GLenum name) { return reinterpret_cast<const char*>(glGetString(name)); }
@@ -80,7 +82,8 @@ GlslBackend::GlslBackend(const OpenOptions& options) : context_(options), sparse
 
 GlslBackend::~GlslBackend() {
   if (!context_.try_make_current()) return;  // a lost context took everything with it
-  for (const TimedStage& stage : timed_) glDeleteQueries(2, stage.queries.data());
+  renderer_.reset();
+  timer_.forget();
   glDeleteBuffers(GLsizei(buffers_.size()), buffers_.data());
   glDeleteBuffers(1, &params_buffer_);
   glDeleteBuffers(1, &view_buffer_);
@@ -197,17 +200,23 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
     bound[SLOT_COUNT] = buffers_[SLOT_SORTED_COUNT];
   }
   glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, 0, GLsizei(bound.size()), bound.data());
-  TimedStage stage{launch.kernel, {}};
-  if (timing_) {
-    glCreateQueries(GL_TIMESTAMP, 2, stage.queries.data());
-    glQueryCounter(stage.queries[0], GL_TIMESTAMP);
-  }
-  glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  if (timing_) {
-    glQueryCounter(stage.queries[1], GL_TIMESTAMP);
-    timed_.push_back(stage);
-  }
+  timer_.time(kernel_name(launch.kernel), [&] {
+    glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  });
+}
+
+void GlslBackend::draw_by_pipeline(DrawMethod method) {
+  context_.make_current();
+  set_view();
+  if (!renderer_) renderer_ = std::make_unique<GlRenderer>();
+  timer_.time(draw_method_name(method),
+              [&] { renderer_->draw(method, view(), buffers_[SLOT_POSITION], buffers_[SLOT_COUNT], spheres()); });
+}
+
+std::vector<uint> GlslBackend::pipeline_image() {
+  context_.make_current();
+  return renderer_->image();
 }
 
 void GlslBackend::finish() {
@@ -218,21 +227,12 @@ void GlslBackend::finish() {
 
 void GlslBackend::time_stages(bool on) {
   stage_times();
-  timing_ = on;
+  timer_.turn(on);
 }
 
 std::vector<StageTime> GlslBackend::stage_times() {
   finish();
-  std::vector<StageTime> times;
-  for (const TimedStage& stage : timed_) {
-    GLuint64 start = 0, stop = 0;
-    glGetQueryObjectui64v(stage.queries[0], GL_QUERY_RESULT, &start);
-    glGetQueryObjectui64v(stage.queries[1], GL_QUERY_RESULT, &stop);
-    times.push_back({kernel_name(stage.kernel), double(stop - start) * 1e-9});
-    glDeleteQueries(2, stage.queries.data());
-  }
-  timed_.clear();
-  return times;
+  return timer_.take();
 }
 
 }  // namespace
