@@ -85,7 +85,16 @@ std::span<const DrawMethod> all_draw_methods();
 
 struct DrawOptions {
   DrawMethod method = DrawMethod::compute;
+
+  // What the rasteriser may leave out; never changes a bit of the picture. Spheres in consecutive places of the cell
+  // order (as they stand, without one) form clusters, which are tested as a whole.
+  bool skip_outside = true;       // clusters out of view
+  bool skip_hidden = true;        // clusters behind what is drawn already; implies the above
+  bool skip_unchanged = true;     // the whole picture, when nothing has changed since the last
+  uint64_t skip_from = 1u << 17;  // clusters are made of so many spheres or more
+
   bool count = false;  // fill all of DrawCounts, which costs an atomic operation a sphere
+  auto operator<=>(const DrawOptions&) const = default;
 };
 
 // Of one draw(), numbers of spheres; `drawn` are those with a pixel's centre in their box, whether seen in the end or
@@ -94,6 +103,8 @@ struct DrawCounts {
   uint64_t drawn = 0, unseen = 0;  // out of view, or between the centres of the pixels
   uint64_t large = 0, tiles = 0;   // of those drawn, the ones cut into tiles; their tiles
   uint64_t undrawable = 0;         // numbers beyond those that can be drawn (draw.h, in_camera)
+  uint64_t clusters = 0, clusters_outside = 0, clusters_hidden = 0;  // their spheres are in none of the above
+  uint64_t pictures_kept = 0;  // calls of draw() since upload() that had nothing to do
 };
 
 struct BackendInfo {

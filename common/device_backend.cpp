@@ -31,7 +31,11 @@ constexpr const char* slot_names[SLOT_TOTAL] = {"positions",
                                                 "visible spheres",
                                                 "image",
                                                 "tiles of large spheres",
-                                                "counts of drawing"};
+                                                "counts of drawing",
+                                                "clusters",
+                                                "clusters seen",
+                                                "list of clusters",
+                                                "pyramid of depths"};
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
@@ -47,7 +51,8 @@ const char* kernel_name(Kernel kernel) {
       "move",           "clear",         "empty",         "settle",         "decide",           "tally",
       "grid_clear",     "grid_bounds",   "grid_count",    "grid_scan",      "grid_scatter",     "collide_grid",
       "collide_hashed", "collide_group", "collide_tiled", "collide_square", "collide_triangle", "draw_clear",
-      "draw_counts",    "draw_spheres",  "draw_tiles",    "draw_resolve"};
+      "draw_counts",    "draw_bounds",   "draw_cull",     "draw_pyramid",   "draw_clusters",    "draw_spheres",
+      "draw_tiles",     "draw_resolve"};
   return names[int(kernel)];
 }
 
@@ -106,6 +111,9 @@ void DeviceBackend::upload(const Scene& scene) {
   cell_order_.reset();
   cleared_ = collided_ = sorted_ = cells_built_ = counts_by_place_ = false;
   view_ = {};
+  clustered_.reset();
+  picture_stands_ = false;
+  pictures_kept_ = 0;
 }
 
 // A thread for every sphere, and at least one for every word of the summary, which the same kernels clear.
@@ -125,6 +133,8 @@ void DeviceBackend::move() {
   cleared_ = true;
   collided_ = cells_built_ = false;
   cell_order_.reset();
+  clustered_.reset();
+  picture_stands_ = false;
 }
 
 std::vector<uint> DeviceBackend::counts() {

@@ -32,6 +32,10 @@ enum class Kernel {
   collide_triangle,
   draw_clear,
   draw_counts,
+  draw_bounds,
+  draw_cull,
+  draw_pyramid,
+  draw_clusters,
   draw_spheres,
   draw_tiles,
   draw_resolve
@@ -110,7 +114,14 @@ class DeviceBackend : public Backend {
   void launch_draw();
   void launch_rasteriser();
   bool grow_draw_lists();
-  void rasterise(const Params& params, bool in_cells);
+  bool same_picture(const View& view, const DrawOptions& options) const;
+  void draw_all(const Params& params, bool in_cells);
+  void draw_clusters(const Params& params, bool in_cells);
+  void draw_phase(uint phase, const Params& params, bool in_cells);
+  void draw_tiles(const Params& params, bool in_cells);
+  void restart_lists();
+  void make_clusters(const Params& params, bool in_cells);
+  void build_pyramid(const Params& params);
   void finish_draw();
 
   std::array<uint, 3> per_sphere_groups() const;
@@ -129,7 +140,11 @@ class DeviceBackend : public Backend {
   bool cleared_ = false, collided_ = false;
   bool counts_by_place_ = false;  // SLOT_COUNT lacks the counts that SLOT_SORTED_COUNT has
   View view_{};                   // of the last draw; a width of 0: there was none
+  View asked_{};                  // the same as it was asked for
   DrawOptions draw_options_;
+  std::optional<bool> clustered_;  // whether the clusters are those of the cell order; none when spheres have moved
+  bool picture_stands_ = false;    // nothing has changed since the last draw
+  uint64_t pictures_kept_ = 0;
   std::array<uint64_t, SLOT_TOTAL> bytes_{};
 };
 

@@ -78,6 +78,8 @@ void DeviceBackend::collide(const CollideOptions& options) {
 }
 
 void DeviceBackend::run_collide() {
+  clustered_.reset();
+  picture_stands_ = false;
   params_ = constants_[options_.exact];
   params_.n = uint(n_);
   params_.in_cells = params_.tally_later = 0;

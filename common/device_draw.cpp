@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 
 #include "camera.h"
 #include "device_backend.h"
@@ -13,7 +14,7 @@ namespace {
 constexpr uint tile_groups = 4096;
 constexpr uint64_t least_tiles = 1 << 16;
 
-static_assert(sizeof(View) == 176);
+static_assert(sizeof(View) == 192);
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 uint64_t pixels(const View& view) { return uint64_t(view.width) * view.height; }
@@ -30,17 +31,25 @@ void DeviceBackend::make_draw_buffers() {
   keep(SLOT_TILE, std::max(n_, least_tiles) * sizeof(uvec2));
 }
 
-// Every sphere into the buffer of visible ones; once for 64-bit atomics, else once for each of its words.
-void DeviceBackend::rasterise(const Params& params, bool in_cells) {
-  const std::vector<uint> passes =
-      has_atomics_64() ? std::vector<uint>{PASS_DEPTH} : std::vector<uint>{PASS_DEPTH, PASS_ID};
-  for (const uint pass : passes) {
+// One pass for 64-bit atomics, else one for each word of what is visible.
+void DeviceBackend::draw_all(const Params& params, bool in_cells) {
+  for (const uint pass : {PASS_DEPTH, PASS_ID}) {
+    if (pass == PASS_ID && has_atomics_64()) return;
     view_.pass = pass;
-    const uint no_tiles = 0;
-    if (pass != PASS_DEPTH) write(SLOT_DRAWN, &no_tiles, DRAWN_TILES * sizeof(uint), sizeof(uint));
+    if (pass == PASS_ID) restart_lists();
     launch({Kernel::draw_spheres, SERVICE_BLOCK, true, folded(ceil_div(n_, SERVICE_BLOCK)), in_cells}, params);
-    launch({Kernel::draw_tiles, SERVICE_BLOCK, true, {tile_groups, 1, 1}, in_cells}, params);
+    draw_tiles(params, in_cells);
   }
+}
+
+void DeviceBackend::draw_tiles(const Params& params, bool in_cells) {
+  launch({Kernel::draw_tiles, SERVICE_BLOCK, true, {tile_groups, 1, 1}, in_cells}, params);
+}
+
+// The second pass lists the tiles again; the list of clusters it goes through again from the start.
+void DeviceBackend::restart_lists() {
+  const uint none[] = {0, 0};
+  write(SLOT_DRAWN, none, DRAWN_TILES * sizeof(uint), sizeof(none));
 }
 
 void DeviceBackend::launch_rasteriser() {
@@ -50,9 +59,11 @@ void DeviceBackend::launch_rasteriser() {
   view_.tile_capacity = uint(bytes_[SLOT_TILE] / sizeof(uvec2));
   view_.counting = draw_options_.count;
   view_.pass = PASS_DEPTH;
+  view_.occlusion = draw_options_.skip_hidden;
   const auto per_pixel = folded(ceil_div(pixels(view_), SERVICE_BLOCK));
   launch({Kernel::draw_clear, SERVICE_BLOCK, true, per_pixel}, params);
-  if (n_ > 0) rasterise(params, in_cells);
+  const bool culls = (draw_options_.skip_outside || draw_options_.skip_hidden) && n_ >= draw_options_.skip_from;
+  if (n_ > 0) culls ? draw_clusters(params, in_cells) : draw_all(params, in_cells);
   launch({Kernel::draw_resolve, SERVICE_BLOCK, true, per_pixel}, params);
 }
 
@@ -72,11 +83,20 @@ void DeviceBackend::draw(const View& view, const DrawOptions& options) {
   if (std::ranges::count(draw_methods(), options.method) == 0)
     throw std::invalid_argument(
         fmt::format("{}: the method of drawing {} runs on OpenGL only", info().name, draw_method_name(options.method)));
-  view_ = view;
+  if (options.skip_unchanged && picture_stands_ && same_picture(view, options)) {
+    ++pictures_kept_;
+    return;
+  }
+  view_ = asked_ = view;
   draw_options_ = options;
   if (!collided_ && !cleared_) launch_clear(false);
   cleared_ |= !collided_;
   launch_draw();
+  picture_stands_ = true;
+}
+
+bool DeviceBackend::same_picture(const View& view, const DrawOptions& options) const {
+  return std::memcmp(&view, &asked_, sizeof(View)) == 0 && options == draw_options_;
 }
 
 void DeviceBackend::require_drawn(bool by_compute) const {
@@ -104,6 +124,7 @@ bool DeviceBackend::grow_draw_lists() {
 
 void DeviceBackend::finish_draw() {
   while (grow_draw_lists()) launch_draw();
+  picture_stands_ = true;
 }
 
 std::vector<uint> DeviceBackend::image() {
@@ -133,7 +154,11 @@ DrawCounts DeviceBackend::draw_counts() {
           .unseen = drawn[DRAWN_UNSEEN],
           .large = drawn[DRAWN_LARGE],
           .tiles = drawn[DRAWN_TILES],
-          .undrawable = drawn[DRAWN_UNDRAWABLE]};
+          .undrawable = drawn[DRAWN_UNDRAWABLE],
+          .clusters = view_.clusters,
+          .clusters_outside = drawn[DRAWN_CLUSTERS_OUTSIDE],
+          .clusters_hidden = drawn[DRAWN_CLUSTERS_HIDDEN],
+          .pictures_kept = pictures_kept_};
 }
 
 }  // namespace spherepair

@@ -55,29 +55,33 @@ FN uint last_pixel(float high, uint size) {
   return uint(larger(inside, 0.0f));  // one behind the last
 }
 
-FN Box box_of(vec4 seen, View v) {
-  Box box = {0u, 0u, v.width, v.height};
-  EXACT float close = seen.z - seen.w;
-  EXACT float far = seen.z + seen.w;
-  EXACT float least = seen.w * bits_float(0x3A800000u);  // 2^-10
-  if (close <= least) return box;                        // it crosses the plane of the eye
+// Of what lies between these limits in the camera's axes: all pixels when it reaches the plane of the eye.
+FN Box box_between(float left, float right, float bottom, float top, float close, float far, View v) {
   EXACT float per_close = v.focal / close;
   EXACT float per_far = v.focal / far;
-  EXACT float left = seen.x - seen.w;
-  EXACT float right = seen.x + seen.w;
-  EXACT float bottom = seen.y - seen.w;
-  EXACT float top = seen.y + seen.w;
   EXACT float low_x = left * (left < 0.0f ? per_close : per_far) + v.centre_x;
   EXACT float high_x = right * (right > 0.0f ? per_close : per_far) + v.centre_x;
   EXACT float low_y = v.centre_y - top * (top > 0.0f ? per_close : per_far);
   EXACT float high_y = v.centre_y - bottom * (bottom < 0.0f ? per_close : per_far);
   uint end_x = last_pixel(high_x, v.width);
   uint end_y = last_pixel(high_y, v.height);
-  box.x = first_pixel(smaller(low_x, float(v.width)));
-  box.y = first_pixel(smaller(low_y, float(v.height)));
-  box.width = end_x > box.x ? end_x - box.x : 0u;
-  box.height = end_y > box.y ? end_y - box.y : 0u;
+  uint x = first_pixel(smaller(low_x, float(v.width)));
+  uint y = first_pixel(smaller(low_y, float(v.height)));
+  Box box = {x, y, end_x > x ? end_x - x : 0u, end_y > y ? end_y - y : 0u};
   return box;
+}
+
+FN Box box_of(vec4 seen, View v) {
+  Box all = {0u, 0u, v.width, v.height};
+  EXACT float close = seen.z - seen.w;
+  EXACT float far = seen.z + seen.w;
+  EXACT float least = seen.w * bits_float(0x3A800000u);  // 2^-10
+  EXACT float left = seen.x - seen.w;
+  EXACT float right = seen.x + seen.w;
+  EXACT float bottom = seen.y - seen.w;
+  EXACT float top = seen.y + seen.w;
+  if (close <= least) return all;  // it crosses the plane of the eye
+  return box_between(left, right, bottom, top, close, far, v);
 }
 
 FN uint tiles_along(uint pixels) { return (pixels + TILE - 1u) / TILE; }

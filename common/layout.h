@@ -24,7 +24,11 @@
 #define SLOT_IMAGE 15    // uint[pixels]: red, green, blue, 255 from the lowest byte up; rows from the top
 #define SLOT_TILE 16     // uvec2[]: large spheres cut into tiles: the sphere's place, the number of the tile in its box
 #define SLOT_DRAWN 17    // uint[DRAWN_WORDS]: see view.h
-#define SLOT_TOTAL 18
+#define SLOT_CLUSTER 18  // vec4[2 * clusters]: lowest and highest corner of what holds a cluster's spheres
+#define SLOT_CLUSTER_SEEN 19  // uint[clusters]: not 0 when the last picture may have shown it
+#define SLOT_CLUSTER_LIST 20  // uint[clusters]: those to draw, in any order; their number is DRAWN_CLUSTERS
+#define SLOT_PYRAMID 21       // uint[]: greatest depth in each texel, level by level; see cluster.h
+#define SLOT_TOTAL 22
 #define SLOT_PARAMS 0  // the uniform block's own binding
 
 // Totals are spread over SUMMARY_SLOTS rows so that thousands of groups do not queue on one address; the host adds the

@@ -12,13 +12,24 @@
 #define PASS_DEPTH 0     // two passes where there are no 64-bit atomics: first the depth ...
 #define PASS_ID 1        // ... then, of the spheres at that depth, the lowest number
 
-// Words of SLOT_DRAWN. All but the first are counted on request only.
+#define CLUSTER 64        // spheres, in consecutive places, that are culled together
+#define PHASE_SEEN 0      // draws the clusters that the last picture showed ...
+#define PHASE_REST 1      // ... and then those of the others that what is drawn already does not hide
+#define LEVEL_0 8         // pixels: side of what a texel of the pyramid's level 0 covers; 4 times as much a level
+#define TEXELS_AT_MOST 4  // along an axis that a box of pixels is looked up in, but for one at its border
+
+// Words of SLOT_DRAWN. Those from DRAWN_LARGE on are counted on request only.
 #define DRAWN_TILES 0       // entries that the list of tiles needs
-#define DRAWN_LARGE 1       // spheres cut into tiles
-#define DRAWN_SMALL 2       // spheres walked by one thread, with at least one pixel's centre in their box
-#define DRAWN_UNSEEN 3      // spheres out of view, or between the centres of the pixels
-#define DRAWN_UNDRAWABLE 4  // spheres whose numbers are beyond those that can be drawn, see in_camera
-#define DRAWN_WORDS 8
+#define DRAWN_TILES_DONE 1  // of those, the ones of the first phase
+#define DRAWN_CLUSTERS 2    // entries of the list of clusters to draw
+#define DRAWN_CLUSTERS_DONE 3
+#define DRAWN_LARGE 4             // spheres cut into tiles
+#define DRAWN_SMALL 5             // spheres walked by one thread, with at least one pixel's centre in their box
+#define DRAWN_UNSEEN 6            // spheres out of view, or between the centres of the pixels
+#define DRAWN_UNDRAWABLE 7        // spheres whose numbers are beyond those that can be drawn, see in_camera
+#define DRAWN_CLUSTERS_OUTSIDE 8  // clusters out of view
+#define DRAWN_CLUSTERS_HIDDEN 9   // clusters behind what is drawn already
+#define DRAWN_WORDS 16
 
 struct View {
   vec4 eye;                 // metres; w: least depth that is drawn
@@ -28,7 +39,8 @@ struct View {
   float half_x, half_y, norm_x, norm_y;    // the widest |x/z| and |y/z| seen, rounded up; sqrt(1 + half^2), rounded up
   uvec4 palette_0, palette_4;              // 0xRRGGBB of 0, 1, 2, 3 contacts; of 4, 5, 6, 7 and more
   uint background, width, height, pass;    // 0xRRGGBB; pixels; PASS_*
-  uint tile_capacity, counting, spare_0, spare_1;  // entries; not 0: DRAWN_* are counted
+  uint tile_capacity, counting, phase, occlusion;  // entries; not 0: DRAWN_* are counted; PHASE_*; not 0: hide clusters
+  uint clusters, levels, level, spare_0;           // their number; of the pyramid; the one that draw_pyramid makes
 };
 
 #endif

@@ -176,7 +176,11 @@ World CudaBackend::world(bool in_cells) const {
           .visible = buffer<uvec2>(SLOT_VISIBLE),
           .image = buffer<uint>(SLOT_IMAGE),
           .tile = buffer<uvec2>(SLOT_TILE),
-          .drawn = buffer<uint>(SLOT_DRAWN)};
+          .drawn = buffer<uint>(SLOT_DRAWN),
+          .cluster = buffer<vec4>(SLOT_CLUSTER),
+          .cluster_seen = buffer<uint>(SLOT_CLUSTER_SEEN),
+          .cluster_list = buffer<uint>(SLOT_CLUSTER_LIST),
+          .pyramid = buffer<uint>(SLOT_PYRAMID)};
 }
 
 void CudaBackend::launch(const Launch& launch, const Params& params) {

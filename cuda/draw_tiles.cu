@@ -6,7 +6,7 @@ namespace spherepair {
 
 __global__ void __launch_bounds__(SERVICE_BLOCK) draw_tiles(Params p, World w, View v) {
   uint tiles = min(w.drawn[DRAWN_TILES], v.tile_capacity);
-  for (uint t = group_index(p); t < tiles; t += group_count()) {
+  for (uint t = w.drawn[DRAWN_TILES_DONE] + group_index(p); t < tiles; t += group_count()) {
     uint place = w.tile[t].x;
     vec4 seen = in_camera(w.position[place], v);
     Box box = box_of(seen, v);

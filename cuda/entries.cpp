@@ -43,6 +43,14 @@ Entry entry_of(const Launch& launch) {
       return draw_clear_kernel();
     case Kernel::draw_counts:
       return draw_counts_kernel();
+    case Kernel::draw_bounds:
+      return draw_bounds_kernel();
+    case Kernel::draw_cull:
+      return draw_cull_kernel();
+    case Kernel::draw_pyramid:
+      return draw_pyramid_kernel();
+    case Kernel::draw_clusters:
+      return draw_clusters_kernel();
     case Kernel::draw_spheres:
       return draw_spheres_kernel();
     case Kernel::draw_tiles:

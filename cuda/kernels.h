@@ -26,6 +26,10 @@ struct World {
   uint* image;
   uvec2* tile;
   uint* drawn;
+  vec4* cluster;
+  uint* cluster_seen;
+  uint* cluster_list;
+  uint* pyramid;
 };
 
 // Every kernel is void (Params p, World w), those that draw take a View v beside. A null entry means a group size that
@@ -50,6 +54,10 @@ Entry collide_square_kernel(uint block, bool equal_radii);
 Entry collide_triangle_kernel(uint block, bool equal_radii);
 Entry draw_clear_kernel();
 Entry draw_counts_kernel();
+Entry draw_bounds_kernel();
+Entry draw_cull_kernel();
+Entry draw_pyramid_kernel();
+Entry draw_clusters_kernel();
 Entry draw_spheres_kernel();
 Entry draw_tiles_kernel();
 Entry draw_resolve_kernel();

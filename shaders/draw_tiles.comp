@@ -7,7 +7,7 @@ layout(local_size_x = BLOCK) in;
 
 void main() {
   uint tiles = min(drawn[DRAWN_TILES], v.tile_capacity);
-  for (uint t = group_index(); t < tiles; t += group_count()) {
+  for (uint t = drawn[DRAWN_TILES_DONE] + group_index(); t < tiles; t += group_count()) {
     uint place = tile[t].x;
     vec4 seen = in_camera(position[place], v);
     Box box = box_of(seen, v);

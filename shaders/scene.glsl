@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the shaders of the graphics pipeline read: the simulation's own buffers, by the number of the sphere. Images have
-// their first row at the top, so y grows downwards.
+// What the shaders of the graphics pipeline read: the simulation's own buffers, by the number of the sphere. Images
+// have their first row at the top, so y grows downwards.
 #include "draw.h"
 #include "layout.h"
 
@@ -19,4 +19,7 @@ vec4 clip_position(vec3 at) {
   return vec4(2.0 * image / vec2(v.width, v.height) - at.z, v.eye.w, at.z);
 }
 
-float light_on(vec3 normal) { return v.light.w + (1.0 - v.light.w) * clamp(dot(normal, v.light.xyz), 0.0, 1.0); }
+float light_on(vec3 normal) {
+  vec3 facing = normal * v.light.xyz;
+  return v.light.w + (1.0 - v.light.w) * clamp(facing.x + facing.y + facing.z, 0.0, 1.0);
+}
