@@ -118,11 +118,12 @@ FN uint first_texel(uint level, View v) {
   for (uint k = 0u; k < level; ++k) first += texels_along(v.width, k) * texels_along(v.height, k);
   return first;
 }
-// The level at which a box is looked up in few texels.
+// The finest level at which a box is looked up in few texels; rows of spheres make long and low boxes.
 FN uint level_for(Box box, View v) {
-  uint size = box.width > box.height ? box.width : box.height;
   uint level = 0u;
-  while (level + 1u < v.levels && size > texel_side(level) * TEXELS_AT_MOST) ++level;
+  while (level + 1u < v.levels &&
+         (box.width / texel_side(level) + 1u) * (box.height / texel_side(level) + 1u) > uint(TEXELS_AT_MOST))
+    ++level;
   return level;
 }
 

@@ -12,11 +12,11 @@
 #define PASS_DEPTH 0     // two passes where there are no 64-bit atomics: first the depth ...
 #define PASS_ID 1        // ... then, of the spheres at that depth, the lowest number
 
-#define CLUSTER 64        // spheres, in consecutive places, that are culled together
-#define PHASE_SEEN 0      // draws the clusters that the last picture showed ...
-#define PHASE_REST 1      // ... and then those of the others that what is drawn already does not hide
-#define LEVEL_0 8         // pixels: side of what a texel of the pyramid's level 0 covers; 4 times as much a level
-#define TEXELS_AT_MOST 4  // along an axis that a box of pixels is looked up in, but for one at its border
+#define CLUSTER 64         // spheres, in consecutive places, that are culled together
+#define PHASE_SEEN 0       // draws the clusters that the last picture showed ...
+#define PHASE_REST 1       // ... and then those of the others that what is drawn already does not hide
+#define LEVEL_0 8          // pixels: side of what a texel of the pyramid's level 0 covers; 4 times as much a level
+#define TEXELS_AT_MOST 64  // in which a box is looked up, beside those that its borders touch
 
 // Words of SLOT_DRAWN. Those from DRAWN_LARGE on are counted on request only.
 #define DRAWN_TILES 0       // entries that the list of tiles needs
