@@ -58,10 +58,13 @@ struct RenderOptions {
   uint64_t pictures = 1, every = 1;  // steps from each picture to the next
   uint width = 1280, height = 720, samples = 16;
   CameraOptions camera;
-  std::string draw = "compute";  // DrawMethod
-  bool legend = true;
+  std::string draw = "compute";       // DrawMethod
+  bool legend = true, plain = false;  // plain: no occlusion, shadow or ground
 };
 int render_command(const CommandLine& line, const RenderOptions& options);
+
+struct FramesOptions;  // frames.h
+int frames_command(const CommandLine& line, const FramesOptions& options);
 
 struct CompareOptions {
   std::vector<std::string> backends;

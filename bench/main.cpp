@@ -171,6 +171,7 @@ int run_program(int argc, char** argv) {
   add_run(app, line, action);
   add_pairs(app, line, action);
   add_render(app, line, action);
+  add_frames(app, line, action);
   add_compare(app, line, action);
   add_equal(app, action);
   try {

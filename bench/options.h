@@ -27,5 +27,6 @@ void add_start_options(CLI::App& command, StartOptions& start);
 void finish_start_options(const CLI::App& command, StartOptions& start);
 
 void add_render(CLI::App& app, CommandLine& line, Action& action);
+void add_frames(CLI::App& app, CommandLine& line, Action& action);
 
 }  // namespace spherepair

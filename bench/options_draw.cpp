@@ -2,6 +2,7 @@
 // The options of the subcommands that draw.
 #include <fmt/format.h>
 
+#include "frames.h"
 #include "options.h"
 
 namespace spherepair {
@@ -14,7 +15,8 @@ void add_size_option(CLI::App& command, uint& width, uint& height) {
     if (std::sscanf(text.c_str(), "%ux%u%c", &width, &height, &rest) == 2) return;
     throw CLI::ValidationError("--size", fmt::format("'{}' is not a size in pixels such as 1280x720", text));
   };
-  command.add_option_function<std::string>("--size", read, "Width x height in pixels (default 1280x720)");
+  command.add_option_function<std::string>("--size", read,
+                                           fmt::format("Width x height in pixels (default {}x{})", width, height));
 }
 
 void add_camera_options(CLI::App& command, CameraOptions& camera) {
@@ -66,6 +68,7 @@ void add_render(CLI::App& app, CommandLine& line, Action& action) {
       ->capture_default_str();
   command->add_flag_callback(
       "--no-legend", [=] { options->legend = false; }, "Leave the key to the colours out");
+  command->add_flag("--plain", options->plain, "Leave ambient occlusion, shadows and the ground out");
   command->add_option("--backend", options->backend, "cpu, glsl or cuda; default: a GPU where there is one, else cpu");
   command->add_option("--method", options->method, "Of collision, see run --help; default: the backend's fastest");
   add_open_options(*command, line.open);
@@ -77,6 +80,40 @@ void add_render(CLI::App& app, CommandLine& line, Action& action) {
     finish_start_options(*command, options->start);
     action = [=, &line] { return render_command(line, *options); };
   });
+}
+
+void add_frames(CLI::App& app, CommandLine& line, Action& action) {
+  auto* command = app.add_subcommand("frames", "Time drawing: every method, backend and number of spheres");
+  auto options = std::make_shared<FramesOptions>();
+  const auto list = [&](const char* name, std::vector<std::string>& values, const char* text) {
+    command->add_option(name, values, text)->delimiter(',')->capture_default_str();
+  };
+  list("--backends", options->backends, "Only these, and each must open: cpu,glsl,cuda");
+  list("--draws", options->draws, "Methods of drawing, see render --help");
+  list("--places", options->places, "Of the camera: outside, inside");
+  list(
+      "--works", options->works,
+      "frame: a picture from a new place each time; frame_all: the same with nothing skipped; loop: move, collide_grid "
+      "and frame");
+  command->add_option("--n", options->sizes, "Numbers of spheres, put in cell order before")
+      ->delimiter(',')
+      ->check(positive_range)
+      ->capture_default_str();
+  command
+      ->add_option("--most", options->most, "Time a method of drawing up to so many spheres only, e.g. mesh_each:65536")
+      ->delimiter(',');
+  add_size_option(*command, options->width, options->height);
+  command->add_option("--packing-fraction", options->packing_fraction, "Of the spheres")->capture_default_str();
+  command->add_option("--rounds", options->rounds, "Rounds of each timing")
+      ->check(whole_number(1, 100000))
+      ->capture_default_str();
+  command->add_option("--min-seconds", options->min_seconds, "Least time of one sample")->check(CLI::Range(0.0, 60.0));
+  command->add_option("--json", options->json_file, "Where the record goes")->capture_default_str();
+  add_open_options(*command, line.open);
+  command->footer(
+      "Pictures of the exact methods are compared first; a wrong one is never timed.\n"
+      "Example:\n  spherepair frames --n 16384,1000000 --most mesh_each:16384,mesh:1000000 --json frames.json");
+  command->callback([=, &line, &action] { action = [=, &line] { return frames_command(line, *options); }; });
 }
 
 }  // namespace spherepair

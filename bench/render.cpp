@@ -7,6 +7,7 @@
 #include "choice.h"
 #include "context.h"
 #include "files.h"
+#include "legend.h"
 #include "photo.h"
 #include "png_file.h"
 #include "replaced_file.h"
@@ -65,9 +66,12 @@ json record(const Series& series, uint64_t step, const Collisions& totals) {
 
 void take_picture(const Series& series, uint64_t k, uint64_t step) {
   Backend& backend = *series.chosen.backend;
-  backend.collide({.method = series.method});
+  CollideOptions collide = {.method = series.method};
+  if (series.shot.look.lighting) collide.grid.cells = Cells::dense;
+  backend.collide(collide);
   const Collisions totals = backend.collisions();
-  const std::vector<uint> image = take(backend, series.shot);
+  std::vector<uint> image = take(backend, series.shot);
+  if (series.options.legend) draw_legend(image, series.shot.width, series.shot.height, series.shot.look);
   fs::path path = name_of(series.options, k);
   write_png(path, image, series.shot.width, series.shot.height);
   write_file(path.replace_extension(".json"), json_text(record(series, step, totals)));
@@ -90,14 +94,17 @@ int render_command(const CommandLine& line, const RenderOptions& options) {
   check_options(options);
   const Start start = start_of(options.start, line.open.threads);
   const ChosenBackend chosen = choose_backend(options.backend, line.open);
-  const Method method = choose_method(options.method, *chosen.backend, start.scene.size());
+  const bool lights = !options.plain && options.draw == "compute" && start.scene.size() > 1;
+  const Method method =
+      lights ? Method::collide_grid : choose_method(options.method, *chosen.backend, start.scene.size());
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
   chosen.backend->upload(start.scene);
   const double aspect = double(options.width) / options.height;
   for (uint64_t step = 0; step < options.steps; ++step) chosen.backend->move();
   const Camera camera = camera_of(options.camera, bounds_of(chosen.backend->state().positions), aspect);
-  const Shot shot{camera,         contact_look(),  options.width,
-                  options.height, options.samples, draw_method_from_name(options.draw)};
+  Look look = contact_look();
+  if (lights) look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
+  const Shot shot{camera, look, options.width, options.height, options.samples, draw_method_from_name(options.draw)};
   take_series({line, options, start, chosen, method, shot});
   fmt::print("{}{} on {}: scene {}, {} spheres\n", start.notes, chosen.backend->info().name,
              device_label(chosen.backend->info()), start.label, start.scene.size());

@@ -105,6 +105,12 @@ View make_view(const Camera& camera, const Look& look, uint width, uint height, 
   v.up = rounded(axes.up);
   v.forward = rounded(axes.forward);
   v.light = rounded(glm::normalize(vector(look.light)), look.ambient);
+  const glm::dvec3 light = glm::normalize(vector(look.light));
+  const glm::dvec3 sun = light.x * axes.right + light.y * axes.up + light.z * axes.forward;
+  if (look.lighting & LIGHT_SHADOW && sun.y < 0.2)
+    throw std::invalid_argument("shadows need light from above: look from a lower or less tilted camera");
+  v.sun = rounded(sun, look.shadow);
+  v.lighting = look.lighting;
   v.focal = float(focal);
   v.pixel = float(1 / focal);
   v.centre_x = float(width / 2.0 - 0.5 + jitter[0]);

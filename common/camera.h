@@ -34,7 +34,9 @@ struct Look {
   std::array<uint, 8> palette;  // 0xRRGGBB of 0, 1 ... 6, 7 and more contacts
   uint background = 0xFFFFFF;
   Vector light = {-0.35, 0.75, -0.56};  // towards the light: right, up, forward of the camera
-  double ambient = 0.32;                // the share of light from all around
+  double ambient = 0.38;                // the share of light from all around
+  uint lighting = 0;                    // LIGHT_*: they need the dense cells of collide_grid, and light from above
+  double shadow = 0.72;                 // the ground's brightness in full shadow, of the background's
 };
 Look contact_look();  // blue without contacts, then from pale yellow to dark red: told apart also by the colour-blind
 

@@ -47,8 +47,8 @@ FN uint dense_slot(uint x, uint y, uint z, Params p) { return (z * p.cells_y + y
 // The level of a radius: its octave above the smallest; everything is in level 0 when there is only one.
 FN uint level_of(float radius, Params p) {
   uint octave = (float_bits(radius) >> 23) & 0xFFu;
-  if (octave <= p.first_octave) return 0u;
-  return octave - p.first_octave < p.top_level ? octave - p.first_octave : p.top_level;
+  uint above = octave > p.first_octave ? octave - p.first_octave : 0u;
+  return above < p.top_level ? above : p.top_level;
 }
 
 FN int cell_number(float x, float origin, float scale) {
@@ -93,14 +93,17 @@ FN Cell highest_cell(vec4 sphere, float reach, uint level, Params p) {
   return cell_at(x, y, z, level, p);
 }
 
-FN uint slot_of(vec4 sphere, Params p) {
-  if (p.hash_mask == 0u) {
-    Place place = place_of(sphere, p);
-    return dense_slot(uint(place.x), uint(place.y), uint(place.z), p);
-  }
+FN uint dense_slot_of(vec4 sphere, Params p) {
+  Place place = place_of(sphere, p);
+  return dense_slot(uint(place.x), uint(place.y), uint(place.z), p);
+}
+FN uint hashed_slot_of(vec4 sphere, Params p) {
   uint level = level_of(sphere.w, p);
   Cell cell = cell_at(sphere.x, sphere.y, sphere.z, level, p);
   return slot_in_row(row_slot(level, cell.y, cell.z), cell.x, p);
+}
+FN uint slot_of(vec4 sphere, Params p) {
+  return p.hash_mask == 0u ? dense_slot_of(sphere, p) : hashed_slot_of(sphere, p);
 }
 
 // Whether a sphere belongs to this level and to this row of its cells.

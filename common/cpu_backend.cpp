@@ -105,7 +105,12 @@ class CpuBackend final : public Backend {
       throw std::invalid_argument(
           fmt::format("cpu: the method of drawing {} runs on OpenGL only", draw_method_name(options.method)));
     const std::vector<uint> contacts = found_ ? counts() : std::vector<uint>(positions_.size());
-    timed("draw", [&] { picture_ = draw_picture(positions_, contacts, view, threads_); });
+    if (view.lighting != 0 && (!found_ || method_ != Method::collide_grid || celled_ != Cells::dense))
+      throw std::invalid_argument(
+          "cpu: occlusion and shadows need the dense cells of collide_grid; collide with them first");
+    Params p = constants_[true];
+    set_grid(p, plans_.dense);
+    timed("draw", [&] { picture_ = draw_picture(positions_, contacts, view, p, threads_); });
     counted_ = options.count;
   }
   std::vector<uint> image() override { return picture().image; }

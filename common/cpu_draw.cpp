@@ -2,8 +2,9 @@
 #include "cpu_draw.h"
 
 #include <algorithm>
+#include <optional>
 
-#include "draw.h"
+#include "cpu_light.h"
 
 namespace spherepair {
 namespace {
@@ -44,7 +45,10 @@ uint colour_of(uvec2 there, uint pixel, std::span<const vec4> spheres, std::span
 }  // namespace
 
 // Each thread has a band of rows, for which it goes through all spheres.
-CpuPicture draw_picture(std::span<const vec4> spheres, std::span<const uint> contacts, const View& view, int threads) {
+CpuPicture draw_picture(std::span<const vec4> spheres, std::span<const uint> contacts, const View& view,
+                        const Params& p, int threads) {
+  std::optional<CpuLight> light;
+  if (view.lighting != 0) light.emplace(spheres, p);
   const size_t pixels = size_t(view.width) * view.height;
   CpuPicture picture{std::vector<uint>(pixels), std::vector<uvec2>(pixels, uvec2{none, none}), {}};
 #pragma omp parallel for num_threads(threads) schedule(static, 1)
@@ -58,7 +62,8 @@ CpuPicture draw_picture(std::span<const vec4> spheres, std::span<const uint> con
       put(picture.visible, within_rows(box, first, last), seen, uint(i), view);
     }
     for (size_t pixel = size_t(first) * view.width; pixel < size_t(last) * view.width; ++pixel)
-      picture.image[pixel] = colour_of(picture.visible[pixel], uint(pixel), spheres, contacts, view);
+      picture.image[pixel] = light ? light->colour(picture.visible[pixel], uint(pixel), contacts, view)
+                                   : colour_of(picture.visible[pixel], uint(pixel), spheres, contacts, view);
   }
   return picture;
 }

@@ -14,6 +14,8 @@ struct CpuPicture {
   std::vector<uvec2> visible;  // as SLOT_VISIBLE
   DrawCounts counts;
 };
-CpuPicture draw_picture(std::span<const vec4> spheres, std::span<const uint> contacts, const View& view, int threads);
+// p: with the dense cells for the light; only looked at when the view asks for LIGHT_*.
+CpuPicture draw_picture(std::span<const vec4> spheres, std::span<const uint> contacts, const View& view,
+                        const Params& p, int threads);
 
 }  // namespace spherepair

@@ -52,7 +52,7 @@ const char* kernel_name(Kernel kernel) {
       "grid_clear",     "grid_bounds",   "grid_count",    "grid_scan",      "grid_scatter",     "collide_grid",
       "collide_hashed", "collide_group", "collide_tiled", "collide_square", "collide_triangle", "draw_clear",
       "draw_counts",    "draw_bounds",   "draw_cull",     "draw_pyramid",   "draw_clusters",    "draw_spheres",
-      "draw_tiles",     "draw_resolve"};
+      "draw_tiles",     "draw_resolve",  "draw_light"};
   return names[int(kernel)];
 }
 
@@ -102,7 +102,7 @@ void DeviceBackend::upload(const Scene& scene) {
   make_buffer(SLOT_VERDICT, 16);
   write(SLOT_POSITION, scene.positions.data(), 0, n_ * sizeof(vec4));
   write(SLOT_VELOCITY, scene.velocities.data(), 0, n_ * sizeof(vec4));
-  equal_radii_ = scene.equal_radii;
+  variant_.equal_radii = scene.equal_radii;
   constants_ = {scene_params(scene, false), scene_params(scene, true)};
   params_ = constants_[true];
   params_.n = uint(n_);
@@ -123,13 +123,13 @@ std::array<uint, 3> DeviceBackend::per_sphere_groups() const {
 
 void DeviceBackend::launch_clear(bool in_cells) {
   const uint64_t threads = std::max<uint64_t>(n_, SUMMARY_SLOTS * SUMMARY_WORDS);
-  launch({Kernel::clear, SERVICE_BLOCK, true, folded(ceil_div(threads, SERVICE_BLOCK * SPHERES_PER_SORTER)), in_cells},
+  launch({Kernel::clear, SERVICE_BLOCK, {}, folded(ceil_div(threads, SERVICE_BLOCK * SPHERES_PER_SORTER)), in_cells},
          params_);
 }
 
 void DeviceBackend::move() {
   require_scene("move");
-  launch({Kernel::move, SERVICE_BLOCK, true, per_sphere_groups()}, params_);
+  launch({Kernel::move, SERVICE_BLOCK, {}, per_sphere_groups()}, params_);
   cleared_ = true;
   collided_ = cells_built_ = false;
   cell_order_.reset();
@@ -180,12 +180,12 @@ std::vector<uint> DeviceBackend::decide(std::span<const vec4> spheres) {
     const uint64_t count = std::min(decide_batch, total - first);
     params.pairs_to_decide = uint(count);
     write(SLOT_SPHERES, &spheres[2 * first], 0, count * 2 * sizeof(vec4));
-    launch({Kernel::decide, SERVICE_BLOCK, true, folded(ceil_div(count, SERVICE_BLOCK))}, params);
+    launch({Kernel::decide, SERVICE_BLOCK, {}, folded(ceil_div(count, SERVICE_BLOCK))}, params);
     read(SLOT_VERDICT, &verdicts[first], 0, count * sizeof(uint));
   }
   return verdicts;
 }
 
-void DeviceBackend::launch_empty(uint groups) { launch({Kernel::empty, SERVICE_BLOCK, true, folded(groups)}, params_); }
+void DeviceBackend::launch_empty(uint groups) { launch({Kernel::empty, SERVICE_BLOCK, {}, folded(groups)}, params_); }
 
 }  // namespace spherepair

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "backend.h"
+#include "variant.h"
 
 namespace spherepair {
 
@@ -38,7 +39,8 @@ enum class Kernel {
   draw_clusters,
   draw_spheres,
   draw_tiles,
-  draw_resolve
+  draw_resolve,
+  draw_light
 };
 
 // `groups` along one axis, folded into the next where one dispatch cannot hold them.
@@ -48,8 +50,8 @@ const char* kernel_name(Kernel kernel);  // the stem of its two source files
 
 struct Launch {
   Kernel kernel;
-  uint block;        // threads per group
-  bool equal_radii;  // the variant that loads no radius
+  uint block;  // threads per group
+  Variant variant;
   std::array<uint, 3> groups;
   bool in_cells = false;  // positions and counts are those in cell order
 };
@@ -127,7 +129,7 @@ class DeviceBackend : public Backend {
   std::array<uint, 3> per_sphere_groups() const;
 
   uint64_t n_ = 0;
-  bool equal_radii_ = true;
+  Variant variant_;                    // for this scene and step
   std::array<Params, 2> constants_{};  // of the scene: [exact]
   GridPlans plans_;
   std::optional<Cells> planned_;    // the cells that the buffers and parameters are for

@@ -53,7 +53,7 @@ void DeviceBackend::launch_collide() {
   const uint64_t slice = std::clamp<uint64_t>(pairs_per_dispatch / (cut.spheres * cut.meets), 1, MAX_GROUPS);
   for (uint64_t first = 0; first < groups; first += slice) {
     const uint part = uint(std::min(slice, groups - first));
-    Launch launching{cut.kernel, options_.block, equal_radii_, {part, 1, 1}};
+    Launch launching{cut.kernel, options_.block, variant_, {part, 1, 1}};
     if (cut.kernel == Kernel::collide_square) {
       launching.groups = {part, uint(std::min<uint64_t>(groups, MAX_GROUPS)), uint(ceil_div(groups, MAX_GROUPS))};
     } else if (cut.kernel == Kernel::collide_triangle) {
@@ -86,6 +86,7 @@ void DeviceBackend::run_collide() {
   tallied_ = true;
   params_.columns =
       options_.columns ? options_.columns : default_columns(n_, uint64_t(options_.block) * SPHERES_PER_THREAD);
+  variant_.listed = options_.want_pairs;
   params_.pair_capacity = options_.want_pairs ? uint(bytes_[SLOT_PAIR] / sizeof(uvec2)) : 0;
   params_.deferred_capacity = uint(bytes_[SLOT_DEFERRED] / sizeof(uvec2));
   const bool grid = options_.method == Method::collide_grid && n_ >= 2;
@@ -95,7 +96,7 @@ void DeviceBackend::run_collide() {
   grid ? launch_grid() : launch_collide();
   cleared_ = false;
   counts_by_place_ = sorted_;
-  if (options_.exact) launch({Kernel::settle, SERVICE_BLOCK, true, {settle_groups, 1, 1}, sorted_}, params_);
+  if (options_.exact) launch({Kernel::settle, SERVICE_BLOCK, variant_, {settle_groups, 1, 1}, sorted_}, params_);
 }
 
 std::vector<uint> DeviceBackend::read_summary() {
@@ -122,7 +123,7 @@ Collisions DeviceBackend::collisions() {
     words = read_summary();
   }
   if (!tallied_) {
-    launch({Kernel::tally, SERVICE_BLOCK, true, {tally_groups, 1, 1}, sorted_}, params_);
+    launch({Kernel::tally, SERVICE_BLOCK, {}, {tally_groups, 1, 1}, sorted_}, params_);
     tallied_ = true;
     words = read_summary();
   }

@@ -39,22 +39,22 @@ void DeviceBackend::make_clusters(const Params& params, bool in_cells) {
   }
   if (keep(SLOT_CLUSTER, uint64_t(view_.clusters) * 2 * sizeof(vec4))) clustered_.reset();
   if (clustered_ == in_cells) return;
-  launch({Kernel::draw_bounds, CLUSTER, true, folded(view_.clusters), in_cells}, params);
+  launch({Kernel::draw_bounds, CLUSTER, {}, folded(view_.clusters), in_cells}, params);
   clustered_ = in_cells;
 }
 
 void DeviceBackend::build_pyramid(const Params& params) {
   for (view_.level = 0; view_.level < view_.levels; ++view_.level) {
     const uint64_t texels = uint64_t(texels_along(view_.width, view_.level)) * texels_along(view_.height, view_.level);
-    launch({Kernel::draw_pyramid, SERVICE_BLOCK, true, folded(ceil_div(texels, SERVICE_BLOCK))}, params);
+    launch({Kernel::draw_pyramid, SERVICE_BLOCK, {}, folded(ceil_div(texels, SERVICE_BLOCK))}, params);
   }
 }
 
 void DeviceBackend::draw_phase(uint phase, const Params& params, bool in_cells) {
   view_.phase = phase;
   const auto per_cluster = folded(ceil_div(view_.clusters, SERVICE_BLOCK));
-  launch({Kernel::draw_cull, SERVICE_BLOCK, true, per_cluster}, params);
-  launch({Kernel::draw_clusters, CLUSTER, true, {cluster_groups, 1, 1}, in_cells}, params);
+  launch({Kernel::draw_cull, SERVICE_BLOCK, {}, per_cluster}, params);
+  launch({Kernel::draw_clusters, CLUSTER, {}, {cluster_groups, 1, 1}, in_cells}, params);
   draw_tiles(params, in_cells);
 }
 
@@ -68,7 +68,7 @@ void DeviceBackend::draw_clusters(const Params& params, bool in_cells) {
   if (has_atomics_64()) return;
   view_.pass = PASS_ID;
   restart_lists();
-  launch({Kernel::draw_clusters, CLUSTER, true, {cluster_groups, 1, 1}, in_cells}, params);
+  launch({Kernel::draw_clusters, CLUSTER, {}, {cluster_groups, 1, 1}, in_cells}, params);
   draw_tiles(params, in_cells);
 }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr uint tile_groups = 4096;
 constexpr uint64_t least_tiles = 1 << 16;
 
-static_assert(sizeof(View) == 192);
+static_assert(sizeof(View) == 208);
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 uint64_t pixels(const View& view) { return uint64_t(view.width) * view.height; }
@@ -37,13 +37,13 @@ void DeviceBackend::draw_all(const Params& params, bool in_cells) {
     if (pass == PASS_ID && has_atomics_64()) return;
     view_.pass = pass;
     if (pass == PASS_ID) restart_lists();
-    launch({Kernel::draw_spheres, SERVICE_BLOCK, true, folded(ceil_div(n_, SERVICE_BLOCK)), in_cells}, params);
+    launch({Kernel::draw_spheres, SERVICE_BLOCK, {}, folded(ceil_div(n_, SERVICE_BLOCK)), in_cells}, params);
     draw_tiles(params, in_cells);
   }
 }
 
 void DeviceBackend::draw_tiles(const Params& params, bool in_cells) {
-  launch({Kernel::draw_tiles, SERVICE_BLOCK, true, {tile_groups, 1, 1}, in_cells}, params);
+  launch({Kernel::draw_tiles, SERVICE_BLOCK, {}, {tile_groups, 1, 1}, in_cells}, params);
 }
 
 // The second pass lists the tiles again; the list of clusters it goes through again from the start.
@@ -61,15 +61,15 @@ void DeviceBackend::launch_rasteriser() {
   view_.pass = PASS_DEPTH;
   view_.occlusion = draw_options_.skip_hidden;
   const auto per_pixel = folded(ceil_div(pixels(view_), SERVICE_BLOCK));
-  launch({Kernel::draw_clear, SERVICE_BLOCK, true, per_pixel}, params);
+  launch({Kernel::draw_clear, SERVICE_BLOCK, {}, per_pixel}, params);
   const bool culls = (draw_options_.skip_outside || draw_options_.skip_hidden) && n_ >= draw_options_.skip_from;
   if (n_ > 0) culls ? draw_clusters(params, in_cells) : draw_all(params, in_cells);
-  launch({Kernel::draw_resolve, SERVICE_BLOCK, true, per_pixel}, params);
+  launch({view_.lighting ? Kernel::draw_light : Kernel::draw_resolve, SERVICE_BLOCK, {}, per_pixel}, params);
 }
 
 void DeviceBackend::launch_draw() {
   if (collided_ && counts_by_place_) {
-    launch({Kernel::draw_counts, SERVICE_BLOCK, true, folded(ceil_div(n_, SERVICE_BLOCK))}, params_);
+    launch({Kernel::draw_counts, SERVICE_BLOCK, {}, folded(ceil_div(n_, SERVICE_BLOCK))}, params_);
     counts_by_place_ = false;
   }
   if (draw_options_.method != DrawMethod::compute) return draw_by_pipeline(draw_options_.method);
@@ -83,6 +83,9 @@ void DeviceBackend::draw(const View& view, const DrawOptions& options) {
   if (std::ranges::count(draw_methods(), options.method) == 0)
     throw std::invalid_argument(
         fmt::format("{}: the method of drawing {} runs on OpenGL only", info().name, draw_method_name(options.method)));
+  if (view.lighting != 0 && !(collided_ && cells_built_ && n_ > 0 && planned_ == Cells::dense))
+    throw std::invalid_argument(fmt::format(
+        "{}: occlusion and shadows need the dense cells of collide_grid; collide with them first", info().name));
   if (options.skip_unchanged && picture_stands_ && same_picture(view, options)) {
     ++pictures_kept_;
     return;

@@ -43,7 +43,7 @@ void DeviceBackend::make_sort_buffers() {
 
 void DeviceBackend::launch_bounds() {
   const uint64_t threads = std::max<uint64_t>(n_ + 1, SUMMARY_SLOTS * SUMMARY_WORDS);
-  launch({Kernel::grid_bounds, SERVICE_BLOCK, true, folded(ceil_div(threads, SERVICE_BLOCK * SPHERES_PER_SORTER))},
+  launch({Kernel::grid_bounds, SERVICE_BLOCK, {}, folded(ceil_div(threads, SERVICE_BLOCK * SPHERES_PER_SORTER))},
          params_);
 }
 
@@ -64,10 +64,10 @@ void DeviceBackend::sort_into_cells() {
   make_sort_buffers();
   const auto sorters = folded(ceil_div(n_, SERVICE_BLOCK * SPHERES_PER_SORTER));
   const uint64_t clearers = std::max<uint64_t>(params_.cell_slots / 4 + 1, SUMMARY_SLOTS * SUMMARY_WORDS);
-  launch({Kernel::grid_clear, SERVICE_BLOCK, true, folded(ceil_div(clearers, SERVICE_BLOCK))}, params_);
-  launch({Kernel::grid_count, SERVICE_BLOCK, true, sorters}, params_);
-  launch({Kernel::grid_scan, SCAN_BLOCK, true, folded(params_.scan_tiles)}, params_);
-  launch({Kernel::grid_scatter, SERVICE_BLOCK, true, sorters}, params_);
+  launch({Kernel::grid_clear, SERVICE_BLOCK, {}, folded(ceil_div(clearers, SERVICE_BLOCK))}, params_);
+  launch({Kernel::grid_count, SERVICE_BLOCK, {}, sorters}, params_);
+  launch({Kernel::grid_scan, SCAN_BLOCK, {}, folded(params_.scan_tiles)}, params_);
+  launch({Kernel::grid_scatter, SERVICE_BLOCK, {}, sorters}, params_);
 }
 
 // Cells of the spheres as they stand, and the results of the last step cleared.
@@ -89,7 +89,7 @@ void DeviceBackend::launch_grid() {
   const bool hashed = params_.hash_mask != 0;
   const uint groups = uint(std::min(ceil_div(n_, options_.block), collide_groups));
   const Kernel kernel = hashed ? Kernel::collide_hashed : Kernel::collide_grid;
-  launch({kernel, options_.block, equal_radii_, {groups, 1, 1}, sorted_}, params_);
+  launch({kernel, options_.block, variant_, {groups, 1, 1}, sorted_}, params_);
 }
 
 }  // namespace spherepair

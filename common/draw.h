@@ -128,16 +128,29 @@ FN uint lit(uint colour, float light) {
   return uint(red) | (uint(green) << 8) | (uint(blue) << 16) | 0xFF000000u;
 }
 
-// The colour where the ray meets the sphere at this depth.
-FN uint shade(vec4 seen, Ray ray, float depth, uint contacts, View v) {
+// Where the ray meets the sphere at this depth: the outward normal in the camera's axes.
+struct Normal {
+  float x, y, z;
+};
+FN Normal normal_at(vec4 seen, Ray ray, float depth) {
   EXACT float t = depth * same_reciprocal(ray.a);
   EXACT float per_radius = same_reciprocal(seen.w);
   EXACT float x = (t * ray.x - seen.x) * per_radius;
   EXACT float y = (t * ray.y - seen.y) * per_radius;
   EXACT float z = (t - seen.z) * per_radius;
-  EXACT float facing = (x * v.light.x + y * v.light.y) + z * v.light.z;
-  EXACT float light = v.light.w + (1.0f - v.light.w) * smaller(larger(facing, 0.0f), 1.0f);
-  return lit(palette(contacts, v), light);
+  Normal normal = {x, y, z};
+  return normal;
+}
+
+// The light on it: from all around, of which `around` arrives, and from the sun, of which `sun` does.
+FN float light_on_normal(Normal normal, float around, float sun, View v) {
+  EXACT float facing = (normal.x * v.light.x + normal.y * v.light.y) + normal.z * v.light.z;
+  EXACT float light = v.light.w * around + ((1.0f - v.light.w) * sun) * smaller(larger(facing, 0.0f), 1.0f);
+  return light;
+}
+
+FN uint shade(vec4 seen, Ray ray, float depth, uint contacts, View v) {
+  return lit(palette(contacts, v), light_on_normal(normal_at(seen, ray, depth), 1.0f, 1.0f, v));
 }
 
 #endif

@@ -12,6 +12,11 @@
 #define PASS_DEPTH 0     // two passes where there are no 64-bit atomics: first the depth ...
 #define PASS_ID 1        // ... then, of the spheres at that depth, the lowest number
 
+#define LIGHT_OCCLUSION 1u  // bits of View::lighting: spheres near the point take light from all around away,
+#define LIGHT_SHADOW 2u     // any sphere on the way takes the sun's,
+#define LIGHT_GROUND 4u     // and both show on the plane too
+#define OCCLUSION_CELLS 2   // so far, in cells, a sphere takes light away
+
 #define CLUSTER 64         // spheres, in consecutive places, that are culled together
 #define PHASE_SEEN 0       // draws the clusters that the last picture showed ...
 #define PHASE_REST 1       // ... and then those of the others that what is drawn already does not hide
@@ -35,12 +40,13 @@ struct View {
   vec4 eye;                 // metres; w: least depth that is drawn
   vec4 right, up, forward;  // the camera's axes in the world, of length 1
   vec4 light;  // towards the light in the camera's axes, of length 1; w: the share of light from all around
+  vec4 sun;    // the same in the world; w: the ground's brightness in full shadow, of the background's
   float focal, centre_x, centre_y, pixel;  // pixels per unit of x/z; where forward meets the image, pixels; 1 / focal
   float half_x, half_y, norm_x, norm_y;    // the widest |x/z| and |y/z| seen, rounded up; sqrt(1 + half^2), rounded up
   uvec4 palette_0, palette_4;              // 0xRRGGBB of 0, 1, 2, 3 contacts; of 4, 5, 6, 7 and more
   uint background, width, height, pass;    // 0xRRGGBB; pixels; PASS_*
   uint tile_capacity, counting, phase, occlusion;  // entries; not 0: DRAWN_* are counted; PHASE_*; not 0: hide clusters
-  uint clusters, levels, level, spare_0;           // their number; of the pyramid; the one that draw_pyramid makes
+  uint clusters, levels, level, lighting;  // their number; of the pyramid; the one that draw_pyramid makes; LIGHT_*
 };
 
 #endif

@@ -14,7 +14,7 @@ __device__ inline void add_to_words(uint* words, uint low, uint high) {
   atomicAdd(&words[1], high + (before + low < before ? 1u : 0u));
 }
 
-template <bool EQUAL_RADII>
+template <bool EQUAL_RADII, bool LISTED>
 struct Collider {
   const Params& p;
   const World& w;
@@ -70,7 +70,7 @@ struct Collider {
     pairs_found += 1u;
     mix_a += pair_mix_a(i, j);
     mix_b += pair_mix_b(i, j);
-    if (p.pair_capacity != 0u) {
+    if constexpr (LISTED) {
       uint k = atomicAdd(&w.summary[SUM_LISTED], 1u);
       if (k < p.pair_capacity) w.listed[k] = uvec2{i, j};
     }
@@ -83,7 +83,7 @@ struct Collider {
   }
 
   // Whether the filter must look closer at this pair: the one test of the hot loops.
-  __device__ bool in_reach(vec4 a, vec4 b) {
+  __device__ bool in_reach(vec4 a, vec4 b) const {
     if constexpr (EQUAL_RADII) return !(squared_distance(a, b) > p.apart_above);
     return filter_pair(a, b, p.filter_scale, p.filter_offset) != APART;
   }

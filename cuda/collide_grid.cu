@@ -1,104 +1,141 @@
 // SPDX-License-Identifier: MIT
 // One thread per sphere in cell order; groups take chunks of spheres until none is left. The later half of a sphere's
-// neighbourhood is five rows of cells, each a contiguous range of spheres. A thread walks through them and keeps
-// whoever is in reach; then the group settles what its threads kept, a thread per pair. A thread that can keep no more
-// settles at once.
+// neighbourhood is five rows of cells, each a contiguous range of spheres. A thread walks through all of them in one
+// loop, four spheres at a time, and marks in a word whoever is in reach; then it queues them, and the group settles the
+// queue, a thread per pair. Where a word or the queue is full, the group walks on after that.
 #include "cell.h"
 #include "collide.cuh"
 
 namespace spherepair {
 
-// How far ahead in the table row s of a neighbourhood is.
-__device__ inline uint slots_ahead(Params p, uint s) {
-  return s < 2u ? s * p.cells_x : p.cells_x * p.cells_y + (s - 3u) * p.cells_x;
+// The k-th sphere of a walk is sphere k + shift in the first row with k < bound.
+struct Row {
+  uint bound, shift;
+};
+__device__ inline Row row_after(Row last, uint begin, uint end) {
+  return Row{last.bound + end - begin, begin - last.bound};
+}
+__device__ inline Row row_at(Params p, const World& w, Row last, bool exists, uint slot, uint x, uint last_x) {
+  return row_after(last, exists ? w.cell[slot + x] : 0u, exists ? w.cell[slot + last_x + 1u] : 0u);
 }
 
-// The spheres of each of a sphere's rows, begin to end; nothing where there is no such row.
-struct Ranges {
-  uint begin[ROWS_AHEAD], end[ROWS_AHEAD];
+// The rows of the neighbourhood: the rest of the sphere's own, the one above it, and three of the layer ahead.
+struct Rows {
+  Row own, above, ahead_below, ahead, ahead_above;
 };
-__device__ inline Ranges find_ranges(Params p, const World& w, vec4 mine, uint i) {
+__device__ inline Rows find_rows(Params p, const World& w, vec4 mine, uint i) {
   Place place = place_of(mine, p);
   float reach = reach_in_cells(mine.w, p);
   uint x = cell_below(place.x, reach);
   uint last_x = cell_above(place.x, reach, p.cells_x);
   uint y = uint(place.y);
   uint z = uint(place.z);
-  bool down = cell_below(place.y, reach) != y;
-  bool up = cell_above(place.y, reach, p.cells_y) != y;
-  bool ahead = cell_above(place.z, reach, p.cells_z) != z;
-  bool exists[ROWS_AHEAD] = {i < p.n, up, ahead && down, ahead, ahead && up};
-  Ranges ranges;
-#pragma unroll
-  for (uint s = 0u; s < ROWS_AHEAD; ++s) {
-    uint row = dense_slot(0u, y, z, p) + slots_ahead(p, s);
-    ranges.end[s] = exists[s] && i < p.n ? w.cell[row + last_x + 1u] : 0u;
-    ranges.begin[s] = exists[s] && i < p.n ? (s == 0u ? i + 1u : w.cell[row + x]) : 0u;
-  }
-  return ranges;
+  bool exists = i < p.n;
+  bool below = cell_below(place.y, reach) != y;
+  bool above = cell_above(place.y, reach, p.cells_y) != y && exists;
+  bool ahead = cell_above(place.z, reach, p.cells_z) != z && exists;
+  uint slot = dense_slot(0u, y, z, p);
+  uint next = slot + p.cells_x * p.cells_y;
+  Rows rows;
+  rows.own = row_after(Row{0u, 0u}, exists ? i + 1u : 0u, exists ? w.cell[slot + last_x + 1u] : 0u);
+  rows.above = row_at(p, w, rows.own, above, slot + p.cells_x, x, last_x);
+  rows.ahead_below = row_at(p, w, rows.above, ahead && below, next - p.cells_x, x, last_x);
+  rows.ahead = row_at(p, w, rows.ahead_below, ahead, next, x, last_x);
+  rows.ahead_above = row_at(p, w, rows.ahead, ahead && above, next + p.cells_x, x, last_x);
+  return rows;
 }
 
-template <int BLOCK, bool EQUAL_RADII>
+__device__ inline uint walked(const Rows& rows, uint k) {
+  uint shift = rows.ahead_above.shift;
+  shift = k < rows.ahead.bound ? rows.ahead.shift : shift;
+  shift = k < rows.ahead_below.bound ? rows.ahead_below.shift : shift;
+  shift = k < rows.above.bound ? rows.above.shift : shift;
+  shift = k < rows.own.bound ? rows.own.shift : shift;
+  return k + shift;
+}
+
+// Whether the k-th sphere of the walk is in reach. Behind the last sphere of all, a guard may be read.
+template <bool EQUAL_RADII, bool LISTED>
+__device__ bool near(const Collider<EQUAL_RADII, LISTED>& collider, vec4 mine, const Rows& rows, uint k) {
+  return collider.in_reach(mine, collider.w.position[walked(rows, k)]);
+}
+
+// Marks who is in reach among 32 spheres of the walk.
+template <bool EQUAL_RADII, bool LISTED>
+__device__ uint walk(const Collider<EQUAL_RADII, LISTED>& collider, vec4 mine, const Rows& rows, uint first) {
+  uint marked = 0u;
+  uint end = min(rows.ahead_above.bound, first + 32u);
+#pragma unroll 1
+  for (uint k = first; k < end; k += 4u) {
+    uint four = uint(near(collider, mine, rows, k)) | uint(near(collider, mine, rows, k + 1u)) << 1 |
+                uint(near(collider, mine, rows, k + 2u)) << 2 | uint(near(collider, mine, rows, k + 3u)) << 3;
+    marked |= four << (k - first);
+  }
+  return end - first < 32u ? marked & ((1u << (end - first)) - 1u) : marked;
+}
+
+template <int BLOCK, bool EQUAL_RADII, bool LISTED>
 __global__ void __launch_bounds__(BLOCK) collide_grid(Params p, World w) {
-  constexpr uint KEPT_AT_MOST = BLOCK <= 256 ? 6u : 2u;
-  __shared__ uint kept[KEPT_AT_MOST * BLOCK];   // of each thread: who is in reach
-  __shared__ uint queue[KEPT_AT_MOST * BLOCK];  // of the group: where in `kept`
-  __shared__ uint contacts[BLOCK];              // of each thread's sphere, found so far
-  __shared__ uint queued;
+  __shared__ uvec2 queue[2 * BLOCK];  // of the group: a thread, and a sphere in its reach
+  __shared__ uint contacts[BLOCK];    // of each thread's sphere, found so far
+  __shared__ uint queued, unfinished;
   __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
-  Collider<EQUAL_RADII> collider(p, w, total);
+  Collider<EQUAL_RADII, LISTED> collider(p, w, total);
   uint lane = threadIdx.x;
   collider.start_totals();
-  for (uint first = group_index(p) * BLOCK; first < p.n; first += group_count() * BLOCK) {
+  uint stretch = (p.n / BLOCK / group_count() + 1u) * BLOCK;
+  uint end = min((group_index(p) + 1u) * stretch, p.n);
+  for (uint first = group_index(p) * stretch; first < end; first += BLOCK) {
     uint i = first + lane;
     vec4 mine = w.position[min(i, p.n - 1u)];
-    Ranges ranges = find_ranges(p, w, mine, i);
+    Rows rows = find_rows(p, w, mine, i);
+    uint marked = 0u;
+    uint next = 0u;
+    uint base = 0u;
     contacts[lane] = 0u;
-    if (lane == 0u) queued = 0u;
-    __syncthreads();
-    uint reached = 0u;
-#pragma unroll
-    for (uint s = 0u; s < ROWS_AHEAD; ++s) {
+    bool again = true;
+    while (again) {
+      if (lane == 0u) queued = unfinished = 0u;
+      __syncthreads();
+      if (marked == 0u && next < rows.ahead_above.bound) {
+        base = next;
+        next = base + 32u;
+        marked = walk(collider, mine, rows, base);
+      }
+      uint at = marked != 0u ? atomicAdd(&queued, uint(__popc(marked))) : 0u;
 #pragma unroll 1
-      for (uint j = ranges.begin[s]; j < ranges.end[s]; ++j) {
-        if (collider.in_reach(mine, w.position[j])) {
-          if (reached < KEPT_AT_MOST) {
-            kept[reached * BLOCK + lane] = j;
+      for (; marked != 0u && at < 2u * BLOCK; ++at) {
+        queue[at] = uvec2{lane, walked(rows, base + uint(__ffs(int(marked))) - 1u)};
+        marked &= marked - 1u;
+      }
+      if (marked != 0u || next < rows.ahead_above.bound) unfinished = 1u;
+      __syncthreads();
+      again = unfinished != 0u;
+      uint meetings = min(queued, 2u * BLOCK);
+#pragma unroll 1
+      for (uint q = lane; q < meetings; q += BLOCK) {
+        uint a = queue[q].x;
+        uint j = queue[q].y;
+        if (collider.meets(first + a, w.position[first + a], j, w.position[j])) {
+          atomicAdd(&contacts[a], 1u);
+          if (j - first < BLOCK) {
+            atomicAdd(&contacts[j - first], 1u);
           } else {
-            collider.meet_once(i, j);
+            atomicAdd(&w.count[j], 1u);
           }
-          reached += 1u;
         }
       }
+      __syncthreads();
     }
-    reached = min(reached, KEPT_AT_MOST);
-    uint at = reached != 0u ? atomicAdd(&queued, reached) : 0u;
-#pragma unroll 1
-    for (uint k = 0u; k < reached; ++k) queue[at + k] = k * BLOCK + lane;
-    __syncthreads();
-    uint meetings = queued;
-#pragma unroll 1
-    for (uint q = lane; q < meetings; q += BLOCK) {
-      uint a = queue[q] % BLOCK;
-      uint j = kept[queue[q]];
-      if (collider.meets(first + a, w.position[first + a], j, w.position[j])) {
-        atomicAdd(&contacts[a], 1u);
-        if (j - first < BLOCK) {
-          atomicAdd(&contacts[j - first], 1u);
-        } else {
-          atomicAdd(&w.count[j], 1u);
-        }
-      }
-    }
-    __syncthreads();
     if (contacts[lane] != 0u) atomicAdd(&w.count[i], contacts[lane]);
   }
   collider.finish_totals();
 }
 
-Entry collide_grid_kernel(uint block, bool equal_radii) {
-  return pick_kernel(block, equal_radii,
-                     [](auto size, auto equal) { return reinterpret_cast<Entry>(&collide_grid<size(), equal()>); });
+Entry collide_grid_kernel(uint block, Variant variant) {
+  return pick_kernel(block, variant, [](auto size, auto equal, auto listed) {
+    return reinterpret_cast<Entry>(&collide_grid<size(), equal(), listed()>);
+  });
 }
 
 }  // namespace spherepair

@@ -7,14 +7,14 @@
 
 namespace spherepair {
 
-template <int BLOCK, bool EQUAL_RADII>
+template <int BLOCK, bool EQUAL_RADII, bool LISTED>
 __global__ void __launch_bounds__(BLOCK) collide_hashed(Params p, World w) {
   constexpr uint QUEUE = BLOCK <= 256 ? BLOCK * 6 : 2048;
   __shared__ uint queue_mine[QUEUE];
   __shared__ uint queue_other[QUEUE];
   __shared__ uint queued;
   __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
-  Collider<EQUAL_RADII> collider(p, w, total);
+  Collider<EQUAL_RADII, LISTED> collider(p, w, total);
   uint lane = threadIdx.x;
   collider.start_totals();
   for (uint first = group_index(p) * BLOCK; first < p.n; first += group_count() * BLOCK) {
@@ -64,9 +64,10 @@ __global__ void __launch_bounds__(BLOCK) collide_hashed(Params p, World w) {
   collider.finish_totals();
 }
 
-Entry collide_hashed_kernel(uint block, bool equal_radii) {
-  return pick_kernel(block, equal_radii,
-                     [](auto size, auto equal) { return reinterpret_cast<Entry>(&collide_hashed<size(), equal()>); });
+Entry collide_hashed_kernel(uint block, Variant variant) {
+  return pick_kernel(block, variant, [](auto size, auto equal, auto listed) {
+    return reinterpret_cast<Entry>(&collide_hashed<size(), equal(), listed()>);
+  });
 }
 
 }  // namespace spherepair

@@ -5,11 +5,11 @@
 
 namespace spherepair {
 
-template <int BLOCK, bool EQUAL_RADII>
+template <int BLOCK, bool EQUAL_RADII, bool LISTED>
 __global__ void __launch_bounds__(BLOCK) collide_square(Params p, World w) {
   __shared__ vec4 tile[BLOCK];
   __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
-  Collider<EQUAL_RADII> c(p, w, total);
+  Collider<EQUAL_RADII, LISTED> c(p, w, total);
   uint lane = threadIdx.x;
   uint groups = (p.n + BLOCK - 1u) / BLOCK;
   uint mine_group = p.first_group + blockIdx.x;
@@ -29,9 +29,10 @@ __global__ void __launch_bounds__(BLOCK) collide_square(Params p, World w) {
   c.finish_totals();
 }
 
-Entry collide_square_kernel(uint block, bool equal_radii) {
-  return pick_kernel(block, equal_radii,
-                     [](auto size, auto equal) { return reinterpret_cast<Entry>(&collide_square<size(), equal()>); });
+Entry collide_square_kernel(uint block, Variant variant) {
+  return pick_kernel(block, variant, [](auto size, auto equal, auto listed) {
+    return reinterpret_cast<Entry>(&collide_square<size(), equal(), listed()>);
+  });
 }
 
 }  // namespace spherepair

@@ -5,11 +5,11 @@
 
 namespace spherepair {
 
-template <int BLOCK, bool EQUAL_RADII>
+template <int BLOCK, bool EQUAL_RADII, bool LISTED>
 __global__ void __launch_bounds__(BLOCK) collide_tiled(Params p, World w) {
   __shared__ vec4 tile[BLOCK];
   __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
-  Collider<EQUAL_RADII> c(p, w, total);
+  Collider<EQUAL_RADII, LISTED> c(p, w, total);
   uint lane = threadIdx.x;
   uint i = group_index(p) * BLOCK + lane;
   vec4 mine = w.position[min(i, p.n - 1u)];
@@ -28,9 +28,10 @@ __global__ void __launch_bounds__(BLOCK) collide_tiled(Params p, World w) {
   c.finish_totals();
 }
 
-Entry collide_tiled_kernel(uint block, bool equal_radii) {
-  return pick_kernel(block, equal_radii,
-                     [](auto size, auto equal) { return reinterpret_cast<Entry>(&collide_tiled<size(), equal()>); });
+Entry collide_tiled_kernel(uint block, Variant variant) {
+  return pick_kernel(block, variant, [](auto size, auto equal, auto listed) {
+    return reinterpret_cast<Entry>(&collide_tiled<size(), equal(), listed()>);
+  });
 }
 
 }  // namespace spherepair

@@ -10,15 +10,15 @@ namespace spherepair {
 constexpr uint MEETING_PAIRS = SPHERES_PER_THREAD * COLUMNS_AT_ONCE;
 
 // Pair number `pair` of the meeting between a thread's rows and the columns from j on.
-template <int BLOCK, bool EQUAL_RADII>
-__device__ void meet(Collider<EQUAL_RADII>& collider, uint pair, uint lane, uint j, uint end) {
+template <int BLOCK, bool EQUAL_RADII, bool LISTED>
+__device__ void meet(Collider<EQUAL_RADII, LISTED>& collider, uint pair, uint lane, uint j, uint end) {
   uint row_group = collider.p.first_group + blockIdx.y;
   uint i = row_group * BLOCK * SPHERES_PER_THREAD + (pair % SPHERES_PER_THREAD) * BLOCK + lane;
   j += pair / SPHERES_PER_THREAD;
   if (i < j && j < end) collider.meet_once(i, j);
 }
 
-template <int BLOCK, bool EQUAL_RADII>
+template <int BLOCK, bool EQUAL_RADII, bool LISTED>
 __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, World w) {
   constexpr uint ROWS = BLOCK * SPHERES_PER_THREAD;
   constexpr float SHARE = EQUAL_RADII ? 1.0f : 0.5f;
@@ -27,7 +27,7 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, World w) {
   __shared__ uint near_queue[NEAR_CAPACITY];
   __shared__ uint near_length[2];  // of this tile and of the next
   __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
-  Collider<EQUAL_RADII> collider(p, w, total);
+  Collider<EQUAL_RADII, LISTED> collider(p, w, total);
   uint lane = threadIdx.x;
   uint first_row = (p.first_group + blockIdx.y) * ROWS;
   uint first_column = first_row + blockIdx.x * p.columns;
@@ -84,9 +84,10 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, World w) {
   collider.finish_totals();
 }
 
-Entry collide_triangle_kernel(uint block, bool equal_radii) {
-  return pick_kernel(block, equal_radii,
-                     [](auto size, auto equal) { return reinterpret_cast<Entry>(&collide_triangle<size(), equal()>); });
+Entry collide_triangle_kernel(uint block, Variant variant) {
+  return pick_kernel(block, variant, [](auto size, auto equal, auto listed) {
+    return reinterpret_cast<Entry>(&collide_triangle<size(), equal(), listed()>);
+  });
 }
 
 }  // namespace spherepair

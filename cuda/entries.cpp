@@ -12,7 +12,7 @@ Entry entry_of(const Launch& launch) {
     case Kernel::empty:
       return empty_kernel();
     case Kernel::settle:
-      return settle_kernel();
+      return settle_kernel(launch.variant);
     case Kernel::decide:
       return decide_kernel();
     case Kernel::tally:
@@ -28,17 +28,17 @@ Entry entry_of(const Launch& launch) {
     case Kernel::grid_scatter:
       return grid_scatter_kernel();
     case Kernel::collide_grid:
-      return collide_grid_kernel(launch.block, launch.equal_radii);
+      return collide_grid_kernel(launch.block, launch.variant);
     case Kernel::collide_hashed:
-      return collide_hashed_kernel(launch.block, launch.equal_radii);
+      return collide_hashed_kernel(launch.block, launch.variant);
     case Kernel::collide_group:
-      return collide_group_kernel(launch.block, launch.equal_radii);
+      return collide_group_kernel(launch.block, launch.variant);
     case Kernel::collide_tiled:
-      return collide_tiled_kernel(launch.block, launch.equal_radii);
+      return collide_tiled_kernel(launch.block, launch.variant);
     case Kernel::collide_square:
-      return collide_square_kernel(launch.block, launch.equal_radii);
+      return collide_square_kernel(launch.block, launch.variant);
     case Kernel::collide_triangle:
-      return collide_triangle_kernel(launch.block, launch.equal_radii);
+      return collide_triangle_kernel(launch.block, launch.variant);
     case Kernel::draw_clear:
       return draw_clear_kernel();
     case Kernel::draw_counts:
@@ -57,6 +57,8 @@ Entry entry_of(const Launch& launch) {
       return draw_tiles_kernel();
     case Kernel::draw_resolve:
       return draw_resolve_kernel();
+    case Kernel::draw_light:
+      return draw_light_kernel();
   }
   return nullptr;
 }

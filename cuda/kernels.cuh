@@ -11,28 +11,34 @@ namespace spherepair {
 template <auto value>
 using Constant = std::integral_constant<decltype(value), value>;
 
-// Calls pick(block, equal_radii) with both as constants.
-template <typename Equal, typename Pick>
-Entry pick_block(uint block, Equal equal_radii, Pick pick) {
+// Calls pick(block, equal_radii, listed) with all three as constants.
+template <typename Equal, typename Listed, typename Pick>
+Entry pick_block(uint block, Equal equal_radii, Listed listed, Pick pick) {
   switch (block) {
     case 32:
-      return pick(Constant<32>{}, equal_radii);
+      return pick(Constant<32>{}, equal_radii, listed);
     case 64:
-      return pick(Constant<64>{}, equal_radii);
+      return pick(Constant<64>{}, equal_radii, listed);
     case 128:
-      return pick(Constant<128>{}, equal_radii);
+      return pick(Constant<128>{}, equal_radii, listed);
     case 256:
-      return pick(Constant<256>{}, equal_radii);
+      return pick(Constant<256>{}, equal_radii, listed);
     case 512:
-      return pick(Constant<512>{}, equal_radii);
+      return pick(Constant<512>{}, equal_radii, listed);
     case 1024:
-      return pick(Constant<1024>{}, equal_radii);
+      return pick(Constant<1024>{}, equal_radii, listed);
   }
   return nullptr;
 }
+template <typename Equal, typename Pick>
+Entry pick_listed(uint block, Equal equal_radii, bool listed, Pick pick) {
+  return listed ? pick_block(block, equal_radii, Constant<true>{}, pick)
+                : pick_block(block, equal_radii, Constant<false>{}, pick);
+}
 template <typename Pick>
-Entry pick_kernel(uint block, bool equal_radii, Pick pick) {
-  return equal_radii ? pick_block(block, Constant<true>{}, pick) : pick_block(block, Constant<false>{}, pick);
+Entry pick_kernel(uint block, Variant variant, Pick pick) {
+  return variant.equal_radii ? pick_listed(block, Constant<true>{}, variant.listed, pick)
+                             : pick_listed(block, Constant<false>{}, variant.listed, pick);
 }
 
 __device__ inline uint group_index(Params p) { return p.first_group + blockIdx.x + gridDim.x * blockIdx.y; }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "layout.h"
+#include "variant.h"
 
 namespace spherepair {
 
@@ -38,7 +39,7 @@ using Entry = const void*;
 Entry move_kernel();
 Entry clear_kernel();
 Entry empty_kernel();
-Entry settle_kernel();
+Entry settle_kernel(Variant variant);
 Entry decide_kernel();
 Entry tally_kernel();
 Entry grid_clear_kernel();
@@ -46,12 +47,12 @@ Entry grid_bounds_kernel();
 Entry grid_count_kernel();
 Entry grid_scan_kernel();
 Entry grid_scatter_kernel();
-Entry collide_grid_kernel(uint block, bool equal_radii);
-Entry collide_hashed_kernel(uint block, bool equal_radii);
-Entry collide_group_kernel(uint block, bool equal_radii);
-Entry collide_tiled_kernel(uint block, bool equal_radii);
-Entry collide_square_kernel(uint block, bool equal_radii);
-Entry collide_triangle_kernel(uint block, bool equal_radii);
+Entry collide_grid_kernel(uint block, Variant variant);
+Entry collide_hashed_kernel(uint block, Variant variant);
+Entry collide_group_kernel(uint block, Variant variant);
+Entry collide_tiled_kernel(uint block, Variant variant);
+Entry collide_square_kernel(uint block, Variant variant);
+Entry collide_triangle_kernel(uint block, Variant variant);
 Entry draw_clear_kernel();
 Entry draw_counts_kernel();
 Entry draw_bounds_kernel();
@@ -61,5 +62,6 @@ Entry draw_clusters_kernel();
 Entry draw_spheres_kernel();
 Entry draw_tiles_kernel();
 Entry draw_resolve_kernel();
+Entry draw_light_kernel();
 
 }  // namespace spherepair

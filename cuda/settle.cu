@@ -5,10 +5,11 @@
 
 namespace spherepair {
 
+template <bool LISTED>
 __global__ void __launch_bounds__(SERVICE_BLOCK) settle(Params p, World w) {
   if (w.summary[SUM_DEFERRED] == 0u) return;
   __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
-  Collider<false> c(p, w, total);
+  Collider<false, LISTED> c(p, w, total);
   c.start_totals();
   uint pairs = min(w.summary[SUM_DEFERRED], p.deferred_capacity);
   uint row = (group_index(p) % SUMMARY_SLOTS) * SUMMARY_WORDS;
@@ -25,6 +26,8 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) settle(Params p, World w) {
   c.finish_totals();
 }
 
-Entry settle_kernel() { return reinterpret_cast<Entry>(&settle); }
+Entry settle_kernel(Variant variant) {
+  return variant.listed ? reinterpret_cast<Entry>(&settle<true>) : reinterpret_cast<Entry>(&settle<false>);
+}
 
 }  // namespace spherepair

@@ -6,7 +6,7 @@ namespace spherepair {
 
 __global__ void __launch_bounds__(SERVICE_BLOCK) tally(Params p, World w) {
   __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
-  Collider<false> c(p, w, total);
+  Collider<false, false> c(p, w, total);
   c.start_totals();
   for (uint i = group_index(p) * SERVICE_BLOCK + threadIdx.x; i < p.n; i += SERVICE_BLOCK * gridDim.x)
     if (w.count[i] != 0u) c.newly_colliding += 1u;

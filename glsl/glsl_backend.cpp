@@ -54,7 +54,7 @@ class GlslBackend final : public DeviceBackend {
   bool params_known_ = false;
   GLuint view_buffer_ = 0;
   View view_on_device_{};
-  std::map<std::tuple<Kernel, uint, bool>, std::unique_ptr<Program>> programs_;
+  std::map<std::tuple<Kernel, uint, Variant>, std::unique_ptr<Program>> programs_;
   std::unique_ptr<GlRenderer> renderer_;
   StageTimer timer_;
 };
@@ -165,9 +165,9 @@ void GlslBackend::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
 }
 
 const Program& GlslBackend::program(const Launch& launch) {
-  auto& program = programs_[{launch.kernel, launch.block, launch.equal_radii}];
+  auto& program = programs_[{launch.kernel, launch.block, launch.variant}];
   if (!program)
-    program = std::make_unique<Program>(kernel_name(launch.kernel), launch.block, launch.equal_radii, atomics_64_);
+    program = std::make_unique<Program>(kernel_name(launch.kernel), launch.block, launch.variant, atomics_64_);
   return *program;
 }
 

@@ -11,11 +11,12 @@
 namespace spherepair {
 namespace {
 
-std::string source_of(const std::string& kernel, unsigned block, bool equal_radii, bool atomics_64) {
+std::string source_of(const std::string& kernel, unsigned block, const Variant& variant, bool atomics_64) {
   const std::string& text = embedded_shaders().at(kernel + ".comp");
   const size_t after_version = text.find('\n') + 1;
   return text.substr(0, after_version) +
-         fmt::format("#define BLOCK {}\n#define EQUAL_RADII {}\n", block, int(equal_radii)) +
+         fmt::format("#define BLOCK {}\n#define EQUAL_RADII {}\n#define LISTED {}\n", block, int(variant.equal_radii),
+                     int(variant.listed)) +
          (atomics_64 ? "#extension GL_NV_shader_atomic_int64 : require\n#define ATOMICS_64\n" : "") +
          text.substr(after_version);
 }
@@ -73,8 +74,8 @@ GLuint linked(const std::vector<Stage>& stages, const std::string& what) {
 
 }  // namespace
 
-Program::Program(const std::string& kernel, unsigned block, bool equal_radii, bool atomics_64)
-    : id_(linked({{GL_COMPUTE_SHADER, source_of(kernel, block, equal_radii, atomics_64)}},
+Program::Program(const std::string& kernel, unsigned block, const Variant& variant, bool atomics_64)
+    : id_(linked({{GL_COMPUTE_SHADER, source_of(kernel, block, variant, atomics_64)}},
                  fmt::format("{}.comp for groups of {}", kernel, block))) {}
 
 Program::Program(const std::string& stem)

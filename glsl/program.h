@@ -6,13 +6,15 @@
 
 #include <string>
 
+#include "variant.h"
+
 namespace spherepair {
 
 // A program; one of a compute shader is made from the embedded shader of this name, with the group size and variants
 // defined in front of it.
 class Program {
  public:
-  Program(const std::string& kernel, unsigned block, bool equal_radii, bool atomics_64);
+  Program(const std::string& kernel, unsigned block, const Variant& variant, bool atomics_64);
   explicit Program(const std::string& stem);  // STEM.vert and STEM.frag: a program of the graphics pipeline
   ~Program() {
     if (eglGetCurrentContext() != EGL_NO_CONTEXT) glDeleteProgram(id_);

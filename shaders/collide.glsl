@@ -61,10 +61,10 @@ void record(uint i, uint j) {
   pairs_found += 1u;
   mix_a += pair_mix_a(i, j);
   mix_b += pair_mix_b(i, j);
-  if (p.pair_capacity != 0u) {
-    uint k = atomicAdd(summary[SUM_LISTED], 1u);
-    if (k < p.pair_capacity) listed[k] = uvec2(i, j);
-  }
+#if LISTED
+  uint k = atomicAdd(summary[SUM_LISTED], 1u);
+  if (k < p.pair_capacity) listed[k] = uvec2(i, j);
+#endif
 }
 
 void defer(uint i, uint j) {

@@ -1,88 +1,122 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // One thread per sphere in cell order; groups take chunks of spheres until none is left. The later half of a sphere's
-// neighbourhood is five rows of cells, each a contiguous range of spheres. A thread walks through them and keeps
-// whoever is in reach; then the group settles what its threads kept, a thread per pair. A thread that can keep no more
-// settles at once.
+// neighbourhood is five rows of cells, each a contiguous range of spheres. A thread walks through all of them in one
+// loop, four spheres at a time, and marks in a word whoever is in reach; then it queues them, and the group settles the
+// queue, a thread per pair. Where a word or the queue is full, the group walks on after that.
 #include "collide.glsl"
 #include "grid.glsl"
 
-#define KEPT_AT_MOST (BLOCK <= 256 ? 6u : 2u)
-
 layout(local_size_x = BLOCK) in;
-shared uint kept[KEPT_AT_MOST * BLOCK];   // of each thread: who is in reach
-shared uint queue[KEPT_AT_MOST * BLOCK];  // of the group: where in `kept`
-shared uint contacts[BLOCK];              // of each thread's sphere, found so far
-shared uint queued;
+shared uvec2 queue[2 * BLOCK];  // of the group: a thread, and a sphere in its reach
+shared uint contacts[BLOCK];    // of each thread's sphere, found so far
+shared uint queued, unfinished;
 
-// How far ahead in the table row s of a neighbourhood is.
-uint slots_ahead(uint s) { return s < 2u ? s * p.cells_x : p.cells_x * p.cells_y + (s - 3u) * p.cells_x; }
-
-// The spheres of each of a sphere's rows, begin to end; nothing where there is no such row.
-struct Ranges {
-  uint begin[ROWS_AHEAD], end[ROWS_AHEAD];
+// The k-th sphere of a walk is sphere k + shift in the first row with k < bound.
+struct Row {
+  uint bound, shift;
 };
-Ranges find_ranges(vec4 mine, uint i) {
+Row row_after(Row last, uint begin, uint end) { return Row(last.bound + end - begin, begin - last.bound); }
+Row row_at(Row last, bool exists, uint slot, uint x, uint last_x) {
+  return row_after(last, exists ? cell[slot + x] : 0u, exists ? cell[slot + last_x + 1u] : 0u);
+}
+
+// The rows of the neighbourhood: the rest of the sphere's own, the one above it, and three of the layer ahead.
+struct Rows {
+  Row own, above, ahead_below, ahead, ahead_above;
+};
+Rows find_rows(vec4 mine, uint i) {
   Place place = place_of(mine, p);
   float reach = reach_in_cells(mine.w, p);
   uint x = cell_below(place.x, reach);
   uint last_x = cell_above(place.x, reach, p.cells_x);
   uint y = uint(place.y);
   uint z = uint(place.z);
-  bool down = cell_below(place.y, reach) != y;
-  bool up = cell_above(place.y, reach, p.cells_y) != y;
-  bool ahead = cell_above(place.z, reach, p.cells_z) != z;
-  bool exists[ROWS_AHEAD] = bool[](i < p.n, up, ahead && down, ahead, ahead && up);
-  Ranges ranges;
-  for (uint s = 0u; s < ROWS_AHEAD; ++s) {
-    uint row = dense_slot(0u, y, z, p) + slots_ahead(s);
-    ranges.end[s] = exists[s] && i < p.n ? cell[row + last_x + 1u] : 0u;
-    ranges.begin[s] = exists[s] && i < p.n ? (s == 0u ? i + 1u : cell[row + x]) : 0u;
+  bool exists = i < p.n;
+  bool below = cell_below(place.y, reach) != y;
+  bool above = cell_above(place.y, reach, p.cells_y) != y && exists;
+  bool ahead = cell_above(place.z, reach, p.cells_z) != z && exists;
+  uint slot = dense_slot(0u, y, z, p);
+  uint next = slot + p.cells_x * p.cells_y;
+  Rows rows;
+  rows.own = row_after(Row(0u, 0u), exists ? i + 1u : 0u, exists ? cell[slot + last_x + 1u] : 0u);
+  rows.above = row_at(rows.own, above, slot + p.cells_x, x, last_x);
+  rows.ahead_below = row_at(rows.above, ahead && below, next - p.cells_x, x, last_x);
+  rows.ahead = row_at(rows.ahead_below, ahead, next, x, last_x);
+  rows.ahead_above = row_at(rows.ahead, ahead && above, next + p.cells_x, x, last_x);
+  return rows;
+}
+
+uint walked(Rows rows, uint k) {
+  uint shift = rows.ahead_above.shift;
+  shift = k < rows.ahead.bound ? rows.ahead.shift : shift;
+  shift = k < rows.ahead_below.bound ? rows.ahead_below.shift : shift;
+  shift = k < rows.above.bound ? rows.above.shift : shift;
+  shift = k < rows.own.bound ? rows.own.shift : shift;
+  return k + shift;
+}
+
+// Whether the k-th sphere of the walk is in reach. Behind the last sphere of all, a guard may be read.
+bool near(vec4 mine, Rows rows, uint k) { return in_reach(mine, position[walked(rows, k)]); }
+
+// Marks who is in reach among 32 spheres of the walk.
+uint walk(vec4 mine, Rows rows, uint first) {
+  uint marked = 0u;
+  uint end = min(rows.ahead_above.bound, first + 32u);
+
+  for (uint k = first; k < end; k += 4u) {
+    uint four = uint(near(mine, rows, k)) | uint(near(mine, rows, k + 1u)) << 1 | uint(near(mine, rows, k + 2u)) << 2 |
+                uint(near(mine, rows, k + 3u)) << 3;
+    marked |= four << (k - first);
   }
-  return ranges;
+  return end - first < 32u ? marked & ((1u << (end - first)) - 1u) : marked;
 }
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
   start_totals();
-  for (uint first = group_index() * BLOCK; first < p.n; first += group_count() * BLOCK) {
+  uint stretch = (p.n / BLOCK / group_count() + 1u) * BLOCK;
+  uint end = min((group_index() + 1u) * stretch, p.n);
+  for (uint first = group_index() * stretch; first < end; first += BLOCK) {
     uint i = first + lane;
     vec4 mine = position[min(i, p.n - 1u)];
-    Ranges ranges = find_ranges(mine, i);
+    Rows rows = find_rows(mine, i);
+    uint marked = 0u;
+    uint next = 0u;
+    uint base = 0u;
     contacts[lane] = 0u;
-    if (lane == 0u) queued = 0u;
-    barrier();
-    uint reached = 0u;
-    for (uint s = 0u; s < ROWS_AHEAD; ++s) {
-      for (uint j = ranges.begin[s]; j < ranges.end[s]; ++j) {
-        if (in_reach(mine, position[j])) {
-          if (reached < KEPT_AT_MOST) {
-            kept[reached * BLOCK + lane] = j;
+    bool again = true;
+    while (again) {
+      if (lane == 0u) queued = unfinished = 0u;
+      barrier();
+      if (marked == 0u && next < rows.ahead_above.bound) {
+        base = next;
+        next = base + 32u;
+        marked = walk(mine, rows, base);
+      }
+      uint at = marked != 0u ? atomicAdd(queued, uint(bitCount(marked))) : 0u;
+      for (; marked != 0u && at < 2u * BLOCK; ++at) {
+        queue[at] = uvec2(lane, walked(rows, base + uint(findLSB(marked))));
+        marked &= marked - 1u;
+      }
+      if (marked != 0u || next < rows.ahead_above.bound) unfinished = 1u;
+      barrier();
+      again = unfinished != 0u;
+      uint meetings = min(queued, 2u * BLOCK);
+      for (uint q = lane; q < meetings; q += BLOCK) {
+        uint a = queue[q].x;
+        uint j = queue[q].y;
+        if (meets(first + a, position[first + a], j, position[j])) {
+          atomicAdd(contacts[a], 1u);
+          if (j - first < BLOCK) {
+            atomicAdd(contacts[j - first], 1u);
           } else {
-            meet_once(i, j);
+            atomicAdd(count[j], 1u);
           }
-          reached += 1u;
         }
       }
+      barrier();
     }
-    reached = min(reached, KEPT_AT_MOST);
-    uint at = reached != 0u ? atomicAdd(queued, reached) : 0u;
-    for (uint k = 0u; k < reached; ++k) queue[at + k] = k * BLOCK + lane;
-    barrier();
-    uint meetings = queued;
-    for (uint q = lane; q < meetings; q += BLOCK) {
-      uint a = queue[q] % BLOCK;
-      uint j = kept[queue[q]];
-      if (meets(first + a, position[first + a], j, position[j])) {
-        atomicAdd(contacts[a], 1u);
-        if (j - first < BLOCK) {
-          atomicAdd(contacts[j - first], 1u);
-        } else {
-          atomicAdd(count[j], 1u);
-        }
-      }
-    }
-    barrier();
     if (contacts[lane] != 0u) atomicAdd(count[i], contacts[lane]);
   }
   finish_totals();

@@ -37,8 +37,8 @@ def with_defines(text, *defines):
 
 def variant_of(text, variant):
     if variant != "ATOMICS_64":
-        return with_defines(text, "BLOCK 256", variant)
-    text = with_defines(text, "BLOCK 256", "EQUAL_RADII 0", variant)
+        return with_defines(text, "BLOCK 256", "LISTED 1", variant)
+    text = with_defines(text, "BLOCK 256", "LISTED 1", "EQUAL_RADII 0", variant)
     return re.sub(r"(#version .*\n)", r"\1#extension GL_NV_shader_atomic_int64 : require\n", text, count=1)
 
 

@@ -107,7 +107,7 @@ class Shaders(unittest.TestCase):
         path = BUILD / "flattened" / "move.comp"
         if not path.exists():
             self.skipTest("the build has no GLSL")
-        text = lint_arithmetic.with_defines(path.read_text(), "BLOCK 256", "EQUAL_RADII 0")
+        text = lint_arithmetic.with_defines(path.read_text(), "BLOCK 256", "EQUAL_RADII 0", "LISTED 1")
         self.assertEqual([], lint_arithmetic.spirv_complaints(lint_arithmetic.disassemble(text), False))
         loose = lint_arithmetic.disassemble(text.replace("#define EXACT precise", "#define EXACT"))
         self.assertTrue(lint_arithmetic.spirv_complaints(loose, False))
