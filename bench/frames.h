@@ -13,9 +13,10 @@ struct FramesOptions {
   std::vector<uint64_t> sizes = {16384, 1000000};
   std::vector<std::string> draws = {"compute", "mesh_each", "mesh", "mesh_indexed", "points", "impostor"};
   std::vector<std::string> places = {"outside", "inside"};  // of the camera
-  std::vector<std::string> works = {"frame", "frame_all", "loop"};
+  std::vector<std::string> works = {"frame", "frame_all", "lit", "loop"};
   uint width = 1920, height = 1080;
   double packing_fraction = 0.3;
+  bool hand_over = false;  // CUDA's spheres through OpenGL too
   int rounds = 11;
   double min_seconds = 0;         // of a sample; 0: the timing core's own
   std::vector<std::string> most;  // METHOD:n, spheres that a method of drawing is timed with
@@ -26,7 +27,7 @@ struct FramesOptions {
 struct FrameTask {
   Backend* backend;
   DrawMethod draw;
-  std::string place, work;  // outside, inside; frame, frame_all (nothing skipped), loop (move, collide_grid, draw)
+  std::string place, work;  // as FramesOptions has them
 };
 std::string label(const FrameTask& task);
 
@@ -34,6 +35,6 @@ std::string label(const FrameTask& task);
 Scene in_cell_order(const Scene& scene);
 
 // Cameras on a short way around the spheres, or through their middle.
-std::vector<View> way(const Bounds& bounds, const std::string& place, uint width, uint height);
+std::vector<View> way(const Bounds& bounds, const std::string& place, uint width, uint height, uint lighting);
 
 }  // namespace spherepair

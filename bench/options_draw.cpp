@@ -91,10 +91,11 @@ void add_frames(CLI::App& app, CommandLine& line, Action& action) {
   list("--backends", options->backends, "Only these, and each must open: cpu,glsl,cuda");
   list("--draws", options->draws, "Methods of drawing, see render --help");
   list("--places", options->places, "Of the camera: outside, inside");
-  list(
-      "--works", options->works,
-      "frame: a picture from a new place each time; frame_all: the same with nothing skipped; loop: move, collide_grid "
-      "and frame");
+  list("--works", options->works,
+       "frame: a picture from a new place each time; frame_all: the same with nothing skipped; lit: with ambient "
+       "occlusion, shadows and the ground; loop: move, collide_grid and frame");
+  command->add_flag("--hand-over", options->hand_over,
+                    "Time CUDA's spheres drawn by OpenGL too, handed over in three ways");
   command->add_option("--n", options->sizes, "Numbers of spheres, put in cell order before")
       ->delimiter(',')
       ->check(positive_range)

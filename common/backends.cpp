@@ -12,6 +12,10 @@
 #ifdef SPHEREPAIR_WITH_CUDA
 #include "cuda_backend.h"
 #endif
+#include "shared_drawing.h"
+#ifdef SPHEREPAIR_WITH_INTEROP
+#include "interop.h"
+#endif
 
 namespace spherepair {
 namespace {
@@ -77,6 +81,20 @@ std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions
   }
   throw std::invalid_argument(
       fmt::format("unknown backend '{}'; known are {}", name, fmt::join(backend_names(), ", ")));
+}
+
+const char* hand_over_name(HandOver way) {
+  constexpr const char* names[] = {"host", "registered", "imported"};
+  return names[size_t(way)];
+}
+
+std::unique_ptr<SharedDrawing> open_shared_drawing([[maybe_unused]] Backend& cuda,
+                                                   [[maybe_unused]] const OpenOptions& options) {
+#ifdef SPHEREPAIR_WITH_INTEROP
+  return open_cuda_to_gl(cuda, options);
+#else
+  throw BackendError("interop: this build lacks OpenGL or CUDA");
+#endif
 }
 
 void check_same_gpu(const Backend& left, const Backend& right) {

@@ -85,8 +85,9 @@ class DeviceBackend : public Backend {
   virtual bool has_atomics_64() const = 0;
 
   // The methods of draw_methods() but for compute; contacts stand in SLOT_COUNT, by the number of the sphere.
-  virtual void draw_by_pipeline(DrawMethod method) = 0;
-  virtual std::vector<uint> pipeline_image() = 0;
+  virtual void draw_by_pipeline(DrawMethod) {}
+  virtual std::vector<uint> pipeline_image() { return {}; }
+  void put_contacts_in_order();  // in SLOT_COUNT by the number of the sphere: 0 where none were found since a move
   const View& view() const { return view_; }  // of the draw_* kernels
   uint spheres() const { return uint(n_); }
 

@@ -67,11 +67,17 @@ void DeviceBackend::launch_rasteriser() {
   launch({view_.lighting ? Kernel::draw_light : Kernel::draw_resolve, SERVICE_BLOCK, {}, per_pixel}, params);
 }
 
+void DeviceBackend::put_contacts_in_order() {
+  require_scene("draw");
+  if (!collided_ && !cleared_) launch_clear(false);
+  cleared_ |= !collided_;
+  if (!collided_ || !counts_by_place_) return;
+  launch({Kernel::draw_counts, SERVICE_BLOCK, {}, folded(ceil_div(n_, SERVICE_BLOCK))}, params_);
+  counts_by_place_ = false;
+}
+
 void DeviceBackend::launch_draw() {
-  if (collided_ && counts_by_place_) {
-    launch({Kernel::draw_counts, SERVICE_BLOCK, {}, folded(ceil_div(n_, SERVICE_BLOCK))}, params_);
-    counts_by_place_ = false;
-  }
+  put_contacts_in_order();
   if (draw_options_.method != DrawMethod::compute) return draw_by_pipeline(draw_options_.method);
   make_draw_buffers();
   launch_rasteriser();
@@ -92,8 +98,6 @@ void DeviceBackend::draw(const View& view, const DrawOptions& options) {
   }
   view_ = asked_ = view;
   draw_options_ = options;
-  if (!collided_ && !cleared_) launch_clear(false);
-  cleared_ |= !collided_;
   launch_draw();
   picture_stands_ = true;
 }

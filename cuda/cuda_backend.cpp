@@ -34,6 +34,7 @@ class CudaBackend final : public DeviceBackend {
   void finish() override { cuda_check(cudaDeviceSynchronize(), "waiting for the device"); }
   void time_stages(bool on) override;
   std::vector<StageTime> stage_times() override;
+  DeviceMemoryView shared(uint slot, uint64_t bytes_a_sphere);
 
  protected:
   void allocate(uint slot, uint64_t bytes) override;
@@ -43,12 +44,12 @@ class CudaBackend final : public DeviceBackend {
   uint64_t largest_binding() const override { return uint64_t(1) << 47; }
   std::vector<Pair> read_pairs(uint64_t count) override;
   bool has_atomics_64() const override { return true; }
-  void draw_by_pipeline(DrawMethod) override {}  // draw_methods() has none
-  std::vector<uint> pipeline_image() override { return {}; }
 
  private:
   template <typename T>
-  T* buffer(uint slot) const;
+  T* buffer(uint slot) const {
+    return static_cast<T*>(memory_[slot].data);
+  }
   World world(bool in_cells) const;
   void describe(int device);
   void require_kernels(int device) const;
@@ -153,11 +154,6 @@ void CudaBackend::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
   cuda_check(cudaMemcpy(data, source, bytes, cudaMemcpyDeviceToHost), fmt::format("reading {} bytes", bytes));
 }
 
-template <typename T>
-T* CudaBackend::buffer(uint slot) const {
-  return static_cast<T*>(memory_[slot].data);
-}
-
 World CudaBackend::world(bool in_cells) const {
   return {.position = buffer<vec4>(in_cells ? SLOT_SORTED : SLOT_POSITION),
           .velocity = buffer<vec4>(SLOT_VELOCITY),
@@ -229,7 +225,21 @@ std::vector<StageTime> CudaBackend::stage_times() {
   return times;
 }
 
+DeviceMemoryView CudaBackend::shared(uint slot, uint64_t bytes_a_sphere) {
+  put_contacts_in_order();
+  return {memory_[slot].data, spheres() * bytes_a_sphere};
+}
+
+CudaBackend& cuda_backend(Backend& backend) {
+  if (auto* cuda = dynamic_cast<CudaBackend*>(&backend)) return *cuda;
+  throw BackendError(
+      fmt::format("{} is not the CUDA backend: only CUDA's spheres are handed over to OpenGL", backend.info().name));
+}
+
 }  // namespace
+
+DeviceMemoryView cuda_positions(Backend& backend) { return cuda_backend(backend).shared(SLOT_POSITION, sizeof(vec4)); }
+DeviceMemoryView cuda_contacts(Backend& backend) { return cuda_backend(backend).shared(SLOT_COUNT, sizeof(uint)); }
 
 std::unique_ptr<Backend> open_cuda_backend(const OpenOptions& options) {
   return std::make_unique<CudaBackend>(options);

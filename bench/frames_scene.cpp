@@ -6,6 +6,11 @@
 #include "frames.h"
 
 namespace spherepair {
+namespace {
+
+constexpr uint places_on_way = 64;
+
+}  // namespace
 
 Scene in_cell_order(const Scene& scene) {
   if (scene.size() == 0) return scene;
@@ -23,6 +28,22 @@ Scene in_cell_order(const Scene& scene) {
     sorted.velocities[place] = scene.velocities[i];
   }
   return sorted;
+}
+
+std::vector<View> way(const Bounds& bounds, const std::string& place, uint width, uint height, uint lighting) {
+  Look look = contact_look();
+  look.lighting = lighting;
+  std::vector<View> views;
+  for (uint k = 0; k < places_on_way; ++k) {
+    const double turn = 0.05 * std::min(k, places_on_way - k);  // degrees, there and back
+    Camera camera = frame(bounds, 30 + turn, 20, 40, double(width) / height);
+    if (place == "inside") {
+      for (int a = 0; a < 3; ++a) camera.eye[a] = camera.target[a] + 0.1 * (camera.eye[a] - camera.target[a]);
+      camera.near = 1e-3 * (bounds.high[0] - bounds.low[0]);
+    }
+    views.push_back(make_view(camera, look, width, height));
+  }
+  return views;
 }
 
 }  // namespace spherepair
