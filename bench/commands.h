@@ -53,9 +53,10 @@ struct CameraOptions {
 struct RenderOptions {
   std::string backend, method;
   StartOptions start;
-  std::string output_file;           // .png
-  uint64_t steps = 0;                // before the first picture
-  uint64_t pictures = 1, every = 1;  // steps from each picture to the next
+  std::string output_file, video_file;  // .png, .mp4: at least one
+  uint pictures_per_second = 30;        // of the video
+  uint64_t steps = 0;                   // before the first picture
+  uint64_t pictures = 1, every = 1;     // steps from each picture to the next
   uint width = 1280, height = 720, samples = 16;
   CameraOptions camera;
   std::string draw = "compute";       // DrawMethod

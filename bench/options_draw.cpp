@@ -41,11 +41,14 @@ void add_camera_options(CLI::App& command, CameraOptions& camera) {
 void add_render(CLI::App& app, CommandLine& line, Action& action) {
   auto* command = app.add_subcommand("render", "Draw spheres, coloured by their contacts, into a PNG or a series");
   auto options = std::make_shared<RenderOptions>();
-  command
-      ->add_option("--output", options->output_file,
-                   "The picture, .png; a JSON of the same name holds all that makes it again. Of several pictures, "
-                   "each gets its number before the dot")
-      ->required();
+  command->add_option("--output", options->output_file,
+                      "The picture, .png; a JSON of the same name holds all that makes it again. Of several pictures, "
+                      "each gets its number before the dot");
+  command->add_option("--video", options->video_file,
+                      "A film of the pictures, .mp4, through ffmpeg; its JSON beside it");
+  command->add_option("--rate", options->pictures_per_second, "Pictures a second of the --video")
+      ->check(whole_number(1, 1000))
+      ->capture_default_str();
   add_start_options(*command, options->start);
   command->add_option("--steps", options->steps, "Steps of 1/64 s before the first picture")
       ->check(steps_range)
@@ -75,7 +78,7 @@ void add_render(CLI::App& app, CommandLine& line, Action& action) {
   command->footer(
       "Examples:\n  spherepair render --scene random --n 16384 --steps 120 --output spheres.png\n"
       "  spherepair render --input atoms.extxyz --azimuth 60 --elevation 30 --size 1920x1080 --output atoms.png\n"
-      "  spherepair render --scene aligned --n 512 --pictures 120 --every 2 --output frames/aligned.png");
+      "  spherepair render --scene aligned --n 512 --pictures 240 --every 2 --video aligned.mp4");
   command->callback([=, &line, &action] {
     finish_start_options(*command, options->start);
     action = [=, &line] { return render_command(line, *options); };

@@ -2,6 +2,12 @@
 // spherepair render
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <deque>
+#include <future>
+#include <optional>
+#include <thread>
+
 #include "answers.h"
 #include "arguments.h"
 #include "choice.h"
@@ -11,6 +17,7 @@
 #include "photo.h"
 #include "png_file.h"
 #include "replaced_file.h"
+#include "video.h"
 
 namespace spherepair {
 namespace {
@@ -34,14 +41,22 @@ fs::path name_of(const RenderOptions& options, uint64_t k) {
   return path.replace_filename(fmt::format("{}-{:0{}}.png", path.stem().string(), k, digits));
 }
 
+void check_file(const std::string& file, const std::string& extension) {
+  if (file.empty()) return;
+  if (fs::path(file).extension() != extension)
+    throw std::invalid_argument(fmt::format("the output {} does not end in {}", file, extension));
+  check_writable(file);
+}
+
 void check_options(const RenderOptions& options) {
-  if (fs::path(options.output_file).extension() != ".png")
-    throw std::invalid_argument(fmt::format("the output {} does not end in .png", options.output_file));
+  if (options.output_file.empty() && options.video_file.empty())
+    throw std::invalid_argument("nothing to write: give --output picture.png or --video film.mp4");
+  check_file(options.output_file, ".png");
+  check_file(options.video_file, ".mp4");
   if (!options.backend.empty()) require_known_backends({options.backend});
   for (const auto& [name, value] : {std::pair{"--eye", options.camera.eye}, {"--target", options.camera.target}})
     if (!value.empty() && value.size() != 3) throw std::invalid_argument(fmt::format("{} needs x,y,z", name));
   draw_method_from_name(options.draw);
-  check_writable(name_of(options, 0));
 }
 
 json record(const Series& series, uint64_t step, const Collisions& totals) {
@@ -64,28 +79,64 @@ json record(const Series& series, uint64_t step, const Collisions& totals) {
           {"samples", views}};
 }
 
-void take_picture(const Series& series, uint64_t k, uint64_t step) {
+// Pictures are encoded and written while the next are drawn; an error in one is thrown when its turn comes.
+class Writers {
+ public:
+  void write(const fs::path& path, std::vector<uint> image, const Shot& shot, const json& record) {
+    if (jobs_.size() >= std::max(1u, std::thread::hardware_concurrency())) finish_one();
+    jobs_.push_back(
+        std::async(std::launch::async, [=, image = std::move(image), width = shot.width, height = shot.height] {
+          write_png(path, image, width, height);
+          write_file(fs::path(path).replace_extension(".json"), json_text(record));
+        }));
+  }
+  void finish() {
+    while (!jobs_.empty()) finish_one();
+  }
+
+ private:
+  void finish_one() {
+    std::future<void> job = std::move(jobs_.front());
+    jobs_.pop_front();
+    job.get();
+  }
+  std::deque<std::future<void>> jobs_;
+};
+
+std::vector<uint> take_picture(const Series& series, uint64_t step, json& record_of_it) {
   Backend& backend = *series.chosen.backend;
   CollideOptions collide = {.method = series.method};
   if (series.shot.look.lighting) collide.grid.cells = Cells::dense;
   backend.collide(collide);
-  const Collisions totals = backend.collisions();
+  record_of_it = record(series, step, backend.collisions());
   std::vector<uint> image = take(backend, series.shot);
   if (series.options.legend) draw_legend(image, series.shot.width, series.shot.height, series.shot.look);
-  fs::path path = name_of(series.options, k);
-  write_png(path, image, series.shot.width, series.shot.height);
-  write_file(path.replace_extension(".json"), json_text(record(series, step, totals)));
+  return image;
 }
 
 void take_series(const Series& series) {
+  const RenderOptions& options = series.options;
   Progress progress;
-  uint64_t step = series.options.steps;
-  for (uint64_t k = 0; k < series.options.pictures; ++k) {
-    progress.say(fmt::format("picture {} of {}, step {}", k + 1, series.options.pictures, step));
-    take_picture(series, k, step);
-    if (k + 1 == series.options.pictures) break;
-    for (uint64_t i = 0; i < series.options.every; ++i, ++step) series.chosen.backend->move();
+  Writers writers;
+  std::optional<Video> video;
+  const fs::path film = options.video_file;
+  if (!film.empty()) video.emplace(film, options.width, options.height, options.pictures_per_second);
+  uint64_t step = options.steps;
+  json first, now;
+  for (uint64_t k = 0; k < options.pictures; ++k) {
+    progress.say(fmt::format("picture {} of {}, step {}", k + 1, options.pictures, step));
+    std::vector<uint> image = take_picture(series, step, now);
+    if (k == 0) first = now;
+    if (video) video->add(image);
+    if (!options.output_file.empty()) writers.write(name_of(options, k), std::move(image), series.shot, now);
+    if (k + 1 == options.pictures) break;
+    for (uint64_t i = 0; i < options.every; ++i, ++step) series.chosen.backend->move();
   }
+  writers.finish();
+  if (!video) return;
+  video->commit();
+  first.update({{"pictures", options.pictures}, {"every", options.every}, {"rate", options.pictures_per_second}});
+  write_file(fs::path(film).replace_extension(".json"), json_text(first));
 }
 
 }  // namespace
@@ -108,11 +159,10 @@ int render_command(const CommandLine& line, const RenderOptions& options) {
   take_series({line, options, start, chosen, method, shot});
   fmt::print("{}{} on {}: scene {}, {} spheres\n", start.notes, chosen.backend->info().name,
              device_label(chosen.backend->info()), start.label, start.scene.size());
-  if (options.pictures == 1) {
-    fmt::print("{}\n", options.output_file);
-  } else {
+  if (!options.output_file.empty() && options.pictures > 1)
     fmt::print("{} to {}\n", name_of(options, 0).string(), name_of(options, options.pictures - 1).string());
-  }
+  if (!options.output_file.empty() && options.pictures == 1) fmt::print("{}\n", options.output_file);
+  if (!options.video_file.empty()) fmt::print("{}\n", options.video_file);
   return kOk;
 }
 
