@@ -90,7 +90,7 @@ void DeviceBackend::run_collide() {
   params_.pair_capacity = options_.want_pairs ? uint(bytes_[SLOT_PAIR] / sizeof(uvec2)) : 0;
   params_.deferred_capacity = uint(bytes_[SLOT_DEFERRED] / sizeof(uvec2));
   const bool grid = options_.method == Method::collide_grid && n_ >= 2;
-  if (!grid) sorted_ = false;
+  if (!grid) sorted_ = cells_built_ = false;  // results are not in cell order now
   if (!cleared_ && !grid) launch_clear(false);
   if (n_ < 2) return;
   grid ? launch_grid() : launch_collide();

@@ -89,7 +89,8 @@ void DeviceBackend::draw(const View& view, const DrawOptions& options) {
   if (std::ranges::count(draw_methods(), options.method) == 0)
     throw std::invalid_argument(
         fmt::format("{}: the method of drawing {} runs on OpenGL only", info().name, draw_method_name(options.method)));
-  if (view.lighting != 0 && !(collided_ && cells_built_ && n_ > 0 && planned_ == Cells::dense))
+  if (view.lighting != 0 &&
+      !(collided_ && options_.method == Method::collide_grid && n_ > 1 && planned_ == Cells::dense))
     throw std::invalid_argument(fmt::format(
         "{}: occlusion and shadows need the dense cells of collide_grid; collide with them first", info().name));
   if (options.skip_unchanged && picture_stands_ && same_picture(view, options)) {
