@@ -8,7 +8,6 @@
 #include "commands.h"
 #include "context.h"
 #include "files.h"
-#include "sphere_file.h"
 
 namespace spherepair {
 namespace {
@@ -60,31 +59,6 @@ void print_steps(const std::vector<StepResult>& results) {
   fmt::print("{}", table.text().substr(1));
 }
 
-struct Start {
-  Scene scene;
-  std::string label, notes;
-  json record;
-};
-
-// A scene, a file of another program, or one of our own text files, in which every sphere has its radius.
-Start start_of(const RunOptions& options, int threads) {
-  const std::string& file = options.input_file;
-  if (file.empty()) return {make_scene(options.scene), scene_label(options.scene), "", scene_json(options.scene)};
-  if (is_sphere_file(file)) {
-    SphereFile input = read_sphere_file(file, {.radius = options.radius, .frame = options.frame, .threads = threads});
-    const std::string notes = describe(input), label = input.scene.name;
-    const json record = to_json(input);
-    return {std::move(input.scene), label, notes, record};
-  }
-  if (options.radius || options.frame)
-    throw std::invalid_argument(fmt::format("{} has a radius on each line and no frames: leave {} out", file,
-                                            options.radius ? "--radius" : "--frame"));
-  Scene scene = read_spheres(file);
-  const json record = {{"file", file}, {"n", scene.size()}};
-  const std::string label = scene.name;
-  return {std::move(scene), label, "", record};
-}
-
 // Steps, and the results of those that are asked for.
 std::vector<StepResult> simulate(Backend& backend, const RunOptions& options, CollideOptions collide) {
   std::vector<StepResult> results;
@@ -107,7 +81,7 @@ std::vector<StepResult> simulate(Backend& backend, const RunOptions& options, Co
 
 int run_command(const CommandLine& line, const RunOptions& options) {
   require_known_backends({options.backend});
-  const auto [scene, scene_name, notes, record] = start_of(options, line.open.threads);
+  const auto [scene, scene_name, notes, record] = start_of(options.start, line.open.threads);
   check_scene(scene);
   Session session({options.backend}, line.open);
   Backend& backend = *session.find(options.backend);

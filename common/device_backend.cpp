@@ -29,7 +29,15 @@ constexpr const char* slot_names[SLOT_TOTAL] = {"positions",
                                                 "counts in cell order",
                                                 "tiles of the scan",
                                                 "spheres in buckets",
-                                                "buckets"};
+                                                "buckets",
+                                                "visible spheres",
+                                                "image",
+                                                "tiles of large spheres",
+                                                "counts of drawing",
+                                                "clusters",
+                                                "clusters seen",
+                                                "list of clusters",
+                                                "pyramid of depths"};
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
@@ -46,7 +54,9 @@ const char* kernel_name(Kernel kernel) {
       "ceiling_issue",  "settle",        "decide",        "tally",          "grid_clear",
       "grid_bounds",    "split_count",   "split_scan",    "grid_split",     "grid_sort",
       "grid_count",     "grid_sums",     "grid_scan",     "grid_scatter",   "collide_grid",
-      "collide_hashed", "collide_group", "collide_tiled", "collide_square", "collide_triangle"};
+      "collide_hashed", "collide_group", "collide_tiled", "collide_square", "collide_triangle",
+      "draw_clear",     "draw_counts",   "draw_bounds",   "draw_cull",      "draw_pyramid",
+      "draw_clusters",  "draw_spheres",  "draw_tiles",    "draw_resolve",   "draw_light"};
   return names[int(kernel)];
 }
 
@@ -105,7 +115,11 @@ void DeviceBackend::upload(const Scene& scene) {
   planned_.reset();
   cell_order_.reset();
   order_ = Order::scene;
-  cleared_ = collided_ = cells_built_ = false;
+  cleared_ = collided_ = cells_built_ = counts_by_place_ = false;
+  view_ = {};
+  clustered_.reset();
+  picture_stands_ = false;
+  pictures_kept_ = 0;
 }
 
 // A thread for every sphere, and at least one for every word of the summary, which the same kernels clear.
@@ -125,6 +139,8 @@ void DeviceBackend::move() {
   cleared_ = true;
   collided_ = cells_built_ = false;
   cell_order_.reset();
+  clustered_.reset();
+  picture_stands_ = false;
 }
 
 std::vector<uint> DeviceBackend::counts() {

@@ -38,7 +38,17 @@ enum class Kernel {
   collide_group,
   collide_tiled,
   collide_square,
-  collide_triangle
+  collide_triangle,
+  draw_clear,
+  draw_counts,
+  draw_bounds,
+  draw_cull,
+  draw_pyramid,
+  draw_clusters,
+  draw_spheres,
+  draw_tiles,
+  draw_resolve,
+  draw_light
 };
 
 // `groups` along one axis, folded into the next where one dispatch cannot hold them.
@@ -74,6 +84,10 @@ class DeviceBackend : public Backend {
   std::vector<uint> counts() override;
   std::vector<Pair> pairs() override;
   State state() override;
+  void draw(const View& view, const DrawOptions& options) override;
+  std::vector<uint> image() override;
+  std::vector<uvec2> visible() override;
+  DrawCounts draw_counts() override;
   std::vector<uint> decide(std::span<const vec4> spheres) override;
   void launch_empty(uint groups) override;
   void launch_ceiling(Ceiling ceiling) override;
@@ -88,6 +102,14 @@ class DeviceBackend : public Backend {
   virtual void launch(const Launch& launch, const Params& params) = 0;
   virtual uint64_t largest_binding() const = 0;  // bytes that a kernel can reach in one buffer
   virtual std::vector<Pair> read_pairs(uint64_t count);
+  virtual bool has_atomics_64() const = 0;
+
+  // The methods of draw_methods() but for compute; contacts stand in SLOT_COUNT, by the number of the sphere.
+  virtual void draw_by_pipeline(DrawMethod) {}
+  virtual std::vector<uint> pipeline_image() { return {}; }
+  void put_contacts_in_order();  // in SLOT_COUNT by the number of the sphere: 0 where none were found since a move
+  const View& view() const { return view_; }  // of the draw_* kernels
+  uint spheres() const { return uint(n_); }
 
  private:
   void require_scene(const char* what) const;
@@ -117,6 +139,21 @@ class DeviceBackend : public Backend {
 
   void build_cells();
 
+  void make_draw_buffers();
+  void require_drawn(bool by_compute) const;
+  void launch_draw();
+  void launch_rasteriser();
+  bool grow_draw_lists();
+  bool same_picture(const View& view, const DrawOptions& options) const;
+  void draw_all(const Params& params, Order order);
+  void draw_clusters(const Params& params, Order order);
+  void draw_phase(uint phase, const Params& params, Order order);
+  void draw_tiles(const Params& params, Order order);
+  void restart_lists();
+  void make_clusters(const Params& params, Order order);
+  void build_pyramid(const Params& params);
+  void finish_draw();
+
   std::array<uint, 3> per_sphere_groups() const;
 
   uint64_t n_ = 0;
@@ -131,6 +168,13 @@ class DeviceBackend : public Backend {
   CollideOptions options_;
   bool tallied_ = true;  // colliding spheres are counted
   bool cleared_ = false, collided_ = false;
+  bool counts_by_place_ = false;  // SLOT_COUNT lacks the counts that SLOT_SORTED_COUNT has
+  View view_{};                   // of the last draw; a width of 0: there was none
+  View asked_{};                  // the same as it was asked for
+  DrawOptions draw_options_;
+  std::optional<Order> clustered_;  // whose clusters they are; none when spheres have moved
+  bool picture_stands_ = false;     // nothing has changed since the last draw
+  uint64_t pictures_kept_ = 0;
   std::array<uint64_t, SLOT_TOTAL> bytes_{};
 };
 

@@ -35,6 +35,13 @@ def with_defines(text, *defines):
     return re.sub(r"(#version .*\n)", lambda match: match[1] + lines, text, count=1)
 
 
+def variant_of(text, variant):
+    if variant != "ATOMICS_64":
+        return with_defines(text, "BLOCK 256", "LISTED 1", variant)
+    text = with_defines(text, "BLOCK 256", "LISTED 1", "EQUAL_RADII 0", variant)
+    return re.sub(r"(#version .*\n)", r"\1#extension GL_NV_shader_atomic_int64 : require\n", text, count=1)
+
+
 def disassemble(text):
     """SPIR-V assembly of a compute shader; raises ValueError with glslang's message."""
     with tempfile.TemporaryDirectory() as folder:
@@ -69,14 +76,15 @@ def shaders(root, build):
     missing = {p.stem for p in (root / "shaders").glob("*.comp")} - {p.stem for p in flattened}
     complaints = [f"{stem}.comp: is not built: add it to SPHEREPAIR_KERNELS" for stem in sorted(missing)]
     for path in flattened:
-        for uniform in (0, 1):
-            text = with_defines(path.read_text(), "BLOCK 256", f"EQUAL_RADII {uniform}", "LISTED 1")
+        text = path.read_text()
+        variants = ["EQUAL_RADII 0", "EQUAL_RADII 1"] + ["ATOMICS_64"] * ("ATOMICS_64" in text)
+        for variant in variants:
             try:
-                found = spirv_complaints(disassemble(text), may_fuse=path.stem not in STATE_FEEDING)
+                found = spirv_complaints(disassemble(variant_of(text, variant)), path.stem not in STATE_FEEDING)
             except ValueError as error:
                 found = [str(error)]
-            complaints += [f"{path.name} (EQUAL_RADII {uniform}): {complaint}" for complaint in found]
-    return complaints, f"{len(flattened)} shaders, each twice"
+            complaints += [f"{path.name} ({variant}): {complaint}" for complaint in found]
+    return complaints, f"{len(flattened)} shaders, every variant"
 
 
 def ptx_complaints(text):
