@@ -70,7 +70,8 @@ void DeviceBackend::sort_by_counting() {
   params_.buckets = params_.bucket_words = params_.first_bucket = 0;
   params_.scan_tiles = uint(ceil_div(uint64_t(params_.cell_slots) + 2, SCAN_TILE));
   make_buffer(SLOT_SCAN, (params_.scan_tiles + 1) * sizeof(uint));
-  launch_sorter(Kernel::grid_clear, SERVICE_BLOCK, ceil_div(params_.cell_slots / 4 + 2, SERVICE_BLOCK));
+  const uint64_t clearers = std::max<uint64_t>(params_.cell_slots / 4 + 2, SUMMARY_SLOTS * SUMMARY_WORDS);
+  launch_sorter(Kernel::grid_clear, SERVICE_BLOCK, ceil_div(clearers, SERVICE_BLOCK));
   launch_sorter(Kernel::grid_count, SERVICE_BLOCK, sorters);
   launch_scan(SLOT_CELL);
   launch_sorter(Kernel::grid_scatter, SERVICE_BLOCK, sorters);
