@@ -8,12 +8,15 @@
 namespace spherepair {
 namespace {
 
-// The grid with dense and with hashed cells, sorting anew or not.
+// The grid with dense and with hashed cells, sorting anew or not, in either way.
 std::vector<CollideOptions> every_grid() {
   std::vector<CollideOptions> all;
-  for (Cells cells : {Cells::automatic, Cells::dense, Cells::hashed})
-    for (bool keep : {true, false})
-      all.push_back({.method = Method::collide_grid, .grid = {.cells = cells, .keep_order = keep, .keep_cells = keep}});
+  for (Cells cells : {Cells::automatic, Cells::dense, Cells::hashed}) {
+    all.push_back({.method = Method::collide_grid, .grid = {.cells = cells}});
+    for (Sort sort : {Sort::counting, Sort::buckets})
+      all.push_back({.method = Method::collide_grid,
+                     .grid = {.cells = cells, .keep_order = false, .keep_cells = false, .sort = sort}});
+  }
   return all;
 }
 
