@@ -89,9 +89,10 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
       "Take the spheres from a file instead: .xyz, .extxyz or .npy (see pairs --help; at rest), or any other name for "
       "text, a line each, `x y z radius [vx vy vz]`; # starts a comment");
   command->add_option("--frame", options->frame, "Of an --input with several, counted from 0")->check(count_range);
-  command->add_option("--steps", options->steps, "Steps of 1/64 s before the pairs are found; 0: the scene as it is")
+  command->add_option("--steps", options->steps, "Steps before the pairs are found; 0: the scene as it is")
       ->check(steps_range)
       ->capture_default_str();
+  add_motion_options(*command, options->motion);
   command->add_option(
       "--method", options->method,
       "sequential, parallel (cpu); collide_group, collide_tiled, collide_square, collide_triangle, collide_grid; "
@@ -102,6 +103,7 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
   command->add_option("--pairs", options->pairs_file,
                       "Write the last step's colliding pairs to this file, a line `i j` each, i < j, in order");
   command->add_option("--json", options->json_file, "Write totals and context as JSON to this file");
+  add_checkpoint_options(*command, *options);
   add_open_options(*command, line.open);
   command->footer(
       "Examples:\n  spherepair run --backend glsl --scene random --n 1024 --steps 100 --pairs pairs.txt\n"
@@ -165,6 +167,7 @@ void add_compare(CLI::App& app, CommandLine& line, Action& action) {
   PlanOptions& plan = options->plan;
   add_selection(*command, *options);
   command->add_option("--steps", plan.steps, "Steps of the check")->check(steps_range);
+  add_motion_options(*command, plan.motion);
   command->add_option("--every", plan.every, "Compare after every so many steps")
       ->check(positive_range)
       ->capture_default_str();

@@ -4,10 +4,12 @@
 
 #include "answers.h"
 #include "arguments.h"
+#include "checkpoint.h"
 #include "choice.h"
 #include "commands.h"
 #include "context.h"
 #include "files.h"
+#include "replaced_file.h"
 #include "sphere_file.h"
 
 namespace spherepair {
@@ -64,14 +66,29 @@ struct Start {
   Scene scene;
   std::string label, notes;
   json record;
+  std::optional<MotionState> motion = {};  // of a run that goes on
+  uint64_t step = 0;
 };
+
+Start start_from_checkpoint(const std::string& file) {
+  Checkpoint saved = read_checkpoint(file);
+  const json record = {{"file", file}, {"n", saved.scene.size()}, {"step", saved.step}};
+  const std::string label = fmt::format("{} from step {}", saved.scene.name, saved.step);
+  return {std::move(saved.scene), label, "", record, std::move(saved.motion), saved.step};
+}
 
 // A scene, a file of another program, or one of our own text files, in which every sphere has its radius.
 Start start_of(const RunOptions& options, int threads) {
+  if (!options.resume_file.empty()) return start_from_checkpoint(options.resume_file);
   const std::string& file = options.input_file;
-  if (file.empty()) return {make_scene(options.scene), scene_label(options.scene), "", scene_json(options.scene)};
+  if (file.empty()) {
+    SceneOptions scene = options.scene;
+    choose_motion(scene, options.motion);
+    return {make_scene(scene), scene_label(scene), "", scene_json(scene)};
+  }
   if (is_sphere_file(file)) {
     SphereFile input = read_sphere_file(file, {.radius = options.radius, .frame = options.frame, .threads = threads});
+    choose_motion(input.scene, options.motion);
     const std::string notes = describe(input), label = input.scene.name;
     const json record = to_json(input);
     return {std::move(input.scene), label, notes, record};
@@ -80,25 +97,38 @@ Start start_of(const RunOptions& options, int threads) {
     throw std::invalid_argument(fmt::format("{} has a radius on each line and no frames: leave {} out", file,
                                             options.radius ? "--radius" : "--frame"));
   Scene scene = read_spheres(file);
+  choose_motion(scene, options.motion);
   const json record = {{"file", file}, {"n", scene.size()}};
   const std::string label = scene.name;
   return {std::move(scene), label, "", record};
 }
 
+void save(Backend& backend, const Start& start, uint64_t step, const std::string& file) {
+  Backend::State state = backend.state();
+  Checkpoint checkpoint{start.scene, backend.save(), step};
+  checkpoint.scene.positions = std::move(state.positions);
+  checkpoint.scene.velocities = std::move(state.velocities);
+  write_checkpoint(file, checkpoint);
+}
+
 // Steps, and the results of those that are asked for.
-std::vector<StepResult> simulate(Backend& backend, const RunOptions& options, CollideOptions collide) {
+std::vector<StepResult> simulate(Backend& backend, const RunOptions& options, const Start& start,
+                                 CollideOptions collide) {
   std::vector<StepResult> results;
   Progress progress;
-  for (uint64_t step = 0; step <= options.steps; ++step) {
-    if (step > 0) backend.move();
-    const bool last = step == options.steps;
+  const uint64_t end = start.step + options.steps;
+  for (uint64_t step = start.step; step <= end; ++step) {
+    if (step > start.step) backend.move();
+    const bool last = step == end;
+    if (!options.save_file.empty() && (last || (options.save_every && step % options.save_every == 0)))
+      save(backend, start, step, options.save_file);
     if (!last && !options.per_step) continue;
-    progress.say(fmt::format("step {} of {}", step, options.steps));
+    progress.say(fmt::format("step {} of {}", step, end));
     collide.want_pairs = last && !options.pairs_file.empty();
     backend.collide(collide);
     const Collisions totals = backend.collisions();
     const Backend::State state = backend.state();
-    results.push_back({step, state_hash(state.positions, state.velocities), totals});
+    results.push_back({step, state_hash(state.positions, state.velocities, state.wide), totals});
   }
   return results;
 }
@@ -107,16 +137,27 @@ std::vector<StepResult> simulate(Backend& backend, const RunOptions& options, Co
 
 int run_command(const CommandLine& line, const RunOptions& options) {
   require_known_backends({options.backend});
-  const auto [scene, scene_name, notes, record] = start_of(options, line.open.threads);
+  if (options.save_every && options.save_file.empty())
+    throw std::invalid_argument("--save-every needs the name of a file: --save FILE");
+  if (!options.save_file.empty()) check_writable(options.save_file);
+  const Start start = start_of(options, line.open.threads);
+  const Scene& scene = start.scene;
   check_scene(scene);
   Session session({options.backend}, line.open);
   Backend& backend = *session.find(options.backend);
   const CollideOptions collide = collide_options(options, backend, scene.size());
   for (const std::string& warning : session.warnings()) fmt::print(stderr, "{}\n", warning);
-  backend.upload(scene);
-  const std::vector<StepResult> results = simulate(backend, options, collide);
-  fmt::print("{}{} on {}: {}{}, scene {}, {} spheres, {} steps\n", notes, options.backend, device_label(backend.info()),
-             label({&backend, collide}), options.naive ? " (naive)" : "", scene_name, scene.size(), options.steps);
+  if (const uint64_t stalled = options.steps ? stalled_spheres(scene) : 0)
+    fmt::print(stderr,
+               "WARNING: {} spheres are too far from the origin for their speed: a step is less than half of what "
+               "float32 can add to their position, so they stand still. Use --precision compensated or --motion "
+               "anchored.\n",
+               stalled);
+  start.motion ? backend.resume(scene, *start.motion) : backend.upload(scene);
+  const std::vector<StepResult> results = simulate(backend, options, start, collide);
+  fmt::print("{}{} on {}: {}{}, scene {}, {} spheres, {} steps of {}\n", start.notes, options.backend,
+             device_label(backend.info()), label({&backend, collide}), options.naive ? " (naive)" : "", start.label,
+             scene.size(), options.steps, motion_label(scene.motion));
   print_steps(results);
   if (!options.pairs_file.empty()) write_file(options.pairs_file, pairs_text(backend.pairs()));
   if (options.json_file.empty()) return kOk;
@@ -124,7 +165,10 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   for (const StepResult& result : results) steps.push_back(to_json(result));
   write_file(options.json_file, json_text({{"context", capture_context(line.words)},
                                            {"backends", session.to_json()},
-                                           {"scene", record},
+                                           {"scene", start.record},
+                                           {"motion", motion_label(scene.motion)},
+                                           {"dt", scene.dt},
+                                           {"restitution", scene.restitution},
                                            {"method", method_name(collide.method)},
                                            {"block", collide.block},
                                            {"exact", collide.exact},

@@ -13,6 +13,7 @@
 
 #include "exact.h"
 #include "grid_plan.h"
+#include "motion_state.h"
 #include "pair_set.h"
 #include "scene.h"
 
@@ -90,7 +91,7 @@ class Backend {
   // Checks the scene (check_scene), allocates every buffer and copies. Throws BackendError when it does not fit.
   virtual void upload(const Scene& scene) = 0;
 
-  // Each enqueues work and returns; results wait for it. `move` is one step of the method `paper`.
+  // Each enqueues work and returns; results wait for it. `move` is one step of the scene's motion method.
   virtual void move() = 0;
   virtual void collide(const CollideOptions& options) = 0;
   virtual void finish() = 0;
@@ -101,10 +102,18 @@ class Backend {
   virtual std::vector<uint> counts() = 0;  // contacts of each sphere
   virtual std::vector<Pair> pairs() = 0;   // in canonical order; needs want_pairs
 
+  // The nearest float32 numbers, and the words of SLOT_WIDE where the precision has them: evaluated at this step.
   struct State {
     std::vector<vec4> positions, velocities;
+    std::vector<uint> wide;
   };
   virtual State state() = 0;
+
+  // All that the next steps depend on; `resume` takes the place of upload and goes on from there, to the same bits as
+  // if nothing had been saved, on any backend. The scene must be the one that was uploaded, with the state's positions
+  // and velocities.
+  virtual MotionState save() = 0;
+  virtual void resume(const Scene& scene, const MotionState& saved) = 0;
 
   // Decides spheres[2k] against spheres[2k + 1] for every k, with the same code as the kernels: verdict_code() each.
   virtual std::vector<uint> decide(std::span<const vec4> spheres) = 0;

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "cpu_grid.h"
+#include "cpu_motion.h"
 #include "device_backend.h"
-#include "motion.h"
 
 namespace spherepair {
 namespace {
@@ -44,8 +44,7 @@ class CpuBackend final : public Backend {
 
   void upload(const Scene& scene) override {
     check_scene(scene);
-    positions_ = scene.positions;
-    velocities_ = scene.velocities;
+    motion_.upload(scene);
     equal_radii_ = scene.equal_radii;
     constants_ = {scene_params(scene, false), scene_params(scene, true)};
     plans_ = plan_grids(scene);
@@ -54,20 +53,13 @@ class CpuBackend final : public Backend {
   }
 
   void move() override {
-    timed("move", [&] {
-#pragma omp parallel for num_threads(threads_) schedule(static) if (positions_.size() > 4096)
-      for (size_t i = 0; i < positions_.size(); ++i) {
-        const Moving next = move_paper(positions_[i], velocities_[i], constants_[true]);
-        positions_[i] = next.position;
-        velocities_[i] = next.velocity;
-      }
-    });
+    timed("move", [&] { motion_.move(threads_); });
     celled_.reset();
     found_.reset();
   }
 
   void collide(const CollideOptions& options) override {
-    const PairSearch search{positions_, constants_[options.exact], equal_radii_, options, threads_};
+    const PairSearch search{motion_.positions(threads_), constants_[options.exact], equal_radii_, options, threads_};
     timed(method_name(options.method), [&] {
       if (options.method == Method::sequential) {
         found_ = search_sequential(search);
@@ -94,7 +86,12 @@ class CpuBackend final : public Backend {
     if (!listed_) throw BackendError("cpu: no pair list was asked for; set want_pairs");
     return list;
   }
-  State state() override { return {positions_, velocities_}; }
+  State state() override { return motion_.state(threads_); }
+  MotionState save() override { return motion_.save(threads_); }
+  void resume(const Scene& scene, const MotionState& saved) override {
+    upload(scene);
+    motion_.resume(saved);
+  }
 
   std::vector<uint> decide(std::span<const vec4> spheres) override {
     const Params p = scene_params(Scene{}, true);
@@ -139,7 +136,7 @@ class CpuBackend final : public Backend {
 
   int threads_;
   BackendInfo info_;
-  std::vector<vec4> positions_, velocities_;
+  CpuMotion motion_;
   bool equal_radii_ = true;
   std::array<Params, 2> constants_{};  // [exact]
   GridPlans plans_;

@@ -27,7 +27,12 @@ constexpr const char* slot_names[SLOT_TOTAL] = {"positions",
                                                 "spheres in cell order",
                                                 "sphere numbers",
                                                 "counts in cell order",
-                                                "tiles of the scan"};
+                                                "tiles of the scan",
+                                                "wide state",
+                                                "anchors",
+                                                "flights",
+                                                "steps of the anchors",
+                                                "due steps"};
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
@@ -39,10 +44,11 @@ std::array<uint, 3> folded(uint64_t groups) {
 }
 
 const char* kernel_name(Kernel kernel) {
-  constexpr const char* names[] = {
-      "move",           "clear",         "empty",         "settle",         "decide",          "tally",
-      "grid_clear",     "grid_bounds",   "grid_count",    "grid_scan",      "grid_scatter",    "collide_grid",
-      "collide_hashed", "collide_group", "collide_tiled", "collide_square", "collide_triangle"};
+  constexpr const char* names[] = {"move",          "bounce",         "place",           "clear",
+                                   "empty",         "settle",         "decide",          "tally",
+                                   "grid_clear",    "grid_bounds",    "grid_count",      "grid_scan",
+                                   "grid_scatter",  "collide_grid",   "collide_hashed",  "collide_group",
+                                   "collide_tiled", "collide_square", "collide_triangle"};
   return names[int(kernel)];
 }
 
@@ -93,6 +99,7 @@ void DeviceBackend::upload(const Scene& scene) {
   write(SLOT_POSITION, scene.positions.data(), 0, n_ * sizeof(vec4));
   write(SLOT_VELOCITY, scene.velocities.data(), 0, n_ * sizeof(vec4));
   variant_.equal_radii = scene.equal_radii;
+  motion_ = scene.motion;
   constants_ = {scene_params(scene, false), scene_params(scene, true)};
   params_ = constants_[true];
   params_.n = uint(n_);
@@ -100,6 +107,7 @@ void DeviceBackend::upload(const Scene& scene) {
   planned_.reset();
   cell_order_.reset();
   cleared_ = collided_ = sorted_ = cells_built_ = false;
+  write_state(initial_state(scene, params_));
 }
 
 // A thread for every sphere, and at least one for every word of the summary, which the same kernels clear.
@@ -111,14 +119,6 @@ void DeviceBackend::launch_clear(bool in_cells) {
   const uint64_t threads = std::max<uint64_t>(n_, SUMMARY_SLOTS * SUMMARY_WORDS);
   launch({Kernel::clear, SERVICE_BLOCK, {}, folded(ceil_div(threads, SERVICE_BLOCK * SPHERES_PER_SORTER)), in_cells},
          params_);
-}
-
-void DeviceBackend::move() {
-  require_scene("move");
-  launch({Kernel::move, SERVICE_BLOCK, {}, per_sphere_groups()}, params_);
-  cleared_ = true;
-  collided_ = cells_built_ = false;
-  cell_order_.reset();
 }
 
 std::vector<uint> DeviceBackend::counts() {
@@ -144,14 +144,6 @@ std::vector<Pair> DeviceBackend::read_pairs(uint64_t count) {
   read(SLOT_PAIR, pairs.data(), 0, count * sizeof(Pair));
   std::ranges::sort(pairs);
   return pairs;
-}
-
-Backend::State DeviceBackend::state() {
-  require_scene("state");
-  State state{std::vector<vec4>(n_), std::vector<vec4>(n_)};
-  read(SLOT_POSITION, state.positions.data(), 0, n_ * sizeof(vec4));
-  read(SLOT_VELOCITY, state.velocities.data(), 0, n_ * sizeof(vec4));
-  return state;
 }
 
 std::vector<uint> DeviceBackend::decide(std::span<const vec4> spheres) {

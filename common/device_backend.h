@@ -15,6 +15,8 @@ Params scene_params(const Scene& scene, bool exact);
 
 enum class Kernel {
   move,
+  bounce,
+  place,
   clear,
   empty,
   settle,
@@ -56,6 +58,8 @@ class DeviceBackend : public Backend {
   std::vector<uint> counts() override;
   std::vector<Pair> pairs() override;
   State state() override;
+  MotionState save() override;
+  void resume(const Scene& scene, const MotionState& saved) override;
   std::vector<uint> decide(std::span<const vec4> spheres) override;
   void launch_empty(uint groups) override;
   void check_guards() override;
@@ -72,6 +76,9 @@ class DeviceBackend : public Backend {
  private:
   void require_scene(const char* what) const;
   void make_buffer(uint slot, uint64_t bytes);
+  void write_state(const MotionState& state);
+  void launch_motion(Kernel kernel, bool whole_state);
+  void place(bool whole_state);
   void run_collide();
   bool grow_lists(uint64_t deferred, uint64_t listed);
   std::vector<uint> read_summary();
@@ -93,7 +100,10 @@ class DeviceBackend : public Backend {
   std::array<uint, 3> per_sphere_groups() const;
 
   uint64_t n_ = 0;
-  Variant variant_;                    // for this scene and step
+  Variant variant_;  // for this scene and step
+  MotionOptions motion_;
+  uint steps_ = 0;                     // of anchored
+  bool placed_ = true;                 // positions are those of this step
   std::array<Params, 2> constants_{};  // of the scene: [exact]
   GridPlans plans_;
   std::optional<Cells> planned_;    // the cells that the buffers and parameters are for

@@ -73,6 +73,7 @@ void DeviceBackend::collide(const CollideOptions& options) {
         fmt::format("group size {} is not one of {}", options.block, fmt::join(block_sizes(), ", ")));
   }
   options_ = options;
+  if (!placed_) place(false);
   run_collide();
   collided_ = true;
 }

@@ -19,8 +19,13 @@
 #define SLOT_SORTED 10   // vec4[n]: spheres in cell order
 #define SLOT_ID 11       // uint[n]: which sphere stands at each place of the cell order
 #define SLOT_SORTED_COUNT 12  // uint[n]: contacts, in cell order
-#define SLOT_SCAN 13  // uint[]: of grid_scan: the next tile, then states; of grid_bounds: [0] is 1 when out of order
-#define SLOT_TOTAL 14
+#define SLOT_SCAN 13    // uint[]: of grid_scan: the next tile, then states; of grid_bounds: [0] is 1 when out of order
+#define SLOT_WIDE 14    // Real[6n], of compensated and float64: all x, all y, all z, then the velocities
+#define SLOT_ANCHOR 15  // vec4[n], of anchored: where the spheres started, radius in w
+#define SLOT_FLIGHT 16  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
+#define SLOT_SINCE 17   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
+#define SLOT_DUE 18     // uint[n], of anchored: no sphere meets the plane before its step of this number
+#define SLOT_TOTAL 19
 #define SLOT_PARAMS 0  // the uniform block's own binding
 
 // Totals are spread over SUMMARY_SLOTS rows so that thousands of groups do not queue on one address; the host adds the
@@ -51,8 +56,22 @@
 #define SCAN_PARTIAL 0x40000000u    // state of a tile: its own sum is known, ...
 #define SCAN_INCLUSIVE 0x80000000u  // ... or that of all tiles up to it; the sum is in the other 30 bits
 
+#define MOTION_EULER 0u  // MotionMethod of motion_options.h
+#define MOTION_SYMPLECTIC 1u
+#define MOTION_PAPER 2u
+#define MOTION_PAPER_CLAMP 3u
+#define MOTION_IMPACT_LINEAR 4u
+#define MOTION_IMPACT 5u
+#define MOTION_ANCHORED 6u
+#define PRECISION_FLOAT32 0  // Precision of motion_options.h
+#define PRECISION_COMPENSATED 1
+#define PRECISION_FLOAT64 2
+#define ANCHOR_ON_PLANE 0x80000000u  // bit of `since`: the anchor is a bounce, not the start
+#define NEVER_DUE 0xFFFFFFFFu
+
+// Constants of the motion are vec4 whose first three floats add up to the constant: see `constant` in real.h.
 struct Params {
-  float dt, gravity_dt, half_gravity_dt2, restitution;  // seconds, g*dt, g*dt*dt/2 (both <= 0 along y), 0..1
+  float dt, gravity, steps_per_second, restitution;     // seconds, <= 0 along y, 1 / dt, 0..1
   float plane, radius, apart_above, collide_below;      // y of the plane; for equal radii: squared-distance bounds
   float filter_scale, filter_offset, spare_0, spare_1;  // K and T of filter_pair
   uint n, columns, pair_capacity, deferred_capacity;    // columns: spheres that one group of collide_triangle meets
@@ -62,11 +81,15 @@ struct Params {
   uint scan_tiles;                                  // of grid_scan
   uint cells_x, cells_y, cells_z, cell_slots;       // dense grid; cell_slots: length of the table in either case
   uint hash_mask, first_octave, top_level, levels;  // 0: dense; see level_of; levels: bit k set when k has spheres
-  uint tally_later, spare_2, spare_3, spare_4;      // not 0: tally counts the colliding spheres
+  uint tally_later;                                 // not 0: tally counts the colliding spheres
+  uint steps_done;                                  // of anchored: after this move
+  uint whole_state, spare_2;                        // of place: not 0 also writes velocities and SLOT_WIDE
+  vec4 gravity_dt, half_gravity_dt2;                // g*dt, g*dt*dt/2, both <= 0
+  vec4 seconds_per_speed, zeno_flights;             // 2 / |g|, or 0 without gravity; flights until rest, see rebound
 };
 
 #ifndef GL_core_profile
-static_assert(sizeof(Params) == 160 && alignof(vec4) == 16 && sizeof(uvec2) == 8);
+static_assert(sizeof(Params) == 224 && alignof(vec4) == 16 && sizeof(uvec2) == 8);
 #endif
 
 #endif

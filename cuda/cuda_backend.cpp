@@ -169,7 +169,12 @@ World CudaBackend::world(bool in_cells) const {
           .sorted = buffer<vec4>(SLOT_SORTED),
           .id = buffer<uint>(SLOT_ID),
           .sorted_count = buffer<uint>(SLOT_SORTED_COUNT),
-          .scan = buffer<uint>(SLOT_SCAN)};
+          .scan = buffer<uint>(SLOT_SCAN),
+          .wide = buffer<void>(SLOT_WIDE),
+          .anchor = buffer<vec4>(SLOT_ANCHOR),
+          .flight = buffer<void>(SLOT_FLIGHT),
+          .since = buffer<uint>(SLOT_SINCE),
+          .due = buffer<uint>(SLOT_DUE)};
 }
 
 void CudaBackend::launch(const Launch& launch, const Params& params) {

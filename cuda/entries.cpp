@@ -6,7 +6,11 @@ namespace spherepair {
 Entry entry_of(const Launch& launch) {
   switch (launch.kernel) {
     case Kernel::move:
-      return move_kernel();
+      return move_kernel(launch.variant);
+    case Kernel::bounce:
+      return bounce_kernel(launch.variant);
+    case Kernel::place:
+      return place_kernel(launch.variant);
     case Kernel::clear:
       return clear_kernel();
     case Kernel::empty:

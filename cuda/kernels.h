@@ -23,11 +23,18 @@ struct World {
   uint* id;
   uint* sorted_count;
   uint* scan;
+  void* wide;  // Real[]
+  const vec4* anchor;
+  void* flight;  // Real[]
+  uint* since;
+  uint* due;
 };
 
 // Every kernel is void (Params p, World w). A null entry means a group size that was not compiled.
 using Entry = const void*;
-Entry move_kernel();
+Entry move_kernel(Variant variant);
+Entry bounce_kernel(Variant variant);
+Entry place_kernel(Variant variant);
 Entry clear_kernel();
 Entry empty_kernel();
 Entry settle_kernel(Variant variant);

@@ -9,12 +9,17 @@
 namespace spherepair {
 namespace {
 
+constexpr const char* real_names[] = {"float", "Two", "double"};  // by Precision
+
 std::string source_of(const std::string& kernel, unsigned block, const Variant& variant) {
   const std::string& text = embedded_shaders().at(kernel);
   const size_t after_version = text.find('\n') + 1;
+  const uint method = uint(variant.motion.method), precision = uint(variant.motion.precision);
   return text.substr(0, after_version) +
          fmt::format("#define BLOCK {}\n#define EQUAL_RADII {}\n#define LISTED {}\n", block, int(variant.equal_radii),
                      int(variant.listed)) +
+         fmt::format("#define METHOD {}u\n#define PRECISION {}\n#define Real {}\n", method, precision,
+                     real_names[precision]) +
          text.substr(after_version);
 }
 

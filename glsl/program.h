@@ -10,7 +10,8 @@
 
 namespace spherepair {
 
-// A compute program made from the embedded shader of this name, with the group size and variant defined in front of it.
+// A compute program made from the embedded shader of this name, with the group size, the variant and the motion defined
+// in front of it.
 class Program {
  public:
   Program(const std::string& kernel, unsigned block, const Variant& variant);

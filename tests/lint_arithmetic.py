@@ -14,7 +14,8 @@ import tempfile
 
 from lint_sources import Skip
 
-STATE_FEEDING = ("move",)  # kernels whose results are the next step's input: every bit counts, so nothing is fused
+STATE_FEEDING = ("move", "bounce", "place")  # kernels whose results are the next step's input: every bit counts, so nothing is fused
+METHODS, PRECISIONS = range(6), ("float", "Two", "double")  # of layout.h; bounce and place are of a method of their own
 EXACT_FUNCTIONS = ("PackDouble2x32", "UnpackDouble2x32", "FAbs", "FMin", "FMax", "NMin", "NMax", "UMin", "UMax", "SMin",
                    "SMax", "FindUMsb", "FindSMsb", "FindILsb")
 ROUNDED = re.compile(r"(%\w+) = (OpF(?:Add|Sub|Mul|Div|Rem|Mod)|Op(?:Vector|Matrix)Times\w+|OpDot|OpOuterProduct) ")
@@ -46,6 +47,15 @@ def disassemble(text):
         return subprocess.run(["spirv-dis", binary], capture_output=True, text=True, check=True).stdout
 
 
+def variants(stem):
+    """The definitions of every program that is made from a shader."""
+    if stem not in STATE_FEEDING:
+        return [("BLOCK 256", f"EQUAL_RADII {uniform}", "LISTED 1") for uniform in (0, 1)]
+    methods = METHODS if stem == "move" else (6,)
+    return [("BLOCK 256", f"METHOD {method}u", f"PRECISION {precision}", f"Real {real}")
+            for method in methods for precision, real in enumerate(PRECISIONS)]
+
+
 def spirv_complaints(assembly, may_fuse):
     exact = set(re.findall(r"OpDecorate (%\w+) NoContraction", assembly))
     complaints = []
@@ -68,15 +78,17 @@ def shaders(root, build):
         raise Skip("no flattened shaders: the build has no GLSL")
     missing = {p.stem for p in (root / "shaders").glob("*.comp")} - {p.stem for p in flattened}
     complaints = [f"{stem}.comp: is not built: add it to SPHEREPAIR_KERNELS" for stem in sorted(missing)]
+    checked = 0
     for path in flattened:
-        for uniform in (0, 1):
-            text = with_defines(path.read_text(), "BLOCK 256", f"EQUAL_RADII {uniform}", "LISTED 1")
+        for defines in variants(path.stem):
+            checked += 1
             try:
-                found = spirv_complaints(disassemble(text), may_fuse=path.stem not in STATE_FEEDING)
+                assembly = disassemble(with_defines(path.read_text(), *defines))
+                found = spirv_complaints(assembly, may_fuse=path.stem not in STATE_FEEDING)
             except ValueError as error:
                 found = [str(error)]
-            complaints += [f"{path.name} (EQUAL_RADII {uniform}): {complaint}" for complaint in found]
-    return complaints, f"{len(flattened)} shaders, each twice"
+            complaints += [f"{path.name} ({', '.join(defines)}): {complaint}" for complaint in found]
+    return complaints, f"{len(flattened)} shaders in {checked} variants"
 
 
 def ptx_complaints(text):
