@@ -29,9 +29,9 @@ struct RunOptions {
   std::optional<float> radius;    // of the spheres of that file
   std::optional<uint64_t> frame;  // of that file
   uint block = CollideOptions{}.block;
-  MotionChoice motion;
+  MotionChoice motion = {.method = motion_name(MotionMethod::anchored)};  // what the measurements favour
   uint64_t steps = 0;
-  bool per_step = false, naive = false;
+  bool per_step = false, naive = false, swept = false;
   std::string pairs_file, json_file;
   std::string save_file, resume_file;  // checkpoints
   uint64_t save_every = 0;             // steps; 0: only at the end

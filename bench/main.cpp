@@ -8,10 +8,11 @@
 #include <functional>
 #include <limits>
 
-#include "answers.h"
 #include "arguments.h"
 #include "commands.h"
 #include "context.h"
+#include "precision_command.h"
+#include "run_action.h"
 
 namespace spherepair {
 namespace {
@@ -99,6 +100,8 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
       "default: the backend's fastest");
   command->add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024")->capture_default_str();
   command->add_flag("--naive", options->naive, "Use the naive float32 test in place of the exact predicate");
+  command->add_flag("--swept", options->swept,
+                    "Find the pairs that touch at any time within the next step, not only those that touch now");
   command->add_flag("--per-step", options->per_step, "Print and record every step, not only the last");
   command->add_option("--pairs", options->pairs_file,
                       "Write the last step's colliding pairs to this file, a line `i j` each, i < j, in order");
@@ -198,23 +201,12 @@ void add_equal(CLI::App& app, Action& action) {
   command->callback([=, &action] { action = [=] { return equal_command(*options); }; });
 }
 
-int fail(ExitCode code, const std::string& message) {
-  fmt::print(stderr, "spherepair: {}\n", message);
-  return code;
-}
-
-int run_action(const Action& action) {
-  try {
-    return action();
-  } catch (const DifferenceFound& difference) {
-    return fail(kDifference, std::string("DIFFERENCE FOUND: ") + difference.what());
-  } catch (const std::invalid_argument& error) {
-    return fail(kUsage, error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(kDeviceTrouble, "out of memory on the host; use fewer spheres");
-  } catch (const std::exception& error) {
-    return fail(kDeviceTrouble, error.what());
-  }
+void add_precision(CLI::App& app, CommandLine& line, Action& action) {
+  auto* command =
+      app.add_subcommand("precision", "Measure error against run time of every motion method and precision");
+  const auto options = add_precision_options(*command);
+  add_open_options(*command, line.open);
+  command->callback([=, &line, &action] { action = [=, &line] { return precision_command(line, *options); }; });
 }
 
 int run_program(int argc, char** argv) {
@@ -236,6 +228,7 @@ int run_program(int argc, char** argv) {
   add_pairs(app, line, action);
   add_compare(app, line, action);
   add_equal(app, action);
+  add_precision(app, line, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -22,7 +22,9 @@ struct StepResult {
 
 CollideOptions collide_options(const RunOptions& options, const Backend& backend, uint64_t n) {
   CollideOptions collide;
-  collide.method = choose_method(options.method, backend, n);
+  collide.swept = options.swept;
+  const char* swept_method = backend.info().name == "cpu" ? "parallel" : "collide_tiled";
+  collide.method = choose_method(options.swept && options.method.empty() ? swept_method : options.method, backend, n);
   collide.block = parse_blocks({options.block}).front();
   collide.exact = !options.naive;
   return collide;
@@ -156,8 +158,11 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   start.motion ? backend.resume(scene, *start.motion) : backend.upload(scene);
   const std::vector<StepResult> results = simulate(backend, options, start, collide);
   fmt::print("{}{} on {}: {}{}, scene {}, {} spheres, {} steps of {}\n", start.notes, options.backend,
-             device_label(backend.info()), label({&backend, collide}), options.naive ? " (naive)" : "", start.label,
-             scene.size(), options.steps, motion_label(scene.motion));
+             device_label(backend.info()), label({&backend, collide}),
+             options.naive   ? " (naive)"
+             : options.swept ? " (within the next step)"
+                             : "",
+             start.label, scene.size(), options.steps, motion_label(scene.motion));
   print_steps(results);
   if (!options.pairs_file.empty()) write_file(options.pairs_file, pairs_text(backend.pairs()));
   if (options.json_file.empty()) return kOk;
@@ -172,6 +177,7 @@ int run_command(const CommandLine& line, const RunOptions& options) {
                                            {"method", method_name(collide.method)},
                                            {"block", collide.block},
                                            {"exact", collide.exact},
+                                           {"swept", collide.swept},
                                            {"steps", steps}}));
   return kOk;
 }

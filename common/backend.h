@@ -55,6 +55,9 @@ struct CollideOptions {
   bool want_pairs = false;  // keep the pairs for pairs()
   uint columns = 0;         // of collide_triangle: spheres that one group meets; 0: chosen by n. Never changes the set
   GridOptions grid = {};    // of collide_grid. Never changes the set
+  // Pairs that touch at any time within the next step, in free flight (swept.h): of collide_tiled, and on the CPU of
+  // `parallel`, with float32 state; anything else throws std::invalid_argument.
+  bool swept = false;
 };
 
 // Totals of one collide(). Sizes are numbers of pairs (i<j) or spheres.
@@ -93,6 +96,9 @@ class Backend {
 
   // Each enqueues work and returns; results wait for it. `move` is one step of the scene's motion method.
   virtual void move() = 0;
+  // Makes the positions in memory those of this step where a method leaves that until they are asked for; collide and
+  // state do it by themselves.
+  virtual void place() = 0;
   virtual void collide(const CollideOptions& options) = 0;
   virtual void finish() = 0;
 

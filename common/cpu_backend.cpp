@@ -60,8 +60,11 @@ class CpuBackend final : public Backend {
 
   void collide(const CollideOptions& options) override {
     const PairSearch search{motion_.positions(threads_), constants_[options.exact], equal_radii_, options, threads_};
+    if (options.swept) check_swept("cpu", options, motion_.options());
     timed(method_name(options.method), [&] {
-      if (options.method == Method::sequential) {
+      if (options.swept) {
+        found_ = search_swept(search, motion_.state(threads_).velocities);
+      } else if (options.method == Method::sequential) {
         found_ = search_sequential(search);
       } else if (options.method == Method::collide_group) {
         found_ = search_groups(search);
@@ -75,6 +78,7 @@ class CpuBackend final : public Backend {
     listed_ = options.want_pairs;
   }
 
+  void place() override { motion_.positions(threads_); }
   void finish() override {}
   Collisions collisions() override { return found().totals; }
   std::vector<uint> counts() override {

@@ -19,6 +19,16 @@ void check_steps(const std::string& backend, uint steps) {
                                    ANCHOR_ON_PLANE - 1));
 }
 
+void check_swept(const std::string& backend, const CollideOptions& options, MotionOptions motion) {
+  if (options.method != Method::collide_tiled && options.method != Method::parallel)
+    throw std::invalid_argument(
+        fmt::format("{}: contacts between steps are found by collide_tiled and parallel, not {}", backend,
+                    method_name(options.method)));
+  if (motion.precision != Precision::float32)
+    throw std::invalid_argument(fmt::format("{}: contacts between steps need float32 state, not {}", backend,
+                                            precision_name(motion.precision)));
+}
+
 void CpuMotion::upload(const Scene& scene) {
   motion_ = scene.motion;
   params_ = scene_params(scene, true);

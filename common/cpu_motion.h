@@ -9,6 +9,7 @@ namespace spherepair {
 class CpuMotion {
  public:
   void upload(const Scene& scene);
+  MotionOptions options() const { return motion_; }
   void move(int threads);
 
   // As they stand now; of `anchored` they are evaluated when they are asked for.
@@ -37,6 +38,9 @@ class CpuMotion {
   MotionState kept_;
   bool placed_ = true;  // positions are those of this step
 };
+
+// Throws std::invalid_argument when swept contacts are asked for of a method or state that has none.
+void check_swept(const std::string& backend, const CollideOptions& options, MotionOptions motion);
 
 // Throws BackendError when `anchored` has done so many steps that their count would be lost.
 void check_steps(const std::string& backend, uint steps);

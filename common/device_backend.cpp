@@ -44,11 +44,11 @@ std::array<uint, 3> folded(uint64_t groups) {
 }
 
 const char* kernel_name(Kernel kernel) {
-  constexpr const char* names[] = {"move",          "bounce",         "place",           "clear",
-                                   "empty",         "settle",         "decide",          "tally",
-                                   "grid_clear",    "grid_bounds",    "grid_count",      "grid_scan",
-                                   "grid_scatter",  "collide_grid",   "collide_hashed",  "collide_group",
-                                   "collide_tiled", "collide_square", "collide_triangle"};
+  constexpr const char* names[] = {"move",          "bounce",        "place",          "clear",
+                                   "empty",         "settle",        "decide",         "tally",
+                                   "grid_clear",    "grid_bounds",   "grid_count",     "grid_scan",
+                                   "grid_scatter",  "collide_grid",  "collide_hashed", "collide_group",
+                                   "collide_tiled", "collide_swept", "collide_square", "collide_triangle"};
   return names[int(kernel)];
 }
 

@@ -31,6 +31,7 @@ enum class Kernel {
   collide_hashed,
   collide_group,
   collide_tiled,
+  collide_swept,
   collide_square,
   collide_triangle
 };
@@ -53,6 +54,7 @@ class DeviceBackend : public Backend {
   std::vector<Method> methods() const override { return device_methods(); }
   void upload(const Scene& scene) override;
   void move() override;
+  void place() override;
   void collide(const CollideOptions& options) override;
   Collisions collisions() override;
   std::vector<uint> counts() override;
@@ -78,7 +80,8 @@ class DeviceBackend : public Backend {
   void make_buffer(uint slot, uint64_t bytes);
   void write_state(const MotionState& state);
   void launch_motion(Kernel kernel, bool whole_state);
-  void place(bool whole_state);
+  void place_all(bool whole_state);
+  void prepare_positions();
   void run_collide();
   bool grow_lists(uint64_t deferred, uint64_t listed);
   std::vector<uint> read_summary();

@@ -24,9 +24,23 @@ void DeviceBackend::launch_motion(Kernel kernel, bool whole_state) {
   launch({kernel, SERVICE_BLOCK, {.motion = motion_}, per_sphere_groups()}, params);
 }
 
-void DeviceBackend::place(bool whole_state) {
+void DeviceBackend::place_all(bool whole_state) {
   launch_motion(Kernel::place, whole_state);
   placed_ = true;
+}
+
+void DeviceBackend::place() {
+  require_scene("place");
+  if (placed_) return;
+  place_all(false);
+  cleared_ = true;
+}
+
+// What a collision step is about to read.
+void DeviceBackend::prepare_positions() {
+  if (!options_.swept) return place();
+  check_swept(info().name, options_, motion_);
+  if (motion_.method == MotionMethod::anchored) place_all(true);
 }
 
 void DeviceBackend::move() {
@@ -45,7 +59,7 @@ void DeviceBackend::move() {
 
 Backend::State DeviceBackend::state() {
   require_scene("state");
-  if (motion_.method == MotionMethod::anchored) place(true);
+  if (motion_.method == MotionMethod::anchored) place_all(true);
   State state{std::vector<vec4>(n_), std::vector<vec4>(n_), {}};
   read(SLOT_POSITION, state.positions.data(), 0, n_ * sizeof(vec4));
   if (motion_.precision == Precision::float32) {

@@ -39,6 +39,8 @@ Entry entry_of(const Launch& launch) {
       return collide_group_kernel(launch.block, launch.variant);
     case Kernel::collide_tiled:
       return collide_tiled_kernel(launch.block, launch.variant);
+    case Kernel::collide_swept:
+      return collide_swept_kernel(launch.block, launch.variant);
     case Kernel::collide_square:
       return collide_square_kernel(launch.block, launch.variant);
     case Kernel::collide_triangle:

@@ -49,6 +49,7 @@ Entry collide_grid_kernel(uint block, Variant variant);
 Entry collide_hashed_kernel(uint block, Variant variant);
 Entry collide_group_kernel(uint block, Variant variant);
 Entry collide_tiled_kernel(uint block, Variant variant);
+Entry collide_swept_kernel(uint block, Variant variant);
 Entry collide_square_kernel(uint block, Variant variant);
 Entry collide_triangle_kernel(uint block, Variant variant);
 

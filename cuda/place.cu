@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere: where the method `anchored` has it at this step, and the results of the last step cleared.
+// One thread per sphere: where the method `anchored` has it at this step; without the whole state, for a collision
+// step, whose results are cleared.
 #include "motion_state.cuh"
 
 namespace spherepair {
@@ -7,7 +8,7 @@ namespace spherepair {
 template <typename Real>
 __global__ void __launch_bounds__(SERVICE_BLOCK) place(Params p, World w) {
   uint i = group_index(p) * SERVICE_BLOCK + threadIdx.x;
-  clear_results(p, w, i);
+  if (p.whole_state == 0u) clear_results(p, w, i);
   if (i >= p.n) return;
   Moving<Real> s = place_sphere(load_anchor<Real>(p, w, i), p);
   if (p.whole_state != 0u) {

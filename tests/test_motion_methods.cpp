@@ -61,6 +61,8 @@ TEST_P(MotionMethods, CollisionsAreThoseOfThePresentPositions) {
     const Answer answer = ask(backend(), {.method = fast_method(backend()).method, .want_pairs = true});
     Scene there = scene;
     there.positions = backend().state().positions;
+    EXPECT_EQ(backend().counts(), answer.counts) << "asking for the state must not touch the results";
+    EXPECT_EQ(backend().pairs(), *answer.pairs);
     Backend& cpu = cpu_backend();
     cpu.upload(there);
     const Answer wanted = ask(cpu, {.method = Method::sequential, .want_pairs = true});

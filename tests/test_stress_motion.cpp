@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "catalogue.h"
 #include "motion_runs.h"
 
 namespace spherepair {
@@ -22,7 +23,9 @@ TEST_P(StressCatalogue, Row21_FreeFall) {
   const auto largest = [&](MotionOptions motion, int k) {
     Scene scene = bouncing_scene({.motion = motion, .dt = std::ldexp(1.0f, -k)});
     scene.plane = -2000;
-    return errors_of(scene, 10u << k, run_steps(backend(), scene, 10u << k)).largest;
+    const double error = errors_of(scene, 10u << k, run_steps(backend(), scene, 10u << k)).largest;
+    if (k == 6) note_figure(fmt::format("{} {:.1e} m", motion_label(motion), error), "f64 1e-12, f32 2 ulp = 6.1e-5");
+    return error;
   };
   for (int k : {4, 6, 8}) {
     for (MotionMethod method : {MotionMethod::paper, MotionMethod::impact, MotionMethod::anchored})
@@ -41,11 +44,14 @@ TEST_P(StressCatalogue, Row23_EnergyOfAMillionSteps) {
       const double gained = errors_of(scene, steps, run_steps(backend(), scene, steps)).energy;
       fmt::print("{}: {} gains {:.1e} of its energy in {} steps\n", backend().info().name, motion_label(scene.motion),
                  gained, steps);
+      note_figure(fmt::format("{} {:.1e} in {} steps", motion_label(scene.motion), gained, steps),
+                  "f64 1e-10, compensated 1e-9");
       EXPECT_LE(std::abs(gained), bound) << motion_label(scene.motion);
     }
 }
 
 TEST_P(StressCatalogue, Row24_ComesToRest) {
+  note_figure("at rest on the plane, e = 0, 0.5, 0.9", "1 ulp, v = 0");
   const bool slow = slow_steps(backend());
   const float dt = slow ? 0x1p-1f : 0x1p-6f;
   for (MotionMethod method : EVENTS)
@@ -64,6 +70,7 @@ TEST_P(StressCatalogue, Row24_ComesToRest) {
 
 // Steps in which a sphere may bounce a hundred times: above the plane and no energy from nothing, at every step.
 TEST_P(StressCatalogue, Row25_LongSteps) {
+  note_figure("above the plane at every step", "energy not growing");
   for (MotionMethod method : EVENTS)
     for (Precision precision : PRECISIONS)
       for (auto [dt, restitution] : {std::pair(0.1f, 1.0f), std::pair(1.0f, 0.9f), std::pair(10.0f, 1.0f)}) {
@@ -85,6 +92,7 @@ TEST_P(StressCatalogue, Row25_LongSteps) {
 
 // 10 m a step, twenty diameters, down onto the plane.
 TEST_P(StressCatalogue, Row26_FastSpheresStayAboveThePlane) {
+  note_figure("0 of 200 at 1000 m/s", "0 crossings");
   for (MotionMethod method : EVENTS)
     for (Precision precision : PRECISIONS) {
       Scene scene = bouncing_scene({{method, precision}, 0.01f, 1, 200});
@@ -124,9 +132,12 @@ TEST_P(StressCatalogue, Row27_FarFromTheOrigin) {
   const uint64_t steps = slow_steps(backend()) ? 1000 : 10'000;
   for (float distance : {1e5f, 1e6f, 1e7f}) {
     for (MotionMethod method : {MotionMethod::paper, MotionMethod::impact, MotionMethod::anchored})
-      for (Precision precision : {Precision::compensated, Precision::float64})
-        EXPECT_LE(displacement_error(backend(), distant_scene({method, precision}, distance), steps), 1e-4)
-            << motion_name(method) << ", " << precision_name(precision) << " at " << distance;
+      for (Precision precision : {Precision::compensated, Precision::float64}) {
+        const double error = displacement_error(backend(), distant_scene({method, precision}, distance), steps);
+        if (distance == 1e7f && method == MotionMethod::impact)
+          note_figure(fmt::format("{} {:.1e} m at 1e7", precision_name(precision), error), "1e-4 m");
+        EXPECT_LE(error, 1e-4) << motion_name(method) << ", " << precision_name(precision) << " at " << distance;
+      }
     const Scene stalling = distant_scene({MotionMethod::paper, Precision::float32}, distance);
     EXPECT_NEAR(displacement_error(backend(), stalling, 1000), 1, 1e-3) << "float32 does not move there at all";
     EXPECT_EQ(stalled_spheres(stalling), 2u);
