@@ -2,6 +2,7 @@
 // The CPU's spheres and how they move.
 #pragma once
 
+#include "anchor.h"
 #include "backend.h"
 
 namespace spherepair {

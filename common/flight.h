@@ -58,11 +58,11 @@ ANY_REAL FN Moving OF_REAL move_paper(Moving OF_REAL from, Params p) {
   return next;
 }
 
-// The lowest height at which a sphere does not reach below the plane.
+// The lowest height at which a sphere does not reach below the plane: plane + r, rounded upwards.
 FN float ground(float r, float plane, float kind) {
-  EXACT float height = plane + r;
-  kind = height;
-  if (!below_plane(kind, r, plane)) return kind;
+  Two height = exact_sum(plane, r);
+  kind = height.hi;
+  if (!(snap(height.lo) > 0.0f)) return kind;
   return bits_float((float_bits(kind) & 0x80000000u) != 0u ? float_bits(kind) - 1u : float_bits(kind) + 1u);
 }
 FN Two ground(float r, float plane, Two kind) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "motion_state.h"
 
+#include "anchor.h"
+
 namespace spherepair {
 namespace {
 

@@ -5,8 +5,8 @@
 
 #include <cstring>
 
-#include "anchor.h"
 #include "scene.h"
+#include "two.h"
 
 namespace spherepair {
 

@@ -80,6 +80,17 @@ TEST(Motion, PlaneIsDecidedExactly) {
   }
 }
 
+TEST(Motion, GroundIsTheLowestFloatAboveThePlane) {
+  Random random(3);
+  for (int k = 0; k < 100'000; ++k) {
+    const float r = std::abs(any_float(random, -20, 3)), plane = k % 3 == 0 ? -5 : any_float(random, -10, 6);
+    const float lowest = ground(r, plane, 0.0f);
+    ASSERT_FALSE(below_plane(lowest, r, plane)) << fmt::format("r {:a}, plane {:a}", r, plane);
+    ASSERT_TRUE(below_plane(std::nextafter(lowest, -INFINITY), r, plane))
+        << fmt::format("r {:a}, plane {:a}", r, plane);
+  }
+}
+
 // Below the plane the old velocity is turned round, so it dies away, and every step still falls by g*dt*dt/2: 76.6 m in
 // 1000 s here, whatever the restitution below 1. (Were gravity added after the turn, it would be (1-e)/(1+e) of that.)
 constexpr double sunk_after_1000_s = 0.5 * 9.81 / 64 * 1000;

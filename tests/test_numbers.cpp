@@ -9,6 +9,7 @@
 
 #include "adversarial.h"
 #include "backends.h"
+#include "wide.h"
 
 namespace spherepair {
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "catalogue.h"
+#include "motion.h"
 #include "motion_runs.h"
 
 namespace spherepair {
