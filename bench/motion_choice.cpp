@@ -39,7 +39,9 @@ void add_checkpoint_options(CLI::App& command, RunOptions& options) {
   command.add_option("--save-every", options.save_every, "Also after every so many steps")->check(CLI::PositiveNumber);
   auto* resume = command.add_option("--resume", options.resume_file,
                                     "Go on from this checkpoint, to the same bits as if the run had not stopped");
-  for (const char* other : {"--input", "--scene", "--n", "--motion", "--precision", "--dt", "--restitution"})
+  for (const char* other :
+       {"--input", "--frame", "--scene", "--n", "--seed", "--radius", "--radius-ratio", "--packing-fraction",
+        "--groups", "--group-size", "--offset", "--motion", "--precision", "--dt", "--restitution"})
     resume->excludes(command.get_option(other));
 }
 

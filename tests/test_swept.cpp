@@ -123,7 +123,7 @@ TEST_P(StressCatalogue, Row26_DiscreteTestMissesAsGeometrySays) {
     const uint64_t missed = missed_pairs(backend(), scene, way, false);
     fmt::print("{}: at s = {} {} of {} contacts are missed, {:.0f} +- {:.0f} expected\n", backend().info().name, way,
                missed, pairs, expected, deviation);
-    note_figure(fmt::format("{} of {} at s = {}, {:.0f} expected; swept 0", missed, pairs, way, expected), "3 sigma");
+    note_figure(fmt::format("{} of {} at s = {}, {:.0f} expected, swept 0", missed, pairs, way, expected), "3 sigma");
     EXPECT_NEAR(double(missed), expected, 3 * deviation);
     EXPECT_EQ(missed_pairs(backend(), scene, way, true), 0u);
   }
