@@ -40,11 +40,15 @@ Method method_from_name(const std::string& name);  // throws std::invalid_argume
 std::vector<Method> device_methods();              // the four that GLSL and CUDA mirror
 std::span<const uint> block_sizes();               // 32, 64 ... 1024
 
+// How spheres are put into cell order: by counting them by cell, or by splitting them into buckets of cells first.
+enum class Sort { automatic, counting, buckets };
+
 // What the grid may skip or do in another way, each to be measured against its opposite.
 struct GridOptions {
   Cells cells = Cells::automatic;
   bool keep_order = true;  // spheres that stand in cell order already are not sorted again
   bool keep_cells = true;  // spheres that have not moved keep the cells of the last step
+  Sort sort = Sort::automatic;
   auto operator<=>(const GridOptions&) const = default;
 };
 

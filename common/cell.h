@@ -121,4 +121,12 @@ FN float reach_of(float radius, uint level, Params p) {
   return reach;
 }
 
+// Buckets are ranges of slots. A sphere of this slot and those between it and others of its parent, a larger range, are
+// in the buckets from the one below to the one above.
+FN uint bucket_below(uint slot, Params p) { return (slot >> p.parent_shift) << (p.parent_shift - p.bucket_shift); }
+FN uint bucket_above(uint slot, Params p) {
+  uint behind = ((slot >> p.parent_shift) + 1u) << (p.parent_shift - p.bucket_shift);
+  return (behind < p.buckets ? behind : p.buckets) - 1u;
+}
+
 #endif

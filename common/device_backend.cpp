@@ -23,11 +23,13 @@ constexpr const char* slot_names[SLOT_TOTAL] = {"positions",
                                                 "spheres to decide",
                                                 "verdicts",
                                                 "cells",
-                                                "ranks",
+                                                "sphere numbers in buckets",
                                                 "spheres in cell order",
                                                 "sphere numbers",
                                                 "counts in cell order",
                                                 "tiles of the scan",
+                                                "spheres in buckets",
+                                                "buckets",
                                                 "wide state",
                                                 "anchors",
                                                 "flights",
@@ -44,11 +46,12 @@ std::array<uint, 3> folded(uint64_t groups) {
 }
 
 const char* kernel_name(Kernel kernel) {
-  constexpr const char* names[] = {"move",          "bounce",        "place",          "clear",
-                                   "empty",         "settle",        "decide",         "tally",
-                                   "grid_clear",    "grid_bounds",   "grid_count",     "grid_scan",
-                                   "grid_scatter",  "collide_grid",  "collide_hashed", "collide_group",
-                                   "collide_tiled", "collide_swept", "collide_square", "collide_triangle"};
+  constexpr const char* names[] = {
+      "move",          "bounce",        "place",         "clear",          "empty",
+      "settle",        "decide",        "tally",         "grid_clear",     "grid_bounds",
+      "split_count",   "split_scan",    "grid_split",    "grid_sort",      "grid_count",
+      "grid_sums",     "grid_scan",     "grid_scatter",  "collide_grid",   "collide_hashed",
+      "collide_group", "collide_tiled", "collide_swept", "collide_square", "collide_triangle"};
   return names[int(kernel)];
 }
 
@@ -66,7 +69,8 @@ void DeviceBackend::make_buffer(uint slot, uint64_t bytes) {
                     "use fewer spheres",
                     info().name, n_, whole, slot_names[slot], largest_binding()));
   }
-  if (bytes_[slot] != bytes) allocate(slot, whole);
+  if (bytes_[slot] == bytes) return;
+  allocate(slot, whole);
   bytes_[slot] = bytes;
   const std::vector<uint> guard(guard_words, guard_pattern);
   write(slot, guard.data(), bytes, guard_words * sizeof(uint));
@@ -106,7 +110,8 @@ void DeviceBackend::upload(const Scene& scene) {
   plans_ = plan_grids(scene);
   planned_.reset();
   cell_order_.reset();
-  cleared_ = collided_ = sorted_ = cells_built_ = false;
+  order_ = Order::scene;
+  cleared_ = collided_ = cells_built_ = false;
   write_state(initial_state(scene, params_));
 }
 
@@ -115,17 +120,17 @@ std::array<uint, 3> DeviceBackend::per_sphere_groups() const {
   return folded(ceil_div(std::max<uint64_t>(n_, SUMMARY_SLOTS * SUMMARY_WORDS), SERVICE_BLOCK));
 }
 
-void DeviceBackend::launch_clear(bool in_cells) {
+void DeviceBackend::launch_clear(Order order) {
   const uint64_t threads = std::max<uint64_t>(n_, SUMMARY_SLOTS * SUMMARY_WORDS);
-  launch({Kernel::clear, SERVICE_BLOCK, {}, folded(ceil_div(threads, SERVICE_BLOCK * SPHERES_PER_SORTER)), in_cells},
+  launch({Kernel::clear, SERVICE_BLOCK, {}, folded(ceil_div(threads, SERVICE_BLOCK * SPHERES_PER_SORTER)), order},
          params_);
 }
 
 std::vector<uint> DeviceBackend::counts() {
   collisions();  // grows and repeats if it must
   std::vector<uint> counts(n_);
-  read(sorted_ ? SLOT_SORTED_COUNT : SLOT_COUNT, counts.data(), 0, n_ * sizeof(uint));
-  if (!sorted_) return counts;
+  read(count_slot(order_), counts.data(), 0, n_ * sizeof(uint));
+  if (order_ != Order::cells) return counts;
   std::vector<uint> ids(n_), by_id(n_);
   read(SLOT_ID, ids.data(), 0, n_ * sizeof(uint));
   for (uint64_t k = 0; k < n_; ++k) by_id[ids[k]] = counts[k];

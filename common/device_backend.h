@@ -24,7 +24,12 @@ enum class Kernel {
   tally,
   grid_clear,
   grid_bounds,
+  split_count,
+  split_scan,
+  grid_split,
+  grid_sort,
   grid_count,
+  grid_sums,
   grid_scan,
   grid_scatter,
   collide_grid,
@@ -41,12 +46,22 @@ std::array<uint, 3> folded(uint64_t groups);
 
 const char* kernel_name(Kernel kernel);  // the stem of its two source files
 
+// Which copy of the spheres a kernel sees as positions and counts.
+enum class Order { scene, buckets, cells };
+inline uint position_slot(Order order) {
+  return order == Order::cells ? SLOT_SORTED : order == Order::buckets ? SLOT_SPLIT : SLOT_POSITION;
+}
+inline uint id_slot(Order order) { return order == Order::buckets ? SLOT_SPLIT_ID : SLOT_ID; }
+inline uint count_slot(Order order) { return order == Order::cells ? SLOT_SORTED_COUNT : SLOT_COUNT; }
+
 struct Launch {
   Kernel kernel;
   uint block;  // threads per group
   Variant variant;
   std::array<uint, 3> groups;
-  bool in_cells = false;  // positions and counts are those in cell order
+  Order order = Order::scene;   // that a kernel sees as positions, counts and sphere numbers
+  Order target = Order::cells;  // that it writes
+  uint table = SLOT_CELL;       // of the scan
 };
 
 class DeviceBackend : public Backend {
@@ -91,13 +106,20 @@ class DeviceBackend : public Backend {
   };
   Division division() const;
   void launch_collide();
-  void launch_clear(bool in_cells);
+  void launch_clear(Order order);
   void launch_bounds();
   void launch_grid();
   void sort_into_cells();
   bool stands_in_cell_order();
   void plan_cells();
+  void plan_buckets();
   void make_sort_buffers();
+  void split(uint shift, uint parent_shift, uint first_bucket, Order from, Order to);
+  void launch_scan(uint table);
+  void sort_by_counting();
+  void sort_by_buckets();
+  void launch_sorter(Kernel kernel, uint block, uint64_t groups);
+
   void build_cells();
 
   std::array<uint, 3> per_sphere_groups() const;
@@ -112,7 +134,7 @@ class DeviceBackend : public Backend {
   std::optional<Cells> planned_;    // the cells that the buffers and parameters are for
   std::optional<bool> cell_order_;  // whether the spheres stand in cell order as they are; not known after a move
   bool cells_built_ = false;        // the cells are those of the spheres as they stand
-  bool sorted_ = false;             // results are those of copies in cell order
+  Order order_ = Order::scene;      // of the results
   Params params_{};                 // of the last launch
   CollideOptions options_;
   bool tallied_ = true;  // colliding spheres are counted

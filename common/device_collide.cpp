@@ -89,12 +89,12 @@ void DeviceBackend::run_collide() {
   params_.pair_capacity = options_.want_pairs ? uint(bytes_[SLOT_PAIR] / sizeof(uvec2)) : 0;
   params_.deferred_capacity = uint(bytes_[SLOT_DEFERRED] / sizeof(uvec2));
   const bool grid = options_.method == Method::collide_grid && n_ >= 2;
-  if (!grid) sorted_ = false;
-  if (!cleared_ && !grid) launch_clear(false);
+  if (!grid) order_ = Order::scene;
+  if (!cleared_ && !grid) launch_clear(Order::scene);
   if (n_ < 2) return;
   grid ? launch_grid() : launch_collide();
   cleared_ = false;
-  if (options_.exact) launch({Kernel::settle, SERVICE_BLOCK, variant_, {settle_groups, 1, 1}, sorted_}, params_);
+  if (options_.exact) launch({Kernel::settle, SERVICE_BLOCK, variant_, {settle_groups, 1, 1}, order_}, params_);
 }
 
 std::vector<uint> DeviceBackend::read_summary() {
@@ -121,7 +121,7 @@ Collisions DeviceBackend::collisions() {
     words = read_summary();
   }
   if (!tallied_) {
-    launch({Kernel::tally, SERVICE_BLOCK, {}, {tally_groups, 1, 1}, sorted_}, params_);
+    launch({Kernel::tally, SERVICE_BLOCK, {}, {tally_groups, 1, 1}, order_}, params_);
     tallied_ = true;
     words = read_summary();
   }

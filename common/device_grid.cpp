@@ -3,15 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "device_backend.h"
 
 namespace spherepair {
 namespace {
 
-constexpr uint64_t most_spheres = SCAN_PARTIAL - 1;
-constexpr uint64_t cells_per_tile = uint64_t(SCAN_BLOCK) * SCAN_VECTORS * 4;
-constexpr uint64_t collide_groups = 4096;
+constexpr uint64_t most_spheres = (1u << 30) - 1;
+static_assert(SCAN_TILE == SCAN_BLOCK * SCAN_VECTORS * 4);
+constexpr uint64_t least_groups = 4096;        // of the search, that fill a large device
+constexpr uint64_t chunks_per_group = 16;      // few enough that groups at work are neighbours and share caches
+constexpr uint64_t buckets_pay_from = 500000;  // spheres
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
@@ -21,24 +24,16 @@ uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 void DeviceBackend::plan_cells() {
   const GridPlan& plan = plans_.plan(options_.grid.cells);
   set_grid(params_, plan);
-  params_.scan_tiles = uint(ceil_div(uint64_t(plan.slots) + 1, cells_per_tile));
   if (planned_ == plan.cells) return;
   if (n_ > most_spheres) {
     throw BackendError(fmt::format("{}: {} spheres, but the grid takes {} at most; use collide_triangle", info().name,
                                    n_, most_spheres));
   }
-  make_buffer(SLOT_CELL, params_.scan_tiles * cells_per_tile * sizeof(uint));
-  make_buffer(SLOT_SCAN, (params_.scan_tiles + 1) * sizeof(uint));
+  make_buffer(SLOT_CELL, ceil_div(uint64_t(plan.slots) + 2, SCAN_TILE) * SCAN_TILE * sizeof(uint));
+  make_buffer(SLOT_SCAN, sizeof(uint));
   planned_ = plan.cells;
   cells_built_ = false;
   cell_order_.reset();
-}
-
-void DeviceBackend::make_sort_buffers() {
-  make_buffer(SLOT_RANK, n_ * sizeof(uint));
-  make_buffer(SLOT_SORTED, n_ * sizeof(vec4));
-  make_buffer(SLOT_ID, n_ * sizeof(uint));
-  make_buffer(SLOT_SORTED_COUNT, n_ * sizeof(uint));
 }
 
 void DeviceBackend::launch_bounds() {
@@ -60,24 +55,86 @@ bool DeviceBackend::stands_in_cell_order() {
   return *cell_order_;
 }
 
+void DeviceBackend::launch_sorter(Kernel kernel, uint block, uint64_t groups) {
+  launch({kernel, block, {}, folded(groups)}, params_);
+}
+
+void DeviceBackend::launch_scan(uint table) {
+  for (const Kernel kernel : {Kernel::grid_sums, Kernel::grid_scan})
+    launch({kernel, SCAN_BLOCK, {}, folded(params_.scan_tiles), Order::scene, Order::cells, table}, params_);
+}
+
+// By counting: a histogram of the cells, its sums, a scatter. The least work while the caches hold everything.
+void DeviceBackend::sort_by_counting() {
+  const uint64_t sorters = ceil_div(n_, SERVICE_BLOCK * SPHERES_PER_SORTER);
+  params_.buckets = params_.bucket_words = params_.first_bucket = 0;
+  params_.scan_tiles = uint(ceil_div(uint64_t(params_.cell_slots) + 2, SCAN_TILE));
+  make_buffer(SLOT_SCAN, (params_.scan_tiles + 1) * sizeof(uint));
+  launch_sorter(Kernel::grid_clear, SERVICE_BLOCK, ceil_div(params_.cell_slots / 4 + 2, SERVICE_BLOCK));
+  launch_sorter(Kernel::grid_count, SERVICE_BLOCK, sorters);
+  launch_scan(SLOT_CELL);
+  launch_sorter(Kernel::grid_scatter, SERVICE_BLOCK, sorters);
+}
+
+void DeviceBackend::split(uint shift, uint parent_shift, uint first_bucket, Order from, Order to) {
+  const auto tiles = folded(ceil_div(n_, TILE));
+  params_.bucket_shift = shift;
+  params_.parent_shift = parent_shift;
+  params_.first_bucket = first_bucket;
+  params_.buckets = (params_.cell_slots >> shift) + 1;
+  params_.named = from != Order::scene;
+  launch({Kernel::split_count, SPLIT_BLOCK, {}, tiles, from}, params_);
+  if (params_.buckets <= BUCKETS_AT_MOST) {
+    launch({Kernel::split_scan, SPLIT_BLOCK, {}, {1, 1, 1}}, params_);
+  } else {
+    launch_scan(SLOT_BUCKET);
+  }
+  launch({Kernel::grid_split, SPLIT_BLOCK, {}, tiles, from, to}, params_);
+}
+
+// By buckets: split into ranges of cells, in two steps when they are many, until each fits a group's shared memory;
+// what is written then lies side by side. Ahead of counting where a scatter would go all over the memory.
+void DeviceBackend::sort_by_buckets() {
+  constexpr uint shift = std::bit_width(CELLS_PER_BUCKET) - 1, whole = 31;
+  const uint buckets = (params_.cell_slots >> shift) + 1;
+  const bool two_steps = buckets > BUCKETS_AT_MOST;
+  make_buffer(SLOT_SPLIT, n_ * sizeof(vec4));
+  make_buffer(SLOT_SPLIT_ID, n_ * sizeof(uint));
+  params_.scan_tiles = uint(ceil_div(buckets, SCAN_TILE));
+  params_.bucket_words = two_steps ? (params_.scan_tiles + 1) * SCAN_TILE : BUCKETS_AT_MOST;
+  make_buffer(SLOT_BUCKET, params_.bucket_words * sizeof(uint));
+  make_buffer(SLOT_SCAN, (params_.scan_tiles + 1) * sizeof(uint));
+  params_.buckets = buckets;
+  const uint64_t clearers = std::max<uint64_t>(params_.bucket_words, SUMMARY_SLOTS * SUMMARY_WORDS);
+  launch_sorter(Kernel::grid_clear, SERVICE_BLOCK, ceil_div(clearers, SERVICE_BLOCK));
+  if (two_steps) {
+    const uint parent = shift + (uint(std::bit_width(buckets)) + 1) / 2;
+    split(parent, whole, 0, Order::scene, Order::cells);
+    split(shift, parent, SCAN_TILE, Order::cells, Order::buckets);
+  } else {
+    split(shift, whole, 0, Order::scene, Order::buckets);
+  }
+  launch({Kernel::grid_sort, SORT_BLOCK, {}, folded(buckets), Order::buckets}, params_);
+}
+
 void DeviceBackend::sort_into_cells() {
-  make_sort_buffers();
-  const auto sorters = folded(ceil_div(n_, SERVICE_BLOCK * SPHERES_PER_SORTER));
-  const uint64_t clearers = std::max<uint64_t>(params_.cell_slots / 4 + 1, SUMMARY_SLOTS * SUMMARY_WORDS);
-  launch({Kernel::grid_clear, SERVICE_BLOCK, {}, folded(ceil_div(clearers, SERVICE_BLOCK))}, params_);
-  launch({Kernel::grid_count, SERVICE_BLOCK, {}, sorters}, params_);
-  launch({Kernel::grid_scan, SCAN_BLOCK, {}, folded(params_.scan_tiles)}, params_);
-  launch({Kernel::grid_scatter, SERVICE_BLOCK, {}, sorters}, params_);
+  make_buffer(SLOT_SORTED, n_ * sizeof(vec4));
+  make_buffer(SLOT_ID, n_ * sizeof(uint));
+  make_buffer(SLOT_SORTED_COUNT, n_ * sizeof(uint));
+  const bool buckets =
+      options_.grid.sort == Sort::automatic ? n_ >= buckets_pay_from : options_.grid.sort == Sort::buckets;
+  buckets ? sort_by_buckets() : sort_by_counting();
 }
 
 // Cells of the spheres as they stand, and the results of the last step cleared.
 void DeviceBackend::build_cells() {
   const bool built = cells_built_ && options_.grid.keep_cells;
-  if (!built) sorted_ = !stands_in_cell_order();
-  params_.in_cells = sorted_;
-  if (!built && sorted_) return sort_into_cells();
+  if (!built) order_ = stands_in_cell_order() ? Order::scene : Order::cells;
+  const bool sorted = order_ == Order::cells;
+  params_.in_cells = sorted;
+  if (!built && sorted) return sort_into_cells();
   if (!built) return launch_bounds();
-  if (!cleared_ || sorted_) launch_clear(sorted_);
+  if (!cleared_ || sorted) launch_clear(order_);
 }
 
 void DeviceBackend::launch_grid() {
@@ -87,9 +144,10 @@ void DeviceBackend::launch_grid() {
   params_.tally_later = true;
   tallied_ = false;
   const bool hashed = params_.hash_mask != 0;
-  const uint groups = uint(std::min(ceil_div(n_, options_.block), collide_groups));
+  const uint64_t chunks = ceil_div(n_, options_.block);
+  const uint64_t groups = std::max(std::min(chunks, least_groups), chunks / chunks_per_group);
   const Kernel kernel = hashed ? Kernel::collide_hashed : Kernel::collide_grid;
-  launch({kernel, options_.block, variant_, {groups, 1, 1}, sorted_}, params_);
+  launch({kernel, options_.block, variant_, folded(groups), order_}, params_);
 }
 
 }  // namespace spherepair

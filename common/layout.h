@@ -14,18 +14,20 @@
 #define SLOT_PAIR 5      // uvec2[]: colliding pairs (i<j) in any order, when asked for; their number is SUM_LISTED
 #define SLOT_SPHERES 6   // vec4[2m]: the m pairs of spheres that `decide` is asked about
 #define SLOT_VERDICT 7   // uint[m]: what `decide` answers, verdict_code()
-#define SLOT_CELL 8      // uint[cell_slots + 1]: where each cell's spheres begin in cell order
-#define SLOT_RANK 9      // uint[n]: the place of each sphere among those of its cell
+#define SLOT_CELL 8      // uint[cell_slots + 2]: where each cell's spheres begin in cell order
+#define SLOT_SPLIT_ID 9  // uint[n]: which sphere stands at each place of SLOT_SPLIT
 #define SLOT_SORTED 10   // vec4[n]: spheres in cell order
 #define SLOT_ID 11       // uint[n]: which sphere stands at each place of the cell order
 #define SLOT_SORTED_COUNT 12  // uint[n]: contacts, in cell order
-#define SLOT_SCAN 13    // uint[]: of grid_scan: the next tile, then states; of grid_bounds: [0] is 1 when out of order
-#define SLOT_WIDE 14    // Real[6n], of compensated and float64: all x, all y, all z, then the velocities
-#define SLOT_ANCHOR 15  // vec4[n], of anchored: where the spheres started, radius in w
-#define SLOT_FLIGHT 16  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
-#define SLOT_SINCE 17   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
-#define SLOT_DUE 18     // uint[n], of anchored: no sphere meets the plane before its step of this number
-#define SLOT_TOTAL 19
+#define SLOT_SCAN 13    // uint[scan_tiles]: sums of the tiles of grid_scan; of grid_bounds: [0] is 1 when out of order
+#define SLOT_SPLIT 14   // vec4[n]: spheres in the order of buckets of cells
+#define SLOT_BUCKET 15  // uint[bucket_words]: where the next sphere of each bucket goes; see Params
+#define SLOT_WIDE 16    // Real[6n], of compensated and float64: all x, all y, all z, then the velocities
+#define SLOT_ANCHOR 17  // vec4[n], of anchored: where the spheres started, radius in w
+#define SLOT_FLIGHT 18  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
+#define SLOT_SINCE 19   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
+#define SLOT_DUE 20     // uint[n], of anchored: no sphere meets the plane before its step of this number
+#define SLOT_TOTAL 21
 #define SLOT_PARAMS 0  // the uniform block's own binding
 
 // Totals are spread over SUMMARY_SLOTS rows so that thousands of groups do not queue on one address; the host adds the
@@ -48,13 +50,17 @@
 #define SERVICE_BLOCK 128     // group size of the kernels whose size is no subject of the study
 #define MAX_GROUPS 65535      // of one dispatch along each axis, on every device; more are folded into the next axis
 
-#define SPHERES_PER_SORTER 4        // spheres that one thread of grid_count and grid_scatter handles
-#define ROWS_AHEAD 5                // rows of cells in the later half of a neighbourhood
-#define EMPTY_CELLS_AT_MOST 4096    // that one thread of grid_bounds fills in
-#define SCAN_BLOCK 256              // group size of grid_scan
-#define SCAN_VECTORS 4              // uvec4 that one thread of grid_scan handles
-#define SCAN_PARTIAL 0x40000000u    // state of a tile: its own sum is known, ...
-#define SCAN_INCLUSIVE 0x80000000u  // ... or that of all tiles up to it; the sum is in the other 30 bits
+#define SPHERES_PER_SORTER 4      // spheres that one thread of grid_count and grid_scatter handles
+#define SPLIT_BLOCK 1024          // group size of split_count, split_scan and grid_split
+#define SORT_BLOCK 512            // group size of grid_sort
+#define TILE 4096u                // spheres that one group of grid_split takes, and that grid_sort has room for
+#define BUCKETS_AT_MOST 1024u     // that one group of grid_split tells apart at a time
+#define CELLS_PER_BUCKET 2048u    // that grid_sort puts into order
+#define ROWS_AHEAD 5              // rows of cells in the later half of a neighbourhood
+#define EMPTY_CELLS_AT_MOST 4096  // that one thread of grid_bounds fills in
+#define SCAN_BLOCK 256            // group size of grid_scan
+#define SCAN_VECTORS 4            // uvec4 that one thread of grid_scan handles
+#define SCAN_TILE 4096u           // entries of the table that one group of grid_scan handles
 
 #define MOTION_EULER 0u  // MotionMethod of motion_options.h
 #define MOTION_SYMPLECTIC 1u
@@ -71,25 +77,28 @@
 
 // Constants of the motion are vec4 whose first three floats add up to the constant: see `constant` in real.h.
 struct Params {
-  float dt, gravity, steps_per_second, restitution;     // seconds, <= 0 along y, 1 / dt, 0..1
-  float plane, radius, apart_above, collide_below;      // y of the plane; for equal radii: squared-distance bounds
-  float filter_scale, filter_offset, spare_0, spare_1;  // K and T of filter_pair
-  uint n, columns, pair_capacity, deferred_capacity;    // columns: spheres that one group of collide_triangle meets
+  float dt, gravity, steps_per_second, restitution;   // seconds, <= 0 along y, 1 / dt, 0..1
+  float plane, radius, apart_above, collide_below;    // y of the plane; for equal radii: squared-distance bounds
+  float filter_scale, filter_offset;                  // K and T of filter_pair
+  uint whole_state, spare_0;                          // of place: not 0 also writes velocities and SLOT_WIDE
+  uint n, columns, pair_capacity, deferred_capacity;  // columns: spheres that one group of collide_triangle meets
   uint defer_undecided, pairs_to_decide, first_group, in_cells;  // 0: the naive predicate; of decide; of this slice
   float origin_x, origin_y, origin_z, cells_per_metre;           // of the grid's cells, at level 0
-  float largest_radius, reach_scale, reach_offset;  // of level 0, doubles with each level; see reach_in_cells
-  uint scan_tiles;                                  // of grid_scan
-  uint cells_x, cells_y, cells_z, cell_slots;       // dense grid; cell_slots: length of the table in either case
-  uint hash_mask, first_octave, top_level, levels;  // 0: dense; see level_of; levels: bit k set when k has spheres
-  uint tally_later;                                 // not 0: tally counts the colliding spheres
-  uint steps_done;                                  // of anchored: after this move
-  uint whole_state, spare_2;                        // of place: not 0 also writes velocities and SLOT_WIDE
-  vec4 gravity_dt, half_gravity_dt2;                // g*dt, g*dt*dt/2, both <= 0
-  vec4 seconds_per_speed, zeno_flights;             // 2 / |g|, or 0 without gravity; flights until rest, see rebound
+  float largest_radius, reach_scale, reach_offset;       // of level 0, doubles with each level; see reach_in_cells
+  uint scan_tiles;                                       // of grid_scan
+  uint cells_x, cells_y, cells_z, cell_slots;            // dense grid; cell_slots: length of the table in either case
+  uint hash_mask, first_octave, top_level, levels;       // 0: dense; see level_of; levels: bit k set when k has spheres
+  uint tally_later;                                      // not 0: tally counts the colliding spheres
+  uint steps_done;                                       // of anchored: after this move
+  uint buckets, bucket_shift;                            // 0: not split; the bucket of a slot is slot >> bucket_shift
+  uint parent_shift, first_bucket, bucket_words, named;  // see bucket_below; in SLOT_BUCKET; not 0: see SLOT_SPLIT_ID
+  vec4 gravity_dt, half_gravity_dt2;                     // g*dt, g*dt*dt/2, both <= 0
+  vec4 seconds_per_speed, zeno_flights;  // 2 / |g|, or 0 without gravity; flights until rest, see rebound
 };
 
 #ifndef GL_core_profile
-static_assert(sizeof(Params) == 224 && alignof(vec4) == 16 && sizeof(uvec2) == 8);
+static_assert(SPLIT_BLOCK == BUCKETS_AT_MOST);
+static_assert(sizeof(Params) == 240 && alignof(vec4) == 16 && sizeof(uvec2) == 8);
 #endif
 
 #endif

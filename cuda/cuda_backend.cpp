@@ -46,7 +46,7 @@ class CudaBackend final : public DeviceBackend {
  private:
   template <typename T>
   T* buffer(uint slot) const;
-  World world(bool in_cells) const;
+  World world(const Launch& launch) const;
   void describe(int device);
   void require_kernels(int device) const;
 
@@ -155,21 +155,22 @@ T* CudaBackend::buffer(uint slot) const {
   return static_cast<T*>(memory_[slot].data);
 }
 
-World CudaBackend::world(bool in_cells) const {
-  return {.position = buffer<vec4>(in_cells ? SLOT_SORTED : SLOT_POSITION),
+World CudaBackend::world(const Launch& launch) const {
+  return {.position = buffer<vec4>(position_slot(launch.order)),
           .velocity = buffer<vec4>(SLOT_VELOCITY),
-          .count = buffer<uint>(in_cells ? SLOT_SORTED_COUNT : SLOT_COUNT),
+          .count = buffer<uint>(count_slot(launch.order)),
           .summary = buffer<uint>(SLOT_SUMMARY),
           .deferred = buffer<uvec2>(SLOT_DEFERRED),
           .listed = buffer<uvec2>(SLOT_PAIR),
           .spheres = buffer<vec4>(SLOT_SPHERES),
           .verdict = buffer<uint>(SLOT_VERDICT),
-          .cell = buffer<uint>(SLOT_CELL),
-          .rank = buffer<uint>(SLOT_RANK),
-          .sorted = buffer<vec4>(SLOT_SORTED),
-          .id = buffer<uint>(SLOT_ID),
+          .cell = buffer<uint>(launch.table),
+          .from_id = buffer<uint>(id_slot(launch.order)),
+          .sorted = buffer<vec4>(position_slot(launch.target)),
+          .id = buffer<uint>(id_slot(launch.target)),
           .sorted_count = buffer<uint>(SLOT_SORTED_COUNT),
-          .scan = buffer<uint>(SLOT_SCAN),
+          .tile_sum = buffer<uint>(SLOT_SCAN),
+          .next_place = buffer<uint>(SLOT_BUCKET),
           .wide = buffer<void>(SLOT_WIDE),
           .anchor = buffer<vec4>(SLOT_ANCHOR),
           .flight = buffer<void>(SLOT_FLIGHT),
@@ -179,7 +180,7 @@ World CudaBackend::world(bool in_cells) const {
 
 void CudaBackend::launch(const Launch& launch, const Params& params) {
   Params p = params;
-  World w = world(launch.in_cells);
+  World w = world(launch);
   void* arguments[] = {&p, &w};
   const dim3 groups(launch.groups[0], launch.groups[1], launch.groups[2]);
   TimedStage stage{launch.kernel, nullptr, nullptr};

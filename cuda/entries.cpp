@@ -25,8 +25,18 @@ Entry entry_of(const Launch& launch) {
       return grid_clear_kernel();
     case Kernel::grid_bounds:
       return grid_bounds_kernel();
+    case Kernel::split_count:
+      return split_count_kernel();
+    case Kernel::split_scan:
+      return split_scan_kernel();
+    case Kernel::grid_split:
+      return grid_split_kernel();
+    case Kernel::grid_sort:
+      return grid_sort_kernel();
     case Kernel::grid_count:
       return grid_count_kernel();
+    case Kernel::grid_sums:
+      return grid_sums_kernel();
     case Kernel::grid_scan:
       return grid_scan_kernel();
     case Kernel::grid_scatter:

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each thread takes four consecutive spheres that stand in cell order: it writes where the cells begin that lie between
-// a sphere's predecessor and it, and clears four results. A sphere out of order, or behind too many empty cells, is
-// reported.
+// Each thread takes four spheres that stand in cell order: it writes where the cells begin that lie between a sphere's
+// predecessor and it, and clears a result. A sphere out of order, or behind too many empty cells, is reported.
 #include "cell.h"
 #include "kernels.cuh"
 
@@ -13,26 +12,39 @@ __device__ inline uint slot_at(Params p, const World& w, uint i) {
   return i < p.n ? slot : p.cell_slots;
 }
 
+// The slot behind that of the sphere before this one.
+__device__ inline uint slot_behind(Params p, const World& w, uint i) {
+  return i == 0u ? 0u : slot_at(p, w, i - 1u) + 1u;
+}
+
 // The cells from first to last begin with sphere i.
 __device__ inline void begin_cells(const World& w, uint first, uint last, uint i) {
   bool in_order = last + 1u >= first && last + 1u - first <= EMPTY_CELLS_AT_MOST;
-  if (!in_order) w.scan[0] = 1u;
+  if (!in_order) w.tile_sum[0] = 1u;
   for (uint c = first; in_order && c <= last; ++c) w.cell[c] = i;
 }
 
 __global__ void __launch_bounds__(SERVICE_BLOCK) grid_bounds(Params p, World w) {
-  uint start = group_index(p) * SERVICE_BLOCK * 4u + threadIdx.x;
-  for (uint k = 0u; k < 4u; ++k) clear_results(p, w, start + k * SERVICE_BLOCK);
-  uint i = (group_index(p) * SERVICE_BLOCK + threadIdx.x) * 4u;
-  uint before = i == 0u ? 0u : slot_at(p, w, i - 1u) + 1u;
-  uint a = slot_at(p, w, i);
-  uint b = slot_at(p, w, i + 1u);
-  uint c = slot_at(p, w, i + 2u);
-  uint d = slot_at(p, w, i + 3u);
-  begin_cells(w, before, a, i);
-  begin_cells(w, a + 1u, b, i + 1u);
-  begin_cells(w, b + 1u, c, i + 2u);
-  begin_cells(w, c + 1u, d, i + 3u);
+  uint i = group_index(p) * SERVICE_BLOCK * 4u + threadIdx.x;
+  uint j = i + SERVICE_BLOCK;
+  uint k = j + SERVICE_BLOCK;
+  uint l = k + SERVICE_BLOCK;
+  uint first_i = slot_behind(p, w, i);
+  uint first_j = slot_behind(p, w, j);
+  uint first_k = slot_behind(p, w, k);
+  uint first_l = slot_behind(p, w, l);
+  uint last_i = slot_at(p, w, i);
+  uint last_j = slot_at(p, w, j);
+  uint last_k = slot_at(p, w, k);
+  uint last_l = slot_at(p, w, l);
+  begin_cells(w, first_i, last_i, i);
+  begin_cells(w, first_j, last_j, j);
+  begin_cells(w, first_k, last_k, k);
+  begin_cells(w, first_l, last_l, l);
+  clear_results(p, w, i);
+  clear_results(p, w, j);
+  clear_results(p, w, k);
+  clear_results(p, w, l);
 }
 
 Entry grid_bounds_kernel() { return reinterpret_cast<Entry>(&grid_bounds); }

@@ -1,55 +1,30 @@
 // SPDX-License-Identifier: MIT
-// Counts become starts, in one pass (decoupled look-back, Merrill and Garland 2016): a group takes the next tile of
-// cells, adds it up, and learns the sum of all tiles before it from what their groups have published.
+// Counts become starts: a group takes a tile of the table, adds it up, and adds the sums of the tiles before it.
 #include "kernels.cuh"
 
 namespace spherepair {
 
 __device__ uvec4 operator+(uvec4 a, uvec4 b) { return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w}; }
 
-// The sum of all tiles before this one: every lane waits for one of the nearest tiles, and those up to the nearest
-// that knows the sum of all before it are added.
-__device__ uint sum_before(uint tile, volatile uint* scan, uint* nearest, uint* gathered) {
-  uint lane = threadIdx.x;
-  uint sum = 0u;
-  for (uint end = tile; end > 0u; end -= SCAN_BLOCK) {
-    if (lane == 0u) {
-      *nearest = SCAN_BLOCK;
-      *gathered = 0u;
-    }
-    __syncthreads();
-    uint state = SCAN_INCLUSIVE;
-    if (lane < end) {
-      do state = scan[end - lane];
-      while (state == 0u);
-    }
-    if ((state & SCAN_INCLUSIVE) != 0u) atomicMin(nearest, lane);
-    __syncthreads();
-    uint last = *nearest;
-    if (lane <= last) atomicAdd(gathered, state & (SCAN_PARTIAL - 1u));
-    __syncthreads();
-    sum += *gathered;
-    if (last < SCAN_BLOCK) break;
-    __syncthreads();
-  }
-  return sum;
-}
-
 __global__ void __launch_bounds__(SCAN_BLOCK) grid_scan(Params p, World w) {
   __shared__ uvec4 sums[SCAN_BLOCK];
-  __shared__ uint this_tile, nearest, gathered;
+  __shared__ uint before;
   uvec4* cell = reinterpret_cast<uvec4*>(w.cell);
-  volatile uint* scan = w.scan;
   uint lane = threadIdx.x;
-  if (lane == 0u) this_tile = atomicAdd(&w.scan[0], 1u);
-  __syncthreads();
-  uint tile = this_tile;
-  uint first = tile * SCAN_BLOCK * SCAN_VECTORS + lane;
+  uint first_tile = p.first_bucket / SCAN_TILE;
+  uint tile = group_index(p);
+  if (tile >= p.scan_tiles) return;
+  uint first = (first_tile + tile) * (SCAN_TILE / 4u) + lane;
   uvec4 counts[SCAN_VECTORS];
   for (uint v = 0u; v < SCAN_VECTORS; ++v) counts[v] = cell[first + v * SCAN_BLOCK];
   uvec4 own = {
       counts[0].x + counts[0].y + counts[0].z + counts[0].w, counts[1].x + counts[1].y + counts[1].z + counts[1].w,
       counts[2].x + counts[2].y + counts[2].z + counts[2].w, counts[3].x + counts[3].y + counts[3].z + counts[3].w};
+  if (lane == 0u) before = 0u;
+  __syncthreads();
+  uint share = 0u;
+  for (uint t = lane; t < tile; t += SCAN_BLOCK) share += w.tile_sum[first_tile + t];
+  if (share != 0u) atomicAdd(&before, share);
   uvec4 upto = own;
   for (uint step = 1u; step < SCAN_BLOCK; step *= 2u) {
     sums[lane] = upto;
@@ -60,10 +35,6 @@ __global__ void __launch_bounds__(SCAN_BLOCK) grid_scan(Params p, World w) {
   sums[lane] = upto;
   __syncthreads();
   uvec4 total = sums[SCAN_BLOCK - 1u];
-  uint tile_sum = total.x + total.y + total.z + total.w;
-  if (lane == 0u) scan[1u + tile] = (tile == 0u ? SCAN_INCLUSIVE : SCAN_PARTIAL) | tile_sum;
-  uint before = sum_before(tile, scan, &nearest, &gathered);
-  if (lane == 0u) scan[1u + tile] = SCAN_INCLUSIVE | (before + tile_sum);
   uint start[SCAN_VECTORS] = {before + upto.x - own.x, before + total.x + upto.y - own.y,
                               before + total.x + total.y + upto.z - own.z,
                               before + total.x + total.y + total.z + upto.w - own.w};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each thread takes SPHERES_PER_SORTER spheres and puts each at its place in the cell order.
+// Each thread takes SPHERES_PER_SORTER spheres and puts each at the next place of its cell. The slot ahead of a cell's
+// own holds that place, and so, in the end, the beginning of the cell ahead.
 #include "cell.h"
 #include "kernels.cuh"
 
@@ -11,13 +12,14 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) grid_scatter(Params p, World w)
   uint place[SPHERES_PER_SORTER];
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k) sphere[k] = w.position[min(first + k * SERVICE_BLOCK, p.n - 1u)];
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k)
-    place[k] = w.cell[slot_of(sphere[k], p)] + w.rank[min(first + k * SERVICE_BLOCK, p.n - 1u)];
+    if (first + k * SERVICE_BLOCK < p.n) place[k] = atomicAdd(&w.cell[slot_of(sphere[k], p) + 1u], 1u);
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k) {
     uint i = first + k * SERVICE_BLOCK;
-    if (i >= p.n) return;
-    w.sorted[place[k]] = sphere[k];
-    w.id[place[k]] = i;
-    w.sorted_count[i] = 0u;
+    if (i < p.n) {
+      w.sorted[place[k]] = sphere[k];
+      w.id[place[k]] = i;
+      w.sorted_count[i] = 0u;
+    }
   }
 }
 

@@ -18,11 +18,12 @@ struct World {
   const vec4* spheres;
   uint* verdict;
   uint* cell;
-  uint* rank;
+  const uint* from_id;
   vec4* sorted;
   uint* id;
   uint* sorted_count;
-  uint* scan;
+  uint* tile_sum;
+  uint* next_place;
   void* wide;  // Real[]
   const vec4* anchor;
   void* flight;  // Real[]
@@ -42,7 +43,12 @@ Entry decide_kernel();
 Entry tally_kernel();
 Entry grid_clear_kernel();
 Entry grid_bounds_kernel();
+Entry split_count_kernel();
+Entry split_scan_kernel();
+Entry grid_split_kernel();
+Entry grid_sort_kernel();
 Entry grid_count_kernel();
+Entry grid_sums_kernel();
 Entry grid_scan_kernel();
 Entry grid_scatter_kernel();
 Entry collide_grid_kernel(uint block, Variant variant);

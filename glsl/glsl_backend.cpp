@@ -173,10 +173,12 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   glUseProgram(chosen.id());
   glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_PARAMS, params_buffer_);
   std::array<GLuint, SLOT_TOTAL> bound = buffers_;
-  if (launch.in_cells) {
-    bound[SLOT_POSITION] = buffers_[SLOT_SORTED];
-    bound[SLOT_COUNT] = buffers_[SLOT_SORTED_COUNT];
-  }
+  bound[SLOT_POSITION] = buffers_[position_slot(launch.order)];
+  bound[SLOT_COUNT] = buffers_[count_slot(launch.order)];
+  bound[SLOT_SPLIT_ID] = buffers_[id_slot(launch.order)];
+  bound[SLOT_SORTED] = buffers_[position_slot(launch.target)];
+  bound[SLOT_ID] = buffers_[id_slot(launch.target)];
+  bound[SLOT_CELL] = buffers_[launch.table];
   glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, 0, GLsizei(bound.size()), bound.data());
   TimedStage stage{launch.kernel, {}};
   if (timing_) {

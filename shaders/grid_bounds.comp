@@ -1,12 +1,11 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Each thread takes four consecutive spheres that stand in cell order: it writes where the cells begin that lie between
-// a sphere's predecessor and it, and clears four results. A sphere out of order, or behind too many empty cells, is
-// reported.
+// Each thread takes four spheres that stand in cell order: it writes where the cells begin that lie between a sphere's
+// predecessor and it, and clears a result. A sphere out of order, or behind too many empty cells, is reported.
 #define CELL_ACCESS
 #include "grid.glsl"
 
-layout(std430, binding = SLOT_SCAN) restrict writeonly buffer ScanBuffer { uint scan[]; };
+layout(std430, binding = SLOT_SCAN) restrict writeonly buffer ScanBuffer { uint tile_sum[]; };
 layout(local_size_x = BLOCK) in;
 
 // The sphere's slot; behind the last sphere, the end of the table.
@@ -15,24 +14,35 @@ uint slot_at(uint i) {
   return i < p.n ? slot : p.cell_slots;
 }
 
+// The slot behind that of the sphere before this one.
+uint slot_behind(uint i) { return i == 0u ? 0u : slot_at(i - 1u) + 1u; }
+
 // The cells from first to last begin with sphere i.
 void begin_cells(uint first, uint last, uint i) {
   bool in_order = last + 1u >= first && last + 1u - first <= EMPTY_CELLS_AT_MOST;
-  if (!in_order) scan[0] = 1u;
+  if (!in_order) tile_sum[0] = 1u;
   for (uint c = first; in_order && c <= last; ++c) cell[c] = i;
 }
 
 void main() {
-  uint start = group_index() * BLOCK * 4u + gl_LocalInvocationID.x;
-  for (uint k = 0u; k < 4u; ++k) clear_results(start + k * BLOCK);
-  uint i = (group_index() * BLOCK + gl_LocalInvocationID.x) * 4u;
-  uint before = i == 0u ? 0u : slot_at(i - 1u) + 1u;
-  uint a = slot_at(i);
-  uint b = slot_at(i + 1u);
-  uint c = slot_at(i + 2u);
-  uint d = slot_at(i + 3u);
-  begin_cells(before, a, i);
-  begin_cells(a + 1u, b, i + 1u);
-  begin_cells(b + 1u, c, i + 2u);
-  begin_cells(c + 1u, d, i + 3u);
+  uint i = group_index() * BLOCK * 4u + gl_LocalInvocationID.x;
+  uint j = i + BLOCK;
+  uint k = j + BLOCK;
+  uint l = k + BLOCK;
+  uint first_i = slot_behind(i);
+  uint first_j = slot_behind(j);
+  uint first_k = slot_behind(k);
+  uint first_l = slot_behind(l);
+  uint last_i = slot_at(i);
+  uint last_j = slot_at(j);
+  uint last_k = slot_at(k);
+  uint last_l = slot_at(l);
+  begin_cells(first_i, last_i, i);
+  begin_cells(first_j, last_j, j);
+  begin_cells(first_k, last_k, k);
+  begin_cells(first_l, last_l, l);
+  clear_results(i);
+  clear_results(j);
+  clear_results(k);
+  clear_results(l);
 }

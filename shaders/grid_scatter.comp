@@ -1,10 +1,11 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Each thread takes SPHERES_PER_SORTER spheres and puts each at its place in the cell order.
+// Each thread takes SPHERES_PER_SORTER spheres and puts each at the next place of its cell. The slot ahead of a cell's
+// own holds that place, and so, in the end, the beginning of the cell ahead.
+#define CELL_ACCESS
 #define ID_ACCESS
 #include "grid.glsl"
 
-layout(std430, binding = SLOT_RANK) restrict readonly buffer RankBuffer { uint rank[]; };
 layout(std430, binding = SLOT_SORTED) restrict writeonly buffer SortedBuffer { vec4 sorted[]; };
 layout(std430, binding = SLOT_SORTED_COUNT) restrict writeonly buffer SortedCountBuffer { uint sorted_count[]; };
 layout(local_size_x = BLOCK) in;
@@ -15,12 +16,13 @@ void main() {
   uint place[SPHERES_PER_SORTER];
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k) sphere[k] = position[min(first + k * BLOCK, p.n - 1u)];
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k)
-    place[k] = cell[slot_of(sphere[k], p)] + rank[min(first + k * BLOCK, p.n - 1u)];
+    if (first + k * BLOCK < p.n) place[k] = atomicAdd(cell[slot_of(sphere[k], p) + 1u], 1u);
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k) {
     uint i = first + k * BLOCK;
-    if (i >= p.n) return;
-    sorted[place[k]] = sphere[k];
-    id[place[k]] = i;
-    sorted_count[i] = 0u;
+    if (i < p.n) {
+      sorted[place[k]] = sphere[k];
+      id[place[k]] = i;
+      sorted_count[i] = 0u;
+    }
   }
 }

@@ -1,0 +1,29 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// A group takes TILE spheres and counts how many go into each bucket. The
+// spheres stand in the order of the parents of these buckets, so that a tile meets few of them.
+#include "grid.glsl"
+
+layout(std430, binding = SLOT_BUCKET) restrict buffer BucketBuffer { uint next_place[]; };
+layout(local_size_x = BLOCK) in;
+shared uint counted[BUCKETS_AT_MOST];
+
+void main() {
+  uint lane = gl_LocalInvocationID.x;
+  uint first = group_index() * TILE;
+  if (first >= p.n) return;
+  uint end = min(first + TILE, p.n);
+  uint last_bucket = bucket_above(slot_of(position[end - 1u], p), p);
+  for (uint low = bucket_below(slot_of(position[first], p), p); low <= last_bucket; low += BUCKETS_AT_MOST) {
+    for (uint b = lane; b < BUCKETS_AT_MOST; b += BLOCK) counted[b] = 0u;
+    barrier();
+    for (uint i = first + lane; i < end; i += BLOCK) {
+      uint b = (slot_of(position[i], p) >> p.bucket_shift) - low;
+      if (b < BUCKETS_AT_MOST) atomicAdd(counted[b], 1u);
+    }
+    barrier();
+    for (uint b = lane; b < BUCKETS_AT_MOST; b += BLOCK)
+      if (counted[b] != 0u) atomicAdd(next_place[p.first_bucket + low + b], counted[b]);
+    barrier();
+  }
+}
