@@ -2,9 +2,11 @@
 # What check and reproduce share; sourced by both from the root of the project.
 
 build_packages="g++ cmake ninja-build pkg-config libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
-  libcli11-dev nlohmann-json3-dev libfmt-dev libboost-dev"
+  libcli11-dev nlohmann-json3-dev libfmt-dev libboost-dev libglm-dev libpng-dev"
 test_packages="libbenchmark-dev libgtest-dev libgmp-dev librapidcheck-dev glslang-tools spirv-tools
   clang-format python3"
+figure_packages="python3-matplotlib"
+paper_packages="latexmk texlive-latex-base texlive-latex-recommended texlive-fonts-recommended"
 
 say() { printf '\n== %s\n' "$*"; }
 fail() {
@@ -48,6 +50,15 @@ install_packages() {
 
 # Prints the path of nvcc, or nothing.
 find_nvcc() { command -v nvcc || ls "${CUDA_HOME:-/usr/local/cuda}/bin/nvcc" 2>/dev/null || true; }
+
+# Prints a python3 that has matplotlib (another one may come first in PATH), or nothing.
+find_python() {
+  local python
+  for python in python3 /usr/bin/python3; do
+    "$python" -c 'import matplotlib' 2>/dev/null && echo "$python" && return
+  done
+  return 0
+}
 
 # The compute capability of the first GPU as nvcc writes it (90), or nothing without a working driver.
 gpu_architecture() {

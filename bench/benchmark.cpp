@@ -1,96 +1,100 @@
 // SPDX-License-Identifier: MIT
-// Google Benchmark's view of the same timing core, for its compare.py: every method on every backend. A repetition is
-// one sample of K steps; its time is that of one step.
+// Google Benchmark's view of the same timing core, for its compare.py. A repetition is one sample of K steps; its time
+// is that of one step. With --output every configuration gets a JSON file of its own, so that a sweep can be shared out
+// and taken up again.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include <set>
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+#include <sstream>
 
+#include "arguments.h"
+#include "benchmark_rows.h"
+#include "commands.h"
 #include "context.h"
-#include "study.h"
+#include "files.h"
+#include "hash.h"
 
 namespace spherepair {
 namespace {
 
-struct Case {
-  const char* backend;
-  Method method;
-};
-constexpr Case cases[] = {{"cpu", Method::sequential},      {"cpu", Method::parallel},
-                          {"glsl", Method::collide_group},  {"glsl", Method::collide_tiled},
-                          {"glsl", Method::collide_square}, {"glsl", Method::collide_triangle},
-                          {"cuda", Method::collide_group},  {"cuda", Method::collide_tiled},
-                          {"cuda", Method::collide_square}, {"cuda", Method::collide_triangle}};
-
-// One scene for all, uploaded once; each case is checked against the reference before its first sample.
-struct Bench {
-  Session session{{}, {}};
-  SceneOptions scene;
-  Sampling sampling;
-  std::map<std::string, uint64_t> batches;  // of the checked cases
-
-  Bench() {
-    const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
-    scene.n = hardware ? 16384 : 4096;
-    const Scene made = make_scene(scene);
-    for (const auto& backend : session.backends()) backend->upload(made);
-  }
-
-  uint64_t checked_batch(const Asked& asked, const Contender& contender) {
-    const auto known = batches.find(label(asked));
-    if (known != batches.end()) return known->second;
-    const Asked reference = reference_for(session, asked.options, scene.n);
-    const Answer expected = ask(session, reference, false);
-    require_equal(session, {scene, 0}, reference, expected, asked, ask(session, asked, false));
-    return batches[label(asked)] = choose_batch(contender, sampling);
-  }
+struct BenchOptions {
+  std::vector<std::string> backends, scenes = {"random"};
+  std::vector<uint64_t> sizes;  // empty: one that suits the machine
+  std::vector<uint> blocks;
+  int rounds = 0;
+  std::string output;  // folder of a sweep
+  std::string shard = "1/1";
+  bool resume = false, list = false;
 };
 
-void sample_case(benchmark::State& state, Bench& bench, Backend& backend, Method method, uint block) {
-  const Asked asked{&backend, {.method = method, .block = block}};
-  const Contender contender{label(asked), &backend, [&](Backend& b) { b.collide(asked.options); }};
+// Part `index` of `count`, counted from 1.
+struct Shard {
+  size_t index = 1, count = 1;
+};
+
+Shard parse_shard(const std::string& text) {
+  Shard shard;
+  char rest = 0;
+  const bool understood = std::sscanf(text.c_str(), "%zu/%zu%c", &shard.index, &shard.count, &rest) == 2;
+  if (!understood || shard.index < 1 || shard.index > shard.count || text.find('-') != std::string::npos)
+    throw std::invalid_argument(fmt::format("shard '{}' is not understood; the second of four reads 2/4", text));
+  return shard;
+}
+
+std::vector<SceneOptions> chosen_scenes(const BenchOptions& options, const Session& session) {
+  const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
+  std::vector<uint64_t> sizes = options.sizes;
+  if (sizes.empty()) sizes = {hardware ? 16384u : 4096u};
+  std::vector<SceneOptions> scenes;
+  for (const std::string& name : options.scenes)
+    for (uint64_t n : sizes) {
+      SceneOptions scene = parse_scene(name, SceneOptions{}.seed);
+      if (!scene.groups) scene.n = n;
+      check_options(scene);
+      scenes.push_back(scene);
+      if (scene.groups) break;  // an arrangement has its own number
+    }
+  return scenes;
+}
+
+void sample_row(benchmark::State& state, BenchScene& scene, const BenchRow& row, const Sampling& sampling,
+                bool& wrong) {
   uint64_t batch = 0;
   try {
-    batch = bench.checked_batch(asked, contender);
+    batch = scene.check(row, sampling);
   } catch (const DifferenceFound& difference) {
+    wrong = true;
     return state.SkipWithError(difference.what());
   }
-  for (auto _ : state) state.SetIterationTime(time_batch(contender, batch) / double(batch));
-  const double n = double(bench.scene.n);
+  for (auto _ : state) state.SetIterationTime(scene.sample(row, batch));
+  const double n = double(scene.options().n);
+  state.SetLabel(parameters_of(row, scene.options()));
   state.counters["n"] = n;
-  if (uses_blocks(asked)) state.counters["block"] = block;
   state.counters["K"] = double(batch);
-  if (method != Method::collide_group)
+  if (row.work != Work::collide) return;
+  if (uses_blocks({row.backend, row.options})) state.counters["block"] = row.options.block;
+  if (row.options.method != Method::collide_group)
     state.counters["pairs"] = benchmark::Counter(n * (n - 1) / 2, benchmark::Counter::kIsIterationInvariantRate);
 }
 
-void register_cases(Bench& bench) {
-  for (const auto& [name, method] : cases) {
-    Backend* backend = bench.session.find(name);
-    if (!backend) continue;
-    for (uint block : block_sizes()) {
-      const bool blocks = uses_blocks({backend, {.method = method}});
-      const std::string title =
-          fmt::format("{}/{}{}", name, method_name(method), blocks ? fmt::format("/{}", block) : "");
-      benchmark::RegisterBenchmark(title.c_str(),
-                                   [&bench, backend, method = method, block](benchmark::State& state) {
-                                     sample_case(state, bench, *backend, method, block);
-                                   })
-          ->UseManualTime()
-          ->Iterations(1)
-          ->Repetitions(bench.sampling.rounds)
-          ->Unit(benchmark::kMillisecond);
-      if (!blocks) break;
-    }
-  }
+void register_row(BenchScene& scene, const BenchRow& row, const Sampling& sampling, bool& wrong) {
+  const std::string title = fmt::format("{}/{}/n:{}", row.name, scene_label(scene.options()), scene.options().n);
+  benchmark::RegisterBenchmark(
+      title.c_str(),
+      [&scene, row, &sampling, &wrong](benchmark::State& state) { sample_row(state, scene, row, sampling, wrong); })
+      ->UseManualTime()
+      ->Iterations(1)
+      ->Repetitions(sampling.rounds)
+      ->Unit(benchmark::kMillisecond);
 }
 
 void add_context(const Session& session) {
-  const json context = capture_context({});
   benchmark::AddCustomContext("commit", build_info.commit);
   benchmark::AddCustomContext("compiler", fmt::format("{} {}", build_info.compiler, build_info.flags));
   benchmark::AddCustomContext("cuda_compiler", build_info.cuda_compiler);
-  benchmark::AddCustomContext("cpu", context["machine"]["cpu"].get<std::string>());
   for (const json& backend : session.to_json()) {
     const std::string name = backend.at("name");
     benchmark::AddCustomContext(name, backend.at(backend.at("open") ? "device" : "reason").get<std::string>());
@@ -100,21 +104,140 @@ void add_context(const Session& session) {
   }
 }
 
+// What decides a configuration's numbers: its scene, its row on every backend, the rounds, the devices, the commit.
+struct Configuration {
+  SceneOptions scene;
+  std::vector<BenchRow> rows;  // the same work on every backend that has it, timed against each other
+  std::string file;            // <hash>.json
+};
+
+std::string file_name(const SceneOptions& scene, const std::vector<BenchRow>& rows, const Sampling& sampling) {
+  json key = {{"scene", scene_json(scene)}, {"rounds", sampling.rounds}, {"commit", build_info.commit}};
+  for (const BenchRow& row : rows) key["rows"].push_back({row.name, row.backend->info().device});
+  uint64_t hash = 0;
+  for (const unsigned char letter : key.dump()) hash = splitmix64(hash ^ letter);
+  return hex64(hash) + ".json";
+}
+
+// cuda/collide_tiled/128 and glsl/collide_tiled/128 belong together.
+std::vector<Configuration> configurations(const std::vector<SceneOptions>& scenes, const std::vector<BenchRow>& rows,
+                                          const Sampling& sampling) {
+  std::map<std::string, std::vector<BenchRow>> together;
+  for (const BenchRow& row : rows) together[row.name.substr(row.name.find('/') + 1)].push_back(row);
+  std::vector<Configuration> all;
+  for (const SceneOptions& scene : scenes)
+    for (const auto& [name, members] : together) all.push_back({scene, members, file_name(scene, members, sampling)});
+  return all;
+}
+
+// The file appears whole or not at all, so that --resume can trust it.
+void run_configuration(Session& session, const Configuration& one, const Sampling& sampling,
+                       const std::filesystem::path& folder, bool& wrong) {
+  OnBackend on_backend;
+  BenchScene scene(session, one.scene, on_backend);
+  benchmark::ClearRegisteredBenchmarks();
+  for (const BenchRow& row : one.rows) register_row(scene, row, sampling, wrong);
+  std::ostringstream text;
+  benchmark::JSONReporter reporter;
+  reporter.SetOutputStream(&text);
+  reporter.SetErrorStream(&std::cerr);
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  if (!wrong) write_file(folder / one.file, text.str());
+}
+
+int run_sweep(Session& session, const BenchOptions& options, const std::vector<Configuration>& all,
+              const Sampling& sampling) {
+  const Shard shard = parse_shard(options.shard);
+  prepare_folder(options.output);
+  size_t done = 0, skipped = 0;
+  for (size_t k = shard.index - 1; k < all.size(); k += shard.count) {
+    const std::filesystem::path file = std::filesystem::path(options.output) / all[k].file;
+    const bool there = options.resume && std::filesystem::exists(file);
+    const std::string& name = all[k].rows.front().name;
+    fmt::print("{} {} {}, n = {}{}\n", all[k].file, name.substr(name.find('/') + 1), scene_label(all[k].scene),
+               all[k].scene.n, there ? ": there already" : "");
+    std::fflush(stdout);
+    bool wrong = false;
+    if (!there && !options.list) run_configuration(session, all[k], sampling, options.output, wrong);
+    if (wrong) return kDifference;
+    ++(there ? skipped : done);
+  }
+  fmt::print("{} of {} configurations {}, {} were there already\n", done, all.size(),
+             options.list ? "to be timed" : "timed", skipped);
+  return kOk;
+}
+
+int run_all(Session& session, const std::vector<SceneOptions>& scenes, const std::vector<BenchRow>& rows,
+            const Sampling& sampling) {
+  bool wrong = false;
+  OnBackend on_backend;
+  std::vector<std::unique_ptr<BenchScene>> made;
+  for (const SceneOptions& scene : scenes) {
+    made.push_back(std::make_unique<BenchScene>(session, scene, on_backend));
+    for (const BenchRow& row : rows) register_row(*made.back(), row, sampling, wrong);
+  }
+  benchmark::RunSpecifiedBenchmarks();
+  return wrong ? kDifference : kOk;
+}
+
+void add_options(CLI::App& app, BenchOptions& options, OpenOptions& open) {
+  app.add_option("--backends", options.backends, "Only these, and each must open: cpu,glsl,cuda")->delimiter(',');
+  app.add_option("--scenes", options.scenes, "E.g. random,uniform,aligned:8x16")->delimiter(',')->capture_default_str();
+  app.add_option("--n", options.sizes, "Numbers of spheres (default 16384 with a GPU, else 4096)")->delimiter(',');
+  app.add_option("--blocks", options.blocks, "Only these group sizes: 32,64,128,256,512,1024")->delimiter(',');
+  app.add_option("--rounds", options.rounds, "Samples of each row (default 11)")->check(CLI::Range(1, 100000));
+  app.add_option("--threads", open.threads, "Threads of the CPU backend; 0 takes all cores");
+  app.add_option("--output", options.output, "Sweep: a JSON file for every configuration into this folder");
+  app.add_option("--shard", options.shard, "Of a sweep: only part i of n, e.g. 2/4")->capture_default_str();
+  app.add_flag("--resume", options.resume, "Of a sweep: leave out what this commit has already written there");
+  app.add_flag("--list", options.list, "Of a sweep: name the configurations and stop");
+  app.footer(
+      "Everything else goes to Google Benchmark, e.g. --benchmark_filter=triangle --benchmark_out=times.json\n"
+      "--benchmark_enable_random_interleaving=true");
+}
+
+int bench_command(int argc, char** argv) {
+  CLI::App app("Times every backend's motion, steps, launches and methods with Google Benchmark, each checked first.");
+  BenchOptions options;
+  OpenOptions open;
+  add_options(app, options, open);
+  app.allow_extras();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kOk : kUsage;
+  }
+  std::vector<std::string> rest = app.remaining();
+  std::vector<char*> words = {argv[0]};
+  for (std::string& word : rest) words.push_back(word.data());
+  int count = int(words.size());
+  benchmark::Initialize(&count, words.data());
+  if (benchmark::ReportUnrecognizedArguments(count, words.data())) return kUsage;
+  const std::vector<uint> blocks = parse_blocks(options.blocks);
+  Session session(options.backends, open);
+  Sampling sampling;
+  if (options.rounds > 0) sampling.rounds = options.rounds;
+  const std::vector<SceneOptions> scenes = chosen_scenes(options, session);
+  const std::vector<BenchRow> rows = bench_rows(session, blocks);
+  add_context(session);
+  const int code = options.output.empty()
+                       ? run_all(session, scenes, rows, sampling)
+                       : run_sweep(session, options, configurations(scenes, rows, sampling), sampling);
+  benchmark::Shutdown();
+  return code;
+}
+
 }  // namespace
 }  // namespace spherepair
 
 int main(int argc, char** argv) {
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   try {
-    spherepair::Bench bench;
-    spherepair::add_context(bench.session);
-    spherepair::register_cases(bench);
-    benchmark::RunSpecifiedBenchmarks();
+    return spherepair::bench_command(argc, argv);
+  } catch (const std::invalid_argument& error) {
+    fmt::print(stderr, "spherepair_bench: {}\n", error.what());
+    return spherepair::kUsage;
   } catch (const std::exception& error) {
     fmt::print(stderr, "spherepair_bench: {}\n", error.what());
-    return 3;
+    return spherepair::kDeviceTrouble;
   }
-  benchmark::Shutdown();
-  return 0;
 }

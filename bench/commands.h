@@ -4,7 +4,9 @@
 
 #include <optional>
 
+#include "camera.h"
 #include "plan.h"
+#include "start.h"
 
 namespace spherepair {
 
@@ -24,17 +26,13 @@ int devices_command(const CommandLine& line, const DevicesOptions& options);
 
 struct RunOptions {
   std::string backend = "cpu", method;  // no method: the backend's fast one
-  SceneOptions scene;
-  std::string input_file;         // spheres from a file, in place of a scene
-  std::optional<float> radius;    // of the spheres of that file
-  std::optional<uint64_t> frame;  // of that file
+  StartOptions start;
   uint block = CollideOptions{}.block;
-  MotionChoice motion = {.method = motion_name(MotionMethod::anchored)};  // what the measurements favour
   uint64_t steps = 0;
   bool per_step = false, naive = false, swept = false;
   std::string pairs_file, json_file;
-  std::string save_file, resume_file;  // checkpoints
-  uint64_t save_every = 0;             // steps; 0: only at the end
+  std::string save_file;    // a checkpoint
+  uint64_t save_every = 0;  // steps; 0: only at the end
 };
 int run_command(const CommandLine& line, const RunOptions& options);
 
@@ -46,6 +44,30 @@ struct PairsOptions {
   uint block = CollideOptions{}.block;
 };
 int pairs_command(const CommandLine& line, const PairsOptions& options);
+
+// A camera where it is given, else the frame of the spheres at the start from a direction.
+struct CameraOptions {
+  std::vector<double> eye, target, up = {0, 1, 0};  // metres; no eye: framed; no target: the middle of the spheres
+  double azimuth = 30, elevation = 15, field = 30;  // degrees
+  double near = 0;
+};
+
+struct RenderOptions {
+  std::string backend, method;
+  StartOptions start;
+  std::string output_file, video_file;  // .png, .mp4: at least one
+  uint pictures_per_second = 30;        // of the video
+  uint64_t steps = 0;                   // before the first picture
+  uint64_t pictures = 1, every = 1;     // steps from each picture to the next
+  uint width = 1280, height = 720, samples = 16;
+  CameraOptions camera;
+  std::string draw = "compute";       // DrawMethod
+  bool legend = true, plain = false;  // plain: no occlusion, shadow or ground
+};
+int render_command(const CommandLine& line, const RenderOptions& options);
+
+struct FramesOptions;  // frames.h
+int frames_command(const CommandLine& line, const FramesOptions& options);
 
 struct CompareOptions {
   std::vector<std::string> backends;

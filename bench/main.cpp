@@ -2,56 +2,17 @@
 // The command line of spherepair.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <charconv>
 #include <cstdio>
-#include <functional>
-#include <limits>
 
 #include "arguments.h"
 #include "commands.h"
 #include "context.h"
+#include "options.h"
 #include "precision_command.h"
 #include "run_action.h"
 
 namespace spherepair {
 namespace {
-
-// CLI11 would call "abc" a value out of range.
-CLI::Validator whole_number(int64_t low, int64_t high) {
-  const auto check = [=](std::string& text) -> std::string {
-    int64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc() && end == text.data() + text.size() && value >= low && value <= high) return {};
-    return fmt::format("'{}' is not a whole number from {} to {}", text, low, high);
-  };
-  return CLI::Validator(check, fmt::format("{}..{}", low, high));
-}
-
-constexpr int64_t kMostSpheres = std::numeric_limits<int32_t>::max();
-const auto count_range = whole_number(0, kMostSpheres);
-const auto positive_range = whole_number(1, kMostSpheres);
-const auto steps_range = whole_number(0, int64_t(1) << 53);
-
-std::string scene_help() {
-  std::string text = "Scene to start from. Known scenes:\n";
-  for (const SceneKind& kind : scene_kinds()) text += fmt::format("    {:<11} {}\n", kind.name, kind.summary);
-  return text;
-}
-
-void add_open_options(CLI::App& command, OpenOptions& open) {
-  command.add_option("--cuda-device", open.cuda_device, "CUDA device to use, counted from 0")
-      ->check(count_range)
-      ->capture_default_str();
-  command.add_flag("--require-hardware", open.require_hardware, "Refuse OpenGL in software");
-  command.add_flag_callback(
-      "--no-gpu", [&open] { open.allow_gpu = false; }, "Use OpenGL in software even where a GPU is");
-  command.add_option("--threads", open.threads, "Threads of the CPU backend; 0 takes all cores")
-      ->check(whole_number(0, 4096))
-      ->capture_default_str();
-}
-
-using Action = std::function<int()>;
 
 void add_devices(CLI::App& app, CommandLine& line, Action& action) {
   auto* command =
@@ -64,36 +25,14 @@ void add_devices(CLI::App& app, CommandLine& line, Action& action) {
   command->callback([=, &line, &action] { action = [=, &line] { return devices_command(line, *options); }; });
 }
 
-void add_scene_options(CLI::App& command, SceneOptions& scene) {
-  command.add_option("--scene", scene.name, scene_help())->capture_default_str();
-  command.add_option("--n", scene.n, "Number of spheres")->check(count_range)->capture_default_str();
-  command.add_option("--seed", scene.seed, "Seed of the scene; the same on every machine")
-      ->check(steps_range)
-      ->capture_default_str();
-  command.add_option("--radius", scene.radius, "Radius in metres")->capture_default_str();
-  command.add_option("--radius-ratio", scene.radius_ratio, "Largest radius over smallest")->capture_default_str();
-  command.add_option("--packing-fraction", scene.packing_fraction, "Of the scene `uniform`")->capture_default_str();
-  command.add_option("--groups", scene.groups,
-                     "Of the scene `aligned`: m of the paper's m x n; n spheres = groups x group size");
-  command.add_option("--group-size", scene.group_size, "Of the scene `aligned`: n of the paper's m x n");
-  command.add_option("--offset", scene.offset, "Added to every coordinate of every centre, metres")
-      ->capture_default_str();
-}
-
 void add_run(CLI::App& app, CommandLine& line, Action& action) {
   auto* command = app.add_subcommand("run", "Move one scene on one backend and find its colliding pairs");
   auto options = std::make_shared<RunOptions>();
   command->add_option("--backend", options->backend, "cpu, glsl or cuda")->capture_default_str();
-  add_scene_options(*command, options->scene);
-  command->add_option(
-      "--input", options->input_file,
-      "Take the spheres from a file instead: .xyz, .extxyz or .npy (see pairs --help; at rest), or any other name for "
-      "text, a line each, `x y z radius [vx vy vz]`; # starts a comment");
-  command->add_option("--frame", options->frame, "Of an --input with several, counted from 0")->check(count_range);
+  add_start_options(*command, options->start);
   command->add_option("--steps", options->steps, "Steps before the pairs are found; 0: the scene as it is")
       ->check(steps_range)
       ->capture_default_str();
-  add_motion_options(*command, options->motion);
   command->add_option(
       "--method", options->method,
       "sequential, parallel (cpu); collide_group, collide_tiled, collide_square, collide_triangle, collide_grid; "
@@ -106,14 +45,13 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
   command->add_option("--pairs", options->pairs_file,
                       "Write the last step's colliding pairs to this file, a line `i j` each, i < j, in order");
   command->add_option("--json", options->json_file, "Write totals and context as JSON to this file");
-  add_checkpoint_options(*command, *options);
+  add_save_options(*command, *options);
   add_open_options(*command, line.open);
   command->footer(
       "Examples:\n  spherepair run --backend glsl --scene random --n 1024 --steps 100 --pairs pairs.txt\n"
       "  spherepair run --input spheres.txt --pairs pairs.txt");
   command->callback([=, &line, &action] {
-    const bool given = command->count("--radius") > 0;  // a scene has a radius without being told, a file has not
-    if (given) options->radius = options->scene.radius;
+    finish_start_options(*command, options->start);
     action = [=, &line] { return run_command(line, *options); };
   });
 }
@@ -157,9 +95,9 @@ void add_selection(CLI::App& command, CompareOptions& options) {
       ->delimiter(',')
       ->check(positive_range);
   command
-      .add_option(
-          "--tables", plan.tables,
-          "Only these tables: table1, counts, methods, overhead, exactness, scale, step, equality; `none` only checks")
+      .add_option("--tables", plan.tables,
+                  "Only these tables: table1, counts, methods, ceilings, overhead, exactness, scale, step, equality; "
+                  "`none` only checks")
       ->delimiter(',');
 }
 
@@ -226,6 +164,8 @@ int run_program(int argc, char** argv) {
   add_devices(app, line, action);
   add_run(app, line, action);
   add_pairs(app, line, action);
+  add_render(app, line, action);
+  add_frames(app, line, action);
   add_compare(app, line, action);
   add_equal(app, action);
   add_precision(app, line, action);

@@ -34,10 +34,13 @@ void add_motion_options(CLI::App& command, MotionChoice& motion) {
       ->capture_default_str();
 }
 
-void add_checkpoint_options(CLI::App& command, RunOptions& options) {
+void add_save_options(CLI::App& command, RunOptions& options) {
   command.add_option("--save", options.save_file, "Write a checkpoint to this file after the last step");
   command.add_option("--save-every", options.save_every, "Also after every so many steps")->check(CLI::PositiveNumber);
-  auto* resume = command.add_option("--resume", options.resume_file,
+}
+
+void add_resume_option(CLI::App& command, std::string& file) {
+  auto* resume = command.add_option("--resume", file,
                                     "Go on from this checkpoint, to the same bits as if the run had not stopped");
   for (const char* other :
        {"--input", "--frame", "--scene", "--n", "--seed", "--radius", "--radius-ratio", "--packing-fraction",

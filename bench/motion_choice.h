@@ -23,7 +23,9 @@ void choose_motion(Scene& scene, const MotionChoice& choice);
 // --motion, --precision, --dt and --restitution.
 void add_motion_options(CLI::App& command, MotionChoice& motion);
 
-// --save, --save-every and --resume, which takes the place of every option of the scene.
-void add_checkpoint_options(CLI::App& command, RunOptions& options);
+void add_save_options(CLI::App& command, RunOptions& options);  // --save and --save-every
+
+// --resume, which takes the place of every option of the scene and its motion; the command has these already.
+void add_resume_option(CLI::App& command, std::string& file);
 
 }  // namespace spherepair

@@ -10,7 +10,6 @@
 #include "context.h"
 #include "files.h"
 #include "replaced_file.h"
-#include "sphere_file.h"
 
 namespace spherepair {
 namespace {
@@ -64,47 +63,6 @@ void print_steps(const std::vector<StepResult>& results) {
   fmt::print("{}", table.text().substr(1));
 }
 
-struct Start {
-  Scene scene;
-  std::string label, notes;
-  json record;
-  std::optional<MotionState> motion = {};  // of a run that goes on
-  uint64_t step = 0;
-};
-
-Start start_from_checkpoint(const std::string& file) {
-  Checkpoint saved = read_checkpoint(file);
-  const json record = {{"file", file}, {"n", saved.scene.size()}, {"step", saved.step}};
-  const std::string label = fmt::format("{} from step {}", saved.scene.name, saved.step);
-  return {std::move(saved.scene), label, "", record, std::move(saved.motion), saved.step};
-}
-
-// A scene, a file of another program, or one of our own text files, in which every sphere has its radius.
-Start start_of(const RunOptions& options, int threads) {
-  if (!options.resume_file.empty()) return start_from_checkpoint(options.resume_file);
-  const std::string& file = options.input_file;
-  if (file.empty()) {
-    SceneOptions scene = options.scene;
-    choose_motion(scene, options.motion);
-    return {make_scene(scene), scene_label(scene), "", scene_json(scene)};
-  }
-  if (is_sphere_file(file)) {
-    SphereFile input = read_sphere_file(file, {.radius = options.radius, .frame = options.frame, .threads = threads});
-    choose_motion(input.scene, options.motion);
-    const std::string notes = describe(input), label = input.scene.name;
-    const json record = to_json(input);
-    return {std::move(input.scene), label, notes, record};
-  }
-  if (options.radius || options.frame)
-    throw std::invalid_argument(fmt::format("{} has a radius on each line and no frames: leave {} out", file,
-                                            options.radius ? "--radius" : "--frame"));
-  Scene scene = read_spheres(file);
-  choose_motion(scene, options.motion);
-  const json record = {{"file", file}, {"n", scene.size()}};
-  const std::string label = scene.name;
-  return {std::move(scene), label, "", record};
-}
-
 void save(Backend& backend, const Start& start, uint64_t step, const std::string& file) {
   Backend::State state = backend.state();
   Checkpoint checkpoint{start.scene, backend.save(), step};
@@ -142,7 +100,7 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   if (options.save_every && options.save_file.empty())
     throw std::invalid_argument("--save-every needs the name of a file: --save FILE");
   if (!options.save_file.empty()) check_writable(options.save_file);
-  const Start start = start_of(options, line.open.threads);
+  const Start start = start_of(options.start, line.open.threads);
   const Scene& scene = start.scene;
   check_scene(scene);
   Session session({options.backend}, line.open);
@@ -155,7 +113,7 @@ int run_command(const CommandLine& line, const RunOptions& options) {
                "float32 can add to their position, so they stand still. Use --precision compensated or --motion "
                "anchored.\n",
                stalled);
-  start.motion ? backend.resume(scene, *start.motion) : backend.upload(scene);
+  send(start, backend);
   const std::vector<StepResult> results = simulate(backend, options, start, collide);
   fmt::print("{}{} on {}: {}{}, scene {}, {} spheres, {} steps of {}\n", start.notes, options.backend,
              device_label(backend.info()), label({&backend, collide}),

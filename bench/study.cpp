@@ -167,6 +167,7 @@ const std::vector<TableKind>& table_kinds() {
       {"table1", "the paper's Table 1 beside ours", make_table1},
       {"counts", "colliding spheres beside the paper's ranges", make_counts},
       {"methods", "GLSL against CUDA per method and group size", make_methods},
+      {"ceilings", "what each device can do at best: copying, atomics, multiply-adds", make_ceilings},
       {"overhead", "what an empty dispatch or launch costs", make_overhead},
       {"exactness", "what the exact predicate costs, and what it saves", make_exactness},
       {"scale", "collide_triangle from small to large n", make_scale},

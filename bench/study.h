@@ -72,6 +72,7 @@ struct TableKind {
 const std::vector<TableKind>& table_kinds();
 
 std::vector<Table> make_table1(Study& study);
+std::vector<Table> make_ceilings(Study& study);
 std::vector<Table> make_counts(Study& study);
 std::vector<Table> make_methods(Study& study);
 std::vector<Table> make_overhead(Study& study);

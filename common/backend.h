@@ -16,6 +16,7 @@
 #include "motion_state.h"
 #include "pair_set.h"
 #include "scene.h"
+#include "view.h"
 
 namespace spherepair {
 
@@ -73,9 +74,48 @@ struct Collisions {
   std::array<uint64_t, STAGES> decided_by{};  // of those, by STAGE_*
 };
 
+// What a device can do at best: 16 bytes a sphere copied, a scattered atomic a sphere, multiply-adds in registers.
+enum class Ceiling { copy, atomics, issue };
+
 struct StageTime {
   std::string stage;  // the kernel's name
   double seconds;     // on the device's own timer
+};
+
+enum class DrawMethod {
+  compute,       // the rasteriser that CPU, GLSL and CUDA mirror: the exact sphere
+  mesh_each,     // OpenGL: the paper's sphere of 80 triangles, one draw a sphere
+  mesh,          // OpenGL: the same with one instanced draw for all
+  mesh_indexed,  // OpenGL: the same with shared vertices
+  points,        // OpenGL: a disc a sphere
+  impostor       // OpenGL: the exact sphere on two triangles
+};
+const char* draw_method_name(DrawMethod method);
+DrawMethod draw_method_from_name(const std::string& name);  // throws std::invalid_argument with the known names
+std::span<const DrawMethod> all_draw_methods();
+
+struct DrawOptions {
+  DrawMethod method = DrawMethod::compute;
+
+  // What the rasteriser may leave out; never changes a bit of the picture. Spheres in consecutive places of the cell
+  // order (as they stand, without one) form clusters, which are tested as a whole.
+  bool skip_outside = true;       // clusters out of view
+  bool skip_hidden = true;        // clusters behind what is drawn already; implies the above
+  bool skip_unchanged = true;     // the whole picture, when nothing has changed since the last
+  uint64_t skip_from = 1u << 17;  // clusters are made of so many spheres or more
+
+  bool count = false;  // fill all of DrawCounts, which costs an atomic operation a sphere
+  auto operator<=>(const DrawOptions&) const = default;
+};
+
+// Of one draw(), numbers of spheres; `drawn` are those with a pixel's centre in their box, whether seen in the end or
+// not.
+struct DrawCounts {
+  uint64_t drawn = 0, unseen = 0;  // out of view, or between the centres of the pixels
+  uint64_t large = 0, tiles = 0;   // of those drawn, the ones cut into tiles; their tiles
+  uint64_t undrawable = 0;         // numbers beyond those that can be drawn (draw.h, in_camera)
+  uint64_t clusters = 0, clusters_outside = 0, clusters_hidden = 0;  // their spheres are in none of the above
+  uint64_t pictures_kept = 0;  // calls of draw() since upload() that had nothing to do
 };
 
 struct BackendInfo {
@@ -124,12 +164,27 @@ class Backend {
   // and velocities.
   virtual MotionState save() = 0;
   virtual void resume(const Scene& scene, const MotionState& saved) = 0;
+  // A picture of the spheres as they stand, coloured by the contacts that the last collide() found; none since the last
+  // move() or upload(): by 0 contacts. view.tile_capacity, counting and pass are the backend's own.
+  virtual void draw(const View& view, const DrawOptions& options) = 0;
+  virtual std::vector<DrawMethod> draw_methods() const { return {DrawMethod::compute}; }
+
+  // Of the last draw(), which is repeated when a list was too short. Pixels as SLOT_IMAGE has them, row by row from the
+  // top; visible: of each pixel the sphere's number and the depth, as SLOT_VISIBLE has them.
+  virtual std::vector<uint> image() = 0;
+  virtual std::vector<uvec2> visible() = 0;
+  virtual DrawCounts draw_counts() = 0;  // needs DrawOptions::count; this and visible(): of the method compute only
 
   // Decides spheres[2k] against spheres[2k + 1] for every k, with the same code as the kernels: verdict_code() each.
   virtual std::vector<uint> decide(std::span<const vec4> spheres) = 0;
 
   // An empty kernel, to measure what a dispatch or launch costs by itself.
   virtual void launch_empty(uint groups) = 0;
+
+  // A kernel that does nothing else, to measure that ceiling; it writes over velocities and counts. Only devices have
+  // them. `check_ceiling` runs it once and throws BackendError when its result is wrong.
+  virtual void launch_ceiling(Ceiling) { throw BackendError(info().name + ": has no kernels for ceilings"); }
+  virtual void check_ceiling(Ceiling) { throw BackendError(info().name + ": has no kernels for ceilings"); }
 
   // Throws BackendError naming the buffer when a kernel wrote behind the end of one: guard words stand there.
   virtual void check_guards() = 0;

@@ -12,12 +12,21 @@
 #ifdef SPHEREPAIR_WITH_CUDA
 #include "cuda_backend.h"
 #endif
+#include "shared_drawing.h"
+#ifdef SPHEREPAIR_WITH_INTEROP
+#include "interop.h"
+#endif
 
 namespace spherepair {
 namespace {
 
 constexpr std::array<const char*, 7> method_names = {
     "sequential", "parallel", "collide_group", "collide_tiled", "collide_square", "collide_triangle", "collide_grid"};
+constexpr std::array<const char*, 6> draw_method_names = {"compute",      "mesh_each", "mesh",
+                                                          "mesh_indexed", "points",    "impostor"};
+constexpr std::array<DrawMethod, 6> draw_methods = {DrawMethod::compute, DrawMethod::mesh_each,
+                                                    DrawMethod::mesh,    DrawMethod::mesh_indexed,
+                                                    DrawMethod::points,  DrawMethod::impostor};
 constexpr std::array<uint, 6> blocks = {32, 64, 128, 256, 512, 1024};
 
 }  // namespace
@@ -31,6 +40,19 @@ Method method_from_name(const std::string& name) {
   }
   return Method(found - method_names.begin());
 }
+
+const char* draw_method_name(DrawMethod method) { return draw_method_names[size_t(method)]; }
+
+DrawMethod draw_method_from_name(const std::string& name) {
+  const auto found = std::ranges::find(draw_method_names, name);
+  if (found == draw_method_names.end()) {
+    throw std::invalid_argument(
+        fmt::format("unknown method of drawing '{}'; known are {}", name, fmt::join(draw_method_names, ", ")));
+  }
+  return DrawMethod(found - draw_method_names.begin());
+}
+
+std::span<const DrawMethod> all_draw_methods() { return draw_methods; }
 
 std::vector<Method> device_methods() {
   return {Method::collide_group, Method::collide_tiled, Method::collide_square, Method::collide_triangle,
@@ -59,6 +81,20 @@ std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions
   }
   throw std::invalid_argument(
       fmt::format("unknown backend '{}'; known are {}", name, fmt::join(backend_names(), ", ")));
+}
+
+const char* hand_over_name(HandOver way) {
+  constexpr const char* names[] = {"host", "registered", "imported"};
+  return names[size_t(way)];
+}
+
+std::unique_ptr<SharedDrawing> open_shared_drawing([[maybe_unused]] Backend& cuda,
+                                                   [[maybe_unused]] const OpenOptions& options) {
+#ifdef SPHEREPAIR_WITH_INTEROP
+  return open_cuda_to_gl(cuda, options);
+#else
+  throw BackendError("interop: this build lacks OpenGL or CUDA");
+#endif
 }
 
 void check_same_gpu(const Backend& left, const Backend& right) {

@@ -10,6 +10,8 @@
 #include <optional>
 #include <utility>
 
+#include "camera.h"
+#include "cpu_draw.h"
 #include "cpu_grid.h"
 #include "cpu_motion.h"
 #include "device_backend.h"
@@ -50,6 +52,7 @@ class CpuBackend final : public Backend {
     plans_ = plan_grids(scene);
     celled_.reset();
     found_.reset();
+    picture_ = {};
   }
 
   void move() override {
@@ -97,6 +100,28 @@ class CpuBackend final : public Backend {
     motion_.resume(saved);
   }
 
+  void draw(const View& view, const DrawOptions& options) override {
+    check_view(view);
+    if (options.method != DrawMethod::compute)
+      throw std::invalid_argument(
+          fmt::format("cpu: the method of drawing {} runs on OpenGL only", draw_method_name(options.method)));
+    const auto& positions = motion_.positions(threads_);
+    const std::vector<uint> contacts = found_ ? counts() : std::vector<uint>(positions.size());
+    if (view.lighting != 0 && (!found_ || method_ != Method::collide_grid || celled_ != Cells::dense))
+      throw std::invalid_argument(
+          "cpu: occlusion and shadows need the dense cells of collide_grid; collide with them first");
+    Params p = constants_[true];
+    set_grid(p, plans_.dense);
+    timed("draw", [&] { picture_ = draw_picture(positions, contacts, view, p, threads_); });
+    counted_ = options.count;
+  }
+  std::vector<uint> image() override { return picture().image; }
+  std::vector<uvec2> visible() override { return picture().visible; }
+  DrawCounts draw_counts() override {
+    if (!counted_) throw BackendError("cpu: drawing was not counted; set count");
+    return picture().counts;
+  }
+
   std::vector<uint> decide(std::span<const vec4> spheres) override {
     const Params p = scene_params(Scene{}, true);
     std::vector<uint> verdicts(spheres.size() / 2);
@@ -119,6 +144,11 @@ class CpuBackend final : public Backend {
   const PairsFound& found() const {
     if (!found_) throw BackendError("cpu: no collision step to report since the last move; call collide first");
     return *found_;
+  }
+
+  const CpuPicture& picture() const {
+    if (picture_.image.empty()) throw BackendError("cpu: nothing is drawn yet; call draw first");
+    return picture_;
   }
 
   PairsFound search_cells(const PairSearch& search) {
@@ -149,6 +179,8 @@ class CpuBackend final : public Backend {
   std::optional<PairsFound> found_;
   Method method_ = Method::sequential;  // of the last collide
   bool listed_ = false;
+  CpuPicture picture_;
+  bool counted_ = false;
   bool timing_ = false;
   std::vector<StageTime> times_;
 };

@@ -30,6 +30,14 @@ constexpr const char* slot_names[SLOT_TOTAL] = {"positions",
                                                 "tiles of the scan",
                                                 "spheres in buckets",
                                                 "buckets",
+                                                "visible spheres",
+                                                "image",
+                                                "tiles of large spheres",
+                                                "counts of drawing",
+                                                "clusters",
+                                                "clusters seen",
+                                                "list of clusters",
+                                                "pyramid of depths",
                                                 "wide state",
                                                 "anchors",
                                                 "flights",
@@ -46,12 +54,16 @@ std::array<uint, 3> folded(uint64_t groups) {
 }
 
 const char* kernel_name(Kernel kernel) {
-  constexpr const char* names[] = {
-      "move",          "bounce",        "place",         "clear",          "empty",
-      "settle",        "decide",        "tally",         "grid_clear",     "grid_bounds",
-      "split_count",   "split_scan",    "grid_split",    "grid_sort",      "grid_count",
-      "grid_sums",     "grid_scan",     "grid_scatter",  "collide_grid",   "collide_hashed",
-      "collide_group", "collide_tiled", "collide_swept", "collide_square", "collide_triangle"};
+  constexpr const char* names[] = {"move",          "bounce",        "place",           "clear",
+                                   "empty",         "ceiling_copy",  "ceiling_atomics", "ceiling_issue",
+                                   "settle",        "decide",        "tally",           "grid_clear",
+                                   "grid_bounds",   "split_count",   "split_scan",      "grid_split",
+                                   "grid_sort",     "grid_count",    "grid_sums",       "grid_scan",
+                                   "grid_scatter",  "collide_grid",  "collide_hashed",  "collide_group",
+                                   "collide_tiled", "collide_swept", "collide_square",  "collide_triangle",
+                                   "draw_clear",    "draw_counts",   "draw_bounds",     "draw_cull",
+                                   "draw_pyramid",  "draw_clusters", "draw_spheres",    "draw_tiles",
+                                   "draw_resolve",  "draw_light"};
   return names[int(kernel)];
 }
 
@@ -111,7 +123,11 @@ void DeviceBackend::upload(const Scene& scene) {
   planned_.reset();
   cell_order_.reset();
   order_ = Order::scene;
-  cleared_ = collided_ = cells_built_ = false;
+  cleared_ = collided_ = cells_built_ = counts_by_place_ = false;
+  view_ = {};
+  clustered_.reset();
+  picture_stands_ = false;
+  pictures_kept_ = 0;
   write_state(initial_state(scene, params_));
 }
 

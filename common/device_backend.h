@@ -19,6 +19,9 @@ enum class Kernel {
   place,
   clear,
   empty,
+  ceiling_copy,
+  ceiling_atomics,
+  ceiling_issue,
   settle,
   decide,
   tally,
@@ -38,7 +41,17 @@ enum class Kernel {
   collide_tiled,
   collide_swept,
   collide_square,
-  collide_triangle
+  collide_triangle,
+  draw_clear,
+  draw_counts,
+  draw_bounds,
+  draw_cull,
+  draw_pyramid,
+  draw_clusters,
+  draw_spheres,
+  draw_tiles,
+  draw_resolve,
+  draw_light
 };
 
 // `groups` along one axis, folded into the next where one dispatch cannot hold them.
@@ -77,8 +90,14 @@ class DeviceBackend : public Backend {
   State state() override;
   MotionState save() override;
   void resume(const Scene& scene, const MotionState& saved) override;
+  void draw(const View& view, const DrawOptions& options) override;
+  std::vector<uint> image() override;
+  std::vector<uvec2> visible() override;
+  DrawCounts draw_counts() override;
   std::vector<uint> decide(std::span<const vec4> spheres) override;
   void launch_empty(uint groups) override;
+  void launch_ceiling(Ceiling ceiling) override;
+  void check_ceiling(Ceiling ceiling) override;
   void check_guards() override;
 
  protected:
@@ -89,6 +108,15 @@ class DeviceBackend : public Backend {
   virtual void launch(const Launch& launch, const Params& params) = 0;
   virtual uint64_t largest_binding() const = 0;  // bytes that a kernel can reach in one buffer
   virtual std::vector<Pair> read_pairs(uint64_t count);
+  virtual bool has_atomics_64() const = 0;
+
+  // The methods of draw_methods() but for compute; contacts stand in SLOT_COUNT, by the number of the sphere.
+  virtual void draw_by_pipeline(DrawMethod) {}
+  virtual std::vector<uint> pipeline_image() { return {}; }
+  void ready_to_draw();  // positions of this step, and contacts in SLOT_COUNT by the number of the sphere: 0 where none
+                         // were found since a move
+  const View& view() const { return view_; }  // of the draw_* kernels
+  uint spheres() const { return uint(n_); }
 
  private:
   void require_scene(const char* what) const;
@@ -122,6 +150,21 @@ class DeviceBackend : public Backend {
 
   void build_cells();
 
+  void make_draw_buffers();
+  void require_drawn(bool by_compute) const;
+  void launch_draw();
+  void launch_rasteriser();
+  bool grow_draw_lists();
+  bool same_picture(const View& view, const DrawOptions& options) const;
+  void draw_all(const Params& params, Order order);
+  void draw_clusters(const Params& params, Order order);
+  void draw_phase(uint phase, const Params& params, Order order);
+  void draw_tiles(const Params& params, Order order);
+  void restart_lists();
+  void make_clusters(const Params& params, Order order);
+  void build_pyramid(const Params& params);
+  void finish_draw();
+
   std::array<uint, 3> per_sphere_groups() const;
 
   uint64_t n_ = 0;
@@ -139,6 +182,13 @@ class DeviceBackend : public Backend {
   CollideOptions options_;
   bool tallied_ = true;  // colliding spheres are counted
   bool cleared_ = false, collided_ = false;
+  bool counts_by_place_ = false;  // SLOT_COUNT lacks the counts that SLOT_SORTED_COUNT has
+  View view_{};                   // of the last draw; a width of 0: there was none
+  View asked_{};                  // the same as it was asked for
+  DrawOptions draw_options_;
+  std::optional<Order> clustered_;  // whose clusters they are; none when spheres have moved
+  bool picture_stands_ = false;     // nothing has changed since the last draw
+  uint64_t pictures_kept_ = 0;
   std::array<uint64_t, SLOT_TOTAL> bytes_{};
 };
 

@@ -79,6 +79,8 @@ void DeviceBackend::collide(const CollideOptions& options) {
 }
 
 void DeviceBackend::run_collide() {
+  clustered_.reset();
+  picture_stands_ = false;
   params_ = constants_[options_.exact];
   params_.n = uint(n_);
   params_.in_cells = params_.tally_later = 0;
@@ -89,11 +91,15 @@ void DeviceBackend::run_collide() {
   params_.pair_capacity = options_.want_pairs ? uint(bytes_[SLOT_PAIR] / sizeof(uvec2)) : 0;
   params_.deferred_capacity = uint(bytes_[SLOT_DEFERRED] / sizeof(uvec2));
   const bool grid = options_.method == Method::collide_grid && n_ >= 2;
-  if (!grid) order_ = Order::scene;
+  if (!grid) {  // results are not in cell order now
+    order_ = Order::scene;
+    cells_built_ = false;
+  }
   if (!cleared_ && !grid) launch_clear(Order::scene);
   if (n_ < 2) return;
   grid ? launch_grid() : launch_collide();
   cleared_ = false;
+  counts_by_place_ = order_ == Order::cells;
   if (options_.exact) launch({Kernel::settle, SERVICE_BLOCK, variant_, {settle_groups, 1, 1}, order_}, params_);
 }
 

@@ -77,7 +77,7 @@ void DeviceBackend::sort_by_counting() {
 }
 
 void DeviceBackend::split(uint shift, uint parent_shift, uint first_bucket, Order from, Order to) {
-  const auto tiles = folded(ceil_div(n_, TILE));
+  const auto tiles = folded(ceil_div(n_, SORT_TILE));
   params_.bucket_shift = shift;
   params_.parent_shift = parent_shift;
   params_.first_bucket = first_bucket;

@@ -53,8 +53,9 @@ void DeviceBackend::move() {
     launch_motion(Kernel::move, false);
     cleared_ = true;
   }
-  collided_ = cells_built_ = false;
+  collided_ = cells_built_ = picture_stands_ = false;
   cell_order_.reset();
+  clustered_.reset();
 }
 
 Backend::State DeviceBackend::state() {

@@ -19,15 +19,23 @@
 #define SLOT_SORTED 10   // vec4[n]: spheres in cell order
 #define SLOT_ID 11       // uint[n]: which sphere stands at each place of the cell order
 #define SLOT_SORTED_COUNT 12  // uint[n]: contacts, in cell order
-#define SLOT_SCAN 13    // uint[scan_tiles]: sums of the tiles of grid_scan; of grid_bounds: [0] is 1 when out of order
-#define SLOT_SPLIT 14   // vec4[n]: spheres in the order of buckets of cells
-#define SLOT_BUCKET 15  // uint[bucket_words]: where the next sphere of each bucket goes; see Params
-#define SLOT_WIDE 16    // Real[6n], of compensated and float64: all x, all y, all z, then the velocities
-#define SLOT_ANCHOR 17  // vec4[n], of anchored: where the spheres started, radius in w
-#define SLOT_FLIGHT 18  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
-#define SLOT_SINCE 19   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
-#define SLOT_DUE 20     // uint[n], of anchored: no sphere meets the plane before its step of this number
-#define SLOT_TOTAL 21
+#define SLOT_SCAN 13     // uint[scan_tiles]: sums of the tiles of grid_scan; of grid_bounds: [0] is 1 when out of order
+#define SLOT_SPLIT 14    // vec4[n]: spheres in the order of buckets of cells
+#define SLOT_BUCKET 15   // uint[bucket_words]: where the next sphere of each bucket goes; see Params
+#define SLOT_VISIBLE 16  // uint[2 * pixels]: the number of the sphere seen, then its depth; both ~0 where there is none
+#define SLOT_IMAGE 17    // uint[pixels]: red, green, blue, 255 from the lowest byte up; rows from the top
+#define SLOT_TILE 18     // uvec2[]: large spheres cut into tiles: the sphere's place, the number of the tile in its box
+#define SLOT_DRAWN 19    // uint[DRAWN_WORDS]: see view.h
+#define SLOT_CLUSTER 20  // vec4[2 * clusters]: lowest and highest corner of what holds a cluster's spheres
+#define SLOT_CLUSTER_SEEN 21  // uint[clusters]: not 0 when the last picture may have shown it
+#define SLOT_CLUSTER_LIST 22  // uint[clusters]: those to draw, in any order; their number is DRAWN_CLUSTERS
+#define SLOT_PYRAMID 23       // uint[]: greatest depth in each texel, level by level; see cluster.h
+#define SLOT_WIDE 24          // Real[6n], of compensated and float64: all x, all y, all z, then the velocities
+#define SLOT_ANCHOR 25        // vec4[n], of anchored: where the spheres started, radius in w
+#define SLOT_FLIGHT 26  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
+#define SLOT_SINCE 27   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
+#define SLOT_DUE 28     // uint[n], of anchored: no sphere meets the plane before its step of this number
+#define SLOT_TOTAL 29
 #define SLOT_PARAMS 0  // the uniform block's own binding
 
 // Totals are spread over SUMMARY_SLOTS rows so that thousands of groups do not queue on one address; the host adds the
@@ -53,7 +61,7 @@
 #define SPHERES_PER_SORTER 4      // spheres that one thread of grid_count and grid_scatter handles
 #define SPLIT_BLOCK 1024          // group size of split_count, split_scan and grid_split
 #define SORT_BLOCK 512            // group size of grid_sort
-#define TILE 4096u                // spheres that one group of grid_split takes, and that grid_sort has room for
+#define SORT_TILE 4096u           // spheres that one group of grid_split takes, and that grid_sort has room for
 #define BUCKETS_AT_MOST 1024u     // that one group of grid_split tells apart at a time
 #define CELLS_PER_BUCKET 2048u    // that grid_sort puts into order
 #define ROWS_AHEAD 5              // rows of cells in the later half of a neighbourhood
@@ -61,6 +69,9 @@
 #define SCAN_BLOCK 256            // group size of grid_scan
 #define SCAN_VECTORS 4            // uvec4 that one thread of grid_scan handles
 #define SCAN_TILE 4096u           // entries of the table that one group of grid_scan handles
+#define CEILING_CHAINS 8          // independent chains of multiply-adds of one thread of ceiling_issue, ...
+#define CEILING_TURNS 64          // ... so often round the loop, ...
+#define CEILING_STEPS 16          // ... with so many steps of each chain a time
 
 #define MOTION_EULER 0u  // MotionMethod of motion_options.h
 #define MOTION_SYMPLECTIC 1u

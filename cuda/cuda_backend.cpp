@@ -34,6 +34,7 @@ class CudaBackend final : public DeviceBackend {
   void finish() override { cuda_check(cudaDeviceSynchronize(), "waiting for the device"); }
   void time_stages(bool on) override;
   std::vector<StageTime> stage_times() override;
+  DeviceMemoryView shared(uint slot, uint64_t bytes_a_sphere);
 
  protected:
   void allocate(uint slot, uint64_t bytes) override;
@@ -42,10 +43,13 @@ class CudaBackend final : public DeviceBackend {
   void launch(const Launch& launch, const Params& params) override;
   uint64_t largest_binding() const override { return uint64_t(1) << 47; }
   std::vector<Pair> read_pairs(uint64_t count) override;
+  bool has_atomics_64() const override { return true; }
 
  private:
   template <typename T>
-  T* buffer(uint slot) const;
+  T* buffer(uint slot) const {
+    return static_cast<T*>(memory_[slot].data);
+  }
   World world(const Launch& launch) const;
   void describe(int device);
   void require_kernels(int device) const;
@@ -150,11 +154,6 @@ void CudaBackend::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
   cuda_check(cudaMemcpy(data, source, bytes, cudaMemcpyDeviceToHost), fmt::format("reading {} bytes", bytes));
 }
 
-template <typename T>
-T* CudaBackend::buffer(uint slot) const {
-  return static_cast<T*>(memory_[slot].data);
-}
-
 World CudaBackend::world(const Launch& launch) const {
   return {.position = buffer<vec4>(position_slot(launch.order)),
           .velocity = buffer<vec4>(SLOT_VELOCITY),
@@ -171,6 +170,14 @@ World CudaBackend::world(const Launch& launch) const {
           .sorted_count = buffer<uint>(SLOT_SORTED_COUNT),
           .tile_sum = buffer<uint>(SLOT_SCAN),
           .next_place = buffer<uint>(SLOT_BUCKET),
+          .visible = buffer<uvec2>(SLOT_VISIBLE),
+          .image = buffer<uint>(SLOT_IMAGE),
+          .tile = buffer<uvec2>(SLOT_TILE),
+          .drawn = buffer<uint>(SLOT_DRAWN),
+          .cluster = buffer<vec4>(SLOT_CLUSTER),
+          .cluster_seen = buffer<uint>(SLOT_CLUSTER_SEEN),
+          .cluster_list = buffer<uint>(SLOT_CLUSTER_LIST),
+          .pyramid = buffer<uint>(SLOT_PYRAMID),
           .wide = buffer<void>(SLOT_WIDE),
           .anchor = buffer<vec4>(SLOT_ANCHOR),
           .flight = buffer<void>(SLOT_FLIGHT),
@@ -181,7 +188,8 @@ World CudaBackend::world(const Launch& launch) const {
 void CudaBackend::launch(const Launch& launch, const Params& params) {
   Params p = params;
   World w = world(launch);
-  void* arguments[] = {&p, &w};
+  View v = view();
+  void* arguments[] = {&p, &w, &v};  // a kernel that draws nothing takes the first two
   const dim3 groups(launch.groups[0], launch.groups[1], launch.groups[2]);
   TimedStage stage{launch.kernel, nullptr, nullptr};
   if (timing_) {
@@ -223,7 +231,21 @@ std::vector<StageTime> CudaBackend::stage_times() {
   return times;
 }
 
+DeviceMemoryView CudaBackend::shared(uint slot, uint64_t bytes_a_sphere) {
+  ready_to_draw();
+  return {memory_[slot].data, spheres() * bytes_a_sphere};
+}
+
+CudaBackend& cuda_backend(Backend& backend) {
+  if (auto* cuda = dynamic_cast<CudaBackend*>(&backend)) return *cuda;
+  throw BackendError(
+      fmt::format("{} is not the CUDA backend: only CUDA's spheres are handed over to OpenGL", backend.info().name));
+}
+
 }  // namespace
+
+DeviceMemoryView cuda_positions(Backend& backend) { return cuda_backend(backend).shared(SLOT_POSITION, sizeof(vec4)); }
+DeviceMemoryView cuda_contacts(Backend& backend) { return cuda_backend(backend).shared(SLOT_COUNT, sizeof(uint)); }
 
 std::unique_ptr<Backend> open_cuda_backend(const OpenOptions& options) {
   return std::make_unique<CudaBackend>(options);

@@ -15,6 +15,12 @@ Entry entry_of(const Launch& launch) {
       return clear_kernel();
     case Kernel::empty:
       return empty_kernel();
+    case Kernel::ceiling_copy:
+      return ceiling_copy_kernel();
+    case Kernel::ceiling_atomics:
+      return ceiling_atomics_kernel();
+    case Kernel::ceiling_issue:
+      return ceiling_issue_kernel();
     case Kernel::settle:
       return settle_kernel(launch.variant);
     case Kernel::decide:
@@ -55,6 +61,26 @@ Entry entry_of(const Launch& launch) {
       return collide_square_kernel(launch.block, launch.variant);
     case Kernel::collide_triangle:
       return collide_triangle_kernel(launch.block, launch.variant);
+    case Kernel::draw_clear:
+      return draw_clear_kernel();
+    case Kernel::draw_counts:
+      return draw_counts_kernel();
+    case Kernel::draw_bounds:
+      return draw_bounds_kernel();
+    case Kernel::draw_cull:
+      return draw_cull_kernel();
+    case Kernel::draw_pyramid:
+      return draw_pyramid_kernel();
+    case Kernel::draw_clusters:
+      return draw_clusters_kernel();
+    case Kernel::draw_spheres:
+      return draw_spheres_kernel();
+    case Kernel::draw_tiles:
+      return draw_tiles_kernel();
+    case Kernel::draw_resolve:
+      return draw_resolve_kernel();
+    case Kernel::draw_light:
+      return draw_light_kernel();
   }
   return nullptr;
 }

@@ -15,7 +15,7 @@ __device__ inline void put(const World& w, uint i, uint at) {
 
 __global__ void __launch_bounds__(SORT_BLOCK) grid_sort(Params p, World w) {
   __shared__ uint place[CELLS_PER_BUCKET];  // of the next sphere of each cell, in the bucket
-  __shared__ uint order[TILE];              // the spheres of the bucket by cell
+  __shared__ uint order[SORT_TILE];         // the spheres of the bucket by cell
   __shared__ uint sums[SORT_BLOCK];
   uint lane = threadIdx.x;
   if (group_index(p) >= p.buckets) return;
@@ -45,7 +45,7 @@ __global__ void __launch_bounds__(SORT_BLOCK) grid_sort(Params p, World w) {
   for (uint c = lane; c < CELLS_PER_BUCKET; c += SORT_BLOCK)
     if (low + c <= p.cell_slots) w.cell[low + c] = begin + place[c];
   __syncthreads();
-  bool fits = end - begin <= TILE;
+  bool fits = end - begin <= SORT_TILE;
   for (uint i = begin + lane; i < end; i += SORT_BLOCK) {
     uint at = atomicAdd(&place[slot_of(w.position[i], p) - low], 1u);
     if (fits) {

@@ -6,7 +6,7 @@
 
 namespace spherepair {
 
-// The flattened text of every shader, by kernel name.
+// The flattened text of every shader, by file name.
 const std::map<std::string, std::string>& embedded_shaders();
 
 }  // namespace spherepair

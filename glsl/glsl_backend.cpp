@@ -8,15 +8,12 @@
 
 #include "context.h"
 #include "device_backend.h"
+#include "gl_renderer.h"
 #include "program.h"
+#include "stage_timer.h"
 
 namespace spherepair {
 namespace {
-
-struct TimedStage {
-  Kernel kernel;
-  std::array<GLuint, 2> queries;
-};
 
 class GlslBackend final : public DeviceBackend {
  public:
@@ -24,6 +21,9 @@ class GlslBackend final : public DeviceBackend {
   ~GlslBackend() override;
   const BackendInfo& info() const override { return info_; }
   void finish() override;
+  std::vector<DrawMethod> draw_methods() const override {
+    return {all_draw_methods().begin(), all_draw_methods().end()};
+  }
   void time_stages(bool on) override;
   std::vector<StageTime> stage_times() override;
 
@@ -33,24 +33,30 @@ class GlslBackend final : public DeviceBackend {
   void read(uint slot, void* data, uint64_t offset, uint64_t bytes) override;
   void launch(const Launch& launch, const Params& params) override;
   uint64_t largest_binding() const override { return largest_binding_; }
+  bool has_atomics_64() const override { return atomics_64_; }
+  void draw_by_pipeline(DrawMethod method) override;
+  std::vector<uint> pipeline_image() override;
 
  private:
   void require_features() const;
   void describe();
   const Program& program(const Launch& launch);
   void set_params(const Params& params);
+  void set_view();
 
   Context context_;
-  bool sparse_;
+  bool sparse_, atomics_64_ = false;
   BackendInfo info_;
   uint64_t largest_binding_ = 0;
   std::array<GLuint, SLOT_TOTAL> buffers_{};
   GLuint params_buffer_ = 0;
   Params params_on_device_{};
   bool params_known_ = false;
+  GLuint view_buffer_ = 0;
+  View view_on_device_{};
   std::map<std::tuple<Kernel, uint, Variant>, std::unique_ptr<Program>> programs_;
-  bool timing_ = false;
-  std::vector<TimedStage> timed_;
+  std::unique_ptr<GlRenderer> renderer_;
+  StageTimer timer_;
 };
 
 std::string gl_string(GLenum name) { return reinterpret_cast<const char*>(glGetString(name)); }
@@ -69,14 +75,18 @@ GlslBackend::GlslBackend(const OpenOptions& options) : context_(options), sparse
   describe();
   glCreateBuffers(1, &params_buffer_);
   glNamedBufferStorage(params_buffer_, sizeof(Params), nullptr, GL_DYNAMIC_STORAGE_BIT);
-  gl_check("making the parameter buffer");
+  glCreateBuffers(1, &view_buffer_);
+  glNamedBufferStorage(view_buffer_, sizeof(View), &view_on_device_, GL_DYNAMIC_STORAGE_BIT);
+  gl_check("making the parameter buffers");
 }
 
 GlslBackend::~GlslBackend() {
   if (!context_.try_make_current()) return;  // a lost context took everything with it
-  for (const TimedStage& stage : timed_) glDeleteQueries(2, stage.queries.data());
+  renderer_.reset();
+  timer_.forget();
   glDeleteBuffers(GLsizei(buffers_.size()), buffers_.data());
   glDeleteBuffers(1, &params_buffer_);
+  glDeleteBuffers(1, &view_buffer_);
 }
 
 void GlslBackend::require_features() const {
@@ -97,6 +107,7 @@ void GlslBackend::describe() {
   GLint shared_bytes = 0;
   glGetIntegerv(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE, &shared_bytes);
   largest_binding_ = uint64_t(binding);
+  atomics_64_ = epoxy_has_gl_extension("GL_NV_shader_atomic_int64");
   sparse_ = sparse_ && epoxy_has_gl_extension("GL_ARB_sparse_buffer");
   info_.name = "glsl";
   info_.device = gl_string(GL_RENDERER);
@@ -109,6 +120,7 @@ void GlslBackend::describe() {
                    {"GLSL version", gl_string(GL_SHADING_LANGUAGE_VERSION)},
                    {"largest storage block bytes", std::to_string(binding)},
                    {"shared memory bytes", std::to_string(shared_bytes)},
+                   {"64-bit atomics", atomics_64_ ? "yes" : "no: drawing takes two passes"},
                    {"buffers", sparse_ ? "sparse storage, committed whole" : "plain storage"}};
   if (info_.software && std::filesystem::exists("/dev/nvidiactl")) {
     info_.details["warning"] = "a GPU is present, but OpenGL runs in software";
@@ -139,6 +151,7 @@ void GlslBackend::allocate(uint slot, uint64_t bytes) {
 void GlslBackend::write(uint slot, const void* data, uint64_t offset, uint64_t bytes) {
   if (bytes == 0) return;
   context_.make_current();
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glNamedBufferSubData(buffers_[slot], GLintptr(offset), GLsizeiptr(bytes), data);
   gl_check(fmt::format("writing {} bytes", bytes));
 }
@@ -153,7 +166,8 @@ void GlslBackend::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
 
 const Program& GlslBackend::program(const Launch& launch) {
   auto& program = programs_[{launch.kernel, launch.block, launch.variant}];
-  if (!program) program = std::make_unique<Program>(kernel_name(launch.kernel), launch.block, launch.variant);
+  if (!program)
+    program = std::make_unique<Program>(kernel_name(launch.kernel), launch.block, launch.variant, atomics_64_);
   return *program;
 }
 
@@ -165,11 +179,19 @@ void GlslBackend::set_params(const Params& params) {
   params_known_ = true;
 }
 
+void GlslBackend::set_view() {
+  glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_VIEW, view_buffer_);
+  if (std::memcmp(&view(), &view_on_device_, sizeof(View)) == 0) return;
+  glNamedBufferSubData(view_buffer_, 0, sizeof(View), &view());
+  view_on_device_ = view();
+}
+
 // GL keeps an error until it is asked, so dispatches are checked where their results are waited for.
 void GlslBackend::launch(const Launch& launch, const Params& params) {
   context_.make_current();
   const Program& chosen = program(launch);
   set_params(params);
+  set_view();
   glUseProgram(chosen.id());
   glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_PARAMS, params_buffer_);
   std::array<GLuint, SLOT_TOTAL> bound = buffers_;
@@ -180,17 +202,23 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   bound[SLOT_ID] = buffers_[id_slot(launch.target)];
   bound[SLOT_CELL] = buffers_[launch.table];
   glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, 0, GLsizei(bound.size()), bound.data());
-  TimedStage stage{launch.kernel, {}};
-  if (timing_) {
-    glCreateQueries(GL_TIMESTAMP, 2, stage.queries.data());
-    glQueryCounter(stage.queries[0], GL_TIMESTAMP);
-  }
-  glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  if (timing_) {
-    glQueryCounter(stage.queries[1], GL_TIMESTAMP);
-    timed_.push_back(stage);
-  }
+  timer_.time(kernel_name(launch.kernel), [&] {
+    glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  });
+}
+
+void GlslBackend::draw_by_pipeline(DrawMethod method) {
+  context_.make_current();
+  set_view();
+  if (!renderer_) renderer_ = std::make_unique<GlRenderer>();
+  timer_.time(draw_method_name(method),
+              [&] { renderer_->draw(method, view(), buffers_[SLOT_POSITION], buffers_[SLOT_COUNT], spheres()); });
+}
+
+std::vector<uint> GlslBackend::pipeline_image() {
+  context_.make_current();
+  return renderer_->image();
 }
 
 void GlslBackend::finish() {
@@ -201,21 +229,12 @@ void GlslBackend::finish() {
 
 void GlslBackend::time_stages(bool on) {
   stage_times();
-  timing_ = on;
+  timer_.turn(on);
 }
 
 std::vector<StageTime> GlslBackend::stage_times() {
   finish();
-  std::vector<StageTime> times;
-  for (const TimedStage& stage : timed_) {
-    GLuint64 start = 0, stop = 0;
-    glGetQueryObjectui64v(stage.queries[0], GL_QUERY_RESULT, &start);
-    glGetQueryObjectui64v(stage.queries[1], GL_QUERY_RESULT, &stop);
-    times.push_back({kernel_name(stage.kernel), double(stop - start) * 1e-9});
-    glDeleteQueries(2, stage.queries.data());
-  }
-  timed_.clear();
-  return times;
+  return timer_.take();
 }
 
 }  // namespace

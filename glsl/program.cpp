@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
 #include "backend.h"
 #include "embedded_shaders.h"
 
@@ -11,8 +13,8 @@ namespace {
 
 constexpr const char* real_names[] = {"float", "Two", "double"};  // by Precision
 
-std::string source_of(const std::string& kernel, unsigned block, const Variant& variant) {
-  const std::string& text = embedded_shaders().at(kernel);
+std::string source_of(const std::string& kernel, unsigned block, const Variant& variant, bool atomics_64) {
+  const std::string& text = embedded_shaders().at(kernel + ".comp");
   const size_t after_version = text.find('\n') + 1;
   const uint method = uint(variant.motion.method), precision = uint(variant.motion.precision);
   return text.substr(0, after_version) +
@@ -20,6 +22,7 @@ std::string source_of(const std::string& kernel, unsigned block, const Variant& 
                      int(variant.listed)) +
          fmt::format("#define METHOD {}u\n#define PRECISION {}\n#define Real {}\n", method, precision,
                      real_names[precision]) +
+         (atomics_64 ? "#extension GL_NV_shader_atomic_int64 : require\n#define ATOMICS_64\n" : "") +
          text.substr(after_version);
 }
 
@@ -39,27 +42,50 @@ std::string program_log(GLuint program) {
   return log;
 }
 
-}  // namespace
+struct Stage {
+  GLenum kind;
+  std::string source;
+};
 
-Program::Program(const std::string& kernel, unsigned block, const Variant& variant) : id_(glCreateProgram()) {
-  const std::string source = source_of(kernel, block, variant);
-  const char* text = source.c_str();
-  const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
+// Attaches the shader; its log when the driver rejects it.
+std::string compile(GLuint program, const Stage& stage) {
+  const char* text = stage.source.c_str();
+  const GLuint shader = glCreateShader(stage.kind);
   glShaderSource(shader, 1, &text, nullptr);
   glCompileShader(shader);
   GLint done = 0;
   glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
-  const std::string compile_log = done ? "" : shader_log(shader);
-  if (done) {
-    glAttachShader(id_, shader);
-    glLinkProgram(id_);
-    glGetProgramiv(id_, GL_LINK_STATUS, &done);
-  }
+  const std::string log = done ? "" : shader_log(shader);
+  if (done) glAttachShader(program, shader);
   glDeleteShader(shader);
-  if (done) return;
-  const std::string log = compile_log.empty() ? program_log(id_) : compile_log;
-  glDeleteProgram(id_);
-  throw BackendError(fmt::format("glsl: the driver rejected {}.comp for groups of {}:\n{}", kernel, block, log));
+  return log;
 }
+
+GLuint linked(const std::vector<Stage>& stages, const std::string& what) {
+  const GLuint program = glCreateProgram();
+  std::string log;
+  for (const Stage& stage : stages)
+    if (log.empty()) log = compile(program, stage);
+  GLint done = 0;
+  if (log.empty()) {
+    glLinkProgram(program);
+    glGetProgramiv(program, GL_LINK_STATUS, &done);
+    if (!done) log = program_log(program);
+  }
+  if (done) return program;
+  glDeleteProgram(program);
+  throw BackendError(fmt::format("glsl: the driver rejected {}:\n{}", what, log));
+}
+
+}  // namespace
+
+Program::Program(const std::string& kernel, unsigned block, const Variant& variant, bool atomics_64)
+    : id_(linked({{GL_COMPUTE_SHADER, source_of(kernel, block, variant, atomics_64)}},
+                 fmt::format("{}.comp for groups of {}", kernel, block))) {}
+
+Program::Program(const std::string& stem)
+    : id_(linked({{GL_VERTEX_SHADER, embedded_shaders().at(stem + ".vert")},
+                  {GL_FRAGMENT_SHADER, embedded_shaders().at(stem + ".frag")}},
+                 stem + ".vert with " + stem + ".frag")) {}
 
 }  // namespace spherepair

@@ -10,11 +10,12 @@
 
 namespace spherepair {
 
-// A compute program made from the embedded shader of this name, with the group size, the variant and the motion defined
-// in front of it.
+// A program; one of a compute shader is made from the embedded shader of this name, with the group size, the variant
+// and the motion defined in front of it.
 class Program {
  public:
-  Program(const std::string& kernel, unsigned block, const Variant& variant);
+  Program(const std::string& kernel, unsigned block, const Variant& variant, bool atomics_64);
+  explicit Program(const std::string& stem);  // STEM.vert and STEM.frag: a program of the graphics pipeline
   ~Program() {
     if (eglGetCurrentContext() != EGL_NO_CONTEXT) glDeleteProgram(id_);
   }

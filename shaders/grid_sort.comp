@@ -13,7 +13,7 @@ layout(std430, binding = SLOT_SORTED_COUNT) restrict writeonly buffer SortedCoun
 layout(std430, binding = SLOT_BUCKET) restrict buffer BucketBuffer { uint next_place[]; };
 layout(local_size_x = BLOCK) in;
 shared uint place[CELLS_PER_BUCKET];  // of the next sphere of each cell, in the bucket
-shared uint order[TILE];              // the spheres of the bucket by cell
+shared uint order[SORT_TILE];         // the spheres of the bucket by cell
 shared uint sums[BLOCK];
 
 void put(uint i, uint at) {
@@ -51,7 +51,7 @@ void main() {
   for (uint c = lane; c < CELLS_PER_BUCKET; c += BLOCK)
     if (low + c <= p.cell_slots) cell[low + c] = begin + place[c];
   barrier();
-  bool fits = end - begin <= TILE;
+  bool fits = end - begin <= SORT_TILE;
   for (uint i = begin + lane; i < end; i += BLOCK) {
     uint at = atomicAdd(place[slot_of(position[i], p) - low], 1u);
     if (fits) {

@@ -32,7 +32,8 @@ def need(tool, package):
 
 def with_defines(text, *defines):
     """As the driver gets it: the definitions follow the #version line."""
-    lines = "".join(f"#define {define}\n" for define in defines)
+    extension = "#extension GL_NV_shader_atomic_int64 : require\n" if "ATOMICS_64" in defines else ""
+    lines = extension + "".join(f"#define {define}\n" for define in defines)
     return re.sub(r"(#version .*\n)", lambda match: match[1] + lines, text, count=1)
 
 
@@ -47,10 +48,11 @@ def disassemble(text):
         return subprocess.run(["spirv-dis", binary], capture_output=True, text=True, check=True).stdout
 
 
-def variants(stem):
+def variants(stem, text):
     """The definitions of every program that is made from a shader."""
     if stem not in STATE_FEEDING:
-        return [("BLOCK 256", f"EQUAL_RADII {uniform}", "LISTED 1") for uniform in (0, 1)]
+        plain = [("BLOCK 256", f"EQUAL_RADII {uniform}", "LISTED 1") for uniform in (0, 1)]
+        return plain + [(*plain[0], "ATOMICS_64")] * ("ATOMICS_64" in text)
     methods = METHODS if stem == "move" else (6,)
     return [("BLOCK 256", f"METHOD {method}u", f"PRECISION {precision}", f"Real {real}")
             for method in methods for precision, real in enumerate(PRECISIONS)]
@@ -80,10 +82,11 @@ def shaders(root, build):
     complaints = [f"{stem}.comp: is not built: add it to SPHEREPAIR_KERNELS" for stem in sorted(missing)]
     checked = 0
     for path in flattened:
-        for defines in variants(path.stem):
+        text = path.read_text()
+        for defines in variants(path.stem, text):
             checked += 1
             try:
-                assembly = disassemble(with_defines(path.read_text(), *defines))
+                assembly = disassemble(with_defines(text, *defines))
                 found = spirv_complaints(assembly, may_fuse=path.stem not in STATE_FEEDING)
             except ValueError as error:
                 found = [str(error)]

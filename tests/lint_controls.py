@@ -107,7 +107,7 @@ class Shaders(unittest.TestCase):
         path = BUILD / "flattened" / "move.comp"
         if not path.exists():
             self.skipTest("the build has no GLSL")
-        for defines in lint_arithmetic.variants("move"):
+        for defines in lint_arithmetic.variants("move", path.read_text()):
             text = lint_arithmetic.with_defines(path.read_text(), *defines)
             self.assertEqual([], lint_arithmetic.spirv_complaints(lint_arithmetic.disassemble(text), False))
             loose = lint_arithmetic.disassemble(text.replace("#define EXACT precise", "#define EXACT"))

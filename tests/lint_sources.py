@@ -8,7 +8,7 @@ import subprocess
 MAX_LINES = 250
 CLANG_FORMAT = 14  # other versions lay out some lines differently
 CODE = (".h", ".cpp", ".cu", ".cuh", ".comp", ".glsl")
-FOLDERS = ("common", "shaders", "glsl", "cuda", "bench", "tests", "paper")
+FOLDERS = ("common", "shaders", "glsl", "cuda", "interop", "bench", "tests", "paper")
 
 # What has no one meaning on all compilers, see rule 1 of the design: their rounding differs even under `precise`.
 FORBIDDEN = re.compile(r"(?<![.\w])(dot|length|distance|normalize|mix|inversesqrt|sqrt|floor|fmaf?|exp|pow)\s*\(")

@@ -54,6 +54,17 @@ void expect_naive(Backend& backend, const Scene& scene, std::span<const Pair> ex
 
 class Methods : public BackendTest {};
 
+// The grid keeps its cells while spheres stand still, also when another method comes between.
+TEST_P(Methods, OneAfterTheOther) {
+  const Scene scene = make_scene({.name = "uniform", .n = 3000});
+  const std::vector<Pair> expected = brute_force_pairs(scene.positions);
+  backend().upload(scene);
+  for (const Method method : {Method::collide_grid, fast_method(backend()).method, Method::collide_grid}) {
+    const CollideOptions options = {.method = method, .want_pairs = true};
+    EXPECT_EQ(objection(ask(backend(), options), expected, scene.size()), "") << method_name(method);
+  }
+}
+
 TEST_P(Methods, EverySceneEqualsTheOracle) {
   uint64_t n = 300;
   for (const SceneKind& kind : scene_kinds()) {

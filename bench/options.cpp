@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace spherepair {
+
+// CLI11 would call "abc" a value out of range.
+CLI::Validator whole_number(int64_t low, int64_t high) {
+  const auto check = [=](std::string& text) -> std::string {
+    int64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc() && end == text.data() + text.size() && value >= low && value <= high) return {};
+    return fmt::format("'{}' is not a whole number from {} to {}", text, low, high);
+  };
+  return CLI::Validator(check, fmt::format("{}..{}", low, high));
+}
+
+namespace {
+
+std::string scene_help() {
+  std::string text = "Scene to start from. Known scenes:\n";
+  for (const SceneKind& kind : scene_kinds()) text += fmt::format("    {:<11} {}\n", kind.name, kind.summary);
+  return text;
+}
+
+}  // namespace
+
+void add_open_options(CLI::App& command, OpenOptions& open) {
+  command.add_option("--cuda-device", open.cuda_device, "CUDA device to use, counted from 0")
+      ->check(count_range)
+      ->capture_default_str();
+  command.add_flag("--require-hardware", open.require_hardware, "Refuse OpenGL in software");
+  command.add_flag_callback(
+      "--no-gpu", [&open] { open.allow_gpu = false; }, "Use OpenGL in software even where a GPU is");
+  command.add_option("--threads", open.threads, "Threads of the CPU backend; 0 takes all cores")
+      ->check(whole_number(0, 4096))
+      ->capture_default_str();
+}
+
+void add_scene_options(CLI::App& command, SceneOptions& scene) {
+  command.add_option("--scene", scene.name, scene_help())->capture_default_str();
+  command.add_option("--n", scene.n, "Number of spheres")->check(count_range)->capture_default_str();
+  command.add_option("--seed", scene.seed, "Seed of the scene; the same on every machine")
+      ->check(steps_range)
+      ->capture_default_str();
+  command.add_option("--radius", scene.radius, "Radius in metres")->capture_default_str();
+  command.add_option("--radius-ratio", scene.radius_ratio, "Largest radius over smallest")->capture_default_str();
+  command.add_option("--packing-fraction", scene.packing_fraction, "Of the scene `uniform`")->capture_default_str();
+  command.add_option("--groups", scene.groups,
+                     "Of the scene `aligned`: m of the paper's m x n; n spheres = groups x group size");
+  command.add_option("--group-size", scene.group_size, "Of the scene `aligned`: n of the paper's m x n");
+  command.add_option("--offset", scene.offset, "Added to every coordinate of every centre, metres")
+      ->capture_default_str();
+}
+
+void add_start_options(CLI::App& command, StartOptions& start) {
+  add_scene_options(command, start.scene);
+  command.add_option(
+      "--input", start.input_file,
+      "Take the spheres from a file instead: .xyz, .extxyz or .npy (see pairs --help; at rest), or any other name for "
+      "text, a line each, `x y z radius [vx vy vz]`; # starts a comment");
+  command.add_option("--frame", start.frame, "Of an --input with several, counted from 0")->check(count_range);
+  add_motion_options(command, start.motion);
+  add_resume_option(command, start.resume_file);
+}
+
+void finish_start_options(const CLI::App& command, StartOptions& start) {
+  const bool given = command.count("--radius") > 0;  // a scene has a radius without being told, a file has not
+  if (given) start.radius = start.scene.radius;
+}
+
+}  // namespace spherepair

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Photographs: a camera from its options, and the mean of pictures each moved by part of a pixel.
+#pragma once
+
+#include <functional>
+
+#include "commands.h"
+
+namespace spherepair {
+
+struct Shot {
+  Camera camera;
+  Look look;
+  uint width, height, samples;
+  DrawMethod method = DrawMethod::compute;
+};
+
+Camera camera_of(const CameraOptions& options, const Bounds& bounds, double aspect);
+
+// By how much sample k of so many moves the image, in pixels: evenly spread over one pixel; not at all for one.
+std::array<double, 2> jitter(uint k, uint samples);
+
+// Draws into an image, as Backend::image() gives it; the backend holds the spheres and has found their contacts.
+std::vector<uint> take(Backend& backend, const Shot& shot);
+
+json to_json(const Camera& camera);
+json to_json(const View& view);  // every number that a backend was given
+
+}  // namespace spherepair

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// Whether a cluster of spheres can be left out of a picture. All is conservative, with room for every rounding, so that
+// leaving out changes no bit of the picture.
+#ifndef SPHEREPAIR_CLUSTER_H
+#define SPHEREPAIR_CLUSTER_H
+
+#include "draw.h"
+
+// A box in the camera's axes that holds all of a cluster: its middle, and how far it reaches along each axis.
+struct Solid {
+  float x, y, z, across, above, ahead;
+};
+
+// No cluster has spheres that no view can draw (in_camera); they do not stretch its corners.
+FN bool ever_drawable(vec4 sphere) {
+  float most = bits_float(0x59800000u);  // 2^52
+  return sphere.w >= bits_float(0x30800000u) && sphere.w <= most && magnitude(sphere.x) <= most &&
+         magnitude(sphere.y) <= most && magnitude(sphere.z) <= most;
+}
+
+FN vec4 lowest_corner(vec4 sphere) {
+  EXACT float x = sphere.x - sphere.w;
+  EXACT float y = sphere.y - sphere.w;
+  EXACT float z = sphere.z - sphere.w;
+  vec4 corner = {x, y, z, 0.0f};
+  return corner;
+}
+FN vec4 highest_corner(vec4 sphere) {
+  EXACT float x = sphere.x + sphere.w;
+  EXACT float y = sphere.y + sphere.w;
+  EXACT float z = sphere.z + sphere.w;
+  vec4 corner = {x, y, z, 0.0f};
+  return corner;
+}
+
+// 2^-19 of all that went into a coordinate is more than rounding took from it, here and in in_camera.
+FN Solid solid_of(vec4 low, vec4 high, View v) {
+  EXACT float x = 0.5f * (low.x + high.x) - v.eye.x;
+  EXACT float y = 0.5f * (low.y + high.y) - v.eye.y;
+  EXACT float z = 0.5f * (low.z + high.z) - v.eye.z;
+  EXACT float half_x = 0.5f * (high.x - low.x);
+  EXACT float half_y = 0.5f * (high.y - low.y);
+  EXACT float half_z = 0.5f * (high.z - low.z);
+  EXACT float all = ((magnitude(x) + magnitude(y)) + magnitude(z)) + ((half_x + half_y) + half_z);
+  EXACT float far_eye = (all + magnitude(v.eye.x)) + (magnitude(v.eye.y) + magnitude(v.eye.z));
+  EXACT float room = far_eye * bits_float(0x36000000u);  // 2^-19
+  EXACT float right = (x * v.right.x + y * v.right.y) + z * v.right.z;
+  EXACT float up = (x * v.up.x + y * v.up.y) + z * v.up.z;
+  EXACT float forward = (x * v.forward.x + y * v.forward.y) + z * v.forward.z;
+  EXACT float across =
+      ((magnitude(v.right.x) * half_x + magnitude(v.right.y) * half_y) + magnitude(v.right.z) * half_z) + room;
+  EXACT float above = ((magnitude(v.up.x) * half_x + magnitude(v.up.y) * half_y) + magnitude(v.up.z) * half_z) + room;
+  EXACT float ahead =
+      ((magnitude(v.forward.x) * half_x + magnitude(v.forward.y) * half_y) + magnitude(v.forward.z) * half_z) + room;
+  Solid solid = {right, up, forward, across, above, ahead};
+  return solid;
+}
+
+FN bool outside(Solid solid, View v) {
+  EXACT float far = solid.z + solid.ahead;
+  EXACT float beside = magnitude(solid.x) - solid.across;
+  EXACT float over = magnitude(solid.y) - solid.above;
+  EXACT float wide = v.half_x * far;
+  EXACT float tall = v.half_y * far;
+  return far <= v.eye.w || beside > wide || over > tall;
+}
+
+FN bool reaches_eye_plane(Solid solid) {
+  EXACT float close = solid.z - solid.ahead;
+  EXACT float least = solid.ahead * bits_float(0x3A800000u);  // 2^-10
+  return close <= least;
+}
+
+FN Box box_of_solid(Solid solid, View v) {
+  EXACT float left = solid.x - solid.across;
+  EXACT float right = solid.x + solid.across;
+  EXACT float bottom = solid.y - solid.above;
+  EXACT float top = solid.y + solid.above;
+  EXACT float close = solid.z - solid.ahead;
+  EXACT float far = solid.z + solid.ahead;
+  return box_between(left, right, bottom, top, close, far, v);
+}
+
+struct Range {
+  float least, most;
+};
+// Of |x| from low to high.
+FN Range magnitudes(float low, float high) {
+  float a = magnitude(low);
+  float b = magnitude(high);
+  bool across_zero = low <= 0.0f && high >= 0.0f;
+  Range range = {across_zero ? 0.0f : smaller(a, b), larger(a, b)};
+  return range;
+}
+
+// The bits of a depth that nothing of the cluster is nearer than, at any pixel of its box. A depth is the distance
+// along forward times the square of the ray's length; 2^-16 of the greatest covers its rounding.
+FN uint least_depth(Solid solid, Box box, View v) {
+  EXACT float left = (float(box.x) - v.centre_x) * v.pixel;
+  EXACT float right = (float(box.x + box.width) - v.centre_x) * v.pixel;
+  EXACT float top = (v.centre_y - float(box.y)) * v.pixel;
+  EXACT float bottom = (v.centre_y - float(box.y + box.height)) * v.pixel;
+  Range x = magnitudes(left, right);
+  Range y = magnitudes(bottom, top);
+  EXACT float least_square = (x.least * x.least + y.least * y.least) + 1.0f;
+  EXACT float most_square = (x.most * x.most + y.most * y.most) + 1.0f;
+  EXACT float far = solid.z + solid.ahead;
+  EXACT float slack = (far * most_square) * bits_float(0x37800000u);  // 2^-16
+  EXACT float least = (solid.z - solid.ahead) * least_square - slack;
+  return least > 0.0f ? float_bits(least) : 0u;
+}
+
+// The pyramid: level k has a texel for each LEVEL_0 * 4^k pixels along both axes.
+FN uint texel_side(uint level) { return uint(LEVEL_0) << (2u * level); }
+FN uint texels_along(uint pixels, uint level) { return (pixels + texel_side(level) - 1u) >> (3u + 2u * level); }
+FN uint first_texel(uint level, View v) {
+  uint first = 0u;
+  for (uint k = 0u; k < level; ++k) first += texels_along(v.width, k) * texels_along(v.height, k);
+  return first;
+}
+// The finest level at which a box is looked up in few texels; rows of spheres make long and low boxes.
+FN uint level_for(Box box, View v) {
+  uint level = 0u;
+  while (level + 1u < v.levels &&
+         (box.width / texel_side(level) + 1u) * (box.height / texel_side(level) + 1u) > uint(TEXELS_AT_MOST))
+    ++level;
+  return level;
+}
+
+#endif

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// Drawing on GLSL and CUDA: which kernels run, and what happens when the list of tiles is too short.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "camera.h"
+#include "device_backend.h"
+
+namespace spherepair {
+namespace {
+
+constexpr uint tile_groups = 4096;
+constexpr uint64_t least_tiles = 1 << 16;
+
+static_assert(sizeof(View) == 208);
+
+uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
+uint64_t pixels(const View& view) { return uint64_t(view.width) * view.height; }
+
+}  // namespace
+
+void DeviceBackend::make_draw_buffers() {
+  const auto keep = [&](uint slot, uint64_t bytes) {
+    if (bytes_[slot] < bytes) make_buffer(slot, bytes);
+  };
+  keep(SLOT_VISIBLE, pixels(view_) * 2 * sizeof(uint));
+  keep(SLOT_IMAGE, pixels(view_) * sizeof(uint));
+  keep(SLOT_DRAWN, DRAWN_WORDS * sizeof(uint));
+  keep(SLOT_TILE, std::max(n_, least_tiles) * sizeof(uvec2));
+}
+
+// One pass for 64-bit atomics, else one for each word of what is visible.
+void DeviceBackend::draw_all(const Params& params, Order order) {
+  for (const uint pass : {PASS_DEPTH, PASS_ID}) {
+    if (pass == PASS_ID && has_atomics_64()) return;
+    view_.pass = pass;
+    if (pass == PASS_ID) restart_lists();
+    launch({Kernel::draw_spheres, SERVICE_BLOCK, {}, folded(ceil_div(n_, SERVICE_BLOCK)), order}, params);
+    draw_tiles(params, order);
+  }
+}
+
+void DeviceBackend::draw_tiles(const Params& params, Order order) {
+  launch({Kernel::draw_tiles, SERVICE_BLOCK, {}, {tile_groups, 1, 1}, order}, params);
+}
+
+// The second pass lists the tiles again; the list of clusters it goes through again from the start.
+void DeviceBackend::restart_lists() {
+  const uint none[] = {0, 0};
+  write(SLOT_DRAWN, none, DRAWN_TILES * sizeof(uint), sizeof(none));
+}
+
+void DeviceBackend::launch_rasteriser() {
+  const Order order = collided_ && cells_built_ ? order_ : Order::scene;
+  Params params = params_;
+  params.in_cells = order == Order::cells;
+  view_.tile_capacity = uint(bytes_[SLOT_TILE] / sizeof(uvec2));
+  view_.counting = draw_options_.count;
+  view_.pass = PASS_DEPTH;
+  view_.occlusion = draw_options_.skip_hidden;
+  const auto per_pixel = folded(ceil_div(pixels(view_), SERVICE_BLOCK));
+  launch({Kernel::draw_clear, SERVICE_BLOCK, {}, per_pixel}, params);
+  const bool culls = (draw_options_.skip_outside || draw_options_.skip_hidden) && n_ >= draw_options_.skip_from;
+  if (n_ > 0) culls ? draw_clusters(params, order) : draw_all(params, order);
+  launch({view_.lighting ? Kernel::draw_light : Kernel::draw_resolve, SERVICE_BLOCK, {}, per_pixel}, params);
+}
+
+void DeviceBackend::ready_to_draw() {
+  require_scene("draw");
+  place();
+  if (!collided_ && !cleared_) launch_clear(Order::scene);
+  cleared_ |= !collided_;
+  if (!collided_ || !counts_by_place_) return;
+  launch({Kernel::draw_counts, SERVICE_BLOCK, {}, folded(ceil_div(n_, SERVICE_BLOCK))}, params_);
+  counts_by_place_ = false;
+}
+
+void DeviceBackend::launch_draw() {
+  ready_to_draw();
+  if (draw_options_.method != DrawMethod::compute) return draw_by_pipeline(draw_options_.method);
+  make_draw_buffers();
+  launch_rasteriser();
+}
+
+void DeviceBackend::draw(const View& view, const DrawOptions& options) {
+  require_scene("draw");
+  check_view(view);
+  if (std::ranges::count(draw_methods(), options.method) == 0)
+    throw std::invalid_argument(
+        fmt::format("{}: the method of drawing {} runs on OpenGL only", info().name, draw_method_name(options.method)));
+  if (view.lighting != 0 &&
+      !(collided_ && options_.method == Method::collide_grid && n_ > 1 && planned_ == Cells::dense))
+    throw std::invalid_argument(fmt::format(
+        "{}: occlusion and shadows need the dense cells of collide_grid; collide with them first", info().name));
+  if (options.skip_unchanged && picture_stands_ && same_picture(view, options)) {
+    ++pictures_kept_;
+    return;
+  }
+  view_ = asked_ = view;
+  draw_options_ = options;
+  launch_draw();
+  picture_stands_ = true;
+}
+
+bool DeviceBackend::same_picture(const View& view, const DrawOptions& options) const {
+  return std::memcmp(&view, &asked_, sizeof(View)) == 0 && options == draw_options_;
+}
+
+void DeviceBackend::require_drawn(bool by_compute) const {
+  if (view_.width == 0) throw BackendError(fmt::format("{}: nothing is drawn yet; call draw first", info().name));
+  if (by_compute && draw_options_.method != DrawMethod::compute)
+    throw BackendError(fmt::format("{}: the last picture was drawn by {}, which keeps no numbers of spheres",
+                                   info().name, draw_method_name(draw_options_.method)));
+}
+
+// Lists of the collision step that were too short mean wrong colours, so they are looked at too.
+bool DeviceBackend::grow_draw_lists() {
+  bool grown = false;
+  if (draw_options_.method == DrawMethod::compute) {
+    uint tiles = 0;
+    read(SLOT_DRAWN, &tiles, DRAWN_TILES * sizeof(uint), sizeof(uint));
+    grown = tiles > view_.tile_capacity;
+    if (grown) make_buffer(SLOT_TILE, (uint64_t(tiles) + tiles / 8) * sizeof(uvec2));
+  }
+  if (!collided_) return grown;
+  const std::vector<uint> words = read_summary();
+  if (!grow_lists(words[SUM_DEFERRED], words[SUM_LISTED])) return grown;
+  run_collide();
+  return true;
+}
+
+void DeviceBackend::finish_draw() {
+  while (grow_draw_lists()) launch_draw();
+  picture_stands_ = true;
+}
+
+std::vector<uint> DeviceBackend::image() {
+  require_drawn(false);
+  finish_draw();
+  if (draw_options_.method != DrawMethod::compute) return pipeline_image();
+  std::vector<uint> image(pixels(view_));
+  read(SLOT_IMAGE, image.data(), 0, image.size() * sizeof(uint));
+  return image;
+}
+
+std::vector<uvec2> DeviceBackend::visible() {
+  require_drawn(true);
+  finish_draw();
+  std::vector<uvec2> visible(pixels(view_));
+  read(SLOT_VISIBLE, visible.data(), 0, visible.size() * sizeof(uvec2));
+  return visible;
+}
+
+DrawCounts DeviceBackend::draw_counts() {
+  require_drawn(true);
+  if (!draw_options_.count) throw BackendError(fmt::format("{}: drawing was not counted; set count", info().name));
+  finish_draw();
+  std::vector<uint> drawn(DRAWN_WORDS);
+  read(SLOT_DRAWN, drawn.data(), 0, drawn.size() * sizeof(uint));
+  return {.drawn = uint64_t(drawn[DRAWN_SMALL]) + drawn[DRAWN_LARGE],
+          .unseen = drawn[DRAWN_UNSEEN],
+          .large = drawn[DRAWN_LARGE],
+          .tiles = drawn[DRAWN_TILES],
+          .undrawable = drawn[DRAWN_UNDRAWABLE],
+          .clusters = view_.clusters,
+          .clusters_outside = drawn[DRAWN_CLUSTERS_OUTSIDE],
+          .clusters_hidden = drawn[DRAWN_CLUSTERS_HIDDEN],
+          .pictures_kept = pictures_kept_};
+}
+
+}  // namespace spherepair

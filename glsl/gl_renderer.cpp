@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "gl_renderer.h"
+
+#include <fmt/format.h>
+
+#include "context.h"
+#include "sphere_mesh.h"
+
+namespace spherepair {
+namespace {
+
+constexpr GLsizei corners_of_mesh = 240;
+
+const char* shaders_of(DrawMethod method) {
+  if (method == DrawMethod::points) return "points";
+  return method == DrawMethod::impostor ? "impostor" : "mesh";
+}
+
+// One call's count of vertices is a signed 32-bit number.
+uint most_in_one_draw(DrawMethod method) {
+  constexpr uint most = 0x7FFFFFFFu;
+  return method == DrawMethod::impostor ? most / 6 : most;
+}
+
+void set_state(const View& view, GLuint frame) {
+  glBindFramebuffer(GL_FRAMEBUFFER, frame);
+  glViewport(0, 0, GLsizei(view.width), GLsizei(view.height));
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GREATER);
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  const float background[] = {float(view.background >> 16 & 255) / 255, float(view.background >> 8 & 255) / 255,
+                              float(view.background & 255) / 255, 1};
+  const float farthest = 0;
+  glClearBufferfv(GL_COLOR, 0, background);
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+}
+
+}  // namespace
+
+GlRenderer::GlRenderer() {
+  make_mesh();
+  glCreateFramebuffers(1, &frame_);
+  gl_check("making the renderer");
+}
+
+GlRenderer::~GlRenderer() {
+  if (eglGetCurrentContext() == EGL_NO_CONTEXT) return;  // a lost context took everything with it
+  for (GLuint buffer : {corners_, indices_}) glDeleteBuffers(1, &buffer);
+  for (GLuint image : {colour_, depth_}) glDeleteRenderbuffers(1, &image);
+  glDeleteVertexArrays(1, &vertices_);
+  glDeleteFramebuffers(1, &frame_);
+}
+
+// The indexed corners stand behind the 240 in the same buffer.
+void GlRenderer::make_mesh() {
+  const SphereMesh mesh = sphere_mesh();
+  std::vector<Corner> corners = mesh.unindexed();
+  corners.insert(corners.end(), mesh.corners.begin(), mesh.corners.end());
+  glCreateBuffers(1, &corners_);
+  glNamedBufferStorage(corners_, GLsizeiptr(corners.size() * sizeof(Corner)), corners.data(), 0);
+  glCreateBuffers(1, &indices_);
+  glNamedBufferStorage(indices_, GLsizeiptr(mesh.indices.size() * sizeof(unsigned)), mesh.indices.data(), 0);
+  glCreateVertexArrays(1, &vertices_);
+  glVertexArrayVertexBuffer(vertices_, 0, corners_, 0, sizeof(Corner));
+  glVertexArrayElementBuffer(vertices_, indices_);
+  glEnableVertexArrayAttrib(vertices_, 0);
+  glVertexArrayAttribFormat(vertices_, 0, 3, GL_FLOAT, GL_FALSE, 0);
+  glVertexArrayAttribBinding(vertices_, 0, 0);
+}
+
+void GlRenderer::make_image(uint width, uint height) {
+  if (width == width_ && height == height_) return;
+  for (GLuint image : {colour_, depth_}) glDeleteRenderbuffers(1, &image);
+  glCreateRenderbuffers(1, &colour_);
+  glCreateRenderbuffers(1, &depth_);
+  glNamedRenderbufferStorage(colour_, GL_RGBA8, GLsizei(width), GLsizei(height));
+  glNamedRenderbufferStorage(depth_, GL_DEPTH_COMPONENT32F, GLsizei(width), GLsizei(height));
+  glNamedFramebufferRenderbuffer(frame_, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_);
+  glNamedFramebufferRenderbuffer(frame_, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
+  gl_check(fmt::format("making an image of {} x {} pixels", width, height));
+  if (glCheckNamedFramebufferStatus(frame_, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    throw BackendError(fmt::format("glsl: the driver cannot draw into an image of {} x {} pixels", width, height));
+  width_ = width;
+  height_ = height;
+}
+
+const Program& GlRenderer::program(DrawMethod method) {
+  auto& program = programs_[shaders_of(method)];
+  if (!program) program = std::make_unique<Program>(shaders_of(method));
+  return *program;
+}
+
+void GlRenderer::draw(DrawMethod method, const View& view, GLuint positions, GLuint counts, uint n) {
+  if (n > most_in_one_draw(method))
+    throw BackendError(
+        fmt::format("glsl: {} draws at most {} spheres", draw_method_name(method), most_in_one_draw(method)));
+  make_image(view.width, view.height);
+  set_state(view, frame_);
+  glUseProgram(program(method).id());
+  glBindVertexArray(vertices_);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SLOT_POSITION, positions);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SLOT_COUNT, counts);
+  if (method == DrawMethod::mesh_each) {
+    for (uint i = 0; i < n; ++i) {
+      glUniform1ui(0, i);
+      glDrawArrays(GL_TRIANGLES, 0, corners_of_mesh);
+    }
+  } else if (method == DrawMethod::mesh) {
+    glUniform1ui(0, 0);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, corners_of_mesh, GLsizei(n));
+  } else if (method == DrawMethod::mesh_indexed) {
+    glUniform1ui(0, 0);
+    glDrawElementsInstancedBaseVertex(GL_TRIANGLES, corners_of_mesh, GL_UNSIGNED_INT, nullptr, GLsizei(n),
+                                      corners_of_mesh);
+  } else if (method == DrawMethod::points) {
+    glDrawArrays(GL_POINTS, 0, GLsizei(n));
+  } else {
+    glDrawArrays(GL_TRIANGLES, 0, GLsizei(6 * n));
+  }
+}
+
+std::vector<uint> GlRenderer::image() {
+  std::vector<uint> pixels(size_t(width_) * height_);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_);
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(0, 0, GLsizei(width_), GLsizei(height_), GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  gl_check("drawing, or reading the image");
+  return pixels;
+}
+
+}  // namespace spherepair

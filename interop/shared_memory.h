@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Memory that CUDA allocates and OpenGL imports, through a file descriptor.
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <cstdint>
+
+namespace spherepair {
+
+class SharedMemory {
+ public:
+  // On the current CUDA device, for the current OpenGL context. Throws BackendError naming the call that failed.
+  explicit SharedMemory(uint64_t bytes);
+  ~SharedMemory();
+  SharedMemory(const SharedMemory&) = delete;
+  SharedMemory& operator=(const SharedMemory&) = delete;
+
+  void* address() const { return reinterpret_cast<void*>(address_); }  // CUDA's
+  GLuint buffer() const { return buffer_; }
+
+ private:
+  void allocate(uint64_t bytes);
+  void import();
+
+  uint64_t bytes_ = 0, address_ = 0, handle_ = 0;
+  GLuint memory_ = 0, buffer_ = 0;
+};
+
+}  // namespace spherepair

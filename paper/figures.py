@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Draws every figure and table that recorded runs allow.
+
+  paper/figures.py                          of paper/data/h200 into build/paper, with the numbers of paper.tex
+  paper/figures.py --headline    the picture and table of the README, from paper/data/h200
+  paper/figures.py --data FOLDER... --output F    of those folders, each into a folder of its own, and side by side
+"""
+import argparse
+import importlib
+import pkgutil
+import sys
+from pathlib import Path
+
+import beside
+import headline
+import macros
+import plots
+import plots.ratio
+import style
+import tables
+from records import DATA, Machine, Missing
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+def modules():
+    return [importlib.import_module(f"plots.{found.name}") for found in pkgutil.iter_modules(plots.__path__)]
+
+
+def source_of(module, machine, otherwise):
+    """What stands under a figure: the machine and run, or where else its records come from."""
+    if hasattr(module, "source"):
+        return module.source(machine)
+    if hasattr(module, "TABLE"):
+        runs = dict.fromkeys(record.source for record in machine.need(table=module.TABLE))
+        return otherwise.replace(machine.id, ", ".join(runs))
+    return otherwise
+
+
+def draw_all(machine, folder):
+    """Returns (what was drawn, what was left out and why); a figure without its data is never drawn in part."""
+    drawn, left_out = [], []
+    style.name_devices(machine)
+    for module in modules():
+        try:
+            figure = module.draw(machine)
+        except Missing as reason:
+            left_out.append((module.NAME, str(reason)))
+            for kind in ("pdf", "png"):
+                (folder / f"{module.NAME}.{kind}").unlink(missing_ok=True)  # of an earlier run
+            continue
+        style.save(figure, folder, module.NAME, source_of(module, machine, machine.title))
+        drawn.append(module.NAME)
+    return drawn, left_out
+
+
+def report(machine, folder):
+    """Draws and writes what there is, says what there is not; returns (figures, tables, reasons by name)."""
+    drawn, left_out = draw_all(machine, folder)
+    written, unwritten = tables.write_all(machine, folder)
+    print(f"{machine.title}\n  figures: {', '.join(drawn)}\n  tables: {', '.join(written)}")
+    for name, reason in left_out + unwritten:
+        print(f"  {name} is left out: {reason}")
+    return drawn, written, dict(left_out + unwritten)
+
+
+def write_captions(machine, path):
+    """The text under each figure and table that there is, with the machine and the run."""
+    lines = []
+    for module in modules():
+        try:
+            text = module.caption(machine) if hasattr(module, "caption") else module.CAPTION
+            source = tables.escape(source_of(module, machine, machine.short))
+        except Missing:
+            continue
+        lines.append(f"\\definecaption{{{module.NAME}}}{{{text} {source}.}}")
+    for table in tables.all_tables(machine):
+        lines.append(f"\\definecaption{{{table.name}}}{{{table.caption} {tables.escape(machine.short)}.}}")
+    path.write_text("\n".join(lines) + "\n")
+
+
+def write_paper_inputs(output):
+    machine, other = Machine(DATA / "h200"), Machine(DATA / "llvmpipe")
+    drawn, _, _ = report(machine, output / "recorded")
+    write_captions(machine, output / "captions.tex")
+    tex = (ROOT / "paper/paper.tex").read_text()
+    numbers = macros.collect(machine, [other])
+    macros.check(tex, numbers, drawn)
+    macros.write(numbers, tex, output / "numbers.tex", drawn)
+    print(f"  numbers: {len(macros.used_keys(tex, drawn))} in the text, each from a recorded run")
+
+
+def write_headline(machine):
+    style.save_png(plots.ratio.draw(machine), ROOT / "paper/headline.png", machine.title)
+    readme = ROOT / "README.md"
+    readme.write_text(headline.updated(readme.read_text(), machine))
+
+
+def side_by_side(machines, output):
+    figures, tables_made, reasons = [], [], {}
+    for machine in machines:
+        drawn, written, left_out = report(machine, output / machine.name)
+        figures += [name for name in drawn if name not in figures]
+        tables_made += [name for name in written if name not in tables_made]
+        reasons.update({(machine.name, name): reason for name, reason in left_out.items()})
+    print(f"Side by side: {beside.write(output, machines, figures, tables_made, reasons)}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--data", type=Path, nargs="+", help="folders of recorded runs")
+    parser.add_argument("--headline", action="store_true", help="the README's picture and table, and nothing else")
+    parser.add_argument("--output", type=Path, default=ROOT / "build/paper", help="where the files go")
+    options = parser.parse_args()
+    if options.headline:
+        write_headline(Machine(DATA / "h200"))
+    elif options.data:
+        side_by_side([Machine(folder) for folder in options.data], options.output)
+    else:
+        write_paper_inputs(options.output)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except Missing as reason:
+        sys.exit(f"figures: {reason}")

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: MIT
+"""The numbers of the paper's prose: each a LaTeX macro with the run it comes from.
+
+paper.tex says \\Nr{key}. Every key it uses must be made here from a recorded run, or the build ends; so must every
+digit of its prose that is not given by design, which \\given{...} and mathematics mark.
+"""
+import re
+import sys
+
+import tables
+from numbers_measured import MEASURED
+from numbers_proved import PROVED
+from records import Missing
+
+
+class Numbers:
+    """key -> (text, id of the run, how it was made)."""
+
+    def __init__(self):
+        self.entries, self.left_out = {}, []
+
+    def put(self, key, text, source, how):
+        if key in self.entries:
+            raise ValueError(f"the number {key} is made twice")
+        self.entries[key] = (text.replace(",", "{,}"), source, how)
+
+
+def collect(machine, others):
+    numbers = Numbers()
+    for make in (*MEASURED, *PROVED):
+        try:
+            make(numbers.put, machine, others)
+        except Missing as reason:
+            numbers.left_out.append((make.__name__, str(reason)))
+    return numbers
+
+
+def without_unrecorded(tex, recorded):
+    """Drops \\ifrecorded{name}{text} where the figure `name` was not drawn; LaTeX does the same."""
+    start = re.compile(r"\\ifrecorded\{([\w-]+)\}\{")
+    found = start.search(tex)
+    while found:
+        depth, end = 1, found.end()
+        while depth:
+            depth += {"{": 1, "}": -1}.get(tex[end], 0)
+            end += 1
+        text = tex[found.end():end - 1] if found[1] in recorded else ""
+        tex = tex[:found.start()] + text + tex[end:]
+        found = start.search(tex)
+    return tex
+
+
+def body_of(tex, recorded=()):
+    """The prose: without comments, preamble and bibliography."""
+    tex = re.sub(r"(?<!\\)%.*", "", tex)
+    start, end = tex.index("\\begin{abstract}"), tex.index("\\begin{thebibliography}")
+    return without_unrecorded(tex[start:end], recorded)
+
+
+def used_keys(tex, recorded=()):
+    return list(dict.fromkeys(re.findall(r"\\Nr\{([^}]*)\}", body_of(tex, recorded))))
+
+
+def stray_digits(tex, recorded=()):
+    """Lines whose digits are neither a generated number nor marked as given."""
+    prose = body_of(tex, recorded)
+    commands = r"\\(Nr|given|cite|ref|label|url|texttt|recorded\w+|iftabled|ifrecorded|begin|end)(\[[^]]*\])?\{[^{}]*\}"
+    for pattern in (r"\\begin\{equation\}.*?\\end\{equation\}", r"\$[^$]*\$", commands):
+        prose = re.sub(pattern, "", prose, flags=re.DOTALL)
+    return [line.strip() for line in prose.splitlines() if re.search(r"(?<![A-Za-z\d])\d", line)]
+
+
+def check(tex, numbers, recorded=()):
+    missing = [key for key in used_keys(tex, recorded) if key not in numbers.entries]
+    stray = stray_digits(tex, recorded)
+    for key in missing:
+        print(f"paper.tex uses \\Nr{{{key}}}, which no recorded run gives", file=sys.stderr)
+    for line in stray:
+        print(f"paper.tex has a number with no run behind it: {line}", file=sys.stderr)
+    if missing or stray:
+        for name, reason in numbers.left_out:
+            print(f"  the numbers of {name} are missing: {reason}", file=sys.stderr)
+        raise Missing("the paper's numbers are not all recorded")
+
+
+def write(numbers, tex, path, recorded=()):
+    lines = ["% Made by paper/macros.py from recorded runs; one line a number: key, text, run, how."]
+    for key, (text, source, how) in numbers.entries.items():
+        lines.append(f"\\definenumber{{{key}}}{{{text}}}{{{source}}}{{{tables.escape(how)}}}")
+    path.write_text("\n".join(lines) + "\n")
+    trace = [f"\\traced{{{key}}}" for key in used_keys(tex, recorded)]
+    path.with_name("trace.tex").write_text("\n".join(trace) + "\n")

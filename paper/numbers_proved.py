@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: MIT
+"""Numbers about equality (what was compared and tested, what two machines have in common) and about the code."""
+import json
+import re
+
+from records import Missing, digest, recorded_code
+
+
+def answers(put, machine, others):
+    note = machine.main["tables"]["equality"][0]["notes"][0]
+    if machine.main["verdict"] != "equal":
+        raise Missing(f"{machine.name}: the run ended with the verdict {machine.main['verdict']}")
+    put("equal/answers", f"{int(note.split()[0]):,}", machine.id, "answers compared with a reference, all equal")
+    scenes = {json.dumps(entry["scene"]) for entry in machine.main["equality"]}
+    put("equal/scenes", f"{len(scenes):,}", machine.id, "scenes, sizes and radii among them")
+
+
+def checkpoints(machine):
+    """What decides a set -> what was found, as `spherepair equal` compares two machines."""
+    return {json.dumps([entry["scene"], entry["set"], point["step"]]): json.dumps(point)
+            for entry in machine.main["equality"] for point in entry["checkpoints"]}
+
+
+def across_machines(put, machine, others):
+    ours = checkpoints(machine)
+    for other in others:
+        theirs = checkpoints(other)
+        common = ours.keys() & theirs.keys()
+        if any(ours[key] != theirs[key] for key in common):
+            raise Missing(f"{machine.name} and {other.name} differ, which the text denies")
+        put(f"equal/common/{other.name}", f"{len(common):,}", f"{machine.id}, {other.id}",
+            "configurations both recorded: equal pairs, counts, fingerprints and state hashes")
+
+
+def long_run(put, machine, others):
+    record = machine.source("state_hashes.json")
+    hashes = {tuple(run["hashes"]) for found in (machine, *others) for run in found.source("state_hashes.json")["runs"]}
+    if len(hashes) != 1:
+        raise Missing("the recorded long runs differ, which the text denies")
+    steps = record["every"] * len(record["runs"][0]["hashes"])
+    put("long/spheres", f"{record['n']:,}", record["id"], "spheres of the long run")
+    put("long/steps", f"{steps:,}", record["id"], "steps of the long run")
+    put("long/every", f"{record['every']:,}", record["id"], "steps between two hashes")
+    runs = sum(len(found.source("state_hashes.json")["runs"]) for found in (machine, *others))
+    put("long/runs", str(runs), ", ".join(found.source("state_hashes.json")["id"] for found in (machine, *others)),
+        "runs with the same hashes")
+
+
+def tests(put, machine, others):
+    path = machine.folder / "tests.txt"
+    if not path.exists():
+        raise Missing(f"{machine.name} has no tests.txt")
+    text = path.read_text()
+    source = f"{machine.name}:{digest(path.read_bytes())}"
+    if "[  FAILED  ]" in text:
+        raise Missing(f"{machine.name}: a recorded test failed")
+    put("tests/passed", re.search(r"\[  PASSED  \] (\d+) tests", text)[1], source, "tests passed; none failed")
+    families = re.findall(r"^cuda: (\d+) pairs, (\d+) ties", text, re.MULTILINE)
+    put("tests/pairs", f"{sum(int(pairs) for pairs, _ in families):,}", source, "adversarial pairs, none wrong")
+    put("tests/ties", f"{sum(int(ties) for _, ties in families):,}", source, "exact ties among them")
+
+
+def code(put, machine, others):
+    record = recorded_code()
+    for name in ("glsl", "cuda"):
+        lines = sum(twin[f"{name}_lines"] for twin in record["twins"])
+        put(f"code/kernels/{name}", f"{lines:,}", record["id"], f"lines of all kernels in {name}")
+        put(f"code/host/{name}", f"{record['host'][name]:,}", record["id"], f"lines of host code of {name} alone")
+    put("code/same", f"{sum(twin['same_lines'] for twin in record['twins']):,}", record["id"], "lines in both twins")
+    seconds = [twin["nvcc_seconds"] for twin in record["twins"] if "nvcc_seconds" in twin]
+    if len(seconds) != len(record["twins"]):
+        raise Missing("not every kernel was compiled when the code was counted")
+    put("code/nvcc", f"{sum(seconds):.0f}", record["id"], "processor seconds of nvcc for all kernels")
+
+
+PROVED = (answers, across_machines, long_run, tests, code)

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: MIT
+"""Drawing: every way to put n spheres on the screen, beside the original paper's."""
+from records import original_paper
+from style import PAGE, SERIES, panels, plain_ticks, plot, spheres_axis
+
+NAME, TABLE = "drawing", "draw"
+CAPTION = ("Drawing: time of one picture against the number of spheres, for each way to draw. Black: the original "
+           "paper's sequential rendering as printed (GeForce GTX 590).")
+MARKERS = "osD^vP*"
+
+
+def draw_place(axis, rows):
+    ways = list(dict.fromkeys((row.backend, row.draw) for row in rows))
+    for place, (backend, way) in enumerate(ways):
+        series = backend if backend != "cpu" else "cpu parallel"
+        plot(axis, [row for row in rows if (row.backend, row.draw) == (backend, way)], series,
+             label=f"{SERIES[series]['label'].split(',')[0]}, {way}", marker=MARKERS[place % len(MARKERS)])
+
+
+def draw(machine):
+    rows = machine.need(table=TABLE, work="frame")
+    places = list(dict.fromkeys(row.place for row in rows))
+    figure, axes = panels(PAGE, 2.6, len(places), sharey=True)
+    printed = [(row[0], row[2]) for row in original_paper()["table1"] if row[2] > 0]
+    for axis, place in zip(axes, places):
+        axis.plot(*zip(*printed), **{**SERIES["original sequential"], "label": "original paper, sequential"})
+        draw_place(axis, [row for row in rows if row.place == place])
+        axis.set_yscale("log")
+        plain_ticks(axis)
+        spheres_axis(axis)
+        axis.set_title(f"camera {place}", loc="left")
+    axes[0].set_ylabel("time of one picture (ms)")
+    axes[-1].legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    return figure

@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: MIT
+"""What it costs to hand spheres from one API to the other."""
+from style import COLUMN, panels
+
+NAME = TABLE = "interop"
+CAPTION = ("Handing the positions from CUDA to GL and back: time of one round trip for each way to share a buffer, "
+           "with the interval of the median.")
+
+
+def draw(machine):
+    rows = machine.need(table=TABLE)
+    figure, (axis,) = panels(COLUMN, 0.7 + 0.17 * len(rows))
+    for place, row in enumerate(reversed(rows)):
+        axis.errorbar(1e3 * row.median, place, xerr=[[1e3 * (row.median - row.low)], [1e3 * (row.high - row.median)]],
+                      capsize=1.5, elinewidth=0.7, marker="o", color="#15396b")
+    axis.set_yticks(range(len(rows)), [f"{row.way}, n = {row.n:,}" for row in reversed(rows)])
+    axis.set_xlim(left=0)
+    axis.set_xlabel("time of one round trip (µs)")
+    axis.grid(axis="y", visible=False)
+    return figure

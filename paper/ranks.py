@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: MIT
+"""Whether two timed programs differ: the rule of the program's own tables, so that text and tables agree."""
+import math
+from functools import lru_cache
+
+
+@lru_cache(maxsize=None)
+def orders(left, right, u):
+    """In how many orders of left and right distinct values the statistic of Mann and Whitney is u."""
+    if u < 0:
+        return 0
+    if left == 0 or right == 0:
+        return int(u == 0)
+    return orders(left - 1, right, u - right) + orders(left, right - 1, u)
+
+
+def exact_p(a, b, u):
+    low = min(u, a * b - u)
+    tail = sum(orders(a, b, value) for value in range(int(low) + 1))
+    return min(1.0, 2 * tail / math.comb(a + b, a))
+
+
+def normal_p(a, b, u, ties):
+    total = a + b
+    variance = a * b / 12 * (total + 1 - sum(t**3 - t for t in ties) / (total * (total - 1)))
+    if variance <= 0:
+        return 1.0
+    z = max(0.0, abs(u - a * b / 2) - 0.5) / math.sqrt(variance)
+    return math.erfc(z / math.sqrt(2))
+
+
+def rank_test(left, right):
+    """Two-sided p of the Mann-Whitney rank test that both samples come from one distribution."""
+    u = sum((x > y) + 0.5 * (x == y) for x in left for y in right)
+    values = sorted([*left, *right])
+    ties = [values.count(value) for value in set(values)]
+    if max(ties) == 1 and max(len(left), len(right)) <= 40:
+        return exact_p(len(left), len(right), u)
+    return normal_p(len(left), len(right), u, ties)
+
+
+def apart(left, right):
+    """The intervals of the medians do not overlap: what the main claims ask for."""
+    return left.high < right.low or right.high < left.low
+
+
+def differ(left, right):
+    return apart(left, right) or rank_test(left.samples_ms, right.samples_ms) < 0.01
+
+
+def verdict(glsl, cuda):
+    if not differ(glsl, cuda):
+        return "no difference seen"
+    if cuda.median < glsl.median:
+        return f"CUDA {100 * (1 - cuda.median / glsl.median):.1f} % faster"
+    return f"GLSL {100 * (1 - glsl.median / cuda.median):.1f} % faster"

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: MIT
+"""Recorded runs, as the figures, tables and numbers of the paper read them.
+
+A folder under paper/data is one machine. Every JSON file in it is a source; its id is the folder's name and the first
+8 hexadecimal digits of the file's SHA-256. One record is one measurement: what was run (any parameters the writer
+chose), its samples, median and interval in milliseconds, and the source it came from; formats.py knows how each
+program writes them.
+"""
+import hashlib
+import json
+import math
+import statistics
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import formats
+
+DATA = Path(__file__).resolve().parent / "data"
+
+
+class Missing(Exception):
+    """What a figure, table or number needs is not among the recorded runs."""
+
+
+@dataclass(frozen=True)
+class Record:
+    parameters: dict = field(repr=False)
+    median: float  # ms
+    low: float
+    high: float
+    source: str
+
+    def __getattr__(self, name):
+        if name in self.parameters:
+            return self.parameters[name]
+        raise AttributeError(name)
+
+    def matches(self, wanted):
+        values = {**self.parameters.get("scene", {}), **self.parameters}
+        values["scene"] = self.parameters.get("scene", {}).get("name")
+        return all(values.get(name) == value for name, value in wanted.items())
+
+
+def median_interval(samples, confidence=0.95):
+    """The narrowest symmetric pair of order statistics that holds the median so often; the whole range if none does."""
+    values, n = sorted(samples), len(samples)
+    left_out = 0  # on each side
+    while 2 * sum(math.comb(n, k) for k in range(left_out + 2)) <= (1 - confidence) * 2**n and 2 * left_out + 2 < n:
+        left_out += 1
+    return values[left_out], values[-1 - left_out]
+
+
+def summary(row):
+    """(median, low, high) in milliseconds, as the writer left them or from its samples."""
+    samples = row.get("samples_ms")
+    median = row["median_ms"] if "median_ms" in row else statistics.median(samples)
+    low, high = row["interval_ms"] if "interval_ms" in row else median_interval(samples)
+    return median, low, high
+
+
+def text_of(wanted):
+    return ", ".join(f"{name} {value}" for name, value in wanted.items())
+
+
+def digest(raw):
+    return hashlib.sha256(raw).hexdigest()[:8]
+
+
+class Machine:
+    """One folder of recorded runs."""
+
+    def __init__(self, folder, name=None):
+        self.folder = Path(folder)
+        self.name = name or self.folder.name
+        self.records, self.sources = [], {}
+        for path in sorted(self.folder.glob("*.json")):
+            self._read(path)
+        if "results.json" not in self.sources:
+            raise Missing(f"{self.folder} holds no results.json of `spherepair compare`")
+        self.main = self.sources["results.json"]
+        self.id = self.ids["results.json"]
+
+    @property
+    def ids(self):
+        return {name: source["id"] for name, source in self.sources.items()}
+
+    def _read(self, path):
+        raw = path.read_bytes()
+        root = json.loads(raw)
+        if not isinstance(root, dict):
+            return
+        root["id"] = f"{self.name}:{digest(raw)}"
+        self.sources[path.name] = root
+        for row in formats.rows_of(root):
+            median, low, high = summary(row)
+            self.records.append(Record(row, median, low, high, root["id"]))
+
+    def select(self, **wanted):
+        """All records with these parameters, smallest n first; `scene` is the scene's name."""
+        found = [record for record in self.records if record.matches(wanted)]
+        return sorted(found, key=lambda record: record.parameters.get("n", 0))
+
+    def need(self, **wanted):
+        found = self.select(**wanted)
+        if not found:
+            raise Missing(f"{self.name} has no record of {text_of(wanted)}")
+        return found
+
+    def one(self, **wanted):
+        found = self.need(**wanted)
+        if len(found) > 1:
+            raise Missing(f"{self.name} has {len(found)} records of {text_of(wanted)}; one was expected")
+        return found[0]
+
+    def source(self, name):
+        if name not in self.sources:
+            raise Missing(f"{self.name} has no {name}")
+        return self.sources[name]
+
+    def backend(self, name):
+        for backend in self.main["backends"]:
+            if backend["name"] == name and backend["open"]:
+                return backend
+        raise Missing(f"{self.name} was run without {name}")
+
+    def has(self, name):
+        return any(backend["name"] == name and backend["open"] for backend in self.main["backends"])
+
+    def seen(self, field):
+        """What the GPU's own tool said about itself around every table, each value once."""
+        gpus = [gpu for moment in self.main["clocks"] for gpu in moment["gpus"] or []]
+        return ", ".join(dict.fromkeys(gpu[field] for gpu in gpus))
+
+    @property
+    def driver(self):
+        return self.seen("driver_version")
+
+    @property
+    def software(self):
+        """GLSL runs on the CPU there, so its times say nothing about a GPU."""
+        return self.has("glsl") and self.backend("glsl")["software"]
+
+    @property
+    def short(self):
+        """What a caption says: the appendix and the recorded file have the rest."""
+        name = "cuda" if self.has("cuda") else "glsl" if self.has("glsl") else "cpu"
+        return f"{self.backend(name)['device']}, run {self.id}"
+
+    @property
+    def title(self):
+        """One line that names the hardware and the run."""
+        context = self.main["context"]
+        cpu = f"{context['machine']['cpu'].replace('(R)', '')}, {context['machine']['hardware_threads']} threads"
+        if self.has("cuda"):
+            gpu = f"{self.backend('cuda')['device']}, driver {self.driver}; CPU: {cpu}"
+        elif self.has("glsl"):
+            gpu = f"{self.backend('glsl')['device']} on {cpu}" if self.software else self.backend("glsl")["device"]
+        else:
+            gpu = cpu
+        return f"{gpu}; run {self.id}"
+
+
+def original_paper():
+    """What the original paper printed, row by row."""
+    return json.loads((DATA / "original-paper.json").read_text())
+
+
+def recorded_code():
+    """Lines and compile times of the twins, as count_code.py left them."""
+    path = DATA / "code.json"
+    if not path.exists():
+        raise Missing(f"{path} is not there: paper/count_code.py writes it")
+    return {**json.loads(path.read_text()), "id": f"code:{digest(path.read_bytes())}"}

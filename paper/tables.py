@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: MIT
+"""The paper's tables, each as LaTeX and as text, from recorded runs alone."""
+from dataclasses import dataclass
+
+from ranks import verdict
+from records import Missing, original_paper, recorded_code
+
+
+@dataclass
+class Table:
+    name: str
+    caption: str
+    heads: list  # two rows: groups as (text, columns), then one text a column
+    rows: list
+    left: int = 1  # so many first columns are text and stand left
+
+
+def ms(value):
+    """Three significant digits, never an exponent."""
+    if value is None:
+        return "-"
+    digits = max(0, 2 - int(f"{value:e}".split("e")[1]))
+    return f"{value:.{digits}f}" if value else "0"
+
+
+def interval_us(record):
+    return f"{ms(1e3 * record.median)} [{ms(1e3 * record.low)}, {ms(1e3 * record.high)}]"
+
+
+def median_or_dash(machine, **wanted):
+    found = machine.select(**wanted)
+    return ms(found[0].median) if found else "-"
+
+
+def table1(machine):
+    printed = {row[0]: row for row in original_paper()["table1"]}
+    printed[32768] = [32768, None, None, None, None, None, original_paper()["text"]["largest n ms"]]
+    rows = []
+    for n in [record.n for record in machine.need(table="table1", backend="cpu", work="move")]:
+        seed = printed.get(n, [None] * 7)
+        shown = ["-" if seed[k] is None else f"{seed[k]:g}" for k in (4, 5, 6)]
+        ours = [median_or_dash(machine, table="table1", n=n, work="move", backend=b) for b in ("cpu", "glsl", "cuda")]
+        ours += [median_or_dash(machine, table="table1", n=n, method=m) for m in ("sequential", "parallel")]
+        ours += [median_or_dash(machine, table="table1", n=n, method=m, backend=b)
+                 for m in ("collide_tiled", "collide_triangle") for b in ("glsl", "cuda")]
+        rows.append([f"{n:,}", *shown, *ours])
+    heads = [[("", 1), ("original paper", 3), ("motion + plane", 3), ("pairs, CPU", 2), ("pairs, tile", 2),
+              ("pairs, triangle", 2)],
+             ["n", "plane", "1 thread", "GLSL", "CPU", "GLSL", "CUDA", "1 thread", "all", *["GLSL", "CUDA"] * 2]]
+    return Table("table1", "The original paper's Table 1 (GeForce GTX 590, as printed; 32,768 from its text) beside "
+                 "ours: medians in milliseconds. Its 0 is what its clock could not resolve, its 16 one refresh.",
+                 heads, rows, left=0)
+
+
+def counts(machine):
+    rows = []
+    for scene, n, start, span, steps, sequential, parallel, _ in machine.main["tables"]["counts"][0]["rows"]:
+        if scene == "random":
+            rows.append([f"{int(n):,}", start, span, steps, sequential, parallel])
+    heads = [[("", 1), ("ours", 3), ("original paper", 2)],
+             ["n", "first frame", "range", "steps", "sequential", "parallel"]]
+    return Table("counts", "Colliding spheres in a box of 20 by 20 by 20 with radius 0.5, ours beside the original "
+                 "paper's ranges: evidence that the scene is the same.", heads, rows, left=0)
+
+
+def methods(machine):
+    rows = []
+    for method in ("collide_group", "collide_tiled", "collide_square", "collide_triangle"):
+        glsl, cuda = (machine.one(table="methods", method=method, backend=b, block=128) for b in ("glsl", "cuda"))
+        rows.append([method.removeprefix("collide_"), interval_us(glsl), interval_us(cuda), verdict(glsl, cuda)])
+    heads = [[("", 1), ("median [interval], µs", 2), ("", 1)], ["method", "GLSL", "CUDA", "verdict"]]
+    return Table("methods", f"One collision step of {glsl.n:,} spheres, groups of 128: median and its interval of at "
+                 "least 95\\,\\% between order statistics.", heads, rows)
+
+
+def ceilings(machine):
+    rows = []
+    for record in machine.need(table="ceilings"):
+        rate = record.amount_per_step / (1e-3 * record.median)
+        rows.append([record.work, f"{record.n:,}", record.backend.upper(), interval_us(record),
+                     f"{ms(rate)} {record.unit}"])
+    heads = [[("", 1)] * 5, ["what", "spheres", "API", "median [interval], µs", "rate"]]
+    return Table("ceilings", "What the GPU does at best through each API: 16 bytes copied, a scattered atomic without "
+                 "a result, and chains of multiply-adds, each per sphere.", heads, rows, left=1)
+
+
+def code(machine):
+    record, rows = recorded_code(), []
+    for twin in record["twins"]:
+        first = machine.select(table="methods", method=twin["kernel"], backend="glsl", block=128)
+        rows.append([twin["kernel"], *(str(twin[f"{what}_lines"]) for what in ("glsl", "cuda", "same")),
+                     f"{twin['nvcc_seconds']:.1f}" if "nvcc_seconds" in twin else "-",
+                     ms(first[0].first_step_ms) if first else "-"])
+    for what, name in (("support", "included by kernels"), ("host", "host code")):
+        rows.append([name, str(record[what]["glsl"]), str(record[what]["cuda"]), "-", "-", "-"])
+    heads = [[("", 1), ("lines of code", 3), ("compiling", 2)],
+             ["kernel", "GLSL", "CUDA", "same", "nvcc, s", "GLSL, ms"]]
+    return Table("code", "What each API asks for. Lines without blanks and comments; same: lines in both. nvcc: "
+                 f"processor seconds on {record['context']['cpu']}, once, when the program is built ({record['id']}). "
+                 "GLSL: first use in a run, with the driver's compilation.", heads, rows)
+
+
+def machine_and_run(machine):
+    context, glsl = machine.main["context"], machine.backend("glsl")["details"]
+    build, host = context["build"], context["machine"]
+    rows = [["run", machine.id], ["date", context["date"]], ["commit", build["commit"][:12]]]
+    if machine.has("cuda"):
+        rows += [["GPU", machine.backend("cuda")["device"]], ["driver", machine.driver],
+                 ["CUDA", build["cuda_compiler"].split(",")[0]],
+                 ["SM clock during the run", machine.seen("clocks.sm")],
+                 ["throttle reasons seen", machine.seen("clocks_throttle_reasons.active")]]
+    rows += [["GL", glsl["GL_VERSION"]], ["GL renderer", glsl["GL_RENDERER"]], ["CPU", host["cpu"].replace("(R)", "")],
+             ["hardware threads", str(host["hardware_threads"])], ["system", host["system"]],
+             ["compiler", build["compiler"]], ["flags", build["flags"]], ["seed", str(machine.main["seed"])]]
+    heads = [[("", 1), ("", 1)], ["what", "recorded"]]
+    return Table("machine", "The recorded machine and run.", heads, rows, left=2)
+
+
+MAKERS = (table1, counts, methods, ceilings, code, machine_and_run)
+
+
+def escape(text):
+    for plain, safe in (("\\,", "\0"), ("\\%", "\1"), ("\\", ""), ("%", "\\%"), ("_", "\\_"), ("&", "\\&"),
+                        ("#", "\\#"), ("^", "\\textasciicircum{}")):
+        text = text.replace(plain, safe)
+    return text.replace("\0", "\\,").replace("\1", "\\%")
+
+
+def as_tex(table):
+    columns = "l" * table.left + "r" * (len(table.heads[1]) - table.left)
+    groups, rules, at = [], [], 1
+    for text, width in table.heads[0]:
+        groups.append(f"\\multicolumn{{{width}}}{{c}}{{{escape(text)}}}")
+        if text:
+            rules.append(f"\\cmidrule(lr){{{at}-{at + width - 1}}}")
+        at += width
+    lines = [f"\\begin{{tabular}}{{@{{}}{columns}@{{}}}}", "\\toprule"]
+    if rules:
+        lines += [" & ".join(groups) + " \\\\", " ".join(rules)]
+    lines += [" & ".join(escape(head) for head in table.heads[1]) + " \\\\", "\\midrule"]
+    lines += [" & ".join(escape(cell) for cell in row) + " \\\\" for row in table.rows]
+    return "\n".join([*lines, "\\bottomrule", "\\end{tabular}"]) + "\n"
+
+
+def aligned(cells, widths, left):
+    return "  ".join(cell.ljust(width) if k < left else cell.rjust(width)
+                     for k, (cell, width) in enumerate(zip(cells, widths))).rstrip()
+
+
+def as_text(table, machine):
+    names = [table.heads[1], *table.rows]
+    widths = [max(len(row[k]) for row in names) for k in range(len(table.heads[1]))]
+    groups, at = [], 0
+    for text, count in table.heads[0]:
+        place = sum(widths[at:at + count]) + 2 * (count - 1)
+        widths[at + count - 1] += max(0, len(text) - place)
+        groups.append(text.center(max(place, len(text)), "-" if text else " "))
+        at += count
+    lines = [aligned(row, widths, table.left) for row in names]
+    plain = table.caption.replace("\\,", " ").replace("\\%", "%")
+    head = ["  ".join(groups).rstrip()] if any(text for text, _ in table.heads[0]) else []
+    return "\n".join([plain, machine.title, "", *head, lines[0], "-" * max(map(len, lines)), *lines[1:]]) + "\n"
+
+
+def without_empty_columns(table):
+    """A machine without a GPU leaves whole columns open; they are dropped."""
+    keep = [any(row[k] != "-" for row in table.rows) for k in range(len(table.heads[1]))]
+    groups, at = [], 0
+    for text, count in table.heads[0]:
+        groups.append((text, sum(keep[at:at + count])))
+        at += count
+    thin = lambda row: [cell for cell, kept in zip(row, keep) if kept]
+    heads = [[(text, count) for text, count in groups if count], thin(table.heads[1])]
+    return Table(table.name, table.caption, heads, [thin(row) for row in table.rows], table.left)
+
+
+def made(machine):
+    """Each table, or its name and the reason why it cannot be made."""
+    for maker in MAKERS:
+        try:
+            yield without_empty_columns(maker(machine)), None
+        except Missing as reason:
+            yield None, (maker.__name__, str(reason))
+
+
+def all_tables(machine):
+    return [table for table, _ in made(machine) if table]
+
+
+def write_all(machine, folder):
+    """Returns (what was written, what was left out and why)."""
+    written, left_out = [], []
+    folder.mkdir(parents=True, exist_ok=True)
+    for table, reason in made(machine):
+        if reason:
+            left_out.append(reason)
+            continue
+        (folder / f"{table.name}.tex").write_text(as_tex(table))
+        (folder / f"{table.name}.txt").write_text(as_text(table, machine))
+        written.append(table.name)
+    return written, left_out

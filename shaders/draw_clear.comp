@@ -1,0 +1,18 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// One thread per pixel: no sphere is seen yet.
+#include "visible.glsl"
+
+layout(local_size_x = BLOCK) in;
+
+void main() {
+  uint pixel = group_index() * BLOCK + gl_LocalInvocationID.x;
+  if (pixel < DRAWN_WORDS) drawn[pixel] = 0u;
+  if (pixel >= v.width * v.height) return;
+#ifdef ATOMICS_64
+  visible[pixel] = 0xFFFFFFFFFFFFFFFFul;
+#else
+  visible[2u * pixel] = 0xFFFFFFFFu;
+  visible[2u * pixel + 1u] = 0xFFFFFFFFu;
+#endif
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The kernels that measure what a device can do at best do what they say, at any number of spheres.
+#include "backends.h"
+
+namespace spherepair {
+namespace {
+
+constexpr Ceiling ceilings[] = {Ceiling::copy, Ceiling::atomics, Ceiling::issue};
+
+class Ceilings : public BackendTest {};
+INSTANTIATE_BACKENDS(Ceilings);
+
+TEST_P(Ceilings, AreRightAndStayWithinTheirBuffers) {
+  const bool cpu = backend().info().name == "cpu";
+  for (uint64_t n : {1, 127, 4097}) {
+    backend().upload(make_scene({.name = "uniform", .n = n}));
+    for (Ceiling ceiling : ceilings) {
+      if (cpu) {
+        EXPECT_THROW(backend().check_ceiling(ceiling), BackendError);
+      } else {
+        EXPECT_NO_THROW(backend().check_ceiling(ceiling)) << n << " spheres";
+      }
+    }
+    backend().check_guards();
+  }
+}
+
+TEST_P(Ceilings, LeaveNothingForTheNextScene) {
+  if (backend().info().name == "cpu") GTEST_SKIP() << "the CPU has no kernels for ceilings";
+  const Scene scene = make_scene({.name = "random", .n = 1000});
+  backend().upload(scene);
+  const Answer before = ask(backend(), fast_method(backend()));
+  for (Ceiling ceiling : ceilings) backend().launch_ceiling(ceiling);
+  backend().upload(scene);
+  const Answer after = ask(backend(), fast_method(backend()));
+  EXPECT_EQ(before.counts, after.counts);
+  EXPECT_TRUE(before.totals.fingerprint == after.totals.fingerprint);
+  EXPECT_GT(before.totals.pairs, 0u);
+}
+
+}  // namespace
+}  // namespace spherepair

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// What drawing leaves out: with each skip on or off, in pictures one after the other, not a bit differs from drawing
+// all.
+#include <fmt/format.h>
+
+#include "pictures.h"
+
+namespace spherepair {
+namespace {
+
+constexpr uint width = 203, height = 117;
+
+class DrawSkips : public BackendTest {
+ protected:
+  void SetUp() override {
+    BackendTest::SetUp();
+    if (IsSkipped() || HasFatalFailure()) return;
+    if (backend().info().name == "cpu") GTEST_SKIP() << "the CPU draws every sphere";
+  }
+};
+
+const DrawOptions everything = {.skip_outside = false, .skip_hidden = false, .skip_unchanged = false};
+
+std::vector<DrawOptions> every_skip() {
+  std::vector<DrawOptions> all;
+  for (const auto& [outside, hidden] : {std::pair{true, false}, {false, true}, {true, true}}) {
+    DrawOptions options = {.skip_outside = outside, .skip_hidden = hidden, .skip_unchanged = false};
+    options.skip_from = 0;
+    options.count = true;
+    all.push_back(options);
+  }
+  return all;
+}
+
+// Round the spheres, then through them.
+View view_of(const Scene& scene, int step) {
+  Camera camera = frame(bounds_of(scene.positions), 30 + 20 * step, 20, 60, double(width) / height);
+  const double nearer = step < 2 ? 1 : 0.25 * (4 - step);
+  for (int a = 0; a < 3; ++a) camera.eye[a] = camera.target[a] + (camera.eye[a] - camera.target[a]) * nearer;
+  if (step == 4) camera.target[0] += 1;
+  return make_view(camera, contact_look(), width, height);
+}
+
+TEST_P(DrawSkips, NoPictureChanges) {
+  for (const char* kind : {"uniform", "clustered"}) {
+    const float ratio = kind[0] == 'c' ? 20 : 1;
+    const Scene scene = make_scene({.name = kind, .n = 5000, .radius = 0.5f / ratio, .radius_ratio = ratio});
+    backend().upload(scene);
+    backend().collide({.method = Method::collide_grid});
+    for (const int step : {0, 1, 3, 4}) {
+      const View view = view_of(scene, step);
+      const Picture expected = picture_of(backend(), view, everything);
+      for (const DrawOptions& options : every_skip())
+        EXPECT_EQ(objection(picture_of(backend(), view, options), expected, view), "")
+            << kind << ", ratio " << ratio << ", step " << step << ", outside " << options.skip_outside << ", hidden "
+            << options.skip_hidden;
+    }
+  }
+}
+
+// Spheres move while the camera does; those in no cell order form poor clusters, but clusters.
+TEST_P(DrawSkips, WhileSpheresMove) {
+  const Scene scene = make_scene({.n = 5000});
+  DrawOptions skips = every_skip().back();
+  for (const bool collide : {false, true}) {
+    backend().upload(scene);
+    for (int step = 0; step < 4; ++step) {
+      backend().move();
+      if (collide) backend().collide({.method = Method::collide_grid});
+      const View view = view_of(scene, step);
+      const Picture given = picture_of(backend(), view, skips);
+      EXPECT_EQ(objection(given, picture_of(backend(), view, everything), view), "") << step << ", " << collide;
+    }
+  }
+}
+
+// Each skip is used: without that, its test would prove nothing.
+TEST_P(DrawSkips, AreCounted) {
+  const Scene scene = make_scene({.name = "uniform", .n = 60000});
+  backend().upload(scene);
+  backend().collide({.method = Method::collide_grid});
+  const DrawOptions outside = every_skip()[0], hidden = every_skip()[1];
+  backend().draw(view_of(scene, 4), outside);
+  DrawCounts counts = backend().draw_counts();
+  EXPECT_EQ(counts.clusters, (scene.size() + 63) / 64);
+  EXPECT_GT(counts.clusters_outside, counts.clusters / 4);
+  EXPECT_EQ(counts.clusters_hidden, 0u);
+  // Clusters are rows along x: a view along z sees no ends of rows. The second picture still draws all.
+  const Camera front = frame(bounds_of(scene.positions), 0, 0, 40, double(width) / height);
+  for (int time = 0; time < 3; ++time) backend().draw(make_view(front, contact_look(), width, height), hidden);
+  counts = backend().draw_counts();
+  EXPECT_GT(counts.clusters_hidden, counts.clusters / 4);
+  EXPECT_LT(counts.drawn + counts.unseen, scene.size() * 3 / 4);
+}
+
+TEST_P(DrawSkips, AnUnchangedPictureStands) {
+  const Scene scene = make_scene({.n = 1000});
+  const View view = view_of(scene, 0);
+  backend().upload(scene);
+  const auto kept_after = [&](const View& at) {
+    backend().draw(at, {.count = true});
+    return backend().draw_counts().pictures_kept;
+  };
+  EXPECT_EQ(kept_after(view), 0u);
+  EXPECT_EQ(kept_after(view), 1u);
+  EXPECT_EQ(kept_after(view_of(scene, 1)), 1u);
+  backend().move();
+  EXPECT_EQ(kept_after(view_of(scene, 1)), 1u);
+  EXPECT_EQ(kept_after(view_of(scene, 1)), 2u);
+  backend().collide({.method = Method::collide_grid});
+  EXPECT_EQ(kept_after(view_of(scene, 1)), 2u);
+}
+
+INSTANTIATE_BACKENDS(DrawSkips);
+
+}  // namespace
+}  // namespace spherepair

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: MIT
+"""Every figure can be drawn: from recorded runs, or from made-up records where none are recorded yet."""
+import contextlib
+import importlib.util
+import io
+import pathlib
+import sys
+import tempfile
+import unittest
+
+PAPER = pathlib.Path(__file__).resolve().parent.parent / "paper"
+sys.path.insert(0, str(PAPER))
+if importlib.util.find_spec("matplotlib") is None:
+    print("SKIPPED: figures need matplotlib (python3-matplotlib)")
+    sys.exit(77)
+
+import figures  # noqa: E402  (the path must be set first)
+from records import DATA, Machine, Missing, Record  # noqa: E402
+
+SCENE = {"name": "uniform"}
+
+
+def made_up(table, times, **parameters):
+    return [Record({"table": table, "scene": SCENE, "n": n, "label": "made up", **parameters}, 1e-6 * n * t,
+                   0.9e-6 * n * t, 1.1e-6 * n * t, "made up") for t in times for n in (1024, 16384)]
+
+
+def of_tables_to_come():
+    rows = []
+    for backend in ("glsl", "cuda"):
+        rows += made_up("grid", [1], backend=backend, method="collide_grid", order="cold")
+        rows += made_up("draw", [1], backend=backend, draw="compute", place="outside", work="frame")
+        rows += made_up("interop", [1], backend=backend, way=f"map from {backend}")
+        for on in (True, False):
+            rows += made_up("skips", [1 if on else 2], backend=backend, skip="kept order", on=on)
+        for precision in ("float32", "float64"):
+            rows += made_up("precision", [1, 2], backend=backend, method="paper", precision=precision, dt=0.0625,
+                            error_m=1e-3, simulated_s=10, work="move")
+    return rows
+
+
+class Figures(unittest.TestCase):
+    def draw(self, machine):
+        left_out = []
+        for module in figures.modules():
+            try:
+                figures.style.plt.close(module.draw(machine))
+            except Missing:
+                left_out.append(module.NAME)
+        return left_out
+
+    def test_each_is_drawn_once_its_records_are_there(self):
+        machine = Machine(DATA / "h200")
+        kept = [r for r in machine.records if r.table not in ("grid", "draw", "interop", "skips", "precision")]
+        machine.records = kept + of_tables_to_come()
+        self.assertEqual([], self.draw(machine))
+
+    def test_none_is_drawn_without_its_records(self):
+        machine = Machine(DATA / "h200")
+        machine.records = []
+        drawn = {module.NAME for module in figures.modules()} - set(self.draw(machine))
+        self.assertLessEqual(drawn, {"animations"})
+
+
+class Paper(unittest.TestCase):
+    def test_all_that_it_includes_is_made(self):
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()) as said:
+            figures.write_paper_inputs(pathlib.Path(folder))
+            made = {path.name for path in pathlib.Path(folder).rglob("*")}
+        self.assertLessEqual({"numbers.tex", "captions.tex", "trace.tex", "table1.tex", "scale.pdf", "scale.png"}, made)
+        self.assertRegex(said.getvalue(), "each from a recorded run")
+
+
+if __name__ == "__main__":
+    unittest.main()

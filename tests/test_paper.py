@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: MIT
+"""The paper's numbers come from recorded runs, and what guards that can fail. Needs no matplotlib and no LaTeX."""
+import contextlib
+import io
+import pathlib
+import sys
+import tempfile
+import unittest
+
+PAPER = pathlib.Path(__file__).resolve().parent.parent / "paper"
+sys.path.insert(0, str(PAPER))
+
+import headline  # noqa: E402  (the path must be set first)
+import macros  # noqa: E402  (the path must be set first)
+import ranks  # noqa: E402
+from records import DATA, Machine, Missing, median_interval  # noqa: E402
+
+FRAME = "\\begin{abstract}%s\\begin{thebibliography}"
+
+
+def check(prose, numbers, recorded=()):
+    with contextlib.redirect_stderr(io.StringIO()):
+        macros.check(FRAME % prose, numbers, recorded)
+
+
+class Prose(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.numbers = macros.collect(Machine(DATA / "h200"), [Machine(DATA / "llvmpipe")])
+
+    def test_every_number_of_the_paper_is_recorded(self):
+        macros.check((PAPER / "paper.tex").read_text(), self.numbers)
+
+    def test_what_awaits_a_figure_asks_for_no_number(self):
+        prose = "A. \\ifrecorded{abacus}{It takes \\Nr{step/abacus}\\,ms {at} 5.} B."
+        check(prose, self.numbers)
+        with self.assertRaises(Missing):
+            check(prose, self.numbers, ["abacus"])
+
+    def test_a_number_without_a_run_is_found_out(self):
+        with self.assertRaises(Missing):
+            check("It takes \\Nr{step/abacus}\\,ms.", self.numbers)
+
+    def test_a_digit_in_the_prose_is_found_out(self):
+        check("A step on an H200 takes \\Nr{step/glsl}\\,ms of $2^{20}$, see GTX~\\given{590}.", self.numbers)
+        for prose in ("It takes 0.068\\,ms.", "GLSL is 8\\,\\% faster.", "In 2 of \\Nr{step/glsl} cases."):
+            with self.assertRaises(Missing, msg=prose):
+                check(prose, self.numbers)
+
+    def test_a_number_names_the_file_it_comes_from(self):
+        text, source, _ = self.numbers.entries["step/glsl"]
+        self.assertEqual(Machine(DATA / "h200").id, source)
+        self.assertEqual(f"{Machine(DATA / 'h200').one(table='step', backend='glsl', n=16384).median:.4f}", text)
+
+
+class Readme(unittest.TestCase):
+    def test_its_headline_is_the_recorded_one(self):
+        readme, machine = (PAPER.parent / "README.md").read_text(), Machine(DATA / "h200")
+        self.assertEqual(headline.updated(readme, machine), readme, "paper/figures.py --headline brings it up to date")
+        lead = {key: text.replace("{,}", ",") for key, (text, _, _) in macros.collect(machine, []).entries.items()}
+        prose = " ".join(readme.split())
+        for sentence in ("CUDA takes {lead/cuda/least} to {lead/cuda/most} % less time up to {lead/cuda/last} spheres",
+                         "GLSL {lead/glsl/least} to {lead/glsl/most} % less from {lead/glsl/first} on"):
+            for key in ("lead/cuda/least", "lead/cuda/most", "lead/cuda/last", "lead/glsl/least", "lead/glsl/most",
+                        "lead/glsl/first"):
+                sentence = sentence.replace("{" + key + "}", lead[key])
+            self.assertIn(sentence, prose)
+
+    def test_a_stale_row_is_found_out(self):
+        readme, machine = (PAPER.parent / "README.md").read_text(), Machine(DATA / "h200")
+        row = "| the paper's own tile, 16,384 spheres | "
+        stale = readme.replace(row, row + "9")
+        self.assertNotEqual(stale, readme)
+        self.assertEqual(readme, headline.updated(stale, machine))
+
+
+class Records(unittest.TestCase):
+    def test_none_or_many_are_no_answer(self):
+        machine = Machine(DATA / "h200")
+        for wanted in ({"table": "step", "backend": "abacus"}, {"table": "step", "backend": "glsl"}):
+            with self.assertRaises(Missing):
+                machine.one(**wanted)
+
+    def test_intervals_are_those_of_the_program(self):
+        rows = Machine(DATA / "h200").records
+        self.assertLess(100, len(rows))
+        for record in rows:
+            self.assertEqual((record.low, record.high), median_interval(record.samples_ms))
+
+    def test_a_folder_without_results_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder, self.assertRaises(Missing):
+            Machine(folder)
+
+
+class Ranks(unittest.TestCase):
+    def test_apart_and_alike(self):
+        low, high = list(range(11)), list(range(20, 31))
+        self.assertAlmostEqual(2 / 705432, ranks.rank_test(low, high))
+        self.assertEqual(1.0, ranks.rank_test(low, low))
+        self.assertAlmostEqual(0.2, ranks.rank_test([1, 2, 4], [3, 5, 6]))
+
+
+if __name__ == "__main__":
+    unittest.main()
