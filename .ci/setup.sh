@@ -2,7 +2,7 @@
 # What check and reproduce share; sourced by both from the root of the project.
 
 build_packages="g++ cmake ninja-build pkg-config libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
-  libcli11-dev nlohmann-json3-dev libfmt-dev libglm-dev libpng-dev"
+  libcli11-dev nlohmann-json3-dev libfmt-dev libboost-dev libglm-dev libpng-dev"
 test_packages="libbenchmark-dev libgtest-dev libgmp-dev librapidcheck-dev glslang-tools spirv-tools
   clang-format python3"
 figure_packages="python3-matplotlib"

@@ -11,8 +11,8 @@ namespace spherepair {
 namespace {
 
 std::string place_text(const Place& place) {
-  return fmt::format("scene {}, n = {}, seed {}, step {}", scene_label(place.scene), place.scene.n, place.scene.seed,
-                     place.step);
+  return fmt::format("scene {}, n = {}, seed {}, step {} of {}", scene_label(place.scene), place.scene.n,
+                     place.scene.seed, place.step, motion_label(place.scene.motion));
 }
 
 json place_json(const Place& place, const std::string& left, const std::string& right) {
@@ -121,15 +121,21 @@ std::string scene_label(const SceneOptions& o) {
 }
 
 json scene_json(const SceneOptions& o) {
-  return {{"name", o.name},
-          {"n", o.n},
-          {"seed", o.seed},
-          {"radius", o.radius},
-          {"radius_ratio", o.radius_ratio},
-          {"packing_fraction", o.packing_fraction},
-          {"groups", o.groups},
-          {"group_size", o.group_size},
-          {"offset", o.offset}};
+  json scene = {{"name", o.name},
+                {"n", o.n},
+                {"seed", o.seed},
+                {"radius", o.radius},
+                {"radius_ratio", o.radius_ratio},
+                {"packing_fraction", o.packing_fraction},
+                {"groups", o.groups},
+                {"group_size", o.group_size},
+                {"offset", o.offset}};
+  // Only what differs, so that records from before there was a choice compare with those made since.
+  const SceneOptions plain;
+  if (o.motion != plain.motion) scene["motion"] = motion_label(o.motion);
+  if (o.dt != plain.dt) scene["dt"] = o.dt;
+  if (o.restitution != plain.restitution) scene["restitution"] = o.restitution;
+  return scene;
 }
 
 void require_equal(Session& session, const Place& place, const Asked& reference, const Answer& expected,
@@ -171,6 +177,14 @@ void require_same_state(const Place& place, const Backend& reference, const Back
   };
   compare(expected.positions, found.positions, "position");
   compare(expected.velocities, found.velocities, "velocity");
+  const auto [left, right] = std::ranges::mismatch(expected.wide, found.wide);
+  if (left == expected.wide.end() && right == found.wide.end()) return;
+  json details = place_json(place, reference.info().name, backend.info().name);
+  details["wide word"] = left - expected.wide.begin();
+  throw DifferenceFound(
+      fmt::format("{}: {} and {} differ in the low bits of their state, first in word {}", place_text(place),
+                  reference.info().name, backend.info().name, left - expected.wide.begin()),
+      details);
 }
 
 }  // namespace spherepair

@@ -29,8 +29,10 @@ struct RunOptions {
   StartOptions start;
   uint block = CollideOptions{}.block;
   uint64_t steps = 0;
-  bool per_step = false, naive = false;
+  bool per_step = false, naive = false, swept = false;
   std::string pairs_file, json_file;
+  std::string save_file;    // a checkpoint
+  uint64_t save_every = 0;  // steps; 0: only at the end
 };
 int run_command(const CommandLine& line, const RunOptions& options);
 

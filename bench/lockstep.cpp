@@ -53,7 +53,7 @@ uint64_t check_states(Session& session, const Place& place) {
   for (const auto& backend : session.backends())
     if (backend.get() != &session.reference())
       require_same_state(place, session.reference(), expected, *backend, backend->state());
-  return state_hash(expected.positions, expected.velocities);
+  return state_hash(expected.positions, expected.velocities, expected.wide);
 }
 
 }  // namespace

@@ -4,11 +4,12 @@
 
 #include <cstdio>
 
-#include "answers.h"
 #include "arguments.h"
 #include "commands.h"
 #include "context.h"
 #include "options.h"
+#include "precision_command.h"
+#include "run_action.h"
 
 namespace spherepair {
 namespace {
@@ -29,7 +30,7 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
   auto options = std::make_shared<RunOptions>();
   command->add_option("--backend", options->backend, "cpu, glsl or cuda")->capture_default_str();
   add_start_options(*command, options->start);
-  command->add_option("--steps", options->steps, "Steps of 1/64 s before the pairs are found; 0: the scene as it is")
+  command->add_option("--steps", options->steps, "Steps before the pairs are found; 0: the scene as it is")
       ->check(steps_range)
       ->capture_default_str();
   command->add_option(
@@ -38,10 +39,13 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
       "default: the backend's fastest");
   command->add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024")->capture_default_str();
   command->add_flag("--naive", options->naive, "Use the naive float32 test in place of the exact predicate");
+  command->add_flag("--swept", options->swept,
+                    "Find the pairs that touch at any time within the next step, not only those that touch now");
   command->add_flag("--per-step", options->per_step, "Print and record every step, not only the last");
   command->add_option("--pairs", options->pairs_file,
                       "Write the last step's colliding pairs to this file, a line `i j` each, i < j, in order");
   command->add_option("--json", options->json_file, "Write totals and context as JSON to this file");
+  add_save_options(*command, *options);
   add_open_options(*command, line.open);
   command->footer(
       "Examples:\n  spherepair run --backend glsl --scene random --n 1024 --steps 100 --pairs pairs.txt\n"
@@ -104,6 +108,7 @@ void add_compare(CLI::App& app, CommandLine& line, Action& action) {
   PlanOptions& plan = options->plan;
   add_selection(*command, *options);
   command->add_option("--steps", plan.steps, "Steps of the check")->check(steps_range);
+  add_motion_options(*command, plan.motion);
   command->add_option("--every", plan.every, "Compare after every so many steps")
       ->check(positive_range)
       ->capture_default_str();
@@ -134,23 +139,12 @@ void add_equal(CLI::App& app, Action& action) {
   command->callback([=, &action] { action = [=] { return equal_command(*options); }; });
 }
 
-int fail(ExitCode code, const std::string& message) {
-  fmt::print(stderr, "spherepair: {}\n", message);
-  return code;
-}
-
-int run_action(const Action& action) {
-  try {
-    return action();
-  } catch (const DifferenceFound& difference) {
-    return fail(kDifference, std::string("DIFFERENCE FOUND: ") + difference.what());
-  } catch (const std::invalid_argument& error) {
-    return fail(kUsage, error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(kDeviceTrouble, "out of memory on the host; use fewer spheres");
-  } catch (const std::exception& error) {
-    return fail(kDeviceTrouble, error.what());
-  }
+void add_precision(CLI::App& app, CommandLine& line, Action& action) {
+  auto* command =
+      app.add_subcommand("precision", "Measure error against run time of every motion method and precision");
+  const auto options = add_precision_options(*command);
+  add_open_options(*command, line.open);
+  command->callback([=, &line, &action] { action = [=, &line] { return precision_command(line, *options); }; });
 }
 
 int run_program(int argc, char** argv) {
@@ -174,6 +168,7 @@ int run_program(int argc, char** argv) {
   add_frames(app, line, action);
   add_compare(app, line, action);
   add_equal(app, action);
+  add_precision(app, line, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -63,6 +63,8 @@ void add_start_options(CLI::App& command, StartOptions& start) {
       "Take the spheres from a file instead: .xyz, .extxyz or .npy (see pairs --help; at rest), or any other name for "
       "text, a line each, `x y z radius [vx vy vz]`; # starts a comment");
   command.add_option("--frame", start.frame, "Of an --input with several, counted from 0")->check(count_range);
+  add_motion_options(command, start.motion);
+  add_resume_option(command, start.resume_file);
 }
 
 void finish_start_options(const CLI::App& command, StartOptions& start) {

@@ -22,7 +22,7 @@ const auto steps_range = whole_number(0, int64_t(1) << 53);
 void add_open_options(CLI::App& command, OpenOptions& open);
 void add_scene_options(CLI::App& command, SceneOptions& scene);
 
-// A scene or a file. The second goes into the command's callback.
+// A scene, a file or a checkpoint, and the motion. The second goes into the command's callback.
 void add_start_options(CLI::App& command, StartOptions& start);
 void finish_start_options(const CLI::App& command, StartOptions& start);
 

@@ -50,7 +50,7 @@ void add_render(CLI::App& app, CommandLine& line, Action& action) {
       ->check(whole_number(1, 1000))
       ->capture_default_str();
   add_start_options(*command, options->start);
-  command->add_option("--steps", options->steps, "Steps of 1/64 s before the first picture")
+  command->add_option("--steps", options->steps, "Steps before the first picture")
       ->check(steps_range)
       ->capture_default_str();
   command->add_option("--pictures", options->pictures, "How many pictures")

@@ -106,6 +106,7 @@ Plan make_plan(const PlanOptions& options, bool hardware) {
   plan.scenes = all_scenes(options.seed);
   if (!options.scenes.empty()) plan.scenes.clear();
   for (const std::string& name : options.scenes) plan.scenes.push_back(parse_scene(name, options.seed));
+  for (SceneOptions& scene : plan.scenes) choose_motion(scene, options.motion);
   plan.methods = parse_methods(options.methods);
   plan.blocks = parse_blocks(options.blocks);
   if (std::ranges::find(plan.blocks, plan.table_block) == plan.blocks.end()) plan.table_block = plan.blocks.front();

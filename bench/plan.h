@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "backend.h"
+#include "motion_choice.h"
 #include "timing.h"
 
 namespace spherepair {
@@ -42,6 +43,7 @@ struct PlanOptions {
   std::vector<std::string> scenes, methods, tables;
   std::vector<uint> blocks;
   std::vector<uint64_t> sizes;
+  MotionChoice motion;
   int64_t steps = -1;
   uint64_t every = 1, seed = SceneOptions{}.seed;
   int rounds = 0;

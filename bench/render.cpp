@@ -67,6 +67,9 @@ json record(const Series& series, uint64_t step, const Collisions& totals) {
   return {{"context", capture_context(series.line.words)},
           {"backends", series.chosen.session->to_json()},
           {"scene", series.start.record},
+          {"motion", motion_label(series.start.scene.motion)},
+          {"dt", series.start.scene.dt},
+          {"restitution", series.start.scene.restitution},
           {"step", step},
           {"method", method_name(series.method)},
           {"drawn_by", draw_method_name(shot.method)},
@@ -121,7 +124,7 @@ void take_series(const Series& series) {
   std::optional<Video> video;
   const fs::path film = options.video_file;
   if (!film.empty()) video.emplace(film, options.width, options.height, options.pictures_per_second);
-  uint64_t step = options.steps;
+  uint64_t step = series.start.step + options.steps;
   json first, now;
   for (uint64_t k = 0; k < options.pictures; ++k) {
     progress.say(fmt::format("picture {} of {}, step {}", k + 1, options.pictures, step));
@@ -149,7 +152,7 @@ int render_command(const CommandLine& line, const RenderOptions& options) {
   const Method method =
       lights ? Method::collide_grid : choose_method(options.method, *chosen.backend, start.scene.size());
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
-  chosen.backend->upload(start.scene);
+  send(start, *chosen.backend);
   const double aspect = double(options.width) / options.height;
   for (uint64_t step = 0; step < options.steps; ++step) chosen.backend->move();
   const Camera camera = camera_of(options.camera, bounds_of(chosen.backend->state().positions), aspect);

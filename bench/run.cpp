@@ -4,10 +4,12 @@
 
 #include "answers.h"
 #include "arguments.h"
+#include "checkpoint.h"
 #include "choice.h"
 #include "commands.h"
 #include "context.h"
 #include "files.h"
+#include "replaced_file.h"
 
 namespace spherepair {
 namespace {
@@ -19,7 +21,9 @@ struct StepResult {
 
 CollideOptions collide_options(const RunOptions& options, const Backend& backend, uint64_t n) {
   CollideOptions collide;
-  collide.method = choose_method(options.method, backend, n);
+  collide.swept = options.swept;
+  const char* swept_method = backend.info().name == "cpu" ? "parallel" : "collide_tiled";
+  collide.method = choose_method(options.swept && options.method.empty() ? swept_method : options.method, backend, n);
   collide.block = parse_blocks({options.block}).front();
   collide.exact = !options.naive;
   return collide;
@@ -59,20 +63,32 @@ void print_steps(const std::vector<StepResult>& results) {
   fmt::print("{}", table.text().substr(1));
 }
 
+void save(Backend& backend, const Start& start, uint64_t step, const std::string& file) {
+  Backend::State state = backend.state();
+  Checkpoint checkpoint{start.scene, backend.save(), step};
+  checkpoint.scene.positions = std::move(state.positions);
+  checkpoint.scene.velocities = std::move(state.velocities);
+  write_checkpoint(file, checkpoint);
+}
+
 // Steps, and the results of those that are asked for.
-std::vector<StepResult> simulate(Backend& backend, const RunOptions& options, CollideOptions collide) {
+std::vector<StepResult> simulate(Backend& backend, const RunOptions& options, const Start& start,
+                                 CollideOptions collide) {
   std::vector<StepResult> results;
   Progress progress;
-  for (uint64_t step = 0; step <= options.steps; ++step) {
-    if (step > 0) backend.move();
-    const bool last = step == options.steps;
+  const uint64_t end = start.step + options.steps;
+  for (uint64_t step = start.step; step <= end; ++step) {
+    if (step > start.step) backend.move();
+    const bool last = step == end;
+    if (!options.save_file.empty() && (last || (options.save_every && step % options.save_every == 0)))
+      save(backend, start, step, options.save_file);
     if (!last && !options.per_step) continue;
-    progress.say(fmt::format("step {} of {}", step, options.steps));
+    progress.say(fmt::format("step {} of {}", step, end));
     collide.want_pairs = last && !options.pairs_file.empty();
     backend.collide(collide);
     const Collisions totals = backend.collisions();
     const Backend::State state = backend.state();
-    results.push_back({step, state_hash(state.positions, state.velocities), totals});
+    results.push_back({step, state_hash(state.positions, state.velocities, state.wide), totals});
   }
   return results;
 }
@@ -81,16 +97,30 @@ std::vector<StepResult> simulate(Backend& backend, const RunOptions& options, Co
 
 int run_command(const CommandLine& line, const RunOptions& options) {
   require_known_backends({options.backend});
-  const auto [scene, scene_name, notes, record] = start_of(options.start, line.open.threads);
+  if (options.save_every && options.save_file.empty())
+    throw std::invalid_argument("--save-every needs the name of a file: --save FILE");
+  if (!options.save_file.empty()) check_writable(options.save_file);
+  const Start start = start_of(options.start, line.open.threads);
+  const Scene& scene = start.scene;
   check_scene(scene);
   Session session({options.backend}, line.open);
   Backend& backend = *session.find(options.backend);
   const CollideOptions collide = collide_options(options, backend, scene.size());
   for (const std::string& warning : session.warnings()) fmt::print(stderr, "{}\n", warning);
-  backend.upload(scene);
-  const std::vector<StepResult> results = simulate(backend, options, collide);
-  fmt::print("{}{} on {}: {}{}, scene {}, {} spheres, {} steps\n", notes, options.backend, device_label(backend.info()),
-             label({&backend, collide}), options.naive ? " (naive)" : "", scene_name, scene.size(), options.steps);
+  if (const uint64_t stalled = options.steps ? stalled_spheres(scene) : 0)
+    fmt::print(stderr,
+               "WARNING: {} spheres are too far from the origin for their speed: a step is less than half of what "
+               "float32 can add to their position, so they stand still. Use --precision compensated or --motion "
+               "anchored.\n",
+               stalled);
+  send(start, backend);
+  const std::vector<StepResult> results = simulate(backend, options, start, collide);
+  fmt::print("{}{} on {}: {}{}, scene {}, {} spheres, {} steps of {}\n", start.notes, options.backend,
+             device_label(backend.info()), label({&backend, collide}),
+             options.naive   ? " (naive)"
+             : options.swept ? " (within the next step)"
+                             : "",
+             start.label, scene.size(), options.steps, motion_label(scene.motion));
   print_steps(results);
   if (!options.pairs_file.empty()) write_file(options.pairs_file, pairs_text(backend.pairs()));
   if (options.json_file.empty()) return kOk;
@@ -98,10 +128,14 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   for (const StepResult& result : results) steps.push_back(to_json(result));
   write_file(options.json_file, json_text({{"context", capture_context(line.words)},
                                            {"backends", session.to_json()},
-                                           {"scene", record},
+                                           {"scene", start.record},
+                                           {"motion", motion_label(scene.motion)},
+                                           {"dt", scene.dt},
+                                           {"restitution", scene.restitution},
                                            {"method", method_name(collide.method)},
                                            {"block", collide.block},
                                            {"exact", collide.exact},
+                                           {"swept", collide.swept},
                                            {"steps", steps}}));
   return kOk;
 }

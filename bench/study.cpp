@@ -80,7 +80,7 @@ uint64_t Study::check_step(const SceneOptions& scene, const std::vector<Asked>& 
   const Backend::State expected = session.reference().state();
   for (const auto& backend : session.backends())
     require_same_state(place, session.reference(), expected, *backend, backend->state());
-  const uint64_t state = state_hash(expected.positions, expected.velocities);
+  const uint64_t state = state_hash(expected.positions, expected.velocities, expected.wide);
   std::map<std::string, std::vector<Asked>> sets;
   for (const Asked& one : asked) sets[set_name(one.options)].push_back(one);
   for (const auto& [name, members] : sets) {

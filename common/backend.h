@@ -13,6 +13,7 @@
 
 #include "exact.h"
 #include "grid_plan.h"
+#include "motion_state.h"
 #include "pair_set.h"
 #include "scene.h"
 #include "view.h"
@@ -59,6 +60,9 @@ struct CollideOptions {
   bool want_pairs = false;  // keep the pairs for pairs()
   uint columns = 0;         // of collide_triangle: spheres that one group meets; 0: chosen by n. Never changes the set
   GridOptions grid = {};    // of collide_grid. Never changes the set
+  // Pairs that touch at any time within the next step, in free flight (swept.h): of collide_tiled, and on the CPU of
+  // `parallel`, with float32 state; anything else throws std::invalid_argument.
+  bool swept = false;
 };
 
 // Totals of one collide(). Sizes are numbers of pairs (i<j) or spheres.
@@ -134,8 +138,11 @@ class Backend {
   // Checks the scene (check_scene), allocates every buffer and copies. Throws BackendError when it does not fit.
   virtual void upload(const Scene& scene) = 0;
 
-  // Each enqueues work and returns; results wait for it. `move` is one step of the method `paper`.
+  // Each enqueues work and returns; results wait for it. `move` is one step of the scene's motion method.
   virtual void move() = 0;
+  // Makes the positions in memory those of this step where a method leaves that until they are asked for; collide and
+  // state do it by themselves.
+  virtual void place() = 0;
   virtual void collide(const CollideOptions& options) = 0;
   virtual void finish() = 0;
 
@@ -145,11 +152,18 @@ class Backend {
   virtual std::vector<uint> counts() = 0;  // contacts of each sphere
   virtual std::vector<Pair> pairs() = 0;   // in canonical order; needs want_pairs
 
+  // The nearest float32 numbers, and the words of SLOT_WIDE where the precision has them: evaluated at this step.
   struct State {
     std::vector<vec4> positions, velocities;
+    std::vector<uint> wide;
   };
   virtual State state() = 0;
 
+  // All that the next steps depend on; `resume` takes the place of upload and goes on from there, to the same bits as
+  // if nothing had been saved, on any backend. The scene must be the one that was uploaded, with the state's positions
+  // and velocities.
+  virtual MotionState save() = 0;
+  virtual void resume(const Scene& scene, const MotionState& saved) = 0;
   // A picture of the spheres as they stand, coloured by the contacts that the last collide() found; none since the last
   // move() or upload(): by 0 contacts. view.tile_capacity, counting and pass are the backend's own.
   virtual void draw(const View& view, const DrawOptions& options) = 0;

@@ -13,8 +13,8 @@
 #include "camera.h"
 #include "cpu_draw.h"
 #include "cpu_grid.h"
+#include "cpu_motion.h"
 #include "device_backend.h"
-#include "motion.h"
 
 namespace spherepair {
 namespace {
@@ -46,8 +46,7 @@ class CpuBackend final : public Backend {
 
   void upload(const Scene& scene) override {
     check_scene(scene);
-    positions_ = scene.positions;
-    velocities_ = scene.velocities;
+    motion_.upload(scene);
     equal_radii_ = scene.equal_radii;
     constants_ = {scene_params(scene, false), scene_params(scene, true)};
     plans_ = plan_grids(scene);
@@ -57,22 +56,18 @@ class CpuBackend final : public Backend {
   }
 
   void move() override {
-    timed("move", [&] {
-#pragma omp parallel for num_threads(threads_) schedule(static) if (positions_.size() > 4096)
-      for (size_t i = 0; i < positions_.size(); ++i) {
-        const Moving next = move_paper(positions_[i], velocities_[i], constants_[true]);
-        positions_[i] = next.position;
-        velocities_[i] = next.velocity;
-      }
-    });
+    timed("move", [&] { motion_.move(threads_); });
     celled_.reset();
     found_.reset();
   }
 
   void collide(const CollideOptions& options) override {
-    const PairSearch search{positions_, constants_[options.exact], equal_radii_, options, threads_};
+    const PairSearch search{motion_.positions(threads_), constants_[options.exact], equal_radii_, options, threads_};
+    if (options.swept) check_swept("cpu", options, motion_.options());
     timed(method_name(options.method), [&] {
-      if (options.method == Method::sequential) {
+      if (options.swept) {
+        found_ = search_swept(search, motion_.state(threads_).velocities);
+      } else if (options.method == Method::sequential) {
         found_ = search_sequential(search);
       } else if (options.method == Method::collide_group) {
         found_ = search_groups(search);
@@ -86,6 +81,7 @@ class CpuBackend final : public Backend {
     listed_ = options.want_pairs;
   }
 
+  void place() override { motion_.positions(threads_); }
   void finish() override {}
   Collisions collisions() override { return found().totals; }
   std::vector<uint> counts() override {
@@ -97,20 +93,26 @@ class CpuBackend final : public Backend {
     if (!listed_) throw BackendError("cpu: no pair list was asked for; set want_pairs");
     return list;
   }
-  State state() override { return {positions_, velocities_}; }
+  State state() override { return motion_.state(threads_); }
+  MotionState save() override { return motion_.save(threads_); }
+  void resume(const Scene& scene, const MotionState& saved) override {
+    upload(scene);
+    motion_.resume(saved);
+  }
 
   void draw(const View& view, const DrawOptions& options) override {
     check_view(view);
     if (options.method != DrawMethod::compute)
       throw std::invalid_argument(
           fmt::format("cpu: the method of drawing {} runs on OpenGL only", draw_method_name(options.method)));
-    const std::vector<uint> contacts = found_ ? counts() : std::vector<uint>(positions_.size());
+    const auto& positions = motion_.positions(threads_);
+    const std::vector<uint> contacts = found_ ? counts() : std::vector<uint>(positions.size());
     if (view.lighting != 0 && (!found_ || method_ != Method::collide_grid || celled_ != Cells::dense))
       throw std::invalid_argument(
           "cpu: occlusion and shadows need the dense cells of collide_grid; collide with them first");
     Params p = constants_[true];
     set_grid(p, plans_.dense);
-    timed("draw", [&] { picture_ = draw_picture(positions_, contacts, view, p, threads_); });
+    timed("draw", [&] { picture_ = draw_picture(positions, contacts, view, p, threads_); });
     counted_ = options.count;
   }
   std::vector<uint> image() override { return picture().image; }
@@ -168,7 +170,7 @@ class CpuBackend final : public Backend {
 
   int threads_;
   BackendInfo info_;
-  std::vector<vec4> positions_, velocities_;
+  CpuMotion motion_;
   bool equal_radii_ = true;
   std::array<Params, 2> constants_{};  // [exact]
   GridPlans plans_;

@@ -24,4 +24,7 @@ PairsFound search_sequential(const PairSearch& search);  // the paper's code 2: 
 PairsFound search_parallel(const PairSearch& search);    // all threads, SIMD, each unordered pair once
 PairsFound search_groups(const PairSearch& search);      // within groups of options.block consecutive spheres
 
+// Those that touch within the next step (swept.h): all threads, every pair.
+PairsFound search_swept(const PairSearch& search, std::span<const vec4> velocities);
+
 }  // namespace spherepair

@@ -37,7 +37,12 @@ constexpr const char* slot_names[SLOT_TOTAL] = {"positions",
                                                 "clusters",
                                                 "clusters seen",
                                                 "list of clusters",
-                                                "pyramid of depths"};
+                                                "pyramid of depths",
+                                                "wide state",
+                                                "anchors",
+                                                "flights",
+                                                "steps of the anchors",
+                                                "due steps"};
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
@@ -49,14 +54,16 @@ std::array<uint, 3> folded(uint64_t groups) {
 }
 
 const char* kernel_name(Kernel kernel) {
-  constexpr const char* names[] = {
-      "move",           "clear",         "empty",         "ceiling_copy",   "ceiling_atomics",
-      "ceiling_issue",  "settle",        "decide",        "tally",          "grid_clear",
-      "grid_bounds",    "split_count",   "split_scan",    "grid_split",     "grid_sort",
-      "grid_count",     "grid_sums",     "grid_scan",     "grid_scatter",   "collide_grid",
-      "collide_hashed", "collide_group", "collide_tiled", "collide_square", "collide_triangle",
-      "draw_clear",     "draw_counts",   "draw_bounds",   "draw_cull",      "draw_pyramid",
-      "draw_clusters",  "draw_spheres",  "draw_tiles",    "draw_resolve",   "draw_light"};
+  constexpr const char* names[] = {"move",          "bounce",        "place",           "clear",
+                                   "empty",         "ceiling_copy",  "ceiling_atomics", "ceiling_issue",
+                                   "settle",        "decide",        "tally",           "grid_clear",
+                                   "grid_bounds",   "split_count",   "split_scan",      "grid_split",
+                                   "grid_sort",     "grid_count",    "grid_sums",       "grid_scan",
+                                   "grid_scatter",  "collide_grid",  "collide_hashed",  "collide_group",
+                                   "collide_tiled", "collide_swept", "collide_square",  "collide_triangle",
+                                   "draw_clear",    "draw_counts",   "draw_bounds",     "draw_cull",
+                                   "draw_pyramid",  "draw_clusters", "draw_spheres",    "draw_tiles",
+                                   "draw_resolve",  "draw_light"};
   return names[int(kernel)];
 }
 
@@ -108,6 +115,7 @@ void DeviceBackend::upload(const Scene& scene) {
   write(SLOT_POSITION, scene.positions.data(), 0, n_ * sizeof(vec4));
   write(SLOT_VELOCITY, scene.velocities.data(), 0, n_ * sizeof(vec4));
   variant_.equal_radii = scene.equal_radii;
+  motion_ = scene.motion;
   constants_ = {scene_params(scene, false), scene_params(scene, true)};
   params_ = constants_[true];
   params_.n = uint(n_);
@@ -120,6 +128,7 @@ void DeviceBackend::upload(const Scene& scene) {
   clustered_.reset();
   picture_stands_ = false;
   pictures_kept_ = 0;
+  write_state(initial_state(scene, params_));
 }
 
 // A thread for every sphere, and at least one for every word of the summary, which the same kernels clear.
@@ -131,16 +140,6 @@ void DeviceBackend::launch_clear(Order order) {
   const uint64_t threads = std::max<uint64_t>(n_, SUMMARY_SLOTS * SUMMARY_WORDS);
   launch({Kernel::clear, SERVICE_BLOCK, {}, folded(ceil_div(threads, SERVICE_BLOCK * SPHERES_PER_SORTER)), order},
          params_);
-}
-
-void DeviceBackend::move() {
-  require_scene("move");
-  launch({Kernel::move, SERVICE_BLOCK, {}, per_sphere_groups()}, params_);
-  cleared_ = true;
-  collided_ = cells_built_ = false;
-  cell_order_.reset();
-  clustered_.reset();
-  picture_stands_ = false;
 }
 
 std::vector<uint> DeviceBackend::counts() {
@@ -166,14 +165,6 @@ std::vector<Pair> DeviceBackend::read_pairs(uint64_t count) {
   read(SLOT_PAIR, pairs.data(), 0, count * sizeof(Pair));
   std::ranges::sort(pairs);
   return pairs;
-}
-
-Backend::State DeviceBackend::state() {
-  require_scene("state");
-  State state{std::vector<vec4>(n_), std::vector<vec4>(n_)};
-  read(SLOT_POSITION, state.positions.data(), 0, n_ * sizeof(vec4));
-  read(SLOT_VELOCITY, state.velocities.data(), 0, n_ * sizeof(vec4));
-  return state;
 }
 
 std::vector<uint> DeviceBackend::decide(std::span<const vec4> spheres) {

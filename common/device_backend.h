@@ -15,6 +15,8 @@ Params scene_params(const Scene& scene, bool exact);
 
 enum class Kernel {
   move,
+  bounce,
+  place,
   clear,
   empty,
   ceiling_copy,
@@ -37,6 +39,7 @@ enum class Kernel {
   collide_hashed,
   collide_group,
   collide_tiled,
+  collide_swept,
   collide_square,
   collide_triangle,
   draw_clear,
@@ -79,11 +82,14 @@ class DeviceBackend : public Backend {
   std::vector<Method> methods() const override { return device_methods(); }
   void upload(const Scene& scene) override;
   void move() override;
+  void place() override;
   void collide(const CollideOptions& options) override;
   Collisions collisions() override;
   std::vector<uint> counts() override;
   std::vector<Pair> pairs() override;
   State state() override;
+  MotionState save() override;
+  void resume(const Scene& scene, const MotionState& saved) override;
   void draw(const View& view, const DrawOptions& options) override;
   std::vector<uint> image() override;
   std::vector<uvec2> visible() override;
@@ -107,13 +113,18 @@ class DeviceBackend : public Backend {
   // The methods of draw_methods() but for compute; contacts stand in SLOT_COUNT, by the number of the sphere.
   virtual void draw_by_pipeline(DrawMethod) {}
   virtual std::vector<uint> pipeline_image() { return {}; }
-  void put_contacts_in_order();  // in SLOT_COUNT by the number of the sphere: 0 where none were found since a move
+  void ready_to_draw();  // positions of this step, and contacts in SLOT_COUNT by the number of the sphere: 0 where none
+                         // were found since a move
   const View& view() const { return view_; }  // of the draw_* kernels
   uint spheres() const { return uint(n_); }
 
  private:
   void require_scene(const char* what) const;
   void make_buffer(uint slot, uint64_t bytes);
+  void write_state(const MotionState& state);
+  void launch_motion(Kernel kernel, bool whole_state);
+  void place_all(bool whole_state);
+  void prepare_positions();
   void run_collide();
   bool grow_lists(uint64_t deferred, uint64_t listed);
   std::vector<uint> read_summary();
@@ -157,7 +168,10 @@ class DeviceBackend : public Backend {
   std::array<uint, 3> per_sphere_groups() const;
 
   uint64_t n_ = 0;
-  Variant variant_;                    // for this scene and step
+  Variant variant_;  // for this scene and step
+  MotionOptions motion_;
+  uint steps_ = 0;                     // of anchored
+  bool placed_ = true;                 // positions are those of this step
   std::array<Params, 2> constants_{};  // of the scene: [exact]
   GridPlans plans_;
   std::optional<Cells> planned_;    // the cells that the buffers and parameters are for

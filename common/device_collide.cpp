@@ -34,7 +34,7 @@ DeviceBackend::Division DeviceBackend::division() const {
     case Method::collide_group:
       return {Kernel::collide_group, block, block};
     case Method::collide_tiled:
-      return {Kernel::collide_tiled, block, n};
+      return {options_.swept ? Kernel::collide_swept : Kernel::collide_tiled, block, n};
     case Method::collide_square:
       return {Kernel::collide_square, block, n};
     case Method::collide_triangle:
@@ -73,6 +73,7 @@ void DeviceBackend::collide(const CollideOptions& options) {
         fmt::format("group size {} is not one of {}", options.block, fmt::join(block_sizes(), ", ")));
   }
   options_ = options;
+  prepare_positions();
   run_collide();
   collided_ = true;
 }

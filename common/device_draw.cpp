@@ -67,8 +67,9 @@ void DeviceBackend::launch_rasteriser() {
   launch({view_.lighting ? Kernel::draw_light : Kernel::draw_resolve, SERVICE_BLOCK, {}, per_pixel}, params);
 }
 
-void DeviceBackend::put_contacts_in_order() {
+void DeviceBackend::ready_to_draw() {
   require_scene("draw");
+  place();
   if (!collided_ && !cleared_) launch_clear(Order::scene);
   cleared_ |= !collided_;
   if (!collided_ || !counts_by_place_) return;
@@ -77,7 +78,7 @@ void DeviceBackend::put_contacts_in_order() {
 }
 
 void DeviceBackend::launch_draw() {
-  put_contacts_in_order();
+  ready_to_draw();
   if (draw_options_.method != DrawMethod::compute) return draw_by_pipeline(draw_options_.method);
   make_draw_buffers();
   launch_rasteriser();

@@ -30,7 +30,12 @@
 #define SLOT_CLUSTER_SEEN 21  // uint[clusters]: not 0 when the last picture may have shown it
 #define SLOT_CLUSTER_LIST 22  // uint[clusters]: those to draw, in any order; their number is DRAWN_CLUSTERS
 #define SLOT_PYRAMID 23       // uint[]: greatest depth in each texel, level by level; see cluster.h
-#define SLOT_TOTAL 24
+#define SLOT_WIDE 24          // Real[6n], of compensated and float64: all x, all y, all z, then the velocities
+#define SLOT_ANCHOR 25        // vec4[n], of anchored: where the spheres started, radius in w
+#define SLOT_FLIGHT 26  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
+#define SLOT_SINCE 27   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
+#define SLOT_DUE 28     // uint[n], of anchored: no sphere meets the plane before its step of this number
+#define SLOT_TOTAL 29
 #define SLOT_PARAMS 0  // the uniform block's own binding
 
 // Totals are spread over SUMMARY_SLOTS rows so that thousands of groups do not queue on one address; the host adds the
@@ -68,25 +73,43 @@
 #define CEILING_TURNS 64          // ... so often round the loop, ...
 #define CEILING_STEPS 16          // ... with so many steps of each chain a time
 
+#define MOTION_EULER 0u  // MotionMethod of motion_options.h
+#define MOTION_SYMPLECTIC 1u
+#define MOTION_PAPER 2u
+#define MOTION_PAPER_CLAMP 3u
+#define MOTION_IMPACT_LINEAR 4u
+#define MOTION_IMPACT 5u
+#define MOTION_ANCHORED 6u
+#define PRECISION_FLOAT32 0  // Precision of motion_options.h
+#define PRECISION_COMPENSATED 1
+#define PRECISION_FLOAT64 2
+#define ANCHOR_ON_PLANE 0x80000000u  // bit of `since`: the anchor is a bounce, not the start
+#define NEVER_DUE 0xFFFFFFFFu
+
+// Constants of the motion are vec4 whose first three floats add up to the constant: see `constant` in real.h.
 struct Params {
-  float dt, gravity_dt, half_gravity_dt2, restitution;  // seconds, g*dt, g*dt*dt/2 (both <= 0 along y), 0..1
-  float plane, radius, apart_above, collide_below;      // y of the plane; for equal radii: squared-distance bounds
-  float filter_scale, filter_offset, spare_0, spare_1;  // K and T of filter_pair
-  uint n, columns, pair_capacity, deferred_capacity;    // columns: spheres that one group of collide_triangle meets
+  float dt, gravity, steps_per_second, restitution;   // seconds, <= 0 along y, 1 / dt, 0..1
+  float plane, radius, apart_above, collide_below;    // y of the plane; for equal radii: squared-distance bounds
+  float filter_scale, filter_offset;                  // K and T of filter_pair
+  uint whole_state, spare_0;                          // of place: not 0 also writes velocities and SLOT_WIDE
+  uint n, columns, pair_capacity, deferred_capacity;  // columns: spheres that one group of collide_triangle meets
   uint defer_undecided, pairs_to_decide, first_group, in_cells;  // 0: the naive predicate; of decide; of this slice
   float origin_x, origin_y, origin_z, cells_per_metre;           // of the grid's cells, at level 0
   float largest_radius, reach_scale, reach_offset;       // of level 0, doubles with each level; see reach_in_cells
   uint scan_tiles;                                       // of grid_scan
   uint cells_x, cells_y, cells_z, cell_slots;            // dense grid; cell_slots: length of the table in either case
   uint hash_mask, first_octave, top_level, levels;       // 0: dense; see level_of; levels: bit k set when k has spheres
-  uint tally_later, spare_2;                             // not 0: tally counts the colliding spheres
+  uint tally_later;                                      // not 0: tally counts the colliding spheres
+  uint steps_done;                                       // of anchored: after this move
   uint buckets, bucket_shift;                            // 0: not split; the bucket of a slot is slot >> bucket_shift
   uint parent_shift, first_bucket, bucket_words, named;  // see bucket_below; in SLOT_BUCKET; not 0: see SLOT_SPLIT_ID
+  vec4 gravity_dt, half_gravity_dt2;                     // g*dt, g*dt*dt/2, both <= 0
+  vec4 seconds_per_speed, zeno_flights;  // 2 / |g|, or 0 without gravity; flights until rest, see rebound
 };
 
 #ifndef GL_core_profile
 static_assert(SPLIT_BLOCK == BUCKETS_AT_MOST);
-static_assert(sizeof(Params) == 176 && alignof(vec4) == 16 && sizeof(uvec2) == 8);
+static_assert(sizeof(Params) == 240 && alignof(vec4) == 16 && sizeof(uvec2) == 8);
 #endif
 
 #endif

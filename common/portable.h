@@ -13,6 +13,13 @@
 uint float_bits(float x) { return floatBitsToUint(x); }
 float bits_float(uint bits) { return uintBitsToFloat(bits); }
 double bits_double(uint high, uint low) { return packDouble2x32(uvec2(low, high)); }
+uint double_high(double x) { return unpackDouble2x32(x).y; }
+uint double_low(double x) { return unpackDouble2x32(x).x; }
+
+// Code for any of the number types float, Two and double: a template, or in GLSL text in which the program that is
+// compiled has defined Real as one of them.
+#define ANY_REAL
+#define OF_REAL
 
 // a*b + c, rounded once or twice: only for filters whose error bound covers both.
 float multiply_add(float a, float b, float c) { return fma(a, b, c); }
@@ -35,6 +42,8 @@ float smaller(float a, float b) { return a < b ? a : b; }
 #define FN inline
 #endif
 #define EXACT
+#define ANY_REAL template <typename Real>
+#define OF_REAL <Real>
 
 using uint = unsigned int;
 
@@ -52,6 +61,8 @@ struct alignas(16) vec4 {
 FN uint float_bits(float x) { return __float_as_uint(x); }
 FN float bits_float(uint bits) { return __uint_as_float(bits); }
 FN double bits_double(uint high, uint low) { return __hiloint2double(int(high), int(low)); }
+FN uint double_high(double x) { return uint(__double2hiint(x)); }
+FN uint double_low(double x) { return uint(__double2loint(x)); }
 FN float multiply_add(float a, float b, float c) { return __fmaf_rn(a, b, c); }
 FN uint count_bits(uint bits) { return uint(__popc(bits)); }
 FN uint lowest_bit(uint bits) { return uint(__ffs(bits)) - 1u; }
@@ -61,6 +72,8 @@ FN float smaller(float a, float b) { return fminf(a, b); }
 FN uint float_bits(float x) { return std::bit_cast<uint>(x); }
 FN float bits_float(uint bits) { return std::bit_cast<float>(bits); }
 FN double bits_double(uint high, uint low) { return std::bit_cast<double>(uint64_t(high) << 32 | low); }
+FN uint double_high(double x) { return uint(std::bit_cast<uint64_t>(x) >> 32); }
+FN uint double_low(double x) { return uint(std::bit_cast<uint64_t>(x)); }
 FN float multiply_add(float a, float b, float c) { return a * b + c; }
 FN uint count_bits(uint bits) { return uint(std::popcount(bits)); }
 FN uint lowest_bit(uint bits) { return uint(std::countr_zero(bits)); }

@@ -238,8 +238,7 @@ Scene make_scene(const SceneOptions& options) {
     for (const SceneKind& kind : scene_kinds()) names.push_back(kind.name);
     throw std::invalid_argument(fmt::format("unknown scene '{}'; known are {}", options.name, fmt::join(names, ", ")));
   }
-  Scene scene;
-  scene.name = options.name;
+  Scene scene{.name = options.name, .dt = options.dt, .restitution = options.restitution, .motion = options.motion};
   for (std::vector<vec4>* values : {&scene.positions, &scene.velocities}) reserve_large(*values, options.n);
   maker->make(scene, options);
   if (options.radius_ratio > 1) vary_radii(scene, options);

@@ -28,6 +28,9 @@ void check_options(const SceneOptions& o) {
   if (!(o.packing_fraction > 0 && o.packing_fraction <= 0.74)) {
     refuse(fmt::format("packing fraction is {}, but must be above 0 and at most 0.74", o.packing_fraction));
   }
+  if (!(o.dt > 0) || !std::isfinite(o.dt)) refuse(fmt::format("dt is {} s, but must be positive and finite", o.dt));
+  if (!(o.restitution >= 0 && o.restitution <= 1))
+    refuse(fmt::format("restitution is {}, but must be from 0 to 1", o.restitution));
   if (!std::isfinite(o.offset)) refuse(fmt::format("offset is {}, but must be finite", o.offset));
   if ((o.groups == 0) != (o.group_size == 0)) refuse("groups and group size go together: give both or neither");
   if (o.groups && uint64_t(o.groups) * o.group_size != o.n) {
@@ -35,6 +38,28 @@ void check_options(const SceneOptions& o) {
                        uint64_t(o.groups) * o.group_size, o.n));
   }
 }
+
+namespace {
+
+// Squares of speeds must stay within the floats, and a time of impact needs gravity that pulls towards the plane.
+void check_motion(const Scene& scene) {
+  const auto refuse = [&](const std::string& why) {
+    throw std::invalid_argument(
+        fmt::format("scene '{}': the motion method {} {}", scene.name, motion_name(scene.motion.method), why));
+  };
+  if (!(scene.dt > 0) || !std::isfinite(scene.dt)) refuse(fmt::format("needs a time step above 0, not {}", scene.dt));
+  if (!(scene.restitution >= 0 && scene.restitution <= 1))
+    refuse(fmt::format("needs a restitution from 0 to 1, not {}", scene.restitution));
+  if (!(scene.gravity <= 0)) refuse(fmt::format("needs gravity that is not upwards, not {}", scene.gravity));
+  const auto large = [](const vec4& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) > 0x1p60f || std::abs(v.w) > 0x1p60f;
+  };
+  for (uint64_t i = 0; i < scene.size(); ++i)
+    if (large(scene.positions[i]) || large(scene.velocities[i]))
+      refuse(fmt::format("takes numbers up to 2^60, but sphere {} has a larger one", i));
+}
+
+}  // namespace
 
 void check_scene(const Scene& scene) {
   uint64_t bad = 0, first = scene.size();
@@ -52,12 +77,26 @@ void check_scene(const Scene& scene) {
   for (uint64_t i = 0; i < scene.size(); ++i) {
     if (wrong(i)) ++bad, first = std::min(first, i);
   }
-  if (bad == 0) return;
+  if (bad == 0) {
+    if (scene.motion.method != MotionMethod::paper || scene.motion.precision != Precision::float32) check_motion(scene);
+    return;
+  }
   const vec4 &p = scene.positions[first], &v = scene.velocities[first];
   throw std::invalid_argument(
       fmt::format("scene '{}': {} of {} spheres have a NaN, an infinity or a negative radius; the first is sphere {}: "
                   "centre ({}, {}, {}), radius {}, velocity ({}, {}, {}); remove or mend them",
                   scene.name, bad, scene.size(), first, p.x, p.y, p.z, p.w, v.x, v.y, v.z));
+}
+
+uint64_t stalled_spheres(const Scene& scene) {
+  if (scene.motion.precision != Precision::float32 || scene.motion.method == MotionMethod::anchored) return 0;
+  uint64_t stalled = 0;
+  const auto lost = [&](float x, float v) { return v != 0 && x + v * scene.dt == x; };
+  for (uint64_t i = 0; i < scene.size(); ++i) {
+    const vec4 &at = scene.positions[i], &v = scene.velocities[i];
+    stalled += lost(at.x, v.x) || lost(at.y, v.y) || lost(at.z, v.z);
+  }
+  return stalled;
 }
 
 namespace {
@@ -83,8 +122,11 @@ uint64_t hash_by_blocks(std::span<const vec4> values, uint64_t sum) {
 
 }  // namespace
 
-uint64_t state_hash(const std::vector<vec4>& positions, const std::vector<vec4>& velocities) {
-  return hash_by_blocks(velocities, hash_by_blocks(positions, positions.size()));
+uint64_t state_hash(const std::vector<vec4>& positions, const std::vector<vec4>& velocities,
+                    const std::vector<uint>& wide) {
+  uint64_t sum = hash_by_blocks(velocities, hash_by_blocks(positions, positions.size()));
+  for (uint word : wide) sum = splitmix64(sum ^ word);
+  return sum;
 }
 
 }  // namespace spherepair

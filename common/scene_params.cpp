@@ -20,14 +20,31 @@ float round_down(double value) {
   return double(nearest) <= value ? nearest : std::nextafter(nearest, -std::numeric_limits<float>::infinity());
 }
 
+// Three floats that add up to the double.
+vec4 split(double value) {
+  const float high = float(value), middle = float(value - double(high));
+  return {high, middle, float(value - double(high) - double(middle)), 0};
+}
+
+// How many times as long as the first 2^32 flights take, each e times as long as the one before.
+double flights_to_rest(double e) {
+  double sum = 1, decay = e;
+  for (int doubling = 0; doubling < 32; ++doubling, decay *= decay) sum *= 1 + decay;
+  return sum;
+}
+
 }  // namespace
 
 Params scene_params(const Scene& scene, bool exact) {
   Params p{};
   const double dt = scene.dt, gravity = scene.gravity;
   p.dt = scene.dt;
-  p.gravity_dt = float(gravity * dt);
-  p.half_gravity_dt2 = float(0.5 * gravity * dt * dt);
+  p.gravity = scene.gravity;
+  p.steps_per_second = float(1 / dt);
+  p.gravity_dt = split(gravity * dt);
+  p.half_gravity_dt2 = split(0.5 * gravity * dt * dt);
+  p.seconds_per_speed = split(gravity == 0 ? 0 : 2 / std::abs(gravity));
+  p.zeno_flights = split(flights_to_rest(double(scene.restitution)));
   p.restitution = scene.restitution;
   p.plane = scene.plane;
   p.radius = scene.equal_radii && scene.size() ? scene.positions[0].w : 0.0f;

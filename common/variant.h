@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What the collision kernels are compiled for; a kernel without a choice of variants ignores it.
+// What the kernels of collisions and of motion are compiled for; a kernel without a choice of variants ignores it.
 #pragma once
 
 #include <compare>
 
+#include "motion_options.h"
+
 namespace spherepair {
 
 struct Variant {
-  bool equal_radii = true;  // loads no radius
-  bool listed = false;      // keeps the pairs, not only their number
+  bool equal_radii = true;    // loads no radius
+  bool listed = false;        // keeps the pairs, not only their number
+  MotionOptions motion = {};  // of move, bounce and place
   auto operator<=>(const Variant&) const = default;
 };
 

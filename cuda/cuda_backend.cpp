@@ -177,7 +177,12 @@ World CudaBackend::world(const Launch& launch) const {
           .cluster = buffer<vec4>(SLOT_CLUSTER),
           .cluster_seen = buffer<uint>(SLOT_CLUSTER_SEEN),
           .cluster_list = buffer<uint>(SLOT_CLUSTER_LIST),
-          .pyramid = buffer<uint>(SLOT_PYRAMID)};
+          .pyramid = buffer<uint>(SLOT_PYRAMID),
+          .wide = buffer<void>(SLOT_WIDE),
+          .anchor = buffer<vec4>(SLOT_ANCHOR),
+          .flight = buffer<void>(SLOT_FLIGHT),
+          .since = buffer<uint>(SLOT_SINCE),
+          .due = buffer<uint>(SLOT_DUE)};
 }
 
 void CudaBackend::launch(const Launch& launch, const Params& params) {
@@ -227,7 +232,7 @@ std::vector<StageTime> CudaBackend::stage_times() {
 }
 
 DeviceMemoryView CudaBackend::shared(uint slot, uint64_t bytes_a_sphere) {
-  put_contacts_in_order();
+  ready_to_draw();
   return {memory_[slot].data, spheres() * bytes_a_sphere};
 }
 

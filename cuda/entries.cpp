@@ -6,7 +6,11 @@ namespace spherepair {
 Entry entry_of(const Launch& launch) {
   switch (launch.kernel) {
     case Kernel::move:
-      return move_kernel();
+      return move_kernel(launch.variant);
+    case Kernel::bounce:
+      return bounce_kernel(launch.variant);
+    case Kernel::place:
+      return place_kernel(launch.variant);
     case Kernel::clear:
       return clear_kernel();
     case Kernel::empty:
@@ -51,6 +55,8 @@ Entry entry_of(const Launch& launch) {
       return collide_group_kernel(launch.block, launch.variant);
     case Kernel::collide_tiled:
       return collide_tiled_kernel(launch.block, launch.variant);
+    case Kernel::collide_swept:
+      return collide_swept_kernel(launch.block, launch.variant);
     case Kernel::collide_square:
       return collide_square_kernel(launch.block, launch.variant);
     case Kernel::collide_triangle:

@@ -32,12 +32,19 @@ struct World {
   uint* cluster_seen;
   uint* cluster_list;
   uint* pyramid;
+  void* wide;  // Real[]
+  const vec4* anchor;
+  void* flight;  // Real[]
+  uint* since;
+  uint* due;
 };
 
 // Every kernel is void (Params p, World w), those that draw take a View v beside. A null entry means a group size that
 // was not compiled.
 using Entry = const void*;
-Entry move_kernel();
+Entry move_kernel(Variant variant);
+Entry bounce_kernel(Variant variant);
+Entry place_kernel(Variant variant);
 Entry clear_kernel();
 Entry empty_kernel();
 Entry ceiling_copy_kernel();
@@ -60,6 +67,7 @@ Entry collide_grid_kernel(uint block, Variant variant);
 Entry collide_hashed_kernel(uint block, Variant variant);
 Entry collide_group_kernel(uint block, Variant variant);
 Entry collide_tiled_kernel(uint block, Variant variant);
+Entry collide_swept_kernel(uint block, Variant variant);
 Entry collide_square_kernel(uint block, Variant variant);
 Entry collide_triangle_kernel(uint block, Variant variant);
 Entry draw_clear_kernel();

@@ -11,12 +11,17 @@
 namespace spherepair {
 namespace {
 
+constexpr const char* real_names[] = {"float", "Two", "double"};  // by Precision
+
 std::string source_of(const std::string& kernel, unsigned block, const Variant& variant, bool atomics_64) {
   const std::string& text = embedded_shaders().at(kernel + ".comp");
   const size_t after_version = text.find('\n') + 1;
+  const uint method = uint(variant.motion.method), precision = uint(variant.motion.precision);
   return text.substr(0, after_version) +
          fmt::format("#define BLOCK {}\n#define EQUAL_RADII {}\n#define LISTED {}\n", block, int(variant.equal_radii),
                      int(variant.listed)) +
+         fmt::format("#define METHOD {}u\n#define PRECISION {}\n#define Real {}\n", method, precision,
+                     real_names[precision]) +
          (atomics_64 ? "#extension GL_NV_shader_atomic_int64 : require\n#define ATOMICS_64\n" : "") +
          text.substr(after_version);
 }

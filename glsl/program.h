@@ -10,8 +10,8 @@
 
 namespace spherepair {
 
-// A program; one of a compute shader is made from the embedded shader of this name, with the group size and variants
-// defined in front of it.
+// A program; one of a compute shader is made from the embedded shader of this name, with the group size, the variant
+// and the motion defined in front of it.
 class Program {
  public:
   Program(const std::string& kernel, unsigned block, const Variant& variant, bool atomics_64);

@@ -14,7 +14,8 @@ import tempfile
 
 from lint_sources import Skip
 
-STATE_FEEDING = ("move",)  # kernels whose results are the next step's input: every bit counts, so nothing is fused
+STATE_FEEDING = ("move", "bounce", "place")  # kernels whose results are the next step's input: every bit counts, so nothing is fused
+METHODS, PRECISIONS = range(6), ("float", "Two", "double")  # of layout.h; bounce and place are of a method of their own
 EXACT_FUNCTIONS = ("PackDouble2x32", "UnpackDouble2x32", "FAbs", "FMin", "FMax", "NMin", "NMax", "UMin", "UMax", "SMin",
                    "SMax", "FindUMsb", "FindSMsb", "FindILsb")
 ROUNDED = re.compile(r"(%\w+) = (OpF(?:Add|Sub|Mul|Div|Rem|Mod)|Op(?:Vector|Matrix)Times\w+|OpDot|OpOuterProduct) ")
@@ -31,15 +32,9 @@ def need(tool, package):
 
 def with_defines(text, *defines):
     """As the driver gets it: the definitions follow the #version line."""
-    lines = "".join(f"#define {define}\n" for define in defines)
+    extension = "#extension GL_NV_shader_atomic_int64 : require\n" if "ATOMICS_64" in defines else ""
+    lines = extension + "".join(f"#define {define}\n" for define in defines)
     return re.sub(r"(#version .*\n)", lambda match: match[1] + lines, text, count=1)
-
-
-def variant_of(text, variant):
-    if variant != "ATOMICS_64":
-        return with_defines(text, "BLOCK 256", "LISTED 1", variant)
-    text = with_defines(text, "BLOCK 256", "LISTED 1", "EQUAL_RADII 0", variant)
-    return re.sub(r"(#version .*\n)", r"\1#extension GL_NV_shader_atomic_int64 : require\n", text, count=1)
 
 
 def disassemble(text):
@@ -51,6 +46,16 @@ def disassemble(text):
         if made.returncode:
             raise ValueError(made.stdout.replace(folder + "/", "").strip())
         return subprocess.run(["spirv-dis", binary], capture_output=True, text=True, check=True).stdout
+
+
+def variants(stem, text):
+    """The definitions of every program that is made from a shader."""
+    if stem not in STATE_FEEDING:
+        plain = [("BLOCK 256", f"EQUAL_RADII {uniform}", "LISTED 1") for uniform in (0, 1)]
+        return plain + [(*plain[0], "ATOMICS_64")] * ("ATOMICS_64" in text)
+    methods = METHODS if stem == "move" else (6,)
+    return [("BLOCK 256", f"METHOD {method}u", f"PRECISION {precision}", f"Real {real}")
+            for method in methods for precision, real in enumerate(PRECISIONS)]
 
 
 def spirv_complaints(assembly, may_fuse):
@@ -75,16 +80,18 @@ def shaders(root, build):
         raise Skip("no flattened shaders: the build has no GLSL")
     missing = {p.stem for p in (root / "shaders").glob("*.comp")} - {p.stem for p in flattened}
     complaints = [f"{stem}.comp: is not built: add it to SPHEREPAIR_KERNELS" for stem in sorted(missing)]
+    checked = 0
     for path in flattened:
         text = path.read_text()
-        variants = ["EQUAL_RADII 0", "EQUAL_RADII 1"] + ["ATOMICS_64"] * ("ATOMICS_64" in text)
-        for variant in variants:
+        for defines in variants(path.stem, text):
+            checked += 1
             try:
-                found = spirv_complaints(disassemble(variant_of(text, variant)), path.stem not in STATE_FEEDING)
+                assembly = disassemble(with_defines(text, *defines))
+                found = spirv_complaints(assembly, may_fuse=path.stem not in STATE_FEEDING)
             except ValueError as error:
                 found = [str(error)]
-            complaints += [f"{path.name} ({variant}): {complaint}" for complaint in found]
-    return complaints, f"{len(flattened)} shaders, every variant"
+            complaints += [f"{path.name} ({', '.join(defines)}): {complaint}" for complaint in found]
+    return complaints, f"{len(flattened)} shaders in {checked} variants"
 
 
 def ptx_complaints(text):

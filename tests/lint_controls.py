@@ -107,10 +107,11 @@ class Shaders(unittest.TestCase):
         path = BUILD / "flattened" / "move.comp"
         if not path.exists():
             self.skipTest("the build has no GLSL")
-        text = lint_arithmetic.with_defines(path.read_text(), "BLOCK 256", "EQUAL_RADII 0", "LISTED 1")
-        self.assertEqual([], lint_arithmetic.spirv_complaints(lint_arithmetic.disassemble(text), False))
-        loose = lint_arithmetic.disassemble(text.replace("#define EXACT precise", "#define EXACT"))
-        self.assertTrue(lint_arithmetic.spirv_complaints(loose, False))
+        for defines in lint_arithmetic.variants("move", path.read_text()):
+            text = lint_arithmetic.with_defines(path.read_text(), *defines)
+            self.assertEqual([], lint_arithmetic.spirv_complaints(lint_arithmetic.disassemble(text), False))
+            loose = lint_arithmetic.disassemble(text.replace("#define EXACT precise", "#define EXACT"))
+            self.assertTrue(lint_arithmetic.spirv_complaints(loose, False), defines)
 
     def test_broken_shader(self):
         with self.assertRaises(ValueError):

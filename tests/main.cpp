@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "backends.h"
+#include "catalogue.h"
 
 // Properties are tried on the same cases in every run, unless RC_PARAMS says otherwise.
 int main(int argc, char** argv) {
@@ -13,5 +14,6 @@ int main(int argc, char** argv) {
     for (const auto& entry : spherepair::all_backends())
       std::cout << entry.name << ": " << (entry.backend ? entry.backend->info().device : entry.reason) << '\n';
   }
+  testing::UnitTest::GetInstance()->listeners().Append(new spherepair::CatalogueListener);
   return RUN_ALL_TESTS();
 }

@@ -152,7 +152,7 @@ TEST(Controls, ContractedStepIsFoundOut) {
   for (int k = 0; k < 10'000; ++k) {
     const float position = float(random.uniform(-10, 10)), velocity = float(random.uniform(-10, 10));
     const auto same = [&](float dt) {
-      return naive_contracted.advance(position, velocity, dt) == advance(position, velocity, dt, 0);
+      return naive_contracted.advance(position, velocity, dt) == advance(position, velocity, dt, 0.0f);
     };
     differ += !same(0.001f);
     differ_at_power_of_two += !same(0x1p-6f);

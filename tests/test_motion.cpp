@@ -15,8 +15,8 @@ namespace {
 Params params_of(float dt, float gravity, float restitution, float plane) {
   Params params = {};
   params.dt = dt;
-  params.gravity_dt = gravity * dt;
-  params.half_gravity_dt2 = gravity * dt * dt / 2;
+  params.gravity_dt.x = gravity * dt;
+  params.half_gravity_dt2.x = gravity * dt * dt / 2;
   params.restitution = restitution;
   params.plane = plane;
   return params;
@@ -27,7 +27,7 @@ float any_float(Random& random, int low, int high) {
 }
 
 void expect_rational_step(vec4 position, vec4 velocity, const Params& params) {
-  const Moving given = move_paper(position, velocity, params), wanted = step_rational(position, velocity, params);
+  const Moved given = step_paper(position, velocity, params), wanted = step_rational(position, velocity, params);
   const float left[7] = {given.position.x, given.position.y, given.position.z, given.position.w,
                          given.velocity.x, given.velocity.y, given.velocity.z};
   const float right[7] = {wanted.position.x, wanted.position.y, wanted.position.z, wanted.position.w,
@@ -53,22 +53,22 @@ TEST(Motion, EqualsRationalsRoundedStepByStep) {
 TEST(Motion, SnapsTinyAndNegativeZero) {
   const Params still = params_of(0x1p-6f, 0, 1, -5);
   const float tiny = nudged(0x1p-64f, -1), kept = 0x1p-64f;
-  const Moving next = move_paper({-0.0f, tiny, -kept, 0.5f}, {-tiny, -0.0f, -0.0f, 0}, still);
+  const Moved next = step_paper({-0.0f, tiny, -kept, 0.5f}, {-tiny, -0.0f, -0.0f, 0}, still);
   EXPECT_EQ(float_bits(next.position.x), 0u);
   EXPECT_EQ(float_bits(next.position.y), 0u);
   EXPECT_EQ(next.position.z, -kept);
   EXPECT_EQ(float_bits(next.velocity.x), 0u);
   EXPECT_EQ(float_bits(next.velocity.y), 0u);
   EXPECT_EQ(float_bits(next.velocity.z), 0u);
-  EXPECT_EQ(move_paper({0, 0, 0, 0.5f}, {0, 0, kept, 0}, still).velocity.z, kept);
+  EXPECT_EQ(step_paper({0, 0, 0, 0.5f}, {0, 0, kept, 0}, still).velocity.z, kept);
 }
 
 TEST(Motion, PlaneIsDecidedExactly) {
   EXPECT_FALSE(below_plane(-4.5f, 0.5f, -5));
   EXPECT_TRUE(below_plane(nudged(-4.5f, -1), 0.5f, -5));
   EXPECT_FALSE(below_plane(nudged(-4.5f, 1), 0.5f, -5));
-  EXPECT_TRUE(below_plane(-5, 0x1p-149f, -5)) << "the difference rounds to the plane itself";
-  EXPECT_FALSE(below_plane(-5, 0, -5));
+  EXPECT_TRUE(below_plane(-5.0f, 0x1p-149f, -5)) << "the difference rounds to the plane itself";
+  EXPECT_FALSE(below_plane(-5.0f, 0, -5));
   EXPECT_FALSE(below_plane(0x1p-149f, 0x1p-149f, 0));
   EXPECT_TRUE(below_plane(0x1p-149f, 0x1p-148f, 0));
   Random random(2);
@@ -80,14 +80,25 @@ TEST(Motion, PlaneIsDecidedExactly) {
   }
 }
 
+TEST(Motion, GroundIsTheLowestFloatAboveThePlane) {
+  Random random(3);
+  for (int k = 0; k < 100'000; ++k) {
+    const float r = std::abs(any_float(random, -20, 3)), plane = k % 3 == 0 ? -5 : any_float(random, -10, 6);
+    const float lowest = ground(r, plane, 0.0f);
+    ASSERT_FALSE(below_plane(lowest, r, plane)) << fmt::format("r {:a}, plane {:a}", r, plane);
+    ASSERT_TRUE(below_plane(std::nextafter(lowest, -INFINITY), r, plane))
+        << fmt::format("r {:a}, plane {:a}", r, plane);
+  }
+}
+
 // Below the plane the old velocity is turned round, so it dies away, and every step still falls by g*dt*dt/2: 76.6 m in
 // 1000 s here, whatever the restitution below 1. (Were gravity added after the turn, it would be (1-e)/(1+e) of that.)
 constexpr double sunk_after_1000_s = 0.5 * 9.81 / 64 * 1000;
 
 TEST(Motion, SinksThroughThePlane) {
   const Params params = params_of(0x1p-6f, -9.81f, 0.5f, -5);
-  Moving sphere = {{0, 0, 0, 0.5f}, {0, 0, 0, 0}};
-  for (int step = 0; step < 64'000; ++step) sphere = move_paper(sphere.position, sphere.velocity, params);
+  Moved sphere = {{0, 0, 0, 0.5f}, {0, 0, 0, 0}};
+  for (int step = 0; step < 64'000; ++step) sphere = step_paper(sphere.position, sphere.velocity, params);
   const double depth = -4.5 - double(sphere.position.y);
   EXPECT_NEAR(depth, sunk_after_1000_s, 0.01 * sunk_after_1000_s);
 }
@@ -98,7 +109,7 @@ TEST_P(MotionOf, SinksThroughThePlane) {
   Scene scene = scene_of({{0, 0, 0, 0.5f}, {3, -4.5f, 0, 0.5f}, {6, 5, 1, 0.25f}});
   scene.restitution = 0.5f;
   backend().upload(scene);
-  Backend::State wanted = {scene.positions, scene.velocities};
+  Backend::State wanted = {scene.positions, scene.velocities, {}};
   for (int step = 0; step < 64'000; ++step) {
     backend().move();
     step_all(scene, wanted);
@@ -129,7 +140,7 @@ TEST_P(MotionOf, SameBitsForAnyTimeStep) {
 TEST_P(MotionOf, UndisturbedByCollisionSteps) {
   const Scene scene = make_scene({.name = "random", .n = 500});
   backend().upload(scene);
-  Backend::State wanted = {scene.positions, scene.velocities};
+  Backend::State wanted = {scene.positions, scene.velocities, {}};
   for (int step = 0; step < 100; ++step) {
     backend().move();
     step_all(scene, wanted);

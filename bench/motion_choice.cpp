@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "motion_choice.h"
+
+#include <CLI/CLI.hpp>
+
+#include "commands.h"
+
+namespace spherepair {
+
+void choose_motion(SceneOptions& scene, const MotionChoice& choice) {
+  scene.motion = {motion_from_name(choice.method), precision_from_name(choice.precision)};
+  scene.dt = choice.dt;
+  scene.restitution = choice.restitution;
+  check_options(scene);
+}
+
+void choose_motion(Scene& scene, const MotionChoice& choice) {
+  SceneOptions chosen;
+  choose_motion(chosen, choice);
+  scene.motion = chosen.motion;
+  scene.dt = chosen.dt;
+  scene.restitution = chosen.restitution;
+}
+
+void add_motion_options(CLI::App& command, MotionChoice& motion) {
+  command
+      .add_option("--motion", motion.method,
+                  "euler, symplectic, paper, paper-clamp, impact-linear, impact or anchored: see README")
+      ->capture_default_str();
+  command.add_option("--precision", motion.precision, "Of the motion's state: float32, compensated or float64")
+      ->capture_default_str();
+  command.add_option("--dt", motion.dt, "Seconds of a step")->capture_default_str();
+  command.add_option("--restitution", motion.restitution, "Speed after a bounce over speed before, 0 to 1")
+      ->capture_default_str();
+}
+
+void add_save_options(CLI::App& command, RunOptions& options) {
+  command.add_option("--save", options.save_file, "Write a checkpoint to this file after the last step");
+  command.add_option("--save-every", options.save_every, "Also after every so many steps")->check(CLI::PositiveNumber);
+}
+
+void add_resume_option(CLI::App& command, std::string& file) {
+  auto* resume = command.add_option("--resume", file,
+                                    "Go on from this checkpoint, to the same bits as if the run had not stopped");
+  for (const char* other :
+       {"--input", "--frame", "--scene", "--n", "--seed", "--radius", "--radius-ratio", "--packing-fraction",
+        "--groups", "--group-size", "--offset", "--motion", "--precision", "--dt", "--restitution"})
+    resume->excludes(command.get_option(other));
+}
+
+}  // namespace spherepair

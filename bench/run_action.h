@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+namespace spherepair {
+
+// Runs a subcommand; its errors become messages on standard error and exit codes (commands.h).
+int run_action(const std::function<int()>& action);
+
+}  // namespace spherepair

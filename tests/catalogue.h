@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The stress catalogue as a table: which rows ran, on which backend, with which figure and bound, and whether they
+// passed. A test of a row is named RowNN_WhatItShows, whatever its suite.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace spherepair {
+
+// What a row measured, for the table: several of one test are joined.
+void note_figure(const std::string& figure, const std::string& bound);
+
+// Collects rows as tests end; writes stress.txt and stress.json into the folder that SPHEREPAIR_RECORD names, if any.
+class CatalogueListener : public testing::EmptyTestEventListener {
+ public:
+  void OnTestEnd(const testing::TestInfo& info) override;
+  void OnTestProgramEnd(const testing::UnitTest& program) override;
+
+ private:
+  struct Row {
+    int number;
+    std::string name, backend, figure, bound, verdict;
+    double seconds;
+  };
+  std::vector<Row> rows_;
+};
+
+}  // namespace spherepair

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// Every motion method in every precision: the same bits on every backend, whatever happens between the steps.
+#include <fmt/format.h>
+
+#include "motion_runs.h"
+
+namespace spherepair {
+namespace {
+
+class MotionMethods : public BackendTest {};
+
+// Powers of two and not, so that a backend that fuses products shows it; long steps hold many bounces each, and every
+// bounce divides and takes a root.
+TEST_P(MotionMethods, SameBitsAsOnTheCpu) {
+  for (const MotionOptions& motion : all_motions())
+    for (auto [dt, restitution, steps] : {std::tuple(0x1p-6f, 1.0f, 400), std::tuple(0.01f, 0.9f, 400),
+                                          std::tuple(0.7f, 0.96f, 60), std::tuple(10.0f, 0.5f, 12)}) {
+      const Scene scene = awkward_scene({.motion = motion, .dt = dt, .restitution = restitution, .n = 2000});
+      expect_equal_states(run_steps(backend(), scene, steps), run_steps(cpu_backend(), scene, steps),
+                          fmt::format("{}, dt {}, restitution {}", motion_label(motion), dt, restitution));
+      backend().check_guards();
+    }
+}
+
+// Enough spheres for several threads of the CPU and for a device's many groups.
+TEST_P(MotionMethods, SameBitsWithManySpheres) {
+  for (const MotionOptions& motion : all_motions()) {
+    const Scene scene = awkward_scene({.motion = motion, .dt = 0.1f, .restitution = 0.9f, .n = 20'001});
+    expect_equal_states(run_steps(backend(), scene, 10), run_steps(cpu_backend(), scene, 10), motion_label(motion));
+  }
+}
+
+// Without gravity nothing falls back, and a bounce is the last.
+TEST_P(MotionMethods, SameBitsWithoutGravity) {
+  for (const MotionOptions& motion : all_motions()) {
+    Scene scene = awkward_scene({.motion = motion, .dt = 0.25f, .restitution = 0.75f, .n = 500});
+    scene.gravity = 0;
+    expect_equal_states(run_steps(backend(), scene, 50), run_steps(cpu_backend(), scene, 50), motion_label(motion));
+  }
+}
+
+TEST_P(MotionMethods, UndisturbedByCollisionStepsAndByAsking) {
+  for (const MotionOptions& motion : all_motions()) {
+    const Scene scene = bouncing_scene({.motion = motion, .restitution = 0.9f, .n = 300});
+    backend().upload(scene);
+    for (int step = 0; step < 120; ++step) {
+      backend().move();
+      if (step % 7 == 0) ask(backend(), {.method = fast_method(backend()).method});
+      if (step % 11 == 0) backend().state();
+    }
+    expect_equal_states(backend().state(), run_steps(cpu_backend(), scene, 120), motion_label(motion));
+  }
+}
+
+// The pairs are those of the spheres where they are now, also where a method evaluates that only when it is asked.
+TEST_P(MotionMethods, CollisionsAreThoseOfThePresentPositions) {
+  for (const MotionOptions& motion : all_motions()) {
+    const Scene scene = bouncing_scene({.motion = motion, .n = 1500});
+    backend().upload(scene);
+    for (int step = 0; step < 90; ++step) backend().move();
+    const Answer answer = ask(backend(), {.method = fast_method(backend()).method, .want_pairs = true});
+    Scene there = scene;
+    there.positions = backend().state().positions;
+    EXPECT_EQ(backend().counts(), answer.counts) << "asking for the state must not touch the results";
+    EXPECT_EQ(backend().pairs(), *answer.pairs);
+    Backend& cpu = cpu_backend();
+    cpu.upload(there);
+    const Answer wanted = ask(cpu, {.method = Method::sequential, .want_pairs = true});
+    EXPECT_EQ(objection(answer, *wanted.pairs, scene.size()), "") << motion_label(motion);
+    EXPECT_GT(wanted.pairs->size(), 0u);
+  }
+}
+
+TEST_P(MotionMethods, EveryNumberOfSpheres) {
+  for (const MotionOptions& motion : all_motions())
+    for (uint64_t n : {0, 1, 2, 127, 128, 129, 1023, 1025}) {
+      const Scene scene = bouncing_scene({.motion = motion, .n = n});
+      expect_equal_states(run_steps(backend(), scene, 40), run_steps(cpu_backend(), scene, 40),
+                          fmt::format("{}, {} spheres", motion_label(motion), n));
+      backend().check_guards();
+    }
+}
+
+TEST_P(MotionMethods, RefusesWhatItCannotMove) {
+  const auto refused = [&](auto change) {
+    Scene scene = bouncing_scene({.motion = {MotionMethod::impact, Precision::float32}, .n = 3});
+    change(scene);
+    EXPECT_THROW(backend().upload(scene), std::invalid_argument);
+  };
+  refused([](Scene& scene) { scene.gravity = 1; });
+  refused([](Scene& scene) { scene.dt = 0; });
+  refused([](Scene& scene) { scene.restitution = 1.5f; });
+  refused([](Scene& scene) { scene.velocities[1].x = 0x1p61f; });
+}
+
+INSTANTIATE_BACKENDS(MotionMethods);
+
+}  // namespace
+}  // namespace spherepair
