@@ -7,13 +7,12 @@
 
 #include "check.h"
 #include "device_backend.h"
+#include "device_choice.h"
 #include "entries.h"
 #include "sort_pairs.h"
 
 namespace spherepair {
 namespace {
-
-std::string version(int number) { return fmt::format("{}.{}", number / 1000, number % 1000 / 10); }
 
 // Owns a chunk of device memory.
 struct DeviceMemory {
@@ -60,30 +59,6 @@ class CudaBackend final : public DeviceBackend {
   std::vector<TimedStage> timed_;
 };
 
-int usable_device(int wanted) {
-  int count = 0;
-  const cudaError_t error = cudaGetDeviceCount(&count);
-  if (error == cudaErrorInsufficientDriver) {
-    int driver = 0, runtime = 0;
-    cudaDriverGetVersion(&driver);
-    cudaRuntimeGetVersion(&runtime);
-    if (driver == 0)
-      throw BackendError("cuda: no NVIDIA driver on this machine; install one or leave this backend out");
-    throw BackendError(
-        fmt::format("cuda: the driver supports CUDA {}, but this build needs {}; update the driver or build "
-                    "with an older toolkit",
-                    version(driver), version(runtime)));
-  }
-  if (error == cudaErrorNoDevice || (error == cudaSuccess && count == 0)) {
-    throw BackendError("cuda: the driver finds no device; check nvidia-smi and CUDA_VISIBLE_DEVICES");
-  }
-  cuda_check(error, "counting devices");
-  if (wanted < 0 || wanted >= count) {
-    throw BackendError(fmt::format("cuda: there is no device {}; devices are 0 to {}", wanted, count - 1));
-  }
-  return wanted;
-}
-
 CudaBackend::CudaBackend(const OpenOptions& options) {
   const int device = usable_device(options.cuda_device);
   cuda_check(cudaSetDevice(device), fmt::format("choosing device {}", device));
@@ -110,8 +85,8 @@ void CudaBackend::describe(int device) {
   for (const char byte : properties.uuid.bytes) info_.uuid += fmt::format("{:02x}", uint(uint8_t(byte)));
   info_.device_timers = true;
   info_.details = {{"compute capability", fmt::format("{}.{}", properties.major, properties.minor)},
-                   {"driver supports CUDA", version(driver)},
-                   {"CUDA runtime", version(runtime)},
+                   {"driver supports CUDA", version_text(driver)},
+                   {"CUDA runtime", version_text(runtime)},
                    {"multiprocessors", std::to_string(properties.multiProcessorCount)},
                    {"highest clock MHz", std::to_string(clock_khz / 1000)},
                    {"memory bytes", std::to_string(properties.totalGlobalMem)},

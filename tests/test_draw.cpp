@@ -64,6 +64,17 @@ TEST_P(Draw, NoneOneAndTwo) {
   }
 }
 
+// Nobody but the drawing has asked where they are.
+TEST_P(Draw, AnchoredSpheresWhereTheyAreNow) {
+  const Scene scene = make_scene({.n = 300, .motion = {.method = MotionMethod::anchored}});
+  const View view = view_of(framed(scene));
+  backend().upload(scene);
+  for (int step = 0; step < 20; ++step) backend().move();
+  const Picture seen = picture_of(backend(), view);
+  const std::vector<vec4> now = backend().state().positions;
+  EXPECT_EQ(objection(seen, brute_force_picture(now, std::vector<uint>(now.size()), view), view), "");
+}
+
 // From a point to twenty screens: all three classes of size, and the border between each two.
 TEST_P(Draw, EverySizeOnTheScreen) {
   for (float ratio : {1.0f, 3e4f}) {

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "device_choice.h"
+
+#include <fmt/format.h>
+
+#include "check.h"
+
+namespace spherepair {
+
+std::string version_text(int number) { return fmt::format("{}.{}", number / 1000, number % 1000 / 10); }
+
+int usable_device(int wanted) {
+  int count = 0;
+  const cudaError_t error = cudaGetDeviceCount(&count);
+  if (error == cudaErrorInsufficientDriver) {
+    int driver = 0, runtime = 0;
+    cudaDriverGetVersion(&driver);
+    cudaRuntimeGetVersion(&runtime);
+    if (driver == 0)
+      throw BackendError("cuda: no NVIDIA driver on this machine; install one or leave this backend out");
+    throw BackendError(
+        fmt::format("cuda: the driver supports CUDA {}, but this build needs {}; update the driver or build "
+                    "with an older toolkit",
+                    version_text(driver), version_text(runtime)));
+  }
+  if (error == cudaErrorNoDevice || (error == cudaSuccess && count == 0)) {
+    throw BackendError("cuda: the driver finds no device; check nvidia-smi and CUDA_VISIBLE_DEVICES");
+  }
+  cuda_check(error, "counting devices");
+  if (wanted < 0 || wanted >= count) {
+    throw BackendError(fmt::format("cuda: there is no device {}; devices are 0 to {}", wanted, count - 1));
+  }
+  return wanted;
+}
+
+}  // namespace spherepair

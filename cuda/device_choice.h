@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace spherepair {
+
+// The device of this number, counted from 0. Throws BackendError that says why there is none to use.
+int usable_device(int wanted);
+
+std::string version_text(int number);  // of a driver or runtime, as CUDA encodes it: 13000 is 13.0
+
+}  // namespace spherepair
