@@ -54,16 +54,9 @@ std::array<uint, 3> folded(uint64_t groups) {
 }
 
 const char* kernel_name(Kernel kernel) {
-  constexpr const char* names[] = {"move",          "bounce",        "place",           "clear",
-                                   "empty",         "ceiling_copy",  "ceiling_atomics", "ceiling_issue",
-                                   "settle",        "decide",        "tally",           "grid_clear",
-                                   "grid_bounds",   "split_count",   "split_scan",      "grid_split",
-                                   "grid_sort",     "grid_count",    "grid_sums",       "grid_scan",
-                                   "grid_scatter",  "collide_grid",  "collide_hashed",  "collide_group",
-                                   "collide_tiled", "collide_swept", "collide_square",  "collide_triangle",
-                                   "draw_clear",    "draw_counts",   "draw_bounds",     "draw_cull",
-                                   "draw_pyramid",  "draw_clusters", "draw_spheres",    "draw_tiles",
-                                   "draw_resolve",  "draw_light"};
+#define NAME(name) #name,
+  constexpr const char* names[] = {SPHEREPAIR_KERNELS(NAME)};
+#undef NAME
   return names[int(kernel)];
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "backend.h"
+#include "kernel_list.h"
 #include "variant.h"
 
 namespace spherepair {
@@ -13,46 +14,9 @@ namespace spherepair {
 // The parameters of every kernel for this scene. All constants are computed here once, in float64, and rounded.
 Params scene_params(const Scene& scene, bool exact);
 
-enum class Kernel {
-  move,
-  bounce,
-  place,
-  clear,
-  empty,
-  ceiling_copy,
-  ceiling_atomics,
-  ceiling_issue,
-  settle,
-  decide,
-  tally,
-  grid_clear,
-  grid_bounds,
-  split_count,
-  split_scan,
-  grid_split,
-  grid_sort,
-  grid_count,
-  grid_sums,
-  grid_scan,
-  grid_scatter,
-  collide_grid,
-  collide_hashed,
-  collide_group,
-  collide_tiled,
-  collide_swept,
-  collide_square,
-  collide_triangle,
-  draw_clear,
-  draw_counts,
-  draw_bounds,
-  draw_cull,
-  draw_pyramid,
-  draw_clusters,
-  draw_spheres,
-  draw_tiles,
-  draw_resolve,
-  draw_light
-};
+#define ENUMERATOR(name) name,
+enum class Kernel { SPHEREPAIR_KERNELS(ENUMERATOR) };
+#undef ENUMERATOR
 
 // `groups` along one axis, folded into the next where one dispatch cannot hold them.
 std::array<uint, 3> folded(uint64_t groups);

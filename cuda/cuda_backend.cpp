@@ -95,7 +95,7 @@ void CudaBackend::describe(int device) {
 
 void CudaBackend::require_kernels(int device) const {
   cudaFuncAttributes attributes;
-  const cudaError_t error = cudaFuncGetAttributes(&attributes, empty_kernel());
+  const cudaError_t error = cudaFuncGetAttributes(&attributes, empty_kernel(SERVICE_BLOCK, {}));
   if (error == cudaSuccess) return;
   const std::string capability = info_.details.at("compute capability");
   throw BackendError(

@@ -42,6 +42,6 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_cull(Params p, World w, Vi
   if (v.phase == PHASE_SEEN ? first : seen && !first) w.cluster_list[atomicAdd(&w.drawn[DRAWN_CLUSTERS], 1u)] = c;
 }
 
-Entry draw_cull_kernel() { return reinterpret_cast<Entry>(&draw_cull); }
+Entry draw_cull_kernel(uint, Variant) { return reinterpret_cast<Entry>(&draw_cull); }
 
 }  // namespace spherepair

@@ -38,6 +38,6 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_pyramid(Params p, World w,
       v.level == 0u ? greatest_of_pixels(w, v, x, y) : greatest_of_texels(w, v, x, y);
 }
 
-Entry draw_pyramid_kernel() { return reinterpret_cast<Entry>(&draw_pyramid); }
+Entry draw_pyramid_kernel(uint, Variant) { return reinterpret_cast<Entry>(&draw_pyramid); }
 
 }  // namespace spherepair

@@ -27,6 +27,6 @@ __global__ void __launch_bounds__(SPLIT_BLOCK) split_count(Params p, World w) {
   }
 }
 
-Entry split_count_kernel() { return reinterpret_cast<Entry>(&split_count); }
+Entry split_count_kernel(uint, Variant) { return reinterpret_cast<Entry>(&split_count); }
 
 }  // namespace spherepair
