@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <cstring>
-#include <filesystem>
 
 #include "context.h"
 #include "device_backend.h"
+#include "gl_driver.h"
 #include "gl_renderer.h"
 #include "program.h"
 #include "stage_timer.h"
@@ -33,22 +33,23 @@ class GlslBackend final : public DeviceBackend {
   void read(uint slot, void* data, uint64_t offset, uint64_t bytes) override;
   void launch(const Launch& launch, const Params& params) override;
   uint64_t largest_binding() const override { return largest_binding_; }
-  bool has_atomics_64() const override { return atomics_64_; }
+  bool has_atomics_64() const override { return features_.atomics_64; }
   void draw_by_pipeline(DrawMethod method) override;
   std::vector<uint> pipeline_image() override;
 
  private:
   void require_features() const;
-  void describe();
   const Program& program(const Launch& launch);
   void set_params(const Params& params);
   void set_view();
 
   Context context_;
-  bool sparse_, atomics_64_ = false;
+  bool sparse_;
+  Features features_;
   BackendInfo info_;
   uint64_t largest_binding_ = 0;
   std::array<GLuint, SLOT_TOTAL> buffers_{};
+  std::array<GLuint, SLOT_TOTAL> bound_{};  // what kernels see now
   GLuint params_buffer_ = 0;
   Params params_on_device_{};
   bool params_known_ = false;
@@ -59,20 +60,15 @@ class GlslBackend final : public DeviceBackend {
   StageTimer timer_;
 };
 
-std::string gl_string(GLenum name) { return reinterpret_cast<const char*>(glGetString(name)); }
-
-std::string device_uuid() {
-  GLubyte bytes[GL_UUID_SIZE_EXT] = {};
-  glGetUnsignedBytei_vEXT(GL_DEVICE_UUID_EXT, 0, bytes);
-  std::string uuid;
-  for (const GLubyte byte : bytes) uuid += fmt::format("{:02x}", byte);
-  return uuid;
-}
-
 GlslBackend::GlslBackend(const OpenOptions& options) : context_(options), sparse_(options.sparse_buffers) {
   context_.make_current();
   require_features();
-  describe();
+  features_ = driver_features();
+  sparse_ = sparse_ && epoxy_has_gl_extension("GL_ARB_sparse_buffer");
+  info_ = describe_driver(context_.software(), sparse_, features_);
+  GLint64 binding = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &binding);
+  largest_binding_ = uint64_t(binding);
   glCreateBuffers(1, &params_buffer_);
   glNamedBufferStorage(params_buffer_, sizeof(Params), nullptr, GL_DYNAMIC_STORAGE_BIT);
   glCreateBuffers(1, &view_buffer_);
@@ -101,36 +97,11 @@ void GlslBackend::require_features() const {
   }
 }
 
-void GlslBackend::describe() {
-  GLint64 binding = 0;
-  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &binding);
-  GLint shared_bytes = 0;
-  glGetIntegerv(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE, &shared_bytes);
-  largest_binding_ = uint64_t(binding);
-  atomics_64_ = epoxy_has_gl_extension("GL_NV_shader_atomic_int64");
-  sparse_ = sparse_ && epoxy_has_gl_extension("GL_ARB_sparse_buffer");
-  info_.name = "glsl";
-  info_.device = gl_string(GL_RENDERER);
-  info_.software = context_.software();
-  info_.device_timers = !info_.software;  // a software renderer's timers stop before its work does
-  if (!info_.software && epoxy_has_gl_extension("GL_EXT_memory_object")) info_.uuid = device_uuid();
-  info_.details = {{"GL_RENDERER", gl_string(GL_RENDERER)},
-                   {"GL_VENDOR", gl_string(GL_VENDOR)},
-                   {"GL_VERSION", gl_string(GL_VERSION)},
-                   {"GLSL version", gl_string(GL_SHADING_LANGUAGE_VERSION)},
-                   {"largest storage block bytes", std::to_string(binding)},
-                   {"shared memory bytes", std::to_string(shared_bytes)},
-                   {"64-bit atomics", atomics_64_ ? "yes" : "no: drawing takes two passes"},
-                   {"buffers", sparse_ ? "sparse storage, committed whole" : "plain storage"}};
-  if (info_.software && std::filesystem::exists("/dev/nvidiactl")) {
-    info_.details["warning"] = "a GPU is present, but OpenGL runs in software";
-  }
-}
-
 void GlslBackend::allocate(uint slot, uint64_t bytes) {
   context_.make_current();
   glDeleteBuffers(1, &buffers_[slot]);
   glCreateBuffers(1, &buffers_[slot]);
+  bound_ = {};
   // Sparse storage comes in large pages; plain buffers of some drivers in small ones, slow under random access.
   const GLbitfield sparse = sparse_ ? GL_SPARSE_STORAGE_BIT_ARB : 0;
   glNamedBufferStorage(buffers_[slot], GLsizeiptr(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT | sparse);
@@ -167,7 +138,7 @@ void GlslBackend::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
 const Program& GlslBackend::program(const Launch& launch) {
   auto& program = programs_[{launch.kernel, launch.block, launch.variant}];
   if (!program)
-    program = std::make_unique<Program>(kernel_name(launch.kernel), launch.block, launch.variant, atomics_64_);
+    program = std::make_unique<Program>(kernel_name(launch.kernel), launch.block, launch.variant, features_);
   return *program;
 }
 
@@ -201,7 +172,8 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   bound[SLOT_SORTED] = buffers_[position_slot(launch.target)];
   bound[SLOT_ID] = buffers_[id_slot(launch.target)];
   bound[SLOT_CELL] = buffers_[launch.table];
-  glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, 0, GLsizei(bound.size()), bound.data());
+  if (bound != bound_) glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, 0, GLsizei(bound.size()), bound.data());
+  bound_ = bound;
   timer_.time(kernel_name(launch.kernel), [&] {
     glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -212,6 +184,7 @@ void GlslBackend::draw_by_pipeline(DrawMethod method) {
   context_.make_current();
   set_view();
   if (!renderer_) renderer_ = std::make_unique<GlRenderer>();
+  bound_ = {};
   timer_.time(draw_method_name(method),
               [&] { renderer_->draw(method, view(), buffers_[SLOT_POSITION], buffers_[SLOT_COUNT], spheres()); });
 }
