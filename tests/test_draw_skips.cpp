@@ -29,6 +29,7 @@ std::vector<DrawOptions> every_skip() {
     options.count = true;
     all.push_back(options);
   }
+  all.push_back({.skip_outside = false, .skip_hidden = false, .skip_unchanged = false, .share_below = 0});
   return all;
 }
 
@@ -61,7 +62,7 @@ TEST_P(DrawSkips, NoPictureChanges) {
 // Spheres move while the camera does; those in no cell order form poor clusters, but clusters.
 TEST_P(DrawSkips, WhileSpheresMove) {
   const Scene scene = make_scene({.n = 5000});
-  DrawOptions skips = every_skip().back();
+  const DrawOptions skips = every_skip()[2];
   for (const bool collide : {false, true}) {
     backend().upload(scene);
     for (int step = 0; step < 4; ++step) {
