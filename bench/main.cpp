@@ -10,6 +10,7 @@
 #include "options.h"
 #include "precision_command.h"
 #include "run_action.h"
+#include "view_command.h"
 
 namespace spherepair {
 namespace {
@@ -165,6 +166,7 @@ int run_program(int argc, char** argv) {
   add_run(app, line, action);
   add_pairs(app, line, action);
   add_render(app, line, action);
+  add_view(app, line, action);
   add_frames(app, line, action);
   add_compare(app, line, action);
   add_equal(app, action);

@@ -119,7 +119,7 @@ void DeviceBackend::upload(const Scene& scene) {
   cleared_ = collided_ = cells_built_ = counts_by_place_ = false;
   view_ = {};
   clustered_.reset();
-  picture_stands_ = false;
+  seen_known_ = picture_stands_ = false;
   pictures_kept_ = 0;
   write_state(initial_state(scene, params_));
 }

@@ -126,7 +126,8 @@ class DeviceBackend : public Backend {
   void draw_tiles(const Params& params, Order order);
   void restart_lists();
   void make_clusters(const Params& params, Order order);
-  void build_pyramid(const Params& params);
+  void forget_seen();
+  uint64_t level_1_texels() const;
   void finish_draw();
 
   std::array<uint, 3> per_sphere_groups() const;
@@ -151,6 +152,8 @@ class DeviceBackend : public Backend {
   View asked_{};                  // the same as it was asked for
   DrawOptions draw_options_;
   std::optional<Order> clustered_;  // whose clusters they are; none when spheres have moved
+  bool seen_known_ = false;         // the lists of clusters seen are of this scene
+  uint lists_turn_ = 0;             // which of the two is the last picture's
   bool picture_stands_ = false;     // nothing has changed since the last draw
   uint64_t pictures_kept_ = 0;
   std::array<uint64_t, SLOT_TOTAL> bytes_{};

@@ -27,9 +27,9 @@
 #define SLOT_TILE 18     // uvec2[]: large spheres cut into tiles: the sphere's place, the number of the tile in its box
 #define SLOT_DRAWN 19    // uint[DRAWN_WORDS]: see view.h
 #define SLOT_CLUSTER 20  // vec4[2 * clusters]: lowest and highest corner of what holds a cluster's spheres
-#define SLOT_CLUSTER_SEEN 21  // uint[clusters]: not 0 when the last picture may have shown it
-#define SLOT_CLUSTER_LIST 22  // uint[clusters]: those to draw, in any order; their number is DRAWN_CLUSTERS
-#define SLOT_PYRAMID 23       // uint[]: greatest depth in each texel, level by level; see cluster.h
+#define SLOT_CLUSTER_SEEN 21  // uint[clusters]: not 0 when it stands in the list of those seen
+#define SLOT_CLUSTER_LIST 22  // uint[3 * clusters]: in any order, two lists by View::turn of those seen, those to draw
+#define SLOT_PYRAMID 23       // uint[]: greatest depth in each texel, level 0 and then 1; see cluster.h
 #define SLOT_WIDE 24          // Real[6n], of compensated and float64: all x, all y, all z, then the velocities
 #define SLOT_ANCHOR 25        // vec4[n], of anchored: where the spheres started, radius in w
 #define SLOT_FLIGHT 26  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
@@ -96,7 +96,8 @@ struct Params {
   float dt, gravity, steps_per_second, restitution;   // seconds, <= 0 along y, 1 / dt, 0..1
   float plane, radius, apart_above, collide_below;    // y of the plane; for equal radii: squared-distance bounds
   float filter_scale, filter_offset;                  // K and T of filter_pair
-  uint whole_state, spare_0;                          // of place: not 0 also writes velocities and SLOT_WIDE
+  uint whole_state;                                   // of place: not 0 also writes velocities and SLOT_WIDE
+  float fade;                                         // of draw_light: 1 / (OCCLUSION_RADII * largest radius)^2
   uint n, columns, pair_capacity, deferred_capacity;  // columns: spheres that one group of collide_triangle meets
   uint defer_undecided, pairs_to_decide, first_group, in_cells;  // 0: the naive predicate; of decide; of this slice
   float origin_x, origin_y, origin_z, cells_per_metre;           // of the grid's cells, at level 0

@@ -8,6 +8,8 @@
 namespace spherepair {
 namespace {
 
+std::string gl_string(GLenum name) { return reinterpret_cast<const char*>(glGetString(name)); }
+
 std::string device_uuid() {
   GLubyte bytes[GL_UUID_SIZE_EXT] = {};
   glGetUnsignedBytei_vEXT(GL_DEVICE_UUID_EXT, 0, bytes);
@@ -27,7 +29,17 @@ bool has_subgroups() {
 
 }  // namespace
 
-std::string gl_string(GLenum name) { return reinterpret_cast<const char*>(glGetString(name)); }
+void require_gl_features() {
+  if (epoxy_gl_version() < 45) {
+    throw BackendError(fmt::format("glsl: {} offers OpenGL {}, but 4.5 is needed; update the driver",
+                                   gl_string(GL_RENDERER), gl_string(GL_VERSION)));
+  }
+  if (!epoxy_has_gl_extension("GL_ARB_gpu_shader_int64")) {
+    throw BackendError(
+        fmt::format("glsl: {} lacks GL_ARB_gpu_shader_int64, which the exact stages need; update the driver",
+                    gl_string(GL_RENDERER)));
+  }
+}
 
 Features driver_features() { return {epoxy_has_gl_extension("GL_NV_shader_atomic_int64"), has_subgroups()}; }
 

@@ -9,7 +9,7 @@
 
 namespace spherepair {
 
-std::string gl_string(GLenum name);
+void require_gl_features();  // throws BackendError naming the first that the kernels need and the driver lacks
 Features driver_features();
 BackendInfo describe_driver(bool software, bool sparse, Features features);
 

@@ -10,6 +10,7 @@
 #include "gl_driver.h"
 #include "gl_renderer.h"
 #include "program.h"
+#include "ring_buffer.h"
 #include "stage_timer.h"
 
 namespace spherepair {
@@ -38,10 +39,10 @@ class GlslBackend final : public DeviceBackend {
   std::vector<uint> pipeline_image() override;
 
  private:
-  void require_features() const;
   const Program& program(const Launch& launch);
   void set_params(const Params& params);
   void set_view();
+  void bind(const Launch& launch);
 
   Context context_;
   bool sparse_;
@@ -53,8 +54,9 @@ class GlslBackend final : public DeviceBackend {
   GLuint params_buffer_ = 0;
   Params params_on_device_{};
   bool params_known_ = false;
-  GLuint view_buffer_ = 0;
+  std::unique_ptr<RingBuffer> views_;
   View view_on_device_{};
+  std::array<GLuint, SLOT_TOTAL> bound_{};
   std::map<std::tuple<Kernel, uint, Variant>, std::unique_ptr<Program>> programs_;
   std::unique_ptr<GlRenderer> renderer_;
   StageTimer timer_;
@@ -62,7 +64,7 @@ class GlslBackend final : public DeviceBackend {
 
 GlslBackend::GlslBackend(const OpenOptions& options) : context_(options), sparse_(options.sparse_buffers) {
   context_.make_current();
-  require_features();
+  require_gl_features();
   features_ = driver_features();
   sparse_ = sparse_ && epoxy_has_gl_extension("GL_ARB_sparse_buffer");
   info_ = describe_driver(context_.software(), sparse_, features_);
@@ -71,9 +73,9 @@ GlslBackend::GlslBackend(const OpenOptions& options) : context_(options), sparse
   largest_binding_ = uint64_t(binding);
   glCreateBuffers(1, &params_buffer_);
   glNamedBufferStorage(params_buffer_, sizeof(Params), nullptr, GL_DYNAMIC_STORAGE_BIT);
-  glCreateBuffers(1, &view_buffer_);
-  glNamedBufferStorage(view_buffer_, sizeof(View), &view_on_device_, GL_DYNAMIC_STORAGE_BIT);
-  gl_check("making the parameter buffers");
+  gl_check("making the buffer of parameters");
+  views_ = std::make_unique<RingBuffer>(SLOT_VIEW, sizeof(View));
+  views_->write(&view_on_device_);
 }
 
 GlslBackend::~GlslBackend() {
@@ -82,26 +84,14 @@ GlslBackend::~GlslBackend() {
   timer_.forget();
   glDeleteBuffers(GLsizei(buffers_.size()), buffers_.data());
   glDeleteBuffers(1, &params_buffer_);
-  glDeleteBuffers(1, &view_buffer_);
-}
-
-void GlslBackend::require_features() const {
-  if (epoxy_gl_version() < 45) {
-    throw BackendError(fmt::format("glsl: {} offers OpenGL {}, but 4.5 is needed; update the driver",
-                                   gl_string(GL_RENDERER), gl_string(GL_VERSION)));
-  }
-  if (!epoxy_has_gl_extension("GL_ARB_gpu_shader_int64")) {
-    throw BackendError(
-        fmt::format("glsl: {} lacks GL_ARB_gpu_shader_int64, which the exact stages need; update the driver",
-                    gl_string(GL_RENDERER)));
-  }
+  views_->forget();
 }
 
 void GlslBackend::allocate(uint slot, uint64_t bytes) {
   context_.make_current();
+  bound_ = {};  // a new buffer may get the name of the one deleted
   glDeleteBuffers(1, &buffers_[slot]);
   glCreateBuffers(1, &buffers_[slot]);
-  bound_ = {};
   // Sparse storage comes in large pages; plain buffers of some drivers in small ones, slow under random access.
   const GLbitfield sparse = sparse_ ? GL_SPARSE_STORAGE_BIT_ARB : 0;
   glNamedBufferStorage(buffers_[slot], GLsizeiptr(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT | sparse);
@@ -151,10 +141,23 @@ void GlslBackend::set_params(const Params& params) {
 }
 
 void GlslBackend::set_view() {
-  glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_VIEW, view_buffer_);
   if (std::memcmp(&view(), &view_on_device_, sizeof(View)) == 0) return;
-  glNamedBufferSubData(view_buffer_, 0, sizeof(View), &view());
+  views_->write(&view());
   view_on_device_ = view();
+}
+
+// Binding is dear, and most launches use what the last did.
+void GlslBackend::bind(const Launch& launch) {
+  std::array<GLuint, SLOT_TOTAL> wanted = buffers_;
+  wanted[SLOT_POSITION] = buffers_[position_slot(launch.order)];
+  wanted[SLOT_COUNT] = buffers_[count_slot(launch.order)];
+  wanted[SLOT_SPLIT_ID] = buffers_[id_slot(launch.order)];
+  wanted[SLOT_SORTED] = buffers_[position_slot(launch.target)];
+  wanted[SLOT_ID] = buffers_[id_slot(launch.target)];
+  wanted[SLOT_CELL] = buffers_[launch.table];
+  if (wanted == bound_) return;
+  glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, 0, GLsizei(wanted.size()), wanted.data());
+  bound_ = wanted;
 }
 
 // GL keeps an error until it is asked, so dispatches are checked where their results are waited for.
@@ -165,15 +168,7 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   set_view();
   glUseProgram(chosen.id());
   glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_PARAMS, params_buffer_);
-  std::array<GLuint, SLOT_TOTAL> bound = buffers_;
-  bound[SLOT_POSITION] = buffers_[position_slot(launch.order)];
-  bound[SLOT_COUNT] = buffers_[count_slot(launch.order)];
-  bound[SLOT_SPLIT_ID] = buffers_[id_slot(launch.order)];
-  bound[SLOT_SORTED] = buffers_[position_slot(launch.target)];
-  bound[SLOT_ID] = buffers_[id_slot(launch.target)];
-  bound[SLOT_CELL] = buffers_[launch.table];
-  if (bound != bound_) glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, 0, GLsizei(bound.size()), bound.data());
-  bound_ = bound;
+  bind(launch);
   timer_.time(kernel_name(launch.kernel), [&] {
     glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -184,7 +179,7 @@ void GlslBackend::draw_by_pipeline(DrawMethod method) {
   context_.make_current();
   set_view();
   if (!renderer_) renderer_ = std::make_unique<GlRenderer>();
-  bound_ = {};
+  bound_ = {};  // the renderer binds its own
   timer_.time(draw_method_name(method),
               [&] { renderer_->draw(method, view(), buffers_[SLOT_POSITION], buffers_[SLOT_COUNT], spheres()); });
 }
