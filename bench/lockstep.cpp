@@ -62,9 +62,12 @@ std::vector<Asked> everyone(Session& session, const std::vector<Method>& methods
   std::vector<Asked> all;
   for (const auto& backend : session.backends()) {
     const bool cpu = backend->info().name == "cpu";
-    for (Method method : backend->methods()) {
+    std::vector<Method> known = backend->methods();
+    known.push_back(Method::automatic);
+    for (Method method : known) {
       if (!chosen(methods, method)) continue;
-      const bool cpu_only = method == Method::sequential || method == Method::parallel;
+      const bool cpu_only =
+          method == Method::sequential || method == Method::parallel || (cpu && method == Method::automatic);
       if (cpu && !cpu_only && method != Method::collide_group) continue;
       for (uint block : blocks) {
         all.push_back({backend.get(), {.method = method, .block = block}});

@@ -76,6 +76,7 @@ json to_json(const Samples& samples) {
 
 double time_batch(const Contender& contender, uint64_t batch) {
   Backend& backend = *contender.backend;
+  if (contender.alternates) contender.step(backend);
   backend.finish();
   const auto start = std::chrono::steady_clock::now();
   for (uint64_t k = 0; k < batch; ++k) contender.step(backend);

@@ -18,6 +18,7 @@ struct Contender {
   std::string label;
   Backend* backend;
   std::function<void(Backend&)> step;  // enqueues one step
+  bool alternates = false;             // others leave the backend in another state: a step goes ahead, untimed
 };
 
 struct Sampling {

@@ -107,7 +107,7 @@ PairsFound CpuGrid::search(const PairSearch& search, const GridPlan& plan, bool 
   Params p = search.params;
   n_ = search.positions.size();
   p.n = uint(n_);
-  set_grid(p, plan);
+  set_grid(p, plan, search.options.grid.skip_cells);
   if (!keep_cells) cells_.sort(search.positions, p, !search.equal_radii, search.threads);
   near_counts_.resize(n_);
   far_counts_.resize(n_);

@@ -65,14 +65,20 @@ void DeviceBackend::require_scene(const char* what) const {
     throw BackendError(fmt::format("{}: {} needs a scene; call upload first", info().name, what));
 }
 
+// How many spheres fit into one binding when these take so many bytes.
+uint64_t DeviceBackend::fitting(uint64_t bytes) const {
+  const uint64_t room = (largest_binding() - guard_words * sizeof(uint)) / 16 * 16;
+  return uint64_t(double(room) / double(bytes) * double(n_));
+}
+
 void DeviceBackend::make_buffer(uint slot, uint64_t bytes) {
   bytes = ceil_div(std::max<uint64_t>(bytes, 16), 16) * 16;
   const uint64_t whole = bytes + guard_words * sizeof(uint);
   if (whole > largest_binding()) {
-    throw BackendError(
-        fmt::format("{}: {} spheres need {} bytes for the {}, but a kernel of this device can bind at most {}; "
-                    "use fewer spheres",
-                    info().name, n_, whole, slot_names[slot], largest_binding()));
+    throw BackendError(fmt::format(
+        "{}: {} spheres need {} bytes for the {} ({:.3g} a sphere), but a kernel of this device can bind at "
+        "most {}; {} spheres fit",
+        info().name, n_, whole, slot_names[slot], double(bytes) / double(n_), largest_binding(), fitting(bytes)));
   }
   if (bytes_[slot] == bytes) return;
   allocate(slot, whole);
@@ -107,12 +113,15 @@ void DeviceBackend::upload(const Scene& scene) {
   make_buffer(SLOT_VERDICT, 16);
   write(SLOT_POSITION, scene.positions.data(), 0, n_ * sizeof(vec4));
   write(SLOT_VELOCITY, scene.velocities.data(), 0, n_ * sizeof(vec4));
-  variant_.equal_radii = scene.equal_radii;
+  equal_radii_ = scene.equal_radii;
   motion_ = scene.motion;
   constants_ = {scene_params(scene, false), scene_params(scene, true)};
   params_ = constants_[true];
   params_.n = uint(n_);
-  plans_ = plan_grids(scene);
+  plans_ = plan_grids(scene.positions);
+  watch_ = PlanWatch(scene, plans_);
+  work_ = {.plans = 1};
+  moves_to_wait_ = moves_waited_ = 0;
   planned_.reset();
   cell_order_.reset();
   order_ = Order::scene;
