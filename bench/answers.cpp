@@ -104,12 +104,16 @@ Asked reference_for(Session& session, const CollideOptions& options, uint64_t n)
   return asked;
 }
 
+Answer answer_of(Backend& backend, bool want_pairs) {
+  Answer answer{backend.collisions(), backend.counts(), std::nullopt};
+  if (want_pairs) answer.pairs = backend.pairs();
+  return answer;
+}
+
 Answer ask(Session& session, Asked asked, bool want_pairs) {
   asked.options.want_pairs = want_pairs;
   session.collide(*asked.backend, asked.options);
-  Answer answer{asked.backend->collisions(), asked.backend->counts(), std::nullopt};
-  if (want_pairs) answer.pairs = asked.backend->pairs();
-  return answer;
+  return answer_of(*asked.backend, want_pairs);
 }
 
 std::string scene_label(const SceneOptions& o) {
