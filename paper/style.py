@@ -27,6 +27,13 @@ plt.rcParams.update({
 })
 
 
+def series_of(record):
+    """The series that a record belongs to: on the CPU, every method but `sequential` takes all threads."""
+    if record.backend != "cpu":
+        return record.backend
+    return "cpu sequential" if record.parameters.get("method") == "sequential" else "cpu parallel"
+
+
 def name_devices(machine):
     """GL in software is never called GLSL alone."""
     SERIES["glsl"]["label"] = "GLSL in software" if machine.software else "GLSL"
