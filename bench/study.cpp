@@ -172,6 +172,7 @@ const std::vector<TableKind>& table_kinds() {
       {"exactness", "what the exact predicate costs, and what it saves", make_exactness},
       {"scale", "collide_triangle from small to large n", make_scale},
       {"step", "a whole step: motion, plane, all pairs", make_step},
+      {"grid", "the uniform grid against all pairs", make_grid},
       {"equality", "what was compared and found equal", make_equality}};
   return kinds;
 }

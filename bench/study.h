@@ -79,6 +79,7 @@ std::vector<Table> make_overhead(Study& study);
 std::vector<Table> make_exactness(Study& study);
 std::vector<Table> make_scale(Study& study);
 std::vector<Table> make_step(Study& study);
+std::vector<Table> make_grid(Study& study);
 std::vector<Table> make_equality(Study& study);
 
 // Every measurement behind a table: K, rounds, median, interval, minimum, first step, device timer.

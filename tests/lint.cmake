@@ -22,9 +22,10 @@ if(Python3_Interpreter_FOUND)
   set_tests_properties(paper.figures PROPERTIES SKIP_RETURN_CODE 77)
   add_test(NAME paper.numbers COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/test_paper.py)
   if(TARGET spherepair_bench)
-    add_test(NAME bench.sweep
-      COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/test_sweep.py $<TARGET_FILE:spherepair_bench>)
+    set(bench_program $<TARGET_FILE:spherepair_bench>)
   endif()
+  add_test(NAME bench.sweep
+    COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/test_sweep.py $<TARGET_FILE:spherepair> ${bench_program})
 else()
   message(WARNING "Python 3.9 or newer was not found: the lint and the paper's numbers are left out of the tests")
 endif()
