@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from ranks import apart
 from records import Missing
 
+ORDER = ("clear", "grid_clear", "grid_bounds", "split_count", "split_scan", "grid_split", "grid_sort", "grid_count",
+         "grid_sums", "grid_scan", "grid_scatter", "collide", "settle", "tally")  # of the kernels of a collision step
 INSTRUCTIONS = 4  # three fused multiply-adds and a comparison a pair, the least for the form that is used
 
 
@@ -87,6 +89,7 @@ class StageRatio:
     where: str
     ratio: tuple  # GLSL over CUDA: middle, room below, room above
     cuda_ms: float
+    source: str
 
 
 def stage_ratios(machine):
@@ -105,13 +108,18 @@ def stage_ratios(machine):
         if least > 0:
             middle = glsl.device_stages_ms[kernel] / cuda.device_stages_ms[kernel]
             yield StageRatio(kernel, f"$n$ = {glsl.n:,}", (middle, middle - low / most, high / least - middle),
-                             cuda.device_stages_ms[kernel])
+                             cuda.device_stages_ms[kernel], cuda.source)
 
 
 def work_of(record):
     """What makes two records of different APIs the same work."""
     names = ("table", "work", "n", "method", "block", "exact", "order", "dt", "precision", "draw", "place")
     return (*(str(record.parameters.get(name)) for name in names), str(record.parameters.get("scene")))
+
+
+def in_order(stages):
+    """Each once, in the order in which they run; those that are not known come first."""
+    return sorted(dict.fromkeys(stages), key=lambda name: ORDER.index(name) if name in ORDER else -1)
 
 
 def stage_bars(record):

@@ -53,6 +53,22 @@ def spheres_axis(axis, label="number of spheres $n$"):
     axis.set_xlabel(label)
 
 
+def spheres_in_decades(axis, label="number of spheres $n$"):
+    """For sizes over many orders of magnitude."""
+    axis.set_xscale("log")
+    axis.xaxis.set_major_locator(LogLocator(numticks=12))
+    axis.xaxis.set_minor_formatter(NullFormatter())
+    axis.set_xlabel(label)
+
+
+def time_text(milliseconds):
+    """Three significant digits, in the unit that suits."""
+    for unit, least in (("s", 1e3), ("ms", 1.0), ("µs", 1e-3)):
+        if milliseconds >= least:
+            return f"{milliseconds / least:.3g} {unit}"
+    return f"{1e6 * milliseconds:.3g} ns"
+
+
 def plain_ticks(axis):
     """0.01, 0.1, 1, 10 instead of powers, and every one of them on a logarithmic axis."""
     if axis.get_yscale() == "log":

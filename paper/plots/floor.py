@@ -2,7 +2,7 @@
 """How close to the machine: each time as a share of the least that the device's own ceilings allow."""
 from derived import needed_devices
 from records import Missing
-from style import PAGE, SERIES, panels, spheres_axis
+from style import PAGE, SERIES, panels, spheres_in_decades
 
 NAME, TABLE = "floor", "grid"
 CAPTION = ("Share of the floor: the least time that the ceilings of the same run allow, over the measured time. "
@@ -44,7 +44,7 @@ def draw(machine):
         rows = with_floor(machine, backend=name, method="collide_triangle")
         axes[1].plot([r.n for r in rows], [100 * r.share_of_floor for r in rows], **SERIES[name])
     for axis, title in zip(axes, ("(a) grid", "(b) all pairs")):
-        spheres_axis(axis)
+        spheres_in_decades(axis)
         axis.set_ylim(0, 100)
         axis.set_title(title, loc="left")
         axis.legend()

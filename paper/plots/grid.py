@@ -2,7 +2,7 @@
 """The grid against all pairs from few spheres to as many as fit: time a sphere against the number of spheres."""
 from derived import crossover, needed_devices, slope
 from records import Missing
-from style import PAGE, SERIES, panels, plain_ticks, plot, spheres_axis
+from style import PAGE, SERIES, panels, plain_ticks, plot, spheres_in_decades
 
 NAME = TABLE = "grid"
 CAPTION = ("The uniform grid against all pairs in a gas: time of one collision step divided by the number of spheres, "
@@ -61,7 +61,7 @@ def draw(machine):
                     note_slope(axis, rows)
         axis.set_yscale("log")
         plain_ticks(axis)
-        spheres_axis(axis)
+        spheres_in_decades(axis)
         axis.set_title(f"packing fraction {fraction:g}", loc="left")
     axes[0].set_ylabel("time of one step per sphere (ns)")
     axes[-1].legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))

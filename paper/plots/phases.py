@@ -2,7 +2,7 @@
 """Where the time of all pairs goes: the kernels of one collision step by the device's own timer."""
 from itertools import cycle
 
-from derived import stage_bars
+from derived import in_order, stage_bars
 from records import Missing
 from style import COLUMN, panels
 
@@ -17,7 +17,7 @@ LOOKS = [("#d9d9d9", ""), ("#4f6d9e", ""), ("#e0b080", "///"), ("#9dbf8d", "..."
 
 def draw_bars(axis, rows, names, scale):
     """A bar a record, cut into its kernels; `scale` makes a record's milliseconds those of the axis."""
-    stages = list(dict.fromkeys(stage for record in rows for stage in stage_bars(record)))
+    stages = in_order(stage for record in rows for stage in stage_bars(record))
     for place, record in enumerate(reversed(rows)):
         left = 0.0
         for (color, hatch), stage in zip(cycle(LOOKS), stages):

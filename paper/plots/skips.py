@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What each skip, each trick of one API and each library is worth: the same work with it and without."""
 from derived import ratio
-from style import PAGE, SERIES, panels, series_of
+from style import PAGE, SERIES, panels, series_of, time_text
 
 NAME = TABLE = "skips"
 CAPTION = ("What each skip, each trick of one API and each library saves: time without it over time with it, the "
@@ -22,7 +22,8 @@ def pairs_of(machine):
     with_it = {same_work(row): row for row in machine.need(table=TABLE, on=True)}  # smallest n first: the last stays
     without = {(same_work(row), row.n): row for row in machine.select(table=TABLE, on=False)}
     pairs = [(on, without[work, on.n]) for work, on in with_it.items() if (work, on.n) in without]
-    return sorted(pairs, key=lambda pair: list(KINDS).index(kind_of(pair[0])))
+    names = list(dict.fromkeys(on.skip for on, _ in pairs))
+    return sorted(pairs, key=lambda pair: (list(KINDS).index(kind_of(pair[0])), names.index(pair[0].skip)))
 
 
 def kind_of(record):
@@ -39,7 +40,7 @@ def label(record):
 def remark(on):
     counter = on.parameters.get("counter")
     counted = f"; {counter['name']}: {counter['on']:,} of {counter['off']:,}" if counter else ""
-    return f"{on.median:.3g} ms{counted}"
+    return time_text(on.median) + counted
 
 
 def draw(machine):
@@ -62,6 +63,7 @@ def draw(machine):
     axis.axvline(1, color="black", linewidth=0.6)
     axis.set_xscale("log", base=2)
     axis.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
+    axis.tick_params(axis="y", length=0)
     axis.set_xlabel("time without / time with")
     axis.grid(axis="y", visible=False)
     return figure
