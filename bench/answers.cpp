@@ -91,7 +91,8 @@ std::string set_name(const CollideOptions& options) {
   return options.method == Method::collide_group ? fmt::format("within groups of {}", options.block) : "all pairs";
 }
 
-// One thread and a double loop is the plainest reference; it gives way to all cores where it would take seconds.
+// One thread and a double loop is the plainest reference; it gives way to all cores where it would take seconds, and
+// they to the grid.
 Asked reference_for(Session& session, const CollideOptions& options, uint64_t n) {
   Asked asked{&session.reference(), {}};
   const bool cpu = asked.backend->info().name == "cpu";
@@ -99,7 +100,7 @@ Asked reference_for(Session& session, const CollideOptions& options, uint64_t n)
     asked.options.method = options.method;
     asked.options.block = options.block;
   } else if (cpu) {
-    asked.options.method = n <= 20000 ? Method::sequential : Method::parallel;
+    asked.options.method = n <= 20000 ? Method::sequential : n <= 100000 ? Method::parallel : Method::collide_grid;
   }
   return asked;
 }

@@ -41,7 +41,8 @@ void fill_sizes(Plan& plan) {
     plan.grid_sizes = {1024, 4096, 16384, 65536, 1'000'000, 10'000'000};
   } else {
     plan.checks = {{500, 5, all}, {3000, 2, {CollideOptions{}.block}}};
-    plan.method_sizes = plan.exactness_sizes = {2048};
+    plan.method_sizes = {1024};
+    plan.exactness_sizes = {2048};
     plan.scale_sizes = plan.grid_sizes = {1024, 4096, 16384};
     plan.step_sizes = {64, 256, 1024, 4096, 16384};
     plan.count_steps_large = 20;
@@ -68,7 +69,6 @@ void extend(Plan& plan) {
   plan.method_sizes = plan.hardware ? Sizes{1024, 4096, 16384, 65536, 262144} : Sizes{1024, 4096, 16384};
   plan.exactness_sizes = plan.hardware ? Sizes{4096, 16384, 65536, 262144} : Sizes{4096, 16384};
   plan.count_steps_large = plan.hardware ? 1000 : 100;
-  plan.reference_pairs = plan.hardware ? 1e12 : 1e10;
   plan.sampling.rounds = plan.hardware ? 31 : 11;
 }
 

@@ -42,7 +42,6 @@ class Study {
   void upload(const SceneOptions& options);
   uint64_t check_step(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t step);
   void record(const std::string& table, const SceneOptions& scene, const Task& task, const Samples& samples);
-  Asked referee(const std::vector<Asked>& asked, const CollideOptions& options, uint64_t n) const;
 
   std::map<std::string, std::string> referees_;  // by set: who the last check trusted
 };

@@ -147,5 +147,23 @@ def grid(put, machine, others):
                     f"{last.label}, share of the floor in %, n = {last.n}, {order}")
 
 
+def pictures(put, machine, others):
+    for name in DEVICES:
+        rows = machine.need(table="draw", work="frame", place="outside", backend=name)
+        best_way = min((row for row in rows if row.n == rows[-1].n), key=lambda row: row.median)
+        put(f"draw/n/{name}", f"{best_way.n:,}", best_way.source, f"{name}, most spheres drawn")
+        put(f"draw/way/{name}", best_way.draw, best_way.source, f"{name}, fastest way to draw them from outside")
+        put(f"draw/ms/{name}", ms(best_way.median), best_way.source, f"{best_way.label}, n = {best_way.n}")
+
+
+def hand_overs(put, machine, others):
+    rows = machine.need(table="interop")
+    rows = sorted((row for row in rows if row.n == rows[-1].n), key=lambda row: row.median)
+    put("interop/n", f"{rows[0].n:,}", rows[0].source, "most spheres handed over")
+    for key, row in (("fast", rows[0]), ("slow", rows[-1])):
+        put(f"interop/{key}", ms(row.median), row.source, f"ms, {row.way}, n = {row.n}")
+        put(f"interop/{key}/way", row.way, row.source, f"the {key}est way to hand over, n = {row.n}")
+
+
 MEASURED = (original, whole_steps, pairs_alone, who_leads, floors, exactness, launches, first_uses, arrangements,
-            grid)
+            grid, pictures, hand_overs)
