@@ -53,8 +53,10 @@ def spheres_axis(axis, label="number of spheres $n$"):
     axis.set_xlabel(label)
 
 
-def spheres_in_decades(axis, label="number of spheres $n$"):
-    """For sizes over many orders of magnitude."""
+def spheres_in_decades(axis, sizes, label="number of spheres $n$"):
+    """For sizes over many orders of magnitude; fewer are put as in the other figures."""
+    if max(sizes) < 1e5 * min(sizes):
+        return spheres_axis(axis, label)
     axis.set_xscale("log")
     axis.xaxis.set_major_locator(LogLocator(numticks=12))
     axis.xaxis.set_minor_formatter(NullFormatter())

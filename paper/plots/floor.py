@@ -44,7 +44,7 @@ def draw(machine):
         rows = with_floor(machine, backend=name, method="collide_triangle")
         axes[1].plot([r.n for r in rows], [100 * r.share_of_floor for r in rows], **SERIES[name])
     for axis, title in zip(axes, ("(a) grid", "(b) all pairs")):
-        spheres_in_decades(axis)
+        spheres_in_decades(axis, [row.n for row in with_floor(machine)])
         axis.set_ylim(0, 100)
         axis.set_title(title, loc="left")
         axis.legend()

@@ -24,6 +24,12 @@ def sets(machine, backend, fraction):
         yield "all pairs", {"linestyle": ":", "alpha": 0.6}, rows
 
 
+def cpu_line(machine, fraction):
+    """The base: the same grid on all cores."""
+    return machine.select(table=TABLE, scene="uniform", packing_fraction=fraction, backend="cpu",
+                          method="collide_grid", order="cold")
+
+
 def caption(machine):
     said = []
     for name in needed_devices(machine, table=TABLE):
@@ -59,9 +65,12 @@ def draw(machine):
                 per_sphere(axis, rows, name, **look, label=f"{SERIES[name]['label']}, {label}")
                 if label == "grid, cold" and len(rows) > 1:
                     note_slope(axis, rows)
+        base = cpu_line(machine, fraction)
+        if base:
+            per_sphere(axis, base, "cpu parallel", label=f"{SERIES['cpu parallel']['label']}, grid, cold")
         axis.set_yscale("log")
         plain_ticks(axis)
-        spheres_in_decades(axis)
+        spheres_in_decades(axis, [row.n for row in machine.need(table=TABLE, packing_fraction=fraction)])
         axis.set_title(f"packing fraction {fraction:g}", loc="left")
     axes[0].set_ylabel("time of one step per sphere (ns)")
     axes[-1].legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
