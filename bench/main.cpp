@@ -12,6 +12,7 @@
 #include "precision_command.h"
 #include "run_action.h"
 #include "skips.h"
+#include "sweep.h"
 #include "view_command.h"
 
 namespace spherepair {
@@ -98,9 +99,10 @@ void add_selection(CLI::App& command, CompareOptions& options) {
       ->delimiter(',')
       ->check(positive_range);
   command
-      .add_option("--tables", plan.tables,
-                  "Only these tables: table1, counts, methods, ceilings, overhead, exactness, scale, step, equality; "
-                  "`none` only checks")
+      .add_option(
+          "--tables", plan.tables,
+          "Only these tables: table1, counts, methods, ceilings, overhead, exactness, scale, step, grid, equality; "
+          "`none` only checks")
       ->delimiter(',');
 }
 
@@ -166,6 +168,13 @@ void add_skips(CLI::App& app, CommandLine& line, Action& action) {
   command->callback([=, &line, &action] { action = [=, &line] { return skips_command(line, *options); }; });
 }
 
+void add_sweep(CLI::App& app, CommandLine& line, Action& action) {
+  auto* command = app.add_subcommand("sweep", "Record the cost of a collision step from few spheres to 10^9");
+  const auto options = add_sweep_options(*command);
+  add_open_options(*command, line.open);
+  command->callback([=, &line, &action] { action = [=, &line] { return sweep_command(line, *options); }; });
+}
+
 int run_program(int argc, char** argv) {
   CLI::App app(
       "spherepair finds the colliding pairs of spheres, exactly, on the CPU, through GLSL compute shaders and through "
@@ -191,6 +200,7 @@ int run_program(int argc, char** argv) {
   add_precision(app, line, action);
   add_crossover(app, line, action);
   add_skips(app, line, action);
+  add_sweep(app, line, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -159,6 +159,10 @@ std::vector<Pair> DeviceBackend::pairs() {
   if (!options_.want_pairs)
     throw BackendError(fmt::format("{}: no pair list was asked for; set want_pairs", info().name));
   const uint64_t count = collisions().pairs;
+  if (count > std::numeric_limits<uint>::max())
+    throw BackendError(
+        fmt::format("{}: {} pairs collide, but a list holds 2^32 - 1 at most; ask for the numbers without the list",
+                    info().name, count));
   return read_pairs(count);
 }
 
