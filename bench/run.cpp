@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "context.h"
 #include "files.h"
+#include "missed_contacts.h"
 #include "replaced_file.h"
 
 namespace spherepair {
@@ -22,8 +23,8 @@ struct StepResult {
 CollideOptions collide_options(const RunOptions& options, const Backend& backend, uint64_t n) {
   CollideOptions collide;
   collide.swept = options.swept;
-  const char* swept_method = backend.info().name == "cpu" ? "parallel" : "collide_tiled";
-  collide.method = choose_method(options.swept && options.method.empty() ? swept_method : options.method, backend, n);
+  const bool swept_by_default = options.swept && options.method.empty();
+  collide.method = swept_by_default ? swept_method(backend) : choose_method(options.method, backend, n);
   collide.block = parse_blocks({options.block}).front();
   collide.exact = !options.naive;
   return collide;
