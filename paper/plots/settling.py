@@ -21,7 +21,7 @@ def caption(machine):
     frames = [record(name) for name in FRAMES]
     said = "; ".join(f"({letter}) step {frame['step']}, {frame['pairs']:,} pairs" for letter, frame in
                      zip("abcd", frames))
-    return CAPTION.format(restitution=frames[0]["restitution"], frames=said)
+    return CAPTION.format(restitution=round(frames[0]["restitution"], 6), frames=said)
 
 
 def source(machine):
