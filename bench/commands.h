@@ -25,7 +25,7 @@ struct DevicesOptions {
 int devices_command(const CommandLine& line, const DevicesOptions& options);
 
 struct RunOptions {
-  std::string backend = "cpu", method;  // no method: the backend's fast one
+  std::string backend = "cpu", method;  // no method: auto
   StartOptions start;
   uint block = CollideOptions{}.block;
   uint64_t steps = 0;
@@ -37,7 +37,7 @@ struct RunOptions {
 int run_command(const CommandLine& line, const RunOptions& options);
 
 struct PairsOptions {
-  std::string backend, method;  // no backend: the fastest that opens; no method: the backend's fast one
+  std::string backend, method;  // no backend: the fastest that opens; no method: auto
   std::string input_file, output_file, json_file;
   std::optional<float> radius;
   std::optional<uint64_t> frame;

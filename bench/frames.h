@@ -50,7 +50,7 @@ using TimeStep =
 json time_hand_overs(const SharedTask& task, SharedDrawing& shared, const TimeStep& time);
 
 // The spheres put into the order of the grid's cells, in which a simulation that sorts would keep them.
-Scene in_cell_order(const Scene& scene);
+Scene in_cell_order(Scene scene);
 
 // Cameras on a short way around the spheres, or through their middle.
 std::vector<View> way(const Bounds& bounds, const std::string& place, uint width, uint height, uint lighting);

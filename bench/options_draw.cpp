@@ -76,7 +76,7 @@ void add_render(CLI::App& app, CommandLine& line, Action& action) {
       "Leave the edges of the box out that holds all spheres of the first picture (only --draw compute has them)");
   command->add_flag("--plain", options->plain, "Leave ambient occlusion, shadows and the ground out");
   command->add_option("--backend", options->backend, "cpu, glsl or cuda; default: a GPU where there is one, else cpu");
-  command->add_option("--method", options->method, "Of collision, see run --help; default: the backend's fastest");
+  command->add_option("--method", options->method, "Of collision, see run --help; default: auto");
   add_open_options(*command, line.open);
   command->footer(
       "Examples:\n  spherepair render --scene random --n 16384 --steps 120 --output spheres.png\n"

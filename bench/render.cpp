@@ -64,6 +64,7 @@ json record(const Series& series, uint64_t step, const Collisions& totals) {
   json views = json::array();
   for (uint k = 0; k < shot.samples; ++k)
     views.push_back(to_json(make_view(shot.camera, shot.look, shot.width, shot.height, jitter(k, shot.samples))));
+  const MethodChoice choice = series.chosen.backend->choice({.method = series.method});
   return {{"context", capture_context(series.line.words)},
           {"backends", series.chosen.session->to_json()},
           {"scene", series.start.record},
@@ -71,7 +72,8 @@ json record(const Series& series, uint64_t step, const Collisions& totals) {
           {"dt", series.start.scene.dt},
           {"restitution", series.start.scene.restitution},
           {"step", step},
-          {"method", method_name(series.method)},
+          {"method", method_name(choice.method)},
+          {"choice", to_json(choice)},
           {"drawn_by", draw_method_name(shot.method)},
           {"pairs", totals.pairs},
           {"colliding_spheres", totals.colliding_spheres},
@@ -150,8 +152,7 @@ int render_command(const CommandLine& line, const RenderOptions& options) {
   const Start start = start_of(options.start, line.open.threads);
   const ChosenBackend chosen = choose_backend(options.backend, line.open);
   const bool lights = !options.plain && options.draw == "compute" && start.scene.size() > 1;
-  const Method method =
-      lights ? Method::collide_grid : choose_method(options.method, *chosen.backend, start.scene.size());
+  const Method method = lights ? Method::collide_grid : choose_method(options.method, *chosen.backend);
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
   send(start, *chosen.backend);
   const double aspect = double(options.width) / options.height;

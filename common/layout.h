@@ -58,20 +58,25 @@
 #define SERVICE_BLOCK 128     // group size of the kernels whose size is no subject of the study
 #define MAX_GROUPS 65535      // of one dispatch along each axis, on every device; more are folded into the next axis
 
-#define SPHERES_PER_SORTER 4      // spheres that one thread of grid_count and grid_scatter handles
-#define SPLIT_BLOCK 1024          // group size of split_count, split_scan and grid_split
-#define SORT_BLOCK 512            // group size of grid_sort
-#define SORT_TILE 4096u           // spheres that one group of grid_split takes, and that grid_sort has room for
-#define BUCKETS_AT_MOST 1024u     // that one group of grid_split tells apart at a time
-#define CELLS_PER_BUCKET 2048u    // that grid_sort puts into order
-#define ROWS_AHEAD 5              // rows of cells in the later half of a neighbourhood
-#define EMPTY_CELLS_AT_MOST 4096  // that one thread of grid_bounds fills in
-#define SCAN_BLOCK 256            // group size of grid_scan
-#define SCAN_VECTORS 4            // uvec4 that one thread of grid_scan handles
-#define SCAN_TILE 4096u           // entries of the table that one group of grid_scan handles
-#define CEILING_CHAINS 8          // independent chains of multiply-adds of one thread of ceiling_issue, ...
-#define CEILING_TURNS 64          // ... so often round the loop, ...
-#define CEILING_STEPS 16          // ... with so many steps of each chain a time
+#define SPHERES_PER_SORTER 4       // spheres that one thread of grid_count and grid_scatter handles
+#define SPLIT_BLOCK 1024           // group size of split_count and grid_split
+#define SORT_BLOCK 512             // group size of grid_sort
+#define SPLIT_TILE 4096u           // spheres that one group of split_count and grid_split takes
+#define SORT_ROOM 3968u            // spheres that grid_sort has room for; three groups then share 48 KiB
+#define SPLIT_EACH 4u              // spheres that one thread of grid_split takes
+#define SORT_EACH 4u               // spheres that one thread of grid_sort takes at a time
+#define BUCKETS_AT_MOST 1024u      // that one group of grid_split tells apart at a time
+#define CELLS_PER_BUCKET 2048u     // that grid_sort puts into order
+#define ROWS_AHEAD 5               // rows of cells in the later half of a neighbourhood
+#define BOUNDS_TILE 256u           // spheres that one group of grid_bounds takes
+#define BOUNDS_WINDOW 512u         // cells whose begins it holds at a time
+#define EMPTY_CELLS_AT_MOST 4096u  // between two spheres that stand in cell order
+#define SCAN_BLOCK 256             // group size of grid_scan
+#define SCAN_VECTORS 4             // uvec4 that one thread of grid_scan handles
+#define SCAN_TILE 4096u            // entries of the table that one group of grid_scan handles
+#define CEILING_CHAINS 8           // independent chains of multiply-adds of one thread of ceiling_issue, ...
+#define CEILING_TURNS 64           // ... so often round the loop, ...
+#define CEILING_STEPS 16           // ... with so many steps of each chain a time
 
 #define MOTION_EULER 0u  // MotionMethod of motion_options.h
 #define MOTION_SYMPLECTIC 1u
@@ -109,7 +114,7 @@ struct Params {
 };
 
 #ifndef GL_core_profile
-static_assert(SPLIT_BLOCK == BUCKETS_AT_MOST);
+static_assert(SPLIT_BLOCK == BUCKETS_AT_MOST && SPLIT_BLOCK * SPLIT_EACH == SPLIT_TILE);
 static_assert(sizeof(Params) == 240 && alignof(vec4) == 16 && sizeof(uvec2) == 8);
 #endif
 

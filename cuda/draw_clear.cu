@@ -11,6 +11,6 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_clear(Params p, World w, V
   w.visible[pixel] = uvec2{0xFFFFFFFFu, 0xFFFFFFFFu};
 }
 
-Entry draw_clear_kernel() { return reinterpret_cast<Entry>(&draw_clear); }
+Entry draw_clear_kernel(uint, Variant) { return reinterpret_cast<Entry>(&draw_clear); }
 
 }  // namespace spherepair

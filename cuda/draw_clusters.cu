@@ -14,6 +14,6 @@ __global__ void __launch_bounds__(CLUSTER) draw_clusters(Params p, World w, View
   }
 }
 
-Entry draw_clusters_kernel() { return reinterpret_cast<Entry>(&draw_clusters); }
+Entry draw_clusters_kernel(uint, Variant) { return reinterpret_cast<Entry>(&draw_clusters); }
 
 }  // namespace spherepair

@@ -57,6 +57,6 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_cull(Params p, World w, Vi
   if (keeps) w.cluster_list[next * v.clusters + first_entry[1] + kept_place] = c;
 }
 
-Entry draw_cull_kernel() { return reinterpret_cast<Entry>(&draw_cull); }
+Entry draw_cull_kernel(uint, Variant) { return reinterpret_cast<Entry>(&draw_cull); }
 
 }  // namespace spherepair

@@ -41,6 +41,6 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_pyramid(Params p, World w,
   w.pyramid[first_texel(1u, v) + group_index(p)] = greatest;
 }
 
-Entry draw_pyramid_kernel() { return reinterpret_cast<Entry>(&draw_pyramid); }
+Entry draw_pyramid_kernel(uint, Variant) { return reinterpret_cast<Entry>(&draw_pyramid); }
 
 }  // namespace spherepair

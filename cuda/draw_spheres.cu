@@ -9,6 +9,6 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_spheres(Params p, World w,
   if (k < p.n) draw_sphere(p, w, v, place_in_turn(k, p.n, v), threadIdx.x % v.lanes);
 }
 
-Entry draw_spheres_kernel() { return reinterpret_cast<Entry>(&draw_spheres); }
+Entry draw_spheres_kernel(uint, Variant) { return reinterpret_cast<Entry>(&draw_spheres); }
 
 }  // namespace spherepair

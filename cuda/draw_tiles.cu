@@ -24,6 +24,6 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_tiles(Params p, World w, V
   }
 }
 
-Entry draw_tiles_kernel() { return reinterpret_cast<Entry>(&draw_tiles); }
+Entry draw_tiles_kernel(uint, Variant) { return reinterpret_cast<Entry>(&draw_tiles); }
 
 }  // namespace spherepair

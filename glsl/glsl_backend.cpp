@@ -7,8 +7,9 @@
 
 #include "context.h"
 #include "device_backend.h"
-#include "gl_info.h"
+#include "device_limits.h"
 #include "gl_renderer.h"
+#include "method_choice.h"
 #include "program.h"
 #include "ring_buffer.h"
 #include "stage_timer.h"
@@ -33,38 +34,40 @@ class GlslBackend final : public DeviceBackend {
   void write(uint slot, const void* data, uint64_t offset, uint64_t bytes) override;
   void read(uint slot, void* data, uint64_t offset, uint64_t bytes) override;
   void launch(const Launch& launch, const Params& params) override;
-  uint64_t largest_binding() const override { return largest_binding_; }
-  bool has_atomics_64() const override { return atomics_64_; }
+  uint64_t largest_binding() const override { return limits_.largest_binding; }
+  bool has_atomics_64() const override { return limits_.features.atomics_64; }
+  void check_tricks(const CollideOptions& options) const override;
+  void clear_buffer(uint slot, uint64_t bytes) override;
   void draw_by_pipeline(DrawMethod method) override;
   std::vector<uint> pipeline_image() override;
 
  private:
-  void describe();
   const Program& program(const Launch& launch);
   void set_params(const Params& params);
   void set_view();
   void bind(const Launch& launch);
+  void bind_table(const Launch& launch);
 
   Context context_;
-  bool sparse_, atomics_64_ = false;
+  DeviceLimits limits_;
   BackendInfo info_;
-  uint64_t largest_binding_ = 0;
   std::array<GLuint, SLOT_TOTAL> buffers_{};
+  std::array<GLuint, SLOT_TOTAL> bound_{};  // what kernels see now
+  GLuint table_texture_ = 0;
   GLuint params_buffer_ = 0;
   Params params_on_device_{};
   bool params_known_ = false;
   std::unique_ptr<RingBuffer> views_;
   View view_on_device_{};
-  std::array<GLuint, SLOT_TOTAL> bound_{};
   std::map<std::tuple<Kernel, uint, Variant>, std::unique_ptr<Program>> programs_;
   std::unique_ptr<GlRenderer> renderer_;
   StageTimer timer_;
 };
 
-GlslBackend::GlslBackend(const OpenOptions& options) : context_(options), sparse_(options.sparse_buffers) {
+GlslBackend::GlslBackend(const OpenOptions& options) : context_(options) {
   context_.make_current();
-  require_gl_features();
-  describe();
+  limits_ = device_limits(options.sparse_buffers);
+  info_ = describe_device(context_.software(), limits_);
   glCreateBuffers(1, &params_buffer_);
   glNamedBufferStorage(params_buffer_, sizeof(Params), nullptr, GL_DYNAMIC_STORAGE_BIT);
   gl_check("making the buffer of parameters");
@@ -79,16 +82,7 @@ GlslBackend::~GlslBackend() {
   glDeleteBuffers(GLsizei(buffers_.size()), buffers_.data());
   glDeleteBuffers(1, &params_buffer_);
   views_->forget();
-}
-
-void GlslBackend::describe() {
-  GLint64 binding = 0;
-  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &binding);
-  largest_binding_ = uint64_t(binding);
-  atomics_64_ = epoxy_has_gl_extension("GL_NV_shader_atomic_int64");
-  sparse_ = sparse_ && epoxy_has_gl_extension("GL_ARB_sparse_buffer");
-  info_ = gl_info(context_.software());
-  info_.details["buffers"] = sparse_ ? "sparse storage, committed whole" : "plain storage";
+  glDeleteTextures(1, &table_texture_);
 }
 
 void GlslBackend::allocate(uint slot, uint64_t bytes) {
@@ -97,7 +91,7 @@ void GlslBackend::allocate(uint slot, uint64_t bytes) {
   glDeleteBuffers(1, &buffers_[slot]);
   glCreateBuffers(1, &buffers_[slot]);
   // Sparse storage comes in large pages; plain buffers of some drivers in small ones, slow under random access.
-  const GLbitfield sparse = sparse_ ? GL_SPARSE_STORAGE_BIT_ARB : 0;
+  const GLbitfield sparse = limits_.sparse ? GL_SPARSE_STORAGE_BIT_ARB : 0;
   glNamedBufferStorage(buffers_[slot], GLsizeiptr(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT | sparse);
   if (sparse) {
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffers_[slot]);
@@ -132,7 +126,7 @@ void GlslBackend::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
 const Program& GlslBackend::program(const Launch& launch) {
   auto& program = programs_[{launch.kernel, launch.block, launch.variant}];
   if (!program)
-    program = std::make_unique<Program>(kernel_name(launch.kernel), launch.block, launch.variant, atomics_64_);
+    program = std::make_unique<Program>(kernel_name(launch.kernel), launch.block, launch.variant, limits_.features);
   return *program;
 }
 
@@ -164,6 +158,33 @@ void GlslBackend::bind(const Launch& launch) {
   bound_ = wanted;
 }
 
+void GlslBackend::check_tricks(const CollideOptions& options) const {
+  refuse_missing("glsl", options, {.texture_table = true, .library_clear = true}, false);
+}
+
+void GlslBackend::clear_buffer(uint slot, uint64_t bytes) {
+  context_.make_current();
+  const uint zero = 0;
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  timer_.time("gl_clear", [&] {
+    glClearNamedBufferSubData(buffers_[slot], GL_R32UI, 0, GLsizeiptr(bytes), GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+  });
+}
+
+// The table of cells as a texture of one word a texel: read through another cache than storage buffers.
+void GlslBackend::bind_table(const Launch& launch) {
+  const uint64_t texels = uint64_t(params().cell_slots) + 2;
+  if (texels > limits_.largest_texture)
+    throw BackendError(
+        fmt::format("glsl: a table of {} cells, but a texture buffer of this driver has {} texels at most; "
+                    "leave texture_table out",
+                    texels, limits_.largest_texture));
+  if (!table_texture_) glCreateTextures(GL_TEXTURE_BUFFER, 1, &table_texture_);
+  glTextureBufferRange(table_texture_, GL_R32UI, buffers_[launch.table], 0, GLsizeiptr(texels * sizeof(uint)));
+  glBindTextureUnit(0, table_texture_);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
 // GL keeps an error until it is asked, so dispatches are checked where their results are waited for.
 void GlslBackend::launch(const Launch& launch, const Params& params) {
   context_.make_current();
@@ -173,6 +194,8 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   glUseProgram(chosen.id());
   glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_PARAMS, params_buffer_);
   bind(launch);
+  if (launch.variant.texture_table && launch.kernel == Kernel::collide_grid) bind_table(launch);
+  ++work_.launches;
   timer_.time(kernel_name(launch.kernel), [&] {
     glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
