@@ -47,28 +47,31 @@ std::vector<Skip> skips() {
 
 std::vector<Skip> tricks() {
   const CollideOptions step = grid_step();
-  const auto trick = [](bool Tricks::*which) { return but([=](CollideOptions& o) { o.tricks.*which = true; }); };
-  return {{"own_clear", "the table cleared by a kernel; off: by the API's own function", "glsl", step,
-           trick(&Tricks::library_clear)},
-          {"own_clear", "the table cleared by a kernel; off: by the API's own function", "cuda", step,
-           trick(&Tricks::library_clear)},
-          {"sparse_buffers", "buffers in sparse storage, of large pages", "glsl", step, step, false, false, true},
-          {"texture_table", "the table of cells read through a texture buffer", "glsl", trick(&Tricks::texture_table),
-           step},
-          {"graph", "a step's launches replayed as a graph", "cuda", trick(&Tricks::graph), step},
-          {"graph_all_pairs",
-           "the same without a grid",
-           "cuda",
-           {.method = Method::collide_triangle, .tricks = {.graph = true}},
-           {.method = Method::collide_triangle}},
-          {"l2_aside", "L2 set aside for the table of cells", "cuda", trick(&Tricks::keep_in_l2), step},
-          {"own_scan", "our scan; off: Thrust's", "cuda", step,
-           but([](CollideOptions& o) { o.grid.scan = Scan::library; })},
-          {"own_sort", "our sort by counting; off: Thrust's radix sort", "cuda", step,
-           but([](CollideOptions& o) { o.grid.sort = Sort::radix; })},
-          {"own_buckets", "our sort by buckets; off: Thrust's radix sort", "cuda",
-           but([](CollideOptions& o) { o.grid.sort = Sort::buckets; }),
-           but([](CollideOptions& o) { o.grid.sort = Sort::radix; })}};
+  const auto trick = [](std::optional<bool> Tricks::*which, bool on = true) {
+    return but([=](CollideOptions& o) { o.tricks.*which = on; });
+  };
+  return {
+      {"own_clear", "the table cleared by a kernel; off: by the API's own function", "glsl", step,
+       trick(&Tricks::library_clear)},
+      {"own_clear", "the table cleared by a kernel; off: by the API's own function", "cuda", step,
+       trick(&Tricks::library_clear)},
+      {"sparse_buffers", "buffers in sparse storage, of large pages", "glsl", step, step, false, false, true},
+      {"texture_table", "the table of cells read through a texture buffer", "glsl", trick(&Tricks::texture_table),
+       trick(&Tricks::texture_table, false)},
+      {"graph", "a step's launches replayed as a graph", "cuda", trick(&Tricks::graph), trick(&Tricks::graph, false)},
+      {"graph_all_pairs",
+       "the same without a grid",
+       "cuda",
+       {.method = Method::collide_triangle, .tricks = {.graph = true}},
+       {.method = Method::collide_triangle, .tricks = {.graph = false}}},
+      {"l2_aside", "L2 set aside for the table of cells", "cuda", trick(&Tricks::keep_in_l2), step},
+      {"own_scan", "our scan; off: Thrust's", "cuda", step,
+       but([](CollideOptions& o) { o.grid.scan = Scan::library; })},
+      {"own_sort", "our sort by counting; off: Thrust's radix sort", "cuda", step,
+       but([](CollideOptions& o) { o.grid.sort = Sort::radix; })},
+      {"own_buckets", "our sort by buckets; off: Thrust's radix sort", "cuda",
+       but([](CollideOptions& o) { o.grid.sort = Sort::buckets; }),
+       but([](CollideOptions& o) { o.grid.sort = Sort::radix; })}};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -48,13 +49,14 @@ struct GridOptions {
   auto operator<=>(const GridOptions&) const = default;
 };
 
-// What one API offers and the other lacks, each to be measured against going without. A backend that lacks one refuses
-// it by name, std::invalid_argument.
+// What one API offers and the other lacks, each to be measured against going without. Absent: what was measured to be
+// faster; a backend that lacks one refuses it by name when it is asked for, std::invalid_argument.
 struct Tricks {
-  bool graph = false;       // CUDA: a step's launches are captured once and replayed while nothing about them changes
-  bool keep_in_l2 = false;  // CUDA: the table of cells is set aside in the L2 cache
-  bool texture_table = false;  // GLSL: collide_grid reads the table of cells through a texture buffer
-  bool library_clear = false;  // both: the API's own function clears the table, in place of a kernel
+  std::optional<bool> graph;       // CUDA: a step's launches are captured once, replayed while none changes. Absent: on
+  std::optional<bool> keep_in_l2;  // CUDA: the table of cells is set aside in the L2 cache. Absent: off
+  // GLSL: collide_grid reads the table of cells through texture buffers. Absent: on where these are large enough
+  std::optional<bool> texture_table;
+  std::optional<bool> library_clear;  // both: the API's function clears the table, in place of a kernel. Absent: off
   auto operator<=>(const Tricks&) const = default;
 };
 

@@ -80,7 +80,10 @@ class DeviceBackend : public Backend {
   // What one API alone offers (Tricks, Sort::radix, Scan::library); check_tricks throws std::invalid_argument that
   // names what this one lacks.
   virtual void check_tricks(const CollideOptions& options) const = 0;
-  virtual void begin_step(const Tricks&) {}  // around the launches of a collision step
+  // Whether collide_grid reads the table of cells through a texture buffer, where that is asked for, refused, or open.
+  virtual bool has_texture_table(std::optional<bool>) const { return false; }
+  virtual uint bounds_block() const { return SERVICE_BLOCK; }  // group size of grid_bounds
+  virtual void begin_step(const Tricks&) {}                    // around the launches of a collision step
   virtual void end_step() {}
   virtual void clear_buffer(uint slot, uint64_t bytes) = 0;  // to 0, by the API's own function
   virtual void library_scan() {}  // of SLOT_CELL: counts one slot ahead of their cells become starts

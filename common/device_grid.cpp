@@ -39,7 +39,7 @@ void DeviceBackend::plan_cells() {
 
 void DeviceBackend::launch_bounds() {
   const uint64_t threads = std::max<uint64_t>(n_ + 1, SUMMARY_SLOTS * SUMMARY_WORDS);
-  launch({Kernel::grid_bounds, SERVICE_BLOCK, {}, folded(ceil_div(threads, BOUNDS_TILE))}, params_);
+  launch({Kernel::grid_bounds, bounds_block(), {}, folded(ceil_div(threads, BOUNDS_TILE))}, params_);
 }
 
 // Asked once after spheres have moved, and more and more rarely while the answer is no, since the host then waits for
@@ -71,7 +71,7 @@ void DeviceBackend::launch_scan(uint table) {
 // The table or the buckets, and the totals, for a new sort.
 void DeviceBackend::clear_for_sort(uint64_t bucket_words) {
   const uint64_t table_words = bucket_words ? 0 : params_.cell_slots + 2;
-  if (options_.tricks.library_clear) {
+  if (options_.tricks.library_clear.value_or(false)) {
     clear_buffer(bucket_words ? SLOT_BUCKET : SLOT_CELL, (bucket_words + table_words) * sizeof(uint));
     return clear_buffer(SLOT_SUMMARY, SUMMARY_SLOTS * SUMMARY_WORDS * sizeof(uint));
   }
@@ -167,6 +167,7 @@ void DeviceBackend::launch_grid() {
   const bool hashed = params_.hash_mask != 0;
   const uint64_t chunks = ceil_div(n_, options_.block);
   const uint64_t groups = std::max(std::min(chunks, least_groups), chunks / chunks_per_group);
+  variant_.texture_table = !hashed && has_texture_table(options_.tricks.texture_table);
   const Kernel kernel = hashed ? Kernel::collide_hashed : Kernel::collide_grid;
   launch({kernel, options_.block, variant_, folded(groups), order_}, params_);
 }

@@ -69,8 +69,8 @@
 #define BUCKETS_AT_MOST 1024u      // that one group of grid_split tells apart at a time
 #define CELLS_PER_BUCKET 2048u     // that grid_sort puts into order
 #define ROWS_AHEAD 5               // rows of cells in the later half of a neighbourhood
-#define BOUNDS_TILE 256u           // spheres that one group of grid_bounds takes
-#define BOUNDS_WINDOW 512u         // cells whose begins it holds at a time
+#define BOUNDS_TILE 512u           // spheres that one group of grid_bounds takes
+#define BOUNDS_WINDOW 1024u        // cells whose begins it holds at a time
 #define EMPTY_CELLS_AT_MOST 4096u  // between two spheres that stand in cell order
 #define SCAN_BLOCK 256             // group size of grid_scan
 #define SCAN_VECTORS 4             // uvec4 that one thread of grid_scan handles

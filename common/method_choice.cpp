@@ -48,8 +48,8 @@ void check_collide(const CollideOptions& options) {
 }
 
 void refuse_missing(const std::string& backend, const CollideOptions& options, const Tricks& offered, bool thrust) {
-  const auto need = [&](bool wanted, bool there, const char* what, const char* who) {
-    if (wanted && !there)
+  const auto need = [&](std::optional<bool> wanted, std::optional<bool> there, const char* what, const char* who) {
+    if (wanted.value_or(false) && !there.value_or(false))
       throw std::invalid_argument(fmt::format("{}: {} is to be had with {} only", backend, what, who));
   };
   need(options.grid.sort == Sort::radix, thrust, "the radix sort of Thrust", "the backend cuda");

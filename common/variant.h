@@ -4,6 +4,7 @@
 
 #include <compare>
 
+#include "layout.h"
 #include "motion_options.h"
 
 namespace spherepair {
@@ -11,7 +12,7 @@ namespace spherepair {
 struct Variant {
   bool equal_radii = true;     // loads no radius
   bool listed = false;         // keeps the pairs, not only their number
-  bool texture_table = false;  // GLSL: the table of cells is a texture buffer
+  bool texture_table = false;  // GLSL: the table of cells is read through a texture buffer
   MotionOptions motion = {};   // of move, bounce and place
   auto operator<=>(const Variant&) const = default;
 };

@@ -164,8 +164,8 @@ void CudaBackend::check_tricks(const CollideOptions& options) const {
 }
 
 void CudaBackend::begin_step(const Tricks& tricks) {
-  l2_.turn(tricks.keep_in_l2);
-  if (tricks.graph && !stages_.on()) graph_.begin();  // stages are timed one by one
+  l2_.turn(tricks.keep_in_l2.value_or(false));
+  if (tricks.graph.value_or(true) && !stages_.on()) graph_.begin();  // stages are timed one by one
 }
 
 void CudaBackend::end_step() {

@@ -37,6 +37,10 @@ class GlslBackend final : public DeviceBackend {
   uint64_t largest_binding() const override { return limits_.largest_binding; }
   bool has_atomics_64() const override { return limits_.features.atomics_64; }
   void check_tricks(const CollideOptions& options) const override;
+  bool has_texture_table(std::optional<bool> wanted) const override;
+  // So many threads that all run at once: their groups share 48 KiB of a multiprocessor, whatever it has
+  // (bench/NOTES.md).
+  uint bounds_block() const override { return 256; }
   void clear_buffer(uint slot, uint64_t bytes) override;
   void draw_by_pipeline(DrawMethod method) override;
   std::vector<uint> pipeline_image() override;
@@ -171,16 +175,23 @@ void GlslBackend::clear_buffer(uint slot, uint64_t bytes) {
   });
 }
 
-// The table of cells as a texture of four words a texel: read on another path than storage buffers.
-void GlslBackend::bind_table(const Launch& launch) {
-  const uint64_t texels = (uint64_t(params().cell_slots) + 2) / 4 + 1;
-  if (texels > limits_.largest_texture)
+// The table of cells as a texture of one word a texel: read on another path than storage buffers.
+bool GlslBackend::has_texture_table(std::optional<bool> wanted) const {
+  const uint64_t texels = uint64_t(params().cell_slots) + 2;
+  const bool fits = texels <= limits_.largest_texture;
+  if (wanted.value_or(false) && !fits) {
     throw BackendError(
-        fmt::format("glsl: a table of {} cells, but a texture buffer of this driver has {} texels at most; "
-                    "leave texture_table out",
+        fmt::format("glsl: a table of {} cells, but a texture buffer of this driver has {} texels; leave "
+                    "texture_table out",
                     texels, limits_.largest_texture));
+  }
+  return wanted.value_or(true) && fits;
+}
+
+void GlslBackend::bind_table(const Launch& launch) {
+  const uint64_t texels = uint64_t(params().cell_slots) + 2;
   if (!table_texture_) glCreateTextures(GL_TEXTURE_BUFFER, 1, &table_texture_);
-  glTextureBufferRange(table_texture_, GL_RGBA32UI, buffers_[launch.table], 0, GLsizeiptr(texels * sizeof(uvec4)));
+  glTextureBufferRange(table_texture_, GL_R32UI, buffers_[launch.table], 0, GLsizeiptr(texels * sizeof(uint)));
   glBindTextureUnit(0, table_texture_);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }

@@ -38,7 +38,8 @@ std::vector<CollideOptions> special_options() {
   std::vector<CollideOptions> all = {grid([](CollideOptions& o) { o.grid.scan = Scan::library; }),
                                      grid([](CollideOptions& o) { o.grid.sort = Sort::radix; })};
   for (const Sort sort : {Sort::counting, Sort::buckets})
-    for (bool Tricks::*trick : {&Tricks::graph, &Tricks::keep_in_l2, &Tricks::texture_table, &Tricks::library_clear})
+    for (std::optional<bool> Tricks::*trick :
+         {&Tricks::graph, &Tricks::keep_in_l2, &Tricks::texture_table, &Tricks::library_clear})
       all.push_back(grid([=](CollideOptions& o) { o.grid.sort = sort, o.tricks.*trick = true; }));
   return all;
 }
