@@ -61,8 +61,9 @@ struct RenderOptions {
   uint64_t pictures = 1, every = 1;     // steps from each picture to the next
   uint width = 1280, height = 720, samples = 16;
   CameraOptions camera;
-  std::string draw = "compute";       // DrawMethod
-  bool legend = true, plain = false;  // plain: no occlusion, shadow or ground
+  std::string draw = "compute";    // DrawMethod
+  bool legend = true, box = true;  // box: the edges of what holds the spheres of the first picture
+  bool plain = false;              // no occlusion, shadow or ground
 };
 int render_command(const CommandLine& line, const RenderOptions& options);
 

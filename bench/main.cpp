@@ -11,7 +11,10 @@
 #include "options.h"
 #include "precision_command.h"
 #include "run_action.h"
+#include "sets_command.h"
 #include "skips.h"
+#include "sweep.h"
+#include "view_command.h"
 
 namespace spherepair {
 namespace {
@@ -97,9 +100,10 @@ void add_selection(CLI::App& command, CompareOptions& options) {
       ->delimiter(',')
       ->check(positive_range);
   command
-      .add_option("--tables", plan.tables,
-                  "Only these tables: table1, counts, methods, ceilings, overhead, exactness, scale, step, equality; "
-                  "`none` only checks")
+      .add_option(
+          "--tables", plan.tables,
+          "Only these tables: table1, counts, methods, ceilings, overhead, exactness, scale, step, grid, equality; "
+          "`none` only checks")
       ->delimiter(',');
 }
 
@@ -165,6 +169,21 @@ void add_skips(CLI::App& app, CommandLine& line, Action& action) {
   command->callback([=, &line, &action] { action = [=, &line] { return skips_command(line, *options); }; });
 }
 
+void add_sweep(CLI::App& app, CommandLine& line, Action& action) {
+  auto* command = app.add_subcommand("sweep", "Record the cost of a collision step from few spheres to 10^9");
+  const auto options = add_sweep_options(*command);
+  add_open_options(*command, line.open);
+  command->callback([=, &line, &action] { action = [=, &line] { return sweep_command(line, *options); }; });
+}
+
+void add_sets(CLI::App& app, CommandLine& line, Action& action) {
+  auto* command = app.add_subcommand(
+      "sets", "Measure how many pairs are wrong by motion, storage, a naive predicate, and testing once a step");
+  const auto options = add_sets_options(*command);
+  add_open_options(*command, line.open);
+  command->callback([=, &line, &action] { action = [=, &line] { return sets_command(line, *options); }; });
+}
+
 int run_program(int argc, char** argv) {
   CLI::App app(
       "spherepair finds the colliding pairs of spheres, exactly, on the CPU, through GLSL compute shaders and through "
@@ -183,12 +202,15 @@ int run_program(int argc, char** argv) {
   add_run(app, line, action);
   add_pairs(app, line, action);
   add_render(app, line, action);
+  add_view(app, line, action);
   add_frames(app, line, action);
   add_compare(app, line, action);
   add_equal(app, action);
   add_precision(app, line, action);
   add_crossover(app, line, action);
   add_skips(app, line, action);
+  add_sweep(app, line, action);
+  add_sets(app, line, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -80,6 +80,7 @@ json record(const Series& series, uint64_t step, const Collisions& totals) {
           {"fingerprint", hex64(totals.fingerprint.a) + hex64(totals.fingerprint.b)},
           {"width", shot.width},
           {"height", shot.height},
+          {"box", shot.box ? json{{"low", shot.box->low}, {"high", shot.box->high}} : json()},
           {"camera", to_json(shot.camera)},
           {"samples", views}};
 }
@@ -156,10 +157,13 @@ int render_command(const CommandLine& line, const RenderOptions& options) {
   send(start, *chosen.backend);
   const double aspect = double(options.width) / options.height;
   for (uint64_t step = 0; step < options.steps; ++step) chosen.backend->move();
-  const Camera camera = camera_of(options.camera, bounds_of(chosen.backend->state().positions), aspect);
+  const Bounds bounds = bounds_of(chosen.backend->state().positions);
+  const Camera camera = camera_of(options.camera, bounds, aspect);
   Look look = contact_look();
   if (lights) look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
-  const Shot shot{camera, look, options.width, options.height, options.samples, draw_method_from_name(options.draw)};
+  Shot shot{camera, look, options.width, options.height, options.samples, draw_method_from_name(options.draw)};
+  if (options.box && shot.method == DrawMethod::compute && start.scene.size() > 0) shot.box = bounds;
+  if (lights) shot.ground = start.scene.plane;
   take_series({line, options, start, chosen, method, shot});
   fmt::print("{}{} on {}: scene {}, {} spheres\n", start.notes, chosen.backend->info().name,
              device_label(chosen.backend->info()), start.label, start.scene.size());

@@ -38,6 +38,7 @@ struct Samples {
   std::vector<double> seconds;           // per step, one value a round
   std::vector<uint64_t> turn;            // at which place of the whole run each value was taken
   std::map<std::string, double> stages;  // device timer, seconds per step; empty without one
+  std::map<std::string, Interval> stage_intervals;
 
   double median_seconds() const { return median(seconds); }
   Interval interval() const { return median_interval(seconds); }

@@ -53,8 +53,12 @@ struct DrawOptions {
   bool skip_unchanged = true;     // the whole picture, when nothing has changed since the last
   uint64_t skip_from = 1u << 17;  // clusters are made of so many spheres or more
 
+  // Of fewer spheres, which then are large on the screen, each is drawn by LANES threads; without clusters only.
+  uint64_t share_below = 1u << 17;
+
   bool count = false;  // fill all of DrawCounts, which costs an atomic operation a sphere
   auto operator<=>(const DrawOptions&) const = default;
+  uint lanes(uint64_t n) const { return n < share_below ? LANES : 1; }
 };
 
 // Of one draw(), numbers of spheres; `drawn` are those with a pixel's centre in their box, whether seen in the end or

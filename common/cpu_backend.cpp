@@ -131,7 +131,9 @@ class CpuBackend final : public Backend {
           "cpu: occlusion and shadows need the dense cells of collide_grid; collide with them first");
     Params p = constants_[true];
     set_grid(p, plans_.dense);
-    timed("draw", [&] { picture_ = draw_picture(positions, contacts, view, p, threads_); });
+    View asked = view;
+    asked.lanes = options.lanes(positions.size());
+    timed("draw", [&] { picture_ = draw_picture(positions, contacts, asked, p, threads_); });
     counted_ = options.count;
   }
   std::vector<uint> image() override { return picture().image; }

@@ -54,16 +54,9 @@ std::array<uint, 3> folded(uint64_t groups) {
 }
 
 const char* kernel_name(Kernel kernel) {
-  constexpr const char* names[] = {"move",          "bounce",        "place",           "clear",
-                                   "empty",         "ceiling_copy",  "ceiling_atomics", "ceiling_issue",
-                                   "settle",        "decide",        "tally",           "grid_clear",
-                                   "grid_bounds",   "split_count",   "split_scan",      "grid_split",
-                                   "grid_sort",     "grid_count",    "grid_sums",       "grid_scan",
-                                   "grid_scatter",  "collide_grid",  "collide_hashed",  "collide_group",
-                                   "collide_tiled", "collide_swept", "collide_square",  "collide_triangle",
-                                   "draw_clear",    "draw_counts",   "draw_bounds",     "draw_cull",
-                                   "draw_pyramid",  "draw_clusters", "draw_spheres",    "draw_tiles",
-                                   "draw_resolve",  "draw_light"};
+#define NAME(name) #name,
+  constexpr const char* names[] = {SPHEREPAIR_KERNELS(NAME)};
+#undef NAME
   return names[int(kernel)];
 }
 
@@ -135,7 +128,7 @@ void DeviceBackend::upload(const Scene& scene) {
   cleared_ = collided_ = cells_built_ = counts_by_place_ = false;
   view_ = {};
   clustered_.reset();
-  picture_stands_ = false;
+  seen_known_ = picture_stands_ = false;
   pictures_kept_ = 0;
   write_state(initial_state(scene, params_));
 }
@@ -166,6 +159,10 @@ std::vector<Pair> DeviceBackend::pairs() {
   if (!options_.want_pairs)
     throw BackendError(fmt::format("{}: no pair list was asked for; set want_pairs", info().name));
   const uint64_t count = collisions().pairs;
+  if (count > std::numeric_limits<uint>::max())
+    throw BackendError(
+        fmt::format("{}: {} pairs collide, but a list holds 2^32 - 1 at most; ask for the numbers without the list",
+                    info().name, count));
   return read_pairs(count);
 }
 

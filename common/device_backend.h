@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "backend.h"
+#include "kernel_list.h"
 #include "plan_watch.h"
 #include "variant.h"
 
@@ -14,46 +15,9 @@ namespace spherepair {
 // The parameters of every kernel for this scene. All constants are computed here once, in float64, and rounded.
 Params scene_params(const Scene& scene, bool exact);
 
-enum class Kernel {
-  move,
-  bounce,
-  place,
-  clear,
-  empty,
-  ceiling_copy,
-  ceiling_atomics,
-  ceiling_issue,
-  settle,
-  decide,
-  tally,
-  grid_clear,
-  grid_bounds,
-  split_count,
-  split_scan,
-  grid_split,
-  grid_sort,
-  grid_count,
-  grid_sums,
-  grid_scan,
-  grid_scatter,
-  collide_grid,
-  collide_hashed,
-  collide_group,
-  collide_tiled,
-  collide_swept,
-  collide_square,
-  collide_triangle,
-  draw_clear,
-  draw_counts,
-  draw_bounds,
-  draw_cull,
-  draw_pyramid,
-  draw_clusters,
-  draw_spheres,
-  draw_tiles,
-  draw_resolve,
-  draw_light
-};
+#define ENUMERATOR(name) name,
+enum class Kernel { SPHEREPAIR_KERNELS(ENUMERATOR) };
+#undef ENUMERATOR
 
 // `groups` along one axis, folded into the next where one dispatch cannot hold them.
 std::array<uint, 3> folded(uint64_t groups);
@@ -180,7 +144,8 @@ class DeviceBackend : public Backend {
   void draw_tiles(const Params& params, Order order);
   void restart_lists();
   void make_clusters(const Params& params, Order order);
-  void build_pyramid(const Params& params);
+  void forget_seen();
+  uint64_t level_1_texels() const;
   void finish_draw();
 
   std::array<uint, 3> per_sphere_groups() const;
@@ -208,6 +173,8 @@ class DeviceBackend : public Backend {
   View asked_{};                  // the same as it was asked for
   DrawOptions draw_options_;
   std::optional<Order> clustered_;  // whose clusters they are; none when spheres have moved
+  bool seen_known_ = false;         // the lists of clusters seen are of this scene
+  uint lists_turn_ = 0;             // which of the two is the last picture's
   bool picture_stands_ = false;     // nothing has changed since the last draw
   uint64_t pictures_kept_ = 0;
   std::array<uint64_t, SLOT_TOTAL> bytes_{};

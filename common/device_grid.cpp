@@ -39,8 +39,7 @@ void DeviceBackend::plan_cells() {
 
 void DeviceBackend::launch_bounds() {
   const uint64_t threads = std::max<uint64_t>(n_ + 1, SUMMARY_SLOTS * SUMMARY_WORDS);
-  launch({Kernel::grid_bounds, SERVICE_BLOCK, {}, folded(ceil_div(threads, SERVICE_BLOCK * SPHERES_PER_SORTER))},
-         params_);
+  launch({Kernel::grid_bounds, SERVICE_BLOCK, {}, folded(ceil_div(threads, BOUNDS_TILE))}, params_);
 }
 
 // Asked once after spheres have moved, and more and more rarely while the answer is no, since the host then waits for
@@ -93,7 +92,7 @@ void DeviceBackend::sort_by_counting() {
 }
 
 void DeviceBackend::split(uint shift, uint parent_shift, uint first_bucket, Order from, Order to) {
-  const auto tiles = folded(ceil_div(n_, SORT_TILE));
+  const auto tiles = folded(ceil_div(n_, SPLIT_TILE));
   params_.bucket_shift = shift;
   params_.parent_shift = parent_shift;
   params_.first_bucket = first_bucket;
@@ -101,7 +100,7 @@ void DeviceBackend::split(uint shift, uint parent_shift, uint first_bucket, Orde
   params_.named = from != Order::scene;
   launch({Kernel::split_count, SPLIT_BLOCK, {}, tiles, from}, params_);
   if (params_.buckets <= BUCKETS_AT_MOST) {
-    launch({Kernel::split_scan, SPLIT_BLOCK, {}, {1, 1, 1}}, params_);
+    launch({Kernel::split_scan, BUCKETS_AT_MOST, {}, {1, 1, 1}}, params_);
   } else {
     launch_scan(SLOT_BUCKET);
   }
@@ -123,7 +122,7 @@ void DeviceBackend::sort_by_buckets() {
   params_.buckets = buckets;
   clear_for_sort(params_.bucket_words);
   if (two_steps) {
-    const uint parent = shift + (uint(std::bit_width(buckets)) + 1) / 2;
+    const uint parent = shift + uint(std::bit_width(buckets)) / 2;
     split(parent, whole, 0, Order::scene, Order::cells);
     split(shift, parent, SCAN_TILE, Order::cells, Order::buckets);
   } else {

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "cell.h"
+#include "view.h"
 
 namespace spherepair {
 namespace {
@@ -150,6 +151,8 @@ void set_grid(Params& p, const GridPlan& plan, bool skip_cells) {
   p.origin_x = plan.origin[0], p.origin_y = plan.origin[1], p.origin_z = plan.origin[2];
   p.cells_per_metre = 1 / plan.side;
   p.largest_radius = plan.largest_radius;
+  const double fades_within = OCCLUSION_RADII * std::max(double(plan.largest_radius), 0x1p-30);
+  p.fade = float(1 / (fades_within * fades_within));
   const double scale = double(p.cells_per_metre) * (1 + 0x1p-19);
   p.reach_scale = float(scale);
   p.reach_offset =

@@ -76,7 +76,7 @@ CudaBackend::CudaBackend(int device) : info_(describe_device(device)), l2_(devic
 
 void CudaBackend::require_kernels(int device) const {
   cudaFuncAttributes attributes;
-  const cudaError_t error = cudaFuncGetAttributes(&attributes, empty_kernel());
+  const cudaError_t error = cudaFuncGetAttributes(&attributes, empty_kernel(SERVICE_BLOCK, {}));
   if (error == cudaSuccess) return;
   const std::string capability = info_.details.at("compute capability");
   throw BackendError(

@@ -37,6 +37,15 @@ void require_features() {
   }
 }
 
+// A group of 1024 must have no more subgroups than one of them has invocations: see group_sum.glsl.
+bool has_subgroups() {
+  if (!epoxy_has_gl_extension("GL_KHR_shader_subgroup")) return false;
+  GLint invocations = 0, kinds = 0;
+  glGetIntegerv(GL_SUBGROUP_SIZE_KHR, &invocations);
+  glGetIntegerv(GL_SUBGROUP_SUPPORTED_FEATURES_KHR, &kinds);
+  return invocations >= 32 && (kinds & GL_SUBGROUP_FEATURE_ARITHMETIC_BIT_KHR) != 0;
+}
+
 }  // namespace
 
 DeviceLimits device_limits(bool sparse_wanted) {
@@ -45,7 +54,7 @@ DeviceLimits device_limits(bool sparse_wanted) {
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &binding);
   return {.largest_binding = uint64_t(binding),
           .largest_texture = uint64_t(gl_integer(GL_MAX_TEXTURE_BUFFER_SIZE)),
-          .atomics_64 = epoxy_has_gl_extension("GL_NV_shader_atomic_int64"),
+          .features = {epoxy_has_gl_extension("GL_NV_shader_atomic_int64"), has_subgroups()},
           .sparse = sparse_wanted && epoxy_has_gl_extension("GL_ARB_sparse_buffer")};
 }
 
@@ -63,7 +72,8 @@ BackendInfo describe_device(bool software, const DeviceLimits& limits) {
                   {"largest storage block bytes", std::to_string(limits.largest_binding)},
                   {"largest texture buffer texels", std::to_string(limits.largest_texture)},
                   {"shared memory bytes", std::to_string(gl_integer(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE))},
-                  {"64-bit atomics", limits.atomics_64 ? "yes" : "no: drawing takes two passes"},
+                  {"64-bit atomics", limits.features.atomics_64 ? "yes" : "no: drawing takes two passes"},
+                  {"subgroups", limits.features.subgroups ? "yes" : "no: sums go through shared memory"},
                   {"buffers", limits.sparse ? "sparse storage, committed whole" : "plain storage"}};
   if (software && std::filesystem::exists("/dev/nvidiactl"))
     info.details["warning"] = "a GPU is present, but OpenGL runs in software";

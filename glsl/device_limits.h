@@ -3,13 +3,14 @@
 #pragma once
 
 #include "backend.h"
+#include "program.h"
 
 namespace spherepair {
 
 struct DeviceLimits {
   uint64_t largest_binding = 0;  // bytes of a storage block
   uint64_t largest_texture = 0;  // texels of a texture buffer
-  bool atomics_64 = false;
+  Features features;
   bool sparse = false;  // buffers in sparse storage are to be had, and wanted
 };
 

@@ -11,6 +11,7 @@
 #include "gl_renderer.h"
 #include "method_choice.h"
 #include "program.h"
+#include "ring_buffer.h"
 #include "stage_timer.h"
 
 namespace spherepair {
@@ -34,7 +35,7 @@ class GlslBackend final : public DeviceBackend {
   void read(uint slot, void* data, uint64_t offset, uint64_t bytes) override;
   void launch(const Launch& launch, const Params& params) override;
   uint64_t largest_binding() const override { return limits_.largest_binding; }
-  bool has_atomics_64() const override { return limits_.atomics_64; }
+  bool has_atomics_64() const override { return limits_.features.atomics_64; }
   void check_tricks(const CollideOptions& options) const override;
   void clear_buffer(uint slot, uint64_t bytes) override;
   void draw_by_pipeline(DrawMethod method) override;
@@ -44,17 +45,19 @@ class GlslBackend final : public DeviceBackend {
   const Program& program(const Launch& launch);
   void set_params(const Params& params);
   void set_view();
+  void bind(const Launch& launch);
   void bind_table(const Launch& launch);
 
   Context context_;
   DeviceLimits limits_;
   BackendInfo info_;
   std::array<GLuint, SLOT_TOTAL> buffers_{};
+  std::array<GLuint, SLOT_TOTAL> bound_{};  // what kernels see now
   GLuint table_texture_ = 0;
   GLuint params_buffer_ = 0;
   Params params_on_device_{};
   bool params_known_ = false;
-  GLuint view_buffer_ = 0;
+  std::unique_ptr<RingBuffer> views_;
   View view_on_device_{};
   std::map<std::tuple<Kernel, uint, Variant>, std::unique_ptr<Program>> programs_;
   std::unique_ptr<GlRenderer> renderer_;
@@ -67,9 +70,9 @@ GlslBackend::GlslBackend(const OpenOptions& options) : context_(options) {
   info_ = describe_device(context_.software(), limits_);
   glCreateBuffers(1, &params_buffer_);
   glNamedBufferStorage(params_buffer_, sizeof(Params), nullptr, GL_DYNAMIC_STORAGE_BIT);
-  glCreateBuffers(1, &view_buffer_);
-  glNamedBufferStorage(view_buffer_, sizeof(View), &view_on_device_, GL_DYNAMIC_STORAGE_BIT);
-  gl_check("making the parameter buffers");
+  gl_check("making the buffer of parameters");
+  views_ = std::make_unique<RingBuffer>(SLOT_VIEW, sizeof(View));
+  views_->write(&view_on_device_);
 }
 
 GlslBackend::~GlslBackend() {
@@ -78,12 +81,13 @@ GlslBackend::~GlslBackend() {
   timer_.forget();
   glDeleteBuffers(GLsizei(buffers_.size()), buffers_.data());
   glDeleteBuffers(1, &params_buffer_);
-  glDeleteBuffers(1, &view_buffer_);
+  views_->forget();
   glDeleteTextures(1, &table_texture_);
 }
 
 void GlslBackend::allocate(uint slot, uint64_t bytes) {
   context_.make_current();
+  bound_ = {};  // a new buffer may get the name of the one deleted
   glDeleteBuffers(1, &buffers_[slot]);
   glCreateBuffers(1, &buffers_[slot]);
   // Sparse storage comes in large pages; plain buffers of some drivers in small ones, slow under random access.
@@ -122,7 +126,7 @@ void GlslBackend::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
 const Program& GlslBackend::program(const Launch& launch) {
   auto& program = programs_[{launch.kernel, launch.block, launch.variant}];
   if (!program)
-    program = std::make_unique<Program>(kernel_name(launch.kernel), launch.block, launch.variant, limits_.atomics_64);
+    program = std::make_unique<Program>(kernel_name(launch.kernel), launch.block, launch.variant, limits_.features);
   return *program;
 }
 
@@ -135,10 +139,23 @@ void GlslBackend::set_params(const Params& params) {
 }
 
 void GlslBackend::set_view() {
-  glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_VIEW, view_buffer_);
   if (std::memcmp(&view(), &view_on_device_, sizeof(View)) == 0) return;
-  glNamedBufferSubData(view_buffer_, 0, sizeof(View), &view());
+  views_->write(&view());
   view_on_device_ = view();
+}
+
+// Binding is dear, and most launches use what the last did.
+void GlslBackend::bind(const Launch& launch) {
+  std::array<GLuint, SLOT_TOTAL> wanted = buffers_;
+  wanted[SLOT_POSITION] = buffers_[position_slot(launch.order)];
+  wanted[SLOT_COUNT] = buffers_[count_slot(launch.order)];
+  wanted[SLOT_SPLIT_ID] = buffers_[id_slot(launch.order)];
+  wanted[SLOT_SORTED] = buffers_[position_slot(launch.target)];
+  wanted[SLOT_ID] = buffers_[id_slot(launch.target)];
+  wanted[SLOT_CELL] = buffers_[launch.table];
+  if (wanted == bound_) return;
+  glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, 0, GLsizei(wanted.size()), wanted.data());
+  bound_ = wanted;
 }
 
 void GlslBackend::check_tricks(const CollideOptions& options) const {
@@ -154,16 +171,16 @@ void GlslBackend::clear_buffer(uint slot, uint64_t bytes) {
   });
 }
 
-// The table of cells as a texture of one word a texel: read through another cache than storage buffers.
+// The table of cells as a texture of four words a texel: read on another path than storage buffers.
 void GlslBackend::bind_table(const Launch& launch) {
-  const uint64_t texels = uint64_t(params().cell_slots) + 2;
+  const uint64_t texels = (uint64_t(params().cell_slots) + 2) / 4 + 1;
   if (texels > limits_.largest_texture)
     throw BackendError(
         fmt::format("glsl: a table of {} cells, but a texture buffer of this driver has {} texels at most; "
                     "leave texture_table out",
                     texels, limits_.largest_texture));
   if (!table_texture_) glCreateTextures(GL_TEXTURE_BUFFER, 1, &table_texture_);
-  glTextureBufferRange(table_texture_, GL_R32UI, buffers_[launch.table], 0, GLsizeiptr(texels * sizeof(uint)));
+  glTextureBufferRange(table_texture_, GL_RGBA32UI, buffers_[launch.table], 0, GLsizeiptr(texels * sizeof(uvec4)));
   glBindTextureUnit(0, table_texture_);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
@@ -176,14 +193,7 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   set_view();
   glUseProgram(chosen.id());
   glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_PARAMS, params_buffer_);
-  std::array<GLuint, SLOT_TOTAL> bound = buffers_;
-  bound[SLOT_POSITION] = buffers_[position_slot(launch.order)];
-  bound[SLOT_COUNT] = buffers_[count_slot(launch.order)];
-  bound[SLOT_SPLIT_ID] = buffers_[id_slot(launch.order)];
-  bound[SLOT_SORTED] = buffers_[position_slot(launch.target)];
-  bound[SLOT_ID] = buffers_[id_slot(launch.target)];
-  bound[SLOT_CELL] = buffers_[launch.table];
-  glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, 0, GLsizei(bound.size()), bound.data());
+  bind(launch);
   if (launch.variant.texture_table && launch.kernel == Kernel::collide_grid) bind_table(launch);
   ++work_.launches;
   timer_.time(kernel_name(launch.kernel), [&] {
@@ -196,6 +206,7 @@ void GlslBackend::draw_by_pipeline(DrawMethod method) {
   context_.make_current();
   set_view();
   if (!renderer_) renderer_ = std::make_unique<GlRenderer>();
+  bound_ = {};  // the renderer binds its own
   timer_.time(draw_method_name(method),
               [&] { renderer_->draw(method, view(), buffers_[SLOT_POSITION], buffers_[SLOT_COUNT], spheres()); });
 }

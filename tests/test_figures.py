@@ -17,18 +17,21 @@ if importlib.util.find_spec("matplotlib") is None:
 import figures  # noqa: E402  (the path must be set first)
 from records import DATA, Machine, Missing, Record  # noqa: E402
 
-SCENE = {"name": "uniform"}
+SCENE = {"name": "uniform", "packing_fraction": 0.3}
 
 
 def made_up(table, times, **parameters):
     return [Record({"table": table, "scene": SCENE, "n": n, "label": "made up", **parameters}, 1e-6 * n * t,
-                   0.9e-6 * n * t, 1.1e-6 * n * t, "made up") for t in times for n in (1024, 16384)]
+                   0.9e-6 * n * t, 1.1e-6 * n * t, "made up") for t in times for n in (1024, 1000000)]
 
 
 def of_tables_to_come():
-    rows = []
+    rows = made_up("grid", [9], backend="cpu", method="collide_grid", order="cold")
     for backend in ("glsl", "cuda"):
-        rows += made_up("grid", [1], backend=backend, method="collide_grid", order="cold")
+        for method, order, time in (("grid", "cold", 2), ("grid", "warm", 1), ("triangle", "cold", 3)):
+            rows += made_up("grid", [time], backend=backend, method=f"collide_{method}", order=order, floor_ms=1e-4,
+                            share_of_floor=0.5, ceiling_per_second=1e12, device_stages_ms={"collide": 1.0},
+                            device_stages_interval_ms={"collide": [0.9, 1.1]})
         rows += made_up("draw", [1], backend=backend, draw="compute", place="outside", work="frame")
         rows += made_up("interop", [1], backend=backend, way=f"map from {backend}")
         for on in (True, False):
@@ -39,12 +42,28 @@ def of_tables_to_come():
     return rows
 
 
+def sets_to_come():
+    """A run of `spherepair sets`, as short as it can be."""
+    error = {"right": 100, "missed": 3, "extra": 2}
+    motion = [{"method": "paper", "precision": "float32", "k": 6, "dt": 1 / 64, "offset": offset, "whole_missed": 0,
+               "whole_extra": 0, **error} for offset in (0, 1e5)]
+    times = {"median_ms": 1.0, "interval_ms": [0.9, 1.1]}
+    exactness = [{"backend": name, "scene": "far", "n": 1024, "exact": times, "naive": times, **error}
+                 for name in ("cpu", "glsl")]
+    contacts = [{"backend": "glsl", "way": way, "pairs": 100, "missed": 8, "deviation": 2.8, "swept_missed": 0}
+                for way in (1.0, 3.0)]
+    return {"format": "spherepair sets 1", "id": "made up", "settings": {"seconds": 10}, "motion": motion,
+            "storage": [{"precision": "float32", "offset": 1e5, **error}], "exactness": exactness,
+            "contacts": contacts}
+
+
 class Figures(unittest.TestCase):
     def draw(self, machine):
         left_out = []
         for module in figures.modules():
             try:
                 figures.style.plt.close(module.draw(machine))
+                self.assertTrue(module.caption(machine) if hasattr(module, "caption") else module.CAPTION)
             except Missing:
                 left_out.append(module.NAME)
         return left_out
@@ -53,13 +72,14 @@ class Figures(unittest.TestCase):
         machine = Machine(DATA / "h200")
         kept = [r for r in machine.records if r.table not in ("grid", "draw", "interop", "skips", "precision")]
         machine.records = kept + of_tables_to_come()
+        machine.sources["sets.json"] = sets_to_come()
         self.assertEqual([], self.draw(machine))
 
     def test_none_is_drawn_without_its_records(self):
         machine = Machine(DATA / "h200")
-        machine.records = []
+        machine.records, machine.sources = [], {}
         drawn = {module.NAME for module in figures.modules()} - set(self.draw(machine))
-        self.assertLessEqual(drawn, {"animations"})
+        self.assertLessEqual(drawn, {"animations", "closeup", "same_frame", "settling"})  # pictures
 
 
 class Paper(unittest.TestCase):
