@@ -154,8 +154,8 @@ void CudaBackend::launch(const Launch& launch, const Params& params) {
   KernelCall call{
       kernel_name(launch.kernel), entry_of(launch), groups, launch.block, params, world(launch), view(), {}};
   call.window = l2_.window(memory_[SLOT_CELL].data, table_bytes());
-  if (graph_.collecting()) return graph_.add(call);
   ++work_.launches;
+  if (graph_.collecting()) return graph_.add(call);
   stages_.time(call.name, [&] { launch_call(call, nullptr); });
 }
 
@@ -169,11 +169,10 @@ void CudaBackend::begin_step(const Tricks& tricks) {
 }
 
 void CudaBackend::end_step() {
-  const bool collected = graph_.collecting();
   const uint64_t calls = graph_.size();
-  const bool replayed = graph_.end();
-  if (replayed) ++work_.graphs_replayed;
-  if (collected) work_.launches += replayed ? 1 : calls;
+  if (!graph_.end()) return;
+  ++work_.graphs_replayed;
+  work_.launches -= calls - 1;
 }
 
 void CudaBackend::clear_buffer(uint slot, uint64_t bytes) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "check.h"
 
@@ -58,11 +59,12 @@ void StepGraph::flush() {
   calls_.clear();
 }
 
+void StepGraph::drop() {
+  if (graph_) cuda_check(cudaGraphExecDestroy(std::exchange(graph_, nullptr)), "giving a graph back");
+}
+
 void StepGraph::capture() {
   if (!stream_) cuda_check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "creating a stream");
-  if (graph_) cuda_check(cudaGraphExecDestroy(graph_), "giving a graph back");
-  graph_ = nullptr;
-  captured_.clear();
   cuda_check(cudaStreamBeginCapture(stream_, cudaStreamCaptureModeThreadLocal), "beginning to capture a step");
   for (const KernelCall& call : calls_) launch_call(call, stream_);
   cudaGraph_t graph = nullptr;
@@ -70,17 +72,22 @@ void StepGraph::capture() {
   const cudaError_t error = cudaGraphInstantiate(&graph_, graph, 0);
   cudaGraphDestroy(graph);
   cuda_check(error, "making a graph of a step");
-  captured_ = calls_;
 }
 
 bool StepGraph::end() {
   if (!collecting_) return false;
+  const bool same = std::ranges::equal(calls_, last_, same_call), there = graph_ && same;
+  if (!same) {
+    drop();
+    last_ = calls_;
+    flush();
+    return false;
+  }
   collecting_ = false;
-  const bool same = graph_ && std::ranges::equal(calls_, captured_, same_call);
-  if (!same) capture();
+  if (!there) capture();
   calls_.clear();
   cuda_check(cudaGraphLaunch(graph_, nullptr), "launching the graph of a step");
-  return same;
+  return there;
 }
 
 }  // namespace spherepair

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The launches of one collision step as a CUDA graph: collected, and where they are those of the last step, replayed in
-// one call. Whatever cannot wait for the end of the step makes them launches one by one.
+// The launches of one collision step as a CUDA graph: collected, captured when they come a second time (a kernel's
+// first launch loads it, which a capture does not allow), and from the third on replayed in one call. Whatever cannot
+// wait for the end of the step makes them launches one by one.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -36,14 +37,15 @@ class StepGraph {
   void add(const KernelCall& call) { calls_.push_back(call); }
   size_t size() const { return calls_.size(); }
   void flush();  // launches what was collected
-  bool end();    // true when it went out as the graph that was there already
+  bool end();    // true when all went out as one graph that was there already
 
  private:
   void capture();
+  void drop();
 
   bool collecting_ = false;
-  std::vector<KernelCall> calls_, captured_;
-  cudaStream_t stream_ = nullptr;  // to capture on; the default stream cannot be
+  std::vector<KernelCall> calls_, last_;  // of this step and of the one before
+  cudaStream_t stream_ = nullptr;         // to capture on; the default stream cannot be
   cudaGraphExec_t graph_ = nullptr;
 };
 

@@ -120,7 +120,7 @@ TEST_P(Skips, AGraphIsReplayedWhileNothingChanges) {
   backend().upload(scene);
   const CollideOptions options = grid([](CollideOptions& o) { o.tricks.graph = true; });
   for (int k = 0; k < 5; ++k) EXPECT_EQ(objection(ask(backend(), options), expected, scene.size()), "") << k;
-  EXPECT_EQ(backend().work_counts().graphs_replayed, 4u);
+  EXPECT_EQ(backend().work_counts().graphs_replayed, 3u) << "all but the first two";
 }
 
 // Spheres that fly off together: planned once, all of them end in the cells along the border.
