@@ -2,13 +2,12 @@
 #include "closed_form.h"
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+
+#include "quad.h"
 
 namespace spherepair {
 namespace {
-
-using Quad = boost::multiprecision::cpp_bin_float_quad;
 
 struct Vertical {
   Quad height, speed;  // above the plane, upwards
@@ -41,6 +40,9 @@ Vertical vertical(Quad height, const Quad& speed, const Quad& time, const Quad& 
   return bounced(time - until, e * impact, gravity, e);
 }
 
+// The height of a sphere that lies on the plane.
+Quad ground_of(const Scene& scene, uint64_t i) { return Quad(scene.plane) + Quad(scene.positions[i].w); }
+
 template <typename Real>
 long double long_double(const std::vector<uint>& wide, uint64_t i) {
   const Real value = load_real<Real>(wide, i);
@@ -61,18 +63,22 @@ ExactState exact_state(const Backend::State& state, MotionOptions motion, uint64
   return exact;
 }
 
-MotionError error_of(const Scene& scene, uint64_t i, uint64_t steps, const ExactState& state) {
+Point closed_form_place(const Scene& scene, uint64_t i, uint64_t steps) {
   const vec4 &start = scene.positions[i], &velocity = scene.velocities[i];
-  const Quad ground = Quad(scene.plane) + Quad(start.w), gravity = -Quad(scene.gravity);
-  const Quad time = Quad(scene.dt) * Quad(steps);
-  const Quad height = Quad(start.y) - ground;
-  const Vertical wanted = vertical(height, Quad(velocity.y), time, gravity, Quad(scene.restitution));
-  const Quad dx = Quad(start.x) + Quad(velocity.x) * time - Quad(state[0]);
-  const Quad dy = ground + wanted.height - Quad(state[1]);
-  const Quad dz = Quad(start.z) + Quad(velocity.z) * time - Quad(state[2]);
+  const Quad ground = ground_of(scene, i), time = Quad(scene.dt) * Quad(steps);
+  const Vertical now =
+      vertical(Quad(start.y) - ground, Quad(velocity.y), time, -Quad(scene.gravity), Quad(scene.restitution));
+  return {Quad(start.x) + Quad(velocity.x) * time, ground + now.height, Quad(start.z) + Quad(velocity.z) * time};
+}
+
+MotionError error_of(const Scene& scene, uint64_t i, uint64_t steps, const ExactState& state) {
+  const Point wanted = closed_form_place(scene, i, steps);
+  Quad square = 0;
+  for (size_t axis = 0; axis < 3; ++axis) square += (wanted[axis] - state[axis]) * (wanted[axis] - state[axis]);
+  const Quad gravity = -Quad(scene.gravity), ground = ground_of(scene, i), start = scene.velocities[i].y;
   const auto energy = [&](const Quad& speed, const Quad& above) { return speed * speed / 2 + gravity * above; };
-  const Quad before = energy(Quad(velocity.y), height), now = energy(Quad(state[4]), Quad(state[1]) - ground);
-  return {double(sqrt(dx * dx + dy * dy + dz * dz)), before > 0 ? double((now - before) / before) : 0.0};
+  const Quad before = energy(start, scene.positions[i].y - ground), now = energy(state[4], state[1] - ground);
+  return {double(sqrt(square)), before > 0 ? double((now - before) / before) : 0.0};
 }
 
 MotionErrors errors_of(const Scene& scene, uint64_t steps, const Backend::State& state) {

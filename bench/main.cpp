@@ -11,6 +11,7 @@
 #include "options.h"
 #include "precision_command.h"
 #include "run_action.h"
+#include "sets_command.h"
 #include "skips.h"
 #include "sweep.h"
 #include "view_command.h"
@@ -175,6 +176,14 @@ void add_sweep(CLI::App& app, CommandLine& line, Action& action) {
   command->callback([=, &line, &action] { action = [=, &line] { return sweep_command(line, *options); }; });
 }
 
+void add_sets(CLI::App& app, CommandLine& line, Action& action) {
+  auto* command = app.add_subcommand(
+      "sets", "Measure how many pairs are wrong by motion, storage, a naive predicate, and testing once a step");
+  const auto options = add_sets_options(*command);
+  add_open_options(*command, line.open);
+  command->callback([=, &line, &action] { action = [=, &line] { return sets_command(line, *options); }; });
+}
+
 int run_program(int argc, char** argv) {
   CLI::App app(
       "spherepair finds the colliding pairs of spheres, exactly, on the CPU, through GLSL compute shaders and through "
@@ -201,6 +210,7 @@ int run_program(int argc, char** argv) {
   add_crossover(app, line, action);
   add_skips(app, line, action);
   add_sweep(app, line, action);
+  add_sets(app, line, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -20,6 +20,10 @@ struct MotionChoice {
 void choose_motion(SceneOptions& scene, const MotionChoice& choice);
 void choose_motion(Scene& scene, const MotionChoice& choice);
 
+// Every motion of these methods and precisions; all of what is empty.
+std::vector<MotionOptions> chosen_motions(const std::vector<std::string>& methods,
+                                          const std::vector<std::string>& precisions);
+
 // --motion, --precision, --dt and --restitution.
 void add_motion_options(CLI::App& command, MotionChoice& motion);
 

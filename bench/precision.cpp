@@ -11,29 +11,22 @@
 #include "commands.h"
 #include "context.h"
 #include "files.h"
+#include "motion_choice.h"
+#include "motion_targets.h"
 #include "precision_command.h"
-#include "work_precision.h"
 
 namespace spherepair {
 namespace {
 
 PrecisionPlan make_precision_plan(const PrecisionOptions& options, bool hardware) {
   PrecisionPlan plan;
-  plan.error_steps = options.quick ? std::vector{4, 6, 8} : std::vector{4, 6, 8, 10, 12, 14};
+  plan.error_steps = options.quick ? std::vector{4, 6, 8} : std::vector{4, 5, 6, 8, 10, 12, 14};
   plan.time_steps = options.quick ? std::vector{6} : hardware ? std::vector{4, 5, 6, 8, 10} : std::vector{5, 6, 10};
   if (!options.steps.empty()) plan.error_steps = plan.time_steps = options.steps;
   plan.time_n = options.n ? options.n : hardware ? 1 << 22 : options.quick ? 1 << 14 : 1 << 16;
   plan.sampling.rounds = plan.sampling.fewest_rounds = options.rounds;
   if (!hardware) plan.sampling.software_seconds = 0.01;
-  const auto wanted = [](const std::vector<std::string>& names, const char* name) {
-    return names.empty() || std::ranges::find(names, name) != names.end();
-  };
-  for (const std::string& name : options.methods) motion_from_name(name);
-  for (const std::string& name : options.precisions) precision_from_name(name);
-  std::erase_if(plan.motions, [&](MotionOptions motion) {
-    return !wanted(options.methods, motion_name(motion.method)) ||
-           !wanted(options.precisions, precision_name(motion.precision));
-  });
+  plan.motions = chosen_motions(options.methods, options.precisions);
   return plan;
 }
 
@@ -95,19 +88,29 @@ json start_record(const CommandLine& line, const Session& session, const Precisi
             {"time_n", plan.time_n},
             {"seed", plan.seed},
             {"restitution", 1}}},
-          {"clocks", json::array({query_clocks()})},
-          {"errors", json::array()},
-          {"times", json::array()}};
+          {"clocks", json::array({query_clocks()})}};
 }
 
+struct Measured {
+  std::vector<ErrorEntry> errors;
+  std::vector<TimeEntry> times;
+  std::vector<CopyEntry> copies;
+  std::vector<Target> targets;
+};
+
 // Writes the JSON and the tables, and prints these.
-void report(const std::filesystem::path& folder, json record, const PrecisionPlan& plan,
-            const std::vector<ErrorEntry>& errors, const std::vector<TimeEntry>& times) {
-  for (const ErrorEntry& entry : errors) record["errors"].push_back(to_json(entry));
-  for (const TimeEntry& entry : times) record["times"].push_back(to_json(entry));
+void report(const std::filesystem::path& folder, json record, const PrecisionPlan& plan, const Measured& measured) {
+  record["errors"] = list_of(measured.errors);
+  record["times"] = list_of(measured.times);
+  record["copies"] = list_of(measured.copies);
+  record["targets"] = list_of(measured.targets);
   record["clocks"].push_back(query_clocks());
-  std::string text = error_table(plan, errors).text();
-  for (int k : plan.time_steps) text += "\n" + time_table(plan, times, k).text();
+  std::string text = error_table(plan, measured.errors).text();
+  for (int k : plan.time_steps) text += "\n" + time_table(plan, measured.times, k).text();
+  for (const CopyEntry& copy : measured.copies)
+    text += fmt::format("\nCopying {} spheres' positions on {}: {:.4g} GB/s read and written\n", copy.n, copy.backend,
+                        copy.bytes_per_second() / 1e9);
+  if (!measured.targets.empty()) text += "\n" + target_table(measured.targets).text();
   fmt::print("{}", text);
   write_file(folder / "precision.txt", text);
   write_file(folder / "precision.json", json_text(record));
@@ -128,10 +131,13 @@ int precision_command(const CommandLine& line, const PrecisionOptions& options) 
   for (const std::string& warning : session.warnings()) fmt::print("\n{}\n", wrap(warning, 118, "  "));
   const json record = start_record(line, session, plan);
   Progress progress;
-  const std::vector<ErrorEntry> errors = measure_errors(session, plan, progress);
-  const std::vector<TimeEntry> times = measure_times(session, plan, progress);
+  Measured measured = {measure_errors(session, plan, progress),
+                       measure_times(session, plan, progress),
+                       measure_copies(session, plan, progress),
+                       {}};
+  measured.targets = motion_targets(session, measured.errors, measured.times, measured.copies);
   progress.clear();
-  report(folder, record, plan, errors, times);
+  report(folder, record, plan, measured);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   fmt::print("\nIn {:.0f} s. Results: {}\n", taken.count(), (folder / "precision.json").string());
   return kOk;

@@ -13,6 +13,14 @@ using json = nlohmann::ordered_json;
 
 std::string json_text(const json& value);  // for a file; names that are no UTF-8 get replacement characters
 
+// Each by its own to_json.
+template <typename Entry>
+json list_of(const std::vector<Entry>& entries) {
+  json list = json::array();
+  for (const Entry& entry : entries) list.push_back(to_json(entry));
+  return list;
+}
+
 struct Column {
   std::string group;  // a heading over neighbouring columns of the same group; may be empty
   std::string name, unit;

@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "context.h"
 #include "files.h"
+#include "missed_contacts.h"
 #include "replaced_file.h"
 
 namespace spherepair {
@@ -22,7 +23,8 @@ struct StepResult {
 CollideOptions collide_options(const RunOptions& options, const Backend& backend) {
   CollideOptions collide;
   collide.swept = options.swept;
-  collide.method = choose_method(options.method, backend);
+  const bool swept_by_default = options.swept && options.method.empty();
+  collide.method = swept_by_default ? swept_method(backend) : choose_method(options.method, backend);
   collide.block = parse_blocks({options.block}).front();
   collide.exact = !options.naive;
   return collide;

@@ -22,7 +22,7 @@ int view_command(const CommandLine& line, const ViewOptions& options) {
   if (first.empty()) first = choose_backend("", line.open).backend->info().name;
   Backend* backend = session.find(first);
   if (!backend) throw BackendError(fmt::format("the backend {} does not open here, see above", first));
-  const Method method = choose_method(options.method, *backend, start.scene.size());
+  const Method method = choose_method(options.method, *backend);
   Viewer viewer(session, start, first, options.method.empty() ? "collide_grid" : method_name(method));
   for (uint64_t frame = 0; window->next(); ++frame) {
     viewer.frame(*window, frame < options.keys.size() ? options.keys[frame] : '\0');

@@ -72,15 +72,6 @@ std::vector<Work> works_of(MotionOptions motion) {
   return works;
 }
 
-json bytes_of(const TimeEntry& entry) {
-  const bool placed = entry.work != "move", wide = entry.motion.precision != Precision::float32;
-  if (entry.motion.method == MotionMethod::anchored && !placed) return nullptr;
-  // The count that is cleared; then position and velocity in and out, or the wide state, and the position's image; or
-  // anchor, velocity, flight and the two step numbers in, the position out.
-  if (entry.motion.method == MotionMethod::anchored) return 4 + 32 + (wide ? 16 : 8) + 8 + 16;
-  return 4 + (wide ? 2 * 48 + 32 : 64);
-}
-
 json motion_json(MotionOptions motion, int k) {
   return {{"method", motion_name(motion.method)},
           {"precision", precision_name(motion.precision)},
@@ -89,6 +80,15 @@ json motion_json(MotionOptions motion, int k) {
 }
 
 }  // namespace
+
+// The count that is cleared; then position and velocity in and out, or the wide state, and the position's image; or
+// anchor, velocity, flight and the step of the anchor in, the position out, and the due step.
+std::optional<uint64_t> bytes_per_sphere_step(const TimeEntry& entry) {
+  const uint64_t wide = entry.motion.precision == Precision::float32 ? 0 : 1;
+  if (entry.motion.method != MotionMethod::anchored) return 4 + (wide ? 2 * 48 + 32 : 64);
+  if (entry.work == "move") return {};
+  return 4 + 32 + 8 * (1 + wide) + 8 + 16;
+}
 
 std::vector<ErrorEntry> measure_errors(Session& session, const PrecisionPlan& plan, Progress& progress) {
   std::vector<ErrorEntry> entries;
@@ -137,6 +137,19 @@ std::vector<TimeEntry> measure_times(Session& session, const PrecisionPlan& plan
   return entries;
 }
 
+std::vector<CopyEntry> measure_copies(Session& session, const PrecisionPlan& plan, Progress& progress) {
+  std::vector<CopyEntry> entries;
+  const Scene scene = make_scene(scene_options(plan, {}, 6, plan.time_n));
+  for (Backend* device : session.devices()) {
+    progress.say("copying on " + device->info().name);
+    device->upload(scene);
+    device->check_ceiling(Ceiling::copy);
+    const Contender copy = {"copy", device, [](Backend& backend) { backend.launch_ceiling(Ceiling::copy); }};
+    entries.push_back({device->info().name, scene.size(), measure({&copy, 1}, plan.sampling, progress)[0]});
+  }
+  return entries;
+}
+
 json to_json(const ErrorEntry& entry) {
   json out = motion_json(entry.motion, entry.k);
   out.update({{"backend", entry.backend},
@@ -151,6 +164,7 @@ json to_json(const ErrorEntry& entry) {
 json to_json(const TimeEntry& entry) {
   json out = motion_json(entry.motion, entry.k);
   const Interval interval = entry.samples.interval();
+  const std::optional<uint64_t> bytes = bytes_per_sphere_step(entry);
   out.update({{"work", entry.work},
               {"backend", entry.backend},
               {"n", entry.n},
@@ -158,9 +172,16 @@ json to_json(const TimeEntry& entry) {
               {"seconds_per_sphere_step", entry.per_sphere()},
               {"low", interval.low / double(entry.n)},
               {"high", interval.high / double(entry.n)},
-              {"bytes_per_sphere_step", bytes_of(entry)},
+              {"bytes_per_sphere_step", bytes ? json(*bytes) : json()},
               {"sample", to_json(entry.samples)}});
   return out;
+}
+
+json to_json(const CopyEntry& entry) {
+  return {{"backend", entry.backend},
+          {"n", entry.n},
+          {"bytes_per_second", entry.bytes_per_second()},
+          {"sample", to_json(entry.samples)}};
 }
 
 }  // namespace spherepair

@@ -15,6 +15,9 @@
 //      seconds_per_sphere_step, low, high   median and the 95 % interval of its median, seconds
 //      bytes_per_sphere_step       that the kernel must read and write; null where that depends on the bounces
 //      sample                      all of it, as to_json(Samples)}
+//   copies     what copying positions to velocities takes on each device, the ceiling of every step:
+//     {backend, n, bytes_per_second, sample}
+//   targets    what is asked of a GPU (motion_targets.h): {what, value, bound, met}
 #pragma once
 
 #include "session.h"
@@ -49,13 +52,27 @@ struct TimeEntry {
   double per_sphere() const { return samples.median_seconds() / double(n); }
 };
 
+struct CopyEntry {
+  std::string backend;
+  uint64_t n;
+  Samples samples;
+  double bytes_per_second() const { return 2 * sizeof(vec4) * double(n) / samples.median_seconds(); }
+};
+
+// Bytes that the kernels of one step must read and write for a sphere; none where that depends on the bounces.
+std::optional<uint64_t> bytes_per_sphere_step(const TimeEntry& entry);
+
 // Every backend; throws DifferenceFound when two end in different bits.
 std::vector<ErrorEntry> measure_errors(Session& session, const PrecisionPlan& plan, Progress& progress);
 // Backends in interleaved rounds, on spheres that have bounced for some time. Throws DifferenceFound before timing
 // anything whose state after some steps is not the same everywhere.
 std::vector<TimeEntry> measure_times(Session& session, const PrecisionPlan& plan, Progress& progress);
 
+// On every device that has the kernel, at the size of the timings.
+std::vector<CopyEntry> measure_copies(Session& session, const PrecisionPlan& plan, Progress& progress);
+
 json to_json(const ErrorEntry& entry);
 json to_json(const TimeEntry& entry);
+json to_json(const CopyEntry& entry);
 
 }  // namespace spherepair

@@ -21,7 +21,9 @@ void DeviceBackend::launch_motion(Kernel kernel, bool whole_state) {
   params.n = uint(n_);
   params.steps_done = steps_;
   params.whole_state = whole_state;
-  launch({kernel, SERVICE_BLOCK, {.motion = motion_}, per_sphere_groups()}, params);
+  const auto groups =
+      kernel == Kernel::bounce ? folded(n_ / (SERVICE_BLOCK * SPHERES_PER_BOUNCER) + 1) : per_sphere_groups();
+  launch({kernel, SERVICE_BLOCK, {.motion = motion_}, groups}, params);
 }
 
 void DeviceBackend::place_all(bool whole_state) {

@@ -81,11 +81,10 @@ ANY_REAL FN Moving OF_REAL move_clamped(Moving OF_REAL from, Params p) {
   return next;
 }
 
-// The explicit Euler method: the position with the old velocity.
-ANY_REAL FN Moving OF_REAL move_euler(Moving OF_REAL from, Params p) {
-  Moving OF_REAL next = fly(from, p);
+// A step straight along y at this velocity, the same turn.
+ANY_REAL FN Moving OF_REAL move_straight(Moving OF_REAL from, Real velocity, Moving OF_REAL next, Params p) {
   Real dt = widened(p.dt, from.y);
-  next.y = drift(from.y, from.vy, dt);
+  next.y = drift(from.y, velocity, dt);
   if (below_plane(next.y, from.radius, p.plane)) {
     next.vy = turned(from.vy, p);
     next.y = drift(from.y, next.vy, dt);
@@ -93,16 +92,15 @@ ANY_REAL FN Moving OF_REAL move_euler(Moving OF_REAL from, Params p) {
   return next;
 }
 
+// The explicit Euler method: the position with the old velocity.
+ANY_REAL FN Moving OF_REAL move_euler(Moving OF_REAL from, Params p) {
+  return move_straight(from, from.vy, fly(from, p), p);
+}
+
 // The semi-implicit Euler method, which is symplectic: the position with the new velocity.
 ANY_REAL FN Moving OF_REAL move_symplectic(Moving OF_REAL from, Params p) {
   Moving OF_REAL next = fly(from, p);
-  Real dt = widened(p.dt, from.y);
-  next.y = drift(from.y, next.vy, dt);
-  if (below_plane(next.y, from.radius, p.plane)) {
-    next.vy = turned(from.vy, p);
-    next.y = drift(from.y, next.vy, dt);
-  }
-  return next;
+  return move_straight(from, next.vy, next, p);
 }
 
 #endif

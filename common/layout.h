@@ -59,6 +59,7 @@
 #define MAX_GROUPS 65535      // of one dispatch along each axis, on every device; more are folded into the next axis
 
 #define SPHERES_PER_SORTER 4       // spheres that one thread of grid_count and grid_scatter handles
+#define SPHERES_PER_BOUNCER 8      // spheres that one thread of bounce looks at
 #define SPLIT_BLOCK 1024           // group size of split_count and grid_split
 #define SORT_BLOCK 512             // group size of grid_sort
 #define SPLIT_TILE 4096u           // spheres that one group of split_count and grid_split takes

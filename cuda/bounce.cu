@@ -1,19 +1,38 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere: one step of the method `anchored`, which touches only the spheres that may meet the plane.
+// One thread per eight spheres: one step of the method `anchored`, which touches only the spheres that may meet the
+// plane. A group lists these first, so that the few that bounce share subgroups instead of delaying one each.
 #include "motion_state.cuh"
 
 namespace spherepair {
 
 template <typename Real>
 __global__ void __launch_bounds__(SERVICE_BLOCK) bounce(Params p, World w) {
-  uint i = group_index(p) * SERVICE_BLOCK + threadIdx.x;
-  if (i >= p.n || p.steps_done < w.due[i]) return;
-  Anchor<Real> a = anchor_anew(load_anchor<Real>(p, w, i), p);
-  Real* flight = static_cast<Real*>(w.flight) + i;
-  flight[0] = a.speed;
-  flight[size_t(p.n)] = a.age;
-  w.since[i] = a.since;
-  w.due[i] = next_due(a, p);
+  __shared__ uint found;
+  __shared__ uint bouncing[SPHERES_PER_BOUNCER * SERVICE_BLOCK];
+  const uvec4* due_vector = reinterpret_cast<const uvec4*>(w.due);
+  uint lane = threadIdx.x;
+  uint first = group_index(p) * (SPHERES_PER_BOUNCER / 4) * SERVICE_BLOCK + lane;
+  if (lane == 0u) found = 0u;
+  __syncthreads();
+  for (uint v = 0u; v < SPHERES_PER_BOUNCER / 4; ++v) {
+    uint i = 4u * (first + v * SERVICE_BLOCK);
+    if (i >= p.n) break;
+    uvec4 steps = due_vector[i / 4u];
+    if (p.steps_done >= steps.x) bouncing[atomicAdd(&found, 1u)] = i;
+    if (p.steps_done >= steps.y && i + 1u < p.n) bouncing[atomicAdd(&found, 1u)] = i + 1u;
+    if (p.steps_done >= steps.z && i + 2u < p.n) bouncing[atomicAdd(&found, 1u)] = i + 2u;
+    if (p.steps_done >= steps.w && i + 3u < p.n) bouncing[atomicAdd(&found, 1u)] = i + 3u;
+  }
+  __syncthreads();
+  Real* flight = static_cast<Real*>(w.flight);
+  for (uint k = lane; k < found; k += SERVICE_BLOCK) {
+    uint i = bouncing[k];
+    Anchor<Real> a = anchor_anew(load_anchor<Real>(p, w, i), p);
+    flight[i] = a.speed;
+    flight[size_t(p.n) + i] = a.age;
+    w.since[i] = a.since;
+    w.due[i] = next_due(a, p);
+  }
 }
 
 Entry bounce_kernel(uint, Variant variant) {

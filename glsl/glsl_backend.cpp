@@ -171,16 +171,16 @@ void GlslBackend::clear_buffer(uint slot, uint64_t bytes) {
   });
 }
 
-// The table of cells as a texture of one word a texel: read through another cache than storage buffers.
+// The table of cells as a texture of four words a texel: read on another path than storage buffers.
 void GlslBackend::bind_table(const Launch& launch) {
-  const uint64_t texels = uint64_t(params().cell_slots) + 2;
+  const uint64_t texels = (uint64_t(params().cell_slots) + 2) / 4 + 1;
   if (texels > limits_.largest_texture)
     throw BackendError(
         fmt::format("glsl: a table of {} cells, but a texture buffer of this driver has {} texels at most; "
                     "leave texture_table out",
                     texels, limits_.largest_texture));
   if (!table_texture_) glCreateTextures(GL_TEXTURE_BUFFER, 1, &table_texture_);
-  glTextureBufferRange(table_texture_, GL_R32UI, buffers_[launch.table], 0, GLsizeiptr(texels * sizeof(uint)));
+  glTextureBufferRange(table_texture_, GL_RGBA32UI, buffers_[launch.table], 0, GLsizeiptr(texels * sizeof(uvec4)));
   glBindTextureUnit(0, table_texture_);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "catalogue.h"
 #include "oracle.h"
 
 namespace spherepair {
@@ -144,6 +145,7 @@ void expect_pairs(Backend& backend, const Scene& scene, std::span<const Pair> ex
     const std::span<const Pair> wanted = options.method == Method::collide_group ? in_groups : expected;
     for (bool want_pairs : {false, true}) {
       options.want_pairs = want_pairs;
+      count_figure("answers");
       EXPECT_EQ(objection(ask(backend, options), wanted, scene.size()), "")
           << backend.info().name << ", scene " << scene.name << " of " << scene.size() << ", " << describe(options);
     }

@@ -11,7 +11,10 @@
 namespace spherepair {
 
 // What a row measured, for the table: several of one test are joined.
-void note_figure(const std::string& figure, const std::string& bound);
+void note_figure(const std::string& figure, const std::string& bound = {});
+
+// One more of what a test compares: "answers" (collision sets) or "states".
+void count_figure(const std::string& what);
 
 // Collects rows as tests end; writes stress.txt and stress.json into the folder that SPHEREPAIR_RECORD names, if any.
 class CatalogueListener : public testing::EmptyTestEventListener {
@@ -22,7 +25,7 @@ class CatalogueListener : public testing::EmptyTestEventListener {
  private:
   struct Row {
     int number;
-    std::string name, backend, figure, bound, verdict;
+    std::string name, scene, backend, figure, bound, verdict;
     double seconds;
   };
   std::vector<Row> rows_;

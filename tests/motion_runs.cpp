@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "adversarial.h"
+#include "catalogue.h"
 
 namespace spherepair {
 
@@ -44,6 +45,7 @@ Backend& cpu_backend() {
 }
 
 void expect_equal_states(const Backend::State& given, const Backend::State& wanted, const std::string& where) {
+  count_figure("states");
   ASSERT_EQ(given.positions.size(), wanted.positions.size()) << where;
   ASSERT_EQ(given.velocities.size(), wanted.velocities.size()) << where;
   for (size_t i = 0; i < wanted.positions.size(); ++i) {

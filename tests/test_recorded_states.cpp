@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "backends.h"
+#include "catalogue.h"
 
 namespace spherepair {
 namespace {
@@ -88,6 +89,7 @@ TEST(RecordedStates, Row29_EqualOnAllBackends) {
   const std::vector<Recording>& runs = runs_here();
   ASSERT_FALSE(runs.empty());
   for (const Recording& run : runs) expect_equal_runs(runs.front(), run);
+  note_figure(fmt::format("{} runs of {} steps, a hash every {}", runs.size(), STEPS, EVERY));
   for (const OpenedBackend& entry : all_backends())
     EXPECT_TRUE(entry.backend || !backend_required(entry.name)) << entry.name << " is missing: " << entry.reason;
   const Hashes& hashes = runs.front().hashes;
@@ -106,6 +108,7 @@ TEST(RecordedStates, Row29_EqualWithOtherMachines) {
       const Recording recorded = {path.parent_path().filename().string() + ": " + run.at("backend").get<std::string>(),
                                   run.at("hashes").get<Hashes>()};
       expect_equal_runs(runs_here().front(), recorded);
+      note_figure(recorded.who);
     }
   }
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "backends.h"
+#include "catalogue.h"
 #include "tally.h"
 
 namespace spherepair {
@@ -18,6 +19,7 @@ Tally judge(Backend& backend, Family family) {
       backend.info().name, result.pairs, result.ties, result.overlapping, result.by_stage[STAGE_FLOAT],
       result.by_stage[STAGE_DOUBLE], result.by_stage[STAGE_INTEGER], result.by_stage[STAGE_WIDE],
       result.by_stage[STAGE_NONFINITE]);
+  note_figure(fmt::format("{} wrong of {}, {} ties", result.wrong, result.pairs, result.ties));
   return result;
 }
 

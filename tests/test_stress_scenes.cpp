@@ -10,6 +10,7 @@
 
 #include "adversarial.h"
 #include "backends.h"
+#include "catalogue.h"
 #include "oracle.h"
 
 namespace spherepair {
@@ -124,9 +125,10 @@ TEST_P(StressCatalogue, Row15_FilterDecidesDensePackings) {
       if (options.method == Method::collide_group) continue;
       options.want_pairs = true;
       const Answer answer = ask(backend(), options);
+      const double undecided = double(answer.totals.deferred) / (0.5 * double(n) * double(n - 1));
+      note_figure(fmt::format("{} undecided: {:.0e} at {}", method_name(options.method), undecided, fraction));
       EXPECT_EQ(objection(answer, expected, n), "") << describe(options) << ", packing fraction " << fraction;
-      EXPECT_LE(double(answer.totals.deferred), 1e-6 * double(n) * double(n - 1) / 2)
-          << describe(options) << ", packing fraction " << fraction;
+      EXPECT_LE(undecided, 1e-6) << describe(options) << ", packing fraction " << fraction;
     }
   }
 }
@@ -158,7 +160,7 @@ TEST_P(StressCatalogue, Row17_FloatSceneFarFromOrigin) {
     std::vector<Pair> flips;
     std::set_symmetric_difference(at_origin.begin(), at_origin.end(), expected.begin(), expected.end(),
                                   std::back_inserter(flips));
-    RecordProperty(fmt::format("flips_at_{:.0e}", distance), int(flips.size()));
+    note_figure(fmt::format("{} of {} flip at {:.0e}", flips.size(), at_origin.size(), distance));
     fmt::print("moved by {:.0e}: {} of {} collisions flip by rounding the data\n", distance, flips.size(),
                at_origin.size());
   }
@@ -179,6 +181,8 @@ TEST_P(StressCatalogue, Row18_ShuffledInput) {
     shuffled.positions = permuted(scene.positions, order);
     shuffled.velocities = permuted(scene.velocities, order);
     const auto [given, given_state] = run(shuffled);
+    count_figure("answers");
+    count_figure("states");
     EXPECT_EQ(by_old_index(*given.pairs, order), *answer.pairs);
     EXPECT_EQ(state_hash(given_state.positions, given_state.velocities),
               state_hash(permuted(state.positions, order), permuted(state.velocities, order)));

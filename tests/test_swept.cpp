@@ -3,18 +3,17 @@
 // swept test misses none and invents none, on every backend.
 #include <fmt/format.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
 #include "adversarial.h"
 #include "catalogue.h"
+#include "missed_contacts.h"
 #include "motion_runs.h"
+#include "quad.h"
 #include "swept.h"
 
 namespace spherepair {
 namespace {
-
-using Quad = boost::multiprecision::cpp_bin_float_quad;
 
 // Whether two spheres come nearer than `shorter` times their radii within dt, in quadruple precision.
 bool touch_in_quad(const Scene& scene, uint i, uint j, const Quad& shorter = 1) {
@@ -31,9 +30,7 @@ bool touch_in_quad(const Scene& scene, uint i, uint j, const Quad& shorter = 1) 
 }
 
 CollideOptions swept_options(const Backend& backend) {
-  return {.method = backend.info().name == "cpu" ? Method::parallel : Method::collide_tiled,
-          .want_pairs = true,
-          .swept = true};
+  return {.method = swept_method(backend), .want_pairs = true, .swept = true};
 }
 
 // Spheres that fly through each other in all directions, some tangent, some at rest relative to another.
@@ -80,45 +77,11 @@ TEST_P(StressCatalogue, Row26_SweptFindsWhatTouchesWithinAStep) {
   }
 }
 
-// Pairs of spheres that pass each other on a line through one another, at a random distance and phase: `way` is what
-// they move in a step over the sum of their radii.
-Scene passing_scene(uint64_t pairs, double way) {
-  Random random(27);
-  std::vector<vec4> spheres;
-  for (uint64_t k = 0; k < pairs; ++k) {
-    const float y = 100 + 4 * float(k % 64), z = 4 * float(k / 64), r = 0.5f;
-    const double distance = std::sqrt(random.uniform(0, 1)), phase = random.uniform(0, 1);
-    spheres.push_back({0, y, z, r});
-    spheres.push_back({float(-1.5 - way * phase), y + float(distance), z, r});
-  }
-  Scene scene = scene_of(spheres);
-  scene.gravity = 0;
-  scene.dt = 1;
-  for (uint64_t i = 1; i < scene.size(); i += 2) scene.velocities[i].x = float(way);
-  return scene;
-}
-
-// How many of the passing pairs are never seen to touch.
-uint64_t missed_pairs(Backend& backend, const Scene& scene, double way, bool swept) {
-  std::vector<bool> seen(scene.size());
-  CollideOptions options = swept_options(backend);
-  options.swept = swept;
-  backend.upload(scene);
-  for (int step = 0; step <= int(3 / way) + 2; ++step) {
-    const std::vector<uint> counts = ask(backend, options).counts;
-    for (size_t i = 0; i < seen.size(); ++i) seen[i] = seen[i] || colliding(counts[i]);
-    backend.move();
-  }
-  uint64_t missed = 0;
-  for (size_t i = 1; i < seen.size(); i += 2) missed += !seen[i];
-  return missed;
-}
-
 TEST_P(StressCatalogue, Row26_DiscreteTestMissesAsGeometrySays) {
   const uint64_t pairs = is_gpu(backend()) || full_stress() ? 8192 : 600;
   for (double way : {0.5, 1.0, 2.0, 5.0}) {
-    const Scene scene = passing_scene(pairs, way);
-    const double share = way <= 2 ? way * way / 12 : 1 - 4 / (3 * way);
+    const Scene scene = passing_scene(pairs, way, 27);
+    const double share = expected_miss_share(way);
     const double expected = share * double(pairs), deviation = std::sqrt(expected * (1 - share));
     const uint64_t missed = missed_pairs(backend(), scene, way, false);
     fmt::print("{}: at s = {} {} of {} contacts are missed, {:.0f} +- {:.0f} expected\n", backend().info().name, way,

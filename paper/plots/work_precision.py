@@ -1,20 +1,18 @@
 # SPDX-License-Identifier: MIT
-"""Error of the motion against its run time: what each method and precision buys."""
+"""Error of the motion against its run time, a panel a backend: what each method and precision buys."""
 from matplotlib.lines import Line2D
 
+from pareto import devices, draw_front, kind, mark_paper, same_time, seconds
 from records import Missing
 from style import PAGE, panels
 
 NAME, TABLE = "work-precision", "precision"
 CAPTION = ("Rms error of the position against run time, a point a time step; every method (line) in every "
-           "precision (marker) it has. Below and to the left is better.")
+           "precision (marker) it has. Below and to the left is better: no point lies below the grey line, the Pareto "
+           "front. Star: the original paper's method at a step of 1/64 s.")
 MARKERS = {"float32": "o", "compensated": "s", "float64": "^"}
 LINES = ("-", "--", ":", "-.")
-
-
-def kind(row):
-    """Anchored positions are evaluated only when they are asked for: with that, it is a method of its own."""
-    return row.method if row.work == "move" else f"{row.method} {row.work.replace('move and', '+')}"
+FRONT = {"color": "#bbbbbb", "linewidth": 4, "solid_joinstyle": "round", "zorder": 0}
 
 
 def look(methods, method):
@@ -23,28 +21,37 @@ def look(methods, method):
 
 
 def draw_device(axis, rows, methods):
+    draw_front(axis, rows, **FRONT)
     for method in methods:
         for precision, marker in MARKERS.items():
             line = sorted((row for row in rows if (kind(row), row.precision) == (method, precision)),
                           key=lambda row: row.dt)
-            nanoseconds = [1e6 * row.median / row.n / row.dt for row in line]
-            axis.plot(nanoseconds, [row.error_m for row in line], marker=marker, **look(methods, method))
+            axis.plot([seconds(row) for row in line], [row.error_m for row in line], marker=marker,
+                      **look(methods, method))
+    mark_paper(axis, rows)
     axis.set(xscale="log", yscale="log", xlabel="run time of a simulated second (ns a sphere)")
+
+
+def keys(methods):
+    lines = [Line2D([], [], label=method, **look(methods, method)) for method in methods]
+    lines += [Line2D([], [], label=name, color="black", marker=marker, linestyle="")
+              for name, marker in MARKERS.items()]
+    lines.append(Line2D([], [], label="Pareto front", **{**FRONT, "linewidth": 3}))
+    return lines + [Line2D([], [], label="original paper", marker="*", markersize=8, color="black",
+                           markerfacecolor="#f2d024", linestyle="")]
 
 
 def draw(machine):
     rows = machine.need(table=TABLE)
-    devices = [name for name in ("cpu", "glsl", "cuda") if any(row.backend == name for row in rows)]
     unknown = sorted({row.precision for row in rows} - MARKERS.keys())
     if unknown:
         raise Missing(f"{machine.name} has precisions that this figure does not know: {', '.join(unknown)}")
-    figure, axes = panels(PAGE, 2.6, len(devices), sharey=True)
+    time, names = same_time(rows), devices(rows)
+    figure, axes = panels(PAGE, 2.6, len(names), sharey=True)
     methods = list(dict.fromkeys(kind(row) for row in rows))
-    for axis, device in zip(axes, devices):
+    for axis, device in zip(axes, names):
         draw_device(axis, [row for row in rows if row.backend == device], methods)
         axis.set_title(device.upper(), loc="left")
-    axes[0].set_ylabel(f"rms error after {rows[0].simulated_s:g} s (m)")
-    keys = [Line2D([], [], label=method, **look(methods, method)) for method in methods]
-    keys += [Line2D([], [], label=name, color="black", marker=marker, linestyle="") for name, marker in MARKERS.items()]
-    axes[-1].legend(handles=keys, loc="upper left", bbox_to_anchor=(1.0, 1.0), handlelength=2.6)
+    axes[0].set_ylabel(f"rms error after {time:g} s (m)")
+    axes[-1].legend(handles=keys(methods), loc="upper left", bbox_to_anchor=(1.0, 1.0), handlelength=2.6)
     return figure

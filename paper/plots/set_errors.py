@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: MIT
+"""Pairs that are wrong against the closed form's: by time step, by distance from the origin, and between steps."""
+from records import Missing
+from style import PAGE, SERIES, panels
+
+NAME = "set-errors"
+CAPTION = ("Pairs that are missed or found too much, as a share of the right ones; what is drawn at the lower edge is "
+           "none at all. (a) After {seconds:g} s against the time step. (b) Against the distance from the origin: of "
+           "spheres that are only stored (black), and after {seconds:g} s at a step of {far} s. Filled: as collided, "
+           "with the nearest float32 positions; hollow: with every bit that the precision keeps. (c) Pairs that pass "
+           "through each other and are never seen to touch when tested once a step; line: what geometry says. The "
+           "swept test misses {swept}.")
+MOTIONS = (("paper", "float32"), ("impact", "float32"), ("impact", "float64"), ("anchored", "float32"),
+           ("anchored", "compensated"), ("anchored", "float64"))
+MARKERS = {"float32": "o", "compensated": "s", "float64": "^"}
+COLORS = {"paper": "#8a8a8a", "impact": "#e0812b", "anchored": "#15396b"}
+
+
+def sets(machine):
+    """The last record of `spherepair sets`."""
+    found = [root for root in machine.sources.values() if root.get("format") == "spherepair sets 1"]
+    if not found:
+        raise Missing(f"{machine.name} has no record of `spherepair sets`")
+    return found[-1]
+
+
+def far_exponent(root):
+    return next(-entry["k"] for entry in root["motion"] if entry["offset"] > 0)
+
+
+def caption(machine):
+    root = sets(machine)
+    missed = sum(entry["swept_missed"] for entry in root["contacts"])
+    return CAPTION.format(seconds=root["settings"]["seconds"], far=f"$2^{{{far_exponent(root)}}}$",
+                          swept="none" if missed == 0 else str(missed))
+
+
+def source(machine):
+    return f"{machine.title.split('; run')[0]}; run {sets(machine)['id']}"
+
+
+def wrong(entry, prefix=""):
+    return (entry[f"{prefix}missed"] + entry[f"{prefix}extra"]) / max(entry["right"], 1)
+
+
+def least(entries):
+    """Half a pair: where none is drawn on a logarithmic axis."""
+    return 0.5 / max(max(entry["right"], 1) for entry in entries)
+
+
+def draw_motion(axis, entries, along, bottom):
+    for method, precision in MOTIONS:
+        line = sorted((e for e in entries if (e["method"], e["precision"]) == (method, precision)),
+                      key=lambda entry: entry[along])
+        for prefix, fill in (("", COLORS[method]), ("whole_", "white")):
+            axis.plot([entry[along] for entry in line], [max(wrong(entry, prefix), bottom) for entry in line],
+                      color=COLORS[method], marker=MARKERS[precision], markerfacecolor=fill,
+                      linestyle="-" if prefix == "" else ":",
+                      label=f"{method} {precision}" if prefix == "" else None)
+
+
+def draw_contacts(axis, contacts):
+    for name in dict.fromkeys(entry["backend"] for entry in contacts):
+        own = [entry for entry in contacts if entry["backend"] == name]
+        look = {**SERIES[name if name != "cpu" else "cpu parallel"], "linestyle": ""}
+        axis.errorbar([e["way"] for e in own], [100 * e["missed"] / e["pairs"] for e in own],
+                      yerr=[200 * e["deviation"] / e["pairs"] for e in own], capsize=1.5, elinewidth=0.7, **look)
+    ways = [0.05 * k for k in range(1, 21 * int(max(e["way"] for e in contacts)))]
+    axis.plot(ways, [100 * (s * s / 12 if s <= 2 else 1 - 4 / (3 * s)) for s in ways], color="black", linewidth=0.7)
+    axis.set(xlabel="way in a step (sums of radii)", ylabel="contacts missed (%), bars: 2 sigma")
+    axis.legend(loc="upper left")
+
+
+def draw(machine):
+    root = sets(machine)
+    near = [entry for entry in root["motion"] if entry["offset"] == 0]
+    away = [entry for entry in root["motion"] if entry["offset"] > 0]
+    if not (near and away and root["storage"] and root["contacts"]):
+        raise Missing(f"{machine.name}: the run of `spherepair sets` lacks a part")
+    bottom = least(root["motion"] + root["storage"])
+    figure, (steps, places, contacts) = panels(PAGE, 2.5, 3)
+    draw_motion(steps, near, "dt", bottom)
+    steps.set(xscale="log", yscale="log", xlabel="time step (s)", ylabel="share of wrong pairs")
+    steps.set_xscale("log", base=2)
+    steps.legend(loc="upper left", bbox_to_anchor=(0.0, -0.28), ncols=2)
+    draw_motion(places, away, "offset", bottom)
+    for precision, marker in MARKERS.items():
+        line = [entry for entry in root["storage"] if entry["precision"] == precision]
+        places.plot([entry["offset"] for entry in line], [max(wrong(entry), bottom) for entry in line], color="black",
+                    marker=marker, label=f"stored as {precision}", linestyle="--", linewidth=0.7)
+    places.set(xscale="log", yscale="log", xlabel="distance from the origin (m)")
+    places.legend(handles=places.get_lines()[-len(MARKERS):], loc="upper left", bbox_to_anchor=(0.0, -0.28))
+    draw_contacts(contacts, root["contacts"])
+    for axis, title in ((steps, "(a)"), (places, "(b)"), (contacts, "(c)")):
+        axis.set_title(title, loc="left")
+    return figure

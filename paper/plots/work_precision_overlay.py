@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: MIT
+"""The backends' diagrams of error against run time over each other: what is left of each when only the best counts."""
+from pareto import devices, draw_front, mark_paper, same_time, seconds
+from records import Missing
+from style import COLUMN, SERIES, panels
+
+NAME, TABLE = "work-precision-overlay", "precision"
+CAPTION = ("Rms error of the position against run time, all backends: a point a method, precision and time step, and "
+           "the line of those that none on the same backend beats in both. Stars: the original paper's method at a "
+           "step of 1/64 s.")
+
+
+def look(device):
+    return SERIES[device if device != "cpu" else "cpu parallel"]
+
+
+def draw(machine):
+    rows = machine.need(table=TABLE)
+    names = devices(rows)
+    if len(names) < 2:
+        raise Missing(f"{machine.name} has one backend's records of {TABLE}; an overlay needs two")
+    figure, (axis,) = panels(COLUMN, 2.6)
+    for name in names:
+        own = [row for row in rows if row.backend == name]
+        axis.plot([seconds(row) for row in own], [row.error_m for row in own], alpha=0.35,
+                  **{**look(name), "label": None, "linestyle": ""})
+        draw_front(axis, own, **look(name))
+        mark_paper(axis, own)
+    axis.set(xscale="log", yscale="log", xlabel="run time of a simulated second (ns a sphere)",
+             ylabel=f"rms error after {same_time(rows):g} s (m)")
+    axis.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3)
+    return figure
