@@ -79,7 +79,7 @@ class Figures(unittest.TestCase):
         machine = Machine(DATA / "h200")
         machine.records, machine.sources = [], {}
         drawn = {module.NAME for module in figures.modules()} - set(self.draw(machine))
-        self.assertLessEqual(drawn, {"animations", "closeup", "same_frame", "settling"})  # pictures
+        self.assertLessEqual(drawn, {"animations", "closeup", "same-frame", "settling"})  # pictures
 
 
 class Paper(unittest.TestCase):

@@ -45,11 +45,12 @@ def source(machine):
     return context_of(FRAMES[0])
 
 
-def cropped(picture):
-    """Without the white around it."""
-    inside = numpy.argwhere(picture[..., :3].min(axis=2) < 0.98)
+def cropped(*pictures):
+    """Without the white around all of them."""
+    darkest = numpy.min([picture[..., :3].min(axis=2) for picture in pictures], axis=0)
+    inside = numpy.argwhere(darkest < 0.98)
     (top, left), (bottom, right) = inside.min(axis=0), inside.max(axis=0)
-    return picture[top:bottom + 1, left:right + 1]
+    return [picture[top:bottom + 1, left:right + 1] for picture in pictures]
 
 
 def draw(machine):
@@ -58,7 +59,7 @@ def draw(machine):
     figure, axes = panels(COLUMN, 1.4, 2)
     for letter, axis, name in zip("ab", axes, FRAMES):
         record(name)
-        axis.imshow(cropped(plt.imread(FOLDER / f"{name}.png")))
+        axis.imshow(cropped(plt.imread(FOLDER / f"{name}.png"))[0])
         axis.set_title(f"({letter})", loc="left")
         axis.axis("off")
     return figure

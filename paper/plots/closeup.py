@@ -12,8 +12,8 @@ from records import Missing
 from style import COLUMN, panels
 
 NAME = "closeup"
-CAPTION = ("(a) The original paper's sphere of 80 triangles; (b) the exact sphere on two triangles. The mesh lies inside "
-           "its sphere, so that spheres that touch are drawn apart.")
+CAPTION = ("(a) The original paper's sphere of 80 triangles; (b) the exact sphere on two triangles. The mesh lies "
+           "inside its sphere, so that spheres that touch are drawn apart.")
 FRAMES = ("closeup-mesh", "closeup-impostor")
 
 

@@ -7,12 +7,13 @@
 import matplotlib.pyplot as plt
 import numpy
 
-from plots.animations import FOLDER, context_of, record
+from plots.animations import FOLDER, context_of, cropped, record
 from records import Missing
 from style import PAGE, panels
 
-NAME = "same_frame"
-CAPTION = ("One frame from {backends}, and the greatest difference of a channel at each pixel between any two: {said}.")
+NAME = "same-frame"
+CAPTION = ("One frame from {backends}, and the greatest difference of a channel at each pixel between any two, black for "
+           "none: {said}.")
 BACKENDS = ("cpu", "glsl", "cuda")
 TITLES = {"cpu": "CPU", "glsl": "GLSL", "cuda": "CUDA"}
 
@@ -44,7 +45,7 @@ def source(machine):
 
 
 def draw(machine):
-    names, shown = recorded(), pictures()
+    names, shown = recorded(), cropped(*pictures())
     figure, axes = panels(PAGE, 1.7, len(names) + 1)
     for axis, name, picture in zip(axes, names, shown):
         axis.imshow(picture)

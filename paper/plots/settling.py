@@ -32,8 +32,9 @@ def draw(machine):
     if not all((FOLDER / f"{name}.png").exists() for name in FRAMES):
         raise Missing("the pictures of the settling spheres were not recorded")
     figure, axes = panels(PAGE, 1.9, len(FRAMES))
-    for letter, axis, name in zip("abcd", axes, FRAMES):
-        axis.imshow(cropped(plt.imread(FOLDER / f"{name}.png")))
+    shown = cropped(*(plt.imread(FOLDER / f"{name}.png") for name in FRAMES))
+    for letter, axis, picture in zip("abcd", axes, shown):
+        axis.imshow(picture)
         axis.set_title(f"({letter})", loc="left")
         axis.axis("off")
     return figure
