@@ -2,9 +2,9 @@
 """Recorded runs, as the figures, tables and numbers of the paper read them.
 
 A folder under paper/data is one machine. Every JSON file in it is a source, and so is every folder of JSON files (of a
-sweep); its id is the machine's name and the first 8 hexadecimal digits of the SHA-256 of its bytes. One record is one measurement: what was run (any parameters the writer
-chose), its samples, median and interval in milliseconds, and the source it came from; formats.py knows how each
-program writes them.
+sweep); its id is the machine's name and the first 8 hexadecimal digits of the SHA-256 of its bytes. One record is one
+measurement: what was run (any parameters the writer chose), its samples, median and interval in milliseconds, and the
+source it came from; formats.py knows how each program writes them.
 """
 import hashlib
 import json

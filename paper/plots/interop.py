@@ -3,8 +3,8 @@
 from style import COLUMN, panels
 
 NAME = TABLE = "interop"
-CAPTION = ("Handing the spheres from CUDA to OpenGL, each time waited for: time for each way to share their memory, with "
-           "the interval of the median.")
+CAPTION = ("Handing the spheres from CUDA to OpenGL, each time waited for: time for each way to share their memory, "
+           "with the interval of the median.")
 
 
 def draw(machine):
