@@ -52,11 +52,12 @@ struct GridOptions {
 // What one API offers and the other lacks, each to be measured against going without. Absent: what was measured to be
 // faster; a backend that lacks one refuses it by name when it is asked for, std::invalid_argument.
 struct Tricks {
-  std::optional<bool> graph;       // CUDA: a step's launches are captured once, replayed while none changes. Absent: on
-  std::optional<bool> keep_in_l2;  // CUDA: the table of cells is set aside in the L2 cache. Absent: off
+  std::optional<bool> graph = {};  // CUDA: a step's launches are captured once, replayed while none changes. Absent: on
+  std::optional<bool> keep_in_l2 = {};  // CUDA: the table of cells is set aside in the L2 cache. Absent: off
   // GLSL: collide_grid reads the table of cells through texture buffers. Absent: on where these are large enough
-  std::optional<bool> texture_table;
-  std::optional<bool> library_clear;  // both: the API's function clears the table, in place of a kernel. Absent: off
+  std::optional<bool> texture_table = {};
+  std::optional<bool> library_clear =
+      {};  // both: the API's function clears the table, in place of a kernel. Absent: off
   auto operator<=>(const Tricks&) const = default;
 };
 
