@@ -91,7 +91,8 @@ std::string set_name(const CollideOptions& options) {
   return options.method == Method::collide_group ? fmt::format("within groups of {}", options.block) : "all pairs";
 }
 
-// One thread and a double loop is the plainest reference; it gives way to all cores where it would take seconds.
+// One thread and a double loop is the plainest reference; it gives way to all cores where it would take seconds, and
+// they to the grid.
 Asked reference_for(Session& session, const CollideOptions& options, uint64_t n) {
   Asked asked{&session.reference(), {}};
   const bool cpu = asked.backend->info().name == "cpu";
@@ -99,17 +100,21 @@ Asked reference_for(Session& session, const CollideOptions& options, uint64_t n)
     asked.options.method = options.method;
     asked.options.block = options.block;
   } else if (cpu) {
-    asked.options.method = n <= 20000 ? Method::sequential : Method::parallel;
+    asked.options.method = n <= 20000 ? Method::sequential : n <= 100000 ? Method::parallel : Method::collide_grid;
   }
   return asked;
+}
+
+Answer answer_of(Backend& backend, bool want_pairs) {
+  Answer answer{backend.collisions(), backend.counts(), std::nullopt};
+  if (want_pairs) answer.pairs = backend.pairs();
+  return answer;
 }
 
 Answer ask(Session& session, Asked asked, bool want_pairs) {
   asked.options.want_pairs = want_pairs;
   session.collide(*asked.backend, asked.options);
-  Answer answer{asked.backend->collisions(), asked.backend->counts(), std::nullopt};
-  if (want_pairs) answer.pairs = asked.backend->pairs();
-  return answer;
+  return answer_of(*asked.backend, want_pairs);
 }
 
 std::string scene_label(const SceneOptions& o) {

@@ -29,11 +29,13 @@ std::string set_name(const CollideOptions& options);  // "all pairs" or "within 
 // Who the others are compared with for this set.
 Asked reference_for(Session& session, const CollideOptions& options, uint64_t n);
 
+// All that one collision step answers.
 struct Answer {
   Collisions totals;
   std::vector<uint> counts;
-  std::optional<std::vector<Pair>> pairs;
+  std::optional<std::vector<Pair>> pairs;  // when they were wanted
 };
+Answer answer_of(Backend& backend, bool want_pairs);  // of its last collide()
 Answer ask(Session& session, Asked asked, bool want_pairs);
 
 // Where a comparison stands: for the message.

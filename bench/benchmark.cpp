@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <iostream>
 #include <sstream>
 
@@ -14,8 +13,7 @@
 #include "benchmark_rows.h"
 #include "commands.h"
 #include "context.h"
-#include "files.h"
-#include "hash.h"
+#include "shard.h"
 
 namespace spherepair {
 namespace {
@@ -25,24 +23,8 @@ struct BenchOptions {
   std::vector<uint64_t> sizes;  // empty: one that suits the machine
   std::vector<uint> blocks;
   int rounds = 0;
-  std::string output;  // folder of a sweep
-  std::string shard = "1/1";
-  bool resume = false, list = false;
+  SweepOptions sweep;
 };
-
-// Part `index` of `count`, counted from 1.
-struct Shard {
-  size_t index = 1, count = 1;
-};
-
-Shard parse_shard(const std::string& text) {
-  Shard shard;
-  char rest = 0;
-  const bool understood = std::sscanf(text.c_str(), "%zu/%zu%c", &shard.index, &shard.count, &rest) == 2;
-  if (!understood || shard.index < 1 || shard.index > shard.count || text.find('-') != std::string::npos)
-    throw std::invalid_argument(fmt::format("shard '{}' is not understood; the second of four reads 2/4", text));
-  return shard;
-}
 
 std::vector<SceneOptions> chosen_scenes(const BenchOptions& options, const Session& session) {
   const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
@@ -105,66 +87,41 @@ void add_context(const Session& session) {
 }
 
 // What decides a configuration's numbers: its scene, its row on every backend, the rounds, the devices, the commit.
-struct Configuration {
-  SceneOptions scene;
-  std::vector<BenchRow> rows;  // the same work on every backend that has it, timed against each other
-  std::string file;            // <hash>.json
-};
-
 std::string file_name(const SceneOptions& scene, const std::vector<BenchRow>& rows, const Sampling& sampling) {
   json key = {{"scene", scene_json(scene)}, {"rounds", sampling.rounds}, {"commit", build_info.commit}};
   for (const BenchRow& row : rows) key["rows"].push_back({row.name, row.backend->info().device});
-  uint64_t hash = 0;
-  for (const unsigned char letter : key.dump()) hash = splitmix64(hash ^ letter);
-  return hex64(hash) + ".json";
+  return hash_of(key) + ".json";
 }
 
-// cuda/collide_tiled/128 and glsl/collide_tiled/128 belong together.
-std::vector<Configuration> configurations(const std::vector<SceneOptions>& scenes, const std::vector<BenchRow>& rows,
-                                          const Sampling& sampling) {
-  std::map<std::string, std::vector<BenchRow>> together;
-  for (const BenchRow& row : rows) together[row.name.substr(row.name.find('/') + 1)].push_back(row);
-  std::vector<Configuration> all;
-  for (const SceneOptions& scene : scenes)
-    for (const auto& [name, members] : together) all.push_back({scene, members, file_name(scene, members, sampling)});
-  return all;
-}
-
-// The file appears whole or not at all, so that --resume can trust it.
-void run_configuration(Session& session, const Configuration& one, const Sampling& sampling,
-                       const std::filesystem::path& folder, bool& wrong) {
+std::optional<std::string> run_configuration(Session& session, const SceneOptions& of,
+                                             const std::vector<BenchRow>& rows, const Sampling& sampling) {
   OnBackend on_backend;
-  BenchScene scene(session, one.scene, on_backend);
+  bool wrong = false;
+  BenchScene scene(session, of, on_backend);
   benchmark::ClearRegisteredBenchmarks();
-  for (const BenchRow& row : one.rows) register_row(scene, row, sampling, wrong);
+  for (const BenchRow& row : rows) register_row(scene, row, sampling, wrong);
   std::ostringstream text;
   benchmark::JSONReporter reporter;
   reporter.SetOutputStream(&text);
   reporter.SetErrorStream(&std::cerr);
   benchmark::RunSpecifiedBenchmarks(&reporter);
-  if (!wrong) write_file(folder / one.file, text.str());
+  if (wrong) return std::nullopt;
+  return text.str();
 }
 
-int run_sweep(Session& session, const BenchOptions& options, const std::vector<Configuration>& all,
-              const Sampling& sampling) {
-  const Shard shard = parse_shard(options.shard);
-  prepare_folder(options.output);
-  size_t done = 0, skipped = 0;
-  for (size_t k = shard.index - 1; k < all.size(); k += shard.count) {
-    const std::filesystem::path file = std::filesystem::path(options.output) / all[k].file;
-    const bool there = options.resume && std::filesystem::exists(file);
-    const std::string& name = all[k].rows.front().name;
-    fmt::print("{} {} {}, n = {}{}\n", all[k].file, name.substr(name.find('/') + 1), scene_label(all[k].scene),
-               all[k].scene.n, there ? ": there already" : "");
-    std::fflush(stdout);
-    bool wrong = false;
-    if (!there && !options.list) run_configuration(session, all[k], sampling, options.output, wrong);
-    if (wrong) return kDifference;
-    ++(there ? skipped : done);
-  }
-  fmt::print("{} of {} configurations {}, {} were there already\n", done, all.size(),
-             options.list ? "to be timed" : "timed", skipped);
-  return kOk;
+// The same work on every backend that has it, timed against each other: cuda/collide_tiled/128 and
+// glsl/collide_tiled/128 belong together.
+std::vector<Configuration> configurations(Session& session, const std::vector<SceneOptions>& scenes,
+                                          const std::vector<BenchRow>& rows, const Sampling& sampling) {
+  std::map<std::string, std::vector<BenchRow>> together;
+  for (const BenchRow& row : rows) together[row.name.substr(row.name.find('/') + 1)].push_back(row);
+  std::vector<Configuration> all;
+  for (const SceneOptions& scene : scenes)
+    for (const auto& [name, members] : together)
+      all.push_back(
+          {file_name(scene, members, sampling), fmt::format("{} {}, n = {}", name, scene_label(scene), scene.n),
+           [&session, scene, members, &sampling] { return run_configuration(session, scene, members, sampling); }});
+  return all;
 }
 
 int run_all(Session& session, const std::vector<SceneOptions>& scenes, const std::vector<BenchRow>& rows,
@@ -187,10 +144,7 @@ void add_options(CLI::App& app, BenchOptions& options, OpenOptions& open) {
   app.add_option("--blocks", options.blocks, "Only these group sizes: 32,64,128,256,512,1024")->delimiter(',');
   app.add_option("--rounds", options.rounds, "Samples of each row (default 11)")->check(CLI::Range(1, 100000));
   app.add_option("--threads", open.threads, "Threads of the CPU backend; 0 takes all cores");
-  app.add_option("--output", options.output, "Sweep: a JSON file for every configuration into this folder");
-  app.add_option("--shard", options.shard, "Of a sweep: only part i of n, e.g. 2/4")->capture_default_str();
-  app.add_flag("--resume", options.resume, "Of a sweep: leave out what this commit has already written there");
-  app.add_flag("--list", options.list, "Of a sweep: name the configurations and stop");
+  add_shard_options(app, options.sweep);
   app.footer(
       "Everything else goes to Google Benchmark, e.g. --benchmark_filter=triangle --benchmark_out=times.json\n"
       "--benchmark_enable_random_interleaving=true");
@@ -220,9 +174,9 @@ int bench_command(int argc, char** argv) {
   const std::vector<SceneOptions> scenes = chosen_scenes(options, session);
   const std::vector<BenchRow> rows = bench_rows(session, blocks);
   add_context(session);
-  const int code = options.output.empty()
+  const int code = options.sweep.output.empty()
                        ? run_all(session, scenes, rows, sampling)
-                       : run_sweep(session, options, configurations(scenes, rows, sampling), sampling);
+                       : run_sweep(configurations(session, scenes, rows, sampling), options.sweep);
   benchmark::Shutdown();
   return code;
 }

@@ -13,15 +13,6 @@ ChosenBackend open_one(const std::string& name, const OpenOptions& options) {
   return chosen;
 }
 
-// Measured in a gas of packing fraction 0.3: from so many spheres on the grid is faster (bench/NOTES.md).
-constexpr uint64_t grid_from_on_cpu = 2048, grid_from_on_device = 16384;
-
-Method default_method(const Backend& backend, uint64_t n) {
-  const bool cpu = backend.info().name == "cpu";
-  if (n >= (cpu ? grid_from_on_cpu : grid_from_on_device)) return Method::collide_grid;
-  return cpu ? Method::parallel : Method::collide_triangle;
-}
-
 }  // namespace
 
 ChosenBackend choose_backend(const std::string& name, const OpenOptions& options) {
@@ -44,10 +35,18 @@ ChosenBackend choose_backend(const std::string& name, const OpenOptions& options
   return chosen;
 }
 
-Method choose_method(const std::string& name, const Backend& backend, uint64_t n) {
-  if (name.empty()) return default_method(backend, n);
+json to_json(const MethodChoice& choice) {
+  json out = {{"name", method_name(choice.method)}};
+  if (choice.method == Method::collide_grid) out["cells"] = choice.cells == Cells::dense ? "dense" : "hashed";
+  out["reason"] = choice.reason;
+  return out;
+}
+
+Method choose_method(const std::string& name, const Backend& backend) {
+  if (name.empty()) return Method::automatic;
   std::vector<std::string> known;
   for (Method method : backend.methods()) known.push_back(method_name(method));
+  known.push_back(method_name(Method::automatic));
   const Method method = method_from_name(name);
   require_known("method of the backend " + backend.info().name + ":", name, known);
   return method;

@@ -15,7 +15,10 @@ struct ChosenBackend {
 // The named one, or without a name the fastest that opens: a GPU through CUDA, one through OpenGL, the CPU.
 ChosenBackend choose_backend(const std::string& name, const OpenOptions& options);
 
-// The named method, which the backend must have, or without a name its fastest for n spheres that finds all pairs.
-Method choose_method(const std::string& name, const Backend& backend, uint64_t n);
+// What was taken, for the record: the method, the kind of cells, the reason.
+json to_json(const MethodChoice& choice);
+
+// The named method, which the backend must have; without a name Method::automatic.
+Method choose_method(const std::string& name, const Backend& backend);
 
 }  // namespace spherepair

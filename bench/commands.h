@@ -25,7 +25,7 @@ struct DevicesOptions {
 int devices_command(const CommandLine& line, const DevicesOptions& options);
 
 struct RunOptions {
-  std::string backend = "cpu", method;  // no method: the backend's fast one
+  std::string backend = "cpu", method;  // no method: auto
   StartOptions start;
   uint block = CollideOptions{}.block;
   uint64_t steps = 0;
@@ -37,7 +37,7 @@ struct RunOptions {
 int run_command(const CommandLine& line, const RunOptions& options);
 
 struct PairsOptions {
-  std::string backend, method;  // no backend: the fastest that opens; no method: the backend's fast one
+  std::string backend, method;  // no backend: the fastest that opens; no method: auto
   std::string input_file, output_file, json_file;
   std::optional<float> radius;
   std::optional<uint64_t> frame;
@@ -61,8 +61,9 @@ struct RenderOptions {
   uint64_t pictures = 1, every = 1;     // steps from each picture to the next
   uint width = 1280, height = 720, samples = 16;
   CameraOptions camera;
-  std::string draw = "compute";       // DrawMethod
-  bool legend = true, plain = false;  // plain: no occlusion, shadow or ground
+  std::string draw = "compute";    // DrawMethod
+  bool legend = true, box = true;  // box: the edges of what holds the spheres of the first picture
+  bool plain = false;              // no occlusion, shadow or ground
 };
 int render_command(const CommandLine& line, const RenderOptions& options);
 

@@ -126,6 +126,12 @@ int compare_command(const CommandLine& line, const CompareOptions& options) {
     record.set("difference", difference.details);
     record.write(study);
     throw;
+  } catch (const std::exception& error) {
+    progress.clear();
+    record.set("verdict", "error");
+    record.set("error", error.what());
+    record.write(study);
+    throw;
   }
   const double seconds = seconds_since(start);
   record.set("verdict", "equal");

@@ -7,10 +7,12 @@
 //     n, backend, draw (DrawMethod), place (outside | inside: of the camera),
 //     work (frame: one picture from a new place; frame_all: the same with nothing skipped; lit: with ambient occlusion,
 //     shadows and the ground; loop: move, collide_grid and frame), and the timing core's fields: median_ms,
-//     interval_ms, samples_ms, batch, device_stages_ms ... From CUDA to OpenGL: draw is none for the hand-over alone,
-//     work is host, registered or imported (HandOver), each picture waited for; with _loop, the next step of the
-//     spheres runs on CUDA while OpenGL draws image: hash of a check picture, equal for all that draw exactly; counts:
-//     what that picture left out
+//     interval_ms, samples_ms, batch, device_stages_ms ... image: hash of a check picture, equal for all that draw
+//     exactly; counts: what that picture left out. From CUDA to OpenGL (--hand-over): draw is none for the hand-over
+//     alone and for `step` (move and collide_grid alone); work is host, registered or imported (HandOver), each picture
+//     waited for, or the same with _pipelined: hand-over, picture and step, nothing waited for but by the hand-over
+//   overlaps   of --hand-over: n, draw, hand_over, picture_ms, step_ms, pipelined_ms, and of the shorter of picture and
+//     step the share that the pipelined loop hides: overlap
 //   left_out   n, backend, draw and the reason, of all that was asked for and not timed
 #include "frames.h"
 
@@ -18,6 +20,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <map>
 #include <memory>
 
@@ -31,8 +34,6 @@
 
 namespace spherepair {
 namespace {
-
-const CollideOptions in_dense_cells = {.method = Method::collide_grid, .grid = {.cells = Cells::dense}};
 
 DrawOptions draw_options(const FrameTask& task, bool count = false) {
   const bool skips = task.work != "frame_all";
@@ -93,7 +94,7 @@ class Bench {
     }
   }
 
-  json frames = json::array(), left_out = json::array();
+  json frames = json::array(), left_out = json::array(), overlaps = json::array();
 
  private:
   void leave_out(uint64_t n, const Backend& backend, const std::string& draw, const std::string& reason) {
@@ -148,31 +149,24 @@ class Bench {
 
   // CUDA's spheres through OpenGL.
   void measure_shared(uint64_t n, Backend& cuda, const Scene& scene, const Bounds& bounds) {
-    const std::vector<View> views = way(bounds, "outside", options_.width, options_.height, 0);
-    const std::unique_ptr<SharedDrawing> shared = open_shared_drawing(cuda, open_);
-    uint64_t turn = 0;
-    const auto measure_one = [&](const std::string& draw, const std::string& work, auto step) {
+    SharedTask task{&cuda, way(bounds, "outside", options_.width, options_.height, 0), {}};
+    for (const std::string& draw : options_.draws)
+      if (draw != draw_method_name(DrawMethod::compute) && !beyond_most(n, draw))
+        task.draws.push_back(draw_method_from_name(draw));
+    const auto time = [&](const std::string& draw, const std::string& work, const std::function<void()>& step) {
       json entry = {{"n", n}, {"backend", "cuda to glsl"}, {"draw", draw}, {"place", "outside"}, {"work", work}};
       const Contender contender{fmt::format("cuda to glsl {} {}", draw, work), &cuda, [&](Backend&) { step(); }};
       progress_.say(contender.label);
-      entry.update(to_json(measure({&contender, 1}, sampling_, progress_).front()));
+      const Samples samples = measure({&contender, 1}, sampling_, progress_).front();
+      entry.update(to_json(samples));
       frames.push_back(entry);
       print(entry);
+      return samples.median_seconds();
     };
-    for (const HandOver by : {HandOver::host, HandOver::registered, HandOver::imported}) {
-      measure_one("none", hand_over_name(by), [&] { shared->hand_over(by), shared->finish(); });
-      for (const std::string& draw : options_.draws) {
-        const DrawMethod method = draw_method_from_name(draw);
-        if (method == DrawMethod::compute || beyond_most(n, draw)) continue;
-        const auto picture = [&](bool moves) {
-          shared->hand_over(by);
-          shared->draw(method, views[turn++ % views.size()]);
-          if (moves) cuda.move(), cuda.collide(in_dense_cells);
-          shared->finish();
-        };
-        measure_one(draw, hand_over_name(by), [&] { picture(false); });
-        measure_one(draw, fmt::format("{}_loop", hand_over_name(by)), [&] { picture(true); });
-      }
+    const std::unique_ptr<SharedDrawing> shared = open_shared_drawing(cuda, open_);
+    for (json& overlap : time_hand_overs(task, *shared, time)) {
+      overlap["n"] = n;
+      overlaps.push_back(overlap);
     }
     cuda.upload(scene);
     cuda.collide(in_dense_cells);
@@ -231,6 +225,7 @@ int frames_command(const CommandLine& line, const FramesOptions& options) {
     record["clocks"].push_back(query_clocks());
     record["frames"] = bench.frames;
     record["left_out"] = bench.left_out;
+    if (options.hand_over) record["overlaps"] = bench.overlaps;
     write_file(options.json_file, json_text(record));
   }
   fmt::print("{}\n", options.json_file);

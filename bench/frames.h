@@ -2,8 +2,11 @@
 // Timing of pictures: the tasks of spherepair frames, and its record.
 #pragma once
 
+#include <functional>
+
 #include "camera.h"
 #include "session.h"
+#include "shared_drawing.h"
 #include "timing.h"
 
 namespace spherepair {
@@ -31,8 +34,23 @@ struct FrameTask {
 };
 std::string label(const FrameTask& task);
 
+const CollideOptions in_dense_cells = {.method = Method::collide_grid, .grid = {.cells = Cells::dense}};
+
+// CUDA's spheres drawn by OpenGL, from one camera after the other.
+struct SharedTask {
+  Backend* cuda;
+  std::vector<View> views;
+  std::vector<DrawMethod> draws;
+};
+// Measures a step named by draw and work; seconds.
+using TimeStep =
+    std::function<double(const std::string& draw, const std::string& work, const std::function<void()>& step)>;
+// Every way to hand over, alone, with a picture, and with picture and next step pipelined: how much of it overlaps, as
+// frames.cpp says. The spheres have moved afterwards.
+json time_hand_overs(const SharedTask& task, SharedDrawing& shared, const TimeStep& time);
+
 // The spheres put into the order of the grid's cells, in which a simulation that sorts would keep them.
-Scene in_cell_order(const Scene& scene);
+Scene in_cell_order(Scene scene);
 
 // Cameras on a short way around the spheres, or through their middle.
 std::vector<View> way(const Bounds& bounds, const std::string& place, uint width, uint height, uint lighting);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
+#include <omp.h>
 
-#include "cell.h"
+#include <algorithm>
+#include <span>
+
+#include "cpu_grid_sort.h"
 #include "device_backend.h"
 #include "frames.h"
 
@@ -10,24 +13,29 @@ namespace {
 
 constexpr uint places_on_way = 64;
 
+std::vector<vec4> taken(const std::vector<vec4>& values, std::span<const uint> order) {
+  std::vector<vec4> sorted(values.size());
+#pragma omp parallel for schedule(static)
+  for (size_t k = 0; k < sorted.size(); ++k) sorted[k] = values[order[k]];
+  return sorted;
+}
+
 }  // namespace
 
-Scene in_cell_order(const Scene& scene) {
+Scene in_cell_order(Scene scene) {
   if (scene.size() == 0) return scene;
   Params p = scene_params(scene, true);
+  p.n = uint(scene.size());
   set_grid(p, plan_grid(scene, Cells::automatic));
-  std::vector<uint> begin(size_t(p.cell_slots) + 1), slot(scene.size());
-#pragma omp parallel for schedule(static)
-  for (size_t i = 0; i < scene.size(); ++i) slot[i] = slot_of(scene.positions[i], p);
-  for (const uint s : slot) ++begin[s + 1];
-  for (size_t s = 1; s < begin.size(); ++s) begin[s] += begin[s - 1];
-  Scene sorted = scene;
-  for (size_t i = 0; i < scene.size(); ++i) {
-    const uint place = begin[slot[i]]++;
-    sorted.positions[place] = scene.positions[i];
-    sorted.velocities[place] = scene.velocities[i];
+  std::vector<uint> order;
+  {
+    CellSort cells(grid_simds().front());
+    cells.sort(scene.positions, p, false, omp_get_max_threads());
+    order.assign(cells.order().id, cells.order().id + scene.size());
   }
-  return sorted;
+  scene.positions = taken(scene.positions, order);
+  scene.velocities = taken(scene.velocities, order);
+  return scene;
 }
 
 std::vector<View> way(const Bounds& bounds, const std::string& place, uint width, uint height, uint lighting) {

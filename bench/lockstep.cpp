@@ -12,6 +12,11 @@ bool chosen(const std::vector<Method>& methods, Method method) {
   return std::ranges::find(methods, method) != methods.end();
 }
 
+// Arrangements of threads: on the CPU all of them are the search of `parallel`.
+bool is_all_pairs_of_devices(Method method) {
+  return method == Method::collide_tiled || method == Method::collide_square || method == Method::collide_triangle;
+}
+
 // One set that several answer: who they are and what the reference said.
 struct SetCheck {
   Asked reference;
@@ -62,13 +67,14 @@ std::vector<Asked> everyone(Session& session, const std::vector<Method>& methods
   std::vector<Asked> all;
   for (const auto& backend : session.backends()) {
     const bool cpu = backend->info().name == "cpu";
-    for (Method method : backend->methods()) {
+    std::vector<Method> known = backend->methods();
+    known.push_back(Method::automatic);
+    for (Method method : known) {
       if (!chosen(methods, method)) continue;
-      const bool cpu_only = method == Method::sequential || method == Method::parallel;
-      if (cpu && !cpu_only && method != Method::collide_group) continue;
+      if (cpu && is_all_pairs_of_devices(method)) continue;
       for (uint block : blocks) {
         all.push_back({backend.get(), {.method = method, .block = block}});
-        if (cpu_only) break;
+        if (!uses_blocks(all.back())) break;
       }
     }
   }

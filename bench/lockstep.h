@@ -19,8 +19,8 @@ struct LockstepPlan {
 // What agreed, one entry for each set. Throws DifferenceFound at the first difference.
 std::vector<EqualityEntry> check_lockstep(Session& session, const LockstepPlan& plan, Progress& progress);
 
-// Everyone who runs these methods at these group sizes. On the CPU the device methods but collide_group are left out:
-// they are the search of `parallel`.
+// Everyone who runs these methods, at these group sizes where a method has one. On the CPU the devices' arrangements of
+// all pairs are left out: they are the search of `parallel`.
 std::vector<Asked> everyone(Session& session, const std::vector<Method>& methods, const std::vector<uint>& blocks);
 
 }  // namespace spherepair

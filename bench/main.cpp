@@ -7,10 +7,14 @@
 #include "arguments.h"
 #include "commands.h"
 #include "context.h"
+#include "crossover.h"
 #include "options.h"
 #include "precision_command.h"
 #include "run_action.h"
 #include "sets_command.h"
+#include "skips.h"
+#include "sweep.h"
+#include "view_command.h"
 
 namespace spherepair {
 namespace {
@@ -37,7 +41,7 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
   command->add_option(
       "--method", options->method,
       "sequential, parallel (cpu); collide_group, collide_tiled, collide_square, collide_triangle, collide_grid; "
-      "default: the backend's fastest");
+      "default: auto, whichever of all pairs and the grid should be faster");
   command->add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024")->capture_default_str();
   command->add_flag("--naive", options->naive, "Use the naive float32 test in place of the exact predicate");
   command->add_flag("--swept", options->swept,
@@ -75,7 +79,7 @@ void add_pairs(CLI::App& app, CommandLine& line, Action& action) {
       ->required();
   command->add_option("--frame", options->frame, "Of an XYZ file with several, counted from 0")->check(count_range);
   command->add_option("--backend", options->backend, "cpu, glsl or cuda; default: a GPU where there is one, else cpu");
-  command->add_option("--method", options->method, "See run --help; default: the backend's fastest");
+  command->add_option("--method", options->method, "See run --help; default: auto");
   command->add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024")->capture_default_str();
   command->add_option("--json", options->json_file, "Write the summary and context as JSON to this file");
   add_open_options(*command, line.open);
@@ -96,9 +100,10 @@ void add_selection(CLI::App& command, CompareOptions& options) {
       ->delimiter(',')
       ->check(positive_range);
   command
-      .add_option("--tables", plan.tables,
-                  "Only these tables: table1, counts, methods, ceilings, overhead, exactness, scale, step, equality; "
-                  "`none` only checks")
+      .add_option(
+          "--tables", plan.tables,
+          "Only these tables: table1, counts, methods, ceilings, overhead, exactness, scale, step, grid, equality; "
+          "`none` only checks")
       ->delimiter(',');
 }
 
@@ -148,6 +153,29 @@ void add_precision(CLI::App& app, CommandLine& line, Action& action) {
   command->callback([=, &line, &action] { action = [=, &line] { return precision_command(line, *options); }; });
 }
 
+void add_crossover(CLI::App& app, CommandLine& line, Action& action) {
+  auto* command =
+      app.add_subcommand("crossover", "Time all pairs against the grid, and the automatic choice with both");
+  const auto options = add_crossover_options(*command);
+  add_open_options(*command, line.open);
+  command->callback([=, &line, &action] { action = [=, &line] { return crossover_command(line, *options); }; });
+}
+
+void add_skips(CLI::App& app, CommandLine& line, Action& action) {
+  auto* command =
+      app.add_subcommand("skips", "Time what is left out where a scene does not need it, and each API's tricks");
+  const auto options = add_skips_options(*command);
+  add_open_options(*command, line.open);
+  command->callback([=, &line, &action] { action = [=, &line] { return skips_command(line, *options); }; });
+}
+
+void add_sweep(CLI::App& app, CommandLine& line, Action& action) {
+  auto* command = app.add_subcommand("sweep", "Record the cost of a collision step from few spheres to 10^9");
+  const auto options = add_sweep_options(*command);
+  add_open_options(*command, line.open);
+  command->callback([=, &line, &action] { action = [=, &line] { return sweep_command(line, *options); }; });
+}
+
 void add_sets(CLI::App& app, CommandLine& line, Action& action) {
   auto* command = app.add_subcommand(
       "sets", "Measure how many pairs are wrong by motion, storage, a naive predicate, and testing once a step");
@@ -174,10 +202,14 @@ int run_program(int argc, char** argv) {
   add_run(app, line, action);
   add_pairs(app, line, action);
   add_render(app, line, action);
+  add_view(app, line, action);
   add_frames(app, line, action);
   add_compare(app, line, action);
   add_equal(app, action);
   add_precision(app, line, action);
+  add_crossover(app, line, action);
+  add_skips(app, line, action);
+  add_sweep(app, line, action);
   add_sets(app, line, action);
   try {
     app.parse(argc, argv);

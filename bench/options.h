@@ -26,6 +26,8 @@ void add_scene_options(CLI::App& command, SceneOptions& scene);
 void add_start_options(CLI::App& command, StartOptions& start);
 void finish_start_options(const CLI::App& command, StartOptions& start);
 
+void add_size_option(CLI::App& command, uint& width, uint& height);  // --size 1280x720
+
 void add_render(CLI::App& app, CommandLine& line, Action& action);
 void add_frames(CLI::App& app, CommandLine& line, Action& action);
 

@@ -6,9 +6,7 @@
 #include "options.h"
 
 namespace spherepair {
-namespace {
 
-// 1280x720
 void add_size_option(CLI::App& command, uint& width, uint& height) {
   const auto read = [&width, &height](const std::string& text) {
     char rest = 0;
@@ -18,6 +16,8 @@ void add_size_option(CLI::App& command, uint& width, uint& height) {
   command.add_option_function<std::string>("--size", read,
                                            fmt::format("Width x height in pixels (default {}x{})", width, height));
 }
+
+namespace {
 
 void add_camera_options(CLI::App& command, CameraOptions& camera) {
   const auto vector = [&](const char* name, std::vector<double>& value, const char* text) {
@@ -71,9 +71,12 @@ void add_render(CLI::App& app, CommandLine& line, Action& action) {
       ->capture_default_str();
   command->add_flag_callback(
       "--no-legend", [=] { options->legend = false; }, "Leave the key to the colours out");
+  command->add_flag_callback(
+      "--no-box", [=] { options->box = false; },
+      "Leave the edges of the box out that holds all spheres of the first picture (only --draw compute has them)");
   command->add_flag("--plain", options->plain, "Leave ambient occlusion, shadows and the ground out");
   command->add_option("--backend", options->backend, "cpu, glsl or cuda; default: a GPU where there is one, else cpu");
-  command->add_option("--method", options->method, "Of collision, see run --help; default: the backend's fastest");
+  command->add_option("--method", options->method, "Of collision, see run --help; default: auto");
   add_open_options(*command, line.open);
   command->footer(
       "Examples:\n  spherepair render --scene random --n 16384 --steps 120 --output spheres.png\n"

@@ -33,7 +33,7 @@ struct PairsReport {
   const PairsOptions& options;
   SphereFile input;
   ChosenBackend chosen;
-  Method method = Method::parallel;
+  MethodChoice method = {};
   Found found;
   Seconds seconds;
 };
@@ -79,7 +79,7 @@ std::string summary(const PairsReport& report) {
   const auto& [options, input, chosen, method, found, seconds] = report;
   std::string text = describe(input);
   text += fmt::format("{} on {}, {}\n", chosen.backend->info().name, device_label(chosen.backend->info()),
-                      method_name(method));
+                      describe(method));
   for (const std::string& reason : chosen.passed_over) text += fmt::format("  passed over: {}\n", reason);
   text += fmt::format("{} pairs, {} of {} spheres collide\n", found.totals.pairs, found.totals.colliding_spheres,
                       input.scene.size());
@@ -95,7 +95,8 @@ json to_json(const PairsReport& report, const CommandLine& line) {
           {"backends", chosen.session->to_json()},
           {"passed_over", chosen.passed_over},
           {"input", to_json(input)},
-          {"method", method_name(method)},
+          {"method", method_name(method.method)},
+          {"choice", to_json(method)},
           {"block", options.block},
           {"output", options.output_file},
           {"pairs", found.totals.pairs},
@@ -122,10 +123,11 @@ int pairs_command(const CommandLine& line, const PairsOptions& options) {
   });
   progress.say("opening a backend");
   seconds.open = seconds_of([&] { chosen = choose_backend(options.backend, line.open); });
-  method = choose_method(options.method, *chosen.backend, input.scene.size());
   progress.say(fmt::format("{} spheres on {}", input.scene.size(), chosen.backend->info().name));
-  const CollideOptions collide = {.method = method, .block = options.block, .want_pairs = true};
+  const CollideOptions collide = {
+      .method = choose_method(options.method, *chosen.backend), .block = options.block, .want_pairs = true};
   seconds.collide = seconds_of([&] { found = find_pairs(*chosen.backend, input.scene, collide); });
+  method = chosen.backend->choice(collide);
   progress.say("writing " + options.output_file);
   seconds.write = seconds_of([&] { write_pairs(options.output_file, found.pairs); });
   progress.clear();

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "box_edges.h"
+
 namespace spherepair {
 namespace {
 
@@ -36,9 +38,11 @@ std::array<double, 2> jitter(uint k, uint samples) {
 
 std::vector<uint> take(Backend& backend, const Shot& shot) {
   const auto draw = [&](uint k) {
-    backend.draw(make_view(shot.camera, shot.look, shot.width, shot.height, jitter(k, shot.samples)),
-                 {.method = shot.method});
-    return backend.image();
+    const View view = make_view(shot.camera, shot.look, shot.width, shot.height, jitter(k, shot.samples));
+    backend.draw(view, {.method = shot.method});
+    std::vector<uint> image = backend.image();
+    if (shot.box) draw_edges(image, backend.visible(), view, *shot.box, shot.ground);
+    return image;
   };
   if (shot.samples == 1) return draw(0);
   std::vector<uint> sums(size_t(shot.width) * shot.height * 3);

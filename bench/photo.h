@@ -2,7 +2,7 @@
 // Photographs: a camera from its options, and the mean of pictures each moved by part of a pixel.
 #pragma once
 
-#include <functional>
+#include <optional>
 
 #include "commands.h"
 
@@ -13,6 +13,8 @@ struct Shot {
   Look look;
   uint width, height, samples;
   DrawMethod method = DrawMethod::compute;
+  std::optional<Bounds> box = {};    // its edges are drawn; of the method compute only
+  std::optional<float> ground = {};  // height of the plane where that is drawn, metres
 };
 
 Camera camera_of(const CameraOptions& options, const Bounds& bounds, double aspect);

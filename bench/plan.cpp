@@ -38,10 +38,12 @@ void fill_sizes(Plan& plan) {
     plan.checks = {{500, 10, all}, {4096, 2, {64, 256}}, {1000, 20, all}, {16384, 3, all}};
     plan.method_sizes = plan.exactness_sizes = {16384};
     plan.scale_sizes = {1024, 4096, 16384, 65536, 262144, 1048576};
+    plan.grid_sizes = {1024, 4096, 16384, 65536, 1'000'000, 10'000'000};
   } else {
     plan.checks = {{500, 5, all}, {3000, 2, {CollideOptions{}.block}}};
-    plan.method_sizes = plan.exactness_sizes = {2048};
-    plan.scale_sizes = {1024, 4096, 16384};
+    plan.method_sizes = {1024};
+    plan.exactness_sizes = {2048};
+    plan.scale_sizes = plan.grid_sizes = {1024, 4096, 16384};
     plan.step_sizes = {64, 256, 1024, 4096, 16384};
     plan.count_steps_large = 20;
   }
@@ -50,7 +52,7 @@ void fill_sizes(Plan& plan) {
 void shrink(Plan& plan) {
   plan.checks = {{500, 3, plan.blocks}};
   plan.paper_sizes = {64, 1024, 4096};
-  plan.step_sizes = plan.scale_sizes = {1024, 4096};
+  plan.step_sizes = plan.scale_sizes = plan.grid_sizes = {1024, 4096};
   plan.count_sizes = {64, 128, 256, 512};
   plan.method_sizes = plan.exactness_sizes = {1024};
   plan.count_steps = 100;
@@ -67,7 +69,6 @@ void extend(Plan& plan) {
   plan.method_sizes = plan.hardware ? Sizes{1024, 4096, 16384, 65536, 262144} : Sizes{1024, 4096, 16384};
   plan.exactness_sizes = plan.hardware ? Sizes{4096, 16384, 65536, 262144} : Sizes{4096, 16384};
   plan.count_steps_large = plan.hardware ? 1000 : 100;
-  plan.reference_pairs = plan.hardware ? 1e12 : 1e10;
   plan.sampling.rounds = plan.hardware ? 31 : 11;
 }
 
@@ -82,7 +83,8 @@ void override_sizes(Plan& plan, const PlanOptions& options) {
   plan.checks.clear();
   for (uint64_t n : options.sizes) plan.checks.push_back({n, steps, blocks});
   plan.row_seconds = 1e9;
-  plan.paper_sizes = plan.method_sizes = plan.exactness_sizes = plan.scale_sizes = plan.step_sizes = options.sizes;
+  plan.paper_sizes = plan.method_sizes = plan.exactness_sizes = plan.scale_sizes = plan.step_sizes = plan.grid_sizes =
+      options.sizes;
 }
 
 std::vector<std::string> chosen_tables(const std::vector<std::string>& wanted) {

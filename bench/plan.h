@@ -28,11 +28,10 @@ struct Plan {
   std::vector<uint> blocks;
   uint table_block = CollideOptions{}.block;  // group size where a table has one method a column
   std::vector<CheckSize> checks;
-  std::vector<uint64_t> paper_sizes, count_sizes, method_sizes, exactness_sizes, scale_sizes, step_sizes;
+  std::vector<uint64_t> paper_sizes, count_sizes, method_sizes, exactness_sizes, scale_sizes, step_sizes, grid_sizes;
   uint64_t count_steps = 1000, count_steps_large = 100;  // large: 32,768 spheres
   uint64_t grazing_pairs = 10000;
-  double reference_pairs = 1e11;  // above so many pairs the CPU checks no timed configuration
-  double row_seconds = 15;        // without a GPU: larger sizes of a table that would take longer are left out
+  double row_seconds = 8;  // without a GPU: larger sizes of a table that would take longer are left out
   std::vector<std::string> tables;
   Sampling sampling;
 };

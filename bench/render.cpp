@@ -64,6 +64,7 @@ json record(const Series& series, uint64_t step, const Collisions& totals) {
   json views = json::array();
   for (uint k = 0; k < shot.samples; ++k)
     views.push_back(to_json(make_view(shot.camera, shot.look, shot.width, shot.height, jitter(k, shot.samples))));
+  const MethodChoice choice = series.chosen.backend->choice({.method = series.method});
   return {{"context", capture_context(series.line.words)},
           {"backends", series.chosen.session->to_json()},
           {"scene", series.start.record},
@@ -71,13 +72,15 @@ json record(const Series& series, uint64_t step, const Collisions& totals) {
           {"dt", series.start.scene.dt},
           {"restitution", series.start.scene.restitution},
           {"step", step},
-          {"method", method_name(series.method)},
+          {"method", method_name(choice.method)},
+          {"choice", to_json(choice)},
           {"drawn_by", draw_method_name(shot.method)},
           {"pairs", totals.pairs},
           {"colliding_spheres", totals.colliding_spheres},
           {"fingerprint", hex64(totals.fingerprint.a) + hex64(totals.fingerprint.b)},
           {"width", shot.width},
           {"height", shot.height},
+          {"box", shot.box ? json{{"low", shot.box->low}, {"high", shot.box->high}} : json()},
           {"camera", to_json(shot.camera)},
           {"samples", views}};
 }
@@ -149,16 +152,18 @@ int render_command(const CommandLine& line, const RenderOptions& options) {
   const Start start = start_of(options.start, line.open.threads);
   const ChosenBackend chosen = choose_backend(options.backend, line.open);
   const bool lights = !options.plain && options.draw == "compute" && start.scene.size() > 1;
-  const Method method =
-      lights ? Method::collide_grid : choose_method(options.method, *chosen.backend, start.scene.size());
+  const Method method = lights ? Method::collide_grid : choose_method(options.method, *chosen.backend);
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
   send(start, *chosen.backend);
   const double aspect = double(options.width) / options.height;
   for (uint64_t step = 0; step < options.steps; ++step) chosen.backend->move();
-  const Camera camera = camera_of(options.camera, bounds_of(chosen.backend->state().positions), aspect);
+  const Bounds bounds = bounds_of(chosen.backend->state().positions);
+  const Camera camera = camera_of(options.camera, bounds, aspect);
   Look look = contact_look();
   if (lights) look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
-  const Shot shot{camera, look, options.width, options.height, options.samples, draw_method_from_name(options.draw)};
+  Shot shot{camera, look, options.width, options.height, options.samples, draw_method_from_name(options.draw)};
+  if (options.box && shot.method == DrawMethod::compute && start.scene.size() > 0) shot.box = bounds;
+  if (lights) shot.ground = start.scene.plane;
   take_series({line, options, start, chosen, method, shot});
   fmt::print("{}{} on {}: scene {}, {} spheres\n", start.notes, chosen.backend->info().name,
              device_label(chosen.backend->info()), start.label, start.scene.size());

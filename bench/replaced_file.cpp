@@ -34,10 +34,13 @@ fs::path follow_links(const fs::path& path) {
 
 ReplacedFile::ReplacedFile(const fs::path& path) : path_(path), target_(follow_links(path)) {
   if (fs::is_directory(target_)) fail(EISDIR);
-  if (replaceable(target_)) {
-    open_beside();
-  } else {
+  if (!replaceable(target_)) {
     descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC | O_APPEND);
+  } else {
+    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
+    descriptor_ = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+    nameless_ = descriptor_ >= 0;
+    if (!nameless_) open_beside();
   }
   if (descriptor_ < 0) fail(errno);
 }
@@ -47,14 +50,21 @@ ReplacedFile::~ReplacedFile() {
   if (!beside_.empty()) ::unlink(beside_.c_str());
 }
 
-// Never a file that exists already: it may be another's.
-void ReplacedFile::open_beside() {
+// Never the name of a file that exists already: it may be another's.
+bool ReplacedFile::take_name_beside(const std::function<bool(const std::string&)>& take) {
   for (int attempt = 0; attempt < 1000; ++attempt) {
-    const fs::path name = target_.string() + ".new" + (attempt ? std::to_string(attempt) : "");
-    descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ >= 0) beside_ = name;
-    if (descriptor_ >= 0 || errno != EEXIST) return;
+    const std::string name = target_.string() + ".new" + (attempt ? std::to_string(attempt) : "");
+    if (take(name)) return beside_ = name, true;
+    if (errno != EEXIST) return false;
   }
+  return false;
+}
+
+bool ReplacedFile::open_beside() {
+  return take_name_beside([&](const std::string& name) {
+    descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    return descriptor_ >= 0;
+  });
 }
 
 void ReplacedFile::fail(int error) const {
@@ -69,7 +79,13 @@ void ReplacedFile::write(std::string_view bytes) {
   }
 }
 
+// A link cannot take the place of a file, only a rename can; so the file has a name beside it for that moment.
 void ReplacedFile::commit() {
+  const std::string open_file = fmt::format("/proc/self/fd/{}", descriptor_);
+  const auto link = [&](const std::string& name) {
+    return ::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+  };
+  if (nameless_ && !take_name_beside(link)) fail(errno);
   if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
   if (beside_.empty()) return;
   if (::rename(beside_.c_str(), target_.c_str()) != 0) fail(errno);

@@ -3,12 +3,16 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <string_view>
 
 namespace spherepair {
 
-// Written beside its name and renamed to it by commit(); until then whatever has the name stays as it is, and without a
-// commit nothing is left. What is no regular file (a pipe, a device) is written directly. Throws std::invalid_argument.
+// Written without a name and given its name by commit(); until then whatever has the name stays as it is, and without a
+// commit nothing is left, even when the program is killed (where the file system knows no files without a name, that is
+// one beside it, which a kill leaves). What is no regular file (a pipe, a device) is written directly. Throws
+// std::invalid_argument.
 class ReplacedFile {
  public:
   explicit ReplacedFile(const std::filesystem::path& path);
@@ -21,9 +25,11 @@ class ReplacedFile {
 
  private:
   [[noreturn]] void fail(int error) const;
-  void open_beside();
+  bool take_name_beside(const std::function<bool(const std::string&)>& take);
+  bool open_beside();
 
-  std::filesystem::path path_, target_, beside_;  // as given; with links followed; empty when written directly
+  std::filesystem::path path_, target_, beside_;  // as given; with links followed; empty while there is no such file
+  bool nameless_ = false;
   int descriptor_ = -1;
 };
 

@@ -20,11 +20,11 @@ struct StepResult {
   Collisions totals;
 };
 
-CollideOptions collide_options(const RunOptions& options, const Backend& backend, uint64_t n) {
+CollideOptions collide_options(const RunOptions& options, const Backend& backend) {
   CollideOptions collide;
   collide.swept = options.swept;
   const bool swept_by_default = options.swept && options.method.empty();
-  collide.method = swept_by_default ? swept_method(backend) : choose_method(options.method, backend, n);
+  collide.method = swept_by_default ? swept_method(backend) : choose_method(options.method, backend);
   collide.block = parse_blocks({options.block}).front();
   collide.exact = !options.naive;
   return collide;
@@ -106,7 +106,7 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   check_scene(scene);
   Session session({options.backend}, line.open);
   Backend& backend = *session.find(options.backend);
-  const CollideOptions collide = collide_options(options, backend, scene.size());
+  const CollideOptions collide = collide_options(options, backend);
   for (const std::string& warning : session.warnings()) fmt::print(stderr, "{}\n", warning);
   if (const uint64_t stalled = options.steps ? stalled_spheres(scene) : 0)
     fmt::print(stderr,
@@ -116,12 +116,14 @@ int run_command(const CommandLine& line, const RunOptions& options) {
                stalled);
   send(start, backend);
   const std::vector<StepResult> results = simulate(backend, options, start, collide);
+  const MethodChoice choice = backend.choice(collide);
   fmt::print("{}{} on {}: {}{}, scene {}, {} spheres, {} steps of {}\n", start.notes, options.backend,
              device_label(backend.info()), label({&backend, collide}),
              options.naive   ? " (naive)"
              : options.swept ? " (within the next step)"
                              : "",
              start.label, scene.size(), options.steps, motion_label(scene.motion));
+  if (collide.method == Method::automatic) fmt::print("auto: {}\n", describe(choice));
   print_steps(results);
   if (!options.pairs_file.empty()) write_file(options.pairs_file, pairs_text(backend.pairs()));
   if (options.json_file.empty()) return kOk;
@@ -133,7 +135,8 @@ int run_command(const CommandLine& line, const RunOptions& options) {
                                            {"motion", motion_label(scene.motion)},
                                            {"dt", scene.dt},
                                            {"restitution", scene.restitution},
-                                           {"method", method_name(collide.method)},
+                                           {"method", method_name(choice.method)},
+                                           {"choice", to_json(choice)},
                                            {"block", collide.block},
                                            {"exact", collide.exact},
                                            {"swept", collide.swept},

@@ -27,7 +27,7 @@ struct RunAnswer {
 RunAnswer run_for_set(Session& session, Backend& backend, const Scene& scene, uint64_t steps) {
   backend.upload(scene);
   for (uint64_t step = 0; step < steps; ++step) backend.move();
-  const Asked asked = {&backend, {.method = choose_method("", backend, scene.size())}};
+  const Asked asked = {&backend, {.method = choose_method("", backend)}};
   RunAnswer run = {{}, ask(session, asked, true)};
   run.state = backend.state();
   return run;
@@ -47,7 +47,7 @@ MotionSetEntry run_everywhere(Session& session, const SetPlan& plan, const Scene
       first = std::move(run);
       continue;
     }
-    const auto asked = [&](Backend& b) { return Asked{&b, {.method = choose_method("", b, scene.size())}}; };
+    const auto asked = [&](Backend& b) { return Asked{&b, {.method = choose_method("", b)}}; };
     require_same_state({options, steps}, session.reference(), first->state, *backend, run.state);
     require_equal(session, {options, steps}, asked(session.reference()), first->answer, asked(*backend), run.answer);
   }
@@ -127,13 +127,13 @@ std::vector<NaiveEntry> measure_naive(Session& session, const SetPlan& plan, Pro
     for (const auto& backend : session.backends()) {
       progress.say(fmt::format("exactness: {} on {}", name, backend->info().name));
       backend->upload(scene);
-      Asked asked = {backend.get(), {.method = choose_method("", *backend, scene.size())}};
+      Asked asked = {backend.get(), {.method = choose_method("", *backend)}};
       const Answer exact = ask(session, asked, true);
       asked.options.exact = false;
       const SetError error = set_error(*ask(session, asked, true).pairs, *exact.pairs);
       auto [exact_samples, naive_samples] = time_predicates(session, plan, asked, progress);
-      entries.push_back({method_name(asked.options.method), name, scene.size(), error, std::move(exact_samples),
-                         std::move(naive_samples)});
+      entries.push_back({method_name(backend->choice(asked.options).method), name, scene.size(), error,
+                         std::move(exact_samples), std::move(naive_samples)});
     }
   }
   return entries;

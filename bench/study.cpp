@@ -66,14 +66,6 @@ void Study::upload(const SceneOptions& options) {
   for (const auto& backend : session.backends()) backend->upload(scene);
 }
 
-Asked Study::referee(const std::vector<Asked>& asked, const CollideOptions& options, uint64_t n) const {
-  const Asked reference = reference_for(session, options, n);
-  const double pairs = 0.5 * double(n) * double(n);
-  if (reference.backend->info().name != "cpu" || pairs <= plan.reference_pairs) return reference;
-  const auto device = std::ranges::find_if(asked, [](const Asked& a) { return a.backend->info().name != "cpu"; });
-  return device == asked.end() ? reference : *device;
-}
-
 // Compares all answers at the present state, set by set; returns the state's hash.
 uint64_t Study::check_step(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t step) {
   const Place place{scene, step};
@@ -84,7 +76,7 @@ uint64_t Study::check_step(const SceneOptions& scene, const std::vector<Asked>& 
   std::map<std::string, std::vector<Asked>> sets;
   for (const Asked& one : asked) sets[set_name(one.options)].push_back(one);
   for (const auto& [name, members] : sets) {
-    const Asked reference = referee(members, members.front().options, scene.n);
+    const Asked reference = reference_for(session, members.front().options, scene.n);
     const Answer answer = ask(session, reference, false);
     referees_[name] = label(reference);
     EqualityEntry entry{scene, name, {label(reference)}, {}};
@@ -172,6 +164,7 @@ const std::vector<TableKind>& table_kinds() {
       {"exactness", "what the exact predicate costs, and what it saves", make_exactness},
       {"scale", "collide_triangle from small to large n", make_scale},
       {"step", "a whole step: motion, plane, all pairs", make_step},
+      {"grid", "the uniform grid against all pairs", make_grid},
       {"equality", "what was compared and found equal", make_equality}};
   return kinds;
 }

@@ -42,7 +42,6 @@ class Study {
   void upload(const SceneOptions& options);
   uint64_t check_step(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t step);
   void record(const std::string& table, const SceneOptions& scene, const Task& task, const Samples& samples);
-  Asked referee(const std::vector<Asked>& asked, const CollideOptions& options, uint64_t n) const;
 
   std::map<std::string, std::string> referees_;  // by set: who the last check trusted
 };
@@ -79,6 +78,7 @@ std::vector<Table> make_overhead(Study& study);
 std::vector<Table> make_exactness(Study& study);
 std::vector<Table> make_scale(Study& study);
 std::vector<Table> make_step(Study& study);
+std::vector<Table> make_grid(Study& study);
 std::vector<Table> make_equality(Study& study);
 
 // Every measurement behind a table: K, rounds, median, interval, minimum, first step, device timer.

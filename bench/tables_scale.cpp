@@ -3,25 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 
+#include "floors.h"
 #include "study.h"
 
 namespace spherepair {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr int instructions_per_pair = 4;  // three fused multiply-adds and a comparison: the least for the Gram form
-
-// Lane-instructions a second of the GPU, as CUDA describes it: NVIDIA's multiprocessors issue to 128 lanes a cycle.
-double issue_rate(const Session& session) {
-  const Backend* cuda = session.find("cuda");
-  if (!cuda) return nan;
-  const auto& details = cuda->info().details;
-  const auto units = details.find("multiprocessors"), clock = details.find("highest clock MHz");
-  if (units == details.end() || clock == details.end()) return nan;
-  return std::stod(units->second) * 128 * std::stod(clock->second) * 1e6;
-}
 
 std::vector<Task> scale_tasks(const Study& study) {
   std::vector<Task> tasks = study.collide_tasks(Method::collide_triangle, study.plan.table_block);

@@ -30,8 +30,8 @@ int choose_rounds(const Contender& contender, uint64_t batch, double step, const
 }
 
 // The device's own clock, in a run apart: its queries would disturb the host's times.
-std::map<std::string, double> time_on_device(const Contender& contender, uint64_t batch) {
-  if (!contender.backend->info().device_timers) return {};
+void time_on_device(const Contender& contender, uint64_t batch, Samples& samples) {
+  if (!contender.backend->info().device_timers) return;
   const uint64_t steps = std::min<uint64_t>(batch, 20);
   contender.backend->time_stages(true);
   for (uint64_t k = 0; k < steps; ++k) contender.step(*contender.backend);
@@ -39,9 +39,12 @@ std::map<std::string, double> time_on_device(const Contender& contender, uint64_
   std::map<std::string, std::vector<double>> by_stage;
   for (const StageTime& time : contender.backend->stage_times()) by_stage[time.stage].push_back(time.seconds);
   contender.backend->time_stages(false);
-  std::map<std::string, double> stages;
-  for (const auto& [stage, times] : by_stage) stages[stage] = median(times) * double(times.size()) / double(steps);
-  return stages;
+  for (const auto& [stage, times] : by_stage) {
+    const double launches = double(times.size()) / double(steps);
+    const Interval one = median_interval(times);
+    samples.stages[stage] = median(times) * launches;
+    samples.stage_intervals[stage] = {one.low * launches, one.high * launches, one.coverage};
+  }
 }
 
 }  // namespace
@@ -68,7 +71,11 @@ json to_json(const Samples& samples) {
               {"samples_ms", ms(samples.seconds)},
               {"turns", samples.turn}};
   if (samples.stages.empty()) return out;
-  for (const auto& [stage, seconds] : samples.stages) out["device_stages_ms"][stage] = seconds * 1e3;
+  for (const auto& [stage, seconds] : samples.stages) {
+    const Interval within = samples.stage_intervals.at(stage);
+    out["device_stages_ms"][stage] = seconds * 1e3;
+    out["device_stages_interval_ms"][stage] = {within.low * 1e3, within.high * 1e3};
+  }
   out["device_ms"] = samples.device_seconds() * 1e3;
   out["host_minus_device_ms"] = (samples.median_seconds() - samples.device_seconds()) * 1e3;
   return out;
@@ -76,6 +83,7 @@ json to_json(const Samples& samples) {
 
 double time_batch(const Contender& contender, uint64_t batch) {
   Backend& backend = *contender.backend;
+  if (contender.alternates) contender.step(backend);
   backend.finish();
   const auto start = std::chrono::steady_clock::now();
   for (uint64_t k = 0; k < batch; ++k) contender.step(backend);
@@ -101,7 +109,7 @@ std::vector<Samples> measure(std::span<const Contender> contenders, const Sampli
   std::vector<int> rounds;
   for (const Contender& contender : contenders) {
     progress.say("warming up: " + contender.label);
-    Samples samples{contender.label, contender.backend->info().name, choose_batch(contender, sampling), {}, {}, {}};
+    Samples samples{contender.label, contender.backend->info().name, choose_batch(contender, sampling), {}, {}, {}, {}};
     const double warm = time_batch(contender, samples.batch) / double(samples.batch);
     rounds.push_back(choose_rounds(contender, samples.batch, warm, sampling));
     all.push_back(std::move(samples));
@@ -118,7 +126,7 @@ std::vector<Samples> measure(std::span<const Contender> contenders, const Sampli
       all[c].turn.push_back(turn++);
     }
   }
-  for (size_t c = 0; c < all.size(); ++c) all[c].stages = time_on_device(contenders[c], all[c].batch);
+  for (size_t c = 0; c < all.size(); ++c) time_on_device(contenders[c], all[c].batch, all[c]);
   return all;
 }
 

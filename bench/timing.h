@@ -18,6 +18,7 @@ struct Contender {
   std::string label;
   Backend* backend;
   std::function<void(Backend&)> step;  // enqueues one step
+  bool alternates = false;             // others leave the backend in another state: a step goes ahead, untimed
 };
 
 struct Sampling {
@@ -37,6 +38,7 @@ struct Samples {
   std::vector<double> seconds;           // per step, one value a round
   std::vector<uint64_t> turn;            // at which place of the whole run each value was taken
   std::map<std::string, double> stages;  // device timer, seconds per step; empty without one
+  std::map<std::string, Interval> stage_intervals;
 
   double median_seconds() const { return median(seconds); }
   Interval interval() const { return median_interval(seconds); }

@@ -3,7 +3,6 @@
 // call is made a few times a step at most, so virtual functions cost nothing that could be measured.
 #pragma once
 
-#include <array>
 #include <map>
 #include <memory>
 #include <span>
@@ -11,10 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "exact.h"
-#include "grid_plan.h"
+#include "collide_options.h"
 #include "motion_state.h"
-#include "pair_set.h"
 #include "scene.h"
 #include "view.h"
 
@@ -24,54 +21,6 @@ namespace spherepair {
 class BackendError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
-};
-
-enum class Method {
-  sequential,        // CPU only: the paper's code 2, one thread, double loop
-  parallel,          // CPU only: all cores, SIMD
-  collide_group,     // the paper's code 4: pairs within a group of `block` consecutive spheres only
-  collide_tiled,     // the paper's code 5: every group through shared memory, each ordered pair tested
-  collide_square,    // two-dimensional arrangement, a single loop
-  collide_triangle,  // each unordered pair once, several spheres per thread: the fastest of all pairs
-  collide_grid,      // only the spheres of neighbouring cells
-};
-
-const char* method_name(Method method);
-Method method_from_name(const std::string& name);  // throws std::invalid_argument with the known names
-std::vector<Method> device_methods();              // the four that GLSL and CUDA mirror
-std::span<const uint> block_sizes();               // 32, 64 ... 1024
-
-// How spheres are put into cell order: by counting them by cell, or by splitting them into buckets of cells first.
-enum class Sort { automatic, counting, buckets };
-
-// What the grid may skip or do in another way, each to be measured against its opposite.
-struct GridOptions {
-  Cells cells = Cells::automatic;
-  bool keep_order = true;  // spheres that stand in cell order already are not sorted again
-  bool keep_cells = true;  // spheres that have not moved keep the cells of the last step
-  Sort sort = Sort::automatic;
-  auto operator<=>(const GridOptions&) const = default;
-};
-
-struct CollideOptions {
-  Method method = Method::collide_triangle;
-  uint block = 128;         // group size of the kernel; decides the set only for collide_group
-  bool exact = true;        // false: the naive float32 predicate, to measure what exactness costs
-  bool want_pairs = false;  // keep the pairs for pairs()
-  uint columns = 0;         // of collide_triangle: spheres that one group meets; 0: chosen by n. Never changes the set
-  GridOptions grid = {};    // of collide_grid. Never changes the set
-  // Pairs that touch at any time within the next step, in free flight (swept.h): of collide_tiled, and on the CPU of
-  // `parallel`, with float32 state; anything else throws std::invalid_argument.
-  bool swept = false;
-};
-
-// Totals of one collide(). Sizes are numbers of pairs (i<j) or spheres.
-struct Collisions {
-  uint64_t pairs = 0;
-  uint64_t colliding_spheres = 0;  // spheres with at least one contact
-  Fingerprint fingerprint;
-  uint64_t deferred = 0;                      // pairs that the float32 filter left undecided
-  std::array<uint64_t, STAGES> decided_by{};  // of those, by STAGE_*
 };
 
 // What a device can do at best: 16 bytes a sphere copied, a scattered atomic a sphere, multiply-adds in registers.
@@ -104,8 +53,12 @@ struct DrawOptions {
   bool skip_unchanged = true;     // the whole picture, when nothing has changed since the last
   uint64_t skip_from = 1u << 17;  // clusters are made of so many spheres or more
 
+  // Of fewer spheres, which then are large on the screen, each is drawn by LANES threads; without clusters only.
+  uint64_t share_below = 1u << 17;
+
   bool count = false;  // fill all of DrawCounts, which costs an atomic operation a sphere
   auto operator<=>(const DrawOptions&) const = default;
+  uint lanes(uint64_t n) const { return n < share_below ? LANES : 1; }
 };
 
 // Of one draw(), numbers of spheres; `drawn` are those with a pixel's centre in their box, whether seen in the end or
@@ -145,6 +98,7 @@ class Backend {
   virtual void place() = 0;
   virtual void collide(const CollideOptions& options) = 0;
   virtual void finish() = 0;
+  virtual MethodChoice choice(const CollideOptions& options) const = 0;
 
   // Results of the last collide(). When a list was too short, the device's lists are grown and the collision step is
   // repeated, never truncated; so ask before the next move().
@@ -188,6 +142,8 @@ class Backend {
 
   // Throws BackendError naming the buffer when a kernel wrote behind the end of one: guard words stand there.
   virtual void check_guards() = 0;
+
+  virtual WorkCounts work_counts() const = 0;
 
   // With timing on, every kernel is bracketed by the device's timer; the times since the last call, in order.
   virtual void time_stages(bool on) = 0;

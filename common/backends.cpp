@@ -20,8 +20,9 @@
 namespace spherepair {
 namespace {
 
-constexpr std::array<const char*, 7> method_names = {
-    "sequential", "parallel", "collide_group", "collide_tiled", "collide_square", "collide_triangle", "collide_grid"};
+constexpr std::array<const char*, 8> method_names = {
+    "sequential",     "parallel",         "collide_group", "collide_tiled",
+    "collide_square", "collide_triangle", "collide_grid",  "auto"};
 constexpr std::array<const char*, 6> draw_method_names = {"compute",      "mesh_each", "mesh",
                                                           "mesh_indexed", "points",    "impostor"};
 constexpr std::array<DrawMethod, 6> draw_methods = {DrawMethod::compute, DrawMethod::mesh_each,

@@ -110,21 +110,18 @@ FN uint least_depth(Solid solid, Box box, View v) {
   return least > 0.0f ? float_bits(least) : 0u;
 }
 
-// The pyramid: level k has a texel for each LEVEL_0 * 4^k pixels along both axes.
-FN uint texel_side(uint level) { return uint(LEVEL_0) << (2u * level); }
-FN uint texels_along(uint pixels, uint level) { return (pixels + texel_side(level) - 1u) >> (3u + 2u * level); }
-FN uint first_texel(uint level, View v) {
-  uint first = 0u;
-  for (uint k = 0u; k < level; ++k) first += texels_along(v.width, k) * texels_along(v.height, k);
-  return first;
+// The pyramid's two levels: texels of LEVEL_0 and of LEVEL_1 pixels along both axes.
+FN uint texel_shift(uint level) { return level == 0u ? 3u : 5u; }
+FN uint texels_along(uint pixels, uint level) {
+  return (pixels + (1u << texel_shift(level)) - 1u) >> texel_shift(level);
 }
-// The finest level at which a box is looked up in few texels; rows of spheres make long and low boxes.
-FN uint level_for(Box box, View v) {
-  uint level = 0u;
-  while (level + 1u < v.levels &&
-         (box.width / texel_side(level) + 1u) * (box.height / texel_side(level) + 1u) > uint(TEXELS_AT_MOST))
-    ++level;
-  return level;
+FN uint first_texel(uint level, View v) {
+  return level == 0u ? 0u : texels_along(v.width, 0u) * texels_along(v.height, 0u);
+}
+// In how many texels a box is looked up, beside those that its borders touch; rows of spheres make long and low boxes.
+FN uint texels_of(Box box, uint level) {
+  uint shift = texel_shift(level);
+  return ((box.width >> shift) + 1u) * ((box.height >> shift) + 1u);
 }
 
 #endif

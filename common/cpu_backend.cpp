@@ -15,6 +15,8 @@
 #include "cpu_grid.h"
 #include "cpu_motion.h"
 #include "device_backend.h"
+#include "method_choice.h"
+#include "plan_watch.h"
 
 namespace spherepair {
 namespace {
@@ -47,9 +49,12 @@ class CpuBackend final : public Backend {
   void upload(const Scene& scene) override {
     check_scene(scene);
     motion_.upload(scene);
+    n_ = scene.size();
     equal_radii_ = scene.equal_radii;
     constants_ = {scene_params(scene, false), scene_params(scene, true)};
-    plans_ = plan_grids(scene);
+    plans_ = plan_grids(scene.positions);
+    watch_ = PlanWatch(scene, plans_);
+    work_ = {.plans = 1};
     celled_.reset();
     found_.reset();
     picture_ = {};
@@ -57,12 +62,26 @@ class CpuBackend final : public Backend {
 
   void move() override {
     timed("move", [&] { motion_.move(threads_); });
+    watch_.moved();
     celled_.reset();
     found_.reset();
   }
 
-  void collide(const CollideOptions& options) override {
-    const PairSearch search{motion_.positions(threads_), constants_[options.exact], equal_radii_, options, threads_};
+  MethodChoice choice(const CollideOptions& options) const override {
+    return explain_choice(info_, n_, plans_, options);
+  }
+
+  void collide(const CollideOptions& asked) override {
+    check_collide(asked);
+    refuse_missing("cpu", asked, {}, false);
+    CollideOptions options = asked;
+    const std::vector<vec4>& positions = motion_.positions(threads_);
+    replan_if_due(positions, asked);
+    options.method = chosen_method(info_, n_, plans_, asked);
+    Params params = constants_[options.exact];
+    if (!options.filter) leave_all_undecided(params);
+    const PairSearch search{positions, params, equal_radii_ && !options.load_radii, options, threads_};
+    ++work_.steps;
     if (options.swept) check_swept("cpu", options, motion_.options());
     timed(method_name(options.method), [&] {
       if (options.swept) {
@@ -112,7 +131,9 @@ class CpuBackend final : public Backend {
           "cpu: occlusion and shadows need the dense cells of collide_grid; collide with them first");
     Params p = constants_[true];
     set_grid(p, plans_.dense);
-    timed("draw", [&] { picture_ = draw_picture(positions, contacts, view, p, threads_); });
+    View asked = view;
+    asked.lanes = options.lanes(positions.size());
+    timed("draw", [&] { picture_ = draw_picture(positions, contacts, asked, p, threads_); });
     counted_ = options.count;
   }
   std::vector<uint> image() override { return picture().image; }
@@ -134,6 +155,7 @@ class CpuBackend final : public Backend {
 
   void launch_empty(uint) override {}  // a function call
   void check_guards() override {}      // vectors; the sanitizers watch them
+  WorkCounts work_counts() const override { return work_; }
   void time_stages(bool on) override {
     times_.clear();
     timing_ = on;
@@ -151,11 +173,21 @@ class CpuBackend final : public Backend {
     return picture_;
   }
 
+  void replan_if_due(const std::vector<vec4>& positions, const CollideOptions& asked) {
+    const bool may_use_grid = asked.method == Method::collide_grid || asked.method == Method::automatic;
+    if (!asked.grid.replan || !may_use_grid || !watch_.due() || !watch_.replan(positions, plans_)) return;
+    ++work_.plans;
+    celled_.reset();
+  }
+
   PairsFound search_cells(const PairSearch& search) {
     const GridPlan& plan = plans_.plan(search.options.grid.cells);
-    const bool keep = search.options.grid.keep_cells && celled_ == plan.cells;
+    const bool keep =
+        search.options.grid.keep_cells && celled_ == plan.cells && celled_equal_radii_ == search.equal_radii;
+    ++(keep ? work_.cells_kept : work_.sorts);
     celled_.reset();
     PairsFound found = grid_.search(search, plan, keep);
+    celled_equal_radii_ = search.equal_radii;
     celled_ = plan.cells;
     return found;
   }
@@ -171,11 +203,15 @@ class CpuBackend final : public Backend {
   int threads_;
   BackendInfo info_;
   CpuMotion motion_;
+  uint64_t n_ = 0;
   bool equal_radii_ = true;
   std::array<Params, 2> constants_{};  // [exact]
   GridPlans plans_;
+  PlanWatch watch_;
+  WorkCounts work_;
   CpuGrid grid_;
   std::optional<Cells> celled_;  // the cells that grid_ has sorted these positions into
+  bool celled_equal_radii_ = true;
   std::optional<PairsFound> found_;
   Method method_ = Method::sequential;  // of the last collide
   bool listed_ = false;

@@ -26,9 +26,9 @@ void put(std::vector<uvec2>& visible, const Box& box, vec4 seen, uint sphere, co
     }
 }
 
-void count(DrawCounts& counts, vec4 seen, const Box& box) {
+void count(DrawCounts& counts, vec4 seen, const Box& box, const View& v) {
   const bool unseen = box.width == 0 || box.height == 0;
-  const bool large = !unseen && (box.width > WALK_AT_MOST || box.height > WALK_AT_MOST);
+  const bool large = !unseen && is_large(box, v);
   counts.undrawable += seen.w == 0;
   counts.unseen += seen.w != 0 && unseen;
   counts.drawn += !unseen;
@@ -58,7 +58,7 @@ CpuPicture draw_picture(std::span<const vec4> spheres, std::span<const uint> con
     for (size_t i = 0; i < spheres.size(); ++i) {
       const vec4 seen = in_camera(spheres[i], view);
       const Box box = in_frustum(seen, view) ? box_of(seen, view) : Box{};
-      if (band == 0) count(picture.counts, seen, box);
+      if (band == 0) count(picture.counts, seen, box, view);
       put(picture.visible, within_rows(box, first, last), seen, uint(i), view);
     }
     for (size_t pixel = size_t(first) * view.width; pixel < size_t(last) * view.width; ++pixel)

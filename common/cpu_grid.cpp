@@ -19,7 +19,7 @@ constexpr uint64_t alone = 32768;  // spheres up to which passing over them is n
 // where several threads may meet.
 class CpuGrid::Finder final : public MeetingSink {
  public:
-  Finder(CpuGrid& grid, const PairSearch& search, const Params& p, std::vector<uint64_t>& list)
+  Finder(CpuGrid& grid, const PairSearch& search, const Params& p, GrowingList<uint64_t>& list)
       : simd_(grid.simd_),
         order_(grid.cells_.order()),
         p_(p),
@@ -44,7 +44,7 @@ class CpuGrid::Finder final : public MeetingSink {
       ++near_counts_[meetings.mine[k]];
       touch(meetings.other[k]);
     }
-    if (list_) list_->insert(list_->end(), keys_, keys_ + meetings.size);
+    if (list_) list_->append(keys_, meetings.size);
     meetings.size = 0;
   }
 
@@ -96,7 +96,7 @@ class CpuGrid::Finder final : public MeetingSink {
   const CellOrder order_;
   const Params& p_;
   uint *near_counts_, *far_counts_;
-  std::vector<uint64_t>* list_;
+  GrowingList<uint64_t>* list_;
   Stretch stretch_{};
   Collisions totals_;
   Meetings meetings_;
@@ -107,14 +107,16 @@ PairsFound CpuGrid::search(const PairSearch& search, const GridPlan& plan, bool 
   Params p = search.params;
   n_ = search.positions.size();
   p.n = uint(n_);
-  set_grid(p, plan);
+  set_grid(p, plan, search.options.grid.skip_cells);
   if (!keep_cells) cells_.sort(search.positions, p, !search.equal_radii, search.threads);
   near_counts_.resize(n_);
   far_counts_.resize(n_);
   PairsFound found;
   found.totals = find(search, p);
   found.totals.colliding_spheres = join_counts(search.threads);
-  if (search.options.want_pairs) list_sort_.sort(lists_, n_, search.threads, found.list);
+  if (!search.options.want_pairs) return found;
+  join_lists<uint64_t>(lists_, found.totals.pairs, 2 * sizeof(Pair) * found.totals.pairs,
+                       [&] { list_sort_.sort(lists_, n_, search.threads, found.list); });
   return found;
 }
 
@@ -123,7 +125,7 @@ Collisions CpuGrid::find(const PairSearch& search, const Params& p) {
   const std::vector<Stretch> stretches = cells_.stretches(search.threads);
   const int threads = int(std::clamp<uint64_t>(stretches.size(), 1, uint64_t(search.threads)));
   lists_.resize(size_t(threads));
-  for (std::vector<uint64_t>& list : lists_) list.clear();
+  for (GrowingList<uint64_t>& list : lists_) list.clear();
 #pragma omp parallel num_threads(threads)
   {
 #pragma omp for schedule(static)

@@ -27,7 +27,7 @@ class CpuGrid {
   CellSort cells_;
   uint64_t n_ = 0;
   Buffer<uint> near_counts_, far_counts_;  // contacts by place: within a sphere's own stretch, and beyond
-  std::vector<std::vector<uint64_t>> lists_;
+  std::vector<GrowingList<uint64_t>> lists_;
   PairSort list_sort_;
 };
 

@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "cpu_grid_cells.h"
+#include "cpu_vectors.h"
 #include "predicate.h"
 
 #ifdef __x86_64__
-#include <immintrin.h>
-
 namespace spherepair::avx512 {
 alignas(64) constexpr std::array<unsigned char, 64> bit_numbers = [] {
   std::array<unsigned char, 64> numbers{};
@@ -25,11 +24,6 @@ alignas(64) constexpr std::array<unsigned char, 64> bit_numbers = [] {
 #pragma GCC push_options
 #pragma GCC target("avx512f,avx512dq,avx512vl,avx512bw,avx512vbmi2,avx2,fma,bmi,bmi2,popcnt")
 namespace spherepair::avx512 {
-using Floats = __m512;
-constexpr uint lanes = 16;
-inline Floats load(const float* p) { return _mm512_loadu_ps(p); }
-inline Floats spread(float x) { return _mm512_set1_ps(x); }
-inline Floats fused(Floats a, Floats b, Floats c) { return _mm512_fmadd_ps(a, b, c); }
 inline uint not_above(Floats a, Floats b) { return _mm512_cmp_ps_mask(a, b, _CMP_NGT_UQ); }
 inline uint below(Floats a, Floats b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ); }
 typedef uint Uints __attribute__((vector_size(64)));
@@ -52,11 +46,6 @@ inline void append(Meetings& found, uint first, uint at, uint64_t near, uint64_t
 #pragma GCC push_options
 #pragma GCC target("avx2,fma,bmi,bmi2,popcnt")
 namespace spherepair::avx2 {
-using Floats = __m256;
-constexpr uint lanes = 8;
-inline Floats load(const float* p) { return _mm256_loadu_ps(p); }
-inline Floats spread(float x) { return _mm256_set1_ps(x); }
-inline Floats fused(Floats a, Floats b, Floats c) { return _mm256_fmadd_ps(a, b, c); }
 inline uint not_above(Floats a, Floats b) { return uint(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_NGT_UQ))); }
 inline uint below(Floats a, Floats b) { return uint(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LT_OQ))); }
 #include "cpu_grid_parts.h"
@@ -69,12 +58,6 @@ inline void append(Meetings& found, uint first, uint at, uint64_t near, uint64_t
 #endif
 
 namespace spherepair::portable {
-typedef float Floats __attribute__((vector_size(16)));
-typedef int Ints __attribute__((vector_size(16)));
-constexpr uint lanes = 4;
-inline Floats load(const float* p) { return Floats{p[0], p[1], p[2], p[3]}; }
-inline Floats spread(float x) { return Floats{x, x, x, x}; }
-inline Floats fused(Floats a, Floats b, Floats c) { return a * b + c; }
 inline uint bits_of(Ints m) { return uint((m[0] & 1) | (m[1] & 2) | (m[2] & 4) | (m[3] & 8)); }
 inline uint not_above(Floats a, Floats b) { return bits_of(~(a > b)); }
 inline uint below(Floats a, Floats b) { return bits_of(a < b); }

@@ -47,10 +47,11 @@ void sort_bucket(std::span<uint64_t> keys, uint64_t first, std::vector<uint>& pl
 
 }  // namespace
 
-void PairSort::sort(std::span<const std::vector<uint64_t>> lists, uint64_t n, int threads, std::vector<Pair>& sorted) {
+void PairSort::sort(std::span<const GrowingList<uint64_t>> lists, uint64_t n, int threads, std::vector<Pair>& sorted) {
   pieces_.clear();
   uint64_t pairs = 0;
-  for (std::span<const uint64_t> list : lists) {
+  for (const GrowingList<uint64_t>& found : lists) {
+    std::span<const uint64_t> list = found.values();
     pairs += list.size();
     for (; list.size() > piece; list = list.subspan(piece)) pieces_.push_back(list.first(piece));
     pieces_.push_back(list);

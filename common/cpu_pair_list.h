@@ -7,14 +7,15 @@
 #include <vector>
 
 #include "cpu_buffer.h"
+#include "growing_list.h"
 #include "pair_set.h"
 
 namespace spherepair {
 
 class PairSort {
  public:
-  // The pairs of several lists, each given as first << 32 | second, of spheres below n.
-  void sort(std::span<const std::vector<uint64_t>> lists, uint64_t n, int threads, std::vector<Pair>& sorted);
+  // The pairs of several lists, each given as first << 32 | second, of spheres below n. Throws std::bad_alloc.
+  void sort(std::span<const GrowingList<uint64_t>> lists, uint64_t n, int threads, std::vector<Pair>& sorted);
 
  private:
   void split(size_t buckets, int threads);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "cpu_simd.h"
+#include "growing_list.h"
 #include "hash.h"
 
 namespace spherepair {
@@ -16,7 +17,8 @@ namespace {
 // What one thread has found. Sums do not depend on the order, so neither do the results on the number of threads.
 class Finder {
  public:
-  explicit Finder(const PairSearch& search) : search_(search), counts_(search.positions.size()) {}
+  Finder(const PairSearch& search, GrowingList<Pair>& list)
+      : search_(search), counts_(search.positions.size()), list_(list) {}
 
   template <bool equal_radii>
   void meet(vec4 a, vec4 b, uint i, uint j) {
@@ -39,7 +41,6 @@ class Finder {
     found.totals.deferred += totals_.deferred;
     for (uint stage = 0; stage < STAGES; ++stage) found.totals.decided_by[stage] += totals_.decided_by[stage];
     for (size_t i = 0; i < counts_.size(); ++i) found.counts[i] += counts_[i];
-    found.list.insert(found.list.end(), list_.begin(), list_.end());
   }
 
  private:
@@ -51,7 +52,8 @@ class Finder {
     totals_.fingerprint.b += pair_mix_b(i, j);
     ++counts_[i];
     ++counts_[j];
-    if (search_.options.want_pairs) list_.push_back({i, j});
+    const Pair pair{i, j};
+    if (search_.options.want_pairs) list_.append(&pair, 1);
   }
 
   bool settle(vec4 a, vec4 b) {
@@ -64,7 +66,7 @@ class Finder {
   const PairSearch& search_;
   std::vector<uint> counts_;
   Collisions totals_;
-  std::vector<Pair> list_;
+  GrowingList<Pair>& list_;
 };
 
 // The paper's code 2 on the spheres from first to last.
@@ -136,15 +138,20 @@ template <typename MeetBlock>
 PairsFound search_blocks(const PairSearch& search, int threads, uint64_t blocks, MeetBlock meet_block) {
   PairsFound found;
   found.counts.resize(search.positions.size());
+  std::vector<GrowingList<Pair>> lists(static_cast<size_t>(threads));
 #pragma omp parallel num_threads(threads)
   {
-    Finder finder(search);
+    Finder finder(search, lists[size_t(omp_get_thread_num())]);
     Tiles tiles;
 #pragma omp for schedule(dynamic, 1)
     for (uint64_t block = 0; block < blocks; ++block) meet_block(uint(block), tiles, finder);
 #pragma omp critical
     finder.add_to(found);
   }
+  join_lists<Pair>(lists, found.totals.pairs, sizeof(Pair) * found.totals.pairs, [&] {
+    for (const GrowingList<Pair>& list : lists)
+      found.list.insert(found.list.end(), list.values().begin(), list.values().end());
+  });
   std::ranges::sort(found.list);
   found.totals.colliding_spheres = uint64_t(std::ranges::count_if(found.counts, colliding));
   return found;

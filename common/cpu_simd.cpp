@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: MIT
-// One body, compiled for several instruction sets; the program picks one when it starts. Fused operations are named
-// here, so the file needs no contraction, and the filter's bound covers fused and separate rounding alike.
+// One body, compiled for several instruction sets; the program picks one when it starts.
 #include "cpu_simd.h"
 
-#ifdef __x86_64__
-#include <immintrin.h>
+#include "cpu_vectors.h"
 
+#ifdef __x86_64__
 #pragma GCC push_options
 #pragma GCC target("avx512f,avx512dq,avx2,fma")
 namespace spherepair::avx512 {
-using Floats = __m512;
-constexpr uint lanes = 16, vectors = 4;
-inline Floats load(const float* p) { return _mm512_load_ps(p); }
-inline Floats spread(float x) { return _mm512_set1_ps(x); }
-inline Floats fused(Floats a, Floats b, Floats c) { return _mm512_fmadd_ps(a, b, c); }
+constexpr uint vectors = 4;
 inline Floats both(Floats a, Floats b) { return _mm512_and_ps(a, b); }
 inline uint near_lanes(Floats margin) { return 0xFFFFu & ~uint(_mm512_movepi32_mask(_mm512_castps_si512(margin))); }
 #include "cpu_simd_body.h"
@@ -23,11 +18,7 @@ inline uint near_lanes(Floats margin) { return 0xFFFFu & ~uint(_mm512_movepi32_m
 #pragma GCC push_options
 #pragma GCC target("avx2,fma")
 namespace spherepair::avx2 {
-using Floats = __m256;
-constexpr uint lanes = 8, vectors = 2;
-inline Floats load(const float* p) { return _mm256_load_ps(p); }
-inline Floats spread(float x) { return _mm256_set1_ps(x); }
-inline Floats fused(Floats a, Floats b, Floats c) { return _mm256_fmadd_ps(a, b, c); }
+constexpr uint vectors = 2;
 inline Floats both(Floats a, Floats b) { return _mm256_and_ps(a, b); }
 inline uint near_lanes(Floats margin) { return 0xFFu & ~uint(_mm256_movemask_ps(margin)); }
 #include "cpu_simd_body.h"
@@ -36,12 +27,7 @@ inline uint near_lanes(Floats margin) { return 0xFFu & ~uint(_mm256_movemask_ps(
 #endif
 
 namespace spherepair::portable {
-typedef float Floats __attribute__((vector_size(16)));
-typedef int Ints __attribute__((vector_size(16)));
-constexpr uint lanes = 4, vectors = 2;
-inline Floats load(const float* p) { return *reinterpret_cast<const Floats*>(p); }
-inline Floats spread(float x) { return Floats{x, x, x, x}; }
-inline Floats fused(Floats a, Floats b, Floats c) { return a * b + c; }
+constexpr uint vectors = 2;
 inline Floats both(Floats a, Floats b) { return Floats(Ints(a) & Ints(b)); }
 inline uint near_lanes(Floats margin) {
   const Ints sign = ~Ints(margin) >> 31;

@@ -54,16 +54,9 @@ std::array<uint, 3> folded(uint64_t groups) {
 }
 
 const char* kernel_name(Kernel kernel) {
-  constexpr const char* names[] = {"move",          "bounce",        "place",           "clear",
-                                   "empty",         "ceiling_copy",  "ceiling_atomics", "ceiling_issue",
-                                   "settle",        "decide",        "tally",           "grid_clear",
-                                   "grid_bounds",   "split_count",   "split_scan",      "grid_split",
-                                   "grid_sort",     "grid_count",    "grid_sums",       "grid_scan",
-                                   "grid_scatter",  "collide_grid",  "collide_hashed",  "collide_group",
-                                   "collide_tiled", "collide_swept", "collide_square",  "collide_triangle",
-                                   "draw_clear",    "draw_counts",   "draw_bounds",     "draw_cull",
-                                   "draw_pyramid",  "draw_clusters", "draw_spheres",    "draw_tiles",
-                                   "draw_resolve",  "draw_light"};
+#define NAME(name) #name,
+  constexpr const char* names[] = {SPHEREPAIR_KERNELS(NAME)};
+#undef NAME
   return names[int(kernel)];
 }
 
@@ -72,14 +65,20 @@ void DeviceBackend::require_scene(const char* what) const {
     throw BackendError(fmt::format("{}: {} needs a scene; call upload first", info().name, what));
 }
 
+// How many spheres fit into one binding when these take so many bytes.
+uint64_t DeviceBackend::fitting(uint64_t bytes) const {
+  const uint64_t room = (largest_binding() - guard_words * sizeof(uint)) / 16 * 16;
+  return uint64_t(double(room) / double(bytes) * double(n_));
+}
+
 void DeviceBackend::make_buffer(uint slot, uint64_t bytes) {
   bytes = ceil_div(std::max<uint64_t>(bytes, 16), 16) * 16;
   const uint64_t whole = bytes + guard_words * sizeof(uint);
   if (whole > largest_binding()) {
-    throw BackendError(
-        fmt::format("{}: {} spheres need {} bytes for the {}, but a kernel of this device can bind at most {}; "
-                    "use fewer spheres",
-                    info().name, n_, whole, slot_names[slot], largest_binding()));
+    throw BackendError(fmt::format(
+        "{}: {} spheres need {} bytes for the {} ({:.3g} a sphere), but a kernel of this device can bind at "
+        "most {}; {} spheres fit",
+        info().name, n_, whole, slot_names[slot], double(bytes) / double(n_), largest_binding(), fitting(bytes)));
   }
   if (bytes_[slot] == bytes) return;
   allocate(slot, whole);
@@ -114,19 +113,22 @@ void DeviceBackend::upload(const Scene& scene) {
   make_buffer(SLOT_VERDICT, 16);
   write(SLOT_POSITION, scene.positions.data(), 0, n_ * sizeof(vec4));
   write(SLOT_VELOCITY, scene.velocities.data(), 0, n_ * sizeof(vec4));
-  variant_.equal_radii = scene.equal_radii;
+  equal_radii_ = scene.equal_radii;
   motion_ = scene.motion;
   constants_ = {scene_params(scene, false), scene_params(scene, true)};
   params_ = constants_[true];
   params_.n = uint(n_);
-  plans_ = plan_grids(scene);
+  plans_ = plan_grids(scene.positions);
+  watch_ = PlanWatch(scene, plans_);
+  work_ = {.plans = 1};
+  moves_to_wait_ = moves_waited_ = 0;
   planned_.reset();
   cell_order_.reset();
   order_ = Order::scene;
   cleared_ = collided_ = cells_built_ = counts_by_place_ = false;
   view_ = {};
   clustered_.reset();
-  picture_stands_ = false;
+  seen_known_ = picture_stands_ = false;
   pictures_kept_ = 0;
   write_state(initial_state(scene, params_));
 }
@@ -157,6 +159,10 @@ std::vector<Pair> DeviceBackend::pairs() {
   if (!options_.want_pairs)
     throw BackendError(fmt::format("{}: no pair list was asked for; set want_pairs", info().name));
   const uint64_t count = collisions().pairs;
+  if (count > std::numeric_limits<uint>::max())
+    throw BackendError(
+        fmt::format("{}: {} pairs collide, but a list holds 2^32 - 1 at most; ask for the numbers without the list",
+                    info().name, count));
   return read_pairs(count);
 }
 

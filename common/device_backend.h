@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "backend.h"
+#include "kernel_list.h"
+#include "plan_watch.h"
 #include "variant.h"
 
 namespace spherepair {
@@ -13,46 +15,9 @@ namespace spherepair {
 // The parameters of every kernel for this scene. All constants are computed here once, in float64, and rounded.
 Params scene_params(const Scene& scene, bool exact);
 
-enum class Kernel {
-  move,
-  bounce,
-  place,
-  clear,
-  empty,
-  ceiling_copy,
-  ceiling_atomics,
-  ceiling_issue,
-  settle,
-  decide,
-  tally,
-  grid_clear,
-  grid_bounds,
-  split_count,
-  split_scan,
-  grid_split,
-  grid_sort,
-  grid_count,
-  grid_sums,
-  grid_scan,
-  grid_scatter,
-  collide_grid,
-  collide_hashed,
-  collide_group,
-  collide_tiled,
-  collide_swept,
-  collide_square,
-  collide_triangle,
-  draw_clear,
-  draw_counts,
-  draw_bounds,
-  draw_cull,
-  draw_pyramid,
-  draw_clusters,
-  draw_spheres,
-  draw_tiles,
-  draw_resolve,
-  draw_light
-};
+#define ENUMERATOR(name) name,
+enum class Kernel { SPHEREPAIR_KERNELS(ENUMERATOR) };
+#undef ENUMERATOR
 
 // `groups` along one axis, folded into the next where one dispatch cannot hold them.
 std::array<uint, 3> folded(uint64_t groups);
@@ -84,6 +49,7 @@ class DeviceBackend : public Backend {
   void move() override;
   void place() override;
   void collide(const CollideOptions& options) override;
+  MethodChoice choice(const CollideOptions& options) const override;
   Collisions collisions() override;
   std::vector<uint> counts() override;
   std::vector<Pair> pairs() override;
@@ -99,6 +65,7 @@ class DeviceBackend : public Backend {
   void launch_ceiling(Ceiling ceiling) override;
   void check_ceiling(Ceiling ceiling) override;
   void check_guards() override;
+  WorkCounts work_counts() const override { return work_; }
 
  protected:
   // A buffer of so many bytes at a slot, in place of what was there. Throws BackendError with the bytes asked and free.
@@ -109,6 +76,17 @@ class DeviceBackend : public Backend {
   virtual uint64_t largest_binding() const = 0;  // bytes that a kernel can reach in one buffer
   virtual std::vector<Pair> read_pairs(uint64_t count);
   virtual bool has_atomics_64() const = 0;
+
+  // What one API alone offers (Tricks, Sort::radix, Scan::library); check_tricks throws std::invalid_argument that
+  // names what this one lacks.
+  virtual void check_tricks(const CollideOptions& options) const = 0;
+  virtual void begin_step(const Tricks&) {}  // around the launches of a collision step
+  virtual void end_step() {}
+  virtual void clear_buffer(uint slot, uint64_t bytes) = 0;  // to 0, by the API's own function
+  virtual void library_scan() {}  // of SLOT_CELL: counts one slot ahead of their cells become starts
+  virtual void library_sort() {}  // SLOT_POSITION into cell order: SLOT_CELL, SLOT_SORTED, SLOT_ID; counts 0
+  const Params& params() const { return params_; }  // of the step that is being launched
+  WorkCounts work_;                                 // launches are counted by the API
 
   // The methods of draw_methods() but for compute; contacts stand in SLOT_COUNT, by the number of the sphere.
   virtual void draw_by_pipeline(DrawMethod) {}
@@ -121,6 +99,7 @@ class DeviceBackend : public Backend {
  private:
   void require_scene(const char* what) const;
   void make_buffer(uint slot, uint64_t bytes);
+  uint64_t fitting(uint64_t bytes) const;
   void write_state(const MotionState& state);
   void launch_motion(Kernel kernel, bool whole_state);
   void place_all(bool whole_state);
@@ -146,6 +125,9 @@ class DeviceBackend : public Backend {
   void launch_scan(uint table);
   void sort_by_counting();
   void sort_by_buckets();
+  void sort_by_library();
+  void clear_for_sort(uint64_t bucket_words);
+  bool replan_if_due(const CollideOptions& asked);
   void launch_sorter(Kernel kernel, uint block, uint64_t groups);
 
   void build_cells();
@@ -162,7 +144,8 @@ class DeviceBackend : public Backend {
   void draw_tiles(const Params& params, Order order);
   void restart_lists();
   void make_clusters(const Params& params, Order order);
-  void build_pyramid(const Params& params);
+  void forget_seen();
+  uint64_t level_1_texels() const;
   void finish_draw();
 
   std::array<uint, 3> per_sphere_groups() const;
@@ -174,7 +157,10 @@ class DeviceBackend : public Backend {
   bool placed_ = true;                 // positions are those of this step
   std::array<Params, 2> constants_{};  // of the scene: [exact]
   GridPlans plans_;
-  std::optional<Cells> planned_;    // the cells that the buffers and parameters are for
+  PlanWatch watch_;                                // whether they still fit
+  uint64_t moves_to_wait_ = 0, moves_waited_ = 0;  // before the cell order is asked for again
+  bool equal_radii_ = true;                        // of the scene
+  std::optional<Cells> planned_;                   // the cells that the buffers and parameters are for
   std::optional<bool> cell_order_;  // whether the spheres stand in cell order as they are; not known after a move
   bool cells_built_ = false;        // the cells are those of the spheres as they stand
   Order order_ = Order::scene;      // of the results
@@ -187,6 +173,8 @@ class DeviceBackend : public Backend {
   View asked_{};                  // the same as it was asked for
   DrawOptions draw_options_;
   std::optional<Order> clustered_;  // whose clusters they are; none when spheres have moved
+  bool seen_known_ = false;         // the lists of clusters seen are of this scene
+  uint lists_turn_ = 0;             // which of the two is the last picture's
   bool picture_stands_ = false;     // nothing has changed since the last draw
   uint64_t pictures_kept_ = 0;
   std::array<uint64_t, SLOT_TOTAL> bytes_{};

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "device_backend.h"
+#include "method_choice.h"
 
 namespace spherepair {
 namespace {
@@ -72,16 +73,42 @@ void DeviceBackend::collide(const CollideOptions& options) {
     throw std::invalid_argument(
         fmt::format("group size {} is not one of {}", options.block, fmt::join(block_sizes(), ", ")));
   }
+  check_collide(options);
+  check_tricks(options);
   options_ = options;
+  options_.method = chosen_method(info(), n_, plans_, options);
   prepare_positions();
+  if (replan_if_due(options)) options_.method = chosen_method(info(), n_, plans_, options);
   run_collide();
   collided_ = true;
+}
+
+// The host's copy of the spheres is that of the upload, so they are read back, which the watch keeps rare.
+bool DeviceBackend::replan_if_due(const CollideOptions& asked) {
+  const bool may_use_grid = asked.method == Method::collide_grid ||
+                            (asked.method == Method::automatic && n_ >= crossover_of(info()).grid_from);
+  if (!asked.grid.replan || !may_use_grid || !watch_.due()) return false;
+  std::vector<vec4> positions(n_);
+  read(SLOT_POSITION, positions.data(), 0, n_ * sizeof(vec4));
+  if (!watch_.replan(positions, plans_)) return false;
+  ++work_.plans;
+  planned_.reset();
+  return true;
+}
+
+MethodChoice DeviceBackend::choice(const CollideOptions& options) const {
+  require_scene("choice");
+  return explain_choice(info(), n_, plans_, options);
 }
 
 void DeviceBackend::run_collide() {
   clustered_.reset();
   picture_stands_ = false;
+  ++work_.steps;
   params_ = constants_[options_.exact];
+  if (!options_.filter) leave_all_undecided(params_);
+  variant_.equal_radii = equal_radii_ && !options_.load_radii;
+  variant_.texture_table = options_.tricks.texture_table;
   params_.n = uint(n_);
   params_.in_cells = params_.tally_later = 0;
   tallied_ = true;
@@ -95,12 +122,15 @@ void DeviceBackend::run_collide() {
     order_ = Order::scene;
     cells_built_ = false;
   }
+  begin_step(options_.tricks);
   if (!cleared_ && !grid) launch_clear(Order::scene);
-  if (n_ < 2) return;
-  grid ? launch_grid() : launch_collide();
-  cleared_ = false;
-  counts_by_place_ = order_ == Order::cells;
-  if (options_.exact) launch({Kernel::settle, SERVICE_BLOCK, variant_, {settle_groups, 1, 1}, order_}, params_);
+  if (n_ >= 2) {
+    grid ? launch_grid() : launch_collide();
+    cleared_ = false;
+    counts_by_place_ = order_ == Order::cells;
+    if (options_.exact) launch({Kernel::settle, SERVICE_BLOCK, variant_, {settle_groups, 1, 1}, order_}, params_);
+  }
+  end_step();
 }
 
 std::vector<uint> DeviceBackend::read_summary() {

@@ -11,7 +11,7 @@
 namespace spherepair {
 namespace {
 
-constexpr uint tile_groups = 4096;
+constexpr uint tile_groups = 1024;  // that fill a large device
 constexpr uint64_t least_tiles = 1 << 16;
 
 static_assert(sizeof(View) == 208);
@@ -37,7 +37,7 @@ void DeviceBackend::draw_all(const Params& params, Order order) {
     if (pass == PASS_ID && has_atomics_64()) return;
     view_.pass = pass;
     if (pass == PASS_ID) restart_lists();
-    launch({Kernel::draw_spheres, SERVICE_BLOCK, {}, folded(ceil_div(n_, SERVICE_BLOCK)), order}, params);
+    launch({Kernel::draw_spheres, SERVICE_BLOCK, {}, folded(ceil_div(n_ * view_.lanes, SERVICE_BLOCK)), order}, params);
     draw_tiles(params, order);
   }
 }
@@ -46,7 +46,7 @@ void DeviceBackend::draw_tiles(const Params& params, Order order) {
   launch({Kernel::draw_tiles, SERVICE_BLOCK, {}, {tile_groups, 1, 1}, order}, params);
 }
 
-// The second pass lists the tiles again; the list of clusters it goes through again from the start.
+// The second pass lists the tiles again.
 void DeviceBackend::restart_lists() {
   const uint none[] = {0, 0};
   write(SLOT_DRAWN, none, DRAWN_TILES * sizeof(uint), sizeof(none));
@@ -60,10 +60,13 @@ void DeviceBackend::launch_rasteriser() {
   view_.counting = draw_options_.count;
   view_.pass = PASS_DEPTH;
   view_.occlusion = draw_options_.skip_hidden;
+  view_.turn = lists_turn_;
+  const bool culls = (draw_options_.skip_outside || draw_options_.skip_hidden) && n_ >= draw_options_.skip_from;
+  view_.lanes = culls ? 1 : draw_options_.lanes(n_);
   const auto per_pixel = folded(ceil_div(pixels(view_), SERVICE_BLOCK));
   launch({Kernel::draw_clear, SERVICE_BLOCK, {}, per_pixel}, params);
-  const bool culls = (draw_options_.skip_outside || draw_options_.skip_hidden) && n_ >= draw_options_.skip_from;
   if (n_ > 0) culls ? draw_clusters(params, order) : draw_all(params, order);
+  lists_turn_ = view_.turn;
   launch({view_.lighting ? Kernel::draw_light : Kernel::draw_resolve, SERVICE_BLOCK, {}, per_pixel}, params);
 }
 

@@ -12,8 +12,9 @@ namespace {
 
 constexpr uint64_t most_spheres = (1u << 30) - 1;
 static_assert(SCAN_TILE == SCAN_BLOCK * SCAN_VECTORS * 4);
-constexpr uint64_t least_groups = 4096;        // of the search, that fill a large device
-constexpr uint64_t chunks_per_group = 16;      // few enough that groups at work are neighbours and share caches
+constexpr uint64_t least_groups = 4096;    // of the search, that fill a large device
+constexpr uint64_t chunks_per_group = 16;  // few enough that groups at work are neighbours and share caches
+constexpr uint64_t most_moves_to_wait = 64;
 constexpr uint64_t buckets_pay_from = 500000;  // spheres
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
@@ -23,7 +24,7 @@ uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 // Parameters of the cells that the options ask for, and room for them.
 void DeviceBackend::plan_cells() {
   const GridPlan& plan = plans_.plan(options_.grid.cells);
-  set_grid(params_, plan);
+  set_grid(params_, plan, options_.grid.skip_cells);
   if (planned_ == plan.cells) return;
   if (n_ > most_spheres) {
     throw BackendError(fmt::format("{}: {} spheres, but the grid takes {} at most; use collide_triangle", info().name,
@@ -38,19 +39,22 @@ void DeviceBackend::plan_cells() {
 
 void DeviceBackend::launch_bounds() {
   const uint64_t threads = std::max<uint64_t>(n_ + 1, SUMMARY_SLOTS * SUMMARY_WORDS);
-  launch({Kernel::grid_bounds, SERVICE_BLOCK, {}, folded(ceil_div(threads, SERVICE_BLOCK * SPHERES_PER_SORTER))},
-         params_);
+  launch({Kernel::grid_bounds, SERVICE_BLOCK, {}, folded(ceil_div(threads, BOUNDS_TILE))}, params_);
 }
 
-// Asked once after spheres have moved; only then does the host wait for the device.
+// Asked once after spheres have moved, and more and more rarely while the answer is no, since the host then waits for
+// the device.
 bool DeviceBackend::stands_in_cell_order() {
   if (!options_.grid.keep_order) return false;
+  if (!cell_order_ && moves_waited_ < moves_to_wait_) return false;
   if (!cell_order_) {
     uint disorder = 0;
     write(SLOT_SCAN, &disorder, 0, sizeof(disorder));
     launch_bounds();
     read(SLOT_SCAN, &disorder, 0, sizeof(disorder));
     cell_order_ = disorder == 0;
+    moves_to_wait_ = *cell_order_ ? 0 : std::clamp<uint64_t>(2 * moves_to_wait_, 1, most_moves_to_wait);
+    moves_waited_ = 0;
   }
   return *cell_order_;
 }
@@ -64,21 +68,31 @@ void DeviceBackend::launch_scan(uint table) {
     launch({kernel, SCAN_BLOCK, {}, folded(params_.scan_tiles), Order::scene, Order::cells, table}, params_);
 }
 
+// The table or the buckets, and the totals, for a new sort.
+void DeviceBackend::clear_for_sort(uint64_t bucket_words) {
+  const uint64_t table_words = bucket_words ? 0 : params_.cell_slots + 2;
+  if (options_.tricks.library_clear) {
+    clear_buffer(bucket_words ? SLOT_BUCKET : SLOT_CELL, (bucket_words + table_words) * sizeof(uint));
+    return clear_buffer(SLOT_SUMMARY, SUMMARY_SLOTS * SUMMARY_WORDS * sizeof(uint));
+  }
+  const uint64_t clearers = std::max({table_words / 4 + 2, bucket_words, uint64_t(SUMMARY_SLOTS * SUMMARY_WORDS)});
+  launch_sorter(Kernel::grid_clear, SERVICE_BLOCK, ceil_div(clearers, SERVICE_BLOCK));
+}
+
 // By counting: a histogram of the cells, its sums, a scatter. The least work while the caches hold everything.
 void DeviceBackend::sort_by_counting() {
   const uint64_t sorters = ceil_div(n_, SERVICE_BLOCK * SPHERES_PER_SORTER);
   params_.buckets = params_.bucket_words = params_.first_bucket = 0;
   params_.scan_tiles = uint(ceil_div(uint64_t(params_.cell_slots) + 2, SCAN_TILE));
   make_buffer(SLOT_SCAN, (params_.scan_tiles + 1) * sizeof(uint));
-  const uint64_t clearers = std::max<uint64_t>(params_.cell_slots / 4 + 2, SUMMARY_SLOTS * SUMMARY_WORDS);
-  launch_sorter(Kernel::grid_clear, SERVICE_BLOCK, ceil_div(clearers, SERVICE_BLOCK));
+  clear_for_sort(0);
   launch_sorter(Kernel::grid_count, SERVICE_BLOCK, sorters);
-  launch_scan(SLOT_CELL);
+  options_.grid.scan == Scan::library ? library_scan() : launch_scan(SLOT_CELL);
   launch_sorter(Kernel::grid_scatter, SERVICE_BLOCK, sorters);
 }
 
 void DeviceBackend::split(uint shift, uint parent_shift, uint first_bucket, Order from, Order to) {
-  const auto tiles = folded(ceil_div(n_, SORT_TILE));
+  const auto tiles = folded(ceil_div(n_, SPLIT_TILE));
   params_.bucket_shift = shift;
   params_.parent_shift = parent_shift;
   params_.first_bucket = first_bucket;
@@ -86,7 +100,7 @@ void DeviceBackend::split(uint shift, uint parent_shift, uint first_bucket, Orde
   params_.named = from != Order::scene;
   launch({Kernel::split_count, SPLIT_BLOCK, {}, tiles, from}, params_);
   if (params_.buckets <= BUCKETS_AT_MOST) {
-    launch({Kernel::split_scan, SPLIT_BLOCK, {}, {1, 1, 1}}, params_);
+    launch({Kernel::split_scan, BUCKETS_AT_MOST, {}, {1, 1, 1}}, params_);
   } else {
     launch_scan(SLOT_BUCKET);
   }
@@ -106,10 +120,9 @@ void DeviceBackend::sort_by_buckets() {
   make_buffer(SLOT_BUCKET, params_.bucket_words * sizeof(uint));
   make_buffer(SLOT_SCAN, (params_.scan_tiles + 1) * sizeof(uint));
   params_.buckets = buckets;
-  const uint64_t clearers = std::max<uint64_t>(params_.bucket_words, SUMMARY_SLOTS * SUMMARY_WORDS);
-  launch_sorter(Kernel::grid_clear, SERVICE_BLOCK, ceil_div(clearers, SERVICE_BLOCK));
+  clear_for_sort(params_.bucket_words);
   if (two_steps) {
-    const uint parent = shift + (uint(std::bit_width(buckets)) + 1) / 2;
+    const uint parent = shift + uint(std::bit_width(buckets)) / 2;
     split(parent, whole, 0, Order::scene, Order::cells);
     split(shift, parent, SCAN_TILE, Order::cells, Order::buckets);
   } else {
@@ -118,10 +131,16 @@ void DeviceBackend::sort_by_buckets() {
   launch({Kernel::grid_sort, SORT_BLOCK, {}, folded(buckets), Order::buckets}, params_);
 }
 
+void DeviceBackend::sort_by_library() {
+  clear_buffer(SLOT_SUMMARY, SUMMARY_SLOTS * SUMMARY_WORDS * sizeof(uint));
+  library_sort();
+}
+
 void DeviceBackend::sort_into_cells() {
   make_buffer(SLOT_SORTED, n_ * sizeof(vec4));
   make_buffer(SLOT_ID, n_ * sizeof(uint));
   make_buffer(SLOT_SORTED_COUNT, n_ * sizeof(uint));
+  if (options_.grid.sort == Sort::radix) return sort_by_library();
   const bool buckets =
       options_.grid.sort == Sort::automatic ? n_ >= buckets_pay_from : options_.grid.sort == Sort::buckets;
   buckets ? sort_by_buckets() : sort_by_counting();
@@ -133,6 +152,7 @@ void DeviceBackend::build_cells() {
   if (!built) order_ = stands_in_cell_order() ? Order::scene : Order::cells;
   const bool sorted = order_ == Order::cells;
   params_.in_cells = sorted;
+  ++(built ? work_.cells_kept : sorted ? work_.sorts : work_.orders_kept);
   if (!built && sorted) return sort_into_cells();
   if (!built) return launch_bounds();
   if (!cleared_ || sorted) launch_clear(order_);

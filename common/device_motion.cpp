@@ -57,6 +57,8 @@ void DeviceBackend::move() {
   }
   collided_ = cells_built_ = picture_stands_ = false;
   cell_order_.reset();
+  watch_.moved();
+  ++moves_waited_;
   clustered_.reset();
 }
 

@@ -84,6 +84,16 @@ FN Box box_of(vec4 seen, View v) {
   return box_between(left, right, bottom, top, close, far, v);
 }
 
+// Whether a box is cut into tiles.
+FN bool is_large(Box box, View v) {
+  uint most = v.lanes == 1u ? uint(WALK_AT_MOST) : uint(SHARE_AT_MOST);
+  return box.width > most || box.height > most;
+}
+
+// The place in the order in which spheres, or clusters, are gone through: the near ones first, as far as a cell order
+// by z and then y and x has them.
+FN uint place_in_turn(uint k, uint count, View v) { return v.forward.z < 0.0f ? count - 1u - k : k; }
+
 FN uint tiles_along(uint pixels) { return (pixels + TILE - 1u) / TILE; }
 
 struct Ray {
@@ -110,6 +120,15 @@ FN float depth_of_hit(vec4 seen, Ray ray, View v) {
   EXACT float depth = middle - same_root(within);
   EXACT float least = v.eye.w * ray.a;
   return depth >= least ? depth : 0.0f;
+}
+
+// The bits of a depth that nothing of the sphere is nearer than, at any pixel. 2^-16 of the farthest covers the
+// rounding of the ray's meeting, 2^-10 of the radius that of the root where the ray all but misses.
+FN uint least_depth_of(vec4 seen) {
+  EXACT float far = seen.z + seen.w;
+  EXACT float slack = far * bits_float(0x37800000u) + seen.w * bits_float(0x3A800000u);
+  EXACT float least = (seen.z - seen.w) - slack;
+  return least > 0.0f ? float_bits(least) : 0u;
 }
 
 FN uint palette(uint contacts, View v) {

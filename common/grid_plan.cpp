@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "cell.h"
+#include "view.h"
 
 namespace spherepair {
 namespace {
@@ -129,13 +130,16 @@ double crowding(const std::vector<vec4>& spheres, const GridPlan& plan) {
 
 }  // namespace
 
-GridPlans plan_grids(const Scene& scene) {
-  const Extent extent = extent_of(scene.positions);
-  GridPlans plans{dense_plan(extent, scene.size()), {}, Cells::dense, "dense: the largest radius leaves one cell"};
+GridPlans plan_grids(const std::vector<vec4>& spheres) {
+  const Extent extent = extent_of(spheres);
+  GridPlans plans{dense_plan(extent, spheres.size()),         {}, Cells::dense, 0, 0,
+                  "dense: the largest radius leaves one cell"};
   plans.hashed = plans.dense;
+  plans.dense_crowd = plans.hashed_crowd = double(spheres.size());
   if (double(extent.largest) > huge_radius) return plans;
-  plans.hashed = hashed_plan(scene.positions, extent);
-  const double dense = crowding(scene.positions, plans.dense), hashed = crowding(scene.positions, plans.hashed);
+  plans.hashed = hashed_plan(spheres, extent);
+  const double dense = plans.dense_crowd = crowding(spheres, plans.dense);
+  const double hashed = plans.hashed_crowd = crowding(spheres, plans.hashed);
   if (dense > 4 * hashed + 4) plans.chosen = Cells::hashed;
   plans.reason = fmt::format(
       "{}: {:.3g} other spheres in a sphere's cell if dense (side {:.3g} m), {:.3g} if hashed ({:.3g} m)",
@@ -143,14 +147,17 @@ GridPlans plan_grids(const Scene& scene) {
   return plans;
 }
 
-void set_grid(Params& p, const GridPlan& plan) {
+void set_grid(Params& p, const GridPlan& plan, bool skip_cells) {
   p.origin_x = plan.origin[0], p.origin_y = plan.origin[1], p.origin_z = plan.origin[2];
   p.cells_per_metre = 1 / plan.side;
   p.largest_radius = plan.largest_radius;
+  const double fades_within = OCCLUSION_RADII * std::max(double(plan.largest_radius), 0x1p-30);
+  p.fade = float(1 / (fades_within * fades_within));
   const double scale = double(p.cells_per_metre) * (1 + 0x1p-19);
   p.reach_scale = float(scale);
   p.reach_offset =
       float(scale * double(plan.largest_radius) + place_margin(std::max({plan.size[0], plan.size[1], plan.size[2]})));
+  if (!skip_cells) p.reach_scale = 0, p.reach_offset = float(1 - 0x1p-9);
   p.cells_x = plan.size[0], p.cells_y = plan.size[1], p.cells_z = plan.size[2];
   p.cell_slots = plan.slots;
   p.hash_mask = plan.cells == Cells::hashed ? plan.slots - 1 : 0;

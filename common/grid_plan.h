@@ -29,15 +29,18 @@ struct GridPlan {
 struct GridPlans {
   GridPlan dense, hashed;
   Cells chosen = Cells::dense;
-  std::string reason;  // one sentence: what was chosen, from which figures
+  double dense_crowd = 0, hashed_crowd = 0;  // other spheres in a sphere's cell, on average
+  std::string reason;                        // one sentence: what was chosen, from which figures
 
   const GridPlan& plan(Cells wanted) const {
     return (wanted == Cells::automatic ? chosen : wanted) == Cells::dense ? dense : hashed;
   }
+  double crowd(Cells wanted) const { return plan(wanted).cells == Cells::dense ? dense_crowd : hashed_crowd; }
 };
-GridPlans plan_grids(const Scene& scene);
-inline GridPlan plan_grid(const Scene& scene, Cells wanted) { return plan_grids(scene).plan(wanted); }
+GridPlans plan_grids(const std::vector<vec4>& spheres);
+inline GridPlan plan_grid(const Scene& scene, Cells wanted) { return plan_grids(scene.positions).plan(wanted); }
 
-void set_grid(Params& params, const GridPlan& plan);
+// Without skip_cells every sphere is taken to reach into all neighbouring cells of a dense grid.
+void set_grid(Params& params, const GridPlan& plan, bool skip_cells = true);
 
 }  // namespace spherepair

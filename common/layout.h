@@ -27,9 +27,9 @@
 #define SLOT_TILE 18     // uvec2[]: large spheres cut into tiles: the sphere's place, the number of the tile in its box
 #define SLOT_DRAWN 19    // uint[DRAWN_WORDS]: see view.h
 #define SLOT_CLUSTER 20  // vec4[2 * clusters]: lowest and highest corner of what holds a cluster's spheres
-#define SLOT_CLUSTER_SEEN 21  // uint[clusters]: not 0 when the last picture may have shown it
-#define SLOT_CLUSTER_LIST 22  // uint[clusters]: those to draw, in any order; their number is DRAWN_CLUSTERS
-#define SLOT_PYRAMID 23       // uint[]: greatest depth in each texel, level by level; see cluster.h
+#define SLOT_CLUSTER_SEEN 21  // uint[clusters]: not 0 when it stands in the list of those seen
+#define SLOT_CLUSTER_LIST 22  // uint[3 * clusters]: in any order, two lists by View::turn of those seen, those to draw
+#define SLOT_PYRAMID 23       // uint[]: greatest depth in each texel, level 0 and then 1; see cluster.h
 #define SLOT_WIDE 24          // Real[6n], of compensated and float64: all x, all y, all z, then the velocities
 #define SLOT_ANCHOR 25        // vec4[n], of anchored: where the spheres started, radius in w
 #define SLOT_FLIGHT 26  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
@@ -58,21 +58,26 @@
 #define SERVICE_BLOCK 128     // group size of the kernels whose size is no subject of the study
 #define MAX_GROUPS 65535      // of one dispatch along each axis, on every device; more are folded into the next axis
 
-#define SPHERES_PER_SORTER 4      // spheres that one thread of grid_count and grid_scatter handles
-#define SPHERES_PER_BOUNCER 8     // spheres that one thread of bounce looks at
-#define SPLIT_BLOCK 1024          // group size of split_count, split_scan and grid_split
-#define SORT_BLOCK 512            // group size of grid_sort
-#define SORT_TILE 4096u           // spheres that one group of grid_split takes, and that grid_sort has room for
-#define BUCKETS_AT_MOST 1024u     // that one group of grid_split tells apart at a time
-#define CELLS_PER_BUCKET 2048u    // that grid_sort puts into order
-#define ROWS_AHEAD 5              // rows of cells in the later half of a neighbourhood
-#define EMPTY_CELLS_AT_MOST 4096  // that one thread of grid_bounds fills in
-#define SCAN_BLOCK 256            // group size of grid_scan
-#define SCAN_VECTORS 4            // uvec4 that one thread of grid_scan handles
-#define SCAN_TILE 4096u           // entries of the table that one group of grid_scan handles
-#define CEILING_CHAINS 8          // independent chains of multiply-adds of one thread of ceiling_issue, ...
-#define CEILING_TURNS 64          // ... so often round the loop, ...
-#define CEILING_STEPS 16          // ... with so many steps of each chain a time
+#define SPHERES_PER_SORTER 4       // spheres that one thread of grid_count and grid_scatter handles
+#define SPHERES_PER_BOUNCER 8      // spheres that one thread of bounce looks at
+#define SPLIT_BLOCK 1024           // group size of split_count and grid_split
+#define SORT_BLOCK 512             // group size of grid_sort
+#define SPLIT_TILE 4096u           // spheres that one group of split_count and grid_split takes
+#define SORT_ROOM 3968u            // spheres that grid_sort has room for; three groups then share 48 KiB
+#define SPLIT_EACH 4u              // spheres that one thread of grid_split takes
+#define SORT_EACH 4u               // spheres that one thread of grid_sort takes at a time
+#define BUCKETS_AT_MOST 1024u      // that one group of grid_split tells apart at a time
+#define CELLS_PER_BUCKET 2048u     // that grid_sort puts into order
+#define ROWS_AHEAD 5               // rows of cells in the later half of a neighbourhood
+#define BOUNDS_TILE 256u           // spheres that one group of grid_bounds takes
+#define BOUNDS_WINDOW 512u         // cells whose begins it holds at a time
+#define EMPTY_CELLS_AT_MOST 4096u  // between two spheres that stand in cell order
+#define SCAN_BLOCK 256             // group size of grid_scan
+#define SCAN_VECTORS 4             // uvec4 that one thread of grid_scan handles
+#define SCAN_TILE 4096u            // entries of the table that one group of grid_scan handles
+#define CEILING_CHAINS 8           // independent chains of multiply-adds of one thread of ceiling_issue, ...
+#define CEILING_TURNS 64           // ... so often round the loop, ...
+#define CEILING_STEPS 16           // ... with so many steps of each chain a time
 
 #define MOTION_EULER 0u  // MotionMethod of motion_options.h
 #define MOTION_SYMPLECTIC 1u
@@ -92,7 +97,8 @@ struct Params {
   float dt, gravity, steps_per_second, restitution;   // seconds, <= 0 along y, 1 / dt, 0..1
   float plane, radius, apart_above, collide_below;    // y of the plane; for equal radii: squared-distance bounds
   float filter_scale, filter_offset;                  // K and T of filter_pair
-  uint whole_state, spare_0;                          // of place: not 0 also writes velocities and SLOT_WIDE
+  uint whole_state;                                   // of place: not 0 also writes velocities and SLOT_WIDE
+  float fade;                                         // of draw_light: 1 / (OCCLUSION_RADII * largest radius)^2
   uint n, columns, pair_capacity, deferred_capacity;  // columns: spheres that one group of collide_triangle meets
   uint defer_undecided, pairs_to_decide, first_group, in_cells;  // 0: the naive predicate; of decide; of this slice
   float origin_x, origin_y, origin_z, cells_per_metre;           // of the grid's cells, at level 0
@@ -109,7 +115,7 @@ struct Params {
 };
 
 #ifndef GL_core_profile
-static_assert(SPLIT_BLOCK == BUCKETS_AT_MOST);
+static_assert(SPLIT_BLOCK == BUCKETS_AT_MOST && SPLIT_BLOCK * SPLIT_EACH == SPLIT_TILE);
 static_assert(sizeof(Params) == 240 && alignof(vec4) == 16 && sizeof(uvec2) == 8);
 #endif
 

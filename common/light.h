@@ -50,15 +50,14 @@ FN Surface ground_at(Ray ray, float depth, float plane, View v) {
 }
 
 // The share of the light from all around that a sphere takes away, in 2^-16: its solid angle times the cosine, fading
-// out towards OCCLUSION_CELLS.
+// out towards OCCLUSION_RADII, whatever the cells.
 FN uint taken_by(vec4 sphere, Surface s, Params p) {
   EXACT float x = sphere.x - s.x;
   EXACT float y = sphere.y - s.y;
   EXACT float z = sphere.z - s.z;
   EXACT float square = (x * x + y * y) + z * z;
   EXACT float facing = (x * s.normal_x + y * s.normal_y) + z * s.normal_z;
-  EXACT float far = (square * p.cells_per_metre) * p.cells_per_metre;
-  EXACT float left = 1.0f - far * bits_float(0x3E800000u);  // a quarter: OCCLUSION_CELLS^2
+  EXACT float left = 1.0f - square * p.fade;
   if (facing <= 0.0f || left <= 0.0f || square < bits_float(0x0D800000u)) return 0u;
   EXACT float per_square = same_reciprocal(square);
   EXACT float cosine = (facing * same_root(square)) * per_square;
@@ -85,8 +84,8 @@ FN float place_unclamped(float x, float origin, Params p) {
 
 // Along an axis: the cells that may hold spheres that take light away; the first layer with spheres that may shade.
 FN CellRange cells_around(float place, uint cells) {
-  EXACT float low = place - float(OCCLUSION_CELLS);
-  EXACT float high = place + float(OCCLUSION_CELLS);
+  EXACT float low = place - 2.0f;
+  EXACT float high = place + 2.0f;
   CellRange range = {clamped_cell(low, cells), clamped_cell(high, cells)};
   return range;
 }

@@ -9,9 +9,10 @@
 namespace spherepair {
 
 struct Variant {
-  bool equal_radii = true;    // loads no radius
-  bool listed = false;        // keeps the pairs, not only their number
-  MotionOptions motion = {};  // of move, bounce and place
+  bool equal_radii = true;     // loads no radius
+  bool listed = false;         // keeps the pairs, not only their number
+  bool texture_table = false;  // GLSL: the table of cells is a texture buffer
+  MotionOptions motion = {};   // of move, bounce and place
   auto operator<=>(const Variant&) const = default;
 };
 

@@ -7,33 +7,38 @@
 
 #define SLOT_VIEW 1  // the uniform block's binding
 
-#define WALK_AT_MOST 16  // pixels: a box no wider and no higher is walked by one thread, a larger one cut into tiles
-#define TILE 32          // pixels: side of a tile of a large sphere's box
-#define PASS_DEPTH 0     // two passes where there are no 64-bit atomics: first the depth ...
-#define PASS_ID 1        // ... then, of the spheres at that depth, the lowest number
+#define WALK_AT_MOST 16   // pixels: a box no wider and no higher is walked by one thread, a larger one cut into tiles
+#define LANES 32          // threads that share a sphere where spheres are few ...
+#define LANES_ACROSS 8    // ... so many in a row of the sphere's box ...
+#define SHARE_AT_MOST 64  // ... and then pixels, in place of WALK_AT_MOST
+#define TILE 32           // pixels: side of a tile of a large sphere's box
+#define PASS_DEPTH 0      // two passes where there are no 64-bit atomics: first the depth ...
+#define PASS_ID 1         // ... then, of the spheres at that depth, the lowest number
 
 #define LIGHT_OCCLUSION 1u  // bits of View::lighting: spheres near the point take light from all around away,
 #define LIGHT_SHADOW 2u     // any sphere on the way takes the sun's,
 #define LIGHT_GROUND 4u     // and both show on the plane too
-#define OCCLUSION_CELLS 2   // so far, in cells, a sphere takes light away
+#define OCCLUSION_RADII 4   // so far, in largest radii, a sphere takes light away: less than two dense cells
 
-#define CLUSTER 64         // spheres, in consecutive places, that are culled together
-#define PHASE_SEEN 0       // draws the clusters that the last picture showed ...
-#define PHASE_REST 1       // ... and then those of the others that what is drawn already does not hide
-#define LEVEL_0 8          // pixels: side of what a texel of the pyramid's level 0 covers; 4 times as much a level
-#define TEXELS_AT_MOST 64  // in which a box is looked up, beside those that its borders touch
+#define CLUSTER 64             // spheres, in consecutive places, that are culled together
+#define PHASE_SEEN 0           // draws the clusters that the last picture showed ...
+#define PHASE_REST 1           // ... and then those of the others that what is drawn already does not hide
+#define LEVEL_0 8              // pixels: side of what a texel of the pyramid's level 0 covers ...
+#define LEVEL_1 32             // ... and of its level 1
+#define TEXELS_AT_MOST 64      // in which a box is looked up at level 0, beside those that its borders touch
+#define TEXELS_TO_SEARCH 4096  // at level 1; a box of more is taken for seen
 
 // Words of SLOT_DRAWN. Those from DRAWN_LARGE on are counted on request only.
-#define DRAWN_TILES 0       // entries that the list of tiles needs
-#define DRAWN_TILES_DONE 1  // of those, the ones of the first phase
-#define DRAWN_CLUSTERS 2    // entries of the list of clusters to draw
-#define DRAWN_CLUSTERS_DONE 3
-#define DRAWN_LARGE 4             // spheres cut into tiles
-#define DRAWN_SMALL 5             // spheres walked by one thread, with at least one pixel's centre in their box
-#define DRAWN_UNSEEN 6            // spheres out of view, or between the centres of the pixels
-#define DRAWN_UNDRAWABLE 7        // spheres whose numbers are beyond those that can be drawn, see in_camera
-#define DRAWN_CLUSTERS_OUTSIDE 8  // clusters out of view
-#define DRAWN_CLUSTERS_HIDDEN 9   // clusters behind what is drawn already
+#define DRAWN_TILES 0             // entries that the list of tiles needs
+#define DRAWN_TILES_DONE 1        // of those, the ones of the first phase
+#define DRAWN_CLUSTERS 2          // entries of the list of clusters to draw in the second phase
+#define DRAWN_SEEN 3              // and 4, by View::turn: entries of the two lists of clusters that pictures showed
+#define DRAWN_LARGE 5             // spheres cut into tiles
+#define DRAWN_SMALL 6             // spheres walked at once, with at least one pixel's centre in their box
+#define DRAWN_UNSEEN 7            // spheres out of view, or between the centres of the pixels
+#define DRAWN_UNDRAWABLE 8        // spheres whose numbers are beyond those that can be drawn, see in_camera
+#define DRAWN_CLUSTERS_OUTSIDE 9  // clusters out of view
+#define DRAWN_CLUSTERS_HIDDEN 10  // clusters behind what is drawn already
 #define DRAWN_WORDS 16
 
 struct View {
@@ -46,7 +51,7 @@ struct View {
   uvec4 palette_0, palette_4;              // 0xRRGGBB of 0, 1, 2, 3 contacts; of 4, 5, 6, 7 and more
   uint background, width, height, pass;    // 0xRRGGBB; pixels; PASS_*
   uint tile_capacity, counting, phase, occlusion;  // entries; not 0: DRAWN_* are counted; PHASE_*; not 0: hide clusters
-  uint clusters, levels, level, lighting;  // their number; of the pyramid; the one that draw_pyramid makes; LIGHT_*
+  uint clusters, turn, lanes, lighting;  // their number; 0 or 1: see DRAWN_SEEN; threads a sphere: 1 or LANES; LIGHT_*
 };
 
 #endif

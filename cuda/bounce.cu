@@ -35,7 +35,7 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) bounce(Params p, World w) {
   }
 }
 
-Entry bounce_kernel(Variant variant) {
+Entry bounce_kernel(uint, Variant variant) {
   return pick_precision(variant, [](auto kind) { return reinterpret_cast<Entry>(&bounce<decltype(kind)>); });
 }
 

@@ -11,6 +11,6 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) ceiling_atomics(Params p, World
   atomicAdd(&w.count[scattered(i, p.n)], 1u);
 }
 
-Entry ceiling_atomics_kernel() { return reinterpret_cast<Entry>(&ceiling_atomics); }
+Entry ceiling_atomics_kernel(uint, Variant) { return reinterpret_cast<Entry>(&ceiling_atomics); }
 
 }  // namespace spherepair

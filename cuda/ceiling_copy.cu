@@ -10,6 +10,6 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) ceiling_copy(Params p, World w)
   w.velocity[i] = w.position[i];
 }
 
-Entry ceiling_copy_kernel() { return reinterpret_cast<Entry>(&ceiling_copy); }
+Entry ceiling_copy_kernel(uint, Variant) { return reinterpret_cast<Entry>(&ceiling_copy); }
 
 }  // namespace spherepair

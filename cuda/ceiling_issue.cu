@@ -25,6 +25,6 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) ceiling_issue(Params p, World w
   w.velocity[i] = {least, most, chain[0], chain[1]};
 }
 
-Entry ceiling_issue_kernel() { return reinterpret_cast<Entry>(&ceiling_issue); }
+Entry ceiling_issue_kernel(uint, Variant) { return reinterpret_cast<Entry>(&ceiling_issue); }
 
 }  // namespace spherepair

@@ -10,6 +10,6 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) clear(Params p, World w) {
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k) clear_results(p, w, first + k * SERVICE_BLOCK);
 }
 
-Entry clear_kernel() { return reinterpret_cast<Entry>(&clear); }
+Entry clear_kernel(uint, Variant) { return reinterpret_cast<Entry>(&clear); }
 
 }  // namespace spherepair

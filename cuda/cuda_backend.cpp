@@ -9,7 +9,12 @@
 #include "device_backend.h"
 #include "device_choice.h"
 #include "entries.h"
+#include "l2_aside.h"
+#include "library_sort.h"
+#include "method_choice.h"
 #include "sort_pairs.h"
+#include "stage_events.h"
+#include "step_graph.h"
 
 namespace spherepair {
 namespace {
@@ -20,17 +25,11 @@ struct DeviceMemory {
   ~DeviceMemory() { cudaFree(data); }
 };
 
-struct TimedStage {
-  Kernel kernel;
-  cudaEvent_t start, stop;
-};
-
 class CudaBackend final : public DeviceBackend {
  public:
-  explicit CudaBackend(const OpenOptions& options);
-  ~CudaBackend() override;
+  explicit CudaBackend(int device);
   const BackendInfo& info() const override { return info_; }
-  void finish() override { cuda_check(cudaDeviceSynchronize(), "waiting for the device"); }
+  void finish() override;
   void time_stages(bool on) override;
   std::vector<StageTime> stage_times() override;
   DeviceMemoryView shared(uint slot, uint64_t bytes_a_sphere);
@@ -43,6 +42,12 @@ class CudaBackend final : public DeviceBackend {
   uint64_t largest_binding() const override { return uint64_t(1) << 47; }
   std::vector<Pair> read_pairs(uint64_t count) override;
   bool has_atomics_64() const override { return true; }
+  void check_tricks(const CollideOptions& options) const override;
+  void begin_step(const Tricks& tricks) override;
+  void end_step() override;
+  void clear_buffer(uint slot, uint64_t bytes) override;
+  void library_scan() override;
+  void library_sort() override;
 
  private:
   template <typename T>
@@ -50,52 +55,28 @@ class CudaBackend final : public DeviceBackend {
     return static_cast<T*>(memory_[slot].data);
   }
   World world(const Launch& launch) const;
-  void describe(int device);
+  uint64_t table_bytes() const { return (uint64_t(params().cell_slots) + 2) * sizeof(uint); }
   void require_kernels(int device) const;
 
   BackendInfo info_;
   std::array<DeviceMemory, SLOT_TOTAL> memory_;
-  bool timing_ = false;
-  std::vector<TimedStage> timed_;
+  StepGraph graph_;
+  LibrarySort library_;
+  L2Aside l2_;
+  StageEvents stages_;
 };
 
-CudaBackend::CudaBackend(const OpenOptions& options) {
+int chosen_device(const OpenOptions& options) {
   const int device = usable_device(options.cuda_device);
   cuda_check(cudaSetDevice(device), fmt::format("choosing device {}", device));
-  describe(device);
-  require_kernels(device);
+  return device;
 }
 
-CudaBackend::~CudaBackend() {
-  for (const TimedStage& stage : timed_) {
-    cudaEventDestroy(stage.start);
-    cudaEventDestroy(stage.stop);
-  }
-}
-
-void CudaBackend::describe(int device) {
-  cudaDeviceProp properties;
-  cuda_check(cudaGetDeviceProperties(&properties, device), "reading the device's properties");
-  int driver = 0, runtime = 0, clock_khz = 0;
-  cudaDriverGetVersion(&driver);
-  cudaRuntimeGetVersion(&runtime);
-  cudaDeviceGetAttribute(&clock_khz, cudaDevAttrClockRate, device);
-  info_.name = "cuda";
-  info_.device = properties.name;
-  for (const char byte : properties.uuid.bytes) info_.uuid += fmt::format("{:02x}", uint(uint8_t(byte)));
-  info_.device_timers = true;
-  info_.details = {{"compute capability", fmt::format("{}.{}", properties.major, properties.minor)},
-                   {"driver supports CUDA", version_text(driver)},
-                   {"CUDA runtime", version_text(runtime)},
-                   {"multiprocessors", std::to_string(properties.multiProcessorCount)},
-                   {"highest clock MHz", std::to_string(clock_khz / 1000)},
-                   {"memory bytes", std::to_string(properties.totalGlobalMem)},
-                   {"L2 bytes", std::to_string(properties.l2CacheSize)}};
-}
+CudaBackend::CudaBackend(int device) : info_(describe_device(device)), l2_(device) { require_kernels(device); }
 
 void CudaBackend::require_kernels(int device) const {
   cudaFuncAttributes attributes;
-  const cudaError_t error = cudaFuncGetAttributes(&attributes, empty_kernel());
+  const cudaError_t error = cudaFuncGetAttributes(&attributes, empty_kernel(SERVICE_BLOCK, {}));
   if (error == cudaSuccess) return;
   const std::string capability = info_.details.at("compute capability");
   throw BackendError(
@@ -105,6 +86,7 @@ void CudaBackend::require_kernels(int device) const {
 }
 
 void CudaBackend::allocate(uint slot, uint64_t bytes) {
+  graph_.flush();
   cuda_check(cudaFree(std::exchange(memory_[slot].data, nullptr)), "freeing a buffer");
   const cudaError_t error = cudaMalloc(&memory_[slot].data, bytes);
   if (error == cudaErrorMemoryAllocation) {
@@ -117,14 +99,21 @@ void CudaBackend::allocate(uint slot, uint64_t bytes) {
   cuda_check(error, fmt::format("allocating {} bytes", bytes));
 }
 
+void CudaBackend::finish() {
+  graph_.flush();
+  cuda_check(cudaDeviceSynchronize(), "waiting for the device");
+}
+
 void CudaBackend::write(uint slot, const void* data, uint64_t offset, uint64_t bytes) {
   if (bytes == 0) return;
+  graph_.flush();
   char* target = static_cast<char*>(memory_[slot].data) + offset;
   cuda_check(cudaMemcpy(target, data, bytes, cudaMemcpyHostToDevice), fmt::format("writing {} bytes", bytes));
 }
 
 void CudaBackend::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
   if (bytes == 0) return;
+  graph_.flush();
   const char* source = static_cast<const char*>(memory_[slot].data) + offset;
   cuda_check(cudaMemcpy(data, source, bytes, cudaMemcpyDeviceToHost), fmt::format("reading {} bytes", bytes));
 }
@@ -161,23 +150,48 @@ World CudaBackend::world(const Launch& launch) const {
 }
 
 void CudaBackend::launch(const Launch& launch, const Params& params) {
-  Params p = params;
-  World w = world(launch);
-  View v = view();
-  void* arguments[] = {&p, &w, &v};  // a kernel that draws nothing takes the first two
   const dim3 groups(launch.groups[0], launch.groups[1], launch.groups[2]);
-  TimedStage stage{launch.kernel, nullptr, nullptr};
-  if (timing_) {
-    cuda_check(cudaEventCreate(&stage.start), "creating an event");
-    cuda_check(cudaEventCreate(&stage.stop), "creating an event");
-    cuda_check(cudaEventRecord(stage.start), "recording an event");
-  }
-  cuda_check(cudaLaunchKernel(entry_of(launch), groups, dim3(launch.block), arguments, 0, nullptr),
-             fmt::format("launching {} with {} threads a block", kernel_name(launch.kernel), launch.block));
-  if (timing_) {
-    cuda_check(cudaEventRecord(stage.stop), "recording an event");
-    timed_.push_back(stage);
-  }
+  KernelCall call{
+      kernel_name(launch.kernel), entry_of(launch), groups, launch.block, params, world(launch), view(), {}};
+  call.window = l2_.window(memory_[SLOT_CELL].data, table_bytes());
+  if (graph_.collecting()) return graph_.add(call);
+  ++work_.launches;
+  stages_.time(call.name, [&] { launch_call(call, nullptr); });
+}
+
+void CudaBackend::check_tricks(const CollideOptions& options) const {
+  refuse_missing("cuda", options, {.graph = true, .keep_in_l2 = l2_.bytes() > 0, .library_clear = true}, true);
+}
+
+void CudaBackend::begin_step(const Tricks& tricks) {
+  l2_.turn(tricks.keep_in_l2);
+  if (tricks.graph && !stages_.on()) graph_.begin();  // stages are timed one by one
+}
+
+void CudaBackend::end_step() {
+  const bool collected = graph_.collecting();
+  const uint64_t calls = graph_.size();
+  const bool replayed = graph_.end();
+  if (replayed) ++work_.graphs_replayed;
+  if (collected) work_.launches += replayed ? 1 : calls;
+}
+
+void CudaBackend::clear_buffer(uint slot, uint64_t bytes) {
+  graph_.flush();
+  stages_.time("memset", [&] { cuda_check(cudaMemsetAsync(memory_[slot].data, 0, bytes), "clearing a buffer"); });
+}
+
+void CudaBackend::library_scan() {
+  graph_.flush();
+  stages_.time("thrust_scan", [&] { library_.scan(buffer<uint>(SLOT_CELL), table_bytes() / sizeof(uint)); });
+}
+
+void CudaBackend::library_sort() {
+  graph_.flush();
+  stages_.time("thrust_sort", [&] {
+    library_.sort(params(), buffer<vec4>(SLOT_POSITION), buffer<uint>(SLOT_CELL), buffer<vec4>(SLOT_SORTED),
+                  buffer<uint>(SLOT_ID), buffer<uint>(SLOT_SORTED_COUNT));
+  });
 }
 
 std::vector<Pair> CudaBackend::read_pairs(uint64_t count) {
@@ -189,21 +203,12 @@ std::vector<Pair> CudaBackend::read_pairs(uint64_t count) {
 
 void CudaBackend::time_stages(bool on) {
   stage_times();
-  timing_ = on;
+  stages_.turn(on);
 }
 
 std::vector<StageTime> CudaBackend::stage_times() {
   finish();
-  std::vector<StageTime> times;
-  for (const TimedStage& stage : timed_) {
-    float milliseconds = 0;
-    cuda_check(cudaEventElapsedTime(&milliseconds, stage.start, stage.stop), "reading an event");
-    times.push_back({kernel_name(stage.kernel), milliseconds * 1e-3});
-    cudaEventDestroy(stage.start);
-    cudaEventDestroy(stage.stop);
-  }
-  timed_.clear();
-  return times;
+  return stages_.take();
 }
 
 DeviceMemoryView CudaBackend::shared(uint slot, uint64_t bytes_a_sphere) {
@@ -223,7 +228,7 @@ DeviceMemoryView cuda_positions(Backend& backend) { return cuda_backend(backend)
 DeviceMemoryView cuda_contacts(Backend& backend) { return cuda_backend(backend).shared(SLOT_COUNT, sizeof(uint)); }
 
 std::unique_ptr<Backend> open_cuda_backend(const OpenOptions& options) {
-  return std::make_unique<CudaBackend>(options);
+  return std::make_unique<CudaBackend>(chosen_device(options));
 }
 
 }  // namespace spherepair

@@ -11,6 +11,6 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) decide(Params p, World w) {
   w.verdict[k] = verdict_code(decide_pair(w.spheres[2u * k], w.spheres[2u * k + 1u], p.filter_scale, p.filter_offset));
 }
 
-Entry decide_kernel() { return reinterpret_cast<Entry>(&decide); }
+Entry decide_kernel(uint, Variant) { return reinterpret_cast<Entry>(&decide); }
 
 }  // namespace spherepair

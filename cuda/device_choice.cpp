@@ -33,4 +33,27 @@ int usable_device(int wanted) {
   return wanted;
 }
 
+BackendInfo describe_device(int device) {
+  BackendInfo info;
+  cudaDeviceProp properties;
+  cuda_check(cudaGetDeviceProperties(&properties, device), "reading the device's properties");
+  int driver = 0, runtime = 0, clock_khz = 0;
+  cudaDriverGetVersion(&driver);
+  cudaRuntimeGetVersion(&runtime);
+  cudaDeviceGetAttribute(&clock_khz, cudaDevAttrClockRate, device);
+  info.name = "cuda";
+  info.device = properties.name;
+  for (const char byte : properties.uuid.bytes) info.uuid += fmt::format("{:02x}", uint(uint8_t(byte)));
+  info.device_timers = true;
+  info.details = {{"compute capability", fmt::format("{}.{}", properties.major, properties.minor)},
+                  {"driver supports CUDA", version_text(driver)},
+                  {"CUDA runtime", version_text(runtime)},
+                  {"multiprocessors", std::to_string(properties.multiProcessorCount)},
+                  {"highest clock MHz", std::to_string(clock_khz / 1000)},
+                  {"memory bytes", std::to_string(properties.totalGlobalMem)},
+                  {"L2 bytes", std::to_string(properties.l2CacheSize)},
+                  {"L2 bytes to set aside", std::to_string(properties.persistingL2CacheMaxSize)}};
+  return info;
+}
+
 }  // namespace spherepair

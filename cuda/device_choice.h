@@ -3,10 +3,14 @@
 
 #include <string>
 
+#include "backend.h"
+
 namespace spherepair {
 
 // The device of this number, counted from 0. Throws BackendError that says why there is none to use.
 int usable_device(int wanted);
+
+BackendInfo describe_device(int device);  // its name, versions and sizes
 
 std::string version_text(int number);  // of a driver or runtime, as CUDA encodes it: 13000 is 13.0
 

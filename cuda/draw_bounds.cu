@@ -33,6 +33,6 @@ __global__ void __launch_bounds__(CLUSTER) draw_bounds(Params p, World w, View) 
   w.cluster[2u * group_index(p) + 1u] = high[0];
 }
 
-Entry draw_bounds_kernel() { return reinterpret_cast<Entry>(&draw_bounds); }
+Entry draw_bounds_kernel(uint, Variant) { return reinterpret_cast<Entry>(&draw_bounds); }
 
 }  // namespace spherepair

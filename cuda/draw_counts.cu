@@ -9,6 +9,6 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_counts(Params p, World w) 
   if (place < p.n) w.count[w.id[place]] = w.sorted_count[place];
 }
 
-Entry draw_counts_kernel() { return reinterpret_cast<Entry>(&draw_counts); }
+Entry draw_counts_kernel(uint, Variant) { return reinterpret_cast<Entry>(&draw_counts); }
 
 }  // namespace spherepair

@@ -65,6 +65,6 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_light(Params p, World w, V
                              : lit(palette(w.count[seen.x], v), light_on_normal(normal, around, sun, v));
 }
 
-Entry draw_light_kernel() { return reinterpret_cast<Entry>(&draw_light); }
+Entry draw_light_kernel(uint, Variant) { return reinterpret_cast<Entry>(&draw_light); }
 
 }  // namespace spherepair

@@ -17,6 +17,6 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_resolve(Params p, World w,
   w.image[pixel] = colour;
 }
 
-Entry draw_resolve_kernel() { return reinterpret_cast<Entry>(&draw_resolve); }
+Entry draw_resolve_kernel(uint, Variant) { return reinterpret_cast<Entry>(&draw_resolve); }
 
 }  // namespace spherepair

@@ -10,6 +10,7 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_tiles(Params p, World w, V
     uint place = w.tile[t].x;
     vec4 seen = in_camera(w.position[place], v);
     Box box = box_of(seen, v);
+    uint nearest = least_depth_of(seen);
     uint sphere = p.in_cells != 0u ? w.id[place] : place;
     uint column = w.tile[t].y % tiles_along(box.width);
     uint row = w.tile[t].y / tiles_along(box.width);
@@ -18,11 +19,11 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_tiles(Params p, World w, V
     for (uint k = threadIdx.x; k < TILE * TILE; k += SERVICE_BLOCK) {
       uint x = box.x + column * TILE + k % TILE;
       uint y = box.y + row * TILE + k / TILE;
-      if (x < end_x && y < end_y) draw_at(w, v, x, y, seen, sphere);
+      if (x < end_x && y < end_y) draw_at(w, v, x, y, seen, nearest, sphere);
     }
   }
 }
 
-Entry draw_tiles_kernel() { return reinterpret_cast<Entry>(&draw_tiles); }
+Entry draw_tiles_kernel(uint, Variant) { return reinterpret_cast<Entry>(&draw_tiles); }
 
 }  // namespace spherepair

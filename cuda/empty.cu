@@ -6,6 +6,6 @@ namespace spherepair {
 
 __global__ void __launch_bounds__(SERVICE_BLOCK) empty(Params, World) {}
 
-Entry empty_kernel() { return reinterpret_cast<Entry>(&empty); }
+Entry empty_kernel(uint, Variant) { return reinterpret_cast<Entry>(&empty); }
 
 }  // namespace spherepair

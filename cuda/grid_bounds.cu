@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Each thread takes four spheres that stand in cell order: it writes where the cells begin that lie between a sphere's
-// predecessor and it, and clears a result. A sphere out of order, or behind too many empty cells, is reported.
+// A group takes spheres that stand in cell order and writes where the cells begin that lie between each of them and its
+// predecessor, through shared memory, so that neighbours are written by neighbours; and clears their results. A sphere
+// out of order, or behind too many empty cells, is reported.
 #include "cell.h"
 #include "kernels.cuh"
 
@@ -8,45 +9,43 @@ namespace spherepair {
 
 // The sphere's slot; behind the last sphere, the end of the table.
 __device__ inline uint slot_at(Params p, const World& w, uint i) {
-  uint slot = slot_of(w.position[min(i, p.n - 1u)], p);
-  return i < p.n ? slot : p.cell_slots;
-}
-
-// The slot behind that of the sphere before this one.
-__device__ inline uint slot_behind(Params p, const World& w, uint i) {
-  return i == 0u ? 0u : slot_at(p, w, i - 1u) + 1u;
-}
-
-// The cells from first to last begin with sphere i.
-__device__ inline void begin_cells(const World& w, uint first, uint last, uint i) {
-  bool in_order = last + 1u >= first && last + 1u - first <= EMPTY_CELLS_AT_MOST;
-  if (!in_order) w.tile_sum[0] = 1u;
-  for (uint c = first; in_order && c <= last; ++c) w.cell[c] = i;
+  uint own = slot_of(w.position[min(i, p.n - 1u)], p);
+  return i < p.n ? own : p.cell_slots;
 }
 
 __global__ void __launch_bounds__(SERVICE_BLOCK) grid_bounds(Params p, World w) {
-  uint i = group_index(p) * SERVICE_BLOCK * 4u + threadIdx.x;
-  uint j = i + SERVICE_BLOCK;
-  uint k = j + SERVICE_BLOCK;
-  uint l = k + SERVICE_BLOCK;
-  uint first_i = slot_behind(p, w, i);
-  uint first_j = slot_behind(p, w, j);
-  uint first_k = slot_behind(p, w, k);
-  uint first_l = slot_behind(p, w, l);
-  uint last_i = slot_at(p, w, i);
-  uint last_j = slot_at(p, w, j);
-  uint last_k = slot_at(p, w, k);
-  uint last_l = slot_at(p, w, l);
-  begin_cells(w, first_i, last_i, i);
-  begin_cells(w, first_j, last_j, j);
-  begin_cells(w, first_k, last_k, k);
-  begin_cells(w, first_l, last_l, l);
-  clear_results(p, w, i);
-  clear_results(p, w, j);
-  clear_results(p, w, k);
-  clear_results(p, w, l);
+  __shared__ uint slot[BOUNDS_TILE + 1];  // of the sphere before the first one, then of each
+  __shared__ uint begins[BOUNDS_WINDOW];  // the part of the table that is being filled in
+  __shared__ uint disorder;
+  uint lane = threadIdx.x;
+  uint first = group_index(p) * BOUNDS_TILE;
+  if (lane == 0u) disorder = 0u;
+  if (lane == 0u) slot[0] = first == 0u ? ~0u : slot_at(p, w, first - 1u);
+  for (uint k = lane; k < BOUNDS_TILE; k += SERVICE_BLOCK) slot[k + 1u] = slot_at(p, w, first + k);
+  for (uint k = lane; k < BOUNDS_TILE; k += SERVICE_BLOCK) clear_results(p, w, first + k);
+  __syncthreads();
+  for (uint k = lane; k < BOUNDS_TILE; k += SERVICE_BLOCK) {
+    bool in_order = slot[k] + 1u <= slot[k + 1u] + 1u && slot[k + 1u] - slot[k] <= EMPTY_CELLS_AT_MOST;
+    if (!in_order) disorder = 1u;
+  }
+  __syncthreads();
+  if (disorder != 0u) {
+    if (lane == 0u) w.tile_sum[0] = 1u;
+    return;
+  }
+  uint behind = slot[BOUNDS_TILE] + 1u;
+  for (uint low = slot[0] + 1u; low < behind; low += BOUNDS_WINDOW) {
+    uint high = min(low + BOUNDS_WINDOW, behind);
+    for (uint k = lane; k < BOUNDS_TILE; k += SERVICE_BLOCK) {
+      uint end = min(slot[k + 1u] + 1u, high);
+      for (uint c = max(slot[k] + 1u, low); c < end; ++c) begins[c - low] = first + k;
+    }
+    __syncthreads();
+    for (uint c = low + lane; c < high; c += SERVICE_BLOCK) w.cell[c] = begins[c - low];
+    __syncthreads();
+  }
 }
 
-Entry grid_bounds_kernel() { return reinterpret_cast<Entry>(&grid_bounds); }
+Entry grid_bounds_kernel(uint, Variant) { return reinterpret_cast<Entry>(&grid_bounds); }
 
 }  // namespace spherepair

@@ -11,6 +11,6 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) grid_clear(Params p, World w) {
   if (k < p.bucket_words) w.next_place[k] = 0u;
 }
 
-Entry grid_clear_kernel() { return reinterpret_cast<Entry>(&grid_clear); }
+Entry grid_clear_kernel(uint, Variant) { return reinterpret_cast<Entry>(&grid_clear); }
 
 }  // namespace spherepair

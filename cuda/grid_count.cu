@@ -15,6 +15,6 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) grid_count(Params p, World w) {
     if (first + k * SERVICE_BLOCK < p.n) atomicAdd(&w.cell[slot[k] + 1u], 1u);
 }
 
-Entry grid_count_kernel() { return reinterpret_cast<Entry>(&grid_count); }
+Entry grid_count_kernel(uint, Variant) { return reinterpret_cast<Entry>(&grid_count); }
 
 }  // namespace spherepair

@@ -46,6 +46,6 @@ __global__ void __launch_bounds__(SCAN_BLOCK) grid_scan(Params p, World w) {
   }
 }
 
-Entry grid_scan_kernel() { return reinterpret_cast<Entry>(&grid_scan); }
+Entry grid_scan_kernel(uint, Variant) { return reinterpret_cast<Entry>(&grid_scan); }
 
 }  // namespace spherepair

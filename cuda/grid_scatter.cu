@@ -23,6 +23,6 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) grid_scatter(Params p, World w)
   }
 }
 
-Entry grid_scatter_kernel() { return reinterpret_cast<Entry>(&grid_scatter); }
+Entry grid_scatter_kernel(uint, Variant) { return reinterpret_cast<Entry>(&grid_scatter); }
 
 }  // namespace spherepair

@@ -3,39 +3,39 @@
 // up, writes where the cells begin, puts the spheres' numbers into order and copies them in that order, so that
 // neighbours are written by neighbours. A bucket too large for that is copied as it comes.
 #include "cell.h"
+#include "group_sum.cuh"
 #include "kernels.cuh"
 
 namespace spherepair {
 
-__device__ inline void put(const World& w, uint i, uint at) {
-  w.sorted[at] = w.position[i];
-  w.id[at] = w.from_id[i];
+__device__ inline void put(const World& w, vec4 sphere, uint name, uint at) {
+  w.sorted[at] = sphere;
+  w.id[at] = name;
   w.sorted_count[at] = 0u;
 }
 
 __global__ void __launch_bounds__(SORT_BLOCK) grid_sort(Params p, World w) {
   __shared__ uint place[CELLS_PER_BUCKET];  // of the next sphere of each cell, in the bucket
-  __shared__ uint order[SORT_TILE];         // the spheres of the bucket by cell
-  __shared__ uint sums[SORT_BLOCK];
+  __shared__ uint order[SORT_ROOM / 2u];    // the spheres of the bucket by cell, two to a word
   uint lane = threadIdx.x;
   if (group_index(p) >= p.buckets) return;
   uint begin = group_index(p) == 0u ? 0u : w.next_place[p.first_bucket + group_index(p) - 1u];
   uint end = w.next_place[p.first_bucket + group_index(p)];
   uint low = group_index(p) * CELLS_PER_BUCKET;
   for (uint c = lane; c < CELLS_PER_BUCKET; c += SORT_BLOCK) place[c] = 0u;
+  for (uint q = lane; q < SORT_ROOM / 2u; q += SORT_BLOCK) order[q] = 0u;
   __syncthreads();
-  for (uint i = begin + lane; i < end; i += SORT_BLOCK) atomicAdd(&place[slot_of(w.position[i], p) - low], 1u);
+  uint turn = SORT_EACH * SORT_BLOCK;
+  for (uint first = begin + lane; first < end + lane; first += turn) {
+    uint c[SORT_EACH];
+    for (uint k = 0u; k < SORT_EACH; ++k) c[k] = slot_of(w.position[min(first + k * SORT_BLOCK, end - 1u)], p) - low;
+    for (uint k = 0u; k < SORT_EACH; ++k)
+      if (first + k * SORT_BLOCK < end) atomicAdd(&place[c[k]], 1u);
+  }
   __syncthreads();
   uint own = 0u;
   for (uint c = 0u; c < CELLS_PER_BUCKET / SORT_BLOCK; ++c) own += place[lane * (CELLS_PER_BUCKET / SORT_BLOCK) + c];
-  uint upto = own;
-  for (uint step = 1u; step < SORT_BLOCK; step *= 2u) {
-    sums[lane] = upto;
-    __syncthreads();
-    if (lane >= step) upto += sums[lane - step];
-    __syncthreads();
-  }
-  upto -= own;
+  uint upto = sum_up_to<SORT_BLOCK>(own) - own;
   for (uint c = 0u; c < CELLS_PER_BUCKET / SORT_BLOCK; ++c) {
     uint counted = place[lane * (CELLS_PER_BUCKET / SORT_BLOCK) + c];
     place[lane * (CELLS_PER_BUCKET / SORT_BLOCK) + c] = upto;
@@ -45,19 +45,37 @@ __global__ void __launch_bounds__(SORT_BLOCK) grid_sort(Params p, World w) {
   for (uint c = lane; c < CELLS_PER_BUCKET; c += SORT_BLOCK)
     if (low + c <= p.cell_slots) w.cell[low + c] = begin + place[c];
   __syncthreads();
-  bool fits = end - begin <= SORT_TILE;
-  for (uint i = begin + lane; i < end; i += SORT_BLOCK) {
-    uint at = atomicAdd(&place[slot_of(w.position[i], p) - low], 1u);
-    if (fits) {
-      order[at] = i;
-    } else {
-      put(w, i, begin + at);
+  bool fits = end - begin <= SORT_ROOM;
+  for (uint first = begin + lane; first < end + lane; first += turn) {
+    uint c[SORT_EACH];
+    for (uint k = 0u; k < SORT_EACH; ++k) c[k] = slot_of(w.position[min(first + k * SORT_BLOCK, end - 1u)], p) - low;
+    for (uint k = 0u; k < SORT_EACH; ++k) {
+      uint i = first + k * SORT_BLOCK;
+      if (i < end) {
+        uint at = atomicAdd(&place[c[k]], 1u);
+        if (fits) {
+          atomicOr(&order[at / 2u], (i - begin) << (at % 2u * 16u));
+        } else {
+          put(w, w.position[i], w.from_id[i], begin + at);
+        }
+      }
     }
   }
   __syncthreads();
-  for (uint q = lane; fits && q < end - begin; q += SORT_BLOCK) put(w, order[q], begin + q);
+  for (uint first = begin + lane; fits && first < end + lane; first += turn) {
+    vec4 sphere[SORT_EACH];
+    uint name[SORT_EACH];
+    for (uint k = 0u; k < SORT_EACH; ++k) {
+      uint q = min(first + k * SORT_BLOCK, end - 1u) - begin;
+      uint i = begin + (order[q / 2u] >> (q % 2u * 16u) & 0xFFFFu);
+      sphere[k] = w.position[i];
+      name[k] = w.from_id[i];
+    }
+    for (uint k = 0u; k < SORT_EACH; ++k)
+      if (first + k * SORT_BLOCK < end) put(w, sphere[k], name[k], first + k * SORT_BLOCK);
+  }
 }
 
-Entry grid_sort_kernel() { return reinterpret_cast<Entry>(&grid_sort); }
+Entry grid_sort_kernel(uint, Variant) { return reinterpret_cast<Entry>(&grid_sort); }
 
 }  // namespace spherepair

@@ -21,6 +21,6 @@ __global__ void __launch_bounds__(SCAN_BLOCK) grid_sums(Params p, World w) {
   if (lane == 0u) w.tile_sum[tile] = sum;
 }
 
-Entry grid_sums_kernel() { return reinterpret_cast<Entry>(&grid_sums); }
+Entry grid_sums_kernel(uint, Variant) { return reinterpret_cast<Entry>(&grid_sums); }
 
 }  // namespace spherepair

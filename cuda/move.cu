@@ -17,7 +17,7 @@ Entry move_by(Variant variant) {
   return pick_precision(variant, [](auto kind) { return reinterpret_cast<Entry>(&move<METHOD, decltype(kind)>); });
 }
 
-Entry move_kernel(Variant variant) {
+Entry move_kernel(uint, Variant variant) {
   switch (variant.motion.method) {
     case MotionMethod::euler:
       return move_by<MOTION_EULER>(variant);

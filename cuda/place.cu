@@ -18,7 +18,7 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) place(Params p, World w) {
   }
 }
 
-Entry place_kernel(Variant variant) {
+Entry place_kernel(uint, Variant variant) {
   return pick_precision(variant, [](auto kind) { return reinterpret_cast<Entry>(&place<decltype(kind)>); });
 }
 

@@ -26,7 +26,7 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) settle(Params p, World w) {
   c.finish_totals();
 }
 
-Entry settle_kernel(Variant variant) {
+Entry settle_kernel(uint, Variant variant) {
   return variant.listed ? reinterpret_cast<Entry>(&settle<true>) : reinterpret_cast<Entry>(&settle<false>);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A group takes SORT_TILE spheres and counts how many go into each bucket. The
-// spheres stand in the order of the parents of these buckets, so that a tile meets few of them.
+// A group takes SPLIT_TILE spheres and counts how many go into each bucket. The spheres stand in the order of the
+// parents of these buckets, so that a tile meets few of them.
 #include "cell.h"
 #include "kernels.cuh"
 
@@ -9,9 +9,9 @@ namespace spherepair {
 __global__ void __launch_bounds__(SPLIT_BLOCK) split_count(Params p, World w) {
   __shared__ uint counted[BUCKETS_AT_MOST];
   uint lane = threadIdx.x;
-  uint first = group_index(p) * SORT_TILE;
+  uint first = group_index(p) * SPLIT_TILE;
   if (first >= p.n) return;
-  uint end = min(first + SORT_TILE, p.n);
+  uint end = min(first + SPLIT_TILE, p.n);
   uint last_bucket = bucket_above(slot_of(w.position[end - 1u], p), p);
   for (uint low = bucket_below(slot_of(w.position[first], p), p); low <= last_bucket; low += BUCKETS_AT_MOST) {
     for (uint b = lane; b < BUCKETS_AT_MOST; b += SPLIT_BLOCK) counted[b] = 0u;
@@ -27,6 +27,6 @@ __global__ void __launch_bounds__(SPLIT_BLOCK) split_count(Params p, World w) {
   }
 }
 
-Entry split_count_kernel() { return reinterpret_cast<Entry>(&split_count); }
+Entry split_count_kernel(uint, Variant) { return reinterpret_cast<Entry>(&split_count); }
 
 }  // namespace spherepair

@@ -13,6 +13,6 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) tally(Params p, World w) {
   c.finish_totals();
 }
 
-Entry tally_kernel() { return reinterpret_cast<Entry>(&tally); }
+Entry tally_kernel(uint, Variant) { return reinterpret_cast<Entry>(&tally); }
 
 }  // namespace spherepair

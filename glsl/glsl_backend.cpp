@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <cstring>
-#include <filesystem>
 
 #include "context.h"
 #include "device_backend.h"
+#include "device_limits.h"
 #include "gl_renderer.h"
+#include "method_choice.h"
 #include "program.h"
+#include "ring_buffer.h"
 #include "stage_timer.h"
 
 namespace spherepair {
@@ -32,52 +34,45 @@ class GlslBackend final : public DeviceBackend {
   void write(uint slot, const void* data, uint64_t offset, uint64_t bytes) override;
   void read(uint slot, void* data, uint64_t offset, uint64_t bytes) override;
   void launch(const Launch& launch, const Params& params) override;
-  uint64_t largest_binding() const override { return largest_binding_; }
-  bool has_atomics_64() const override { return atomics_64_; }
+  uint64_t largest_binding() const override { return limits_.largest_binding; }
+  bool has_atomics_64() const override { return limits_.features.atomics_64; }
+  void check_tricks(const CollideOptions& options) const override;
+  void clear_buffer(uint slot, uint64_t bytes) override;
   void draw_by_pipeline(DrawMethod method) override;
   std::vector<uint> pipeline_image() override;
 
  private:
-  void require_features() const;
-  void describe();
   const Program& program(const Launch& launch);
   void set_params(const Params& params);
   void set_view();
+  void bind(const Launch& launch);
+  void bind_table(const Launch& launch);
 
   Context context_;
-  bool sparse_, atomics_64_ = false;
+  DeviceLimits limits_;
   BackendInfo info_;
-  uint64_t largest_binding_ = 0;
   std::array<GLuint, SLOT_TOTAL> buffers_{};
+  std::array<GLuint, SLOT_TOTAL> bound_{};  // what kernels see now
+  GLuint table_texture_ = 0;
   GLuint params_buffer_ = 0;
   Params params_on_device_{};
   bool params_known_ = false;
-  GLuint view_buffer_ = 0;
+  std::unique_ptr<RingBuffer> views_;
   View view_on_device_{};
   std::map<std::tuple<Kernel, uint, Variant>, std::unique_ptr<Program>> programs_;
   std::unique_ptr<GlRenderer> renderer_;
   StageTimer timer_;
 };
 
-std::string gl_string(GLenum name) { return reinterpret_cast<const char*>(glGetString(name)); }
-
-std::string device_uuid() {
-  GLubyte bytes[GL_UUID_SIZE_EXT] = {};
-  glGetUnsignedBytei_vEXT(GL_DEVICE_UUID_EXT, 0, bytes);
-  std::string uuid;
-  for (const GLubyte byte : bytes) uuid += fmt::format("{:02x}", byte);
-  return uuid;
-}
-
-GlslBackend::GlslBackend(const OpenOptions& options) : context_(options), sparse_(options.sparse_buffers) {
+GlslBackend::GlslBackend(const OpenOptions& options) : context_(options) {
   context_.make_current();
-  require_features();
-  describe();
+  limits_ = device_limits(options.sparse_buffers);
+  info_ = describe_device(context_.software(), limits_);
   glCreateBuffers(1, &params_buffer_);
   glNamedBufferStorage(params_buffer_, sizeof(Params), nullptr, GL_DYNAMIC_STORAGE_BIT);
-  glCreateBuffers(1, &view_buffer_);
-  glNamedBufferStorage(view_buffer_, sizeof(View), &view_on_device_, GL_DYNAMIC_STORAGE_BIT);
-  gl_check("making the parameter buffers");
+  gl_check("making the buffer of parameters");
+  views_ = std::make_unique<RingBuffer>(SLOT_VIEW, sizeof(View));
+  views_->write(&view_on_device_);
 }
 
 GlslBackend::~GlslBackend() {
@@ -86,53 +81,17 @@ GlslBackend::~GlslBackend() {
   timer_.forget();
   glDeleteBuffers(GLsizei(buffers_.size()), buffers_.data());
   glDeleteBuffers(1, &params_buffer_);
-  glDeleteBuffers(1, &view_buffer_);
-}
-
-void GlslBackend::require_features() const {
-  if (epoxy_gl_version() < 45) {
-    throw BackendError(fmt::format("glsl: {} offers OpenGL {}, but 4.5 is needed; update the driver",
-                                   gl_string(GL_RENDERER), gl_string(GL_VERSION)));
-  }
-  if (!epoxy_has_gl_extension("GL_ARB_gpu_shader_int64")) {
-    throw BackendError(
-        fmt::format("glsl: {} lacks GL_ARB_gpu_shader_int64, which the exact stages need; update the driver",
-                    gl_string(GL_RENDERER)));
-  }
-}
-
-void GlslBackend::describe() {
-  GLint64 binding = 0;
-  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &binding);
-  GLint shared_bytes = 0;
-  glGetIntegerv(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE, &shared_bytes);
-  largest_binding_ = uint64_t(binding);
-  atomics_64_ = epoxy_has_gl_extension("GL_NV_shader_atomic_int64");
-  sparse_ = sparse_ && epoxy_has_gl_extension("GL_ARB_sparse_buffer");
-  info_.name = "glsl";
-  info_.device = gl_string(GL_RENDERER);
-  info_.software = context_.software();
-  info_.device_timers = !info_.software;  // a software renderer's timers stop before its work does
-  if (!info_.software && epoxy_has_gl_extension("GL_EXT_memory_object")) info_.uuid = device_uuid();
-  info_.details = {{"GL_RENDERER", gl_string(GL_RENDERER)},
-                   {"GL_VENDOR", gl_string(GL_VENDOR)},
-                   {"GL_VERSION", gl_string(GL_VERSION)},
-                   {"GLSL version", gl_string(GL_SHADING_LANGUAGE_VERSION)},
-                   {"largest storage block bytes", std::to_string(binding)},
-                   {"shared memory bytes", std::to_string(shared_bytes)},
-                   {"64-bit atomics", atomics_64_ ? "yes" : "no: drawing takes two passes"},
-                   {"buffers", sparse_ ? "sparse storage, committed whole" : "plain storage"}};
-  if (info_.software && std::filesystem::exists("/dev/nvidiactl")) {
-    info_.details["warning"] = "a GPU is present, but OpenGL runs in software";
-  }
+  views_->forget();
+  glDeleteTextures(1, &table_texture_);
 }
 
 void GlslBackend::allocate(uint slot, uint64_t bytes) {
   context_.make_current();
+  bound_ = {};  // a new buffer may get the name of the one deleted
   glDeleteBuffers(1, &buffers_[slot]);
   glCreateBuffers(1, &buffers_[slot]);
   // Sparse storage comes in large pages; plain buffers of some drivers in small ones, slow under random access.
-  const GLbitfield sparse = sparse_ ? GL_SPARSE_STORAGE_BIT_ARB : 0;
+  const GLbitfield sparse = limits_.sparse ? GL_SPARSE_STORAGE_BIT_ARB : 0;
   glNamedBufferStorage(buffers_[slot], GLsizeiptr(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT | sparse);
   if (sparse) {
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffers_[slot]);
@@ -167,7 +126,7 @@ void GlslBackend::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
 const Program& GlslBackend::program(const Launch& launch) {
   auto& program = programs_[{launch.kernel, launch.block, launch.variant}];
   if (!program)
-    program = std::make_unique<Program>(kernel_name(launch.kernel), launch.block, launch.variant, atomics_64_);
+    program = std::make_unique<Program>(kernel_name(launch.kernel), launch.block, launch.variant, limits_.features);
   return *program;
 }
 
@@ -180,10 +139,50 @@ void GlslBackend::set_params(const Params& params) {
 }
 
 void GlslBackend::set_view() {
-  glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_VIEW, view_buffer_);
   if (std::memcmp(&view(), &view_on_device_, sizeof(View)) == 0) return;
-  glNamedBufferSubData(view_buffer_, 0, sizeof(View), &view());
+  views_->write(&view());
   view_on_device_ = view();
+}
+
+// Binding is dear, and most launches use what the last did.
+void GlslBackend::bind(const Launch& launch) {
+  std::array<GLuint, SLOT_TOTAL> wanted = buffers_;
+  wanted[SLOT_POSITION] = buffers_[position_slot(launch.order)];
+  wanted[SLOT_COUNT] = buffers_[count_slot(launch.order)];
+  wanted[SLOT_SPLIT_ID] = buffers_[id_slot(launch.order)];
+  wanted[SLOT_SORTED] = buffers_[position_slot(launch.target)];
+  wanted[SLOT_ID] = buffers_[id_slot(launch.target)];
+  wanted[SLOT_CELL] = buffers_[launch.table];
+  if (wanted == bound_) return;
+  glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, 0, GLsizei(wanted.size()), wanted.data());
+  bound_ = wanted;
+}
+
+void GlslBackend::check_tricks(const CollideOptions& options) const {
+  refuse_missing("glsl", options, {.texture_table = true, .library_clear = true}, false);
+}
+
+void GlslBackend::clear_buffer(uint slot, uint64_t bytes) {
+  context_.make_current();
+  const uint zero = 0;
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  timer_.time("gl_clear", [&] {
+    glClearNamedBufferSubData(buffers_[slot], GL_R32UI, 0, GLsizeiptr(bytes), GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+  });
+}
+
+// The table of cells as a texture of four words a texel: read on another path than storage buffers.
+void GlslBackend::bind_table(const Launch& launch) {
+  const uint64_t texels = (uint64_t(params().cell_slots) + 2) / 4 + 1;
+  if (texels > limits_.largest_texture)
+    throw BackendError(
+        fmt::format("glsl: a table of {} cells, but a texture buffer of this driver has {} texels at most; "
+                    "leave texture_table out",
+                    texels, limits_.largest_texture));
+  if (!table_texture_) glCreateTextures(GL_TEXTURE_BUFFER, 1, &table_texture_);
+  glTextureBufferRange(table_texture_, GL_RGBA32UI, buffers_[launch.table], 0, GLsizeiptr(texels * sizeof(uvec4)));
+  glBindTextureUnit(0, table_texture_);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 // GL keeps an error until it is asked, so dispatches are checked where their results are waited for.
@@ -194,14 +193,9 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   set_view();
   glUseProgram(chosen.id());
   glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_PARAMS, params_buffer_);
-  std::array<GLuint, SLOT_TOTAL> bound = buffers_;
-  bound[SLOT_POSITION] = buffers_[position_slot(launch.order)];
-  bound[SLOT_COUNT] = buffers_[count_slot(launch.order)];
-  bound[SLOT_SPLIT_ID] = buffers_[id_slot(launch.order)];
-  bound[SLOT_SORTED] = buffers_[position_slot(launch.target)];
-  bound[SLOT_ID] = buffers_[id_slot(launch.target)];
-  bound[SLOT_CELL] = buffers_[launch.table];
-  glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, 0, GLsizei(bound.size()), bound.data());
+  bind(launch);
+  if (launch.variant.texture_table && launch.kernel == Kernel::collide_grid) bind_table(launch);
+  ++work_.launches;
   timer_.time(kernel_name(launch.kernel), [&] {
     glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -212,6 +206,7 @@ void GlslBackend::draw_by_pipeline(DrawMethod method) {
   context_.make_current();
   set_view();
   if (!renderer_) renderer_ = std::make_unique<GlRenderer>();
+  bound_ = {};  // the renderer binds its own
   timer_.time(draw_method_name(method),
               [&] { renderer_->draw(method, view(), buffers_[SLOT_POSITION], buffers_[SLOT_COUNT], spheres()); });
 }

@@ -13,16 +13,18 @@ namespace {
 
 constexpr const char* real_names[] = {"float", "Two", "double"};  // by Precision
 
-std::string source_of(const std::string& kernel, unsigned block, const Variant& variant, bool atomics_64) {
+std::string source_of(const std::string& kernel, unsigned block, const Variant& variant, Features features) {
   const std::string& text = embedded_shaders().at(kernel + ".comp");
   const size_t after_version = text.find('\n') + 1;
   const uint method = uint(variant.motion.method), precision = uint(variant.motion.precision);
   return text.substr(0, after_version) +
          fmt::format("#define BLOCK {}\n#define EQUAL_RADII {}\n#define LISTED {}\n", block, int(variant.equal_radii),
                      int(variant.listed)) +
+         (variant.texture_table ? "#define TEXTURE_TABLE\n" : "") +
          fmt::format("#define METHOD {}u\n#define PRECISION {}\n#define Real {}\n", method, precision,
                      real_names[precision]) +
-         (atomics_64 ? "#extension GL_NV_shader_atomic_int64 : require\n#define ATOMICS_64\n" : "") +
+         (features.atomics_64 ? "#extension GL_NV_shader_atomic_int64 : require\n#define ATOMICS_64\n" : "") +
+         (features.subgroups ? "#extension GL_KHR_shader_subgroup_arithmetic : require\n#define SUBGROUPS\n" : "") +
          text.substr(after_version);
 }
 
@@ -79,8 +81,8 @@ GLuint linked(const std::vector<Stage>& stages, const std::string& what) {
 
 }  // namespace
 
-Program::Program(const std::string& kernel, unsigned block, const Variant& variant, bool atomics_64)
-    : id_(linked({{GL_COMPUTE_SHADER, source_of(kernel, block, variant, atomics_64)}},
+Program::Program(const std::string& kernel, unsigned block, const Variant& variant, Features features)
+    : id_(linked({{GL_COMPUTE_SHADER, source_of(kernel, block, variant, features)}},
                  fmt::format("{}.comp for groups of {}", kernel, block))) {}
 
 Program::Program(const std::string& stem)

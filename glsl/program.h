@@ -10,11 +10,17 @@
 
 namespace spherepair {
 
+// What shaders use where the driver has it.
+struct Features {
+  bool atomics_64 = false;  // GL_NV_shader_atomic_int64
+  bool subgroups = false;   // GL_KHR_shader_subgroup_arithmetic, with subgroups of 32 invocations or more
+};
+
 // A program; one of a compute shader is made from the embedded shader of this name, with the group size, the variant
 // and the motion defined in front of it.
 class Program {
  public:
-  Program(const std::string& kernel, unsigned block, const Variant& variant, bool atomics_64);
+  Program(const std::string& kernel, unsigned block, const Variant& variant, Features features);
   explicit Program(const std::string& stem);  // STEM.vert and STEM.frag: a program of the graphics pipeline
   ~Program() {
     if (eglGetCurrentContext() != EGL_NO_CONTEXT) glDeleteProgram(id_);

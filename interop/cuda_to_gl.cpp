@@ -137,6 +137,7 @@ class CudaToGl final : public SharedDrawing {
       if (!channel->pinned) channel->pinned = std::make_unique<PinnedMemory>(bytes);
       cuda_check(cudaMemcpy(channel->pinned->data, channel->source.data, bytes, cudaMemcpyDeviceToHost),
                  "reading what is handed over");
+      glFinish();  // the last picture has read what is written next
       glNamedBufferSubData(channel->buffer, 0, GLsizeiptr(bytes), channel->pinned->data);
     }
     gl_check("writing what is handed over");

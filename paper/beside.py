@@ -10,7 +10,7 @@ STYLE = ("body{font-family:sans-serif;margin:2em;max-width:110em}table{border-co
 def cell(folder, machine, name, kind, reason):
     file = folder / machine.name / f"{name}.{kind}"
     if not file.exists():
-        return f"<p>left out: {html.escape(reason)}</p>"
+        return f"<p>{name} is left out: {html.escape(reason)}</p>"
     if kind == "png":
         return f'<img src="{html.escape(machine.name)}/{name}.png" alt="{name}, {html.escape(machine.title)}">'
     return f"<pre>{html.escape(file.read_text())}</pre>"

@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: MIT
 """What figures and numbers derive from records: ratios, costs, slopes, shares of the instruction floor."""
 import math
+from dataclasses import dataclass
 
+from ranks import apart
 from records import Missing
 
+ORDER = ("clear", "grid_clear", "grid_bounds", "split_count", "split_scan", "grid_split", "grid_sort", "grid_count",
+         "grid_sums", "grid_scan", "grid_scatter", "collide", "settle", "tally")  # of the kernels of a collision step
 INSTRUCTIONS = 4  # three fused multiply-adds and a comparison a pair, the least for the form that is used
 
 
@@ -54,3 +58,70 @@ def pairs_of(machine):
     for exact in rows:
         if exact.n == n:
             yield exact, machine.one(table="exactness", exact=False, backend=exact.backend, method=exact.method, n=n)
+
+
+def needed_devices(machine, **wanted):
+    """The APIs that such records are there of; Missing when there are none."""
+    machine.need(**wanted)
+    devices = [name for name in ("glsl", "cuda") if machine.select(backend=name, **wanted)]
+    if not devices:
+        raise Missing(f"{machine.name} has no record of GLSL or CUDA in the table {wanted['table']}")
+    return devices
+
+
+def crossover(machine, backend, fraction):
+    """The least n from which on the grid in random order beats all pairs at every size that both have, intervals
+    apart; None where it does at none."""
+    wanted = {"table": "grid", "scene": "uniform", "packing_fraction": fraction, "backend": backend, "order": "cold"}
+    grid = {record.n: record for record in machine.select(**wanted, method="collide_grid")}
+    found = None
+    for pairs in reversed(machine.select(**wanted, method="collide_triangle")):
+        if pairs.n in grid:
+            if not (apart(grid[pairs.n], pairs) and grid[pairs.n].median < pairs.median):
+                break
+            found = pairs.n
+    return found
+
+
+@dataclass(frozen=True)
+class StageRatio:
+    kernel: str
+    where: str
+    ratio: tuple  # GLSL over CUDA: middle, room below, room above
+    cuda_ms: float
+    source: str
+
+
+def stage_ratios(machine):
+    """Each kernel that device timers saw in both APIs in the same work, where n is largest."""
+    largest = {}
+    timed = [record for record in machine.records if "device_stages_interval_ms" in record.parameters]
+    by_work = {(work_of(record), record.backend): record for record in timed}
+    for (work, backend), glsl in sorted(by_work.items(), key=lambda item: item[1].n):
+        cuda = by_work.get((work, "cuda"))
+        if backend == "glsl" and cuda:
+            for kernel in glsl.device_stages_ms.keys() & cuda.device_stages_ms.keys():
+                largest[kernel] = (glsl, cuda)
+    for kernel, (glsl, cuda) in sorted(largest.items()):
+        low, high = glsl.device_stages_interval_ms[kernel]
+        least, most = cuda.device_stages_interval_ms[kernel]
+        if least > 0:
+            middle = glsl.device_stages_ms[kernel] / cuda.device_stages_ms[kernel]
+            yield StageRatio(kernel, f"$n$ = {glsl.n:,}", (middle, middle - low / most, high / least - middle),
+                             cuda.device_stages_ms[kernel], cuda.source)
+
+
+def work_of(record):
+    """What makes two records of different APIs the same work."""
+    names = ("table", "work", "n", "method", "block", "exact", "order", "dt", "precision", "draw", "place")
+    return (*(str(record.parameters.get(name)) for name in names), str(record.parameters.get("scene")))
+
+
+def in_order(stages):
+    """Each once, in the order in which they run; those that are not known come first."""
+    return sorted(dict.fromkeys(stages), key=lambda name: ORDER.index(name) if name in ORDER else -1)
+
+
+def stage_bars(record):
+    """Kernel -> milliseconds a step; the search is `collide`, whichever its kernel."""
+    return {"collide" if name.startswith("collide") else name: time for name, time in record.device_stages_ms.items()}

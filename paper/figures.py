@@ -98,12 +98,14 @@ def write_headline(machine):
 
 
 def side_by_side(machines, output):
-    figures, tables_made, reasons = [], [], {}
+    """What no machine has stands at the end, with the reasons."""
+    figures, tables_made, reasons = {}, {}, {}
     for machine in machines:
         drawn, written, left_out = report(machine, output / machine.name)
-        figures += [name for name in drawn if name not in figures]
-        tables_made += [name for name in written if name not in tables_made]
+        figures.update(dict.fromkeys(drawn))
+        tables_made.update(dict.fromkeys(written))
         reasons.update({(machine.name, name): reason for name, reason in left_out.items()})
+    figures.update(dict.fromkeys(module.NAME for module in modules()))
     print(f"Side by side: {beside.write(output, machines, figures, tables_made, reasons)}")
 
 

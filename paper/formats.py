@@ -11,10 +11,18 @@ def rows_of(root):
     return root.get("measurements", root.get("records", []))
 
 
+HAND_OVERS = {"host": "through the host's memory", "registered": "GL's buffer, registered with CUDA",
+              "imported": "CUDA's memory, imported by GL"}
+
+
 def frames(root):
-    """Of `spherepair frames`; a picture with and without its skips is also a row of the table `skips`."""
+    """Of `spherepair frames`; a picture with and without its skips is also a row of the table `skips`, a hand-over
+    without a picture one of the table `interop`."""
     rows = []
     for entry in root["frames"]:
+        if entry["draw"] == "none" and entry["work"] in HAND_OVERS:
+            rows.append({**entry, "table": "interop", "way": HAND_OVERS[entry["work"]], "scene": {"name": "uniform"}})
+            continue
         row = {**entry, "table": "draw", "scene": {"name": "uniform"}}
         rows.append(row)
         if entry["draw"] == "compute" and entry["work"] in ("frame", "frame_all"):

@@ -22,7 +22,7 @@ class Numbers:
     def put(self, key, text, source, how):
         if key in self.entries:
             raise ValueError(f"the number {key} is made twice")
-        self.entries[key] = (text.replace(",", "{,}"), source, how)
+        self.entries[key] = (text.replace(",", "{,}").replace("_", "\\_"), source, how)
 
 
 def collect(machine, others):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Recorded runs, as the figures, tables and numbers of the paper read them.
 
-A folder under paper/data is one machine. Every JSON file in it is a source; its id is the folder's name and the first
-8 hexadecimal digits of the file's SHA-256. One record is one measurement: what was run (any parameters the writer
+A folder under paper/data is one machine. Every JSON file in it is a source, and so is every folder of JSON files (of a
+sweep); its id is the machine's name and the first 8 hexadecimal digits of the SHA-256 of its bytes. One record is one measurement: what was run (any parameters the writer
 chose), its samples, median and interval in milliseconds, and the source it came from; formats.py knows how each
 program writes them.
 """
@@ -74,7 +74,9 @@ class Machine:
         self.name = name or self.folder.name
         self.records, self.sources = [], {}
         for path in sorted(self.folder.glob("*.json")):
-            self._read(path)
+            self._read(path.name, [path])
+        for path in sorted(inner for inner in self.folder.glob("*") if inner.is_dir()):
+            self._read(path.name, sorted(path.glob("*.json")))
         if "results.json" not in self.sources:
             raise Missing(f"{self.folder} holds no results.json of `spherepair compare`")
         self.main = self.sources["results.json"]
@@ -84,16 +86,16 @@ class Machine:
     def ids(self):
         return {name: source["id"] for name, source in self.sources.items()}
 
-    def _read(self, path):
-        raw = path.read_bytes()
-        root = json.loads(raw)
-        if not isinstance(root, dict):
-            return
-        root["id"] = f"{self.name}:{digest(raw)}"
-        self.sources[path.name] = root
-        for row in formats.rows_of(root):
-            median, low, high = summary(row)
-            self.records.append(Record(row, median, low, high, root["id"]))
+    def _read(self, name, paths):
+        raws = [path.read_bytes() for path in paths]
+        source = f"{self.name}:{digest(b''.join(raws))}"
+        for root in map(json.loads, raws):
+            if not isinstance(root, dict):
+                continue
+            self.sources[name] = {**root, "id": source}
+            for row in formats.rows_of(root):
+                median, low, high = summary(row)
+                self.records.append(Record(row, median, low, high, source))
 
     def select(self, **wanted):
         """All records with these parameters, smallest n first; `scene` is the scene's name."""

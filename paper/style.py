@@ -27,6 +27,13 @@ plt.rcParams.update({
 })
 
 
+def series_of(record):
+    """The series that a record belongs to: on the CPU, every method but `sequential` takes all threads."""
+    if record.backend != "cpu":
+        return record.backend
+    return "cpu sequential" if record.parameters.get("method") == "sequential" else "cpu parallel"
+
+
 def name_devices(machine):
     """GL in software is never called GLSL alone."""
     SERIES["glsl"]["label"] = "GLSL in software" if machine.software else "GLSL"
@@ -44,6 +51,24 @@ def spheres_axis(axis, label="number of spheres $n$"):
     axis.xaxis.set_minor_locator(NullLocator())
     axis.tick_params(axis="x", labelrotation=45)
     axis.set_xlabel(label)
+
+
+def spheres_in_decades(axis, sizes, label="number of spheres $n$"):
+    """For sizes over many orders of magnitude; fewer are put as in the other figures."""
+    if max(sizes) < 1e5 * min(sizes):
+        return spheres_axis(axis, label)
+    axis.set_xscale("log")
+    axis.xaxis.set_major_locator(LogLocator(numticks=12))
+    axis.xaxis.set_minor_formatter(NullFormatter())
+    axis.set_xlabel(label)
+
+
+def time_text(milliseconds):
+    """Three significant digits, in the unit that suits."""
+    for unit, least in (("s", 1e3), ("ms", 1.0), ("µs", 1e-3)):
+        if milliseconds >= least:
+            return f"{milliseconds / least:.3g} {unit}"
+    return f"{1e6 * milliseconds:.3g} ns"
 
 
 def plain_ticks(axis):

@@ -18,7 +18,7 @@ struct Row {
 };
 Row row_after(Row last, uint begin, uint end) { return Row(last.bound + end - begin, begin - last.bound); }
 Row row_at(Row last, bool exists, uint slot, uint x, uint last_x) {
-  return row_after(last, exists ? cell[slot + x] : 0u, exists ? cell[slot + last_x + 1u] : 0u);
+  return row_after(last, exists ? cell_begin(slot + x) : 0u, exists ? cell_begin(slot + last_x + 1u) : 0u);
 }
 
 // The rows of the neighbourhood: the rest of the sphere's own, the one above it, and three of the layer ahead.
@@ -39,7 +39,7 @@ Rows find_rows(vec4 mine, uint i) {
   uint slot = dense_slot(0u, y, z, p);
   uint next = slot + p.cells_x * p.cells_y;
   Rows rows;
-  rows.own = row_after(Row(0u, 0u), exists ? i + 1u : 0u, exists ? cell[slot + last_x + 1u] : 0u);
+  rows.own = row_after(Row(0u, 0u), exists ? i + 1u : 0u, exists ? cell_begin(slot + last_x + 1u) : 0u);
   rows.above = row_at(rows.own, above, slot + p.cells_x, x, last_x);
   rows.ahead_below = row_at(rows.above, ahead && below, next - p.cells_x, x, last_x);
   rows.ahead = row_at(rows.ahead_below, ahead, next, x, last_x);

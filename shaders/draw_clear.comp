@@ -1,13 +1,13 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per pixel: no sphere is seen yet.
+// One thread per pixel: no sphere is seen yet. The list of clusters that the last picture showed is drawn next.
 #include "visible.glsl"
 
 layout(local_size_x = BLOCK) in;
 
 void main() {
   uint pixel = group_index() * BLOCK + gl_LocalInvocationID.x;
-  if (pixel < DRAWN_WORDS) drawn[pixel] = 0u;
+  if (pixel < DRAWN_WORDS && pixel != DRAWN_SEEN + v.turn) drawn[pixel] = 0u;
   if (pixel >= v.width * v.height) return;
 #ifdef ATOMICS_64
   visible[pixel] = 0xFFFFFFFFFFFFFFFFul;

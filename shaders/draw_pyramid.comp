@@ -1,43 +1,45 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per texel of one level: the greatest depth of what it covers, a pixel without a sphere being infinite.
+// One group per texel of level 1, one thread per row of a texel of level 0: the greatest depth of what each covers, a
+// pixel without a sphere being infinite.
 #include "buffers.glsl"
 #include "cluster.h"
 
 layout(std140, binding = SLOT_VIEW) uniform ViewBlock { View v; };
 layout(std430, binding = SLOT_VISIBLE) restrict readonly buffer VisibleBuffer { uvec2 visible[]; };
-layout(std430, binding = SLOT_PYRAMID) restrict buffer PyramidBuffer { uint pyramid[]; };
+layout(std430, binding = SLOT_PYRAMID) restrict writeonly buffer PyramidBuffer { uint pyramid[]; };
 layout(std430, binding = SLOT_DRAWN) restrict buffer DrawnBuffer { uint drawn[]; };
 layout(local_size_x = BLOCK) in;
-
-uint greatest_of_pixels(uint x, uint y) {
-  uint greatest = 0u;
-  for (uint row = y * LEVEL_0; row < min((y + 1u) * LEVEL_0, v.height); ++row)
-    for (uint column = x * LEVEL_0; column < min((x + 1u) * LEVEL_0, v.width); ++column)
-      greatest = max(greatest, visible[row * v.width + column].y);
-  return greatest;
-}
-
-uint greatest_of_texels(uint x, uint y) {
-  uint below = v.level - 1u;
-  uint width = texels_along(v.width, below);
-  uint height = texels_along(v.height, below);
-  uint greatest = 0u;
-  for (uint row = y * 4u; row < min(y * 4u + 4u, height); ++row)
-    for (uint column = x * 4u; column < min(x * 4u + 4u, width); ++column)
-      greatest = max(greatest, pyramid[first_texel(below, v) + row * width + column]);
-  return greatest;
-}
+const uint side = LEVEL_1 / LEVEL_0;  // texels of level 0 along one of level 1
+shared uint row_greatest[LEVEL_1 * side];
+shared uint texel_greatest[side * side];
 
 void main() {
-  uint texel = group_index() * BLOCK + gl_LocalInvocationID.x;
-  if (texel == 0u) {
-    drawn[DRAWN_TILES_DONE] = drawn[DRAWN_TILES];
-    drawn[DRAWN_CLUSTERS_DONE] = drawn[DRAWN_CLUSTERS];
+  uint lane = gl_LocalInvocationID.x;
+  if (group_index() == 0u && lane == 0u) drawn[DRAWN_TILES_DONE] = drawn[DRAWN_TILES];
+  uint width = texels_along(v.width, 1u);
+  if (group_index() >= width * texels_along(v.height, 1u)) return;
+  uint x = group_index() % width;
+  uint y = group_index() / width;
+  uint row = y * LEVEL_1 + lane / side;
+  uint column = x * LEVEL_1 + lane % side * LEVEL_0;
+  uint greatest = 0u;
+  for (uint k = 0u; k < LEVEL_0; ++k)
+    if (row < v.height && column + k < v.width) greatest = max(greatest, visible[row * v.width + column + k].y);
+  row_greatest[lane] = greatest;
+  barrier();
+  uint x_0 = x * side + lane % side;
+  uint y_0 = y * side + lane / side;
+  if (lane < side * side) {
+    greatest = 0u;
+    for (uint k = 0u; k < LEVEL_0; ++k)
+      greatest = max(greatest, row_greatest[(lane / side * LEVEL_0 + k) * side + lane % side]);
+    texel_greatest[lane] = greatest;
+    if (x_0 < texels_along(v.width, 0u) && y_0 < texels_along(v.height, 0u))
+      pyramid[y_0 * texels_along(v.width, 0u) + x_0] = greatest;
   }
-  uint width = texels_along(v.width, v.level);
-  if (texel >= width * texels_along(v.height, v.level)) return;
-  uint x = texel % width;
-  uint y = texel / width;
-  pyramid[first_texel(v.level, v) + texel] = v.level == 0u ? greatest_of_pixels(x, y) : greatest_of_texels(x, y);
+  barrier();
+  if (lane != 0u) return;
+  for (uint k = 1u; k < side * side; ++k) greatest = max(greatest, texel_greatest[k]);
+  pyramid[first_texel(1u, v) + group_index()] = greatest;
 }

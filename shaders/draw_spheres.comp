@@ -1,11 +1,11 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere: it is drawn, unless it is large, which draw_tiles then does.
+// One thread, or LANES threads, per sphere: it is drawn, unless it is large, which draw_tiles then does.
 #include "visible.glsl"
 
 layout(local_size_x = BLOCK) in;
 
 void main() {
-  uint place = group_index() * BLOCK + gl_LocalInvocationID.x;
-  if (place < p.n) draw_sphere(place);
+  uint k = group_index() * (BLOCK / v.lanes) + gl_LocalInvocationID.x / v.lanes;
+  if (k < p.n) draw_sphere(place_in_turn(k, p.n, v), gl_LocalInvocationID.x % v.lanes);
 }

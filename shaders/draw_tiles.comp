@@ -11,6 +11,7 @@ void main() {
     uint place = tile[t].x;
     vec4 seen = in_camera(position[place], v);
     Box box = box_of(seen, v);
+    uint nearest = least_depth_of(seen);
     uint sphere = p.in_cells != 0u ? id[place] : place;
     uint column = tile[t].y % tiles_along(box.width);
     uint row = tile[t].y / tiles_along(box.width);
@@ -19,7 +20,7 @@ void main() {
     for (uint k = gl_LocalInvocationID.x; k < TILE * TILE; k += BLOCK) {
       uint x = box.x + column * TILE + k % TILE;
       uint y = box.y + row * TILE + k / TILE;
-      if (x < end_x && y < end_y) draw_at(x, y, seen, sphere);
+      if (x < end_x && y < end_y) draw_at(x, y, seen, nearest, sphere);
     }
   }
 }

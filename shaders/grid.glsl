@@ -7,3 +7,11 @@
 #define CELL_ACCESS readonly
 #endif
 layout(std430, binding = SLOT_CELL) restrict CELL_ACCESS buffer CellBuffer { uint cell[]; };
+
+// Where a cell's spheres begin, of kernels that only read the table.
+#ifdef TEXTURE_TABLE
+layout(binding = 0) uniform usamplerBuffer cell_texture;
+uint cell_begin(uint slot) { return texelFetch(cell_texture, int(slot / 4u))[slot % 4u]; }
+#else
+uint cell_begin(uint slot) { return cell[slot]; }
+#endif

@@ -6,6 +6,7 @@
 #define CELL_ACCESS
 #define ID_ACCESS
 #include "grid.glsl"
+#include "group_sum.glsl"
 
 layout(std430, binding = SLOT_SPLIT_ID) restrict readonly buffer FromIdBuffer { uint from_id[]; };
 layout(std430, binding = SLOT_SORTED) restrict writeonly buffer SortedBuffer { vec4 sorted[]; };
@@ -13,12 +14,11 @@ layout(std430, binding = SLOT_SORTED_COUNT) restrict writeonly buffer SortedCoun
 layout(std430, binding = SLOT_BUCKET) restrict buffer BucketBuffer { uint next_place[]; };
 layout(local_size_x = BLOCK) in;
 shared uint place[CELLS_PER_BUCKET];  // of the next sphere of each cell, in the bucket
-shared uint order[SORT_TILE];         // the spheres of the bucket by cell
-shared uint sums[BLOCK];
+shared uint order[SORT_ROOM / 2u];    // the spheres of the bucket by cell, two to a word
 
-void put(uint i, uint at) {
-  sorted[at] = position[i];
-  id[at] = from_id[i];
+void put(vec4 sphere, uint name, uint at) {
+  sorted[at] = sphere;
+  id[at] = name;
   sorted_count[at] = 0u;
 }
 
@@ -29,19 +29,19 @@ void main() {
   uint end = next_place[p.first_bucket + group_index()];
   uint low = group_index() * CELLS_PER_BUCKET;
   for (uint c = lane; c < CELLS_PER_BUCKET; c += BLOCK) place[c] = 0u;
+  for (uint q = lane; q < SORT_ROOM / 2u; q += BLOCK) order[q] = 0u;
   barrier();
-  for (uint i = begin + lane; i < end; i += BLOCK) atomicAdd(place[slot_of(position[i], p) - low], 1u);
+  uint turn = SORT_EACH * BLOCK;
+  for (uint first = begin + lane; first < end + lane; first += turn) {
+    uint c[SORT_EACH];
+    for (uint k = 0u; k < SORT_EACH; ++k) c[k] = slot_of(position[min(first + k * BLOCK, end - 1u)], p) - low;
+    for (uint k = 0u; k < SORT_EACH; ++k)
+      if (first + k * BLOCK < end) atomicAdd(place[c[k]], 1u);
+  }
   barrier();
   uint own = 0u;
   for (uint c = 0u; c < CELLS_PER_BUCKET / SORT_BLOCK; ++c) own += place[lane * (CELLS_PER_BUCKET / SORT_BLOCK) + c];
-  uint upto = own;
-  for (uint step = 1u; step < BLOCK; step *= 2u) {
-    sums[lane] = upto;
-    barrier();
-    if (lane >= step) upto += sums[lane - step];
-    barrier();
-  }
-  upto -= own;
+  uint upto = sum_up_to(own) - own;
   for (uint c = 0u; c < CELLS_PER_BUCKET / SORT_BLOCK; ++c) {
     uint counted = place[lane * (CELLS_PER_BUCKET / SORT_BLOCK) + c];
     place[lane * (CELLS_PER_BUCKET / SORT_BLOCK) + c] = upto;
@@ -51,15 +51,33 @@ void main() {
   for (uint c = lane; c < CELLS_PER_BUCKET; c += BLOCK)
     if (low + c <= p.cell_slots) cell[low + c] = begin + place[c];
   barrier();
-  bool fits = end - begin <= SORT_TILE;
-  for (uint i = begin + lane; i < end; i += BLOCK) {
-    uint at = atomicAdd(place[slot_of(position[i], p) - low], 1u);
-    if (fits) {
-      order[at] = i;
-    } else {
-      put(i, begin + at);
+  bool fits = end - begin <= SORT_ROOM;
+  for (uint first = begin + lane; first < end + lane; first += turn) {
+    uint c[SORT_EACH];
+    for (uint k = 0u; k < SORT_EACH; ++k) c[k] = slot_of(position[min(first + k * BLOCK, end - 1u)], p) - low;
+    for (uint k = 0u; k < SORT_EACH; ++k) {
+      uint i = first + k * BLOCK;
+      if (i < end) {
+        uint at = atomicAdd(place[c[k]], 1u);
+        if (fits) {
+          atomicOr(order[at / 2u], (i - begin) << (at % 2u * 16u));
+        } else {
+          put(position[i], from_id[i], begin + at);
+        }
+      }
     }
   }
   barrier();
-  for (uint q = lane; fits && q < end - begin; q += BLOCK) put(order[q], begin + q);
+  for (uint first = begin + lane; fits && first < end + lane; first += turn) {
+    vec4 sphere[SORT_EACH];
+    uint name[SORT_EACH];
+    for (uint k = 0u; k < SORT_EACH; ++k) {
+      uint q = min(first + k * BLOCK, end - 1u) - begin;
+      uint i = begin + (order[q / 2u] >> (q % 2u * 16u) & 0xFFFFu);
+      sphere[k] = position[i];
+      name[k] = from_id[i];
+    }
+    for (uint k = 0u; k < SORT_EACH; ++k)
+      if (first + k * BLOCK < end) put(sphere[k], name[k], first + k * BLOCK);
+  }
 }

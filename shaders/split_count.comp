@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// A group takes SORT_TILE spheres and counts how many go into each bucket. The
-// spheres stand in the order of the parents of these buckets, so that a tile meets few of them.
+// A group takes SPLIT_TILE spheres and counts how many go into each bucket. The spheres stand in the order of the
+// parents of these buckets, so that a tile meets few of them.
 #include "grid.glsl"
 
 layout(std430, binding = SLOT_BUCKET) restrict buffer BucketBuffer { uint next_place[]; };
@@ -10,9 +10,9 @@ shared uint counted[BUCKETS_AT_MOST];
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
-  uint first = group_index() * SORT_TILE;
+  uint first = group_index() * SPLIT_TILE;
   if (first >= p.n) return;
-  uint end = min(first + SORT_TILE, p.n);
+  uint end = min(first + SPLIT_TILE, p.n);
   uint last_bucket = bucket_above(slot_of(position[end - 1u], p), p);
   for (uint low = bucket_below(slot_of(position[first], p), p); low <= last_bucket; low += BUCKETS_AT_MOST) {
     for (uint b = lane; b < BUCKETS_AT_MOST; b += BLOCK) counted[b] = 0u;

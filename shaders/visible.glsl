@@ -17,17 +17,25 @@ void count_drawn(uint word) {
   if (v.counting != 0u && v.pass == PASS_DEPTH) atomicAdd(drawn[word], 1u);
 }
 
-void draw_at(uint px, uint py, vec4 seen, uint sphere) {
-  float depth = depth_of_hit(seen, ray_through(px, py, v), v);
-  if (depth == 0.0f) return;
+// `nearest`: least_depth_of the sphere; where something nearer is seen already, the ray's meeting is not asked for.
+void draw_at(uint px, uint py, vec4 seen, uint nearest, uint sphere) {
   uint pixel = py * v.width + px;
 #ifdef ATOMICS_64
+  uint64_t there = visible[pixel];
+  if (uint(there >> 32) < nearest) return;
+#else
+  uint there = visible[2u * pixel + 1u];
+  if (there < nearest) return;
+#endif
+  float depth = depth_of_hit(seen, ray_through(px, py, v), v);
+  if (depth == 0.0f) return;
+#ifdef ATOMICS_64
   uint64_t mine = (uint64_t(float_bits(depth)) << 32) | uint64_t(sphere);
-  if (mine < visible[pixel]) atomicMin(visible[pixel], mine);
+  if (mine < there) atomicMin(visible[pixel], mine);
 #else
   uint bits = float_bits(depth);
-  if (v.pass == PASS_DEPTH && bits < visible[2u * pixel + 1u]) atomicMin(visible[2u * pixel + 1u], bits);
-  if (v.pass == PASS_ID && bits == visible[2u * pixel + 1u]) atomicMin(visible[2u * pixel], sphere);
+  if (v.pass == PASS_DEPTH && bits < there) atomicMin(visible[2u * pixel + 1u], bits);
+  if (v.pass == PASS_ID && bits == there) atomicMin(visible[2u * pixel], sphere);
 #endif
 }
 
@@ -37,21 +45,25 @@ void cut_into_tiles(uint place, Box box) {
   for (uint k = 0u; k < tiles && first + k < v.tile_capacity; ++k) tile[first + k] = uvec2(place, k);
 }
 
-// Passed over when it is out of view or between the pixels' centres, tried at every pixel of its box when that is
-// small, and cut into tiles for draw_tiles when it is large.
-void draw_sphere(uint place) {
+// The work of one of the v.lanes threads of a sphere. It is passed over when it is out of view or between the pixels'
+// centres, tried at every pixel of its box when that is small, and cut into tiles for draw_tiles when it is large.
+void draw_sphere(uint place, uint lane) {
   vec4 seen = in_camera(position[place], v);
   Box box = Box(0u, 0u, 0u, 0u);
   if (in_frustum(seen, v)) box = box_of(seen, v);
   bool none = box.width == 0u || box.height == 0u;
-  bool large = !none && (box.width > WALK_AT_MOST || box.height > WALK_AT_MOST);
-  count_drawn(seen.w == 0.0f ? DRAWN_UNDRAWABLE : none ? DRAWN_UNSEEN : large ? DRAWN_LARGE : DRAWN_SMALL);
+  bool large = !none && is_large(box, v);
+  if (lane == 0u)
+    count_drawn(seen.w == 0.0f ? DRAWN_UNDRAWABLE : none ? DRAWN_UNSEEN : large ? DRAWN_LARGE : DRAWN_SMALL);
   if (none) return;
   if (large) {
-    cut_into_tiles(place, box);
+    if (lane == 0u) cut_into_tiles(place, box);
     return;
   }
   uint sphere = p.in_cells != 0u ? id[place] : place;
-  for (uint y = box.y; y < box.y + box.height; ++y)
-    for (uint x = box.x; x < box.x + box.width; ++x) draw_at(x, y, seen, sphere);
+  uint nearest = least_depth_of(seen);
+  uint across = v.lanes == 1u ? 1u : uint(LANES_ACROSS);
+  uint down = v.lanes / across;
+  for (uint y = box.y + lane / across; y < box.y + box.height; y += down)
+    for (uint x = box.x + lane % across; x < box.x + box.width; x += across) draw_at(x, y, seen, nearest, sphere);
 }

@@ -62,8 +62,13 @@ CollideOptions fast_method(const Backend& backend) {
 }
 
 std::string describe(const CollideOptions& options) {
-  return fmt::format("{} with groups of {}{}{}", method_name(options.method), options.block,
-                     options.exact ? "" : ", naive", options.want_pairs ? ", listing pairs" : "");
+  constexpr const char* cells[] = {"", ", dense cells", ", hashed cells"};
+  constexpr const char* sorts[] = {"", ", sorted by counting", ", sorted by buckets"};
+  const GridOptions& grid = options.grid;
+  return fmt::format("{} with groups of {}{}{}{}{}{}{}", method_name(options.method), options.block,
+                     options.exact ? "" : ", naive", options.want_pairs ? ", listing pairs" : "",
+                     cells[size_t(grid.cells)], sorts[size_t(grid.sort)], grid.keep_order ? "" : ", order not kept",
+                     grid.keep_cells ? "" : ", cells not kept");
 }
 
 void BackendTest::SetUp() {
@@ -82,10 +87,7 @@ std::string parameter_name(const testing::TestParamInfo<std::string>& info) { re
 Answer ask(Backend& backend, const CollideOptions& options) {
   backend.collide(options);
   backend.check_guards();  // before lists that were too short are replaced by longer ones
-  Answer answer;
-  answer.totals = backend.collisions();
-  answer.counts = backend.counts();
-  if (options.want_pairs) answer.pairs = backend.pairs();
+  const Answer answer = answer_of(backend, options.want_pairs);
   backend.check_guards();
   return answer;
 }

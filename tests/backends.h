@@ -5,11 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "backend.h"
+#include "answers.h"
 
 namespace spherepair {
 
@@ -49,12 +48,6 @@ std::string parameter_name(const testing::TestParamInfo<std::string>& info);
 #define INSTANTIATE_BACKENDS(suite) \
   INSTANTIATE_TEST_SUITE_P(Backends, suite, testing::ValuesIn(backend_names()), parameter_name)
 
-// All that one collision step answers.
-struct Answer {
-  Collisions totals;
-  std::vector<uint> counts;
-  std::optional<std::vector<Pair>> pairs;  // when they were wanted
-};
 Answer ask(Backend& backend, const CollideOptions& options);
 
 // What is wrong with an answer, as one sentence that names the first difference; empty when it is the expected set.

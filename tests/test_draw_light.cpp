@@ -73,6 +73,26 @@ TEST_P(DrawLight, EqualsEverySphereTried) {
   }
 }
 
+// A run that goes on has its cells planned from other places; its picture is of the spheres alone.
+TEST_P(DrawLight, IsTheSameAfterAPause) {
+  Scene scene = make_scene({.n = 300, .restitution = 0.25f});
+  const View view = view_of(scene, LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND, 30);
+  const auto picture = [&] {
+    backend().collide({.method = Method::collide_grid, .grid = {.cells = Cells::dense}});
+    return picture_of(backend(), view);
+  };
+  backend().upload(scene);
+  const GridPlan before = plan_grid(scene, Cells::dense);
+  for (int step = 0; step < 250; ++step) backend().move();
+  const Picture expected = picture();
+  const MotionState saved = backend().save();
+  const Backend::State state = backend().state();
+  scene.positions = state.positions, scene.velocities = state.velocities;
+  EXPECT_NE(plan_grid(scene, Cells::dense).side, before.side) << "the cells are the same: this shows nothing";
+  backend().resume(scene, saved);
+  EXPECT_EQ(objection(picture(), expected, view), "");
+}
+
 TEST_P(DrawLight, NeedsTheDenseCells) {
   const Scene scene = make_scene({.n = 300});
   const View view = view_of(scene, LIGHT_OCCLUSION, 30);

@@ -3,6 +3,8 @@
 // all.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "pictures.h"
 
 namespace spherepair {
@@ -29,6 +31,7 @@ std::vector<DrawOptions> every_skip() {
     options.count = true;
     all.push_back(options);
   }
+  all.push_back({.skip_outside = false, .skip_hidden = false, .skip_unchanged = false, .share_below = 0});
   return all;
 }
 
@@ -61,7 +64,7 @@ TEST_P(DrawSkips, NoPictureChanges) {
 // Spheres move while the camera does; those in no cell order form poor clusters, but clusters.
 TEST_P(DrawSkips, WhileSpheresMove) {
   const Scene scene = make_scene({.n = 5000});
-  DrawOptions skips = every_skip().back();
+  const DrawOptions skips = every_skip()[2];
   for (const bool collide : {false, true}) {
     backend().upload(scene);
     for (int step = 0; step < 4; ++step) {
@@ -72,6 +75,26 @@ TEST_P(DrawSkips, WhileSpheresMove) {
       EXPECT_EQ(objection(given, picture_of(backend(), view, everything), view), "") << step << ", " << collide;
     }
   }
+}
+
+// A wall of spheres hides what is behind it, but for what shows through a hole. The third picture from one place draws
+// first only what the second one found not hidden.
+TEST_P(DrawSkips, ThroughAHole) {
+  std::vector<vec4> spheres;
+  for (int k = 0; k < 40 * CLUSTER; ++k)
+    spheres.push_back({float(k % 64) * 0.5f - 16, float(k / 64) * 0.5f - 10, 0, 0.5f});
+  std::erase_if(spheres, [](const vec4& s) { return std::abs(s.x) < 0.9f && std::abs(s.y) < 0.9f; });
+  spheres.resize((spheres.size() + CLUSTER - 1) / CLUSTER * CLUSTER, vec4{-15, -9, 0, 0.5f});
+  for (int k = 0; k < 30 * CLUSTER; ++k)  // clusters in columns, one of them behind the hole
+    spheres.push_back(
+        {float(k / CLUSTER - 15) * 0.6f, float(k % 8) * 0.1f - 0.4f, -12 - float(k % 64 / 8) * 0.1f, 0.1f});
+  backend().upload(scene_of(spheres));
+  const View view = make_view({{0, 0, 20}, {0, 0, 0}}, contact_look(), width, height);
+  const Picture expected = picture_of(backend(), view, everything);
+  const DrawOptions hidden = every_skip()[1];
+  for (int time = 0; time < 3; ++time)
+    EXPECT_EQ(objection(picture_of(backend(), view, hidden), expected, view), "") << "picture " << time;
+  EXPECT_GT(backend().draw_counts().clusters_hidden, 10u);
 }
 
 // Each skip is used: without that, its test would prove nothing.

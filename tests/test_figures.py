@@ -17,18 +17,21 @@ if importlib.util.find_spec("matplotlib") is None:
 import figures  # noqa: E402  (the path must be set first)
 from records import DATA, Machine, Missing, Record  # noqa: E402
 
-SCENE = {"name": "uniform"}
+SCENE = {"name": "uniform", "packing_fraction": 0.3}
 
 
 def made_up(table, times, **parameters):
     return [Record({"table": table, "scene": SCENE, "n": n, "label": "made up", **parameters}, 1e-6 * n * t,
-                   0.9e-6 * n * t, 1.1e-6 * n * t, "made up") for t in times for n in (1024, 16384)]
+                   0.9e-6 * n * t, 1.1e-6 * n * t, "made up") for t in times for n in (1024, 1000000)]
 
 
 def of_tables_to_come():
-    rows = []
+    rows = made_up("grid", [9], backend="cpu", method="collide_grid", order="cold")
     for backend in ("glsl", "cuda"):
-        rows += made_up("grid", [1], backend=backend, method="collide_grid", order="cold")
+        for method, order, time in (("grid", "cold", 2), ("grid", "warm", 1), ("triangle", "cold", 3)):
+            rows += made_up("grid", [time], backend=backend, method=f"collide_{method}", order=order, floor_ms=1e-4,
+                            share_of_floor=0.5, ceiling_per_second=1e12, device_stages_ms={"collide": 1.0},
+                            device_stages_interval_ms={"collide": [0.9, 1.1]})
         rows += made_up("draw", [1], backend=backend, draw="compute", place="outside", work="frame")
         rows += made_up("interop", [1], backend=backend, way=f"map from {backend}")
         for on in (True, False):
@@ -60,6 +63,7 @@ class Figures(unittest.TestCase):
         for module in figures.modules():
             try:
                 figures.style.plt.close(module.draw(machine))
+                self.assertTrue(module.caption(machine) if hasattr(module, "caption") else module.CAPTION)
             except Missing:
                 left_out.append(module.NAME)
         return left_out
@@ -75,7 +79,7 @@ class Figures(unittest.TestCase):
         machine = Machine(DATA / "h200")
         machine.records, machine.sources = [], {}
         drawn = {module.NAME for module in figures.modules()} - set(self.draw(machine))
-        self.assertLessEqual(drawn, {"animations"})
+        self.assertLessEqual(drawn, {"animations", "closeup", "same_frame", "settling"})  # pictures
 
 
 class Paper(unittest.TestCase):

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "backends.h"
+#include "method_choice.h"
 #include "oracle.h"
 
 namespace spherepair {
@@ -162,6 +163,22 @@ TEST_P(Methods, EmptyLaunchAndStageTimes) {
     EXPECT_FALSE(times.empty());
   }
   EXPECT_TRUE(backend().stage_times().empty()) << "reading them takes them away";
+}
+
+TEST_P(Methods, AutomaticIsRightWhateverItTakes) {
+  const Crossover& row = crossover_of(backend().info());
+  const uint64_t many = row.grid_from + 10, all = backend().info().software ? 700 : many;
+  const auto took = [&](const SceneOptions& options) {
+    const Scene scene = make_scene(options);
+    expect_pairs(backend(), scene, swept_pairs(scene.positions), {{.method = Method::automatic}});
+    return backend().choice({.method = Method::automatic});
+  };
+  EXPECT_NE(took({.name = "uniform", .n = row.grid_from / 2}).method, Method::collide_grid);
+  EXPECT_EQ(took({.name = "uniform", .n = many}).method, Method::collide_grid);
+  EXPECT_NE(took({.name = "one_cell", .n = std::min<uint64_t>(all, 4000)}).method, Method::collide_grid);
+  const MethodChoice far = took({.name = "uniform", .n = many, .offset = 1e5f});
+  EXPECT_EQ(far.method, Method::collide_grid);
+  EXPECT_NE(far.reason.find(fmt::format("{} spheres", many)), std::string::npos) << far.reason;
 }
 
 INSTANTIATE_BACKENDS(Methods);

@@ -2,17 +2,13 @@
 // spherepair pairs as a whole: a file of spheres in, pairs and a summary out, and nothing lost when it fails.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
-
-#include <csignal>
 
 #include "backends.h"
 #include "commands.h"
 #include "degrees.h"
 #include "oracle.h"
 #include "pair_file.h"
-#include "replaced_file.h"
 #include "sphere_files.h"
 
 namespace spherepair {
@@ -59,9 +55,9 @@ class PairsCommand : public testing::Test {
   }
 
   // The exit code of the program itself; what it printed goes to output_ and errors_.
-  int run_program(const std::string& arguments) {
-    const std::string command =
-        fmt::format("'{}' {} >'{}' 2>'{}'", SPHEREPAIR_PROGRAM, arguments, folder_.path("out"), folder_.path("err"));
+  int run_program(const std::string& arguments, const std::string& before = "") {
+    const std::string command = fmt::format("{} '{}' {} >'{}' 2>'{}'", before, SPHEREPAIR_PROGRAM, arguments,
+                                            folder_.path("out"), folder_.path("err"));
     const int status = std::system(command.c_str());
     output_ = read_bytes(folder_.path("out"));
     errors_ = read_bytes(folder_.path("err"));
@@ -183,19 +179,21 @@ TEST_F(PairsCommand, FailureLosesNothing) {
   EXPECT_EQ(folder_.names(), (std::vector<std::string>{"bad.xyz", "pairs.txt", "pairs.txt.new", "spheres.xyz"}));
 }
 
-TEST_F(PairsCommand, FullDiskLosesNothing) {
-  const std::string old = folder_.write("pairs.npy", "old");
-  rlimit before{};
-  getrlimit(RLIMIT_FSIZE, &before);
-  const rlimit small{1000, before.rlim_max};
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  setrlimit(RLIMIT_FSIZE, &small);
-  const std::string complaint = complaint_of([&] { write_pairs(old, expected_); });
-  setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, handler);
-  EXPECT_NE(complaint.find("cannot write " + old), std::string::npos) << complaint;
-  EXPECT_EQ(read_bytes(old), "old");
-  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"pairs.npy", "spheres.xyz"}));
+// 12.5 million pairs, 100 MB as threads find them.
+TEST_F(PairsCommand, AListBeyondMemoryIsRefusedWithItsSize) {
+  if (!fs::exists(SPHEREPAIR_PROGRAM)) GTEST_SKIP() << "no " << SPHEREPAIR_PROGRAM << " here";
+  std::string text = "5000\n\n";
+  for (int k = 0; k < 5000; ++k) text += "1 2 3\n";
+  const std::string pairs = "pairs --radius 1 --backend cpu --threads 1 --input " + folder_.write("one.xyz", text);
+  for (const char* method : {"parallel", "collide_grid"}) {
+    const std::string all = fmt::format("{} --output {} --method {}", pairs, folder_.path("one.npy"), method);
+    EXPECT_EQ(run_program(all, "ulimit -v 200000;"), kDeviceTrouble);
+    EXPECT_NE(errors_.find("12497500 pairs collide, and a list of them takes about 0.3 GB"), std::string::npos)
+        << errors_;
+    EXPECT_FALSE(fs::exists(folder_.path("one.npy")));
+    EXPECT_EQ(run_program(all), kOk) << errors_;
+    fs::remove(folder_.path("one.npy"));
+  }
 }
 
 TEST_F(PairsCommand, ProgramsExitCodes) {

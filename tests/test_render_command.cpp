@@ -6,7 +6,9 @@
 #include <fstream>
 
 #include "backends.h"
+#include "box_edges.h"
 #include "commands.h"
+#include "draw.h"
 #include "sphere_files.h"
 
 namespace spherepair {
@@ -77,6 +79,31 @@ TEST_F(RenderCommand, IsTheSameOnEveryBackend) {
     if (first.empty()) first = bytes;
     EXPECT_EQ(bytes, first) << one.backend;
   }
+}
+
+TEST_F(RenderCommand, LeavesTheBoxOutWhenAsked) {
+  RenderOptions with = options("with.png"), without = options("without.png");
+  without.box = false;
+  EXPECT_EQ(run(with), "");
+  EXPECT_EQ(run(without), "");
+  EXPECT_GT(looked_at("with.png")[2], looked_at("without.png")[2]);
+}
+
+// A box ahead of the camera; everywhere a surface so far forward: before, between and behind its near and far faces.
+TEST(BoxEdges, StandBehindWhatIsNearer) {
+  const View view = make_view({{0, 0, 10}, {0, 0, 0}}, contact_look(), 120, 90);
+  const Bounds box = {{-1, -1, -1}, {1, 1, 1}};
+  const auto marked = [&](float ahead) {
+    std::vector<uint> image(size_t(view.width) * view.height, ~0u);
+    std::vector<uvec2> visible(image.size());
+    for (uint k = 0; k < image.size(); ++k)
+      visible[k] = {0, float_bits(ahead * ray_through(k % view.width, k / view.width, view).a)};
+    draw_edges(image, visible, view, box, {});
+    return image.size() - size_t(std::count(image.begin(), image.end(), ~0u));
+  };
+  EXPECT_EQ(marked(8), 0u);
+  EXPECT_GT(marked(9.5f), 50u);
+  EXPECT_GT(marked(20), marked(9.5f) + 50);
 }
 
 TEST_F(RenderCommand, RefusesAndLeavesNothing) {

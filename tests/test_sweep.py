@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A sweep of spherepair_bench can be shared out and taken up again. Usage: test_sweep.py PROGRAM"""
+"""Sweeps can be shared out and taken up again. Usage: test_sweep.py SPHEREPAIR [SPHEREPAIR_BENCH]"""
 import json
 import pathlib
 import subprocess
@@ -7,22 +7,21 @@ import sys
 import tempfile
 import unittest
 
-PROGRAM = sys.argv.pop(1)
-SMALL = ["--backends", "cpu", "--n", "64,128", "--blocks", "64", "--rounds", "1"]
+PROGRAM, BENCH = sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else None
+del sys.argv[1:3]
 
 
-def run(*words):
-    return subprocess.run([PROGRAM, *words], capture_output=True, text=True)
-
-
-class Sweep(unittest.TestCase):
+class Sweep:
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name, "sweep")
 
+    def run_it(self, *words):
+        return subprocess.run([*self.SMALL, "--output", str(self.folder), *words], capture_output=True, text=True)
+
     def sweep(self, *words):
-        done = run(*SMALL, "--output", str(self.folder), *words)
+        done = self.run_it(*words)
         self.assertEqual(0, done.returncode, done.stderr)
         return done.stdout.splitlines()[-1]
 
@@ -38,9 +37,7 @@ class Sweep(unittest.TestCase):
         self.assertEqual(both, self.files())
         self.assertLess(0, len(first))
         self.assertLess(len(first), len(both))
-        for name in both:
-            rows = json.loads((self.folder / name).read_text())["benchmarks"]
-            self.assertTrue(rows and all("error_occurred" not in row for row in rows))
+        self.check_records([json.loads((self.folder / name).read_text()) for name in both])
 
     def test_resume_times_only_what_is_missing(self):
         self.sweep()
@@ -51,7 +48,40 @@ class Sweep(unittest.TestCase):
 
     def test_bad_shards_are_refused(self):
         for shard in ("0/2", "3/2", "2", "1/-2", "a/b"):
-            self.assertEqual(2, run(*SMALL, "--output", str(self.folder), "--shard", shard).returncode, shard)
+            self.assertEqual(2, self.run_it("--shard", shard).returncode, shard)
+
+
+class OfTheGrid(Sweep, unittest.TestCase):
+    SMALL = [PROGRAM, "sweep", "--backends", "cpu", "--n", "200,1000", "--packing-fractions", "0.3", "--rounds", "1"]
+
+    def check_records(self, roots):
+        rows = [row for root in roots for row in root["measurements"]]
+        self.assertEqual({("cold", "sequential"), ("cold", "parallel"), ("cold", "collide_group"),
+                          ("cold", "collide_grid"), ("warm", "collide_grid")},
+                         {(row["order"], row["method"]) for row in rows})
+        self.assertTrue(all(root["context"]["build"]["commit"] for root in roots))
+        for n in (200, 1000):  # the set does not depend on the method, nor its size on the order of the spheres
+            found = [row for row in rows if row["n"] == n and row["method"] != "collide_group"]
+            self.assertEqual(1, len({row["pairs"] for row in found}))
+            self.assertLess(0, found[0]["pairs"])
+            self.assertEqual(1, len({row["fingerprint"] for row in found if row["order"] == "cold"}))
+
+    def test_what_is_not_timed_is_named(self):
+        self.SMALL = [PROGRAM, "sweep", "--backends", "cpu", "--n", "20000", "--packing-fractions", "0.3", "--rounds",
+                      "1", "--orders", "cold", "--methods", "sequential,collide_grid"]
+        self.sweep()
+        (root,) = [json.loads(path.read_text()) for path in self.folder.glob("*.json")]
+        self.assertEqual(["collide_grid"], [row["method"] for row in root["measurements"]])
+        self.assertEqual(["sequential"], [row["method"] for row in root["left_out"]])
+
+
+@unittest.skipUnless(BENCH, "spherepair_bench was not built: Google Benchmark is missing")
+class OfGoogleBenchmark(Sweep, unittest.TestCase):
+    SMALL = [BENCH or "", "--backends", "cpu", "--n", "64,128", "--blocks", "64", "--rounds", "1"]
+
+    def check_records(self, roots):
+        for root in roots:
+            self.assertTrue(root["benchmarks"] and all("error_occurred" not in row for row in root["benchmarks"]))
 
 
 if __name__ == "__main__":

@@ -35,10 +35,14 @@ def caption(machine):
     return CAPTION.format(frames="; ".join(describe(letter, record(name)) for letter, name in zip("ab", FRAMES)))
 
 
-def source(machine):
-    """The pictures are no machine's measurement: who drew them, with which commit."""
-    context = record(FRAMES[0])["context"]
+def context_of(name):
+    """A picture is no machine's measurement: who drew it, with which commit."""
+    context = record(name)["context"]
     return f"Drawn on {context['machine']['cpu']}, commit {context['build']['commit'][:12]}"
+
+
+def source(machine):
+    return context_of(FRAMES[0])
 
 
 def cropped(picture):

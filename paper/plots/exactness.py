@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What it costs to decide every pair exactly instead of by rounded float32 numbers."""
 from derived import cost, pairs_of
-from style import COLUMN, SERIES, panels
+from style import COLUMN, SERIES, panels, series_of
 
 NAME = "exactness"
 CAPTION = ("What exactness costs: time with the exact predicate over time with the naive float32 comparison, less "
@@ -13,7 +13,7 @@ def draw(machine):
     figure, (axis,) = panels(COLUMN, 0.5 + 0.14 * len(pairs))
     for place, (exact, naive) in enumerate(reversed(pairs)):
         middle, low, high = cost(naive, exact)
-        look = SERIES[exact.backend if exact.backend != "cpu" else f"cpu {exact.method}"]
+        look = SERIES[series_of(exact)]
         axis.errorbar(middle, place, xerr=[[middle - low], [high - middle]], capsize=1.5, elinewidth=0.7,
                       **{**look, "label": None, "linestyle": ""})
     axis.set_yticks(range(len(pairs)), [exact.label.replace("collide_", "") for exact, _ in reversed(pairs)])

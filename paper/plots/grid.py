@@ -1,44 +1,77 @@
 # SPDX-License-Identifier: MIT
-"""The grid against all pairs: time a sphere against the number of spheres."""
+"""The grid against all pairs from few spheres to as many as fit: time a sphere against the number of spheres."""
+from derived import crossover, needed_devices, slope
 from records import Missing
-from style import PAGE, SERIES, panels, plain_ticks, plot, spheres_axis
+from style import PAGE, SERIES, panels, plain_ticks, plot, spheres_in_decades
 
 NAME = TABLE = "grid"
-CAPTION = ("The uniform grid against all pairs, packing fraction 0.3: time of one collision step divided by the "
-           "number of spheres. A line that rises with slope 1 is quadratic in $n$, a level one linear.")
-LINES = {"warm": "-", "cold": "--", None: "-"}
+CAPTION = ("The uniform grid against all pairs in a gas: time of one collision step divided by the number of spheres, "
+           "with the intervals of the medians. Warm: the spheres stand in cell order; cold: in random order, so that "
+           "each step sorts. A rising line is quadratic in $n$, a level one linear. {crossovers}")
+LINES = {"warm": "-", "cold": "--"}
+FRACTIONS = (0.3, 0.05)
+
+
+def sets(machine, backend, fraction):
+    """(label, look, records) of each line: the grid in both orders, and all pairs."""
+    wanted = {"table": TABLE, "scene": "uniform", "packing_fraction": fraction, "backend": backend}
+    for order, line in LINES.items():
+        rows = machine.select(**wanted, method="collide_grid", order=order)
+        if rows:
+            yield f"grid, {order}", {"linestyle": line}, rows
+    rows = machine.select(**wanted, method="collide_triangle", order="cold")
+    if rows:
+        yield "all pairs", {"linestyle": ":", "alpha": 0.6}, rows
+
+
+def cpu_line(machine, fraction):
+    """The base: the same grid on all cores."""
+    return machine.select(table=TABLE, scene="uniform", packing_fraction=fraction, backend="cpu",
+                          method="collide_grid", order="cold")
+
+
+def caption(machine):
+    said = []
+    for name in needed_devices(machine, table=TABLE):
+        n = crossover(machine, name, 0.3)
+        said.append(f"{SERIES[name]['label']}: {n:,}" if n else f"{SERIES[name]['label']}: nowhere")
+    return CAPTION.format(crossovers="Least $n$ from which the cold grid is the faster at packing fraction 0.3, "
+                          "intervals apart: " + "; ".join(said) + ".")
 
 
 def per_sphere(axis, rows, series, **look):
     """Nanoseconds a sphere."""
+    if len({row.n for row in rows}) != len(rows):
+        raise Missing(f"there are several records of {rows[0].label} for one number of spheres")
     for record in rows:
         plot(axis, [record], series, scale=1e6 / record.n, **{**look, "label": None, "linestyle": ""})
     axis.plot([r.n for r in rows], [1e6 * r.median / r.n for r in rows], **{**SERIES[series], **look})
 
 
-def orders(rows):
-    """The input orders that were timed: cold is random, warm that of the cells; None where the record does not say."""
-    return list(dict.fromkeys(record.parameters.get("order") for record in rows))
+def note_slope(axis, rows):
+    """The slope of the time itself between the two largest sizes: 1 is linear."""
+    small, large = rows[-2:]
+    axis.annotate(f"{slope(small, large):.2f}", (large.n, 1e6 * large.median / large.n), xytext=(2, 3),
+                  textcoords="offset points", fontsize=6)
 
 
 def draw(machine):
-    grid = machine.need(table=TABLE, method="collide_grid", scene="uniform")
-    figure, (axis,) = panels(PAGE, 2.4)
-    for name in ("glsl", "cuda"):
-        if not machine.has(name):
-            continue
-        label = SERIES[name]["label"]
-        for order in orders(grid):
-            rows = [r for r in grid if r.backend == name and r.parameters.get("order") == order]
-            if len({r.n for r in rows}) != len(rows):
-                raise Missing(f"{machine.name} has several records of the grid for one number of spheres")
-            per_sphere(axis, rows, name, linestyle=LINES[order],
-                       label=f"{label}, grid" + (f", {order} input" if order else ""))
-        pairs = machine.need(table="scale", scene="uniform", backend=name)
-        per_sphere(axis, pairs, name, linestyle=":", alpha=0.6, label=f"{label}, all pairs")
-    axis.set_yscale("log")
-    plain_ticks(axis)
-    spheres_axis(axis)
-    axis.set_ylabel("time of one step per sphere (ns)")
-    axis.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    devices = needed_devices(machine, table=TABLE)
+    fractions = [value for value in FRACTIONS if machine.select(table=TABLE, packing_fraction=value)]
+    figure, axes = panels(PAGE, 2.5, len(fractions), sharey=True)
+    for axis, fraction in zip(axes, fractions):
+        for name in devices:
+            for label, look, rows in sets(machine, name, fraction):
+                per_sphere(axis, rows, name, **look, label=f"{SERIES[name]['label']}, {label}")
+                if label == "grid, cold" and len(rows) > 1:
+                    note_slope(axis, rows)
+        base = cpu_line(machine, fraction)
+        if base:
+            per_sphere(axis, base, "cpu parallel", label=f"{SERIES['cpu parallel']['label']}, grid, cold")
+        axis.set_yscale("log")
+        plain_ticks(axis)
+        spheres_in_decades(axis, [row.n for row in machine.need(table=TABLE, packing_fraction=fraction)])
+        axis.set_title(f"packing fraction {fraction:g}", loc="left")
+    axes[0].set_ylabel("time of one step per sphere (ns)")
+    axes[-1].legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     return figure

@@ -3,8 +3,8 @@
 from style import COLUMN, panels
 
 NAME = TABLE = "interop"
-CAPTION = ("Handing the positions from CUDA to GL and back: time of one round trip for each way to share a buffer, "
-           "with the interval of the median.")
+CAPTION = ("Handing the spheres from CUDA to OpenGL, each time waited for: time for each way to share their memory, with "
+           "the interval of the median.")
 
 
 def draw(machine):
@@ -15,6 +15,6 @@ def draw(machine):
                       capsize=1.5, elinewidth=0.7, marker="o", color="#15396b")
     axis.set_yticks(range(len(rows)), [f"{row.way}, n = {row.n:,}" for row in reversed(rows)])
     axis.set_xlim(left=0)
-    axis.set_xlabel("time of one round trip (µs)")
+    axis.set_xlabel("time of one hand-over (µs)")
     axis.grid(axis="y", visible=False)
     return figure

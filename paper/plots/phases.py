@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Where the time goes: the kernels of one collision step by the device's own timer."""
+"""Where the time of all pairs goes: the kernels of one collision step by the device's own timer."""
+from itertools import cycle
+
+from derived import in_order, stage_bars
 from records import Missing
 from style import COLUMN, panels
 
@@ -7,12 +10,25 @@ NAME = "phases"
 CAPTION = ("Where a collision step's time goes: its kernels by the device's own timer (GL timer queries, CUDA "
            "events), groups of 128. The timers serialise the kernels, so the sum exceeds the host's time of "
            "back-to-back steps (black mark).")
-GREYS = ["#d9d9d9", "#4f6d9e", "#e0b080", "#9dbf8d", "#777777", "#ffffff"]
-HATCHES = ["", "", "///", "...", "xxx", ""]
+LOOKS = [("#d9d9d9", ""), ("#4f6d9e", ""), ("#e0b080", "///"), ("#9dbf8d", "..."), ("#777777", "xxx"), ("#ffffff", ""),
+         ("#b5c7e3", "\\\\\\"), ("#f2d9bf", "---"), ("#555555", ""), ("#c9dfc0", "+++"), ("#eeeeee", "ooo"),
+         ("#8a6f4d", "")]
 
 
-def phases(record):
-    return {"collide" if name.startswith("collide") else name: time for name, time in record.device_stages_ms.items()}
+def draw_bars(axis, rows, names, scale):
+    """A bar a record, cut into its kernels; `scale` makes a record's milliseconds those of the axis."""
+    stages = in_order(stage for record in rows for stage in stage_bars(record))
+    for place, record in enumerate(reversed(rows)):
+        left = 0.0
+        for (color, hatch), stage in zip(cycle(LOOKS), stages):
+            width = scale(record) * stage_bars(record).get(stage, 0.0)
+            axis.barh(place, width, 0.7, left=left, color=color, hatch=hatch, edgecolor="black", linewidth=0.3,
+                      label=stage if place == 0 else None)
+            left += width
+        axis.plot([scale(record) * record.median] * 2, [place - 0.42, place + 0.42], color="black", linewidth=1.2)
+    axis.set_yticks(range(len(rows)), list(reversed(names)))
+    axis.grid(axis="y", visible=False)
+    return stages
 
 
 def draw(machine):
@@ -21,19 +37,9 @@ def draw(machine):
             if record.parameters.get("device_stages_ms")]
     if not rows:
         raise Missing(f"{machine.name} has no device timers")
-    stages = list(dict.fromkeys(stage for record in rows for stage in phases(record)))
     figure, (axis,) = panels(COLUMN, 0.75 + 0.17 * len(rows))
-    for place, record in enumerate(reversed(rows)):
-        left = 0.0
-        for k, stage in enumerate(stages):
-            width = 1e3 * phases(record).get(stage, 0.0)
-            axis.barh(place, width, 0.7, left=left, color=GREYS[k % 6], hatch=HATCHES[k % 6], edgecolor="black",
-                      linewidth=0.3, label=stage if place == 0 else None)
-            left += width
-        axis.plot([1e3 * record.median] * 2, [place - 0.42, place + 0.42], color="black", linewidth=1.2)
-    names = [f"{record.backend.upper()} {record.method.removeprefix('collide_')}" for record in reversed(rows)]
-    axis.set_yticks(range(len(rows)), names)
+    names = [f"{record.backend.upper()} {record.method.removeprefix('collide_')}" for record in rows]
+    stages = draw_bars(axis, rows, names, lambda record: 1e3)
     axis.set_xlabel(f"time (µs), $n$ = {rows[0].n:,}")
-    axis.grid(axis="y", visible=False)
     axis.legend(loc="upper center", bbox_to_anchor=(0.4, 1.28), ncols=len(stages), handlelength=1.2, columnspacing=1.0)
     return figure

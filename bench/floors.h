@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The least time that a collision step can take on a GPU: what its time is a share of.
+#pragma once
+
+#include <optional>
+
+#include "session.h"
+#include "timing.h"
+
+namespace spherepair {
+
+// Three fused multiply-adds and a comparison: the least for a pair in the Gram form.
+constexpr int instructions_per_pair = 4;
+
+// Bytes a sphere that the grid must move, packing fraction 0.3. In cell order: the position read to write the table
+// and again to search, the table written and read, a count. In random order also: the position read to count it, and
+// copies with their numbers written and read three times.
+constexpr double grid_bytes_in_cell_order = 43, grid_bytes_in_random_order = 128;
+
+// Lane-instructions a second of the GPU as CUDA describes it: multiprocessors x 128 lanes x highest clock. NaN when
+// CUDA is not open.
+double issue_rate(const Session& session);
+
+// Bytes a second, read and written, that a device copies beyond its caches. The device holds another scene after it.
+double copy_rate(Backend& device, const Sampling& sampling, Progress& progress);
+
+struct Ceilings {
+  double issue = 0;                       // lane-instructions a second, NaN or 0: unknown
+  std::map<const Backend*, double> copy;  // bytes a second
+};
+
+struct Floor {
+  const char* what;   // bytes or instructions
+  double per_second;  // at best
+  double seconds;
+};
+
+// None where no ceiling is known: in software, or for a method that has none here.
+std::optional<Floor> floor_of(const Ceilings& ceilings, const Backend& backend, Method method, uint64_t n,
+                              bool in_cell_order);
+
+}  // namespace spherepair

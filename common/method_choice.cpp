@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "method_choice.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <limits>
+
+namespace spherepair {
+namespace {
+
+uint levels_of(const GridPlan& plan) { return uint(std::popcount(plan.levels)); }
+
+Method all_pairs(const BackendInfo& info, bool swept) {
+  if (info.name == "cpu") return Method::parallel;
+  return swept ? Method::collide_tiled : Method::collide_triangle;
+}
+
+bool takes_grid(const BackendInfo& info, uint64_t n, const GridPlans& plans, const CollideOptions& options) {
+  const Cells wanted = options.grid.cells;
+  return !options.swept && grid_pays(crossover_of(info), n, plans.crowd(wanted), levels_of(plans.plan(wanted)));
+}
+
+std::string reason_of(const Crossover& row, uint64_t n, double crowd, uint levels, bool grid) {
+  std::string text = fmt::format("{} spheres, {:.3g} others in a sphere's cell", n, crowd);
+  if (levels > 1) text += fmt::format(", {} levels of cells", levels);
+  if (grid) return text + fmt::format("; the grid is ahead from {} on", row.grid_from * levels);
+  if (n < row.grid_from * levels)
+    return text + fmt::format("; the grid is ahead only from {} on", row.grid_from * levels);
+  return text + fmt::format("; the grid is ahead only up to {:.3g} others", double(n) / double(row.one_cell_of));
+}
+
+}  // namespace
+
+const Crossover& crossover_of(const BackendInfo& info) {
+  const std::string device = info.software ? info.name + " in software" : info.name;
+  for (const Crossover& row : crossovers)
+    if (device == row.device) return row;
+  throw BackendError(fmt::format("{}: no crossover of grid and all pairs is known; name a method", device));
+}
+
+void check_collide(const CollideOptions& options) {
+  const bool grid = options.method == Method::collide_grid || options.method == Method::automatic;
+  if (!options.filter && (!options.exact || options.method != Method::collide_grid))
+    throw std::invalid_argument("without its filter only collide_grid runs, and only with the exact predicate");
+  if (!grid && options.tricks != Tricks{.graph = options.tricks.graph})
+    throw std::invalid_argument("of the tricks, all but the graph are of the grid");
+}
+
+void refuse_missing(const std::string& backend, const CollideOptions& options, const Tricks& offered, bool thrust) {
+  const auto need = [&](bool wanted, bool there, const char* what, const char* who) {
+    if (wanted && !there)
+      throw std::invalid_argument(fmt::format("{}: {} is to be had with {} only", backend, what, who));
+  };
+  need(options.grid.sort == Sort::radix, thrust, "the radix sort of Thrust", "the backend cuda");
+  need(options.grid.scan == Scan::library, thrust, "the scan of Thrust", "the backend cuda");
+  need(options.tricks.graph, offered.graph, "a graph of launches", "the backend cuda");
+  need(options.tricks.keep_in_l2, offered.keep_in_l2, "setting L2 aside", "the backend cuda, where the device has it,");
+  need(options.tricks.texture_table, offered.texture_table, "a table in a texture buffer", "the backend glsl");
+  need(options.tricks.library_clear, offered.library_clear, "a clear by the API", "the backends glsl and cuda");
+}
+
+void leave_all_undecided(Params& params) {
+  params.apart_above = params.filter_scale = std::numeric_limits<float>::infinity();
+  params.collide_below = -1;
+}
+
+Method chosen_method(const BackendInfo& info, uint64_t n, const GridPlans& plans, const CollideOptions& options) {
+  if (options.method != Method::automatic) return options.method;
+  return takes_grid(info, n, plans, options) ? Method::collide_grid : all_pairs(info, options.swept);
+}
+
+MethodChoice explain_choice(const BackendInfo& info, uint64_t n, const GridPlans& plans,
+                            const CollideOptions& options) {
+  const Cells wanted = options.grid.cells;
+  MethodChoice choice{chosen_method(info, n, plans, options), plans.plan(wanted).cells, plans.crowd(wanted),
+                      "asked for"};
+  if (options.method != Method::automatic) return choice;
+  choice.reason = options.swept ? "the method that finds pairs within the next step"
+                                : reason_of(crossover_of(info), n, plans.crowd(wanted), levels_of(plans.plan(wanted)),
+                                            choice.method == Method::collide_grid);
+  return choice;
+}
+
+std::string describe(const MethodChoice& choice) {
+  const bool grid = choice.method == Method::collide_grid;
+  const char* cells = choice.cells == Cells::dense ? ", dense cells" : ", hashed cells";
+  return fmt::format("{}{} ({})", method_name(choice.method), grid ? cells : "", choice.reason);
+}
+
+}  // namespace spherepair

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What Method::automatic stands for.
+#pragma once
+
+#include "backend.h"
+#include "crossover.h"
+
+namespace spherepair {
+
+const Crossover& crossover_of(const BackendInfo& info);
+
+// Throws std::invalid_argument for options that exclude each other.
+void check_collide(const CollideOptions& options);
+
+// Throws std::invalid_argument naming what is asked for and not among the tricks offered; Thrust stands for the sort
+// and the scan of a library.
+void refuse_missing(const std::string& backend, const CollideOptions& options, const Tricks& offered, bool thrust);
+
+// Parameters with which the filter decides no pair.
+void leave_all_undecided(Params& params);
+
+// The method itself where one is asked for; else all pairs or the grid, by the rule of crossover.h for n spheres.
+Method chosen_method(const BackendInfo& info, uint64_t n, const GridPlans& plans, const CollideOptions& options);
+
+// The same, the cells of the grid, and the reason in words.
+MethodChoice explain_choice(const BackendInfo& info, uint64_t n, const GridPlans& plans, const CollideOptions& options);
+
+}  // namespace spherepair

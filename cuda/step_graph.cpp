@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "step_graph.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "check.h"
+
+namespace spherepair {
+namespace {
+
+template <typename T>
+bool same_bytes(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+
+bool same_call(const KernelCall& a, const KernelCall& b) {
+  return a.entry == b.entry && a.groups.x == b.groups.x && a.groups.y == b.groups.y && a.groups.z == b.groups.z &&
+         a.block == b.block && same_bytes(a.p, b.p) && same_bytes(a.w, b.w) && same_bytes(a.v, b.v) &&
+         a.window.base_ptr == b.window.base_ptr && a.window.num_bytes == b.window.num_bytes;
+}
+
+}  // namespace
+
+void launch_call(const KernelCall& call, cudaStream_t stream) {
+  Params p = call.p;
+  World w = call.w;
+  View v = call.v;
+  void* arguments[] = {&p, &w, &v};
+  cudaLaunchAttribute attribute{};
+  attribute.id = cudaLaunchAttributeAccessPolicyWindow;
+  attribute.val.accessPolicyWindow = call.window;
+  cudaLaunchConfig_t config{};
+  config.gridDim = call.groups;
+  config.blockDim = dim3(call.block);
+  config.stream = stream;
+  config.attrs = &attribute;
+  config.numAttrs = call.window.num_bytes ? 1 : 0;
+  cuda_check(cudaLaunchKernelExC(&config, call.entry, arguments),
+             fmt::format("launching {} with {} threads a block", call.name, call.block));
+}
+
+StepGraph::~StepGraph() {
+  if (graph_) cudaGraphExecDestroy(graph_);
+  if (stream_) cudaStreamDestroy(stream_);
+}
+
+void StepGraph::begin() {
+  flush();  // of a step that an error ended
+  collecting_ = true;
+}
+
+void StepGraph::flush() {
+  collecting_ = false;
+  for (const KernelCall& call : calls_) launch_call(call, nullptr);
+  calls_.clear();
+}
+
+void StepGraph::capture() {
+  if (!stream_) cuda_check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "creating a stream");
+  if (graph_) cuda_check(cudaGraphExecDestroy(graph_), "giving a graph back");
+  graph_ = nullptr;
+  captured_.clear();
+  cuda_check(cudaStreamBeginCapture(stream_, cudaStreamCaptureModeThreadLocal), "beginning to capture a step");
+  for (const KernelCall& call : calls_) launch_call(call, stream_);
+  cudaGraph_t graph = nullptr;
+  cuda_check(cudaStreamEndCapture(stream_, &graph), "capturing a step");
+  const cudaError_t error = cudaGraphInstantiate(&graph_, graph, 0);
+  cudaGraphDestroy(graph);
+  cuda_check(error, "making a graph of a step");
+  captured_ = calls_;
+}
+
+bool StepGraph::end() {
+  if (!collecting_) return false;
+  collecting_ = false;
+  const bool same = graph_ && std::ranges::equal(calls_, captured_, same_call);
+  if (!same) capture();
+  calls_.clear();
+  cuda_check(cudaGraphLaunch(graph_, nullptr), "launching the graph of a step");
+  return same;
+}
+
+}  // namespace spherepair

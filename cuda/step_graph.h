@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The launches of one collision step as a CUDA graph: collected, and where they are those of the last step, replayed in
+// one call. Whatever cannot wait for the end of the step makes them launches one by one.
+#pragma once
+
+#include <cuda_runtime.h>
+
+#include <vector>
+
+#include "kernels.h"
+#include "view.h"
+
+namespace spherepair {
+
+struct KernelCall {
+  const char* name;
+  Entry entry;
+  dim3 groups;
+  uint block;
+  Params p;
+  World w;
+  View v;                         // a kernel that draws nothing takes the first two
+  cudaAccessPolicyWindow window;  // of 0 bytes: none
+};
+void launch_call(const KernelCall& call, cudaStream_t stream);  // throws BackendError
+
+class StepGraph {
+ public:
+  StepGraph() = default;
+  ~StepGraph();
+  StepGraph(const StepGraph&) = delete;
+  StepGraph& operator=(const StepGraph&) = delete;
+
+  void begin();
+  bool collecting() const { return collecting_; }
+  void add(const KernelCall& call) { calls_.push_back(call); }
+  size_t size() const { return calls_.size(); }
+  void flush();  // launches what was collected
+  bool end();    // true when it went out as the graph that was there already
+
+ private:
+  void capture();
+
+  bool collecting_ = false;
+  std::vector<KernelCall> calls_, captured_;
+  cudaStream_t stream_ = nullptr;  // to capture on; the default stream cannot be
+  cudaGraphExec_t graph_ = nullptr;
+};
+
+}  // namespace spherepair

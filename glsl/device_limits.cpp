@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "device_limits.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace spherepair {
+namespace {
+
+std::string gl_string(GLenum name) { return reinterpret_cast<const char*>(glGetString(name)); }
+
+std::string device_uuid() {
+  GLubyte bytes[GL_UUID_SIZE_EXT] = {};
+  glGetUnsignedBytei_vEXT(GL_DEVICE_UUID_EXT, 0, bytes);
+  std::string uuid;
+  for (const GLubyte byte : bytes) uuid += fmt::format("{:02x}", byte);
+  return uuid;
+}
+
+int gl_integer(GLenum name) {
+  GLint value = 0;
+  glGetIntegerv(name, &value);
+  return value;
+}
+
+void require_features() {
+  if (epoxy_gl_version() < 45) {
+    throw BackendError(fmt::format("glsl: {} offers OpenGL {}, but 4.5 is needed; update the driver",
+                                   gl_string(GL_RENDERER), gl_string(GL_VERSION)));
+  }
+  if (!epoxy_has_gl_extension("GL_ARB_gpu_shader_int64")) {
+    throw BackendError(
+        fmt::format("glsl: {} lacks GL_ARB_gpu_shader_int64, which the exact stages need; update the driver",
+                    gl_string(GL_RENDERER)));
+  }
+}
+
+// A group of 1024 must have no more subgroups than one of them has invocations: see group_sum.glsl.
+bool has_subgroups() {
+  if (!epoxy_has_gl_extension("GL_KHR_shader_subgroup")) return false;
+  GLint invocations = 0, kinds = 0;
+  glGetIntegerv(GL_SUBGROUP_SIZE_KHR, &invocations);
+  glGetIntegerv(GL_SUBGROUP_SUPPORTED_FEATURES_KHR, &kinds);
+  return invocations >= 32 && (kinds & GL_SUBGROUP_FEATURE_ARITHMETIC_BIT_KHR) != 0;
+}
+
+}  // namespace
+
+DeviceLimits device_limits(bool sparse_wanted) {
+  require_features();
+  GLint64 binding = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &binding);
+  return {.largest_binding = uint64_t(binding),
+          .largest_texture = uint64_t(gl_integer(GL_MAX_TEXTURE_BUFFER_SIZE)),
+          .features = {epoxy_has_gl_extension("GL_NV_shader_atomic_int64"), has_subgroups()},
+          .sparse = sparse_wanted && epoxy_has_gl_extension("GL_ARB_sparse_buffer")};
+}
+
+BackendInfo describe_device(bool software, const DeviceLimits& limits) {
+  BackendInfo info;
+  info.name = "glsl";
+  info.device = gl_string(GL_RENDERER);
+  info.software = software;
+  info.device_timers = !software;  // a software renderer's timers stop before its work does
+  if (!software && epoxy_has_gl_extension("GL_EXT_memory_object")) info.uuid = device_uuid();
+  info.details = {{"GL_RENDERER", gl_string(GL_RENDERER)},
+                  {"GL_VENDOR", gl_string(GL_VENDOR)},
+                  {"GL_VERSION", gl_string(GL_VERSION)},
+                  {"GLSL version", gl_string(GL_SHADING_LANGUAGE_VERSION)},
+                  {"largest storage block bytes", std::to_string(limits.largest_binding)},
+                  {"largest texture buffer texels", std::to_string(limits.largest_texture)},
+                  {"shared memory bytes", std::to_string(gl_integer(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE))},
+                  {"64-bit atomics", limits.features.atomics_64 ? "yes" : "no: drawing takes two passes"},
+                  {"subgroups", limits.features.subgroups ? "yes" : "no: sums go through shared memory"},
+                  {"buffers", limits.sparse ? "sparse storage, committed whole" : "plain storage"}};
+  if (software && std::filesystem::exists("/dev/nvidiactl"))
+    info.details["warning"] = "a GPU is present, but OpenGL runs in software";
+  return info;
+}
+
+}  // namespace spherepair

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What the driver of the current context offers.
+#pragma once
+
+#include "backend.h"
+#include "program.h"
+
+namespace spherepair {
+
+struct DeviceLimits {
+  uint64_t largest_binding = 0;  // bytes of a storage block
+  uint64_t largest_texture = 0;  // texels of a texture buffer
+  Features features;
+  bool sparse = false;  // buffers in sparse storage are to be had, and wanted
+};
+
+// Throws BackendError for a driver without what every kernel needs.
+DeviceLimits device_limits(bool sparse_wanted);
+
+BackendInfo describe_device(bool software, const DeviceLimits& limits);
+
+}  // namespace spherepair

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: MIT
+"""How close to the machine: each time as a share of the least that the device's own ceilings allow."""
+from derived import needed_devices
+from records import Missing
+from style import PAGE, SERIES, panels, spheres_in_decades
+
+NAME, TABLE = "floor", "grid"
+CAPTION = ("Share of the floor: the least time that the ceilings of the same run allow, over the measured time. "
+           "(a) The grid, whose floor is the bytes it must move (per sphere {warm:.0f} in cell order, {cold:.0f} in "
+           "random order) over the rate at which the device copies; small sizes stay in the caches, which copy "
+           "faster. (b) All pairs by the upper triangle, whose floor is four instructions a pair over the rate of "
+           "issue. Packing fraction 0.3.")
+LINES = {"warm": "-", "cold": "--"}
+
+
+def with_floor(machine, **wanted):
+    rows = machine.select(table=TABLE, scene="uniform", packing_fraction=0.3, **wanted)
+    return [row for row in rows if "share_of_floor" in row.parameters]
+
+
+def bytes_per_sphere(machine, order):
+    """As the run itself reckoned: the floor's time and the device's rate of copying."""
+    rows = with_floor(machine, method="collide_grid", order=order)
+    if not rows:
+        raise Missing(f"{machine.name} has no record of the grid with its floor, {order}")
+    row = rows[-1]
+    return 1e-3 * row.floor_ms * row.ceiling_per_second / row.n
+
+
+def caption(machine):
+    return CAPTION.format(warm=bytes_per_sphere(machine, "warm"), cold=bytes_per_sphere(machine, "cold"))
+
+
+def draw(machine):
+    devices = needed_devices(machine, table=TABLE)
+    if not with_floor(machine):
+        raise Missing(f"{machine.name} has no record of the table {TABLE} with its floor")
+    figure, axes = panels(PAGE, 2.2, 2, sharey=True)
+    for name in devices:
+        for order, line in LINES.items():
+            rows = with_floor(machine, backend=name, method="collide_grid", order=order)
+            axes[0].plot([r.n for r in rows], [100 * r.share_of_floor for r in rows],
+                         **{**SERIES[name], "linestyle": line, "label": f"{SERIES[name]['label']}, {order}"})
+        rows = with_floor(machine, backend=name, method="collide_triangle")
+        axes[1].plot([r.n for r in rows], [100 * r.share_of_floor for r in rows], **SERIES[name])
+    for axis, title in zip(axes, ("(a) grid", "(b) all pairs")):
+        spheres_in_decades(axis, [row.n for row in with_floor(machine)])
+        axis.set_ylim(0, 100)
+        axis.set_title(title, loc="left")
+        axis.legend()
+    axes[0].set_ylabel("share of the floor (%)")
+    return figure

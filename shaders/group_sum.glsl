@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Sums over the threads of a group. With subgroups they go through registers, without through shared memory.
+shared uint group_sums[BLOCK];
+
+// The sum of `own` over this thread and those before it. Every thread of the group must call it, and a barrier must
+// stand between two calls.
+#ifdef SUBGROUPS
+uint sum_up_to(uint own) {
+  uint upto = subgroupInclusiveAdd(own);
+  if (gl_SubgroupInvocationID == gl_SubgroupSize - 1u) group_sums[gl_SubgroupID] = upto;
+  barrier();
+  uint of_subgroup = gl_SubgroupInvocationID < BLOCK / gl_SubgroupSize ? group_sums[gl_SubgroupInvocationID] : 0u;
+  uint before = subgroupAdd(gl_SubgroupInvocationID < gl_SubgroupID ? of_subgroup : 0u);
+  return before + upto;
+}
+#else
+uint sum_up_to(uint own) {
+  uint lane = gl_LocalInvocationID.x;
+  uint upto = own;
+  for (uint distance = 1u; distance < BLOCK; distance *= 2u) {
+    group_sums[lane] = upto;
+    barrier();
+    if (lane >= distance) upto += group_sums[lane - distance];
+    barrier();
+  }
+  return upto;
+}
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// A file that is to be replaced stays as it is when writing fails or the program is killed, and nothing is left behind.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "replaced_file.h"
+#include "sphere_files.h"
+
+namespace spherepair {
+namespace {
+
+TEST(ReplacedFile, FullDiskLosesNothing) {
+  const ScratchFolder folder;
+  const std::string old = folder.write("pairs.npy", "old");
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small{1000, before.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string complaint = complaint_of([&] {
+    ReplacedFile file(old);
+    file.write(std::string(2000, 'x'));
+    file.commit();
+  });
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_NE(complaint.find("cannot write " + old), std::string::npos) << complaint;
+  EXPECT_EQ(read_bytes(old), "old");
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"pairs.npy"});
+}
+
+TEST(ReplacedFile, BeingKilledLosesNothing) {
+  const ScratchFolder folder;
+  const std::string old = folder.write("pairs.npy", "old");
+  const pid_t child = fork();
+  if (child == 0) {
+    ReplacedFile half(old);
+    half.write("half");
+    raise(SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(read_bytes(old), "old");
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"pairs.npy"});
+}
+
+}  // namespace
+}  // namespace spherepair

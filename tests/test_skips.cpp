@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// What a step may leave out and what one API alone offers: each changes the time, never the set, and what one backend
+// lacks is refused by name.
+#include <array>
+
+#include "backends.h"
+#include "grid_answers.h"
+#include "oracle.h"
+#include "plan_watch.h"
+
+namespace spherepair {
+namespace {
+
+class Skips : public BackendTest {};
+
+template <typename Change>
+CollideOptions grid(Change change) {
+  CollideOptions options = {.method = Method::collide_grid, .grid = {.keep_order = false, .keep_cells = false}};
+  change(options);
+  return options;
+}
+
+// Options that every backend has.
+std::vector<CollideOptions> common_options() {
+  return {grid([](CollideOptions& o) { o.grid.cells = Cells::dense, o.grid.skip_cells = false; }),
+          grid([](CollideOptions& o) { o.grid.cells = Cells::hashed, o.grid.skip_cells = false; }),
+          grid([](CollideOptions& o) { o.filter = false; }),
+          grid([](CollideOptions& o) { o.filter = false, o.load_radii = true; }),
+          grid([](CollideOptions& o) { o.load_radii = true; }),
+          grid([](CollideOptions& o) { o.grid.keep_order = true; }),
+          grid([](CollideOptions& o) { o.grid.keep_cells = true; }),
+          grid([](CollideOptions& o) { o.grid.keep_cells = true, o.load_radii = true; }),
+          {.method = Method::automatic, .load_radii = true}};
+}
+
+// Those of one API alone, or of a library.
+std::vector<CollideOptions> special_options() {
+  std::vector<CollideOptions> all = {grid([](CollideOptions& o) { o.grid.scan = Scan::library; }),
+                                     grid([](CollideOptions& o) { o.grid.sort = Sort::radix; })};
+  for (const Sort sort : {Sort::counting, Sort::buckets})
+    for (bool Tricks::*trick : {&Tricks::graph, &Tricks::keep_in_l2, &Tricks::texture_table, &Tricks::library_clear})
+      all.push_back(grid([=](CollideOptions& o) { o.grid.sort = sort, o.tricks.*trick = true; }));
+  return all;
+}
+
+std::vector<CollideOptions> offered(Backend& backend, const std::vector<CollideOptions>& wanted) {
+  std::vector<CollideOptions> there;
+  backend.upload(make_scene({.name = "uniform", .n = 10}));
+  for (const CollideOptions& options : wanted) {
+    try {
+      backend.collide(options);
+      there.push_back(options);
+    } catch (const std::invalid_argument& refusal) {
+      EXPECT_NE(std::string(refusal.what()).find(backend.info().name), std::string::npos) << refusal.what();
+    }
+  }
+  return there;
+}
+
+TEST_P(Skips, NoneChangesTheSet) {
+  std::vector<CollideOptions> all = common_options();
+  for (const CollideOptions& options : offered(backend(), special_options())) all.push_back(options);
+  for (const SceneOptions& scene :
+       {SceneOptions{.name = "uniform", .n = 2000}, SceneOptions{.name = "uniform", .n = 900, .radius_ratio = 16},
+        SceneOptions{.name = "lattice", .n = 729}, SceneOptions{.name = "one_cell", .n = 90},
+        SceneOptions{.name = "uniform", .n = 1}, SceneOptions{.name = "uniform", .n = 0}}) {
+    const Scene made = make_scene(scene);
+    expect_pairs(backend(), made, brute_force_pairs(made.positions), all);
+  }
+}
+
+TEST_P(Skips, WhatABackendLacksIsRefused) {
+  const size_t there = offered(backend(), special_options()).size();
+  if (backend().info().name == "cpu") {
+    EXPECT_EQ(there, 0u);
+  } else if (backend().info().name == "glsl") {
+    EXPECT_EQ(there, 4u) << "texture_table and library_clear with both sorts";
+  } else {
+    EXPECT_GE(there, 6u) << "Thrust, graph and library_clear with both sorts; L2 where the device has it";
+  }
+  EXPECT_THROW(backend().collide({.method = Method::automatic, .filter = false}), std::invalid_argument);
+}
+
+TEST_P(Skips, WithoutTheFilterEveryMeetingIsDecidedExactly) {
+  const Scene scene = make_scene({.name = "uniform", .n = 1500});
+  backend().upload(scene);
+  const Answer filtered = ask(backend(), grid([](CollideOptions&) {}));
+  const Answer exact = ask(backend(), grid([](CollideOptions& o) { o.filter = false; }));
+  EXPECT_LT(filtered.totals.deferred, 10u);
+  EXPECT_GT(exact.totals.deferred, 2 * exact.totals.pairs);
+  const Answer wide =
+      ask(backend(),
+          grid([](CollideOptions& o) { o.filter = false, o.grid.cells = Cells::dense, o.grid.skip_cells = false; }));
+  const bool in_vectors = backend().info().name == "cpu";  // whose rows are met whole at this n
+  EXPECT_GT(wide.totals.deferred + in_vectors, exact.totals.deferred) << "more cells, more meetings";
+}
+
+TEST_P(Skips, WorkIsCounted) {
+  const Scene scene = make_scene({.name = "random", .n = 1200});
+  backend().upload(scene);
+  const auto steps = [&](CollideOptions options, int moves) {
+    const WorkCounts before = backend().work_counts();
+    for (int k = 0; k < 3; ++k) {
+      for (int m = 0; m < moves; ++m) backend().move();
+      ask(backend(), options);
+    }
+    WorkCounts after = backend().work_counts();
+    return std::array{after.sorts - before.sorts, after.cells_kept - before.cells_kept, after.steps - before.steps};
+  };
+  EXPECT_EQ(steps(grid([](CollideOptions&) {}), 0), (std::array<uint64_t, 3>{3, 0, 3}));
+  EXPECT_EQ(steps(grid([](CollideOptions& o) { o.grid.keep_cells = true; }), 0), (std::array<uint64_t, 3>{0, 3, 3}));
+  EXPECT_EQ(steps(grid([](CollideOptions& o) { o.grid.keep_cells = true; }), 1), (std::array<uint64_t, 3>{3, 0, 3}));
+}
+
+TEST_P(Skips, AGraphIsReplayedWhileNothingChanges) {
+  if (backend().info().name != "cuda") GTEST_SKIP() << "graphs of launches are CUDA's";
+  const Scene scene = make_scene({.name = "uniform", .n = 3000});
+  const std::vector<Pair> expected = brute_force_pairs(scene.positions);
+  backend().upload(scene);
+  const CollideOptions options = grid([](CollideOptions& o) { o.tricks.graph = true; });
+  for (int k = 0; k < 5; ++k) EXPECT_EQ(objection(ask(backend(), options), expected, scene.size()), "") << k;
+  EXPECT_EQ(backend().work_counts().graphs_replayed, 4u);
+}
+
+// Spheres that fly off together: planned once, all of them end in the cells along the border.
+Scene in_the_wind(uint64_t n) {
+  Scene scene = make_scene({.name = "uniform", .n = n});
+  for (vec4& velocity : scene.velocities) velocity = {64, 0, 0, 0};
+  scene.gravity = 0;
+  return scene;
+}
+
+TEST_P(Skips, CellsFollowSpheresThatLeaveThem) {
+  const Scene scene = in_the_wind(backend().info().name == "cpu" ? 20000 : 2000);  // the CPU meets rows whole
+  std::array<uint64_t, 2> meetings{};
+  for (const bool replan : {false, true}) {
+    backend().upload(scene);
+    CollideOptions options = grid([=](CollideOptions& o) { o.grid.cells = Cells::dense, o.grid.replan = replan; });
+    for (int step = 0; step < 60; ++step) {
+      backend().move();
+      if (step % 5 == 4) backend().collide(options);
+    }
+    options.want_pairs = true;
+    const Answer answer = ask(backend(), options);
+    EXPECT_EQ(objection(answer, swept_pairs(backend().state().positions), scene.size()), "") << replan;
+    EXPECT_EQ(backend().work_counts().plans > 5, replan);
+    EXPECT_EQ(backend().work_counts().plans > 1, replan);
+    options.filter = false;  // counts who meets
+    meetings[replan] = ask(backend(), options).totals.deferred;
+  }
+  EXPECT_GT(meetings[false], 2 * meetings[true]) << "without new cells those at the border fill up";
+}
+
+TEST(SkipsOnTheHost, PlansAreKeptWhereNothingLeaves) {
+  Scene scene = make_scene({.name = "random", .n = 3000});
+  GridPlans plans = plan_grids(scene.positions);
+  PlanWatch watch(scene, plans);
+  uint64_t moves = 0, asked = 0;
+  for (; moves < 5000; ++moves) {
+    watch.moved();
+    if (!watch.due()) continue;
+    ++asked;
+    EXPECT_FALSE(watch.replan(scene.positions, plans));
+  }
+  EXPECT_GE(asked, 3u);
+  EXPECT_LE(asked, 20u) << "a question without an answer is asked more and more rarely";
+}
+
+INSTANTIATE_BACKENDS(Skips);
+
+}  // namespace
+}  // namespace spherepair
