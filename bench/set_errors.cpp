@@ -132,8 +132,8 @@ std::vector<NaiveEntry> measure_naive(Session& session, const SetPlan& plan, Pro
       asked.options.exact = false;
       const SetError error = set_error(*ask(session, asked, true).pairs, *exact.pairs);
       auto [exact_samples, naive_samples] = time_predicates(session, plan, asked, progress);
-      entries.push_back({method_name(asked.options.method), name, scene.size(), error, std::move(exact_samples),
-                         std::move(naive_samples)});
+      entries.push_back({method_name(backend->choice(asked.options).method), name, scene.size(), error,
+                         std::move(exact_samples), std::move(naive_samples)});
     }
   }
   return entries;

@@ -45,12 +45,12 @@ ANY_REAL FN bool leaves(Anchor OF_REAL a, Params p) {
   return p.gravity == 0.0f && !below(a.speed, zero);
 }
 
-// A step before which the sphere does not meet the plane: float32 with a margin for its rounding.
+// The first step after which the sphere may have met the plane: float32 with a margin for its rounding.
 ANY_REAL FN uint next_due(Anchor OF_REAL a, Params p) {
   if (leaves(a, p)) return NEVER_DUE;
   float seconds = nearest(minus(flight_of(a, p).time, a.age));
   float steps = times(times(seconds, p.steps_per_second), bits_float(0x3F7FFFF0u));  // 1 - 2^-20
-  return (a.since & ~ANCHOR_ON_PLANE) + uint(smaller(larger(steps, 0.0f), 1073741824.0f));
+  return (a.since & ~ANCHOR_ON_PLANE) + 1u + uint(smaller(larger(steps, 0.0f), 1073741824.0f));
 }
 
 // The anchor after the bounces of the step that is done now; the same one when there was none.

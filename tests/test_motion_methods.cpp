@@ -2,6 +2,8 @@
 // Every motion method in every precision: the same bits on every backend, whatever happens between the steps.
 #include <fmt/format.h>
 
+#include "anchor.h"
+#include "device_backend.h"
 #include "motion_runs.h"
 
 namespace spherepair {
@@ -68,6 +70,35 @@ TEST_P(MotionMethods, CollisionsAreThoseOfThePresentPositions) {
     const Answer wanted = ask(cpu, {.method = Method::sequential, .want_pairs = true});
     EXPECT_EQ(objection(answer, *wanted.pairs, scene.size()), "") << motion_label(motion);
     EXPECT_GT(wanted.pairs->size(), 0u);
+  }
+}
+
+// A sphere that is looked at before its due step has not bounced; one that is looked at then mostly has.
+template <typename Real>
+void expect_no_bounce_before_due(float dt, float restitution) {
+  const Scene scene = bouncing_scene({.motion = {MotionMethod::anchored, {}}, .dt = dt, .restitution = restitution});
+  Params params = scene_params(scene, true);
+  uint64_t bounces = 0, looks = 0;
+  for (uint64_t i = 0; i < scene.size(); ++i) {
+    Anchor<Real> anchor = {scene.positions[i], 0, 0, widened(scene.velocities[i].y, Real{}), widened(0.0f, Real{}), 0};
+    uint due = next_due(anchor, params);
+    for (params.steps_done = 1; params.steps_done <= 2000 && due != NEVER_DUE; ++params.steps_done) {
+      const Anchor<Real> next = anchor_anew(anchor, params);
+      const bool bounced = next.since != anchor.since;
+      ASSERT_FALSE(bounced && params.steps_done < due) << "sphere " << i << " bounces before step " << due;
+      bounces += bounced, looks += params.steps_done >= due;
+      anchor = next;
+      if (bounced) due = next_due(anchor, params);
+    }
+  }
+  EXPECT_LE(double(looks), 1.01 * double(bounces)) << "dt " << dt << ", restitution " << restitution;
+}
+
+TEST(MotionAnchors, DueStepsMissNoBounce) {
+  for (auto [dt, restitution] : {std::pair(0x1p-6f, 1.0f), std::pair(0.01f, 0.9f), std::pair(0.1f, 0.5f)}) {
+    expect_no_bounce_before_due<float>(dt, restitution);
+    expect_no_bounce_before_due<Two>(dt, restitution);
+    expect_no_bounce_before_due<double>(dt, restitution);
   }
 }
 

@@ -6,10 +6,10 @@ from style import PAGE, SERIES, panels
 NAME = "set-errors"
 CAPTION = ("Pairs that are missed or found too much, as a share of the right ones; what is drawn at the lower edge is "
            "none at all. (a) After {seconds:g} s against the time step. (b) Against the distance from the origin: of "
-           "spheres that are only stored (black), and after {seconds:g} s at a step of {far} s. Filled: as collided, "
+           "spheres that are only stored (broad, grey), and after {seconds:g} s at a step of {far} s. Filled: as collided, "
            "with the nearest float32 positions; hollow: with every bit that the precision keeps. (c) Pairs that pass "
-           "through each other and are never seen to touch when tested once a step; line: what geometry says. The "
-           "swept test misses {swept}.")
+           "through each other and are never seen to touch when tested once a step; line: what geometry says. Bars: "
+           "two standard deviations. The swept test misses {swept}.")
 MOTIONS = (("paper", "float32"), ("impact", "float32"), ("impact", "float64"), ("anchored", "float32"),
            ("anchored", "compensated"), ("anchored", "float64"))
 MARKERS = {"float32": "o", "compensated": "s", "float64": "^"}
@@ -67,8 +67,8 @@ def draw_contacts(axis, contacts):
                       yerr=[200 * e["deviation"] / e["pairs"] for e in own], capsize=1.5, elinewidth=0.7, **look)
     ways = [0.05 * k for k in range(1, 21 * int(max(e["way"] for e in contacts)))]
     axis.plot(ways, [100 * (s * s / 12 if s <= 2 else 1 - 4 / (3 * s)) for s in ways], color="black", linewidth=0.7)
-    axis.set(xlabel="way in a step (sums of radii)", ylabel="contacts missed (%), bars: 2 sigma")
-    axis.legend(loc="upper left")
+    axis.set(xlabel="way in a step (sums of radii)", ylabel="contacts missed (%)")
+    axis.add_artist(axis.legend(loc="upper left"))
 
 
 def draw(machine):
@@ -82,15 +82,15 @@ def draw(machine):
     draw_motion(steps, near, "dt", bottom)
     steps.set(xscale="log", yscale="log", xlabel="time step (s)", ylabel="share of wrong pairs")
     steps.set_xscale("log", base=2)
-    steps.legend(loc="upper left", bbox_to_anchor=(0.0, -0.28), ncols=2)
     draw_motion(places, away, "offset", bottom)
     for precision, marker in MARKERS.items():
         line = [entry for entry in root["storage"] if entry["precision"] == precision]
-        places.plot([entry["offset"] for entry in line], [max(wrong(entry), bottom) for entry in line], color="black",
-                    marker=marker, label=f"stored as {precision}", linestyle="--", linewidth=0.7)
+        places.plot([entry["offset"] for entry in line], [max(wrong(entry), bottom) for entry in line], color="#bbbbbb",
+                    marker=marker, markersize=8, label=f"stored as {precision}", linewidth=4, zorder=0)
     places.set(xscale="log", yscale="log", xlabel="distance from the origin (m)")
-    places.legend(handles=places.get_lines()[-len(MARKERS):], loc="upper left", bbox_to_anchor=(0.0, -0.28))
+    keys = [line for line in places.get_lines() if not line.get_label().startswith("_")]
     draw_contacts(contacts, root["contacts"])
+    contacts.legend(handles=keys, loc="upper left", bbox_to_anchor=(1.0, 1.0))
     for axis, title in ((steps, "(a)"), (places, "(b)"), (contacts, "(c)")):
         axis.set_title(title, loc="left")
     return figure
