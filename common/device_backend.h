@@ -130,6 +130,8 @@ class DeviceBackend : public Backend {
   void sort_by_buckets();
   void sort_by_library();
   void clear_for_sort(uint64_t bucket_words);
+  std::vector<vec4> read_positions();
+  std::vector<vec4> sample_positions();
   bool replan_if_due(const CollideOptions& asked);
   void launch_sorter(Kernel kernel, uint block, uint64_t groups);
 

@@ -83,14 +83,28 @@ void DeviceBackend::collide(const CollideOptions& options) {
   collided_ = true;
 }
 
+// Some spheres from all over the scene; all where that is not many more.
+std::vector<vec4> DeviceBackend::sample_positions() {
+  constexpr uint64_t pieces = 16, each = 1024;
+  if (n_ <= 4 * pieces * each) return read_positions();
+  std::vector<vec4> sample(pieces * each);
+  for (uint64_t k = 0; k < pieces; ++k)
+    read(SLOT_POSITION, &sample[k * each], k * (n_ / pieces) * sizeof(vec4), each * sizeof(vec4));
+  return sample;
+}
+
+std::vector<vec4> DeviceBackend::read_positions() {
+  std::vector<vec4> positions(n_);
+  read(SLOT_POSITION, positions.data(), 0, n_ * sizeof(vec4));
+  return positions;
+}
+
 // The host's copy of the spheres is that of the upload, so they are read back, which the watch keeps rare.
 bool DeviceBackend::replan_if_due(const CollideOptions& asked) {
   const bool may_use_grid = asked.method == Method::collide_grid ||
                             (asked.method == Method::automatic && n_ >= crossover_of(info()).grid_from);
   if (!asked.grid.replan || !may_use_grid || !watch_.due()) return false;
-  std::vector<vec4> positions(n_);
-  read(SLOT_POSITION, positions.data(), 0, n_ * sizeof(vec4));
-  if (!watch_.replan(positions, plans_)) return false;
+  if (!watch_.worthwhile(sample_positions(), plans_) || !watch_.replan(read_positions(), plans_)) return false;
   ++work_.plans;
   planned_.reset();
   return true;

@@ -10,6 +10,7 @@ namespace {
 constexpr double cells_free = 4;         // that spheres may go ...
 constexpr double share_free = 1.0 / 16;  // ... or this share of the grid: few of them then stand beyond its border
 constexpr double most_patience = 64;
+constexpr double share_outside = 1.0 / 64;  // of the spheres, from which on new cells pay
 
 // Fastest speed along any axis, now or later: a fall from where the highest sphere stands adds to it.
 double speed_bound(const Scene& scene) {
@@ -42,6 +43,26 @@ PlanWatch::PlanWatch(const Scene& scene, const GridPlans& plans) : step_(speed_b
 void PlanWatch::allow(const GridPlans& plans) {
   allowance_ = std::max(cells_free * double(plans.dense.side), share_free * longest_axis(plans.dense));
   travelled_ = 0;
+}
+
+bool PlanWatch::worthwhile(const std::vector<vec4>& sample, const GridPlans& plans) {
+  bool sparse = false;
+  double outside = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = plans.dense.origin[axis], length = double(plans.dense.side) * plans.dense.size[axis];
+    double lowest = low + length, highest = low;
+    for (const vec4& sphere : sample) {
+      const double x = axis == 0 ? sphere.x : axis == 1 ? sphere.y : sphere.z;
+      outside += x < low || x > low + length;
+      lowest = std::min(lowest, x);
+      highest = std::max(highest, x);
+    }
+    sparse = sparse || (plans.dense.size[axis] > 8 && highest - lowest < length / 2);
+  }
+  if (sparse || outside > share_outside * double(sample.size())) return true;
+  patience_ = std::min(2 * patience_, most_patience);
+  allow(plans);
+  return false;
 }
 
 bool PlanWatch::replan(const std::vector<vec4>& spheres, GridPlans& plans) {

@@ -152,6 +152,30 @@ TEST_P(Skips, CellsFollowSpheresThatLeaveThem) {
   EXPECT_GT(meetings[false], 2 * meetings[true]) << "without new cells those at the border fill up";
 }
 
+// So many that a device looks at some of them first.
+TEST_P(Skips, CellsFollowManySpheres) {
+  if (backend().info().name == "cpu") GTEST_SKIP() << "the CPU has all positions at hand";
+  const Scene scene = in_the_wind(70000);
+  backend().upload(scene);
+  const CollideOptions options = grid([](CollideOptions& o) { o.grid.cells = Cells::dense; });
+  for (int step = 0; step < 30; ++step) backend().move();
+  const Answer answer = ask(backend(), options);
+  EXPECT_EQ(backend().work_counts().plans, 2u);
+  EXPECT_EQ(answer.totals.pairs, swept_pairs(backend().state().positions).size());
+}
+
+TEST(SkipsOnTheHost, ASampleTellsWhetherToPlan) {
+  Scene scene = make_scene({.name = "uniform", .n = 3000});
+  const GridPlans plans = plan_grids(scene.positions);
+  PlanWatch watch(scene, plans);
+  EXPECT_FALSE(watch.worthwhile(scene.positions, plans));
+  std::vector<vec4> gathered = scene.positions, left = scene.positions;
+  for (vec4& sphere : gathered) sphere.y *= 0.25f;
+  for (size_t i = 0; i < left.size(); i += 50) left[i].z += 1000;
+  EXPECT_TRUE(watch.worthwhile(gathered, plans));
+  EXPECT_TRUE(watch.worthwhile(left, plans));
+}
+
 TEST(SkipsOnTheHost, PlansAreKeptWhereNothingLeaves) {
   Scene scene = make_scene({.name = "random", .n = 3000});
   GridPlans plans = plan_grids(scene.positions);
