@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// When Method::automatic takes the grid, and when all pairs. Only speed depends on it, never the set. The figures are
-// those of `spherepair crossover`; bench/NOTES.md says on which machine they were measured.
+// When Method::automatic takes the grid, and when which way of all pairs. Only speed depends on it, never the set. The
+// figures are those of `spherepair crossover`; bench/NOTES.md says on which machine they were measured.
 #pragma once
 
 #include "layout.h"
@@ -10,10 +10,11 @@ namespace spherepair {
 struct Crossover {
   const char* device;    // a backend, or OpenGL in software
   uint64_t grid_from;    // spheres from which on the grid is ahead in a gas; of radii in several levels, so many each
+  uint64_t square_to;    // up to so many spheres collide_square is ahead of collide_triangle
   uint64_t one_cell_of;  // a cell must not hold more than one sphere of so many: else nearly all pairs are met anyway
 };
 constexpr Crossover crossovers[] = {
-    {"cuda", 16384, 200}, {"glsl", 16384, 200}, {"glsl in software", 512, 50}, {"cpu", 2048, 50}};
+    {"cuda", 2048, 1024, 200}, {"glsl", 8192, 1024, 200}, {"glsl in software", 512, 0, 50}, {"cpu", 2048, 0, 50}};
 
 // n spheres, so many others in a sphere's cell on average, so many levels of cells.
 constexpr bool grid_pays(const Crossover& row, uint64_t n, double others_in_cell, uint levels) {

@@ -11,9 +11,10 @@ namespace {
 
 uint levels_of(const GridPlan& plan) { return uint(std::popcount(plan.levels)); }
 
-Method all_pairs(const BackendInfo& info, bool swept) {
+Method all_pairs(const BackendInfo& info, uint64_t n, bool swept) {
   if (info.name == "cpu") return Method::parallel;
-  return swept ? Method::collide_tiled : Method::collide_triangle;
+  if (swept) return Method::collide_tiled;
+  return n <= crossover_of(info).square_to ? Method::collide_square : Method::collide_triangle;
 }
 
 bool takes_grid(const BackendInfo& info, uint64_t n, const GridPlans& plans, const CollideOptions& options) {
@@ -67,7 +68,7 @@ void leave_all_undecided(Params& params) {
 
 Method chosen_method(const BackendInfo& info, uint64_t n, const GridPlans& plans, const CollideOptions& options) {
   if (options.method != Method::automatic) return options.method;
-  return takes_grid(info, n, plans, options) ? Method::collide_grid : all_pairs(info, options.swept);
+  return takes_grid(info, n, plans, options) ? Method::collide_grid : all_pairs(info, n, options.swept);
 }
 
 MethodChoice explain_choice(const BackendInfo& info, uint64_t n, const GridPlans& plans,

@@ -13,6 +13,7 @@
 #include "program.h"
 #include "ring_buffer.h"
 #include "stage_timer.h"
+#include "table_texture.h"
 
 namespace spherepair {
 namespace {
@@ -50,14 +51,14 @@ class GlslBackend final : public DeviceBackend {
   void set_params(const Params& params);
   void set_view();
   void bind(const Launch& launch);
-  void bind_table(const Launch& launch);
+  uint64_t table_texels() const { return uint64_t(params().cell_slots) + 2; }
 
   Context context_;
   DeviceLimits limits_;
   BackendInfo info_;
   std::array<GLuint, SLOT_TOTAL> buffers_{};
   std::array<GLuint, SLOT_TOTAL> bound_{};  // what kernels see now
-  GLuint table_texture_ = 0;
+  TableTexture table_texture_;
   GLuint params_buffer_ = 0;
   Params params_on_device_{};
   bool params_known_ = false;
@@ -86,7 +87,7 @@ GlslBackend::~GlslBackend() {
   glDeleteBuffers(GLsizei(buffers_.size()), buffers_.data());
   glDeleteBuffers(1, &params_buffer_);
   views_->forget();
-  glDeleteTextures(1, &table_texture_);
+  table_texture_.forget();
 }
 
 void GlslBackend::allocate(uint slot, uint64_t bytes) {
@@ -175,10 +176,8 @@ void GlslBackend::clear_buffer(uint slot, uint64_t bytes) {
   });
 }
 
-// The table of cells as a texture of one word a texel: read on another path than storage buffers.
 bool GlslBackend::has_texture_table(std::optional<bool> wanted) const {
-  const uint64_t texels = uint64_t(params().cell_slots) + 2;
-  const bool fits = texels <= limits_.largest_texture;
+  const bool fits = table_texels() <= limits_.largest_texture;
   if (wanted.value_or(false) && !fits) {
     throw BackendError(
         fmt::format("glsl: a table of {} cells, but a texture buffer of this driver has {} texels; leave "
@@ -186,14 +185,6 @@ bool GlslBackend::has_texture_table(std::optional<bool> wanted) const {
                     texels, limits_.largest_texture));
   }
   return wanted.value_or(true) && fits;
-}
-
-void GlslBackend::bind_table(const Launch& launch) {
-  const uint64_t texels = uint64_t(params().cell_slots) + 2;
-  if (!table_texture_) glCreateTextures(GL_TEXTURE_BUFFER, 1, &table_texture_);
-  glTextureBufferRange(table_texture_, GL_R32UI, buffers_[launch.table], 0, GLsizeiptr(texels * sizeof(uint)));
-  glBindTextureUnit(0, table_texture_);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 // GL keeps an error until it is asked, so dispatches are checked where their results are waited for.
@@ -205,7 +196,8 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   glUseProgram(chosen.id());
   glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_PARAMS, params_buffer_);
   bind(launch);
-  if (launch.variant.texture_table && launch.kernel == Kernel::collide_grid) bind_table(launch);
+  if (launch.variant.texture_table && launch.kernel == Kernel::collide_grid)
+    table_texture_.bind(buffers_[launch.table], table_texels());
   ++work_.launches;
   timer_.time(kernel_name(launch.kernel), [&] {
     glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);

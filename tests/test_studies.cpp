@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 
 #include "report.h"
@@ -14,6 +15,9 @@ namespace {
 
 class Studies : public testing::Test {
  protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(SPHEREPAIR_PROGRAM)) GTEST_SKIP() << "no " << SPHEREPAIR_PROGRAM << " here";
+  }
   int run(const std::string& words) const {
     const std::string command = std::string(SPHEREPAIR_PROGRAM) + " " + words + " > " + folder_.path("said") + " 2>&1";
     return WEXITSTATUS(std::system(command.c_str()));

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <filesystem>
 #include <set>
 
 #include "commands.h"
@@ -27,6 +28,9 @@ bool finds(const char* program) { return std::system(fmt::format("command -v {} 
 
 class ViewCommand : public testing::Test {
  protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(SPHEREPAIR_PROGRAM)) GTEST_SKIP() << "no " << SPHEREPAIR_PROGRAM << " here";
+  }
   Ended view(const std::string& more) {
     return run(fmt::format("xvfb-run -a -s '-screen 0 800x600x24' {} view --scene random --n 300 --size 640x480 {}",
                            SPHEREPAIR_PROGRAM, more),
