@@ -182,7 +182,7 @@ bool GlslBackend::has_texture_table(std::optional<bool> wanted) const {
     throw BackendError(
         fmt::format("glsl: a table of {} cells, but a texture buffer of this driver has {} texels; leave "
                     "texture_table out",
-                    texels, limits_.largest_texture));
+                    table_texels(), limits_.largest_texture));
   }
   return wanted.value_or(true) && fits;
 }
