@@ -79,7 +79,7 @@ def shaders(root, build):
     if not flattened:
         raise Skip("no flattened shaders: the build has no GLSL")
     missing = {p.stem for p in (root / "shaders").glob("*.comp")} - {p.stem for p in flattened}
-    complaints = [f"{stem}.comp: is not built: add it to SPHEREPAIR_KERNELS" for stem in sorted(missing)]
+    complaints = [f"{stem}.comp: is not built: add it to common/kernel_list.h" for stem in sorted(missing)]
     checked = 0
     for path in flattened:
         text = path.read_text()
