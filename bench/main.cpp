@@ -145,43 +145,28 @@ void add_equal(CLI::App& app, Action& action) {
   command->callback([=, &action] { action = [=] { return equal_command(*options); }; });
 }
 
-void add_precision(CLI::App& app, CommandLine& line, Action& action) {
-  auto* command =
-      app.add_subcommand("precision", "Measure error against run time of every motion method and precision");
-  const auto options = add_precision_options(*command);
+// A study: options of its own, those of opening backends, and what it then does.
+template <typename AddOptions, typename Study>
+void add_study(CLI::App& app, CommandLine& line, Action& action, const char* name, const char* what,
+               AddOptions add_options, Study study) {
+  auto* command = app.add_subcommand(name, what);
+  const auto options = add_options(*command);
   add_open_options(*command, line.open);
-  command->callback([=, &line, &action] { action = [=, &line] { return precision_command(line, *options); }; });
+  command->callback([=, &line, &action] { action = [=, &line] { return study(line, *options); }; });
 }
 
-void add_crossover(CLI::App& app, CommandLine& line, Action& action) {
-  auto* command =
-      app.add_subcommand("crossover", "Time all pairs against the grid, and the automatic choice with both");
-  const auto options = add_crossover_options(*command);
-  add_open_options(*command, line.open);
-  command->callback([=, &line, &action] { action = [=, &line] { return crossover_command(line, *options); }; });
-}
-
-void add_skips(CLI::App& app, CommandLine& line, Action& action) {
-  auto* command =
-      app.add_subcommand("skips", "Time what is left out where a scene does not need it, and each API's tricks");
-  const auto options = add_skips_options(*command);
-  add_open_options(*command, line.open);
-  command->callback([=, &line, &action] { action = [=, &line] { return skips_command(line, *options); }; });
-}
-
-void add_sweep(CLI::App& app, CommandLine& line, Action& action) {
-  auto* command = app.add_subcommand("sweep", "Record the cost of a collision step from few spheres to 10^9");
-  const auto options = add_sweep_options(*command);
-  add_open_options(*command, line.open);
-  command->callback([=, &line, &action] { action = [=, &line] { return sweep_command(line, *options); }; });
-}
-
-void add_sets(CLI::App& app, CommandLine& line, Action& action) {
-  auto* command = app.add_subcommand(
-      "sets", "Measure how many pairs are wrong by motion, storage, a naive predicate, and testing once a step");
-  const auto options = add_sets_options(*command);
-  add_open_options(*command, line.open);
-  command->callback([=, &line, &action] { action = [=, &line] { return sets_command(line, *options); }; });
+void add_studies(CLI::App& app, CommandLine& line, Action& action) {
+  add_study(app, line, action, "precision", "Measure error against run time of every motion method and precision",
+            add_precision_options, precision_command);
+  add_study(app, line, action, "sets",
+            "Measure how many pairs are wrong by motion, storage, a naive predicate, and testing once a step",
+            add_sets_options, sets_command);
+  add_study(app, line, action, "sweep", "Record the cost of a collision step from few spheres to 10^9",
+            add_sweep_options, sweep_command);
+  add_study(app, line, action, "crossover", "Time all pairs against the grid, and the automatic choice with both",
+            add_crossover_options, crossover_command);
+  add_study(app, line, action, "skips", "Time what is left out where a scene does not need it, and each API's tricks",
+            add_skips_options, skips_command);
 }
 
 int run_program(int argc, char** argv) {
@@ -206,11 +191,7 @@ int run_program(int argc, char** argv) {
   add_frames(app, line, action);
   add_compare(app, line, action);
   add_equal(app, action);
-  add_precision(app, line, action);
-  add_crossover(app, line, action);
-  add_skips(app, line, action);
-  add_sweep(app, line, action);
-  add_sets(app, line, action);
+  add_studies(app, line, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
