@@ -25,28 +25,28 @@ std::vector<Skip> skips() {
   const auto keeping = [](bool order, bool cells) {
     return but([=](CollideOptions& o) { o.grid.keep_order = order, o.grid.keep_cells = cells; });
   };
-  return {
-      {"cells_out_of_reach", "neighbouring cells that a sphere does not reach into", "",
-       but([](CollideOptions& o) { o.grid.cells = Cells::dense; }),
-       but([](CollideOptions& o) { o.grid.cells = Cells::dense, o.grid.skip_cells = false; })},
-      {"exact_stages", "exact arithmetic for pairs that the float32 filter decides", "", step,
-       but([](CollideOptions& o) { o.filter = false; })},
-      {"radius_load", "loading radii that are all equal", "", step,
-       but([](CollideOptions& o) { o.load_radii = true; })},
-      {"radius_load_all_pairs", "the same without a grid", "", pairs,
-       changed(pairs, [](CollideOptions& o) { o.load_radii = true; })},
-      {"order", "sorting spheres that stand in cell order", "", keeping(true, false), keeping(false, false), true},
-      {"cells", "cells of spheres that have not moved", "", keeping(false, true), keeping(false, false)},
-      {"pair_list", "a list of pairs that nobody asked for", "", step,
-       but([](CollideOptions& o) { o.want_pairs = true; })},
-      {"read_back", "totals that nobody asked for, counted and read after the step", "", step, step, false, true},
-      {"new_cells", "off: staying in cells that the spheres have left; steps that move", "",
-       but([](CollideOptions& o) { o.grid.cells = Cells::dense; }),
-       but([](CollideOptions& o) { o.grid.cells = Cells::dense, o.grid.replan = false; }), false, false, false, true}};
+  return {{"cells_out_of_reach", "neighbouring cells that a sphere does not reach into", "",
+           but([](CollideOptions& o) { o.grid.cells = Cells::dense; }),
+           but([](CollideOptions& o) { o.grid.cells = Cells::dense, o.grid.skip_cells = false; })},
+          {"exact_stages", "exact arithmetic for pairs that the float32 filter decides", "", step,
+           but([](CollideOptions& o) { o.filter = false; })},
+          {"radius_load", "loading radii that are all equal", "", step,
+           but([](CollideOptions& o) { o.load_radii = true; })},
+          {"radius_load_all_pairs", "the same without a grid", "", pairs,
+           changed(pairs, [](CollideOptions& o) { o.load_radii = true; })},
+          {"order", "sorting spheres that stand in cell order", "", keeping(true, false), keeping(false, false), true},
+          {"cells", "cells of spheres that have not moved", "", keeping(false, true), keeping(false, false)},
+          {"pair_list", "a list of pairs that nobody asked for", "", step,
+           but([](CollideOptions& o) { o.want_pairs = true; })},
+          {"read_back", "totals that nobody asked for, counted and read after the step", "", step, step, false, true},
+          {"new_cells", "off: staying in cells that the spheres have left; steps that move", "",
+           but([](CollideOptions& o) { o.grid.cells = Cells::dense; }),
+           but([](CollideOptions& o) { o.grid.cells = Cells::dense, o.grid.replan = false; }), false, false, nullptr,
+           true}};
 }
 
 std::vector<Skip> tricks() {
-  const CollideOptions step = grid_step();
+  const CollideOptions step = grid_step(), buckets = but([](CollideOptions&o) { o.grid.sort = Sort::buckets; });
   const auto trick = [](std::optional<bool> Tricks::*which, bool on = true) {
     return but([=](CollideOptions& o) { o.tricks.*which = on; });
   };
@@ -55,7 +55,10 @@ std::vector<Skip> tricks() {
        trick(&Tricks::library_clear)},
       {"own_clear", "the table cleared by a kernel; off: by the API's own function", "cuda", step,
        trick(&Tricks::library_clear)},
-      {"sparse_buffers", "buffers in sparse storage, of large pages", "glsl", step, step, false, false, true},
+      {"sparse_buffers", "buffers in sparse storage, of large pages", "glsl", step, step, false, false,
+       &OpenOptions::sparse_buffers},
+      {"subgroups", "sums of a group through subgroups, not shared memory", "glsl", buckets, buckets, false, false,
+       &OpenOptions::subgroups},
       {"texture_table", "the table of cells read through a texture buffer", "glsl", trick(&Tricks::texture_table),
        trick(&Tricks::texture_table, false)},
       {"graph", "a step's launches replayed as a graph", "cuda", trick(&Tricks::graph), trick(&Tricks::graph, false)},
@@ -69,8 +72,7 @@ std::vector<Skip> tricks() {
        but([](CollideOptions& o) { o.grid.scan = Scan::library; })},
       {"own_sort", "our sort by counting; off: Thrust's radix sort", "cuda", step,
        but([](CollideOptions& o) { o.grid.sort = Sort::radix; })},
-      {"own_buckets", "our sort by buckets; off: Thrust's radix sort", "cuda",
-       but([](CollideOptions& o) { o.grid.sort = Sort::buckets; }),
+      {"own_buckets", "our sort by buckets; off: Thrust's radix sort", "cuda", buckets,
        but([](CollideOptions& o) { o.grid.sort = Sort::radix; })}};
 }
 

@@ -82,13 +82,15 @@ class SkipStudy {
     const Scene scene = skip.wind ? in_the_wind(scene_) : skip.ordered ? ordered_ : scene_;
     std::unique_ptr<Backend> other;  // where both ways need a backend of their own
     OpenOptions open = open_;
-    open.sparse_buffers = !skip.plain_off;
-    if (skip.plain_off || skip.wind) other = open_backend(backend.info().name, open);
+    if (skip.open_off) open.*skip.open_off = false;
+    if (skip.open_off || skip.wind) other = open_backend(backend.info().name, open);
     Backend& off = other ? *other : backend;
     const auto leave_out = [&](const std::exception& error) {
       left_out.push_back(fmt::format("{} {} of {}: {}", backend.info().name, skip.name, scene.size(), error.what()));
     };
     try {
+      if (skip.open_off && off.info().details == backend.info().details)
+        throw std::invalid_argument("this driver does not offer it");
       for (Backend* one : std::set{&backend, &off}) one->upload(scene);
       check(skip, scene, backend, off);
     } catch (const BackendError& error) {

@@ -158,6 +158,7 @@ struct OpenOptions {
   bool require_hardware = false;  // refuse GL in software
   bool allow_gpu = true;          // false: software GL even where a GPU is
   bool sparse_buffers = true;     // GL: storage in large pages where the driver has it
+  bool subgroups = true;          // GL: sums through subgroups where the driver has them
   int threads = 0;                // of the CPU backend; 0: all cores
 };
 

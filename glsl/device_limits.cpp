@@ -48,14 +48,14 @@ bool has_subgroups() {
 
 }  // namespace
 
-DeviceLimits device_limits(bool sparse_wanted) {
+DeviceLimits device_limits(const OpenOptions& options) {
   require_features();
   GLint64 binding = 0;
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &binding);
   return {.largest_binding = uint64_t(binding),
           .largest_texture = uint64_t(gl_integer(GL_MAX_TEXTURE_BUFFER_SIZE)),
-          .features = {epoxy_has_gl_extension("GL_NV_shader_atomic_int64"), has_subgroups()},
-          .sparse = sparse_wanted && epoxy_has_gl_extension("GL_ARB_sparse_buffer")};
+          .features = {epoxy_has_gl_extension("GL_NV_shader_atomic_int64"), options.subgroups && has_subgroups()},
+          .sparse = options.sparse_buffers && epoxy_has_gl_extension("GL_ARB_sparse_buffer")};
 }
 
 BackendInfo describe_device(bool software, const DeviceLimits& limits) {

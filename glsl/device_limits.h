@@ -15,7 +15,7 @@ struct DeviceLimits {
 };
 
 // Throws BackendError for a driver without what every kernel needs.
-DeviceLimits device_limits(bool sparse_wanted);
+DeviceLimits device_limits(const OpenOptions& options);
 
 BackendInfo describe_device(bool software, const DeviceLimits& limits);
 

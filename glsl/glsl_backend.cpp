@@ -71,7 +71,7 @@ class GlslBackend final : public DeviceBackend {
 
 GlslBackend::GlslBackend(const OpenOptions& options) : context_(options) {
   context_.make_current();
-  limits_ = device_limits(options.sparse_buffers);
+  limits_ = device_limits(options);
   info_ = describe_device(context_.software(), limits_);
   glCreateBuffers(1, &params_buffer_);
   glNamedBufferStorage(params_buffer_, sizeof(Params), nullptr, GL_DYNAMIC_STORAGE_BIT);
