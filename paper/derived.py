@@ -92,23 +92,37 @@ class StageRatio:
     source: str
 
 
+def stage_ratio(kernel, glsl, cuda):
+    low, high = glsl.device_stages_interval_ms[kernel]
+    least, most = cuda.device_stages_interval_ms[kernel]
+    if least <= 0 or low <= 0:
+        return None
+    middle = glsl.device_stages_ms[kernel] / cuda.device_stages_ms[kernel]
+    return StageRatio(kernel, f"$n$ = {glsl.n:,}", (middle, middle - low / most, high / least - middle),
+                      cuda.device_stages_ms[kernel], cuda.source)
+
+
 def stage_ratios(machine):
-    """Each kernel that device timers saw in both APIs in the same work, where n is largest."""
-    largest = {}
+    """Each kernel that device timers saw in both APIs in the same work, where n is largest; of several such records
+    the one whose intervals leave the least room, as a kernel may have a cheap and a dear part in one picture."""
+    found = {}
     timed = [record for record in machine.records if "device_stages_interval_ms" in record.parameters]
     by_work = {(work_of(record), record.backend): record for record in timed}
     for (work, backend), glsl in sorted(by_work.items(), key=lambda item: item[1].n):
         cuda = by_work.get((work, "cuda"))
         if backend == "glsl" and cuda:
             for kernel in glsl.device_stages_ms.keys() & cuda.device_stages_ms.keys():
-                largest[kernel] = (glsl, cuda)
-    for kernel, (glsl, cuda) in sorted(largest.items()):
-        low, high = glsl.device_stages_interval_ms[kernel]
-        least, most = cuda.device_stages_interval_ms[kernel]
-        if least > 0:
-            middle = glsl.device_stages_ms[kernel] / cuda.device_stages_ms[kernel]
-            yield StageRatio(kernel, f"$n$ = {glsl.n:,}", (middle, middle - low / most, high / least - middle),
-                             cuda.device_stages_ms[kernel], cuda.source)
+                row = stage_ratio(kernel, glsl, cuda)
+                if row:
+                    found.setdefault(kernel, []).append((-glsl.n, room(row), row))
+    for kernel in sorted(found):
+        yield min(found[kernel], key=lambda entry: entry[:2])[-1]
+
+
+def room(row):
+    """Greatest over least ratio that the intervals allow."""
+    middle, below, above = row.ratio
+    return (middle + above) / (middle - below)
 
 
 def work_of(record):

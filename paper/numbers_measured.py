@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """How each number of the prose is made from recorded runs. A maker puts (key, text, run, how) for one section."""
 from derived import best, cost, crossover, issue_rate, matched, pairs_of, share_of_floor, slope
+from pareto import paper_setting, seconds
 from ranks import apart, differ
 from records import Missing, original_paper
 from tables import ms
@@ -131,6 +132,8 @@ def arrangements(put, machine, others):
 
 
 def grid(put, machine, others):
+    least = machine.need(table="grid", scene="uniform", packing_fraction=0.3, method="collide_triangle")[0]
+    put("grid/smallest", f"{least.n:,}", least.source, "least n at which the grid and all pairs were timed")
     for name in DEVICES:
         wanted = {"table": "grid", "scene": "uniform", "packing_fraction": 0.3, "backend": name}
         start = crossover(machine, name, 0.3)
@@ -147,13 +150,42 @@ def grid(put, machine, others):
                     f"{last.label}, share of the floor in %, n = {last.n}, {order}")
 
 
-def pictures(put, machine, others):
+def errors_of_motion(put, machine, others):
+    """The original's method beside anchored flights: alone, and with the position evaluated in every step."""
     for name in DEVICES:
-        rows = machine.need(table="draw", work="frame", place="outside", backend=name)
-        best_way = min((row for row in rows if row.n == rows[-1].n), key=lambda row: row.median)
-        put(f"draw/n/{name}", f"{best_way.n:,}", best_way.source, f"{name}, most spheres drawn")
-        put(f"draw/way/{name}", best_way.draw, best_way.source, f"{name}, fastest way to draw them from outside")
-        put(f"draw/ms/{name}", ms(best_way.median), best_way.source, f"{best_way.label}, n = {best_way.n}")
+        rows = machine.need(table="precision", backend=name)
+        paper, = paper_setting(rows)
+        anchored = {(row.precision, row.work, row.dt): row for row in rows if row.method == "anchored"}
+        same, longest = paper.dt, max(row.dt for row in rows)
+        for key, row in (("paper", paper), ("anchored", anchored["float32", "move", same]),
+                         ("placed", anchored["float32", "move and place", same]),
+                         ("longer", anchored["float32", "move and place", longest]),
+                         ("exact", anchored["float64", "move", same])):
+            if key in ("anchored", "longer") and not (seconds(row) < seconds(paper) and row.error_m < paper.error_m):
+                raise Missing(f"{name}: {row.label} is not both faster and more accurate, which the text says")
+            what = f"{row.method}, {row.precision}, {row.work}, step {row.dt:g} s"
+            put(f"motion/{key}/ns/{name}", f"{seconds(row):.2f}", row.source, f"ns a sphere and second, {name}, {what}")
+            put(f"motion/{key}/error/{name}", scientific(row.error_m), row.source, f"rms error in m, {name}, {what}")
+
+
+def scientific(value):
+    """In mathematics where a decimal would be long."""
+    if value >= 0.01:
+        return f"{value:.2f}"
+    digits, exponent = f"{value:.1e}".split("e")
+    return f"${digits} \\cdot 10^{{{int(exponent)}}}$"
+
+
+def pictures(put, machine, others):
+    rows = {name: machine.need(table="draw", work="frame", place="outside", backend=name) for name in DEVICES}
+    both = max({row.n for row in rows["glsl"]} & {row.n for row in rows["cuda"]})
+    put("draw/both", f"{both:,}", machine.id, "most spheres drawn through both APIs")
+    for name in DEVICES:
+        for n, key in ((both, "both"), (rows[name][-1].n, "most")):
+            best_way = min((row for row in rows[name] if row.n == n), key=lambda row: row.median)
+            put(f"draw/{key}/{name}", ms(best_way.median), best_way.source, f"{best_way.label}, n = {n}")
+            put(f"draw/{key}/{name}/n", f"{n:,}", best_way.source, f"{name}, spheres drawn from outside")
+            put(f"draw/{key}/{name}/way", best_way.draw, best_way.source, f"{name}, fastest way to draw {n} spheres")
 
 
 def hand_overs(put, machine, others):
@@ -166,4 +198,4 @@ def hand_overs(put, machine, others):
 
 
 MEASURED = (original, whole_steps, pairs_alone, who_leads, floors, exactness, launches, first_uses, arrangements,
-            grid, pictures, hand_overs)
+            grid, errors_of_motion, pictures, hand_overs)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Drawing: every way to put n spheres on the screen, beside the original paper's."""
 from records import original_paper
-from style import PAGE, SERIES, panels, plain_ticks, plot, spheres_axis
+from style import PAGE, SERIES, panels, plain_ticks, plot, spheres_in_decades
 
 NAME, TABLE = "drawing", "draw"
 CAPTION = ("Drawing: time of one picture against the number of spheres, for each way to draw. Black: the original "
@@ -27,7 +27,7 @@ def draw(machine):
         draw_place(axis, [row for row in rows if row.place == place])
         axis.set_yscale("log")
         plain_ticks(axis)
-        spheres_axis(axis)
+        spheres_in_decades(axis, [n for n, _ in printed] + [row.n for row in rows])
         axis.set_title(f"camera {place}", loc="left")
     axes[0].set_ylabel("time of one picture (ms)")
     axes[-1].legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))

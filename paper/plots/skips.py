@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What each skip, each trick of one API and each library is worth: the same work with it and without."""
 from derived import ratio
+from records import Missing
 from style import PAGE, SERIES, panels, series_of, time_text
 
 NAME = TABLE = "skips"
@@ -23,6 +24,8 @@ def pairs_of(machine):
     with_it = {same_work(row): row for row in machine.need(table=TABLE, on=True)}  # smallest n first: the last stays
     without = {(same_work(row), row.n): row for row in machine.select(table=TABLE, on=False)}
     pairs = [(on, without[work, on.n]) for work, on in with_it.items() if (work, on.n) in without]
+    if not pairs:
+        raise Missing(f"{machine.name} has no option that was timed both with and without")
     names = list(dict.fromkeys(on.skip for on, _ in pairs))
     return sorted(pairs, key=lambda pair: names.index(pair[0].skip))
 
