@@ -39,6 +39,7 @@ def draw(machine):
         axis.set_ylabel("GLSL time / CUDA time")
         axis.set_title(title, loc="left")
         axis.set_ylim(min(axis.get_ylim()[0], 0.93), axis.get_ylim()[1])
-        axis.text(0.01, 1.0, " CUDA leads", transform=axis.get_yaxis_transform(), va="bottom", fontsize=6.5)
-        axis.text(0.01, 1.0, " GLSL leads", transform=axis.get_yaxis_transform(), va="top", fontsize=6.5)
+        for name, offset, side in (("CUDA", 1.5, "bottom"), ("GLSL", -2, "top")):
+            axis.annotate(f" {name} leads", (0.01, 1.0), xycoords=axis.get_yaxis_transform(), xytext=(0, offset),
+                          textcoords="offset points", va=side, fontsize=6.5)
     return figure
