@@ -103,13 +103,13 @@ def stage_ratio(kernel, glsl, cuda):
 
 
 def stage_ratios(machine):
-    """Each kernel that device timers saw in both APIs in the same work, where n is largest; of several such records
-    the one whose intervals leave the least room, as a kernel may have a cheap and a dear part in one picture."""
+    """Each kernel that device timers saw in both APIs in the same work of one run, where n is largest; of several such
+    records the one whose intervals leave the least room, as a kernel may have a cheap and a dear part in one picture."""
     found = {}
     timed = [record for record in machine.records if "device_stages_interval_ms" in record.parameters]
-    by_work = {(work_of(record), record.backend): record for record in timed}
-    for (work, backend), glsl in sorted(by_work.items(), key=lambda item: item[1].n):
-        cuda = by_work.get((work, "cuda"))
+    by_work = {(record.source, work_of(record), record.backend): record for record in timed}
+    for (run, work, backend), glsl in by_work.items():
+        cuda = by_work.get((run, work, "cuda"))
         if backend == "glsl" and cuda:
             for kernel in glsl.device_stages_ms.keys() & cuda.device_stages_ms.keys():
                 row = stage_ratio(kernel, glsl, cuda)

@@ -10,6 +10,7 @@ import sys
 import tables
 from numbers_measured import MEASURED
 from numbers_proved import PROVED
+from numbers_studies import STUDIED
 from records import Missing
 
 
@@ -27,7 +28,7 @@ class Numbers:
 
 def collect(machine, others):
     numbers = Numbers()
-    for make in (*MEASURED, *PROVED):
+    for make in (*MEASURED, *PROVED, *STUDIED):
         try:
             make(numbers.put, machine, others)
         except Missing as reason:

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """How each number of the prose is made from recorded runs. A maker puts (key, text, run, how) for one section."""
-from derived import best, cost, crossover, issue_rate, matched, pairs_of, share_of_floor, slope
-from pareto import paper_setting, seconds
+from derived import best, cost, issue_rate, matched, pairs_of, share_of_floor, slope
 from ranks import apart, differ
 from records import Missing, original_paper
 from tables import ms
@@ -9,7 +8,6 @@ from tables import ms
 PRINTED = "original paper"
 SIZE = 16384
 DEVICES = ("glsl", "cuda")
-GRID = {"table": "grid", "scene": "uniform", "method": "collide_grid"}
 
 
 def original(put, machine, others):
@@ -132,89 +130,4 @@ def arrangements(put, machine, others):
             put(f"groups/{method}/{name}/worst", f"{worst.block}", worst.source, f"{name}, slowest, {method}")
 
 
-def grid(put, machine, others):
-    largest = max(glsl.n for glsl, _ in matched(machine, **GRID, packing_fraction=0.3, order="cold"))
-    put("grid/largest", f"{largest:,}", machine.need(**GRID)[0].source, "largest n of the grid in both APIs, cold")
-    least = machine.need(table="grid", scene="uniform", packing_fraction=0.3, method="collide_triangle")[0]
-    put("grid/smallest", f"{least.n:,}", least.source, "least n at which the grid and all pairs were timed")
-    for name in DEVICES:
-        wanted = {"table": "grid", "scene": "uniform", "packing_fraction": 0.3, "backend": name}
-        start = crossover(machine, name, 0.3)
-        if start is None:
-            raise Missing(f"{machine.name}: the grid is not faster than all pairs at large n on {name}")
-        first = machine.one(**wanted, method="collide_grid", order="cold", n=start)
-        put(f"grid/from/{name}", f"{start:,}", first.source, f"{name}, least n from which the grid is faster, cold")
-        for order in ("cold", "warm"):
-            last = machine.one(**wanted, method="collide_grid", order=order, n=largest)
-            put(f"grid/{order}/{name}", ms(last.median), last.source, f"{last.label}, n = {last.n}, {order}")
-            if "share_of_floor" in last.parameters:
-                put(f"grid/floor/{name}/{order}", f"{100 * last.share_of_floor:.0f}", last.source,
-                    f"{last.label}, share of the floor in %, n = {last.n}, {order}")
-
-
-def grid_leads(put, machine, others):
-    """CUDA's lead in the grid, over every order and packing fraction."""
-    contests = [pair for order in ("cold", "warm") for fraction in fractions(machine)
-                for pair in matched(machine, **GRID, packing_fraction=fraction, order=order)]
-    if not all(apart(*pair) and pair[1].median < pair[0].median for pair in contests):
-        raise Missing(f"{machine.name}: CUDA's grid is not the faster throughout, which the text says")
-    leads = sorted(((100 * (1 - cuda.median / glsl.median), cuda) for glsl, cuda in contests), key=lambda lead: lead[0])
-    put("grid/contests", str(len(contests)), contests[0][0].source, "sizes, orders and fractions of the grid in both")
-    for key, (lead, row) in (("most", leads[-1]), ("least", leads[0])):
-        put(f"grid/lead/{key}", f"{lead:.0f}", row.source, f"{key} lead of CUDA in %: n = {row.n}, {row.order}, "
-            f"packing fraction {row.scene['packing_fraction']:g}")
-
-
-def fractions(machine):
-    return sorted({row.scene["packing_fraction"] for row in machine.need(**GRID)})
-
-
-def errors_of_motion(put, machine, others):
-    """The original's method beside anchored flights: alone, and with the position evaluated in every step."""
-    for name in DEVICES:
-        rows = machine.need(table="precision", backend=name)
-        paper, = paper_setting(rows)
-        anchored = {(row.precision, row.work, row.dt): row for row in rows if row.method == "anchored"}
-        same, longest = paper.dt, max(row.dt for row in rows)
-        for key, row in (("paper", paper), ("anchored", anchored["float32", "move", same]),
-                         ("placed", anchored["float32", "move and place", same]),
-                         ("longer", anchored["float32", "move and place", longest]),
-                         ("exact", anchored["float64", "move", same])):
-            if key in ("anchored", "longer") and not (seconds(row) < seconds(paper) and row.error_m < paper.error_m):
-                raise Missing(f"{name}: {row.label} is not both faster and more accurate, which the text says")
-            what = f"{row.method}, {row.precision}, {row.work}, step {row.dt:g} s"
-            put(f"motion/{key}/ns/{name}", f"{seconds(row):.2f}", row.source, f"ns a sphere and second, {name}, {what}")
-            put(f"motion/{key}/error/{name}", scientific(row.error_m), row.source, f"rms error in m, {name}, {what}")
-
-
-def scientific(value):
-    """In mathematics where a decimal would be long."""
-    if value >= 0.01:
-        return f"{value:.2f}"
-    digits, exponent = f"{value:.1e}".split("e")
-    return f"${digits} \\cdot 10^{{{int(exponent)}}}$"
-
-
-def pictures(put, machine, others):
-    rows = {name: machine.need(table="draw", work="frame", place="outside", backend=name) for name in DEVICES}
-    both = max({row.n for row in rows["glsl"]} & {row.n for row in rows["cuda"]})
-    put("draw/both", f"{both:,}", rows["cuda"][0].source, "most spheres drawn through both APIs")
-    for name in DEVICES:
-        for n, key in ((both, "both"), (rows[name][-1].n, "most")):
-            best_way = min((row for row in rows[name] if row.n == n), key=lambda row: row.median)
-            put(f"draw/{key}/{name}", ms(best_way.median), best_way.source, f"{best_way.label}, n = {n}")
-            put(f"draw/{key}/{name}/n", f"{n:,}", best_way.source, f"{name}, spheres drawn from outside")
-            put(f"draw/{key}/{name}/way", best_way.draw, best_way.source, f"{name}, fastest way to draw {n} spheres")
-
-
-def hand_overs(put, machine, others):
-    rows = machine.need(table="interop")
-    rows = sorted((row for row in rows if row.n == rows[-1].n), key=lambda row: row.median)
-    put("interop/n", f"{rows[0].n:,}", rows[0].source, "most spheres handed over")
-    for key, row in (("fast", rows[0]), ("slow", rows[-1])):
-        put(f"interop/{key}", ms(row.median), row.source, f"ms, {row.way}, n = {row.n}")
-        put(f"interop/{key}/way", row.way, row.source, f"the {key}est way to hand over, n = {row.n}")
-
-
-MEASURED = (original, whole_steps, pairs_alone, who_leads, floors, exactness, launches, first_uses, arrangements,
-            grid, grid_leads, errors_of_motion, pictures, hand_overs)
+MEASURED = (original, whole_steps, pairs_alone, who_leads, floors, exactness, launches, first_uses, arrangements)

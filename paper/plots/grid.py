@@ -7,8 +7,8 @@ from style import PAGE, SERIES, panels, plain_ticks, plot, spheres_in_decades
 NAME = TABLE = "grid"
 CAPTION = ("The uniform grid against all pairs in a gas: time of one collision step divided by the number of spheres, "
            "with the intervals of the medians. Warm: the spheres stand in cell order; cold: in random order, so that "
-           "each step sorts. A rising line is quadratic in $n$, a level one linear. The numbers at the end of the cold lines "
-           "are the slope of the time itself between the two largest sizes (1 is linear). {crossovers}")
+           "each step sorts. A rising line is quadratic in $n$, a level one linear. The numbers at the end of the "
+           "cold lines are the slope of the time itself between the two largest sizes (1 is linear). {crossovers}")
 LINES = {"warm": "-", "cold": "--"}
 FRACTIONS = (0.3, 0.05)
 
