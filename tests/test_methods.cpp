@@ -181,6 +181,24 @@ TEST_P(Methods, AutomaticIsRightWhateverItTakes) {
   EXPECT_NE(far.reason.find(fmt::format("{} spheres", many)), std::string::npos) << far.reason;
 }
 
+// The choice needs no device, so that of devices which are not here is tested too.
+TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
+  for (const char* name : {"cuda", "glsl"}) {
+    BackendInfo info;
+    info.name = name;
+    const Crossover& row = crossover_of(info);
+    const auto took = [&](uint64_t n, bool swept) {
+      const GridPlans plans = plan_grids(make_scene({.name = "uniform", .n = n}).positions);
+      return chosen_method(info, n, plans, {.method = Method::automatic, .swept = swept});
+    };
+    EXPECT_EQ(took(row.square_to, false), Method::collide_square) << name;
+    EXPECT_EQ(took(row.square_to + 1, false), Method::collide_triangle) << name;
+    EXPECT_EQ(took(row.grid_from - 1, false), Method::collide_triangle) << name;
+    EXPECT_EQ(took(row.grid_from, false), Method::collide_grid) << name;
+    EXPECT_EQ(took(row.square_to, true), Method::collide_tiled) << name;
+  }
+}
+
 INSTANTIATE_BACKENDS(Methods);
 
 }  // namespace
