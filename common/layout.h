@@ -24,18 +24,19 @@
 #define SLOT_BUCKET 15   // uint[bucket_words]: where the next sphere of each bucket goes; see Params
 #define SLOT_VISIBLE 16  // uint[2 * pixels]: the number of the sphere seen, then its depth; both ~0 where there is none
 #define SLOT_IMAGE 17    // uint[pixels]: red, green, blue, 255 from the lowest byte up; rows from the top
-#define SLOT_TILE 18     // uvec2[]: large spheres cut into tiles: the sphere's place, the number of the tile in its box
+#define SLOT_TILE 18     // uvec2[]: large spheres cut into tiles: the sphere's number, that of the tile in its box
 #define SLOT_DRAWN 19    // uint[DRAWN_WORDS]: see view.h
 #define SLOT_CLUSTER 20  // vec4[2 * clusters]: lowest and highest corner of what holds a cluster's spheres
-#define SLOT_CLUSTER_SEEN 21  // uint[clusters]: not 0 when it stands in the list of those seen
-#define SLOT_CLUSTER_LIST 22  // uint[3 * clusters]: in any order, two lists by View::turn of those seen, those to draw
+#define SLOT_SEEN_BITS 21     // uint[n / 32 + 1]: a bit a sphere, set while it stands in SLOT_SEEN_LIST
+#define SLOT_CLUSTER_LIST 22  // uint[clusters]: those to draw, in any order
 #define SLOT_PYRAMID 23       // uint[]: greatest depth in each texel, level 0 and then 1; see cluster.h
 #define SLOT_WIDE 24          // Real[6n], of compensated and float64: all x, all y, all z, then the velocities
 #define SLOT_ANCHOR 25        // vec4[n], of anchored: where the spheres started, radius in w
 #define SLOT_FLIGHT 26  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
 #define SLOT_SINCE 27   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
 #define SLOT_DUE 28     // uint[n], of anchored: no sphere meets the plane before its step of this number
-#define SLOT_TOTAL 29
+#define SLOT_SEEN_LIST 29  // uint[pixels]: numbers of the spheres that the last picture showed, in any order
+#define SLOT_TOTAL 30
 #define SLOT_PARAMS 0  // the uniform block's own binding
 
 // Totals are spread over SUMMARY_SLOTS rows so that thousands of groups do not queue on one address; the host adds the
