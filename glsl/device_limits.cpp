@@ -37,14 +37,14 @@ void require_features() {
   }
 }
 
-// What group_sum.glsl and team.glsl take for granted. A subgroup must have 32 invocations, a group of 1024 then as many.
+// What group_sum.glsl takes for granted. A group of 1024 must have no more subgroups than one of them has invocations.
 // These must be consecutive, which no query tells: NVIDIA's are, others' go through shared memory.
 bool has_subgroups() {
   if (!epoxy_has_gl_extension("GL_KHR_shader_subgroup") || !gl_string(GL_VENDOR).starts_with("NVIDIA")) return false;
   GLint invocations = 0, kinds = 0;
   glGetIntegerv(GL_SUBGROUP_SIZE_KHR, &invocations);
   glGetIntegerv(GL_SUBGROUP_SUPPORTED_FEATURES_KHR, &kinds);
-  return invocations == 32 && (kinds & GL_SUBGROUP_FEATURE_ARITHMETIC_BIT_KHR) != 0;
+  return invocations >= 32 && (kinds & GL_SUBGROUP_FEATURE_ARITHMETIC_BIT_KHR) != 0;
 }
 
 }  // namespace
