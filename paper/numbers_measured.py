@@ -3,7 +3,7 @@
 from derived import best, cost, issue_rate, matched, pairs_of, share_of_floor, slope
 from ranks import apart, differ
 from records import Missing, original_paper
-from tables import ms
+from tabular import ms
 
 PRINTED = "original paper"
 SIZE = 16384

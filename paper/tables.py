@@ -1,26 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The paper's tables, each as LaTeX and as text, from recorded runs alone."""
-from dataclasses import dataclass
-
 from ranks import verdict
 from records import Missing, original_paper, recorded_code
-
-
-@dataclass
-class Table:
-    name: str
-    caption: str
-    heads: list  # two rows: groups as (text, columns), then one text a column
-    rows: list
-    left: int = 1  # so many first columns are text and stand left
-
-
-def ms(value):
-    """Three significant digits, never an exponent."""
-    if value is None:
-        return "-"
-    digits = max(0, 2 - int(f"{value:e}".split("e")[1]))
-    return f"{value:.{digits}f}" if value else "0"
+from tables_studies import STUDIED
+from tabular import Table, as_tex, as_text, ms, without_empty_columns
 
 
 def interval_us(record):
@@ -116,62 +99,7 @@ def machine_and_run(machine):
     return Table("machine", "The recorded machine and run.", heads, rows, left=2)
 
 
-MAKERS = (table1, counts, methods, ceilings, code, machine_and_run)
-
-
-def escape(text):
-    for plain, safe in (("\\,", "\0"), ("\\%", "\1"), ("\\", ""), ("%", "\\%"), ("_", "\\_"), ("&", "\\&"),
-                        ("#", "\\#"), ("^", "\\textasciicircum{}")):
-        text = text.replace(plain, safe)
-    return text.replace("\0", "\\,").replace("\1", "\\%")
-
-
-def as_tex(table):
-    columns = "l" * table.left + "r" * (len(table.heads[1]) - table.left)
-    groups, rules, at = [], [], 1
-    for text, width in table.heads[0]:
-        groups.append(f"\\multicolumn{{{width}}}{{c}}{{{escape(text)}}}")
-        if text:
-            rules.append(f"\\cmidrule(lr){{{at}-{at + width - 1}}}")
-        at += width
-    lines = [f"\\begin{{tabular}}{{@{{}}{columns}@{{}}}}", "\\toprule"]
-    if rules:
-        lines += [" & ".join(groups) + " \\\\", " ".join(rules)]
-    lines += [" & ".join(escape(head) for head in table.heads[1]) + " \\\\", "\\midrule"]
-    lines += [" & ".join(escape(cell) for cell in row) + " \\\\" for row in table.rows]
-    return "\n".join([*lines, "\\bottomrule", "\\end{tabular}"]) + "\n"
-
-
-def aligned(cells, widths, left):
-    return "  ".join(cell.ljust(width) if k < left else cell.rjust(width)
-                     for k, (cell, width) in enumerate(zip(cells, widths))).rstrip()
-
-
-def as_text(table, machine):
-    names = [table.heads[1], *table.rows]
-    widths = [max(len(row[k]) for row in names) for k in range(len(table.heads[1]))]
-    groups, at = [], 0
-    for text, count in table.heads[0]:
-        place = sum(widths[at:at + count]) + 2 * (count - 1)
-        widths[at + count - 1] += max(0, len(text) - place)
-        groups.append(text.center(max(place, len(text)), "-" if text else " "))
-        at += count
-    lines = [aligned(row, widths, table.left) for row in names]
-    plain = table.caption.replace("\\,", " ").replace("\\%", "%")
-    head = ["  ".join(groups).rstrip()] if any(text for text, _ in table.heads[0]) else []
-    return "\n".join([plain, machine.title, "", *head, lines[0], "-" * max(map(len, lines)), *lines[1:]]) + "\n"
-
-
-def without_empty_columns(table):
-    """A machine without a GPU leaves whole columns open; they are dropped."""
-    keep = [any(row[k] != "-" for row in table.rows) for k in range(len(table.heads[1]))]
-    groups, at = [], 0
-    for text, count in table.heads[0]:
-        groups.append((text, sum(keep[at:at + count])))
-        at += count
-    thin = lambda row: [cell for cell, kept in zip(row, keep) if kept]
-    heads = [[(text, count) for text, count in groups if count], thin(table.heads[1])]
-    return Table(table.name, table.caption, heads, [thin(row) for row in table.rows], table.left)
+MAKERS = (table1, counts, methods, ceilings, code, machine_and_run, *STUDIED)
 
 
 def made(machine):
@@ -181,6 +109,10 @@ def made(machine):
             yield without_empty_columns(maker(machine)), None
         except Missing as reason:
             yield None, (maker.__name__, str(reason))
+
+
+def table_title(table, machine):
+    return machine.title.replace(machine.id, table.source) if table.source else machine.title
 
 
 def all_tables(machine):
@@ -196,6 +128,6 @@ def write_all(machine, folder):
             left_out.append(reason)
             continue
         (folder / f"{table.name}.tex").write_text(as_tex(table))
-        (folder / f"{table.name}.txt").write_text(as_text(table, machine))
+        (folder / f"{table.name}.txt").write_text(as_text(table, table_title(table, machine)))
         written.append(table.name)
     return written, left_out

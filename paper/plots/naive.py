@@ -2,15 +2,17 @@
 """What exactness corrects beside what it costs: pairs that the naive predicate gets wrong, and the times of both."""
 import math
 
-from plots.set_errors import sets
 from plots.set_errors import source  # noqa: F401  (what stands under the figure)
 from records import Missing
+from sets import sets
 from style import PAGE, SERIES, panels
 
 NAME = "naive"
 CAPTION = ("What the naive float32 predicate gets wrong (left, missed and extra pairs of the right ones) and what the "
            "exact one costs over it (right; bars: the least and greatest cost that the intervals of both medians "
            "allow), by scene.")
+
+NAMES = {"cpu": "CPU", "glsl": "GLSL", "cuda": "CUDA"}
 
 
 def cost(entry):
@@ -34,7 +36,7 @@ def draw(machine):
         middle, below, above = cost(entry)
         costs.errorbar(middle, place, xerr=[[below], [above]], capsize=1.5, elinewidth=0.7,
                        **{**look, "linestyle": ""})
-    labels = [f"{entry['scene']}, n = {entry['n']:,}, {entry['backend']}" for entry in reversed(entries)]
+    labels = [f"{entry['scene']}, $n$ = {entry['n']:,}, {NAMES[entry['backend']]}" for entry in reversed(entries)]
     wrong.set_yticks(range(len(entries)), labels)
     most = max(entry["missed"] + entry["extra"] for entry in entries)
     wrong.set(xscale="symlog", xlabel="pairs that the naive predicate gets wrong")

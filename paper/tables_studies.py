@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: MIT
+"""Tables of the studies that have runs of their own: the stress catalogue, peers, crossovers, hand-overs."""
+from dataclasses import dataclass
+
+from crossovers import crossovers_by_kind
+from records import Missing, peers as measured_peers
+from tabular import Table, ms
+
+DEVICES = ("cuda", "glsl")
+ROWS = range(1, 34)  # of the catalogue
+STRESS = ("The stress catalogue: what each row sets up, what was found, what had to hold, and on which backends it did. "
+          "A figure without a name is that of every backend.")
+PEERS = ("Milliseconds from centres on the GPU, in random order, to the number of colliding pairs, or to what else a "
+         "system offers: ours beside other systems on the same centres. The others were timed in one run of their own "
+         "({run}), on an H200 too, as medians without intervals; wrong pairs are of the last column. Ours:")
+CROSSOVERS = ("The least $n$ from which the grid stays ahead of all pairs, intervals apart, by the kind of spheres, and "
+              "how much the program's own choice (auto) took more than the best fixed one at worst, in percent; 0 "
+              "where no difference is seen.")
+HAND_OVERS = ("CUDA steps, OpenGL draws: a picture with its hand-over, a step, and both pipelined in a loop; overlap: "
+              "the share of the shorter that the loop hides.")
+
+
+@dataclass
+class Stressed:
+    """One test of a row of the catalogue, on every backend that it ran on."""
+    row: int
+    scene: str
+    what: str
+    bound: str
+    verdicts: dict  # backend, or all -> verdict
+    figures: dict
+
+
+def stressed(machine):
+    tests = {}
+    for entry in machine.source("stress.json")["rows"]:
+        test = tests.setdefault((entry["row"], entry["what"]), Stressed(
+            entry["row"], entry["scene"], entry["what"], entry["bound"], {}, {}))
+        test.verdicts[entry["backend"]] = entry["verdict"]
+        if entry["verdict"] != "skipped":
+            test.figures[entry["backend"]] = entry["figure"]
+    found = list(tests.values())
+    failed = [f"{test.row}: {test.what}" for test in found if "FAIL" in test.verdicts.values()]
+    if failed:
+        raise Missing(f"{machine.name}: rows of the stress catalogue failed, {', '.join(failed)}")
+    absent = [str(row) for row in ROWS if not any(test.row == row and test.figures for test in found)]
+    if absent:
+        raise Missing(f"{machine.name}: rows {', '.join(absent)} of the stress catalogue were not run")
+    return found
+
+
+def figure_text(figures):
+    """One for all backends that found the same, else each with who found it."""
+    owners = {}
+    for backend, figure in figures.items():
+        owners.setdefault(figure, []).append(backend)
+    if len(owners) == 1:
+        return next(iter(owners)) or "-"
+    return "; ".join(f"{', '.join(name.upper() for name in names)}: {figure}" for figure, names in owners.items())
+
+
+def stress(machine):
+    rows, last = [], None
+    for test in stressed(machine):
+        verdicts = [test.verdicts.get(name, test.verdicts.get("all", "-") if machine.has(name) else "-")
+                    for name in ("cpu", "glsl", "cuda")]
+        verdicts = ["-" if verdict == "skipped" else verdict for verdict in verdicts]
+        first = test.row != last
+        rows.append([str(test.row) if first else "", test.scene if first else "", test.what,
+                     figure_text(test.figures), test.bound, *verdicts])
+        last = test.row
+    columns = ("r", *(f">{{\\raggedright\\arraybackslash}}p{{{width}mm}}" for width in (29, 25, 49, 25)), "l", "l", "l")
+    heads = [[("", 1)] * 8, ["row", "scene", "what is tested", "figure", "bound", "CPU", "GLSL", "CUDA"]]
+    return Table("stress", STRESS, heads, rows, left=8, columns=columns, source=machine.source("stress.json")["id"],
+                 long=True)
+
+
+def ours(machine, name, sizes):
+    cells = []
+    for n, fraction in sizes:
+        found = machine.select(table="grid", scene="uniform", method="collide_grid", order="cold", backend=name, n=n,
+                               packing_fraction=fraction)
+        cells.append(ms(found[0].median) if found else "-")
+    return [f"this paper, {name.upper()}", "count", *cells, "0"]
+
+
+def peers(machine):
+    record = measured_peers()
+    sizes = [tuple(size) for size in record["sizes"]]
+    rows = [ours(machine, name, sizes) for name in DEVICES if machine.has(name)]
+    if all(cell == "-" for row in rows for cell in row[2:-1]):
+        raise Missing(f"{machine.name} has no record of the grid at the sizes that peers were timed at")
+    for peer in record["peers"]:
+        rows.append([peer["name"], peer["output"], *(ms(value) for value in peer["ms"]),
+                     "-" if peer["wrong"] is None else str(peer["wrong"])])
+    sizes_text = [f"{n:,}" for n, _ in sizes]
+    heads = [[("", 2), ("packing fraction and number of spheres", len(sizes)), ("wrong", 1)],
+             ["system", "output", *(f"{fraction:g}: {text}" for (_, fraction), text in zip(sizes, sizes_text)),
+              "pairs"]]
+    return Table("peers", PEERS.format(run=record["id"]), heads, rows, left=2,
+                 source=machine.need(table="grid", method="collide_grid")[0].source)
+
+
+def crossover(machine):
+    found = crossovers_by_kind(machine)
+    names = [name for name in ("cpu", "glsl", "cuda") if any(name in by_backend for by_backend in found.values())]
+    rows = []
+    for kind, by_backend in found.items():
+        row = [kind]
+        for name in names:
+            result = by_backend.get(name)
+            row += ["-", "-"] if result is None else [result.start, result.loss]
+        rows.append(row)
+    heads = [[("", 1), *((name.upper(), 2) for name in names)], ["spheres", *["grid from", "auto"] * len(names)]]
+    return Table("crossover", CROSSOVERS, heads, rows, source=next(iter(by_backend.values())).source)
+
+
+def hand_over(machine):
+    roots = [root for root in machine.sources.values() if root.get("overlaps")]
+    if not roots:
+        raise Missing(f"{machine.name} has no record of `spherepair frames --hand-over`")
+    rows = []
+    for entry in roots[-1]["overlaps"]:
+        rows.append([entry["hand_over"], entry["draw"], f"{entry['n']:,}", ms(entry["picture_ms"]),
+                     ms(entry["step_ms"]), ms(entry["pipelined_ms"]), f"{100 * entry['overlap']:.0f}"])
+    heads = [[("", 3), ("milliseconds", 3), ("", 1)],
+             ["hand-over", "draw", "spheres", "picture", "step", "both", "overlap, \\%"]]
+    return Table("hand-over", HAND_OVERS, heads, rows, left=2, source=roots[-1]["id"])
+
+
+STUDIED = (stress, peers, crossover, hand_over)
