@@ -8,6 +8,7 @@ import re
 import sys
 
 from numbers_accuracy import ACCURATE
+from numbers_compared import COMPARED
 from numbers_measured import MEASURED
 from numbers_proved import PROVED
 from numbers_studies import STUDIED
@@ -29,7 +30,7 @@ class Numbers:
 
 def collect(machine, others):
     numbers = Numbers()
-    for make in (*MEASURED, *PROVED, *STUDIED, *ACCURATE):
+    for make in (*MEASURED, *PROVED, *STUDIED, *ACCURATE, *COMPARED):
         try:
             make(numbers.put, machine, others)
         except Missing as reason:

@@ -62,8 +62,11 @@ def wrong_sets(put, machine, others):
     near = {(e["method"], e["precision"], e["k"]): e for e in root["motion"] if e["offset"] == 0}
     for k in sorted({k for _, _, k in near}):
         for method in ("paper", "anchored"):
-            put(f"sets/{method}/{k}", percent(wrong(near[method, "float32", k])), source,
-                f"% of pairs wrong, {method}, float32, step 2^-{k} s")
+            entry = near[method, "float32", k]
+            put(f"sets/{method}/{k}", f"{entry['missed'] + entry['extra']:,}", source,
+                f"pairs missed or found too much, {method}, float32, step 2^-{k} s")
+            put(f"sets/{method}/{k}/percent", percent(wrong(entry)), source, "the same in % of the right pairs")
+    put("sets/right", f"{near['paper', 'float32', k]['right']:,}", source, "right pairs")
     farthest = max(e["offset"] for e in root["storage"])
     put("sets/far/m", in_words(farthest), source, "greatest distance from the origin, m")
     for precision in ("float32", "compensated", "float64"):
@@ -86,6 +89,11 @@ def naive_sets(put, machine, others):
         most = max(entries, key=lambda entry: entry["missed"] + entry["extra"])
         put(f"naive/{scene}", f"{most['missed'] + most['extra']:,}", root["id"], f"naive: wrong pairs, {scene}")
         put(f"naive/{scene}/right", f"{most['right']:,}", root["id"], f"right pairs, {scene}")
+        for entry in entries:
+            times = entry["exact"]["median_ms"] / entry["naive"]["median_ms"]
+            what = f"{entry['backend']}, {scene}, exact predicate over naive"
+            put(f"naive/{scene}/cost/{entry['backend']}", f"{100 * (times - 1):.0f}", root["id"], f"cost in %, {what}")
+            put(f"naive/{scene}/times/{entry['backend']}", f"{times:.1f}", root["id"], f"time, {what}")
     put("naive/n", f"{most['n']:,}", root["id"], "spheres of the naive comparison")
 
 

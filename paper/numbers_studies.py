@@ -59,6 +59,17 @@ def grid(put, machine, others):
                     f"{last.label}, share of the floor in %, n = {last.n}, {order}")
 
 
+def largest_grids(put, machine, others):
+    for name in DEVICES:
+        wanted = {**GRID, "packing_fraction": 0.3, "backend": name}
+        rows = {(row.n, row.order): row for row in machine.need(**wanted)}
+        most = max(n for n, order in rows if (n, "cold") in rows and (n, "warm") in rows)
+        put(f"grid/most/{name}/n", f"{most:,}", rows[most, "cold"].source, f"largest n of the grid, {name}")
+        for order in ("cold", "warm"):
+            row = rows[most, order]
+            put(f"grid/most/{name}/{order}", ms(row.median), row.source, f"{row.label}, n = {most}, {order}")
+
+
 def grid_leads(put, machine, others):
     """CUDA's lead in the grid, over every order and packing fraction."""
     contests = [pair for order in ("cold", "warm") for fraction in fractions(machine)
@@ -97,4 +108,4 @@ def hand_overs(put, machine, others):
         put(f"interop/{key}/way", row.way, row.source, f"the {key}est way to hand over, n = {row.n}")
 
 
-STUDIED = (later_all_pairs, twin_kernels, grid, grid_leads, pictures, hand_overs)
+STUDIED = (later_all_pairs, twin_kernels, grid, largest_grids, grid_leads, pictures, hand_overs)

@@ -67,20 +67,25 @@ def ceilings(machine):
                  "a result, and chains of multiply-adds, each per sphere.", heads, rows, left=1)
 
 
+def driver_milliseconds(machine):
+    """Kernel -> time that the GL driver took to compile it, of `spherepair devices --compile`; empty without a record."""
+    return next((backend["compile_ms"] for root in machine.sources.values() for backend in root.get("backends", [])
+                 if isinstance(backend, dict) and backend.get("compile_ms")), {})
+
+
 def code(machine):
-    record, rows = recorded_code(), []
+    record, rows, driver = recorded_code(), [], driver_milliseconds(machine)
     for twin in record["twins"]:
-        first = machine.select(table="methods", method=twin["kernel"], backend="glsl", block=128)
         rows.append([twin["kernel"], *(str(twin[f"{what}_lines"]) for what in ("glsl", "cuda", "same")),
                      f"{twin['nvcc_seconds']:.1f}" if "nvcc_seconds" in twin else "-",
-                     ms(first[0].first_step_ms) if first else "-"])
+                     ms(driver.get(twin["kernel"]))])
     for what, name in (("support", "included by kernels"), ("host", "host code")):
         rows.append([name, str(record[what]["glsl"]), str(record[what]["cuda"]), "-", "-", "-"])
     heads = [[("", 1), ("lines of code", 3), ("compiling", 2)],
              ["kernel", "GLSL", "CUDA", "same", "nvcc, s", "GLSL, ms"]]
     return Table("code", "What each API asks for. Lines without blanks and comments; same: lines in both. nvcc: "
-                 f"processor seconds on {record['context']['cpu']}, once, when the program is built ({record['id']}). "
-                 "GLSL: first use in a run, with the driver's compilation.", heads, rows)
+                 f"processor seconds on {record['context']['cpu']}, once, when the program is built ({record['id']})." +
+                 (" GLSL: the driver's, in each program that uses it." if driver else ""), heads, rows)
 
 
 def machine_and_run(machine):

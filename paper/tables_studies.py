@@ -10,8 +10,8 @@ DEVICES = ("cuda", "glsl")
 ROWS = range(1, 34)  # of the catalogue
 STRESS = ("The stress catalogue: what each row sets up, what was found, what had to hold, and on which backends it did. "
           "A figure without a name is that of every backend.")
-PEERS = ("Milliseconds from centres on the GPU, in random order, to the number of colliding pairs, or to what else a "
-         "system offers: ours beside other systems on the same centres. The others were timed in one run of their own "
+PEERS = ("Milliseconds from so many centres on the GPU, in random order and of the packing fraction below, to the "
+         "number of colliding pairs, or to what else a system offers: ours beside other systems on the same centres. The others were timed in one run of their own "
          "({run}), on an H200 too, as medians without intervals; wrong pairs are of the last column. Ours:")
 CROSSOVERS = ("The least $n$ from which the grid stays ahead of all pairs, intervals apart, by the kind of spheres, and "
               "how much the program's own choice (auto) took more than the best fixed one at worst, in percent; 0 "
@@ -84,6 +84,12 @@ def ours(machine, name, sizes):
     return [f"this paper, {name.upper()}", "count", *cells, "0"]
 
 
+def size_text(n):
+    """E.g. 10^6."""
+    digits = str(n)
+    return f"10^{len(digits) - 1}" if digits.strip("0") == "1" else f"{n:,}"
+
+
 def peers(machine):
     record = measured_peers()
     sizes = [tuple(size) for size in record["sizes"]]
@@ -93,10 +99,9 @@ def peers(machine):
     for peer in record["peers"]:
         rows.append([peer["name"], peer["output"], *(ms(value) for value in peer["ms"]),
                      "-" if peer["wrong"] is None else str(peer["wrong"])])
-    sizes_text = [f"{n:,}" for n, _ in sizes]
-    heads = [[("", 2), ("packing fraction and number of spheres", len(sizes)), ("wrong", 1)],
-             ["system", "output", *(f"{fraction:g}: {text}" for (_, fraction), text in zip(sizes, sizes_text)),
-              "pairs"]]
+    counted = [n for n, _ in sizes]
+    groups = [(size_text(n), counted.count(n)) for n in dict.fromkeys(counted)]
+    heads = [[("", 2), *groups, ("wrong", 1)], ["system", "output", *(f"{f:g}" for _, f in sizes), "pairs"]]
     return Table("peers", PEERS.format(run=record["id"]), heads, rows, left=2,
                  source=machine.need(table="grid", method="collide_grid")[0].source)
 
@@ -115,17 +120,21 @@ def crossover(machine):
     return Table("crossover", CROSSOVERS, heads, rows, source=next(iter(by_backend.values())).source)
 
 
-def hand_over(machine):
+def overlaps(machine):
     roots = [root for root in machine.sources.values() if root.get("overlaps")]
     if not roots:
         raise Missing(f"{machine.name} has no record of `spherepair frames --hand-over`")
+    return roots[-1]
+
+
+def hand_over(machine):
     rows = []
-    for entry in roots[-1]["overlaps"]:
+    for entry in overlaps(machine)["overlaps"]:
         rows.append([entry["hand_over"], entry["draw"], f"{entry['n']:,}", ms(entry["picture_ms"]),
                      ms(entry["step_ms"]), ms(entry["pipelined_ms"]), f"{100 * entry['overlap']:.0f}"])
     heads = [[("", 3), ("milliseconds", 3), ("", 1)],
              ["hand-over", "draw", "spheres", "picture", "step", "both", "overlap, \\%"]]
-    return Table("hand-over", HAND_OVERS, heads, rows, left=2, source=roots[-1]["id"])
+    return Table("hand-over", HAND_OVERS, heads, rows, left=2, source=overlaps(machine)["id"])
 
 
 STUDIED = (stress, peers, crossover, hand_over)

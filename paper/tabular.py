@@ -61,14 +61,14 @@ def as_tex(table):
     columns = "".join(table.columns or "l" * table.left + "r" * (len(table.heads[1]) - table.left))
     groups, rules, at = [], [], 1
     for text, width in table.heads[0]:
-        groups.append(f"\\multicolumn{{{width}}}{{c}}{{{escape(text)}}}")
+        groups.append(f"\\multicolumn{{{width}}}{{c}}{{{typeset(text)}}}")
         if text:
             rules.append(f"\\cmidrule(lr){{{at}-{at + width - 1}}}")
         at += width
     head = ["\\toprule"]
     if rules:
         head += [" & ".join(groups) + " \\\\", " ".join(rules)]
-    head += [" & ".join(escape(name) for name in table.heads[1]) + " \\\\", "\\midrule"]
+    head += [" & ".join(typeset(name) for name in table.heads[1]) + " \\\\", "\\midrule"]
     rows = [" & ".join(typeset(cell) for cell in row) + " \\\\" for row in table.rows]
     if table.long:
         start = [f"\\caption{{\\csname caption@{table.name}\\endcsname}}\\label{{tab:{table.name}}}\\\\"]

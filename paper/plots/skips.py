@@ -4,10 +4,10 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import LogLocator, NullFormatter
 
 from derived import ratio
-from records import Missing
+from skips import TABLE, pairs_of  # noqa: F401
 from style import PAGE, SERIES, panels, series_of, time_text
 
-NAME = TABLE = "skips"
+NAME = "skips"
 CAPTION = ("What each skip, each trick of one API and each kernel of our own saves: time without it over time with it, "
            "the results being equal; left of 1 it costs. Bars: the least and greatest ratio that the intervals of both "
            "medians allow. Beside them: the time with it{counted}.")
@@ -17,22 +17,6 @@ KINDS = {"skip": "skips: work that the scene does not need", "trick": "tricks: w
 TRICKS = ({"glsl"}, {"cuda"})  # who has them, alone
 MOST_SIZES = 2
 NAMES = {"cpu": "CPU", "glsl": "GLSL", "cuda": "CUDA"}
-
-
-def same_work(record):
-    """What an on and an off record have in common, apart from the number of spheres."""
-    scene = tuple(sorted((name, str(value)) for name, value in record.scene.items() if name != "n"))
-    return record.skip, record.backend, scene, record.parameters.get("method"), record.parameters.get("block")
-
-
-def pairs_of(machine):
-    """(with, without) for every option, backend, scene and number of spheres, in the order in which they were timed."""
-    without = {(same_work(row), row.n): row for row in machine.select(table=TABLE, on=False)}
-    with_it = machine.need(table=TABLE, on=True)
-    pairs = [(on, without[same_work(on), on.n]) for on in with_it if (same_work(on), on.n) in without]
-    if not pairs:
-        raise Missing(f"{machine.name} has no option that was timed both with and without")
-    return pairs
 
 
 def sizes_of(pairs):
