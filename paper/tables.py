@@ -3,11 +3,7 @@
 from ranks import verdict
 from records import Missing, original_paper, recorded_code
 from tables_studies import STUDIED
-from tabular import Table, as_tex, as_text, ms, without_empty_columns
-
-
-def interval_us(record):
-    return f"{ms(1e3 * record.median)} [{ms(1e3 * record.low)}, {ms(1e3 * record.high)}]"
+from tabular import Table, as_tex, as_text, interval, ms, without_empty_columns
 
 
 def median_or_dash(machine, **wanted):
@@ -50,7 +46,7 @@ def methods(machine):
     rows = []
     for method in ("collide_group", "collide_tiled", "collide_square", "collide_triangle"):
         glsl, cuda = (machine.one(table="methods", method=method, backend=b, block=128) for b in ("glsl", "cuda"))
-        rows.append([method.removeprefix("collide_"), interval_us(glsl), interval_us(cuda), verdict(glsl, cuda)])
+        rows.append([method.removeprefix("collide_"), interval(glsl, 1e3), interval(cuda, 1e3), verdict(glsl, cuda)])
     heads = [[("", 1), ("median [interval], µs", 2), ("", 1)], ["method", "GLSL", "CUDA", "verdict"]]
     return Table("methods", f"One collision step of {glsl.n:,} spheres, groups of 128: median and its interval of at "
                  "least 95\\,\\% between order statistics.", heads, rows)
@@ -60,7 +56,7 @@ def ceilings(machine):
     rows = []
     for record in machine.need(table="ceilings"):
         rate = record.amount_per_step / (1e-3 * record.median)
-        rows.append([record.work, f"{record.n:,}", record.backend.upper(), interval_us(record),
+        rows.append([record.work, f"{record.n:,}", record.backend.upper(), interval(record, 1e3),
                      f"{ms(rate)} {record.unit}"])
     heads = [[("", 1)] * 5, ["what", "spheres", "API", "median [interval], µs", "rate"]]
     return Table("ceilings", "What the GPU does at best through each API: 16 bytes copied, a scattered atomic without "

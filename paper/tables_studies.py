@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Tables of the studies that have runs of their own: the stress catalogue, peers, crossovers, hand-overs."""
+import re
 from dataclasses import dataclass
 
 from crossovers import crossovers_by_kind
-from records import Missing, peers as measured_peers
-from tabular import Table, ms
+from ranks import verdict
+from records import Missing
+from records import peers as measured_peers
+from tabular import Table, interval, ms
 
 DEVICES = ("cuda", "glsl")
 ROWS = range(1, 34)  # of the catalogue
@@ -31,6 +34,11 @@ class Stressed:
     figures: dict
 
 
+def in_thousands(text):
+    """10000000 -> 10,000,000, where it is a number of its own."""
+    return re.sub(r"(?<![\w.,^+-])\d{5,}(?![\w.])", lambda number: f"{int(number[0]):,}", text)
+
+
 def stressed(machine):
     tests = {}
     for entry in machine.source("stress.json")["rows"]:
@@ -38,7 +46,7 @@ def stressed(machine):
             entry["row"], entry["scene"], entry["what"], entry["bound"], {}, {}))
         test.verdicts[entry["backend"]] = entry["verdict"]
         if entry["verdict"] != "skipped":
-            test.figures[entry["backend"]] = entry["figure"]
+            test.figures[entry["backend"]] = in_thousands(entry["figure"])
     found = list(tests.values())
     failed = [f"{test.row}: {test.what}" for test in found if "FAIL" in test.verdicts.values()]
     if failed:
@@ -120,6 +128,24 @@ def crossover(machine):
     return Table("crossover", CROSSOVERS, heads, rows, source=next(iter(by_backend.values())).source)
 
 
+def grid_sizes(machine):
+    rows, source = [], ""
+    for fraction in (0.3, 0.05):
+        wanted = {"table": "grid", "scene": "uniform", "method": "collide_grid", "packing_fraction": fraction}
+        for n in sorted({row.n for row in machine.need(**wanted)}):
+            cells = [f"{fraction:g}", size_text(n)]
+            for order in ("warm", "cold"):
+                glsl, cuda = (machine.select(**wanted, n=n, order=order, backend=name) for name in ("glsl", "cuda"))
+                cells += [interval(found[0]) if found else "-" for found in (glsl, cuda)]
+                cells.append(verdict(glsl[0], cuda[0]) if glsl and cuda else "-")
+                source = source or (glsl or cuda)[0].source
+            rows.append(cells)
+    heads = [[("packing", 1), ("", 1), ("in cell order, ms", 3), ("in random order, ms", 3)],
+             ["fraction", "spheres", *["GLSL", "CUDA", "verdict"] * 2]]
+    return Table("grid-sizes", "A collision step through the grid: medians and their intervals.", heads, rows, left=0,
+                 source=source)
+
+
 def overlaps(machine):
     roots = [root for root in machine.sources.values() if root.get("overlaps")]
     if not roots:
@@ -137,4 +163,4 @@ def hand_over(machine):
     return Table("hand-over", HAND_OVERS, heads, rows, left=2, source=overlaps(machine)["id"])
 
 
-STUDIED = (stress, peers, crossover, hand_over)
+STUDIED = (stress, grid_sizes, peers, crossover, hand_over)

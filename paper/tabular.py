@@ -27,6 +27,11 @@ def ms(value):
     return f"{value:.{digits}f}" if value else "0"
 
 
+def interval(record, scale=1):
+    """Median and the interval of the median, in milliseconds times `scale`."""
+    return f"{ms(scale * record.median)} [{ms(scale * record.low)}, {ms(scale * record.high)}]"
+
+
 def escape(text):
     for plain, safe in (("\\,", "\0"), ("\\%", "\1"), ("\\", ""), ("%", "\\%"), ("_", "\\_"), ("&", "\\&"),
                         ("#", "\\#"), ("^", "\\textasciicircum{}")):
@@ -43,13 +48,12 @@ def power(mantissa, exponent):
 MATHEMATICS = {  # what is not typed as it is set
     r"(?<![\w.])(\d+)\^(-?\d+)": lambda m: f"${m[1]}^{{{m[2]}}}$",
     r"(?<![\w.])(-?\d[\d.]*)e([+-]?\d+)\b": lambda m: power(m[1], m[2]),
-    r"(?<![\w.,^+-])\d{5,}(?![\w.])": lambda m: f"{int(m[0]):,}".replace(",", "{,}"),
     r"\+-(?= )": lambda m: "$\\pm$",
 }
 
 
 def typeset(cell):
-    """Powers, large numbers and what stands for a sign as mathematics: 10^6, 5.8e-05, 100000, +-."""
+    """Powers, floats and what stands for a sign as mathematics: 10^6, 5.8e-05, +-."""
     found = [(m.start(), m.end(), made(m)) for pattern, made in MATHEMATICS.items() for m in re.finditer(pattern, cell)]
     text, at = "", 0
     for start, end, mathematics in sorted(found):

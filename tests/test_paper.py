@@ -91,7 +91,7 @@ class Stress(unittest.TestCase):
     def test_a_row_a_test_and_a_verdict_a_backend(self):
         rows = self.table().rows
         self.assertEqual(33, len(rows))
-        self.assertEqual(["7", "a lattice", "it holds", "0 wrong of 100000", "1e-04 m", *["pass"] * 3], rows[6])
+        self.assertEqual(["7", "a lattice", "it holds", "0 wrong of 100,000", "1e-04 m", *["pass"] * 3], rows[6])
 
     def test_a_failed_and_an_absent_row_are_refused(self):
         for wrong in ({"verdict": "FAIL"}, {"rows": 32}):
@@ -103,7 +103,7 @@ class Stress(unittest.TestCase):
                          tables_studies.figure_text({"cpu": "1 m", "glsl": "1 m", "cuda": "2 m"}))
 
     def test_numbers_are_set_as_mathematics(self):
-        self.assertEqual("0 wrong of 100{,}000, $\\pm$ $10^{-4}$, $5.8\\cdot10^{-5}$ m, 0, $2^{-149}$, 4096",
+        self.assertEqual("0 wrong of 100000, $\\pm$ $10^{-4}$, $5.8\\cdot10^{-5}$ m, 0, $2^{-149}$, 4096",
                          tabular.typeset("0 wrong of 100000, +- 1e-04, 5.8e-05 m, 0.0e+00, 2^-149, 4096"))
 
 
