@@ -51,7 +51,7 @@ def kinds_of_spheres(put, machine, others):
     put("kinds/all", str(len(found)), source, "kinds of spheres in which auto was timed")
     put("kinds/worst", f"{worst[0]:.0f}", source, f"% by which auto was slower at worst: {worst[1]}, {worst[2]}")
     for kind, by_backend in found.items():
-        for name in DEVICES:
+        for name in by_backend.keys() & set(DEVICES):
             put(f"kinds/{kind}/{name}", by_backend[name].start, source, f"{name}, {kind}: least n of the grid's lead")
 
 

@@ -137,11 +137,11 @@ def grid_sizes(machine):
             for order in ("warm", "cold"):
                 glsl, cuda = (machine.select(**wanted, n=n, order=order, backend=name) for name in ("glsl", "cuda"))
                 cells += [interval(found[0]) if found else "-" for found in (glsl, cuda)]
-                cells.append(verdict(glsl[0], cuda[0]) if glsl and cuda else "-")
+                cells.append(verdict(glsl[0], cuda[0]).removesuffix(" faster") if glsl and cuda else "-")
                 source = source or (glsl or cuda)[0].source
             rows.append(cells)
     heads = [[("packing", 1), ("", 1), ("in cell order, ms", 3), ("in random order, ms", 3)],
-             ["fraction", "spheres", *["GLSL", "CUDA", "verdict"] * 2]]
+             ["fraction", "spheres", *["GLSL", "CUDA", "faster"] * 2]]
     return Table("grid-sizes", "A collision step through the grid: medians and their intervals.", heads, rows, left=0,
                  source=source)
 
@@ -159,7 +159,7 @@ def hand_over(machine):
         rows.append([entry["hand_over"], entry["draw"], f"{entry['n']:,}", ms(entry["picture_ms"]),
                      ms(entry["step_ms"]), ms(entry["pipelined_ms"]), f"{100 * entry['overlap']:.0f}"])
     heads = [[("", 3), ("milliseconds", 3), ("", 1)],
-             ["hand-over", "draw", "spheres", "picture", "step", "both", "overlap, \\%"]]
+             ["hand-over", "draw", "spheres", "picture", "step", "both", "overlap, %"]]
     return Table("hand-over", HAND_OVERS, heads, rows, left=2, source=overlaps(machine)["id"])
 
 
