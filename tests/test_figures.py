@@ -60,7 +60,7 @@ def sets_to_come():
 
 def crossovers_to_come():
     return [record for n, times in ((64, (1, 3, 3, 1)), (1024, (9, 2, 4, 2)))
-            for way, time in zip(("all pairs", "dense", "hashed", "auto"), times)
+            for way, time in zip(("collide_square", "dense", "hashed", "auto"), times)
             for record in [Record({"table": "crossover", "kind": "gas", "way": way, "n": n, "backend": "glsl",
                                    "scene": SCENE, "label": "made up", "samples_ms": [time] * 7}, time, time, time,
                                   "made up")]]
