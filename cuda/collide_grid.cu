@@ -2,7 +2,8 @@
 // One thread per sphere in cell order; groups take chunks of spheres until none is left. The later half of a sphere's
 // neighbourhood is five rows of cells, each a contiguous range of spheres. A thread walks through all of them in one
 // loop, four spheres at a time, and marks in a word whoever is in reach; then it queues them, and the group settles the
-// queue, a thread per pair. Where a word or the queue is full, the group walks on after that.
+// queue, a thread per pair, in full rounds: the rest waits for the next chunk. Where a word or the queue is full, the
+// group walks on after that.
 #include "cell.h"
 #include "collide.cuh"
 
@@ -76,12 +77,13 @@ __device__ uint walk(const Collider<EQUAL_RADII, LISTED>& collider, vec4 mine, c
 
 template <int BLOCK, bool EQUAL_RADII, bool LISTED>
 __global__ void __launch_bounds__(BLOCK) collide_grid(Params p, World w) {
-  __shared__ uvec2 queue[2 * BLOCK];  // of the group: a thread, and a sphere in its reach
-  __shared__ uint contacts[BLOCK];    // of each thread's sphere, found so far
+  constexpr uint ROOM = 3 * BLOCK;
+  __shared__ uvec2 queue[ROOM];  // of the group: two spheres that may meet
   __shared__ uint queued, unfinished;
   __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
   Collider<EQUAL_RADII, LISTED> collider(p, w, total);
   uint lane = threadIdx.x;
+  if (lane == 0u) queued = unfinished = 0u;
   collider.start_totals();
   uint stretch = (p.n / BLOCK / group_count() + 1u) * BLOCK;
   uint end = min((group_index(p) + 1u) * stretch, p.n);
@@ -92,11 +94,8 @@ __global__ void __launch_bounds__(BLOCK) collide_grid(Params p, World w) {
     uint marked = 0u;
     uint next = 0u;
     uint base = 0u;
-    contacts[lane] = 0u;
     bool again = true;
     while (again) {
-      if (lane == 0u) queued = unfinished = 0u;
-      __syncthreads();
       if (marked == 0u && next < rows.ahead_above.bound) {
         base = next;
         next = base + 32u;
@@ -104,30 +103,29 @@ __global__ void __launch_bounds__(BLOCK) collide_grid(Params p, World w) {
       }
       uint at = marked != 0u ? atomicAdd(&queued, uint(__popc(marked))) : 0u;
 #pragma unroll 1
-      for (; marked != 0u && at < 2u * BLOCK; ++at) {
-        queue[at] = uvec2{lane, walked(rows, base + uint(__ffs(int(marked))) - 1u)};
+      for (; marked != 0u && at < ROOM; ++at) {
+        queue[at] = uvec2{i, walked(rows, base + uint(__ffs(int(marked))) - 1u)};
         marked &= marked - 1u;
       }
       if (marked != 0u || next < rows.ahead_above.bound) unfinished = 1u;
       __syncthreads();
       again = unfinished != 0u;
-      uint meetings = min(queued, 2u * BLOCK);
+      uint held = min(queued, ROOM);
+      uint left = first + BLOCK < end || again ? held % BLOCK : 0u;
 #pragma unroll 1
-      for (uint q = lane; q < meetings; q += BLOCK) {
+      for (uint q = left + lane; q < held; q += BLOCK) {
         uint a = queue[q].x;
-        uint j = queue[q].y;
-        if (collider.meets(first + a, w.position[first + a], j, w.position[j])) {
-          atomicAdd(&contacts[a], 1u);
-          if (j - first < BLOCK) {
-            atomicAdd(&contacts[j - first], 1u);
-          } else {
-            atomicAdd(&w.count[j], 1u);
-          }
+        uint b = queue[q].y;
+        if (collider.meets(a, w.position[a], b, w.position[b])) {
+          atomicAdd(&w.count[a], 1u);
+          atomicAdd(&w.count[b], 1u);
         }
       }
       __syncthreads();
+      if (lane == 0u) queued = left;
+      if (lane == 0u) unfinished = 0u;
+      __syncthreads();
     }
-    if (contacts[lane] != 0u) atomicAdd(&w.count[i], contacts[lane]);
   }
   collider.finish_totals();
 }

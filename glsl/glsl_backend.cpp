@@ -203,7 +203,7 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   if (launch.variant.texture_table && launch.kernel == Kernel::collide_grid)
     table_texture_.bind(buffers_[launch.table], table_texels());
   ++work_.launches;
-  timer_.time(kernel_name(launch.kernel), [&] {
+  timer_.time(stage_name(launch), [&] {
     glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   });

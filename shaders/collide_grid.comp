@@ -3,13 +3,14 @@
 // One thread per sphere in cell order; groups take chunks of spheres until none is left. The later half of a sphere's
 // neighbourhood is five rows of cells, each a contiguous range of spheres. A thread walks through all of them in one
 // loop, four spheres at a time, and marks in a word whoever is in reach; then it queues them, and the group settles the
-// queue, a thread per pair. Where a word or the queue is full, the group walks on after that.
+// queue, a thread per pair, in full rounds: the rest waits for the next chunk. Where a word or the queue is full, the
+// group walks on after that.
 #include "collide.glsl"
 #include "grid.glsl"
 
 layout(local_size_x = BLOCK) in;
-shared uvec2 queue[2 * BLOCK];  // of the group: a thread, and a sphere in its reach
-shared uint contacts[BLOCK];    // of each thread's sphere, found so far
+const uint ROOM = 3u * BLOCK;
+shared uvec2 queue[ROOM];  // of the group: two spheres that may meet
 shared uint queued, unfinished;
 
 // The k-th sphere of a walk is sphere k + shift in the first row with k < bound.
@@ -74,6 +75,7 @@ uint walk(vec4 mine, Rows rows, uint first) {
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
+  if (lane == 0u) queued = unfinished = 0u;
   start_totals();
   uint stretch = (p.n / BLOCK / group_count() + 1u) * BLOCK;
   uint end = min((group_index() + 1u) * stretch, p.n);
@@ -84,40 +86,36 @@ void main() {
     uint marked = 0u;
     uint next = 0u;
     uint base = 0u;
-    contacts[lane] = 0u;
     bool again = true;
     while (again) {
-      if (lane == 0u) queued = unfinished = 0u;
-      barrier();
       if (marked == 0u && next < rows.ahead_above.bound) {
         base = next;
         next = base + 32u;
         marked = walk(mine, rows, base);
       }
       uint at = marked != 0u ? atomicAdd(queued, uint(bitCount(marked))) : 0u;
-      for (; marked != 0u && at < 2u * BLOCK; ++at) {
-        queue[at] = uvec2(lane, walked(rows, base + uint(findLSB(marked))));
+      for (; marked != 0u && at < ROOM; ++at) {
+        queue[at] = uvec2(i, walked(rows, base + uint(findLSB(marked))));
         marked &= marked - 1u;
       }
       if (marked != 0u || next < rows.ahead_above.bound) unfinished = 1u;
       barrier();
       again = unfinished != 0u;
-      uint meetings = min(queued, 2u * BLOCK);
-      for (uint q = lane; q < meetings; q += BLOCK) {
+      uint held = min(queued, ROOM);
+      uint left = first + BLOCK < end || again ? held % BLOCK : 0u;
+      for (uint q = left + lane; q < held; q += BLOCK) {
         uint a = queue[q].x;
-        uint j = queue[q].y;
-        if (meets(first + a, position[first + a], j, position[j])) {
-          atomicAdd(contacts[a], 1u);
-          if (j - first < BLOCK) {
-            atomicAdd(contacts[j - first], 1u);
-          } else {
-            atomicAdd(count[j], 1u);
-          }
+        uint b = queue[q].y;
+        if (meets(a, position[a], b, position[b])) {
+          atomicAdd(count[a], 1u);
+          atomicAdd(count[b], 1u);
         }
       }
       barrier();
+      if (lane == 0u) queued = left;
+      if (lane == 0u) unfinished = 0u;
+      barrier();
     }
-    if (contacts[lane] != 0u) atomicAdd(count[i], contacts[lane]);
   }
   finish_totals();
 }
