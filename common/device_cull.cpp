@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Drawing by clusters: the spheres that the last picture showed are drawn first, a pyramid of depths is made of them,
+// Drawing by clusters: the spheres that the last pictures showed are drawn first, a pyramid of depths is made of them,
 // and of the rest only what that does not hide is drawn (hierarchical occlusion, two phases).
 #include <algorithm>
 #include <vector>
@@ -34,14 +34,13 @@ void DeviceBackend::make_clusters(const Params& params, Order order) {
   clustered_ = order;
 }
 
-// What the last picture showed is in SLOT_VISIBLE. Of another scene it is cleared; the list is then empty.
+// What the last picture showed is in SLOT_VISIBLE. Of another scene it is cleared, and nothing was seen.
 void DeviceBackend::make_seen_list(const Params& params) {
-  const uint64_t list_bytes = uint64_t(view_.width) * view_.height * sizeof(uint);
-  if (bytes_[SLOT_SEEN_LIST] < list_bytes) make_buffer(SLOT_SEEN_LIST, list_bytes);
   if (seen_known_) return;
-  const std::vector<uint> none(n_ / 32 + 1), no_entries(DRAWN_WORDS);
-  make_buffer(SLOT_SEEN_BITS, none.size() * sizeof(uint));
-  write(SLOT_SEEN_BITS, none.data(), 0, none.size() * sizeof(uint));
+  const std::vector<uint> none(n_ / 8 + 1), no_entries(DRAWN_WORDS);
+  make_buffer(SLOT_SEEN_LEFT, none.size() * sizeof(uint));
+  make_buffer(SLOT_SEEN_LIST, 2 * n_ * sizeof(uint));
+  write(SLOT_SEEN_LEFT, none.data(), 0, none.size() * sizeof(uint));
   write(SLOT_DRAWN, no_entries.data(), 0, no_entries.size() * sizeof(uint));
   view_.occlusion = false;
   launch_per_pixel(Kernel::draw_clear, PIXELS_EACH, params);

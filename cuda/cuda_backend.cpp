@@ -139,7 +139,7 @@ World CudaBackend::world(const Launch& launch) const {
           .tile = buffer<uvec2>(SLOT_TILE),
           .drawn = buffer<uint>(SLOT_DRAWN),
           .cluster = buffer<vec4>(SLOT_CLUSTER),
-          .seen_bits = buffer<uint>(SLOT_SEEN_BITS),
+          .seen_left = buffer<uint>(SLOT_SEEN_LEFT),
           .cluster_list = buffer<uint>(SLOT_CLUSTER_LIST),
           .pyramid = buffer<uint>(SLOT_PYRAMID),
           .wide = buffer<void>(SLOT_WIDE),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per PIXELS_EACH pixels: no sphere is seen there yet. Those that the last picture showed are listed first.
+// One thread per PIXELS_EACH pixels: no sphere is seen there yet. Those that the last picture showed are listed.
 #include "visible.cuh"
 
 namespace spherepair {
@@ -8,8 +8,8 @@ namespace spherepair {
 __device__ inline bool is_new(const World& w, uint pixel, uint width, uint sphere) {
   if (sphere == 0xFFFFFFFFu || (pixel >= 1u && w.visible[pixel - 1u].x == sphere)) return false;
   if (pixel >= width && w.visible[pixel - width].x == sphere) return false;
-  uint bit = 1u << (sphere % 32u);
-  return (atomicOr(&w.seen_bits[sphere / 32u], bit) & bit) == 0u;
+  uint all = 15u << shift_in_word(sphere);
+  return (atomicOr(&w.seen_left[sphere / 8u], all) & all) == 0u;
 }
 
 __global__ void __launch_bounds__(SERVICE_BLOCK) draw_clear(Params p, World w, View v) {
@@ -30,7 +30,7 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_clear(Params p, World w, V
   __syncthreads();
   if (lane == 0u && entries > 0u) first_entry = atomicAdd(&w.drawn[DRAWN_SEEN + v.turn], entries);
   __syncthreads();
-  for (uint k = lane; k < entries; k += SERVICE_BLOCK) w.seen_list[first_entry + k] = found[k];
+  for (uint k = lane; k < entries; k += SERVICE_BLOCK) w.seen_list[v.turn * p.n + first_entry + k] = found[k];
 }
 
 Entry draw_clear_kernel(uint, Variant) { return reinterpret_cast<Entry>(&draw_clear); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One thread per cluster: it is listed to be drawn, unless it is out of view or hidden by what is drawn already.
-#include "pyramid.cuh"
+#include "listing.cuh"
 
 namespace spherepair {
 
@@ -16,10 +16,7 @@ __device__ inline void count_clusters(const World& w, const View& v, uint word) 
 }
 
 __global__ void __launch_bounds__(SERVICE_BLOCK) draw_cull(Params p, World w, View v) {
-  __shared__ uint entries;  // of the group
-  __shared__ uint first_entry;
-  uint lane = threadIdx.x;
-  uint k = group_index(p) * SERVICE_BLOCK + lane;
+  uint k = group_index(p) * SERVICE_BLOCK + threadIdx.x;
   bool exists = k < v.clusters;
   uint c = exists ? place_in_turn(k, v.clusters, v) : 0u;
   vec4 low = w.cluster[2u * c];
@@ -28,14 +25,8 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_cull(Params p, World w, Vi
   bool out_of_view = low.x > high.x || outside(solid, v);
   bool draws = exists && !out_of_view && !(v.occlusion != 0u && is_hidden(w, v, solid));
   if (exists && !draws) count_clusters(w, v, out_of_view ? DRAWN_CLUSTERS_OUTSIDE : DRAWN_CLUSTERS_HIDDEN);
-
-  if (lane == 0u) entries = 0u;
-  __syncthreads();
-  uint place = draws ? atomicAdd(&entries, 1u) : 0u;
-  __syncthreads();
-  if (lane == 0u && entries > 0u) first_entry = atomicAdd(&w.drawn[DRAWN_CLUSTERS], entries);
-  __syncthreads();
-  if (draws) w.cluster_list[first_entry + place] = c;
+  uint place = place_in_list(w, DRAWN_CLUSTERS, draws);
+  if (draws) w.cluster_list[place] = c;
 }
 
 Entry draw_cull_kernel(uint, Variant) { return reinterpret_cast<Entry>(&draw_cull); }

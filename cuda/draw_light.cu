@@ -49,7 +49,6 @@ __device__ inline bool in_shadow(const Params& p, const World& w, const View& v,
 __global__ void __launch_bounds__(SERVICE_BLOCK) draw_light(Params p, World w, View v) {
   uint pixel = group_index(p) * SERVICE_BLOCK + threadIdx.x;
   if (pixel >= v.width * v.height) return;
-  if (v.occlusion != 0u && pixel < w.drawn[DRAWN_SEEN + v.turn]) w.seen_bits[w.seen_list[pixel] / 32u] = 0u;
   uvec2 seen = w.visible[pixel];
   Ray ray = ray_through(pixel % v.width, pixel / v.width, v);
   bool sphere = seen.y != 0xFFFFFFFFu;

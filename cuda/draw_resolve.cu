@@ -16,7 +16,6 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_resolve(Params p, World w,
       colour = shade(in_camera(w.position[seen.x], v), ray, bits_float(seen.y), w.count[seen.x], v);
     }
     w.image[pixel] = colour;
-    if (v.occlusion != 0u && pixel < w.drawn[DRAWN_SEEN + v.turn]) w.seen_bits[w.seen_list[pixel] / 32u] = 0u;
   }
 }
 

@@ -30,7 +30,7 @@ struct World {
   uvec2* tile;
   uint* drawn;
   vec4* cluster;
-  uint* seen_bits;
+  uint* seen_left;
   uint* cluster_list;
   uint* pyramid;
   void* wide;  // Real[]

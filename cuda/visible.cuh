@@ -29,6 +29,12 @@ __device__ inline void cut_into_tiles(const World& w, const View& v, uint sphere
   for (uint k = 0u; k < tiles && first + k < v.tile_capacity; ++k) w.tile[first + k] = uvec2{sphere, k};
 }
 
+// The spheres seen: for how long each still stands in their list, in four bits.
+__device__ inline uint shift_in_word(uint sphere) { return 4u * (sphere % 8u); }
+__device__ inline uint left_of(const World& w, uint sphere) {
+  return w.seen_left[sphere / 8u] >> shift_in_word(sphere) & 15u;
+}
+
 // Where a sphere is to be tried: an empty box where that is nowhere, or draw_tiles does it.
 struct Walk {
   vec4 seen;
@@ -52,7 +58,7 @@ __device__ inline Walk walk_of(const Params& p, const World& w, const View& v, u
   if (hidden) count_drawn(w, v, DRAWN_HIDDEN);
   if (hidden) return walk;
   walk.sphere = p.in_cells != 0u ? w.id[place] : place;
-  if (rest && (w.seen_bits[walk.sphere / 32u] >> (walk.sphere % 32u) & 1u) != 0u) return walk;
+  if (rest && left_of(w, walk.sphere) != 0u) return walk;
   bool large = is_large(box, v);
   if (leads) count_drawn(w, v, large ? DRAWN_LARGE : DRAWN_SMALL);
   if (!large) walk.box = box;

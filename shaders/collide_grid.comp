@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: MIT
 // One thread per sphere in cell order; groups take chunks of spheres until none is left. The later half of a sphere's
 // neighbourhood is five rows of cells, each a contiguous range of spheres. A thread walks through all of them in one
-// loop, four spheres at a time, and marks in a word whoever is in reach; then it queues them, and the group settles the
+// loop, four spheres at a time, and marks in a word whoever is in reach; then it queues them, and its team settles the
 // queue, a thread per pair, in full rounds: the rest waits for the next chunk. Where a word or the queue is full, the
-// group walks on after that.
+// team walks on after that.
 #include "collide.glsl"
 #include "grid.glsl"
+#include "team.glsl"
 
 layout(local_size_x = BLOCK) in;
-const uint ROOM = 3u * BLOCK;
-shared uvec2 queue[ROOM];  // of the group: two spheres that may meet
-shared uint queued, unfinished;
+const uint TEAMS = BLOCK / TEAM;
+const uint QUEUE_ROOM = 3u * TEAM;
+shared uvec2 queue[TEAMS * QUEUE_ROOM];  // of each team: two spheres that may meet
+shared uint queued[TEAMS];
+shared uint unfinished[TEAMS];
 
 // The k-th sphere of a walk is sphere k + shift in the first row with k < bound.
 struct Row {
@@ -74,12 +77,14 @@ uint walk(vec4 mine, Rows rows, uint first) {
 }
 
 void main() {
-  uint lane = gl_LocalInvocationID.x;
-  if (lane == 0u) queued = unfinished = 0u;
+  uint lane = team_lane();
+  uint team = team_index();
+  uint room = team * QUEUE_ROOM;
+  if (lane == 0u) queued[team] = unfinished[team] = 0u;
   start_totals();
   uint stretch = (p.n / BLOCK / group_count() + 1u) * BLOCK;
   uint end = min((group_index() + 1u) * stretch, p.n);
-  for (uint first = group_index() * stretch; first < end; first += BLOCK) {
+  for (uint first = group_index() * stretch + team * TEAM; first < end; first += BLOCK) {
     uint i = first + lane;
     vec4 mine = position[min(i, p.n - 1u)];
     Rows rows = find_rows(mine, i);
@@ -93,28 +98,28 @@ void main() {
         next = base + 32u;
         marked = walk(mine, rows, base);
       }
-      uint at = marked != 0u ? atomicAdd(queued, uint(bitCount(marked))) : 0u;
-      for (; marked != 0u && at < ROOM; ++at) {
-        queue[at] = uvec2(i, walked(rows, base + uint(findLSB(marked))));
+      uint at = marked != 0u ? atomicAdd(queued[team], uint(bitCount(marked))) : 0u;
+      for (; marked != 0u && at < QUEUE_ROOM; ++at) {
+        queue[room + at] = uvec2(i, walked(rows, base + uint(findLSB(marked))));
         marked &= marked - 1u;
       }
-      if (marked != 0u || next < rows.ahead_above.bound) unfinished = 1u;
-      barrier();
-      again = unfinished != 0u;
-      uint held = min(queued, ROOM);
-      uint left = first + BLOCK < end || again ? held % BLOCK : 0u;
-      for (uint q = left + lane; q < held; q += BLOCK) {
-        uint a = queue[q].x;
-        uint b = queue[q].y;
+      if (marked != 0u || next < rows.ahead_above.bound) unfinished[team] = 1u;
+      team_barrier();
+      again = unfinished[team] != 0u;
+      uint held = min(queued[team], QUEUE_ROOM);
+      uint left = first + BLOCK < end || again ? held % TEAM : 0u;
+      for (uint q = left + lane; q < held; q += TEAM) {
+        uint a = queue[room + q].x;
+        uint b = queue[room + q].y;
         if (meets(a, position[a], b, position[b])) {
           atomicAdd(count[a], 1u);
           atomicAdd(count[b], 1u);
         }
       }
-      barrier();
-      if (lane == 0u) queued = left;
-      if (lane == 0u) unfinished = 0u;
-      barrier();
+      team_barrier();
+      if (lane == 0u) queued[team] = left;
+      if (lane == 0u) unfinished[team] = 0u;
+      team_barrier();
     }
   }
   finish_totals();

@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per PIXELS_EACH pixels: no sphere is seen there yet. Those that the last picture showed are listed first.
+// One thread per PIXELS_EACH pixels: no sphere is seen there yet. Those that the last picture showed are listed.
 #include "visible.glsl"
 
 layout(local_size_x = BLOCK) in;
@@ -23,8 +23,8 @@ void clear_at(uint pixel) {
 bool is_new(uint pixel, uint width, uint sphere) {
   if (sphere == 0xFFFFFFFFu || (pixel >= 1u && sphere_at(pixel - 1u) == sphere)) return false;
   if (pixel >= width && sphere_at(pixel - width) == sphere) return false;
-  uint bit = 1u << (sphere % 32u);
-  return (atomicOr(seen_bits[sphere / 32u], bit) & bit) == 0u;
+  uint all = 15u << shift_in_word(sphere);
+  return (atomicOr(seen_left[sphere / 8u], all) & all) == 0u;
 }
 
 void main() {
@@ -42,5 +42,5 @@ void main() {
   barrier();
   if (lane == 0u && entries > 0u) first_entry = atomicAdd(drawn[DRAWN_SEEN + v.turn], entries);
   barrier();
-  for (uint k = lane; k < entries; k += BLOCK) seen_list[first_entry + k] = found[k];
+  for (uint k = lane; k < entries; k += BLOCK) seen_list[v.turn * p.n + first_entry + k] = found[k];
 }

@@ -1,14 +1,11 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // One thread per cluster: it is listed to be drawn, unless it is out of view or hidden by what is drawn already.
-#include "pyramid.glsl"
+#include "listing.glsl"
 
-layout(std430, binding = SLOT_DRAWN) restrict buffer DrawnBuffer { uint drawn[]; };
 layout(std430, binding = SLOT_CLUSTER) restrict readonly buffer ClusterBuffer { vec4 cluster[]; };
 layout(std430, binding = SLOT_CLUSTER_LIST) restrict writeonly buffer ClusterListBuffer { uint cluster_list[]; };
 layout(local_size_x = BLOCK) in;
-shared uint entries;  // of the group
-shared uint first_entry;
 
 bool is_hidden(Solid solid) {
   if (reaches_eye_plane(solid)) return false;
@@ -22,8 +19,7 @@ void count_clusters(uint word) {
 }
 
 void main() {
-  uint lane = gl_LocalInvocationID.x;
-  uint k = group_index() * BLOCK + lane;
+  uint k = group_index() * BLOCK + gl_LocalInvocationID.x;
   bool exists = k < v.clusters;
   uint c = exists ? place_in_turn(k, v.clusters, v) : 0u;
   vec4 low = cluster[2u * c];
@@ -32,12 +28,6 @@ void main() {
   bool out_of_view = low.x > high.x || outside(solid, v);
   bool draws = exists && !out_of_view && !(v.occlusion != 0u && is_hidden(solid));
   if (exists && !draws) count_clusters(out_of_view ? DRAWN_CLUSTERS_OUTSIDE : DRAWN_CLUSTERS_HIDDEN);
-
-  if (lane == 0u) entries = 0u;
-  barrier();
-  uint place = draws ? atomicAdd(entries, 1u) : 0u;
-  barrier();
-  if (lane == 0u && entries > 0u) first_entry = atomicAdd(drawn[DRAWN_CLUSTERS], entries);
-  barrier();
-  if (draws) cluster_list[first_entry + place] = c;
+  uint place = place_in_list(DRAWN_CLUSTERS, draws);
+  if (draws) cluster_list[place] = c;
 }

@@ -8,9 +8,6 @@ layout(std140, binding = SLOT_VIEW) uniform ViewBlock { View v; };
 layout(std430, binding = SLOT_SORTED) restrict readonly buffer SortedBuffer { vec4 sorted[]; };
 layout(std430, binding = SLOT_VISIBLE) restrict readonly buffer VisibleBuffer { uvec2 visible[]; };
 layout(std430, binding = SLOT_IMAGE) restrict writeonly buffer ImageBuffer { uint image[]; };
-layout(std430, binding = SLOT_DRAWN) restrict readonly buffer DrawnBuffer { uint drawn[]; };
-layout(std430, binding = SLOT_SEEN_BITS) restrict writeonly buffer SeenBitsBuffer { uint seen_bits[]; };
-layout(std430, binding = SLOT_SEEN_LIST) restrict readonly buffer SeenListBuffer { uint seen_list[]; };
 layout(local_size_x = BLOCK) in;
 
 // The sphere that stands at a place of the cell order; the surface's own takes nothing away.
@@ -53,7 +50,6 @@ bool in_shadow(Surface s) {
 void main() {
   uint pixel = group_index() * BLOCK + gl_LocalInvocationID.x;
   if (pixel >= v.width * v.height) return;
-  if (v.occlusion != 0u && pixel < drawn[DRAWN_SEEN + v.turn]) seen_bits[seen_list[pixel] / 32u] = 0u;
   uvec2 seen = visible[pixel];
   Ray ray = ray_through(pixel % v.width, pixel / v.width, v);
   bool sphere = seen.y != 0xFFFFFFFFu;

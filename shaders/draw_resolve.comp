@@ -7,9 +7,6 @@
 layout(std140, binding = SLOT_VIEW) uniform ViewBlock { View v; };
 layout(std430, binding = SLOT_VISIBLE) restrict readonly buffer VisibleBuffer { uvec2 visible[]; };
 layout(std430, binding = SLOT_IMAGE) restrict writeonly buffer ImageBuffer { uint image[]; };
-layout(std430, binding = SLOT_DRAWN) restrict readonly buffer DrawnBuffer { uint drawn[]; };
-layout(std430, binding = SLOT_SEEN_BITS) restrict writeonly buffer SeenBitsBuffer { uint seen_bits[]; };
-layout(std430, binding = SLOT_SEEN_LIST) restrict readonly buffer SeenListBuffer { uint seen_list[]; };
 layout(local_size_x = BLOCK) in;
 
 void main() {
@@ -23,6 +20,5 @@ void main() {
       colour = shade(in_camera(position[seen.x], v), ray, bits_float(seen.y), count[seen.x], v);
     }
     image[pixel] = colour;
-    if (v.occlusion != 0u && pixel < drawn[DRAWN_SEEN + v.turn]) seen_bits[seen_list[pixel] / 32u] = 0u;
   }
 }

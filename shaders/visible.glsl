@@ -10,7 +10,7 @@ layout(std430, binding = SLOT_VISIBLE) restrict coherent buffer VisibleBuffer { 
 #endif
 layout(std430, binding = SLOT_TILE) restrict buffer TileBuffer { uvec2 tile[]; };
 layout(std430, binding = SLOT_DRAWN) restrict buffer DrawnBuffer { uint drawn[]; };
-layout(std430, binding = SLOT_SEEN_BITS) restrict buffer SeenBitsBuffer { uint seen_bits[]; };
+layout(std430, binding = SLOT_SEEN_LEFT) restrict buffer SeenLeftBuffer { uint seen_left[]; };
 layout(std430, binding = SLOT_SEEN_LIST) restrict buffer SeenListBuffer { uint seen_list[]; };
 
 void count_drawn(uint word) {
@@ -45,6 +45,10 @@ void cut_into_tiles(uint sphere, Box box) {
   for (uint k = 0u; k < tiles && first + k < v.tile_capacity; ++k) tile[first + k] = uvec2(sphere, k);
 }
 
+// The spheres seen: for how long each still stands in their list, in four bits.
+uint shift_in_word(uint sphere) { return 4u * (sphere % 8u); }
+uint left_of(uint sphere) { return seen_left[sphere / 8u] >> shift_in_word(sphere) & 15u; }
+
 // Where a sphere is to be tried: an empty box where that is nowhere, or draw_tiles does it.
 struct Walk {
   vec4 seen;
@@ -68,7 +72,7 @@ Walk walk_of(uint place, bool leads) {
   if (hidden) count_drawn(DRAWN_HIDDEN);
   if (hidden) return walk;
   walk.sphere = p.in_cells != 0u ? id[place] : place;
-  if (rest && (seen_bits[walk.sphere / 32u] >> (walk.sphere % 32u) & 1u) != 0u) return walk;
+  if (rest && left_of(walk.sphere) != 0u) return walk;
   bool large = is_large(box, v);
   if (leads) count_drawn(large ? DRAWN_LARGE : DRAWN_SMALL);
   if (!large) walk.box = box;
