@@ -59,21 +59,21 @@
 #define SERVICE_BLOCK 128     // group size of the kernels whose size is no subject of the study
 #define MAX_GROUPS 65535      // of one dispatch along each axis, on every device; more are folded into the next axis
 
-#define SPHERES_PER_SORTER 4       // spheres that one thread of grid_count and grid_scatter handles
-#define SPHERES_PER_BOUNCER 8      // spheres that one thread of bounce looks at
-#define SPLIT_BLOCK 1024           // group size of split_count and grid_split
-#define SORT_BLOCK 512             // group size of grid_sort
-#define SPLIT_TILE 4096u           // spheres that one group of split_count and grid_split takes
-#define SORT_ROOM 3968u            // spheres that grid_sort has room for; three groups then share 48 KiB
-#define SPLIT_EACH 4u              // spheres that one thread of grid_split takes
-#define SORT_EACH 4u               // spheres that one thread of grid_sort takes at a time
-#define BUCKETS_AT_MOST 1024u      // that one group of grid_split tells apart at a time
-#define CELLS_PER_BUCKET 2048u     // that grid_sort puts into order
-#define ROWS_AHEAD 5               // rows of cells in the later half of a neighbourhood
-#define BOUNDS_TILE 512u           // spheres that one group of grid_bounds takes
-#define BOUNDS_WINDOW 1024u        // cells whose begins it holds at a time
-#define NAMES_GIVEN 1u             // the spheres come from a split before, with their numbers
-#define NAMES_IN_RADII 2u          // which travel in place of the radii, since these are all equal; else in SLOT_SPLIT_ID
+#define SPHERES_PER_SORTER 4    // spheres that one thread of grid_count and grid_scatter handles
+#define SPHERES_PER_BOUNCER 8   // spheres that one thread of bounce looks at
+#define SPLIT_BLOCK 1024        // group size of split_count and grid_split
+#define SORT_BLOCK 512          // group size of grid_sort
+#define SPLIT_TILE 4096u        // spheres that one group of split_count and grid_split takes
+#define SORT_ROOM 3968u         // spheres that grid_sort has room for; three groups then share 48 KiB
+#define SPLIT_EACH 4u           // spheres that one thread of grid_split takes
+#define SORT_EACH 4u            // spheres that one thread of grid_sort takes at a time
+#define BUCKETS_AT_MOST 1024u   // that one group of grid_split tells apart at a time
+#define CELLS_PER_BUCKET 2048u  // that grid_sort puts into order
+#define ROWS_AHEAD 5            // rows of cells in the later half of a neighbourhood
+#define BOUNDS_TILE 512u        // spheres that one group of grid_bounds takes
+#define BOUNDS_WINDOW 1024u     // cells whose begins it holds at a time
+#define NAMES_GIVEN 1u          // the spheres come from a split before, with their numbers
+#define NAMES_IN_RADII 2u       // which travel in place of the radii, since these are all equal; else in SLOT_SPLIT_ID
 #define EMPTY_CELLS_AT_MOST 4096u  // between two spheres that stand in cell order
 #define SCAN_BLOCK 256             // group size of grid_scan
 #define SCAN_VECTORS 4             // uvec4 that one thread of grid_scan handles

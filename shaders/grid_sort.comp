@@ -17,9 +17,7 @@ shared uint place[CELLS_PER_BUCKET];  // of the next sphere of each cell, in the
 shared uint order[SORT_ROOM / 2u];    // the spheres of the bucket by cell, two to a word
 
 // The number of sphere i of the bucket.
-uint name_of(vec4 sphere, uint i) {
-  return (p.names & NAMES_IN_RADII) != 0u ? float_bits(sphere.w) : from_id[i];
-}
+uint name_of(vec4 sphere, uint i) { return (p.names & NAMES_IN_RADII) != 0u ? float_bits(sphere.w) : from_id[i]; }
 void put(vec4 sphere, uint name, uint at) {
   if ((p.names & NAMES_IN_RADII) != 0u) sphere.w = p.radius;
   sorted[at] = sphere;
