@@ -86,6 +86,7 @@ class DeviceBackend : public Backend {
   virtual void check_tricks(const CollideOptions& options) const = 0;
   // Whether collide_grid reads the table of cells through a texture buffer, where that is asked for, refused, or open.
   virtual bool has_texture_table(std::optional<bool>) const { return false; }
+  virtual bool has_texture_spheres(std::optional<bool>) const { return false; }
   virtual uint bounds_block() const { return SERVICE_BLOCK; }  // group size of grid_bounds
   virtual void begin_step(const Tricks&) {}                    // around the launches of a collision step
   virtual void end_step() {}
