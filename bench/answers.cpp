@@ -105,6 +105,11 @@ Asked reference_for(Session& session, const CollideOptions& options, uint64_t n)
   return asked;
 }
 
+bool same_answer(const Answer& left, const Answer& right) {
+  return same_totals(left.totals, right.totals) && left.counts == right.counts &&
+         (!left.pairs || !right.pairs || *left.pairs == *right.pairs);
+}
+
 Answer answer_of(Backend& backend, bool want_pairs) {
   Answer answer{backend.collisions(), backend.counts(), std::nullopt};
   if (want_pairs) answer.pairs = backend.pairs();
@@ -146,9 +151,7 @@ json scene_json(const SceneOptions& o) {
 void require_equal(Session& session, const Place& place, const Asked& reference, const Answer& expected,
                    const Asked& asked, const Answer& found) {
   require_consistent(place, asked, found);
-  if (same_totals(expected.totals, found.totals) && expected.counts == found.counts &&
-      (!expected.pairs || !found.pairs || *expected.pairs == *found.pairs))
-    return;
+  if (same_answer(expected, found)) return;
   // Sets too large to be kept are listed now, once, to name the pair.
   const std::vector<Pair> left = expected.pairs ? *expected.pairs : *ask(session, reference, true).pairs;
   const std::vector<Pair> right = found.pairs ? *found.pairs : *ask(session, asked, true).pairs;

@@ -35,7 +35,8 @@ struct Answer {
   std::vector<uint> counts;
   std::optional<std::vector<Pair>> pairs;  // when they were wanted
 };
-Answer answer_of(Backend& backend, bool want_pairs);  // of its last collide()
+bool same_answer(const Answer& left, const Answer& right);  // lists only where both have one
+Answer answer_of(Backend& backend, bool want_pairs);        // of its last collide()
 Answer ask(Session& session, Asked asked, bool want_pairs);
 
 // Where a comparison stands: for the message.

@@ -11,10 +11,10 @@ namespace spherepair {
 
 struct CrossoverOptions {
   std::vector<std::string> backends;  // empty: all that open
-  std::vector<uint64_t> sizes;        // empty: 64 to 2^17
+  std::vector<uint64_t> sizes;        // empty: 64 to 2^15, which hold every switch of crossover.h
   std::vector<std::string> kinds;     // of spheres, see sphere_kinds(); empty: all
   int rounds = 11;
-  double most_ms = 200;  // of a step: slower contenders are not tried at more spheres
+  double most_ms = 50;  // of a step: slower contenders are not tried at more spheres
   std::string json_file = "crossover.json";
 };
 

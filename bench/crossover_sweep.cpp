@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "answers.h"
 #include "choice.h"
 
 namespace spherepair {
 namespace {
 
 constexpr double tolerated = 1.1;  // auto against the best fixed choice
+constexpr double hopeless = 8;     // all pairs that take so many times the best do not catch up with more spheres
 constexpr SphereKind kinds[] = {{"gas", "packing fraction 0.3", "uniform"},
                                 {"thin", "packing fraction 0.05", "uniform", 0.05},
                                 {"box", "the paper's box, fuller with every sphere", "random"},
@@ -30,64 +30,88 @@ SceneOptions scene_of(const SphereKind& kind, uint64_t n) {
 }
 
 // Every step sorts anew, as one after spheres have moved does.
-Way way(Backend& backend, const char* name, Method method, Cells cells = Cells::automatic) {
-  return {&backend, name, {.method = method, .grid = {.cells = cells, .keep_order = false, .keep_cells = false}}};
+CollideOptions step(Method method, Cells cells = Cells::automatic) {
+  return {.method = method, .grid = {.cells = cells, .keep_order = false, .keep_cells = false}};
 }
 
+// The fixed choices first, auto last.
 std::vector<Way> ways_of(Backend& backend) {
+  std::vector<Way> ways;
   const bool cpu = backend.info().name == "cpu";
-  return {way(backend, "all pairs", cpu ? Method::parallel : Method::collide_triangle),
-          way(backend, "dense", Method::collide_grid, Cells::dense),
-          way(backend, "hashed", Method::collide_grid, Cells::hashed), way(backend, "auto", Method::automatic)};
+  for (const Method method : {Method::parallel, Method::collide_square, Method::collide_triangle})
+    if (cpu == (method == Method::parallel)) ways.push_back({&backend, method_name(method), false, step(method)});
+  ways.push_back({&backend, "dense", true, step(Method::collide_grid, Cells::dense)});
+  ways.push_back({&backend, "hashed", true, step(Method::collide_grid, Cells::hashed)});
+  ways.push_back({&backend, "auto", false, step(Method::automatic)});
+  return ways;
+}
+
+double least(const std::map<std::string, double>& seconds) {
+  double found = INFINITY;
+  for (const auto& [way, time] : seconds) found = std::min(found, time);
+  return found;
 }
 
 std::string took(const MethodChoice& choice) {
-  const bool grid = choice.method == Method::collide_grid;
-  return grid ? choice.cells == Cells::dense ? "grid, dense" : "grid, hashed" : "all pairs";
+  if (choice.method != Method::collide_grid) return method_name(choice.method);
+  return choice.cells == Cells::dense ? "dense" : "hashed";
 }
 
 }  // namespace
 
 std::span<const SphereKind> sphere_kinds() { return kinds; }
 
-bool Timing::grid_ahead() const {
-  const auto at = [&](const char* way) {
-    const auto found = seconds.find(way);
-    return found == seconds.end() ? INFINITY : found->second;
-  };
-  return std::min(at("dense"), at("hashed")) < at("all pairs");
+bool Timing::grid_ahead() const { return least(grid) < least(all_pairs); }
+
+json to_json(const Timing& t) {
+  json row = {{"backend", t.backend}, {"kind", t.kind}, {"n", t.n}, {"took", t.took}, {"auto_ms", t.automatic * 1e3}};
+  if (t.best.empty()) return row;
+  row["best"] = t.best;
+  row["best_ms"] = std::min(least(t.all_pairs), least(t.grid)) * 1e3;
+  row["loss_percent"] = (t.over_best - 1) * 100;
+  row["slower"] = t.slower;
+  return row;
 }
 
-CrossoverSweep::CrossoverSweep(Session& session, const CrossoverOptions& options)
-    : session_(session), options_(options) {
+CrossoverSweep::CrossoverSweep(Session& session, const CrossoverOptions& options, std::function<void()> written)
+    : session_(session), options_(options), written_(std::move(written)) {
   sampling_.rounds = options.rounds;
   sampling_.fewest_rounds = std::min(sampling_.fewest_rounds, options.rounds);
-  sampling_.software_seconds = 0.01;
+  sampling_.software_seconds = 0.005;
+  sampling_.hardware_ceiling = 0.02;
+  sampling_.narrow_enough = 0.03;
 }
 
-void CrossoverSweep::walk(const SphereKind& kind, const std::vector<uint64_t>& sizes) {
-  slow_.clear();
-  for (const uint64_t n : sizes) measure_scene(kind, scene_of(kind, n));
+void CrossoverSweep::run(std::span<const SphereKind> chosen, const std::vector<uint64_t>& sizes) {
+  uint64_t done = 0;
+  for (const SphereKind& kind : chosen) {
+    slow_.clear();
+    for (const uint64_t n : sizes) {
+      progress_.reach(done++, chosen.size() * sizes.size());
+      measure_scene(kind, scene_of(kind, n));
+      written_();
+    }
+  }
 }
 
 void CrossoverSweep::measure_scene(const SphereKind& kind, const SceneOptions& options) {
+  progress_.say(fmt::format("checking {} of {}", kind.name, options.n));
   const Scene scene = make_scene(options);
+  for (const auto& backend : session_.backends()) backend->upload(scene);
+  const Answer expected = ask(session_, reference_for(session_, {}, options.n), false);
   for (const auto& backend : session_.backends()) {
     if (slow_.contains(backend->info().name + " auto")) continue;
     std::vector<Way> ways = ways_of(*backend);
     std::erase_if(ways, [&](const Way& w) { return slow_.contains(backend->info().name + " " + w.name); });
-    backend->upload(scene);
-    check(options, scene, ways);
+    check(options, expected, ways);
     time(kind, options, ways);
   }
 }
 
-void CrossoverSweep::check(const SceneOptions& options, const Scene& scene, const std::vector<Way>& ways) {
+void CrossoverSweep::check(const SceneOptions& options, const Answer& expected, const std::vector<Way>& ways) {
   const Asked reference = reference_for(session_, {}, options.n);
-  if (reference.backend != ways.front().backend) reference.backend->upload(scene);
-  const Answer expected = ask(session_, reference, false);
-  for (const Way& w : ways) {
-    const Asked asked{w.backend, w.options};
+  for (const Way& way : ways) {
+    const Asked asked{way.backend, way.options};
     require_equal(session_, {options, 0}, reference, expected, asked, ask(session_, asked, false));
   }
 }
@@ -99,19 +123,34 @@ void CrossoverSweep::time(const SphereKind& kind, const SceneOptions& scene, con
     contenders.push_back({label, w.backend, [o = w.options](Backend& b) { b.collide(o); }, true});
   }
   const std::vector<Samples> samples = measure(contenders, sampling_, progress_);
-  const Samples& automatic = samples.back();
+  Timing timing{.backend = ways.front().backend->info().name, .kind = kind.name, .n = scene.n};
   const Samples* best = nullptr;
-  Timing timing{ways.front().backend->info().name, kind.name, scene.n, {}, {}, 0, false};
-  timing.took = took(ways.back().backend->choice(ways.back().options));
-  for (size_t k = 0; k < ways.size(); ++k) {
-    const double seconds = timing.seconds[ways[k].name] = samples[k].median_seconds();
-    if (k + 1 < ways.size() && (!best || seconds < best->median_seconds())) best = &samples[k];
-    if (seconds * 1e3 > options_.most_ms) slow_.insert(timing.backend + " " + ways[k].name);
-    record(kind, scene, ways[k], samples[k]);
+  for (size_t k = 0; k + 1 < ways.size(); ++k) {
+    const double seconds = samples[k].median_seconds();
+    (ways[k].grid ? timing.grid : timing.all_pairs)[ways[k].name] = seconds;
+    if (best && seconds >= best->median_seconds()) continue;
+    best = &samples[k];
+    timing.best = ways[k].name;
   }
-  timing.over_best = best ? automatic.median_seconds() / best->median_seconds() : 1;
-  timing.slower = timing.over_best > tolerated && contest(*best, automatic).differ;
+  timing.automatic = samples.back().median_seconds();
+  timing.took = took(ways.back().backend->choice(ways.back().options));
+  timing.over_best = best ? timing.automatic / best->median_seconds() : 1;
+  timing.slower = timing.over_best > tolerated && contest(*best, samples.back()).differ;
+  for (size_t k = 0; k < ways.size(); ++k) record(kind, scene, ways[k], samples[k]);
   timings.push_back(timing);
+  const double fastest = std::min(best ? best->median_seconds() : INFINITY, timing.automatic);
+  for (size_t k = 0; k < ways.size(); ++k) give_up_if_slow(ways[k], timing, minimum(samples[k].seconds), fastest);
+}
+
+// All pairs take four times as long with twice the spheres, so those that are far behind stay behind. The least of the
+// samples decides, which a disturbance does not lengthen.
+void CrossoverSweep::give_up_if_slow(const Way& way, const Timing& at, double seconds, double fastest) {
+  const bool too_long = seconds * 1e3 > options_.most_ms, behind = seconds > hopeless * fastest;
+  if (!too_long && !(behind && at.all_pairs.contains(way.name))) return;
+  slow_.insert(at.backend + " " + way.name);
+  given_up.push_back(fmt::format("{} {} {}: not beyond {} spheres, {} ms a step is more than {}", at.backend, at.kind,
+                                 way.name, at.n, format_ms(seconds),
+                                 too_long ? "--most-ms" : fmt::format("{} times the best", hopeless)));
 }
 
 void CrossoverSweep::record(const SphereKind& kind, const SceneOptions& scene, const Way& way, const Samples& samples) {

@@ -5,8 +5,8 @@
 #include <map>
 #include <set>
 
+#include "answers.h"
 #include "crossover.h"
-#include "session.h"
 #include "timing.h"
 
 namespace spherepair {
@@ -21,7 +21,8 @@ std::span<const SphereKind> sphere_kinds();
 // A way to find all pairs that is timed.
 struct Way {
   Backend* backend;
-  const char* name;  // all pairs, dense, hashed, auto
+  std::string name;  // a method of all pairs, dense, hashed, or auto
+  bool grid;
   CollideOptions options;
 };
 
@@ -29,35 +30,41 @@ struct Way {
 struct Timing {
   std::string backend, kind;
   uint64_t n;
-  std::map<std::string, double> seconds;  // by way; those not tried are missing
-  std::string took;                       // what auto stood for
-  double over_best;                       // auto's time over that of the best fixed choice
-  bool slower;                            // by more than 10 %, and more than the samples' own spread explains
+  std::map<std::string, double> all_pairs = {}, grid = {};  // seconds by way; those not tried are missing
+  double automatic = 0;                                     // seconds
+  std::string took = {}, best = {};  // what auto stood for; the fastest of the others, empty without any
+  double over_best = 1;              // auto's time over that of the best fixed choice
+  bool slower = false;               // by more than 10 %, and more than the samples' own spread explains
 
   bool grid_ahead() const;
 };
+json to_json(const Timing& timing);
 
 class CrossoverSweep {
  public:
-  CrossoverSweep(Session& session, const CrossoverOptions& options);
+  // `written` is called after every scene, so that nothing timed is lost.
+  CrossoverSweep(Session& session, const CrossoverOptions& options, std::function<void()> written);
 
-  // Larger and larger scenes, as long as auto is not too slow.
-  void walk(const SphereKind& kind, const std::vector<uint64_t>& sizes);
+  // Larger and larger scenes of each kind, as long as auto is not too slow.
+  void run(std::span<const SphereKind> kinds, const std::vector<uint64_t>& sizes);
 
   std::vector<Timing> timings;
   json measurements = json::array();
+  std::vector<std::string> given_up;  // what was not tried at more spheres, and why
 
  private:
   void measure_scene(const SphereKind& kind, const SceneOptions& options);
-  void check(const SceneOptions& options, const Scene& scene, const std::vector<Way>& ways);
+  void check(const SceneOptions& options, const Answer& expected, const std::vector<Way>& ways);
   void time(const SphereKind& kind, const SceneOptions& scene, const std::vector<Way>& ways);
+  void give_up_if_slow(const Way& way, const Timing& at, double seconds, double fastest);
   void record(const SphereKind& kind, const SceneOptions& scene, const Way& way, const Samples& samples);
 
   Session& session_;
   const CrossoverOptions& options_;
+  std::function<void()> written_;
   Sampling sampling_;
   Progress progress_;
-  std::set<std::string> slow_;  // "backend way"
+  std::set<std::string> slow_;  // "backend way", of the kind at hand
 };
 
 }  // namespace spherepair

@@ -123,10 +123,17 @@ Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0) {}
 
 void Progress::say(const std::string& what) {
   if (!terminal_) return;
-  const std::string line = what.substr(0, 100);
+  const std::string line = (reached_ + what).substr(0, 100);
   fmt::print(stderr, "\r{:<{}}", line, std::max(shown_, line.size()));
   std::fflush(stderr);
   shown_ = line.size();
+}
+
+void Progress::reach(uint64_t done, uint64_t total) {
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start_;
+  reached_ = fmt::format("{} of {}", done, total);
+  if (done) reached_ += fmt::format(", about {:.0f} s left", taken.count() * double(total - done) / double(done));
+  reached_ += ": ";
 }
 
 void Progress::clear() {

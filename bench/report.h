@@ -2,6 +2,7 @@
 // Readable text tables, numbers with their units, and progress for a terminal.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -56,7 +57,12 @@ class Progress {
   void say(const std::string& what);
   void clear();
 
+  // In front of what is said from now on: so many parts of a study are done, and so long may the others take.
+  void reach(uint64_t done, uint64_t total);
+
  private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::string reached_;
   bool terminal_;
   size_t shown_ = 0;
 };

@@ -34,15 +34,16 @@ std::vector<Skip> skips() {
            but([](CollideOptions& o) { o.load_radii = true; })},
           {"radius_load_all_pairs", "the same without a grid", "", pairs,
            changed(pairs, [](CollideOptions& o) { o.load_radii = true; })},
-          {"order", "sorting spheres that stand in cell order", "", keeping(true, false), keeping(false, false), true},
+          {"order", "sorting spheres that stand in cell order", "", keeping(true, false), keeping(false, false),
+           Spheres::in_cell_order},
           {"cells", "cells of spheres that have not moved", "", keeping(false, true), keeping(false, false)},
           {"pair_list", "a list of pairs that nobody asked for", "", step,
            but([](CollideOptions& o) { o.want_pairs = true; })},
-          {"read_back", "totals that nobody asked for, counted and read after the step", "", step, step, false, true},
+          {"read_back", "totals that nobody asked for, counted and read after the step", "", step, step,
+           Spheres::random, true},
           {"new_cells", "off: staying in cells that the spheres have left; steps that move", "",
            but([](CollideOptions& o) { o.grid.cells = Cells::dense; }),
-           but([](CollideOptions& o) { o.grid.cells = Cells::dense, o.grid.replan = false; }), false, false, nullptr,
-           true}};
+           but([](CollideOptions& o) { o.grid.cells = Cells::dense, o.grid.replan = false; }), Spheres::windy}};
 }
 
 std::vector<Skip> tricks() {
@@ -55,10 +56,10 @@ std::vector<Skip> tricks() {
        trick(&Tricks::library_clear)},
       {"own_clear", "the table cleared by a kernel; off: by the API's own function", "cuda", step,
        trick(&Tricks::library_clear)},
-      {"sparse_buffers", "buffers in sparse storage, of large pages", "glsl", step, step, false, false,
+      {"sparse_buffers", "buffers in sparse storage, of large pages", "glsl", step, step, Spheres::random, false,
        &OpenOptions::sparse_buffers},
-      {"subgroups", "sums of a group through subgroups, not shared memory", "glsl", buckets, buckets, false, false,
-       &OpenOptions::subgroups},
+      {"subgroups", "sums of a group through subgroups, not shared memory", "glsl", buckets, buckets, Spheres::random,
+       false, &OpenOptions::subgroups},
       {"texture_table", "the table of cells read through a texture buffer", "glsl", trick(&Tricks::texture_table),
        trick(&Tricks::texture_table, false)},
       {"graph", "a step's launches replayed as a graph", "cuda", trick(&Tricks::graph), trick(&Tricks::graph, false)},

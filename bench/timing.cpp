@@ -29,6 +29,13 @@ int choose_rounds(const Contender& contender, uint64_t batch, double step, const
   return std::min(sampling.rounds, sampling.fewest_rounds);
 }
 
+bool all_narrow(std::span<const Samples> all, const Sampling& sampling) {
+  return std::ranges::all_of(all, [&](const Samples& one) {
+    const Interval interval = one.interval();
+    return interval.high - interval.low <= sampling.narrow_enough * one.median_seconds();
+  });
+}
+
 // The device's own clock, in a run apart: its queries would disturb the host's times.
 void time_on_device(const Contender& contender, uint64_t batch, Samples& samples) {
   if (!contender.backend->info().device_timers) return;
@@ -117,6 +124,7 @@ std::vector<Samples> measure(std::span<const Contender> contenders, const Sampli
   }
   uint64_t order_state = sampling.seed, turn = 0;
   for (int round = 0; round < sampling.rounds; ++round) {
+    if (sampling.narrow_enough > 0 && round >= sampling.fewest_rounds && all_narrow(all, sampling)) break;
     std::vector<size_t> order;
     for (size_t c = 0; c < all.size(); ++c)
       if (round < rounds[c]) order.push_back(c);

@@ -146,6 +146,10 @@ class Backend {
 
   virtual WorkCounts work_counts() const = 0;
 
+  // The host's seconds that the driver takes to compile each kernel, groups of 128, as on its first use; nothing where
+  // kernels are compiled when the program is built.
+  virtual std::vector<StageTime> compile_kernels() { return {}; }
+
   // With timing on, every kernel is bracketed by the device's timer; the times since the last call, in order.
   virtual void time_stages(bool on) = 0;
   virtual std::vector<StageTime> stage_times() = 0;

@@ -14,6 +14,8 @@
 namespace spherepair {
 namespace {
 
+constexpr uint64_t pairs_per_thread = 1u << 17;  // at least
+
 // What one thread has found. Sums do not depend on the order, so neither do the results on the number of threads.
 class Finder {
  public:
@@ -165,10 +167,13 @@ PairsFound search_sequential(const PairSearch& search) {
   });
 }
 
+// Few spheres are met by few threads: to start one costs as much as some 10^5 pairs.
 PairsFound search_parallel(const PairSearch& search) {
-  return search_blocks(
-      search, search.threads, (search.positions.size() + tile_rows - 1) / tile_rows,
-      [&](uint block, Tiles& tiles, Finder& finder) { meet_row_block(search, block * tile_rows, tiles, finder); });
+  const uint64_t n = search.positions.size();
+  const int threads = int(std::clamp<uint64_t>(n * n / 2 / pairs_per_thread, 1, uint64_t(search.threads)));
+  return search_blocks(search, threads, (n + tile_rows - 1) / tile_rows, [&](uint block, Tiles& tiles, Finder& finder) {
+    meet_row_block(search, block * tile_rows, tiles, finder);
+  });
 }
 
 PairsFound search_groups(const PairSearch& search) {

@@ -15,7 +15,7 @@
 #define SLOT_SPHERES 6   // vec4[2m]: the m pairs of spheres that `decide` is asked about
 #define SLOT_VERDICT 7   // uint[m]: what `decide` answers, verdict_code()
 #define SLOT_CELL 8      // uint[cell_slots + 2]: where each cell's spheres begin in cell order
-#define SLOT_SPLIT_ID 9  // uint[n]: which sphere stands at each place of SLOT_SPLIT
+#define SLOT_SPLIT_ID 9  // uint[n]: which sphere stands at each place of SLOT_SPLIT, unless NAMES_IN_RADII
 #define SLOT_SORTED 10   // vec4[n]: spheres in cell order
 #define SLOT_ID 11       // uint[n]: which sphere stands at each place of the cell order
 #define SLOT_SORTED_COUNT 12  // uint[n]: contacts, in cell order
@@ -72,6 +72,8 @@
 #define ROWS_AHEAD 5               // rows of cells in the later half of a neighbourhood
 #define BOUNDS_TILE 512u           // spheres that one group of grid_bounds takes
 #define BOUNDS_WINDOW 1024u        // cells whose begins it holds at a time
+#define NAMES_GIVEN 1u             // the spheres come from a split before, with their numbers
+#define NAMES_IN_RADII 2u          // which travel in place of the radii, since these are all equal; else in SLOT_SPLIT_ID
 #define EMPTY_CELLS_AT_MOST 4096u  // between two spheres that stand in cell order
 #define SCAN_BLOCK 256             // group size of grid_scan
 #define SCAN_VECTORS 4             // uvec4 that one thread of grid_scan handles
@@ -110,7 +112,7 @@ struct Params {
   uint tally_later;                                      // not 0: tally counts the colliding spheres
   uint steps_done;                                       // of anchored: after this move
   uint buckets, bucket_shift;                            // 0: not split; the bucket of a slot is slot >> bucket_shift
-  uint parent_shift, first_bucket, bucket_words, named;  // see bucket_below; in SLOT_BUCKET; not 0: see SLOT_SPLIT_ID
+  uint parent_shift, first_bucket, bucket_words, names;  // see bucket_below; in SLOT_BUCKET; of a split: bits NAMES_*
   vec4 gravity_dt, half_gravity_dt2;                     // g*dt, g*dt*dt/2, both <= 0
   vec4 seconds_per_speed, zeno_flights;  // 2 / |g|, or 0 without gravity; flights until rest, see rebound
 };

@@ -37,9 +37,10 @@ void require_features() {
   }
 }
 
-// A group of 1024 must have no more subgroups than one of them has invocations: see group_sum.glsl.
+// What group_sum.glsl takes for granted. A group of 1024 must have no more subgroups than one of them has invocations.
+// These must be consecutive, which no query tells: NVIDIA's are, others' go through shared memory.
 bool has_subgroups() {
-  if (!epoxy_has_gl_extension("GL_KHR_shader_subgroup")) return false;
+  if (!epoxy_has_gl_extension("GL_KHR_shader_subgroup") || !gl_string(GL_VENDOR).starts_with("NVIDIA")) return false;
   GLint invocations = 0, kinds = 0;
   glGetIntegerv(GL_SUBGROUP_SIZE_KHR, &invocations);
   glGetIntegerv(GL_SUBGROUP_SUPPORTED_FEATURES_KHR, &kinds);

@@ -29,6 +29,10 @@ class GlslBackend final : public DeviceBackend {
   }
   void time_stages(bool on) override;
   std::vector<StageTime> stage_times() override;
+  std::vector<StageTime> compile_kernels() override {
+    context_.make_current();
+    return compile_times(limits_.features);
+  }
 
  protected:
   void allocate(uint slot, uint64_t bytes) override;

@@ -3,7 +3,8 @@
 shared uint group_sums[BLOCK];
 
 // The sum of `own` over this thread and those before it. Every thread of the group must call it, and a barrier must
-// stand between two calls.
+// stand between two calls. The language leaves open which invocations form a subgroup; here they must be consecutive,
+// the first ones subgroup 0, so that SUBGROUPS is defined only where that is known (glsl/device_limits.cpp).
 #ifdef SUBGROUPS
 uint sum_up_to(uint own) {
   uint upto = subgroupInclusiveAdd(own);

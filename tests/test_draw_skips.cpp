@@ -108,7 +108,9 @@ TEST_P(DrawSkips, OverManyPictures) {
     const Camera camera = frame(bounds_of(scene.positions), azimuth, 10, 40, double(width) / height);
     const View view = make_view(camera, contact_look(), width, height);
     const Picture given = picture_of(backend(), view, hidden);
-    if (picture > 0) EXPECT_GT(backend().draw_counts().hidden, scene.size() / 4) << picture;
+    if (picture > 0) {
+      EXPECT_GT(backend().draw_counts().hidden, scene.size() / 4) << picture;
+    }
     EXPECT_EQ(objection(given, picture_of(backend(), view, everything), view), "") << picture;
   }
 }
