@@ -27,7 +27,7 @@
 #define SLOT_TILE 18     // uvec2[]: large spheres cut into tiles: the sphere's number, that of the tile in its box
 #define SLOT_DRAWN 19    // uint[DRAWN_WORDS]: see view.h
 #define SLOT_CLUSTER 20  // vec4[2 * clusters]: lowest and highest corner of what holds a cluster's spheres
-#define SLOT_SEEN_LEFT 21     // uint[n / 8 + 1]: four bits a sphere, not 0 while it stands in the list of those seen
+#define SLOT_SEEN_LEFT 21  // uint[]: four bits for each View::occlusion spheres, not 0 while in the list of those seen
 #define SLOT_CLUSTER_LIST 22  // uint[clusters]: those to draw, in any order
 #define SLOT_PYRAMID 23       // uint[]: greatest depth in each texel, level 0 and then 1; see cluster.h
 #define SLOT_WIDE 24          // Real[6n], of compensated and float64: all x, all y, all z, then the velocities
@@ -35,7 +35,7 @@
 #define SLOT_FLIGHT 26  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
 #define SLOT_SINCE 27   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
 #define SLOT_DUE 28     // uint[n], of anchored: no sphere meets the plane before its step of this number
-#define SLOT_SEEN_LIST 29  // uint[2n], by View::turn: numbers of the spheres that the last pictures showed
+#define SLOT_SEEN_LIST 29  // uint[], two by View::turn: spheres that pictures showed, by number / View::occlusion
 #define SLOT_TOTAL 30
 #define SLOT_PARAMS 0  // the uniform block's own binding
 

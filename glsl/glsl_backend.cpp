@@ -83,6 +83,7 @@ GlslBackend::GlslBackend(const OpenOptions& options) : context_(options) {
   info_ = describe_device(context_.software(), limits_);
   glCreateBuffers(1, &params_buffer_);
   glNamedBufferStorage(params_buffer_, sizeof(Params), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_PARAMS, params_buffer_);  // for good
   gl_check("making the buffer of parameters");
   views_ = std::make_unique<RingBuffer>(SLOT_VIEW, sizeof(View));
   views_->write(&view_on_device_);
@@ -210,7 +211,6 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   set_params(params);
   set_view();
   glUseProgram(chosen.id());
-  glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_PARAMS, params_buffer_);
   bind(launch);
   if (launch.variant.texture_table) bind_texture(launch);
   ++work_.launches;
