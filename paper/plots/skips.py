@@ -11,6 +11,7 @@ CAPTION = ("What each skip, each trick of one API and each kernel of our own sav
 KINDS = {"skip": "skips: work that the scene does not need", "trick": "tricks: what one API offers",
          "library": "our own kernel in place of a library's or the API's"}
 TRICKS = ({"glsl"}, {"cuda"})  # who has them, alone
+OF_BOTH = {"vector_loads"}  # tricks that both have
 
 
 def same_work(record):
@@ -38,7 +39,8 @@ def by_kind(pairs):
     found = {kind: [] for kind in KINDS}
     for pair in pairs:
         skip = pair[0].skip
-        kind = "library" if skip.startswith("own_") else "trick" if owners[skip] in TRICKS else "skip"
+        trick = owners[skip] in TRICKS or skip in OF_BOTH
+        kind = "library" if skip.startswith("own_") else "trick" if trick else "skip"
         found[kind].append(pair)
     return {kind: rows for kind, rows in found.items() if rows}
 
