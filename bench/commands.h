@@ -20,6 +20,7 @@ struct CommandLine {
 
 struct DevicesOptions {
   std::vector<std::string> backends;
+  bool compile = false;  // time each kernel's compilation by the driver
   std::string json_file;
 };
 int devices_command(const CommandLine& line, const DevicesOptions& options);

@@ -9,12 +9,25 @@
 #include "session.h"
 
 namespace spherepair {
+namespace {
+
+// Kernel -> milliseconds; null where they were compiled with the program.
+json compile_all(Backend& backend) {
+  json times;
+  for (const StageTime& time : backend.compile_kernels()) {
+    times[time.stage] = 1e3 * time.seconds;
+    fmt::print("  compiling {:<24} {:.2f} ms\n", time.stage, 1e3 * time.seconds);
+  }
+  return times;
+}
+
+}  // namespace
 
 int devices_command(const CommandLine& line, const DevicesOptions& options) {
   require_known_backends(options.backends);
   const Session session(options.backends, line.open);
-  const json list = session.to_json();
-  for (const json& backend : list) {
+  json list = session.to_json();
+  for (json& backend : list) {
     const std::string name = backend.at("name");
     if (!backend.at("open")) {
       fmt::print("{}\n  missing: {}\n", name, backend.at("reason").get<std::string>());
@@ -28,6 +41,7 @@ int devices_command(const CommandLine& line, const DevicesOptions& options) {
     if (!backend.at("uuid").get<std::string>().empty()) show("uuid", backend.at("uuid"));
     show("device timers", backend.at("device_timers") ? "yes" : "no");
     for (const auto& [what, value] : backend.at("details").items()) show(what, value);
+    if (options.compile) backend["compile_ms"] = compile_all(*session.find(name));
   }
   for (const std::string& warning : session.warnings()) fmt::print(stderr, "\n{}\n", warning);
   if (!options.json_file.empty())

@@ -12,13 +12,15 @@ namespace spherepair {
 namespace {
 
 // Pairs that may collide: those of the places rounded to float32, with radii that make up for the rounding. Half an ulp
-// along three axes for both spheres is less than 4 * 2^-24 of the largest coordinate.
+// along three axes for both spheres is less than 4 * 2^-24 of the largest coordinate. Counted from the first sphere, so
+// that a scene far from the origin does not make every pair a candidate.
 std::vector<Pair> candidates(const Scene& scene, const std::vector<Point>& places) {
   Scene rounded = scene;
   float largest = 1;
   for (size_t i = 0; i < places.size(); ++i) {
     vec4& at = rounded.positions[i];
-    at = {float(places[i][0]), float(places[i][1]), float(places[i][2]), at.w};
+    const auto along = [&](size_t axis) { return float(Quad(places[i][axis] - places[0][axis])); };
+    at = {along(0), along(1), along(2), at.w};
     largest = std::max({largest, std::abs(at.x), std::abs(at.y), std::abs(at.z), at.w});
   }
   for (vec4& at : rounded.positions) at.w += 4 * 0x1p-24f * largest;

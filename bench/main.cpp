@@ -24,6 +24,7 @@ void add_devices(CLI::App& app, CommandLine& line, Action& action) {
       app.add_subcommand("devices", "Show every backend: its device, versions and limits, or why it is missing");
   auto options = std::make_shared<DevicesOptions>();
   command->add_option("--backends", options->backends, "Only these, e.g. cpu,glsl")->delimiter(',');
+  command->add_flag("--compile", options->compile, "Time how long the driver takes to compile each shader");
   command->add_option("--json", options->json_file, "Write the same as JSON to this file");
   add_open_options(*command, line.open);
   command->footer("Example:\n  spherepair devices");

@@ -132,7 +132,8 @@ std::shared_ptr<SweepCommandOptions> add_sweep_options(CLI::App& command) {
                   "Of the spheres: cold is random, so that each step sorts; warm is that of the cells")
       ->delimiter(',')
       ->capture_default_str();
-  command.add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024")->capture_default_str();
+  command.add_option("--block", options->block,
+                     "Group size: 32, 64, 128, 256, 512 or 1024; without it, the one that auto takes");
   command.add_option("--rounds", options->rounds, "Samples of each time")
       ->check(whole_number(1, 100000))
       ->capture_default_str();
@@ -146,7 +147,7 @@ std::shared_ptr<SweepCommandOptions> add_sweep_options(CLI::App& command) {
 
 int sweep_command(const CommandLine& line, const SweepCommandOptions& options) {
   require_known_backends(options.backends);
-  parse_blocks({options.block});
+  if (options.block) parse_blocks({options.block});
   return Sweep(line, options).run();
 }
 

@@ -15,7 +15,7 @@ struct SweepCommandOptions {
   std::vector<uint64_t> sizes;                 // empty: by machine
   std::vector<double> packing_fractions = {0.3, 0.05};
   std::vector<std::string> orders = {"cold", "warm"};
-  uint block = CollideOptions{}.block;
+  uint block = 0;  // as auto takes it
   int rounds = 11;
   SweepOptions sweep;
 };

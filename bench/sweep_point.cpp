@@ -7,13 +7,16 @@
 #include <limits>
 
 #include "frames.h"
+#include "method_choice.h"
 
 namespace spherepair {
 namespace {
 
 // The devices' methods keep nothing from the step before, so that every step is the whole work.
 Asked asked_of(Backend& backend, Method method, const SweepPoint& point) {
-  return {&backend, {.method = method, .block = point.block, .grid = {.keep_cells = false}}};
+  const CollideOptions open = {.method = Method::automatic};
+  const uint block = point.block ? point.block : chosen_block(backend.info(), point.n, method, open);
+  return {&backend, {.method = method, .block = block, .grid = {.keep_cells = false}}};
 }
 
 bool is_device_arrangement(Method method) {
@@ -70,7 +73,7 @@ json row_of(Session& session, const SweepPoint& point, const Asked& asked, const
               {"scene", scene_json(scene_of(point))},
               {"order", point.in_cell_order ? "warm" : "cold"},
               {"method", method_name(method)},
-              {"block", uses_blocks(asked) ? json(point.block) : json(nullptr)},
+              {"block", uses_blocks(asked) ? json(asked.options.block) : json(nullptr)},
               {"first_step_ms", session.first_seconds(*asked.backend, asked.options) * 1e3},
               {"checked_against", label(checked_by)},
               {"pairs", totals.pairs},

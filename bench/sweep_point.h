@@ -14,7 +14,7 @@ struct SweepPoint {
   bool in_cell_order = false;  // "warm"; else "cold": random order, so that each step sorts
   uint64_t seed = SceneOptions{}.seed;
   std::vector<Method> methods;
-  uint block = CollideOptions{}.block;
+  uint block = 0;  // 0: as Method::automatic has it
 };
 SceneOptions scene_of(const SweepPoint& point);
 std::string label(const SweepPoint& point);  // packing fraction 0.3, n = 1000, cold

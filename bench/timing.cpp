@@ -99,6 +99,7 @@ double time_batch(const Contender& contender, uint64_t batch) {
 }
 
 uint64_t choose_batch(const Contender& contender, const Sampling& sampling) {
+  if (contender.batch) return contender.batch;
   const bool hardware = on_hardware(*contender.backend);
   const double wanted = hardware ? sampling.hardware_seconds : sampling.software_seconds;
   uint64_t tried = 1;

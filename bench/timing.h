@@ -19,6 +19,7 @@ struct Contender {
   Backend* backend;
   std::function<void(Backend&)> step;  // enqueues one step
   bool alternates = false;             // others leave the backend in another state: a step goes ahead, untimed
+  uint64_t batch = 0;                  // K, where a step changes what the next one has to do; 0: by the time it takes
 };
 
 struct Sampling {

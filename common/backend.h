@@ -67,6 +67,7 @@ struct DrawOptions {
 struct DrawCounts {
   uint64_t drawn = 0, unseen = 0;  // out of view, or between the centres of the pixels
   uint64_t large = 0, tiles = 0;   // of those drawn, the ones cut into tiles; their tiles
+  uint64_t hidden = 0;             // behind what is drawn already
   uint64_t undrawable = 0;         // numbers beyond those that can be drawn (draw.h, in_camera)
   uint64_t clusters = 0, clusters_outside = 0, clusters_hidden = 0;  // their spheres are in none of the above
   uint64_t pictures_kept = 0;  // calls of draw() since upload() that had nothing to do
@@ -148,6 +149,10 @@ class Backend {
   virtual void check_guards() = 0;
 
   virtual WorkCounts work_counts() const = 0;
+
+  // The host's seconds that the driver takes to compile each kernel, groups of 128, as on its first use; nothing where
+  // kernels are compiled when the program is built.
+  virtual std::vector<StageTime> compile_kernels() { return {}; }
 
   // With timing on, every kernel is bracketed by the device's timer; the times since the last call, in order.
   virtual void time_stages(bool on) = 0;

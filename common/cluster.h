@@ -81,33 +81,10 @@ FN Box box_of_solid(Solid solid, View v) {
   return box_between(left, right, bottom, top, close, far, v);
 }
 
-struct Range {
-  float least, most;
-};
-// Of |x| from low to high.
-FN Range magnitudes(float low, float high) {
-  float a = magnitude(low);
-  float b = magnitude(high);
-  bool across_zero = low <= 0.0f && high >= 0.0f;
-  Range range = {across_zero ? 0.0f : smaller(a, b), larger(a, b)};
-  return range;
-}
-
-// The bits of a depth that nothing of the cluster is nearer than, at any pixel of its box. A depth is the distance
-// along forward times the square of the ray's length; 2^-16 of the greatest covers its rounding.
 FN uint least_depth(Solid solid, Box box, View v) {
-  EXACT float left = (float(box.x) - v.centre_x) * v.pixel;
-  EXACT float right = (float(box.x + box.width) - v.centre_x) * v.pixel;
-  EXACT float top = (v.centre_y - float(box.y)) * v.pixel;
-  EXACT float bottom = (v.centre_y - float(box.y + box.height)) * v.pixel;
-  Range x = magnitudes(left, right);
-  Range y = magnitudes(bottom, top);
-  EXACT float least_square = (x.least * x.least + y.least * y.least) + 1.0f;
-  EXACT float most_square = (x.most * x.most + y.most * y.most) + 1.0f;
+  EXACT float close = solid.z - solid.ahead;
   EXACT float far = solid.z + solid.ahead;
-  EXACT float slack = (far * most_square) * bits_float(0x37800000u);  // 2^-16
-  EXACT float least = (solid.z - solid.ahead) * least_square - slack;
-  return least > 0.0f ? float_bits(least) : 0u;
+  return least_depth_between(close, far, 0.0f, box, v);
 }
 
 // The pyramid's two levels: texels of LEVEL_0 and of LEVEL_1 pixels along both axes.
@@ -123,5 +100,6 @@ FN uint texels_of(Box box, uint level) {
   uint shift = texel_shift(level);
   return ((box.width >> shift) + 1u) * ((box.height >> shift) + 1u);
 }
+FN uint level_for(Box box) { return texels_of(box, 0u) > uint(TEXELS_AT_MOST) ? 1u : 0u; }
 
 #endif

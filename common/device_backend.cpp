@@ -35,14 +35,15 @@ constexpr const char* slot_names[SLOT_TOTAL] = {"positions",
                                                 "tiles of large spheres",
                                                 "counts of drawing",
                                                 "clusters",
-                                                "clusters seen",
+                                                "ages of spheres seen",
                                                 "list of clusters",
                                                 "pyramid of depths",
                                                 "wide state",
                                                 "anchors",
                                                 "flights",
                                                 "steps of the anchors",
-                                                "due steps"};
+                                                "due steps",
+                                                "spheres seen"};
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
@@ -59,6 +60,8 @@ const char* kernel_name(Kernel kernel) {
 #undef NAME
   return names[int(kernel)];
 }
+
+bool takes_view(Kernel kernel) { return std::string_view(kernel_name(kernel)).starts_with("draw_"); }
 
 void DeviceBackend::require_scene(const char* what) const {
   if (!bytes_[SLOT_POSITION])

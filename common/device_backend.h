@@ -23,6 +23,7 @@ enum class Kernel { SPHEREPAIR_KERNELS(ENUMERATOR) };
 std::array<uint, 3> folded(uint64_t groups);
 
 const char* kernel_name(Kernel kernel);  // the stem of its two source files
+bool takes_view(Kernel kernel);          // those that draw
 
 // Which copy of the spheres a kernel sees as positions and counts.
 enum class Order { scene, buckets, cells };
@@ -40,7 +41,10 @@ struct Launch {
   Order order = Order::scene;   // that a kernel sees as positions, counts and sphere numbers
   Order target = Order::cells;  // that it writes
   uint table = SLOT_CELL;       // of the scan
+  const char* stage = nullptr;  // what its time is that of, where not of the kernel's name
 };
+
+inline const char* stage_name(const Launch& launch) { return launch.stage ? launch.stage : kernel_name(launch.kernel); }
 
 class DeviceBackend : public Backend {
  public:
@@ -147,10 +151,11 @@ class DeviceBackend : public Backend {
   void draw_all(const Params& params, Order order);
   void draw_clusters(const Params& params, Order order);
   void draw_phase(uint phase, const Params& params, Order order);
-  void draw_tiles(const Params& params, Order order);
+  void draw_tiles(const Params& params);
   void restart_lists();
   void make_clusters(const Params& params, Order order);
-  void forget_seen();
+  void make_seen_list(const Params& params);
+  void launch_per_pixel(Kernel kernel, uint pixels_each, const Params& params);
   uint64_t level_1_texels() const;
   void finish_draw();
 
@@ -180,8 +185,8 @@ class DeviceBackend : public Backend {
   View asked_{};                  // the same as it was asked for
   DrawOptions draw_options_;
   std::optional<Order> clustered_;  // whose clusters they are; none when spheres have moved
-  bool seen_known_ = false;         // the lists of clusters seen are of this scene
-  uint lists_turn_ = 0;             // which of the two is the last picture's
+  bool seen_known_ = false;         // SLOT_VISIBLE shows spheres of this scene
+  uint lists_turn_ = 0;             // View::turn of the next picture
   bool picture_stands_ = false;     // nothing has changed since the last draw
   uint64_t pictures_kept_ = 0;
   std::array<uint64_t, SLOT_TOTAL> bytes_{};

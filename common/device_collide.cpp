@@ -79,6 +79,7 @@ void DeviceBackend::collide(const CollideOptions& options) {
   options_.method = chosen_method(info(), n_, plans_, options);
   prepare_positions();
   if (replan_if_due(options)) options_.method = chosen_method(info(), n_, plans_, options);
+  options_.block = chosen_block(info(), n_, options_.method, options);
   run_collide();
   collided_ = true;
 }

@@ -11,8 +11,8 @@
 namespace spherepair {
 namespace {
 
-constexpr uint tile_groups = 1024;  // that fill a large device
-constexpr uint64_t least_tiles = 1 << 16;
+constexpr uint tile_groups = 1024;                               // that fill a large device
+constexpr uint64_t least_tiles = 1 << 16, most_tiles = 1 << 22;  // that the list has room for at first
 
 static_assert(sizeof(View) == 208);
 
@@ -25,10 +25,11 @@ void DeviceBackend::make_draw_buffers() {
   const auto keep = [&](uint slot, uint64_t bytes) {
     if (bytes_[slot] < bytes) make_buffer(slot, bytes);
   };
+  if (bytes_[SLOT_VISIBLE] < pixels(view_) * 2 * sizeof(uint)) seen_known_ = false;
   keep(SLOT_VISIBLE, pixels(view_) * 2 * sizeof(uint));
   keep(SLOT_IMAGE, pixels(view_) * sizeof(uint));
   keep(SLOT_DRAWN, DRAWN_WORDS * sizeof(uint));
-  keep(SLOT_TILE, std::max(n_, least_tiles) * sizeof(uvec2));
+  keep(SLOT_TILE, std::clamp(n_, least_tiles, most_tiles) * sizeof(uvec2));
 }
 
 // One pass for 64-bit atomics, else one for each word of what is visible.
@@ -38,18 +39,24 @@ void DeviceBackend::draw_all(const Params& params, Order order) {
     view_.pass = pass;
     if (pass == PASS_ID) restart_lists();
     launch({Kernel::draw_spheres, SERVICE_BLOCK, {}, folded(ceil_div(n_ * view_.lanes, SERVICE_BLOCK)), order}, params);
-    draw_tiles(params, order);
+    draw_tiles(params);
   }
 }
 
-void DeviceBackend::draw_tiles(const Params& params, Order order) {
-  launch({Kernel::draw_tiles, SERVICE_BLOCK, {}, {tile_groups, 1, 1}, order}, params);
+void DeviceBackend::draw_tiles(const Params& params) {
+  Launch tiles{Kernel::draw_tiles, SERVICE_BLOCK, {}, {tile_groups, 1, 1}};
+  if (view_.occlusion) tiles.stage = view_.phase == PHASE_SEEN ? "draw_tiles_seen" : "draw_tiles_rest";
+  launch(tiles, params);
 }
 
 // The second pass lists the tiles again.
 void DeviceBackend::restart_lists() {
   const uint none[] = {0, 0};
   write(SLOT_DRAWN, none, DRAWN_TILES * sizeof(uint), sizeof(none));
+}
+
+void DeviceBackend::launch_per_pixel(Kernel kernel, uint pixels_each, const Params& params) {
+  launch({kernel, SERVICE_BLOCK, {}, folded(ceil_div(pixels(view_), SERVICE_BLOCK * pixels_each))}, params);
 }
 
 void DeviceBackend::launch_rasteriser() {
@@ -59,15 +66,17 @@ void DeviceBackend::launch_rasteriser() {
   view_.tile_capacity = uint(bytes_[SLOT_TILE] / sizeof(uvec2));
   view_.counting = draw_options_.count;
   view_.pass = PASS_DEPTH;
-  view_.occlusion = draw_options_.skip_hidden;
+  view_.phase = PHASE_SEEN;
   view_.turn = lists_turn_;
   const bool culls = (draw_options_.skip_outside || draw_options_.skip_hidden) && n_ >= draw_options_.skip_from;
   view_.lanes = culls ? 1 : draw_options_.lanes(n_);
-  const auto per_pixel = folded(ceil_div(pixels(view_), SERVICE_BLOCK));
-  launch({Kernel::draw_clear, SERVICE_BLOCK, {}, per_pixel}, params);
+  view_.occlusion = culls && draw_options_.skip_hidden;
+  if (view_.occlusion) make_seen_list(params);
+  launch_per_pixel(Kernel::draw_clear, PIXELS_EACH, params);
   if (n_ > 0) culls ? draw_clusters(params, order) : draw_all(params, order);
-  lists_turn_ = view_.turn;
-  launch({view_.lighting ? Kernel::draw_light : Kernel::draw_resolve, SERVICE_BLOCK, {}, per_pixel}, params);
+  view_.lighting ? launch_per_pixel(Kernel::draw_light, 1, params)
+                 : launch_per_pixel(Kernel::draw_resolve, PIXELS_EACH, params);
+  if (view_.occlusion) lists_turn_ = 1 - lists_turn_;
 }
 
 void DeviceBackend::ready_to_draw() {
@@ -166,6 +175,7 @@ DrawCounts DeviceBackend::draw_counts() {
           .unseen = drawn[DRAWN_UNSEEN],
           .large = drawn[DRAWN_LARGE],
           .tiles = drawn[DRAWN_TILES],
+          .hidden = drawn[DRAWN_HIDDEN],
           .undrawable = drawn[DRAWN_UNDRAWABLE],
           .clusters = view_.clusters,
           .clusters_outside = drawn[DRAWN_CLUSTERS_OUTSIDE],

@@ -97,7 +97,7 @@ void DeviceBackend::split(uint shift, uint parent_shift, uint first_bucket, Orde
   params_.parent_shift = parent_shift;
   params_.first_bucket = first_bucket;
   params_.buckets = (params_.cell_slots >> shift) + 1;
-  params_.named = from != Order::scene;
+  params_.names = (variant_.equal_radii ? NAMES_IN_RADII : 0) | (from == Order::scene ? 0 : NAMES_GIVEN);
   launch({Kernel::split_count, SPLIT_BLOCK, {}, tiles, from}, params_);
   if (params_.buckets <= BUCKETS_AT_MOST) {
     launch({Kernel::split_scan, BUCKETS_AT_MOST, {}, {1, 1, 1}}, params_);
@@ -114,7 +114,7 @@ void DeviceBackend::sort_by_buckets() {
   const uint buckets = (params_.cell_slots >> shift) + 1;
   const bool two_steps = buckets > BUCKETS_AT_MOST;
   make_buffer(SLOT_SPLIT, n_ * sizeof(vec4));
-  make_buffer(SLOT_SPLIT_ID, n_ * sizeof(uint));
+  if (!variant_.equal_radii) make_buffer(SLOT_SPLIT_ID, n_ * sizeof(uint));
   params_.scan_tiles = uint(ceil_div(buckets, SCAN_TILE));
   params_.bucket_words = two_steps ? (params_.scan_tiles + 1) * SCAN_TILE : BUCKETS_AT_MOST;
   make_buffer(SLOT_BUCKET, params_.bucket_words * sizeof(uint));

@@ -95,6 +95,14 @@ FN bool is_large(Box box, View v) {
 FN uint place_in_turn(uint k, uint count, View v) { return v.forward.z < 0.0f ? count - 1u - k : k; }
 
 FN uint tiles_along(uint pixels) { return (pixels + TILE - 1u) / TILE; }
+FN Box tile_of(Box box, uint column, uint row) {
+  uint x = column * TILE;
+  uint y = row * TILE;
+  uint width = box.width - x;
+  uint height = box.height - y;
+  Box tile = {box.x + x, box.y + y, width < TILE ? width : TILE, height < TILE ? height : TILE};
+  return tile;
+}
 
 struct Ray {
   float x, y, a;  // a: the square of the length of (x, y, 1)
@@ -122,13 +130,47 @@ FN float depth_of_hit(vec4 seen, Ray ray, View v) {
   return depth >= least ? depth : 0.0f;
 }
 
-// The bits of a depth that nothing of the sphere is nearer than, at any pixel. 2^-16 of the farthest covers the
-// rounding of the ray's meeting, 2^-10 of the radius that of the root where the ray all but misses.
-FN uint least_depth_of(vec4 seen) {
-  EXACT float far = seen.z + seen.w;
-  EXACT float slack = far * bits_float(0x37800000u) + seen.w * bits_float(0x3A800000u);
-  EXACT float least = (seen.z - seen.w) - slack;
+struct Range {
+  float least, most;
+};
+// Of |x| from low to high.
+FN Range magnitudes(float low, float high) {
+  float a = magnitude(low);
+  float b = magnitude(high);
+  bool across_zero = low <= 0.0f && high >= 0.0f;
+  Range range = {across_zero ? 0.0f : smaller(a, b), larger(a, b)};
+  return range;
+}
+
+// Of the squares of the lengths of the rays through a box.
+FN Range squares_of_rays(Box box, View v) {
+  EXACT float left = (float(box.x) - v.centre_x) * v.pixel;
+  EXACT float right = (float(box.x + box.width) - v.centre_x) * v.pixel;
+  EXACT float top = (v.centre_y - float(box.y)) * v.pixel;
+  EXACT float bottom = (v.centre_y - float(box.y + box.height)) * v.pixel;
+  Range x = magnitudes(left, right);
+  Range y = magnitudes(bottom, top);
+  EXACT float least = (x.least * x.least + y.least * y.least) + 1.0f;
+  EXACT float most = (x.most * x.most + y.most * y.most) + 1.0f;
+  Range squares = {least, most};
+  return squares;
+}
+
+// The bits of a depth that nothing between these limits along forward is nearer than, at any pixel of the box. A depth
+// is the distance along forward times the square of the ray's length; 2^-16 of the greatest covers its rounding.
+FN uint least_depth_between(float close, float far, float more_slack, Box box, View v) {
+  Range squares = squares_of_rays(box, v);
+  EXACT float slack = (far * bits_float(0x37800000u) + more_slack) * squares.most;
+  EXACT float least = close * squares.least - slack;
   return least > 0.0f ? float_bits(least) : 0u;
+}
+
+// Of a sphere: 2^-10 of the radius covers the rounding of the root where the ray all but misses.
+FN uint least_depth_of(vec4 seen, Box box, View v) {
+  EXACT float close = seen.z - seen.w;
+  EXACT float far = seen.z + seen.w;
+  EXACT float root = seen.w * bits_float(0x3A800000u);
+  return least_depth_between(close, far, root, box, v);
 }
 
 FN uint palette(uint contacts, View v) {

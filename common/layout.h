@@ -15,7 +15,7 @@
 #define SLOT_SPHERES 6   // vec4[2m]: the m pairs of spheres that `decide` is asked about
 #define SLOT_VERDICT 7   // uint[m]: what `decide` answers, verdict_code()
 #define SLOT_CELL 8      // uint[cell_slots + 2]: where each cell's spheres begin in cell order
-#define SLOT_SPLIT_ID 9  // uint[n]: which sphere stands at each place of SLOT_SPLIT
+#define SLOT_SPLIT_ID 9  // uint[n]: which sphere stands at each place of SLOT_SPLIT, unless NAMES_IN_RADII
 #define SLOT_SORTED 10   // vec4[n]: spheres in cell order
 #define SLOT_ID 11       // uint[n]: which sphere stands at each place of the cell order
 #define SLOT_SORTED_COUNT 12  // uint[n]: contacts, in cell order
@@ -24,18 +24,19 @@
 #define SLOT_BUCKET 15   // uint[bucket_words]: where the next sphere of each bucket goes; see Params
 #define SLOT_VISIBLE 16  // uint[2 * pixels]: the number of the sphere seen, then its depth; both ~0 where there is none
 #define SLOT_IMAGE 17    // uint[pixels]: red, green, blue, 255 from the lowest byte up; rows from the top
-#define SLOT_TILE 18     // uvec2[]: large spheres cut into tiles: the sphere's place, the number of the tile in its box
+#define SLOT_TILE 18     // uvec2[]: large spheres cut into tiles: the sphere's number, that of the tile in its box
 #define SLOT_DRAWN 19    // uint[DRAWN_WORDS]: see view.h
 #define SLOT_CLUSTER 20  // vec4[2 * clusters]: lowest and highest corner of what holds a cluster's spheres
-#define SLOT_CLUSTER_SEEN 21  // uint[clusters]: not 0 when it stands in the list of those seen
-#define SLOT_CLUSTER_LIST 22  // uint[3 * clusters]: in any order, two lists by View::turn of those seen, those to draw
+#define SLOT_SEEN_LEFT 21     // uint[n / 8 + 1]: four bits a sphere, not 0 while it stands in the list of those seen
+#define SLOT_CLUSTER_LIST 22  // uint[clusters]: those to draw, in any order
 #define SLOT_PYRAMID 23       // uint[]: greatest depth in each texel, level 0 and then 1; see cluster.h
 #define SLOT_WIDE 24          // Real[6n], of compensated and float64: all x, all y, all z, then the velocities
 #define SLOT_ANCHOR 25        // vec4[n], of anchored: where the spheres started, radius in w
 #define SLOT_FLIGHT 26  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
 #define SLOT_SINCE 27   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
 #define SLOT_DUE 28     // uint[n], of anchored: no sphere meets the plane before its step of this number
-#define SLOT_TOTAL 29
+#define SLOT_SEEN_LIST 29  // uint[2n], by View::turn: numbers of the spheres that the last pictures showed
+#define SLOT_TOTAL 30
 #define SLOT_PARAMS 0  // the uniform block's own binding
 
 // Totals are spread over SUMMARY_SLOTS rows so that thousands of groups do not queue on one address; the host adds the
@@ -71,6 +72,8 @@
 #define ROWS_AHEAD 5               // rows of cells in the later half of a neighbourhood
 #define BOUNDS_TILE 512u           // spheres that one group of grid_bounds takes
 #define BOUNDS_WINDOW 1024u        // cells whose begins it holds at a time
+#define NAMES_GIVEN 1u             // the spheres come from a split before, with their numbers
+#define NAMES_IN_RADII 2u          // which travel in place of the radii, since these are all equal; else in SLOT_SPLIT_ID
 #define EMPTY_CELLS_AT_MOST 4096u  // between two spheres that stand in cell order
 #define SCAN_BLOCK 256             // group size of grid_scan
 #define SCAN_VECTORS 4             // uvec4 that one thread of grid_scan handles
@@ -109,7 +112,7 @@ struct Params {
   uint tally_later;                                      // not 0: tally counts the colliding spheres
   uint steps_done;                                       // of anchored: after this move
   uint buckets, bucket_shift;                            // 0: not split; the bucket of a slot is slot >> bucket_shift
-  uint parent_shift, first_bucket, bucket_words, named;  // see bucket_below; in SLOT_BUCKET; not 0: see SLOT_SPLIT_ID
+  uint parent_shift, first_bucket, bucket_words, names;  // see bucket_below; in SLOT_BUCKET; of a split: bits NAMES_*
   vec4 gravity_dt, half_gravity_dt2;                     // g*dt, g*dt*dt/2, both <= 0
   vec4 seconds_per_speed, zeno_flights;  // 2 / |g|, or 0 without gravity; flights until rest, see rebound
 };

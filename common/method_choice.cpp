@@ -72,15 +72,23 @@ Method chosen_method(const BackendInfo& info, uint64_t n, const GridPlans& plans
   return takes_grid(info, n, plans, options) ? Method::collide_grid : all_pairs(info, n, options.swept);
 }
 
+uint chosen_block(const BackendInfo& info, uint64_t n, Method chosen, const CollideOptions& options) {
+  const bool left_open = options.method == Method::automatic && options.block == CollideOptions{}.block;
+  const bool wide = chosen == Method::collide_grid && n >= crossover_of(info).wide_from;
+  return left_open && wide ? wide_block : options.block;
+}
+
 MethodChoice explain_choice(const BackendInfo& info, uint64_t n, const GridPlans& plans,
                             const CollideOptions& options) {
   const Cells wanted = options.grid.cells;
-  MethodChoice choice{chosen_method(info, n, plans, options), plans.plan(wanted).cells, plans.crowd(wanted),
-                      "asked for"};
+  const Method method = chosen_method(info, n, plans, options);
+  MethodChoice choice{method, plans.plan(wanted).cells, plans.crowd(wanted), "asked for"};
   if (options.method != Method::automatic) return choice;
+  const std::string groups = fmt::format("; groups of {}", chosen_block(info, n, method, options));
   choice.reason = options.swept ? "the method that finds pairs within the next step"
                                 : reason_of(crossover_of(info), n, plans.crowd(wanted), levels_of(plans.plan(wanted)),
                                             choice.method == Method::collide_grid);
+  if (info.name != "cpu") choice.reason += groups;
   return choice;
 }
 

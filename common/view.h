@@ -11,7 +11,7 @@
 #define LANES 32          // threads that share a sphere where spheres are few ...
 #define LANES_ACROSS 8    // ... so many in a row of the sphere's box ...
 #define SHARE_AT_MOST 64  // ... and then pixels, in place of WALK_AT_MOST
-#define TILE 32           // pixels: side of a tile of a large sphere's box
+#define TILE 32u          // pixels: side of a tile of a large sphere's box
 #define PASS_DEPTH 0      // two passes where there are no 64-bit atomics: first the depth ...
 #define PASS_ID 1         // ... then, of the spheres at that depth, the lowest number
 
@@ -20,25 +20,32 @@
 #define LIGHT_GROUND 4u     // and both show on the plane too
 #define OCCLUSION_RADII 4   // so far, in largest radii, a sphere takes light away: less than two dense cells
 
-#define CLUSTER 64             // spheres, in consecutive places, that are culled together
-#define PHASE_SEEN 0           // draws the clusters that the last picture showed ...
-#define PHASE_REST 1           // ... and then those of the others that what is drawn already does not hide
-#define LEVEL_0 8              // pixels: side of what a texel of the pyramid's level 0 covers ...
-#define LEVEL_1 32             // ... and of its level 1
-#define TEXELS_AT_MOST 64      // in which a box is looked up at level 0, beside those that its borders touch
-#define TEXELS_TO_SEARCH 4096  // at level 1; a box of more is taken for seen
+#define CLUSTER 64            // spheres, in consecutive places, that are culled together
+#define BOUNDS_LANES 8u       // threads that share a cluster when its box is made
+#define BATCH 64              // spheres, and threads, of a group that goes through clusters or a list ...
+#define WALKERS 8             // ... and the threads that then share one of them ...
+#define WALKERS_ACROSS 4      // ... so many in a row of its box
+#define SEEN_FADES 1u         // in each picture, of the 15 that a sphere gets in the one that shows it
+#define PIXELS_EACH 4         // pixels of one thread that goes through the picture
+#define PHASE_SEEN 0          // draws the spheres that the last pictures showed ...
+#define PHASE_REST 1          // ... and then those of the others that what is drawn already does not hide
+#define LEVEL_0 8             // pixels: side of what a texel of the pyramid's level 0 covers ...
+#define LEVEL_1 32            // ... and of its level 1
+#define TEXELS_AT_MOST 64     // in which a box is looked up at level 0, beside those that its borders touch
+#define TEXELS_TO_SEARCH 256  // at level 1; a box of more is taken for seen
 
 // Words of SLOT_DRAWN. Those from DRAWN_LARGE on are counted on request only.
 #define DRAWN_TILES 0             // entries that the list of tiles needs
 #define DRAWN_TILES_DONE 1        // of those, the ones of the first phase
-#define DRAWN_CLUSTERS 2          // entries of the list of clusters to draw in the second phase
-#define DRAWN_SEEN 3              // and 4, by View::turn: entries of the two lists of clusters that pictures showed
+#define DRAWN_CLUSTERS 2          // entries of the list of clusters to draw
+#define DRAWN_SEEN 3              // and 4, by View::turn: entries of the two lists of spheres seen
 #define DRAWN_LARGE 5             // spheres cut into tiles
 #define DRAWN_SMALL 6             // spheres walked at once, with at least one pixel's centre in their box
 #define DRAWN_UNSEEN 7            // spheres out of view, or between the centres of the pixels
 #define DRAWN_UNDRAWABLE 8        // spheres whose numbers are beyond those that can be drawn, see in_camera
 #define DRAWN_CLUSTERS_OUTSIDE 9  // clusters out of view
 #define DRAWN_CLUSTERS_HIDDEN 10  // clusters behind what is drawn already
+#define DRAWN_HIDDEN 11           // spheres behind what is drawn already, of clusters that are not
 #define DRAWN_WORDS 16
 
 struct View {

@@ -59,14 +59,13 @@ struct Collider {
     if (atomicAdd(&w.count[i], contacts) == 0u && p.tally_later == 0u) newly_colliding += 1u;
   }
 
-  // i and j are places; in cell order they differ from the spheres that stand there.
-  __device__ void record(uint i, uint j) {
-    if (p.in_cells != 0u) {
-      uint a = w.id[i];
-      uint b = w.id[j];
-      i = min(a, b);
-      j = max(a, b);
-    }
+  // The sphere that stands at a place of the cell order.
+  __device__ uint sphere_at(uint place) const { return p.in_cells != 0u ? w.id[place] : place; }
+
+  // Numbers of spheres, in any order.
+  __device__ void record(uint a, uint b) {
+    uint i = min(a, b);
+    uint j = max(a, b);
     pairs_found += 1u;
     mix_a += pair_mix_a(i, j);
     mix_b += pair_mix_b(i, j);
@@ -102,11 +101,14 @@ struct Collider {
     return verdict == COLLIDE ? 1u : 0u;
   }
 
-  // For kernels that meet every unordered pair once: true when it collides, and the caller counts the contact.
+  // For kernels that meet every unordered pair once, at places i and j: true when it collides, and the caller counts
+  // the contact. Most that come here do, so the numbers are loaded beside the spheres.
   __device__ bool meets(uint i, vec4 a, uint j, vec4 b) {
+    uint first = sphere_at(i);
+    uint second = sphere_at(j);
     uint verdict = filter_spheres(a, b);
     if (verdict == UNDECIDED) defer(i, j);
-    if (verdict == COLLIDE) record(i, j);
+    if (verdict == COLLIDE) record(first, second);
     return verdict == COLLIDE;
   }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // One thread per sphere in cell order; groups take chunks of spheres until none is left. The later half of a sphere's
 // neighbourhood is five rows of cells, each a contiguous range of spheres. A thread walks through all of them in one
-// loop, four spheres at a time, and marks in a word whoever is in reach; then it queues them, and the group settles the
-// queue, a thread per pair. Where a word or the queue is full, the group walks on after that.
+// loop, four spheres at a time, and marks in a word whoever is in reach; then it queues them, and its team settles the
+// queue, a thread per pair, in full rounds: the rest waits for the next chunk. Where a word or the queue is full, the
+// team walks on after that.
 #include "cell.h"
 #include "collide.cuh"
+#include "team.cuh"
 
 namespace spherepair {
 
@@ -74,60 +76,62 @@ __device__ uint walk(const Collider<EQUAL_RADII, LISTED>& collider, vec4 mine, c
   return end - first < 32u ? marked & ((1u << (end - first)) - 1u) : marked;
 }
 
+constexpr uint QUEUE_ROOM = 3u * TEAM;
+
 template <int BLOCK, bool EQUAL_RADII, bool LISTED>
 __global__ void __launch_bounds__(BLOCK) collide_grid(Params p, World w) {
-  __shared__ uvec2 queue[2 * BLOCK];  // of the group: a thread, and a sphere in its reach
-  __shared__ uint contacts[BLOCK];    // of each thread's sphere, found so far
-  __shared__ uint queued, unfinished;
+  constexpr uint TEAMS = BLOCK / TEAM;
+  __shared__ uvec2 queue[TEAMS * QUEUE_ROOM];  // of each team: two spheres that may meet
+  __shared__ uint queued[TEAMS];
+  __shared__ uint unfinished[TEAMS];
   __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
   Collider<EQUAL_RADII, LISTED> collider(p, w, total);
-  uint lane = threadIdx.x;
+  uint lane = team_lane();
+  uint team = team_index();
+  uint room = team * QUEUE_ROOM;
+  if (lane == 0u) queued[team] = unfinished[team] = 0u;
   collider.start_totals();
   uint stretch = (p.n / BLOCK / group_count() + 1u) * BLOCK;
   uint end = min((group_index(p) + 1u) * stretch, p.n);
-  for (uint first = group_index(p) * stretch; first < end; first += BLOCK) {
+  for (uint first = group_index(p) * stretch + team * TEAM; first < end; first += BLOCK) {
     uint i = first + lane;
     vec4 mine = w.position[min(i, p.n - 1u)];
     Rows rows = find_rows(p, w, mine, i);
     uint marked = 0u;
     uint next = 0u;
     uint base = 0u;
-    contacts[lane] = 0u;
     bool again = true;
     while (again) {
-      if (lane == 0u) queued = unfinished = 0u;
-      __syncthreads();
       if (marked == 0u && next < rows.ahead_above.bound) {
         base = next;
         next = base + 32u;
         marked = walk(collider, mine, rows, base);
       }
-      uint at = marked != 0u ? atomicAdd(&queued, uint(__popc(marked))) : 0u;
+      uint at = marked != 0u ? atomicAdd(&queued[team], uint(__popc(marked))) : 0u;
 #pragma unroll 1
-      for (; marked != 0u && at < 2u * BLOCK; ++at) {
-        queue[at] = uvec2{lane, walked(rows, base + uint(__ffs(int(marked))) - 1u)};
+      for (; marked != 0u && at < QUEUE_ROOM; ++at) {
+        queue[room + at] = uvec2{i, walked(rows, base + uint(__ffs(int(marked))) - 1u)};
         marked &= marked - 1u;
       }
-      if (marked != 0u || next < rows.ahead_above.bound) unfinished = 1u;
-      __syncthreads();
-      again = unfinished != 0u;
-      uint meetings = min(queued, 2u * BLOCK);
+      if (marked != 0u || next < rows.ahead_above.bound) unfinished[team] = 1u;
+      team_barrier();
+      again = unfinished[team] != 0u;
+      uint held = min(queued[team], QUEUE_ROOM);
+      uint left = first + BLOCK < end || again ? held % TEAM : 0u;
 #pragma unroll 1
-      for (uint q = lane; q < meetings; q += BLOCK) {
-        uint a = queue[q].x;
-        uint j = queue[q].y;
-        if (collider.meets(first + a, w.position[first + a], j, w.position[j])) {
-          atomicAdd(&contacts[a], 1u);
-          if (j - first < BLOCK) {
-            atomicAdd(&contacts[j - first], 1u);
-          } else {
-            atomicAdd(&w.count[j], 1u);
-          }
+      for (uint q = left + lane; q < held; q += TEAM) {
+        uint a = queue[room + q].x;
+        uint b = queue[room + q].y;
+        if (collider.meets(a, w.position[a], b, w.position[b])) {
+          atomicAdd(&w.count[a], 1u);
+          atomicAdd(&w.count[b], 1u);
         }
       }
-      __syncthreads();
+      team_barrier();
+      if (lane == 0u) queued[team] = left;
+      if (lane == 0u) unfinished[team] = 0u;
+      team_barrier();
     }
-    if (contacts[lane] != 0u) atomicAdd(&w.count[i], contacts[lane]);
   }
   collider.finish_totals();
 }

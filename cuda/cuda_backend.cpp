@@ -139,20 +139,27 @@ World CudaBackend::world(const Launch& launch) const {
           .tile = buffer<uvec2>(SLOT_TILE),
           .drawn = buffer<uint>(SLOT_DRAWN),
           .cluster = buffer<vec4>(SLOT_CLUSTER),
-          .cluster_seen = buffer<uint>(SLOT_CLUSTER_SEEN),
+          .seen_left = buffer<uint>(SLOT_SEEN_LEFT),
           .cluster_list = buffer<uint>(SLOT_CLUSTER_LIST),
           .pyramid = buffer<uint>(SLOT_PYRAMID),
           .wide = buffer<void>(SLOT_WIDE),
           .anchor = buffer<vec4>(SLOT_ANCHOR),
           .flight = buffer<void>(SLOT_FLIGHT),
           .since = buffer<uint>(SLOT_SINCE),
-          .due = buffer<uint>(SLOT_DUE)};
+          .due = buffer<uint>(SLOT_DUE),
+          .seen_list = buffer<uint>(SLOT_SEEN_LIST)};
 }
 
 void CudaBackend::launch(const Launch& launch, const Params& params) {
   const dim3 groups(launch.groups[0], launch.groups[1], launch.groups[2]);
-  KernelCall call{
-      kernel_name(launch.kernel), entry_of(launch), groups, launch.block, params, world(launch), view(), {}};
+  KernelCall call{stage_name(launch),
+                  entry_of(launch),
+                  groups,
+                  launch.block,
+                  params,
+                  world(launch),
+                  takes_view(launch.kernel) ? view() : View{},
+                  {}};
   call.window = l2_.window(memory_[SLOT_CELL].data, table_bytes());
   ++work_.launches;
   if (graph_.collecting()) return graph_.add(call);

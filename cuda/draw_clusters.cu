@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A fixed number of groups of CLUSTER threads shares out the phase's list of clusters; one thread per sphere.
-#include "visible.cuh"
+// A fixed number of groups of BATCH threads shares out the list of clusters to draw; one thread per sphere.
+#include "batch.cuh"
 
 namespace spherepair {
 
-__global__ void __launch_bounds__(CLUSTER) draw_clusters(Params p, World w, View v) {
-  bool rest = v.phase == PHASE_REST;
-  uint first = (rest ? 2u : v.turn) * v.clusters;
-  uint count = w.drawn[rest ? DRAWN_CLUSTERS : DRAWN_SEEN + v.turn];
-  for (uint k = group_index(p); k < count; k += group_count()) {
-    uint place = w.cluster_list[first + k] * CLUSTER + threadIdx.x;
-    if (place < p.n) draw_sphere(p, w, v, place, 0u);
+__global__ void __launch_bounds__(BATCH) draw_clusters(Params p, World w, View v) {
+  constexpr uint at_once = BATCH / CLUSTER;
+  uint count = w.drawn[DRAWN_CLUSTERS];
+  for (uint first = group_index(p) * at_once; first < count; first += group_count() * at_once) {
+    uint k = first + threadIdx.x / CLUSTER;
+    uint place = k < count ? w.cluster_list[k] * CLUSTER + threadIdx.x % CLUSTER : p.n;
+    draw_batch(p, w, v, place, place < p.n);
   }
 }
 

@@ -8,7 +8,12 @@
 
 namespace spherepair {
 
-__device__ inline void put(const World& w, vec4 sphere, uint name, uint at) {
+// The number of sphere i of the bucket.
+__device__ inline uint name_of(const Params& p, const World& w, vec4 sphere, uint i) {
+  return (p.names & NAMES_IN_RADII) != 0u ? float_bits(sphere.w) : w.from_id[i];
+}
+__device__ inline void put(const Params& p, const World& w, vec4 sphere, uint name, uint at) {
+  if ((p.names & NAMES_IN_RADII) != 0u) sphere.w = p.radius;
   w.sorted[at] = sphere;
   w.id[at] = name;
   w.sorted_count[at] = 0u;
@@ -56,7 +61,7 @@ __global__ void __launch_bounds__(SORT_BLOCK) grid_sort(Params p, World w) {
         if (fits) {
           atomicOr(&order[at / 2u], (i - begin) << (at % 2u * 16u));
         } else {
-          put(w, w.position[i], w.from_id[i], begin + at);
+          put(p, w, w.position[i], name_of(p, w, w.position[i], i), begin + at);
         }
       }
     }
@@ -69,10 +74,10 @@ __global__ void __launch_bounds__(SORT_BLOCK) grid_sort(Params p, World w) {
       uint q = min(first + k * SORT_BLOCK, end - 1u) - begin;
       uint i = begin + (order[q / 2u] >> (q % 2u * 16u) & 0xFFFFu);
       sphere[k] = w.position[i];
-      name[k] = w.from_id[i];
+      name[k] = name_of(p, w, sphere[k], i);
     }
     for (uint k = 0u; k < SORT_EACH; ++k)
-      if (first + k * SORT_BLOCK < end) put(w, sphere[k], name[k], first + k * SORT_BLOCK);
+      if (first + k * SORT_BLOCK < end) put(p, w, sphere[k], name[k], first + k * SORT_BLOCK);
   }
 }
 

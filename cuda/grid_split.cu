@@ -42,8 +42,12 @@ __global__ void __launch_bounds__(SPLIT_BLOCK, 2) grid_split(Params p, World w) 
     for (uint q = lane; q < taken; q += SPLIT_BLOCK) {
       uint i = first + order[q] % SPLIT_TILE;
       uint at = q + place[order[q] / SPLIT_TILE];
-      w.sorted[at] = w.position[i];
-      w.id[at] = p.named == 0u ? i : w.from_id[i];
+      vec4 sphere = w.position[i];
+      bool in_radii = (p.names & NAMES_IN_RADII) != 0u;
+      uint name = (p.names & NAMES_GIVEN) == 0u ? i : in_radii ? float_bits(sphere.w) : w.from_id[i];
+      if (in_radii) sphere.w = bits_float(name);
+      if (!in_radii) w.id[at] = name;
+      w.sorted[at] = sphere;
     }
     __syncthreads();
   }

@@ -30,7 +30,7 @@ struct World {
   uvec2* tile;
   uint* drawn;
   vec4* cluster;
-  uint* cluster_seen;
+  uint* seen_left;
   uint* cluster_list;
   uint* pyramid;
   void* wide;  // Real[]
@@ -38,6 +38,7 @@ struct World {
   void* flight;  // Real[]
   uint* since;
   uint* due;
+  uint* seen_list;
 };
 
 // Every kernel is void (Params p, World w), those that draw take a View v beside. A null entry means a group size or a

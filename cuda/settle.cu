@@ -18,7 +18,7 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) settle(Params p, World w) {
     Verdict verdict = decide_exact(w.position[pair.x], w.position[pair.y]);
     atomicAdd(&w.summary[row + SUM_STAGE + verdict.stage], 1u);
     if (verdict.collide) {
-      c.record(pair.x, pair.y);
+      c.record(c.sphere_at(pair.x), c.sphere_at(pair.y));
       c.touch(pair.x, 1u);
       c.touch(pair.y, 1u);
     }

@@ -13,13 +13,15 @@ __global__ void __launch_bounds__(SPLIT_BLOCK) split_count(Params p, World w) {
   if (first >= p.n) return;
   uint end = min(first + SPLIT_TILE, p.n);
   uint last_bucket = bucket_above(slot_of(w.position[end - 1u], p), p);
+  uint bucket[SPLIT_EACH];
+  for (uint k = 0u; k < SPLIT_EACH; ++k)
+    bucket[k] = slot_of(w.position[min(first + k * SPLIT_BLOCK + lane, end - 1u)], p) >> p.bucket_shift;
   for (uint low = bucket_below(slot_of(w.position[first], p), p); low <= last_bucket; low += BUCKETS_AT_MOST) {
     for (uint b = lane; b < BUCKETS_AT_MOST; b += SPLIT_BLOCK) counted[b] = 0u;
     __syncthreads();
-    for (uint i = first + lane; i < end; i += SPLIT_BLOCK) {
-      uint b = (slot_of(w.position[i], p) >> p.bucket_shift) - low;
-      if (b < BUCKETS_AT_MOST) atomicAdd(&counted[b], 1u);
-    }
+    for (uint k = 0u; k < SPLIT_EACH; ++k)
+      if (first + k * SPLIT_BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST)
+        atomicAdd(&counted[bucket[k] - low], 1u);
     __syncthreads();
     for (uint b = lane; b < BUCKETS_AT_MOST; b += SPLIT_BLOCK)
       if (counted[b] != 0u) atomicAdd(&w.next_place[p.first_bucket + low + b], counted[b]);

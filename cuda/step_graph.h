@@ -20,7 +20,7 @@ struct KernelCall {
   uint block;
   Params p;
   World w;
-  View v;                         // a kernel that draws nothing takes the first two
+  View v;                         // zeros for a kernel that takes none: another view is no other call of it
   cudaAccessPolicyWindow window;  // of 0 bytes: none
 };
 void launch_call(const KernelCall& call, cudaStream_t stream);  // throws BackendError

@@ -3,8 +3,7 @@
 // and of equal ones the least number, whatever the order of the threads.
 #pragma once
 
-#include "draw.h"
-#include "kernels.cuh"
+#include "pyramid.cuh"
 
 namespace spherepair {
 
@@ -24,33 +23,55 @@ __device__ inline void draw_at(const World& w, const View& v, uint px, uint py, 
   if (mine < there) atomicMin(&visible[pixel], mine);
 }
 
-__device__ inline void cut_into_tiles(const World& w, const View& v, uint place, Box box) {
+__device__ inline void cut_into_tiles(const World& w, const View& v, uint sphere, Box box) {
   uint tiles = tiles_along(box.width) * tiles_along(box.height);
   uint first = atomicAdd(&w.drawn[DRAWN_TILES], tiles);
-  for (uint k = 0u; k < tiles && first + k < v.tile_capacity; ++k) w.tile[first + k] = uvec2{place, k};
+  for (uint k = 0u; k < tiles && first + k < v.tile_capacity; ++k) w.tile[first + k] = uvec2{sphere, k};
 }
 
-// The work of one of the v.lanes threads of a sphere. It is passed over when it is out of view or between the pixels'
-// centres, tried at every pixel of its box when that is small, and cut into tiles for draw_tiles when it is large.
-__device__ inline void draw_sphere(const Params& p, const World& w, const View& v, uint place, uint lane) {
+// The spheres seen: for how long each still stands in their list, in four bits.
+__device__ inline uint shift_in_word(uint sphere) { return 4u * (sphere % 8u); }
+__device__ inline uint left_of(const World& w, uint sphere) {
+  return w.seen_left[sphere / 8u] >> shift_in_word(sphere) & 15u;
+}
+
+// Where a sphere is to be tried: an empty box where that is nowhere, or draw_tiles does it.
+struct Walk {
+  vec4 seen;
+  Box box;
+  uint nearest, sphere;
+};
+
+// It is passed over when it is out of view, between the pixels' centres, hidden or drawn before, and cut into tiles
+// when it is large. One of its threads leads.
+__device__ inline Walk walk_of(const Params& p, const World& w, const View& v, uint place, bool leads) {
   vec4 seen = in_camera(w.position[place], v);
-  Box box = {0u, 0u, 0u, 0u};
+  Walk walk = {seen, {0u, 0u, 0u, 0u}, 0u, 0u};
+  Box box = walk.box;
   if (in_frustum(seen, v)) box = box_of(seen, v);
   bool none = box.width == 0u || box.height == 0u;
-  bool large = !none && is_large(box, v);
-  if (lane == 0u)
-    count_drawn(w, v, seen.w == 0.0f ? DRAWN_UNDRAWABLE : none ? DRAWN_UNSEEN : large ? DRAWN_LARGE : DRAWN_SMALL);
-  if (none) return;
-  if (large) {
-    if (lane == 0u) cut_into_tiles(w, v, place, box);
-    return;
-  }
-  uint sphere = p.in_cells != 0u ? w.id[place] : place;
-  uint nearest = least_depth_of(seen);
-  uint across = v.lanes == 1u ? 1u : uint(LANES_ACROSS);
-  uint down = v.lanes / across;
-  for (uint y = box.y + lane / across; y < box.y + box.height; y += down)
-    for (uint x = box.x + lane % across; x < box.x + box.width; x += across) draw_at(w, v, x, y, seen, nearest, sphere);
+  if (none && leads) count_drawn(w, v, seen.w == 0.0f ? DRAWN_UNDRAWABLE : DRAWN_UNSEEN);
+  if (none) return walk;
+  bool rest = v.occlusion != 0u && v.phase == PHASE_REST;
+  walk.nearest = least_depth_of(seen, box, v);
+  bool hidden = rest && is_hidden(w, v, box, walk.nearest, level_for(box));
+  if (hidden) count_drawn(w, v, DRAWN_HIDDEN);
+  if (hidden) return walk;
+  walk.sphere = p.in_cells != 0u ? w.id[place] : place;
+  if (rest && left_of(w, walk.sphere) != 0u) return walk;
+  bool large = is_large(box, v);
+  if (leads) count_drawn(w, v, large ? DRAWN_LARGE : DRAWN_SMALL);
+  if (!large) walk.box = box;
+  if (large && leads) cut_into_tiles(w, v, walk.sphere, box);
+  return walk;
+}
+
+// The work of one of the threads that share the pixels of a walk.
+__device__ inline void draw_walk(const World& w, const View& v, Walk walk, uint lane, uint lanes, uint across) {
+  Box box = walk.box;
+  for (uint y = box.y + lane / across; y < box.y + box.height; y += lanes / across)
+    for (uint x = box.x + lane % across; x < box.x + box.width; x += across)
+      draw_at(w, v, x, y, walk.seen, walk.nearest, walk.sphere);
 }
 
 }  // namespace spherepair

@@ -29,6 +29,10 @@ class GlslBackend final : public DeviceBackend {
   }
   void time_stages(bool on) override;
   std::vector<StageTime> stage_times() override;
+  std::vector<StageTime> compile_kernels() override {
+    context_.make_current();
+    return compile_times(limits_.features);
+  }
 
  protected:
   void allocate(uint slot, uint64_t bytes) override;
@@ -202,7 +206,7 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   if (launch.variant.texture_table && launch.kernel == Kernel::collide_grid)
     table_texture_.bind(buffers_[launch.table], table_texels());
   ++work_.launches;
-  timer_.time(kernel_name(launch.kernel), [&] {
+  timer_.time(stage_name(launch), [&] {
     glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);
     glMemoryBarrier(batched_ ? GL_SHADER_STORAGE_BARRIER_BIT : GL_ALL_BARRIER_BITS);
   });

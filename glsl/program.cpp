@@ -3,10 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <vector>
+#include <chrono>
 
-#include "backend.h"
 #include "embedded_shaders.h"
+#include "kernel_list.h"
+#include "layout.h"
 
 namespace spherepair {
 namespace {
@@ -89,5 +90,18 @@ Program::Program(const std::string& stem)
     : id_(linked({{GL_VERTEX_SHADER, embedded_shaders().at(stem + ".vert")},
                   {GL_FRAGMENT_SHADER, embedded_shaders().at(stem + ".frag")}},
                  stem + ".vert with " + stem + ".frag")) {}
+
+std::vector<StageTime> compile_times(Features features) {
+  using Clock = std::chrono::steady_clock;
+  std::vector<StageTime> times;
+#define NAME(name) #name,
+  for (const std::string kernel : {SPHEREPAIR_KERNELS(NAME)}) {
+    const Clock::time_point start = Clock::now();
+    const Program compiled(kernel, SERVICE_BLOCK, {}, features);
+    times.push_back({kernel, std::chrono::duration<double>(Clock::now() - start).count()});
+  }
+#undef NAME
+  return times;
+}
 
 }  // namespace spherepair

@@ -5,7 +5,9 @@
 #include <epoxy/gl.h>
 
 #include <string>
+#include <vector>
 
+#include "backend.h"
 #include "variant.h"
 
 namespace spherepair {
@@ -32,5 +34,8 @@ class Program {
  private:
   GLuint id_;
 };
+
+// What the driver takes for each kernel, for groups of 128 and the first variant.
+std::vector<StageTime> compile_times(Features features);
 
 }  // namespace spherepair

@@ -20,6 +20,7 @@ import plots.ratio
 import style
 import tables
 from records import DATA, Machine, Missing
+from tabular import escape
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -71,24 +72,25 @@ def write_captions(machine, path):
     for module in modules():
         try:
             text = module.caption(machine) if hasattr(module, "caption") else module.CAPTION
-            source = tables.escape(source_of(module, machine, machine.short))
+            source = escape(source_of(module, machine, machine.short))
         except Missing:
             continue
         lines.append(f"\\definecaption{{{module.NAME}}}{{{text} {source}.}}")
     for table in tables.all_tables(machine):
-        lines.append(f"\\definecaption{{{table.name}}}{{{table.caption} {tables.escape(machine.short)}.}}")
+        source = machine.short.replace(machine.id, table.source or machine.id)
+        lines.append(f"\\definecaption{{{table.name}}}{{{table.caption} {escape(source)}.}}")
     path.write_text("\n".join(lines) + "\n")
 
 
 def write_paper_inputs(output):
     machine, other = Machine(DATA / "h200"), Machine(DATA / "llvmpipe")
-    drawn, _, _ = report(machine, output / "recorded")
+    drawn, written, _ = report(machine, output / "recorded")
     write_captions(machine, output / "captions.tex")
     tex = (ROOT / "paper/paper.tex").read_text()
     numbers = macros.collect(machine, [other])
-    macros.check(tex, numbers, drawn)
-    macros.write(numbers, tex, output / "numbers.tex", drawn)
-    print(f"  numbers: {len(macros.used_keys(tex, drawn))} in the text, each from a recorded run")
+    macros.check(tex, numbers, drawn + written)
+    macros.write(numbers, tex, output / "numbers.tex", drawn + written)
+    print(f"  numbers: {len(macros.used_keys(tex, drawn + written))} in the text, each from a recorded run")
 
 
 def write_headline(machine):

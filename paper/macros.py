@@ -7,11 +7,13 @@ digit of its prose that is not given by design, which \\given{...} and mathemati
 import re
 import sys
 
-import tables
+from numbers_accuracy import ACCURATE
+from numbers_compared import COMPARED
 from numbers_measured import MEASURED
 from numbers_proved import PROVED
 from numbers_studies import STUDIED
 from records import Missing
+from tabular import escape
 
 
 class Numbers:
@@ -28,7 +30,7 @@ class Numbers:
 
 def collect(machine, others):
     numbers = Numbers()
-    for make in (*MEASURED, *PROVED, *STUDIED):
+    for make in (*MEASURED, *PROVED, *STUDIED, *ACCURATE, *COMPARED):
         try:
             make(numbers.put, machine, others)
         except Missing as reason:
@@ -37,7 +39,7 @@ def collect(machine, others):
 
 
 def without_unrecorded(tex, recorded):
-    """Drops \\ifrecorded{name}{text} where the figure `name` was not drawn; LaTeX does the same."""
+    """Drops \\ifrecorded{name}{text} where the figure or table `name` was not made; LaTeX does the same."""
     start = re.compile(r"\\ifrecorded\{([\w-]+)\}\{")
     found = start.search(tex)
     while found:
@@ -65,7 +67,7 @@ def used_keys(tex, recorded=()):
 def stray_digits(tex, recorded=()):
     """Lines whose digits are neither a generated number nor marked as given."""
     prose = body_of(tex, recorded)
-    commands = r"\\(Nr|given|cite|ref|label|url|texttt|recorded\w+|iftabled|ifrecorded|begin|end)(\[[^]]*\])?\{[^{}]*\}"
+    commands = r"\\(Nr|given|cite|ref|label|url|texttt|recorded\w+|ifrecorded|begin|end)(\[[^]]*\])?\{[^{}]*\}"
     for pattern in (r"\\begin\{equation\}.*?\\end\{equation\}", r"\$[^$]*\$", commands):
         prose = re.sub(pattern, "", prose, flags=re.DOTALL)
     return [line.strip() for line in prose.splitlines() if re.search(r"(?<![A-Za-z\d])\d", line)]
@@ -87,7 +89,7 @@ def check(tex, numbers, recorded=()):
 def write(numbers, tex, path, recorded=()):
     lines = ["% Made by paper/macros.py from recorded runs; one line a number: key, text, run, how."]
     for key, (text, source, how) in numbers.entries.items():
-        lines.append(f"\\definenumber{{{key}}}{{{text}}}{{{source}}}{{{tables.escape(how)}}}")
+        lines.append(f"\\definenumber{{{key}}}{{{text}}}{{{source}}}{{{escape(how)}}}")
     path.write_text("\n".join(lines) + "\n")
     trace = [f"\\traced{{{key}}}" for key in used_keys(tex, recorded)]
     path.with_name("trace.tex").write_text("\n".join(trace) + "\n")

@@ -3,7 +3,7 @@
 from derived import best, cost, issue_rate, matched, pairs_of, share_of_floor, slope
 from ranks import apart, differ
 from records import Missing, original_paper
-from tables import ms
+from tabular import ms
 
 PRINTED = "original paper"
 SIZE = 16384
@@ -102,6 +102,9 @@ def exactness(put, machine, others):
 
 
 def launches(put, machine, others):
+    one = {name: machine.one(table="overhead", backend=name, launches_per_step=1).median for name in DEVICES}
+    if 2 * one["cuda"] >= one["glsl"]:
+        raise Missing(f"{machine.name}: CUDA's round trip costs half of GLSL's or more, which the text denies")
     for name in DEVICES:
         rows = {r.launches_per_step: r for r in machine.need(table="overhead", backend=name)}
         for count, key in ((1, "one"), (1000, "many")):

@@ -5,6 +5,13 @@ from records import Missing
 PAPER = {"method": "paper", "precision": "float32", "dt": 1 / 64}  # equation 1 and code 1 at the step of this study
 
 
+def study(machine, **wanted):
+    """The rows of the study of methods and steps: of several numbers of spheres the one with the most rows."""
+    rows = machine.need(table="precision", **wanted)
+    sizes = [row.n for row in machine.need(table="precision")]
+    return [row for row in rows if row.n == max(sorted(set(sizes)), key=sizes.count)]
+
+
 def seconds(row):
     """Run time of a simulated second, nanoseconds a sphere."""
     return 1e6 * row.median / row.n / row.dt

@@ -173,3 +173,9 @@ def recorded_code():
     if not path.exists():
         raise Missing(f"{path} is not there: paper/count_code.py writes it")
     return {**json.loads(path.read_text()), "id": f"code:{digest(path.read_bytes())}"}
+
+
+def peers():
+    """Times of other systems on the same centres, which are in a file of their own."""
+    path = DATA / "peers.json"
+    return {**json.loads(path.read_text()), "id": f"peers:{digest(path.read_bytes())}"}

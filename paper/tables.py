@@ -1,30 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The paper's tables, each as LaTeX and as text, from recorded runs alone."""
-from dataclasses import dataclass
-
 from ranks import verdict
 from records import Missing, original_paper, recorded_code
-
-
-@dataclass
-class Table:
-    name: str
-    caption: str
-    heads: list  # two rows: groups as (text, columns), then one text a column
-    rows: list
-    left: int = 1  # so many first columns are text and stand left
-
-
-def ms(value):
-    """Three significant digits, never an exponent."""
-    if value is None:
-        return "-"
-    digits = max(0, 2 - int(f"{value:e}".split("e")[1]))
-    return f"{value:.{digits}f}" if value else "0"
-
-
-def interval_us(record):
-    return f"{ms(1e3 * record.median)} [{ms(1e3 * record.low)}, {ms(1e3 * record.high)}]"
+from tables_studies import STUDIED
+from tabular import Table, as_tex, as_text, interval, ms, without_empty_columns
 
 
 def median_or_dash(machine, **wanted):
@@ -67,7 +46,7 @@ def methods(machine):
     rows = []
     for method in ("collide_group", "collide_tiled", "collide_square", "collide_triangle"):
         glsl, cuda = (machine.one(table="methods", method=method, backend=b, block=128) for b in ("glsl", "cuda"))
-        rows.append([method.removeprefix("collide_"), interval_us(glsl), interval_us(cuda), verdict(glsl, cuda)])
+        rows.append([method.removeprefix("collide_"), interval(glsl, 1e3), interval(cuda, 1e3), verdict(glsl, cuda)])
     heads = [[("", 1), ("median [interval], µs", 2), ("", 1)], ["method", "GLSL", "CUDA", "verdict"]]
     return Table("methods", f"One collision step of {glsl.n:,} spheres, groups of 128: median and its interval of at "
                  "least 95\\,\\% between order statistics.", heads, rows)
@@ -77,27 +56,32 @@ def ceilings(machine):
     rows = []
     for record in machine.need(table="ceilings"):
         rate = record.amount_per_step / (1e-3 * record.median)
-        rows.append([record.work, f"{record.n:,}", record.backend.upper(), interval_us(record),
+        rows.append([record.work, f"{record.n:,}", record.backend.upper(), interval(record, 1e3),
                      f"{ms(rate)} {record.unit}"])
     heads = [[("", 1)] * 5, ["what", "spheres", "API", "median [interval], µs", "rate"]]
     return Table("ceilings", "What the GPU does at best through each API: 16 bytes copied, a scattered atomic without "
                  "a result, and chains of multiply-adds, each per sphere.", heads, rows, left=1)
 
 
+def driver_milliseconds(machine):
+    """Kernel -> time that the GL driver took to compile it, of `spherepair devices --compile`; empty without a record."""
+    return next((backend["compile_ms"] for root in machine.sources.values() for backend in root.get("backends", [])
+                 if isinstance(backend, dict) and backend.get("compile_ms")), {})
+
+
 def code(machine):
-    record, rows = recorded_code(), []
+    record, rows, driver = recorded_code(), [], driver_milliseconds(machine)
     for twin in record["twins"]:
-        first = machine.select(table="methods", method=twin["kernel"], backend="glsl", block=128)
         rows.append([twin["kernel"], *(str(twin[f"{what}_lines"]) for what in ("glsl", "cuda", "same")),
                      f"{twin['nvcc_seconds']:.1f}" if "nvcc_seconds" in twin else "-",
-                     ms(first[0].first_step_ms) if first else "-"])
+                     ms(driver.get(twin["kernel"]))])
     for what, name in (("support", "included by kernels"), ("host", "host code")):
         rows.append([name, str(record[what]["glsl"]), str(record[what]["cuda"]), "-", "-", "-"])
     heads = [[("", 1), ("lines of code", 3), ("compiling", 2)],
              ["kernel", "GLSL", "CUDA", "same", "nvcc, s", "GLSL, ms"]]
     return Table("code", "What each API asks for. Lines without blanks and comments; same: lines in both. nvcc: "
-                 f"processor seconds on {record['context']['cpu']}, once, when the program is built ({record['id']}). "
-                 "GLSL: first use in a run, with the driver's compilation.", heads, rows)
+                 f"processor seconds on {record['context']['cpu']}, once, when the program is built ({record['id']})." +
+                 (" GLSL: the driver's, in each program that uses it." if driver else ""), heads, rows)
 
 
 def machine_and_run(machine):
@@ -116,62 +100,7 @@ def machine_and_run(machine):
     return Table("machine", "The recorded machine and run.", heads, rows, left=2)
 
 
-MAKERS = (table1, counts, methods, ceilings, code, machine_and_run)
-
-
-def escape(text):
-    for plain, safe in (("\\,", "\0"), ("\\%", "\1"), ("\\", ""), ("%", "\\%"), ("_", "\\_"), ("&", "\\&"),
-                        ("#", "\\#"), ("^", "\\textasciicircum{}")):
-        text = text.replace(plain, safe)
-    return text.replace("\0", "\\,").replace("\1", "\\%")
-
-
-def as_tex(table):
-    columns = "l" * table.left + "r" * (len(table.heads[1]) - table.left)
-    groups, rules, at = [], [], 1
-    for text, width in table.heads[0]:
-        groups.append(f"\\multicolumn{{{width}}}{{c}}{{{escape(text)}}}")
-        if text:
-            rules.append(f"\\cmidrule(lr){{{at}-{at + width - 1}}}")
-        at += width
-    lines = [f"\\begin{{tabular}}{{@{{}}{columns}@{{}}}}", "\\toprule"]
-    if rules:
-        lines += [" & ".join(groups) + " \\\\", " ".join(rules)]
-    lines += [" & ".join(escape(head) for head in table.heads[1]) + " \\\\", "\\midrule"]
-    lines += [" & ".join(escape(cell) for cell in row) + " \\\\" for row in table.rows]
-    return "\n".join([*lines, "\\bottomrule", "\\end{tabular}"]) + "\n"
-
-
-def aligned(cells, widths, left):
-    return "  ".join(cell.ljust(width) if k < left else cell.rjust(width)
-                     for k, (cell, width) in enumerate(zip(cells, widths))).rstrip()
-
-
-def as_text(table, machine):
-    names = [table.heads[1], *table.rows]
-    widths = [max(len(row[k]) for row in names) for k in range(len(table.heads[1]))]
-    groups, at = [], 0
-    for text, count in table.heads[0]:
-        place = sum(widths[at:at + count]) + 2 * (count - 1)
-        widths[at + count - 1] += max(0, len(text) - place)
-        groups.append(text.center(max(place, len(text)), "-" if text else " "))
-        at += count
-    lines = [aligned(row, widths, table.left) for row in names]
-    plain = table.caption.replace("\\,", " ").replace("\\%", "%")
-    head = ["  ".join(groups).rstrip()] if any(text for text, _ in table.heads[0]) else []
-    return "\n".join([plain, machine.title, "", *head, lines[0], "-" * max(map(len, lines)), *lines[1:]]) + "\n"
-
-
-def without_empty_columns(table):
-    """A machine without a GPU leaves whole columns open; they are dropped."""
-    keep = [any(row[k] != "-" for row in table.rows) for k in range(len(table.heads[1]))]
-    groups, at = [], 0
-    for text, count in table.heads[0]:
-        groups.append((text, sum(keep[at:at + count])))
-        at += count
-    thin = lambda row: [cell for cell, kept in zip(row, keep) if kept]
-    heads = [[(text, count) for text, count in groups if count], thin(table.heads[1])]
-    return Table(table.name, table.caption, heads, [thin(row) for row in table.rows], table.left)
+MAKERS = (table1, counts, methods, ceilings, code, machine_and_run, *STUDIED)
 
 
 def made(machine):
@@ -181,6 +110,10 @@ def made(machine):
             yield without_empty_columns(maker(machine)), None
         except Missing as reason:
             yield None, (maker.__name__, str(reason))
+
+
+def table_title(table, machine):
+    return machine.title.replace(machine.id, table.source) if table.source else machine.title
 
 
 def all_tables(machine):
@@ -196,6 +129,6 @@ def write_all(machine, folder):
             left_out.append(reason)
             continue
         (folder / f"{table.name}.tex").write_text(as_tex(table))
-        (folder / f"{table.name}.txt").write_text(as_text(table, machine))
+        (folder / f"{table.name}.txt").write_text(as_text(table, table_title(table, machine)))
         written.append(table.name)
     return written, left_out

@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: MIT
 // One thread per sphere in cell order; groups take chunks of spheres until none is left. The later half of a sphere's
 // neighbourhood is five rows of cells, each a contiguous range of spheres. A thread walks through all of them in one
-// loop, four spheres at a time, and marks in a word whoever is in reach; then it queues them, and the group settles the
-// queue, a thread per pair. Where a word or the queue is full, the group walks on after that.
+// loop, four spheres at a time, and marks in a word whoever is in reach; then it queues them, and its team settles the
+// queue, a thread per pair, in full rounds: the rest waits for the next chunk. Where a word or the queue is full, the
+// team walks on after that.
 #include "collide.glsl"
 #include "grid.glsl"
+#include "team.glsl"
 
 layout(local_size_x = BLOCK) in;
-shared uvec2 queue[2 * BLOCK];  // of the group: a thread, and a sphere in its reach
-shared uint contacts[BLOCK];    // of each thread's sphere, found so far
-shared uint queued, unfinished;
+const uint TEAMS = BLOCK / TEAM;
+const uint QUEUE_ROOM = 3u * TEAM;
+shared uvec2 queue[TEAMS * QUEUE_ROOM];  // of each team: two spheres that may meet
+shared uint queued[TEAMS];
+shared uint unfinished[TEAMS];
 
 // The k-th sphere of a walk is sphere k + shift in the first row with k < bound.
 struct Row {
@@ -73,51 +77,50 @@ uint walk(vec4 mine, Rows rows, uint first) {
 }
 
 void main() {
-  uint lane = gl_LocalInvocationID.x;
+  uint lane = team_lane();
+  uint team = team_index();
+  uint room = team * QUEUE_ROOM;
+  if (lane == 0u) queued[team] = unfinished[team] = 0u;
   start_totals();
   uint stretch = (p.n / BLOCK / group_count() + 1u) * BLOCK;
   uint end = min((group_index() + 1u) * stretch, p.n);
-  for (uint first = group_index() * stretch; first < end; first += BLOCK) {
+  for (uint first = group_index() * stretch + team * TEAM; first < end; first += BLOCK) {
     uint i = first + lane;
     vec4 mine = position[min(i, p.n - 1u)];
     Rows rows = find_rows(mine, i);
     uint marked = 0u;
     uint next = 0u;
     uint base = 0u;
-    contacts[lane] = 0u;
     bool again = true;
     while (again) {
-      if (lane == 0u) queued = unfinished = 0u;
-      barrier();
       if (marked == 0u && next < rows.ahead_above.bound) {
         base = next;
         next = base + 32u;
         marked = walk(mine, rows, base);
       }
-      uint at = marked != 0u ? atomicAdd(queued, uint(bitCount(marked))) : 0u;
-      for (; marked != 0u && at < 2u * BLOCK; ++at) {
-        queue[at] = uvec2(lane, walked(rows, base + uint(findLSB(marked))));
+      uint at = marked != 0u ? atomicAdd(queued[team], uint(bitCount(marked))) : 0u;
+      for (; marked != 0u && at < QUEUE_ROOM; ++at) {
+        queue[room + at] = uvec2(i, walked(rows, base + uint(findLSB(marked))));
         marked &= marked - 1u;
       }
-      if (marked != 0u || next < rows.ahead_above.bound) unfinished = 1u;
-      barrier();
-      again = unfinished != 0u;
-      uint meetings = min(queued, 2u * BLOCK);
-      for (uint q = lane; q < meetings; q += BLOCK) {
-        uint a = queue[q].x;
-        uint j = queue[q].y;
-        if (meets(first + a, position[first + a], j, position[j])) {
-          atomicAdd(contacts[a], 1u);
-          if (j - first < BLOCK) {
-            atomicAdd(contacts[j - first], 1u);
-          } else {
-            atomicAdd(count[j], 1u);
-          }
+      if (marked != 0u || next < rows.ahead_above.bound) unfinished[team] = 1u;
+      team_barrier();
+      again = unfinished[team] != 0u;
+      uint held = min(queued[team], QUEUE_ROOM);
+      uint left = first + BLOCK < end || again ? held % TEAM : 0u;
+      for (uint q = left + lane; q < held; q += TEAM) {
+        uint a = queue[room + q].x;
+        uint b = queue[room + q].y;
+        if (meets(a, position[a], b, position[b])) {
+          atomicAdd(count[a], 1u);
+          atomicAdd(count[b], 1u);
         }
       }
-      barrier();
+      team_barrier();
+      if (lane == 0u) queued[team] = left;
+      if (lane == 0u) unfinished[team] = 0u;
+      team_barrier();
     }
-    if (contacts[lane] != 0u) atomicAdd(count[i], contacts[lane]);
   }
   finish_totals();
 }

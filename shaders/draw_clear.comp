@@ -1,18 +1,46 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per pixel: no sphere is seen yet. The list of clusters that the last picture showed is drawn next.
+// One thread per PIXELS_EACH pixels: no sphere is seen there yet. Those that the last picture showed are listed.
 #include "visible.glsl"
 
 layout(local_size_x = BLOCK) in;
+shared uint found[BLOCK * PIXELS_EACH];
+shared uint entries;  // of the group
+shared uint first_entry;
 
-void main() {
-  uint pixel = group_index() * BLOCK + gl_LocalInvocationID.x;
-  if (pixel < DRAWN_WORDS && pixel != DRAWN_SEEN + v.turn) drawn[pixel] = 0u;
-  if (pixel >= v.width * v.height) return;
 #ifdef ATOMICS_64
-  visible[pixel] = 0xFFFFFFFFFFFFFFFFul;
+uint sphere_at(uint pixel) { return uint(visible[pixel]); }
+void clear_at(uint pixel) { visible[pixel] = 0xFFFFFFFFFFFFFFFFul; }
 #else
+uint sphere_at(uint pixel) { return visible[2u * pixel]; }
+void clear_at(uint pixel) {
   visible[2u * pixel] = 0xFFFFFFFFu;
   visible[2u * pixel + 1u] = 0xFFFFFFFFu;
+}
 #endif
+
+// Only the first of a sphere's pixels need to ask: one whose neighbours, unless they are cleared already, show another.
+bool is_new(uint pixel, uint width, uint sphere) {
+  if (sphere == 0xFFFFFFFFu || (pixel >= 1u && sphere_at(pixel - 1u) == sphere)) return false;
+  if (pixel >= width && sphere_at(pixel - width) == sphere) return false;
+  uint all = 15u << shift_in_word(sphere);
+  return (atomicOr(seen_left[sphere / 8u], all) & all) == 0u;
+}
+
+void main() {
+  uint lane = gl_LocalInvocationID.x;
+  if (group_index() == 0u && lane < DRAWN_WORDS && lane != DRAWN_SEEN + v.turn) drawn[lane] = 0u;
+  if (lane == 0u) entries = 0u;
+  barrier();
+  for (uint k = 0u; k < PIXELS_EACH; ++k) {
+    uint pixel = (group_index() * PIXELS_EACH + k) * BLOCK + lane;
+    if (pixel >= v.width * v.height) break;
+    uint sphere = v.occlusion != 0u ? sphere_at(pixel) : 0xFFFFFFFFu;
+    if (is_new(pixel, v.width, sphere)) found[atomicAdd(entries, 1u)] = sphere;
+    clear_at(pixel);
+  }
+  barrier();
+  if (lane == 0u && entries > 0u) first_entry = atomicAdd(drawn[DRAWN_SEEN + v.turn], entries);
+  barrier();
+  for (uint k = lane; k < entries; k += BLOCK) seen_list[v.turn * p.n + first_entry + k] = found[k];
 }

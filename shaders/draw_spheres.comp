@@ -7,5 +7,8 @@ layout(local_size_x = BLOCK) in;
 
 void main() {
   uint k = group_index() * (BLOCK / v.lanes) + gl_LocalInvocationID.x / v.lanes;
-  if (k < p.n) draw_sphere(place_in_turn(k, p.n, v), gl_LocalInvocationID.x % v.lanes);
+  if (k >= p.n) return;
+  uint lane = gl_LocalInvocationID.x % v.lanes;
+  Walk walk = walk_of(place_in_turn(k, p.n, v), lane == 0u);
+  draw_walk(walk, lane, v.lanes, v.lanes == 1u ? 1u : uint(LANES_ACROSS));
 }

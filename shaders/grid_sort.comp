@@ -16,7 +16,12 @@ layout(local_size_x = BLOCK) in;
 shared uint place[CELLS_PER_BUCKET];  // of the next sphere of each cell, in the bucket
 shared uint order[SORT_ROOM / 2u];    // the spheres of the bucket by cell, two to a word
 
+// The number of sphere i of the bucket.
+uint name_of(vec4 sphere, uint i) {
+  return (p.names & NAMES_IN_RADII) != 0u ? float_bits(sphere.w) : from_id[i];
+}
 void put(vec4 sphere, uint name, uint at) {
+  if ((p.names & NAMES_IN_RADII) != 0u) sphere.w = p.radius;
   sorted[at] = sphere;
   id[at] = name;
   sorted_count[at] = 0u;
@@ -62,7 +67,7 @@ void main() {
         if (fits) {
           atomicOr(order[at / 2u], (i - begin) << (at % 2u * 16u));
         } else {
-          put(position[i], from_id[i], begin + at);
+          put(position[i], name_of(position[i], i), begin + at);
         }
       }
     }
@@ -75,7 +80,7 @@ void main() {
       uint q = min(first + k * BLOCK, end - 1u) - begin;
       uint i = begin + (order[q / 2u] >> (q % 2u * 16u) & 0xFFFFu);
       sphere[k] = position[i];
-      name[k] = from_id[i];
+      name[k] = name_of(sphere[k], i);
     }
     for (uint k = 0u; k < SORT_EACH; ++k)
       if (first + k * BLOCK < end) put(sphere[k], name[k], first + k * BLOCK);

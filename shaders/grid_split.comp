@@ -45,8 +45,12 @@ void main() {
     for (uint q = lane; q < taken; q += BLOCK) {
       uint i = first + order[q] % SPLIT_TILE;
       uint at = q + place[order[q] / SPLIT_TILE];
-      sorted[at] = position[i];
-      id[at] = p.named == 0u ? i : from_id[i];
+      vec4 sphere = position[i];
+      bool in_radii = (p.names & NAMES_IN_RADII) != 0u;
+      uint name = (p.names & NAMES_GIVEN) == 0u ? i : in_radii ? float_bits(sphere.w) : from_id[i];
+      if (in_radii) sphere.w = bits_float(name);
+      if (!in_radii) id[at] = name;
+      sorted[at] = sphere;
     }
     barrier();
   }

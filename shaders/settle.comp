@@ -16,7 +16,7 @@ void main() {
     Verdict verdict = decide_exact(position[pair.x], position[pair.y]);
     atomicAdd(summary[row + SUM_STAGE + verdict.stage], 1u);
     if (verdict.collide) {
-      record(pair.x, pair.y);
+      record(sphere_at(pair.x), sphere_at(pair.y));
       touch(pair.x, 1u);
       touch(pair.y, 1u);
     }

@@ -14,13 +14,14 @@ void main() {
   if (first >= p.n) return;
   uint end = min(first + SPLIT_TILE, p.n);
   uint last_bucket = bucket_above(slot_of(position[end - 1u], p), p);
+  uint bucket[SPLIT_EACH];
+  for (uint k = 0u; k < SPLIT_EACH; ++k)
+    bucket[k] = slot_of(position[min(first + k * BLOCK + lane, end - 1u)], p) >> p.bucket_shift;
   for (uint low = bucket_below(slot_of(position[first], p), p); low <= last_bucket; low += BUCKETS_AT_MOST) {
     for (uint b = lane; b < BUCKETS_AT_MOST; b += BLOCK) counted[b] = 0u;
     barrier();
-    for (uint i = first + lane; i < end; i += BLOCK) {
-      uint b = (slot_of(position[i], p) >> p.bucket_shift) - low;
-      if (b < BUCKETS_AT_MOST) atomicAdd(counted[b], 1u);
-    }
+    for (uint k = 0u; k < SPLIT_EACH; ++k)
+      if (first + k * BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST) atomicAdd(counted[bucket[k] - low], 1u);
     barrier();
     for (uint b = lane; b < BUCKETS_AT_MOST; b += BLOCK)
       if (counted[b] != 0u) atomicAdd(next_place[p.first_bucket + low + b], counted[b]);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The picture's buffers, and how a sphere is put at a pixel: of all that the pixel's ray meets, the least depth stays,
 // and of equal ones the least number, whatever the order of the threads.
-#include "buffers.glsl"
-#include "draw.h"
+#include "pyramid.glsl"
 
-layout(std140, binding = SLOT_VIEW) uniform ViewBlock { View v; };
 #ifdef ATOMICS_64
 layout(std430, binding = SLOT_VISIBLE) restrict coherent buffer VisibleBuffer { uint64_t visible[]; };
 #else
@@ -12,6 +10,8 @@ layout(std430, binding = SLOT_VISIBLE) restrict coherent buffer VisibleBuffer { 
 #endif
 layout(std430, binding = SLOT_TILE) restrict buffer TileBuffer { uvec2 tile[]; };
 layout(std430, binding = SLOT_DRAWN) restrict buffer DrawnBuffer { uint drawn[]; };
+layout(std430, binding = SLOT_SEEN_LEFT) restrict buffer SeenLeftBuffer { uint seen_left[]; };
+layout(std430, binding = SLOT_SEEN_LIST) restrict buffer SeenListBuffer { uint seen_list[]; };
 
 void count_drawn(uint word) {
   if (v.counting != 0u && v.pass == PASS_DEPTH) atomicAdd(drawn[word], 1u);
@@ -39,31 +39,51 @@ void draw_at(uint px, uint py, vec4 seen, uint nearest, uint sphere) {
 #endif
 }
 
-void cut_into_tiles(uint place, Box box) {
+void cut_into_tiles(uint sphere, Box box) {
   uint tiles = tiles_along(box.width) * tiles_along(box.height);
   uint first = atomicAdd(drawn[DRAWN_TILES], tiles);
-  for (uint k = 0u; k < tiles && first + k < v.tile_capacity; ++k) tile[first + k] = uvec2(place, k);
+  for (uint k = 0u; k < tiles && first + k < v.tile_capacity; ++k) tile[first + k] = uvec2(sphere, k);
 }
 
-// The work of one of the v.lanes threads of a sphere. It is passed over when it is out of view or between the pixels'
-// centres, tried at every pixel of its box when that is small, and cut into tiles for draw_tiles when it is large.
-void draw_sphere(uint place, uint lane) {
+// The spheres seen: for how long each still stands in their list, in four bits.
+uint shift_in_word(uint sphere) { return 4u * (sphere % 8u); }
+uint left_of(uint sphere) { return seen_left[sphere / 8u] >> shift_in_word(sphere) & 15u; }
+
+// Where a sphere is to be tried: an empty box where that is nowhere, or draw_tiles does it.
+struct Walk {
+  vec4 seen;
+  Box box;
+  uint nearest, sphere;
+};
+
+// It is passed over when it is out of view, between the pixels' centres, hidden or drawn before, and cut into tiles
+// when it is large. One of its threads leads.
+Walk walk_of(uint place, bool leads) {
   vec4 seen = in_camera(position[place], v);
-  Box box = Box(0u, 0u, 0u, 0u);
+  Walk walk = {seen, {0u, 0u, 0u, 0u}, 0u, 0u};
+  Box box = walk.box;
   if (in_frustum(seen, v)) box = box_of(seen, v);
   bool none = box.width == 0u || box.height == 0u;
-  bool large = !none && is_large(box, v);
-  if (lane == 0u)
-    count_drawn(seen.w == 0.0f ? DRAWN_UNDRAWABLE : none ? DRAWN_UNSEEN : large ? DRAWN_LARGE : DRAWN_SMALL);
-  if (none) return;
-  if (large) {
-    if (lane == 0u) cut_into_tiles(place, box);
-    return;
-  }
-  uint sphere = p.in_cells != 0u ? id[place] : place;
-  uint nearest = least_depth_of(seen);
-  uint across = v.lanes == 1u ? 1u : uint(LANES_ACROSS);
-  uint down = v.lanes / across;
-  for (uint y = box.y + lane / across; y < box.y + box.height; y += down)
-    for (uint x = box.x + lane % across; x < box.x + box.width; x += across) draw_at(x, y, seen, nearest, sphere);
+  if (none && leads) count_drawn(seen.w == 0.0f ? DRAWN_UNDRAWABLE : DRAWN_UNSEEN);
+  if (none) return walk;
+  bool rest = v.occlusion != 0u && v.phase == PHASE_REST;
+  walk.nearest = least_depth_of(seen, box, v);
+  bool hidden = rest && is_hidden(box, walk.nearest, level_for(box));
+  if (hidden) count_drawn(DRAWN_HIDDEN);
+  if (hidden) return walk;
+  walk.sphere = p.in_cells != 0u ? id[place] : place;
+  if (rest && left_of(walk.sphere) != 0u) return walk;
+  bool large = is_large(box, v);
+  if (leads) count_drawn(large ? DRAWN_LARGE : DRAWN_SMALL);
+  if (!large) walk.box = box;
+  if (large && leads) cut_into_tiles(walk.sphere, box);
+  return walk;
+}
+
+// The work of one of the threads that share the pixels of a walk.
+void draw_walk(Walk walk, uint lane, uint lanes, uint across) {
+  Box box = walk.box;
+  for (uint y = box.y + lane / across; y < box.y + box.height; y += lanes / across)
+    for (uint x = box.x + lane % across; x < box.x + box.width; x += across)
+      draw_at(x, y, walk.seen, walk.nearest, walk.sphere);
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The kernels that measure what a device can do at best do what they say, at any number of spheres.
+#include <algorithm>
+
 #include "backends.h"
 
 namespace spherepair {
@@ -36,6 +38,17 @@ TEST_P(Ceilings, LeaveNothingForTheNextScene) {
   EXPECT_EQ(before.counts, after.counts);
   EXPECT_TRUE(before.totals.fingerprint == after.totals.fingerprint);
   EXPECT_GT(before.totals.pairs, 0u);
+}
+
+// Every kernel of GLSL takes its driver some time; the others' were compiled with the program.
+TEST_P(Ceilings, DriversCompileEveryKernel) {
+  const std::vector<StageTime> times = backend().compile_kernels();
+  if (backend().info().name != "glsl") {
+    EXPECT_TRUE(times.empty());
+    return;
+  }
+  EXPECT_EQ(1, std::ranges::count(times, "collide_triangle", &StageTime::stage));
+  EXPECT_TRUE(std::ranges::all_of(times, [](const StageTime& time) { return time.seconds > 0; }));
 }
 
 }  // namespace

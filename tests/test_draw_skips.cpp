@@ -97,6 +97,24 @@ TEST_P(DrawSkips, ThroughAHole) {
   EXPECT_GT(backend().draw_counts().clusters_hidden, 10u);
 }
 
+// Longer than a sphere that is not seen again stands in the list of those seen, there and back.
+TEST_P(DrawSkips, OverManyPictures) {
+  const Scene scene = make_scene({.name = "uniform", .n = 20000});
+  backend().upload(scene);
+  backend().collide({.method = Method::collide_grid});
+  const DrawOptions hidden = every_skip()[1];
+  for (int picture = 0; picture < 24; ++picture) {
+    const double azimuth = picture < 20 ? 2 * picture : 0;
+    const Camera camera = frame(bounds_of(scene.positions), azimuth, 10, 40, double(width) / height);
+    const View view = make_view(camera, contact_look(), width, height);
+    const Picture given = picture_of(backend(), view, hidden);
+    if (picture > 0) {
+      EXPECT_GT(backend().draw_counts().hidden, scene.size() / 4) << picture;
+    }
+    EXPECT_EQ(objection(given, picture_of(backend(), view, everything), view), "") << picture;
+  }
+}
+
 // Each skip is used: without that, its test would prove nothing.
 TEST_P(DrawSkips, AreCounted) {
   const Scene scene = make_scene({.name = "uniform", .n = 60000});

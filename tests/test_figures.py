@@ -15,6 +15,7 @@ if importlib.util.find_spec("matplotlib") is None:
     sys.exit(77)
 
 import figures  # noqa: E402  (the path must be set first)
+import tables_studies  # noqa: E402
 from records import DATA, Machine, Missing, Record  # noqa: E402
 
 SCENE = {"name": "uniform", "packing_fraction": 0.3}
@@ -57,6 +58,14 @@ def sets_to_come():
             "contacts": contacts}
 
 
+def crossovers_to_come():
+    return [record for n, times in ((64, (1, 3, 3, 1)), (1024, (9, 2, 4, 2)))
+            for way, time in zip(("collide_square", "dense", "hashed", "auto"), times)
+            for record in [Record({"table": "crossover", "kind": "gas", "way": way, "n": n, "backend": "glsl",
+                                   "scene": SCENE, "label": "made up", "samples_ms": [time] * 7}, time, time, time,
+                                  "made up")]]
+
+
 class Figures(unittest.TestCase):
     def draw(self, machine):
         left_out = []
@@ -80,6 +89,21 @@ class Figures(unittest.TestCase):
         machine.records, machine.sources = [], {}
         drawn = {module.NAME for module in figures.modules()} - set(self.draw(machine))
         self.assertLessEqual(drawn, {"animations", "closeup", "same-frame", "settling"})  # pictures
+
+
+class Tables(unittest.TestCase):
+    def test_crossovers_by_kind(self):
+        machine = Machine(DATA / "h200")
+        machine.records = crossovers_to_come()
+        self.assertEqual([["gas", "1,024", "0"]], tables_studies.crossover(machine).rows)
+
+    def test_hand_overs(self):
+        machine = Machine(DATA / "h200")
+        machine.sources["frames.json"] = {"id": "made up", "overlaps": [
+            {"hand_over": "imported", "draw": "points", "n": 1000, "picture_ms": 2.0, "step_ms": 1.0,
+             "pipelined_ms": 2.5, "overlap": 0.5}]}
+        self.assertEqual([["imported", "points", "1,000", "2.00", "1.00", "2.50", "50"]],
+                         tables_studies.hand_over(machine).rows)
 
 
 class Paper(unittest.TestCase):

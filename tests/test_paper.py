@@ -13,6 +13,8 @@ sys.path.insert(0, str(PAPER))
 import headline  # noqa: E402  (the path must be set first)
 import macros  # noqa: E402  (the path must be set first)
 import ranks  # noqa: E402
+import tables_studies  # noqa: E402
+import tabular  # noqa: E402
 from records import DATA, Machine, Missing, median_interval  # noqa: E402
 
 FRAME = "\\begin{abstract}%s\\begin{thebibliography}"
@@ -72,6 +74,37 @@ class Readme(unittest.TestCase):
         stale = readme.replace(row, row + "9")
         self.assertNotEqual(stale, readme)
         self.assertEqual(readme, headline.updated(stale, machine))
+
+
+class Stress(unittest.TestCase):
+    """The catalogue's table, from made-up tests of every row."""
+
+    @staticmethod
+    def table(verdict="pass", rows=33):
+        machine = Machine(DATA / "h200")
+        found = [{"row": row, "scene": "a lattice", "what": "it holds", "backend": name, "figure": "0 wrong of 100000",
+                  "bound": "1e-04 m", "verdict": verdict if row == 7 else "pass"}
+                 for row in range(1, rows + 1) for name in ("cpu", "glsl", "cuda")]
+        machine.sources["stress.json"] = {"rows": found, "id": "made up"}
+        return tables_studies.stress(machine)
+
+    def test_a_row_a_test_and_a_verdict_a_backend(self):
+        rows = self.table().rows
+        self.assertEqual(33, len(rows))
+        self.assertEqual(["7", "a lattice", "it holds", "0 wrong of 100,000", "1e-04 m", *["pass"] * 3], rows[6])
+
+    def test_a_failed_and_an_absent_row_are_refused(self):
+        for wrong in ({"verdict": "FAIL"}, {"rows": 32}):
+            with self.assertRaises(Missing):
+                self.table(**wrong)
+
+    def test_backends_that_found_different_figures_are_named(self):
+        self.assertEqual("CPU, GLSL: 1 m; CUDA: 2 m",
+                         tables_studies.figure_text({"cpu": "1 m", "glsl": "1 m", "cuda": "2 m"}))
+
+    def test_numbers_are_set_as_mathematics(self):
+        self.assertEqual("0 wrong of 100000, $\\pm$ $10^{-4}$, $5.8\\cdot10^{-5}$ m, 0, $2^{-149}$, 4096",
+                         tabular.typeset("0 wrong of 100000, +- 1e-04, 5.8e-05 m, 0.0e+00, 2^-149, 4096"))
 
 
 class Records(unittest.TestCase):

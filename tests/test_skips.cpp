@@ -4,6 +4,7 @@
 #include <array>
 
 #include "backends.h"
+#include "camera.h"
 #include "grid_answers.h"
 #include "oracle.h"
 #include "plan_watch.h"
@@ -148,6 +149,19 @@ TEST_P(Skips, AGraphIsReplayedWhileNothingChanges) {
   backend().upload(scene);
   const CollideOptions options = grid([](CollideOptions& o) { o.tricks.graph = true; });
   for (int k = 0; k < 5; ++k) EXPECT_EQ(objection(ask(backend(), options), expected, scene.size()), "") << k;
+  EXPECT_EQ(backend().work_counts().graphs_replayed, 3u) << "all but the first two";
+}
+
+// Another view is drawn after every step; the kernels of the step see none.
+TEST_P(Skips, AGraphIsReplayedWhileTheCameraMoves) {
+  if (backend().info().name != "cuda") GTEST_SKIP() << "graphs of launches are CUDA's";
+  const Scene scene = make_scene({.name = "uniform", .n = 3000});
+  backend().upload(scene);
+  const CollideOptions options = grid([](CollideOptions& o) { o.tricks.graph = true; });
+  for (int k = 0; k < 5; ++k) {
+    backend().collide(options);
+    backend().draw(make_view(frame(bounds_of(scene.positions), 10 * k, 20, 40, 1), contact_look(), 64, 64), {});
+  }
   EXPECT_EQ(backend().work_counts().graphs_replayed, 3u) << "all but the first two";
 }
 

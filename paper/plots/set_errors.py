@@ -1,27 +1,21 @@
 # SPDX-License-Identifier: MIT
 """Pairs that are wrong against the closed form's: by time step, by distance from the origin, and between steps."""
 from records import Missing
+from sets import least, sets, wrong
 from style import PAGE, SERIES, panels
 
 NAME = "set-errors"
 CAPTION = ("Pairs that are missed or found too much, as a share of the right ones; what is drawn at the lower edge is "
            "none at all. (a) After {seconds:g} s against the time step. (b) Against the distance from the origin: of "
-           "spheres that are only stored (broad, grey), and after {seconds:g} s at a step of {far} s. Filled: as collided, "
-           "with the nearest float32 positions; hollow: with every bit that the precision keeps. (c) Pairs that pass "
+           "spheres that are only stored (broad, grey), and after {seconds:g} s at a step of {far} s. Filled: as "
+           "collided, with the nearest float32 positions; hollow: with every bit that the precision keeps. (c) Pairs that pass "
            "through each other and are never seen to touch when tested once a step; line: what geometry says. Bars: "
            "two standard deviations. The swept test misses {swept}.")
 MOTIONS = (("paper", "float32"), ("impact", "float32"), ("impact", "float64"), ("anchored", "float32"),
            ("anchored", "compensated"), ("anchored", "float64"))
 MARKERS = {"float32": "o", "compensated": "s", "float64": "^"}
+LINES = {"paper": "-", "impact": "--", "anchored": "-."}
 COLORS = {"paper": "#8a8a8a", "impact": "#e0812b", "anchored": "#15396b"}
-
-
-def sets(machine):
-    """The last record of `spherepair sets`."""
-    found = [root for root in machine.sources.values() if root.get("format") == "spherepair sets 1"]
-    if not found:
-        raise Missing(f"{machine.name} has no record of `spherepair sets`")
-    return found[-1]
 
 
 def far_exponent(root):
@@ -39,24 +33,16 @@ def source(machine):
     return f"{machine.title.split('; run')[0]}; run {sets(machine)['id']}"
 
 
-def wrong(entry, prefix=""):
-    return (entry[f"{prefix}missed"] + entry[f"{prefix}extra"]) / max(entry["right"], 1)
-
-
-def least(entries):
-    """Half a pair: where none is drawn on a logarithmic axis."""
-    return 0.5 / max(max(entry["right"], 1) for entry in entries)
-
-
 def draw_motion(axis, entries, along, bottom):
     for method, precision in MOTIONS:
         line = sorted((e for e in entries if (e["method"], e["precision"]) == (method, precision)),
                       key=lambda entry: entry[along])
-        for prefix, fill in (("", COLORS[method]), ("whole_", "white")):
-            axis.plot([entry[along] for entry in line], [max(wrong(entry, prefix), bottom) for entry in line],
-                      color=COLORS[method], marker=MARKERS[precision], markerfacecolor=fill,
-                      linestyle="-" if prefix == "" else ":",
-                      label=f"{method} {precision}" if prefix == "" else None)
+        look = {"color": COLORS[method], "marker": MARKERS[precision]}
+        places = [entry[along] for entry in line]
+        axis.plot(places, [max(wrong(entry), bottom) for entry in line], linestyle=LINES[method],
+                  label=f"{method} {precision}", **look)
+        axis.plot(places, [max(wrong(entry, "whole_"), bottom) for entry in line], linestyle="",
+                  markerfacecolor="white", markersize=2.4, **look)
 
 
 def draw_contacts(axis, contacts):
@@ -67,7 +53,7 @@ def draw_contacts(axis, contacts):
                       yerr=[200 * e["deviation"] / e["pairs"] for e in own], capsize=1.5, elinewidth=0.7, **look)
     ways = [0.05 * k for k in range(1, 21 * int(max(e["way"] for e in contacts)))]
     axis.plot(ways, [100 * (s * s / 12 if s <= 2 else 1 - 4 / (3 * s)) for s in ways], color="black", linewidth=0.7)
-    axis.set(xlabel="way in a step (sums of radii)", ylabel="contacts missed (%)")
+    axis.set(xlabel="way in a step (sums of radii)", ylim=(0, 100), ylabel="contacts missed (%)")
     axis.add_artist(axis.legend(loc="upper left"))
 
 
@@ -91,6 +77,6 @@ def draw(machine):
     keys = [line for line in places.get_lines() if not line.get_label().startswith("_")]
     draw_contacts(contacts, root["contacts"])
     contacts.legend(handles=keys, loc="upper left", bbox_to_anchor=(1.0, 1.0))
-    for axis, title in ((steps, "(a)"), (places, "(b)"), (contacts, "(c)")):
+    for axis, title in ((steps, "(a) time step"), (places, "(b) place"), (contacts, "(c) between steps")):
         axis.set_title(title, loc="left")
     return figure

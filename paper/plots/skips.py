@@ -1,85 +1,110 @@
 # SPDX-License-Identifier: MIT
 """What each skip, each trick of one API and each library is worth: the same work with it and without."""
+from matplotlib.lines import Line2D
+from matplotlib.ticker import LogLocator, NullFormatter
+
 from derived import ratio
-from records import Missing
+from skips import TABLE, pairs_of  # noqa: F401
 from style import PAGE, SERIES, panels, series_of, time_text
 
-NAME = TABLE = "skips"
+NAME = "skips"
 CAPTION = ("What each skip, each trick of one API and each kernel of our own saves: time without it over time with it, "
            "the results being equal; left of 1 it costs. Bars: the least and greatest ratio that the intervals of both "
-           "medians allow. On the right: the time with it, and what of a step's work is counted differently with it.")
+           "medians allow. Beside them: the time with it{counted}.")
+COUNTED = ", and what of a step's work the largest size counts with it and (in brackets) without"
 KINDS = {"skip": "skips: work that the scene does not need", "trick": "tricks: what one API offers",
-         "library": "our own kernel in place of a library's or the API's"}
+         "library": "our own kernel in place of another's"}
 TRICKS = ({"glsl"}, {"cuda"})  # who has them, alone
 OF_BOTH = {"vector_loads"}  # tricks that both have
+MOST_SIZES = 2
+NAMES = {"cpu": "CPU", "glsl": "GLSL", "cuda": "CUDA"}
 
 
-def same_work(record):
-    """What an on and an off record have in common, apart from the number of spheres."""
-    scene = tuple(sorted((name, str(value)) for name, value in record.scene.items() if name != "n"))
-    return record.skip, record.backend, scene, record.parameters.get("method"), record.parameters.get("block")
+def sizes_of(pairs):
+    """The largest numbers of spheres; of GPUs where there are any."""
+    shown = [on.n for on, _ in pairs if on.backend != "cpu"] or [on.n for on, _ in pairs]
+    return sorted(set(shown))[-MOST_SIZES:]
 
 
-def pairs_of(machine):
-    """(with, without) for every option, backend and scene, at the largest number of spheres; by kind."""
-    with_it = {same_work(row): row for row in machine.need(table=TABLE, on=True)}  # smallest n first: the last stays
-    without = {(same_work(row), row.n): row for row in machine.select(table=TABLE, on=False)}
-    pairs = [(on, without[work, on.n]) for work, on in with_it.items() if (work, on.n) in without]
-    if not pairs:
-        raise Missing(f"{machine.name} has no option that was timed both with and without")
-    names = list(dict.fromkeys(on.skip for on, _ in pairs))
-    return sorted(pairs, key=lambda pair: names.index(pair[0].skip))
-
-
-def by_kind(pairs):
-    """What one API alone has is a trick of it; what is named our own stands against a library or the API's function."""
+def lines_of(pairs):
+    """Headings, and (skip, scene) below them. What one API alone has is a trick of it; what is named our own stands
+    against a library or the API's function."""
     owners = {}
     for on, _ in pairs:
         owners.setdefault(on.skip, set()).add(on.backend)
-    found = {kind: [] for kind in KINDS}
-    for pair in pairs:
-        skip = pair[0].skip
-        trick = owners[skip] in TRICKS or skip in OF_BOTH
-        kind = "library" if skip.startswith("own_") else "trick" if trick else "skip"
-        found[kind].append(pair)
-    return {kind: rows for kind, rows in found.items() if rows}
+    found = {kind: {} for kind in KINDS}
+    for on, _ in pairs:
+        trick = owners[on.skip] in TRICKS or on.skip in OF_BOTH
+        kind = "library" if on.skip.startswith("own_") else "trick" if trick else "skip"
+        found[kind][on.skip, scene_of(on)] = None
+    return [line for kind, lines in found.items() if lines for line in (KINDS[kind], *lines)]
 
 
-def label(record):
-    scene = record.scene["name"]
+def scene_of(record):
     fraction = record.scene.get("packing_fraction")
-    where = f"{scene} {fraction:g}" if scene == "uniform" and fraction else scene
-    who = SERIES[series_of(record)]["label"].split(",")[0]
-    return f"{record.skip.replace('_', ' ')}: {who}, {where}, n = {record.n:,}"
+    name = record.scene["name"]
+    return f"{name} {fraction:g}" if name == "uniform" and fraction else name
 
 
-def remark(on, off):
-    """E.g. 0.5 ms; sorts 0, not 1."""
+def counts(on, off):
+    """E.g. sorts 0 (1)."""
     with_it, without = (record.parameters.get("work_a_step", {}) for record in (on, off))
-    changed = [f"{name.replace('_', ' ')} {with_it[name]:g}, not {without[name]:g}" for name in with_it
-               if with_it[name] != without.get(name)]
-    return "; ".join([time_text(on.median), *changed])
+    return ", ".join(f"{name.replace('_', ' ')} {with_it[name]:g} ({without.get(name, 0):g})" for name in with_it
+                     if with_it[name] != without.get(name))
+
+
+def draw_line(axis, place, pairs, last):
+    times, said = [], []
+    for k, (on, off) in enumerate(pairs):
+        middle, below, above = ratio(off, on)
+        axis.errorbar(middle, place + 0.17 * (len(pairs) - 1 - 2 * k), xerr=[[below], [above]], capsize=1.2,
+                      elinewidth=0.7, **{**SERIES[series_of(on)], "label": None, "linestyle": "", "markersize": 3})
+        times.append(f"{NAMES[on.backend]} {time_text(on.median)}")
+        said.append(counts(on, off))
+    texts = ["; ".join(times), *(said[-1:] if last and said[-1] else [])]
+    axis.text(1.02, place, ". ".join(texts), transform=axis.get_yaxis_transform(), fontsize=5.2, va="center")
+
+
+def caption(machine):
+    counted = any(counts(*pair) for pair in pairs_of(machine))
+    return CAPTION.format(counted=COUNTED if counted else "")
+
+
+def set_axis(axis, lines, common):
+    labels = [line if isinstance(line, str) else line[0].replace("_", " ") +
+              ("" if line[1] == common else f", {line[1]}") for line in lines]
+    axis.set_yticks(range(len(lines)), reversed(labels))
+    for tick, line in zip(axis.get_yticklabels(), reversed(lines)):
+        tick.set_fontweight("bold" if isinstance(line, str) else "normal")
+    axis.axvline(1, color="black", linewidth=0.6)
+    axis.set_xscale("log")
+    low, high = axis.get_xlim()
+    axis.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if high < 30 * low else (1,), numticks=12))
+    axis.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
+    axis.xaxis.set_minor_formatter(NullFormatter())
+    axis.tick_params(axis="y", length=0)
+    axis.set(xlabel="time without / time with", ylim=(-0.7, len(lines) - 0.3))
+    axis.grid(axis="y", visible=False)
+
+
+def keys(pairs):
+    found = dict.fromkeys(series_of(on) for on, _ in pairs)
+    return [Line2D([], [], **{**SERIES[name], "linestyle": ""}) for name in found]
 
 
 def draw(machine):
-    rows = [row for kind, pairs in by_kind(pairs_of(machine)).items() for row in (kind, *pairs)]
-    figure, (axis,) = panels(PAGE, 0.6 + 0.15 * len(rows))
-    for place, row in enumerate(reversed(rows)):
-        if isinstance(row, str):
-            continue
-        on, off = row
-        middle, below, above = ratio(off, on)
-        axis.errorbar(middle, place, xerr=[[below], [above]], capsize=1.5, elinewidth=0.7,
-                      **{**SERIES[series_of(on)], "label": None, "linestyle": ""})
-        axis.text(1.01, place, remark(on, off), transform=axis.get_yaxis_transform(), fontsize=6, va="center")
-    axis.set_yticks(range(len(rows)), [KINDS[row] if isinstance(row, str) else label(row[0])
-                                       for row in reversed(rows)])
-    for tick, row in zip(axis.get_yticklabels(), reversed(rows)):
-        tick.set_fontweight("bold" if isinstance(row, str) else "normal")
-    axis.axvline(1, color="black", linewidth=0.6)
-    axis.set_xscale("log", base=2)
-    axis.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
-    axis.tick_params(axis="y", length=0)
-    axis.set_xlabel("time without / time with")
-    axis.grid(axis="y", visible=False)
+    pairs = pairs_of(machine)
+    sizes, lines = sizes_of(pairs), lines_of(pairs)
+    pairs = [pair for pair in pairs if pair[0].n in sizes]
+    scenes = [scene_of(on) for on, _ in pairs]
+    common = max(sorted(set(scenes)), key=scenes.count)
+    figure, axes = panels(PAGE, 0.6 + 0.16 * len(lines), len(sizes), sharey=True)
+    for n, axis in zip(sizes, axes):
+        for place, line in enumerate(reversed(lines)):
+            own = [pair for pair in pairs if pair[0].n == n and (pair[0].skip, scene_of(pair[0])) == line]
+            if own:
+                draw_line(axis, place, own, last=n == sizes[-1])
+        set_axis(axis, lines, common)
+        axis.set_title(f"$n$ = {n:,}, {common}", loc="left")
+    figure.legend(handles=keys(pairs), loc="upper left", ncols=3)
     return figure

@@ -2,17 +2,21 @@
 """Error of the motion against its run time, a panel a backend: what each method and precision buys."""
 from matplotlib.lines import Line2D
 
-from pareto import devices, draw_front, kind, mark_paper, same_time, seconds
+from pareto import devices, draw_front, kind, mark_paper, same_time, seconds, study
 from records import Missing
 from style import PAGE, panels
 
-NAME, TABLE = "work-precision", "precision"
+NAME = "work-precision"
 CAPTION = ("Rms error of the position against run time, a point a time step; every method (line) in every "
            "precision (marker) it has. Below and to the left is better: no point lies below the grey line, the Pareto "
            "front. Star: the original paper's method at a step of 1/64 s.")
 MARKERS = {"float32": "o", "compensated": "s", "float64": "^"}
 LINES = ("-", "--", ":", "-.")
 FRONT = {"color": "#bbbbbb", "linewidth": 4, "solid_joinstyle": "round", "zorder": 0}
+
+
+def source(machine):
+    return machine.title.replace(machine.id, study(machine)[0].source)
 
 
 def look(methods, method):
@@ -29,7 +33,7 @@ def draw_device(axis, rows, methods):
             axis.plot([seconds(row) for row in line], [row.error_m for row in line], marker=marker,
                       **look(methods, method))
     mark_paper(axis, rows)
-    axis.set(xscale="log", yscale="log", xlabel="run time of a simulated second (ns a sphere)")
+    axis.set(xscale="log", yscale="log")
 
 
 def keys(methods):
@@ -42,7 +46,7 @@ def keys(methods):
 
 
 def draw(machine):
-    rows = machine.need(table=TABLE)
+    rows = study(machine)
     unknown = sorted({row.precision for row in rows} - MARKERS.keys())
     if unknown:
         raise Missing(f"{machine.name} has precisions that this figure does not know: {', '.join(unknown)}")
@@ -52,6 +56,7 @@ def draw(machine):
     for axis, device in zip(axes, names):
         draw_device(axis, [row for row in rows if row.backend == device], methods)
         axis.set_title(device.upper(), loc="left")
+    axes[len(axes) // 2].set_xlabel("run time of a simulated second (ns a sphere)")
     axes[0].set_ylabel(f"rms error after {time:g} s (m)")
     axes[-1].legend(handles=keys(methods), loc="upper left", bbox_to_anchor=(1.0, 1.0), handlelength=2.6)
     return figure

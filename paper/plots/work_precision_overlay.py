@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: MIT
 """The backends' diagrams of error against run time over each other: what is left of each when only the best counts."""
-from pareto import devices, draw_front, mark_paper, same_time, seconds
+from pareto import devices, draw_front, mark_paper, same_time, seconds, study
 from records import Missing
 from style import COLUMN, SERIES, panels
 
-NAME, TABLE = "work-precision-overlay", "precision"
+NAME = "work-precision-overlay"
 CAPTION = ("Rms error of the position against run time, all backends: a point a method, precision and time step, and "
            "the line of those that none on the same backend beats in both. Stars: the original paper's method at a "
            "step of 1/64 s.")
+
+
+def source(machine):
+    return machine.title.replace(machine.id, study(machine)[0].source)
 
 
 def look(device):
@@ -15,10 +19,10 @@ def look(device):
 
 
 def draw(machine):
-    rows = machine.need(table=TABLE)
+    rows = study(machine)
     names = devices(rows)
     if len(names) < 2:
-        raise Missing(f"{machine.name} has one backend's records of {TABLE}; an overlay needs two")
+        raise Missing(f"{machine.name} has one backend's records of the table precision; an overlay needs two")
     figure, (axis,) = panels(COLUMN, 2.6)
     for name in names:
         own = [row for row in rows if row.backend == name]

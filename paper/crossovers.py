@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: MIT
+"""Where the grid overtakes all pairs in each kind of spheres, and whether the program's own choice is the best one."""
+from dataclasses import dataclass
+
+from ranks import apart, differ
+from records import Missing
+
+GRIDS = ("dense", "hashed")  # the other ways, but for auto, meet all pairs
+
+
+@dataclass(frozen=True)
+class Crossover:
+    start: str  # the least n from which the grid stays ahead, intervals apart
+    loss: str  # percent by which auto was slower than the best fixed choice at worst; 0: no difference seen
+    worst: float
+    source: str
+
+
+def fastest(ways, grid=None):
+    """Of the fixed ways, or of those that are a grid's or not; None where there is none."""
+    fixed = [record for way, record in ways.items() if way != "auto" and grid in (None, way in GRIDS)]
+    return min(fixed, key=lambda record: record.median, default=None)
+
+
+def grid_ahead(ways):
+    """All pairs are not tried any more where they take far too long."""
+    grid, pairs = fastest(ways, True), fastest(ways, False)
+    return grid is not None and (pairs is None or apart(grid, pairs) and grid.median < pairs.median)
+
+
+def loss(ways):
+    """Percent; 0 where auto does not differ from the best."""
+    best, auto = fastest(ways), ways["auto"]
+    return 100 * (auto.median / best.median - 1) if auto.median > best.median and differ(auto, best) else 0.0
+
+
+def of_one(sizes):
+    """sizes: n -> way -> record."""
+    start = None
+    for n in sorted(sizes, reverse=True):
+        if not grid_ahead(sizes[n]):
+            break
+        start = n
+    worst = max(loss(ways) for ways in sizes.values() if "auto" in ways and fastest(ways))
+    source = next(iter(sizes[min(sizes)].values())).source
+    return Crossover(f"{start:,}" if start else "nowhere", f"{worst:.0f}", worst, source)
+
+
+def crossovers_by_kind(machine):
+    """kind of spheres -> backend -> Crossover."""
+    found = {}
+    for record in machine.need(table="crossover"):
+        sizes = found.setdefault(record.kind, {}).setdefault(record.backend, {})
+        ways = sizes.setdefault(record.n, {})
+        if record.way in ways:
+            raise Missing(f"{machine.name} has two records of {record.label}")
+        ways[record.way] = record
+    return {kind: {name: of_one(sizes) for name, sizes in by_backend.items()} for kind, by_backend in found.items()}

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: MIT
+"""Numbers of the prose about errors: of the motion, of the sets that follow from it, and of the stress catalogue."""
+import re
+
+from pareto import paper_setting, seconds, study
+from records import Missing
+from sets import sets, wrong
+from tables_studies import stressed
+from tabular import ms
+
+DEVICES = ("glsl", "cuda")
+
+
+def errors_of_motion(put, machine, others):
+    """The original's method beside anchored flights: alone, and with the position evaluated in every step."""
+    for name in DEVICES:
+        rows = study(machine, backend=name)
+        paper, = paper_setting(rows)
+        anchored = {(row.precision, row.work, row.dt): row for row in rows if row.method == "anchored"}
+        same, longest = paper.dt, max(row.dt for row in rows)
+        for key, row in (("paper", paper), ("anchored", anchored["float32", "move", same]),
+                         ("placed", anchored["float32", "move and place", same]),
+                         ("longer", anchored["float32", "move and place", longest]),
+                         ("exact", anchored["float64", "move", same])):
+            if key in ("anchored", "longer", "exact") and not (seconds(row) < seconds(paper) and row.error_m < paper.error_m):
+                raise Missing(f"{name}: {row.label} is not both faster and more accurate, which the text says")
+            what = f"{row.method}, {row.precision}, {row.work}, step {row.dt:g} s"
+            put(f"motion/{key}/ns/{name}", f"{seconds(row):.2f}", row.source, f"ns a sphere and second, {name}, {what}")
+            put(f"motion/{key}/error/{name}", scientific(row.error_m), row.source, f"rms error in m, {name}, {what}")
+
+
+def scientific(value):
+    """In mathematics where a decimal would be long."""
+    if value >= 0.01:
+        return f"{value:.2f}"
+    digits, exponent = f"{value:.1e}".split("e")
+    return f"${digits} \\cdot 10^{{{int(exponent)}}}$"
+
+
+def motion_at_scale(put, machine, others):
+    """A step of more spheres than any cache holds, and the share of the bandwidth of copying that it has."""
+    record = machine.source("precision_1e8.json")
+    put("motion/large/n", f"{record['settings']['time_n']:,}", record["id"], "spheres of the largest timed motion")
+    for name in DEVICES:
+        wanted = {"table": "precision", "backend": name, "precision": "float32", "n": record["settings"]["time_n"]}
+        rows = {(row.method, row.work): row for row in machine.need(**wanted)}
+        paper, anchored = rows["paper", "move"], rows["anchored", "move"]
+        share = next(target for target in record["targets"] if target["what"].startswith(f"{name}: bandwidth of paper"))
+        for row in (paper, anchored):
+            put(f"motion/large/{row.method}/{name}", ms(row.median), row.source, f"ms a step, {name}, {row.method}")
+        gain = paper.median / anchored.median
+        put(f"motion/large/gain/{name}", f"{gain:.1f}", paper.source, f"{name}, the ratio of both")
+        put(f"motion/large/share/{name}", f"{100 * share['value']:.0f}", record["id"], share["what"] + ", in %")
+        put(f"motion/large/bounce/{name}", f"{100 * paper.bouncing:.1f}", paper.source, "% that bounce in the step")
+
+
+def wrong_sets(put, machine, others):
+    root = sets(machine)
+    source = root["id"]
+    put("sets/seconds", f"{root['settings']['seconds']:g}", source, "simulated seconds before the sets are compared")
+    put("sets/n", f"{root['settings']['n']:,}", source, "spheres")
+    near = {(e["method"], e["precision"], e["k"]): e for e in root["motion"] if e["offset"] == 0}
+    for k in sorted({k for _, _, k in near}):
+        for method in ("paper", "anchored"):
+            entry = near[method, "float32", k]
+            put(f"sets/{method}/{k}", f"{entry['missed'] + entry['extra']:,}", source,
+                f"pairs missed or found too much, {method}, float32, step 2^-{k} s")
+            put(f"sets/{method}/{k}/percent", percent(wrong(entry)), source, "the same in % of the right pairs")
+    put("sets/right", f"{near['paper', 'float32', k]['right']:,}", source, "right pairs")
+    farthest = max(e["offset"] for e in root["storage"])
+    put("sets/far/m", in_words(farthest), source, "greatest distance from the origin, m")
+    for precision in ("float32", "compensated", "float64"):
+        entry, = (e for e in root["storage"] if (e["precision"], e["offset"]) == (precision, farthest))
+        put(f"sets/far/{precision}", percent(wrong(entry)), source, f"% of pairs wrong, stored in {precision} there")
+    if any(entry["swept_missed"] for entry in root["contacts"]):
+        raise Missing(f"{machine.name}: the swept test missed a contact, which the text denies")
+    fast = max(root["contacts"], key=lambda entry: entry["way"])
+    for key, way in (("one", 1), ("most", fast["way"])):
+        entry = next(e for e in root["contacts"] if e["way"] == way and e["backend"] == fast["backend"])
+        put(f"sets/missed/{key}", f"{100 * entry['missed'] / entry['pairs']:.0f}", source,
+            f"% of contacts that a test once a step misses, {way:g} radii sums a step")
+    put("sets/missed/way", f"{fast['way']:g}", source, "the greatest way in a step, sums of radii")
+
+
+def naive_sets(put, machine, others):
+    root = sets(machine)
+    for scene in ("uniform", "far", "grazing"):
+        entries = [e for e in root["exactness"] if e["scene"] == scene]
+        most = max(entries, key=lambda entry: entry["missed"] + entry["extra"])
+        put(f"naive/{scene}", f"{most['missed'] + most['extra']:,}", root["id"], f"naive: wrong pairs, {scene}")
+        put(f"naive/{scene}/right", f"{most['right']:,}", root["id"], f"right pairs, {scene}")
+        for entry in entries:
+            times = entry["exact"]["median_ms"] / entry["naive"]["median_ms"]
+            what = f"{entry['backend']}, {scene}, exact predicate over naive"
+            put(f"naive/{scene}/cost/{entry['backend']}", f"{100 * (times - 1):.0f}", root["id"], f"cost in %, {what}")
+            put(f"naive/{scene}/times/{entry['backend']}", f"{times:.1f}", root["id"], f"time, {what}")
+    put("naive/n", f"{most['n']:,}", root["id"], "spheres of the naive comparison")
+
+
+def percent(share):
+    return f"{100 * share:.0f}" if share >= 0.1 or share == 0 else f"{100 * share:.2g}"
+
+
+def in_words(metres):
+    """A power of ten as mathematics."""
+    mantissa, exponent = f"{metres:.0e}".split("e")
+    return f"$10^{{{int(exponent)}}}$" if mantissa == "1" else f"{metres:,.0f}"
+
+
+def catalogue(put, machine, others):
+    tests = stressed(machine)
+    source = machine.source("stress.json")["id"]
+    passed = [verdict for test in tests for verdict in test.verdicts.values() if verdict == "pass"]
+    put("stress/rows", str(len({test.row for test in tests})), source, "rows of the stress catalogue")
+    put("stress/passed", str(len(passed)), source, "tests of it, on all backends; none failed")
+    sunk = next((figure for test in tests if "sinks" in test.what for figure in test.figures.values()), None)
+    if sunk is None:
+        raise Missing(f"{machine.name}: the catalogue does not say how deep the paper's method sinks")
+    put("stress/sinks", re.match(r"[\d.]+", sunk)[0], source, f"m below the plane after 1000 s: {sunk}")
+
+
+ACCURATE = (errors_of_motion, motion_at_scale, wrong_sets, naive_sets, catalogue)
