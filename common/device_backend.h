@@ -51,6 +51,7 @@ class DeviceBackend : public Backend {
   std::vector<Method> methods() const override { return device_methods(); }
   void upload(const Scene& scene) override;
   void move() override;
+  void look_at_due_only(bool on) override { due_only_ = on; }
   void place() override;
   void collide(const CollideOptions& options) override;
   MethodChoice choice(const CollideOptions& options) const override;
@@ -164,8 +165,9 @@ class DeviceBackend : public Backend {
   uint64_t n_ = 0;
   Variant variant_;  // for this scene and step
   MotionOptions motion_;
-  uint steps_ = 0;                     // of anchored
-  bool placed_ = true;                 // positions are those of this step
+  uint steps_ = 0;      // of anchored
+  bool placed_ = true;  // positions are those of this step
+  bool due_only_ = true;
   std::array<Params, 2> constants_{};  // of the scene: [exact]
   GridPlans plans_;
   PlanWatch watch_;                                // whether they still fit

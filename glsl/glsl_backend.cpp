@@ -49,6 +49,8 @@ class GlslBackend final : public DeviceBackend {
   // So many threads that all run at once: their groups share 48 KiB of a multiprocessor, whatever it has
   // (bench/NOTES.md).
   uint bounds_block() const override { return 256; }
+  void begin_step(const Tricks& tricks) override { batched_ = tricks.batch.value_or(true); }
+  void end_step() override { batched_ = true; }
   void clear_buffer(uint slot, uint64_t bytes) override;
   void draw_by_pipeline(DrawMethod method) override;
   std::vector<uint> pipeline_image() override;
@@ -70,6 +72,7 @@ class GlslBackend final : public DeviceBackend {
   GLuint params_buffer_ = 0;
   Params params_on_device_{};
   bool params_known_ = false;
+  bool batched_ = true;
   std::unique_ptr<RingBuffer> views_;
   View view_on_device_{};
   std::map<std::tuple<Kernel, uint, Variant>, std::unique_ptr<Program>> programs_;
@@ -173,7 +176,7 @@ void GlslBackend::bind(const Launch& launch) {
 }
 
 void GlslBackend::check_tricks(const CollideOptions& options) const {
-  refuse_missing("glsl", options, {.texture_table = true, .library_clear = true}, false);
+  refuse_missing("glsl", options, {.texture_table = true, .library_clear = true, .batch = true}, false);
 }
 
 void GlslBackend::clear_buffer(uint slot, uint64_t bytes) {
@@ -216,8 +219,11 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   ++work_.launches;
   timer_.time(stage_name(launch), [&] {
     glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    glMemoryBarrier(batched_ ? GL_SHADER_STORAGE_BARRIER_BIT : GL_ALL_BARRIER_BITS);
   });
+  if (batched_) return;
+  finish();
+  ++work_.waits;
 }
 
 void GlslBackend::draw_by_pipeline(DrawMethod method) {

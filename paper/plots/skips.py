@@ -15,6 +15,7 @@ COUNTED = ", and what of a step's work the largest size counts with it and (in b
 KINDS = {"skip": "skips: work that the scene does not need", "trick": "tricks: what one API offers",
          "library": "our own kernel in place of another's"}
 TRICKS = ({"glsl"}, {"cuda"})  # who has them, alone
+OF_BOTH = {"vector_loads"}  # tricks that both have
 MOST_SIZES = 2
 NAMES = {"cpu": "CPU", "glsl": "GLSL", "cuda": "CUDA"}
 
@@ -33,7 +34,8 @@ def lines_of(pairs):
         owners.setdefault(on.skip, set()).add(on.backend)
     found = {kind: {} for kind in KINDS}
     for on, _ in pairs:
-        kind = "library" if on.skip.startswith("own_") else "trick" if owners[on.skip] in TRICKS else "skip"
+        trick = owners[on.skip] in TRICKS or on.skip in OF_BOTH
+        kind = "library" if on.skip.startswith("own_") else "trick" if trick else "skip"
         found[kind][on.skip, scene_of(on)] = None
     return [line for kind, lines in found.items() if lines for line in (KINDS[kind], *lines)]
 
