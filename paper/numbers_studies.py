@@ -122,7 +122,7 @@ def hand_overs(put, machine, others):
     rows = machine.need(table="interop")
     rows = sorted((row for row in rows if row.n == rows[-1].n), key=lambda row: row.median)
     put("interop/n", f"{rows[0].n:,}", rows[0].source, "most spheres handed over")
-    for key, row in (("fast", rows[0]), ("slow", rows[-1])):
+    for key, row in (("fast", rows[0]), ("middle", rows[1]), ("slow", rows[-1])):
         put(f"interop/{key}", ms(row.median), row.source, f"ms, {row.way}, n = {row.n}")
         put(f"interop/{key}/way", row.way, row.source, f"the {key}est way to hand over, n = {row.n}")
 
