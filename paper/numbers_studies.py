@@ -8,6 +8,7 @@ from tabular import ms
 DEVICES = ("glsl", "cuda")
 GRID = {"table": "grid", "scene": "uniform", "method": "collide_grid"}
 LARGE = 65536
+SIZE = 16384
 
 
 def later_all_pairs(put, machine, others):
@@ -105,6 +106,9 @@ def fractions(machine):
 
 def pictures(put, machine, others):
     rows = {name: machine.need(table="draw", work="frame", place="outside", backend=name) for name in DEVICES}
+    pipeline = [row for row in rows["glsl"] if row.n == SIZE and row.draw != "compute"]
+    for row in pipeline:
+        put(f"draw/pipeline/{row.draw}", ms(row.median), row.source, f"{row.label}, n = {SIZE}")
     both = max({row.n for row in rows["glsl"]} & {row.n for row in rows["cuda"]})
     put("draw/both", f"{both:,}", rows["cuda"][0].source, "most spheres drawn through both APIs")
     for name in DEVICES:
