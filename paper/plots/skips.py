@@ -4,7 +4,8 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import LogLocator, NullFormatter
 
 from derived import ratio
-from skips import TABLE, pairs_of  # noqa: F401
+from records import named
+from skips import pairs_of
 from style import PAGE, SERIES, panels, series_of, time_text
 
 NAME = "skips"
@@ -17,6 +18,10 @@ KINDS = {"skip": "skips: work that the scene does not need", "trick": "tricks: w
 TRICKS = ({"glsl"}, {"cuda"})  # who has them, alone
 MOST_SIZES = 2
 NAMES = {"cpu": "CPU", "glsl": "GLSL", "cuda": "CUDA"}
+
+
+def source(machine):
+    return named(machine, [on for on, _ in pairs_of(machine)])
 
 
 def sizes_of(pairs):
