@@ -152,7 +152,9 @@ TEST_P(Skips, AGraphIsReplayedWhileNothingChanges) {
   for (int k = 0; k < 8; ++k) {
     const uint64_t replayed = backend().work_counts().graphs_replayed;
     EXPECT_EQ(objection(ask(backend(), options), expected, scene.size()), "") << k;
-    if (k >= 3) EXPECT_EQ(backend().work_counts().graphs_replayed, replayed + 1) << k;
+    if (k >= 3) {
+      EXPECT_EQ(backend().work_counts().graphs_replayed, replayed + 1) << k;
+    }
   }
 }
 
@@ -165,7 +167,9 @@ TEST_P(Skips, AGraphIsReplayedWhileTheCameraMoves) {
   for (int k = 0; k < 8; ++k) {
     const uint64_t replayed = backend().work_counts().graphs_replayed;
     backend().collide(options);
-    if (k >= 3) EXPECT_EQ(backend().work_counts().graphs_replayed, replayed + 1) << k;
+    if (k >= 3) {
+      EXPECT_EQ(backend().work_counts().graphs_replayed, replayed + 1) << k;
+    }
     backend().draw(make_view(frame(bounds_of(scene.positions), 10 * k, 20, 40, 1), contact_look(), 64, 64), {});
   }
 }
