@@ -55,7 +55,7 @@ struct DrawOptions {
 
   // Of so many spheres or more, which then are small on the screen, SEEN_TOGETHER of consecutive numbers are remembered
   // as seen when one of them is.
-  uint64_t together_from = 1u << 22;
+  uint64_t together_from = 1u << 25;
 
   // Of fewer spheres, which then are large on the screen, each is drawn by LANES threads; without clusters only.
   uint64_t share_below = 1u << 17;

@@ -20,14 +20,14 @@
 #define LIGHT_GROUND 4u     // and both show on the plane too
 #define OCCLUSION_RADII 4   // so far, in largest radii, a sphere takes light away: less than two dense cells
 
-#define CLUSTER 16            // spheres, in consecutive places, that are culled together
+#define CLUSTER 32            // spheres, in consecutive places, that are culled together
 #define BOUNDS_LANES 8u       // threads that share a cluster when its box is made
 #define BATCH 64              // spheres, and threads, of a group that goes through clusters or a list ...
 #define WALKERS 8             // ... and the threads that then share one of them ...
 #define WALKERS_ACROSS 4      // ... so many in a row of its box
 #define SEEN_TOGETHER 16u     // spheres of consecutive numbers that are remembered as one where spheres are many
 #define SEEN_FADES 1u         // in each picture, of the 15 that a sphere gets in the one that shows it ...
-#define TOGETHER_FADES 3u     // ... and of the 15 of SEEN_TOGETHER spheres
+#define TOGETHER_FADES 5u     // ... and of the 15 of SEEN_TOGETHER spheres
 #define WALK_ALONE 8u         // pixels that a thread that finds them tries itself
 #define PIXELS_EACH 4         // pixels of one thread that goes through the picture
 #define PHASE_SEEN 0          // draws the spheres that the last pictures showed ...
