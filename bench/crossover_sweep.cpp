@@ -135,7 +135,7 @@ void CrossoverSweep::time(const SphereKind& kind, const SceneOptions& scene, con
   timing.automatic = samples.back().median_seconds();
   timing.took = took(ways.back().backend->choice(ways.back().options));
   timing.over_best = best ? timing.automatic / best->median_seconds() : 1;
-  timing.slower = timing.over_best > tolerated && contest(*best, samples.back()).differ;
+  timing.slower = timing.took != timing.best && timing.over_best > tolerated && contest(*best, samples.back()).differ;
   for (size_t k = 0; k < ways.size(); ++k) record(kind, scene, ways[k], samples[k]);
   timings.push_back(timing);
   const double fastest = std::min(best ? best->median_seconds() : INFINITY, timing.automatic);

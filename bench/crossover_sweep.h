@@ -34,7 +34,7 @@ struct Timing {
   double automatic = 0;                                     // seconds
   std::string took = {}, best = {};  // what auto stood for; the fastest of the others, empty without any
   double over_best = 1;              // auto's time over that of the best fixed choice
-  bool slower = false;               // by more than 10 %, and more than the samples' own spread explains
+  bool slower = false;               // another choice, by more than 10 % and more than the samples' own spread explains
 
   bool grid_ahead() const;
 };

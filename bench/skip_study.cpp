@@ -5,15 +5,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
-#include "camera.h"
-#include "frames.h"
+#include "skip_work.h"
 
 namespace spherepair {
 namespace {
 
 constexpr uint64_t brute_force_up_to = 100000;  // spheres; beyond, the CPU's grid is the reference
+constexpr int moves_checked = 40;
 
 template <typename Work>
 auto spending(double& seconds, Work work) {
@@ -23,35 +22,6 @@ auto spending(double& seconds, Work work) {
     ~Watch() { seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
   } watch{seconds};
   return work();
-}
-
-json work_json(const WorkCounts& before, const WorkCounts& after) {
-  const double steps = double(after.steps - before.steps);
-  const auto each = [&](uint64_t WorkCounts::*count) { return double(after.*count - before.*count) / steps; };
-  return {{"launches", each(&WorkCounts::launches)},     {"sorts", each(&WorkCounts::sorts)},
-          {"plans", each(&WorkCounts::plans)},           {"orders_kept", each(&WorkCounts::orders_kept)},
-          {"cells_kept", each(&WorkCounts::cells_kept)}, {"graphs_replayed", each(&WorkCounts::graphs_replayed)}};
-}
-
-Scene in_the_wind(Scene scene) {
-  for (vec4& velocity : scene.velocities) velocity = {64, 0, 0, 0};
-  scene.gravity = 0;
-  return scene;
-}
-
-// After so many all spheres of the wind have left their cells, and times no longer change from step to step.
-uint64_t steps_away(const Scene& scene) {
-  const Bounds bounds = bounds_of(scene.positions);
-  return uint64_t(std::ceil((bounds.high[0] - bounds.low[0]) / (64 * scene.dt)));
-}
-
-std::function<void(Backend&)> step_of(const Skip& skip, bool on) {
-  return [options = on ? skip.on : skip.off, moves = skip.spheres == Spheres::windy,
-          reads = !on && skip.reads_off](Backend& backend) {
-    if (moves) backend.move();
-    backend.collide(options);
-    if (reads) backend.collisions();
-  };
 }
 
 }  // namespace
@@ -100,11 +70,7 @@ std::vector<SkipStudy::Turn> SkipStudy::turns() {
 
 const Scene& SkipStudy::scene(Spheres kind) {
   const auto found = scenes_.find(kind);
-  if (found != scenes_.end()) return found->second;
-  Scene made = kind == Spheres::random ? make_scene(scene_options_) : scene(Spheres::random);
-  if (kind == Spheres::in_cell_order) made = in_cell_order(std::move(made));
-  if (kind == Spheres::windy) made = in_the_wind(std::move(made));
-  return scenes_[kind] = std::move(made);
+  return found != scenes_.end() ? found->second : scenes_[kind] = scene_of(kind, scene_options_);
 }
 
 void SkipStudy::hold(Backend& backend, Spheres kind) {
@@ -114,7 +80,7 @@ void SkipStudy::hold(Backend& backend, Spheres kind) {
   spending(spent.uploading, [&] {
     const Scene& spheres = scene(kind);
     backend.upload(spheres);
-    for (uint64_t k = 0; kind == Spheres::windy && k < steps_away(spheres); ++k) backend.move();
+    for (uint64_t left = moves_ahead(kind, spheres); left > 0; --left) backend.move();
   });
   holding_[&backend] = kind;
 }
@@ -133,8 +99,16 @@ const Answer& SkipStudy::expected(Spheres kind) {
   return expected_[kind] = spending(spent.checking, [&] { return ask(session_, asked, false); });
 }
 
-// The same set both ways, by what neither uses where that is affordable.
 void SkipStudy::check(const Turn& turn) {
+  if (turn.skip->work == Work::collide) return check_sets(turn);
+  if (turn.skip->work == Work::bounce) return check_moves(turn);
+  hold(*turn.on, turn.skip->spheres);
+  holding_.erase(turn.on);  // what is copied writes over it
+  spending(spent.checking, [&] { turn.on->check_ceiling(Ceiling::copy), turn.on->check_ceiling(Ceiling::words); });
+}
+
+// The same set both ways, by what neither uses where that is affordable.
+void SkipStudy::check_sets(const Turn& turn) {
   const Spheres kind = turn.skip->spheres;
   const Answer& right = expected(kind);
   for (const Asked& asked : {Asked{turn.on, turn.skip->on}, Asked{turn.off, turn.skip->off}}) {
@@ -143,6 +117,23 @@ void SkipStudy::check(const Turn& turn) {
     if (!same_answer(right, found)) hold(*reference().backend, kind);  // to be asked for the pair that differs
     require_equal(session_, {scene_options_, 0}, reference(), right, asked, found);
   }
+}
+
+// The same state both ways, and as the reference has it.
+void SkipStudy::check_moves(const Turn& turn) {
+  const SceneOptions options = options_of(turn.skip->spheres, scene_options_);
+  const auto moved = [&](Backend& backend, bool on) {
+    holding_.erase(&backend);
+    hold(backend, turn.skip->spheres);
+    holding_.erase(&backend);
+    for (int k = 0; k < moves_checked; ++k) step_of(*turn.skip, on)(backend);
+    return backend.state();
+  };
+  const Backend::State right = moved(*reference().backend, true);
+  spending(spent.checking, [&] {
+    for (const bool on : {false, true})
+      require_same_state({options, moves_checked}, *reference().backend, right, *turn.on, moved(*turn.on, on));
+  });
 }
 
 // Opens another backend where both ways need one of their own. What this device cannot do is left out with the reason.
@@ -184,18 +175,18 @@ void SkipStudy::time(const Turn& turn) {
                   format_ms(samples[1].median_seconds()),
                   verdict.differ ? format_percent(verdict.ratio - 1) : "no difference seen", skip.summary});
   if (skip.spheres == Spheres::windy) holding_.erase(turn.on);  // it has moved on
+  turn.on->look_at_due_only(true);
 }
 
 void SkipStudy::record(const Turn& turn, const Contender& contender, const Samples& samples, bool on) {
-  const WorkCounts before = contender.backend->work_counts();
-  for (int k = 0; k < 4; ++k) contender.step(*contender.backend);
+  const Spheres kind = turn.skip->spheres;
   json row = {{"table", "skips"},
               {"n", scene_options_.n},
-              {"scene", scene_json(scene_options_)},
+              {"scene", scene_json(options_of(kind, scene_options_))},
               {"skip", turn.skip->name},
               {"on", on},
-              {"order", turn.skip->spheres == Spheres::in_cell_order ? "warm" : "cold"},
-              {"work_a_step", work_json(before, contender.backend->work_counts())}};
+              {"order", kind == Spheres::in_cell_order ? "warm" : "cold"},
+              {"work_a_step", work_a_step(*turn.skip, on, *contender.backend, scene(kind))}};
   row.update(to_json(samples));
   measurements.push_back(std::move(row));
 }

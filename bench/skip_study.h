@@ -38,6 +38,8 @@ class SkipStudy {
   const Answer& expected(Spheres kind);
   Asked reference();
   void check(const Turn& turn);
+  void check_sets(const Turn& turn);
+  void check_moves(const Turn& turn);
   void take(Turn turn);
   void time(const Turn& turn);
   void record(const Turn& turn, const Contender& contender, const Samples& samples, bool on);

@@ -23,8 +23,9 @@ class BackendError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// What a device can do at best: 16 bytes a sphere copied, a scattered atomic a sphere, multiply-adds in registers.
-enum class Ceiling { copy, atomics, issue };
+// What a device can do at best: 16 bytes a sphere copied, a scattered atomic a sphere, multiply-adds in registers; and
+// the same bytes copied a word at a time.
+enum class Ceiling { copy, atomics, issue, words };
 
 struct StageTime {
   std::string stage;  // the kernel's name
@@ -98,6 +99,9 @@ class Backend {
 
   // Each enqueues work and returns; results wait for it. `move` is one step of the scene's motion method.
   virtual void move() = 0;
+  // Of `anchored`: whether a step looks only at the spheres that are due, as it does unless told otherwise, or at all
+  // that may ever meet the plane again. Never changes a bit of the state.
+  virtual void look_at_due_only(bool on) = 0;
   // Makes the positions in memory those of this step where a method leaves that until they are asked for; collide and
   // state do it by themselves.
   virtual void place() = 0;

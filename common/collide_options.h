@@ -58,6 +58,9 @@ struct Tricks {
   std::optional<bool> texture_table = {};
   std::optional<bool> library_clear =
       {};  // both: the API's function clears the table, in place of a kernel. Absent: off
+  // GLSL: a step's dispatches go out together, each behind the one barrier that it needs. Off: each behind all
+  // barriers, and the host waits for it. Absent: on
+  std::optional<bool> batch = {};
   auto operator<=>(const Tricks&) const = default;
 };
 
@@ -83,6 +86,8 @@ struct WorkCounts {
   uint64_t sorts = 0, orders_kept = 0, cells_kept = 0;  // of steps through the grid, what became of the cell order
   uint64_t plans = 0;                                   // of cells, with that of the upload
   uint64_t graphs_replayed = 0;
+  uint64_t waits = 0;                     // for a launch alone, within steps
+  uint64_t without_radii = 0, lists = 0;  // steps that loaded no radius; that kept a list of pairs
 };
 
 // What a method stands for with the scene that was uploaded: `automatic` names another one, others themselves.

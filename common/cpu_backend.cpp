@@ -67,6 +67,8 @@ class CpuBackend final : public Backend {
     found_.reset();
   }
 
+  void look_at_due_only(bool on) override { motion_.look_at_due_only(on); }
+
   MethodChoice choice(const CollideOptions& options) const override {
     return explain_choice(info_, n_, plans_, options);
   }
@@ -82,6 +84,8 @@ class CpuBackend final : public Backend {
     if (!options.filter) leave_all_undecided(params);
     const PairSearch search{positions, params, equal_radii_ && !options.load_radii, options, threads_};
     ++work_.steps;
+    work_.without_radii += search.equal_radii;
+    work_.lists += options.want_pairs;
     if (options.swept) check_swept("cpu", options, motion_.options());
     timed(method_name(options.method), [&] {
       if (options.swept) {

@@ -79,9 +79,10 @@ void CpuMotion::step_all(int threads) {
 
 template <typename Real>
 void CpuMotion::bounce_all(int threads) {
+  const uint now = due_only_ ? params_.steps_done : NEVER_DUE - 1u;
 #pragma omp parallel for num_threads(threads) schedule(static) if (positions_.size() > few)
   for (uint64_t i = 0; i < positions_.size(); ++i) {
-    if (params_.steps_done < kept_.due[i]) continue;
+    if (now < kept_.due[i]) continue;
     const Anchor<Real> anchor = anchor_anew(load_anchor<Real>(i), params_);
     store_real(kept_.flights, i, anchor.speed);
     store_real(kept_.flights, positions_.size() + i, anchor.age);

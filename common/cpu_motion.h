@@ -12,6 +12,7 @@ class CpuMotion {
   void upload(const Scene& scene);
   MotionOptions options() const { return motion_; }
   void move(int threads);
+  void look_at_due_only(bool on) { due_only_ = on; }
 
   // As they stand now; of `anchored` they are evaluated when they are asked for.
   const std::vector<vec4>& positions(int threads);
@@ -38,6 +39,7 @@ class CpuMotion {
   std::vector<vec4> positions_, velocities_;
   MotionState kept_;
   bool placed_ = true;  // positions are those of this step
+  bool due_only_ = true;
 };
 
 // Throws std::invalid_argument when swept contacts are asked for of a method or state that has none.

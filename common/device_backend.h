@@ -51,6 +51,7 @@ class DeviceBackend : public Backend {
   std::vector<Method> methods() const override { return device_methods(); }
   void upload(const Scene& scene) override;
   void move() override;
+  void look_at_due_only(bool on) override { due_only_ = on; }
   void place() override;
   void collide(const CollideOptions& options) override;
   MethodChoice choice(const CollideOptions& options) const override;
@@ -86,6 +87,7 @@ class DeviceBackend : public Backend {
   virtual void check_tricks(const CollideOptions& options) const = 0;
   // Whether collide_grid reads the table of cells through a texture buffer, where that is asked for, refused, or open.
   virtual bool has_texture_table(std::optional<bool>) const { return false; }
+  virtual bool has_texture_spheres(std::optional<bool>) const { return false; }
   virtual uint bounds_block() const { return SERVICE_BLOCK; }  // group size of grid_bounds
   virtual void begin_step(const Tricks&) {}                    // around the launches of a collision step
   virtual void end_step() {}
@@ -163,8 +165,9 @@ class DeviceBackend : public Backend {
   uint64_t n_ = 0;
   Variant variant_;  // for this scene and step
   MotionOptions motion_;
-  uint steps_ = 0;                     // of anchored
-  bool placed_ = true;                 // positions are those of this step
+  uint steps_ = 0;      // of anchored
+  bool placed_ = true;  // positions are those of this step
+  bool due_only_ = true;
   std::array<Params, 2> constants_{};  // of the scene: [exact]
   GridPlans plans_;
   PlanWatch watch_;                                // whether they still fit

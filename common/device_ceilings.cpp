@@ -10,7 +10,8 @@
 namespace spherepair {
 namespace {
 
-constexpr Kernel kernels[] = {Kernel::ceiling_copy, Kernel::ceiling_atomics, Kernel::ceiling_issue};
+constexpr Kernel kernels[] = {Kernel::ceiling_copy, Kernel::ceiling_atomics, Kernel::ceiling_issue,
+                              Kernel::ceiling_words};
 
 bool same_bits(const vec4& a, const vec4& b) {
   return float_bits(a.x) == float_bits(b.x) && float_bits(a.y) == float_bits(b.y) &&
@@ -37,7 +38,7 @@ void DeviceBackend::check_ceiling(Ceiling ceiling) {
   } else {
     const State after = state();
     const vec4 ones = {1.0f, 1.0f, 1.0f, 1.0f};
-    const std::vector<vec4> expected = ceiling == Ceiling::copy ? after.positions : std::vector<vec4>(n_, ones);
+    const std::vector<vec4> expected = ceiling == Ceiling::issue ? std::vector<vec4>(n_, ones) : after.positions;
     right = std::ranges::equal(after.velocities, expected, same_bits);
   }
   if (!right) throw BackendError(fmt::format("{}: {} went wrong", info().name, kernel_name(kernels[int(ceiling)])));

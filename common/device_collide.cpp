@@ -130,6 +130,8 @@ void DeviceBackend::run_collide() {
   params_.columns =
       options_.columns ? options_.columns : default_columns(n_, uint64_t(options_.block) * SPHERES_PER_THREAD);
   variant_.listed = options_.want_pairs;
+  work_.without_radii += variant_.equal_radii;
+  work_.lists += variant_.listed;
   params_.pair_capacity = options_.want_pairs ? uint(bytes_[SLOT_PAIR] / sizeof(uvec2)) : 0;
   params_.deferred_capacity = uint(bytes_[SLOT_DEFERRED] / sizeof(uvec2));
   const bool grid = options_.method == Method::collide_grid && n_ >= 2;

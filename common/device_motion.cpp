@@ -49,7 +49,7 @@ void DeviceBackend::move() {
   require_scene("move");
   if (motion_.method == MotionMethod::anchored) {
     check_steps(info().name, steps_++);
-    launch_motion(Kernel::bounce, false);
+    launch_motion(Kernel::bounce, !due_only_);
     placed_ = cleared_ = false;
   } else {
     launch_motion(Kernel::move, false);

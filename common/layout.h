@@ -97,11 +97,11 @@
 
 // Constants of the motion are vec4 whose first three floats add up to the constant: see `constant` in real.h.
 struct Params {
-  float dt, gravity, steps_per_second, restitution;   // seconds, <= 0 along y, 1 / dt, 0..1
-  float plane, radius, apart_above, collide_below;    // y of the plane; for equal radii: squared-distance bounds
-  float filter_scale, filter_offset;                  // K and T of filter_pair
-  uint whole_state;                                   // of place: not 0 also writes velocities and SLOT_WIDE
-  float fade;                                         // of draw_light: 1 / (OCCLUSION_RADII * largest radius)^2
+  float dt, gravity, steps_per_second, restitution;  // seconds, <= 0 along y, 1 / dt, 0..1
+  float plane, radius, apart_above, collide_below;   // y of the plane; for equal radii: squared-distance bounds
+  float filter_scale, filter_offset;                 // K and T of filter_pair
+  uint whole_state;  // not 0: place also writes velocities and SLOT_WIDE, bounce looks at all that may ever bounce
+  float fade;        // of draw_light: 1 / (OCCLUSION_RADII * largest radius)^2
   uint n, columns, pair_capacity, deferred_capacity;  // columns: spheres that one group of collide_triangle meets
   uint defer_undecided, pairs_to_decide, first_group, in_cells;  // 0: the naive predicate; of decide; of this slice
   float origin_x, origin_y, origin_z, cells_per_metre;           // of the grid's cells, at level 0

@@ -44,8 +44,8 @@ void check_collide(const CollideOptions& options) {
   const bool grid = options.method == Method::collide_grid || options.method == Method::automatic;
   if (!options.filter && (!options.exact || options.method != Method::collide_grid))
     throw std::invalid_argument("without its filter only collide_grid runs, and only with the exact predicate");
-  if (!grid && options.tricks != Tricks{.graph = options.tricks.graph})
-    throw std::invalid_argument("of the tricks, all but the graph are of the grid");
+  if (!grid && options.tricks != Tricks{.graph = options.tricks.graph, .batch = options.tricks.batch})
+    throw std::invalid_argument("of the tricks, all but the graph and the batch are of the grid");
 }
 
 void refuse_missing(const std::string& backend, const CollideOptions& options, const Tricks& offered, bool thrust) {
@@ -58,6 +58,7 @@ void refuse_missing(const std::string& backend, const CollideOptions& options, c
   need(options.tricks.graph, offered.graph, "a graph of launches", "the backend cuda");
   need(options.tricks.keep_in_l2, offered.keep_in_l2, "setting L2 aside", "the backend cuda, where the device has it,");
   need(options.tricks.texture_table, offered.texture_table, "a table in a texture buffer", "the backend glsl");
+  need(options.tricks.batch, offered.batch, "a batch of dispatches", "the backend glsl");
   need(options.tricks.library_clear, offered.library_clear, "a clear by the API", "the backends glsl and cuda");
 }
 

@@ -12,16 +12,17 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) bounce(Params p, World w) {
   const uvec4* due_vector = reinterpret_cast<const uvec4*>(w.due);
   uint lane = threadIdx.x;
   uint first = group_index(p) * (SPHERES_PER_BOUNCER / 4) * SERVICE_BLOCK + lane;
+  uint now = p.whole_state == 0u ? p.steps_done : NEVER_DUE - 1u;
   if (lane == 0u) found = 0u;
   __syncthreads();
   for (uint v = 0u; v < SPHERES_PER_BOUNCER / 4; ++v) {
     uint i = 4u * (first + v * SERVICE_BLOCK);
     if (i >= p.n) break;
-    uvec4 steps = due_vector[i / 4u];
-    if (p.steps_done >= steps.x) bouncing[atomicAdd(&found, 1u)] = i;
-    if (p.steps_done >= steps.y && i + 1u < p.n) bouncing[atomicAdd(&found, 1u)] = i + 1u;
-    if (p.steps_done >= steps.z && i + 2u < p.n) bouncing[atomicAdd(&found, 1u)] = i + 2u;
-    if (p.steps_done >= steps.w && i + 3u < p.n) bouncing[atomicAdd(&found, 1u)] = i + 3u;
+    uvec4 due_step = due_vector[i / 4u];
+    if (now >= due_step.x) bouncing[atomicAdd(&found, 1u)] = i;
+    if (now >= due_step.y && i + 1u < p.n) bouncing[atomicAdd(&found, 1u)] = i + 1u;
+    if (now >= due_step.z && i + 2u < p.n) bouncing[atomicAdd(&found, 1u)] = i + 2u;
+    if (now >= due_step.w && i + 3u < p.n) bouncing[atomicAdd(&found, 1u)] = i + 3u;
   }
   __syncthreads();
   Real* flight = static_cast<Real*>(w.flight);

@@ -5,6 +5,7 @@
 
 #include <cstring>
 
+#include "buffer_texture.h"
 #include "context.h"
 #include "device_backend.h"
 #include "device_limits.h"
@@ -13,7 +14,6 @@
 #include "program.h"
 #include "ring_buffer.h"
 #include "stage_timer.h"
-#include "table_texture.h"
 
 namespace spherepair {
 namespace {
@@ -43,9 +43,14 @@ class GlslBackend final : public DeviceBackend {
   bool has_atomics_64() const override { return limits_.features.atomics_64; }
   void check_tricks(const CollideOptions& options) const override;
   bool has_texture_table(std::optional<bool> wanted) const override;
+  bool has_texture_spheres(std::optional<bool> wanted) const override {
+    return wanted.value_or(true) && spheres() <= limits_.largest_texture;
+  }
   // So many threads that all run at once: their groups share 48 KiB of a multiprocessor, whatever it has
   // (bench/NOTES.md).
   uint bounds_block() const override { return 256; }
+  void begin_step(const Tricks& tricks) override { batched_ = tricks.batch.value_or(true); }
+  void end_step() override { batched_ = true; }
   void clear_buffer(uint slot, uint64_t bytes) override;
   void draw_by_pipeline(DrawMethod method) override;
   std::vector<uint> pipeline_image() override;
@@ -55,6 +60,7 @@ class GlslBackend final : public DeviceBackend {
   void set_params(const Params& params);
   void set_view();
   void bind(const Launch& launch);
+  void bind_texture(const Launch& launch);
   uint64_t table_texels() const { return uint64_t(params().cell_slots) + 2; }
 
   Context context_;
@@ -62,10 +68,11 @@ class GlslBackend final : public DeviceBackend {
   BackendInfo info_;
   std::array<GLuint, SLOT_TOTAL> buffers_{};
   std::array<GLuint, SLOT_TOTAL> bound_{};  // what kernels see now
-  TableTexture table_texture_;
+  BufferTexture texture_;
   GLuint params_buffer_ = 0;
   Params params_on_device_{};
   bool params_known_ = false;
+  bool batched_ = true;
   std::unique_ptr<RingBuffer> views_;
   View view_on_device_{};
   std::map<std::tuple<Kernel, uint, Variant>, std::unique_ptr<Program>> programs_;
@@ -92,7 +99,7 @@ GlslBackend::~GlslBackend() {
   glDeleteBuffers(GLsizei(buffers_.size()), buffers_.data());
   glDeleteBuffers(1, &params_buffer_);
   views_->forget();
-  table_texture_.forget();
+  texture_.forget();
 }
 
 void GlslBackend::allocate(uint slot, uint64_t bytes) {
@@ -169,7 +176,7 @@ void GlslBackend::bind(const Launch& launch) {
 }
 
 void GlslBackend::check_tricks(const CollideOptions& options) const {
-  refuse_missing("glsl", options, {.texture_table = true, .library_clear = true}, false);
+  refuse_missing("glsl", options, {.texture_table = true, .library_clear = true, .batch = true}, false);
 }
 
 void GlslBackend::clear_buffer(uint slot, uint64_t bytes) {
@@ -192,6 +199,14 @@ bool GlslBackend::has_texture_table(std::optional<bool> wanted) const {
   return wanted.value_or(true) && fits;
 }
 
+void GlslBackend::bind_texture(const Launch& launch) {
+  if (launch.kernel == Kernel::collide_grid) {
+    texture_.bind(GL_R32UI, buffers_[launch.table], table_texels() * sizeof(uint));
+  } else if (launch.kernel != Kernel::settle) {
+    texture_.bind(GL_RGBA32UI, buffers_[position_slot(launch.order)], spheres() * sizeof(vec4));
+  }
+}
+
 // GL keeps an error until it is asked, so dispatches are checked where their results are waited for.
 void GlslBackend::launch(const Launch& launch, const Params& params) {
   context_.make_current();
@@ -200,13 +215,15 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   set_view();
   glUseProgram(chosen.id());
   bind(launch);
-  if (launch.variant.texture_table && launch.kernel == Kernel::collide_grid)
-    table_texture_.bind(buffers_[launch.table], table_texels());
+  if (launch.variant.texture_table) bind_texture(launch);
   ++work_.launches;
   timer_.time(stage_name(launch), [&] {
     glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    glMemoryBarrier(batched_ ? GL_SHADER_STORAGE_BARRIER_BIT : GL_ALL_BARRIER_BITS);
   });
+  if (batched_) return;
+  finish();
+  ++work_.waits;
 }
 
 void GlslBackend::draw_by_pipeline(DrawMethod method) {

@@ -7,7 +7,7 @@
 namespace spherepair {
 namespace {
 
-constexpr Ceiling ceilings[] = {Ceiling::copy, Ceiling::atomics, Ceiling::issue};
+constexpr Ceiling ceilings[] = {Ceiling::copy, Ceiling::atomics, Ceiling::issue, Ceiling::words};
 
 class Ceilings : public BackendTest {};
 INSTANTIATE_BACKENDS(Ceilings);

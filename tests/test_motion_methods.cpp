@@ -124,6 +124,33 @@ TEST_P(MotionMethods, RefusesWhatItCannotMove) {
   refused([](Scene& scene) { scene.velocities[1].x = 0x1p61f; });
 }
 
+// Spheres that bounce, that come to rest and that rise for ever; of all that is kept, not only of where they are.
+TEST_P(MotionMethods, LookingAtSpheresThatAreNotDueChangesNothing) {
+  for (const MotionOptions motion : all_motions()) {
+    if (motion.method != MotionMethod::anchored) continue;
+    for (const float gravity : {-9.81f, 0.0f}) {
+      Scene scene = make_scene({.name = "random", .n = 700, .motion = motion, .restitution = 0.5f});
+      scene.gravity = gravity;
+      std::array<MotionState, 2> kept;
+      std::array<Backend::State, 2> states;
+      for (const bool due_only : {false, true}) {
+        backend().upload(scene);
+        backend().look_at_due_only(due_only);
+        for (int step = 0; step < 400; ++step) backend().move();
+        states[due_only] = backend().state();
+        kept[due_only] = backend().save();
+      }
+      EXPECT_EQ(state_hash(states[0].positions, states[0].velocities, states[0].wide),
+                state_hash(states[1].positions, states[1].velocities, states[1].wide))
+          << motion_label(motion) << ", gravity " << gravity;
+      EXPECT_EQ(kept[0].since, kept[1].since) << motion_label(motion);
+      EXPECT_EQ(kept[0].flights, kept[1].flights) << motion_label(motion);
+      EXPECT_EQ(kept[0].due, kept[1].due) << motion_label(motion);
+      EXPECT_GT(std::ranges::count_if(kept[1].since, [](uint since) { return since != 0; }), 100);
+    }
+  }
+}
+
 INSTANTIATE_BACKENDS(MotionMethods);
 
 }  // namespace

@@ -31,6 +31,7 @@ std::vector<CollideOptions> common_options() {
           grid([](CollideOptions& o) { o.grid.keep_order = true; }),
           grid([](CollideOptions& o) { o.grid.keep_cells = true; }),
           grid([](CollideOptions& o) { o.grid.keep_cells = true, o.load_radii = true; }),
+          grid([](CollideOptions& o) { o.tricks = {.graph = false, .texture_table = false, .batch = false}; }),
           {.method = Method::automatic, .load_radii = true}};
 }
 
@@ -40,7 +41,7 @@ std::vector<CollideOptions> special_options() {
                                      grid([](CollideOptions& o) { o.grid.sort = Sort::radix; })};
   for (const Sort sort : {Sort::counting, Sort::buckets})
     for (std::optional<bool> Tricks::*trick :
-         {&Tricks::graph, &Tricks::keep_in_l2, &Tricks::texture_table, &Tricks::library_clear})
+         {&Tricks::graph, &Tricks::keep_in_l2, &Tricks::texture_table, &Tricks::library_clear, &Tricks::batch})
       all.push_back(grid([=](CollideOptions& o) { o.grid.sort = sort, o.tricks.*trick = true; }));
   return all;
 }
@@ -76,7 +77,7 @@ TEST_P(Skips, WhatABackendLacksIsRefused) {
   if (backend().info().name == "cpu") {
     EXPECT_EQ(there, 0u);
   } else if (backend().info().name == "glsl") {
-    EXPECT_EQ(there, 4u) << "texture_table and library_clear with both sorts";
+    EXPECT_EQ(there, 6u) << "texture_table, library_clear and batch with both sorts";
   } else {
     EXPECT_GE(there, 6u) << "Thrust, graph and library_clear with both sorts; L2 where the device has it";
   }
@@ -114,6 +115,33 @@ TEST_P(Skips, WorkIsCounted) {
   EXPECT_EQ(steps(grid([](CollideOptions& o) { o.grid.keep_cells = true; }), 1), (std::array<uint64_t, 3>{3, 0, 3}));
 }
 
+TEST_P(Skips, LoadsOfRadiiAndListsAreCounted) {
+  const auto counted = [&](const SceneOptions& scene, CollideOptions options) {
+    backend().upload(make_scene(scene));
+    ask(backend(), options);
+    const WorkCounts work = backend().work_counts();
+    return std::array{work.steps, work.without_radii, work.lists};
+  };
+  const SceneOptions equal = {.name = "uniform", .n = 500}, unequal = {.name = "uniform", .n = 500, .radius_ratio = 4};
+  const auto loading = grid([](CollideOptions& o) { o.load_radii = true; });
+  const auto listing = grid([](CollideOptions& o) { o.want_pairs = true; });
+  EXPECT_EQ(counted(equal, grid([](CollideOptions&) {})), (std::array<uint64_t, 3>{1, 1, 0}));
+  EXPECT_EQ(counted(equal, loading), (std::array<uint64_t, 3>{1, 0, 0}));
+  EXPECT_EQ(counted(unequal, grid([](CollideOptions&) {})), (std::array<uint64_t, 3>{1, 0, 0}));
+  EXPECT_EQ(counted(equal, listing), (std::array<uint64_t, 3>{1, 1, 1}));
+}
+
+TEST_P(Skips, OnlyWithoutABatchTheHostWaitsForEveryDispatch) {
+  if (backend().info().name != "glsl") GTEST_SKIP() << "batches of dispatches are OpenGL's";
+  backend().upload(make_scene({.name = "uniform", .n = 500}));
+  for (const bool batch : {true, false}) {
+    const WorkCounts before = backend().work_counts();
+    backend().collide(grid([=](CollideOptions& o) { o.tricks.batch = batch; }));
+    const WorkCounts after = backend().work_counts();
+    EXPECT_EQ(after.waits - before.waits, batch ? 0 : after.launches - before.launches);
+  }
+}
+
 // A first step may still make buffers, a second is seen, and a third is captured when it is the same.
 TEST_P(Skips, AGraphIsReplayedWhileNothingChanges) {
   if (backend().info().name != "cuda") GTEST_SKIP() << "graphs of launches are CUDA's";
@@ -124,7 +152,9 @@ TEST_P(Skips, AGraphIsReplayedWhileNothingChanges) {
   for (int k = 0; k < 8; ++k) {
     const uint64_t replayed = backend().work_counts().graphs_replayed;
     EXPECT_EQ(objection(ask(backend(), options), expected, scene.size()), "") << k;
-    if (k >= 3) EXPECT_EQ(backend().work_counts().graphs_replayed, replayed + 1) << k;
+    if (k >= 3) {
+      EXPECT_EQ(backend().work_counts().graphs_replayed, replayed + 1) << k;
+    }
   }
 }
 
@@ -137,7 +167,9 @@ TEST_P(Skips, AGraphIsReplayedWhileTheCameraMoves) {
   for (int k = 0; k < 8; ++k) {
     const uint64_t replayed = backend().work_counts().graphs_replayed;
     backend().collide(options);
-    if (k >= 3) EXPECT_EQ(backend().work_counts().graphs_replayed, replayed + 1) << k;
+    if (k >= 3) {
+      EXPECT_EQ(backend().work_counts().graphs_replayed, replayed + 1) << k;
+    }
     backend().draw(make_view(frame(bounds_of(scene.positions), 10 * k, 20, 40, 1), contact_look(), 64, 64), {});
   }
 }
