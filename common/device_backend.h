@@ -87,6 +87,7 @@ class DeviceBackend : public Backend {
   virtual void check_tricks(const CollideOptions& options) const = 0;
   // Whether collide_grid reads the table of cells through a texture buffer, where that is asked for, refused, or open.
   virtual bool has_texture_table(std::optional<bool>) const { return false; }
+  virtual bool has_texture_spheres(std::optional<bool>) const { return false; }
   virtual uint bounds_block() const { return SERVICE_BLOCK; }  // group size of grid_bounds
   virtual void begin_step(const Tricks&) {}                    // around the launches of a collision step
   virtual void end_step() {}
@@ -185,7 +186,7 @@ class DeviceBackend : public Backend {
   View asked_{};                  // the same as it was asked for
   DrawOptions draw_options_;
   std::optional<Order> clustered_;  // whose clusters they are; none when spheres have moved
-  bool seen_known_ = false;         // SLOT_VISIBLE shows spheres of this scene
+  uint seen_known_ = 0;             // SLOT_VISIBLE shows spheres of this scene, remembered so many as one
   uint lists_turn_ = 0;             // View::turn of the next picture
   bool picture_stands_ = false;     // nothing has changed since the last draw
   uint64_t pictures_kept_ = 0;

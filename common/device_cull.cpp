@@ -36,16 +36,17 @@ void DeviceBackend::make_clusters(const Params& params, Order order) {
 
 // What the last picture showed is in SLOT_VISIBLE. Of another scene it is cleared, and nothing was seen.
 void DeviceBackend::make_seen_list(const Params& params) {
-  if (seen_known_) return;
-  const std::vector<uint> none(n_ / 8 + 1), no_entries(DRAWN_WORDS);
+  const uint together = view_.occlusion;
+  if (seen_known_ == together) return;
+  const uint64_t all = n_ / together + 1;
+  const std::vector<uint> none(all / 8 + 1), no_entries(DRAWN_WORDS);
   make_buffer(SLOT_SEEN_LEFT, none.size() * sizeof(uint));
-  make_buffer(SLOT_SEEN_LIST, 2 * n_ * sizeof(uint));
+  make_buffer(SLOT_SEEN_LIST, 2 * all * sizeof(uint));
   write(SLOT_SEEN_LEFT, none.data(), 0, none.size() * sizeof(uint));
   write(SLOT_DRAWN, no_entries.data(), 0, no_entries.size() * sizeof(uint));
-  view_.occlusion = false;
+  view_.occlusion = 0;
   launch_per_pixel(Kernel::draw_clear, PIXELS_EACH, params);
-  view_.occlusion = true;
-  seen_known_ = true;
+  view_.occlusion = seen_known_ = together;
 }
 
 uint64_t DeviceBackend::level_1_texels() const {
@@ -58,8 +59,7 @@ void DeviceBackend::draw_phase(uint phase, const Params& params, Order order) {
   Params by_number = params;
   by_number.in_cells = false;
   const bool seen = phase == PHASE_SEEN;
-  const uint64_t most =
-      seen ? ceil_div(uint64_t(view_.width) * view_.height, BATCH) : ceil_div(view_.clusters, BATCH / CLUSTER);
+  const uint64_t most = seen ? ceil_div(n_ * view_.lanes, BATCH) : ceil_div(view_.clusters, BATCH / CLUSTER);
   launch({seen ? Kernel::draw_seen : Kernel::draw_clusters,
           BATCH,
           {},

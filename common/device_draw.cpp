@@ -25,7 +25,7 @@ void DeviceBackend::make_draw_buffers() {
   const auto keep = [&](uint slot, uint64_t bytes) {
     if (bytes_[slot] < bytes) make_buffer(slot, bytes);
   };
-  if (bytes_[SLOT_VISIBLE] < pixels(view_) * 2 * sizeof(uint)) seen_known_ = false;
+  if (bytes_[SLOT_VISIBLE] < pixels(view_) * 2 * sizeof(uint)) seen_known_ = 0;
   keep(SLOT_VISIBLE, pixels(view_) * 2 * sizeof(uint));
   keep(SLOT_IMAGE, pixels(view_) * sizeof(uint));
   keep(SLOT_DRAWN, DRAWN_WORDS * sizeof(uint));
@@ -69,8 +69,9 @@ void DeviceBackend::launch_rasteriser() {
   view_.phase = PHASE_SEEN;
   view_.turn = lists_turn_;
   const bool culls = (draw_options_.skip_outside || draw_options_.skip_hidden) && n_ >= draw_options_.skip_from;
-  view_.lanes = culls ? 1 : draw_options_.lanes(n_);
-  view_.occlusion = culls && draw_options_.skip_hidden;
+  const uint together = n_ >= draw_options_.together_from ? SEEN_TOGETHER : 1;
+  view_.occlusion = culls && draw_options_.skip_hidden ? together : 0;
+  view_.lanes = !culls ? draw_options_.lanes(n_) : together == 1 ? WALKERS : 1;
   if (view_.occlusion) make_seen_list(params);
   launch_per_pixel(Kernel::draw_clear, PIXELS_EACH, params);
   if (n_ > 0) culls ? draw_clusters(params, order) : draw_all(params, order);

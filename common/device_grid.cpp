@@ -98,13 +98,14 @@ void DeviceBackend::split(uint shift, uint parent_shift, uint first_bucket, Orde
   params_.first_bucket = first_bucket;
   params_.buckets = (params_.cell_slots >> shift) + 1;
   params_.names = (variant_.equal_radii ? NAMES_IN_RADII : 0) | (from == Order::scene ? 0 : NAMES_GIVEN);
-  launch({Kernel::split_count, SPLIT_BLOCK, {}, tiles, from}, params_);
+  const Variant variant = {.texture_table = has_texture_spheres(options_.tricks.texture_table)};
+  launch({Kernel::split_count, SPLIT_BLOCK, variant, tiles, from}, params_);
   if (params_.buckets <= BUCKETS_AT_MOST) {
     launch({Kernel::split_scan, BUCKETS_AT_MOST, {}, {1, 1, 1}}, params_);
   } else {
     launch_scan(SLOT_BUCKET);
   }
-  launch({Kernel::grid_split, SPLIT_BLOCK, {}, tiles, from, to}, params_);
+  launch({Kernel::grid_split, SPLIT_BLOCK, variant, tiles, from, to}, params_);
 }
 
 // By buckets: split into ranges of cells, in two steps when they are many, until each fits a group's shared memory;
@@ -128,7 +129,8 @@ void DeviceBackend::sort_by_buckets() {
   } else {
     split(shift, whole, 0, Order::scene, Order::buckets);
   }
-  launch({Kernel::grid_sort, SORT_BLOCK, {}, folded(buckets), Order::buckets}, params_);
+  const Variant variant = {.texture_table = has_texture_spheres(options_.tricks.texture_table)};
+  launch({Kernel::grid_sort, SORT_BLOCK, variant, folded(buckets), Order::buckets}, params_);
 }
 
 void DeviceBackend::sort_by_library() {

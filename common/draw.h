@@ -86,8 +86,13 @@ FN Box box_of(vec4 seen, View v) {
 
 // Whether a box is cut into tiles.
 FN bool is_large(Box box, View v) {
-  uint most = v.lanes == 1u ? uint(WALK_AT_MOST) : uint(SHARE_AT_MOST);
+  uint most = v.lanes == uint(LANES) ? uint(SHARE_AT_MOST) : uint(WALK_AT_MOST);
   return box.width > most || box.height > most;
+}
+
+// Of the threads that share a sphere, so many are in a row.
+FN uint lanes_across(View v) {
+  return v.lanes == 1u ? 1u : v.lanes == uint(LANES) ? uint(LANES_ACROSS) : uint(WALKERS_ACROSS);
 }
 
 // The place in the order in which spheres, or clusters, are gone through: the near ones first, as far as a cell order

@@ -27,7 +27,7 @@
 #define SLOT_TILE 18     // uvec2[]: large spheres cut into tiles: the sphere's number, that of the tile in its box
 #define SLOT_DRAWN 19    // uint[DRAWN_WORDS]: see view.h
 #define SLOT_CLUSTER 20  // vec4[2 * clusters]: lowest and highest corner of what holds a cluster's spheres
-#define SLOT_SEEN_LEFT 21     // uint[n / 8 + 1]: four bits a sphere, not 0 while it stands in the list of those seen
+#define SLOT_SEEN_LEFT 21  // uint[]: four bits for each View::occlusion spheres, not 0 while in the list of those seen
 #define SLOT_CLUSTER_LIST 22  // uint[clusters]: those to draw, in any order
 #define SLOT_PYRAMID 23       // uint[]: greatest depth in each texel, level 0 and then 1; see cluster.h
 #define SLOT_WIDE 24          // Real[6n], of compensated and float64: all x, all y, all z, then the velocities
@@ -35,7 +35,7 @@
 #define SLOT_FLIGHT 26  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
 #define SLOT_SINCE 27   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
 #define SLOT_DUE 28     // uint[n], of anchored: no sphere meets the plane before its step of this number
-#define SLOT_SEEN_LIST 29  // uint[2n], by View::turn: numbers of the spheres that the last pictures showed
+#define SLOT_SEEN_LIST 29  // uint[], two by View::turn: spheres that pictures showed, by number / View::occlusion
 #define SLOT_TOTAL 30
 #define SLOT_PARAMS 0  // the uniform block's own binding
 
@@ -59,21 +59,21 @@
 #define SERVICE_BLOCK 128     // group size of the kernels whose size is no subject of the study
 #define MAX_GROUPS 65535      // of one dispatch along each axis, on every device; more are folded into the next axis
 
-#define SPHERES_PER_SORTER 4       // spheres that one thread of grid_count and grid_scatter handles
-#define SPHERES_PER_BOUNCER 8      // spheres that one thread of bounce looks at
-#define SPLIT_BLOCK 1024           // group size of split_count and grid_split
-#define SORT_BLOCK 512             // group size of grid_sort
-#define SPLIT_TILE 4096u           // spheres that one group of split_count and grid_split takes
-#define SORT_ROOM 3968u            // spheres that grid_sort has room for; three groups then share 48 KiB
-#define SPLIT_EACH 4u              // spheres that one thread of grid_split takes
-#define SORT_EACH 4u               // spheres that one thread of grid_sort takes at a time
-#define BUCKETS_AT_MOST 1024u      // that one group of grid_split tells apart at a time
-#define CELLS_PER_BUCKET 2048u     // that grid_sort puts into order
-#define ROWS_AHEAD 5               // rows of cells in the later half of a neighbourhood
-#define BOUNDS_TILE 512u           // spheres that one group of grid_bounds takes
-#define BOUNDS_WINDOW 1024u        // cells whose begins it holds at a time
-#define NAMES_GIVEN 1u             // the spheres come from a split before, with their numbers
-#define NAMES_IN_RADII 2u          // which travel in place of the radii, since these are all equal; else in SLOT_SPLIT_ID
+#define SPHERES_PER_SORTER 4    // spheres that one thread of grid_count and grid_scatter handles
+#define SPHERES_PER_BOUNCER 8   // spheres that one thread of bounce looks at
+#define SPLIT_BLOCK 1024        // group size of split_count and grid_split
+#define SORT_BLOCK 512          // group size of grid_sort
+#define SPLIT_TILE 4096u        // spheres that one group of split_count and grid_split takes
+#define SORT_ROOM 3968u         // spheres that grid_sort has room for; three groups then share 48 KiB
+#define SPLIT_EACH 4u           // spheres that one thread of grid_split takes
+#define SORT_EACH 4u            // spheres that one thread of grid_sort takes at a time
+#define BUCKETS_AT_MOST 1024u   // that one group of grid_split tells apart at a time
+#define CELLS_PER_BUCKET 2048u  // that grid_sort puts into order
+#define ROWS_AHEAD 5            // rows of cells in the later half of a neighbourhood
+#define BOUNDS_TILE 512u        // spheres that one group of grid_bounds takes
+#define BOUNDS_WINDOW 1024u     // cells whose begins it holds at a time
+#define NAMES_GIVEN 1u          // the spheres come from a split before, with their numbers
+#define NAMES_IN_RADII 2u       // which travel in place of the radii, since these are all equal; else in SLOT_SPLIT_ID
 #define EMPTY_CELLS_AT_MOST 4096u  // between two spheres that stand in cell order
 #define SCAN_BLOCK 256             // group size of grid_scan
 #define SCAN_VECTORS 4             // uvec4 that one thread of grid_scan handles

@@ -12,7 +12,7 @@ namespace spherepair {
 struct Variant {
   bool equal_radii = true;     // loads no radius
   bool listed = false;         // keeps the pairs, not only their number
-  bool texture_table = false;  // GLSL: the table of cells is read through a texture buffer
+  bool texture_table = false;  // GLSL: the table of cells, or the spheres to sort, are read through a texture buffer
   MotionOptions motion = {};   // of move, bounce and place
   auto operator<=>(const Variant&) const = default;
 };

@@ -20,12 +20,15 @@
 #define LIGHT_GROUND 4u     // and both show on the plane too
 #define OCCLUSION_RADII 4   // so far, in largest radii, a sphere takes light away: less than two dense cells
 
-#define CLUSTER 64            // spheres, in consecutive places, that are culled together
+#define CLUSTER 32            // spheres, in consecutive places, that are culled together
 #define BOUNDS_LANES 8u       // threads that share a cluster when its box is made
 #define BATCH 64              // spheres, and threads, of a group that goes through clusters or a list ...
 #define WALKERS 8             // ... and the threads that then share one of them ...
 #define WALKERS_ACROSS 4      // ... so many in a row of its box
-#define SEEN_FADES 1u         // in each picture, of the 15 that a sphere gets in the one that shows it
+#define SEEN_TOGETHER 16u     // spheres of consecutive numbers that are remembered as one where spheres are many
+#define SEEN_FADES 1u         // in each picture, of the 15 that a sphere gets in the one that shows it ...
+#define TOGETHER_FADES 5u     // ... and of the 15 of SEEN_TOGETHER spheres
+#define WALK_ALONE 8u         // pixels that a thread that finds them tries itself
 #define PIXELS_EACH 4         // pixels of one thread that goes through the picture
 #define PHASE_SEEN 0          // draws the spheres that the last pictures showed ...
 #define PHASE_REST 1          // ... and then those of the others that what is drawn already does not hide
@@ -57,8 +60,9 @@ struct View {
   float half_x, half_y, norm_x, norm_y;    // the widest |x/z| and |y/z| seen, rounded up; sqrt(1 + half^2), rounded up
   uvec4 palette_0, palette_4;              // 0xRRGGBB of 0, 1, 2, 3 contacts; of 4, 5, 6, 7 and more
   uint background, width, height, pass;    // 0xRRGGBB; pixels; PASS_*
-  uint tile_capacity, counting, phase, occlusion;  // entries; not 0: DRAWN_* are counted; PHASE_*; not 0: hide clusters
-  uint clusters, turn, lanes, lighting;  // their number; 0 or 1: see DRAWN_SEEN; threads a sphere: 1 or LANES; LIGHT_*
+  uint tile_capacity, counting, phase;     // entries; not 0: DRAWN_* are counted; PHASE_*
+  uint occlusion;  // 0, or so many spheres, 1 or SEEN_TOGETHER, are remembered as one: see SLOT_SEEN_LIST
+  uint clusters, turn, lanes, lighting;  // their number; see DRAWN_SEEN; threads a sphere: 1, WALKERS or LANES; LIGHT_*
 };
 
 #endif

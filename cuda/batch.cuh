@@ -16,7 +16,11 @@ __device__ inline void draw_batch(const Params& p, const World& w, const View& v
   __syncthreads();
   if (exists) {
     Walk walk = walk_of(p, w, v, place, true);
-    if (walk.box.width > 0u) walks[atomicAdd(&walk_count, 1u)] = walk;
+    if (walk.box.width * walk.box.height > WALK_ALONE) {
+      walks[atomicAdd(&walk_count, 1u)] = walk;
+    } else {
+      draw_walk(w, v, walk, 0u, 1u, 1u);
+    }
   }
   __syncthreads();
   for (uint k = lane / WALKERS; k < walk_count; k += BATCH / WALKERS)

@@ -5,11 +5,15 @@
 namespace spherepair {
 
 // Only the first of a sphere's pixels need to ask: one whose neighbours, unless they are cleared already, show another.
-__device__ inline bool is_new(const World& w, uint pixel, uint width, uint sphere) {
-  if (sphere == 0xFFFFFFFFu || (pixel >= 1u && w.visible[pixel - 1u].x == sphere)) return false;
-  if (pixel >= width && w.visible[pixel - width].x == sphere) return false;
-  uint all = 15u << shift_in_word(sphere);
-  return (atomicOr(&w.seen_left[sphere / 8u], all) & all) == 0u;
+__device__ inline bool is_new(const World& w, const View& v, uint pixel) {
+  uint sphere = w.visible[pixel].x;
+  uint left = w.visible[max(pixel, 1u) - 1u].x;
+  uint above = w.visible[max(pixel, v.width) - v.width].x;
+  uint seen = sphere / v.occlusion;
+  if (sphere == 0xFFFFFFFFu || (pixel >= 1u && left / v.occlusion == seen)) return false;
+  if (pixel >= v.width && above / v.occlusion == seen) return false;
+  uint all = 15u << shift_in_word(seen);
+  return (atomicOr(&w.seen_left[seen / 8u], all) & all) == 0u;
 }
 
 __global__ void __launch_bounds__(SERVICE_BLOCK) draw_clear(Params p, World w, View v) {
@@ -23,14 +27,17 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_clear(Params p, World w, V
   for (uint k = 0u; k < PIXELS_EACH; ++k) {
     uint pixel = (group_index(p) * PIXELS_EACH + k) * SERVICE_BLOCK + lane;
     if (pixel >= v.width * v.height) break;
-    uint sphere = v.occlusion != 0u ? w.visible[pixel].x : 0xFFFFFFFFu;
-    if (is_new(w, pixel, v.width, sphere)) found[atomicAdd(&entries, 1u)] = sphere;
+    if (v.occlusion != 0u && is_new(w, v, pixel)) {
+      found[atomicAdd(&entries, 1u)] = w.visible[pixel].x / v.occlusion;
+    }
     w.visible[pixel] = uvec2{0xFFFFFFFFu, 0xFFFFFFFFu};
   }
   __syncthreads();
   if (lane == 0u && entries > 0u) first_entry = atomicAdd(&w.drawn[DRAWN_SEEN + v.turn], entries);
   __syncthreads();
-  for (uint k = lane; k < entries; k += SERVICE_BLOCK) w.seen_list[v.turn * p.n + first_entry + k] = found[k];
+  if (entries == 0u) return;
+  uint first = first_seen(p, v, v.turn) + first_entry;
+  for (uint k = lane; k < entries; k += SERVICE_BLOCK) w.seen_list[first + k] = found[k];
 }
 
 Entry draw_clear_kernel(uint, Variant) { return reinterpret_cast<Entry>(&draw_clear); }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A fixed number of groups of BATCH threads shares out the list of clusters to draw; one thread per sphere.
+#define VISIBLE_LOAD __ldca  // what was seen long ago hides as well
 #include "batch.cuh"
 
 namespace spherepair {

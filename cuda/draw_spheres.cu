@@ -9,7 +9,7 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_spheres(Params p, World w,
   if (k >= p.n) return;
   uint lane = threadIdx.x % v.lanes;
   Walk walk = walk_of(p, w, v, place_in_turn(k, p.n, v), lane == 0u);
-  draw_walk(w, v, walk, lane, v.lanes, v.lanes == 1u ? 1u : uint(LANES_ACROSS));
+  draw_walk(w, v, walk, lane, v.lanes, lanes_across(v));
 }
 
 Entry draw_spheres_kernel(uint, Variant) { return reinterpret_cast<Entry>(&draw_spheres); }

@@ -5,6 +5,10 @@
 
 #include "pyramid.cuh"
 
+#ifndef VISIBLE_LOAD
+#define VISIBLE_LOAD __ldcg
+#endif
+
 namespace spherepair {
 
 __device__ inline void count_drawn(const World& w, const View& v, uint word) {
@@ -15,7 +19,7 @@ __device__ inline void count_drawn(const World& w, const View& v, uint word) {
 __device__ inline void draw_at(const World& w, const View& v, uint px, uint py, vec4 seen, uint nearest, uint sphere) {
   uint pixel = py * v.width + px;
   unsigned long long* visible = reinterpret_cast<unsigned long long*>(w.visible);
-  unsigned long long there = __ldcg(&visible[pixel]);
+  unsigned long long there = VISIBLE_LOAD(&visible[pixel]);
   if (uint(there >> 32) < nearest) return;
   float depth = depth_of_hit(seen, ray_through(px, py, v), v);
   if (depth == 0.0f) return;
@@ -29,10 +33,11 @@ __device__ inline void cut_into_tiles(const World& w, const View& v, uint sphere
   for (uint k = 0u; k < tiles && first + k < v.tile_capacity; ++k) w.tile[first + k] = uvec2{sphere, k};
 }
 
-// The spheres seen: for how long each still stands in their list, in four bits.
-__device__ inline uint shift_in_word(uint sphere) { return 4u * (sphere % 8u); }
-__device__ inline uint left_of(const World& w, uint sphere) {
-  return w.seen_left[sphere / 8u] >> shift_in_word(sphere) & 15u;
+// The list of those seen and, in four bits, for how long each still stands there: of v.occlusion spheres as one.
+__device__ inline uint first_seen(const Params& p, const View& v, uint turn) { return turn * (p.n / v.occlusion + 1u); }
+__device__ inline uint shift_in_word(uint seen) { return 4u * (seen % 8u); }
+__device__ inline uint left_of(const World& w, uint seen) {
+  return w.seen_left[seen / 8u] >> shift_in_word(seen) & 15u;
 }
 
 // Where a sphere is to be tried: an empty box where that is nowhere, or draw_tiles does it.
@@ -58,7 +63,7 @@ __device__ inline Walk walk_of(const Params& p, const World& w, const View& v, u
   if (hidden) count_drawn(w, v, DRAWN_HIDDEN);
   if (hidden) return walk;
   walk.sphere = p.in_cells != 0u ? w.id[place] : place;
-  if (rest && left_of(w, walk.sphere) != 0u) return walk;
+  if (rest && left_of(w, walk.sphere / v.occlusion) != 0u) return walk;
   bool large = is_large(box, v);
   if (leads) count_drawn(w, v, large ? DRAWN_LARGE : DRAWN_SMALL);
   if (!large) walk.box = box;

@@ -5,6 +5,7 @@
 
 #include <cstring>
 
+#include "buffer_texture.h"
 #include "context.h"
 #include "device_backend.h"
 #include "device_limits.h"
@@ -13,7 +14,6 @@
 #include "program.h"
 #include "ring_buffer.h"
 #include "stage_timer.h"
-#include "table_texture.h"
 
 namespace spherepair {
 namespace {
@@ -43,6 +43,9 @@ class GlslBackend final : public DeviceBackend {
   bool has_atomics_64() const override { return limits_.features.atomics_64; }
   void check_tricks(const CollideOptions& options) const override;
   bool has_texture_table(std::optional<bool> wanted) const override;
+  bool has_texture_spheres(std::optional<bool> wanted) const override {
+    return wanted.value_or(true) && spheres() <= limits_.largest_texture;
+  }
   // So many threads that all run at once: their groups share 48 KiB of a multiprocessor, whatever it has
   // (bench/NOTES.md).
   uint bounds_block() const override { return 256; }
@@ -57,6 +60,7 @@ class GlslBackend final : public DeviceBackend {
   void set_params(const Params& params);
   void set_view();
   void bind(const Launch& launch);
+  void bind_texture(const Launch& launch);
   uint64_t table_texels() const { return uint64_t(params().cell_slots) + 2; }
 
   Context context_;
@@ -64,7 +68,7 @@ class GlslBackend final : public DeviceBackend {
   BackendInfo info_;
   std::array<GLuint, SLOT_TOTAL> buffers_{};
   std::array<GLuint, SLOT_TOTAL> bound_{};  // what kernels see now
-  TableTexture table_texture_;
+  BufferTexture texture_;
   GLuint params_buffer_ = 0;
   Params params_on_device_{};
   bool params_known_ = false;
@@ -82,6 +86,7 @@ GlslBackend::GlslBackend(const OpenOptions& options) : context_(options) {
   info_ = describe_device(context_.software(), limits_);
   glCreateBuffers(1, &params_buffer_);
   glNamedBufferStorage(params_buffer_, sizeof(Params), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_PARAMS, params_buffer_);  // for good
   gl_check("making the buffer of parameters");
   views_ = std::make_unique<RingBuffer>(SLOT_VIEW, sizeof(View));
   views_->write(&view_on_device_);
@@ -94,7 +99,7 @@ GlslBackend::~GlslBackend() {
   glDeleteBuffers(GLsizei(buffers_.size()), buffers_.data());
   glDeleteBuffers(1, &params_buffer_);
   views_->forget();
-  table_texture_.forget();
+  texture_.forget();
 }
 
 void GlslBackend::allocate(uint slot, uint64_t bytes) {
@@ -194,6 +199,14 @@ bool GlslBackend::has_texture_table(std::optional<bool> wanted) const {
   return wanted.value_or(true) && fits;
 }
 
+void GlslBackend::bind_texture(const Launch& launch) {
+  if (launch.kernel == Kernel::collide_grid) {
+    texture_.bind(GL_R32UI, buffers_[launch.table], table_texels() * sizeof(uint));
+  } else if (launch.kernel != Kernel::settle) {
+    texture_.bind(GL_RGBA32UI, buffers_[position_slot(launch.order)], spheres() * sizeof(vec4));
+  }
+}
+
 // GL keeps an error until it is asked, so dispatches are checked where their results are waited for.
 void GlslBackend::launch(const Launch& launch, const Params& params) {
   context_.make_current();
@@ -201,10 +214,8 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   set_params(params);
   set_view();
   glUseProgram(chosen.id());
-  glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_PARAMS, params_buffer_);
   bind(launch);
-  if (launch.variant.texture_table && launch.kernel == Kernel::collide_grid)
-    table_texture_.bind(buffers_[launch.table], table_texels());
+  if (launch.variant.texture_table) bind_texture(launch);
   ++work_.launches;
   timer_.time(stage_name(launch), [&] {
     glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);

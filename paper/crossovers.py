@@ -11,8 +11,8 @@ GRIDS = ("dense", "hashed")  # the other ways, but for auto, meet all pairs
 @dataclass(frozen=True)
 class Crossover:
     start: str  # the least n from which the grid stays ahead, intervals apart
-    loss: str  # percent by which auto was slower than the best fixed choice at worst; 0: no difference seen
-    worst: float
+    loss: str  # times the best fixed choice that auto took at worst; 1: no difference seen
+    losses: tuple  # the same for each n
     source: str
 
 
@@ -29,9 +29,9 @@ def grid_ahead(ways):
 
 
 def loss(ways):
-    """Percent; 0 where auto does not differ from the best."""
+    """Auto's time over the best; 1 where the two do not differ."""
     best, auto = fastest(ways), ways["auto"]
-    return 100 * (auto.median / best.median - 1) if auto.median > best.median and differ(auto, best) else 0.0
+    return auto.median / best.median if auto.median > best.median and differ(auto, best) else 1.0
 
 
 def of_one(sizes):
@@ -41,9 +41,9 @@ def of_one(sizes):
         if not grid_ahead(sizes[n]):
             break
         start = n
-    worst = max(loss(ways) for ways in sizes.values() if "auto" in ways and fastest(ways))
+    losses = tuple(loss(ways) for _, ways in sorted(sizes.items()) if "auto" in ways and fastest(ways))
     source = next(iter(sizes[min(sizes)].values())).source
-    return Crossover(f"{start:,}" if start else "nowhere", f"{worst:.0f}", worst, source)
+    return Crossover(f"{start:,}" if start else "nowhere", f"{max(losses):.2g}", losses, source)
 
 
 def crossovers_by_kind(machine):

@@ -20,6 +20,8 @@ def frames(root):
     without a picture one of the table `interop`."""
     rows = []
     for entry in root["frames"]:
+        if "overlaps" in root and entry["work"] == "frame":
+            continue  # of a run of hand-overs, beside which it stands; drawing has runs of its own
         if entry["draw"] == "none" and entry["work"] in HAND_OVERS:
             rows.append({**entry, "table": "interop", "way": HAND_OVERS[entry["work"]], "scene": {"name": "uniform"}})
             continue

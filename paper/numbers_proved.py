@@ -4,6 +4,7 @@ import json
 import re
 
 from records import Missing, digest, recorded_code
+from tables import driver_milliseconds
 
 
 def answers(put, machine, others):
@@ -73,4 +74,16 @@ def code(put, machine, others):
     put("code/nvcc", f"{sum(seconds):.0f}", record["id"], "processor seconds of nvcc for all kernels")
 
 
-PROVED = (answers, across_machines, long_run, tests, code)
+def drivers_compiler(put, machine, others):
+    driver = driver_milliseconds(machine)
+    if not driver:
+        raise Missing(f"{machine.name} has no record of `spherepair devices --compile`")
+    source = next(root["id"] for root in machine.sources.values() if "backends" in root and
+                  any(isinstance(entry, dict) and entry.get("compile_ms") for entry in root["backends"]))
+    slowest = max(driver, key=driver.get)
+    put("compile/all", f"{1e-3 * sum(driver.values()):.1f}", source, "s, the GL driver's compilation of all kernels")
+    put("compile/most", f"{1e-3 * driver[slowest]:.1f}", source, f"s, of the slowest, {slowest}")
+    put("compile/most/kernel", slowest, source, "the slowest to compile")
+
+
+PROVED = (answers, across_machines, long_run, tests, code, drivers_compiler)

@@ -162,6 +162,11 @@ class Machine:
         return f"{gpu}; run {self.id}"
 
 
+def named(machine, records):
+    """What stands under a figure of these records: the machine with their runs in place of its main one."""
+    return machine.title.replace(machine.id, ", ".join(dict.fromkeys(record.source for record in records)))
+
+
 def original_paper():
     """What the original paper printed, row by row."""
     return json.loads((DATA / "original-paper.json").read_text())

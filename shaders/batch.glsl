@@ -13,7 +13,11 @@ void draw_batch(uint place, bool exists) {
   barrier();
   if (exists) {
     Walk walk = walk_of(place, true);
-    if (walk.box.width > 0u) walks[atomicAdd(walk_count, 1u)] = walk;
+    if (walk.box.width * walk.box.height > WALK_ALONE) {
+      walks[atomicAdd(walk_count, 1u)] = walk;
+    } else {
+      draw_walk(walk, 0u, 1u, 1u);
+    }
   }
   barrier();
   for (uint k = lane / WALKERS; k < walk_count; k += BATCH / WALKERS)

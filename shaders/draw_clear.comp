@@ -20,11 +20,15 @@ void clear_at(uint pixel) {
 #endif
 
 // Only the first of a sphere's pixels need to ask: one whose neighbours, unless they are cleared already, show another.
-bool is_new(uint pixel, uint width, uint sphere) {
-  if (sphere == 0xFFFFFFFFu || (pixel >= 1u && sphere_at(pixel - 1u) == sphere)) return false;
-  if (pixel >= width && sphere_at(pixel - width) == sphere) return false;
-  uint all = 15u << shift_in_word(sphere);
-  return (atomicOr(seen_left[sphere / 8u], all) & all) == 0u;
+bool is_new(uint pixel) {
+  uint sphere = sphere_at(pixel);
+  uint left = sphere_at(max(pixel, 1u) - 1u);
+  uint above = sphere_at(max(pixel, v.width) - v.width);
+  uint seen = sphere / v.occlusion;
+  if (sphere == 0xFFFFFFFFu || (pixel >= 1u && left / v.occlusion == seen)) return false;
+  if (pixel >= v.width && above / v.occlusion == seen) return false;
+  uint all = 15u << shift_in_word(seen);
+  return (atomicOr(seen_left[seen / 8u], all) & all) == 0u;
 }
 
 void main() {
@@ -35,12 +39,15 @@ void main() {
   for (uint k = 0u; k < PIXELS_EACH; ++k) {
     uint pixel = (group_index() * PIXELS_EACH + k) * BLOCK + lane;
     if (pixel >= v.width * v.height) break;
-    uint sphere = v.occlusion != 0u ? sphere_at(pixel) : 0xFFFFFFFFu;
-    if (is_new(pixel, v.width, sphere)) found[atomicAdd(entries, 1u)] = sphere;
+    if (v.occlusion != 0u && is_new(pixel)) {
+      found[atomicAdd(entries, 1u)] = sphere_at(pixel) / v.occlusion;
+    }
     clear_at(pixel);
   }
   barrier();
   if (lane == 0u && entries > 0u) first_entry = atomicAdd(drawn[DRAWN_SEEN + v.turn], entries);
   barrier();
-  for (uint k = lane; k < entries; k += BLOCK) seen_list[v.turn * p.n + first_entry + k] = found[k];
+  if (entries == 0u) return;
+  uint first = first_seen(v.turn) + first_entry;
+  for (uint k = lane; k < entries; k += BLOCK) seen_list[first + k] = found[k];
 }

@@ -1,6 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // A fixed number of groups of BATCH threads shares out the list of clusters to draw; one thread per sphere.
+#define VISIBLE_ACCESS  // what was seen long ago hides as well
 #include "batch.glsl"
 
 layout(std430, binding = SLOT_CLUSTER_LIST) restrict readonly buffer ClusterListBuffer { uint cluster_list[]; };

@@ -10,5 +10,5 @@ void main() {
   if (k >= p.n) return;
   uint lane = gl_LocalInvocationID.x % v.lanes;
   Walk walk = walk_of(place_in_turn(k, p.n, v), lane == 0u);
-  draw_walk(walk, lane, v.lanes, v.lanes == 1u ? 1u : uint(LANES_ACROSS));
+  draw_walk(walk, lane, v.lanes, lanes_across(v));
 }

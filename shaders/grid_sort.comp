@@ -5,6 +5,7 @@
 // neighbours are written by neighbours. A bucket too large for that is copied as it comes.
 #define CELL_ACCESS
 #define ID_ACCESS
+#define SORTS_SPHERES
 #include "grid.glsl"
 #include "group_sum.glsl"
 
@@ -17,9 +18,7 @@ shared uint place[CELLS_PER_BUCKET];  // of the next sphere of each cell, in the
 shared uint order[SORT_ROOM / 2u];    // the spheres of the bucket by cell, two to a word
 
 // The number of sphere i of the bucket.
-uint name_of(vec4 sphere, uint i) {
-  return (p.names & NAMES_IN_RADII) != 0u ? float_bits(sphere.w) : from_id[i];
-}
+uint name_of(vec4 sphere, uint i) { return (p.names & NAMES_IN_RADII) != 0u ? float_bits(sphere.w) : from_id[i]; }
 void put(vec4 sphere, uint name, uint at) {
   if ((p.names & NAMES_IN_RADII) != 0u) sphere.w = p.radius;
   sorted[at] = sphere;
@@ -39,7 +38,7 @@ void main() {
   uint turn = SORT_EACH * BLOCK;
   for (uint first = begin + lane; first < end + lane; first += turn) {
     uint c[SORT_EACH];
-    for (uint k = 0u; k < SORT_EACH; ++k) c[k] = slot_of(position[min(first + k * BLOCK, end - 1u)], p) - low;
+    for (uint k = 0u; k < SORT_EACH; ++k) c[k] = slot_of(sphere_of(min(first + k * BLOCK, end - 1u)), p) - low;
     for (uint k = 0u; k < SORT_EACH; ++k)
       if (first + k * BLOCK < end) atomicAdd(place[c[k]], 1u);
   }
@@ -59,7 +58,7 @@ void main() {
   bool fits = end - begin <= SORT_ROOM;
   for (uint first = begin + lane; first < end + lane; first += turn) {
     uint c[SORT_EACH];
-    for (uint k = 0u; k < SORT_EACH; ++k) c[k] = slot_of(position[min(first + k * BLOCK, end - 1u)], p) - low;
+    for (uint k = 0u; k < SORT_EACH; ++k) c[k] = slot_of(sphere_of(min(first + k * BLOCK, end - 1u)), p) - low;
     for (uint k = 0u; k < SORT_EACH; ++k) {
       uint i = first + k * BLOCK;
       if (i < end) {
@@ -67,7 +66,7 @@ void main() {
         if (fits) {
           atomicOr(order[at / 2u], (i - begin) << (at % 2u * 16u));
         } else {
-          put(position[i], name_of(position[i], i), begin + at);
+          put(sphere_of(i), name_of(sphere_of(i), i), begin + at);
         }
       }
     }
@@ -79,7 +78,7 @@ void main() {
     for (uint k = 0u; k < SORT_EACH; ++k) {
       uint q = min(first + k * BLOCK, end - 1u) - begin;
       uint i = begin + (order[q / 2u] >> (q % 2u * 16u) & 0xFFFFu);
-      sphere[k] = position[i];
+      sphere[k] = sphere_of(i);
       name[k] = name_of(sphere[k], i);
     }
     for (uint k = 0u; k < SORT_EACH; ++k)

@@ -4,6 +4,7 @@
 // numbers into the order of the buckets, and copies them in that order, so that neighbours are written by neighbours.
 // The spheres stand in the order of the parents of these buckets, so that a tile meets few of them.
 #define ID_ACCESS
+#define SORTS_SPHERES
 #include "grid.glsl"
 #include "group_sum.glsl"
 
@@ -22,9 +23,9 @@ void main() {
   uint end = min(first + SPLIT_TILE, p.n);
   uint bucket[SPLIT_EACH];
   for (uint k = 0u; k < SPLIT_EACH; ++k)
-    bucket[k] = slot_of(position[min(first + k * BLOCK + lane, end - 1u)], p) >> p.bucket_shift;
-  uint last_bucket = bucket_above(slot_of(position[end - 1u], p), p);
-  for (uint low = bucket_below(slot_of(position[first], p), p); low <= last_bucket; low += BUCKETS_AT_MOST) {
+    bucket[k] = slot_of(sphere_of(min(first + k * BLOCK + lane, end - 1u)), p) >> p.bucket_shift;
+  uint last_bucket = bucket_above(slot_of(sphere_of(end - 1u), p), p);
+  for (uint low = bucket_below(slot_of(sphere_of(first), p), p); low <= last_bucket; low += BUCKETS_AT_MOST) {
     place[lane] = 0u;
     barrier();
     for (uint k = 0u; k < SPLIT_EACH; ++k)
@@ -45,7 +46,7 @@ void main() {
     for (uint q = lane; q < taken; q += BLOCK) {
       uint i = first + order[q] % SPLIT_TILE;
       uint at = q + place[order[q] / SPLIT_TILE];
-      vec4 sphere = position[i];
+      vec4 sphere = sphere_of(i);
       bool in_radii = (p.names & NAMES_IN_RADII) != 0u;
       uint name = (p.names & NAMES_GIVEN) == 0u ? i : in_radii ? float_bits(sphere.w) : from_id[i];
       if (in_radii) sphere.w = bits_float(name);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // A group takes SPLIT_TILE spheres and counts how many go into each bucket. The spheres stand in the order of the
 // parents of these buckets, so that a tile meets few of them.
+#define SORTS_SPHERES
 #include "grid.glsl"
 
 layout(std430, binding = SLOT_BUCKET) restrict buffer BucketBuffer { uint next_place[]; };
@@ -13,11 +14,11 @@ void main() {
   uint first = group_index() * SPLIT_TILE;
   if (first >= p.n) return;
   uint end = min(first + SPLIT_TILE, p.n);
-  uint last_bucket = bucket_above(slot_of(position[end - 1u], p), p);
+  uint last_bucket = bucket_above(slot_of(sphere_of(end - 1u), p), p);
   uint bucket[SPLIT_EACH];
   for (uint k = 0u; k < SPLIT_EACH; ++k)
-    bucket[k] = slot_of(position[min(first + k * BLOCK + lane, end - 1u)], p) >> p.bucket_shift;
-  for (uint low = bucket_below(slot_of(position[first], p), p); low <= last_bucket; low += BUCKETS_AT_MOST) {
+    bucket[k] = slot_of(sphere_of(min(first + k * BLOCK + lane, end - 1u)), p) >> p.bucket_shift;
+  for (uint low = bucket_below(slot_of(sphere_of(first), p), p); low <= last_bucket; low += BUCKETS_AT_MOST) {
     for (uint b = lane; b < BUCKETS_AT_MOST; b += BLOCK) counted[b] = 0u;
     barrier();
     for (uint k = 0u; k < SPLIT_EACH; ++k)

@@ -3,10 +3,14 @@
 // and of equal ones the least number, whatever the order of the threads.
 #include "pyramid.glsl"
 
+#ifndef VISIBLE_ACCESS
+#define VISIBLE_ACCESS coherent
+#endif
+
 #ifdef ATOMICS_64
-layout(std430, binding = SLOT_VISIBLE) restrict coherent buffer VisibleBuffer { uint64_t visible[]; };
+layout(std430, binding = SLOT_VISIBLE) restrict VISIBLE_ACCESS buffer VisibleBuffer { uint64_t visible[]; };
 #else
-layout(std430, binding = SLOT_VISIBLE) restrict coherent buffer VisibleBuffer { uint visible[]; };
+layout(std430, binding = SLOT_VISIBLE) restrict VISIBLE_ACCESS buffer VisibleBuffer { uint visible[]; };
 #endif
 layout(std430, binding = SLOT_TILE) restrict buffer TileBuffer { uvec2 tile[]; };
 layout(std430, binding = SLOT_DRAWN) restrict buffer DrawnBuffer { uint drawn[]; };
@@ -45,9 +49,10 @@ void cut_into_tiles(uint sphere, Box box) {
   for (uint k = 0u; k < tiles && first + k < v.tile_capacity; ++k) tile[first + k] = uvec2(sphere, k);
 }
 
-// The spheres seen: for how long each still stands in their list, in four bits.
-uint shift_in_word(uint sphere) { return 4u * (sphere % 8u); }
-uint left_of(uint sphere) { return seen_left[sphere / 8u] >> shift_in_word(sphere) & 15u; }
+// The list of those seen and, in four bits, for how long each still stands there: of v.occlusion spheres as one.
+uint first_seen(uint turn) { return turn * (p.n / v.occlusion + 1u); }
+uint shift_in_word(uint seen) { return 4u * (seen % 8u); }
+uint left_of(uint seen) { return seen_left[seen / 8u] >> shift_in_word(seen) & 15u; }
 
 // Where a sphere is to be tried: an empty box where that is nowhere, or draw_tiles does it.
 struct Walk {
@@ -72,7 +77,7 @@ Walk walk_of(uint place, bool leads) {
   if (hidden) count_drawn(DRAWN_HIDDEN);
   if (hidden) return walk;
   walk.sphere = p.in_cells != 0u ? id[place] : place;
-  if (rest && left_of(walk.sphere) != 0u) return walk;
+  if (rest && left_of(walk.sphere / v.occlusion) != 0u) return walk;
   bool large = is_large(box, v);
   if (leads) count_drawn(large ? DRAWN_LARGE : DRAWN_SMALL);
   if (!large) walk.box = box;

@@ -95,14 +95,14 @@ class Tables(unittest.TestCase):
     def test_crossovers_by_kind(self):
         machine = Machine(DATA / "h200")
         machine.records = crossovers_to_come()
-        self.assertEqual([["gas", "1,024", "0"]], tables_studies.crossover(machine).rows)
+        self.assertEqual([["gas", "1,024", "1"]], tables_studies.crossover(machine).rows)
 
     def test_hand_overs(self):
         machine = Machine(DATA / "h200")
-        machine.sources["frames.json"] = {"id": "made up", "overlaps": [
+        machine.sources = {"frames.json": {"id": "made up", "overlaps": [
             {"hand_over": "imported", "draw": "points", "n": 1000, "picture_ms": 2.0, "step_ms": 1.0,
-             "pipelined_ms": 2.5, "overlap": 0.5}]}
-        self.assertEqual([["imported", "points", "1,000", "2.00", "1.00", "2.50", "50"]],
+             "pipelined_ms": 2.5, "overlap": 0.5}]}}
+        self.assertEqual([["imported", "points", "1,000", "2.00", "1.00", "2.50", "0.500"]],
                          tables_studies.hand_over(machine).rows)
 
 

@@ -142,14 +142,20 @@ TEST_P(Skips, OnlyWithoutABatchTheHostWaitsForEveryDispatch) {
   }
 }
 
+// A first step may still make buffers, a second is seen, and a third is captured when it is the same.
 TEST_P(Skips, AGraphIsReplayedWhileNothingChanges) {
   if (backend().info().name != "cuda") GTEST_SKIP() << "graphs of launches are CUDA's";
   const Scene scene = make_scene({.name = "uniform", .n = 3000});
   const std::vector<Pair> expected = brute_force_pairs(scene.positions);
   backend().upload(scene);
   const CollideOptions options = grid([](CollideOptions& o) { o.tricks.graph = true; });
-  for (int k = 0; k < 5; ++k) EXPECT_EQ(objection(ask(backend(), options), expected, scene.size()), "") << k;
-  EXPECT_EQ(backend().work_counts().graphs_replayed, 3u) << "all but the first two";
+  for (int k = 0; k < 8; ++k) {
+    const uint64_t replayed = backend().work_counts().graphs_replayed;
+    EXPECT_EQ(objection(ask(backend(), options), expected, scene.size()), "") << k;
+    if (k >= 3) {
+      EXPECT_EQ(backend().work_counts().graphs_replayed, replayed + 1) << k;
+    }
+  }
 }
 
 // Another view is drawn after every step; the kernels of the step see none.
@@ -158,11 +164,14 @@ TEST_P(Skips, AGraphIsReplayedWhileTheCameraMoves) {
   const Scene scene = make_scene({.name = "uniform", .n = 3000});
   backend().upload(scene);
   const CollideOptions options = grid([](CollideOptions& o) { o.tricks.graph = true; });
-  for (int k = 0; k < 5; ++k) {
+  for (int k = 0; k < 8; ++k) {
+    const uint64_t replayed = backend().work_counts().graphs_replayed;
     backend().collide(options);
+    if (k >= 3) {
+      EXPECT_EQ(backend().work_counts().graphs_replayed, replayed + 1) << k;
+    }
     backend().draw(make_view(frame(bounds_of(scene.positions), 10 * k, 20, 40, 1), contact_look(), 64, 64), {});
   }
-  EXPECT_EQ(backend().work_counts().graphs_replayed, 3u) << "all but the first two";
 }
 
 // Spheres that fly off together: planned once, all of them end in the cells along the border.

@@ -72,7 +72,9 @@ TEST_F(Studies, SkipsAreRecordedOnAndOff) {
     if (row.at("skip") == "plane_test") {
       const json& work = row.at("work_a_step");
       EXPECT_LE(work.at("bounces"), work.at("plane_tests"));
-      if (!row.at("on").get<bool>()) EXPECT_EQ(work.at("plane_tests"), 300);
+      if (!row.at("on").get<bool>()) {
+        EXPECT_EQ(work.at("plane_tests"), 300);
+      }
     }
     if (row.at("skip") == "cells_out_of_reach") {
       EXPECT_LE(row.at("work_a_step").at("cells_in_reach"), 27);

@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: MIT
 """Drawing: every way to put n spheres on the screen, beside the original paper's."""
-from records import original_paper
+from records import named, original_paper
 from style import PAGE, SERIES, panels, plain_ticks, plot, spheres_in_decades
 
 NAME, TABLE = "drawing", "draw"
 CAPTION = ("Drawing: time of one picture against the number of spheres, for each way to draw. Black: the original "
            "paper's sequential rendering as printed (GeForce GTX 590).")
 MARKERS = "osD^vP*"
+
+
+def source(machine):
+    return named(machine, machine.need(table=TABLE, work="frame"))
 
 
 def draw_place(axis, rows):

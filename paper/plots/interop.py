@@ -13,8 +13,9 @@ def draw(machine):
     for place, row in enumerate(reversed(rows)):
         axis.errorbar(1e3 * row.median, place, xerr=[[1e3 * (row.median - row.low)], [1e3 * (row.high - row.median)]],
                       capsize=1.5, elinewidth=0.7, marker="o", color="#15396b")
-    axis.set_yticks(range(len(rows)), [f"{row.way}, n = {row.n:,}" for row in reversed(rows)])
-    axis.set_xlim(left=0)
+    axis.set_yticks(range(len(rows)), [f"{row.way}, $n$ = {row.n:,}" for row in reversed(rows)])
+    axis.set_xscale("log")
+    axis.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
     axis.set_xlabel("time of one hand-over (µs)")
     axis.grid(axis="y", visible=False)
     return figure

@@ -4,20 +4,25 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import LogLocator, NullFormatter
 
 from derived import ratio
-from skips import TABLE, pairs_of  # noqa: F401
+from records import named
+from skips import pairs_of
 from style import PAGE, SERIES, panels, series_of, time_text
 
 NAME = "skips"
 CAPTION = ("What each skip, each trick of one API and each kernel of our own saves: time without it over time with it, "
            "the results being equal; left of 1 it costs. Bars: the least and greatest ratio that the intervals of both "
            "medians allow. Beside them: the time with it{counted}.")
-COUNTED = ", and what of a step's work the largest size counts with it and (in brackets) without"
+COUNTED = ", and what of a step's work is counted otherwise with it than (in brackets) without"
 KINDS = {"skip": "skips: work that the scene does not need", "trick": "tricks: what one API offers",
          "library": "our own kernel in place of another's"}
 TRICKS = ({"glsl"}, {"cuda"})  # who has them, alone
 OF_BOTH = {"vector_loads"}  # tricks that both have
 MOST_SIZES = 2
 NAMES = {"cpu": "CPU", "glsl": "GLSL", "cuda": "CUDA"}
+
+
+def source(machine):
+    return named(machine, [on for on, _ in pairs_of(machine)])
 
 
 def sizes_of(pairs):
@@ -47,9 +52,10 @@ def scene_of(record):
 
 
 def counts(on, off):
-    """E.g. sorts 0 (1)."""
+    """E.g. sorts 0 (1). Launches say something of graphs alone: elsewhere they depend on what a graph can hold."""
     with_it, without = (record.parameters.get("work_a_step", {}) for record in (on, off))
-    return ", ".join(f"{name.replace('_', ' ')} {with_it[name]:g} ({without.get(name, 0):g})" for name in with_it
+    told = [name for name in with_it if "graph" in on.skip or name not in ("launches", "graphs_replayed")]
+    return ", ".join(f"{name.replace('_', ' ')} {with_it[name]:g} ({without.get(name, 0):g})" for name in told
                      if with_it[name] != without.get(name))
 
 
@@ -79,7 +85,7 @@ def set_axis(axis, lines, common):
     axis.axvline(1, color="black", linewidth=0.6)
     axis.set_xscale("log")
     low, high = axis.get_xlim()
-    axis.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if high < 30 * low else (1,), numticks=12))
+    axis.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if high < 30 * low else (1, 3), numticks=12))
     axis.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
     axis.xaxis.set_minor_formatter(NullFormatter())
     axis.tick_params(axis="y", length=0)

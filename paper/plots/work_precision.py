@@ -3,7 +3,7 @@
 from matplotlib.lines import Line2D
 
 from pareto import devices, draw_front, kind, mark_paper, same_time, seconds, study
-from records import Missing
+from records import Missing, named
 from style import PAGE, panels
 
 NAME = "work-precision"
@@ -16,7 +16,7 @@ FRONT = {"color": "#bbbbbb", "linewidth": 4, "solid_joinstyle": "round", "zorder
 
 
 def source(machine):
-    return machine.title.replace(machine.id, study(machine)[0].source)
+    return named(machine, study(machine)[:1])
 
 
 def look(methods, method):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The backends' diagrams of error against run time over each other: what is left of each when only the best counts."""
 from pareto import devices, draw_front, mark_paper, same_time, seconds, study
-from records import Missing
+from records import Missing, named
 from style import COLUMN, SERIES, panels
 
 NAME = "work-precision-overlay"
@@ -11,7 +11,7 @@ CAPTION = ("Rms error of the position against run time, all backends: a point a 
 
 
 def source(machine):
-    return machine.title.replace(machine.id, study(machine)[0].source)
+    return named(machine, study(machine)[:1])
 
 
 def look(device):

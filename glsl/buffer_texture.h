@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of cells as a texture of one word a texel: read on another path than storage buffers.
+// A buffer as a texture, whose texels are read on another path than storage buffers.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -8,11 +8,11 @@
 
 namespace spherepair {
 
-class TableTexture {
+class BufferTexture {
  public:
-  void bind(GLuint buffer, uint64_t texels) {
+  void bind(GLenum format, GLuint buffer, uint64_t bytes) {
     if (!id_) glCreateTextures(GL_TEXTURE_BUFFER, 1, &id_);
-    glTextureBufferRange(id_, GL_R32UI, buffer, 0, GLsizeiptr(texels * sizeof(uint32_t)));
+    glTextureBufferRange(id_, format, buffer, 0, GLsizeiptr(bytes));
     glBindTextureUnit(0, id_);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   }
