@@ -104,7 +104,8 @@ def stage_ratio(kernel, glsl, cuda):
 
 def stage_ratios(machine):
     """Each kernel that device timers saw in both APIs in the same work of one run, where n is largest; of several such
-    records the one whose intervals leave the least room: a kernel may have a cheap and a dear part in one picture."""
+    records the latest, and of its the one whose intervals leave the least room: a kernel may have a cheap and a dear part
+    in one picture."""
     found = {}
     timed = [record for record in machine.records if "device_stages_interval_ms" in record.parameters]
     by_work = {(record.source, work_of(record), record.backend): record for record in timed}
@@ -114,9 +115,9 @@ def stage_ratios(machine):
             for kernel in glsl.device_stages_ms.keys() & cuda.device_stages_ms.keys():
                 row = stage_ratio(kernel, glsl, cuda)
                 if row:
-                    found.setdefault(kernel, []).append((-glsl.n, room(row), row))
+                    found.setdefault(kernel, []).append((glsl.n, glsl.date, -room(row), row))
     for kernel in sorted(found):
-        yield min(found[kernel], key=lambda entry: entry[:2])[-1]
+        yield max(found[kernel], key=lambda entry: entry[:3])[-1]
 
 
 def room(row):

@@ -5,7 +5,7 @@ import re
 from pareto import paper_setting, seconds, study
 from records import Missing
 from sets import sets, wrong
-from tables_studies import stressed
+from tables_studies import recorded_stress, stressed
 from tabular import ms
 
 DEVICES = ("glsl", "cuda")
@@ -108,8 +108,10 @@ def in_words(metres):
 
 
 def catalogue(put, machine, others):
-    tests = stressed(machine)
-    source = machine.source("stress.json")["id"]
+    where = recorded_stress([machine, *others])
+    tests = stressed(where)
+    source = where.source("stress.json")["id"]
+    put("stress/where", where.title.split("; run")[0], source, "the machine that ran the stress catalogue")
     passed = [verdict for test in tests for verdict in test.verdicts.values() if verdict == "pass"]
     put("stress/rows", str(len({test.row for test in tests})), source, "rows of the stress catalogue")
     put("stress/passed", str(len(passed)), source, "tests of it, on all backends; none failed")

@@ -57,6 +57,7 @@ def kinds_of_spheres(put, machine, others):
     put("kinds/rows", str(len(rows)), source, "kinds, sizes and APIs in which auto was timed")
     put("kinds/good", str(sum(loss <= GOOD for loss, _, _ in rows)), source, f"those where it took {GOOD:g} times the "
         "best or less")
+    put("kinds/worst/kind", kind, source, "the kind of spheres in which it did")
     put("kinds/worst", f"{worst:.2g}", source, f"times the best fixed choice that auto took at worst: {kind}, {name}")
     for kind, by_backend in found.items():
         for name in by_backend.keys() & set(DEVICES):

@@ -29,6 +29,7 @@ class Record:
     low: float
     high: float
     source: str
+    date: str = ""  # of the run
 
     def __getattr__(self, name):
         if name in self.parameters:
@@ -66,6 +67,22 @@ def digest(raw):
     return hashlib.sha256(raw).hexdigest()[:8]
 
 
+def work_of(record):
+    """What a step of the grid or a picture is timed of; None for others, whose runs stand side by side."""
+    names = ("table", "backend", "method", "draw", "work", "place", "n", "order")
+    if record.parameters.get("table") not in ("grid", "draw"):
+        return None
+    return (*(record.parameters.get(name) for name in names), record.scene["name"], record.scene.get("packing_fraction"))
+
+
+def latest(records):
+    """Where several runs timed the same work, that of the latest."""
+    runs = {}
+    for record in records:
+        runs[work_of(record)] = max(runs.get(work_of(record), ("", "")), (record.date, record.source))
+    return [record for record in records if work_of(record) is None or runs[work_of(record)][1] == record.source]
+
+
 class Machine:
     """One folder of recorded runs."""
 
@@ -77,6 +94,7 @@ class Machine:
             self._read(path.name, [path])
         for path in sorted(inner for inner in self.folder.glob("*") if inner.is_dir()):
             self._read(path.name, sorted(path.glob("*.json")))
+        self.records = latest(self.records)
         if "results.json" not in self.sources:
             raise Missing(f"{self.folder} holds no results.json of `spherepair compare`")
         self.main = self.sources["results.json"]
@@ -95,7 +113,7 @@ class Machine:
             self.sources[name] = {**root, "id": source}
             for row in formats.rows_of(root):
                 median, low, high = summary(row)
-                self.records.append(Record(row, median, low, high, source))
+                self.records.append(Record(row, median, low, high, source, root.get("context", {}).get("date", "")))
 
     def select(self, **wanted):
         """All records with these parameters, smallest n first; `scene` is the scene's name."""

@@ -2,7 +2,7 @@
 """The paper's tables, each as LaTeX and as text, from recorded runs alone."""
 from ranks import verdict
 from records import Missing, original_paper, recorded_code
-from tables_studies import STUDIED
+from tables_studies import STUDIED, stress  # noqa: F401
 from tabular import Table, as_tex, as_text, interval, ms, without_empty_columns
 
 
@@ -103,11 +103,15 @@ def machine_and_run(machine):
 MAKERS = (table1, counts, methods, ceilings, code, machine_and_run, *STUDIED)
 
 
+def of_one(maker, machine):
+    return without_empty_columns(maker(machine))
+
+
 def made(machine):
     """Each table, or its name and the reason why it cannot be made."""
     for maker in MAKERS:
         try:
-            yield without_empty_columns(maker(machine)), None
+            yield of_one(maker, machine), None
         except Missing as reason:
             yield None, (maker.__name__, str(reason))
 
@@ -120,6 +124,11 @@ def all_tables(machine):
     return [table for table, _ in made(machine) if table]
 
 
+def write(table, machine, folder):
+    (folder / f"{table.name}.tex").write_text(as_tex(table))
+    (folder / f"{table.name}.txt").write_text(as_text(table, table_title(table, machine)))
+
+
 def write_all(machine, folder):
     """Returns (what was written, what was left out and why)."""
     written, left_out = [], []
@@ -128,7 +137,6 @@ def write_all(machine, folder):
         if reason:
             left_out.append(reason)
             continue
-        (folder / f"{table.name}.tex").write_text(as_tex(table))
-        (folder / f"{table.name}.txt").write_text(as_text(table, table_title(table, machine)))
+        write(table, machine, folder)
         written.append(table.name)
     return written, left_out

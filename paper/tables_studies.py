@@ -10,6 +10,7 @@ from records import peers as measured_peers
 from tabular import Table, interval, ms
 
 DEVICES = ("cuda", "glsl")
+GRID = {"table": "grid", "scene": "uniform", "method": "collide_grid"}
 ROWS = range(1, 34)  # of the catalogue
 STRESS = ("The stress catalogue: what each row sets up, what was found, what had to hold, and on which backends it did. "
           "A figure without a name is that of every backend.")
@@ -57,6 +58,14 @@ def stressed(machine):
     return found
 
 
+def recorded_stress(machines):
+    """The first machine that has a record of the catalogue."""
+    found = [machine for machine in machines if "stress.json" in machine.sources]
+    if not found:
+        raise Missing("no machine has a stress.json")
+    return found[0]
+
+
 def figure_text(figures):
     """One for all backends that found the same, else each with who found it."""
     owners = {}
@@ -86,8 +95,7 @@ def stress(machine):
 def ours(machine, name, sizes):
     cells = []
     for n, fraction in sizes:
-        found = machine.select(table="grid", scene="uniform", method="collide_grid", order="cold", backend=name, n=n,
-                               packing_fraction=fraction)
+        found = machine.select(**GRID, order="cold", backend=name, n=n, packing_fraction=fraction)
         cells.append(ms(found[0].median) if found else "-")
     return [f"this paper, {name.upper()}", "count", *cells, "0"]
 
@@ -111,7 +119,7 @@ def peers(machine):
     groups = [(size_text(n), counted.count(n)) for n in dict.fromkeys(counted)]
     heads = [[("", 2), *groups, ("wrong", 1)], ["system", "output", *(f"{f:g}" for _, f in sizes), "pairs"]]
     return Table("peers", PEERS.format(run=record["id"]), heads, rows, left=2,
-                 source=machine.need(table="grid", method="collide_grid")[0].source)
+                 source=", ".join(dict.fromkeys(row.source for row in machine.need(**GRID, order="cold"))))
 
 
 def crossover(machine):
@@ -130,21 +138,21 @@ def crossover(machine):
 
 
 def grid_sizes(machine):
-    rows, source = [], ""
+    rows, sources = [], []
     for fraction in (0.3, 0.05):
-        wanted = {"table": "grid", "scene": "uniform", "method": "collide_grid", "packing_fraction": fraction}
+        wanted = {**GRID, "packing_fraction": fraction}
         for n in sorted({row.n for row in machine.need(**wanted)}):
             cells = [f"{fraction:g}", size_text(n)]
             for order in ("warm", "cold"):
                 glsl, cuda = (machine.select(**wanted, n=n, order=order, backend=name) for name in ("glsl", "cuda"))
                 cells += [interval(found[0]) if found else "-" for found in (glsl, cuda)]
                 cells.append(verdict(glsl[0], cuda[0]).removesuffix(" faster") if glsl and cuda else "-")
-                source = source or (glsl or cuda)[0].source
+                sources += [found[0].source for found in (glsl, cuda) if found]
             rows.append(cells)
     heads = [[("packing", 1), ("", 1), ("in cell order, ms", 3), ("in random order, ms", 3)],
              ["fraction", "spheres", *["GLSL", "CUDA", "faster"] * 2]]
     return Table("grid-sizes", "A collision step through the grid: medians and their intervals.", heads, rows, left=0,
-                 source=source)
+                 source=", ".join(dict.fromkeys(sources)))
 
 
 def overlaps(machine):
