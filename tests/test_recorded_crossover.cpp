@@ -11,6 +11,7 @@
 
 #include "method_choice.h"
 #include "report.h"
+#include "statistics.h"
 
 namespace spherepair {
 namespace {
@@ -64,9 +65,10 @@ TEST(MethodsRecorded, AutoIsNeverFarBehindTheBestFixedChoice) {
       continue;
     }
     for (const auto& [way, interval] : one.ways)
-      if (way != "auto")
+      if (way != "auto") {
         EXPECT_LE(taken->second.low, tolerated * interval.high)
             << name << ": " << describe(choice) << " against " << way;
+      }
   }
 }
 
