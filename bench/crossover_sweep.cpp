@@ -77,9 +77,11 @@ CrossoverSweep::CrossoverSweep(Session& session, const CrossoverOptions& options
     : session_(session), options_(options), written_(std::move(written)) {
   sampling_.rounds = options.rounds;
   sampling_.fewest_rounds = std::min(sampling_.fewest_rounds, options.rounds);
-  sampling_.software_seconds = 0.005;
-  sampling_.hardware_ceiling = 0.02;
-  sampling_.narrow_enough = 0.03;
+  sampling_.software_seconds = 0.003;
+  sampling_.hardware_batch = 50;
+  sampling_.hardware_seconds = 1e-3;
+  sampling_.hardware_ceiling = 0.01;
+  sampling_.narrow_enough = 0.05;
 }
 
 void CrossoverSweep::run(std::span<const SphereKind> chosen, const std::vector<uint64_t>& sizes) {

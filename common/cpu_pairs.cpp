@@ -14,7 +14,7 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t pairs_per_thread = 1u << 17;  // at least
+constexpr uint64_t pairs_per_thread = 1u << 16;  // at least
 
 // What one thread has found. Sums do not depend on the order, so neither do the results on the number of threads.
 class Finder {

@@ -13,17 +13,28 @@ struct Crossover {
   uint64_t square_to;    // up to so many spheres collide_square is ahead of collide_triangle
   uint64_t one_cell_of;  // a cell must not hold more than one sphere of so many: else nearly all pairs are met anyway
   uint64_t wide_from;    // spheres from which on collide_grid is faster in groups of wide_block, on devices
+  uint64_t few;          // up to so many spheres the grid is ahead as well, where there are contacts but no crowd
 };
 constexpr uint wide_block = 256;
 constexpr uint64_t never = ~uint64_t(0);
-constexpr Crossover crossovers[] = {{"cuda", 2048, 1024, 200, 4'000'000},
-                                    {"glsl", 8192, 1024, 200, never},
-                                    {"glsl in software", 512, 0, 50, never},
-                                    {"cpu", 2048, 0, 50, never}};
+constexpr Crossover crossovers[] = {{"cuda", 4600, 4400, 500, 4'000'000, 200},
+                                    {"glsl", 13600, 4500, 800, never, 0},
+                                    {"glsl in software", 512, 0, 50, never, 0},
+                                    {"cpu", 2048, 0, 50, never, 0}};
+
+// Whatever the spheres' cells are like.
+constexpr bool may_take_grid(const Crossover& row, uint64_t n) { return n <= row.few || n >= row.grid_from; }
 
 // n spheres, so many others in a sphere's cell on average, so many levels of cells.
 constexpr bool grid_pays(const Crossover& row, uint64_t n, double others_in_cell, uint levels) {
+  if (n <= row.few && others_in_cell >= 0.2 && others_in_cell <= 4) return true;
   return n >= row.grid_from * levels && others_in_cell * double(row.one_cell_of) <= double(n);
+}
+
+// Between the two ways of all pairs. Where most spheres stand in one cell, nearly all pairs are near, which
+// collide_triangle queues one by one.
+constexpr bool square_pays(const Crossover& row, uint64_t n, double others_in_cell) {
+  return n <= row.square_to || (row.square_to > 0 && 4 * others_in_cell > double(n));
 }
 
 }  // namespace spherepair

@@ -103,7 +103,7 @@ std::vector<vec4> DeviceBackend::read_positions() {
 // The host's copy of the spheres is that of the upload, so they are read back, which the watch keeps rare.
 bool DeviceBackend::replan_if_due(const CollideOptions& asked) {
   const bool may_use_grid = asked.method == Method::collide_grid ||
-                            (asked.method == Method::automatic && n_ >= crossover_of(info()).grid_from);
+                            (asked.method == Method::automatic && may_take_grid(crossover_of(info()), n_));
   if (!asked.grid.replan || !may_use_grid || !watch_.due()) return false;
   if (!watch_.worthwhile(sample_positions(), plans_) || !watch_.replan(read_positions(), plans_)) return false;
   ++work_.plans;

@@ -11,10 +11,10 @@ namespace {
 
 uint levels_of(const GridPlan& plan) { return uint(std::popcount(plan.levels)); }
 
-Method all_pairs(const BackendInfo& info, uint64_t n, bool swept) {
+Method all_pairs(const BackendInfo& info, uint64_t n, double crowd, bool swept) {
   if (info.name == "cpu") return Method::parallel;
   if (swept) return Method::collide_tiled;
-  return n <= crossover_of(info).square_to ? Method::collide_square : Method::collide_triangle;
+  return square_pays(crossover_of(info), n, crowd) ? Method::collide_square : Method::collide_triangle;
 }
 
 bool takes_grid(const BackendInfo& info, uint64_t n, const GridPlans& plans, const CollideOptions& options) {
@@ -25,6 +25,7 @@ bool takes_grid(const BackendInfo& info, uint64_t n, const GridPlans& plans, con
 std::string reason_of(const Crossover& row, uint64_t n, double crowd, uint levels, bool grid) {
   std::string text = fmt::format("{} spheres, {:.3g} others in a sphere's cell", n, crowd);
   if (levels > 1) text += fmt::format(", {} levels of cells", levels);
+  if (grid && n <= row.few) return text + fmt::format("; the grid is ahead up to {}", row.few);
   if (grid) return text + fmt::format("; the grid is ahead from {} on", row.grid_from * levels);
   if (n < row.grid_from * levels)
     return text + fmt::format("; the grid is ahead only from {} on", row.grid_from * levels);
@@ -69,7 +70,8 @@ void leave_all_undecided(Params& params) {
 
 Method chosen_method(const BackendInfo& info, uint64_t n, const GridPlans& plans, const CollideOptions& options) {
   if (options.method != Method::automatic) return options.method;
-  return takes_grid(info, n, plans, options) ? Method::collide_grid : all_pairs(info, n, options.swept);
+  if (takes_grid(info, n, plans, options)) return Method::collide_grid;
+  return all_pairs(info, n, plans.crowd(options.grid.cells), options.swept);
 }
 
 uint chosen_block(const BackendInfo& info, uint64_t n, Method chosen, const CollideOptions& options) {

@@ -196,6 +196,11 @@ TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
     EXPECT_EQ(took(row.grid_from - 1, false), Method::collide_triangle) << name;
     EXPECT_EQ(took(row.grid_from, false), Method::collide_grid) << name;
     EXPECT_EQ(took(row.square_to, true), Method::collide_tiled) << name;
+    EXPECT_EQ(took(128, false), row.few >= 128 ? Method::collide_grid : Method::collide_square) << name;
+    const GridPlans crowd = plan_grids(make_scene({.name = "one_cell", .n = 128}).positions);
+    EXPECT_EQ(chosen_method(info, 128, crowd, {.method = Method::automatic}), Method::collide_square) << name;
+    const GridPlans larger = plan_grids(make_scene({.name = "one_cell", .n = 9000}).positions);
+    EXPECT_EQ(chosen_method(info, 9000, larger, {.method = Method::automatic}), Method::collide_square) << name;
   }
 }
 

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// What Method::automatic takes by the rule of common/crossover.h, against the times that `spherepair crossover`
+// recorded on GPUs: the choice needs no device.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "method_choice.h"
+#include "report.h"
+#include "statistics.h"
+
+namespace spherepair {
+namespace {
+
+constexpr double tolerated = 1.1;
+
+struct Recorded {
+  SceneOptions scene;
+  std::string backend;
+  std::map<std::string, Interval> ways;  // ms
+};
+
+// By file, backend, kind of spheres and number; without the CPU, whose cores are not those that the rule is for.
+std::map<std::string, Recorded> recorded_crossovers() {
+  std::map<std::string, Recorded> found;
+  for (const auto& machine : std::filesystem::directory_iterator(SPHEREPAIR_DATA)) {
+    std::ifstream file(machine.path() / "crossover.json");
+    if (!file) continue;
+    for (const json& row : json::parse(file).at("measurements")) {
+      const json& scene = row.at("scene");
+      const std::string backend = row.at("backend"), kind = row.at("kind"), way = row.at("way");
+      if (backend == "cpu") continue;
+      const uint64_t n = row.at("n");
+      Recorded& one = found[fmt::format("{} {} {} of {}", machine.path().filename().string(), backend, kind, n)];
+      one.scene = {.name = scene.at("name"), .n = n, .seed = scene.at("seed"), .radius = scene.at("radius")};
+      one.scene.radius_ratio = scene.at("radius_ratio");
+      one.scene.packing_fraction = scene.at("packing_fraction");
+      one.backend = backend;
+      one.ways[way] = {row.at("interval_ms").at(0), row.at("interval_ms").at(1), row.at("coverage")};
+    }
+  }
+  return found;
+}
+
+std::string way_of(const MethodChoice& choice) {
+  if (choice.method != Method::collide_grid) return method_name(choice.method);
+  return choice.cells == Cells::dense ? "dense" : "hashed";
+}
+
+TEST(MethodsRecorded, AutoIsNeverFarBehindTheBestFixedChoice) {
+  const auto all = recorded_crossovers();
+  EXPECT_GT(all.size(), 100u);
+  for (const auto& [name, one] : all) {
+    BackendInfo info;
+    info.name = one.backend;
+    const GridPlans plans = plan_grids(make_scene(one.scene).positions);
+    const MethodChoice choice = explain_choice(info, one.scene.n, plans, {.method = Method::automatic});
+    const auto taken = one.ways.find(way_of(choice));
+    if (taken == one.ways.end()) {
+      ADD_FAILURE() << name << ": " << describe(choice) << " was so slow that it was not timed";
+      continue;
+    }
+    for (const auto& [way, interval] : one.ways)
+      if (way != "auto") {
+        EXPECT_LE(taken->second.low, tolerated * interval.high)
+            << name << ": " << describe(choice) << " against " << way;
+      }
+  }
+}
+
+}  // namespace
+}  // namespace spherepair
