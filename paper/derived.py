@@ -107,7 +107,8 @@ def stage_ratios(machine):
     records the latest, and of its the one whose intervals leave the least room: a kernel may have a cheap and a dear
     part in one picture."""
     found = {}
-    timed = [record for record in machine.records if "device_stages_interval_ms" in record.parameters]
+    timed = [record for record in machine.records if "device_stages_interval_ms" in record.parameters and
+             record.parameters.get("work") != "loop"]  # in which the spheres have moved on, not to the same places
     by_work = {(record.source, work_of(record), record.backend): record for record in timed}
     for (run, work, backend), glsl in by_work.items():
         cuda = by_work.get((run, work, "cuda"))
@@ -127,8 +128,9 @@ def room(row):
 
 
 def work_of(record):
-    """What makes two records of different APIs the same work."""
-    names = ("table", "work", "n", "method", "block", "exact", "order", "dt", "precision", "draw", "place")
+    """What makes two records of different APIs the same work; in the grid each takes the groups that suit it."""
+    names = ("table", "work", "n", "method", "exact", "order", "dt", "precision", "draw", "place",
+             *(() if record.parameters.get("table") == "grid" else ("block",)))
     return (*(str(record.parameters.get(name)) for name in names), str(record.parameters.get("scene")))
 
 

@@ -18,7 +18,7 @@ HAND_OVERS = {"host": "through the host's memory", "registered": "GL's buffer, r
 def frames(root):
     """Of `spherepair frames`; a picture with and without its skips is also a row of the table `skips`, a hand-over
     without a picture one of the table `interop`."""
-    rows = []
+    rows, with_all = [], any(entry["work"] == "frame_all" for entry in root["frames"])
     for entry in root["frames"]:
         if "overlaps" in root and entry["work"] == "frame":
             continue  # of a run of hand-overs, beside which it stands; drawing has runs of its own
@@ -27,7 +27,7 @@ def frames(root):
             continue
         row = {**entry, "table": "draw", "scene": {"name": "uniform"}}
         rows.append(row)
-        if entry["draw"] == "compute" and entry["work"] in ("frame", "frame_all"):
+        if with_all and entry["draw"] == "compute" and entry["work"] in ("frame", "frame_all"):
             rows.append({**row, "table": "skips", "skip": f"drawing, camera {entry['place']}",
                          "on": entry["work"] == "frame"})
     return rows
