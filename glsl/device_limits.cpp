@@ -59,6 +59,21 @@ DeviceLimits device_limits(const OpenOptions& options) {
           .sparse = options.sparse_buffers && epoxy_has_gl_extension("GL_ARB_sparse_buffer")};
 }
 
+std::string out_of_memory(uint64_t bytes_asked) {
+  GLint free_kib = -1;
+  if (epoxy_has_gl_extension("GL_NVX_gpu_memory_info"))
+    glGetIntegerv(GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, &free_kib);
+  const std::string free =
+      free_kib < 0 ? "this driver does not say how many are free" : fmt::format("{} free", uint64_t(free_kib) * 1024);
+  return fmt::format("glsl: out of memory: {} bytes asked, {}; use fewer spheres or no pair list", bytes_asked, free);
+}
+
+std::string table_too_long(uint64_t texels, const DeviceLimits& limits) {
+  return fmt::format(
+      "glsl: a table of {} cells, but a texture buffer of this driver has {} texels; leave texture_table out", texels,
+      limits.largest_texture);
+}
+
 BackendInfo describe_device(bool software, const DeviceLimits& limits) {
   BackendInfo info;
   info.name = "glsl";

@@ -27,7 +27,7 @@ class GlslBackend final : public DeviceBackend {
   std::vector<DrawMethod> draw_methods() const override {
     return {all_draw_methods().begin(), all_draw_methods().end()};
   }
-  void time_stages(bool on) override;
+  void time_stages(bool on) override { stage_times(), timer_.turn(on); }
   std::vector<StageTime> stage_times() override;
   std::vector<StageTime> compile_kernels() override {
     context_.make_current();
@@ -46,8 +46,7 @@ class GlslBackend final : public DeviceBackend {
   bool has_texture_spheres(std::optional<bool> wanted) const override {
     return wanted.value_or(true) && spheres() <= limits_.largest_texture;
   }
-  // So many threads that all run at once: their groups share 48 KiB of a multiprocessor, whatever it has
-  // (bench/NOTES.md).
+  // So many threads that all run at once: their groups share 48 KiB of a multiprocessor (bench/NOTES.md).
   uint bounds_block() const override { return 256; }
   void begin_step(const Tricks& tricks) override { batched_ = tricks.batch.value_or(true); }
   void end_step() override { batched_ = true; }
@@ -71,8 +70,7 @@ class GlslBackend final : public DeviceBackend {
   BufferTexture texture_;
   GLuint params_buffer_ = 0;
   Params params_on_device_{};
-  bool params_known_ = false;
-  bool batched_ = true;
+  bool params_known_ = false, batched_ = true;
   std::unique_ptr<RingBuffer> views_;
   View view_on_device_{};
   std::map<std::tuple<Kernel, uint, Variant>, std::unique_ptr<Program>> programs_;
@@ -115,13 +113,7 @@ void GlslBackend::allocate(uint slot, uint64_t bytes) {
     glBufferPageCommitmentARB(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(bytes), GL_TRUE);
   }
   if (glGetError() == GL_NO_ERROR) return;
-  GLint free_kib = -1;
-  if (epoxy_has_gl_extension("GL_NVX_gpu_memory_info"))
-    glGetIntegerv(GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, &free_kib);
-  const std::string free =
-      free_kib < 0 ? "this driver does not say how many are free" : fmt::format("{} free", uint64_t(free_kib) * 1024);
-  throw BackendError(
-      fmt::format("glsl: out of memory: {} bytes asked, {}; use fewer spheres or no pair list", bytes, free));
+  throw BackendError(out_of_memory(bytes));
 }
 
 void GlslBackend::write(uint slot, const void* data, uint64_t offset, uint64_t bytes) {
@@ -190,12 +182,7 @@ void GlslBackend::clear_buffer(uint slot, uint64_t bytes) {
 
 bool GlslBackend::has_texture_table(std::optional<bool> wanted) const {
   const bool fits = table_texels() <= limits_.largest_texture;
-  if (wanted.value_or(false) && !fits) {
-    throw BackendError(
-        fmt::format("glsl: a table of {} cells, but a texture buffer of this driver has {} texels; leave "
-                    "texture_table out",
-                    table_texels(), limits_.largest_texture));
-  }
+  if (wanted.value_or(false) && !fits) throw BackendError(table_too_long(table_texels(), limits_));
   return wanted.value_or(true) && fits;
 }
 
@@ -244,11 +231,6 @@ void GlslBackend::finish() {
   context_.make_current();
   glFinish();
   gl_check("a dispatch, or waiting for it,");
-}
-
-void GlslBackend::time_stages(bool on) {
-  stage_times();
-  timer_.turn(on);
 }
 
 std::vector<StageTime> GlslBackend::stage_times() {
