@@ -104,8 +104,8 @@ def stage_ratio(kernel, glsl, cuda):
 
 def stage_ratios(machine):
     """Each kernel that device timers saw in both APIs in the same work of one run, where n is largest; of several such
-    records the latest, and of its the one whose intervals leave the least room: a kernel may have a cheap and a dear part
-    in one picture."""
+    records the latest, and of its the one whose intervals leave the least room: a kernel may have a cheap and a dear
+    part in one picture."""
     found = {}
     timed = [record for record in machine.records if "device_stages_interval_ms" in record.parameters]
     by_work = {(record.source, work_of(record), record.backend): record for record in timed}

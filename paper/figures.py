@@ -86,8 +86,9 @@ def write_stress(machine, output):
     """The catalogue of a machine without a GPU, under its own name, where the main one has none."""
     table = tables.of_one(tables.stress, machine)
     tables.write(table, machine, output / "recorded")
+    text = f"{table.caption} {escape(tables.table_title(table, machine))}."
     with (output / "captions.tex").open("a") as captions:
-        captions.write(f"\\definecaption{{{table.name}}}{{{table.caption} {escape(tables.table_title(table, machine))}.}}\n")
+        captions.write(f"\\definecaption{{{table.name}}}{{{text}}}\n")
     return table.name
 
 

@@ -28,7 +28,7 @@ def beside_peers(put, machine, others):
             continue
         exact = record["exact_pairs"][k]
         if exact is not None and any(rows[0].pairs != exact for rows in mine.values()):
-            raise Missing(f"{machine.name}: {n} spheres have other pairs than the peers' centres, which the text denies")
+            raise Missing(f"{machine.name}: {n} spheres have other pairs than the peers' centres, against the text")
         others_ms = [peer["ms"][k] for peer in record["peers"] if peer["ms"][k] is not None]
         libraries = [peer["ms"][k] for peer in record["peers"] if peer["library"] and peer["ms"][k] is not None]
         if mine["cuda"][0].high >= min(others_ms) or mine["glsl"][0].high >= min(libraries):
@@ -44,7 +44,8 @@ def beside_peers(put, machine, others):
     put("peers/library", ms(library), record["id"], "ms, the fastest library there")
     put("peers/wrong", str(max(peer["wrong"] or 0 for peer in record["peers"])), record["id"], "most wrong pairs")
     for name in DEVICES:
-        put(f"peers/ours/{name}", ms(mine[name][0].median), mine[name][0].source, f"{mine[name][0].label}, n = {n}, cold")
+        row, = mine[name]
+        put(f"peers/ours/{name}", ms(row.median), row.source, f"{row.label}, n = {n}, cold")
 
 
 def kinds_of_spheres(put, machine, others):

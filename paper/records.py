@@ -72,7 +72,8 @@ def work_of(record):
     names = ("table", "backend", "method", "draw", "work", "place", "n", "order")
     if record.parameters.get("table") not in ("grid", "draw"):
         return None
-    return (*(record.parameters.get(name) for name in names), record.scene["name"], record.scene.get("packing_fraction"))
+    scene = record.scene
+    return (*(record.parameters.get(name) for name in names), scene["name"], scene.get("packing_fraction"))
 
 
 def latest(records):

@@ -64,7 +64,7 @@ def ceilings(machine):
 
 
 def driver_milliseconds(machine):
-    """Kernel -> time that the GL driver took to compile it, of `spherepair devices --compile`; empty without a record."""
+    """Kernel -> time that the GL driver took, of `spherepair devices --compile`; empty without a record."""
     return next((backend["compile_ms"] for root in machine.sources.values() for backend in root.get("backends", [])
                  if isinstance(backend, dict) and backend.get("compile_ms")), {})
 

@@ -12,16 +12,17 @@ from tabular import Table, interval, ms
 DEVICES = ("cuda", "glsl")
 GRID = {"table": "grid", "scene": "uniform", "method": "collide_grid"}
 ROWS = range(1, 34)  # of the catalogue
-STRESS = ("The stress catalogue: what each row sets up, what was found, what had to hold, and on which backends it did. "
-          "A figure without a name is that of every backend.")
-PEERS = ("Milliseconds from so many centres on the GPU, in random order and of the packing fraction below, to the "
-         "number of colliding pairs, or to what else a system offers: ours beside other systems on the same centres. The others were timed in one run of their own "
-         "({run}), on an H200 too, as medians without intervals; wrong pairs are of the last column. Ours:")
-CROSSOVERS = ("The least $n$ up to {most:,} from which the grid stays ahead of all pairs, intervals apart, by the kind of "
-              "spheres, and how many times the best fixed choice the program's own (auto) took at worst; 1 where no "
-              "difference is seen.")
-HAND_OVERS = ("CUDA steps, OpenGL draws: a picture with its hand-over, a step, both in a loop that waits for nothing but "
-              "the hand-over, and what that hides of the sum of the two. Medians.")
+STRESS = ("The stress catalogue: what each row sets up, what was found, what had to hold, and on which backends "
+          "it did. A figure without a name is that of every backend.")
+PEERS = ("Milliseconds from so many centres on the GPU, in random order and of the packing fraction below, to the"
+         " number of colliding pairs, or to what else a system offers: ours beside other systems on the same "
+         "centres. The others were timed in one run of their own ({run}), on an H200 too, as medians without "
+         "intervals; wrong pairs are of the last column. Ours:")
+CROSSOVERS = ("The least $n$ up to {most:,} from which the grid stays ahead of all pairs, intervals apart, by the"
+              " kind of spheres, and how many times the best fixed choice the program's own (auto) took at worst;"
+              " 1 where no difference is seen.")
+HAND_OVERS = ("CUDA steps, OpenGL draws: a picture with its hand-over, a step, both in a loop that waits for "
+              "nothing but the hand-over, and what that hides of the sum of the two. Medians.")
 
 
 @dataclass

@@ -6,7 +6,8 @@ from style import PAGE, panels, time_text
 
 NAME = "kernel-pairs"
 CAPTION = ("Each kernel against its twin by the device's own timers (GL timer queries, CUDA events), at the largest "
-           "size that was recorded of it; where several records have that size, in the latest run, there in the one that tells most exactly. "
+           "size that was recorded of it; where several records have that size, in the latest run, there in "
+           "the one that tells most exactly. "
            "GLSL's time over CUDA's: right of 1 CUDA leads. Bars: the least and greatest ratio that the intervals of "
            "both medians allow; an arrow where one goes on. Beside each: CUDA's time.")
 TASKS = {"motion": ("move", "bounce", "place"), "the grid": ("grid_", "split_", "collide_grid", "collide_hashed"),

@@ -8,9 +8,9 @@ NAME = "set-errors"
 CAPTION = ("Pairs that are missed or found too much, as a share of the right ones; what is drawn at the lower edge is "
            "none at all. (a) After {seconds:g} s against the time step. (b) Against the distance from the origin: of "
            "spheres that are only stored (broad, grey), and after {seconds:g} s at a step of {far} s. Filled: as "
-           "collided, with the nearest float32 positions; hollow: with every bit that the precision keeps. (c) Pairs that pass "
-           "through each other and are never seen to touch when tested once a step; line: what geometry says. Bars: "
-           "two standard deviations. The swept test misses {swept}.")
+           "collided, with the nearest float32 positions; hollow: with every bit that the precision keeps. (c) Pairs "
+           "that pass through each other and are never seen to touch when tested once a step; line: what geometry "
+           "says. Bars: two standard deviations. The swept test misses {swept}.")
 MOTIONS = (("paper", "float32"), ("impact", "float32"), ("impact", "float64"), ("anchored", "float32"),
            ("anchored", "compensated"), ("anchored", "float64"))
 MARKERS = {"float32": "o", "compensated": "s", "float64": "^"}
