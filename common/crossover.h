@@ -17,7 +17,7 @@ struct Crossover {
 };
 constexpr uint wide_block = 256;
 constexpr uint64_t never = ~uint64_t(0);
-constexpr Crossover crossovers[] = {{"cuda", 4600, 4400, 500, 4'000'000, 200},
+constexpr Crossover crossovers[] = {{"cuda", 4600, 4400, 450, 4'000'000, 200},
                                     {"glsl", 13600, 4500, 800, never, 0},
                                     {"glsl in software", 512, 0, 50, never, 0},
                                     {"cpu", 2048, 0, 50, never, 0}};

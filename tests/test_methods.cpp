@@ -204,6 +204,19 @@ TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
   }
 }
 
+TEST(MethodsOnTheHost, OnlyAutoWidensItsGroups) {
+  BackendInfo info;
+  info.name = "cuda";
+  const uint64_t many = crossover_of(info).wide_from;
+  const auto block = [&](uint64_t n, CollideOptions options) {
+    return chosen_block(info, n, Method::collide_grid, options);
+  };
+  EXPECT_EQ(block(many, {.method = Method::automatic}), wide_block);
+  EXPECT_EQ(block(many - 1, {.method = Method::automatic}), CollideOptions{}.block);
+  EXPECT_EQ(block(many, {.method = Method::automatic, .block = 64}), 64u);
+  EXPECT_EQ(block(many, {.method = Method::collide_grid}), CollideOptions{}.block);
+}
+
 INSTANTIATE_BACKENDS(Methods);
 
 }  // namespace

@@ -30,7 +30,8 @@ std::map<std::string, Recorded> recorded_crossovers() {
   for (const auto& machine : std::filesystem::directory_iterator(SPHEREPAIR_DATA)) {
     std::ifstream file(machine.path() / "crossover.json");
     if (!file) continue;
-    for (const json& row : json::parse(file).at("measurements")) {
+    const json record = json::parse(file);
+    for (const json& row : record.at("measurements")) {
       const json& scene = row.at("scene");
       const std::string backend = row.at("backend"), kind = row.at("kind"), way = row.at("way");
       if (backend == "cpu") continue;
