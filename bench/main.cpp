@@ -43,7 +43,8 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
       "--method", options->method,
       "sequential, parallel (cpu); collide_group, collide_tiled, collide_square, collide_triangle, collide_grid; "
       "default: auto, whichever of all pairs and the grid should be faster");
-  command->add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024")->capture_default_str();
+  command->add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024; 128 leaves it to auto")
+      ->capture_default_str();
   command->add_flag("--naive", options->naive, "Use the naive float32 test in place of the exact predicate");
   command->add_flag("--swept", options->swept,
                     "Find the pairs that touch at any time within the next step, not only those that touch now");
@@ -81,7 +82,8 @@ void add_pairs(CLI::App& app, CommandLine& line, Action& action) {
   command->add_option("--frame", options->frame, "Of an XYZ file with several, counted from 0")->check(count_range);
   command->add_option("--backend", options->backend, "cpu, glsl or cuda; default: a GPU where there is one, else cpu");
   command->add_option("--method", options->method, "See run --help; default: auto");
-  command->add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024")->capture_default_str();
+  command->add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024; 128 leaves it to auto")
+      ->capture_default_str();
   command->add_option("--json", options->json_file, "Write the summary and context as JSON to this file");
   add_open_options(*command, line.open);
   command->footer(

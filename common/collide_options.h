@@ -54,7 +54,8 @@ struct GridOptions {
 struct Tricks {
   std::optional<bool> graph = {};  // CUDA: a step's launches are captured once, replayed while none changes. Absent: on
   std::optional<bool> keep_in_l2 = {};  // CUDA: the table of cells is set aside in the L2 cache. Absent: off
-  // GLSL: collide_grid reads the table of cells through texture buffers. Absent: on where these are large enough
+  // GLSL: collide_grid reads the table of cells, and the sort by buckets its spheres, through texture buffers. Absent:
+  // on where these are large enough
   std::optional<bool> texture_table = {};
   std::optional<bool> library_clear =
       {};  // both: the API's function clears the table, in place of a kernel. Absent: off
@@ -66,7 +67,8 @@ struct Tricks {
 
 struct CollideOptions {
   Method method = Method::collide_triangle;
-  uint block = 128;         // group size of the kernel; decides the set only for collide_group
+  uint block = 128;         // group size of the kernel; decides the set only for collide_group. With `automatic`, 128
+                            // leaves it to crossover.h
   bool exact = true;        // false: the naive float32 predicate, to measure what exactness costs
   bool want_pairs = false;  // keep the pairs for pairs()
   uint columns = 0;         // of collide_triangle: spheres that one group meets; 0: chosen by n. Never changes the set

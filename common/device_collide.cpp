@@ -123,7 +123,6 @@ void DeviceBackend::run_collide() {
   params_ = constants_[options_.exact];
   if (!options_.filter) leave_all_undecided(params_);
   variant_.equal_radii = equal_radii_ && !options_.load_radii;
-  variant_.texture_table = false;
   params_.n = uint(n_);
   params_.in_cells = params_.tally_later = 0;
   tallied_ = true;

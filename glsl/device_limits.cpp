@@ -68,9 +68,9 @@ std::string out_of_memory(uint64_t bytes_asked) {
   return fmt::format("glsl: out of memory: {} bytes asked, {}; use fewer spheres or no pair list", bytes_asked, free);
 }
 
-std::string table_too_long(uint64_t texels, const DeviceLimits& limits) {
+std::string texture_too_long(uint64_t texels, const DeviceLimits& limits) {
   return fmt::format(
-      "glsl: a table of {} cells, but a texture buffer of this driver has {} texels; leave texture_table out", texels,
+      "glsl: {} cells or spheres, but a texture buffer of this driver has {} texels; leave texture_table out", texels,
       limits.largest_texture);
 }
 

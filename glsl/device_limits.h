@@ -19,7 +19,7 @@ DeviceLimits device_limits(const OpenOptions& options);
 
 // In words, with what to do.
 std::string out_of_memory(uint64_t bytes_asked);
-std::string table_too_long(uint64_t texels, const DeviceLimits& limits);
+std::string texture_too_long(uint64_t texels, const DeviceLimits& limits);
 
 BackendInfo describe_device(bool software, const DeviceLimits& limits);
 

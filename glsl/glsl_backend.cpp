@@ -42,10 +42,7 @@ class GlslBackend final : public DeviceBackend {
   uint64_t largest_binding() const override { return limits_.largest_binding; }
   bool has_atomics_64() const override { return limits_.features.atomics_64; }
   void check_tricks(const CollideOptions& options) const override;
-  bool has_texture_table(std::optional<bool> wanted) const override;
-  bool has_texture_spheres(std::optional<bool> wanted) const override {
-    return wanted.value_or(true) && spheres() <= limits_.largest_texture;
-  }
+  bool takes_texture(uint64_t texels, std::optional<bool> wanted) const override;
   // So many threads that all run at once: their groups share 48 KiB of a multiprocessor (bench/NOTES.md).
   uint bounds_block() const override { return 256; }
   void begin_step(const Tricks& tricks) override { batched_ = tricks.batch.value_or(true); }
@@ -180,16 +177,16 @@ void GlslBackend::clear_buffer(uint slot, uint64_t bytes) {
   });
 }
 
-bool GlslBackend::has_texture_table(std::optional<bool> wanted) const {
-  const bool fits = table_texels() <= limits_.largest_texture;
-  if (wanted.value_or(false) && !fits) throw BackendError(table_too_long(table_texels(), limits_));
+bool GlslBackend::takes_texture(uint64_t texels, std::optional<bool> wanted) const {
+  const bool fits = texels <= limits_.largest_texture;
+  if (wanted.value_or(false) && !fits) throw BackendError(texture_too_long(texels, limits_));
   return wanted.value_or(true) && fits;
 }
 
 void GlslBackend::bind_texture(const Launch& launch) {
   if (launch.kernel == Kernel::collide_grid) {
     texture_.bind(GL_R32UI, buffers_[launch.table], table_texels() * sizeof(uint));
-  } else if (launch.kernel != Kernel::settle) {
+  } else {
     texture_.bind(GL_RGBA32UI, buffers_[position_slot(launch.order)], spheres() * sizeof(vec4));
   }
 }
