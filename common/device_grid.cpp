@@ -98,7 +98,7 @@ void DeviceBackend::split(uint shift, uint parent_shift, uint first_bucket, Orde
   params_.first_bucket = first_bucket;
   params_.buckets = (params_.cell_slots >> shift) + 1;
   params_.names = (variant_.equal_radii ? NAMES_IN_RADII : 0) | (from == Order::scene ? 0 : NAMES_GIVEN);
-  const Variant variant = {.texture_table = takes_texture(n_, options_.tricks.texture_table)};
+  const Variant variant = {.texture_table = takes_texture(Kernel::grid_split, options_.tricks.texture_table)};
   launch({Kernel::split_count, SPLIT_BLOCK, variant, tiles, from}, params_);
   if (params_.buckets <= BUCKETS_AT_MOST) {
     launch({Kernel::split_scan, BUCKETS_AT_MOST, {}, {1, 1, 1}}, params_);
@@ -129,7 +129,7 @@ void DeviceBackend::sort_by_buckets() {
   } else {
     split(shift, whole, 0, Order::scene, Order::buckets);
   }
-  const Variant variant = {.texture_table = takes_texture(n_, options_.tricks.texture_table)};
+  const Variant variant = {.texture_table = takes_texture(Kernel::grid_sort, options_.tricks.texture_table)};
   launch({Kernel::grid_sort, SORT_BLOCK, variant, folded(buckets), Order::buckets}, params_);
 }
 
@@ -162,16 +162,16 @@ void DeviceBackend::build_cells() {
 
 void DeviceBackend::launch_grid() {
   plan_cells();
+  params_.tally_later = true;  // before the first launch: parameters that change within a step are sent again
   build_cells();
   cells_built_ = true;
-  params_.tally_later = true;
   tallied_ = false;
   const bool hashed = params_.hash_mask != 0;
   const uint64_t chunks = ceil_div(n_, options_.block);
   const uint64_t groups = std::max(std::min(chunks, least_groups), chunks / chunks_per_group);
   Variant variant = variant_;
-  variant.texture_table = !hashed && takes_texture(uint64_t(params_.cell_slots) + 2, options_.tricks.texture_table);
   const Kernel kernel = hashed ? Kernel::collide_hashed : Kernel::collide_grid;
+  variant.texture_table = !hashed && takes_texture(kernel, options_.tricks.texture_table);
   launch({kernel, options_.block, variant, folded(groups), order_}, params_);
 }
 

@@ -4,6 +4,7 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace spherepair {
@@ -52,9 +53,10 @@ bool has_subgroups() {
 DeviceLimits device_limits(const OpenOptions& options) {
   require_features();
   GLint64 binding = 0;
+  const uint64_t texels = uint64_t(gl_integer(GL_MAX_TEXTURE_BUFFER_SIZE));
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &binding);
   return {.largest_binding = uint64_t(binding),
-          .largest_texture = uint64_t(gl_integer(GL_MAX_TEXTURE_BUFFER_SIZE)),
+          .largest_texture = std::min(texels, options.texels),
           .features = {epoxy_has_gl_extension("GL_NV_shader_atomic_int64"), options.subgroups && has_subgroups()},
           .sparse = options.sparse_buffers && epoxy_has_gl_extension("GL_ARB_sparse_buffer")};
 }
@@ -70,7 +72,7 @@ std::string out_of_memory(uint64_t bytes_asked) {
 
 std::string texture_too_long(uint64_t texels, const DeviceLimits& limits) {
   return fmt::format(
-      "glsl: {} cells or spheres, but a texture buffer of this driver has {} texels; leave texture_table out", texels,
+      "glsl: {} cells or spheres, which do not fit texture buffers of {} texels; leave texture_table out", texels,
       limits.largest_texture);
 }
 

@@ -142,6 +142,47 @@ TEST_P(Skips, OnlyWithoutABatchTheHostWaitsForEveryDispatch) {
   }
 }
 
+// Of a table of some 30,000 cells.
+TEST(SkipsOfTextures, ATableLongerThanATextureIsReadInParts) {
+  std::unique_ptr<Backend> whole, parts, none;
+  try {
+    whole = open_backend("glsl");
+    parts = open_backend("glsl", {.texels = 4096});
+    none = open_backend("glsl", {.texels = 1000});
+  } catch (const BackendError& missing) {
+    ASSERT_FALSE(backend_required("glsl")) << missing.what();
+    GTEST_SKIP() << missing.what();
+  }
+  const auto launches = [](Backend& backend, const CollideOptions& options) {
+    ask(backend, options);  // looks for an order and makes buffers
+    const uint64_t before = backend.work_counts().launches;
+    backend.collide(options);
+    return backend.work_counts().launches - before;
+  };
+  for (const bool keep_order : {false, true}) {
+    const CollideOptions options = grid([=](CollideOptions& o) {
+      o.tricks.texture_table = true, o.want_pairs = true;
+      o.grid.cells = Cells::dense, o.grid.keep_order = keep_order;
+    });
+    for (const SceneOptions& chosen :
+         {SceneOptions{.name = "uniform", .n = 18000}, SceneOptions{.name = "clustered", .n = 18000},
+          SceneOptions{.name = "lattice", .n = 17576}, SceneOptions{.name = "uniform", .n = 2}}) {
+      const Scene scene = make_scene(chosen);
+      for (Backend* backend : {whole.get(), parts.get()}) backend->upload(scene);
+      EXPECT_EQ(ask(*parts, options).pairs, ask(*whole, options).pairs) << chosen.name;
+      if (chosen.n > 2) {
+        EXPECT_GE(launches(*parts, options), launches(*whole, options) + 4) << chosen.name;
+      }
+      parts->check_guards();
+    }
+  }
+  const Scene scene = make_scene({.name = "uniform", .n = 18000});
+  for (Backend* backend : {whole.get(), none.get()}) backend->upload(scene);
+  EXPECT_THROW(none->collide(grid([](CollideOptions& o) { o.tricks.texture_table = true; })), BackendError);
+  const CollideOptions open = grid([](CollideOptions& o) { o.want_pairs = true; });
+  EXPECT_EQ(ask(*none, open).pairs, ask(*whole, open).pairs);
+}
+
 // A first step may still make buffers, a second is seen, and a third is captured when it is the same.
 TEST_P(Skips, AGraphIsReplayedWhileNothingChanges) {
   if (backend().info().name != "cuda") GTEST_SKIP() << "graphs of launches are CUDA's";
