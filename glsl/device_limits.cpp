@@ -48,6 +48,15 @@ bool has_subgroups() {
   return invocations >= 32 && (kinds & GL_SUBGROUP_FEATURE_ARITHMETIC_BIT_KHR) != 0;
 }
 
+std::string out_of_memory(uint64_t bytes_asked) {
+  GLint free_kib = -1;
+  if (epoxy_has_gl_extension("GL_NVX_gpu_memory_info"))
+    glGetIntegerv(GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, &free_kib);
+  const std::string free =
+      free_kib < 0 ? "this driver does not say how many are free" : fmt::format("{} free", uint64_t(free_kib) * 1024);
+  return fmt::format("glsl: out of memory: {} bytes asked, {}; use fewer spheres or no pair list", bytes_asked, free);
+}
+
 }  // namespace
 
 DeviceLimits device_limits(const OpenOptions& options) {
@@ -61,13 +70,19 @@ DeviceLimits device_limits(const OpenOptions& options) {
           .sparse = options.sparse_buffers && epoxy_has_gl_extension("GL_ARB_sparse_buffer")};
 }
 
-std::string out_of_memory(uint64_t bytes_asked) {
-  GLint free_kib = -1;
-  if (epoxy_has_gl_extension("GL_NVX_gpu_memory_info"))
-    glGetIntegerv(GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, &free_kib);
-  const std::string free =
-      free_kib < 0 ? "this driver does not say how many are free" : fmt::format("{} free", uint64_t(free_kib) * 1024);
-  return fmt::format("glsl: out of memory: {} bytes asked, {}; use fewer spheres or no pair list", bytes_asked, free);
+unsigned new_buffer(uint64_t bytes, const DeviceLimits& limits) {
+  GLuint buffer = 0;
+  glCreateBuffers(1, &buffer);
+  // Sparse storage comes in large pages; plain buffers of some drivers in small ones, slow under random access.
+  const GLbitfield sparse = limits.sparse ? GL_SPARSE_STORAGE_BIT_ARB : 0;
+  glNamedBufferStorage(buffer, GLsizeiptr(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT | sparse);
+  if (sparse) {
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+    glBufferPageCommitmentARB(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(bytes), GL_TRUE);
+  }
+  if (glGetError() == GL_NO_ERROR) return buffer;
+  glDeleteBuffers(1, &buffer);
+  throw BackendError(out_of_memory(bytes));
 }
 
 std::string texture_too_long(uint64_t texels, const DeviceLimits& limits) {

@@ -53,14 +53,12 @@ class GlslBackend final : public DeviceBackend {
   std::vector<uint> pipeline_image() override;
 
  private:
-  const Program& program(const Launch& launch, bool in_windows);
   void set_params(const Params& params);
   void set_view();
   void bind(const Launch& launch);
   GLbitfield barriers(const Launch& launch) const;
   void dispatch(const Launch& launch);
-  void dispatch_in_windows(const Launch& launch, const Program& program);
-  TableWindows windows() const { return table_windows(params(), limits_.largest_texture); }
+  TableWindows windows() const { return {params(), limits_.largest_texture}; }
 
   Context context_;
   DeviceLimits limits_;
@@ -73,7 +71,7 @@ class GlslBackend final : public DeviceBackend {
   bool params_known_ = false, batched_ = true;
   std::unique_ptr<RingBuffer> views_;
   View view_on_device_{};
-  std::map<std::tuple<Kernel, uint, Variant>, std::unique_ptr<Program>> programs_;
+  Programs programs_;
   std::unique_ptr<GlRenderer> renderer_;
   StageTimer timer_;
 };
@@ -105,16 +103,8 @@ void GlslBackend::allocate(uint slot, uint64_t bytes) {
   bound_ = {};  // a new buffer may get the name of the one deleted
   textures_.forget();
   glDeleteBuffers(1, &buffers_[slot]);
-  glCreateBuffers(1, &buffers_[slot]);
-  // Sparse storage comes in large pages; plain buffers of some drivers in small ones, slow under random access.
-  const GLbitfield sparse = limits_.sparse ? GL_SPARSE_STORAGE_BIT_ARB : 0;
-  glNamedBufferStorage(buffers_[slot], GLsizeiptr(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT | sparse);
-  if (sparse) {
-    glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffers_[slot]);
-    glBufferPageCommitmentARB(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(bytes), GL_TRUE);
-  }
-  if (glGetError() == GL_NO_ERROR) return;
-  throw BackendError(out_of_memory(bytes));
+  buffers_[slot] = 0;
+  buffers_[slot] = new_buffer(bytes, limits_);
 }
 
 void GlslBackend::write(uint slot, const void* data, uint64_t offset, uint64_t bytes) {
@@ -131,15 +121,6 @@ void GlslBackend::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glGetNamedBufferSubData(buffers_[slot], GLintptr(offset), GLsizeiptr(bytes), data);
   gl_check(fmt::format("reading {} bytes", bytes));
-}
-
-const Program& GlslBackend::program(const Launch& launch, bool in_windows) {
-  Variant variant = launch.variant;
-  variant.windows = in_windows;
-  auto& program = programs_[{launch.kernel, launch.block, variant}];
-  if (!program)
-    program = std::make_unique<Program>(kernel_name(launch.kernel), launch.block, variant, limits_.features);
-  return *program;
 }
 
 // The same parameters serve a whole step, so they are sent only when they change.
@@ -190,7 +171,7 @@ bool GlslBackend::takes_texture(Kernel kernel, std::optional<bool> wanted) const
   const bool table = kernel == Kernel::collide_grid;
   const bool fits = table ? windows().count() > 0 : spheres() <= limits_.largest_texture;
   if (wanted.value_or(false) && !fits)
-    throw BackendError(texture_too_long(table ? windows().words : spheres(), limits_));
+    throw BackendError(texture_too_long(table ? windows().words() : spheres(), limits_));
   return wanted.value_or(true) && fits;
 }
 
@@ -204,25 +185,11 @@ GLbitfield GlslBackend::barriers(const Launch& launch) const {
 void GlslBackend::dispatch(const Launch& launch) {
   if (launch.variant.texture_table) {
     const bool table = launch.kernel == Kernel::collide_grid;
-    textures_.bind(table ? TexelRange{GL_R32UI, buffers_[launch.table], 0, windows().words * sizeof(uint)}
+    textures_.bind(table ? TexelRange{GL_R32UI, buffers_[launch.table], 0, windows().words() * sizeof(uint)}
                          : TexelRange{GL_RGBA32UI, buffers_[position_slot(launch.order)], 0, spheres() * sizeof(vec4)});
   }
   ++work_.launches;
   glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);
-}
-
-// Nothing that one window's dispatch writes is read by another, so no barrier stands between them.
-void GlslBackend::dispatch_in_windows(const Launch& launch, const Program& program) {
-  const TableWindows table = windows();
-  const uint64_t groups = uint64_t(launch.groups[0]) * launch.groups[1];
-  for (uint64_t k = 0; k < table.count(); ++k) {
-    const uint64_t first = table.first(k), behind = table.behind(k);
-    textures_.bind({GL_R32UI, buffers_[launch.table], first * sizeof(uint), table.readable(k) * sizeof(uint)});
-    glProgramUniform2ui(program.id(), 0, uint(first), uint(behind));
-    const auto share = folded(groups * (behind - first) / table.words + 1);
-    ++work_.launches;
-    glDispatchCompute(share[0], share[1], share[2]);
-  }
 }
 
 // GL keeps an error until it is asked, so dispatches are checked where their results are waited for.
@@ -230,14 +197,18 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   context_.make_current();
   const bool in_windows =
       launch.kernel == Kernel::collide_grid && launch.variant.texture_table && windows().count() > 1;
-  const Program& chosen = program(launch, in_windows);
+  Variant variant = launch.variant;
+  variant.windows = in_windows;
+  const GLuint program = programs_.get(kernel_name(launch.kernel), launch.block, variant, limits_.features).id();
   set_params(params);
   set_view();
-  glUseProgram(chosen.id());
+  glUseProgram(program);
   bind(launch);
   timer_.time(stage_name(launch), [&] {
     glMemoryBarrier(barriers(launch));
-    in_windows ? dispatch_in_windows(launch, chosen) : dispatch(launch);
+    if (!in_windows) return dispatch(launch);
+    windows().dispatch(uint64_t(launch.groups[0]) * launch.groups[1], buffers_[launch.table], program, textures_);
+    work_.launches += windows().count();
   });
   if (batched_) return;
   finish();

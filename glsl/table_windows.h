@@ -3,37 +3,27 @@
 // cells and long enough for their neighbourhoods, so that one dispatch a part reads one texture each.
 #pragma once
 
-#include <algorithm>
-
+#include "buffer_texture.h"
 #include "layout.h"
 
 namespace spherepair {
 
-struct TableWindows {
-  uint64_t words = 0;    // of the whole table: of each cell, the end of the last, and one more
-  uint64_t longest = 0;  // words of a texture
-  uint64_t step = 0;     // cells whose spheres a dispatch takes; 0: a neighbourhood does not fit
+class TableWindows {
+ public:
+  // Of a dense grid, for textures of at most so many words.
+  TableWindows(const Params& p, uint64_t longest);
 
-  uint64_t cells() const { return words - 2; }
-  uint64_t count() const { return step ? (cells() + step - 1) / step : 0; }
-  uint64_t first(uint64_t k) const { return k * step; }  // cell, and where the texture begins
-  uint64_t behind(uint64_t k) const { return std::min(first(k + 1), cells()); }
-  uint64_t readable(uint64_t k) const { return std::min(longest, words - first(k)); }
+  uint64_t words() const { return words_; }  // of the table: a word a cell, the end of the last, and one more
+  uint64_t count() const;                    // 1: it is one texture; 0: a neighbourhood does not fit into one
+
+  // The search of all cells by so many groups or a few more, through the program in use: collide_grid of this variant.
+  void dispatch(uint64_t groups, GLuint table, GLuint program, BufferTextures& textures) const;
+
+ private:
+  uint64_t cells() const { return words_ - 2; }
+
+  uint64_t words_, longest_;
+  uint64_t step_ = 0;  // cells of a part
 };
-
-// Of a dense grid, for textures of at most so many words. Windows begin at multiples of 256 bytes, the most that GL
-// lets a driver ask for.
-inline TableWindows table_windows(const Params& p, uint64_t longest) {
-  constexpr uint64_t alignment = 256 / sizeof(uint);
-  TableWindows windows{uint64_t(p.cell_slots) + 2, longest};
-  // A sphere reads where its rows of cells begin and end, up to a cell behind that right of it in the next layer's row.
-  const uint64_t ahead = uint64_t(p.cells_x) * p.cells_y + p.cells_x + 2;
-  if (windows.words <= longest) {
-    windows.step = windows.words;
-  } else if (2 * ahead <= longest) {  // else most of each window would be there for neighbours
-    windows.step = (longest - ahead) / alignment * alignment;
-  }
-  return windows;
-}
 
 }  // namespace spherepair

@@ -12,7 +12,8 @@ layout(std430, binding = SLOT_CELL) restrict CELL_ACCESS buffer CellBuffer { uin
 #if defined(TEXTURE_TABLE) && !defined(SORTS_SPHERES)
 layout(binding = 0) uniform usamplerBuffer cell_texture;
 #ifdef WINDOWS
-layout(location = 0) uniform uvec2 window;  // the first cell of this dispatch, where the texture begins, and the last's end
+layout(location =
+           0) uniform uvec2 window;  // the first cell of this dispatch, where the texture begins, and the last's end
 uint cell_begin(uint slot) { return texelFetch(cell_texture, int(slot - window.x)).x; }
 #else
 uint cell_begin(uint slot) { return texelFetch(cell_texture, int(slot)).x; }
