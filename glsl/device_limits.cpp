@@ -86,9 +86,8 @@ unsigned new_buffer(uint64_t bytes, const DeviceLimits& limits) {
 }
 
 std::string texture_too_long(uint64_t texels, const DeviceLimits& limits) {
-  return fmt::format(
-      "glsl: {} cells or spheres, which do not fit texture buffers of {} texels; leave texture_table out", texels,
-      limits.largest_texture);
+  return fmt::format("glsl: {} cells or spheres, which do not fit texture buffers of {} texels; leave the texture out",
+                     texels, limits.largest_texture);
 }
 
 BackendInfo describe_device(bool software, const DeviceLimits& limits) {

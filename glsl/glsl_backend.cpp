@@ -43,9 +43,8 @@ class GlslBackend final : public DeviceBackend {
   uint64_t largest_binding() const override { return limits_.largest_binding; }
   bool has_atomics_64() const override { return limits_.features.atomics_64; }
   void check_tricks(const CollideOptions& options) const override;
-  bool takes_texture(Kernel kernel, std::optional<bool> wanted) const override;
-  // So many threads that all run at once: their groups share 48 KiB of a multiprocessor (bench/NOTES.md).
-  uint bounds_block() const override { return 256; }
+  bool takes_texture(Kernel kernel, const Tricks& tricks) const override;
+  uint bounds_block() const override { return 256; }  // all then run at once (bench/NOTES.md)
   void begin_step(const Tricks& tricks) override { batched_ = tricks.batch.value_or(true); }
   void end_step() override { batched_ = true; }
   void clear_buffer(uint slot, uint64_t bytes) override;
@@ -155,7 +154,8 @@ void GlslBackend::bind(const Launch& launch) {
 }
 
 void GlslBackend::check_tricks(const CollideOptions& options) const {
-  refuse_missing("glsl", options, {.texture_table = true, .library_clear = true, .batch = true}, false);
+  refuse_missing("glsl", options,
+                 {.texture_table = true, .texture_spheres = true, .library_clear = true, .batch = true}, false);
 }
 
 void GlslBackend::clear_buffer(uint slot, uint64_t bytes) {
@@ -167,8 +167,9 @@ void GlslBackend::clear_buffer(uint slot, uint64_t bytes) {
   });
 }
 
-bool GlslBackend::takes_texture(Kernel kernel, std::optional<bool> wanted) const {
+bool GlslBackend::takes_texture(Kernel kernel, const Tricks& tricks) const {
   const bool table = kernel == Kernel::collide_grid;
+  const std::optional<bool> wanted = table ? tricks.texture_table : tricks.texture_spheres;
   const bool fits = table ? windows().count() > 0 : spheres() <= limits_.largest_texture;
   if (wanted.value_or(false) && !fits)
     throw BackendError(texture_too_long(table ? windows().words() : spheres(), limits_));
@@ -195,10 +196,8 @@ void GlslBackend::dispatch(const Launch& launch) {
 // GL keeps an error until it is asked, so dispatches are checked where their results are waited for.
 void GlslBackend::launch(const Launch& launch, const Params& params) {
   context_.make_current();
-  const bool in_windows =
-      launch.kernel == Kernel::collide_grid && launch.variant.texture_table && windows().count() > 1;
   Variant variant = launch.variant;
-  variant.windows = in_windows;
+  variant.windows = launch.kernel == Kernel::collide_grid && variant.texture_table && windows().count() > 1;
   const GLuint program = programs_.get(kernel_name(launch.kernel), launch.block, variant, limits_.features).id();
   set_params(params);
   set_view();
@@ -206,7 +205,7 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   bind(launch);
   timer_.time(stage_name(launch), [&] {
     glMemoryBarrier(barriers(launch));
-    if (!in_windows) return dispatch(launch);
+    if (!variant.windows) return dispatch(launch);
     windows().dispatch(uint64_t(launch.groups[0]) * launch.groups[1], buffers_[launch.table], program, textures_);
     work_.launches += windows().count();
   });

@@ -23,7 +23,9 @@ std::vector<CollideOptions> common_options() {
           grid_step([](CollideOptions& o) { o.grid.keep_order = true; }),
           grid_step([](CollideOptions& o) { o.grid.keep_cells = true; }),
           grid_step([](CollideOptions& o) { o.grid.keep_cells = true, o.load_radii = true; }),
-          grid_step([](CollideOptions& o) { o.tricks = {.graph = false, .texture_table = false, .batch = false}; }),
+          grid_step([](CollideOptions& o) {
+            o.tricks = {.graph = false, .texture_table = false, .texture_spheres = false, .batch = false};
+          }),
           {.method = Method::automatic, .load_radii = true}};
 }
 
@@ -32,8 +34,8 @@ std::vector<CollideOptions> special_options() {
   std::vector<CollideOptions> all = {grid_step([](CollideOptions& o) { o.grid.scan = Scan::library; }),
                                      grid_step([](CollideOptions& o) { o.grid.sort = Sort::radix; })};
   for (const Sort sort : {Sort::counting, Sort::buckets})
-    for (std::optional<bool> Tricks::*trick :
-         {&Tricks::graph, &Tricks::keep_in_l2, &Tricks::texture_table, &Tricks::library_clear, &Tricks::batch})
+    for (std::optional<bool> Tricks::*trick : {&Tricks::graph, &Tricks::keep_in_l2, &Tricks::texture_table,
+                                               &Tricks::texture_spheres, &Tricks::library_clear, &Tricks::batch})
       all.push_back(grid_step([=](CollideOptions& o) { o.grid.sort = sort, o.tricks.*trick = true; }));
   return all;
 }
@@ -69,7 +71,7 @@ TEST_P(Skips, WhatABackendLacksIsRefused) {
   if (backend().info().name == "cpu") {
     EXPECT_EQ(there, 0u);
   } else if (backend().info().name == "glsl") {
-    EXPECT_EQ(there, 6u) << "texture_table, library_clear and batch with both sorts";
+    EXPECT_EQ(there, 8u) << "both textures, library_clear and batch with both sorts";
   } else {
     EXPECT_GE(there, 6u) << "Thrust, graph and library_clear with both sorts; L2 where the device has it";
   }

@@ -20,6 +20,30 @@ TEST_P(SkipsOfApis, OnlyWithoutABatchTheHostWaitsForEveryDispatch) {
   }
 }
 
+// The buckets' counts are left at 0 by the step before, whatever that was.
+TEST_P(SkipsOfApis, AStepLaunchesNoMoreThanItNeeds) {
+  if (backend().info().name == "cpu") GTEST_SKIP() << "the CPU launches nothing";
+  const Scene scene = make_scene({.name = "uniform", .n = 3000});
+  const std::vector<Pair> expected = brute_force_pairs(scene.positions);
+  backend().upload(scene);
+  const auto step = [](Sort sort, bool library_clear) {
+    return grid_step([=](CollideOptions& o) {
+      o.want_pairs = true, o.grid.sort = sort;
+      o.tricks.graph = false, o.tricks.library_clear = library_clear;
+    });
+  };
+  const auto launches = [&](const CollideOptions& options) {
+    const uint64_t before = backend().work_counts().launches;
+    backend().collide(options);
+    return backend().work_counts().launches - before;
+  };
+  for (const bool library_clear : {false, true, false})
+    for (const Sort sort : {Sort::buckets, Sort::buckets, Sort::counting, Sort::buckets})
+      EXPECT_EQ(objection(ask(backend(), step(sort, library_clear)), expected, scene.size()), "");
+  EXPECT_EQ(launches(step(Sort::buckets, false)), 5u) << "split_count, grid_split, grid_sort, collide_grid, settle";
+  EXPECT_EQ(launches(step(Sort::counting, false)), 7u);
+}
+
 // Of a table of some 30,000 cells.
 TEST(SkipsOfApisTextures, ATableLongerThanATextureIsReadInParts) {
   std::unique_ptr<Backend> whole, parts, none;
