@@ -16,10 +16,11 @@ struct Crossover {
   uint64_t one_cell_of;  // a cell must not hold more than one sphere of so many: else nearly all pairs are met anyway
   uint64_t wide_from;    // spheres from which on collide_grid is faster in groups of wide_block, on devices
   uint64_t few;          // up to so many spheres the grid is ahead as well, where there are contacts but no crowd
-  double crowd_from = HUGE_VAL;  // others in a cell from which on the grid is ahead whatever n: all pairs settles each
-                                 // near pair by itself
+  double crowd_from = HUGE_VAL;  // others in a cell from which on the grid is ahead of crowd_least spheres or more:
+                                 // all pairs settles each near pair by itself
 };
 constexpr uint wide_block = 256;
+constexpr uint64_t crowd_least = 32;
 constexpr uint64_t never = ~uint64_t(0);
 constexpr Crossover crossovers[] = {{"cuda", 4600, 4400, 450, 4'000'000, 200},
                                     {"glsl", 13600, 4500, 800, never, 0},
@@ -31,7 +32,7 @@ constexpr bool may_take_grid(const Crossover& row, uint64_t n) { return n <= row
 
 // n spheres, so many others in a sphere's cell on average, so many levels of cells.
 constexpr bool grid_pays(const Crossover& row, uint64_t n, double others_in_cell, uint levels) {
-  if (others_in_cell >= row.crowd_from) return true;
+  if (n >= crowd_least && others_in_cell >= row.crowd_from) return true;
   if (n <= row.few && others_in_cell >= 0.2 && others_in_cell <= 4) return true;
   return n >= row.grid_from * levels && others_in_cell * double(row.one_cell_of) <= double(n);
 }

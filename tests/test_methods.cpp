@@ -205,6 +205,21 @@ TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
   }
 }
 
+TEST(MethodsOnTheHost, AutoOnTheCpuTakesTheGridInCrowds) {
+  BackendInfo info;
+  info.name = "cpu";
+  const auto took = [&](const char* scene, uint64_t n) {
+    const GridPlans plans = plan_grids(make_scene({.name = scene, .n = n}).positions);
+    return chosen_method(info, n, plans, {.method = Method::automatic});
+  };
+  const uint64_t from = crossover_of(info).grid_from;
+  EXPECT_EQ(took("one_cell", crowd_least - 1), Method::parallel);
+  EXPECT_EQ(took("one_cell", crowd_least), Method::collide_grid);
+  EXPECT_EQ(took("one_cell", 4 * from), Method::collide_grid);
+  EXPECT_EQ(took("uniform", from - 1), Method::parallel);
+  EXPECT_EQ(took("uniform", from), Method::collide_grid);
+}
+
 TEST(MethodsOnTheHost, OnlyAutoWidensItsGroups) {
   BackendInfo info;
   info.name = "cuda";
