@@ -37,7 +37,8 @@ std::string reason_of(const Crossover& row, uint64_t n, double crowd, uint level
 }  // namespace
 
 const Crossover& crossover_of(const BackendInfo& info) {
-  const std::string device = info.software ? info.name + " in software" : info.name;
+  const bool many = info.name == "cpu" && std::stoi(info.details.at("threads")) > few_threads;
+  const std::string device = info.software ? info.name + " in software" : many ? "cpu of many threads" : info.name;
   for (const Crossover& row : crossovers)
     if (device == row.device) return row;
   throw BackendError(fmt::format("{}: no crossover of grid and all pairs is known; name a method", device));

@@ -20,7 +20,7 @@ constexpr double tolerated = 1.1;
 
 struct Recorded {
   SceneOptions scene;
-  std::string backend;
+  std::string backend, threads;          // of the CPU
   std::map<std::string, Interval> ways;  // ms
 };
 
@@ -46,6 +46,8 @@ std::map<std::string, Recorded> recorded_crossovers() {
       one.scene.radius_ratio = scene.at("radius_ratio");
       one.scene.packing_fraction = scene.at("packing_fraction");
       one.backend = backend;
+      for (const json& opened : record.at("backends"))
+        if (opened.at("name") == "cpu") one.threads = opened.at("details").at("threads");
       one.ways[way] = {row.at("interval_ms").at(0), row.at("interval_ms").at(1), row.at("coverage")};
     }
   }
@@ -68,6 +70,7 @@ TEST(MethodsRecorded, AutoIsNeverFarBehindTheBestFixedChoice) {
   for (const auto& [name, one] : all) {
     BackendInfo info;
     info.name = one.backend;
+    if (one.backend == "cpu") info.details["threads"] = one.threads;
     const GridPlans plans = plan_grids(make_scene(one.scene).positions);
     const MethodChoice choice = explain_choice(info, one.scene.n, plans, {.method = Method::automatic});
     const auto taken = one.ways.find(way_of(choice));
