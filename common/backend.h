@@ -171,6 +171,7 @@ struct OpenOptions {
   bool allow_gpu = true;          // false: software GL even where a GPU is
   bool sparse_buffers = true;     // GL: storage in large pages where the driver has it
   bool subgroups = true;          // GL: sums through subgroups where the driver has them
+  uint64_t texels = ~0ull;        // GL: texels of a texture buffer at most, where the driver has more
   int threads = 0;                // of the CPU backend; 0: all cores
 };
 

@@ -54,9 +54,9 @@ struct GridOptions {
 struct Tricks {
   std::optional<bool> graph = {};  // CUDA: a step's launches are captured once, replayed while none changes. Absent: on
   std::optional<bool> keep_in_l2 = {};  // CUDA: the table of cells is set aside in the L2 cache. Absent: off
-  // GLSL: collide_grid reads the table of cells, and the sort by buckets its spheres, through texture buffers. Absent:
-  // on where these are large enough
-  std::optional<bool> texture_table = {};
+  // GLSL: collide_grid reads the table of cells through a texture buffer, in parts where one is too small; the sort by
+  // buckets so reads its spheres. Absent: on where they fit
+  std::optional<bool> texture_table = {}, texture_spheres = {};
   std::optional<bool> library_clear =
       {};  // both: the API's function clears the table, in place of a kernel. Absent: off
   // GLSL: a step's dispatches go out together, each behind the one barrier that it needs. Off: each behind all

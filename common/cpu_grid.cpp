@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "cpu_team.h"
 #include "exact.h"
 
 namespace spherepair {
@@ -123,7 +124,7 @@ PairsFound CpuGrid::search(const PairSearch& search, const GridPlan& plan, bool 
 Collisions CpuGrid::find(const PairSearch& search, const Params& p) {
   Collisions totals;
   const std::vector<Stretch> stretches = cells_.stretches(search.threads);
-  const int threads = int(std::clamp<uint64_t>(stretches.size(), 1, uint64_t(search.threads)));
+  const int threads = team_of(stretches.size(), search.threads);
   lists_.resize(size_t(threads));
   for (GrowingList<uint64_t>& list : lists_) list.clear();
 #pragma omp parallel num_threads(threads)

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "cpu_team.h"
+
 namespace spherepair {
 namespace {
 
@@ -26,7 +28,7 @@ void CellSort::for_slots(const vec4* spheres, const float* radii, uint64_t first
 }
 
 void CellSort::sort(std::span<const vec4> spheres, const Params& p, bool radii, int threads) {
-  threads = int(std::clamp<uint64_t>(spheres.size() / spheres_per_bucket, 1, uint64_t(threads)));
+  threads = team_of(spheres.size() / spheres_per_bucket, threads);
   radii_ = radii;
   plan(spheres.size(), p);
   count_buckets(spheres, p, threads);

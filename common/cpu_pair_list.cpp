@@ -5,6 +5,8 @@
 #include <bit>
 #include <utility>
 
+#include "cpu_team.h"
+
 namespace spherepair {
 namespace {
 
@@ -58,7 +60,7 @@ void PairSort::sort(std::span<const GrowingList<uint64_t>> lists, uint64_t n, in
   }
   sorted.resize(pairs);
   if (pairs == 0) return;
-  threads = int(std::clamp<uint64_t>(pairs / pairs_per_bucket, 1, uint64_t(threads)));
+  threads = team_of(pairs / pairs_per_bucket, threads);
   const uint64_t wanted = std::clamp<uint64_t>(std::max(pairs, n / sparse) / pairs_per_bucket, 1, most_buckets);
   shift_ = uint(std::bit_width((n - 1) / wanted));
   split_.resize(pairs);

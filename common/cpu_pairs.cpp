@@ -8,13 +8,14 @@
 #include <stdexcept>
 
 #include "cpu_simd.h"
+#include "cpu_team.h"
 #include "growing_list.h"
 #include "hash.h"
 
 namespace spherepair {
 namespace {
 
-constexpr uint64_t pairs_per_thread = 1u << 16;  // at least
+constexpr uint64_t pairs_per_thread = 1u << 16;  // that are worth a second thread
 
 // What one thread has found. Sums do not depend on the order, so neither do the results on the number of threads.
 class Finder {
@@ -167,10 +168,10 @@ PairsFound search_sequential(const PairSearch& search) {
   });
 }
 
-// Few spheres are met by few threads: to start one costs as much as some 10^5 pairs.
+// Few spheres are met by one thread: to wake the others costs as much as some 10^5 pairs.
 PairsFound search_parallel(const PairSearch& search) {
   const uint64_t n = search.positions.size();
-  const int threads = int(std::clamp<uint64_t>(n * n / 2 / pairs_per_thread, 1, uint64_t(search.threads)));
+  const int threads = team_of(n * n / 2 / pairs_per_thread, search.threads);
   return search_blocks(search, threads, (n + tile_rows - 1) / tile_rows, [&](uint block, Tiles& tiles, Finder& finder) {
     meet_row_block(search, block * tile_rows, tiles, finder);
   });

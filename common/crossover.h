@@ -3,30 +3,40 @@
 // figures are those of `spherepair crossover`; bench/NOTES.md says on which machine they were measured.
 #pragma once
 
+#include <cmath>
+
 #include "layout.h"
 
 namespace spherepair {
 
 struct Crossover {
-  const char* device;    // a backend, or OpenGL in software
+  const char* device;    // a backend, OpenGL in software, or a CPU of more than few_threads
   uint64_t grid_from;    // spheres from which on the grid is ahead in a gas; of radii in several levels, so many each
   uint64_t square_to;    // up to so many spheres collide_square is ahead of collide_triangle
   uint64_t one_cell_of;  // a cell must not hold more than one sphere of so many: else nearly all pairs are met anyway
   uint64_t wide_from;    // spheres from which on collide_grid is faster in groups of wide_block, on devices
   uint64_t few;          // up to so many spheres the grid is ahead as well, where there are contacts but no crowd
+  double crowd_from = HUGE_VAL;  // others in a cell from which on the grid is ahead of crowd_least spheres or more:
+                                 // all pairs settles each near pair by itself
+  uint64_t one_cell_to = 0;      // but not of more than so many where most of them stand in one cell
 };
 constexpr uint wide_block = 256;
+constexpr uint64_t crowd_least = 32;
+constexpr int few_threads = 4;
 constexpr uint64_t never = ~uint64_t(0);
 constexpr Crossover crossovers[] = {{"cuda", 4600, 4400, 450, 4'000'000, 200},
                                     {"glsl", 13600, 4500, 800, never, 0},
                                     {"glsl in software", 512, 0, 50, never, 0},
-                                    {"cpu", 2048, 0, 50, never, 0}};
+                                    {"cpu", 2048, 0, 50, never, 0, 1.5, never},
+                                    {"cpu of many threads", 12000, 0, 50, never, 0, 3, 1024}};
 
 // Whatever the spheres' cells are like.
 constexpr bool may_take_grid(const Crossover& row, uint64_t n) { return n <= row.few || n >= row.grid_from; }
 
 // n spheres, so many others in a sphere's cell on average, so many levels of cells.
 constexpr bool grid_pays(const Crossover& row, uint64_t n, double others_in_cell, uint levels) {
+  const bool one_cell = 4 * others_in_cell > double(n);
+  if (n >= crowd_least && others_in_cell >= row.crowd_from && (n <= row.one_cell_to || !one_cell)) return true;
   if (n <= row.few && others_in_cell >= 0.2 && others_in_cell <= 4) return true;
   return n >= row.grid_from * levels && others_in_cell * double(row.one_cell_of) <= double(n);
 }

@@ -128,7 +128,7 @@ void DeviceBackend::upload(const Scene& scene) {
   planned_.reset();
   cell_order_.reset();
   order_ = Order::scene;
-  cleared_ = collided_ = cells_built_ = counts_by_place_ = false;
+  cleared_ = collided_ = buckets_clear_ = cells_built_ = counts_by_place_ = false;
   view_ = {};
   clustered_.reset();
   seen_known_ = false;

@@ -85,10 +85,9 @@ class DeviceBackend : public Backend {
   // What one API alone offers (Tricks, Sort::radix, Scan::library); check_tricks throws std::invalid_argument that
   // names what this one lacks.
   virtual void check_tricks(const CollideOptions& options) const = 0;
-  // Whether collide_grid reads the table of cells through a texture buffer, where that is asked for, refused, or open.
-  // Whether a buffer of so many texels is read through a texture, by Tricks::texture_table. Throws when it was asked
-  // for and does not fit.
-  virtual bool takes_texture(uint64_t /*texels*/, std::optional<bool> /*wanted*/) const { return false; }
+  // Whether this kernel, collide_grid or one that sorts by buckets, reads the table of cells or the spheres through
+  // texture buffers. Throws when that is asked for and they do not fit.
+  virtual bool takes_texture(Kernel, const Tricks&) const { return false; }
   virtual uint bounds_block() const { return SERVICE_BLOCK; }  // group size of grid_bounds
   virtual void begin_step(const Tricks&) {}                    // around the launches of a collision step
   virtual void end_step() {}
@@ -177,6 +176,7 @@ class DeviceBackend : public Backend {
   bool equal_radii_ = true;                        // of the scene
   std::optional<Cells> planned_;                   // the cells that the buffers and parameters are for
   std::optional<bool> cell_order_;  // whether the spheres stand in cell order as they are; not known after a move
+  bool buckets_clear_ = false;      // the counts of a split at once are 0
   bool cells_built_ = false;        // the cells are those of the spheres as they stand
   Order order_ = Order::scene;      // of the results
   Params params_{};                 // of the last launch

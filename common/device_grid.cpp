@@ -92,17 +92,19 @@ void DeviceBackend::sort_by_counting() {
 }
 
 void DeviceBackend::split(uint shift, uint parent_shift, uint first_bucket, Order from, Order to) {
+  const bool at_once = to == Order::buckets && from == Order::scene;
   const auto tiles = folded(ceil_div(n_, SPLIT_TILE));
   params_.bucket_shift = shift;
   params_.parent_shift = parent_shift;
   params_.first_bucket = first_bucket;
   params_.buckets = (params_.cell_slots >> shift) + 1;
-  params_.names = (variant_.equal_radii ? NAMES_IN_RADII : 0) | (from == Order::scene ? 0 : NAMES_GIVEN);
-  const Variant variant = {.texture_table = takes_texture(n_, options_.tricks.texture_table)};
+  params_.names = (variant_.equal_radii ? NAMES_IN_RADII : 0) | (from == Order::scene ? 0 : NAMES_GIVEN) |
+                  (at_once ? SPLIT_AT_ONCE : 0);
+  const Variant variant = {.texture_table = takes_texture(Kernel::grid_split, options_.tricks)};
   launch({Kernel::split_count, SPLIT_BLOCK, variant, tiles, from}, params_);
-  if (params_.buckets <= BUCKETS_AT_MOST) {
+  if (!at_once && params_.buckets <= BUCKETS_AT_MOST) {
     launch({Kernel::split_scan, BUCKETS_AT_MOST, {}, {1, 1, 1}}, params_);
-  } else {
+  } else if (!at_once) {
     launch_scan(SLOT_BUCKET);
   }
   launch({Kernel::grid_split, SPLIT_BLOCK, variant, tiles, from, to}, params_);
@@ -117,11 +119,13 @@ void DeviceBackend::sort_by_buckets() {
   make_buffer(SLOT_SPLIT, n_ * sizeof(vec4));
   if (!variant_.equal_radii) make_buffer(SLOT_SPLIT_ID, n_ * sizeof(uint));
   params_.scan_tiles = uint(ceil_div(buckets, SCAN_TILE));
-  params_.bucket_words = two_steps ? (params_.scan_tiles + 1) * SCAN_TILE : BUCKETS_AT_MOST;
+  params_.bucket_words = two_steps ? (params_.scan_tiles + 1) * SCAN_TILE : 2 * BUCKETS_AT_MOST + 1;
   make_buffer(SLOT_BUCKET, params_.bucket_words * sizeof(uint));
   make_buffer(SLOT_SCAN, (params_.scan_tiles + 1) * sizeof(uint));
   params_.buckets = buckets;
-  clear_for_sort(params_.bucket_words);
+  if (two_steps || !buckets_clear_ || options_.tricks.library_clear.value_or(false))
+    clear_for_sort(params_.bucket_words);
+  buckets_clear_ = !two_steps;
   if (two_steps) {
     const uint parent = shift + uint(std::bit_width(buckets)) / 2;
     split(parent, whole, 0, Order::scene, Order::cells);
@@ -129,7 +133,7 @@ void DeviceBackend::sort_by_buckets() {
   } else {
     split(shift, whole, 0, Order::scene, Order::buckets);
   }
-  const Variant variant = {.texture_table = takes_texture(n_, options_.tricks.texture_table)};
+  const Variant variant = {.texture_table = takes_texture(Kernel::grid_sort, options_.tricks)};
   launch({Kernel::grid_sort, SORT_BLOCK, variant, folded(buckets), Order::buckets}, params_);
 }
 
@@ -162,16 +166,16 @@ void DeviceBackend::build_cells() {
 
 void DeviceBackend::launch_grid() {
   plan_cells();
+  params_.tally_later = true;  // before the first launch: parameters that change within a step are sent again
   build_cells();
   cells_built_ = true;
-  params_.tally_later = true;
   tallied_ = false;
   const bool hashed = params_.hash_mask != 0;
   const uint64_t chunks = ceil_div(n_, options_.block);
   const uint64_t groups = std::max(std::min(chunks, least_groups), chunks / chunks_per_group);
   Variant variant = variant_;
-  variant.texture_table = !hashed && takes_texture(uint64_t(params_.cell_slots) + 2, options_.tricks.texture_table);
   const Kernel kernel = hashed ? Kernel::collide_hashed : Kernel::collide_grid;
+  variant.texture_table = !hashed && takes_texture(kernel, options_.tricks);
   launch({kernel, options_.block, variant, folded(groups), order_}, params_);
 }
 

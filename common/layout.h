@@ -72,6 +72,7 @@
 #define ROWS_AHEAD 5            // rows of cells in the later half of a neighbourhood
 #define BOUNDS_TILE 512u        // spheres that one group of grid_bounds takes
 #define BOUNDS_WINDOW 1024u     // cells whose begins it holds at a time
+#define SPLIT_AT_ONCE 4u        // the only split; behind the places in SLOT_BUCKET: counts, groups that have counted
 #define NAMES_GIVEN 1u          // the spheres come from a split before, with their numbers
 #define NAMES_IN_RADII 2u       // which travel in place of the radii, since these are all equal; else in SLOT_SPLIT_ID
 #define EMPTY_CELLS_AT_MOST 4096u  // between two spheres that stand in cell order
@@ -112,7 +113,7 @@ struct Params {
   uint tally_later;                                      // not 0: tally counts the colliding spheres
   uint steps_done;                                       // of anchored: after this move
   uint buckets, bucket_shift;                            // 0: not split; the bucket of a slot is slot >> bucket_shift
-  uint parent_shift, first_bucket, bucket_words, names;  // see bucket_below; in SLOT_BUCKET; of a split: bits NAMES_*
+  uint parent_shift, first_bucket, bucket_words, names;  // see bucket_below; in SLOT_BUCKET; of a split: its bits
   vec4 gravity_dt, half_gravity_dt2;                     // g*dt, g*dt*dt/2, both <= 0
   vec4 seconds_per_speed, zeno_flights;  // 2 / |g|, or 0 without gravity; flights until rest, see rebound
 };

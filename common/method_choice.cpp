@@ -25,6 +25,8 @@ bool takes_grid(const BackendInfo& info, uint64_t n, const GridPlans& plans, con
 std::string reason_of(const Crossover& row, uint64_t n, double crowd, uint levels, bool grid) {
   std::string text = fmt::format("{} spheres, {:.3g} others in a sphere's cell", n, crowd);
   if (levels > 1) text += fmt::format(", {} levels of cells", levels);
+  if (grid && crowd >= row.crowd_from)
+    return text + fmt::format("; the grid is ahead from {} others on", row.crowd_from);
   if (grid && n <= row.few) return text + fmt::format("; the grid is ahead up to {}", row.few);
   if (grid) return text + fmt::format("; the grid is ahead from {} on", row.grid_from * levels);
   if (n < row.grid_from * levels)
@@ -35,7 +37,8 @@ std::string reason_of(const Crossover& row, uint64_t n, double crowd, uint level
 }  // namespace
 
 const Crossover& crossover_of(const BackendInfo& info) {
-  const std::string device = info.software ? info.name + " in software" : info.name;
+  const bool many = info.name == "cpu" && std::stoi(info.details.at("threads")) > few_threads;
+  const std::string device = info.software ? info.name + " in software" : many ? "cpu of many threads" : info.name;
   for (const Crossover& row : crossovers)
     if (device == row.device) return row;
   throw BackendError(fmt::format("{}: no crossover of grid and all pairs is known; name a method", device));
@@ -59,6 +62,7 @@ void refuse_missing(const std::string& backend, const CollideOptions& options, c
   need(options.tricks.graph, offered.graph, "a graph of launches", "the backend cuda");
   need(options.tricks.keep_in_l2, offered.keep_in_l2, "setting L2 aside", "the backend cuda, where the device has it,");
   need(options.tricks.texture_table, offered.texture_table, "a table in a texture buffer", "the backend glsl");
+  need(options.tricks.texture_spheres, offered.texture_spheres, "spheres in a texture buffer", "the backend glsl");
   need(options.tricks.batch, offered.batch, "a batch of dispatches", "the backend glsl");
   need(options.tricks.library_clear, offered.library_clear, "a clear by the API", "the backends glsl and cuda");
 }

@@ -91,7 +91,7 @@ __global__ void __launch_bounds__(BLOCK) collide_grid(Params p, World w) {
   uint room = team * QUEUE_ROOM;
   if (lane == 0u) queued[team] = unfinished[team] = 0u;
   collider.start_totals();
-  uint stretch = (p.n / BLOCK / group_count() + 1u) * BLOCK;
+  uint stretch = (p.n / BLOCK / group_count() + 1u) * BLOCK;  // GLSL may have a part of them only: first_place()
   uint end = min((group_index(p) + 1u) * stretch, p.n);
   for (uint first = group_index(p) * stretch + team * TEAM; first < end; first += BLOCK) {
     uint i = first + lane;

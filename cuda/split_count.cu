@@ -1,10 +1,27 @@
 // SPDX-License-Identifier: MIT
 // A group takes SPLIT_TILE spheres and counts how many go into each bucket. The spheres stand in the order of the
-// parents of these buckets, so that a tile meets few of them.
+// parents of these buckets, so that a tile meets few of them. Where there is one split only, the group that is done
+// last makes of the counts the places where the buckets begin, a bucket a thread, and clears counts and results.
 #include "cell.h"
+#include "group_sum.cuh"
 #include "kernels.cuh"
 
 namespace spherepair {
+
+__device__ inline void finish_split(const World& w, uint groups) {
+  __shared__ uint groups_before;
+  uint lane = threadIdx.x;
+  __threadfence();
+  __syncthreads();
+  if (lane == 0u) groups_before = atomicAdd(&w.next_place[2u * BUCKETS_AT_MOST], 1u);
+  __syncthreads();
+  if (groups_before + 1u != groups) return;
+  __threadfence();
+  uint own = atomicExch(&w.next_place[BUCKETS_AT_MOST + lane], 0u);
+  w.next_place[lane] = sum_up_to<SPLIT_BLOCK>(own) - own;
+  if (lane == 0u) w.next_place[2u * BUCKETS_AT_MOST] = 0u;
+  for (uint k = lane; k < SUMMARY_SLOTS * SUMMARY_WORDS; k += SPLIT_BLOCK) w.summary[k] = 0u;
+}
 
 __global__ void __launch_bounds__(SPLIT_BLOCK) split_count(Params p, World w) {
   __shared__ uint counted[BUCKETS_AT_MOST];
@@ -12,6 +29,8 @@ __global__ void __launch_bounds__(SPLIT_BLOCK) split_count(Params p, World w) {
   uint first = group_index(p) * SPLIT_TILE;
   if (first >= p.n) return;
   uint end = min(first + SPLIT_TILE, p.n);
+  bool at_once = (p.names & SPLIT_AT_ONCE) != 0u;
+  uint counts = at_once ? BUCKETS_AT_MOST : p.first_bucket;
   uint last_bucket = bucket_above(slot_of(w.position[end - 1u], p), p);
   uint bucket[SPLIT_EACH];
   for (uint k = 0u; k < SPLIT_EACH; ++k)
@@ -24,9 +43,10 @@ __global__ void __launch_bounds__(SPLIT_BLOCK) split_count(Params p, World w) {
         atomicAdd(&counted[bucket[k] - low], 1u);
     __syncthreads();
     for (uint b = lane; b < BUCKETS_AT_MOST; b += SPLIT_BLOCK)
-      if (counted[b] != 0u) atomicAdd(&w.next_place[p.first_bucket + low + b], counted[b]);
+      if (counted[b] != 0u) atomicAdd(&w.next_place[counts + low + b], counted[b]);
     __syncthreads();
   }
+  if (at_once) finish_split(w, (p.n + SPLIT_TILE - 1u) / SPLIT_TILE);
 }
 
 Entry split_count_kernel(uint, Variant) { return reinterpret_cast<Entry>(&split_count); }

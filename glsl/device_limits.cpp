@@ -4,6 +4,7 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace spherepair {
@@ -47,18 +48,6 @@ bool has_subgroups() {
   return invocations >= 32 && (kinds & GL_SUBGROUP_FEATURE_ARITHMETIC_BIT_KHR) != 0;
 }
 
-}  // namespace
-
-DeviceLimits device_limits(const OpenOptions& options) {
-  require_features();
-  GLint64 binding = 0;
-  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &binding);
-  return {.largest_binding = uint64_t(binding),
-          .largest_texture = uint64_t(gl_integer(GL_MAX_TEXTURE_BUFFER_SIZE)),
-          .features = {epoxy_has_gl_extension("GL_NV_shader_atomic_int64"), options.subgroups && has_subgroups()},
-          .sparse = options.sparse_buffers && epoxy_has_gl_extension("GL_ARB_sparse_buffer")};
-}
-
 std::string out_of_memory(uint64_t bytes_asked) {
   GLint free_kib = -1;
   if (epoxy_has_gl_extension("GL_NVX_gpu_memory_info"))
@@ -68,10 +57,37 @@ std::string out_of_memory(uint64_t bytes_asked) {
   return fmt::format("glsl: out of memory: {} bytes asked, {}; use fewer spheres or no pair list", bytes_asked, free);
 }
 
+}  // namespace
+
+DeviceLimits device_limits(const OpenOptions& options) {
+  require_features();
+  GLint64 binding = 0;
+  const uint64_t texels = uint64_t(gl_integer(GL_MAX_TEXTURE_BUFFER_SIZE));
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &binding);
+  return {.largest_binding = uint64_t(binding),
+          .largest_texture = std::min(texels, options.texels),
+          .features = {epoxy_has_gl_extension("GL_NV_shader_atomic_int64"), options.subgroups && has_subgroups()},
+          .sparse = options.sparse_buffers && epoxy_has_gl_extension("GL_ARB_sparse_buffer")};
+}
+
+unsigned new_buffer(uint64_t bytes, const DeviceLimits& limits) {
+  GLuint buffer = 0;
+  glCreateBuffers(1, &buffer);
+  // Sparse storage comes in large pages; plain buffers of some drivers in small ones, slow under random access.
+  const GLbitfield sparse = limits.sparse ? GL_SPARSE_STORAGE_BIT_ARB : 0;
+  glNamedBufferStorage(buffer, GLsizeiptr(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT | sparse);
+  if (sparse) {
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+    glBufferPageCommitmentARB(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(bytes), GL_TRUE);
+  }
+  if (glGetError() == GL_NO_ERROR) return buffer;
+  glDeleteBuffers(1, &buffer);
+  throw BackendError(out_of_memory(bytes));
+}
+
 std::string texture_too_long(uint64_t texels, const DeviceLimits& limits) {
-  return fmt::format(
-      "glsl: {} cells or spheres, but a texture buffer of this driver has {} texels; leave texture_table out", texels,
-      limits.largest_texture);
+  return fmt::format("glsl: {} cells or spheres, which do not fit texture buffers of {} texels; leave the texture out",
+                     texels, limits.largest_texture);
 }
 
 BackendInfo describe_device(bool software, const DeviceLimits& limits) {

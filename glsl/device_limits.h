@@ -17,8 +17,10 @@ struct DeviceLimits {
 // Throws BackendError for a driver without what every kernel needs.
 DeviceLimits device_limits(const OpenOptions& options);
 
+// A buffer of so many bytes. Throws BackendError with the bytes asked and free.
+unsigned new_buffer(uint64_t bytes, const DeviceLimits& limits);
+
 // In words, with what to do.
-std::string out_of_memory(uint64_t bytes_asked);
 std::string texture_too_long(uint64_t texels, const DeviceLimits& limits);
 
 BackendInfo describe_device(bool software, const DeviceLimits& limits);

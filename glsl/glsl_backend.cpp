@@ -14,6 +14,7 @@
 #include "program.h"
 #include "ring_buffer.h"
 #include "stage_timer.h"
+#include "table_windows.h"
 
 namespace spherepair {
 namespace {
@@ -42,9 +43,8 @@ class GlslBackend final : public DeviceBackend {
   uint64_t largest_binding() const override { return limits_.largest_binding; }
   bool has_atomics_64() const override { return limits_.features.atomics_64; }
   void check_tricks(const CollideOptions& options) const override;
-  bool takes_texture(uint64_t texels, std::optional<bool> wanted) const override;
-  // So many threads that all run at once: their groups share 48 KiB of a multiprocessor (bench/NOTES.md).
-  uint bounds_block() const override { return 256; }
+  bool takes_texture(Kernel kernel, const Tricks& tricks) const override;
+  uint bounds_block() const override { return 256; }  // all then run at once (bench/NOTES.md)
   void begin_step(const Tricks& tricks) override { batched_ = tricks.batch.value_or(true); }
   void end_step() override { batched_ = true; }
   void clear_buffer(uint slot, uint64_t bytes) override;
@@ -52,25 +52,25 @@ class GlslBackend final : public DeviceBackend {
   std::vector<uint> pipeline_image() override;
 
  private:
-  const Program& program(const Launch& launch);
   void set_params(const Params& params);
   void set_view();
   void bind(const Launch& launch);
-  void bind_texture(const Launch& launch);
-  uint64_t table_texels() const { return uint64_t(params().cell_slots) + 2; }
+  GLbitfield barriers(const Launch& launch) const;
+  void dispatch(const Launch& launch);
+  TableWindows windows() const { return {params(), limits_.largest_texture}; }
 
   Context context_;
   DeviceLimits limits_;
   BackendInfo info_;
   std::array<GLuint, SLOT_TOTAL> buffers_{};
   std::array<GLuint, SLOT_TOTAL> bound_{};  // what kernels see now
-  BufferTexture texture_;
+  BufferTextures textures_;
   GLuint params_buffer_ = 0;
   Params params_on_device_{};
   bool params_known_ = false, batched_ = true;
   std::unique_ptr<RingBuffer> views_;
   View view_on_device_{};
-  std::map<std::tuple<Kernel, uint, Variant>, std::unique_ptr<Program>> programs_;
+  Programs programs_;
   std::unique_ptr<GlRenderer> renderer_;
   StageTimer timer_;
 };
@@ -94,23 +94,16 @@ GlslBackend::~GlslBackend() {
   glDeleteBuffers(GLsizei(buffers_.size()), buffers_.data());
   glDeleteBuffers(1, &params_buffer_);
   views_->forget();
-  texture_.forget();
+  textures_.forget();
 }
 
 void GlslBackend::allocate(uint slot, uint64_t bytes) {
   context_.make_current();
   bound_ = {};  // a new buffer may get the name of the one deleted
+  textures_.forget();
   glDeleteBuffers(1, &buffers_[slot]);
-  glCreateBuffers(1, &buffers_[slot]);
-  // Sparse storage comes in large pages; plain buffers of some drivers in small ones, slow under random access.
-  const GLbitfield sparse = limits_.sparse ? GL_SPARSE_STORAGE_BIT_ARB : 0;
-  glNamedBufferStorage(buffers_[slot], GLsizeiptr(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT | sparse);
-  if (sparse) {
-    glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffers_[slot]);
-    glBufferPageCommitmentARB(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(bytes), GL_TRUE);
-  }
-  if (glGetError() == GL_NO_ERROR) return;
-  throw BackendError(out_of_memory(bytes));
+  buffers_[slot] = 0;
+  buffers_[slot] = new_buffer(bytes, limits_);
 }
 
 void GlslBackend::write(uint slot, const void* data, uint64_t offset, uint64_t bytes) {
@@ -127,13 +120,6 @@ void GlslBackend::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glGetNamedBufferSubData(buffers_[slot], GLintptr(offset), GLsizeiptr(bytes), data);
   gl_check(fmt::format("reading {} bytes", bytes));
-}
-
-const Program& GlslBackend::program(const Launch& launch) {
-  auto& program = programs_[{launch.kernel, launch.block, launch.variant}];
-  if (!program)
-    program = std::make_unique<Program>(kernel_name(launch.kernel), launch.block, launch.variant, limits_.features);
-  return *program;
 }
 
 // The same parameters serve a whole step, so they are sent only when they change.
@@ -159,13 +145,17 @@ void GlslBackend::bind(const Launch& launch) {
   wanted[SLOT_SORTED] = buffers_[position_slot(launch.target)];
   wanted[SLOT_ID] = buffers_[id_slot(launch.target)];
   wanted[SLOT_CELL] = buffers_[launch.table];
-  if (wanted == bound_) return;
-  glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, 0, GLsizei(wanted.size()), wanted.data());
+  size_t first = 0, behind = wanted.size();
+  while (first < behind && wanted[first] == bound_[first]) ++first;
+  while (first < behind && wanted[behind - 1] == bound_[behind - 1]) --behind;
+  if (first == behind) return;
+  glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, GLuint(first), GLsizei(behind - first), &wanted[first]);
   bound_ = wanted;
 }
 
 void GlslBackend::check_tricks(const CollideOptions& options) const {
-  refuse_missing("glsl", options, {.texture_table = true, .library_clear = true, .batch = true}, false);
+  refuse_missing("glsl", options,
+                 {.texture_table = true, .texture_spheres = true, .library_clear = true, .batch = true}, false);
 }
 
 void GlslBackend::clear_buffer(uint slot, uint64_t bytes) {
@@ -177,33 +167,47 @@ void GlslBackend::clear_buffer(uint slot, uint64_t bytes) {
   });
 }
 
-bool GlslBackend::takes_texture(uint64_t texels, std::optional<bool> wanted) const {
-  const bool fits = texels <= limits_.largest_texture;
-  if (wanted.value_or(false) && !fits) throw BackendError(texture_too_long(texels, limits_));
+bool GlslBackend::takes_texture(Kernel kernel, const Tricks& tricks) const {
+  const bool table = kernel == Kernel::collide_grid;
+  const std::optional<bool> wanted = table ? tricks.texture_table : tricks.texture_spheres;
+  const bool fits = table ? windows().count() > 0 : spheres() <= limits_.largest_texture;
+  if (wanted.value_or(false) && !fits)
+    throw BackendError(texture_too_long(table ? windows().words() : spheres(), limits_));
   return wanted.value_or(true) && fits;
 }
 
-void GlslBackend::bind_texture(const Launch& launch) {
-  if (launch.kernel == Kernel::collide_grid) {
-    texture_.bind(GL_R32UI, buffers_[launch.table], table_texels() * sizeof(uint));
-  } else {
-    texture_.bind(GL_RGBA32UI, buffers_[position_slot(launch.order)], spheres() * sizeof(vec4));
+// What the launches before have written is seen through the paths that this one reads by. One call for both: each
+// waits for the device.
+GLbitfield GlslBackend::barriers(const Launch& launch) const {
+  if (!batched_) return GL_ALL_BARRIER_BITS;
+  return GL_SHADER_STORAGE_BARRIER_BIT | (launch.variant.texture_table ? GL_TEXTURE_FETCH_BARRIER_BIT : 0);
+}
+
+void GlslBackend::dispatch(const Launch& launch) {
+  if (launch.variant.texture_table) {
+    const bool table = launch.kernel == Kernel::collide_grid;
+    textures_.bind(table ? TexelRange{GL_R32UI, buffers_[launch.table], 0, windows().words() * sizeof(uint)}
+                         : TexelRange{GL_RGBA32UI, buffers_[position_slot(launch.order)], 0, spheres() * sizeof(vec4)});
   }
+  ++work_.launches;
+  glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);
 }
 
 // GL keeps an error until it is asked, so dispatches are checked where their results are waited for.
 void GlslBackend::launch(const Launch& launch, const Params& params) {
   context_.make_current();
-  const Program& chosen = program(launch);
+  Variant variant = launch.variant;
+  variant.windows = launch.kernel == Kernel::collide_grid && variant.texture_table && windows().count() > 1;
+  const GLuint program = programs_.get(kernel_name(launch.kernel), launch.block, variant, limits_.features).id();
   set_params(params);
   set_view();
-  glUseProgram(chosen.id());
+  glUseProgram(program);
   bind(launch);
-  if (launch.variant.texture_table) bind_texture(launch);
-  ++work_.launches;
   timer_.time(stage_name(launch), [&] {
-    glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);
-    glMemoryBarrier(batched_ ? GL_SHADER_STORAGE_BARRIER_BIT : GL_ALL_BARRIER_BITS);
+    glMemoryBarrier(barriers(launch));
+    if (!variant.windows) return dispatch(launch);
+    windows().dispatch(uint64_t(launch.groups[0]) * launch.groups[1], buffers_[launch.table], program, textures_);
+    work_.launches += windows().count();
   });
   if (batched_) return;
   finish();
@@ -215,6 +219,7 @@ void GlslBackend::draw_by_pipeline(DrawMethod method) {
   set_view();
   if (!renderer_) renderer_ = std::make_unique<GlRenderer>();
   bound_ = {};  // the renderer binds its own
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   timer_.time(draw_method_name(method),
               [&] { renderer_->draw(method, view(), buffers_[SLOT_POSITION], buffers_[SLOT_COUNT], spheres()); });
 }

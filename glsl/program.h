@@ -4,7 +4,10 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
+#include <map>
+#include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "backend.h"
@@ -33,6 +36,19 @@ class Program {
 
  private:
   GLuint id_;
+};
+
+// Those that were asked for, each compiled when it was first.
+class Programs {
+ public:
+  const Program& get(const std::string& kernel, unsigned block, const Variant& variant, Features features) {
+    std::unique_ptr<Program>& program = made_[{kernel, block, variant}];
+    if (!program) program = std::make_unique<Program>(kernel, block, variant, features);
+    return *program;
+  }
+
+ private:
+  std::map<std::tuple<std::string, unsigned, Variant>, std::unique_ptr<Program>> made_;
 };
 
 // What the driver takes for each kernel, for groups of 128 and the first variant.

@@ -36,7 +36,7 @@ Rows find_rows(vec4 mine, uint i) {
   uint last_x = cell_above(place.x, reach, p.cells_x);
   uint y = uint(place.y);
   uint z = uint(place.z);
-  bool exists = i < p.n;
+  bool exists = i < places_end();
   bool below = cell_below(place.y, reach) != y;
   bool above = cell_above(place.y, reach, p.cells_y) != y && exists;
   bool ahead = cell_above(place.z, reach, p.cells_z) != z && exists;
@@ -82,9 +82,10 @@ void main() {
   uint room = team * QUEUE_ROOM;
   if (lane == 0u) queued[team] = unfinished[team] = 0u;
   start_totals();
-  uint stretch = (p.n / BLOCK / group_count() + 1u) * BLOCK;
-  uint end = min((group_index() + 1u) * stretch, p.n);
-  for (uint first = group_index() * stretch + team * TEAM; first < end; first += BLOCK) {
+  uint begin = first_place();
+  uint stretch = ((places_end() - begin) / BLOCK / group_count() + 1u) * BLOCK;
+  uint end = min(begin + (group_index() + 1u) * stretch, places_end());
+  for (uint first = begin + group_index() * stretch + team * TEAM; first < end; first += BLOCK) {
     uint i = first + lane;
     vec4 mine = position[min(i, p.n - 1u)];
     Rows rows = find_rows(mine, i);

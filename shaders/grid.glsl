@@ -11,9 +11,24 @@ layout(std430, binding = SLOT_CELL) restrict CELL_ACCESS buffer CellBuffer { uin
 // Where a cell's spheres begin, of kernels that only read the table.
 #if defined(TEXTURE_TABLE) && !defined(SORTS_SPHERES)
 layout(binding = 0) uniform usamplerBuffer cell_texture;
+#ifdef WINDOWS
+layout(location =
+           0) uniform uvec2 window;  // the first cell of this dispatch, where the texture begins, and the last's end
+uint cell_begin(uint slot) { return texelFetch(cell_texture, int(slot - window.x)).x; }
+#else
 uint cell_begin(uint slot) { return texelFetch(cell_texture, int(slot)).x; }
+#endif
 #else
 uint cell_begin(uint slot) { return cell[slot]; }
+#endif
+
+// The spheres of this dispatch, from first_place to below places_end of the cell order.
+#ifdef WINDOWS
+uint first_place() { return cell_begin(window.x); }
+uint places_end() { return cell_begin(window.y); }
+#else
+uint first_place() { return 0u; }
+uint places_end() { return p.n; }
 #endif
 
 // The spheres, of kernels that sort them.

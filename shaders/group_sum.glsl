@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Sums over the threads of a group. With subgroups they go through registers, without through shared memory.
+#ifdef SUBGROUPS
+shared uint group_sums[(BLOCK + 31) / 32];  // of each subgroup; a word a thread would cost grid_split and grid_sort a
+                                            // group of those that share a multiprocessor's 48 KiB
+#else
 shared uint group_sums[BLOCK];
+#endif
 
 // The sum of `own` over this thread and those before it. Every thread of the group must call it, and a barrier must
 // stand between two calls. The language leaves open which invocations form a subgroup; here they must be consecutive,

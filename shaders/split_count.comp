@@ -1,19 +1,38 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // A group takes SPLIT_TILE spheres and counts how many go into each bucket. The spheres stand in the order of the
-// parents of these buckets, so that a tile meets few of them.
+// parents of these buckets, so that a tile meets few of them. Where there is one split only, the group that is done
+// last makes of the counts the places where the buckets begin, a bucket a thread, and clears counts and results.
 #define SORTS_SPHERES
 #include "grid.glsl"
+#include "group_sum.glsl"
 
 layout(std430, binding = SLOT_BUCKET) restrict buffer BucketBuffer { uint next_place[]; };
 layout(local_size_x = BLOCK) in;
 shared uint counted[BUCKETS_AT_MOST];
+shared uint groups_before;
+
+void finish_split(uint groups) {
+  uint lane = gl_LocalInvocationID.x;
+  memoryBarrierBuffer();
+  barrier();
+  if (lane == 0u) groups_before = atomicAdd(next_place[2u * BUCKETS_AT_MOST], 1u);
+  barrier();
+  if (groups_before + 1u != groups) return;
+  memoryBarrierBuffer();
+  uint own = atomicExchange(next_place[BUCKETS_AT_MOST + lane], 0u);
+  next_place[lane] = sum_up_to(own) - own;
+  if (lane == 0u) next_place[2u * BUCKETS_AT_MOST] = 0u;
+  for (uint k = lane; k < SUMMARY_SLOTS * SUMMARY_WORDS; k += BLOCK) summary[k] = 0u;
+}
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
   uint first = group_index() * SPLIT_TILE;
   if (first >= p.n) return;
   uint end = min(first + SPLIT_TILE, p.n);
+  bool at_once = (p.names & SPLIT_AT_ONCE) != 0u;
+  uint counts = at_once ? BUCKETS_AT_MOST : p.first_bucket;
   uint last_bucket = bucket_above(slot_of(sphere_of(end - 1u), p), p);
   uint bucket[SPLIT_EACH];
   for (uint k = 0u; k < SPLIT_EACH; ++k)
@@ -25,7 +44,8 @@ void main() {
       if (first + k * BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST) atomicAdd(counted[bucket[k] - low], 1u);
     barrier();
     for (uint b = lane; b < BUCKETS_AT_MOST; b += BLOCK)
-      if (counted[b] != 0u) atomicAdd(next_place[p.first_bucket + low + b], counted[b]);
+      if (counted[b] != 0u) atomicAdd(next_place[counts + low + b], counted[b]);
     barrier();
   }
+  if (at_once) finish_split((p.n + SPLIT_TILE - 1u) / SPLIT_TILE);
 }

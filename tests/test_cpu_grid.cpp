@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <random>
+#include <set>
 
 #include "grid_answers.h"
 
@@ -155,6 +157,30 @@ TEST(CpuGrid, FollowsMovesOutOfItsCells) {
                 grid.pairs == all.pairs && again.counts == all.counts)
         << "step " << step;
   }
+}
+
+std::set<std::string> threads_of_this_process() {
+  std::set<std::string> threads;
+  for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task"))
+    threads.insert(thread.path().filename().string());
+  return threads;
+}
+
+// To end and start threads takes longer than a step of few spheres.
+TEST(CpuGrid, EveryStepIsTakenByTheSameThreads) {
+  if (!std::filesystem::exists("/proc/self/task")) GTEST_SKIP() << "this system does not list a process's threads";
+  const auto backend = open_backend("cpu", {.threads = 7});
+  backend->upload(make_scene({.name = "uniform", .n = 9000, .radius_ratio = 16, .packing_fraction = 0.01}));
+  std::set<std::string> threads;
+  for (int step = 0; step < 3; ++step) {
+    backend->move();
+    ask(*backend, {.method = Method::collide_grid, .want_pairs = true});
+    if (step > 0) {
+      EXPECT_EQ(threads_of_this_process(), threads) << "step " << step;
+    }
+    threads = threads_of_this_process();
+  }
+  EXPECT_GE(threads.size(), 7u);
 }
 
 struct PeerCount {

@@ -175,7 +175,9 @@ TEST_P(Methods, AutomaticIsRightWhateverItTakes) {
   };
   EXPECT_NE(took({.name = "uniform", .n = row.grid_from / 2}).method, Method::collide_grid);
   EXPECT_EQ(took({.name = "uniform", .n = many}).method, Method::collide_grid);
-  EXPECT_NE(took({.name = "one_cell", .n = std::min<uint64_t>(all, 4000)}).method, Method::collide_grid);
+  const uint64_t crowded = std::min<uint64_t>(all, 4000);
+  const MethodChoice crowd = took({.name = "one_cell", .n = crowded});
+  EXPECT_EQ(crowd.method == Method::collide_grid, crowded <= row.one_cell_to) << describe(crowd);
   const MethodChoice far = took({.name = "uniform", .n = many, .offset = 1e5f});
   EXPECT_EQ(far.method, Method::collide_grid);
   EXPECT_NE(far.reason.find(fmt::format("{} spheres", many)), std::string::npos) << far.reason;
@@ -202,6 +204,30 @@ TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
     const GridPlans larger = plan_grids(make_scene({.name = "one_cell", .n = 9000}).positions);
     EXPECT_EQ(chosen_method(info, 9000, larger, {.method = Method::automatic}), Method::collide_square) << name;
   }
+}
+
+TEST(MethodsOnTheHost, AutoOnTheCpuGoesByItsThreads) {
+  BackendInfo info;
+  info.name = "cpu";
+  info.details["threads"] = "16";
+  const uint64_t from_of_many = crossover_of(info).grid_from;
+  info.details["threads"] = "2";
+  const auto took = [&](const char* scene, uint64_t n) {
+    const GridPlans plans = plan_grids(make_scene({.name = scene, .n = n}).positions);
+    return chosen_method(info, n, plans, {.method = Method::automatic});
+  };
+  const uint64_t from = crossover_of(info).grid_from;
+  EXPECT_EQ(took("one_cell", crowd_least - 1), Method::parallel);
+  EXPECT_EQ(took("one_cell", crowd_least), Method::collide_grid);
+  EXPECT_EQ(took("one_cell", 4 * from), Method::collide_grid);
+  EXPECT_EQ(took("uniform", from - 1), Method::parallel);
+  EXPECT_EQ(took("uniform", from), Method::collide_grid);
+  EXPECT_GT(from_of_many, from);
+  info.details["threads"] = "16";
+  EXPECT_EQ(took("uniform", from_of_many - 1), Method::parallel);
+  EXPECT_EQ(took("uniform", from_of_many), Method::collide_grid);
+  EXPECT_EQ(took("one_cell", crowd_least), Method::collide_grid);
+  EXPECT_EQ(took("one_cell", 2000), Method::parallel);
 }
 
 TEST(MethodsOnTheHost, OnlyAutoWidensItsGroups) {

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "backends.h"
-#include "camera.h"
 #include "grid_answers.h"
 #include "oracle.h"
 #include "plan_watch.h"
@@ -14,35 +13,30 @@ namespace {
 
 class Skips : public BackendTest {};
 
-template <typename Change>
-CollideOptions grid(Change change) {
-  CollideOptions options = {.method = Method::collide_grid, .grid = {.keep_order = false, .keep_cells = false}};
-  change(options);
-  return options;
-}
-
 // Options that every backend has.
 std::vector<CollideOptions> common_options() {
-  return {grid([](CollideOptions& o) { o.grid.cells = Cells::dense, o.grid.skip_cells = false; }),
-          grid([](CollideOptions& o) { o.grid.cells = Cells::hashed, o.grid.skip_cells = false; }),
-          grid([](CollideOptions& o) { o.filter = false; }),
-          grid([](CollideOptions& o) { o.filter = false, o.load_radii = true; }),
-          grid([](CollideOptions& o) { o.load_radii = true; }),
-          grid([](CollideOptions& o) { o.grid.keep_order = true; }),
-          grid([](CollideOptions& o) { o.grid.keep_cells = true; }),
-          grid([](CollideOptions& o) { o.grid.keep_cells = true, o.load_radii = true; }),
-          grid([](CollideOptions& o) { o.tricks = {.graph = false, .texture_table = false, .batch = false}; }),
+  return {grid_step([](CollideOptions& o) { o.grid.cells = Cells::dense, o.grid.skip_cells = false; }),
+          grid_step([](CollideOptions& o) { o.grid.cells = Cells::hashed, o.grid.skip_cells = false; }),
+          grid_step([](CollideOptions& o) { o.filter = false; }),
+          grid_step([](CollideOptions& o) { o.filter = false, o.load_radii = true; }),
+          grid_step([](CollideOptions& o) { o.load_radii = true; }),
+          grid_step([](CollideOptions& o) { o.grid.keep_order = true; }),
+          grid_step([](CollideOptions& o) { o.grid.keep_cells = true; }),
+          grid_step([](CollideOptions& o) { o.grid.keep_cells = true, o.load_radii = true; }),
+          grid_step([](CollideOptions& o) {
+            o.tricks = {.graph = false, .texture_table = false, .texture_spheres = false, .batch = false};
+          }),
           {.method = Method::automatic, .load_radii = true}};
 }
 
 // Those of one API alone, or of a library.
 std::vector<CollideOptions> special_options() {
-  std::vector<CollideOptions> all = {grid([](CollideOptions& o) { o.grid.scan = Scan::library; }),
-                                     grid([](CollideOptions& o) { o.grid.sort = Sort::radix; })};
+  std::vector<CollideOptions> all = {grid_step([](CollideOptions& o) { o.grid.scan = Scan::library; }),
+                                     grid_step([](CollideOptions& o) { o.grid.sort = Sort::radix; })};
   for (const Sort sort : {Sort::counting, Sort::buckets})
-    for (std::optional<bool> Tricks::*trick :
-         {&Tricks::graph, &Tricks::keep_in_l2, &Tricks::texture_table, &Tricks::library_clear, &Tricks::batch})
-      all.push_back(grid([=](CollideOptions& o) { o.grid.sort = sort, o.tricks.*trick = true; }));
+    for (std::optional<bool> Tricks::*trick : {&Tricks::graph, &Tricks::keep_in_l2, &Tricks::texture_table,
+                                               &Tricks::texture_spheres, &Tricks::library_clear, &Tricks::batch})
+      all.push_back(grid_step([=](CollideOptions& o) { o.grid.sort = sort, o.tricks.*trick = true; }));
   return all;
 }
 
@@ -77,7 +71,7 @@ TEST_P(Skips, WhatABackendLacksIsRefused) {
   if (backend().info().name == "cpu") {
     EXPECT_EQ(there, 0u);
   } else if (backend().info().name == "glsl") {
-    EXPECT_EQ(there, 6u) << "texture_table, library_clear and batch with both sorts";
+    EXPECT_EQ(there, 8u) << "both textures, library_clear and batch with both sorts";
   } else {
     EXPECT_GE(there, 6u) << "Thrust, graph and library_clear with both sorts; L2 where the device has it";
   }
@@ -87,13 +81,13 @@ TEST_P(Skips, WhatABackendLacksIsRefused) {
 TEST_P(Skips, WithoutTheFilterEveryMeetingIsDecidedExactly) {
   const Scene scene = make_scene({.name = "uniform", .n = 1500});
   backend().upload(scene);
-  const Answer filtered = ask(backend(), grid([](CollideOptions&) {}));
-  const Answer exact = ask(backend(), grid([](CollideOptions& o) { o.filter = false; }));
+  const Answer filtered = ask(backend(), grid_step([](CollideOptions&) {}));
+  const Answer exact = ask(backend(), grid_step([](CollideOptions& o) { o.filter = false; }));
   EXPECT_LT(filtered.totals.deferred, 10u);
   EXPECT_GT(exact.totals.deferred, 2 * exact.totals.pairs);
-  const Answer wide =
-      ask(backend(),
-          grid([](CollideOptions& o) { o.filter = false, o.grid.cells = Cells::dense, o.grid.skip_cells = false; }));
+  const Answer wide = ask(backend(), grid_step([](CollideOptions& o) {
+                            o.filter = false, o.grid.cells = Cells::dense, o.grid.skip_cells = false;
+                          }));
   const bool in_vectors = backend().info().name == "cpu";  // whose rows are met whole at this n
   EXPECT_GT(wide.totals.deferred + in_vectors, exact.totals.deferred) << "more cells, more meetings";
 }
@@ -110,9 +104,11 @@ TEST_P(Skips, WorkIsCounted) {
     WorkCounts after = backend().work_counts();
     return std::array{after.sorts - before.sorts, after.cells_kept - before.cells_kept, after.steps - before.steps};
   };
-  EXPECT_EQ(steps(grid([](CollideOptions&) {}), 0), (std::array<uint64_t, 3>{3, 0, 3}));
-  EXPECT_EQ(steps(grid([](CollideOptions& o) { o.grid.keep_cells = true; }), 0), (std::array<uint64_t, 3>{0, 3, 3}));
-  EXPECT_EQ(steps(grid([](CollideOptions& o) { o.grid.keep_cells = true; }), 1), (std::array<uint64_t, 3>{3, 0, 3}));
+  EXPECT_EQ(steps(grid_step([](CollideOptions&) {}), 0), (std::array<uint64_t, 3>{3, 0, 3}));
+  EXPECT_EQ(steps(grid_step([](CollideOptions& o) { o.grid.keep_cells = true; }), 0),
+            (std::array<uint64_t, 3>{0, 3, 3}));
+  EXPECT_EQ(steps(grid_step([](CollideOptions& o) { o.grid.keep_cells = true; }), 1),
+            (std::array<uint64_t, 3>{3, 0, 3}));
 }
 
 TEST_P(Skips, LoadsOfRadiiAndListsAreCounted) {
@@ -123,55 +119,12 @@ TEST_P(Skips, LoadsOfRadiiAndListsAreCounted) {
     return std::array{work.steps, work.without_radii, work.lists};
   };
   const SceneOptions equal = {.name = "uniform", .n = 500}, unequal = {.name = "uniform", .n = 500, .radius_ratio = 4};
-  const auto loading = grid([](CollideOptions& o) { o.load_radii = true; });
-  const auto listing = grid([](CollideOptions& o) { o.want_pairs = true; });
-  EXPECT_EQ(counted(equal, grid([](CollideOptions&) {})), (std::array<uint64_t, 3>{1, 1, 0}));
+  const auto loading = grid_step([](CollideOptions& o) { o.load_radii = true; });
+  const auto listing = grid_step([](CollideOptions& o) { o.want_pairs = true; });
+  EXPECT_EQ(counted(equal, grid_step([](CollideOptions&) {})), (std::array<uint64_t, 3>{1, 1, 0}));
   EXPECT_EQ(counted(equal, loading), (std::array<uint64_t, 3>{1, 0, 0}));
-  EXPECT_EQ(counted(unequal, grid([](CollideOptions&) {})), (std::array<uint64_t, 3>{1, 0, 0}));
+  EXPECT_EQ(counted(unequal, grid_step([](CollideOptions&) {})), (std::array<uint64_t, 3>{1, 0, 0}));
   EXPECT_EQ(counted(equal, listing), (std::array<uint64_t, 3>{1, 1, 1}));
-}
-
-TEST_P(Skips, OnlyWithoutABatchTheHostWaitsForEveryDispatch) {
-  if (backend().info().name != "glsl") GTEST_SKIP() << "batches of dispatches are OpenGL's";
-  backend().upload(make_scene({.name = "uniform", .n = 500}));
-  for (const bool batch : {true, false}) {
-    const WorkCounts before = backend().work_counts();
-    backend().collide(grid([=](CollideOptions& o) { o.tricks.batch = batch; }));
-    const WorkCounts after = backend().work_counts();
-    EXPECT_EQ(after.waits - before.waits, batch ? 0 : after.launches - before.launches);
-  }
-}
-
-// A first step may still make buffers, a second is seen, and a third is captured when it is the same.
-TEST_P(Skips, AGraphIsReplayedWhileNothingChanges) {
-  if (backend().info().name != "cuda") GTEST_SKIP() << "graphs of launches are CUDA's";
-  const Scene scene = make_scene({.name = "uniform", .n = 3000});
-  const std::vector<Pair> expected = brute_force_pairs(scene.positions);
-  backend().upload(scene);
-  const CollideOptions options = grid([](CollideOptions& o) { o.tricks.graph = true; });
-  for (int k = 0; k < 8; ++k) {
-    const uint64_t replayed = backend().work_counts().graphs_replayed;
-    EXPECT_EQ(objection(ask(backend(), options), expected, scene.size()), "") << k;
-    if (k >= 3) {
-      EXPECT_EQ(backend().work_counts().graphs_replayed, replayed + 1) << k;
-    }
-  }
-}
-
-// Another view is drawn after every step; the kernels of the step see none.
-TEST_P(Skips, AGraphIsReplayedWhileTheCameraMoves) {
-  if (backend().info().name != "cuda") GTEST_SKIP() << "graphs of launches are CUDA's";
-  const Scene scene = make_scene({.name = "uniform", .n = 3000});
-  backend().upload(scene);
-  const CollideOptions options = grid([](CollideOptions& o) { o.tricks.graph = true; });
-  for (int k = 0; k < 8; ++k) {
-    const uint64_t replayed = backend().work_counts().graphs_replayed;
-    backend().collide(options);
-    if (k >= 3) {
-      EXPECT_EQ(backend().work_counts().graphs_replayed, replayed + 1) << k;
-    }
-    backend().draw(make_view(frame(bounds_of(scene.positions), 10 * k, 20, 40, 1), contact_look(), 64, 64), {});
-  }
 }
 
 // Spheres that fly off together: planned once, all of them end in the cells along the border.
@@ -187,7 +140,7 @@ TEST_P(Skips, CellsFollowSpheresThatLeaveThem) {
   std::array<uint64_t, 2> meetings{};
   for (const bool replan : {false, true}) {
     backend().upload(scene);
-    CollideOptions options = grid([=](CollideOptions& o) { o.grid.cells = Cells::dense, o.grid.replan = replan; });
+    CollideOptions options = grid_step([=](CollideOptions& o) { o.grid.cells = Cells::dense, o.grid.replan = replan; });
     for (int step = 0; step < 60; ++step) {
       backend().move();
       if (step % 5 == 4) backend().collide(options);
@@ -208,7 +161,7 @@ TEST_P(Skips, CellsFollowManySpheres) {
   if (backend().info().name == "cpu") GTEST_SKIP() << "the CPU has all positions at hand";
   const Scene scene = in_the_wind(70000);
   backend().upload(scene);
-  const CollideOptions options = grid([](CollideOptions& o) { o.grid.cells = Cells::dense; });
+  const CollideOptions options = grid_step([](CollideOptions& o) { o.grid.cells = Cells::dense; });
   for (int step = 0; step < 30; ++step) backend().move();
   const Answer answer = ask(backend(), options);
   EXPECT_EQ(backend().work_counts().plans, 2u);

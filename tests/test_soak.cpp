@@ -99,6 +99,7 @@ CollideOptions random_options(Dice& dice, const Backend& backend) {
   if (options.method != Method::collide_grid) return options;
   options.filter = !dice.one_in(6);
   options.tricks.texture_table = backend.info().name == "glsl" && dice.one_in(2);
+  options.tricks.texture_spheres = backend.info().name == "glsl" && dice.one_in(2);
   options.tricks.library_clear = gpu_api && dice.one_in(2);
   return options;
 }
