@@ -6,7 +6,9 @@ from derived import matched
 from ranks import apart
 from records import Missing
 
-CONTESTS = ({"table": "scale", "scene": "random"}, {"table": "scale", "scene": "uniform"}, {"table": "step"})
+CONTESTS = {"all pairs of the original's box": {"table": "scale", "scene": "random"},
+            "all pairs of a gas": {"table": "scale", "scene": "uniform"},
+            "whole steps": {"table": "step"}}
 NAMES = {"glsl": "GLSL", "cuda": "CUDA"}
 LARGE = 65536  # spheres from which on a step is work and not launches
 
@@ -17,15 +19,17 @@ class Contest:
     winner: str  # glsl or cuda; empty where the intervals overlap
     lead: float  # %, of the winner, or of the lesser median
     source: str
+    where: str = ""
 
 
-def contest(glsl, cuda):
+def contest(glsl, cuda, where=""):
     (fast, name), (slow, _) = sorted(((glsl, "glsl"), (cuda, "cuda")), key=lambda entry: entry[0].median)
-    return Contest(glsl.n, name if apart(glsl, cuda) else "", 100 * (1 - fast.median / slow.median), glsl.source)
+    return Contest(glsl.n, name if apart(glsl, cuda) else "", 100 * (1 - fast.median / slow.median), glsl.source,
+                   where)
 
 
 def contests(machine):
-    found = [contest(*pair) for wanted in CONTESTS for pair in matched(machine, **wanted)]
+    found = [contest(*pair, where) for where, wanted in CONTESTS.items() for pair in matched(machine, **wanted)]
     if not any(entry.n >= LARGE for entry in found):
         raise Missing(f"{machine.name}: all pairs of {LARGE:,} spheres and more were not timed in both APIs")
     return found
@@ -55,24 +59,50 @@ def in_order(found):
     return None
 
 
-def wins(found):
-    """Who takes less time, by how much, and where."""
-    open_ones = won(found, "")
-    rest = f"; at {sizes(open_ones)} spheres intervals overlap" if open_ones else ""
+def by_size(found):
+    """Who takes less time, by how much, and up to or from where; None where no order of sizes tells it."""
     sides = in_order(found)
     if sides:
         low, high = (won(found, name) for name in sides)
-        return (f"{NAMES[sides[0]]} takes {span(low)} % less time up to {max(e.n for e in low):,} spheres, "
-                f"{NAMES[sides[1]]} {span(high)} % less from {min(e.n for e in high):,} on{rest}")
+        return (f"{NAMES[sides[0]]} takes {span(low)} % less time up to {max(e.n for e in low):,} spheres and "
+                f"{NAMES[sides[1]]} {span(high)} % less from {min(e.n for e in high):,} on")
     alone = [name for name in NAMES if won(found, name)]
-    if len(alone) == 1:
-        mine = won(found, alone[0])
-        return f"{NAMES[alone[0]]} takes {span(mine)} % less time in {len(mine)} of {len(found)} contests{rest}"
+    if len(alone) > 1:
+        return None
     if not alone:
-        return f"in none of {len(found)} contests a difference is seen"
-    counts = ", ".join(f"{NAMES[name]} {span(won(found, name))} % less in {len(won(found, name))}"
-                       for name in sorted(alone, key=lambda name: -len(won(found, name))))
-    return f"of {len(found)} contests either API wins some: {counts}{rest}"
+        return "no difference is seen"
+    mine = won(found, alone[0])
+    throughout = "at every size" if len(mine) == len(found) else f"in {len(mine)} of {len(found)} contests"
+    return f"{NAMES[alone[0]]} takes {span(mine)} % less time {throughout}"
+
+
+def by_scene(found):
+    """The same for each kind of work, those in which one API alone wins together; None where that tells nothing."""
+    kinds = {}
+    for entry in found:
+        kinds.setdefault(entry.where, []).append(entry)
+    if any(by_size(entries) is None for entries in kinds.values()):
+        return None
+    together = {}
+    for where, entries in kinds.items():
+        winners = {entry.winner for entry in entries}
+        together.setdefault(winners.pop() if len(winners) == 1 else where, {})[where] = entries
+    clauses = [f"in {' and '.join(group)} {by_size([entry for entries in group.values() for entry in entries])}"
+               for group in together.values()]
+    return "; ".join(clauses)
+
+
+def by_count(found):
+    names = sorted((name for name in NAMES if won(found, name)), key=lambda name: -len(won(found, name)))
+    counts = (f"{NAMES[name]} takes {span(won(found, name))} % less time in {len(won(found, name))}" for name in names)
+    return f"of {len(found)} contests, {' and '.join(counts)}"
+
+
+def wins(found):
+    """Who takes less time, by how much, and where: in the shortest form that the records allow."""
+    open_ones = won(found, "")
+    rest = f"; at {sizes(open_ones)} spheres intervals overlap" if 0 < len(open_ones) < len(found) else ""
+    return (by_size(found) or by_scene(found) or by_count(found)) + rest
 
 
 def headline(found):

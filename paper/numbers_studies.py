@@ -18,6 +18,10 @@ def pairs_of_the_sweep(put, machine, others):
              for pair in matched(machine, **wanted, packing_fraction=fraction) if pair[0].n >= leads.LARGE]
     if not found:
         raise Missing(f"{machine.name}: the sweep has no all pairs of {leads.LARGE:,} spheres and more")
+    large = [entry for entry in leads.contests(machine) if entry.n >= leads.LARGE] + found
+    sides = {entry.winner for entry in large} - {""}
+    put("lead/turns", "So the lead changes sides between scenes and runs." if len(sides) > 1 else
+        "So the lead is on one side in both runs, where there is any.", found[0].source, "sentence made from both runs")
     put("lead/sweep", leads.at_large_sizes(found).replace(" %", "\\,\\%"), found[0].source,
         "sentence made from all pairs in the sweep")
 

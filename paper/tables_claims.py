@@ -7,8 +7,8 @@ from tabular import Table, interval, ms
 LARGEST = 2**20  # of all pairs
 GAS = {"scene": "uniform", "packing_fraction": 0.3}
 CAPTION = ("The main claims: medians in milliseconds with their intervals of at least 95\\,\\%. The faster API is "
-           "named only where the intervals are apart; its lead is in percent of the slower one's time. CPU: all threads. "
-           "Of:")
+           "named only where the intervals are apart; its lead is in percent of the slower one's time. CPU: all "
+           "threads. Of:")
 
 
 def rows_wanted():
