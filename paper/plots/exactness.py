@@ -9,8 +9,10 @@ CAPTION = ("What exactness costs: time with the exact predicate over time with t
 
 
 def name(record):
-    if record.backend == "cpu":
+    if record.backend == "cpu" and record.method != "collide_grid":
         return SERIES[series_of(record)]["label"]
+    if record.backend == "cpu":
+        return "CPU, grid"
     return f"{SERIES[record.backend]['label']}, {record.method.removeprefix('collide_')}"
 
 
