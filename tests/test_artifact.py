@@ -84,7 +84,8 @@ class Speed(unittest.TestCase):
         self.assertLessEqual(times["glsl"]["paper"] / times["cuda"]["paper"], 1.05)
 
     def test_6b(self):
-        self.said("6b", "`impact` f32 ≤ 2e-4 m for dt ≥ 2⁻⁶", "`anchored` f32 ≤ 1e-5", "compensated ≤ 1e-9", "f64 ≤ 1e-10")
+        self.said("6b", "`impact` f32 ≤ 2e-4 m for dt ≥ 2⁻⁶", "`anchored` f32 ≤ 1e-5", "compensated ≤ 1e-9",
+                  "f64 ≤ 1e-10")
         bounds = {"float32": 1e-5, "compensated": 1e-9, "float64": 1e-10}
         for entry in study(self.h200):
             if entry.method == "anchored":
@@ -103,7 +104,8 @@ class Speed(unittest.TestCase):
         claims = {"counts_read": (10**6, 40, APIS), "exact_stages": (10**6, 10, APIS), "order": (10**6, 1.4, APIS),
                   "cells": (10**6, 1.4, APIS), "vector_loads": (10**6, 2, APIS), "own_clear": (10**6, 2, ("glsl",)),
                   "batch": (10**6, 2, ("glsl",)), "graph": (16384, 1.4, ("cuda",))}
-        self.said("7e", "asked for ≥ 40 times", "filter ≥ 10", "≥ 1.4", "a graph ≥ 1.4", "own clear ≥ 2", "one by one ≥ 2")
+        self.said("7e", "asked for ≥ 40 times", "filter ≥ 10", "≥ 1.4", "a graph ≥ 1.4", "own clear ≥ 2",
+                  "one by one ≥ 2")
         found = {(on.skip, on.n, on.backend): off.median / on.median for on, off in on_and_off(self.h200)}
         for skip, (n, least, apis) in claims.items():
             for name in apis:
