@@ -87,7 +87,7 @@ def by_scene(found):
     for where, entries in kinds.items():
         winners = {entry.winner for entry in entries}
         together.setdefault(winners.pop() if len(winners) == 1 else where, {})[where] = entries
-    clauses = [f"in {' and '.join(group)} {by_size([entry for entries in group.values() for entry in entries])}"
+    clauses = [f"in {' and in '.join(group)} {by_size([entry for entries in group.values() for entry in entries])}"
                for group in together.values()]
     return "; ".join(clauses)
 

@@ -66,6 +66,8 @@ def kinds_of_spheres(put, machine, others):
     put("kinds/rows", str(len(rows)), source, "kinds, sizes and APIs in which auto was timed")
     put("kinds/good", str(sum(loss <= GOOD for loss, _, _ in rows)), source, f"those where it took {GOOD:g} times the "
         "best or less")
+    put("kinds/cpu/worst", f"{max(max(by['cpu'].losses) for by in found.values()):.2g}", source,
+        "times the best fixed choice that auto took at worst on the CPU")
     put("kinds/worst/kind", kind, source, "the kind of spheres in which it did")
     put("kinds/worst", f"{worst:.2g}", source, f"times the best fixed choice that auto took at worst: {kind}, {name}")
     for name in DEVICES:

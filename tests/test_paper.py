@@ -116,7 +116,7 @@ class WhoLeads(unittest.TestCase):
     def test_kinds_of_work_that_differ_are_told_apart(self):
         gas = {"table": "scale", "scene": "uniform"}
         _, wins, _ = self.sentences(lambda record: 0.1 if record.matches(gas) and record.n > 16384 else 10)
-        self.assertRegex(wins, "^in all pairs of the original's box and whole steps CUDA .* at every size; in all "
+        self.assertRegex(wins, "^in all pairs of the original's box and in whole steps CUDA .* at every size; in all "
                                "pairs of a gas CUDA .* up to 16,384 spheres and GLSL .* from 65,536 on$")
 
     def test_alike_is_no_lead(self):
