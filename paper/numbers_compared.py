@@ -106,17 +106,21 @@ def factor(value):
     return f"{value:.2f}" if value < 1.5 else f"{value:.1f}" if value < 10 else f"{value:.0f}"
 
 
+def told(middle, least, most):
+    if least > 0:
+        return f"{ms(middle)}\\,ms are hidden"
+    return f"{ms(-middle)}\\,ms are lost" if most < 0 else "no gain is seen"
+
+
 def pipelined_hand_overs(put, machine, others):
     root = overlaps(machine)
     most = max(entry["n"] for entry in root["overlaps"])
     rows = {entry["hand_over"]: entry for entry in root["overlaps"] if entry["n"] == most and entry["draw"] == "points"}
     put("overlap/n", f"{most:,}", root["id"], "spheres of the pipelined loop")
     for way, row in rows.items():
-        for what, value in (("hidden", hidden(row)), ("cost", -hidden(row)), ("picture", row["picture_ms"]),
-                            ("step", row["step_ms"])):
-            put(f"overlap/{way}/{what}", ms(value), root["id"], f"ms, {what}, {way}, points, n = {most}")
-    said(machine, hidden(rows["registered"]) > 0 and hidden(rows["imported"]) > 0 > hidden(rows["host"]),
-         "pipelining hides a step behind GL's picture, and the way through the host loses by it")
+        put(f"overlap/{way}/picture", ms(row["picture_ms"]), root["id"], f"ms, picture, {way}, points, n = {most}")
+        put(f"overlap/{way}", told(*hidden(root, row)), root["id"], f"words: what is hidden, {way}, points, n = {most}")
+    put("overlap/step", ms(row["step_ms"]), root["id"], f"ms, a step of that loop, n = {most}")
     drawn = [row for row in root["frames"] if (row["draw"], row["place"], row["n"]) == ("compute", "outside", most)]
     put("overlap/kernels", ms(drawn[0]["median_ms"]), root["id"], f"ms, CUDA's own picture in that run, n = {most}")
 

@@ -79,7 +79,7 @@ def group_sizes(put, machine, others):
             put(f"groups/{method}/{name}/worst", f"{worst.block}", worst.source, f"{name}, slowest, {method}")
     said(machine, max(behind) <= 10, f"groups of {GROUP} are good for every method that meets all groups")
     put("groups/same", str(GROUP), machine.id, "the group size that serves every method")
-    put("groups/same/behind", f"{max(behind):.0f}", machine.id, f"most in % that groups of {GROUP} are behind the best size")
+    put("groups/same/behind", f"{max(behind):.0f}", machine.id, f"most in % that groups of {GROUP} are behind the best")
 
 
 def keeping_order(put, machine, others):

@@ -130,6 +130,16 @@ def pictures(put, machine, others):
             put(f"draw/{key}/{name}/way", best_way.draw, best_way.source, f"{name}, fastest way to draw {n} spheres")
 
 
+def loops(put, machine, others):
+    rows = {name: {row.n: row for row in machine.need(table="draw", work="loop", place="outside", backend=name)}
+            for name in DEVICES}
+    n = min(rows["glsl"].keys() & rows["cuda"].keys())
+    put("loop/n", f"{n:,}", rows["cuda"][n].source, "least spheres of the loop in both APIs")
+    for name in DEVICES:
+        row = rows[name][n]
+        put(f"loop/rate/{name}", f"{1e3 / row.median:,.0f}", row.source, f"pictures a second, {row.label}, n = {n}")
+
+
 def hand_overs(put, machine, others):
     rows = machine.need(table="interop")
     rows = sorted((row for row in rows if row.n == rows[-1].n), key=lambda row: row.median)
@@ -142,4 +152,4 @@ def hand_overs(put, machine, others):
         put(f"interop/{key}/way", row.way, row.source, f"the {key}est way to hand over, n = {row.n}")
 
 
-STUDIED = (pairs_of_the_sweep, twin_kernels, grid, largest_grids, grid_leads, pictures, hand_overs)
+STUDIED = (pairs_of_the_sweep, twin_kernels, grid, largest_grids, grid_leads, pictures, loops, hand_overs)

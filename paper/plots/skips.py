@@ -76,7 +76,7 @@ def draw_line(axis, place, pairs, last):
         times.append(f"{NAMES[on.backend]} {time_text(on.median)}")
         said.append(counts(on, off))
     texts = ["; ".join(times), *(said[-1:] if last and said[-1] else [])]
-    axis.text(1.02, place, ". ".join(texts), transform=axis.get_yaxis_transform(), fontsize=5.2, va="center")
+    axis.text(1.02, place, ". ".join(texts), transform=axis.get_yaxis_transform(), fontsize=5.8, va="center")
 
 
 def caption(machine):
