@@ -182,7 +182,8 @@ def hand_over(machine):
     for entry in root["overlaps"]:
         times = [entry[f"{what}_ms"] for what in ("picture", "step", "pipelined")]
         middle, least, most = hidden(root, entry)
-        rows.append([entry["hand_over"], size_text(entry["n"]), *map(ms, times), f"{ms(middle)} [{ms(least)}, {ms(most)}]"])
+        rows.append([entry["hand_over"], size_text(entry["n"]), *map(ms, times),
+                     f"{ms(middle)} [{ms(least)}, {ms(most)}]"])
     heads = [[("", 2), ("milliseconds", 4)], ["hand-over", "spheres", "picture", "step", "both", "hidden"]]
     caption = HAND_OVERS.format(draw=root["overlaps"][0]["draw"])
     return Table("hand-over", caption, heads, rows, left=1, source=root["id"])
