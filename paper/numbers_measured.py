@@ -48,6 +48,8 @@ def pairs_alone(put, machine, others):
     for method, key in (("sequential", "one"), ("parallel", "all")):
         record = machine.one(table="table1", backend="cpu", method=method, n=SIZE)
         put(f"pairs/cpu/{key}", ms(record.median), record.source, f"median, pairs, n = {SIZE}, {record.label}")
+        for end, value in (("low", record.low), ("high", record.high)):
+            put(f"pairs/cpu/{key}/{end}", ms(value), record.source, f"its interval, {end} end")
     for name in DEVICES:
         for method in ("tiled", "triangle"):
             record = machine.one(table="table1", backend=name, method=f"collide_{method}", n=SIZE)
