@@ -54,9 +54,8 @@ struct DrawOptions {
   bool skip_unchanged = true;     // the whole picture, when nothing has changed since the last
   uint64_t skip_from = 1u << 17;  // clusters are made of so many spheres or more
 
-  // Of so many spheres or more, which then are small on the screen, SEEN_TOGETHER of consecutive numbers are remembered
-  // as seen when one of them is.
-  uint64_t together_from = 1u << 25;
+  // Of so many spheres or more, clusters far behind what the last pictures showed wait until the near ones are drawn.
+  uint64_t put_off_from = 1u << 22;
 
   // Of fewer spheres, which then are large on the screen, each is drawn by LANES threads; without clusters only.
   uint64_t share_below = 1u << 17;

@@ -6,6 +6,8 @@
 
 #include "draw.h"
 
+#define CLUSTER_PARTS 2u  // of a cluster's box, that are tested where the whole is not hidden
+
 // A box in the camera's axes that holds all of a cluster: its middle, and how far it reaches along each axis.
 struct Solid {
   float x, y, z, across, above, ahead;
@@ -87,6 +89,47 @@ FN uint least_depth(Solid solid, Box box, View v) {
   return least_depth_between(close, far, 0.0f, box, v);
 }
 
+// The same box nearer to the eye by NEAR_LAYERS times the thinnest half of what the corners hold. What is even then
+// behind all that is seen where it would show is put off.
+FN Solid brought_nearer(Solid solid, vec4 low, vec4 high) {
+  EXACT float width = high.x - low.x;
+  EXACT float height = high.y - low.y;
+  EXACT float depth = high.z - low.z;
+  EXACT float layers = (0.5f * NEAR_LAYERS) * smaller(smaller(width, height), depth);
+  EXACT float z = solid.z - layers;
+  Solid nearer = {solid.x, solid.y, z, solid.across, solid.above, solid.ahead};
+  return nearer;
+}
+
+// Part k of a cluster's box, which is cut across its longest side: rows of spheres reach far into the picture.
+struct Corners {
+  vec4 low, high;
+};
+FN float cut_at(float low, float high, uint k) {
+  EXACT float at = low + (high - low) * (float(k) * (1.0f / float(CLUSTER_PARTS)));
+  return at;
+}
+FN Corners part_of(vec4 low, vec4 high, uint k) {
+  EXACT float width = high.x - low.x;
+  EXACT float height = high.y - low.y;
+  EXACT float depth = high.z - low.z;
+  Corners part = {low, high};
+  if (width >= height && width >= depth) {
+    part.low.x = cut_at(low.x, high.x, k);
+    part.high.x = cut_at(low.x, high.x, k + 1u);
+  } else if (height >= depth) {
+    part.low.y = cut_at(low.y, high.y, k);
+    part.high.y = cut_at(low.y, high.y, k + 1u);
+  } else {
+    part.low.z = cut_at(low.z, high.z, k);
+    part.high.z = cut_at(low.z, high.z, k + 1u);
+  }
+  return part;
+}
+
+// The list that a phase draws.
+FN uint list_of(uint phase) { return phase == uint(PHASE_FAR) ? LIST_FAR : LIST_DRAWN; }
+
 // The pyramid's two levels: texels of LEVEL_0 and of LEVEL_1 pixels along both axes.
 FN uint texel_shift(uint level) { return level == 0u ? 3u : 5u; }
 FN uint texels_along(uint pixels, uint level) {
@@ -95,6 +138,16 @@ FN uint texels_along(uint pixels, uint level) {
 FN uint first_texel(uint level, View v) {
   return level == 0u ? 0u : texels_along(v.width, 0u) * texels_along(v.height, 0u);
 }
+// A texel: x is the greatest depth of its pixels, infinite where nothing is seen, and y the greatest that is seen.
+FN uvec2 texel_of_pixel(uint depth) {
+  uvec2 texel = {depth, depth == 0xFFFFFFFFu ? 0u : depth};
+  return texel;
+}
+FN uvec2 texel_of_both(uvec2 a, uvec2 b) {
+  uvec2 texel = {a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y};
+  return texel;
+}
+
 // In how many texels a box is looked up, beside those that its borders touch; rows of spheres make long and low boxes.
 FN uint texels_of(Box box, uint level) {
   uint shift = texel_shift(level);

@@ -131,7 +131,7 @@ void DeviceBackend::upload(const Scene& scene) {
   cleared_ = collided_ = buckets_clear_ = cells_built_ = counts_by_place_ = false;
   view_ = {};
   clustered_.reset();
-  seen_known_ = 0;
+  seen_known_ = false;
   picture_stands_ = false;
   pictures_kept_ = 0;
   write_state(initial_state(scene, params_));

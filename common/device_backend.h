@@ -152,6 +152,7 @@ class DeviceBackend : public Backend {
   void draw_all(const Params& params, Order order);
   void draw_clusters(const Params& params, Order order);
   void draw_phase(uint phase, const Params& params, Order order);
+  void cull(uint phase, const Params& params);
   void draw_tiles(const Params& params);
   void restart_lists();
   void make_clusters(const Params& params, Order order);
@@ -187,7 +188,7 @@ class DeviceBackend : public Backend {
   View asked_{};                  // the same as it was asked for
   DrawOptions draw_options_;
   std::optional<Order> clustered_;  // whose clusters they are; none when spheres have moved
-  uint seen_known_ = 0;             // SLOT_VISIBLE shows spheres of this scene, remembered so many as one
+  bool seen_known_ = false;         // SLOT_VISIBLE shows spheres of this scene
   uint lists_turn_ = 0;             // View::turn of the next picture
   bool picture_stands_ = false;     // nothing has changed since the last draw
   uint64_t pictures_kept_ = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Drawing by clusters: the spheres that the last pictures showed are drawn first, a pyramid of depths is made of them,
-// and of the rest only what that does not hide is drawn (hierarchical occlusion, two phases).
+// and of the rest only what that does not hide is drawn (hierarchical occlusion, two phases). Where the camera moved,
+// there are gaps between the spheres seen; of many spheres the near ones fill them before the far ones are looked at.
 #include <algorithm>
 #include <vector>
 
@@ -11,6 +12,14 @@ namespace spherepair {
 namespace {
 
 constexpr uint64_t batch_groups = 4096;  // that fill a large device
+
+// What the times of a phase are called where not by the kernels' names.
+struct Stages {
+  const char *pyramid, *cull, *clusters;
+};
+constexpr Stages near_stages{"draw_pyramid_near", "draw_cull_near", "draw_clusters_near"};
+constexpr Stages far_stages{"draw_pyramid_far", "draw_cull_far", "draw_clusters_far"};
+Stages stages_of(uint phase) { return phase == PHASE_NEAR ? near_stages : phase == PHASE_FAR ? far_stages : Stages{}; }
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
@@ -24,8 +33,8 @@ void DeviceBackend::make_clusters(const Params& params, Order order) {
     make_buffer(slot, bytes);
     return true;
   };
-  keep(SLOT_PYRAMID, (first_texel(1, view_) + level_1_texels()) * sizeof(uint));
-  keep(SLOT_CLUSTER_LIST, uint64_t(view_.clusters) * sizeof(uint));
+  keep(SLOT_PYRAMID, (first_texel(1, view_) + level_1_texels()) * sizeof(uvec2));
+  keep(SLOT_CLUSTER_LIST, uint64_t(view_.clusters) * 3 * sizeof(uint));
   if (keep(SLOT_CLUSTER, uint64_t(view_.clusters) * 2 * sizeof(vec4))) clustered_.reset();
   if (clustered_ == order) return;
   launch(
@@ -36,17 +45,16 @@ void DeviceBackend::make_clusters(const Params& params, Order order) {
 
 // What the last picture showed is in SLOT_VISIBLE. Of another scene it is cleared, and nothing was seen.
 void DeviceBackend::make_seen_list(const Params& params) {
-  const uint together = view_.occlusion;
-  if (seen_known_ == together) return;
-  const uint64_t all = n_ / together + 1;
-  const std::vector<uint> none(all / 8 + 1), no_entries(DRAWN_WORDS);
+  if (seen_known_) return;
+  const std::vector<uint> none(n_ / 8 + 1), no_entries(DRAWN_WORDS);
   make_buffer(SLOT_SEEN_LEFT, none.size() * sizeof(uint));
-  make_buffer(SLOT_SEEN_LIST, 2 * all * sizeof(uint));
+  make_buffer(SLOT_SEEN_LIST, 2 * (n_ + 1) * sizeof(uint));
   write(SLOT_SEEN_LEFT, none.data(), 0, none.size() * sizeof(uint));
   write(SLOT_DRAWN, no_entries.data(), 0, no_entries.size() * sizeof(uint));
   view_.occlusion = 0;
   launch_per_pixel(Kernel::draw_clear, PIXELS_EACH, params);
-  view_.occlusion = seen_known_ = together;
+  view_.occlusion = 1;
+  seen_known_ = true;
 }
 
 uint64_t DeviceBackend::level_1_texels() const {
@@ -59,29 +67,48 @@ void DeviceBackend::draw_phase(uint phase, const Params& params, Order order) {
   Params by_number = params;
   by_number.in_cells = false;
   const bool seen = phase == PHASE_SEEN;
-  const uint64_t most = seen ? ceil_div(n_ * view_.lanes, BATCH) : ceil_div(view_.clusters, BATCH / CLUSTER);
-  launch({seen ? Kernel::draw_seen : Kernel::draw_clusters,
-          BATCH,
-          {},
-          folded(std::min(most, batch_groups)),
-          seen ? Order::scene : order},
+  const uint64_t most = seen ? ceil_div(n_, BATCH) : ceil_div(view_.clusters, BATCH / CLUSTER);
+  launch({.kernel = seen ? Kernel::draw_seen : Kernel::draw_clusters,
+          .block = BATCH,
+          .variant = {},
+          .groups = folded(std::min(most, batch_groups)),
+          .order = seen ? Order::scene : order,
+          .stage = stages_of(phase).clusters},
          seen ? by_number : params);
-  if (view_.pass == PASS_DEPTH || !seen) draw_tiles(params);  // the second pass draws all at once
+  if (view_.pass == PASS_DEPTH && phase != PHASE_NEAR) draw_tiles(params);  // those left are drawn with the next
+}
+
+// Which clusters are to be drawn in this phase, by the pyramid of what is drawn already.
+void DeviceBackend::cull(uint phase, const Params& params) {
+  view_.phase = phase;
+  const Stages stages = stages_of(phase);
+  Launch pyramid{Kernel::draw_pyramid, SERVICE_BLOCK, {}, folded(level_1_texels())};
+  pyramid.stage = stages.pyramid;
+  if (view_.occlusion) launch(pyramid, params);
+  const uint64_t all = ceil_div(view_.clusters, SERVICE_BLOCK);
+  Launch culls{Kernel::draw_cull, SERVICE_BLOCK, {}, folded(phase == PHASE_FAR ? std::min(all, batch_groups) : all)};
+  culls.stage = stages.cull;
+  launch(culls, params);
 }
 
 void DeviceBackend::draw_clusters(const Params& params, Order order) {
   make_clusters(params, order);
-  if (view_.occlusion) {
-    draw_phase(PHASE_SEEN, params, order);
-    launch({Kernel::draw_pyramid, SERVICE_BLOCK, {}, folded(level_1_texels())}, params);
+  std::vector<uint> phases;
+  if (view_.occlusion) phases = {PHASE_SEEN};
+  if (view_.occlusion && n_ >= draw_options_.put_off_from) {
+    phases.insert(phases.end(), {PHASE_NEAR, PHASE_FAR});
+  } else {
+    phases.push_back(PHASE_REST);
   }
-  launch({Kernel::draw_cull, SERVICE_BLOCK, {}, folded(ceil_div(view_.clusters, SERVICE_BLOCK))}, params);
-  draw_phase(PHASE_REST, params, order);
+  for (const uint phase : phases) {
+    if (phase != PHASE_SEEN) cull(phase, params);
+    draw_phase(phase, params, order);
+  }
   if (has_atomics_64()) return;
   view_.pass = PASS_ID;
   restart_lists();
-  if (view_.occlusion) draw_phase(PHASE_SEEN, params, order);
-  draw_phase(PHASE_REST, params, order);
+  for (const uint phase : phases) draw_phase(phase, params, order);
+  draw_tiles(params);
 }
 
 }  // namespace spherepair

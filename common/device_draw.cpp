@@ -11,6 +11,7 @@
 namespace spherepair {
 namespace {
 
+constexpr const char* tiles_stage[] = {"draw_tiles_seen", "draw_tiles_rest", nullptr, "draw_tiles_far"};
 constexpr uint tile_groups = 1024;                               // that fill a large device
 constexpr uint64_t least_tiles = 1 << 16, most_tiles = 1 << 22;  // that the list has room for at first
 
@@ -25,7 +26,7 @@ void DeviceBackend::make_draw_buffers() {
   const auto keep = [&](uint slot, uint64_t bytes) {
     if (bytes_[slot] < bytes) make_buffer(slot, bytes);
   };
-  if (bytes_[SLOT_VISIBLE] < pixels(view_) * 2 * sizeof(uint)) seen_known_ = 0;
+  if (bytes_[SLOT_VISIBLE] < pixels(view_) * 2 * sizeof(uint)) seen_known_ = false;
   keep(SLOT_VISIBLE, pixels(view_) * 2 * sizeof(uint));
   keep(SLOT_IMAGE, pixels(view_) * sizeof(uint));
   keep(SLOT_DRAWN, DRAWN_WORDS * sizeof(uint));
@@ -45,7 +46,7 @@ void DeviceBackend::draw_all(const Params& params, Order order) {
 
 void DeviceBackend::draw_tiles(const Params& params) {
   Launch tiles{Kernel::draw_tiles, SERVICE_BLOCK, {}, {tile_groups, 1, 1}};
-  if (view_.occlusion) tiles.stage = view_.phase == PHASE_SEEN ? "draw_tiles_seen" : "draw_tiles_rest";
+  if (view_.occlusion) tiles.stage = tiles_stage[view_.phase];
   launch(tiles, params);
 }
 
@@ -69,9 +70,8 @@ void DeviceBackend::launch_rasteriser() {
   view_.phase = PHASE_SEEN;
   view_.turn = lists_turn_;
   const bool culls = (draw_options_.skip_outside || draw_options_.skip_hidden) && n_ >= draw_options_.skip_from;
-  const uint together = n_ >= draw_options_.together_from ? SEEN_TOGETHER : 1;
-  view_.occlusion = culls && draw_options_.skip_hidden ? together : 0;
-  view_.lanes = !culls ? draw_options_.lanes(n_) : together == 1 ? WALKERS : 1;
+  view_.occlusion = culls && draw_options_.skip_hidden;
+  view_.lanes = culls ? 1 : draw_options_.lanes(n_);
   if (view_.occlusion) make_seen_list(params);
   launch_per_pixel(Kernel::draw_clear, PIXELS_EACH, params);
   if (n_ > 0) culls ? draw_clusters(params, order) : draw_all(params, order);

@@ -84,6 +84,16 @@ FN Box box_of(vec4 seen, View v) {
   return box_between(left, right, bottom, top, close, far, v);
 }
 
+// In two words.
+FN uvec2 packed(Box box) {
+  uvec2 words = {box.x | (box.y << 16), box.width | (box.height << 16)};
+  return words;
+}
+FN Box box_from(uvec2 words) {
+  Box box = {words.x & 0xFFFFu, words.x >> 16, words.y & 0xFFFFu, words.y >> 16};
+  return box;
+}
+
 // Whether a box is cut into tiles.
 FN bool is_large(Box box, View v) {
   uint most = v.lanes == uint(LANES) ? uint(SHARE_AT_MOST) : uint(WALK_AT_MOST);
@@ -91,9 +101,7 @@ FN bool is_large(Box box, View v) {
 }
 
 // Of the threads that share a sphere, so many are in a row.
-FN uint lanes_across(View v) {
-  return v.lanes == 1u ? 1u : v.lanes == uint(LANES) ? uint(LANES_ACROSS) : uint(WALKERS_ACROSS);
-}
+FN uint lanes_across(View v) { return v.lanes == 1u ? 1u : uint(LANES_ACROSS); }
 
 // The place in the order in which spheres, or clusters, are gone through: the near ones first, as far as a cell order
 // by z and then y and x has them.

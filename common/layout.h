@@ -27,15 +27,15 @@
 #define SLOT_TILE 18     // uvec2[]: large spheres cut into tiles: the sphere's number, that of the tile in its box
 #define SLOT_DRAWN 19    // uint[DRAWN_WORDS]: see view.h
 #define SLOT_CLUSTER 20  // vec4[2 * clusters]: lowest and highest corner of what holds a cluster's spheres
-#define SLOT_SEEN_LEFT 21  // uint[]: four bits for each View::occlusion spheres, not 0 while in the list of those seen
-#define SLOT_CLUSTER_LIST 22  // uint[clusters]: those to draw, in any order
-#define SLOT_PYRAMID 23       // uint[]: greatest depth in each texel, level 0 and then 1; see cluster.h
+#define SLOT_SEEN_LEFT 21  // uint[]: four bits for each sphere, not 0 while in the list of those seen
+#define SLOT_CLUSTER_LIST 22  // uint[3 * clusters], by LIST_*, each in any order
+#define SLOT_PYRAMID 23       // uvec2[]: of the depths in each texel, level 0 and then 1; see draw_pyramid
 #define SLOT_WIDE 24          // Real[6n], of compensated and float64: all x, all y, all z, then the velocities
 #define SLOT_ANCHOR 25        // vec4[n], of anchored: where the spheres started, radius in w
 #define SLOT_FLIGHT 26  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
 #define SLOT_SINCE 27   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
 #define SLOT_DUE 28     // uint[n], of anchored: no sphere meets the plane before its step of this number
-#define SLOT_SEEN_LIST 29  // uint[], two by View::turn: spheres that pictures showed, by number / View::occlusion
+#define SLOT_SEEN_LIST 29  // uint[], two by View::turn: numbers of spheres that the last pictures showed
 #define SLOT_TOTAL 30
 #define SLOT_PARAMS 0  // the uniform block's own binding
 

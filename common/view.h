@@ -20,35 +20,43 @@
 #define LIGHT_GROUND 4u     // and both show on the plane too
 #define OCCLUSION_RADII 4   // so far, in largest radii, a sphere takes light away: less than two dense cells
 
-#define CLUSTER 32            // spheres, in consecutive places, that are culled together
-#define BOUNDS_LANES 8u       // threads that share a cluster when its box is made
-#define BATCH 64              // spheres, and threads, of a group that goes through clusters or a list ...
-#define WALKERS 8             // ... and the threads that then share one of them ...
-#define WALKERS_ACROSS 4      // ... so many in a row of its box
-#define SEEN_TOGETHER 16u     // spheres of consecutive numbers that are remembered as one where spheres are many
-#define SEEN_FADES 1u         // in each picture, of the 15 that a sphere gets in the one that shows it ...
-#define TOGETHER_FADES 5u     // ... and of the 15 of SEEN_TOGETHER spheres
-#define WALK_ALONE 8u         // pixels that a thread that finds them tries itself
-#define PIXELS_EACH 4         // pixels of one thread that goes through the picture
-#define PHASE_SEEN 0          // draws the spheres that the last pictures showed ...
-#define PHASE_REST 1          // ... and then those of the others that what is drawn already does not hide
-#define LEVEL_0 8             // pixels: side of what a texel of the pyramid's level 0 covers ...
-#define LEVEL_1 32            // ... and of its level 1
-#define TEXELS_AT_MOST 64     // in which a box is looked up at level 0, beside those that its borders touch
-#define TEXELS_TO_SEARCH 256  // at level 1; a box of more is taken for seen
+#define CLUSTER 16           // spheres, in consecutive places, that are culled together
+#define BOUNDS_LANES 4u      // threads that share a cluster when its box is made
+#define BATCH 64             // spheres, and threads, of a group that goes through clusters or a list ...
+#define WALKERS 8            // ... and the threads that then share one of them ...
+#define WALKERS_ACROSS 4     // ... so many in a row of its box
+#define SEEN_FADES 1u        // in each picture, of the 15 that a sphere gets in the one that shows it
+#define WALK_ALONE 8u        // pixels that a thread that finds them tries itself
+#define PIXELS_EACH 4        // pixels of one thread that goes through the picture
+#define PHASE_SEEN 0         // draws the spheres that the last pictures showed ...
+#define PHASE_REST 1         // ... and then those of the others that what is drawn already does not hide, or first ...
+#define PHASE_NEAR 2         // ... of these the ones that are not far behind what is drawn, and then ...
+#define PHASE_FAR 3          // ... the others, which by then are hidden but for a few
+#define NEAR_LAYERS 2.0f     // so far behind, in a cluster's thinnest half, is near
+#define LEVEL_0 8            // pixels: side of what a texel of the pyramid's level 0 covers ...
+#define LEVEL_1 32           // ... and of its level 1
+#define TEXELS_AT_MOST 16    // in which a box is looked up at level 0, beside those that its borders touch
+#define TEXELS_TO_SEARCH 64  // at level 1; a box of more is taken for seen
+
+// The lists of clusters in SLOT_CLUSTER_LIST, each with room for all.
+#define LIST_DRAWN 0u    // to draw at once
+#define LIST_PUT_OFF 1u  // far behind what is drawn already
+#define LIST_FAR 2u      // those of the latter that are to be drawn after all
+#define HIDDEN 3u        // in none ...
+#define OUT_OF_VIEW 4u   // ... of them
 
 // Words of SLOT_DRAWN. Those from DRAWN_LARGE on are counted on request only.
-#define DRAWN_TILES 0             // entries that the list of tiles needs
-#define DRAWN_TILES_DONE 1        // of those, the ones of the first phase
-#define DRAWN_CLUSTERS 2          // entries of the list of clusters to draw
-#define DRAWN_SEEN 3              // and 4, by View::turn: entries of the two lists of spheres seen
-#define DRAWN_LARGE 5             // spheres cut into tiles
-#define DRAWN_SMALL 6             // spheres walked at once, with at least one pixel's centre in their box
-#define DRAWN_UNSEEN 7            // spheres out of view, or between the centres of the pixels
-#define DRAWN_UNDRAWABLE 8        // spheres whose numbers are beyond those that can be drawn, see in_camera
-#define DRAWN_CLUSTERS_OUTSIDE 9  // clusters out of view
-#define DRAWN_CLUSTERS_HIDDEN 10  // clusters behind what is drawn already
-#define DRAWN_HIDDEN 11           // spheres behind what is drawn already, of clusters that are not
+#define DRAWN_TILES 0              // entries that the list of tiles needs
+#define DRAWN_TILES_DONE 1         // of those, the ones of the first phase
+#define DRAWN_CLUSTERS 2           // and 3, 4, by LIST_*: entries of the lists of clusters
+#define DRAWN_SEEN 5               // and 6, by View::turn: entries of the two lists of spheres seen
+#define DRAWN_LARGE 7              // spheres cut into tiles
+#define DRAWN_SMALL 8              // spheres walked at once, with at least one pixel's centre in their box
+#define DRAWN_UNSEEN 9             // spheres out of view, or between the centres of the pixels
+#define DRAWN_UNDRAWABLE 10        // spheres whose numbers are beyond those that can be drawn, see in_camera
+#define DRAWN_CLUSTERS_OUTSIDE 11  // clusters out of view
+#define DRAWN_CLUSTERS_HIDDEN 12   // clusters behind what is drawn already
+#define DRAWN_HIDDEN 13            // spheres behind what is drawn already, of clusters that are not
 #define DRAWN_WORDS 16
 
 struct View {
@@ -61,8 +69,8 @@ struct View {
   uvec4 palette_0, palette_4;              // 0xRRGGBB of 0, 1, 2, 3 contacts; of 4, 5, 6, 7 and more
   uint background, width, height, pass;    // 0xRRGGBB; pixels; PASS_*
   uint tile_capacity, counting, phase;     // entries; not 0: DRAWN_* are counted; PHASE_*
-  uint occlusion;  // 0, or so many spheres, 1 or SEEN_TOGETHER, are remembered as one: see SLOT_SEEN_LIST
-  uint clusters, turn, lanes, lighting;  // their number; see DRAWN_SEEN; threads a sphere: 1, WALKERS or LANES; LIGHT_*
+  uint occlusion;                          // not 0: what is hidden is passed over
+  uint clusters, turn, lanes, lighting;    // their number; see DRAWN_SEEN; threads a sphere: 1 or LANES; LIGHT_*
 };
 
 #endif

@@ -141,7 +141,7 @@ World CudaBackend::world(const Launch& launch) const {
           .cluster = buffer<vec4>(SLOT_CLUSTER),
           .seen_left = buffer<uint>(SLOT_SEEN_LEFT),
           .cluster_list = buffer<uint>(SLOT_CLUSTER_LIST),
-          .pyramid = buffer<uint>(SLOT_PYRAMID),
+          .pyramid = buffer<uvec2>(SLOT_PYRAMID),
           .wide = buffer<void>(SLOT_WIDE),
           .anchor = buffer<vec4>(SLOT_ANCHOR),
           .flight = buffer<void>(SLOT_FLIGHT),

@@ -9,11 +9,10 @@ __device__ inline bool is_new(const World& w, const View& v, uint pixel) {
   uint sphere = w.visible[pixel].x;
   uint left = w.visible[max(pixel, 1u) - 1u].x;
   uint above = w.visible[max(pixel, v.width) - v.width].x;
-  uint seen = sphere / v.occlusion;
-  if (sphere == 0xFFFFFFFFu || (pixel >= 1u && left / v.occlusion == seen)) return false;
-  if (pixel >= v.width && above / v.occlusion == seen) return false;
-  uint all = 15u << shift_in_word(seen);
-  return (atomicOr(&w.seen_left[seen / 8u], all) & all) == 0u;
+  if (sphere == 0xFFFFFFFFu || (pixel >= 1u && left == sphere)) return false;
+  if (pixel >= v.width && above == sphere) return false;
+  uint all = 15u << shift_in_word(sphere);
+  return (atomicOr(&w.seen_left[sphere / 8u], all) & all) == 0u;
 }
 
 __global__ void __launch_bounds__(SERVICE_BLOCK) draw_clear(Params p, World w, View v) {
@@ -28,7 +27,7 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_clear(Params p, World w, V
     uint pixel = (group_index(p) * PIXELS_EACH + k) * SERVICE_BLOCK + lane;
     if (pixel >= v.width * v.height) break;
     if (v.occlusion != 0u && is_new(w, v, pixel)) {
-      found[atomicAdd(&entries, 1u)] = w.visible[pixel].x / v.occlusion;
+      found[atomicAdd(&entries, 1u)] = w.visible[pixel].x;
     }
     w.visible[pixel] = uvec2{0xFFFFFFFFu, 0xFFFFFFFFu};
   }
@@ -36,7 +35,7 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_clear(Params p, World w, V
   if (lane == 0u && entries > 0u) first_entry = atomicAdd(&w.drawn[DRAWN_SEEN + v.turn], entries);
   __syncthreads();
   if (entries == 0u) return;
-  uint first = first_seen(p, v, v.turn) + first_entry;
+  uint first = first_seen(p, v.turn) + first_entry;
   for (uint k = lane; k < entries; k += SERVICE_BLOCK) w.seen_list[first + k] = found[k];
 }
 

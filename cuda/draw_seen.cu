@@ -1,33 +1,32 @@
 // SPDX-License-Identifier: MIT
 // A fixed number of groups of BATCH threads shares out the spheres that the last pictures showed; one thread per
 // sphere.
+#define VISIBLE_LOAD __ldca  // what was seen long ago hides as well
+#include "batch.cuh"
 #include "listing.cuh"
 
 namespace spherepair {
 
 // Whether it stays in the list; what is not seen again fades.
-__device__ inline bool stays(const World& w, const View& v, uint seen) {
-  uint left = left_of(w, seen);
-  uint fades = min(left, v.occlusion == 1u ? SEEN_FADES : TOGETHER_FADES);
-  atomicAdd(&w.seen_left[seen / 8u], 0u - (fades << shift_in_word(seen)));
+__device__ inline bool stays(const World& w, uint sphere) {
+  uint left = left_of(w, sphere);
+  uint fades = min(left, SEEN_FADES);
+  atomicAdd(&w.seen_left[sphere / 8u], 0u - (fades << shift_in_word(sphere)));
   return left > fades;
 }
 
 __global__ void __launch_bounds__(BATCH) draw_seen(Params p, World w, View v) {
-  uint total = w.drawn[DRAWN_SEEN + v.turn] * v.occlusion;
+  uint total = w.drawn[DRAWN_SEEN + v.turn];
   uint next = 1u - v.turn;
-  uint lane = threadIdx.x % v.lanes;
-  uint at_once = BATCH / v.lanes;
+  uint at_once = min(uint(BATCH), total / group_count() + 1u);  // no group is left without while others have many
   for (uint first = group_index(p) * at_once; first < total; first += group_count() * at_once) {
-    uint k = first + threadIdx.x / v.lanes;
-    uint seen = k < total ? w.seen_list[first_seen(p, v, v.turn) + k / v.occlusion] : 0u;
-    uint sphere = seen * v.occlusion + k % v.occlusion;
-    bool leads = k < total && lane == 0u && k % v.occlusion == 0u;
-    bool kept = leads && v.pass == PASS_DEPTH && stays(w, v, seen);
+    uint k = first + threadIdx.x;
+    bool exists = threadIdx.x < at_once && k < total;
+    uint sphere = exists ? w.seen_list[first_seen(p, v.turn) + k] : 0u;
+    bool kept = exists && v.pass == PASS_DEPTH && stays(w, sphere);
     uint place = place_in_list(w, DRAWN_SEEN + next, kept);
-    if (kept) w.seen_list[first_seen(p, v, next) + place] = seen;
-    if (k < total && sphere < p.n)
-      draw_walk(w, v, walk_of(p, w, v, sphere, lane == 0u), lane, v.lanes, lanes_across(v));
+    if (kept) w.seen_list[first_seen(p, next) + place] = sphere;
+    draw_batch(p, w, v, sphere, exists);
   }
 }
 

@@ -14,7 +14,7 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_tiles(Params p, World w, V
     uint row = w.tile[t].y / tiles_along(box.width);
     box = tile_of(box, column, row);
     uint nearest = least_depth_of(seen, box, v);
-    if (v.occlusion != 0u && v.phase == PHASE_REST && is_hidden(w, v, box, nearest, 1u)) continue;
+    if (v.occlusion != 0u && v.phase != PHASE_SEEN && is_hidden(w, v, box, nearest, 1u)) continue;
     for (uint k = threadIdx.x; k < TILE * TILE; k += SERVICE_BLOCK) {
       uint x = k % TILE;
       uint y = k / TILE;

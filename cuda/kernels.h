@@ -32,7 +32,7 @@ struct World {
   vec4* cluster;
   uint* seen_left;
   uint* cluster_list;
-  uint* pyramid;
+  uvec2* pyramid;
   void* wide;  // Real[]
   const vec4* anchor;
   void* flight;  // Real[]

@@ -15,8 +15,26 @@ __device__ inline bool is_hidden(const World& w, const View& v, Box box, uint ne
   uint width = texels_along(v.width, level);
   for (uint y = box.y >> shift; y <= (box.y + box.height - 1u) >> shift; ++y)
     for (uint x = box.x >> shift; x <= (box.x + box.width - 1u) >> shift; ++x)
-      if (w.pyramid[first + y * width + x] >= nearest) return false;
+      if (w.pyramid[first + y * width + x].x >= nearest) return false;
   return true;
+}
+
+// What the texels of a box say together; infinite when they are too many to look up. Those that are left are not asked
+// for once something seen, or in phases that put nothing off anything, is no nearer than `nearest`.
+__device__ inline uvec2 texel_of_box(const World& w, const View& v, Box box, uint nearest, uint level) {
+  uvec2 all = {0xFFFFFFFFu, 0xFFFFFFFFu};
+  if (texels_of(box, level) > uint(TEXELS_TO_SEARCH)) return all;
+  all = texel_of_pixel(0u);
+  uint shift = texel_shift(level);
+  uint right = (box.x + box.width - 1u) >> shift;
+  for (uint y = box.y >> shift; y <= (box.y + box.height - 1u) >> shift; ++y) {
+    uint row = first_texel(level, v) + y * texels_along(v.width, level);
+    for (uint x = box.x >> shift; x <= right; x += 4u) {
+      for (uint k = 0u; k < 4u; ++k) all = texel_of_both(all, w.pyramid[row + min(x + k, right)]);
+      if ((v.phase == uint(PHASE_NEAR) ? all.y : all.x) >= nearest) return all;
+    }
+  }
+  return all;
 }
 
 }  // namespace spherepair

@@ -33,8 +33,8 @@ __device__ inline void cut_into_tiles(const World& w, const View& v, uint sphere
   for (uint k = 0u; k < tiles && first + k < v.tile_capacity; ++k) w.tile[first + k] = uvec2{sphere, k};
 }
 
-// The list of those seen and, in four bits, for how long each still stands there: of v.occlusion spheres as one.
-__device__ inline uint first_seen(const Params& p, const View& v, uint turn) { return turn * (p.n / v.occlusion + 1u); }
+// The list of those seen and, in four bits, for how long each still stands there.
+__device__ inline uint first_seen(const Params& p, uint turn) { return turn * (p.n + 1u); }
 __device__ inline uint shift_in_word(uint seen) { return 4u * (seen % 8u); }
 __device__ inline uint left_of(const World& w, uint seen) {
   return w.seen_left[seen / 8u] >> shift_in_word(seen) & 15u;
@@ -57,13 +57,13 @@ __device__ inline Walk walk_of(const Params& p, const World& w, const View& v, u
   bool none = box.width == 0u || box.height == 0u;
   if (none && leads) count_drawn(w, v, seen.w == 0.0f ? DRAWN_UNDRAWABLE : DRAWN_UNSEEN);
   if (none) return walk;
-  bool rest = v.occlusion != 0u && v.phase == PHASE_REST;
+  bool rest = v.occlusion != 0u && v.phase != PHASE_SEEN;
   walk.nearest = least_depth_of(seen, box, v);
   bool hidden = rest && is_hidden(w, v, box, walk.nearest, level_for(box));
   if (hidden) count_drawn(w, v, DRAWN_HIDDEN);
   if (hidden) return walk;
   walk.sphere = p.in_cells != 0u ? w.id[place] : place;
-  if (rest && left_of(w, walk.sphere / v.occlusion) != 0u) return walk;
+  if (rest && left_of(w, walk.sphere) != 0u) return walk;
   bool large = is_large(box, v);
   if (leads) count_drawn(w, v, large ? DRAWN_LARGE : DRAWN_SMALL);
   if (!large) walk.box = box;

@@ -107,7 +107,7 @@ def stage_ratios(machine):
     records the latest, and of its the one whose intervals leave the least room: a kernel may have a cheap and a dear
     part in one picture."""
     found = {}
-    timed = [record for record in machine.records if "device_stages_interval_ms" in record.parameters and
+    timed = [record for record in machine.records if {"device_stages_interval_ms", "n"} <= record.parameters.keys() and
              record.parameters.get("work") != "loop"]  # in which the spheres have moved on, not to the same places
     by_work = {(record.source, work_of(record), record.backend): record for record in timed}
     for (run, work, backend), glsl in by_work.items():

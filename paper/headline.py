@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The README's headline from recorded runs: the rows of its table that can be made, found by their first words."""
+"""The README's headline from recorded runs: the rows of its table, found by their first words, and who leads."""
 import re
+import textwrap
 
-from derived import cost, pairs_of
+import leads
+from derived import cost, matched, pairs_of
+from ranks import differ
 from records import original_paper
 
 SIZE = 16384
@@ -36,8 +39,8 @@ def rows(machine):
     for name in DEVICES:
         record = machine.need(table="scale", scene="uniform", backend=name)[-1]
         rates.append(f"{0.5 * record.n * (record.n - 1) / record.median / 1e9:.2f}·10¹²")
-    costs = {exact.backend: cost(naive, exact)[0] for exact, naive in pairs_of(machine)
-             if exact.method == "collide_triangle"}
+    costs = {(exact.backend, exact.method): f"{cost(naive, exact)[0]:.1f} %" if differ(exact, naive) else
+             "no difference seen" for exact, naive in pairs_of(machine)}
     made = [("whole step of 16,384 spheres", f": motion, plane, all pairs, counts (the paper: {last[6]} ms parallel, "
              f"{last[4] + last[5]:,} ms sequential)", *medians(machine, table="step"),
              f"{cpu['step']} ms on {threads} cores"),
@@ -49,15 +52,31 @@ def rows(machine):
             ("pairs tested a second", ", n = 2²⁰, packing fraction 0.3", *rates, "-"),
             ("the paper's own tile", ", 16,384 spheres", *medians(machine, table="table1", method="collide_tiled"),
              "-"),
-            ("what exactness costs", " at 16,384 spheres", *(f"{costs[name]:.1f} %" for name in DEVICES),
-             "no difference seen")]
+            ("what exactness costs", " at 16,384 spheres", *(costs[name, "collide_triangle"] for name in DEVICES),
+             costs["cpu", "parallel"])]
     return [(words, f"| {words}{rest} | {' | '.join(cells)} |") for words, rest, *cells in made]
 
 
+def who_leads(machine):
+    """The paragraph under the table."""
+    found = leads.contests(machine)
+    wanted = {"table": "grid", "scene": "uniform", "method": "collide_grid"}
+    fractions = sorted({row.scene["packing_fraction"] for row in machine.need(**wanted)})
+    grid = [leads.contest(*pair) for fraction in fractions for order in ("warm", "cold")
+            for pair in matched(machine, **wanted, packing_fraction=fraction, order=order)]
+    cuda = leads.won(grid, "cuda")
+    text = (f"Where all pairs meet, {leads.headline(found)}: {leads.wins(found)}. Through the grid, whose steps are "
+            f"many short kernels, CUDA takes {leads.span(cuda)} % less time in {len(cuda)} of {len(grid)} contests. "
+            "Medians of recorded runs with their intervals: [paper/data/h200](paper/data/h200). What was tried on the "
+            "way: [bench/NOTES.md](bench/NOTES.md).")
+    return textwrap.fill(text, 120, break_long_words=False, break_on_hyphens=False)
+
+
 def updated(readme, machine):
-    """The README with these rows replaced; every row must be there."""
-    for words, row in rows(machine):
-        readme, count = re.subn(rf"^\| {re.escape(words)}.*$", lambda _: row, readme, flags=re.MULTILINE)
+    """The README with these rows and this paragraph replaced; each must be there."""
+    places = [(rf"^\| {re.escape(words)}.*$", row) for words, row in rows(machine)]
+    for pattern, text in (*places, (r"^Where all pairs meet,.*(\n.+)*", who_leads(machine))):
+        readme, count = re.subn(pattern, lambda _: text, readme, flags=re.MULTILINE)
         if count != 1:
-            raise ValueError(f"the README has {count} rows that begin with: {words}")
+            raise ValueError(f"the README has {count} places that match: {pattern}")
     return readme

@@ -9,11 +9,15 @@ import sys
 
 from numbers_accuracy import ACCURATE
 from numbers_compared import COMPARED
+from numbers_leads import LEADING
 from numbers_measured import MEASURED
 from numbers_proved import PROVED
 from numbers_studies import STUDIED
 from records import Missing
 from tabular import escape
+
+
+SENTENCE = 60  # characters and more: the appendix names it without repeating it
 
 
 class Numbers:
@@ -25,12 +29,13 @@ class Numbers:
     def put(self, key, text, source, how):
         if key in self.entries:
             raise ValueError(f"the number {key} is made twice")
-        self.entries[key] = (text.replace(",", "{,}").replace("_", "\\_"), source, how)
+        text = re.sub(r"(?<=\d),(?=\d)", "{,}", text)
+        self.entries[key] = (re.sub(r"(?<!\\)_", r"\\_", text), source, how)
 
 
 def collect(machine, others):
     numbers = Numbers()
-    for make in (*MEASURED, *PROVED, *STUDIED, *ACCURATE, *COMPARED):
+    for make in (*MEASURED, *LEADING, *PROVED, *STUDIED, *ACCURATE, *COMPARED):
         try:
             make(numbers.put, machine, others)
         except Missing as reason:
@@ -91,5 +96,6 @@ def write(numbers, tex, path, recorded=()):
     for key, (text, source, how) in numbers.entries.items():
         lines.append(f"\\definenumber{{{key}}}{{{text}}}{{{source}}}{{{escape(how)}}}")
     path.write_text("\n".join(lines) + "\n")
-    trace = [f"\\traced{{{key}}}" for key in used_keys(tex, recorded)]
+    trace = [f"\\traced{'text' if len(numbers.entries[key][0]) > SENTENCE else ''}{{{key}}}"
+             for key in used_keys(tex, recorded)]
     path.with_name("trace.tex").write_text("\n".join(trace) + "\n")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """How each number of the prose is made from recorded runs. A maker puts (key, text, run, how) for one section."""
-from derived import best, cost, issue_rate, matched, pairs_of, share_of_floor, slope
+from derived import cost, issue_rate, pairs_of, share_of_floor, slope
 from ranks import apart, differ
-from records import Missing, original_paper
+from records import original_paper, said
 from tabular import ms
 
 PRINTED = "original paper"
@@ -36,9 +36,11 @@ def whole_steps(put, machine, others):
     cpu = {record.n: record for record in machine.need(table="step", backend="cpu")}
     for name in DEVICES:
         rows = machine.need(table="step", backend=name)
-        ahead = [r for r in rows if differ(r, cpu[r.n]) and r.median < cpu[r.n].median]
+        behind = [row.n for row in rows if not (differ(row, cpu[row.n]) and row.median < cpu[row.n].median)]
+        ahead = [row for row in rows if row.n > max(behind, default=0)]
+        said(machine, behind and ahead and ahead[0].n <= 4096, "the CPU is faster for a few hundred spheres alone")
         put(f"step/ahead-of-cpu/{name}", f"{ahead[0].n:,}", ahead[0].source,
-            f"least n where {name}'s whole step is faster than the CPU's")
+            f"least n from which on {name}'s whole step is faster than the CPU's")
     put("cpu/threads", str(machine.main["context"]["machine"]["hardware_threads"]), machine.id, "hardware threads")
 
 
@@ -46,33 +48,12 @@ def pairs_alone(put, machine, others):
     for method, key in (("sequential", "one"), ("parallel", "all")):
         record = machine.one(table="table1", backend="cpu", method=method, n=SIZE)
         put(f"pairs/cpu/{key}", ms(record.median), record.source, f"median, pairs, n = {SIZE}, {record.label}")
+        for end, value in (("low", record.low), ("high", record.high)):
+            put(f"pairs/cpu/{key}/{end}", ms(value), record.source, f"its interval, {end} end")
     for name in DEVICES:
         for method in ("tiled", "triangle"):
             record = machine.one(table="table1", backend=name, method=f"collide_{method}", n=SIZE)
             put(f"pairs/{name}/{method}", ms(record.median), record.source, f"median, n = {SIZE}, {record.label}")
-
-
-def who_leads(put, machine, others):
-    contests = [pair for wanted in ({"table": "scale", "scene": "random"}, {"table": "scale", "scene": "uniform"},
-                                    {"table": "step"}) for pair in matched(machine, **wanted)]
-    wins = {"cuda": [], "glsl": []}
-    for glsl, cuda in contests:
-        if apart(glsl, cuda):
-            winner, loser = ("glsl", cuda) if glsl.median < cuda.median else ("cuda", glsl)
-            wins[winner].append((100 * (1 - min(glsl.median, cuda.median) / loser.median), glsl.n))
-    if not wins["cuda"] or not wins["glsl"] or max(n for _, n in wins["cuda"]) >= min(n for _, n in wins["glsl"]):
-        raise Missing(f"{machine.name}: CUDA does not lead below and GLSL above one number of spheres")
-    for name, found in wins.items():
-        how = f"whole steps and all pairs where {name} is faster and the intervals are apart"
-        put(f"lead/{name}/least", f"{min(found)[0]:.0f}", machine.id, f"least lead in %, {how}")
-        put(f"lead/{name}/most", f"{max(found)[0]:.0f}", machine.id, f"greatest lead in %, {how}")
-    put("lead/cuda/last", f"{max(n for _, n in wins['cuda']):,}", machine.id, "largest n of those")
-    put("lead/glsl/first", f"{min(n for _, n in wins['glsl']):,}", machine.id, "smallest n of those")
-    between = sorted({glsl.n for glsl, cuda in contests if not apart(glsl, cuda)})
-    if not between:
-        raise Missing(f"{machine.name}: no intervals overlap, though the text says where they do")
-    put("lead/open", ", ".join(f"{n:,}" for n in between), machine.id, "n where the intervals overlap")
-    put("lead/contests", str(len(contests)), machine.id, "sizes and scenes where both were timed")
 
 
 def floors(put, machine, others):
@@ -84,53 +65,37 @@ def floors(put, machine, others):
             what = f"{last.label}, n = {last.n}, {scene}"
             put(f"floor/{scene}/{name}", f"{share_of_floor(machine, last):.0f}", last.source, f"in %, {what}")
             put(f"rate/{scene}/{name}", f"{pairs / last.median / 1e9:.2f}", last.source, f"10^12/s, {what}")
+            said(machine, 1.8 < slope(rows[-2], last) < 2.2, "the time of all pairs grows as the square at last")
             put(f"slope/{scene}/{name}", f"{slope(rows[-2], last):.2f}", last.source, f"n = {rows[-2].n} to {last.n}")
 
 
 def exactness(put, machine, others):
-    costs = {(e.backend, e.method): (cost(n, e)[0], 1e3 * (e.median - n.median), e, n) for e, n in pairs_of(machine)}
-    for (name, method), (percent, micro, exact, naive) in costs.items():
-        if name == "cpu" and method != "collide_grid" and differ(exact, naive):
-            raise Missing("exactness makes a difference to all pairs on the CPU, which the text denies")
-        if name != "cpu":
-            short = method.removeprefix("collide_")
-            put(f"exact/{name}/{short}", f"{percent:.1f}", exact.source, f"cost in %, {exact.label}, n = {exact.n}")
-            put(f"exact/us/{name}/{short}", f"{micro:.1f}", exact.source, f"cost in microseconds, {exact.label}")
+    found = {(exact.backend, exact.method.removeprefix("collide_")): (exact, naive)
+             for exact, naive in pairs_of(machine) if exact.method != "collide_grid"}
+    micro = {key: 1e3 * (exact.median - naive.median) for key, (exact, naive) in found.items()}
+    percent = {key: cost(naive, exact)[0] for key, (exact, naive) in found.items()}
+    for key in (key for key in found if key[0] != "cpu"):
+        (name, method), (exact, naive) = key, found[key]
+        put(f"exact/{name}/{method}", f"{percent[key]:.1f}", exact.source, f"cost in %, {exact.label}, n = {exact.n}")
+        put(f"exact/us/{name}/{method}", f"{micro[key]:.1f}", exact.source, f"cost in microseconds, {exact.label}")
+        text = f"{percent[key]:.1f}\\,\\%" if apart(exact, naive) else "nothing that is seen"
+        put(f"exact/said/{name}/{method}", text, exact.source, f"cost, {exact.label}, n = {exact.n}")
+    for name in DEVICES:
+        said(machine, micro[name, "triangle"] < 8, "exactness costs the triangle about a launch")
+        most = max((value, method) for (who, method), value in percent.items() if who == name)
+        said(machine, most[1] == "group", "exactness costs the shortest kernel the largest share")
+    dear = [f"{name.upper()}'s \\kernel{{{method}}} with {value:.1f}\\,\\textmu s"
+            for (name, method), value in micro.items() if name != "cpu" and value >= 8]
+    source = found["cuda", "triangle"][0].source
+    put("exact/dear", f"More than a launch it costs {' and '.join(dear)}" if dear else "No method pays more than that",
+        source, "sentence: the methods that exactness costs 8 microseconds or more")
+    seen = [f"{value:.0f}\\,\\% for \\kernel{{{method}}}" for (name, method), value in percent.items()
+            if name == "cpu" and differ(*found[name, method])]
+    put("exact/cpu", f"it costs {' and '.join(seen)}" if seen else "no difference is seen", source,
+        "sentence: the CPU's cost")
     row = machine.main["tables"]["exactness"][0]["rows"][0]
     for key, cell in zip(("right", "missed", "added"), row[6:9]):
         put(f"grazing/{key}", f"{int(cell):,}", machine.id, f"grazing scene, {key}")
 
 
-def launches(put, machine, others):
-    one = {name: machine.one(table="overhead", backend=name, launches_per_step=1).median for name in DEVICES}
-    if 2 * one["cuda"] >= one["glsl"]:
-        raise Missing(f"{machine.name}: CUDA's round trip costs half of GLSL's or more, which the text denies")
-    for name in DEVICES:
-        rows = {r.launches_per_step: r for r in machine.need(table="overhead", backend=name)}
-        for count, key in ((1, "one"), (1000, "many")):
-            put(f"launch/{key}/{name}", f"{1e3 * rows[count].median / count:.1f}", rows[count].source,
-                f"microseconds a launch, {name}, {count} between two waits")
-
-
-def first_uses(put, machine, others):
-    for name in DEVICES:
-        record = machine.one(table="methods", backend=name, method="collide_triangle", block=128)
-        put(f"first/{name}", ms(record.first_step_ms), record.source, f"first use of {record.label} in the run, ms")
-
-
-def arrangements(put, machine, others):
-    for name in DEVICES:
-        tiled, square, triangle = (best(machine, name, f"collide_{m}") for m in ("tiled", "square", "triangle"))
-        put(f"gain/square/{name}", f"{tiled.median / square.median:.1f}", square.source, f"{name}, tiled/square")
-        put(f"gain/triangle/{name}", f"{square.median / triangle.median:.1f}", square.source,
-            f"{name}, square/triangle")
-        for method in ("tiled", "triangle"):
-            rows = machine.need(table="methods", backend=name, method=f"collide_{method}")
-            worst = max(rows, key=lambda record: record.median)
-            least = min(rows, key=lambda record: record.median)
-            put(f"groups/{method}/{name}", f"{worst.median / least.median:.2f}", worst.source,
-                f"{name}, slowest group size ({worst.block}) over fastest ({least.block}), {method}")
-            put(f"groups/{method}/{name}/worst", f"{worst.block}", worst.source, f"{name}, slowest, {method}")
-
-
-MEASURED = (original, whole_steps, pairs_alone, who_leads, floors, exactness, launches, first_uses, arrangements)
+MEASURED = (original, whole_steps, pairs_alone, floors, exactness)

@@ -22,6 +22,12 @@ class Missing(Exception):
     """What a figure, table or number needs is not among the recorded runs."""
 
 
+def said(machine, holds, what):
+    """The prose says so; where the records do not, its numbers are refused, and with them the paper."""
+    if not holds:
+        raise Missing(f"{machine.name}: the text says that {what}, and the records do not")
+
+
 @dataclass(frozen=True)
 class Record:
     parameters: dict = field(repr=False)

@@ -21,8 +21,12 @@ PEERS = ("Milliseconds from so many centres on the GPU, in random order and of t
 CROSSOVERS = ("The least $n$ up to {most:,} from which the grid stays ahead of all pairs, intervals apart, by the"
               " kind of spheres, and how many times the best fixed choice the program's own (auto) took at worst;"
               " 1 where no difference is seen.")
-HAND_OVERS = ("CUDA steps, OpenGL draws: a picture with its hand-over, a step, both in a loop that waits for "
-              "nothing but the hand-over, and what that hides of the sum of the two. Medians.")
+HAND_OVERS = ("CUDA steps, OpenGL draws {draw}: a picture with its hand-over, a step, both in a loop that waits for "
+              "nothing but the hand-over, and what that hides of the sum of the two; medians, in brackets what their "
+              "intervals allow.")
+HAND_OVERS_ALONE = {"none": ("host", "registered", "imported")}  # beside them stand those with a picture
+LOOPS = ("A whole loop, in which the spheres go on to fall: move, collide through the grid, draw; and the pictures a "
+         "second that this makes.")
 
 
 @dataclass
@@ -163,18 +167,41 @@ def overlaps(machine):
     return roots[-1]
 
 
-def hidden(entry):
-    """What pipelining saves, ms; negative where it costs."""
-    return entry["picture_ms"] + entry["step_ms"] - entry["pipelined_ms"]
+def hidden(root, entry):
+    """What pipelining saves, ms, and what the intervals of the three medians allow; negative where it costs."""
+    rows = {row["work"]: row for row in root["frames"] if row["n"] == entry["n"] and
+            row["draw"] in (entry["draw"], "none") and row["work"] not in HAND_OVERS_ALONE.get(row["draw"], ())}
+    (least, most), (step_least, step_most), (both_least, both_most) = (
+        rows[work]["interval_ms"] for work in (entry["hand_over"], "step", f"{entry['hand_over']}_pipelined"))
+    return (entry["picture_ms"] + entry["step_ms"] - entry["pipelined_ms"], least + step_least - both_most,
+            most + step_most - both_least)
 
 
 def hand_over(machine):
-    rows = []
-    for entry in overlaps(machine)["overlaps"]:
+    rows, root = [], overlaps(machine)
+    for entry in root["overlaps"]:
         times = [entry[f"{what}_ms"] for what in ("picture", "step", "pipelined")]
-        rows.append([entry["hand_over"], entry["draw"], f"{entry['n']:,}", *map(ms, times), ms(hidden(entry))])
-    heads = [[("", 3), ("milliseconds", 4)], ["hand-over", "draw", "spheres", "picture", "step", "both", "hidden"]]
-    return Table("hand-over", HAND_OVERS, heads, rows, left=2, source=overlaps(machine)["id"])
+        middle, least, most = hidden(root, entry)
+        rows.append([entry["hand_over"], size_text(entry["n"]), *map(ms, times),
+                     f"{ms(middle)} [{ms(least)}, {ms(most)}]"])
+    heads = [[("", 2), ("milliseconds", 4)], ["hand-over", "spheres", "picture", "step", "both", "hidden"]]
+    caption = HAND_OVERS.format(draw=root["overlaps"][0]["draw"])
+    return Table("hand-over", caption, heads, rows, left=1, source=root["id"])
 
 
-STUDIED = (stress, grid_sizes, peers, crossover, hand_over)
+def loop(machine):
+    rows, sources = [], []
+    for place in ("outside", "inside"):
+        for n in sorted({row.n for row in machine.need(table="draw", work="loop") if row.place == place}):
+            glsl, cuda = (machine.select(table="draw", work="loop", place=place, n=n, backend=name)
+                          for name in ("glsl", "cuda"))
+            cells = [f"{interval(found[0])}" if found else "-" for found in (glsl, cuda)]
+            rates = [f"{1e3 / found[0].median:,.0f}" if found else "-" for found in (glsl, cuda)]
+            rows.append([place, size_text(n), *cells, *rates, verdict(glsl[0], cuda[0]) if glsl and cuda else "-"])
+            sources += [found[0].source for found in (glsl, cuda) if found]
+    heads = [[("", 2), ("median [interval], ms", 2), ("pictures a second", 2), ("", 1)],
+             ["camera", "spheres", *["GLSL", "CUDA"] * 2, "verdict"]]
+    return Table("loop", LOOPS, heads, rows, left=1, source=", ".join(dict.fromkeys(sources)))
+
+
+STUDIED = (stress, grid_sizes, peers, crossover, hand_over, loop)

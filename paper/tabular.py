@@ -48,6 +48,8 @@ def power(mantissa, exponent):
 MATHEMATICS = {  # what is not typed as it is set
     r"(?<![\w.])(\d+)\^(-?\d+)": lambda m: f"${m[1]}^{{{m[2]}}}$",
     r"(?<![\w.])(-?\d[\d.]*)e([+-]?\d+)\b": lambda m: power(m[1], m[2]),
+    r"(?<![\w.,-])\d[\d,]*-\d[\d,]*(?![\w.-])": lambda m: m[0].replace("-", "--"),
+    r"(?<![\w.\-)\]^])-(?=\d[\d.]*(?![\d.]*e[+-]?\d))": lambda m: "$-$",
     r"\+-(?= )": lambda m: "$\\pm$",
 }
 

@@ -24,11 +24,10 @@ bool is_new(uint pixel) {
   uint sphere = sphere_at(pixel);
   uint left = sphere_at(max(pixel, 1u) - 1u);
   uint above = sphere_at(max(pixel, v.width) - v.width);
-  uint seen = sphere / v.occlusion;
-  if (sphere == 0xFFFFFFFFu || (pixel >= 1u && left / v.occlusion == seen)) return false;
-  if (pixel >= v.width && above / v.occlusion == seen) return false;
-  uint all = 15u << shift_in_word(seen);
-  return (atomicOr(seen_left[seen / 8u], all) & all) == 0u;
+  if (sphere == 0xFFFFFFFFu || (pixel >= 1u && left == sphere)) return false;
+  if (pixel >= v.width && above == sphere) return false;
+  uint all = 15u << shift_in_word(sphere);
+  return (atomicOr(seen_left[sphere / 8u], all) & all) == 0u;
 }
 
 void main() {
@@ -40,7 +39,7 @@ void main() {
     uint pixel = (group_index() * PIXELS_EACH + k) * BLOCK + lane;
     if (pixel >= v.width * v.height) break;
     if (v.occlusion != 0u && is_new(pixel)) {
-      found[atomicAdd(entries, 1u)] = sphere_at(pixel) / v.occlusion;
+      found[atomicAdd(entries, 1u)] = sphere_at(pixel);
     }
     clear_at(pixel);
   }

@@ -15,7 +15,7 @@ void main() {
     uint row = tile[t].y / tiles_along(box.width);
     box = tile_of(box, column, row);
     uint nearest = least_depth_of(seen, box, v);
-    if (v.occlusion != 0u && v.phase == PHASE_REST && is_hidden(box, nearest, 1u)) continue;
+    if (v.occlusion != 0u && v.phase != PHASE_SEEN && is_hidden(box, nearest, 1u)) continue;
     for (uint k = gl_LocalInvocationID.x; k < TILE * TILE; k += BLOCK) {
       uint x = k % TILE;
       uint y = k / TILE;

@@ -4,7 +4,7 @@
 #include "cluster.h"
 
 layout(std140, binding = SLOT_VIEW) uniform ViewBlock { View v; };
-layout(std430, binding = SLOT_PYRAMID) restrict readonly buffer PyramidBuffer { uint pyramid[]; };
+layout(std430, binding = SLOT_PYRAMID) restrict readonly buffer PyramidBuffer { uvec2 pyramid[]; };
 
 // Whether something nearer than `nearest` is seen already at every pixel of the box, as far as this level tells.
 bool is_hidden(Box box, uint nearest, uint level) {
@@ -14,6 +14,24 @@ bool is_hidden(Box box, uint nearest, uint level) {
   uint width = texels_along(v.width, level);
   for (uint y = box.y >> shift; y <= (box.y + box.height - 1u) >> shift; ++y)
     for (uint x = box.x >> shift; x <= (box.x + box.width - 1u) >> shift; ++x)
-      if (pyramid[first + y * width + x] >= nearest) return false;
+      if (pyramid[first + y * width + x].x >= nearest) return false;
   return true;
+}
+
+// What the texels of a box say together; infinite when they are too many to look up. Those that are left are not asked
+// for once something seen, or in phases that put nothing off anything, is no nearer than `nearest`.
+uvec2 texel_of_box(Box box, uint nearest, uint level) {
+  uvec2 all = {0xFFFFFFFFu, 0xFFFFFFFFu};
+  if (texels_of(box, level) > uint(TEXELS_TO_SEARCH)) return all;
+  all = texel_of_pixel(0u);
+  uint shift = texel_shift(level);
+  uint right = (box.x + box.width - 1u) >> shift;
+  for (uint y = box.y >> shift; y <= (box.y + box.height - 1u) >> shift; ++y) {
+    uint row = first_texel(level, v) + y * texels_along(v.width, level);
+    for (uint x = box.x >> shift; x <= right; x += 4u) {
+      for (uint k = 0u; k < 4u; ++k) all = texel_of_both(all, pyramid[row + min(x + k, right)]);
+      if ((v.phase == uint(PHASE_NEAR) ? all.y : all.x) >= nearest) return all;
+    }
+  }
+  return all;
 }

@@ -49,8 +49,8 @@ void cut_into_tiles(uint sphere, Box box) {
   for (uint k = 0u; k < tiles && first + k < v.tile_capacity; ++k) tile[first + k] = uvec2(sphere, k);
 }
 
-// The list of those seen and, in four bits, for how long each still stands there: of v.occlusion spheres as one.
-uint first_seen(uint turn) { return turn * (p.n / v.occlusion + 1u); }
+// The list of those seen and, in four bits, for how long each still stands there.
+uint first_seen(uint turn) { return turn * (p.n + 1u); }
 uint shift_in_word(uint seen) { return 4u * (seen % 8u); }
 uint left_of(uint seen) { return seen_left[seen / 8u] >> shift_in_word(seen) & 15u; }
 
@@ -71,13 +71,13 @@ Walk walk_of(uint place, bool leads) {
   bool none = box.width == 0u || box.height == 0u;
   if (none && leads) count_drawn(seen.w == 0.0f ? DRAWN_UNDRAWABLE : DRAWN_UNSEEN);
   if (none) return walk;
-  bool rest = v.occlusion != 0u && v.phase == PHASE_REST;
+  bool rest = v.occlusion != 0u && v.phase != PHASE_SEEN;
   walk.nearest = least_depth_of(seen, box, v);
   bool hidden = rest && is_hidden(box, walk.nearest, level_for(box));
   if (hidden) count_drawn(DRAWN_HIDDEN);
   if (hidden) return walk;
   walk.sphere = p.in_cells != 0u ? id[place] : place;
-  if (rest && left_of(walk.sphere / v.occlusion) != 0u) return walk;
+  if (rest && left_of(walk.sphere) != 0u) return walk;
   bool large = is_large(box, v);
   if (leads) count_drawn(large ? DRAWN_LARGE : DRAWN_SMALL);
   if (!large) walk.box = box;

@@ -3,6 +3,8 @@
 // precision; orders of convergence.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "catalogue.h"
@@ -11,13 +13,24 @@
 namespace spherepair {
 namespace {
 
+// Of 100 spheres, as the known figures are. That of one hundred hangs on its few worst: the median of nine.
 double rms_of(Backend& backend, MotionOptions motion, int k, float restitution = 1) {
-  const Scene scene = bouncing_scene({.motion = motion, .dt = std::ldexp(1.0f, -k), .restitution = restitution});
-  return errors_of(scene, 10u << k, run_steps(backend, scene, 10u << k)).rms;
+  constexpr uint64_t hundreds = 9, hundred = 100;
+  const Scene scene = bouncing_scene(
+      {.motion = motion, .dt = std::ldexp(1.0f, -k), .restitution = restitution, .n = hundreds * hundred});
+  const uint64_t steps = 10u << k;
+  const Backend::State state = run_steps(backend, scene, steps);
+  std::array<double, hundreds> rms{};
+  for (uint64_t i = 0; i < scene.size(); ++i) {
+    const double error = error_of(scene, i, steps, exact_state(state, motion, i)).position;
+    rms[i / hundred] += error * error / hundred;
+  }
+  std::ranges::nth_element(rms, rms.begin() + hundreds / 2);
+  return std::sqrt(rms[hundreds / 2]);
 }
 
 // Root mean square error of position after 10 s, metres, at dt = 2^-4, 2^-6 ... 2^-14. An error must be within the
-// factor 2 of what is known; where a bound is meant, `least` is 0.
+// factor 2 of what is known, and where that is a `bound` it may be less. Those of `paper` are of this scene.
 struct Known {
   MotionOptions motion;
   double rms[6];
@@ -29,10 +42,10 @@ constexpr Known KNOWN[] = {
     {{MotionMethod::symplectic, F32}, {3.4, 1.4, 4.6e-1, 1.2e-1, 3.3e-2, 1.0e-2}, true},
     {{MotionMethod::paper, F32}, {3.3, 1.1, 3.3e-1, 9.9e-2, 2.7e-2, 1.3e-2}, false},
     {{MotionMethod::paper, F64}, {3.3, 1.1, 3.3e-1, 1.0e-1, 2.6e-2, 7.7e-3}, false},
-    {{MotionMethod::impact_linear, F64}, {6.9e-2, 4.8e-3, 1.1e-3, 6e-5, 4.1e-6, 2.4e-7}, false},
+    {{MotionMethod::impact_linear, F64}, {6.9e-2, 4.8e-3, 3.0e-4, 2.0e-5, 1.1e-6, 6.5e-8}, false},
     {{MotionMethod::impact, F32}, {4.2e-5, 7.4e-5, 2.1e-4, 2.1e-3, 4.3e-3, 7.7e-3}, true},
-    {{MotionMethod::impact, COMPENSATED}, {7.1e-13, 9.2e-13, 3.0e-12, 1.2e-11, 4.4e-11, 8.2e-10}, true},
-    {{MotionMethod::impact, F64}, {2.0e-14, 6.8e-14, 2.2e-13, 1.0e-12, 3.4e-12, 1.7e-11}, true},
+    {{MotionMethod::impact, COMPENSATED}, {7.1e-13, 9.2e-13, 3.0e-12, 1.2e-11, 4.4e-11, 1.9e-10}, true},
+    {{MotionMethod::impact, F64}, {2.0e-14, 6.8e-14, 2.2e-13, 1.0e-12, 3.4e-12, 1.5e-11}, true},
     {{MotionMethod::anchored, F32}, {2.3e-6, 2.3e-6, 2.3e-6, 2.3e-6, 2.3e-6, 2.3e-6}, true},
     {{MotionMethod::anchored, COMPENSATED}, {6.6e-13, 6.6e-13, 6.6e-13, 6.6e-13, 6.6e-13, 6.6e-13}, true},
     {{MotionMethod::anchored, F64}, {3.7e-15, 3.7e-15, 3.7e-15, 3.7e-15, 3.7e-15, 3.7e-15}, true}};

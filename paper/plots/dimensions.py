@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The original paper's question about one and two dimensions: a double loop or a single one."""
-import numpy
-
 from derived import best
 from records import Missing
-from style import COLUMN, SERIES, panels, plain_ticks
+from style import COLUMN, panels, plain_ticks, plot
 
 NAME = "dimensions"
 CAPTION = ("What the arrangement is worth: best group size of each method, all groups against all groups. "
@@ -18,17 +16,17 @@ def draw(machine):
     if not devices:
         raise Missing(f"{machine.name} was run without GLSL and CUDA")
     figure, (axis,) = panels(COLUMN, 2.0)
-    width = 0.8 / len(devices)
     for k, name in enumerate(devices):
         rows = [best(machine, name, method) for method in METHODS]
-        places = numpy.arange(len(METHODS)) + (k - (len(devices) - 1) / 2) * width
-        bars = axis.bar(places, [r.median for r in rows], width * 0.92, color=SERIES[name]["color"],
-                        yerr=[[r.median - r.low for r in rows], [r.high - r.median for r in rows]],
-                        error_kw={"elinewidth": 0.6, "capsize": 1.5}, label=SERIES[name]["label"],
-                        hatch="" if name == "glsl" else "///", edgecolor="white", linewidth=0.3)
-        axis.bar_label(bars, [f"{r.median:.3g}\n({r.block})" for r in rows], padding=1, fontsize=5.5)
+        places = [place + 0.16 * (2 * k - 1) for place in range(len(METHODS))]
+        plot(axis, rows, name, x=lambda row: places[METHODS.index(row.method)], linestyle="")
+        for place, row in zip(places, rows):
+            axis.annotate(f"{row.median:.3g} ({row.block})", (place, row.median), xytext=(0, -5 if k else 5),
+                          textcoords="offset points", ha="center", va="top" if k else "bottom", fontsize=6)
     axis.set_yscale("log")
-    axis.set_ylim(top=axis.get_ylim()[1] * 3)
+    axis.set_xlim(-0.5, len(METHODS) - 0.5)
+    low, high = axis.get_ylim()
+    axis.set_ylim(low / 1.6, 1.6 * high)
     plain_ticks(axis)
     axis.grid(axis="x", visible=False)
     axis.set_xticks(range(len(METHODS)), [name.removeprefix("collide_") for name in METHODS])

@@ -28,7 +28,7 @@ def draw(machine):
         axis.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
         axis.xaxis.set_minor_formatter(NullFormatter())
         axis.tick_params(axis="x", labelrotation=45)
-        axis.set_ylim(bottom=0)
+        axis.set_ylim(0, 1.08 * axis.get_ylim()[1])
         plain_ticks(axis)
         axis.set_title(title, loc="left")
         axis.set_xlabel("threads in a group")

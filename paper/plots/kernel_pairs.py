@@ -11,9 +11,9 @@ CAPTION = ("Each kernel against its twin by the device's own timers (GL timer qu
            "GLSL's time over CUDA's: right of 1 CUDA leads. Bars: the least and greatest ratio that the intervals of "
            "both medians allow; an arrow where one goes on. Beside each: CUDA's time.")
 TASKS = {"motion": ("move", "bounce", "place"), "the grid": ("grid_", "split_", "collide_grid", "collide_hashed"),
-         "drawing": ("draw_",)}
+         "drawing": ("draw_",), "ceilings": ("ceiling_",)}
 REST = "all pairs, and what every step needs"
-COLUMNS = ((REST, "drawing"), ("motion", "the grid"))
+COLUMNS = ((REST, "drawing"), ("motion", "the grid", "ceilings"))
 
 
 def source(machine):

@@ -31,12 +31,13 @@ def draw(machine):
         plot(pairs, tiled, name, label=f"{label}, original paper's tile", alpha=0.55)
         plot(pairs, machine.need(table="table1", backend=name, method="collide_triangle"), name,
              label=f"{label}, upper triangle", markerfacecolor=SERIES[name]["color"])
-        plot(plane, machine.need(table="table1", backend=name, work="move"), name)
+        plot(plane, machine.need(table="table1", backend=name, work="move"), name, label=f"{label}, motion")
     for axis, title in ((pairs, "(a) colliding pairs"), (plane, "(b) motion and plane")):
         axis.set_yscale("log")
         spheres_axis(axis)
         plain_ticks(axis)
         axis.set_title(title, loc="left")
         axis.set_ylabel("time of one step (ms)")
-        axis.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), handlelength=2.6)
+    shown = {label: handle for axis in (pairs, plane) for handle, label in zip(*axis.get_legend_handles_labels())}
+    plane.legend(shown.values(), shown.keys(), loc="upper left", bbox_to_anchor=(1.0, 1.0), handlelength=2.6)
     return figure

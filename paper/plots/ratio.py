@@ -38,7 +38,8 @@ def draw(machine):
         axis.axhline(1, color="black", linewidth=0.7)
         axis.set_ylabel("GLSL time / CUDA time")
         axis.set_title(title, loc="left")
-        axis.set_ylim(min(axis.get_ylim()[0], 0.93), axis.get_ylim()[1])
+        low, high = axis.get_ylim()
+        axis.set_ylim(min(low, 1 - 0.14 * (high - 1)), high)
         for name, offset, side in (("CUDA", 1.5, "bottom"), ("GLSL", -2, "top")):
             axis.annotate(f" {name} leads", (0.01, 1.0), xycoords=axis.get_yaxis_transform(), xytext=(0, offset),
                           textcoords="offset points", va=side, fontsize=6.5)

@@ -55,8 +55,16 @@ def counts(on, off):
     """E.g. sorts 0 (1). Launches say something of graphs alone: elsewhere they depend on what a graph can hold."""
     with_it, without = (record.parameters.get("work_a_step", {}) for record in (on, off))
     told = [name for name in with_it if "graph" in on.skip or name not in ("launches", "graphs_replayed")]
-    return ", ".join(f"{name.replace('_', ' ')} {with_it[name]:g} ({without.get(name, 0):g})" for name in told
-                     if with_it[name] != without.get(name))
+    return ", ".join(f"{name.replace('_', ' ')} {in_short(with_it[name])} ({in_short(without.get(name, 0))})"
+                     for name in told if with_it[name] != without.get(name))
+
+
+def in_short(count):
+    """Four digits at most: 26.4, 6842, 7.6M."""
+    for unit, size in (("M", 1e6), ("k", 1e4)):
+        if count >= size:
+            return f"{count / (1e6 if unit == 'M' else 1e3):.3g}{unit}"
+    return f"{count:.4g}" if count >= 1000 else f"{count:.3g}"
 
 
 def draw_line(axis, place, pairs, last):
@@ -68,7 +76,7 @@ def draw_line(axis, place, pairs, last):
         times.append(f"{NAMES[on.backend]} {time_text(on.median)}")
         said.append(counts(on, off))
     texts = ["; ".join(times), *(said[-1:] if last and said[-1] else [])]
-    axis.text(1.02, place, ". ".join(texts), transform=axis.get_yaxis_transform(), fontsize=5.2, va="center")
+    axis.text(1.02, place, ". ".join(texts), transform=axis.get_yaxis_transform(), fontsize=5.8, va="center")
 
 
 def caption(machine):
@@ -104,7 +112,7 @@ def draw(machine):
     pairs = [pair for pair in pairs if pair[0].n in sizes]
     scenes = [scene_of(on) for on, _ in pairs]
     common = max(sorted(set(scenes)), key=scenes.count)
-    figure, axes = panels(PAGE, 0.6 + 0.16 * len(lines), len(sizes), sharey=True)
+    figure, axes = panels(PAGE, 0.6 + 0.15 * len(lines), len(sizes), sharey=True)
     for n, axis in zip(sizes, axes):
         for place, line in enumerate(reversed(lines)):
             own = [pair for pair in pairs if pair[0].n == n and (pair[0].skip, scene_of(pair[0])) == line]

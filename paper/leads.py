@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: MIT
+"""Who is the faster where all pairs meet, as sentences that follow the records: their form too, not only numbers."""
+from dataclasses import dataclass
+
+from derived import matched
+from ranks import apart
+from records import Missing
+
+CONTESTS = {"all pairs of the original's box": {"table": "scale", "scene": "random"},
+            "all pairs of a gas": {"table": "scale", "scene": "uniform"},
+            "whole steps": {"table": "step"}}
+NAMES = {"glsl": "GLSL", "cuda": "CUDA"}
+LARGE = 65536  # spheres from which on a step is work and not launches
+
+
+@dataclass(frozen=True)
+class Contest:
+    n: int
+    winner: str  # glsl or cuda; empty where the intervals overlap
+    lead: float  # %, of the winner, or of the lesser median
+    source: str
+    where: str = ""
+
+
+def contest(glsl, cuda, where=""):
+    (fast, name), (slow, _) = sorted(((glsl, "glsl"), (cuda, "cuda")), key=lambda entry: entry[0].median)
+    return Contest(glsl.n, name if apart(glsl, cuda) else "", 100 * (1 - fast.median / slow.median), glsl.source,
+                   where)
+
+
+def contests(machine):
+    found = [contest(*pair, where) for where, wanted in CONTESTS.items() for pair in matched(machine, **wanted)]
+    if not any(entry.n >= LARGE for entry in found):
+        raise Missing(f"{machine.name}: all pairs of {LARGE:,} spheres and more were not timed in both APIs")
+    return found
+
+
+def won(found, name):
+    return [entry for entry in found if entry.winner == name]
+
+
+def span(found):
+    """3 to 26, or 3 alone."""
+    least, most = (f"{bound(entry.lead for entry in found):.0f}" for bound in (min, max))
+    return least if least == most else f"{least} to {most}"
+
+
+def sizes(found):
+    words = [f"{n:,}" for n in sorted({entry.n for entry in found})]
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+
+
+def in_order(found):
+    """(who wins below, who above) where one number of spheres parts them; None where it does not."""
+    for low, high in (("cuda", "glsl"), ("glsl", "cuda")):
+        below, above = won(found, low), won(found, high)
+        if below and above and max(entry.n for entry in below) < min(entry.n for entry in above):
+            return low, high
+    return None
+
+
+def by_size(found):
+    """Who takes less time, by how much, and up to or from where; None where no order of sizes tells it."""
+    sides = in_order(found)
+    if sides:
+        low, high = (won(found, name) for name in sides)
+        return (f"{NAMES[sides[0]]} takes {span(low)} % less time up to {max(e.n for e in low):,} spheres and "
+                f"{NAMES[sides[1]]} {span(high)} % less from {min(e.n for e in high):,} on")
+    alone = [name for name in NAMES if won(found, name)]
+    if len(alone) > 1:
+        return None
+    if not alone:
+        return "no difference is seen"
+    mine = won(found, alone[0])
+    throughout = "at every size" if len(mine) == len(found) else f"in {len(mine)} of {len(found)} contests"
+    return f"{NAMES[alone[0]]} takes {span(mine)} % less time {throughout}"
+
+
+def by_scene(found):
+    """The same for each kind of work, those in which one API alone wins together; None where that tells nothing."""
+    kinds = {}
+    for entry in found:
+        kinds.setdefault(entry.where, []).append(entry)
+    if any(by_size(entries) is None for entries in kinds.values()):
+        return None
+    together = {}
+    for where, entries in kinds.items():
+        winners = {entry.winner for entry in entries}
+        together.setdefault(winners.pop() if len(winners) == 1 else where, {})[where] = entries
+    clauses = [f"in {' and in '.join(group)} {by_size([entry for entries in group.values() for entry in entries])}"
+               for group in together.values()]
+    return "; ".join(clauses)
+
+
+def by_count(found):
+    names = sorted((name for name in NAMES if won(found, name)), key=lambda name: -len(won(found, name)))
+    counts = (f"{NAMES[name]} takes {span(won(found, name))} % less time in {len(won(found, name))}" for name in names)
+    return f"of {len(found)} contests, {' and '.join(counts)}"
+
+
+def wins(found):
+    """Who takes less time, by how much, and where: in the shortest form that the records allow."""
+    open_ones = won(found, "")
+    rest = f"; at {sizes(open_ones)} spheres intervals overlap" if 0 < len(open_ones) < len(found) else ""
+    return (by_size(found) or by_scene(found) or by_count(found)) + rest
+
+
+def headline(found):
+    """In one clause."""
+    winners = {entry.winner for entry in found}
+    if winners == {""}:
+        return "no difference is seen"
+    if {"glsl", "cuda"} <= winners:
+        return "neither API wins throughout"
+    name = NAMES[max(winners)]
+    return f"{name} is never the slower" if "" in winners else f"{name} wins throughout"
+
+
+def at_large_sizes(found):
+    """Where launches no longer weigh."""
+    large = [entry for entry in found if entry.n >= LARGE]
+    mine = sorted(((NAMES[name], won(large, name)) for name in NAMES if won(large, name)),
+                  key=lambda item: -len(item[1]))
+    if not mine:
+        return f"in none of {len(large)} contests of {LARGE:,} spheres and more a difference is seen"
+    (name, first), *other = mine
+    rest = f", and {other[0][0]}'s in {len(other[0][1])}, by {span(other[0][1])} %" if other else ""
+    return (f"in {len(first)} of {len(large)} contests of {LARGE:,} spheres and more {name}'s compiler made the faster "
+            f"code, by {span(first)} %{rest}")

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: MIT
+"""Numbers and sentences of the prose about who leads: GLSL or CUDA, one launch or many, one arrangement or another."""
+import leads
+from derived import best, matched
+from ranks import apart
+from records import said
+from tabular import ms
+
+DEVICES = ("glsl", "cuda")
+GROUP = 128
+METHODS = ("group", "tiled", "square", "triangle")
+
+
+def who_leads(put, machine, others):
+    found = leads.contests(machine)
+    for key, text in (("wins", leads.wins(found)), ("headline", leads.headline(found)),
+                      ("large", leads.at_large_sizes(found))):
+        put(f"lead/{key}", text.replace(" %", "\\,\\%"), machine.id, f"sentence made from all contests: lead/{key}")
+    put("lead/contests", str(len(found)), machine.id, "sizes and scenes where both were timed, whole steps among them")
+    put("lead/most", f"{max(entry.lead for entry in found):.0f}", machine.id, "greatest lead of either in %")
+    large = [entry.lead for entry in found if entry.n >= leads.LARGE]
+    said(machine, max(large) <= 15, "at large sizes the APIs are within a few percent where all pairs meet")
+    put("lead/large/from", f"{leads.LARGE:,}", machine.id, "least n where launches no longer weigh")
+    put("lead/large/most", f"{max(large):.0f}", machine.id, f"greatest lead of either in % from {leads.LARGE} on")
+
+
+def methods(put, machine, others):
+    """Of the four arrangements at one size."""
+    pairs = [tuple(machine.one(table="methods", backend=name, method=f"collide_{method}", block=128)
+                   for name in DEVICES) for method in METHODS]
+    found = [leads.contest(*pair) for pair in pairs]
+    parts = [f"{leads.NAMES[name]} leads in {len(mine)} of {len(found)}, by {leads.span(mine)}\\,\\%"
+             for name in ("cuda", "glsl") if (mine := leads.won(found, name))]
+    put("methods/leads", " and ".join(parts) or "no difference is seen", pairs[0][0].source,
+        "sentence made from the four methods at groups of 128")
+
+
+def launches(put, machine, others):
+    rows = {name: {r.launches_per_step: r for r in machine.need(table="overhead", backend=name)} for name in DEVICES}
+    one, many = ({name: rows[name][count].median / count for name in DEVICES} for count in (1, 1000))
+    said(machine, 2 * one["cuda"] < one["glsl"], "CUDA's round trip costs less than half of GLSL's")
+    cheaper = min(DEVICES, key=many.get)
+    near = max(many.values()) < 1.25 * many[cheaper]
+    put("launch/many", "cost nearly the same" if near else f"cost less in {leads.NAMES[cheaper]}",
+        rows["cuda"][1000].source, "words made from launches back to back")
+    for name in DEVICES:
+        for count, key in ((1, "one"), (1000, "many")):
+            put(f"launch/{key}/{name}", f"{1e3 * rows[name][count].median / count:.1f}", rows[name][count].source,
+                f"microseconds a launch, {name}, {count} between two waits")
+
+
+def first_uses(put, machine, others):
+    for name in DEVICES:
+        record = machine.one(table="methods", backend=name, method="collide_triangle", block=128)
+        put(f"first/{name}", ms(record.first_step_ms), record.source, f"first use of {record.label} in the run, ms")
+
+
+def arrangements(put, machine, others):
+    for name in DEVICES:
+        tiled, square, triangle = (best(machine, name, f"collide_{m}") for m in ("tiled", "square", "triangle"))
+        said(machine, tiled.median > 8 * triangle.median, "the arrangement is worth an order of magnitude")
+        put(f"gain/square/{name}", f"{tiled.median / square.median:.1f}", square.source, f"{name}, tiled/square")
+        put(f"gain/triangle/{name}", f"{square.median / triangle.median:.1f}", square.source,
+            f"{name}, square/triangle")
+        put(f"gain/all/{name}", f"{tiled.median / triangle.median:.0f}", square.source, f"{name}, tiled/triangle")
+
+
+def group_sizes(put, machine, others):
+    """What the worst size costs, and what the same one everywhere."""
+    behind = []
+    for name in DEVICES:
+        for method in ("tiled", "square", "triangle"):
+            rows = machine.need(table="methods", backend=name, method=f"collide_{method}")
+            worst, least = (bound(rows, key=lambda record: record.median) for bound in (max, min))
+            same = machine.one(table="methods", backend=name, method=f"collide_{method}", block=GROUP)
+            behind.append(100 * (same.median / least.median - 1))
+            put(f"groups/{method}/{name}", f"{worst.median / least.median:.2f}", worst.source,
+                f"{name}, slowest group size ({worst.block}) over fastest ({least.block}), {method}")
+            put(f"groups/{method}/{name}/worst", f"{worst.block}", worst.source, f"{name}, slowest, {method}")
+    said(machine, max(behind) <= 10, f"groups of {GROUP} are good for every method that meets all groups")
+    put("groups/same", str(GROUP), machine.id, "the group size that serves every method")
+    put("groups/same/behind", f"{max(behind):.0f}", machine.id, f"most in % that groups of {GROUP} are behind the best")
+
+
+def keeping_order(put, machine, others):
+    """Advice that compares what an order is worth with what the API is."""
+    wanted = {"table": "grid", "scene": "uniform", "method": "collide_grid", "packing_fraction": 0.3}
+    warm, cold = ({pair[0].n: pair for pair in matched(machine, **wanted, order=order)} for order in ("warm", "cold"))
+    n = max(warm.keys() & cold.keys())
+    gain = min(slow.median / fast.median for slow, fast in zip(cold[n], warm[n]))
+    api = max(glsl.median / cuda.median for glsl, cuda in (warm[n], cold[n]))
+    said(machine, gain > api and all(apart(*pair) for pair in zip(cold[n], warm[n])),
+         "spheres kept in cell order are worth more than the API")
+    put("order/gain", f"{gain:.1f}", warm[n][0].source, f"random over cell order at n = {n}, the lesser of both APIs")
+
+
+LEADING = (who_leads, methods, launches, first_uses, arrangements, group_sizes, keeping_order)

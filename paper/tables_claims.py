@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: MIT
+"""The main claims in one table: both APIs on the same work, with intervals, and who is faster where these are apart."""
+from ranks import apart
+from records import Missing
+from tabular import Table, interval, ms
+
+LARGEST = 2**20  # of all pairs
+GAS = {"scene": "uniform", "packing_fraction": 0.3}
+CAPTION = ("The main claims: medians in milliseconds with their intervals of at least 95\\,\\%. The faster API is "
+           "named only where the intervals are apart; its lead is in percent of the slower one's time. CPU: all "
+           "threads. Of:")
+
+
+def rows_wanted():
+    """(what, its size, what is wanted of a record, CPU's where it is wanted otherwise)."""
+    parallel = {"method": "parallel"}
+    yield "a whole step, all pairs, original box", "16,384", {"table": "step", "n": 16384}, {}
+    for n, text in ((16384, "16,384"), (LARGEST, "2^20")):
+        yield "all pairs, original box", text, {"table": "scale", "scene": "random", "n": n}, parallel
+        yield "all pairs, gas", text, {"table": "scale", "scene": "uniform", "n": n}, parallel
+    for k in (6, 7, 8):
+        for order, text in (("warm", "cell"), ("cold", "random")):
+            yield (f"through the grid, {text} order", f"10^{k}",
+                   {"table": "grid", **GAS, "method": "collide_grid", "order": order, "n": 10**k}, {})
+    for method, text in (("paper", "the original's motion"), ("anchored", "anchored motion")):
+        yield (text, "10^8",
+               {"table": "precision", "precision": "float32", "method": method, "work": "move", "n": 10**8}, {})
+    for k in (6, 7):
+        yield ("a picture by the rasteriser", f"10^{k}",
+               {"table": "draw", "draw": "compute", "work": "frame", "place": "outside", "n": 10**k}, {})
+    yield "one launch, waited for", "-", {"table": "overhead", "launches_per_step": 1}, {}
+
+
+def faster(glsl, cuda):
+    if not apart(glsl, cuda):
+        return "no difference seen"
+    (fast, name), (slow, _) = sorted(((glsl, "GLSL"), (cuda, "CUDA")), key=lambda entry: entry[0].median)
+    return f"{name} {100 * (1 - fast.median / slow.median):.1f} %"
+
+
+def claims(machine):
+    rows, sources = [], []
+    for what, size, wanted, of_cpu in rows_wanted():
+        glsl, cuda = (machine.select(backend=name, **wanted) for name in ("glsl", "cuda"))
+        cpu = machine.select(backend="cpu", **{**wanted, **of_cpu})
+        if len(glsl) > 1 or len(cuda) > 1:
+            raise Missing(f"{machine.name} has several records of: {what}, {size}")
+        if not (glsl and cuda):
+            continue
+        rows.append([what, size, interval(glsl[0]), interval(cuda[0]), ms(cpu[0].median) if len(cpu) == 1 else "-",
+                     faster(glsl[0], cuda[0])])
+        sources += [glsl[0].source, cuda[0].source]
+    if not rows:
+        raise Missing(f"{machine.name} has no work that both APIs did")
+    heads = [[("", 2), ("median [interval], ms", 2), ("", 2)], ["work", "spheres", "GLSL", "CUDA", "CPU", "the faster"]]
+    return Table("claims", CAPTION, heads, rows, left=1, source=", ".join(dict.fromkeys(sources)))
