@@ -86,7 +86,7 @@ class Bench {
     for (const auto& backend : session_.backends()) {
       try {
         backend->upload(scene);
-        backend->collide(in_dense_cells);
+        backend->collide(in_dense_cells(*backend, n));
         backend->collisions();
       } catch (const BackendError& error) {
         leave_out(n, *backend, "all", error.what());
@@ -140,7 +140,7 @@ class Bench {
                               [&](Backend& backend) {
                                 if (task.work == "loop") {
                                   backend.move();
-                                  backend.collide(in_dense_cells);
+                                  backend.collide(in_dense_cells(backend, n));
                                 }
                                 backend.draw(views[turn++ % views.size()], draw_options(task));
                               },
@@ -150,12 +150,12 @@ class Bench {
     print(entry);
     if (task.work != "loop") return;
     task.backend->upload(scene);  // back to where the spheres were
-    task.backend->collide(in_dense_cells);
+    task.backend->collide(in_dense_cells(*task.backend, n));
   }
 
   // CUDA's spheres through OpenGL.
   void measure_shared(uint64_t n, Backend& cuda, const Scene& scene, const Bounds& bounds) {
-    SharedTask task{&cuda, way(bounds, "outside", options_.width, options_.height, 0), {}};
+    SharedTask task{&cuda, in_dense_cells(cuda, n), way(bounds, "outside", options_.width, options_.height, 0), {}};
     for (const std::string& draw : options_.draws)
       if (draw != draw_method_name(DrawMethod::compute) && !beyond_most(n, draw))
         task.draws.push_back(draw_method_from_name(draw));
@@ -175,7 +175,7 @@ class Bench {
       overlaps.push_back(overlap);
     }
     cuda.upload(scene);
-    cuda.collide(in_dense_cells);
+    cuda.collide(in_dense_cells(cuda, n));
   }
 
   // Exact pictures must agree between backends and whatever is skipped. The third from one place skips all it can.

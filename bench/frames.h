@@ -34,11 +34,13 @@ struct FrameTask {
 };
 std::string label(const FrameTask& task);
 
-const CollideOptions in_dense_cells = {.method = Method::collide_grid, .grid = {.cells = Cells::dense}};
+// Steps through the grid, in the groups that `auto` takes; light needs the dense cells.
+CollideOptions in_dense_cells(const Backend& backend, uint64_t n);
 
 // CUDA's spheres drawn by OpenGL, from one camera after the other.
 struct SharedTask {
   Backend* cuda;
+  CollideOptions collide;  // of a step
   std::vector<View> views;
   std::vector<DrawMethod> draws;
 };

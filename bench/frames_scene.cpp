@@ -7,6 +7,7 @@
 #include "cpu_grid_sort.h"
 #include "device_backend.h"
 #include "frames.h"
+#include "method_choice.h"
 
 namespace spherepair {
 namespace {
@@ -52,6 +53,13 @@ std::vector<View> way(const Bounds& bounds, const std::string& place, uint width
     views.push_back(make_view(camera, look, width, height));
   }
   return views;
+}
+
+CollideOptions in_dense_cells(const Backend& backend, uint64_t n) {
+  CollideOptions options = {.method = Method::automatic, .grid = {.cells = Cells::dense}};
+  options.block = chosen_block(backend.info(), n, Method::collide_grid, options);
+  options.method = Method::collide_grid;
+  return options;
 }
 
 }  // namespace spherepair

@@ -22,7 +22,7 @@ json time_hand_overs(const SharedTask& task, SharedDrawing& shared, const TimeSt
   uint64_t turn = 0;
   const auto step = [&] {
     cuda.move();
-    cuda.collide(in_dense_cells);
+    cuda.collide(task.collide);
   };
   const double step_seconds = time("none", "step", step);
   for (const HandOver by : {HandOver::host, HandOver::registered, HandOver::imported}) {

@@ -85,7 +85,7 @@ FN Box box_of(vec4 seen, View v) {
 }
 
 // In two words.
-FN uvec2 packed(Box box) {
+FN uvec2 words_of(Box box) {
   uvec2 words = {box.x | (box.y << 16), box.width | (box.height << 16)};
   return words;
 }

@@ -27,7 +27,7 @@
 #define SLOT_TILE 18     // uvec2[]: large spheres cut into tiles: the sphere's number, that of the tile in its box
 #define SLOT_DRAWN 19    // uint[DRAWN_WORDS]: see view.h
 #define SLOT_CLUSTER 20  // vec4[2 * clusters]: lowest and highest corner of what holds a cluster's spheres
-#define SLOT_SEEN_LEFT 21  // uint[]: four bits for each sphere, not 0 while in the list of those seen
+#define SLOT_SEEN_LEFT 21     // uint[]: four bits for each sphere, not 0 while in the list of those seen
 #define SLOT_CLUSTER_LIST 22  // uint[3 * clusters], by LIST_*, each in any order
 #define SLOT_PYRAMID 23       // uvec2[]: of the depths in each texel, level 0 and then 1; see draw_pyramid
 #define SLOT_WIDE 24          // Real[6n], of compensated and float64: all x, all y, all z, then the velocities

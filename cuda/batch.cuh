@@ -19,7 +19,7 @@ __device__ inline void draw_batch(const Params& p, const World& w, const View& v
     Walk walk = walk_of(p, w, v, place, true);
     if (walk.box.width * walk.box.height > WALK_ALONE) {
       uint entry = atomicAdd(&walk_count, 1u);
-      uvec2 box = packed(walk.box);
+      uvec2 box = words_of(walk.box);
       walk_seen[entry] = walk.seen;
       walk_left[entry] = uvec4{box.x, box.y, walk.nearest, walk.sphere};
     } else {

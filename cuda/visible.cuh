@@ -74,7 +74,9 @@ __device__ inline Walk walk_of(const Params& p, const World& w, const View& v, u
 // The work of one of the threads that share the pixels of a walk.
 __device__ inline void draw_walk(const World& w, const View& v, Walk walk, uint lane, uint lanes, uint across) {
   Box box = walk.box;
+#pragma unroll 1  // boxes are small, and a warp has several
   for (uint y = box.y + lane / across; y < box.y + box.height; y += lanes / across)
+#pragma unroll 1
     for (uint x = box.x + lane % across; x < box.x + box.width; x += across)
       draw_at(w, v, x, y, walk.seen, walk.nearest, walk.sphere);
 }

@@ -17,7 +17,7 @@ void draw_batch(uint place, bool exists) {
     if (walk.box.width * walk.box.height > WALK_ALONE) {
       uint entry = atomicAdd(walk_count, 1u);
       walk_seen[entry] = walk.seen;
-      walk_left[entry] = uvec4(packed(walk.box), walk.nearest, walk.sphere);
+      walk_left[entry] = uvec4(words_of(walk.box), walk.nearest, walk.sphere);
     } else {
       draw_walk(walk, 0u, 1u, 1u);
     }

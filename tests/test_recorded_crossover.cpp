@@ -24,10 +24,6 @@ struct Recorded {
   std::map<std::string, Interval> ways;  // ms
 };
 
-// In this record the threads of the CPU's grid were ended and started anew in every step (common/cpu_team.h), which
-// took 2 ms where the same step takes 1 on 2 cores.
-constexpr const char* before_teams = "h200 cpu radii of 8192";
-
 // By machine, backend, kind of spheres and number.
 std::map<std::string, Recorded> recorded_crossovers() {
   std::map<std::string, Recorded> found;
@@ -39,9 +35,7 @@ std::map<std::string, Recorded> recorded_crossovers() {
       const json& scene = row.at("scene");
       const std::string backend = row.at("backend"), kind = row.at("kind"), way = row.at("way");
       const uint64_t n = row.at("n");
-      const std::string name = fmt::format("{} {} {} of {}", machine.path().filename().string(), backend, kind, n);
-      if (name == before_teams) continue;
-      Recorded& one = found[name];
+      Recorded& one = found[fmt::format("{} {} {} of {}", machine.path().filename().string(), backend, kind, n)];
       one.scene = {.name = scene.at("name"), .n = n, .seed = scene.at("seed"), .radius = scene.at("radius")};
       one.scene.radius_ratio = scene.at("radius_ratio");
       one.scene.packing_fraction = scene.at("packing_fraction");

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The grid of the CPU on spheres drawn at random: what must not change the set does not, and all pairs give the same.
-#include <fmt/format.h>
+// The grid of every backend on spheres drawn at random: what must not change the set does not.
 #include <rapidcheck.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <numeric>
 #include <random>
 
@@ -27,13 +24,23 @@ rc::Gen<std::vector<vec4>> lattice_spheres() {
   return rc::gen::container<std::vector<vec4>>(sphere);
 }
 
-std::vector<Pair> grid_pairs(const std::vector<vec4>& spheres, Cells cells) {
-  static CpuGrid grid;
-  return *answer_of(grid, scene_of(spheres), cells, true, 1).pairs;
-}
+class GridProperties : public BackendTest {
+ protected:
+  // On the CPU RapidCheck tries all of its cases; elsewhere, where each takes 50 ms in software, some.
+  bool tried_enough() { return backend().info().name != "cpu" && ++tried_ > (full_stress() ? 1000 : 100); }
 
-TEST(CpuGrid, PermutationGivesTheSameSet) {
-  EXPECT_TRUE(rc::check("the order of the spheres does not matter", [] {
+  std::vector<Pair> grid_pairs(const std::vector<vec4>& spheres, Cells cells) {
+    backend().upload(scene_of(spheres));
+    return *ask(backend(), {.method = Method::collide_grid, .want_pairs = true, .grid = {.cells = cells}}).pairs;
+  }
+
+ private:
+  int tried_ = 0;
+};
+
+TEST_P(GridProperties, PermutationGivesTheSameSet) {
+  EXPECT_TRUE(rc::check("the order of the spheres does not matter", [this] {
+    if (tried_enough()) return;
     const std::vector<vec4> spheres = *lattice_spheres();
     std::vector<uint> order(spheres.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -52,8 +59,9 @@ TEST(CpuGrid, PermutationGivesTheSameSet) {
   }));
 }
 
-TEST(CpuGrid, TranslationAndPowersOfTwoGiveTheSameSet) {
-  EXPECT_TRUE(rc::check("neither the origin nor the unit matters", [] {
+TEST_P(GridProperties, TranslationAndPowersOfTwoGiveTheSameSet) {
+  EXPECT_TRUE(rc::check("neither the origin nor the unit matters", [this] {
+    if (tried_enough()) return;
     const std::vector<vec4> spheres = *lattice_spheres();
     const float x = float(*rc::gen::inRange(-100000, 100000)), y = float(*rc::gen::inRange(-99, 100)) / 8;
     const int power = *rc::gen::inRange(-130, 110);
@@ -71,34 +79,7 @@ TEST(CpuGrid, TranslationAndPowersOfTwoGiveTheSameSet) {
   }));
 }
 
-SceneOptions drawn_scene(uint64_t seed) {
-  std::mt19937_64 random(seed);
-  const auto& kinds = scene_kinds();
-  const auto log_uniform = [&](double low, double high) {
-    return low * std::pow(high / low, double(random() >> 11) * 0x1p-53);
-  };
-  SceneOptions options = {
-      .name = kinds[random() % kinds.size()].name, .n = uint64_t(log_uniform(1, 4000)), .seed = seed};
-  options.radius = float(log_uniform(1e-3, 2));
-  if (random() % 2) options.radius_ratio = float(log_uniform(1, 1e5));
-  options.packing_fraction = random() % 2 ? log_uniform(1e-12, 0.7) : 0.3;
-  if (random() % 3 == 0) options.offset = float(log_uniform(1, 1e8)) * (random() % 2 ? 1.0f : -1.0f);
-  return options;
-}
-
-// SOAK_SECONDS in the environment makes it longer; SOAK_SEED starts it elsewhere.
-TEST(CpuGrid, Soak) {
-  const char *seconds = std::getenv("SOAK_SECONDS"), *start = std::getenv("SOAK_SEED");
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds ? std::atof(seconds) : 5);
-  uint64_t seed = start ? std::strtoull(start, nullptr, 10) : 1;
-  const uint64_t first = seed;
-  for (; std::chrono::steady_clock::now() < end; ++seed) {
-    const SceneOptions options = drawn_scene(seed);
-    ASSERT_EQ(objection_to_grid(make_scene(options)), "")
-        << "SOAK_SEED=" << seed << ": " << options.name << " of " << options.n;
-  }
-  fmt::print("{} scenes from SOAK_SEED={} on\n", seed - first, first);
-}
+INSTANTIATE_BACKENDS(GridProperties);
 
 }  // namespace
 }  // namespace spherepair
