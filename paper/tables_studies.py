@@ -184,7 +184,7 @@ def hand_over(machine):
         middle, least, most = hidden(root, entry)
         rows.append([entry["hand_over"], size_text(entry["n"]), *map(ms, times),
                      f"{ms(middle)} [{ms(least)}, {ms(most)}]"])
-    heads = [[("", 2), ("milliseconds", 4)], ["hand-over", "spheres", "picture", "step", "both", "hidden"]]
+    heads = [[("", 2), ("milliseconds", 4)], ["way", "spheres", "picture", "step", "both", "hidden"]]
     caption = HAND_OVERS.format(draw=root["overlaps"][0]["draw"])
     return Table("hand-over", caption, heads, rows, left=1, source=root["id"])
 
