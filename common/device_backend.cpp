@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "device_backend.h"
-#include "number_order.h"
 
 #include <fmt/format.h>
 
@@ -124,7 +123,6 @@ void DeviceBackend::upload(const Scene& scene) {
   params_.n = uint(n_);
   plans_ = plan_grids(scene.positions);
   watch_ = PlanWatch(scene, plans_);
-  numbers_follow_cells_ = numbers_follow_cells(scene.positions, plans_.dense);
   work_ = {.plans = 1};
   moves_to_wait_ = moves_waited_ = 0;
   planned_.reset();

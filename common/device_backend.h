@@ -172,7 +172,6 @@ class DeviceBackend : public Backend {
   std::array<Params, 2> constants_{};  // of the scene: [exact]
   GridPlans plans_;
   PlanWatch watch_;                                // whether they still fit
-  bool numbers_follow_cells_ = false;              // since the upload, and while spheres move a little at a time
   uint64_t moves_to_wait_ = 0, moves_waited_ = 0;  // before the cell order is asked for again
   bool equal_radii_ = true;                        // of the scene
   std::optional<Cells> planned_;                   // the cells that the buffers and parameters are for

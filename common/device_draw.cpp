@@ -86,7 +86,7 @@ void DeviceBackend::ready_to_draw() {
   if (!collided_ && !cleared_) launch_clear(Order::scene);
   cleared_ |= !collided_;
   if (!collided_ || !counts_by_place_) return;
-  launch({Kernel::draw_counts, SERVICE_BLOCK, {}, folded(ceil_div(n_, SERVICE_BLOCK * SPHERES_PER_SORTER))}, params_);
+  launch({Kernel::draw_counts, SERVICE_BLOCK, {}, folded(ceil_div(n_, SERVICE_BLOCK))}, params_);
   counts_by_place_ = false;
 }
 

@@ -147,9 +147,8 @@ void DeviceBackend::sort_into_cells() {
   make_buffer(SLOT_ID, n_ * sizeof(uint));
   make_buffer(SLOT_SORTED_COUNT, n_ * sizeof(uint));
   if (options_.grid.sort == Sort::radix) return sort_by_library();
-  const bool scatters_far = !(numbers_follow_cells_ && planned_ == Cells::dense);
-  const bool buckets = options_.grid.sort == Sort::automatic ? scatters_far && n_ >= buckets_pay_from
-                                                             : options_.grid.sort == Sort::buckets;
+  const bool buckets =
+      options_.grid.sort == Sort::automatic ? n_ >= buckets_pay_from : options_.grid.sort == Sort::buckets;
   buckets ? sort_by_buckets() : sort_by_counting();
 }
 

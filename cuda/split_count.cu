@@ -32,9 +32,10 @@ __global__ void __launch_bounds__(SPLIT_BLOCK) split_count(Params p, World w) {
   bool at_once = (p.names & SPLIT_AT_ONCE) != 0u;
   uint counts = at_once ? BUCKETS_AT_MOST : p.first_bucket;
   uint last_bucket = bucket_above(slot_of(w.position[end - 1u], p), p);
+  vec4 sphere[SPLIT_EACH];  // all on their way before the first is asked for its cell
+  for (uint k = 0u; k < SPLIT_EACH; ++k) sphere[k] = w.position[min(first + k * SPLIT_BLOCK + lane, end - 1u)];
   uint bucket[SPLIT_EACH];
-  for (uint k = 0u; k < SPLIT_EACH; ++k)
-    bucket[k] = slot_of(w.position[min(first + k * SPLIT_BLOCK + lane, end - 1u)], p) >> p.bucket_shift;
+  for (uint k = 0u; k < SPLIT_EACH; ++k) bucket[k] = slot_of(sphere[k], p) >> p.bucket_shift;
   for (uint low = bucket_below(slot_of(w.position[first], p), p); low <= last_bucket; low += BUCKETS_AT_MOST) {
     for (uint b = lane; b < BUCKETS_AT_MOST; b += SPLIT_BLOCK) counted[b] = 0u;
     __syncthreads();

@@ -34,9 +34,10 @@ void main() {
   bool at_once = (p.names & SPLIT_AT_ONCE) != 0u;
   uint counts = at_once ? BUCKETS_AT_MOST : p.first_bucket;
   uint last_bucket = bucket_above(slot_of(sphere_of(end - 1u), p), p);
+  vec4 sphere[SPLIT_EACH];  // all on their way before the first is asked for its cell
+  for (uint k = 0u; k < SPLIT_EACH; ++k) sphere[k] = sphere_of(min(first + k * BLOCK + lane, end - 1u));
   uint bucket[SPLIT_EACH];
-  for (uint k = 0u; k < SPLIT_EACH; ++k)
-    bucket[k] = slot_of(sphere_of(min(first + k * BLOCK + lane, end - 1u)), p) >> p.bucket_shift;
+  for (uint k = 0u; k < SPLIT_EACH; ++k) bucket[k] = slot_of(sphere[k], p) >> p.bucket_shift;
   for (uint low = bucket_below(slot_of(sphere_of(first), p), p); low <= last_bucket; low += BUCKETS_AT_MOST) {
     for (uint b = lane; b < BUCKETS_AT_MOST; b += BLOCK) counted[b] = 0u;
     barrier();
