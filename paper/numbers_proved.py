@@ -83,6 +83,7 @@ def drivers_compiler(put, machine, others):
     source = next(root["id"] for root in machine.sources.values() if "backends" in root and
                   any(isinstance(entry, dict) and entry.get("compile_ms") for entry in root["backends"]))
     slowest = max(driver, key=driver.get)
+    put("compile/kernels", str(len(driver)), source, "kernels whose compilation by the GL driver was timed")
     put("compile/all", f"{1e-3 * sum(driver.values()):.1f}", source, "s, the GL driver's compilation of all kernels")
     put("compile/most", f"{1e-3 * driver[slowest]:.1f}", source, f"s, of the slowest, {slowest}")
     put("compile/most/kernel", slowest, source, "the slowest to compile")

@@ -112,6 +112,14 @@ class Speed(unittest.TestCase):
                 self.assertGreaterEqual(1.1 * found[skip, n, name], least, f"{skip}, {name}")
 
 
+    def test_8c(self):
+        self.said("8c", "≤ 0.08, 0.20 and 0.30 ms in CUDA and in GLSL", "| 10 % |")
+        for n, most in ((16384, 0.08), (10**6, 0.20), (10**7, 0.30)):
+            for name in APIS:
+                picture = self.h200.one(table="draw", draw="compute", work="frame", place="outside", n=n, backend=name)
+                self.assertLessEqual(picture.median, 1.1 * most, picture.label)
+
+
 class Commands(unittest.TestCase):
     def test_every_test_that_is_named_is_there(self):
         sources = "".join(path.read_text() for path in (ROOT / "tests").iterdir() if path.suffix in (".cpp", ".cmake"))

@@ -34,5 +34,6 @@ def draw(machine):
         spheres_in_decades(axis, [n for n, _ in printed] + [row.n for row in rows])
         axis.set_title(f"camera {place}", loc="left")
     axes[0].set_ylabel("time of one picture (ms)")
-    axes[-1].legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    shown = {label: handle for axis in axes for handle, label in zip(*axis.get_legend_handles_labels())}
+    axes[-1].legend(shown.values(), shown.keys(), loc="upper left", bbox_to_anchor=(1.0, 1.0))
     return figure
