@@ -99,10 +99,14 @@ class Tables(unittest.TestCase):
 
     def test_hand_overs(self):
         machine = Machine(DATA / "h200")
-        machine.sources = {"frames.json": {"id": "made up", "overlaps": [
+        timed = {"imported": (1.9, 2.2), "step": (0.9, 1.1), "imported_pipelined": (2.4, 2.6)}
+        frames = [{"work": work, "draw": "none" if work == "step" else "points", "n": 1000, "interval_ms": interval}
+                  for work, interval in timed.items()]
+        frames.append({"work": "imported", "draw": "none", "n": 1000, "interval_ms": (9, 9)})  # alone, not meant
+        machine.sources = {"frames.json": {"id": "made up", "frames": frames, "overlaps": [
             {"hand_over": "imported", "draw": "points", "n": 1000, "picture_ms": 2.0, "step_ms": 1.0,
              "pipelined_ms": 2.5, "overlap": 0.5}]}}
-        self.assertEqual([["imported", "points", "1,000", "2.00", "1.00", "2.50", "0.500"]],
+        self.assertEqual([["imported", "1,000", "2.00", "1.00", "2.50", "0.500 [0.200, 0.900]"]],
                          tables_studies.hand_over(machine).rows)
 
 
