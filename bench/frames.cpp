@@ -57,7 +57,8 @@ json to_json(const DrawCounts& counts) {
           {"undrawable", counts.undrawable},
           {"clusters", counts.clusters},
           {"clusters_outside", counts.clusters_outside},
-          {"clusters_hidden", counts.clusters_hidden}};
+          {"clusters_hidden", counts.clusters_hidden},
+          {"clusters_put_off", counts.clusters_put_off}};
 }
 
 // Of a sample: spheres fall, so all backends take the same steps.

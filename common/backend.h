@@ -73,7 +73,8 @@ struct DrawCounts {
   uint64_t hidden = 0;             // behind what is drawn already
   uint64_t undrawable = 0;         // numbers beyond those that can be drawn (draw.h, in_camera)
   uint64_t clusters = 0, clusters_outside = 0, clusters_hidden = 0;  // their spheres are in none of the above
-  uint64_t pictures_kept = 0;  // calls of draw() since upload() that had nothing to do
+  uint64_t clusters_put_off = 0;  // that waited for others to be drawn, whatever became of them then
+  uint64_t pictures_kept = 0;     // calls of draw() since upload() that had nothing to do
 };
 
 struct BackendInfo {

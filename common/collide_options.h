@@ -57,8 +57,8 @@ struct Tricks {
   // GLSL: collide_grid reads the table of cells through a texture buffer, in parts where one is too small; the sort by
   // buckets so reads its spheres. Absent: on where they fit
   std::optional<bool> texture_table = {}, texture_spheres = {};
-  std::optional<bool> library_clear =
-      {};  // both: the API's function clears the table, in place of a kernel. Absent: off
+  // both: the API's function clears the table, in place of a kernel. Absent: off
+  std::optional<bool> library_clear = {};
   // GLSL: a step's dispatches go out together, each behind the one barrier that it needs. Off: each behind all
   // barriers, and the host waits for it. Absent: on
   std::optional<bool> batch = {};

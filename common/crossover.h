@@ -30,7 +30,7 @@ constexpr Crossover crossovers[] = {{"cuda", 4600, 4400, 450, 4'000'000, 200},
                                     {"cpu", 2048, 0, 50, never, 0, 1.5, never},
                                     {"cpu of many threads", 12000, 0, 50, never, 0, 3, 1024}};
 
-// Whatever the spheres' cells are like.
+// Whatever the spheres' cells are like, in rows without crowd_from.
 constexpr bool may_take_grid(const Crossover& row, uint64_t n) { return n <= row.few || n >= row.grid_from; }
 
 // n spheres, so many others in a sphere's cell on average, so many levels of cells.

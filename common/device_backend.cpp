@@ -84,6 +84,7 @@ void DeviceBackend::make_buffer(uint slot, uint64_t bytes) {
         info().name, n_, whole, slot_names[slot], double(bytes) / double(n_), largest_binding(), fitting(bytes)));
   }
   if (bytes_[slot] == bytes) return;
+  bytes_[slot] = 0;  // none is there should this fail
   allocate(slot, whole);
   bytes_[slot] = bytes;
   const std::vector<uint> guard(guard_words, guard_pattern);

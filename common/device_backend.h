@@ -189,6 +189,7 @@ class DeviceBackend : public Backend {
   DrawOptions draw_options_;
   std::optional<Order> clustered_;  // whose clusters they are; none when spheres have moved
   bool seen_known_ = false;         // SLOT_VISIBLE shows spheres of this scene
+  uint first_pass_tiles_ = 0;       // that the depths of the picture needed, where its numbers take a second pass
   uint lists_turn_ = 0;             // View::turn of the next picture
   bool picture_stands_ = false;     // nothing has changed since the last draw
   uint64_t pictures_kept_ = 0;

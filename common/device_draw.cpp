@@ -50,9 +50,10 @@ void DeviceBackend::draw_tiles(const Params& params) {
   launch(tiles, params);
 }
 
-// The second pass lists the tiles again.
+// The second pass lists the tiles again, of fewer spheres where more is drawn by then: the first says how many.
 void DeviceBackend::restart_lists() {
   const uint none[] = {0, 0};
+  read(SLOT_DRAWN, &first_pass_tiles_, DRAWN_TILES * sizeof(uint), sizeof(uint));
   write(SLOT_DRAWN, none, DRAWN_TILES * sizeof(uint), sizeof(none));
 }
 
@@ -67,6 +68,7 @@ void DeviceBackend::launch_rasteriser() {
   view_.tile_capacity = uint(bytes_[SLOT_TILE] / sizeof(uvec2));
   view_.counting = draw_options_.count;
   view_.pass = PASS_DEPTH;
+  first_pass_tiles_ = 0;
   view_.phase = PHASE_SEEN;
   view_.turn = lists_turn_;
   const bool culls = (draw_options_.skip_outside || draw_options_.skip_hidden) && n_ >= draw_options_.skip_from;
@@ -134,6 +136,7 @@ bool DeviceBackend::grow_draw_lists() {
   if (draw_options_.method == DrawMethod::compute) {
     uint tiles = 0;
     read(SLOT_DRAWN, &tiles, DRAWN_TILES * sizeof(uint), sizeof(uint));
+    tiles = std::max(tiles, first_pass_tiles_);
     grown = tiles > view_.tile_capacity;
     if (grown) make_buffer(SLOT_TILE, (uint64_t(tiles) + tiles / 8) * sizeof(uvec2));
   }
@@ -175,12 +178,13 @@ DrawCounts DeviceBackend::draw_counts() {
   return {.drawn = uint64_t(drawn[DRAWN_SMALL]) + drawn[DRAWN_LARGE],
           .unseen = drawn[DRAWN_UNSEEN],
           .large = drawn[DRAWN_LARGE],
-          .tiles = drawn[DRAWN_TILES],
+          .tiles = std::max(drawn[DRAWN_TILES], first_pass_tiles_),
           .hidden = drawn[DRAWN_HIDDEN],
           .undrawable = drawn[DRAWN_UNDRAWABLE],
           .clusters = view_.clusters,
           .clusters_outside = drawn[DRAWN_CLUSTERS_OUTSIDE],
           .clusters_hidden = drawn[DRAWN_CLUSTERS_HIDDEN],
+          .clusters_put_off = drawn[DRAWN_CLUSTERS + LIST_PUT_OFF],
           .pictures_kept = pictures_kept_};
 }
 

@@ -136,6 +136,11 @@ TEST_P(DrawSkips, AreCounted) {
   counts = backend().draw_counts();
   EXPECT_GT(counts.clusters_hidden, counts.clusters / 4);
   EXPECT_LT(counts.drawn + counts.unseen, scene.size() * 3 / 4);
+  EXPECT_EQ(counts.clusters_put_off, 0u);
+  backend().draw(make_view(front, contact_look(), width, height), every_skip()[3]);
+  const DrawCounts after = backend().draw_counts();
+  EXPECT_GT(after.clusters_put_off, 0u);
+  EXPECT_GT(after.clusters_hidden, counts.clusters / 4) << "those put off are hidden in the end";
 }
 
 TEST_P(DrawSkips, AnUnchangedPictureStands) {

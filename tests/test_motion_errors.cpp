@@ -13,9 +13,9 @@
 namespace spherepair {
 namespace {
 
-// Of 100 spheres, as the known figures are. That of one hundred hangs on its few worst: the median of nine.
-double rms_of(Backend& backend, MotionOptions motion, int k, float restitution = 1) {
-  constexpr uint64_t hundreds = 9, hundred = 100;
+// Of 100 spheres, as the known figures are, nine times, the least first: one hundred's hangs on its few worst.
+constexpr uint64_t hundreds = 9, hundred = 100;
+std::array<double, hundreds> all_rms_of(Backend& backend, MotionOptions motion, int k, float restitution = 1) {
   const Scene scene = bouncing_scene(
       {.motion = motion, .dt = std::ldexp(1.0f, -k), .restitution = restitution, .n = hundreds * hundred});
   const uint64_t steps = 10u << k;
@@ -25,8 +25,13 @@ double rms_of(Backend& backend, MotionOptions motion, int k, float restitution =
     const double error = error_of(scene, i, steps, exact_state(state, motion, i)).position;
     rms[i / hundred] += error * error / hundred;
   }
-  std::ranges::nth_element(rms, rms.begin() + hundreds / 2);
-  return std::sqrt(rms[hundreds / 2]);
+  for (double& square : rms) square = std::sqrt(square);
+  std::ranges::sort(rms);
+  return rms;
+}
+double rms_of(Backend& backend, MotionOptions motion, int k) { return all_rms_of(backend, motion, k)[hundreds / 2]; }
+double worst_rms_of(Backend& backend, MotionOptions motion, int k, float restitution) {
+  return all_rms_of(backend, motion, k, restitution).back();
 }
 
 // Root mean square error of position after 10 s, metres, at dt = 2^-4, 2^-6 ... 2^-14. An error must be within the
@@ -72,11 +77,11 @@ TEST_P(StressCatalogue, Row22_ErrorsOfTheEventMethods) {
   for (float restitution : {1.0f, 0.9f, 0.5f})
     for (int k : {4, 6}) {
       note_figure("all within", "f32 impact 2e-4, anchored 1e-5; compensated 1e-9; f64 1e-10");
-      EXPECT_LE(rms_of(backend(), {MotionMethod::impact, F32}, k, restitution), 2e-4);
-      EXPECT_LE(rms_of(backend(), {MotionMethod::anchored, F32}, k, restitution), 1e-5);
+      EXPECT_LE(worst_rms_of(backend(), {MotionMethod::impact, F32}, k, restitution), 2e-4);
+      EXPECT_LE(worst_rms_of(backend(), {MotionMethod::anchored, F32}, k, restitution), 1e-5);
       for (MotionMethod method : {MotionMethod::impact, MotionMethod::anchored}) {
-        EXPECT_LE(rms_of(backend(), {method, COMPENSATED}, k, restitution), 1e-9);
-        EXPECT_LE(rms_of(backend(), {method, F64}, k, restitution), 1e-10);
+        EXPECT_LE(worst_rms_of(backend(), {method, COMPENSATED}, k, restitution), 1e-9);
+        EXPECT_LE(worst_rms_of(backend(), {method, F64}, k, restitution), 1e-10);
       }
     }
 }
