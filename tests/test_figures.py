@@ -106,7 +106,7 @@ class Tables(unittest.TestCase):
         machine.sources = {"frames.json": {"id": "made up", "frames": frames, "overlaps": [
             {"hand_over": "imported", "draw": "points", "n": 1000, "picture_ms": 2.0, "step_ms": 1.0,
              "pipelined_ms": 2.5, "overlap": 0.5}]}}
-        self.assertEqual([["imported", "1,000", "2.00", "1.00", "2.50", "0.500 [0.200, 0.900]"]],
+        self.assertEqual([["imported", "10^3", "2.00", "1.00", "2.50", "0.500 [0.200, 0.900]"]],
                          tables_studies.hand_over(machine).rows)
 
 
