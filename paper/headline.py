@@ -22,6 +22,12 @@ def medians(machine, **wanted):
     return [f"{short(machine.one(backend=name, n=SIZE, **wanted).median)} ms" for name in DEVICES]
 
 
+def with_doubt(record):
+    """Milliseconds, with the interval where it is wide: the CPU's cores are shared with other hosts."""
+    wide = record.high - record.low > 0.1 * record.median
+    return f"{short(record.median)} ms" + (f" [{short(record.low)}, {short(record.high)}]" if wide else "")
+
+
 def through_the_grid(machine, order):
     wanted = {"table": "grid", "n": MANY, "packing_fraction": 0.3, "method": "collide_grid"}
     cpu = machine.one(backend="cpu", order="cold", **wanted).median if order == "cold" else None
@@ -37,7 +43,7 @@ def pictures(machine):
 def rows(machine):
     """(first words, the whole row)."""
     last, threads = original_paper()["table1"][-1], machine.main["context"]["machine"]["hardware_threads"]
-    cpu = {what: short(machine.one(backend="cpu", n=SIZE, **wanted).median) for what, wanted in {
+    cpu = {what: with_doubt(machine.one(backend="cpu", n=SIZE, **wanted)) for what, wanted in {
         "step": {"table": "step"}, "one": {"table": "table1", "method": "sequential"},
         "all": {"table": "table1", "method": "parallel"}}.items()}
     rates = []
@@ -48,9 +54,9 @@ def rows(machine):
              "no difference seen" for exact, naive in pairs_of(machine)}
     made = [("whole step of 16,384 spheres", f": motion, plane, all pairs, counts (the paper: {last[6]} ms parallel, "
              f"{last[4] + last[5]:,} ms sequential)", *medians(machine, table="step"),
-             f"{cpu['step']} ms on {threads} cores"),
+             f"{cpu['step']} on {threads} cores"),
             ("the same spheres' pairs alone", "", *medians(machine, table="table1", method="collide_triangle"),
-             f"{cpu['all']} ms; one thread, serial: {cpu['one']} ms"),
+             f"{cpu['all']}; one thread, serial: {cpu['one']}"),
             ("pairs of 10,000,000 spheres through the grid", ", packing fraction 0.3, in cell order",
              *through_the_grid(machine, "warm")),
             ("the same in random order", ", sorted first", *through_the_grid(machine, "cold")),
@@ -76,7 +82,8 @@ def who_leads(machine):
             f"many short kernels, CUDA takes {leads.span(cuda)} % less time in {len(cuda)} of {len(grid)} contests. "
             "Medians of recorded runs with their intervals: [paper/data/h200](paper/data/h200). What was tried on the "
             "way: [bench/NOTES.md](bench/NOTES.md).")
-    return textwrap.fill(text, 120, break_long_words=False, break_on_hyphens=False)
+    whole = text.replace(" %", "\u00a0%")  # a number and its unit stay on one line
+    return textwrap.fill(whole, 120, break_long_words=False, break_on_hyphens=False).replace("\u00a0", " ")
 
 
 def updated(readme, machine):

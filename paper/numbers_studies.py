@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Numbers of the prose that come from runs of their own: the sweep, frames, hand-over."""
 import leads
-from derived import crossover, matched, slope, stage_ratios
+from derived import crossover, grid_share_of_floor, matched, slope, stage_ratios
 from ranks import apart
 from records import Missing, said
 from tabular import ms
@@ -56,7 +56,7 @@ def grid(put, machine, others):
             last = machine.one(**wanted, method="collide_grid", order=order, n=largest)
             put(f"grid/{order}/{name}", ms(last.median), last.source, f"{last.label}, n = {last.n}, {order}")
             if "share_of_floor" in last.parameters:
-                put(f"grid/floor/{name}/{order}", f"{100 * last.share_of_floor:.0f}", last.source,
+                put(f"grid/floor/{name}/{order}", f"{grid_share_of_floor(last):.0f}", last.source,
                     f"{last.label}, share of the floor in %, n = {last.n}, {order}")
 
 

@@ -16,6 +16,7 @@ if importlib.util.find_spec("matplotlib") is None:
 
 import figures  # noqa: E402  (the path must be set first)
 import tables_studies  # noqa: E402
+from derived import GRID_BYTES  # noqa: E402
 from records import DATA, Machine, Missing, Record  # noqa: E402
 
 SCENE = {"name": "uniform", "packing_fraction": 0.3}
@@ -30,9 +31,11 @@ def of_tables_to_come():
     rows = made_up("grid", [9], backend="cpu", method="collide_grid", order="cold")
     for backend in ("glsl", "cuda"):
         for method, order, time in (("grid", "cold", 2), ("grid", "warm", 1), ("triangle", "cold", 3)):
-            rows += made_up("grid", [time], backend=backend, method=f"collide_{method}", order=order, floor_ms=1e-4,
+            rows += made_up("grid", [time], backend=backend, method=f"collide_{method}", order=order,
                             share_of_floor=0.5, ceiling_per_second=1e12, device_stages_ms={"collide": 1.0},
                             device_stages_interval_ms={"collide": [0.9, 1.1]})
+            for row in rows[-2:]:
+                row.parameters["floor_ms"] = 1e-9 * GRID_BYTES[order] * row.n
         rows += made_up("draw", [1], backend=backend, draw="compute", place="outside", work="frame")
         rows += made_up("interop", [1], backend=backend, way=f"map from {backend}")
         for on in (True, False):

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
 """How close to the machine: each time as a share of the least that the device's own ceilings allow."""
-from derived import needed_devices
+from derived import GRID_BYTES, grid_share_of_floor, needed_devices
 from records import Missing
 from style import PAGE, SERIES, panels, spheres_in_decades
 
 NAME, TABLE = "floor", "grid"
 CAPTION = ("Share of the floor: the least time that the ceilings of the same run allow, over the measured time. "
-           "(a) The grid, whose floor is the bytes it must move (per sphere {warm:.0f} in cell order, {cold:.0f} in "
+           "(a) The grid, whose floor is the bytes it must move (per sphere {warm} in cell order, {cold} in "
            "random order) over the rate at which the device copies; small sizes stay in the caches, which copy "
            "faster. (b) All pairs by the upper triangle, whose floor is four instructions a pair over the rate of "
            "issue. Packing fraction 0.3.")
@@ -18,17 +18,17 @@ def with_floor(machine, **wanted):
     return [row for row in rows if "share_of_floor" in row.parameters]
 
 
-def bytes_per_sphere(machine, order):
+def bytes_per_sphere(row):
     """As the run itself reckoned: the floor's time and the device's rate of copying."""
-    rows = with_floor(machine, method="collide_grid", order=order)
-    if not rows:
-        raise Missing(f"{machine.name} has no record of the grid with its floor, {order}")
-    row = rows[-1]
-    return 1e-3 * row.floor_ms * row.ceiling_per_second / row.n
+    return round(1e-3 * row.floor_ms * row.ceiling_per_second / row.n)
 
 
 def caption(machine):
-    return CAPTION.format(warm=bytes_per_sphere(machine, "warm"), cold=bytes_per_sphere(machine, "cold"))
+    for order, wanted in GRID_BYTES.items():
+        found = {bytes_per_sphere(row) for row in with_floor(machine, method="collide_grid", order=order)}
+        if wanted not in found:
+            raise Missing(f"{machine.name}: no record of the grid counts {wanted} bytes a sphere, {order}, but {found}")
+    return CAPTION.format(**GRID_BYTES)
 
 
 def draw(machine):
@@ -39,7 +39,7 @@ def draw(machine):
     for name in devices:
         for order, line in LINES.items():
             rows = with_floor(machine, backend=name, method="collide_grid", order=order)
-            axes[0].plot([r.n for r in rows], [100 * r.share_of_floor for r in rows],
+            axes[0].plot([r.n for r in rows], [grid_share_of_floor(r) for r in rows],
                          **{**SERIES[name], "linestyle": line, "label": f"{SERIES[name]['label']}, {order}"})
         rows = with_floor(machine, backend=name, method="collide_triangle")
         axes[1].plot([r.n for r in rows], [100 * r.share_of_floor for r in rows], **SERIES[name])
