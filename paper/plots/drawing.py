@@ -7,6 +7,9 @@ NAME, TABLE = "drawing", "draw"
 CAPTION = ("Drawing: time of one picture against the number of spheres, for each way to draw. Black: the original "
            "paper's sequential rendering as printed (GeForce GTX 590).")
 MARKERS = "osD^vP*"
+DASHES = ("-", "--", (0, (1, 1)), "-.", ":", (0, (5, 1)), (0, (3, 1, 1, 1)))
+NAMES = {"compute": "rasteriser", "mesh_each": "mesh, a draw a sphere", "mesh": "mesh, instanced",
+         "mesh_indexed": "mesh, shared vertices", "points": "points", "impostor": "impostors"}
 
 
 def source(machine):
@@ -18,7 +21,8 @@ def draw_place(axis, rows):
     for place, (backend, way) in enumerate(ways):
         series = backend if backend != "cpu" else "cpu parallel"
         plot(axis, [row for row in rows if (row.backend, row.draw) == (backend, way)], series,
-             label=f"{SERIES[series]['label'].split(',')[0]}, {way}", marker=MARKERS[place % len(MARKERS)])
+             label=f"{SERIES[series]['label'].split(',')[0]}, {NAMES[way]}", marker=MARKERS[place % len(MARKERS)],
+             linestyle=DASHES[place % len(DASHES)])
 
 
 def draw(machine):
