@@ -58,7 +58,8 @@ json to_json(const DrawCounts& counts) {
           {"clusters", counts.clusters},
           {"clusters_outside", counts.clusters_outside},
           {"clusters_hidden", counts.clusters_hidden},
-          {"clusters_put_off", counts.clusters_put_off}};
+          {"clusters_put_off", counts.clusters_put_off},
+          {"bundles_left_out", counts.bundles_left_out}};
 }
 
 // Of a sample: spheres fall, so all backends take the same steps.

@@ -57,6 +57,9 @@ struct DrawOptions {
   // Of so many spheres or more, clusters far behind what the last pictures showed wait until the near ones are drawn.
   uint64_t put_off_from = 1u << 22;
 
+  // Of so many spheres or more, BUNDLE clusters in a row are tested as a whole first.
+  uint64_t bundles_from = 1u << 25;
+
   // Of fewer spheres, which then are large on the screen, each is drawn by LANES threads; without clusters only.
   uint64_t share_below = 1u << 17;
 
@@ -74,6 +77,7 @@ struct DrawCounts {
   uint64_t undrawable = 0;         // numbers beyond those that can be drawn (draw.h, in_camera)
   uint64_t clusters = 0, clusters_outside = 0, clusters_hidden = 0;  // their spheres are in none of the above
   uint64_t clusters_put_off = 0;  // that waited for others to be drawn, whatever became of them then
+  uint64_t bundles_left_out = 0;  // of clusters that are hidden, out of view or put off together
   uint64_t pictures_kept = 0;     // calls of draw() since upload() that had nothing to do
 };
 

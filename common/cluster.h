@@ -6,8 +6,6 @@
 
 #include "draw.h"
 
-#define CLUSTER_PARTS 2u  // of a cluster's box, that are tested where the whole is not hidden
-
 // A box in the camera's axes that holds all of a cluster: its middle, and how far it reaches along each axis.
 struct Solid {
   float x, y, z, across, above, ahead;
@@ -101,42 +99,31 @@ FN Solid brought_nearer(Solid solid, vec4 low, vec4 high) {
   return nearer;
 }
 
-// Part k of a cluster's box, which is cut across its longest side: rows of spheres reach far into the picture.
-struct Corners {
-  vec4 low, high;
-};
-FN float cut_at(float low, float high, uint k) {
-  EXACT float at = low + (high - low) * (float(k) * (1.0f / float(CLUSTER_PARTS)));
-  return at;
+// A bundle's corners stand behind those of all clusters.
+FN uint bundles_of(View v) { return (v.clusters + BUNDLE - 1u) / BUNDLE; }
+FN uint corners_of_bundle(uint bundle, View v) { return 2u * (v.clusters + bundle); }
+
+// In one word: a bundle and, a bit each, which of its clusters are meant.
+FN uint all_of_bundle(uint bundle, View v) {
+  uint clusters = v.clusters - bundle * BUNDLE;
+  uint bits = clusters < BUNDLE ? (1u << clusters) - 1u : (1u << BUNDLE) - 1u;
+  return (bundle << BUNDLE) | bits;
 }
-FN Corners part_of(vec4 low, vec4 high, uint k) {
-  EXACT float width = high.x - low.x;
-  EXACT float height = high.y - low.y;
-  EXACT float depth = high.z - low.z;
-  Corners part = {low, high};
-  if (width >= height && width >= depth) {
-    part.low.x = cut_at(low.x, high.x, k);
-    part.high.x = cut_at(low.x, high.x, k + 1u);
-  } else if (height >= depth) {
-    part.low.y = cut_at(low.y, high.y, k);
-    part.high.y = cut_at(low.y, high.y, k + 1u);
-  } else {
-    part.low.z = cut_at(low.z, high.z, k);
-    part.high.z = cut_at(low.z, high.z, k + 1u);
-  }
-  return part;
-}
+FN uint bundle_in(uint entry) { return entry >> BUNDLE; }
+FN uint bits_in(uint entry) { return entry & ((1u << BUNDLE) - 1u); }
 
 // The list that a phase draws.
 FN uint list_of(uint phase) { return phase == uint(PHASE_FAR) ? LIST_FAR : LIST_DRAWN; }
 
-// The pyramid's two levels: texels of LEVEL_0 and of LEVEL_1 pixels along both axes.
-FN uint texel_shift(uint level) { return level == 0u ? 3u : 5u; }
+// The pyramid's levels: texels of LEVEL_0, LEVEL_1 and LEVEL_2 pixels along both axes.
+FN uint texel_shift(uint level) { return 3u + 2u * level; }
 FN uint texels_along(uint pixels, uint level) {
   return (pixels + (1u << texel_shift(level)) - 1u) >> texel_shift(level);
 }
 FN uint first_texel(uint level, View v) {
-  return level == 0u ? 0u : texels_along(v.width, 0u) * texels_along(v.height, 0u);
+  uint first = 0u;
+  for (uint k = 0u; k < level; ++k) first += texels_along(v.width, k) * texels_along(v.height, k);
+  return first;
 }
 // A texel: x is the greatest depth of its pixels, infinite where nothing is seen, and y the greatest that is seen.
 FN uvec2 texel_of_pixel(uint depth) {

@@ -38,12 +38,15 @@ struct Launch {
   uint block;  // threads per group
   Variant variant;
   std::array<uint, 3> groups;
-  Order order = Order::scene;   // that a kernel sees as positions, counts and sphere numbers
+  Order order = Order::scene;   // that a kernel sees as positions, counts (count_slot) and sphere numbers
   Order target = Order::cells;  // that it writes
   uint table = SLOT_CELL;       // of the scan
   const char* stage = nullptr;  // what its time is that of, where not of the kernel's name
 };
 
+inline uint count_slot(const Launch& launch) {  // those that draw see contacts by the number of the sphere
+  return takes_view(launch.kernel) ? SLOT_COUNT : count_slot(launch.order);
+}
 inline const char* stage_name(const Launch& launch) { return launch.stage ? launch.stage : kernel_name(launch.kernel); }
 
 class DeviceBackend : public Backend {
@@ -89,7 +92,9 @@ class DeviceBackend : public Backend {
   // texture buffers. Throws when that is asked for and they do not fit.
   virtual bool takes_texture(Kernel, const Tricks&) const { return false; }
   virtual uint bounds_block() const { return SERVICE_BLOCK; }  // group size of grid_bounds
-  virtual void begin_step(const Tricks&) {}                    // around the launches of a collision step
+  // Of collide_grid and collide_hashed: few enough that the groups at work are neighbours and share caches.
+  virtual uint64_t spheres_per_group() const { return 2048; }
+  virtual void begin_step(const Tricks&) {}  // around the launches of a collision step
   virtual void end_step() {}
   virtual void clear_buffer(uint slot, uint64_t bytes) = 0;  // to 0, by the API's own function
   virtual void library_scan() {}  // of SLOT_CELL: counts one slot ahead of their cells become starts
@@ -100,8 +105,9 @@ class DeviceBackend : public Backend {
   // The methods of draw_methods() but for compute; contacts stand in SLOT_COUNT, by the number of the sphere.
   virtual void draw_by_pipeline(DrawMethod) {}
   virtual std::vector<uint> pipeline_image() { return {}; }
-  void ready_to_draw();  // positions of this step, and contacts in SLOT_COUNT by the number of the sphere: 0 where none
-                         // were found since a move
+  // Positions of this step, and contacts in SLOT_COUNT by the number of the sphere: 0 where none were found since a
+  // move. Those that are `by_place` stay where they are: draw_spheres and draw_clusters bring along what is seen.
+  void ready_to_draw(bool by_place = false);
   const View& view() const { return view_; }  // of the draw_* kernels
   uint spheres() const { return uint(n_); }
 
@@ -153,12 +159,12 @@ class DeviceBackend : public Backend {
   void draw_clusters(const Params& params, Order order);
   void draw_phase(uint phase, const Params& params, Order order);
   void cull(uint phase, const Params& params);
+  bool eye_among_cells() const;
   void draw_tiles(const Params& params);
   void restart_lists();
   void make_clusters(const Params& params, Order order);
   void make_seen_list(const Params& params);
   void launch_per_pixel(Kernel kernel, uint pixels_each, const Params& params);
-  uint64_t level_1_texels() const;
   void finish_draw();
 
   std::array<uint, 3> per_sphere_groups() const;

@@ -11,7 +11,7 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t batch_groups = 4096;  // that fill a large device
+constexpr uint64_t batch_groups = 4096, cull_groups = 8192;  // that fill a large device
 
 // What the times of a phase are called where not by the kernels' names.
 struct Stages {
@@ -33,9 +33,10 @@ void DeviceBackend::make_clusters(const Params& params, Order order) {
     make_buffer(slot, bytes);
     return true;
   };
-  keep(SLOT_PYRAMID, (first_texel(1, view_) + level_1_texels()) * sizeof(uvec2));
+  keep(SLOT_PYRAMID, first_texel(3, view_) * sizeof(uvec2));
   keep(SLOT_CLUSTER_LIST, uint64_t(view_.clusters) * 3 * sizeof(uint));
-  if (keep(SLOT_CLUSTER, uint64_t(view_.clusters) * 2 * sizeof(vec4))) clustered_.reset();
+  const uint64_t boxes = uint64_t(view_.clusters) + bundles_of(view_);
+  if (keep(SLOT_CLUSTER, boxes * 2 * sizeof(vec4))) clustered_.reset();
   if (clustered_ == order) return;
   launch(
       {Kernel::draw_bounds, SERVICE_BLOCK, {}, folded(ceil_div(n_, CLUSTER * (SERVICE_BLOCK / BOUNDS_LANES))), order},
@@ -57,10 +58,6 @@ void DeviceBackend::make_seen_list(const Params& params) {
   seen_known_ = true;
 }
 
-uint64_t DeviceBackend::level_1_texels() const {
-  return uint64_t(texels_along(view_.width, 1)) * texels_along(view_.height, 1);
-}
-
 // Spheres that were seen are known by their numbers, the clusters are of places.
 void DeviceBackend::draw_phase(uint phase, const Params& params, Order order) {
   view_.phase = phase;
@@ -78,15 +75,29 @@ void DeviceBackend::draw_phase(uint phase, const Params& params, Order order) {
   if (view_.pass == PASS_DEPTH && phase != PHASE_NEAR) draw_tiles(params);  // those left are drawn with the next
 }
 
+// In the box of the dense cells: what is near then hides what is far, gaps or not.
+bool DeviceBackend::eye_among_cells() const {
+  const auto within = [this](float eye, float origin, uint cells) {
+    const float place = (eye - origin) * params_.cells_per_metre;
+    return place >= 0 && place <= float(cells);
+  };
+  return planned_ == Cells::dense && within(view_.eye.x, params_.origin_x, params_.cells_x) &&
+         within(view_.eye.y, params_.origin_y, params_.cells_y) &&
+         within(view_.eye.z, params_.origin_z, params_.cells_z);
+}
+
 // Which clusters are to be drawn in this phase, by the pyramid of what is drawn already.
 void DeviceBackend::cull(uint phase, const Params& params) {
   view_.phase = phase;
   const Stages stages = stages_of(phase);
-  Launch pyramid{Kernel::draw_pyramid, SERVICE_BLOCK, {}, folded(level_1_texels())};
+  const uint64_t texels = uint64_t(texels_along(view_.width, 2)) * texels_along(view_.height, 2);
+  Launch pyramid{Kernel::draw_pyramid, PYRAMID_BLOCK, {}, folded(texels)};
   pyramid.stage = stages.pyramid;
   if (view_.occlusion) launch(pyramid, params);
-  const uint64_t all = ceil_div(view_.clusters, SERVICE_BLOCK);
-  Launch culls{Kernel::draw_cull, SERVICE_BLOCK, {}, folded(phase == PHASE_FAR ? std::min(all, batch_groups) : all)};
+  const uint64_t most = phase == PHASE_FAR ? batch_groups : cull_groups;
+  const uint64_t groups = std::min(ceil_div(view_.clusters, SERVICE_BLOCK), most);
+  const Variant variant = {.bundles = n_ >= draw_options_.bundles_from};
+  Launch culls{Kernel::draw_cull, SERVICE_BLOCK, variant, folded(groups)};
   culls.stage = stages.cull;
   launch(culls, params);
 }
@@ -95,7 +106,7 @@ void DeviceBackend::draw_clusters(const Params& params, Order order) {
   make_clusters(params, order);
   std::vector<uint> phases;
   if (view_.occlusion) phases = {PHASE_SEEN};
-  if (view_.occlusion && n_ >= draw_options_.put_off_from) {
+  if (view_.occlusion && n_ >= draw_options_.put_off_from && !eye_among_cells()) {
     phases.insert(phases.end(), {PHASE_NEAR, PHASE_FAR});
   } else {
     phases.push_back(PHASE_REST);

@@ -82,19 +82,20 @@ void DeviceBackend::launch_rasteriser() {
   if (view_.occlusion) lists_turn_ = 1 - lists_turn_;
 }
 
-void DeviceBackend::ready_to_draw() {
+void DeviceBackend::ready_to_draw(bool by_place) {
   require_scene("draw");
   place();
   if (!collided_ && !cleared_) launch_clear(Order::scene);
   cleared_ |= !collided_;
-  if (!collided_ || !counts_by_place_) return;
+  if (!collided_ || !counts_by_place_ || by_place) return;
   launch({Kernel::draw_counts, SERVICE_BLOCK, {}, folded(ceil_div(n_, SERVICE_BLOCK))}, params_);
   counts_by_place_ = false;
 }
 
 void DeviceBackend::launch_draw() {
-  ready_to_draw();
-  if (draw_options_.method != DrawMethod::compute) return draw_by_pipeline(draw_options_.method);
+  const bool compute = draw_options_.method == DrawMethod::compute;
+  ready_to_draw(compute);
+  if (!compute) return draw_by_pipeline(draw_options_.method);
   make_draw_buffers();
   launch_rasteriser();
 }
@@ -184,7 +185,8 @@ DrawCounts DeviceBackend::draw_counts() {
           .clusters = view_.clusters,
           .clusters_outside = drawn[DRAWN_CLUSTERS_OUTSIDE],
           .clusters_hidden = drawn[DRAWN_CLUSTERS_HIDDEN],
-          .clusters_put_off = drawn[DRAWN_CLUSTERS + LIST_PUT_OFF],
+          .clusters_put_off = drawn[DRAWN_CLUSTERS_PUT_OFF],
+          .bundles_left_out = drawn[DRAWN_BUNDLES],
           .pictures_kept = pictures_kept_};
 }
 

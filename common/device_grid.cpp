@@ -12,8 +12,7 @@ namespace {
 
 constexpr uint64_t most_spheres = (1u << 30) - 1;
 static_assert(SCAN_TILE == SCAN_BLOCK * SCAN_VECTORS * 4);
-constexpr uint64_t least_groups = 4096;    // of the search, that fill a large device
-constexpr uint64_t chunks_per_group = 16;  // few enough that groups at work are neighbours and share caches
+constexpr uint64_t least_groups = 4096;  // of the search, that fill a large device
 constexpr uint64_t most_moves_to_wait = 64;
 constexpr uint64_t buckets_pay_from = 500000;  // spheres
 
@@ -92,19 +91,18 @@ void DeviceBackend::sort_by_counting() {
 }
 
 void DeviceBackend::split(uint shift, uint parent_shift, uint first_bucket, Order from, Order to) {
-  const bool at_once = to == Order::buckets && from == Order::scene;
+  const bool only = to == Order::buckets && from == Order::scene;
   const auto tiles = folded(ceil_div(n_, SPLIT_TILE));
   params_.bucket_shift = shift;
   params_.parent_shift = parent_shift;
   params_.first_bucket = first_bucket;
   params_.buckets = (params_.cell_slots >> shift) + 1;
-  params_.names = (variant_.equal_radii ? NAMES_IN_RADII : 0) | (from == Order::scene ? 0 : NAMES_GIVEN) |
-                  (at_once ? SPLIT_AT_ONCE : 0);
-  const Variant variant = {.texture_table = takes_texture(Kernel::grid_split, options_.tricks)};
+  params_.names = (variant_.equal_radii ? NAMES_IN_RADII : 0) | (from == Order::scene ? 0 : NAMES_GIVEN);
+  const Variant variant = {.texture_table = takes_texture(Kernel::grid_split, options_.tricks), .only_split = only};
   launch({Kernel::split_count, SPLIT_BLOCK, variant, tiles, from}, params_);
-  if (!at_once && params_.buckets <= BUCKETS_AT_MOST) {
+  if (!only && params_.buckets <= BUCKETS_AT_MOST) {
     launch({Kernel::split_scan, BUCKETS_AT_MOST, {}, {1, 1, 1}}, params_);
-  } else if (!at_once) {
+  } else if (!only) {
     launch_scan(SLOT_BUCKET);
   }
   launch({Kernel::grid_split, SPLIT_BLOCK, variant, tiles, from, to}, params_);
@@ -172,7 +170,7 @@ void DeviceBackend::launch_grid() {
   tallied_ = false;
   const bool hashed = params_.hash_mask != 0;
   const uint64_t chunks = ceil_div(n_, options_.block);
-  const uint64_t groups = std::max(std::min(chunks, least_groups), chunks / chunks_per_group);
+  const uint64_t groups = std::max(std::min(chunks, least_groups), n_ / spheres_per_group());
   Variant variant = variant_;
   const Kernel kernel = hashed ? Kernel::collide_hashed : Kernel::collide_grid;
   variant.texture_table = !hashed && takes_texture(kernel, options_.tricks);

@@ -21,12 +21,12 @@
 #define SLOT_SORTED_COUNT 12  // uint[n]: contacts, in cell order
 #define SLOT_SCAN 13     // uint[scan_tiles]: sums of the tiles of grid_scan; of grid_bounds: [0] is 1 when out of order
 #define SLOT_SPLIT 14    // vec4[n]: spheres in the order of buckets of cells
-#define SLOT_BUCKET 15   // uint[bucket_words]: where the next sphere of each bucket goes; see Params
+#define SLOT_BUCKET 15   // uint[bucket_words]: where the next sphere of each bucket goes; see Params, finish_split
 #define SLOT_VISIBLE 16  // uint[2 * pixels]: the number of the sphere seen, then its depth; both ~0 where there is none
 #define SLOT_IMAGE 17    // uint[pixels]: red, green, blue, 255 from the lowest byte up; rows from the top
 #define SLOT_TILE 18     // uvec2[]: large spheres cut into tiles: the sphere's number, that of the tile in its box
 #define SLOT_DRAWN 19    // uint[DRAWN_WORDS]: see view.h
-#define SLOT_CLUSTER 20  // vec4[2 * clusters]: lowest and highest corner of what holds a cluster's spheres
+#define SLOT_CLUSTER 20  // vec4[2 * (clusters + bundles)]: corners of what holds each one; w: list_for_bundle
 #define SLOT_SEEN_LEFT 21     // uint[]: four bits for each sphere, not 0 while in the list of those seen
 #define SLOT_CLUSTER_LIST 22  // uint[3 * clusters], by LIST_*, each in any order
 #define SLOT_PYRAMID 23       // uvec2[]: of the depths in each texel, level 0 and then 1; see draw_pyramid
@@ -72,7 +72,6 @@
 #define ROWS_AHEAD 5            // rows of cells in the later half of a neighbourhood
 #define BOUNDS_TILE 512u        // spheres that one group of grid_bounds takes
 #define BOUNDS_WINDOW 1024u     // cells whose begins it holds at a time
-#define SPLIT_AT_ONCE 4u        // the only split; behind the places in SLOT_BUCKET: counts, groups that have counted
 #define NAMES_GIVEN 1u          // the spheres come from a split before, with their numbers
 #define NAMES_IN_RADII 2u       // which travel in place of the radii, since these are all equal; else in SLOT_SPLIT_ID
 #define EMPTY_CELLS_AT_MOST 4096u  // between two spheres that stand in cell order

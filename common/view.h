@@ -21,12 +21,14 @@
 #define OCCLUSION_RADII 4   // so far, in largest radii, a sphere takes light away: less than two dense cells
 
 #define CLUSTER 16           // spheres, in consecutive places, that are culled together
+#define BUNDLE 4u            // clusters, one after the other, that are culled together first: a bundle
 #define BOUNDS_LANES 4u      // threads that share a cluster when its box is made
 #define BATCH 64             // spheres, and threads, of a group that goes through clusters or a list ...
 #define WALKERS 8            // ... and the threads that then share one of them ...
 #define WALKERS_ACROSS 4     // ... so many in a row of its box
 #define SEEN_FADES 1u        // in each picture, of the 15 that a sphere gets in the one that shows it
-#define WALK_ALONE 8u        // pixels that a thread that finds them tries itself
+#define WALK_ALONE 8u        // pixels that a thread that finds them tries itself ...
+#define WALK_UNTESTED 4u     // ... and so many that are as soon tried as looked up in the pyramid
 #define PIXELS_EACH 4        // pixels of one thread that goes through the picture
 #define PHASE_SEEN 0         // draws the spheres that the last pictures showed ...
 #define PHASE_REST 1         // ... and then those of the others that what is drawn already does not hide, or first ...
@@ -34,14 +36,16 @@
 #define PHASE_FAR 3          // ... the others, which by then are hidden but for a few
 #define NEAR_LAYERS 2.0f     // so far behind, in a cluster's thinnest half, is near
 #define LEVEL_0 8            // pixels: side of what a texel of the pyramid's level 0 covers ...
-#define LEVEL_1 32           // ... and of its level 1
-#define TEXELS_AT_MOST 16    // in which a box is looked up at level 0, beside those that its borders touch
-#define TEXELS_TO_SEARCH 64  // at level 1; a box of more is taken for seen
+#define LEVEL_1 32           // ... of its level 1 ...
+#define LEVEL_2 128          // ... and of its level 2
+#define PYRAMID_BLOCK 1024   // threads that make a texel of level 2 and those in it
+#define TEXELS_AT_MOST 36    // in which a box is looked up at level 0, beside those that its borders touch
+#define TEXELS_TO_SEARCH 64  // at levels 1 and 2; a box of more is taken for seen
 
-// The lists of clusters in SLOT_CLUSTER_LIST, each with room for all.
-#define LIST_DRAWN 0u    // to draw at once
-#define LIST_PUT_OFF 1u  // far behind what is drawn already
-#define LIST_FAR 2u      // those of the latter that are to be drawn after all
+// The lists in SLOT_CLUSTER_LIST, each with room for all clusters.
+#define LIST_DRAWN 0u    // clusters to draw at once
+#define LIST_PUT_OFF 1u  // those far behind what is drawn already, or parts of bundles: all_of_bundle
+#define LIST_FAR 2u      // clusters of the latter that are to be drawn after all
 #define HIDDEN 3u        // in none ...
 #define OUT_OF_VIEW 4u   // ... of them
 
@@ -57,6 +61,8 @@
 #define DRAWN_CLUSTERS_OUTSIDE 11  // clusters out of view
 #define DRAWN_CLUSTERS_HIDDEN 12   // clusters behind what is drawn already
 #define DRAWN_HIDDEN 13            // spheres behind what is drawn already, of clusters that are not
+#define DRAWN_CLUSTERS_PUT_OFF 14  // clusters that waited for others to be drawn
+#define DRAWN_BUNDLES 15           // bundles left out or put off as a whole
 #define DRAWN_WORDS 16
 
 struct View {

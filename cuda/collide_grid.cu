@@ -25,14 +25,13 @@ __device__ inline Row row_at(Params p, const World& w, Row last, bool exists, ui
 struct Rows {
   Row own, above, ahead_below, ahead, ahead_above;
 };
-__device__ inline Rows find_rows(Params p, const World& w, vec4 mine, uint i) {
+__device__ inline Rows find_rows(Params p, const World& w, vec4 mine, uint i, bool exists) {
   Place place = place_of(mine, p);
   float reach = reach_in_cells(mine.w, p);
   uint x = cell_below(place.x, reach);
   uint last_x = cell_above(place.x, reach, p.cells_x);
   uint y = uint(place.y);
   uint z = uint(place.z);
-  bool exists = i < p.n;
   bool below = cell_below(place.y, reach) != y;
   bool above = cell_above(place.y, reach, p.cells_y) != y && exists;
   bool ahead = cell_above(place.z, reach, p.cells_z) != z && exists;
@@ -96,7 +95,7 @@ __global__ void __launch_bounds__(BLOCK) collide_grid(Params p, World w) {
   for (uint first = group_index(p) * stretch + team * TEAM; first < end; first += BLOCK) {
     uint i = first + lane;
     vec4 mine = w.position[min(i, p.n - 1u)];
-    Rows rows = find_rows(p, w, mine, i);
+    Rows rows = find_rows(p, w, mine, i, i < end);
     uint marked = 0u;
     uint next = 0u;
     uint base = 0u;

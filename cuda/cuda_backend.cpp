@@ -121,7 +121,7 @@ void CudaBackend::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
 World CudaBackend::world(const Launch& launch) const {
   return {.position = buffer<vec4>(position_slot(launch.order)),
           .velocity = buffer<vec4>(SLOT_VELOCITY),
-          .count = buffer<uint>(count_slot(launch.order)),
+          .count = buffer<uint>(count_slot(launch)),
           .summary = buffer<uint>(SLOT_SUMMARY),
           .deferred = buffer<uvec2>(SLOT_DEFERRED),
           .listed = buffer<uvec2>(SLOT_PAIR),

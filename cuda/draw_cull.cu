@@ -1,70 +1,116 @@
 // SPDX-License-Identifier: MIT
 // One thread per cluster, or per one that was put off: it is listed to be drawn, or put off, unless it is out of view
-// or hidden by what is drawn already. The parts of those that would be drawn are tested too, one thread a part.
+// or hidden by what is drawn already. Where spheres are many, one thread per bundle comes before.
 #include "listing.cuh"
 
 namespace spherepair {
 
-// The list for what is in such a box, by texels of level 1 or of the level that suits it, or why it is in none.
-__device__ inline uint list_for(const World& w, const View& v, vec4 low, vec4 high, bool coarsely) {
+// The list for what is in such a box, or why it is in none. A bundle is looked up in coarser texels than a cluster, and
+// one that was put off in the coarsest first.
+__device__ inline uint list_for(const World& w, const View& v, vec4 low, vec4 high, bool bundled) {
+  if (low.x > high.x) return OUT_OF_VIEW;  // there is nothing in it
   Solid solid = solid_of(low, high, v);
   if (outside(solid, v)) return OUT_OF_VIEW;
   if (v.occlusion == 0u || reaches_eye_plane(solid)) return list_of(v.phase);
   Box box = box_of_solid(solid, v);
   if (box.width == 0u || box.height == 0u) return HIDDEN;
   uint nearest = least_depth(solid, box, v);
-  uvec2 texel = texel_of_box(w, v, box, nearest, coarsely ? 1u : level_for(box));
+  if (bundled && v.phase == PHASE_FAR && texel_of_box(w, v, box, nearest, 2u).x < nearest) return HIDDEN;
+  uint level = bundled ? 1u : level_for(box);
+  if (texels_of(box, level) > uint(TEXELS_TO_SEARCH)) level = 2u;
+  uvec2 texel = texel_of_box(w, v, box, nearest, level);
   if (texel.x < nearest) return HIDDEN;
   if (v.phase != PHASE_NEAR || texel.y >= nearest) return list_of(v.phase);
   return texel.y < least_depth(brought_nearer(solid, low, high), box, v) ? LIST_PUT_OFF : LIST_DRAWN;
 }
 
-// All threads of the group call it; `enters`: its cluster c does.
-__device__ inline void enter(const World& w, const View& v, uint list, bool enters, uint c) {
+// A bundle that was hidden when it was tested last, as the w of its lowest corner tells, most likely is again: it is
+// put off untested.
+__device__ inline uint list_for_bundle(const World& w, const View& v, uint bundle) {
+  uint at = corners_of_bundle(bundle, v);
+  vec4 low = w.cluster[at];
+  bool was_hidden = low.w != 0.0f;
+  if (was_hidden && v.phase == PHASE_NEAR) return LIST_PUT_OFF;
+  uint list = list_for(w, v, low, w.cluster[at + 1u], true);
+  if (was_hidden != (list == HIDDEN)) w.cluster[at].w = list == HIDDEN ? 1.0f : 0.0f;
+  return list;
+}
+
+// All threads of the group call it; `enters`: its entry does.
+__device__ inline void enter(const World& w, const View& v, uint list, bool enters, uint entry) {
   uint place = place_in_list(w, DRAWN_CLUSTERS + list, enters);
-  if (enters) w.cluster_list[list * v.clusters + place] = c;
+  if (enters) w.cluster_list[list * v.clusters + place] = entry;
 }
 
-__device__ inline void count_clusters(const World& w, const View& v, uint word) {
-  if (v.counting != 0u) atomicAdd(&w.drawn[word], 1u);
+__device__ inline void count_in(const World& w, const View& v, uint word, uint more) {
+  if (v.counting != 0u && more != 0u) atomicAdd(&w.drawn[word], more);
+}
+__device__ inline void count_left_out(const World& w, const View& v, uint list, uint clusters) {
+  if (list == OUT_OF_VIEW) count_in(w, v, DRAWN_CLUSTERS_OUTSIDE, clusters);
+  if (list == HIDDEN) count_in(w, v, DRAWN_CLUSTERS_HIDDEN, clusters);
 }
 
-__global__ void __launch_bounds__(SERVICE_BLOCK) draw_cull(Params p, World w, View v) {
-  __shared__ uint in_parts[SERVICE_BLOCK];    // the clusters whose parts are tested ...
-  __shared__ uint parts_list[SERVICE_BLOCK];  // ... and the lists for them
-  __shared__ uint in_parts_count;
+// All threads of the group call it; `meant`: its cluster c is tested. Whether that is put off.
+__device__ inline bool cull_cluster(const World& w, const View& v, uint c, bool meant) {
+  uint list = OUT_OF_VIEW;
+  if (meant) list = list_for(w, v, w.cluster[2u * c], w.cluster[2u * c + 1u], false);
+  count_left_out(w, v, list, meant ? 1u : 0u);
+  count_in(w, v, DRAWN_CLUSTERS_PUT_OFF, list == LIST_PUT_OFF ? 1u : 0u);
+  enter(w, v, list_of(v.phase), list == list_of(v.phase), c);
+  return list == LIST_PUT_OFF;
+}
+
+// All threads of the group call it; `exists`: it has an entry, a bundle and which of its clusters are meant. Those of
+// them that are put off.
+__device__ inline uint cull_bundle(const World& w, const View& v, uint entry, bool exists) {
+  __shared__ uint apart[SERVICE_BLOCK];       // the bundles that are taken apart ...
+  __shared__ uint put_off_of[SERVICE_BLOCK];  // ... and which of their clusters are put off
+  __shared__ uint count_apart;
   uint lane = threadIdx.x;
-  bool again = v.phase == PHASE_FAR;
   uint own = list_of(v.phase);
-  uint total = again ? w.drawn[DRAWN_CLUSTERS + LIST_PUT_OFF] : v.clusters;
-  for (uint first = group_index(p) * SERVICE_BLOCK; first < total; first += group_count() * SERVICE_BLOCK) {
-    uint k = first + lane;
-    uint c = 0u;
-    uint list = OUT_OF_VIEW;
-    if (k < total) c = again ? w.cluster_list[LIST_PUT_OFF * v.clusters + k] : place_in_turn(k, v.clusters, v);
-    bool exists = k < total && w.cluster[2u * c].x <= w.cluster[2u * c + 1u].x;
-    if (exists) list = list_for(w, v, w.cluster[2u * c], w.cluster[2u * c + 1u], true);
-    if (lane == 0u) in_parts_count = 0u;
-    __syncthreads();
-    bool asks = v.occlusion != 0u && list == own;
-    uint place = asks ? atomicAdd(&in_parts_count, 1u) : 0u;
-    if (asks) in_parts[place] = c;
-    if (asks) parts_list[place] = OUT_OF_VIEW;
-    __syncthreads();
-    for (uint q = lane; q < in_parts_count * CLUSTER_PARTS; q += SERVICE_BLOCK) {
-      uint of = in_parts[q / CLUSTER_PARTS];
-      Corners part = part_of(w.cluster[2u * of], w.cluster[2u * of + 1u], q % CLUSTER_PARTS);
-      atomicMin(&parts_list[q / CLUSTER_PARTS], list_for(w, v, part.low, part.high, false));
-    }
-    __syncthreads();
-    if (asks) list = parts_list[place];
-    if (k < total && list == OUT_OF_VIEW) count_clusters(w, v, DRAWN_CLUSTERS_OUTSIDE);
-    if (k < total && list == HIDDEN) count_clusters(w, v, DRAWN_CLUSTERS_HIDDEN);
-    enter(w, v, own, list == own, c);
-    if (v.phase == PHASE_NEAR) enter(w, v, LIST_PUT_OFF, list == LIST_PUT_OFF, c);
+  bool whole = entry == all_of_bundle(bundle_in(entry), v);  // else its near end was drawn, and the rest put off
+  uint list = exists ? own : OUT_OF_VIEW;
+  if (exists && whole) list = list_for_bundle(w, v, bundle_in(entry));
+  if (exists && list != own) count_in(w, v, DRAWN_BUNDLES, 1u);
+  count_left_out(w, v, list, __popc(bits_in(entry)));
+  count_in(w, v, DRAWN_CLUSTERS_PUT_OFF, list == LIST_PUT_OFF ? __popc(bits_in(entry)) : 0u);
+  if (lane == 0u) count_apart = 0u;
+  __syncthreads();
+  uint place = list == own ? atomicAdd(&count_apart, 1u) : 0u;
+  if (list == own) apart[place] = entry;
+  if (list == own) put_off_of[place] = 0u;
+  __syncthreads();
+  for (uint from = 0u; from < count_apart * BUNDLE; from += SERVICE_BLOCK) {
+    uint of = (from + lane) / BUNDLE;
+    uint bit = lane % BUNDLE;
+    bool meant = of < count_apart && (bits_in(apart[of]) >> bit & 1u) != 0u;
+    uint c = meant ? bundle_in(apart[of]) * BUNDLE + bit : 0u;
+    if (cull_cluster(w, v, c, meant)) atomicOr(&put_off_of[of], 1u << bit);
+  }
+  __syncthreads();
+  return list == own ? put_off_of[place] : list == LIST_PUT_OFF ? bits_in(entry) : 0u;
+}
+
+template <bool BUNDLES>
+__global__ void __launch_bounds__(SERVICE_BLOCK) draw_cull(Params p, World w, View v) {
+  bool again = v.phase == PHASE_FAR;
+  uint all = BUNDLES ? bundles_of(v) : v.clusters;
+  uint total = again ? w.drawn[DRAWN_CLUSTERS + LIST_PUT_OFF] : all;
+  uint at_once = min(uint(SERVICE_BLOCK), total / group_count() + 1u);  // no group is left without
+  for (uint first = group_index(p) * at_once; first < total; first += group_count() * at_once) {
+    uint k = first + threadIdx.x;
+    bool exists = threadIdx.x < at_once && k < total;
+    uint entry = 0u;
+    if (exists && again) entry = w.cluster_list[LIST_PUT_OFF * v.clusters + k];
+    if (exists && !again) entry = BUNDLES ? all_of_bundle(place_in_turn(k, all, v), v) : place_in_turn(k, all, v);
+    uint put_off = BUNDLES ? cull_bundle(w, v, entry, exists) : uint(cull_cluster(w, v, entry, exists));
+    uint rest = BUNDLES ? entry - bits_in(entry) + put_off : entry;
+    if (v.phase == PHASE_NEAR) enter(w, v, LIST_PUT_OFF, put_off != 0u, rest);
   }
 }
 
-Entry draw_cull_kernel(uint, Variant) { return reinterpret_cast<Entry>(&draw_cull); }
+Entry draw_cull_kernel(uint, Variant variant) {
+  return variant.bundles ? reinterpret_cast<Entry>(&draw_cull<true>) : reinterpret_cast<Entry>(&draw_cull<false>);
+}
 
 }  // namespace spherepair

@@ -26,9 +26,11 @@ __device__ inline uvec2 texel_of_box(const World& w, const View& v, Box box, uin
   if (texels_of(box, level) > uint(TEXELS_TO_SEARCH)) return all;
   all = texel_of_pixel(0u);
   uint shift = texel_shift(level);
+  uint first = first_texel(level, v);
+  uint width = texels_along(v.width, level);
   uint right = (box.x + box.width - 1u) >> shift;
   for (uint y = box.y >> shift; y <= (box.y + box.height - 1u) >> shift; ++y) {
-    uint row = first_texel(level, v) + y * texels_along(v.width, level);
+    uint row = first + y * width;
     for (uint x = box.x >> shift; x <= right; x += 4u) {
       for (uint k = 0u; k < 4u; ++k) all = texel_of_both(all, w.pyramid[row + min(x + k, right)]);
       if ((v.phase == uint(PHASE_NEAR) ? all.y : all.x) >= nearest) return all;

@@ -8,6 +8,7 @@
 
 namespace spherepair {
 
+// Of SLOT_BUCKET: BUCKETS_AT_MOST places, as many counts, and how many groups have counted.
 __device__ inline void finish_split(const World& w, uint groups) {
   __shared__ uint groups_before;
   uint lane = threadIdx.x;
@@ -23,14 +24,14 @@ __device__ inline void finish_split(const World& w, uint groups) {
   for (uint k = lane; k < SUMMARY_SLOTS * SUMMARY_WORDS; k += SPLIT_BLOCK) w.summary[k] = 0u;
 }
 
+template <bool ONLY>
 __global__ void __launch_bounds__(SPLIT_BLOCK) split_count(Params p, World w) {
   __shared__ uint counted[BUCKETS_AT_MOST];
   uint lane = threadIdx.x;
   uint first = group_index(p) * SPLIT_TILE;
   if (first >= p.n) return;
   uint end = min(first + SPLIT_TILE, p.n);
-  bool at_once = (p.names & SPLIT_AT_ONCE) != 0u;
-  uint counts = at_once ? BUCKETS_AT_MOST : p.first_bucket;
+  uint counts = ONLY ? BUCKETS_AT_MOST : p.first_bucket;
   uint last_bucket = bucket_above(slot_of(w.position[end - 1u], p), p);
   vec4 sphere[SPLIT_EACH];  // all on their way before the first is asked for its cell
   for (uint k = 0u; k < SPLIT_EACH; ++k) sphere[k] = w.position[min(first + k * SPLIT_BLOCK + lane, end - 1u)];
@@ -47,9 +48,12 @@ __global__ void __launch_bounds__(SPLIT_BLOCK) split_count(Params p, World w) {
       if (counted[b] != 0u) atomicAdd(&w.next_place[counts + low + b], counted[b]);
     __syncthreads();
   }
-  if (at_once) finish_split(w, (p.n + SPLIT_TILE - 1u) / SPLIT_TILE);
+  if (ONLY) finish_split(w, (p.n + SPLIT_TILE - 1u) / SPLIT_TILE);
 }
 
-Entry split_count_kernel(uint, Variant) { return reinterpret_cast<Entry>(&split_count); }
+Entry split_count_kernel(uint, Variant variant) {
+  return variant.only_split ? reinterpret_cast<Entry>(&split_count<true>)
+                            : reinterpret_cast<Entry>(&split_count<false>);
+}
 
 }  // namespace spherepair

@@ -48,7 +48,7 @@ struct Walk {
 };
 
 // It is passed over when it is out of view, between the pixels' centres, hidden or drawn before, and cut into tiles
-// when it is large. One of its threads leads.
+// when it is large. One of its threads leads. The contacts of whatever may be seen come along from the cell order.
 __device__ inline Walk walk_of(const Params& p, const World& w, const View& v, uint place, bool leads) {
   vec4 seen = in_camera(w.position[place], v);
   Walk walk = {seen, {0u, 0u, 0u, 0u}, 0u, 0u};
@@ -59,10 +59,12 @@ __device__ inline Walk walk_of(const Params& p, const World& w, const View& v, u
   if (none) return walk;
   bool rest = v.occlusion != 0u && v.phase != PHASE_SEEN;
   walk.nearest = least_depth_of(seen, box, v);
-  bool hidden = rest && is_hidden(w, v, box, walk.nearest, level_for(box));
+  bool asks = rest && box.width * box.height > WALK_UNTESTED;
+  bool hidden = asks && is_hidden(w, v, box, walk.nearest, level_for(box));
   if (hidden) count_drawn(w, v, DRAWN_HIDDEN);
   if (hidden) return walk;
   walk.sphere = p.in_cells != 0u ? w.id[place] : place;
+  if (leads && p.in_cells != 0u) w.count[walk.sphere] = w.sorted_count[place];
   if (rest && left_of(w, walk.sphere) != 0u) return walk;
   bool large = is_large(box, v);
   if (leads) count_drawn(w, v, large ? DRAWN_LARGE : DRAWN_SMALL);

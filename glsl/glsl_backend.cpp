@@ -44,6 +44,7 @@ class GlslBackend final : public DeviceBackend {
   bool has_atomics_64() const override { return limits_.features.atomics_64; }
   void check_tricks(const CollideOptions& options) const override;
   bool takes_texture(Kernel kernel, const Tricks& tricks) const override;
+  uint64_t spheres_per_group() const override { return 512; }
   uint bounds_block() const override { return 256; }  // all then run at once (bench/NOTES.md)
   void begin_step(const Tricks& tricks) override { batched_ = tricks.batch.value_or(true); }
   void end_step() override { batched_ = true; }
@@ -140,7 +141,7 @@ void GlslBackend::set_view() {
 void GlslBackend::bind(const Launch& launch) {
   std::array<GLuint, SLOT_TOTAL> wanted = buffers_;
   wanted[SLOT_POSITION] = buffers_[position_slot(launch.order)];
-  wanted[SLOT_COUNT] = buffers_[count_slot(launch.order)];
+  wanted[SLOT_COUNT] = buffers_[count_slot(launch)];
   wanted[SLOT_SPLIT_ID] = buffers_[id_slot(launch.order)];
   wanted[SLOT_SORTED] = buffers_[position_slot(launch.target)];
   wanted[SLOT_ID] = buffers_[id_slot(launch.target)];

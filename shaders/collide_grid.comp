@@ -22,28 +22,27 @@ struct Row {
 };
 Row row_after(Row last, uint begin, uint end) { return Row(last.bound + end - begin, begin - last.bound); }
 Row row_at(Row last, bool exists, uint slot, uint x, uint last_x) {
-  return row_after(last, exists ? cell_begin(slot + x) : 0u, exists ? cell_begin(slot + last_x + 1u) : 0u);
+  return row_after(last, exists ? begin_at(slot + x) : 0u, exists ? begin_at(slot + last_x + 1u) : 0u);
 }
 
 // The rows of the neighbourhood: the rest of the sphere's own, the one above it, and three of the layer ahead.
 struct Rows {
   Row own, above, ahead_below, ahead, ahead_above;
 };
-Rows find_rows(vec4 mine, uint i) {
+Rows find_rows(vec4 mine, uint i, bool exists) {
   Place place = place_of(mine, p);
   float reach = reach_in_cells(mine.w, p);
   uint x = cell_below(place.x, reach);
   uint last_x = cell_above(place.x, reach, p.cells_x);
   uint y = uint(place.y);
   uint z = uint(place.z);
-  bool exists = i < places_end();
   bool below = cell_below(place.y, reach) != y;
   bool above = cell_above(place.y, reach, p.cells_y) != y && exists;
   bool ahead = cell_above(place.z, reach, p.cells_z) != z && exists;
-  uint slot = dense_slot(0u, y, z, p);
+  uint slot = dense_slot(0u, y, z, p) - table_begin();
   uint next = slot + p.cells_x * p.cells_y;
   Rows rows;
-  rows.own = row_after(Row(0u, 0u), exists ? i + 1u : 0u, exists ? cell_begin(slot + last_x + 1u) : 0u);
+  rows.own = row_after(Row(0u, 0u), exists ? i + 1u : 0u, exists ? begin_at(slot + last_x + 1u) : 0u);
   rows.above = row_at(rows.own, above, slot + p.cells_x, x, last_x);
   rows.ahead_below = row_at(rows.above, ahead && below, next - p.cells_x, x, last_x);
   rows.ahead = row_at(rows.ahead_below, ahead, next, x, last_x);
@@ -88,7 +87,7 @@ void main() {
   for (uint first = begin + group_index() * stretch + team * TEAM; first < end; first += BLOCK) {
     uint i = first + lane;
     vec4 mine = position[min(i, p.n - 1u)];
-    Rows rows = find_rows(mine, i);
+    Rows rows = find_rows(mine, i, i < end);
     uint marked = 0u;
     uint next = 0u;
     uint base = 0u;

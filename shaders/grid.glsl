@@ -8,25 +8,25 @@
 #endif
 layout(std430, binding = SLOT_CELL) restrict CELL_ACCESS buffer CellBuffer { uint cell[]; };
 
-// Where a cell's spheres begin, of kernels that only read the table.
+// Of kernels that only read the table: where the spheres of its k-th cell begin, from the slot table_begin on.
 #if defined(TEXTURE_TABLE) && !defined(SORTS_SPHERES)
 layout(binding = 0) uniform usamplerBuffer cell_texture;
 #ifdef WINDOWS
 layout(location =
            0) uniform uvec2 window;  // the first cell of this dispatch, where the texture begins, and the last's end
-uint cell_begin(uint slot) { return texelFetch(cell_texture, int(slot - window.x)).x; }
-#else
-uint cell_begin(uint slot) { return texelFetch(cell_texture, int(slot)).x; }
+uint table_begin() { return window.x; }
 #endif
+uint begin_at(uint k) { return texelFetch(cell_texture, int(k)).x; }
 #else
-uint cell_begin(uint slot) { return cell[slot]; }
+uint begin_at(uint k) { return cell[k]; }
 #endif
 
 // The spheres of this dispatch, from first_place to below places_end of the cell order.
 #ifdef WINDOWS
-uint first_place() { return cell_begin(window.x); }
-uint places_end() { return cell_begin(window.y); }
+uint first_place() { return begin_at(0u); }
+uint places_end() { return begin_at(window.y - window.x); }
 #else
+uint table_begin() { return 0u; }
 uint first_place() { return 0u; }
 uint places_end() { return p.n; }
 #endif

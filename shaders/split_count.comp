@@ -10,8 +10,13 @@
 layout(std430, binding = SLOT_BUCKET) restrict buffer BucketBuffer { uint next_place[]; };
 layout(local_size_x = BLOCK) in;
 shared uint counted[BUCKETS_AT_MOST];
-shared uint groups_before;
 
+// Where the counts begin.
+#ifdef ONLY_SPLIT
+uint counts_at() { return BUCKETS_AT_MOST; }
+
+// Of SLOT_BUCKET: BUCKETS_AT_MOST places, as many counts, and how many groups have counted.
+shared uint groups_before;
 void finish_split(uint groups) {
   uint lane = gl_LocalInvocationID.x;
   memoryBarrierBuffer();
@@ -25,14 +30,15 @@ void finish_split(uint groups) {
   if (lane == 0u) next_place[2u * BUCKETS_AT_MOST] = 0u;
   for (uint k = lane; k < SUMMARY_SLOTS * SUMMARY_WORDS; k += BLOCK) summary[k] = 0u;
 }
+#else
+uint counts_at() { return p.first_bucket; }
+#endif
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
   uint first = group_index() * SPLIT_TILE;
   if (first >= p.n) return;
   uint end = min(first + SPLIT_TILE, p.n);
-  bool at_once = (p.names & SPLIT_AT_ONCE) != 0u;
-  uint counts = at_once ? BUCKETS_AT_MOST : p.first_bucket;
   uint last_bucket = bucket_above(slot_of(sphere_of(end - 1u), p), p);
   vec4 sphere[SPLIT_EACH];  // all on their way before the first is asked for its cell
   for (uint k = 0u; k < SPLIT_EACH; ++k) sphere[k] = sphere_of(min(first + k * BLOCK + lane, end - 1u));
@@ -45,8 +51,10 @@ void main() {
       if (first + k * BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST) atomicAdd(counted[bucket[k] - low], 1u);
     barrier();
     for (uint b = lane; b < BUCKETS_AT_MOST; b += BLOCK)
-      if (counted[b] != 0u) atomicAdd(next_place[counts + low + b], counted[b]);
+      if (counted[b] != 0u) atomicAdd(next_place[counts_at() + low + b], counted[b]);
     barrier();
   }
-  if (at_once) finish_split((p.n + SPLIT_TILE - 1u) / SPLIT_TILE);
+#ifdef ONLY_SPLIT
+  finish_split((p.n + SPLIT_TILE - 1u) / SPLIT_TILE);
+#endif
 }

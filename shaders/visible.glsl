@@ -12,6 +12,7 @@ layout(std430, binding = SLOT_VISIBLE) restrict VISIBLE_ACCESS buffer VisibleBuf
 #else
 layout(std430, binding = SLOT_VISIBLE) restrict VISIBLE_ACCESS buffer VisibleBuffer { uint visible[]; };
 #endif
+layout(std430, binding = SLOT_SORTED_COUNT) restrict readonly buffer SortedCountBuffer { uint sorted_count[]; };
 layout(std430, binding = SLOT_TILE) restrict buffer TileBuffer { uvec2 tile[]; };
 layout(std430, binding = SLOT_DRAWN) restrict buffer DrawnBuffer { uint drawn[]; };
 layout(std430, binding = SLOT_SEEN_LEFT) restrict buffer SeenLeftBuffer { uint seen_left[]; };
@@ -62,7 +63,7 @@ struct Walk {
 };
 
 // It is passed over when it is out of view, between the pixels' centres, hidden or drawn before, and cut into tiles
-// when it is large. One of its threads leads.
+// when it is large. One of its threads leads. The contacts of whatever may be seen come along from the cell order.
 Walk walk_of(uint place, bool leads) {
   vec4 seen = in_camera(position[place], v);
   Walk walk = {seen, {0u, 0u, 0u, 0u}, 0u, 0u};
@@ -73,10 +74,12 @@ Walk walk_of(uint place, bool leads) {
   if (none) return walk;
   bool rest = v.occlusion != 0u && v.phase != PHASE_SEEN;
   walk.nearest = least_depth_of(seen, box, v);
-  bool hidden = rest && is_hidden(box, walk.nearest, level_for(box));
+  bool asks = rest && box.width * box.height > WALK_UNTESTED;
+  bool hidden = asks && is_hidden(box, walk.nearest, level_for(box));
   if (hidden) count_drawn(DRAWN_HIDDEN);
   if (hidden) return walk;
   walk.sphere = p.in_cells != 0u ? id[place] : place;
+  if (leads && p.in_cells != 0u) count[walk.sphere] = sorted_count[place];
   if (rest && left_of(walk.sphere) != 0u) return walk;
   bool large = is_large(box, v);
   if (leads) count_drawn(large ? DRAWN_LARGE : DRAWN_SMALL);

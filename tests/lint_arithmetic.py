@@ -51,9 +51,11 @@ def disassemble(text):
 def variants(stem, text):
     """The definitions of every program that is made from a shader."""
     if stem not in STATE_FEEDING:
-        plain = [("BLOCK 256", f"EQUAL_RADII {uniform}", "LISTED 1") for uniform in (0, 1)]
-        further = [("ATOMICS_64",), ("TEXTURE_TABLE",)] + [("TEXTURE_TABLE", "WINDOWS")] * (stem == "collide_grid")
-        return plain + [(*plain[0], *defines) for defines in further if defines[-1] in text]
+        plain = [("BLOCK 256", f"EQUAL_RADII {uniform}", "LISTED 1", "BUNDLES false") for uniform in (0, 1)]
+        further = [("ATOMICS_64",), ("TEXTURE_TABLE",), ("ONLY_SPLIT",)]
+        further += [("TEXTURE_TABLE", "WINDOWS")] * (stem == "collide_grid")
+        bundled = [(*plain[0][:-1], "BUNDLES true")] * ("BUNDLES" in text)
+        return plain + bundled + [(*plain[0], *defines) for defines in further if defines[-1] in text]
     methods = METHODS if stem == "move" else (6,)
     return [("BLOCK 256", f"METHOD {method}u", f"PRECISION {precision}", f"Real {real}")
             for method in methods for precision, real in enumerate(PRECISIONS)]

@@ -33,6 +33,11 @@ std::vector<DrawOptions> every_skip() {
   }
   all.push_back(all.back());
   all.back().put_off_from = 0;
+  for (const uint64_t put_off_from : {uint64_t(0), ~uint64_t(0)}) {
+    all.push_back(all[3]);
+    all.back().put_off_from = put_off_from;
+    all.back().bundles_from = 0;
+  }
   all.push_back({.skip_outside = false, .skip_hidden = false, .skip_unchanged = false, .share_below = 0});
   return all;
 }
@@ -58,7 +63,8 @@ TEST_P(DrawSkips, NoPictureChanges) {
       for (const DrawOptions& options : every_skip())
         EXPECT_EQ(objection(picture_of(backend(), view, options), expected, view), "")
             << kind << ", ratio " << ratio << ", step " << step << ", outside " << options.skip_outside << ", hidden "
-            << options.skip_hidden << ", put off from " << options.put_off_from;
+            << options.skip_hidden << ", put off from " << options.put_off_from << ", bundles from "
+            << options.bundles_from;
     }
   }
 }
@@ -66,7 +72,7 @@ TEST_P(DrawSkips, NoPictureChanges) {
 // Spheres move while the camera does; those in no cell order form poor clusters, but clusters.
 TEST_P(DrawSkips, WhileSpheresMove) {
   const Scene scene = make_scene({.n = 5000});
-  for (const size_t skip : {2, 3})
+  for (const size_t skip : {2, 3, 4})
     for (const bool collide : {false, true}) {
       backend().upload(scene);
       for (int step = 0; step < 4; ++step) {
@@ -93,10 +99,14 @@ TEST_P(DrawSkips, ThroughAHole) {
   backend().upload(scene_of(spheres));
   const View view = make_view({{0, 0, 20}, {0, 0, 0}}, contact_look(), width, height);
   const Picture expected = picture_of(backend(), view, everything);
-  for (const size_t skip : {1, 3}) {
+  for (const size_t skip : {1, 3, 4, 5}) {
     for (int time = 0; time < 3; ++time)
       EXPECT_EQ(objection(picture_of(backend(), view, every_skip()[skip]), expected, view), "") << "picture " << time;
-    EXPECT_GT(backend().draw_counts().clusters_hidden, 10u) << "skip " << skip;
+    const DrawCounts counts = backend().draw_counts();
+    EXPECT_GT(counts.clusters_hidden, 10u) << "skip " << skip;
+    EXPECT_EQ(counts.bundles_left_out > 2, skip > 3) << "skip " << skip;
+    EXPECT_EQ(counts.clusters_put_off > 10, skip == 4)
+        << "bundles that were hidden are put off untested: skip " << skip;
   }
 }
 
@@ -105,7 +115,7 @@ TEST_P(DrawSkips, OverManyPictures) {
   const Scene scene = make_scene({.name = "uniform", .n = 8000});
   backend().upload(scene);
   backend().collide({.method = Method::collide_grid});
-  for (const size_t skip : {2, 3}) {  // the far ones at once, and put off
+  for (const size_t skip : {2, 3, 4, 5}) {  // the far ones at once, put off, by bundles
     uint64_t hidden = 0;
     for (int picture = 0; picture < 19; ++picture) {
       const double azimuth = picture < 17 ? 2 * picture : 0;
@@ -141,6 +151,11 @@ TEST_P(DrawSkips, AreCounted) {
   const DrawCounts after = backend().draw_counts();
   EXPECT_GT(after.clusters_put_off, 0u);
   EXPECT_GT(after.clusters_hidden, counts.clusters / 4) << "those put off are hidden in the end";
+  EXPECT_EQ(after.bundles_left_out, 0u);
+  backend().draw(make_view(front, contact_look(), width, height), every_skip()[4]);
+  const DrawCounts bundled = backend().draw_counts();
+  EXPECT_GT(bundled.bundles_left_out, counts.clusters / BUNDLE / 8);
+  EXPECT_GT(bundled.clusters_hidden, counts.clusters / 4);
 }
 
 TEST_P(DrawSkips, AnUnchangedPictureStands) {
