@@ -54,8 +54,7 @@ std::vector<Table> make_grid(Study& study) {
       const SweepPoint point{.n = n,
                              .in_cell_order = in_cell_order,
                              .seed = study.plan.seed,
-                             .methods = {Method::parallel, Method::collide_triangle, Method::collide_grid},
-                             .block = study.plan.table_block};
+                             .methods = {Method::parallel, Method::collide_triangle, Method::collide_grid}};
       const PointTimes times = time_point(study.session, point, {}, study.plan.sampling, study.progress);
       for (const json& row : times.measurements) study.measurements.push_back(row);
       table.rows.push_back(row_of(study, point, times.measurements));

@@ -92,8 +92,6 @@ class DeviceBackend : public Backend {
   // texture buffers. Throws when that is asked for and they do not fit.
   virtual bool takes_texture(Kernel, const Tricks&) const { return false; }
   virtual uint bounds_block() const { return SERVICE_BLOCK; }  // group size of grid_bounds
-  // Of collide_grid and collide_hashed: few enough that the groups at work are neighbours and share caches.
-  virtual uint64_t spheres_per_group() const { return 2048; }
   virtual void begin_step(const Tricks&) {}  // around the launches of a collision step
   virtual void end_step() {}
   virtual void clear_buffer(uint slot, uint64_t bytes) = 0;  // to 0, by the API's own function

@@ -13,6 +13,7 @@ namespace {
 constexpr uint64_t most_spheres = (1u << 30) - 1;
 static_assert(SCAN_TILE == SCAN_BLOCK * SCAN_VECTORS * 4);
 constexpr uint64_t least_groups = 4096;  // of the search, that fill a large device
+constexpr uint threads_per_chunk = 32;   // of a group, which goes through so few chunks that neighbours are at work
 constexpr uint64_t most_moves_to_wait = 64;
 constexpr uint64_t buckets_pay_from = 500000;  // spheres
 
@@ -170,7 +171,7 @@ void DeviceBackend::launch_grid() {
   tallied_ = false;
   const bool hashed = params_.hash_mask != 0;
   const uint64_t chunks = ceil_div(n_, options_.block);
-  const uint64_t groups = std::max(std::min(chunks, least_groups), n_ / spheres_per_group());
+  const uint64_t groups = std::max(std::min(chunks, least_groups), chunks / (options_.block / threads_per_chunk));
   Variant variant = variant_;
   const Kernel kernel = hashed ? Kernel::collide_hashed : Kernel::collide_grid;
   variant.texture_table = !hashed && takes_texture(kernel, options_.tricks);

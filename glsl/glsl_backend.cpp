@@ -44,7 +44,6 @@ class GlslBackend final : public DeviceBackend {
   bool has_atomics_64() const override { return limits_.features.atomics_64; }
   void check_tricks(const CollideOptions& options) const override;
   bool takes_texture(Kernel kernel, const Tricks& tricks) const override;
-  uint64_t spheres_per_group() const override { return 512; }
   uint bounds_block() const override { return 256; }  // all then run at once (bench/NOTES.md)
   void begin_step(const Tricks& tricks) override { batched_ = tricks.batch.value_or(true); }
   void end_step() override { batched_ = true; }

@@ -36,6 +36,7 @@ class Record:
     high: float
     source: str
     date: str = ""  # of the run
+    swept: bool = False  # by `spherepair sweep`, where the group size is the one that is chosen for n
 
     def __getattr__(self, name):
         if name in self.parameters:
@@ -83,11 +84,12 @@ def work_of(record):
 
 
 def latest(records):
-    """Where several runs timed the same work, that of the latest."""
+    """Where several runs timed the same work, that of the latest, of a sweep if there is one."""
     runs = {}
     for record in records:
-        runs[work_of(record)] = max(runs.get(work_of(record), ("", "")), (record.date, record.source))
-    return [record for record in records if work_of(record) is None or runs[work_of(record)][1] == record.source]
+        run = (record.swept, record.date, record.source)
+        runs[work_of(record)] = max(runs.get(work_of(record), (False, "", "")), run)
+    return [record for record in records if work_of(record) is None or runs[work_of(record)][2] == record.source]
 
 
 class Machine:
@@ -120,7 +122,8 @@ class Machine:
             self.sources[name] = {**root, "id": source}
             for row in formats.rows_of(root):
                 median, low, high = summary(row)
-                self.records.append(Record(row, median, low, high, source, root.get("context", {}).get("date", "")))
+                date = root.get("context", {}).get("date", "")
+                self.records.append(Record(row, median, low, high, source, date, name.startswith("sweep")))
 
     def select(self, **wanted):
         """All records with these parameters, smallest n first; `scene` is the scene's name."""
