@@ -92,7 +92,7 @@ class DeviceBackend : public Backend {
   // texture buffers. Throws when that is asked for and they do not fit.
   virtual bool takes_texture(Kernel, const Tricks&) const { return false; }
   virtual uint bounds_block() const { return SERVICE_BLOCK; }  // group size of grid_bounds
-  virtual void begin_step(const Tricks&) {}  // around the launches of a collision step
+  virtual void begin_step(const Tricks&) {}                    // around the launches of a collision step
   virtual void end_step() {}
   virtual void clear_buffer(uint slot, uint64_t bytes) = 0;  // to 0, by the API's own function
   virtual void library_scan() {}  // of SLOT_CELL: counts one slot ahead of their cells become starts
