@@ -87,21 +87,28 @@ TEST_P(DrawSkips, WhileSpheresMove) {
 }
 
 // A wall of spheres hides what is behind it, but for what shows through a hole. The third picture from one place draws
-// first only what the second one found not hidden.
+// first only what the second one found not hidden, the first one from there what was hidden until then.
 TEST_P(DrawSkips, ThroughAHole) {
   std::vector<vec4> spheres;
   for (int k = 0; k < 40 * 64; ++k) spheres.push_back({float(k % 64) * 0.5f - 16, float(k / 64) * 0.5f - 10, 0, 0.5f});
   std::erase_if(spheres, [](const vec4& s) { return std::abs(s.x) < 0.9f && std::abs(s.y) < 0.9f; });
-  spheres.resize((spheres.size() + CLUSTER - 1) / CLUSTER * CLUSTER, vec4{-15, -9, 0, 0.5f});
+  const size_t whole = CLUSTER * BUNDLE;  // so that what shows through the hole is the last cluster of its bundle
+  spheres.resize((spheres.size() + whole - 1) / whole * whole, vec4{-15, -9, 0, 0.5f});
   for (int k = 0; k < 30 * CLUSTER; ++k)  // clusters in columns, one of them behind the hole
     spheres.push_back(
         {float(k / CLUSTER - 15) * 0.6f, float(k % 8) * 0.1f - 0.4f, -12 - float(k % 64 / 8) * 0.1f, 0.1f});
-  backend().upload(scene_of(spheres));
-  const View view = make_view({{0, 0, 20}, {0, 0, 0}}, contact_look(), width, height);
-  const Picture expected = picture_of(backend(), view, everything);
+  const Scene scene = scene_of(spheres);
+  const View front = make_view({{0, 0, 20}, {0, 0, 0}}, contact_look(), width, height);
+  const View beside = make_view({{9, 0, 20}, {0, 0, 0}}, contact_look(), width, height);  // another shows from there
+  backend().upload(scene);
+  std::vector<std::pair<View, Picture>> pictures;
+  for (const View& view : {beside, beside, front, front, front})
+    pictures.emplace_back(view, picture_of(backend(), view, everything));
   for (const size_t skip : {1, 3, 4, 5}) {
-    for (int time = 0; time < 3; ++time)
-      EXPECT_EQ(objection(picture_of(backend(), view, every_skip()[skip]), expected, view), "") << "picture " << time;
+    backend().upload(scene);  // nothing was seen of it
+    for (const auto& [view, expected] : pictures)
+      EXPECT_EQ(objection(picture_of(backend(), view, every_skip()[skip]), expected, view), "")
+          << "skip " << skip << ", from " << view.eye.x;
     const DrawCounts counts = backend().draw_counts();
     EXPECT_GT(counts.clusters_hidden, 10u) << "skip " << skip;
     EXPECT_EQ(counts.bundles_left_out > 2, skip > 3) << "skip " << skip;
