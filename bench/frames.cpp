@@ -6,11 +6,12 @@
 //   frames     one entry a measurement:
 //     n, backend, draw (DrawMethod), place (outside | inside: of the camera),
 //     work (frame: one picture from a new place; frame_all: the same with nothing skipped; lit: with ambient occlusion,
-//     shadows and the ground; loop: move, collide_grid and frame), and the timing core's fields: median_ms,
-//     interval_ms, samples_ms, batch, device_stages_ms ... image: hash of a check picture, equal for all that draw
-//     exactly; counts: what that picture left out. From CUDA to OpenGL (--hand-over): draw is none for the hand-over
-//     alone and for `step` (move and collide_grid alone); work is host, registered or imported (HandOver), each picture
-//     waited for, or the same with _pipelined: hand-over, picture and step, nothing waited for but by the hand-over
+//     shadows and the ground; loop: move, collide_grid and frame, the first 20 steps), and the timing core's fields:
+//     median_ms, interval_ms, samples_ms, batch, device_stages_ms ... image: hash of a check picture, equal for all
+//     that draw exactly; counts: what that picture left out. From CUDA to OpenGL (--hand-over): draw is none for the
+//     hand-over alone and for `step` (move and collide_grid alone); work is host, registered or imported (HandOver),
+//     each picture waited for, or the same with _pipelined: hand-over, picture and step, nothing waited for but by the
+//     hand-over
 //   overlaps   of --hand-over: n, draw, hand_over, picture_ms, step_ms, pipelined_ms, and of the shorter of picture and
 //     step the share that the pipelined loop hides: overlap
 //   left_out   n, backend, draw and the reason, of all that was asked for and not timed
@@ -62,7 +63,7 @@ json to_json(const DrawCounts& counts) {
           {"bundles_left_out", counts.bundles_left_out}};
 }
 
-// Of a sample: spheres fall, so all backends take the same steps.
+// Of a sample: spheres fall and crowd, so every sample, of all backends, takes the same steps from the start.
 constexpr uint64_t steps_of_loop = 20;
 
 class Bench {
@@ -138,15 +139,21 @@ class Bench {
                   {"work", task.work}};
     check(task, views, entry);
     uint64_t turn = 0;
-    const Contender contender{label(task), task.backend,
-                              [&](Backend& backend) {
-                                if (task.work == "loop") {
-                                  backend.move();
-                                  backend.collide(in_dense_cells(backend, n));
-                                }
-                                backend.draw(views[turn++ % views.size()], draw_options(task));
-                              },
-                              false, task.work == "loop" ? steps_of_loop : 0};
+    const auto picture = [&](Backend& backend) { backend.draw(views[turn++ % views.size()], draw_options(task)); };
+    Contender contender{label(task), task.backend, picture};
+    if (task.work == "loop") {
+      contender.step = [&](Backend& backend) {
+        backend.move();
+        backend.collide(in_dense_cells(backend, n));
+        picture(backend);
+      };
+      contender.restart = [&](Backend& backend) {
+        turn = 0;
+        backend.upload(scene);
+        contender.step(backend);
+      };
+      contender.batch = steps_of_loop;
+    }
     entry.update(to_json(measure({&contender, 1}, sampling_, progress_).front()));
     frames.push_back(entry);
     print(entry);

@@ -39,6 +39,8 @@ std::vector<Skip> skips() {
           {"cells", "cells of spheres that have not moved", "", keeping(false, true), keeping(false, false)},
           {"pair_list", "a list of pairs that nobody asked for", "", step,
            but([](CollideOptions& o) { o.want_pairs = true; })},
+          {"totals", "the sum of all pairs and its fingerprint that nobody asked for", "",
+           but([](CollideOptions& o) { o.want_totals = false; }), step},
           {"read_back", "totals that nobody asked for, counted and read after the step", "", step, step,
            Spheres::random, Reads::totals},
           {"counts_read", "counts that nobody asked for, put in the spheres' own order and read after the step", "",

@@ -40,6 +40,7 @@ bool all_narrow(std::span<const Samples> all, const Sampling& sampling) {
 void time_on_device(const Contender& contender, uint64_t batch, Samples& samples) {
   if (!contender.backend->info().device_timers) return;
   const uint64_t steps = std::min<uint64_t>(batch, 20);
+  if (contender.restart) contender.restart(*contender.backend);
   contender.backend->time_stages(true);
   for (uint64_t k = 0; k < steps; ++k) contender.step(*contender.backend);
   contender.backend->finish();
@@ -91,6 +92,7 @@ json to_json(const Samples& samples) {
 double time_batch(const Contender& contender, uint64_t batch) {
   Backend& backend = *contender.backend;
   if (contender.alternates) contender.step(backend);
+  if (contender.restart) contender.restart(backend);
   backend.finish();
   const auto start = std::chrono::steady_clock::now();
   for (uint64_t k = 0; k < batch; ++k) contender.step(backend);

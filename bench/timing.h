@@ -17,9 +17,10 @@ namespace spherepair {
 struct Contender {
   std::string label;
   Backend* backend;
-  std::function<void(Backend&)> step;  // enqueues one step
-  bool alternates = false;             // others leave the backend in another state: a step goes ahead, untimed
-  uint64_t batch = 0;                  // K, where a step changes what the next one has to do; 0: by the time it takes
+  std::function<void(Backend&)> step;          // enqueues one step
+  bool alternates = false;                     // others leave the backend in another state: a step goes ahead, untimed
+  std::function<void(Backend&)> restart = {};  // before each sample, untimed: where all are to begin
+  uint64_t batch = 0;  // K, where a step changes what the next one has to do; 0: by the time it takes
 };
 
 struct Sampling {

@@ -4,6 +4,7 @@
 #ifndef SPHEREPAIR_CLUSTER_H
 #define SPHEREPAIR_CLUSTER_H
 
+#include "cell.h"
 #include "draw.h"
 
 // A box in the camera's axes that holds all of a cluster: its middle, and how far it reaches along each axis.
@@ -30,6 +31,37 @@ FN vec4 highest_corner(vec4 sphere) {
   EXACT float y = sphere.y + sphere.w;
   EXACT float z = sphere.z + sphere.w;
   vec4 corner = {x, y, z, 0.0f};
+  return corner;
+}
+
+// Whether spheres of places from a to b of a cell order are in one row of cells, none of which is at the grid's border,
+// where cells have no end.
+FN bool within_row(Place a, Place b, Params p) {
+  return uint(a.y) == uint(b.y) && uint(a.z) == uint(b.z) && a.x >= 1.0f && b.x < float(p.cells_x - 1u) &&
+         a.y >= 1.0f && a.y < float(p.cells_y - 1u) && a.z >= 1.0f && a.z < float(p.cells_z - 1u);
+}
+// Where spheres that belong to cells from this one on, or to those before it, may begin and end along an axis; 2^-20 is
+// more than rounding took from a place.
+FN float least_from(uint cell, float origin, Params p) {
+  EXACT float offset = float(cell) / p.cells_per_metre;
+  EXACT float room = (magnitude(origin) + offset) * bits_float(0x35800000u);
+  EXACT float least = ((origin + offset) - room) - p.largest_radius;
+  return least;
+}
+FN float most_before(uint cell, float origin, Params p) {
+  EXACT float offset = float(cell) / p.cells_per_metre;
+  EXACT float room = (magnitude(origin) + offset) * bits_float(0x35800000u);
+  EXACT float most = ((origin + offset) + room) + p.largest_radius;
+  return most;
+}
+FN vec4 lowest_in_row(Place a, Params p) {
+  vec4 corner = {least_from(uint(a.x), p.origin_x, p), least_from(uint(a.y), p.origin_y, p),
+                 least_from(uint(a.z), p.origin_z, p), 0.0f};
+  return corner;
+}
+FN vec4 highest_in_row(Place b, Params p) {
+  vec4 corner = {most_before(uint(b.x) + 1u, p.origin_x, p), most_before(uint(b.y) + 1u, p.origin_y, p),
+                 most_before(uint(b.z) + 1u, p.origin_z, p), 0.0f};
   return corner;
 }
 

@@ -71,8 +71,11 @@ struct CollideOptions {
                             // leaves it to crossover.h
   bool exact = true;        // false: the naive float32 predicate, to measure what exactness costs
   bool want_pairs = false;  // keep the pairs for pairs()
-  uint columns = 0;         // of collide_triangle: spheres that one group meets; 0: chosen by n. Never changes the set
-  GridOptions grid = {};    // of collide_grid. Never changes the set
+  // false: GLSL and CUDA's grid finds the contacts of each sphere only, and does the step again once collisions() asks
+  // for the totals
+  bool want_totals = true;
+  uint columns = 0;       // of collide_triangle: spheres that one group meets; 0: chosen by n. Never changes the set
+  GridOptions grid = {};  // of collide_grid. Never changes the set
   // Pairs that touch at any time within the next step, in free flight (swept.h): of collide_tiled, and on the CPU of
   // `parallel`, with float32 state; anything else throws std::invalid_argument.
   bool swept = false;

@@ -179,7 +179,8 @@ class CpuBackend final : public Backend {
 
   void replan_if_due(const std::vector<vec4>& positions, const CollideOptions& asked) {
     const bool may_use_grid = asked.method == Method::collide_grid || asked.method == Method::automatic;
-    if (!asked.grid.replan || !may_use_grid || !watch_.due() || !watch_.replan(positions, plans_)) return;
+    if (!asked.grid.replan || !may_use_grid || !watch_.due() || !watch_.replan(positions, positions.size(), plans_))
+      return;
     ++work_.plans;
     celled_.reset();
   }

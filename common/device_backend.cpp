@@ -132,7 +132,7 @@ void DeviceBackend::upload(const Scene& scene) {
   cleared_ = collided_ = buckets_clear_ = cells_built_ = counts_by_place_ = false;
   view_ = {};
   clustered_.reset();
-  seen_known_ = false;
+  moved_ = seen_known_ = false;
   picture_stands_ = false;
   pictures_kept_ = 0;
   write_state(initial_state(scene, params_));
@@ -150,7 +150,7 @@ void DeviceBackend::launch_clear(Order order) {
 }
 
 std::vector<uint> DeviceBackend::counts() {
-  collisions();  // grows and repeats if it must
+  finished_summary();
   std::vector<uint> counts(n_);
   read(count_slot(order_), counts.data(), 0, n_ * sizeof(uint));
   if (order_ != Order::cells) return counts;

@@ -119,7 +119,7 @@ class DeviceBackend : public Backend {
   void prepare_positions();
   void run_collide();
   bool grow_lists(uint64_t deferred, uint64_t listed);
-  std::vector<uint> read_summary();
+  std::vector<uint> read_summary(), finished_summary();
   struct Division {
     Kernel kernel;
     uint64_t spheres, meets;  // of one group
@@ -140,7 +140,6 @@ class DeviceBackend : public Backend {
   void sort_by_buckets();
   void sort_by_library();
   void clear_for_sort(uint64_t bucket_words);
-  std::vector<vec4> read_positions();
   std::vector<vec4> sample_positions();
   bool replan_if_due(const CollideOptions& asked);
   void launch_sorter(Kernel kernel, uint block, uint64_t groups);
@@ -192,6 +191,7 @@ class DeviceBackend : public Backend {
   View asked_{};                  // the same as it was asked for
   DrawOptions draw_options_;
   std::optional<Order> clustered_;  // whose clusters they are; none when spheres have moved
+  bool moved_ = false;              // since the upload
   bool seen_known_ = false;         // SLOT_VISIBLE shows spheres of this scene
   uint first_pass_tiles_ = 0;       // that the depths of the picture needed, where its numbers take a second pass
   uint lists_turn_ = 0;             // View::turn of the next picture

@@ -86,26 +86,23 @@ void DeviceBackend::collide(const CollideOptions& options) {
 
 // Some spheres from all over the scene; all where that is not many more.
 std::vector<vec4> DeviceBackend::sample_positions() {
-  constexpr uint64_t pieces = 16, each = 1024;
-  if (n_ <= 4 * pieces * each) return read_positions();
-  std::vector<vec4> sample(pieces * each);
-  for (uint64_t k = 0; k < pieces; ++k)
-    read(SLOT_POSITION, &sample[k * each], k * (n_ / pieces) * sizeof(vec4), each * sizeof(vec4));
+  constexpr uint64_t size = 1 << 16;
+  std::vector<vec4> sample(std::min(n_, size));
+  if (n_ > size) {
+    if (bytes_[SLOT_SPLIT] < size * sizeof(vec4)) make_buffer(SLOT_SPLIT, size * sizeof(vec4));
+    launch({Kernel::sample, SERVICE_BLOCK, {}, folded(size / SERVICE_BLOCK), Order::scene, Order::buckets}, params_);
+  }
+  read(n_ > size ? SLOT_SPLIT : SLOT_POSITION, sample.data(), 0, sample.size() * sizeof(vec4));
   return sample;
 }
 
-std::vector<vec4> DeviceBackend::read_positions() {
-  std::vector<vec4> positions(n_);
-  read(SLOT_POSITION, positions.data(), 0, n_ * sizeof(vec4));
-  return positions;
-}
-
-// The host's copy of the spheres is that of the upload, so they are read back, which the watch keeps rare.
+// The host's copy of the spheres is that of the upload, so some are read back, which the watch keeps rare.
 bool DeviceBackend::replan_if_due(const CollideOptions& asked) {
   const bool may_use_grid = asked.method == Method::collide_grid ||
                             (asked.method == Method::automatic && may_take_grid(crossover_of(info()), n_));
   if (!asked.grid.replan || !may_use_grid || !watch_.due()) return false;
-  if (!watch_.worthwhile(sample_positions(), plans_) || !watch_.replan(read_positions(), plans_)) return false;
+  const std::vector<vec4> sample = sample_positions();
+  if (!watch_.worthwhile(sample, plans_) || !watch_.replan(sample, n_, plans_)) return false;
   ++work_.plans;
   planned_.reset();
   return true;
@@ -124,7 +121,7 @@ void DeviceBackend::run_collide() {
   if (!options_.filter) leave_all_undecided(params_);
   variant_.equal_radii = equal_radii_ && !options_.load_radii;
   params_.n = uint(n_);
-  params_.in_cells = params_.tally_later = 0;
+  params_.in_cells = params_.left_for_later = 0;
   tallied_ = true;
   params_.columns =
       options_.columns ? options_.columns : default_columns(n_, uint64_t(options_.block) * SPHERES_PER_THREAD);
@@ -163,7 +160,8 @@ bool DeviceBackend::grow_lists(uint64_t deferred, uint64_t listed) {
   return short_deferred || short_pairs;
 }
 
-Collisions DeviceBackend::collisions() {
+// The summary of a step whose lists had room for all.
+std::vector<uint> DeviceBackend::finished_summary() {
   if (!collided_)
     throw BackendError(
         fmt::format("{}: no collision step to report since the last move; call collide first", info().name));
@@ -172,6 +170,15 @@ Collisions DeviceBackend::collisions() {
     run_collide();
     words = read_summary();
   }
+  return words;
+}
+
+Collisions DeviceBackend::collisions() {
+  if ((params_.left_for_later & TOTALS_LATER) != 0 && collided_) {
+    options_.want_totals = true;
+    run_collide();
+  }
+  std::vector<uint> words = finished_summary();
   if (!tallied_) {
     launch({Kernel::tally, SERVICE_BLOCK, {}, {tally_groups, 1, 1}, order_}, params_);
     tallied_ = true;

@@ -25,7 +25,8 @@ uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
 }  // namespace
 
-// Boxes of clusters last until spheres move or are sorted anew.
+// Boxes of clusters last until spheres move or are sorted anew. Of those that move they are made with every picture,
+// and the borders of cells, which are less work, hold them closely enough.
 void DeviceBackend::make_clusters(const Params& params, Order order) {
   view_.clusters = uint(ceil_div(n_, CLUSTER));
   const auto keep = [&](uint slot, uint64_t bytes) {
@@ -38,9 +39,9 @@ void DeviceBackend::make_clusters(const Params& params, Order order) {
   const uint64_t boxes = uint64_t(view_.clusters) + bundles_of(view_);
   if (keep(SLOT_CLUSTER, boxes * 2 * sizeof(vec4))) clustered_.reset();
   if (clustered_ == order) return;
-  launch(
-      {Kernel::draw_bounds, SERVICE_BLOCK, {}, folded(ceil_div(n_, CLUSTER * (SERVICE_BLOCK / BOUNDS_LANES))), order},
-      params);
+  const Variant variant = {.by_cells = moved_ && equal_radii_ && collided_ && cells_built_ && planned_ == Cells::dense};
+  const uint64_t in_group = SERVICE_BLOCK / (variant.by_cells ? 1 : BOUNDS_LANES);
+  launch({Kernel::draw_bounds, SERVICE_BLOCK, variant, folded(ceil_div(view_.clusters, in_group)), order}, params);
   clustered_ = order;
 }
 

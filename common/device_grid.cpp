@@ -53,7 +53,7 @@ bool DeviceBackend::stands_in_cell_order() {
     launch_bounds();
     read(SLOT_SCAN, &disorder, 0, sizeof(disorder));
     cell_order_ = disorder == 0;
-    moves_to_wait_ = *cell_order_ ? 0 : std::clamp<uint64_t>(2 * moves_to_wait_, 1, most_moves_to_wait);
+    moves_to_wait_ = *cell_order_ ? 0 : std::clamp<uint64_t>(8 * moves_to_wait_, 8, most_moves_to_wait);
     moves_waited_ = 0;
   }
   return *cell_order_;
@@ -165,7 +165,8 @@ void DeviceBackend::build_cells() {
 
 void DeviceBackend::launch_grid() {
   plan_cells();
-  params_.tally_later = true;  // before the first launch: parameters that change within a step are sent again
+  // Before the first launch: parameters that change within a step are sent again.
+  params_.left_for_later = TALLY_LATER | (options_.want_totals || options_.want_pairs ? 0 : TOTALS_LATER);
   build_cells();
   cells_built_ = true;
   tallied_ = false;

@@ -21,6 +21,7 @@ void DeviceBackend::launch_motion(Kernel kernel, bool whole_state) {
   params.n = uint(n_);
   params.steps_done = steps_;
   params.whole_state = whole_state;
+  params.in_cells = !cleared_;
   const auto groups =
       kernel == Kernel::bounce ? folded(n_ / (SERVICE_BLOCK * SPHERES_PER_BOUNCER) + 1) : per_sphere_groups();
   launch({kernel, SERVICE_BLOCK, {.motion = motion_}, groups}, params);
@@ -52,9 +53,10 @@ void DeviceBackend::move() {
     launch_motion(Kernel::bounce, !due_only_);
     placed_ = cleared_ = false;
   } else {
+    cleared_ = !counts_by_place_;  // which the next sort makes anew
     launch_motion(Kernel::move, false);
-    cleared_ = true;
   }
+  moved_ = true;
   collided_ = cells_built_ = picture_stands_ = false;
   cell_order_.reset();
   watch_.moved();

@@ -88,13 +88,17 @@ float middle_of(const std::vector<vec4>& spheres, float vec4::*axis) {
   return m ? sample[m / 2] : 0;
 }
 
+void set_middle(GridPlan& plan, const std::vector<vec4>& spheres) {
+  plan.origin[0] = middle_of(spheres, &vec4::x);
+  plan.origin[1] = middle_of(spheres, &vec4::y);
+  plan.origin[2] = middle_of(spheres, &vec4::z);
+}
+
 GridPlan hashed_plan(const std::vector<vec4>& spheres, const Extent& extent) {
   GridPlan plan;
   plan.cells = Cells::hashed;
   plan.slots = uint(std::bit_ceil(std::max<uint64_t>(spheres.size(), least_slots)));
-  plan.origin[0] = middle_of(spheres, &vec4::x);
-  plan.origin[1] = middle_of(spheres, &vec4::y);
-  plan.origin[2] = middle_of(spheres, &vec4::z);
+  set_middle(plan, spheres);
   plan.largest_radius = extent.largest;
   plan.side = std::max(2 * extent.largest, float(smallest_side));
   if (extent.largest <= many_octaves * extent.smallest) return plan;
@@ -111,14 +115,14 @@ GridPlan hashed_plan(const std::vector<vec4>& spheres, const Extent& extent) {
   return plan;
 }
 
-// How many other spheres share a sphere's slot, on average over the spheres, estimated from a sample.
-double crowding(const std::vector<vec4>& spheres, const GridPlan& plan) {
-  const uint64_t n = spheres.size(), m = std::min(n, sample_size);
+// How many others of n spheres share a sphere's slot, on average over them, estimated from some of these.
+double crowding(const std::vector<vec4>& spheres, const GridPlan& plan, uint64_t n) {
+  const uint64_t m = std::min<uint64_t>(spheres.size(), sample_size);
   if (m < 2) return 0;
   Params p{};
   set_grid(p, plan);
   std::vector<uint> slots(m);
-  for (uint64_t k = 0; k < m; ++k) slots[k] = slot_of(spheres[k * n / m], p);
+  for (uint64_t k = 0; k < m; ++k) slots[k] = slot_of(spheres[k * spheres.size() / m], p);
   std::ranges::sort(slots);
   double pairs = 0;
   for (uint64_t first = 0, k = 0; k < m; ++k) {
@@ -128,24 +132,38 @@ double crowding(const std::vector<vec4>& spheres, const GridPlan& plan) {
   return 2 * pairs / double(m) * double(n - 1) / double(m - 1);
 }
 
+// Both plans, and which of them is taken, for n spheres like these.
+GridPlans choose(const GridPlan& dense, const GridPlan& hashed, const std::vector<vec4>& spheres, uint64_t n) {
+  GridPlans plans{dense, hashed, Cells::dense, 0, 0, {}};
+  plans.dense_crowd = crowding(spheres, dense, n);
+  plans.hashed_crowd = crowding(spheres, hashed, n);
+  // A sphere looks into the cells of every level, and a hashed cell costs some four times a dense one.
+  if (plans.dense_crowd > 4 * std::popcount(hashed.levels) * (plans.hashed_crowd + 1)) plans.chosen = Cells::hashed;
+  plans.reason =
+      fmt::format("{}: {:.3g} other spheres in a sphere's cell if dense (side {:.3g} m), {:.3g} if hashed ({:.3g} m)",
+                  plans.chosen == Cells::dense ? "dense" : "hashed", plans.dense_crowd, dense.side, plans.hashed_crowd,
+                  hashed.side);
+  return plans;
+}
+
 }  // namespace
 
 GridPlans plan_grids(const std::vector<vec4>& spheres) {
+  const uint64_t n = spheres.size();
   const Extent extent = extent_of(spheres);
-  GridPlans plans{dense_plan(extent, spheres.size()),         {}, Cells::dense, 0, 0,
-                  "dense: the largest radius leaves one cell"};
-  plans.hashed = plans.dense;
-  plans.dense_crowd = plans.hashed_crowd = double(spheres.size());
-  if (double(extent.largest) > huge_radius) return plans;
-  plans.hashed = hashed_plan(spheres, extent);
-  const double dense = plans.dense_crowd = crowding(spheres, plans.dense);
-  const double hashed = plans.hashed_crowd = crowding(spheres, plans.hashed);
-  // A sphere looks into the cells of every level, and a hashed cell costs some four times a dense one.
-  if (dense > 4 * std::popcount(plans.hashed.levels) * (hashed + 1)) plans.chosen = Cells::hashed;
-  plans.reason = fmt::format(
-      "{}: {:.3g} other spheres in a sphere's cell if dense (side {:.3g} m), {:.3g} if hashed ({:.3g} m)",
-      plans.chosen == Cells::dense ? "dense" : "hashed", dense, plans.dense.side, hashed, plans.hashed.side);
-  return plans;
+  const GridPlan dense = dense_plan(extent, n);
+  if (double(extent.largest) > huge_radius)
+    return {dense, dense, Cells::dense, double(n), double(n), "dense: the largest radius leaves one cell"};
+  return choose(dense, hashed_plan(spheres, extent), spheres, n);
+}
+
+GridPlans plan_grids_anew(const GridPlans& before, const std::vector<vec4>& sample, uint64_t n) {
+  Extent extent = extent_of(sample);
+  extent.largest = before.dense.largest_radius;
+  if (double(extent.largest) > huge_radius) return before;
+  GridPlan hashed = before.hashed;
+  set_middle(hashed, sample);
+  return choose(dense_plan(extent, n), hashed, sample, n);
 }
 
 void set_grid(Params& p, const GridPlan& plan, bool skip_cells) {

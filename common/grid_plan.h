@@ -38,6 +38,9 @@ struct GridPlans {
   double crowd(Cells wanted) const { return plan(wanted).cells == Cells::dense ? dense_crowd : hashed_crowd; }
 };
 GridPlans plan_grids(const std::vector<vec4>& spheres);
+// The same for n spheres of the same radii that have moved, of which these are a sample from all over the scene. Those
+// beyond its extent will stand in the cells along the border.
+GridPlans plan_grids_anew(const GridPlans& before, const std::vector<vec4>& sample, uint64_t n);
 inline GridPlan plan_grid(const Scene& scene, Cells wanted) { return plan_grids(scene.positions).plan(wanted); }
 
 // Without skip_cells every sphere is taken to reach into all neighbouring cells of a dense grid.

@@ -4,7 +4,7 @@
 
 // clang-format off
 #define SPHEREPAIR_KERNELS(each)                                                                \
-  each(move) each(bounce) each(place) each(clear) each(empty)                                   \
+  each(move) each(bounce) each(place) each(clear) each(sample) each(empty)                      \
   each(ceiling_copy) each(ceiling_atomics) each(ceiling_issue) each(ceiling_words)              \
   each(settle) each(decide) each(tally)                                                         \
   each(grid_clear) each(grid_bounds) each(grid_count) each(grid_sums) each(grid_scan)           \

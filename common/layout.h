@@ -29,7 +29,7 @@
 #define SLOT_CLUSTER 20  // vec4[2 * (clusters + bundles)]: corners of what holds each one; w: list_for_bundle
 #define SLOT_SEEN_LEFT 21     // uint[]: four bits for each sphere, not 0 while in the list of those seen
 #define SLOT_CLUSTER_LIST 22  // uint[3 * clusters], by LIST_*, each in any order
-#define SLOT_PYRAMID 23       // uvec2[]: of the depths in each texel, level 0 and then 1; see draw_pyramid
+#define SLOT_PYRAMID 23       // uvec2[]: of the depths in each texel, level by level; see draw_pyramid
 #define SLOT_WIDE 24          // Real[6n], of compensated and float64: all x, all y, all z, then the velocities
 #define SLOT_ANCHOR 25        // vec4[n], of anchored: where the spheres started, radius in w
 #define SLOT_FLIGHT 26  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
@@ -82,6 +82,9 @@
 #define CEILING_TURNS 64           // ... so often round the loop, ...
 #define CEILING_STEPS 16           // ... with so many steps of each chain a time
 
+#define TALLY_LATER 1u   // the kernel `tally` counts the colliding spheres, if anybody asks
+#define TOTALS_LATER 2u  // the step is done again for the totals of its pairs, if anybody asks
+
 #define MOTION_EULER 0u  // MotionMethod of motion_options.h
 #define MOTION_SYMPLECTIC 1u
 #define MOTION_PAPER 2u
@@ -109,7 +112,7 @@ struct Params {
   uint scan_tiles;                                       // of grid_scan
   uint cells_x, cells_y, cells_z, cell_slots;            // dense grid; cell_slots: length of the table in either case
   uint hash_mask, first_octave, top_level, levels;       // 0: dense; see level_of; levels: bit k set when k has spheres
-  uint tally_later;                                      // not 0: tally counts the colliding spheres
+  uint left_for_later;                                   // bits: TALLY_LATER, TOTALS_LATER
   uint steps_done;                                       // of anchored: after this move
   uint buckets, bucket_shift;                            // 0: not split; the bucket of a slot is slot >> bucket_shift
   uint parent_shift, first_bucket, bucket_words, names;  // see bucket_below; in SLOT_BUCKET; of a split: its bits

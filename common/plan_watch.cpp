@@ -65,8 +65,8 @@ bool PlanWatch::worthwhile(const std::vector<vec4>& sample, const GridPlans& pla
   return false;
 }
 
-bool PlanWatch::replan(const std::vector<vec4>& spheres, GridPlans& plans) {
-  GridPlans now = plan_grids(spheres);
+bool PlanWatch::replan(const std::vector<vec4>& sample, uint64_t n, GridPlans& plans) {
+  GridPlans now = plan_grids_anew(plans, sample, n);
   const bool same = alike(plans.dense, now.dense) && plans.chosen == now.chosen;
   patience_ = same ? std::min(2 * patience_, most_patience) : 1;
   if (!same) plans = std::move(now);

@@ -15,12 +15,12 @@ class PlanWatch {
   void moved() { travelled_ += step_; }
   bool due() const { return travelled_ > patience_ * allowance_; }
 
-  // Whether some of the spheres, from all over the scene, show that all should be looked at: many stand outside the
-  // cells, or the cells along some axis are mostly empty. If not, the watch is content for longer.
+  // Whether some of the spheres, from all over the scene, show that new cells may pay: many stand outside the cells, or
+  // the cells along some axis are mostly empty. If not, the watch is content for longer.
   bool worthwhile(const std::vector<vec4>& sample, const GridPlans& plans);
 
-  // Plans anew for the spheres as they stand; false, and the plans are kept, when nothing would change.
-  bool replan(const std::vector<vec4>& spheres, GridPlans& plans);
+  // Plans anew for n spheres as such a sample stands; false, and the plans are kept, when nothing would change.
+  bool replan(const std::vector<vec4>& sample, uint64_t n, GridPlans& plans);
 
  private:
   void allow(const GridPlans& plans);

@@ -56,11 +56,14 @@ struct Collider {
 
   // More contacts for sphere i. Of all additions to it exactly one finds a zero: that one counts the colliding sphere.
   __device__ void touch(uint i, uint contacts) {
-    if (atomicAdd(&w.count[i], contacts) == 0u && p.tally_later == 0u) newly_colliding += 1u;
+    uint before = atomicAdd(&w.count[i], contacts);
+    if ((p.left_for_later & TALLY_LATER) == 0u && before == 0u) newly_colliding += 1u;  // else it is not waited for
   }
 
   // The sphere that stands at a place of the cell order.
   __device__ uint sphere_at(uint place) const { return p.in_cells != 0u ? w.id[place] : place; }
+
+  __device__ bool totals_later() const { return (p.left_for_later & TOTALS_LATER) != 0u; }
 
   // Numbers of spheres, in any order.
   __device__ void record(uint a, uint b) {
@@ -104,11 +107,11 @@ struct Collider {
   // For kernels that meet every unordered pair once, at places i and j: true when it collides, and the caller counts
   // the contact. Most that come here do, so the numbers are loaded beside the spheres.
   __device__ bool meets(uint i, vec4 a, uint j, vec4 b) {
-    uint first = sphere_at(i);
-    uint second = sphere_at(j);
+    uint first = totals_later() ? i : sphere_at(i);
+    uint second = totals_later() ? j : sphere_at(j);
     uint verdict = filter_spheres(a, b);
     if (verdict == UNDECIDED) defer(i, j);
-    if (verdict == COLLIDE) record(first, second);
+    if (verdict == COLLIDE && !totals_later()) record(first, second);
     return verdict == COLLIDE;
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere: one step of motion and the plane, and the results of the last step cleared.
+// One thread per sphere: one step of motion and the plane, and the results of the last step cleared where they are by
+// the number of the sphere.
 #include "motion_state.cuh"
 
 namespace spherepair {
@@ -7,7 +8,7 @@ namespace spherepair {
 template <uint METHOD, typename Real>
 __global__ void __launch_bounds__(SERVICE_BLOCK) move(Params p, World w) {
   uint i = group_index(p) * SERVICE_BLOCK + threadIdx.x;
-  clear_results(p, w, i);
+  if (p.in_cells == 0u) clear_results(p, w, i);
   if (i >= p.n) return;
   store_sphere(p, w, i, take_step(METHOD, load_sphere<Real>(p, w, i), p));
 }

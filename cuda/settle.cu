@@ -7,21 +7,25 @@ namespace spherepair {
 
 template <bool LISTED>
 __global__ void __launch_bounds__(SERVICE_BLOCK) settle(Params p, World w) {
-  if (w.summary[SUM_DEFERRED] == 0u) return;
   __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
+  uint k = group_index(p) * SERVICE_BLOCK + threadIdx.x;
+  uvec2 pair = w.deferred[min(k, p.deferred_capacity - 1u)];  // on its way before it is known to be one
+  uint pairs = min(w.summary[SUM_DEFERRED], p.deferred_capacity);
+  if (group_index(p) * SERVICE_BLOCK >= pairs) return;
   Collider<false, LISTED> c(p, w, total);
   c.start_totals();
-  uint pairs = min(w.summary[SUM_DEFERRED], p.deferred_capacity);
   uint row = (group_index(p) % SUMMARY_SLOTS) * SUMMARY_WORDS;
-  for (uint k = group_index(p) * SERVICE_BLOCK + threadIdx.x; k < pairs; k += SERVICE_BLOCK * gridDim.x) {
-    uvec2 pair = w.deferred[k];
+  for (; k < pairs; k += SERVICE_BLOCK * gridDim.x) {
+    uint first = c.sphere_at(pair.x);
+    uint second = c.sphere_at(pair.y);
     Verdict verdict = decide_exact(w.position[pair.x], w.position[pair.y]);
     atomicAdd(&w.summary[row + SUM_STAGE + verdict.stage], 1u);
     if (verdict.collide) {
-      c.record(c.sphere_at(pair.x), c.sphere_at(pair.y));
+      if (!c.totals_later()) c.record(first, second);
       c.touch(pair.x, 1u);
       c.touch(pair.y, 1u);
     }
+    pair = w.deferred[min(k + SERVICE_BLOCK * gridDim.x, p.deferred_capacity - 1u)];
   }
   c.finish_totals();
 }

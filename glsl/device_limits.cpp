@@ -73,12 +73,15 @@ DeviceLimits device_limits(const OpenOptions& options) {
 unsigned new_buffer(uint64_t bytes, const DeviceLimits& limits) {
   GLuint buffer = 0;
   glCreateBuffers(1, &buffer);
-  // Sparse storage comes in large pages; plain buffers of some drivers in small ones, slow under random access.
-  const GLbitfield sparse = limits.sparse ? GL_SPARSE_STORAGE_BIT_ARB : 0;
+  // Sparse storage comes in large pages; plain buffers of some drivers in small ones, slow under random access. What
+  // is smaller than a large page has no use for one, and drivers have few addresses for so many.
+  constexpr uint64_t large_page = 2 << 20;
+  const GLbitfield sparse = limits.sparse && bytes >= large_page ? GL_SPARSE_STORAGE_BIT_ARB : 0;
   glNamedBufferStorage(buffer, GLsizeiptr(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT | sparse);
   if (sparse) {
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
     glBufferPageCommitmentARB(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(bytes), GL_TRUE);
+    glFinish();  // given work while gigabytes wait to be committed, a driver that serves CUDA too resets the context
   }
   if (glGetError() == GL_NO_ERROR) return buffer;
   glDeleteBuffers(1, &buffer);
@@ -106,7 +109,7 @@ BackendInfo describe_device(bool software, const DeviceLimits& limits) {
                   {"shared memory bytes", std::to_string(gl_integer(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE))},
                   {"64-bit atomics", limits.features.atomics_64 ? "yes" : "no: drawing takes two passes"},
                   {"subgroups", limits.features.subgroups ? "yes" : "no: sums go through shared memory"},
-                  {"buffers", limits.sparse ? "sparse storage, committed whole" : "plain storage"}};
+                  {"buffers", limits.sparse ? "sparse storage, committed whole, from 2 MiB on" : "plain storage"}};
   if (software && std::filesystem::exists("/dev/nvidiactl"))
     info.details["warning"] = "a GPU is present, but OpenGL runs in software";
   return info;

@@ -47,11 +47,14 @@ void finish_totals() {
 
 // More contacts for sphere i. Of all additions to it exactly one finds a zero: that one counts the colliding sphere.
 void touch(uint i, uint contacts) {
-  if (atomicAdd(count[i], contacts) == 0u && p.tally_later == 0u) newly_colliding += 1u;
+  uint before = atomicAdd(count[i], contacts);
+  if ((p.left_for_later & TALLY_LATER) == 0u && before == 0u) newly_colliding += 1u;  // else it is not waited for
 }
 
 // The sphere that stands at a place of the cell order.
 uint sphere_at(uint place) { return p.in_cells != 0u ? id[place] : place; }
+
+bool totals_later() { return (p.left_for_later & TOTALS_LATER) != 0u; }
 
 // Numbers of spheres, in any order.
 void record(uint a, uint b) {
@@ -101,11 +104,11 @@ uint meet_ordered(uint i, vec4 a, uint j, vec4 b) {
 // For kernels that meet every unordered pair once, at places i and j: true when it collides, and the caller counts the
 // contact. Most that come here do, so the numbers are loaded beside the spheres.
 bool meets(uint i, vec4 a, uint j, vec4 b) {
-  uint first = sphere_at(i);
-  uint second = sphere_at(j);
+  uint first = totals_later() ? i : sphere_at(i);
+  uint second = totals_later() ? j : sphere_at(j);
   uint verdict = filter_spheres(a, b);
   if (verdict == UNDECIDED) defer(i, j);
-  if (verdict == COLLIDE) record(first, second);
+  if (verdict == COLLIDE && !totals_later()) record(first, second);
   return verdict == COLLIDE;
 }
 

@@ -31,7 +31,11 @@ uvec2 texel_of_box(Box box, uint nearest, uint level) {
   for (uint y = box.y >> shift; y <= (box.y + box.height - 1u) >> shift; ++y) {
     uint row = first + y * width;
     for (uint x = box.x >> shift; x <= right; x += 4u) {
-      for (uint k = 0u; k < 4u; ++k) all = texel_of_both(all, pyramid[row + min(x + k, right)]);
+      uvec2 a = pyramid[row + x];  // all four on their way before the first is asked
+      uvec2 b = pyramid[row + min(x + 1u, right)];
+      uvec2 c = pyramid[row + min(x + 2u, right)];
+      uvec2 d = pyramid[row + min(x + 3u, right)];
+      all = texel_of_both(texel_of_both(all, a), texel_of_both(b, texel_of_both(c, d)));
       if ((v.phase == uint(PHASE_NEAR) ? all.y : all.x) >= nearest) return all;
     }
   }

@@ -7,19 +7,23 @@
 layout(local_size_x = BLOCK) in;
 
 void main() {
-  if (summary[SUM_DEFERRED] == 0u) return;
-  start_totals();
+  uint k = group_index() * BLOCK + gl_LocalInvocationID.x;
+  uvec2 pair = deferred[min(k, p.deferred_capacity - 1u)];  // on its way before it is known to be one
   uint pairs = min(summary[SUM_DEFERRED], p.deferred_capacity);
+  if (group_index() * BLOCK >= pairs) return;
+  start_totals();
   uint row = (group_index() % SUMMARY_SLOTS) * SUMMARY_WORDS;
-  for (uint k = group_index() * BLOCK + gl_LocalInvocationID.x; k < pairs; k += BLOCK * gl_NumWorkGroups.x) {
-    uvec2 pair = deferred[k];
+  for (; k < pairs; k += BLOCK * gl_NumWorkGroups.x) {
+    uint first = sphere_at(pair.x);
+    uint second = sphere_at(pair.y);
     Verdict verdict = decide_exact(position[pair.x], position[pair.y]);
     atomicAdd(summary[row + SUM_STAGE + verdict.stage], 1u);
     if (verdict.collide) {
-      record(sphere_at(pair.x), sphere_at(pair.y));
+      if (!totals_later()) record(first, second);
       touch(pair.x, 1u);
       touch(pair.y, 1u);
     }
+    pair = deferred[min(k + BLOCK * gl_NumWorkGroups.x, p.deferred_capacity - 1u)];
   }
   finish_totals();
 }

@@ -51,11 +51,13 @@ def disassemble(text):
 def variants(stem, text):
     """The definitions of every program that is made from a shader."""
     if stem not in STATE_FEEDING:
-        plain = [("BLOCK 256", f"EQUAL_RADII {uniform}", "LISTED 1", "BUNDLES false") for uniform in (0, 1)]
+        plain = [("BLOCK 256", f"EQUAL_RADII {uniform}", "LISTED 1", "BUNDLES false", "BY_CELLS false")
+                 for uniform in (0, 1)]
         further = [("ATOMICS_64",), ("TEXTURE_TABLE",), ("ONLY_SPLIT",)]
         further += [("TEXTURE_TABLE", "WINDOWS")] * (stem == "collide_grid")
-        bundled = [(*plain[0][:-1], "BUNDLES true")] * ("BUNDLES" in text)
-        return plain + bundled + [(*plain[0], *defines) for defines in further if defines[-1] in text]
+        chosen = [tuple(define.replace(f"{choice} false", f"{choice} true") for define in plain[0])
+                  for choice in ("BUNDLES", "BY_CELLS") if choice in text]
+        return plain + chosen + [(*plain[0], *defines) for defines in further if defines[-1] in text]
     methods = METHODS if stem == "move" else (6,)
     return [("BLOCK 256", f"METHOD {method}u", f"PRECISION {precision}", f"Real {real}")
             for method in methods for precision, real in enumerate(PRECISIONS)]

@@ -127,6 +127,32 @@ TEST_P(Skips, LoadsOfRadiiAndListsAreCounted) {
   EXPECT_EQ(counted(equal, listing), (std::array<uint64_t, 3>{1, 1, 1}));
 }
 
+// Contacts are found without the totals of pairs, which the step is done again for when they are asked for.
+TEST_P(Skips, TotalsLater) {
+  if (backend().info().name == "cpu") GTEST_SKIP() << "the CPU adds up as it goes";
+  for (const Cells cells : {Cells::dense, Cells::hashed})
+    for (const float ratio : {1.0f, 4.0f}) {
+      const Scene scene = make_scene({.name = "uniform", .n = 3000, .radius_ratio = ratio});
+      const auto asked = [&](bool totals, bool pairs) {
+        return grid_step(
+            [=](CollideOptions& o) { o.grid.cells = cells, o.want_totals = totals, o.want_pairs = pairs; });
+      };
+      backend().upload(scene);
+      const Answer expected = ask(backend(), asked(true, true));
+      backend().upload(scene);
+      backend().collide(asked(false, false));
+      EXPECT_EQ(backend().counts(), expected.counts);
+      EXPECT_EQ(backend().work_counts().steps, 1u);
+      EXPECT_EQ(backend().collisions().fingerprint, expected.totals.fingerprint);
+      EXPECT_EQ(backend().collisions().pairs, expected.totals.pairs);
+      EXPECT_EQ(backend().collisions().colliding_spheres, expected.totals.colliding_spheres);
+      EXPECT_EQ(backend().work_counts().steps, 2u);
+      EXPECT_EQ(backend().counts(), expected.counts);
+      const Answer listed = ask(backend(), asked(false, true));
+      EXPECT_EQ(objection(listed, *expected.pairs, scene.size()), "");
+    }
+}
+
 // Spheres that fly off together: planned once, all of them end in the cells along the border.
 Scene in_the_wind(uint64_t n) {
   Scene scene = make_scene({.name = "uniform", .n = n});
@@ -180,6 +206,23 @@ TEST(SkipsOnTheHost, ASampleTellsWhetherToPlan) {
   EXPECT_TRUE(watch.worthwhile(left, plans));
 }
 
+// The largest sphere is in no sample, and decides how large cells are all the same.
+TEST(SkipsOnTheHost, ASampleIsPlannedForAsAll) {
+  Scene scene = make_scene({.name = "uniform", .n = 20000});
+  scene.positions[7].w *= 3;
+  const GridPlans all = plan_grids(scene.positions);
+  std::vector<vec4> sample;
+  for (size_t i = 0; i < scene.size(); i += 10) sample.push_back(scene.positions[i]);
+  const GridPlans anew = plan_grids_anew(all, sample, scene.size());
+  EXPECT_EQ(anew.dense.side, all.dense.side);
+  EXPECT_EQ(anew.hashed.side, all.hashed.side);
+  EXPECT_EQ(anew.hashed.levels, all.hashed.levels);
+  EXPECT_EQ(anew.hashed.slots, all.hashed.slots);
+  for (int axis = 0; axis < 3; ++axis) EXPECT_LE(all.dense.size[axis] - anew.dense.size[axis], 1u);
+  EXPECT_NEAR(anew.dense_crowd, all.dense_crowd, 0.2 * all.dense_crowd);
+  EXPECT_EQ(anew.chosen, all.chosen);
+}
+
 TEST(SkipsOnTheHost, PlansAreKeptWhereNothingLeaves) {
   Scene scene = make_scene({.name = "random", .n = 3000});
   GridPlans plans = plan_grids(scene.positions);
@@ -189,7 +232,7 @@ TEST(SkipsOnTheHost, PlansAreKeptWhereNothingLeaves) {
     watch.moved();
     if (!watch.due()) continue;
     ++asked;
-    EXPECT_FALSE(watch.replan(scene.positions, plans));
+    EXPECT_FALSE(watch.replan(scene.positions, scene.size(), plans));
   }
   EXPECT_GE(asked, 3u);
   EXPECT_LE(asked, 20u) << "a question without an answer is asked more and more rarely";
