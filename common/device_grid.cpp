@@ -14,7 +14,7 @@ constexpr uint64_t most_spheres = (1u << 30) - 1;
 static_assert(SCAN_TILE == SCAN_BLOCK * SCAN_VECTORS * 4);
 constexpr uint64_t least_groups = 4096;  // of the search, that fill a large device
 constexpr uint threads_per_chunk = 32;   // of a group, which goes through so few chunks that neighbours are at work
-constexpr uint64_t most_moves_to_wait = 64;
+constexpr uint64_t least_moves_to_wait = 32, most_moves_to_wait = 64;
 constexpr uint64_t buckets_pay_from = 500000;  // spheres
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
@@ -53,7 +53,7 @@ bool DeviceBackend::stands_in_cell_order() {
     launch_bounds();
     read(SLOT_SCAN, &disorder, 0, sizeof(disorder));
     cell_order_ = disorder == 0;
-    moves_to_wait_ = *cell_order_ ? 0 : std::clamp<uint64_t>(8 * moves_to_wait_, 8, most_moves_to_wait);
+    moves_to_wait_ = *cell_order_ ? 0 : std::clamp(2 * moves_to_wait_, least_moves_to_wait, most_moves_to_wait);
     moves_waited_ = 0;
   }
   return *cell_order_;
