@@ -22,6 +22,7 @@ struct Crossover {
 };
 constexpr uint wide_block = 256;
 constexpr uint64_t crowd_least = 32;
+constexpr double contacts_least = 8;  // about, of few spheres
 constexpr int few_threads = 4;
 constexpr uint64_t never = ~uint64_t(0);
 constexpr Crossover crossovers[] = {{"cuda", 4600, 4400, 450, 4'000'000, 200},
@@ -37,7 +38,7 @@ constexpr bool may_take_grid(const Crossover& row, uint64_t n) { return n <= row
 constexpr bool grid_pays(const Crossover& row, uint64_t n, double others_in_cell, uint levels) {
   const bool one_cell = 4 * others_in_cell > double(n);
   if (n >= crowd_least && others_in_cell >= row.crowd_from && (n <= row.one_cell_to || !one_cell)) return true;
-  if (n <= row.few && others_in_cell >= 0.2 && others_in_cell <= 4) return true;
+  if (n <= row.few && others_in_cell * double(n) >= contacts_least && others_in_cell <= 4) return true;
   return n >= row.grid_from * levels && others_in_cell * double(row.one_cell_of) <= double(n);
 }
 

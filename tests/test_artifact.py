@@ -94,7 +94,7 @@ class Speed(unittest.TestCase):
                 self.assertLessEqual(entry.error_m, max(2e-4, bounds[entry.precision]), entry.label)
 
     def test_7d(self):
-        self.said("7d", "of which there is none", "six kinds")
+        self.said("7d", "none of a GPU", "six kinds")
         found = crossovers_by_kind(self.h200)
         self.assertEqual(6, len(found))
         losses = [loss for by_backend in found.values() for name in APIS for loss in by_backend[name].losses]

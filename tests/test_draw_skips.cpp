@@ -7,6 +7,7 @@
 
 #include "cluster.h"
 #include "grid_plan.h"
+#include "oracle.h"
 #include "pictures.h"
 
 namespace spherepair {
@@ -115,6 +116,25 @@ TEST_P(DrawSkips, WhileSpheresMove) {
             << step << ", " << collide << ", skip " << skip;
       }
     }
+}
+
+// Pictures bring contacts along from the cell order; a step in another order, after a move, starts from none.
+TEST_P(DrawSkips, ContactsOfAPictureDoNotStay) {
+  const Scene scene = make_scene({.n = 3000});
+  backend().upload(scene);
+  for (int step = 0; step < 3; ++step) {
+    backend().move();
+    backend().collide({.method = Method::collide_grid});
+    picture_of(backend(), view_of(scene, 0), every_skip()[2]);
+  }
+  backend().move();
+  const std::vector<vec4> positions = backend().state().positions;
+  std::vector<uint> expected(scene.size());
+  for (const Pair& pair : swept_pairs(positions)) ++expected[pair.first], ++expected[pair.second];
+  for (const Method method : {Method::collide_triangle, Method::collide_grid}) {
+    backend().collide({.method = method});
+    EXPECT_EQ(backend().counts(), expected) << method_name(method);
+  }
 }
 
 // A wall of spheres hides what is behind it, but for what shows through a hole. The third picture from one place draws

@@ -191,6 +191,7 @@ TEST_P(Skips, CellsFollowManySpheres) {
   for (int step = 0; step < 30; ++step) backend().move();
   const Answer answer = ask(backend(), options);
   EXPECT_EQ(backend().work_counts().plans, 2u);
+  EXPECT_LT(backend().choice(options).others_in_cell, 1) << "the new cells are for a gas as well";
   EXPECT_EQ(answer.totals.pairs, swept_pairs(backend().state().positions).size());
 }
 
