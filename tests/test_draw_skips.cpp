@@ -5,8 +5,6 @@
 
 #include <cmath>
 
-#include "cluster.h"
-#include "grid_plan.h"
 #include "oracle.h"
 #include "pictures.h"
 
@@ -72,35 +70,6 @@ TEST_P(DrawSkips, NoPictureChanges) {
   }
 }
 
-// By the borders of cells, wherever the world is: all of a cluster is in the box of the row of cells that holds it.
-TEST(DrawSkipsOnTheHost, BordersOfCellsHoldClusters) {
-  for (const float offset : {0.0f, -1.0e3f, 1.0e5f, 3.0e6f}) {
-    Scene scene = make_scene({.name = "uniform", .n = 30000, .radius = 0.5f});
-    for (vec4& sphere : scene.positions) sphere.x += offset, sphere.z -= offset;
-    Params p{};
-    set_grid(p, plan_grids(scene.positions).dense);
-    std::ranges::sort(scene.positions, {}, [&](const vec4& sphere) { return slot_of(sphere, p); });
-    uint64_t in_rows = 0, tight = 0;
-    const size_t clusters = scene.size() / CLUSTER;
-    for (size_t c = 0; c + 1 < clusters; ++c) {
-      const ::Place begin = place_of(scene.positions[c * CLUSTER], p);
-      const ::Place end = place_of(scene.positions[(c + 1) * CLUSTER], p);
-      if (!within_row(begin, end, p)) continue;
-      const vec4 low = lowest_in_row(begin, p), high = highest_in_row(end, p);
-      ++in_rows;
-      tight += high.y - low.y < 3 * 2 * 0.5f + 1e-5f * std::abs(offset);
-      for (size_t i = c * CLUSTER; i < (c + 1) * CLUSTER; ++i) {
-        const vec4& s = scene.positions[i];
-        const double r = s.w;
-        EXPECT_TRUE(double(s.x) - r >= low.x && double(s.y) - r >= low.y && double(s.z) - r >= low.z) << offset;
-        EXPECT_TRUE(double(s.x) + r <= high.x && double(s.y) + r <= high.y && double(s.z) + r <= high.z) << offset;
-      }
-    }
-    EXPECT_GT(in_rows, clusters / 6) << offset;
-    EXPECT_EQ(tight, in_rows) << offset;
-  }
-}
-
 // Spheres move while the camera does; those in no cell order form poor clusters, but clusters.
 TEST_P(DrawSkips, WhileSpheresMove) {
   const Scene scene = make_scene({.n = 5000});
@@ -116,6 +85,29 @@ TEST_P(DrawSkips, WhileSpheresMove) {
             << step << ", " << collide << ", skip " << skip;
       }
     }
+}
+
+// Rows so long that most clusters are in one of them and are held by the borders of its cells; the camera goes along
+// them, so that its picture's edges cut through clusters.
+TEST_P(DrawSkips, WhileLongRowsMove) {
+  constexpr uint along = 200, across = 9;
+  Scene scene = make_scene({.name = "uniform", .n = along * across * across, .radius = 0.5f});
+  for (uint i = 0; i < scene.size(); ++i) {
+    const uint x = i % along, y = i / along % across, z = i / along / across;
+    scene.positions[i] = {float(x) * 1.1f, 2 + float(y) * 1.1f, float(z) * 1.1f, 0.5f};
+  }
+  backend().upload(scene);
+  for (int step = 0; step < 6; ++step) {
+    backend().move();
+    backend().collide({.method = Method::collide_grid, .grid = {.cells = Cells::dense}});
+    Camera camera = frame(bounds_of(scene.positions), 20, 10, 50, double(width) / height);
+    camera.target[0] = 20 + 35 * step, camera.target[1] = camera.target[2] = 5;
+    camera.eye[0] = camera.target[0] + 4, camera.eye[1] = 12, camera.eye[2] = 20;
+    const View view = make_view(camera, contact_look(), width, height);
+    const Picture expected = picture_of(backend(), view, everything);
+    for (const size_t skip : {0, 2, 4})
+      EXPECT_EQ(objection(picture_of(backend(), view, every_skip()[skip]), expected, view), "") << step << ", " << skip;
+  }
 }
 
 // Pictures bring contacts along from the cell order; a step in another order, after a move, starts from none.
