@@ -24,6 +24,9 @@ class DrawSkips : public BackendTest {
 
 const DrawOptions everything = {.skip_outside = false, .skip_hidden = false, .skip_unchanged = false};
 
+// Of every_skip().
+enum : size_t { outside_only, hidden_only, both, putting_off, bundled };
+
 std::vector<DrawOptions> every_skip() {
   std::vector<DrawOptions> all;
   for (const auto& [outside, hidden] : {std::pair{true, false}, {false, true}, {true, true}}) {
@@ -35,7 +38,7 @@ std::vector<DrawOptions> every_skip() {
   all.push_back(all.back());
   all.back().put_off_from = 0;
   for (const uint64_t put_off_from : {uint64_t(0), ~uint64_t(0)}) {
-    all.push_back(all[3]);
+    all.push_back(all[putting_off]);
     all.back().put_off_from = put_off_from;
     all.back().bundles_from = 0;
   }
@@ -73,7 +76,7 @@ TEST_P(DrawSkips, NoPictureChanges) {
 // Spheres move while the camera does; those in no cell order form poor clusters, but clusters.
 TEST_P(DrawSkips, WhileSpheresMove) {
   const Scene scene = make_scene({.n = 5000});
-  for (const size_t skip : {2, 3, 4})
+  for (const size_t skip : {both, putting_off, bundled})
     for (const bool collide : {false, true}) {
       backend().upload(scene);
       for (int step = 0; step < 4; ++step) {
@@ -105,7 +108,7 @@ TEST_P(DrawSkips, WhileLongRowsMove) {
     camera.eye[0] = camera.target[0] + 4, camera.eye[1] = 12, camera.eye[2] = 20;
     const View view = make_view(camera, contact_look(), width, height);
     const Picture expected = picture_of(backend(), view, everything);
-    for (const size_t skip : {0, 2, 4})
+    for (const size_t skip : {outside_only, both, bundled})
       EXPECT_EQ(objection(picture_of(backend(), view, every_skip()[skip]), expected, view), "") << step << ", " << skip;
   }
 }
@@ -117,12 +120,11 @@ TEST_P(DrawSkips, ContactsOfAPictureDoNotStay) {
   for (int step = 0; step < 3; ++step) {
     backend().move();
     backend().collide({.method = Method::collide_grid});
-    picture_of(backend(), view_of(scene, 0), every_skip()[2]);
+    picture_of(backend(), view_of(scene, 0), every_skip()[both]);
   }
   backend().move();
-  const std::vector<vec4> positions = backend().state().positions;
   std::vector<uint> expected(scene.size());
-  for (const Pair& pair : swept_pairs(positions)) ++expected[pair.first], ++expected[pair.second];
+  for (const Pair& pair : swept_pairs(backend().state().positions)) ++expected[pair.first], ++expected[pair.second];
   for (const Method method : {Method::collide_triangle, Method::collide_grid}) {
     backend().collide({.method = method});
     EXPECT_EQ(backend().counts(), expected) << method_name(method);
@@ -184,7 +186,7 @@ TEST_P(DrawSkips, AreCounted) {
   const Scene scene = make_scene({.name = "uniform", .n = 60000});
   backend().upload(scene);
   backend().collide({.method = Method::collide_grid});
-  const DrawOptions outside = every_skip()[0], hidden = every_skip()[1];
+  const DrawOptions outside = every_skip()[outside_only], hidden = every_skip()[hidden_only];
   backend().draw(view_of(scene, 4), outside);
   DrawCounts counts = backend().draw_counts();
   EXPECT_EQ(counts.clusters, (scene.size() + CLUSTER - 1) / CLUSTER);
@@ -197,15 +199,31 @@ TEST_P(DrawSkips, AreCounted) {
   EXPECT_GT(counts.clusters_hidden, counts.clusters / 4);
   EXPECT_LT(counts.drawn + counts.unseen, scene.size() * 3 / 4);
   EXPECT_EQ(counts.clusters_put_off, 0u);
-  backend().draw(make_view(front, contact_look(), width, height), every_skip()[3]);
+  backend().draw(make_view(front, contact_look(), width, height), every_skip()[putting_off]);
   const DrawCounts after = backend().draw_counts();
   EXPECT_GT(after.clusters_put_off, 0u);
   EXPECT_GT(after.clusters_hidden, counts.clusters / 4) << "those put off are hidden in the end";
   EXPECT_EQ(after.bundles_left_out, 0u);
-  backend().draw(make_view(front, contact_look(), width, height), every_skip()[4]);
-  const DrawCounts bundled = backend().draw_counts();
-  EXPECT_GT(bundled.bundles_left_out, counts.clusters / BUNDLE / 8);
-  EXPECT_GT(bundled.clusters_hidden, counts.clusters / 4);
+  backend().draw(make_view(front, contact_look(), width, height), every_skip()[bundled]);
+  const DrawCounts in_bundles = backend().draw_counts();
+  EXPECT_GT(in_bundles.bundles_left_out, counts.clusters / BUNDLE / 8);
+  EXPECT_GT(in_bundles.clusters_hidden, counts.clusters / 4);
+}
+
+// What is near hides what is far where the eye is among the spheres, so putting off gains nothing.
+TEST_P(DrawSkips, NothingIsPutOffAmongTheSpheres) {
+  const Scene scene = make_scene({.name = "uniform", .n = 60000});
+  backend().upload(scene);
+  backend().collide({.method = Method::collide_grid, .grid = {.cells = Cells::dense}});
+  Camera camera = frame(bounds_of(scene.positions), 0, 0, 40, double(width) / height);
+  const auto put_off_from = [&](double nearer) {
+    for (int a = 0; a < 3; ++a) camera.eye[a] = camera.target[a] + (camera.eye[a] - camera.target[a]) * nearer;
+    for (int time = 0; time < 3; ++time)
+      backend().draw(make_view(camera, contact_look(), width, height), every_skip()[putting_off]);
+    return backend().draw_counts().clusters_put_off;
+  };
+  EXPECT_GT(put_off_from(1), 0u);
+  EXPECT_EQ(put_off_from(0.1), 0u);
 }
 
 TEST_P(DrawSkips, AnUnchangedPictureStands) {
