@@ -210,22 +210,6 @@ TEST_P(DrawSkips, AreCounted) {
   EXPECT_GT(in_bundles.clusters_hidden, counts.clusters / 4);
 }
 
-// What is near hides what is far where the eye is among the spheres, so putting off gains nothing.
-TEST_P(DrawSkips, NothingIsPutOffAmongTheSpheres) {
-  const Scene scene = make_scene({.name = "uniform", .n = 60000});
-  backend().upload(scene);
-  backend().collide({.method = Method::collide_grid, .grid = {.cells = Cells::dense}});
-  Camera camera = frame(bounds_of(scene.positions), 0, 0, 40, double(width) / height);
-  const auto put_off_from = [&](double nearer) {
-    for (int a = 0; a < 3; ++a) camera.eye[a] = camera.target[a] + (camera.eye[a] - camera.target[a]) * nearer;
-    for (int time = 0; time < 3; ++time)
-      backend().draw(make_view(camera, contact_look(), width, height), every_skip()[putting_off]);
-    return backend().draw_counts().clusters_put_off;
-  };
-  EXPECT_GT(put_off_from(1), 0u);
-  EXPECT_EQ(put_off_from(0.1), 0u);
-}
-
 TEST_P(DrawSkips, AnUnchangedPictureStands) {
   const Scene scene = make_scene({.n = 1000});
   const View view = view_of(scene, 0);
