@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// spherepair crossover and spherepair skips as a user runs them: their records, and what they refuse.
+// spherepair crossover and spherepair skips as a user runs them: their records, and what they refuse; and samples of
+// the timing core.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
 #include "report.h"
 #include "sphere_files.h"
+#include "timing.h"
 
 namespace spherepair {
 namespace {
@@ -94,6 +97,22 @@ TEST_F(Studies, RunSaysWhatAutoTook) {
   ASSERT_EQ(run("run --n 100 --scene uniform --json " + folder_.path("run.json")), 0) << said();
   EXPECT_NE(said().find("auto: parallel"), std::string::npos) << said();
   EXPECT_EQ(record("run.json").at("choice").at("name"), "parallel");
+}
+
+// Steps that change what the next one has to do are counted from the same start in every sample.
+TEST(StudiesOfTime, EverySampleBeginsWhereTheFirstDid) {
+  const auto cpu = open_backend("cpu");
+  uint64_t steps = 0, most = 0, restarts = 0;
+  Contender falling{"falling", cpu.get(), [&](Backend&) { most = std::max(most, ++steps); }};
+  falling.restart = [&](Backend&) { steps = 0, ++restarts; };
+  falling.batch = 3;
+  Sampling sampling;
+  sampling.rounds = 4;
+  Progress progress;
+  const std::vector<Samples> samples = measure({&falling, 1}, sampling, progress);
+  EXPECT_EQ(samples.front().seconds.size(), 4u);
+  EXPECT_EQ(most, 3u);
+  EXPECT_GE(restarts, 4u);
 }
 
 }  // namespace
