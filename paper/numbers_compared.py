@@ -16,7 +16,8 @@ SAID = (("counts_read", "glsl", 1), ("counts_read", "cuda", 1), ("vector_loads",
         ("exact_stages", "cuda", 1), ("order", "glsl", 1), ("order", "cuda", 1),
         ("cells", "glsl", 1), ("cells", "cuda", 1), ("read_back", "glsl", 1), ("read_back", "cuda", 1),
         ("graph", "cuda", 1), ("own_clear", "glsl", 1), ("own_clear", "cuda", 1), ("sparse_buffers", "glsl", 1),
-        ("subgroups", "glsl", 1), ("texture_table", "glsl", 1), ("totals", "glsl", 1), ("totals", "cuda", 1), ("l2_aside", "cuda", -1), ("own_sort", "cuda", 1),
+        ("subgroups", "glsl", 1), ("texture_table", "glsl", 1), ("totals", "glsl", 1), ("totals", "cuda", 1),
+        ("l2_aside", "cuda", -1), ("own_sort", "cuda", 1),
         ("own_buckets", "cuda", 1), ("own_scan", "cuda", 1), ("new_cells", "glsl", -1), ("new_cells", "cuda", -1),
         ("cells_out_of_reach", "glsl", 0), ("cells_out_of_reach", "cuda", 0))  # saves, costs, or nothing seen
 WORTH = {1: "saves", 0: "makes no difference", -1: "costs"}
