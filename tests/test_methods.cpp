@@ -199,13 +199,6 @@ TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
     EXPECT_EQ(took(row.grid_from, false), Method::collide_grid) << name;
     EXPECT_EQ(took(row.square_to, true), Method::collide_tiled) << name;
     EXPECT_EQ(took(128, false), row.few >= 128 ? Method::collide_grid : Method::collide_square) << name;
-    SceneOptions thin = {.name = "uniform", .n = 64};
-    thin.packing_fraction = 0.05;
-    for (thin.n = 64; thin.n <= 128; thin.n *= 2) {  // few contacts, and enough of them
-      const Method taken =
-          chosen_method(info, thin.n, plan_grids(make_scene(thin).positions), {.method = Method::automatic});
-      EXPECT_EQ(taken, row.few >= 128 && thin.n == 128 ? Method::collide_grid : Method::collide_square) << name;
-    }
     const GridPlans crowd = plan_grids(make_scene({.name = "one_cell", .n = 128}).positions);
     EXPECT_EQ(chosen_method(info, 128, crowd, {.method = Method::automatic}), Method::collide_square) << name;
     const GridPlans larger = plan_grids(make_scene({.name = "one_cell", .n = 9000}).positions);

@@ -80,5 +80,19 @@ TEST(MethodsRecorded, AutoIsNeverFarBehindTheBestFixedChoice) {
   }
 }
 
+// Of few and thin spheres CUDA's grid is ahead where they have contacts enough.
+TEST(MethodsRecorded, FewSpheresGoByTheirContacts) {
+  BackendInfo info;
+  info.name = "cuda";
+  SceneOptions thin = {.name = "uniform"};
+  thin.packing_fraction = 0.05;
+  const auto took = [&](uint64_t n) {
+    thin.n = n;
+    return chosen_method(info, n, plan_grids(make_scene(thin).positions), {.method = Method::automatic});
+  };
+  EXPECT_EQ(took(64), Method::collide_square);
+  EXPECT_EQ(took(128), Method::collide_grid);
+}
+
 }  // namespace
 }  // namespace spherepair
