@@ -38,8 +38,8 @@ namespace {
 
 DrawOptions draw_options(const FrameTask& task, bool count = false) {
   const bool skips = task.work != "frame_all";
-  DrawOptions options = {.method = task.draw, .skip_outside = skips, .skip_hidden = skips, .skip_unchanged = false};
-  options.count = count;
+  DrawOptions options = {.method = task.draw, .skip_unchanged = false, .count = count};
+  options.skip_outside = options.skip_hidden = options.skip_tiles = options.overlap = skips;
   return options;
 }
 

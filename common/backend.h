@@ -52,7 +52,12 @@ struct DrawOptions {
   bool skip_outside = true;       // clusters out of view
   bool skip_hidden = true;        // clusters behind what is drawn already; implies the above
   bool skip_unchanged = true;     // the whole picture, when nothing has changed since the last
+  bool skip_tiles = true;         // the launches for large spheres, where none as uploaded can look large
+  bool overlap = true;            // GLSL: few spheres are drawn while the last picture is coloured still
   uint64_t skip_from = 1u << 17;  // clusters are made of so many spheres or more
+
+  // Of so many spheres or more, clusters are tested before their spheres; of fewer that costs more than it saves.
+  uint64_t cull_from = 1u << 21;
 
   // Of so many spheres or more, clusters far behind what the last pictures showed wait until the near ones are drawn.
   uint64_t put_off_from = 1u << 22;
@@ -136,8 +141,9 @@ class Backend {
   virtual void draw(const View& view, const DrawOptions& options) = 0;
   virtual std::vector<DrawMethod> draw_methods() const { return {DrawMethod::compute}; }
 
-  // Of the last draw(), which is repeated when a list was too short. Pixels as SLOT_IMAGE has them, row by row from the
-  // top; visible: of each pixel the sphere's number and the depth, as SLOT_VISIBLE has them.
+  // Of the last draw(), which is repeated when a list was too short, and for visible(); so ask before the next move().
+  // Pixels as SLOT_IMAGE has them, row by row from the top; visible: of each pixel the sphere's number and the depth,
+  // as SLOT_VISIBLE has them.
   virtual std::vector<uint> image() = 0;
   virtual std::vector<uvec2> visible() = 0;
   virtual DrawCounts draw_counts() = 0;  // needs DrawOptions::count; this and visible(): of the method compute only

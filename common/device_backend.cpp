@@ -43,7 +43,8 @@ constexpr const char* slot_names[SLOT_TOTAL] = {"positions",
                                                 "flights",
                                                 "steps of the anchors",
                                                 "due steps",
-                                                "spheres seen"};
+                                                "spheres seen",
+                                                "visible spheres of every other picture"};
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 

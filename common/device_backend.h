@@ -42,6 +42,7 @@ struct Launch {
   Order target = Order::cells;  // that it writes
   uint table = SLOT_CELL;       // of the scan
   const char* stage = nullptr;  // what its time is that of, where not of the kernel's name
+  bool overlaps = false;        // the picture before: it needs nothing of that, which may be under way still
 };
 
 inline uint count_slot(const Launch& launch) {  // those that draw see contacts by the number of the sphere
@@ -88,8 +89,8 @@ class DeviceBackend : public Backend {
   // What one API alone offers (Tricks, Sort::radix, Scan::library); check_tricks throws std::invalid_argument that
   // names what this one lacks.
   virtual void check_tricks(const CollideOptions& options) const = 0;
-  // Whether this kernel, collide_grid or one that sorts by buckets, reads the table of cells or the spheres through
-  // texture buffers. Throws when that is asked for and they do not fit.
+  // Whether this kernel, collide_grid, draw_cull or one that sorts by buckets, reads the table of cells, the pyramid or
+  // the spheres through texture buffers. Throws when that is asked for and they do not fit.
   virtual bool takes_texture(Kernel, const Tricks&) const { return false; }
   virtual uint bounds_block() const { return SERVICE_BLOCK; }  // group size of grid_bounds
   virtual void begin_step(const Tricks&) {}                    // around the launches of a collision step
@@ -107,6 +108,9 @@ class DeviceBackend : public Backend {
   // move. Those that are `by_place` stay where they are: draw_spheres and draw_clusters bring along what is seen.
   void ready_to_draw(bool by_place = false);
   const View& view() const { return view_; }  // of the draw_* kernels
+  uint64_t pyramid_texels() const;            // of its pyramid
+  uint visible_slot() const { return visible_slot_; }
+  virtual bool overlaps_launches() const { return false; }  // where Launch::overlaps is made use of
   uint spheres() const { return uint(n_); }
 
  private:
@@ -132,8 +136,6 @@ class DeviceBackend : public Backend {
   void sort_into_cells();
   bool stands_in_cell_order();
   void plan_cells();
-  void plan_buckets();
-  void make_sort_buffers();
   void split(uint shift, uint parent_shift, uint first_bucket, Order from, Order to);
   void launch_scan(uint table);
   void sort_by_counting();
@@ -147,9 +149,12 @@ class DeviceBackend : public Backend {
   void build_cells();
 
   void make_draw_buffers();
+  void make_visible_buffer();
+  void choose_visible_slot(bool alone);
   void require_drawn(bool by_compute) const;
   void launch_draw();
-  void launch_rasteriser();
+  void launch_rasteriser(bool keep = false);
+  uint64_t drawn_results() const { return pixels_kept_ ? 0 : DRAWN_WORDS * sizeof(uint); }  // in SLOT_DRAWN
   bool grow_draw_lists();
   bool same_picture(const View& view, const DrawOptions& options) const;
   void draw_all(const Params& params, Order order);
@@ -157,11 +162,12 @@ class DeviceBackend : public Backend {
   void draw_phase(uint phase, const Params& params, Order order);
   void cull(uint phase, const Params& params);
   bool eye_among_cells() const;
+  bool may_be_large() const;
   void draw_tiles(const Params& params);
   void restart_lists();
   void make_clusters(const Params& params, Order order);
   void make_seen_list(const Params& params);
-  void launch_per_pixel(Kernel kernel, uint pixels_each, const Params& params);
+  void launch_per_pixel(Kernel kernel, const Params& params);
   void finish_draw();
 
   std::array<uint, 3> per_sphere_groups() const;
@@ -190,12 +196,17 @@ class DeviceBackend : public Backend {
   View view_{};                   // of the last draw; a width of 0: there was none
   View asked_{};                  // the same as it was asked for
   DrawOptions draw_options_;
-  std::optional<Order> clustered_;  // whose clusters they are; none when spheres have moved
-  bool moved_ = false;              // since the upload
-  bool seen_known_ = false;         // SLOT_VISIBLE shows spheres of this scene
-  uint first_pass_tiles_ = 0;       // that the depths of the picture needed, where its numbers take a second pass
-  uint lists_turn_ = 0;             // View::turn of the next picture
-  bool picture_stands_ = false;     // nothing has changed since the last draw
+  std::optional<Order> clustered_;                   // whose clusters they are; none when spheres have moved
+  bool moved_ = false;                               // since the upload of a scene at its start
+  bool seen_known_ = false;                          // SLOT_VISIBLE, or the list made of it, has spheres of this scene
+  bool pixels_kept_ = false;                         // SLOT_VISIBLE shows the last picture
+  uint visible_slot_ = SLOT_VISIBLE;                 // of this picture ...
+  bool overlaps_ = false;                            // ... whose spheres are drawn whether or not the last one is done
+  std::array<uint64_t, SLOT_TOTAL> pixels_clear_{};  // of the two slots; the counts of SLOT_DRAWN are those of a new
+                                                     // picture then
+  uint first_pass_tiles_ = 0;    // that the depths of the picture needed, where its numbers take a second pass
+  uint lists_turn_ = 0;          // View::turn of the next picture
+  bool picture_stands_ = false;  // nothing has changed since the last draw
   uint64_t pictures_kept_ = 0;
   std::array<uint64_t, SLOT_TOTAL> bytes_{};
 };

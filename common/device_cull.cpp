@@ -11,7 +11,8 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t batch_groups = 4096, cull_groups = 8192;  // that fill a large device
+constexpr uint64_t seen_groups = 2112;                          // that run at once on the largest device
+constexpr uint64_t clusters_groups = 4096, cull_groups = 8192;  // that fill it
 
 // What the times of a phase are called where not by the kernels' names.
 struct Stages {
@@ -25,16 +26,16 @@ uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
 }  // namespace
 
+uint64_t DeviceBackend::pyramid_texels() const { return first_texel(3, view_); }
+
 // Boxes of clusters last until spheres move or are sorted anew. Of those that move they are made with every picture,
 // and the borders of cells, which are less work, hold them closely enough.
 void DeviceBackend::make_clusters(const Params& params, Order order) {
-  view_.clusters = uint(ceil_div(n_, CLUSTER));
   const auto keep = [&](uint slot, uint64_t bytes) {
     if (bytes_[slot] >= bytes) return false;
     make_buffer(slot, bytes);
     return true;
   };
-  keep(SLOT_PYRAMID, first_texel(3, view_) * sizeof(uvec2));
   keep(SLOT_CLUSTER_LIST, uint64_t(view_.clusters) * 3 * sizeof(uint));
   const uint64_t boxes = uint64_t(view_.clusters) + bundles_of(view_);
   if (keep(SLOT_CLUSTER, boxes * 2 * sizeof(vec4))) clustered_.reset();
@@ -45,16 +46,16 @@ void DeviceBackend::make_clusters(const Params& params, Order order) {
   clustered_ = order;
 }
 
-// What the last picture showed is in SLOT_VISIBLE. Of another scene it is cleared, and nothing was seen.
+// What the last picture showed is listed. Of another scene it is cleared, and nothing was seen.
 void DeviceBackend::make_seen_list(const Params& params) {
   if (seen_known_) return;
-  const std::vector<uint> none(n_ / 8 + 1), no_entries(DRAWN_WORDS);
+  const std::vector<uint> none(n_ / 8 + 1), no_entries(2 * DRAWN_WORDS);
   make_buffer(SLOT_SEEN_LEFT, none.size() * sizeof(uint));
   make_buffer(SLOT_SEEN_LIST, 2 * (n_ + 1) * sizeof(uint));
   write(SLOT_SEEN_LEFT, none.data(), 0, none.size() * sizeof(uint));
   write(SLOT_DRAWN, no_entries.data(), 0, no_entries.size() * sizeof(uint));
   view_.occlusion = 0;
-  launch_per_pixel(Kernel::draw_clear, PIXELS_EACH, params);
+  launch_per_pixel(Kernel::draw_clear, params);
   view_.occlusion = 1;
   seen_known_ = true;
 }
@@ -65,11 +66,12 @@ void DeviceBackend::draw_phase(uint phase, const Params& params, Order order) {
   Params by_number = params;
   by_number.in_cells = false;
   const bool seen = phase == PHASE_SEEN;
-  const uint64_t most = seen ? ceil_div(n_, BATCH) : ceil_div(view_.clusters, BATCH / CLUSTER);
+  const uint block = seen ? SEEN_BLOCK : CLUSTERS_BLOCK;
+  const bool bundles = !seen && phase != PHASE_ALL && n_ >= draw_options_.bundles_from;
   launch({.kernel = seen ? Kernel::draw_seen : Kernel::draw_clusters,
-          .block = BATCH,
-          .variant = {},
-          .groups = folded(std::min(most, batch_groups)),
+          .block = block,
+          .variant = {.bundles = bundles},
+          .groups = folded(std::min(ceil_div(n_, block), seen ? seen_groups : clusters_groups)),
           .order = seen ? Order::scene : order,
           .stage = stages_of(phase).clusters},
          seen ? by_number : params);
@@ -95,19 +97,26 @@ void DeviceBackend::cull(uint phase, const Params& params) {
   Launch pyramid{Kernel::draw_pyramid, PYRAMID_BLOCK, {}, folded(texels)};
   pyramid.stage = stages.pyramid;
   if (view_.occlusion) launch(pyramid, params);
-  const uint64_t most = phase == PHASE_FAR ? batch_groups : cull_groups;
-  const uint64_t groups = std::min(ceil_div(view_.clusters, SERVICE_BLOCK), most);
-  const Variant variant = {.bundles = n_ >= draw_options_.bundles_from};
+  if (phase == PHASE_ALL) return;
+  const uint64_t groups = std::min(ceil_div(view_.clusters, SERVICE_BLOCK), cull_groups);
+  const bool bundles = n_ >= draw_options_.bundles_from;
+  const Variant variant = {.texture_table = bundles && takes_texture(Kernel::draw_cull, {}), .bundles = bundles};
   Launch culls{Kernel::draw_cull, SERVICE_BLOCK, variant, folded(groups)};
   culls.stage = stages.cull;
   launch(culls, params);
 }
 
 void DeviceBackend::draw_clusters(const Params& params, Order order) {
-  make_clusters(params, order);
+  view_.clusters = uint(ceil_div(n_, CLUSTER));
+  if (bytes_[SLOT_PYRAMID] < pyramid_texels() * sizeof(uvec2))
+    make_buffer(SLOT_PYRAMID, pyramid_texels() * sizeof(uvec2));
+  const bool all = view_.occlusion && n_ < draw_options_.cull_from;
+  if (!all) make_clusters(params, order);
   std::vector<uint> phases;
   if (view_.occlusion) phases = {PHASE_SEEN};
-  if (view_.occlusion && n_ >= draw_options_.put_off_from && !eye_among_cells()) {
+  if (all) {
+    phases.push_back(PHASE_ALL);
+  } else if (view_.occlusion && n_ >= draw_options_.put_off_from && !eye_among_cells()) {
     phases.insert(phases.end(), {PHASE_NEAR, PHASE_FAR});
   } else {
     phases.push_back(PHASE_REST);

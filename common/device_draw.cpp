@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "camera.h"
 #include "device_backend.h"
@@ -11,7 +13,8 @@
 namespace spherepair {
 namespace {
 
-constexpr const char* tiles_stage[] = {"draw_tiles_seen", "draw_tiles_rest", nullptr, "draw_tiles_far"};
+constexpr const char* tiles_stage[] = {"draw_tiles_seen", "draw_tiles_rest", nullptr, "draw_tiles_far",
+                                       "draw_tiles_rest"};
 constexpr uint tile_groups = 1024;                               // that fill a large device
 constexpr uint64_t least_tiles = 1 << 16, most_tiles = 1 << 22;  // that the list has room for at first
 
@@ -26,11 +29,17 @@ void DeviceBackend::make_draw_buffers() {
   const auto keep = [&](uint slot, uint64_t bytes) {
     if (bytes_[slot] < bytes) make_buffer(slot, bytes);
   };
-  if (bytes_[SLOT_VISIBLE] < pixels(view_) * 2 * sizeof(uint)) seen_known_ = false;
-  keep(SLOT_VISIBLE, pixels(view_) * 2 * sizeof(uint));
   keep(SLOT_IMAGE, pixels(view_) * sizeof(uint));
-  keep(SLOT_DRAWN, DRAWN_WORDS * sizeof(uint));
+  keep(SLOT_DRAWN, 2 * DRAWN_WORDS * sizeof(uint));
   keep(SLOT_TILE, std::clamp(n_, least_tiles, most_tiles) * sizeof(uvec2));
+}
+
+void DeviceBackend::make_visible_buffer() {
+  const uint64_t bytes = pixels(view_) * 2 * sizeof(uint);
+  if (bytes_[visible_slot_] >= bytes) return;
+  make_buffer(visible_slot_, bytes);
+  pixels_clear_[visible_slot_] = 0;
+  seen_known_ = false;
 }
 
 // One pass for 64-bit atomics, else one for each word of what is visible.
@@ -39,12 +48,37 @@ void DeviceBackend::draw_all(const Params& params, Order order) {
     if (pass == PASS_ID && has_atomics_64()) return;
     view_.pass = pass;
     if (pass == PASS_ID) restart_lists();
-    launch({Kernel::draw_spheres, SERVICE_BLOCK, {}, folded(ceil_div(n_ * view_.lanes, SERVICE_BLOCK)), order}, params);
+    Launch spheres{Kernel::draw_spheres, SERVICE_BLOCK, {}, folded(ceil_div(n_ * view_.lanes, SERVICE_BLOCK)), order};
+    spheres.overlaps = overlaps_;
+    launch(spheres, params);
     draw_tiles(params);
   }
 }
 
+// Whether the box of any sphere's pixels may be large (is_large). As they were uploaded, all lie in the dense cells'
+// box, so none looks larger than the largest would in its nearest corner, at the picture's edge.
+bool DeviceBackend::may_be_large() const {
+  if (moved_ || !draw_options_.skip_tiles) return true;
+  const GridPlan& plan = plans_.dense;
+  const double eye[] = {view_.eye.x, view_.eye.y, view_.eye.z};
+  const double forward[] = {view_.forward.x, view_.forward.y, view_.forward.z};
+  const double radius = plan.largest_radius;
+  double close = 0, coordinates = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = plan.origin[axis] - eye[axis], high = low + plan.size[axis] * double(plan.side);
+    close += std::min(forward[axis] * low, forward[axis] * high);
+    coordinates += std::abs(eye[axis]) + std::max(std::abs(low), std::abs(high));
+  }
+  close -= coordinates * 0x1p-20;  // more than rounding takes from a place
+  if (!(close > 1.01 * radius)) return true;
+  const double aside = std::max(view_.half_x, view_.half_y), beyond = std::max(view_.norm_x, view_.norm_y) * radius;
+  const double pixels = 2 * radius * view_.focal * ((1 + aside) * close + beyond) / (close * close - radius * radius);
+  const uint most = view_.lanes == LANES ? SHARE_AT_MOST : WALK_AT_MOST;
+  return !(1.01 * pixels + 2 <= most);
+}
+
 void DeviceBackend::draw_tiles(const Params& params) {
+  if (!may_be_large()) return;
   Launch tiles{Kernel::draw_tiles, SERVICE_BLOCK, {}, {tile_groups, 1, 1}};
   if (view_.occlusion) tiles.stage = tiles_stage[view_.phase];
   launch(tiles, params);
@@ -57,11 +91,23 @@ void DeviceBackend::restart_lists() {
   write(SLOT_DRAWN, none, DRAWN_TILES * sizeof(uint), sizeof(none));
 }
 
-void DeviceBackend::launch_per_pixel(Kernel kernel, uint pixels_each, const Params& params) {
-  launch({kernel, SERVICE_BLOCK, {}, folded(ceil_div(pixels(view_), SERVICE_BLOCK * pixels_each))}, params);
+void DeviceBackend::launch_per_pixel(Kernel kernel, const Params& params) {
+  const bool alone = kernel == Kernel::draw_light;
+  const uint block = alone ? SERVICE_BLOCK : PIXELS_BLOCK, each = alone ? 1 : PIXELS_EACH;
+  launch({kernel, block, {}, folded(ceil_div(pixels(view_), block * each))}, params);
 }
 
-void DeviceBackend::launch_rasteriser() {
+// Where nothing is counted or listed, pictures by turns in two buffers have nothing in common but what they read.
+// Others stand in the first.
+void DeviceBackend::choose_visible_slot(bool alone) {
+  const bool shares = alone || !overlaps_launches() || !draw_options_.overlap || view_.counting || may_be_large();
+  overlaps_ = !shares;
+  visible_slot_ = shares || visible_slot_ == SLOT_VISIBLE_TOO ? SLOT_VISIBLE : SLOT_VISIBLE_TOO;
+  make_visible_buffer();
+}
+
+// `keep`: what the pixels show is to be read. Else they, and the counts, are ready for the next picture in the end.
+void DeviceBackend::launch_rasteriser(bool keep) {
   const Order order = collided_ && cells_built_ ? order_ : Order::scene;
   Params params = params_;
   params.in_cells = order == Order::cells;
@@ -74,11 +120,15 @@ void DeviceBackend::launch_rasteriser() {
   const bool culls = (draw_options_.skip_outside || draw_options_.skip_hidden) && n_ >= draw_options_.skip_from;
   view_.occlusion = culls && draw_options_.skip_hidden;
   view_.lanes = culls ? 1 : draw_options_.lanes(n_);
+  pixels_kept_ = keep || view_.lighting;
+  choose_visible_slot(culls || pixels_kept_ || params.in_cells);
+  const uint64_t clear = std::exchange(pixels_clear_[visible_slot_], 0);
   if (view_.occlusion) make_seen_list(params);
-  launch_per_pixel(Kernel::draw_clear, PIXELS_EACH, params);
+  if (pixels(view_) > clear) launch_per_pixel(Kernel::draw_clear, params);
   if (n_ > 0) culls ? draw_clusters(params, order) : draw_all(params, order);
-  view_.lighting ? launch_per_pixel(Kernel::draw_light, 1, params)
-                 : launch_per_pixel(Kernel::draw_resolve, PIXELS_EACH, params);
+  view_.pass = pixels_kept_ ? PASS_KEEP : PASS_DEPTH;
+  launch_per_pixel(view_.lighting ? Kernel::draw_light : Kernel::draw_resolve, params);
+  if (!pixels_kept_) pixels_clear_[visible_slot_] = std::max(clear, pixels(view_));
   if (view_.occlusion) lists_turn_ = 1 - lists_turn_;
 }
 
@@ -136,7 +186,7 @@ bool DeviceBackend::grow_draw_lists() {
   bool grown = false;
   if (draw_options_.method == DrawMethod::compute) {
     uint tiles = 0;
-    read(SLOT_DRAWN, &tiles, DRAWN_TILES * sizeof(uint), sizeof(uint));
+    read(SLOT_DRAWN, &tiles, drawn_results() + DRAWN_TILES * sizeof(uint), sizeof(uint));
     tiles = std::max(tiles, first_pass_tiles_);
     grown = tiles > view_.tile_capacity;
     if (grown) make_buffer(SLOT_TILE, (uint64_t(tiles) + tiles / 8) * sizeof(uvec2));
@@ -165,6 +215,10 @@ std::vector<uint> DeviceBackend::image() {
 std::vector<uvec2> DeviceBackend::visible() {
   require_drawn(true);
   finish_draw();
+  while (!pixels_kept_) {  // the picture is drawn again
+    launch_rasteriser(true);
+    finish_draw();  // which may have to draw it with longer lists
+  }
   std::vector<uvec2> visible(pixels(view_));
   read(SLOT_VISIBLE, visible.data(), 0, visible.size() * sizeof(uvec2));
   return visible;
@@ -175,7 +229,7 @@ DrawCounts DeviceBackend::draw_counts() {
   if (!draw_options_.count) throw BackendError(fmt::format("{}: drawing was not counted; set count", info().name));
   finish_draw();
   std::vector<uint> drawn(DRAWN_WORDS);
-  read(SLOT_DRAWN, drawn.data(), 0, drawn.size() * sizeof(uint));
+  read(SLOT_DRAWN, drawn.data(), drawn_results(), drawn.size() * sizeof(uint));
   return {.drawn = uint64_t(drawn[DRAWN_SMALL]) + drawn[DRAWN_LARGE],
           .unseen = drawn[DRAWN_UNSEEN],
           .large = drawn[DRAWN_LARGE],

@@ -100,6 +100,7 @@ void DeviceBackend::resume(const Scene& scene, const MotionState& saved) {
   upload(scene);
   write_state(saved);
   placed_ = motion_.method != MotionMethod::anchored;
+  moved_ = true;
 }
 
 }  // namespace spherepair

@@ -35,8 +35,9 @@
 #define SLOT_FLIGHT 26  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
 #define SLOT_SINCE 27   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
 #define SLOT_DUE 28     // uint[n], of anchored: no sphere meets the plane before its step of this number
-#define SLOT_SEEN_LIST 29  // uint[], two by View::turn: numbers of spheres that the last pictures showed
-#define SLOT_TOTAL 30
+#define SLOT_SEEN_LIST 29    // uint[], two by View::turn: numbers of spheres that the last pictures showed
+#define SLOT_VISIBLE_TOO 30  // as SLOT_VISIBLE, for every other picture where two overlap
+#define SLOT_TOTAL 31
 #define SLOT_PARAMS 0  // the uniform block's own binding
 
 // Totals are spread over SUMMARY_SLOTS rows so that thousands of groups do not queue on one address; the host adds the

@@ -5,7 +5,8 @@
 
 #include "portable.h"
 
-#define SLOT_VIEW 1  // the uniform block's binding
+#define VIEW_LOCATION 1  // of the uniforms that hold it, in fours of its words ...
+#define VIEW_FOURS 13    // ... so many
 
 #define WALK_AT_MOST 16   // pixels: a box no wider and no higher is walked by one thread, a larger one cut into tiles
 #define LANES 32          // threads that share a sphere where spheres are few ...
@@ -14,33 +15,39 @@
 #define TILE 32u          // pixels: side of a tile of a large sphere's box
 #define PASS_DEPTH 0      // two passes where there are no 64-bit atomics: first the depth ...
 #define PASS_ID 1         // ... then, of the spheres at that depth, the lowest number
+#define PASS_KEEP 2       // of draw_resolve: what the pixels show stays there for who asks
 
 #define LIGHT_OCCLUSION 1u  // bits of View::lighting: spheres near the point take light from all around away,
 #define LIGHT_SHADOW 2u     // any sphere on the way takes the sun's,
 #define LIGHT_GROUND 4u     // and both show on the plane too
 #define OCCLUSION_RADII 4   // so far, in largest radii, a sphere takes light away: less than two dense cells
 
-#define CLUSTER 16           // spheres, in consecutive places, that are culled together
-#define BUNDLE 4u            // clusters, one after the other, that are culled together first: a bundle
-#define BOUNDS_LANES 4u      // threads that share a cluster when its box is made
-#define BATCH 64             // spheres, and threads, of a group that goes through clusters or a list ...
-#define WALKERS 8            // ... and the threads that then share one of them ...
-#define WALKERS_ACROSS 4     // ... so many in a row of its box
-#define SEEN_FADES 1u        // in each picture, of the 15 that a sphere gets in the one that shows it
-#define WALK_ALONE 8u        // pixels that a thread that finds them tries itself ...
-#define WALK_UNTESTED 4u     // ... and so many that are as soon tried as looked up in the pyramid
-#define PIXELS_EACH 4        // pixels of one thread that goes through the picture
-#define PHASE_SEEN 0         // draws the spheres that the last pictures showed ...
-#define PHASE_REST 1         // ... and then those of the others that what is drawn already does not hide, or first ...
-#define PHASE_NEAR 2         // ... of these the ones that are not far behind what is drawn, and then ...
-#define PHASE_FAR 3          // ... the others, which by then are hidden but for a few
-#define NEAR_LAYERS 2.0f     // so far behind, in a cluster's thinnest half, is near
-#define LEVEL_0 8            // pixels: side of what a texel of the pyramid's level 0 covers ...
-#define LEVEL_1 32           // ... of its level 1 ...
-#define LEVEL_2 128          // ... and of its level 2
-#define PYRAMID_BLOCK 1024   // threads that make a texel of level 2 and those in it
-#define TEXELS_AT_MOST 36    // in which a box is looked up at level 0, beside those that its borders touch
-#define TEXELS_TO_SEARCH 64  // at levels 1 and 2; a box of more is taken for seen
+#define CLUSTER 16          // spheres, in consecutive places, that are culled together
+#define BUNDLE 4u           // clusters, one after the other, that are culled together first: a bundle
+#define BOUNDS_LANES 4u     // threads that share a cluster when its box is made
+#define SEEN_BLOCK 128      // threads, and spheres at a time, of a group that goes through a list of spheres ...
+#define CLUSTERS_BLOCK 256  // ... or of clusters ...
+#define WALKERS 8           // ... and the threads that then share a sphere ...
+#define WALKERS_ACROSS 4    // ... so many in a row of its box
+#define SEEN_FADES 1u       // in each picture, of the 15 that a sphere gets in the one that shows it
+#define WALK_ALONE 8u       // pixels that a thread that finds them tries itself ...
+#define WALK_UNTESTED 4u    // ... and so many that are as soon tried as looked up in the pyramid
+#define PIXELS_EACH 4       // pixels of one thread that goes through the picture ...
+#define PIXELS_BLOCK 256    // ... in groups of so many
+#define PHASE_SEEN 0        // draws the spheres that the last pictures showed ...
+#define PHASE_REST 1        // ... and then those of the others that what is drawn already does not hide, or first ...
+#define PHASE_NEAR 2        // ... of these the ones that are not far behind what is drawn, and then ...
+#define PHASE_FAR 3         // ... the others, which by then are hidden but for a few
+#define PHASE_ALL 4         // in place of PHASE_REST: clusters are not tested before their spheres
+#define NEAR_LAYERS 2.0f    // so far behind, in a cluster's thinnest half, is near
+#define LEVEL_0 8           // pixels: side of what a texel of the pyramid's level 0 covers ...
+#define LEVEL_1 32          // ... of its level 1 ...
+#define LEVEL_2 128         // ... and of its level 2
+#define PYRAMID_BLOCK 1024  // threads that make a texel of level 2 and those in it
+#define TEXELS_AT_MOST 36   // in which a box is looked up at level 0, beside those that its borders touch
+#define TEXELS_FEW 6        // the same for clusters where there are no bundles, of pictures ...
+#define LARGE_PICTURE 262144u  // ... of so many pixels or more
+#define TEXELS_TO_SEARCH 64    // at levels 1 and 2; a box of more is taken for seen
 
 // The lists in SLOT_CLUSTER_LIST, each with room for all clusters.
 #define LIST_DRAWN 0u    // clusters to draw at once
@@ -64,6 +71,7 @@
 #define DRAWN_CLUSTERS_PUT_OFF 14  // clusters that waited for others to be drawn
 #define DRAWN_BUNDLES 15           // bundles left out or put off as a whole
 #define DRAWN_WORDS 16
+// Behind them the same of the picture before, once its pixels are cleared.
 
 struct View {
   vec4 eye;                 // metres; w: least depth that is drawn

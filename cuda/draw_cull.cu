@@ -7,6 +7,7 @@ namespace spherepair {
 
 // The list for what is in such a box, or why it is in none. A bundle is looked up in coarser texels than a cluster, and
 // one that was put off in the coarsest first.
+template <bool BUNDLES>
 __device__ inline uint list_for(const World& w, const View& v, vec4 low, vec4 high, bool bundled) {
   if (low.x > high.x) return OUT_OF_VIEW;  // there is nothing in it
   Solid solid = solid_of(low, high, v);
@@ -16,7 +17,8 @@ __device__ inline uint list_for(const World& w, const View& v, vec4 low, vec4 hi
   if (box.width == 0u || box.height == 0u) return HIDDEN;
   uint nearest = least_depth(solid, box, v);
   if (bundled && v.phase == PHASE_FAR && texel_of_box(w, v, box, nearest, 2u).x < nearest) return HIDDEN;
-  uint level = bundled ? 1u : level_for(box);
+  bool large = !BUNDLES && v.width * v.height >= LARGE_PICTURE;
+  uint level = bundled || (large && texels_of(box, 0u) > uint(TEXELS_FEW)) ? 1u : level_for(box);
   if (texels_of(box, level) > uint(TEXELS_TO_SEARCH)) level = 2u;
   uvec2 texel = texel_of_box(w, v, box, nearest, level);
   if (texel.x < nearest) return HIDDEN;
@@ -31,7 +33,7 @@ __device__ inline uint list_for_bundle(const World& w, const View& v, uint bundl
   vec4 low = w.cluster[at];
   bool was_hidden = low.w != 0.0f;
   if (was_hidden && v.phase == PHASE_NEAR) return LIST_PUT_OFF;
-  uint list = list_for(w, v, low, w.cluster[at + 1u], true);
+  uint list = list_for<true>(w, v, low, w.cluster[at + 1u], true);
   if (was_hidden != (list == HIDDEN)) w.cluster[at].w = list == HIDDEN ? 1.0f : 0.0f;
   return list;
 }
@@ -51,9 +53,10 @@ __device__ inline void count_left_out(const World& w, const View& v, uint list, 
 }
 
 // All threads of the group call it; `meant`: its cluster c is tested. Whether that is put off.
+template <bool BUNDLES>
 __device__ inline bool cull_cluster(const World& w, const View& v, uint c, bool meant) {
   uint list = OUT_OF_VIEW;
-  if (meant) list = list_for(w, v, w.cluster[2u * c], w.cluster[2u * c + 1u], false);
+  if (meant) list = list_for<BUNDLES>(w, v, w.cluster[2u * c], w.cluster[2u * c + 1u], false);
   count_left_out(w, v, list, meant ? 1u : 0u);
   count_in(w, v, DRAWN_CLUSTERS_PUT_OFF, list == LIST_PUT_OFF ? 1u : 0u);
   enter(w, v, list_of(v.phase), list == list_of(v.phase), c);
@@ -85,7 +88,7 @@ __device__ inline uint cull_bundle(const World& w, const View& v, uint entry, bo
     uint bit = lane % BUNDLE;
     bool meant = of < count_apart && (bits_in(apart[of]) >> bit & 1u) != 0u;
     uint c = meant ? bundle_in(apart[of]) * BUNDLE + bit : 0u;
-    if (cull_cluster(w, v, c, meant)) atomicOr(&put_off_of[of], 1u << bit);
+    if (cull_cluster<true>(w, v, c, meant)) atomicOr(&put_off_of[of], 1u << bit);
   }
   __syncthreads();
   return list == own ? put_off_of[place] : list == LIST_PUT_OFF ? bits_in(entry) : 0u;
@@ -103,7 +106,7 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_cull(Params p, World w, Vi
     uint entry = 0u;
     if (exists && again) entry = w.cluster_list[LIST_PUT_OFF * v.clusters + k];
     if (exists && !again) entry = BUNDLES ? all_of_bundle(place_in_turn(k, all, v), v) : place_in_turn(k, all, v);
-    uint put_off = BUNDLES ? cull_bundle(w, v, entry, exists) : uint(cull_cluster(w, v, entry, exists));
+    uint put_off = BUNDLES ? cull_bundle(w, v, entry, exists) : uint(cull_cluster<false>(w, v, entry, exists));
     uint rest = BUNDLES ? entry - bits_in(entry) + put_off : entry;
     if (v.phase == PHASE_NEAR) enter(w, v, LIST_PUT_OFF, put_off != 0u, rest);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A fixed number of groups of BATCH threads shares out the spheres that the last pictures showed; one thread per
+// A fixed number of groups shares out the spheres that the last pictures showed; one thread per
 // sphere.
 #define VISIBLE_LOAD __ldca  // what was seen long ago hides as well
 #include "batch.cuh"
@@ -15,10 +15,10 @@ __device__ inline bool stays(const World& w, uint sphere) {
   return left > fades;
 }
 
-__global__ void __launch_bounds__(BATCH) draw_seen(Params p, World w, View v) {
+__global__ void __launch_bounds__(SEEN_BLOCK) draw_seen(Params p, World w, View v) {
   uint total = w.drawn[DRAWN_SEEN + v.turn];
   uint next = 1u - v.turn;
-  uint at_once = min(uint(BATCH), total / group_count() + 1u);  // no group is left without while others have many
+  uint at_once = min(uint(SEEN_BLOCK), total / group_count() + 1u);  // no group is left without while others have many
   for (uint first = group_index(p) * at_once; first < total; first += group_count() * at_once) {
     uint k = first + threadIdx.x;
     bool exists = threadIdx.x < at_once && k < total;
@@ -26,7 +26,7 @@ __global__ void __launch_bounds__(BATCH) draw_seen(Params p, World w, View v) {
     bool kept = exists && v.pass == PASS_DEPTH && stays(w, sphere);
     uint place = place_in_list(w, DRAWN_SEEN + next, kept);
     if (kept) w.seen_list[first_seen(p, next) + place] = sphere;
-    draw_batch(p, w, v, sphere, exists);
+    draw_batch<SEEN_BLOCK>(p, w, v, sphere, exists);
   }
 }
 

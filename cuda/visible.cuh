@@ -40,6 +40,10 @@ __device__ inline uint left_of(const World& w, uint seen) {
   return w.seen_left[seen / 8u] >> shift_in_word(seen) & 15u;
 }
 
+__device__ inline uint sphere_at(const Params& p, const World& w, uint place) {
+  return p.in_cells != 0u ? w.id[place] : place;
+}
+
 // Where a sphere is to be tried: an empty box where that is nowhere, or draw_tiles does it.
 struct Walk {
   vec4 seen;
@@ -63,7 +67,7 @@ __device__ inline Walk walk_of(const Params& p, const World& w, const View& v, u
   bool hidden = asks && is_hidden(w, v, box, walk.nearest, level_for(box));
   if (hidden) count_drawn(w, v, DRAWN_HIDDEN);
   if (hidden) return walk;
-  walk.sphere = p.in_cells != 0u ? w.id[place] : place;
+  walk.sphere = sphere_at(p, w, place);
   if (leads && p.in_cells != 0u) w.count[walk.sphere] = w.sorted_count[place];
   if (rest && left_of(w, walk.sphere) != 0u) return walk;
   bool large = is_large(box, v);

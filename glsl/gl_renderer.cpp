@@ -98,6 +98,7 @@ void GlRenderer::draw(DrawMethod method, const View& view, GLuint positions, GLu
   make_image(view.width, view.height);
   set_state(view, frame_);
   glUseProgram(program(method).id());
+  program(method).set_view(view);
   glBindVertexArray(vertices_);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SLOT_POSITION, positions);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SLOT_COUNT, counts);

@@ -18,7 +18,7 @@ class GlRenderer {
   GlRenderer(const GlRenderer&) = delete;
   GlRenderer& operator=(const GlRenderer&) = delete;
 
-  // positions: vec4[n], counts: uint[n]; the view's buffer is bound at SLOT_VIEW already.
+  // positions: vec4[n], counts: uint[n].
   void draw(DrawMethod method, const View& view, GLuint positions, GLuint counts, uint n);
   std::vector<uint> image();  // of the last draw
 

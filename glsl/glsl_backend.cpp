@@ -12,7 +12,6 @@
 #include "gl_renderer.h"
 #include "method_choice.h"
 #include "program.h"
-#include "ring_buffer.h"
 #include "stage_timer.h"
 #include "table_windows.h"
 
@@ -44,6 +43,7 @@ class GlslBackend final : public DeviceBackend {
   bool has_atomics_64() const override { return limits_.features.atomics_64; }
   void check_tricks(const CollideOptions& options) const override;
   bool takes_texture(Kernel kernel, const Tricks& tricks) const override;
+  bool overlaps_launches() const override { return true; }
   uint bounds_block() const override { return 256; }  // all then run at once (bench/NOTES.md)
   void begin_step(const Tricks& tricks) override { batched_ = tricks.batch.value_or(true); }
   void end_step() override { batched_ = true; }
@@ -53,9 +53,9 @@ class GlslBackend final : public DeviceBackend {
 
  private:
   void set_params(const Params& params);
-  void set_view();
   void bind(const Launch& launch);
   GLbitfield barriers(const Launch& launch) const;
+  TexelRange texels(const Launch& launch) const;
   void dispatch(const Launch& launch);
   TableWindows windows() const { return {params(), limits_.largest_texture}; }
 
@@ -67,9 +67,7 @@ class GlslBackend final : public DeviceBackend {
   BufferTextures textures_;
   GLuint params_buffer_ = 0;
   Params params_on_device_{};
-  bool params_known_ = false, batched_ = true;
-  std::unique_ptr<RingBuffer> views_;
-  View view_on_device_{};
+  bool params_known_ = false, batched_ = true, after_picture_ = false;  // the last command has made a picture
   Programs programs_;
   std::unique_ptr<GlRenderer> renderer_;
   StageTimer timer_;
@@ -83,8 +81,6 @@ GlslBackend::GlslBackend(const OpenOptions& options) : context_(options) {
   glNamedBufferStorage(params_buffer_, sizeof(Params), nullptr, GL_DYNAMIC_STORAGE_BIT);
   glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_PARAMS, params_buffer_);  // for good
   gl_check("making the buffer of parameters");
-  views_ = std::make_unique<RingBuffer>(SLOT_VIEW, sizeof(View));
-  views_->write(&view_on_device_);
 }
 
 GlslBackend::~GlslBackend() {
@@ -93,7 +89,6 @@ GlslBackend::~GlslBackend() {
   timer_.forget();
   glDeleteBuffers(GLsizei(buffers_.size()), buffers_.data());
   glDeleteBuffers(1, &params_buffer_);
-  views_->forget();
   textures_.forget();
 }
 
@@ -109,6 +104,7 @@ void GlslBackend::allocate(uint slot, uint64_t bytes) {
 void GlslBackend::write(uint slot, const void* data, uint64_t offset, uint64_t bytes) {
   if (bytes == 0) return;
   context_.make_current();
+  after_picture_ = false;
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glNamedBufferSubData(buffers_[slot], GLintptr(offset), GLsizeiptr(bytes), data);
   gl_check(fmt::format("writing {} bytes", bytes));
@@ -130,12 +126,6 @@ void GlslBackend::set_params(const Params& params) {
   params_known_ = true;
 }
 
-void GlslBackend::set_view() {
-  if (std::memcmp(&view(), &view_on_device_, sizeof(View)) == 0) return;
-  views_->write(&view());
-  view_on_device_ = view();
-}
-
 // Binding is dear, and most launches use what the last did.
 void GlslBackend::bind(const Launch& launch) {
   std::array<GLuint, SLOT_TOTAL> wanted = buffers_;
@@ -145,6 +135,7 @@ void GlslBackend::bind(const Launch& launch) {
   wanted[SLOT_SORTED] = buffers_[position_slot(launch.target)];
   wanted[SLOT_ID] = buffers_[id_slot(launch.target)];
   wanted[SLOT_CELL] = buffers_[launch.table];
+  wanted[SLOT_VISIBLE] = buffers_[visible_slot()];
   size_t first = 0, behind = wanted.size();
   while (first < behind && wanted[first] == bound_[first]) ++first;
   while (first < behind && wanted[behind - 1] == bound_[behind - 1]) --behind;
@@ -160,6 +151,7 @@ void GlslBackend::check_tricks(const CollideOptions& options) const {
 
 void GlslBackend::clear_buffer(uint slot, uint64_t bytes) {
   context_.make_current();
+  after_picture_ = false;
   const uint zero = 0;
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   timer_.time("gl_clear", [&] {
@@ -168,6 +160,7 @@ void GlslBackend::clear_buffer(uint slot, uint64_t bytes) {
 }
 
 bool GlslBackend::takes_texture(Kernel kernel, const Tricks& tricks) const {
+  if (kernel == Kernel::draw_cull) return pyramid_texels() <= limits_.largest_texture;
   const bool table = kernel == Kernel::collide_grid;
   const std::optional<bool> wanted = table ? tricks.texture_table : tricks.texture_spheres;
   const bool fits = table ? windows().count() > 0 : spheres() <= limits_.largest_texture;
@@ -183,12 +176,19 @@ GLbitfield GlslBackend::barriers(const Launch& launch) const {
   return GL_SHADER_STORAGE_BARRIER_BIT | (launch.variant.texture_table ? GL_TEXTURE_FETCH_BARRIER_BIT : 0);
 }
 
-void GlslBackend::dispatch(const Launch& launch) {
-  if (launch.variant.texture_table) {
-    const bool table = launch.kernel == Kernel::collide_grid;
-    textures_.bind(table ? TexelRange{GL_R32UI, buffers_[launch.table], 0, windows().words() * sizeof(uint)}
-                         : TexelRange{GL_RGBA32UI, buffers_[position_slot(launch.order)], 0, spheres() * sizeof(vec4)});
+TexelRange GlslBackend::texels(const Launch& launch) const {
+  switch (launch.kernel) {
+    case Kernel::collide_grid:
+      return {GL_R32UI, buffers_[launch.table], 0, windows().words() * sizeof(uint)};
+    case Kernel::draw_cull:
+      return {GL_RG32UI, buffers_[SLOT_PYRAMID], 0, pyramid_texels() * sizeof(uvec2)};
+    default:
+      return {GL_RGBA32UI, buffers_[position_slot(launch.order)], 0, spheres() * sizeof(vec4)};
   }
+}
+
+void GlslBackend::dispatch(const Launch& launch) {
+  if (launch.variant.texture_table) textures_.bind(texels(launch));
   ++work_.launches;
   glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);
 }
@@ -198,17 +198,18 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   context_.make_current();
   Variant variant = launch.variant;
   variant.windows = launch.kernel == Kernel::collide_grid && variant.texture_table && windows().count() > 1;
-  const GLuint program = programs_.get(kernel_name(launch.kernel), launch.block, variant, limits_.features).id();
+  const Program& program = programs_.get(kernel_name(launch.kernel), launch.block, variant, limits_.features);
   set_params(params);
-  set_view();
-  glUseProgram(program);
+  program.set_view(view());
+  glUseProgram(program.id());
   bind(launch);
   timer_.time(stage_name(launch), [&] {
-    glMemoryBarrier(barriers(launch));
+    if (!launch.overlaps || !after_picture_) glMemoryBarrier(barriers(launch));
     if (!variant.windows) return dispatch(launch);
-    windows().dispatch(uint64_t(launch.groups[0]) * launch.groups[1], buffers_[launch.table], program, textures_);
+    windows().dispatch(uint64_t(launch.groups[0]) * launch.groups[1], buffers_[launch.table], program.id(), textures_);
     work_.launches += windows().count();
   });
+  after_picture_ = launch.kernel == Kernel::draw_resolve;
   if (batched_) return;
   finish();
   ++work_.waits;
@@ -216,7 +217,7 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
 
 void GlslBackend::draw_by_pipeline(DrawMethod method) {
   context_.make_current();
-  set_view();
+  after_picture_ = false;
   if (!renderer_) renderer_ = std::make_unique<GlRenderer>();
   bound_ = {};  // the renderer binds its own
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cstring>
 
 #include "embedded_shaders.h"
 #include "kernel_list.h"
@@ -92,6 +93,13 @@ Program::Program(const std::string& stem)
     : id_(linked({{GL_VERTEX_SHADER, embedded_shaders().at(stem + ".vert")},
                   {GL_FRAGMENT_SHADER, embedded_shaders().at(stem + ".frag")}},
                  stem + ".vert with " + stem + ".frag")) {}
+
+void Program::set_view(const View& view) const {
+  static_assert(sizeof(View) == VIEW_FOURS * sizeof(uvec4));
+  if (!takes_view_ || std::memcmp(&view, &view_, sizeof(View)) == 0) return;
+  view_ = view;
+  glProgramUniform4uiv(id_, VIEW_LOCATION, VIEW_FOURS, reinterpret_cast<const GLuint*>(&view));
+}
 
 std::vector<StageTime> compile_times(Features features) {
   using Clock = std::chrono::steady_clock;

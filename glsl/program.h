@@ -12,6 +12,7 @@
 
 #include "backend.h"
 #include "variant.h"
+#include "view.h"
 
 namespace spherepair {
 
@@ -33,9 +34,12 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
   GLuint id() const { return id_; }
+  void set_view(const View& view) const;  // where it takes one
 
  private:
   GLuint id_;
+  bool takes_view_ = glGetUniformLocation(id_, "view_words[0]") >= 0;
+  mutable View view_{};  // that it has
 };
 
 // Those that were asked for, each compiled when it was first.

@@ -77,14 +77,11 @@ class CudaToGl final : public SharedDrawing {
   CudaToGl(Backend& cuda, const OpenOptions& options)
       : cuda_(cuda), context_(options), spheres_(cuda_positions(cuda)), contacts_(cuda_contacts(cuda)) {
     require_same_device();
-    glCreateBuffers(1, &view_buffer_);
-    glNamedBufferStorage(view_buffer_, sizeof(View), nullptr, GL_DYNAMIC_STORAGE_BIT);
     renderer_ = std::make_unique<GlRenderer>();
   }
   ~CudaToGl() override {
     if (!context_.try_make_current()) return;
     renderer_.reset();
-    glDeleteBuffers(1, &view_buffer_);
   }
 
   void hand_over(HandOver way) override {
@@ -103,8 +100,6 @@ class CudaToGl final : public SharedDrawing {
   void draw(DrawMethod method, const View& view) override {
     context_.make_current();
     check_view(view);
-    glNamedBufferSubData(view_buffer_, 0, sizeof(View), &view);
-    glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_VIEW, view_buffer_);
     renderer_->draw(method, view, source_of(spheres_), source_of(contacts_),
                     uint(spheres_.source.bytes / sizeof(vec4)));
   }
@@ -164,7 +159,6 @@ class CudaToGl final : public SharedDrawing {
   Backend& cuda_;
   Context context_;
   Channel spheres_, contacts_;
-  GLuint view_buffer_ = 0;
   std::unique_ptr<GlRenderer> renderer_;
   HandOver way_ = HandOver::host;
 };

@@ -128,6 +128,10 @@ def pictures(put, machine, others):
             put(f"draw/{key}/{name}", ms(best_way.median), best_way.source, f"{best_way.label}, n = {n}")
             put(f"draw/{key}/{name}/n", f"{n:,}", best_way.source, f"{name}, spheres drawn from outside")
             put(f"draw/{key}/{name}/way", best_way.draw, best_way.source, f"{name}, fastest way to draw {n} spheres")
+    ways = {name: {row.n: row for row in rows[name] if row.draw == "compute"} for name in DEVICES}
+    behind = {n: ways["glsl"][n].median / ways["cuda"][n].median - 1 for n in ways["glsl"].keys() & ways["cuda"].keys()}
+    n = max(behind, key=behind.get)
+    put("draw/behind", f"{100 * behind[n]:.0f}", ways["glsl"][n].source, f"%, most that GLSL's picture is behind, n = {n}")
 
 
 def loops(put, machine, others):

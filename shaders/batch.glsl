@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A group draws BATCH spheres at a time: one thread finds out where each is to be tried, and as few of them are,
-// WALKERS threads then try each of those.
+// A group draws as many spheres at a time as it has threads: one thread finds out where each is to be tried, and as few
+// of them are, WALKERS threads then try each of those.
 #include "visible.glsl"
 
-shared vec4 walk_seen[BATCH];  // of a Walk, packed: many groups are to have room
-shared uvec4 walk_left[BATCH];
+shared uvec4 walks[BLOCK];  // box, nearest and place: many groups are to have room, so the rest is looked up again
 shared uint walk_count;
 
 // All threads of the group call it; `exists`: there is a sphere at this one's place.
@@ -16,16 +15,15 @@ void draw_batch(uint place, bool exists) {
     Walk walk = walk_of(place, true);
     if (walk.box.width * walk.box.height > WALK_ALONE) {
       uint entry = atomicAdd(walk_count, 1u);
-      walk_seen[entry] = walk.seen;
-      walk_left[entry] = uvec4(words_of(walk.box), walk.nearest, walk.sphere);
+      walks[entry] = uvec4(words_of(walk.box), walk.nearest, place);
     } else {
       draw_walk(walk, 0u, 1u, 1u);
     }
   }
   barrier();
-  for (uint k = lane / WALKERS; k < walk_count; k += BATCH / WALKERS) {
-    uvec4 left = walk_left[k];
-    Walk walk = {walk_seen[k], box_from(left.xy), left.z, left.w};
+  for (uint k = lane / WALKERS; k < walk_count; k += BLOCK / WALKERS) {
+    uvec4 found = walks[k];
+    Walk walk = {in_camera(position[found.w], v), box_from(found.xy), found.z, sphere_at(found.w)};
     draw_walk(walk, lane % WALKERS, WALKERS, WALKERS_ACROSS);
   }
   barrier();  // before the next batch

@@ -5,8 +5,8 @@
 // begin, and at all spheres only when that is not in one row of cells.
 #include "buffers.glsl"
 #include "cluster.h"
+#include "view.glsl"
 
-layout(std140, binding = SLOT_VIEW) uniform ViewBlock { View v; };
 layout(std430, binding = SLOT_CLUSTER) restrict writeonly buffer ClusterBuffer { vec4 cluster[]; };
 layout(local_size_x = BLOCK) in;
 const uint lanes = bool(BY_CELLS) ? 1u : BOUNDS_LANES;

@@ -3,8 +3,8 @@
 // One thread per pixel, in place of draw_resolve: light that the spheres around take away, shadows, and the ground.
 #include "grid.glsl"
 #include "light.h"
+#include "view.glsl"
 
-layout(std140, binding = SLOT_VIEW) uniform ViewBlock { View v; };
 layout(std430, binding = SLOT_SORTED) restrict readonly buffer SortedBuffer { vec4 sorted[]; };
 layout(std430, binding = SLOT_VISIBLE) restrict readonly buffer VisibleBuffer { uvec2 visible[]; };
 layout(std430, binding = SLOT_IMAGE) restrict writeonly buffer ImageBuffer { uint image[]; };

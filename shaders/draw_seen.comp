@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// A fixed number of groups of BATCH threads shares out the spheres that the last pictures showed; one thread per
+// A fixed number of groups shares out the spheres that the last pictures showed; one thread per
 // sphere.
 #define VISIBLE_ACCESS  // what was seen long ago hides as well
 #include "batch.glsl"
@@ -19,7 +19,7 @@ bool stays(uint sphere) {
 void main() {
   uint total = drawn[DRAWN_SEEN + v.turn];
   uint next = 1u - v.turn;
-  uint at_once = min(uint(BATCH), total / group_count() + 1u);  // no group is left without while others have many
+  uint at_once = min(uint(BLOCK), total / group_count() + 1u);  // no group is left without while others have many
   for (uint first = group_index() * at_once; first < total; first += group_count() * at_once) {
     uint k = first + gl_LocalInvocationID.x;
     bool exists = gl_LocalInvocationID.x < at_once && k < total;

@@ -2,9 +2,15 @@
 // What the pyramid of depths says of a box.
 #include "buffers.glsl"
 #include "cluster.h"
+#include "view.glsl"
 
-layout(std140, binding = SLOT_VIEW) uniform ViewBlock { View v; };
+#ifdef TEXTURE_TABLE
+layout(binding = 0) uniform usamplerBuffer pyramid_texture;
+uvec2 texel_at(uint k) { return texelFetch(pyramid_texture, int(k)).xy; }
+#else
 layout(std430, binding = SLOT_PYRAMID) restrict readonly buffer PyramidBuffer { uvec2 pyramid[]; };
+uvec2 texel_at(uint k) { return pyramid[k]; }
+#endif
 
 // Whether something nearer than `nearest` is seen already at every pixel of the box, as far as this level tells.
 bool is_hidden(Box box, uint nearest, uint level) {
@@ -14,7 +20,7 @@ bool is_hidden(Box box, uint nearest, uint level) {
   uint width = texels_along(v.width, level);
   for (uint y = box.y >> shift; y <= (box.y + box.height - 1u) >> shift; ++y)
     for (uint x = box.x >> shift; x <= (box.x + box.width - 1u) >> shift; ++x)
-      if (pyramid[first + y * width + x].x >= nearest) return false;
+      if (texel_at(first + y * width + x).x >= nearest) return false;
   return true;
 }
 
@@ -31,10 +37,10 @@ uvec2 texel_of_box(Box box, uint nearest, uint level) {
   for (uint y = box.y >> shift; y <= (box.y + box.height - 1u) >> shift; ++y) {
     uint row = first + y * width;
     for (uint x = box.x >> shift; x <= right; x += 4u) {
-      uvec2 a = pyramid[row + x];  // all four on their way before the first is asked
-      uvec2 b = pyramid[row + min(x + 1u, right)];
-      uvec2 c = pyramid[row + min(x + 2u, right)];
-      uvec2 d = pyramid[row + min(x + 3u, right)];
+      uvec2 a = texel_at(row + x);  // all four on their way before the first is asked
+      uvec2 b = texel_at(row + min(x + 1u, right));
+      uvec2 c = texel_at(row + min(x + 2u, right));
+      uvec2 d = texel_at(row + min(x + 3u, right));
       all = texel_of_both(texel_of_both(all, a), texel_of_both(b, texel_of_both(c, d)));
       if ((v.phase == uint(PHASE_NEAR) ? all.y : all.x) >= nearest) return all;
     }

@@ -3,8 +3,8 @@
 // have their first row at the top, so y grows downwards.
 #include "draw.h"
 #include "layout.h"
+#include "view.glsl"
 
-layout(std140, binding = SLOT_VIEW) uniform ViewBlock { View v; };
 layout(std430, binding = SLOT_POSITION) restrict readonly buffer PositionBuffer { vec4 position[]; };
 layout(std430, binding = SLOT_COUNT) restrict readonly buffer CountBuffer { uint count[]; };
 

@@ -55,6 +55,8 @@ uint first_seen(uint turn) { return turn * (p.n + 1u); }
 uint shift_in_word(uint seen) { return 4u * (seen % 8u); }
 uint left_of(uint seen) { return seen_left[seen / 8u] >> shift_in_word(seen) & 15u; }
 
+uint sphere_at(uint place) { return p.in_cells != 0u ? id[place] : place; }
+
 // Where a sphere is to be tried: an empty box where that is nowhere, or draw_tiles does it.
 struct Walk {
   vec4 seen;
@@ -78,7 +80,7 @@ Walk walk_of(uint place, bool leads) {
   bool hidden = asks && is_hidden(box, walk.nearest, level_for(box));
   if (hidden) count_drawn(DRAWN_HIDDEN);
   if (hidden) return walk;
-  walk.sphere = p.in_cells != 0u ? id[place] : place;
+  walk.sphere = sphere_at(place);
   if (leads && p.in_cells != 0u) count[walk.sphere] = sorted_count[place];
   if (rest && left_of(walk.sphere) != 0u) return walk;
   bool large = is_large(box, v);

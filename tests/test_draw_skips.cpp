@@ -22,7 +22,8 @@ class DrawSkips : public BackendTest {
   }
 };
 
-const DrawOptions everything = {.skip_outside = false, .skip_hidden = false, .skip_unchanged = false};
+const DrawOptions everything = {
+    .skip_outside = false, .skip_hidden = false, .skip_unchanged = false, .skip_tiles = false};
 
 // Of every_skip().
 enum : size_t { outside_only, hidden_only, both, putting_off, bundled };
@@ -31,7 +32,7 @@ std::vector<DrawOptions> every_skip() {
   std::vector<DrawOptions> all;
   for (const auto& [outside, hidden] : {std::pair{true, false}, {false, true}, {true, true}}) {
     DrawOptions options = {.skip_outside = outside, .skip_hidden = hidden, .skip_unchanged = false};
-    options.skip_from = 0;
+    options.skip_from = options.cull_from = 0;
     options.count = true;
     all.push_back(options);
   }
@@ -43,6 +44,7 @@ std::vector<DrawOptions> every_skip() {
     all.back().bundles_from = 0;
   }
   all.push_back({.skip_outside = false, .skip_hidden = false, .skip_unchanged = false, .share_below = 0});
+  all.push_back({.skip_unchanged = false, .skip_from = 0});  // clusters are not tested
   return all;
 }
 
