@@ -78,6 +78,31 @@ TEST_P(DrawTurns, LeaveNothingToTheNext) {
   backend().check_guards();
 }
 
+// Nothing is asked in between, so that a device is free to draw one picture while it colours the one before.
+TEST_P(DrawTurns, MayOverlap) {
+  const Scene scene = make_scene({.name = "uniform", .n = 3000});
+  backend().upload(scene);
+  std::vector<Shot> all;
+  for (int k = 0; k < 12; ++k) {
+    const uint width = 400 - 30 * (k % 5), height = 300 - 20 * (k % 3);
+    Camera camera = frame(bounds_of(scene.positions), 30 * k, 20, 50, double(width) / height);
+    const View view = make_view(camera, contact_look(), width, height);
+    all.push_back({view, picture_of(backend(), view, {.skip_unchanged = false, .overlap = false})});
+  }
+  std::minstd_rand random(11);
+  for (int turn = 0; turn < 40; ++turn) {
+    const Shot& shot = all[random() % all.size()];
+    const bool overlap = random() % 8 > 0;
+    for (uint before = random() % 20; before-- > 0;)
+      backend().draw(all[random() % all.size()].view, {.skip_unchanged = false, .overlap = overlap});
+    backend().draw(shot.view, {.skip_unchanged = false});
+    Picture given{backend().image(), shot.expected.visible};
+    if (random() % 4 == 0) given.visible = backend().visible();
+    ASSERT_EQ(objection(given, shot.expected, shot.view), "") << turn;
+  }
+  backend().check_guards();
+}
+
 // Spheres at the corners of their box, with cameras all around, so that the picture's edge cuts through the nearest.
 TEST_P(DrawTurns, TilesAreLeftOutWhereNoneCanBe) {
   Scene scene = make_scene({.name = "uniform", .n = 8, .radius = 0.5f});
