@@ -10,8 +10,8 @@ namespace spherepair {
 // All threads of the group call it; `exists`: there is a sphere at this one's place.
 template <uint block>
 __device__ inline void draw_batch(const Params& p, const World& w, const View& v, uint place, bool exists) {
-  __shared__ uvec4
-      walks[block];  // box, nearest and place: many groups are to have room, so the rest is looked up again
+  // Box, nearest and place: many groups are to have room, so the rest is looked up again.
+  __shared__ uvec4 walks[block];
   __shared__ uint walk_count;
   uint lane = threadIdx.x;
   if (lane == 0u) walk_count = 0u;

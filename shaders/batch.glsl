@@ -3,7 +3,8 @@
 // of them are, WALKERS threads then try each of those.
 #include "visible.glsl"
 
-shared uvec4 walks[BLOCK];  // box, nearest and place: many groups are to have room, so the rest is looked up again
+// Box, nearest and place: many groups are to have room, so the rest is looked up again.
+shared uvec4 walks[BLOCK];
 shared uint walk_count;
 
 // All threads of the group call it; `exists`: there is a sphere at this one's place.
