@@ -166,7 +166,7 @@ class DeviceBackend : public Backend {
   void draw_tiles(const Params& params);
   void restart_lists();
   void make_clusters(const Params& params, Order order);
-  void make_seen_list(const Params& params);
+  void make_seen_list();
   void launch_per_pixel(Kernel kernel, const Params& params);
   void finish_draw();
 

@@ -47,16 +47,15 @@ void DeviceBackend::make_clusters(const Params& params, Order order) {
 }
 
 // What the last picture showed is listed. Of another scene it is cleared, and nothing was seen.
-void DeviceBackend::make_seen_list(const Params& params) {
+void DeviceBackend::make_seen_list() {
   if (seen_known_) return;
   const std::vector<uint> none(n_ / 8 + 1), no_entries(2 * DRAWN_WORDS);
   make_buffer(SLOT_SEEN_LEFT, none.size() * sizeof(uint));
   make_buffer(SLOT_SEEN_LIST, 2 * (n_ + 1) * sizeof(uint));
   write(SLOT_SEEN_LEFT, none.data(), 0, none.size() * sizeof(uint));
   write(SLOT_DRAWN, no_entries.data(), 0, no_entries.size() * sizeof(uint));
-  view_.occlusion = 0;
-  launch_per_pixel(Kernel::draw_clear, params);
-  view_.occlusion = 1;
+  const std::vector<uint> no_pixels(bytes_[SLOT_VISIBLE] / sizeof(uint), ~0u);  // of larger pictures, too
+  write(SLOT_VISIBLE, no_pixels.data(), 0, no_pixels.size() * sizeof(uint));
   seen_known_ = true;
 }
 

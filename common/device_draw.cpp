@@ -37,9 +37,9 @@ void DeviceBackend::make_draw_buffers() {
 void DeviceBackend::make_visible_buffer() {
   const uint64_t bytes = pixels(view_) * 2 * sizeof(uint);
   if (bytes_[visible_slot_] >= bytes) return;
-  make_buffer(visible_slot_, bytes);
   pixels_clear_[visible_slot_] = 0;
-  seen_known_ = false;
+  if (visible_slot_ == SLOT_VISIBLE) seen_known_ = false;
+  make_buffer(visible_slot_, bytes);
 }
 
 // One pass for 64-bit atomics, else one for each word of what is visible.
@@ -123,11 +123,12 @@ void DeviceBackend::launch_rasteriser(bool keep) {
   pixels_kept_ = keep || view_.lighting;
   choose_visible_slot(culls || pixels_kept_ || params.in_cells);
   const uint64_t clear = std::exchange(pixels_clear_[visible_slot_], 0);
-  if (view_.occlusion) make_seen_list(params);
+  if (view_.occlusion) make_seen_list();
   if (pixels(view_) > clear) launch_per_pixel(Kernel::draw_clear, params);
   if (n_ > 0) culls ? draw_clusters(params, order) : draw_all(params, order);
   view_.pass = pixels_kept_ ? PASS_KEEP : PASS_DEPTH;
   launch_per_pixel(view_.lighting ? Kernel::draw_light : Kernel::draw_resolve, params);
+  if (pixels_kept_) pixels_clear_ = {};
   if (!pixels_kept_) pixels_clear_[visible_slot_] = std::max(clear, pixels(view_));
   if (view_.occlusion) lists_turn_ = 1 - lists_turn_;
 }
@@ -164,6 +165,7 @@ void DeviceBackend::draw(const View& view, const DrawOptions& options) {
     ++pictures_kept_;
     return;
   }
+  picture_stands_ = false;
   view_ = asked_ = view;
   draw_options_ = options;
   launch_draw();

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // One thread per PIXELS_EACH pixels: no sphere is seen there yet. Those that the last picture showed are listed. Done
-// by draw_resolve where that is the next picture.
+// by draw_resolve of the picture before, unless that kept its pixels or had fewer.
 #include "shown.glsl"
 
 layout(local_size_x = BLOCK) in;

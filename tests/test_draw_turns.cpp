@@ -78,6 +78,23 @@ TEST_P(DrawTurns, LeaveNothingToTheNext) {
   backend().check_guards();
 }
 
+// The numbers of a larger scene, left where a small picture of a smaller one clears nothing, are no spheres of that.
+TEST_P(DrawTurns, ListNothingOfAnotherScene) {
+  const auto view_of = [](const Scene& scene, uint width) {
+    return make_view(frame(bounds_of(scene.positions), 30, 20, 50, 1.5), contact_look(), width, width * 2 / 3);
+  };
+  const Scene large = make_scene({.name = "uniform", .n = 700}), small = make_scene({.name = "uniform", .n = 500});
+  backend().upload(large);
+  picture_of(backend(), view_of(large, 300));  // asks for the numbers, which stay
+  backend().upload(small);
+  for (const uint width : {60u, 300u, 300u})
+    backend().draw(view_of(small, width), {.skip_unchanged = false, .skip_from = 0});
+  backend().check_guards();
+  const View view = view_of(small, 300);
+  const Picture given = picture_of(backend(), view, {.skip_from = 0});
+  EXPECT_EQ(objection(given, picture_of(backend(), view, {.skip_outside = false, .skip_hidden = false}), view), "");
+}
+
 // Nothing is asked in between, so that a device is free to draw one picture while it colours the one before.
 TEST_P(DrawTurns, MayOverlap) {
   const Scene scene = make_scene({.name = "uniform", .n = 3000});
