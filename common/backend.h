@@ -119,7 +119,7 @@ class Backend {
   virtual MethodChoice choice(const CollideOptions& options) const = 0;
 
   // Results of the last collide(). When a list was too short, the device's lists are grown and the collision step is
-  // repeated, never truncated; so ask before the next move().
+  // repeated, never truncated; so ask before the next step.
   virtual Collisions collisions() = 0;
   virtual std::vector<uint> counts() = 0;  // contacts of each sphere
   virtual std::vector<Pair> pairs() = 0;   // in canonical order; needs want_pairs
@@ -141,7 +141,7 @@ class Backend {
   virtual void draw(const View& view, const DrawOptions& options) = 0;
   virtual std::vector<DrawMethod> draw_methods() const { return {DrawMethod::compute}; }
 
-  // Of the last draw(), which is repeated when a list was too short, and for visible(); so ask before the next move().
+  // Of the last draw(), which is repeated when a list was too short, and for visible(); so ask before the next step.
   // Pixels as SLOT_IMAGE has them, row by row from the top; visible: of each pixel the sphere's number and the depth,
   // as SLOT_VISIBLE has them.
   virtual std::vector<uint> image() = 0;

@@ -25,7 +25,7 @@
 #define SLOT_VISIBLE 16  // uint[2 * pixels]: the number of the sphere seen, then its depth; both ~0 where there is none
 #define SLOT_IMAGE 17    // uint[pixels]: red, green, blue, 255 from the lowest byte up; rows from the top
 #define SLOT_TILE 18     // uvec2[]: large spheres cut into tiles: the sphere's number, that of the tile in its box
-#define SLOT_DRAWN 19    // uint[DRAWN_WORDS]: see view.h
+#define SLOT_DRAWN 19    // uint[2 * DRAWN_WORDS]: see view.h
 #define SLOT_CLUSTER 20  // vec4[2 * (clusters + bundles)]: corners of what holds each one; w: list_for_bundle
 #define SLOT_SEEN_LEFT 21     // uint[]: four bits for each sphere, not 0 while in the list of those seen
 #define SLOT_CLUSTER_LIST 22  // uint[3 * clusters], by LIST_*, each in any order

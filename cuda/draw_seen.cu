@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A fixed number of groups shares out the spheres that the last pictures showed; one thread per
-// sphere.
+// A fixed number of groups shares out the spheres that the last pictures showed; one thread per sphere.
 #define VISIBLE_LOAD __ldca  // what was seen long ago hides as well
 #include "batch.cuh"
 #include "listing.cuh"

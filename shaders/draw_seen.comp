@@ -1,7 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// A fixed number of groups shares out the spheres that the last pictures showed; one thread per
-// sphere.
+// A fixed number of groups shares out the spheres that the last pictures showed; one thread per sphere.
 #define VISIBLE_ACCESS  // what was seen long ago hides as well
 #include "batch.glsl"
 #include "listing.glsl"

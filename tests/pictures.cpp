@@ -27,6 +27,12 @@ Picture brute_force_picture(const std::vector<vec4>& spheres, const std::vector<
   return picture;
 }
 
+void DevicePictures::SetUp() {
+  BackendTest::SetUp();
+  if (IsSkipped() || HasFatalFailure()) return;
+  if (backend().info().name == "cpu") GTEST_SKIP() << "the CPU draws every sphere anew";
+}
+
 Picture picture_of(Backend& backend, const View& view, const DrawOptions& options) {
   backend.draw(view, options);
   Picture picture{backend.image(), backend.visible()};

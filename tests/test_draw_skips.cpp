@@ -13,14 +13,7 @@ namespace {
 
 constexpr uint width = 203, height = 117;
 
-class DrawSkips : public BackendTest {
- protected:
-  void SetUp() override {
-    BackendTest::SetUp();
-    if (IsSkipped() || HasFatalFailure()) return;
-    if (backend().info().name == "cpu") GTEST_SKIP() << "the CPU draws every sphere";
-  }
-};
+class DrawSkips : public DevicePictures {};
 
 const DrawOptions everything = {
     .skip_outside = false, .skip_hidden = false, .skip_unchanged = false, .skip_tiles = false};

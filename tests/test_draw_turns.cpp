@@ -11,14 +11,7 @@
 namespace spherepair {
 namespace {
 
-class DrawTurns : public BackendTest {
- protected:
-  void SetUp() override {
-    BackendTest::SetUp();
-    if (IsSkipped() || HasFatalFailure()) return;
-    if (backend().info().name == "cpu") GTEST_SKIP() << "the CPU begins every picture anew";
-  }
-};
+class DrawTurns : public DevicePictures {};
 
 struct Shot {
   View view;
