@@ -130,7 +130,7 @@ void DeviceBackend::upload(const Scene& scene) {
   planned_.reset();
   cell_order_.reset();
   order_ = Order::scene;
-  cleared_ = collided_ = buckets_clear_ = cells_built_ = counts_by_place_ = false;
+  cleared_ = collided_ = buckets_clear_ = cells_built_ = counts_by_place_ = settle_at_once_ = false;
   view_ = {};
   clustered_.reset();
   moved_ = seen_known_ = false;

@@ -131,6 +131,8 @@ void DeviceBackend::run_collide() {
   params_.pair_capacity = options_.want_pairs ? uint(bytes_[SLOT_PAIR] / sizeof(uvec2)) : 0;
   params_.deferred_capacity = uint(bytes_[SLOT_DEFERRED] / sizeof(uvec2));
   const bool grid = options_.method == Method::collide_grid && n_ >= 2;
+  search_decides_ = grid && plans_.plan(options_.grid.cells).cells == Cells::dense;
+  settled_ = true;
   if (!grid) {  // results are not in cell order now
     order_ = Order::scene;
     cells_built_ = false;
@@ -141,9 +143,18 @@ void DeviceBackend::run_collide() {
     grid ? launch_grid() : launch_collide();
     cleared_ = false;
     counts_by_place_ = order_ == Order::cells;
-    if (options_.exact) launch({Kernel::settle, SERVICE_BLOCK, variant_, {settle_groups, 1, 1}, order_}, params_);
+    settled_ = !options_.exact;
+    if (!search_decides_ || settle_at_once_) settle();
   }
   end_step();
+}
+
+// Decides what was deferred. A search that decides most pairs itself hardly ever leaves one, so after that it waits
+// until results are asked for or drawn, and comes with every step while there are such pairs.
+void DeviceBackend::settle() {
+  if (settled_) return;
+  launch({Kernel::settle, SERVICE_BLOCK, variant_, {settle_groups, 1, 1}, order_}, params_);
+  settled_ = true;
 }
 
 std::vector<uint> DeviceBackend::read_summary() {
@@ -160,12 +171,17 @@ bool DeviceBackend::grow_lists(uint64_t deferred, uint64_t listed) {
   return short_deferred || short_pairs;
 }
 
-// The summary of a step whose lists had room for all.
+// The summary of a step whose lists had room for all, and whose pairs are all decided.
 std::vector<uint> DeviceBackend::finished_summary() {
   if (!collided_)
     throw BackendError(
         fmt::format("{}: no collision step to report since the last move; call collide first", info().name));
   std::vector<uint> words = read_summary();
+  settle_at_once_ = words[SUM_DEFERRED] != 0;
+  if (settle_at_once_ && !settled_) {
+    settle();
+    words = read_summary();
+  }
   while (grow_lists(words[SUM_DEFERRED], words[SUM_LISTED])) {
     run_collide();
     words = read_summary();
@@ -192,8 +208,8 @@ Collisions DeviceBackend::collisions() {
     total.fingerprint.b += join(sum + SUM_MIX_B);
     total.colliding_spheres += join(sum + SUM_COLLIDING);
     for (uint stage = 0; stage < STAGES; ++stage) total.decided_by[stage] += sum[SUM_STAGE + stage];
+    total.deferred += sum[search_decides_ ? SUM_UNDECIDED : SUM_DEFERRED];
   }
-  total.deferred = words[SUM_DEFERRED];
   return total;
 }
 

@@ -138,6 +138,7 @@ void DeviceBackend::ready_to_draw(bool by_place) {
   place();
   if (!collided_ && !cleared_) launch_clear(Order::scene);
   cleared_ |= !collided_;
+  if (collided_) settle();
   if (!collided_ || !counts_by_place_ || by_place) return;
   launch({Kernel::draw_counts, SERVICE_BLOCK, {}, folded(ceil_div(n_, SERVICE_BLOCK))}, params_);
   counts_by_place_ = false;

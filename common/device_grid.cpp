@@ -16,6 +16,8 @@ constexpr uint64_t least_groups = 4096;  // of the search, that fill a large dev
 constexpr uint threads_per_chunk = 32;   // of a group, which goes through so few chunks that neighbours are at work
 constexpr uint64_t least_moves_to_wait = 32, most_moves_to_wait = 64;
 constexpr uint64_t buckets_pay_from = 500000;  // spheres
+constexpr uint64_t spheres_per_bucket = 1536;  // on average, at most: few then have more than a group's threads hold
+static_assert(SORT_EACH * SORT_BLOCK <= CELLS_PER_BUCKET);
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
@@ -112,8 +114,11 @@ void DeviceBackend::split(uint shift, uint parent_shift, uint first_bucket, Orde
 // By buckets: split into ranges of cells, in two steps when they are many, until each fits a group's shared memory;
 // what is written then lies side by side. Ahead of counting where a scatter would go all over the memory.
 void DeviceBackend::sort_by_buckets() {
-  constexpr uint shift = std::bit_width(CELLS_PER_BUCKET) - 1, whole = 31;
-  const uint buckets = (params_.cell_slots >> shift) + 1;
+  constexpr uint whole = 31;
+  const auto buckets_of = [this](uint shift) { return (params_.cell_slots >> shift) + 1; };
+  uint shift = std::bit_width(CELLS_PER_BUCKET) - 1;
+  while (shift > 0 && n_ > spheres_per_bucket * buckets_of(shift)) --shift;
+  const uint buckets = buckets_of(shift);
   const bool two_steps = buckets > BUCKETS_AT_MOST;
   make_buffer(SLOT_SPLIT, n_ * sizeof(vec4));
   if (!variant_.equal_radii) make_buffer(SLOT_SPLIT_ID, n_ * sizeof(uint));

@@ -44,15 +44,16 @@
 // rows. 64-bit totals take two words, low first.
 #define SUMMARY_SLOTS 64
 #define SUMMARY_WORDS 16
-#define SUM_PAIRS 0      // uint64: colliding pairs
-#define SUM_MIX_A 2      // uint64: fingerprint, sum of pair_mix_a
-#define SUM_MIX_B 4      // uint64: fingerprint, sum of pair_mix_b
-#define SUM_COLLIDING 6  // uint64: spheres whose count left 0
-#define SUM_DEFERRED 8   // uint, row 0 only: pairs the filter left undecided
-#define SUM_LISTED 9     // uint, row 0 only: pairs wanted by the list, also beyond its capacity
-#define SUM_STAGE 10     // uint[5]: deferred pairs by the stage that decided them, STAGE_*
-#define TOTAL_ROWS 16    // a group adds up in shared memory in so many rows, so that its threads do not queue either
-#define TOTAL_STRIDE 9   // words from row to row: rows begin in different banks
+#define SUM_PAIRS 0       // uint64: colliding pairs
+#define SUM_MIX_A 2       // uint64: fingerprint, sum of pair_mix_a
+#define SUM_MIX_B 4       // uint64: fingerprint, sum of pair_mix_b
+#define SUM_COLLIDING 6   // uint64: spheres whose count left 0
+#define SUM_DEFERRED 8    // uint, row 0 only: pairs left to `settle`, also beyond the list's capacity
+#define SUM_LISTED 9      // uint, row 0 only: pairs wanted by the list, also beyond its capacity
+#define SUM_STAGE 10      // uint[5]: undecided pairs by the stage that decided them, STAGE_*
+#define SUM_UNDECIDED 15  // uint: pairs the filter left undecided in a search that decides most of them itself
+#define TOTAL_ROWS 16     // a group adds up in shared memory in so many rows, so that its threads do not queue either
+#define TOTAL_STRIDE 9    // words from row to row: rows begin in different banks
 
 #define SPHERES_PER_THREAD 8  // rows that one thread of collide_triangle holds
 #define COLUMNS_AT_ONCE 2     // columns that a thread of collide_triangle meets between two branches
@@ -65,11 +66,10 @@
 #define SPLIT_BLOCK 1024        // group size of split_count and grid_split
 #define SORT_BLOCK 512          // group size of grid_sort
 #define SPLIT_TILE 4096u        // spheres that one group of split_count and grid_split takes
-#define SORT_ROOM 3968u         // spheres that grid_sort has room for; three groups then share 48 KiB
 #define SPLIT_EACH 4u           // spheres that one thread of grid_split takes
-#define SORT_EACH 4u            // spheres that one thread of grid_sort takes at a time
+#define SORT_EACH 4u            // spheres that one thread of grid_sort holds
 #define BUCKETS_AT_MOST 1024u   // that one group of grid_split tells apart at a time
-#define CELLS_PER_BUCKET 2048u  // that grid_sort puts into order
+#define CELLS_PER_BUCKET 2048u  // that grid_sort puts into order, at most
 #define ROWS_AHEAD 5            // rows of cells in the later half of a neighbourhood
 #define BOUNDS_TILE 512u        // spheres that one group of grid_bounds takes
 #define BOUNDS_WINDOW 1024u     // cells whose begins it holds at a time

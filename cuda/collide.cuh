@@ -104,19 +104,21 @@ struct Collider {
     return verdict == COLLIDE ? 1u : 0u;
   }
 
-  // For kernels that meet every unordered pair once, at places i and j: true when it collides, and the caller counts
-  // the contact. Most that come here do, so the numbers are loaded beside the spheres.
-  __device__ bool meets(uint i, vec4 a, uint j, vec4 b) {
+  // For kernels that meet every unordered pair once, at places i and j: what the filter says of it. The caller counts
+  // the contact, or has an undecided pair decided. Most that come here collide, so the numbers are loaded beside the
+  // spheres.
+  __device__ uint meet(uint i, vec4 a, uint j, vec4 b) {
     uint first = totals_later() ? i : sphere_at(i);
     uint second = totals_later() ? j : sphere_at(j);
     uint verdict = filter_spheres(a, b);
-    if (verdict == UNDECIDED) defer(i, j);
     if (verdict == COLLIDE && !totals_later()) record(first, second);
-    return verdict == COLLIDE;
+    return verdict;
   }
 
   __device__ void meet_once(uint i, uint j) {
-    if (!meets(i, w.position[i], j, w.position[j])) return;
+    uint verdict = meet(i, w.position[i], j, w.position[j]);
+    if (verdict == UNDECIDED) defer(i, j);
+    if (verdict != COLLIDE) return;
     touch(i, 1u);
     touch(j, 1u);
   }

@@ -3,9 +3,11 @@
 // neighbourhood is five rows of cells, each a contiguous range of spheres. A thread walks through all of them in one
 // loop, four spheres at a time, and marks in a word whoever is in reach; then it queues them, and its team settles the
 // queue, a thread per pair, in full rounds: the rest waits for the next chunk. Where a word or the queue is full, the
-// team walks on after that.
+// team walks on after that. What the filter leaves undecided is decided at the group's end, in float64; only what that
+// leaves, or has no room, is deferred.
 #include "cell.h"
 #include "collide.cuh"
+#include "exact.h"
 #include "team.cuh"
 
 namespace spherepair {
@@ -76,23 +78,68 @@ __device__ uint walk(const Collider<EQUAL_RADII, LISTED>& collider, vec4 mine, c
 }
 
 constexpr uint QUEUE_ROOM = 3u * TEAM;
+constexpr uint UNDECIDED_ROOM = 16u;
+
+struct Undecided {
+  uvec2 pair[UNDECIDED_ROOM];  // the group's first pairs that the filter leaves so
+  uint pairs;                  // and all of them
+};
+template <bool EQUAL_RADII, bool LISTED>
+__device__ void leave_undecided(Collider<EQUAL_RADII, LISTED>& collider, Undecided& undecided, uint i, uint j) {
+  uint k = atomicAdd(&undecided.pairs, 1u);
+  if (k < UNDECIDED_ROOM) {
+    undecided.pair[k] = uvec2{i, j};
+  } else {
+    collider.defer(i, j);
+  }
+}
+
+// A thread for each pair that there was room for.
+template <bool EQUAL_RADII, bool LISTED>
+__device__ void decide_undecided(Collider<EQUAL_RADII, LISTED>& collider, const Undecided& undecided) {
+  const World& w = collider.w;
+  uint row = (group_index(collider.p) % SUMMARY_SLOTS) * SUMMARY_WORDS;
+  uint lane = threadIdx.x;
+  if (lane == 0u && undecided.pairs != 0u) atomicAdd(&w.summary[row + SUM_UNDECIDED], undecided.pairs);
+  if (lane >= min(undecided.pairs, UNDECIDED_ROOM)) return;
+  uint i = undecided.pair[lane].x;
+  uint j = undecided.pair[lane].y;
+  vec4 a = w.position[i];
+  vec4 b = w.position[j];
+  uint verdict = finite_sphere(a) && finite_sphere(b) ? decide_double(a, b) : UNDECIDED;
+  if (verdict == UNDECIDED) {
+    collider.defer(i, j);
+    return;
+  }
+  atomicAdd(&w.summary[row + SUM_STAGE + STAGE_DOUBLE], 1u);
+  if (verdict == APART) return;
+  if (!collider.totals_later()) collider.record(collider.sphere_at(i), collider.sphere_at(j));
+  collider.touch(i, 1u);
+  collider.touch(j, 1u);
+}
+
+// On a multiprocessor, whose registers are then shared by so many threads.
+constexpr int groups_at_work(int block) { return block < 64 ? 32 : 1280 / block; }
 
 template <int BLOCK, bool EQUAL_RADII, bool LISTED>
-__global__ void __launch_bounds__(BLOCK) collide_grid(Params p, World w) {
+__global__ void __launch_bounds__(BLOCK, groups_at_work(BLOCK)) collide_grid(Params p, World w) {
   constexpr uint TEAMS = BLOCK / TEAM;
   __shared__ uvec2 queue[TEAMS * QUEUE_ROOM];  // of each team: two spheres that may meet
   __shared__ uint queued[TEAMS];
   __shared__ uint unfinished[TEAMS];
+  __shared__ Undecided undecided;
   __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
   Collider<EQUAL_RADII, LISTED> collider(p, w, total);
   uint lane = team_lane();
   uint team = team_index();
   uint room = team * QUEUE_ROOM;
   if (lane == 0u) queued[team] = unfinished[team] = 0u;
+  if (threadIdx.x == 0u) undecided.pairs = 0u;
   collider.start_totals();
   uint stretch = (p.n / BLOCK / group_count() + 1u) * BLOCK;  // GLSL may have a part of them only: first_place()
-  uint end = min((group_index(p) + 1u) * stretch, p.n);
-  for (uint first = group_index(p) * stretch + team * TEAM; first < end; first += BLOCK) {
+  uint begin = group_index(p) * stretch;
+  uint end = min(begin + stretch, p.n);
+  for (uint first = begin + team * TEAM; first < end; first += BLOCK) {
     uint i = first + lane;
     vec4 mine = w.position[min(i, p.n - 1u)];
     Rows rows = find_rows(p, w, mine, i, i < end);
@@ -121,10 +168,12 @@ __global__ void __launch_bounds__(BLOCK) collide_grid(Params p, World w) {
       for (uint q = left + lane; q < held; q += TEAM) {
         uint a = queue[room + q].x;
         uint b = queue[room + q].y;
-        if (collider.meets(a, w.position[a], b, w.position[b])) {
+        uint verdict = collider.meet(a, w.position[a], b, w.position[b]);
+        if (verdict == COLLIDE) {
           atomicAdd(&w.count[a], 1u);
           atomicAdd(&w.count[b], 1u);
         }
+        if (verdict == UNDECIDED && p.defer_undecided != 0u) leave_undecided(collider, undecided, a, b);
       }
       team_barrier();
       if (lane == 0u) queued[team] = left;
@@ -132,6 +181,8 @@ __global__ void __launch_bounds__(BLOCK) collide_grid(Params p, World w) {
       team_barrier();
     }
   }
+  __syncthreads();
+  decide_undecided(collider, undecided);
   collider.finish_totals();
 }
 

@@ -4,8 +4,10 @@
 // neighbourhood is five rows of cells, each a contiguous range of spheres. A thread walks through all of them in one
 // loop, four spheres at a time, and marks in a word whoever is in reach; then it queues them, and its team settles the
 // queue, a thread per pair, in full rounds: the rest waits for the next chunk. Where a word or the queue is full, the
-// team walks on after that.
+// team walks on after that. What the filter leaves undecided is decided at the group's end, in float64; only what that
+// leaves, or has no room, is deferred.
 #include "collide.glsl"
+#include "exact.h"
 #include "grid.glsl"
 #include "team.glsl"
 
@@ -15,6 +17,9 @@ const uint QUEUE_ROOM = 3u * TEAM;
 shared uvec2 queue[TEAMS * QUEUE_ROOM];  // of each team: two spheres that may meet
 shared uint queued[TEAMS];
 shared uint unfinished[TEAMS];
+const uint UNDECIDED_ROOM = 16u;
+shared uvec2 undecided[UNDECIDED_ROOM];  // the group's first pairs that the filter leaves so
+shared uint undecided_pairs;             // and all of them
 
 // The k-th sphere of a walk is sphere k + shift in the first row with k < bound.
 struct Row {
@@ -75,16 +80,48 @@ uint walk(vec4 mine, Rows rows, uint first) {
   return end - first < 32u ? marked & ((1u << (end - first)) - 1u) : marked;
 }
 
+void leave_undecided(uint i, uint j) {
+  uint k = atomicAdd(undecided_pairs, 1u);
+  if (k < UNDECIDED_ROOM) {
+    undecided[k] = uvec2(i, j);
+  } else {
+    defer(i, j);
+  }
+}
+
+// A thread for each pair that there was room for.
+void decide_undecided() {
+  uint row = (group_index() % SUMMARY_SLOTS) * SUMMARY_WORDS;
+  uint lane = gl_LocalInvocationID.x;
+  if (lane == 0u && undecided_pairs != 0u) atomicAdd(summary[row + SUM_UNDECIDED], undecided_pairs);
+  if (lane >= min(undecided_pairs, UNDECIDED_ROOM)) return;
+  uint i = undecided[lane].x;
+  uint j = undecided[lane].y;
+  vec4 a = position[i];
+  vec4 b = position[j];
+  uint verdict = finite_sphere(a) && finite_sphere(b) ? decide_double(a, b) : UNDECIDED;
+  if (verdict == UNDECIDED) {
+    defer(i, j);
+    return;
+  }
+  atomicAdd(summary[row + SUM_STAGE + STAGE_DOUBLE], 1u);
+  if (verdict == APART) return;
+  if (!totals_later()) record(sphere_at(i), sphere_at(j));
+  touch(i, 1u);
+  touch(j, 1u);
+}
+
 void main() {
   uint lane = team_lane();
   uint team = team_index();
   uint room = team * QUEUE_ROOM;
   if (lane == 0u) queued[team] = unfinished[team] = 0u;
+  if (gl_LocalInvocationID.x == 0u) undecided_pairs = 0u;
   start_totals();
-  uint begin = first_place();
-  uint stretch = ((places_end() - begin) / BLOCK / group_count() + 1u) * BLOCK;
-  uint end = min(begin + (group_index() + 1u) * stretch, places_end());
-  for (uint first = begin + group_index() * stretch + team * TEAM; first < end; first += BLOCK) {
+  uint stretch = ((places_end() - first_place()) / BLOCK / group_count() + 1u) * BLOCK;
+  uint begin = first_place() + group_index() * stretch;
+  uint end = min(begin + stretch, places_end());
+  for (uint first = begin + team * TEAM; first < end; first += BLOCK) {
     uint i = first + lane;
     vec4 mine = position[min(i, p.n - 1u)];
     Rows rows = find_rows(mine, i, i < end);
@@ -111,10 +148,12 @@ void main() {
       for (uint q = left + lane; q < held; q += TEAM) {
         uint a = queue[room + q].x;
         uint b = queue[room + q].y;
-        if (meets(a, position[a], b, position[b])) {
+        uint verdict = meet(a, position[a], b, position[b]);
+        if (verdict == COLLIDE) {
           atomicAdd(count[a], 1u);
           atomicAdd(count[b], 1u);
         }
+        if (verdict == UNDECIDED && p.defer_undecided != 0u) leave_undecided(a, b);
       }
       team_barrier();
       if (lane == 0u) queued[team] = left;
@@ -122,5 +161,7 @@ void main() {
       team_barrier();
     }
   }
+  barrier();
+  decide_undecided();
   finish_totals();
 }

@@ -66,21 +66,6 @@ TEST_P(Methods, OneAfterTheOther) {
   }
 }
 
-// More cells than one split tells apart; the CPU's grid is the oracle.
-TEST_P(Methods, BucketsInTwoSteps) {
-  const Scene scene = make_scene({.name = "uniform", .n = 1'300'000});
-  const CollideOptions options = {.method = Method::collide_grid, .grid = {.keep_order = false, .sort = Sort::buckets}};
-  const auto oracle = open_backend("cpu");
-  oracle->upload(scene);
-  const Answer wanted = ask(*oracle, options);
-  backend().upload(scene);
-  const Answer answer = ask(backend(), options);
-  EXPECT_EQ(answer.totals.pairs, wanted.totals.pairs);
-  EXPECT_EQ(answer.totals.fingerprint, wanted.totals.fingerprint);
-  EXPECT_EQ(answer.counts, wanted.counts);
-  backend().check_guards();
-}
-
 TEST_P(Methods, EverySceneEqualsTheOracle) {
   uint64_t n = 300;
   for (const SceneKind& kind : scene_kinds()) {
