@@ -114,7 +114,6 @@ void DeviceBackend::split(uint shift, uint parent_shift, uint first_bucket, Orde
 // By buckets: split into ranges of cells, in two steps when they are many, until each fits a group's shared memory;
 // what is written then lies side by side. Ahead of counting where a scatter would go all over the memory.
 void DeviceBackend::sort_by_buckets() {
-  constexpr uint whole = 31;
   const auto buckets_of = [this](uint shift) { return (params_.cell_slots >> shift) + 1; };
   uint shift = std::bit_width(CELLS_PER_BUCKET) - 1;
   while (shift > 0 && n_ > spheres_per_bucket * buckets_of(shift)) --shift;
@@ -123,7 +122,7 @@ void DeviceBackend::sort_by_buckets() {
   make_buffer(SLOT_SPLIT, n_ * sizeof(vec4));
   if (!variant_.equal_radii) make_buffer(SLOT_SPLIT_ID, n_ * sizeof(uint));
   params_.scan_tiles = uint(ceil_div(buckets, SCAN_TILE));
-  params_.bucket_words = two_steps ? (params_.scan_tiles + 1) * SCAN_TILE : 2 * BUCKETS_AT_MOST + 1;
+  params_.bucket_words = two_steps ? (params_.scan_tiles + 1) * SCAN_TILE : 3 * BUCKETS_AT_MOST;
   make_buffer(SLOT_BUCKET, params_.bucket_words * sizeof(uint));
   make_buffer(SLOT_SCAN, (params_.scan_tiles + 1) * sizeof(uint));
   params_.buckets = buckets;
@@ -132,12 +131,13 @@ void DeviceBackend::sort_by_buckets() {
   buckets_clear_ = !two_steps;
   if (two_steps) {
     const uint parent = shift + uint(std::bit_width(buckets)) / 2;
-    split(parent, whole, 0, Order::scene, Order::cells);
+    split(parent, ONE_PARENT, 0, Order::scene, Order::cells);
     split(shift, parent, SCAN_TILE, Order::cells, Order::buckets);
   } else {
-    split(shift, whole, 0, Order::scene, Order::buckets);
+    split(shift, ONE_PARENT, 0, Order::scene, Order::buckets);
   }
-  const Variant variant = {.texture_table = takes_texture(Kernel::grid_sort, options_.tricks)};
+  const Variant variant = {.texture_table = takes_texture(Kernel::grid_sort, options_.tricks),
+                           .only_split = !two_steps};
   launch({Kernel::grid_sort, SORT_BLOCK, variant, folded(buckets), Order::buckets}, params_);
 }
 

@@ -73,6 +73,7 @@
 #define ROWS_AHEAD 5            // rows of cells in the later half of a neighbourhood
 #define BOUNDS_TILE 512u        // spheres that one group of grid_bounds takes
 #define BOUNDS_WINDOW 1024u     // cells whose begins it holds at a time
+#define ONE_PARENT 31u          // as parent_shift: all buckets have the same
 #define NAMES_GIVEN 1u          // the spheres come from a split before, with their numbers
 #define NAMES_IN_RADII 2u       // which travel in place of the radii, since these are all equal; else in SLOT_SPLIT_ID
 #define EMPTY_CELLS_AT_MOST 4096u  // between two spheres that stand in cell order

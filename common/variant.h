@@ -13,7 +13,7 @@ struct Variant {
   bool equal_radii = true;     // loads no radius
   bool listed = false;         // keeps the pairs, not only their number
   bool texture_table = false;  // GLSL: the cells, the spheres to sort or the pyramid come through a texture buffer
-  bool only_split = false;     // split_count: there is no other split of this sort
+  bool only_split = false;     // split_count, grid_split, grid_sort: there is no other split of this sort
   bool bundles = false;        // draw_cull, draw_clusters: bundles of clusters are tested first
   bool by_cells = false;       // draw_bounds: spheres stand in the order of dense cells, whose borders hold clusters
   bool windows = false;        // GLSL: that table in several textures, of which a dispatch reads one

@@ -19,6 +19,7 @@ __device__ inline void put(const Params& p, const World& w, vec4 sphere, uint na
   w.sorted_count[at] = 0u;
 }
 
+template <bool ONLY>
 __global__ void __launch_bounds__(SORT_BLOCK) grid_sort(Params p, World w) {
   __shared__ uint place[CELLS_PER_BUCKET];  // of the next sphere of each cell, in the bucket; then its spheres by cell
   uint lane = threadIdx.x;
@@ -26,6 +27,8 @@ __global__ void __launch_bounds__(SORT_BLOCK) grid_sort(Params p, World w) {
   uint begin = group_index(p) == 0u ? 0u : w.next_place[p.first_bucket + group_index(p) - 1u];
   uint end = w.next_place[p.first_bucket + group_index(p)];
   uint low = group_index(p) << p.bucket_shift;
+  if (ONLY && lane == 0u)
+    w.next_place[BUCKETS_AT_MOST + group_index(p)] = w.next_place[2u * BUCKETS_AT_MOST + group_index(p)] = 0u;
   for (uint c = lane; c < CELLS_PER_BUCKET; c += SORT_BLOCK) place[c] = 0u;
   __syncthreads();
   uint c[SORT_EACH];
@@ -69,6 +72,8 @@ __global__ void __launch_bounds__(SORT_BLOCK) grid_sort(Params p, World w) {
   }
 }
 
-Entry grid_sort_kernel(uint, Variant) { return reinterpret_cast<Entry>(&grid_sort); }
+Entry grid_sort_kernel(uint, Variant variant) {
+  return variant.only_split ? reinterpret_cast<Entry>(&grid_sort<true>) : reinterpret_cast<Entry>(&grid_sort<false>);
+}
 
 }  // namespace spherepair

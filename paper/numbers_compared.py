@@ -4,7 +4,7 @@ from crossovers import crossovers_by_kind
 from derived import ratio
 from records import Missing, peers, said
 from skips import pairs_of
-from tables_studies import hidden, overlaps
+from tables_studies import MOST_HANDED_OVER, hidden, overlaps
 from tabular import ms
 
 DEVICES = ("glsl", "cuda")
@@ -115,7 +115,7 @@ def told(middle, least, most):
 
 def pipelined_hand_overs(put, machine, others):
     root = overlaps(machine)
-    most = max(entry["n"] for entry in root["overlaps"])
+    most = max(entry["n"] for entry in root["overlaps"] if entry["n"] <= MOST_HANDED_OVER)
     rows = {entry["hand_over"]: entry for entry in root["overlaps"] if entry["n"] == most and entry["draw"] == "points"}
     put("overlap/n", f"{most:,}", root["id"], "spheres of the pipelined loop")
     for way, row in rows.items():

@@ -4,6 +4,7 @@ import leads
 from derived import crossover, grid_share_of_floor, matched, slope, stage_ratios
 from ranks import apart
 from records import Missing, said
+from tables_studies import MOST_HANDED_OVER
 from tabular import ms
 
 DEVICES = ("glsl", "cuda")
@@ -145,8 +146,9 @@ def loops(put, machine, others):
 
 
 def hand_overs(put, machine, others):
-    rows = machine.need(table="interop")
-    rows = sorted((row for row in rows if row.n == rows[-1].n), key=lambda row: row.median)
+    rows = [row for row in machine.need(table="interop") if row.n <= MOST_HANDED_OVER]
+    most = max(row.n for row in rows)
+    rows = sorted((row for row in rows if row.n == most), key=lambda row: row.median)
     put("interop/n", f"{rows[0].n:,}", rows[0].source, "most spheres handed over")
     order = [row.way.split("'")[0] for row in rows]
     said(machine, order == ["CUDA", "GL", "through the host"],

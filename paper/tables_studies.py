@@ -24,6 +24,7 @@ CROSSOVERS = ("The least $n$ up to {most:,} from which the grid stays ahead of a
 HAND_OVERS = ("CUDA steps, OpenGL draws {draw}: a picture with its hand-over, a step, both in a loop that waits for "
               "nothing but the hand-over, and what that hides of the sum of the two; medians, in brackets what their "
               "intervals allow.")
+MOST_HANDED_OVER = 10**6  # spheres of the prose; with more, GL's points take longer than all else
 HAND_OVERS_ALONE = {"none": ("host", "registered", "imported")}  # beside them stand those with a picture
 LOOPS = ("A whole loop, the first 20 steps of a fall: move, collide through the grid, draw; and the pictures a second "
          "that this makes. From CUDA to GL: CUDA steps and OpenGL draws {draw}, by the fastest hand-over, pipelined.")
@@ -161,10 +162,12 @@ def grid_sizes(machine):
 
 
 def overlaps(machine):
+    """Of all records of hand-overs, as if they were one."""
     roots = [root for root in machine.sources.values() if root.get("overlaps")]
     if not roots:
         raise Missing(f"{machine.name} has no record of `spherepair frames --hand-over`")
-    return roots[-1]
+    whole = {key: [entry for root in roots for entry in root[key]] for key in ("overlaps", "frames")}
+    return whole | {"id": ", ".join(root["id"] for root in roots)}
 
 
 def hidden(root, entry):

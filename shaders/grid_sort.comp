@@ -31,6 +31,9 @@ void main() {
   uint begin = group_index() == 0u ? 0u : next_place[p.first_bucket + group_index() - 1u];
   uint end = next_place[p.first_bucket + group_index()];
   uint low = group_index() << p.bucket_shift;
+#ifdef ONLY_SPLIT
+  if (lane == 0u) next_place[BUCKETS_AT_MOST + group_index()] = next_place[2u * BUCKETS_AT_MOST + group_index()] = 0u;
+#endif
   for (uint c = lane; c < CELLS_PER_BUCKET; c += BLOCK) place[c] = 0u;
   barrier();
   uint c[SORT_EACH];

@@ -166,7 +166,7 @@ std::set<std::string> threads_of_this_process() {
   return threads;
 }
 
-// To end and start threads takes longer than a step of few spheres.
+// To end and start threads takes longer than a step of few spheres. A GPU's driver may end one of its own meanwhile.
 TEST(CpuGrid, EveryStepIsTakenByTheSameThreads) {
   if (!std::filesystem::exists("/proc/self/task")) GTEST_SKIP() << "this system does not list a process's threads";
   const auto backend = open_backend("cpu", {.threads = 7});
@@ -175,10 +175,11 @@ TEST(CpuGrid, EveryStepIsTakenByTheSameThreads) {
   for (int step = 0; step < 3; ++step) {
     backend->move();
     ask(*backend, {.method = Method::collide_grid, .want_pairs = true});
+    const std::set<std::string> now = threads_of_this_process();
     if (step > 0) {
-      EXPECT_EQ(threads_of_this_process(), threads) << "step " << step;
+      EXPECT_TRUE(std::ranges::includes(threads, now)) << "step " << step << " started threads";
     }
-    threads = threads_of_this_process();
+    threads = now;
   }
   EXPECT_GE(threads.size(), 7u);
 }
