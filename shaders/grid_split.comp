@@ -17,8 +17,9 @@ shared uint place[BUCKETS_AT_MOST];  // of the next sphere of each bucket; then 
 shared uint order[SPLIT_TILE];       // the spheres of the tile by bucket: bucket, number in the tile
 shared uint taken;                   // spheres of this turn
 
-// Where the places begin that are handed out. Of SLOT_BUCKET, where there is one split only: where each bucket ends, how
-// many spheres it has, how many have a place; BUCKETS_AT_MOST words each, of which grid_sort leaves the latter two at 0.
+// Where the places begin that are handed out. Of SLOT_BUCKET, where there is one split only: where each bucket ends,
+// how many spheres it has, how many have a place; BUCKETS_AT_MOST words each, of which grid_sort leaves the latter two
+// at 0.
 #ifdef ONLY_SPLIT
 uint places_at() { return 2u * BUCKETS_AT_MOST; }
 #else
