@@ -188,7 +188,7 @@ class Bench {
   }
 
   // Exact pictures must agree between backends and whatever is skipped. The third from one place skips all it can, and
-  // is counted; what is compared is drawn as it is timed, once in each buffer where pictures overlap.
+  // is counted; what is compared is the second of two that are drawn as they are timed.
   void check(const FrameTask& task, const std::vector<View>& views, json& entry) {
     const bool exact = task.draw == DrawMethod::compute;
     for (int time = 0; exact && time < 3; ++time) task.backend->draw(views.front(), draw_options(task, true));

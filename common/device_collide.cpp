@@ -150,7 +150,7 @@ void DeviceBackend::run_collide() {
 }
 
 // Decides what was deferred. A search that decides most pairs itself hardly ever leaves one, so after that it waits
-// until results are asked for or drawn, and comes with every step while there are such pairs.
+// until a picture is drawn, or results are asked for and there is one; from then on it comes with every step.
 void DeviceBackend::settle() {
   if (settled_) return;
   launch({Kernel::settle, SERVICE_BLOCK, variant_, {settle_groups, 1, 1}, order_}, params_);
@@ -177,7 +177,7 @@ std::vector<uint> DeviceBackend::finished_summary() {
     throw BackendError(
         fmt::format("{}: no collision step to report since the last move; call collide first", info().name));
   std::vector<uint> words = read_summary();
-  settle_at_once_ = words[SUM_DEFERRED] != 0;
+  if (search_decides_ && options_.exact) settle_at_once_ = words[SUM_DEFERRED] != 0;
   if (settle_at_once_ && !settled_) {
     settle();
     words = read_summary();

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 
 #include "device_backend.h"
 
@@ -16,8 +15,6 @@ constexpr uint64_t least_groups = 4096;  // of the search, that fill a large dev
 constexpr uint threads_per_chunk = 32;   // of a group, which goes through so few chunks that neighbours are at work
 constexpr uint64_t least_moves_to_wait = 32, most_moves_to_wait = 64;
 constexpr uint64_t buckets_pay_from = 500000;  // spheres
-constexpr uint64_t spheres_per_bucket = 1536;  // on average, at most: few then have more than a group's threads hold
-static_assert(SORT_EACH * SORT_BLOCK <= CELLS_PER_BUCKET);
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
@@ -114,11 +111,8 @@ void DeviceBackend::split(uint shift, uint parent_shift, uint first_bucket, Orde
 // By buckets: split into ranges of cells, in two steps when they are many, until each fits a group's shared memory;
 // what is written then lies side by side. Ahead of counting where a scatter would go all over the memory.
 void DeviceBackend::sort_by_buckets() {
-  const auto buckets_of = [this](uint shift) { return (params_.cell_slots >> shift) + 1; };
-  uint shift = std::bit_width(CELLS_PER_BUCKET) - 1;
-  while (shift > 0 && n_ > spheres_per_bucket * buckets_of(shift)) --shift;
-  const uint buckets = buckets_of(shift);
-  const bool two_steps = buckets > BUCKETS_AT_MOST;
+  const auto [shift, buckets, parent] = plan_buckets(n_, params_.cell_slots);
+  const bool two_steps = parent != ONE_PARENT;
   make_buffer(SLOT_SPLIT, n_ * sizeof(vec4));
   if (!variant_.equal_radii) make_buffer(SLOT_SPLIT_ID, n_ * sizeof(uint));
   params_.scan_tiles = uint(ceil_div(buckets, SCAN_TILE));
@@ -128,9 +122,8 @@ void DeviceBackend::sort_by_buckets() {
   params_.buckets = buckets;
   if (two_steps || !buckets_clear_ || options_.tricks.library_clear.value_or(false))
     clear_for_sort(params_.bucket_words);
-  buckets_clear_ = !two_steps;
+  buckets_clear_ = false;
   if (two_steps) {
-    const uint parent = shift + uint(std::bit_width(buckets)) / 2;
     split(parent, ONE_PARENT, 0, Order::scene, Order::cells);
     split(shift, parent, SCAN_TILE, Order::cells, Order::buckets);
   } else {
@@ -139,6 +132,7 @@ void DeviceBackend::sort_by_buckets() {
   const Variant variant = {.texture_table = takes_texture(Kernel::grid_sort, options_.tricks),
                            .only_split = !two_steps};
   launch({Kernel::grid_sort, SORT_BLOCK, variant, folded(buckets), Order::buckets}, params_);
+  buckets_clear_ = !two_steps;
 }
 
 void DeviceBackend::sort_by_library() {

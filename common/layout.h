@@ -10,7 +10,7 @@
 #define SLOT_VELOCITY 1  // vec4[n]: metres per second, w unused
 #define SLOT_COUNT 2     // uint[n]: contacts of each sphere; a sphere is coloured as colliding when its count is not 0
 #define SLOT_SUMMARY 3   // uint[SUMMARY_SLOTS * SUMMARY_WORDS]: partial totals, see SUM_*
-#define SLOT_DEFERRED 4  // uvec2[]: pairs (i<j) that the float32 filter leaves undecided; their number is SUM_DEFERRED
+#define SLOT_DEFERRED 4  // uvec2[]: pairs, by place, that are left to `settle`; their number is SUM_DEFERRED
 #define SLOT_PAIR 5      // uvec2[]: colliding pairs (i<j) in any order, when asked for; their number is SUM_LISTED
 #define SLOT_SPHERES 6   // vec4[2m]: the m pairs of spheres that `decide` is asked about
 #define SLOT_VERDICT 7   // uint[m]: what `decide` answers, verdict_code()
@@ -21,7 +21,7 @@
 #define SLOT_SORTED_COUNT 12  // uint[n]: contacts, in cell order
 #define SLOT_SCAN 13     // uint[scan_tiles]: sums of the tiles of grid_scan; of grid_bounds: [0] is 1 when out of order
 #define SLOT_SPLIT 14    // vec4[n]: spheres in the order of buckets of cells
-#define SLOT_BUCKET 15   // uint[bucket_words]: where the next sphere of each bucket goes; see Params, finish_split
+#define SLOT_BUCKET 15   // uint[bucket_words]: where the next sphere of each bucket goes; see Params, grid_split
 #define SLOT_VISIBLE 16  // uint[2 * pixels]: the number of the sphere seen, then its depth; both ~0 where there is none
 #define SLOT_IMAGE 17    // uint[pixels]: red, green, blue, 255 from the lowest byte up; rows from the top
 #define SLOT_TILE 18     // uvec2[]: large spheres cut into tiles: the sphere's number, that of the tile in its box

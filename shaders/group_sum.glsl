@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Sums over the threads of a group. With subgroups they go through registers, without through shared memory.
 #ifdef SUBGROUPS
-shared uint group_sums[(BLOCK + 31) / 32];  // of each subgroup; a word a thread would cost grid_split and grid_sort a
-                                            // group of those that share a multiprocessor's 48 KiB
+shared uint group_sums[(BLOCK + 31) / 32];  // of each subgroup; a word a thread would cost grid_split one of the
+                                            // two groups that share a multiprocessor's 48 KiB
 #else
 shared uint group_sums[BLOCK];
 #endif

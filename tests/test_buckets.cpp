@@ -3,6 +3,7 @@
 #include <random>
 
 #include "backends.h"
+#include "grid_plan.h"
 
 namespace spherepair {
 namespace {
@@ -38,8 +39,27 @@ TEST_P(MethodsByBuckets, OfManySpheres) {
       const bool on_the_floor = side > 12 && i % 4 != 0;
       scene.positions[i] = {place(random), place(random), place(random) / (on_the_floor ? 12 : 1), 0.5f};
     }
-    expect_right(backend(), scene);
+    for (const bool equal_radii : {true, false}) {
+      scene.positions[0].w = equal_radii ? 0.5f : 0.375f;
+      scene.equal_radii = equal_radii;
+      expect_right(backend(), scene);
+    }
   }
+}
+
+// Up to the largest tables; those of the largest scenes that a device holds were once split wrongly.
+TEST(MethodsByBucketsPlan, EachSplitTellsItsBucketsApart) {
+  for (uint64_t n = 1000; n < (1u << 30); n = n * 5 / 4)
+    for (const double cells_a_sphere : {0.01, 0.3, 0.5, 1.0, 1.3, 2.0}) {
+      const uint slots = uint(double(n) * cells_a_sphere);
+      const BucketPlan plan = plan_buckets(n, slots);
+      EXPECT_EQ(plan.buckets, (slots >> plan.shift) + 1);
+      EXPECT_LE(1u << plan.shift, CELLS_PER_BUCKET);
+      EXPECT_LE(n, uint64_t(plan.buckets) * SORT_EACH * SORT_BLOCK) << "on average";
+      const uint first = plan.parent_shift == ONE_PARENT ? plan.buckets : (slots >> plan.parent_shift) + 1;
+      EXPECT_LE(first, BUCKETS_AT_MOST) << n << ", " << cells_a_sphere;
+      if (plan.parent_shift != ONE_PARENT) EXPECT_GT(plan.parent_shift, plan.shift);
+    }
 }
 
 INSTANTIATE_BACKENDS(MethodsByBuckets);
