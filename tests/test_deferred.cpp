@@ -66,7 +66,7 @@ TEST_P(Deferred, TakeALaunchOnlyWhereThereAreAny) {
   CollideOptions naive = dense;
   naive.exact = false;
   ask(backend(), naive);
-  EXPECT_EQ(launches(), unasked + 1) << "what a step without them says of these pairs is nothing";
+  EXPECT_EQ(launches(), unasked + 1) << "a naive step defers none, which says nothing of these";
   backend().upload(scene_of_pairs(10, overlapping));  // float64 decides them all
   backend().collide(dense);
   EXPECT_EQ(launches(), unasked);

@@ -103,13 +103,18 @@ class Tables(unittest.TestCase):
     def test_hand_overs(self):
         machine = Machine(DATA / "h200")
         timed = {"imported": (1.9, 2.2), "step": (0.9, 1.1), "imported_pipelined": (2.4, 2.6)}
-        frames = [{"work": work, "draw": "none" if work == "step" else "points", "n": 1000, "interval_ms": interval}
-                  for work, interval in timed.items()]
-        frames.append({"work": "imported", "draw": "none", "n": 1000, "interval_ms": (9, 9)})  # alone, not meant
-        machine.sources = {"frames.json": {"id": "made up", "frames": frames, "overlaps": [
-            {"hand_over": "imported", "draw": "points", "n": 1000, "picture_ms": 2.0, "step_ms": 1.0,
-             "pipelined_ms": 2.5, "overlap": 0.5}]}}
-        self.assertEqual([["imported", "10^3", "2.00", "1.00", "2.50", "0.500 [0.200, 0.900]"]],
+
+        def record(n):
+            frames = [{"work": work, "draw": "none" if work == "step" else "points", "n": n, "interval_ms": interval}
+                      for work, interval in timed.items()]
+            frames.append({"work": "imported", "draw": "none", "n": n, "interval_ms": (9, 9)})  # alone, not meant
+            return {"id": "made up", "frames": frames, "overlaps": [
+                {"hand_over": "imported", "draw": "points", "n": n, "picture_ms": 2.0, "step_ms": 1.0,
+                 "pipelined_ms": 2.5, "overlap": 0.5}]}
+
+        machine.sources = {"frames.json": record(1000), "more_frames.json": record(10**8)}
+        figures_of_each = ["2.00", "1.00", "2.50", "0.500 [0.200, 0.900]"]
+        self.assertEqual([["imported", size, *figures_of_each] for size in ("10^3", "10^8")],
                          tables_studies.hand_over(machine).rows)
 
 
