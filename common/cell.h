@@ -102,9 +102,11 @@ FN uint hashed_slot_of(vec4 sphere, Params p) {
   Cell cell = cell_at(sphere.x, sphere.y, sphere.z, level, p);
   return slot_in_row(row_slot(level, cell.y, cell.z), cell.x, p);
 }
-FN uint slot_of(vec4 sphere, Params p) {
-  return p.hash_mask == 0u ? dense_slot_of(sphere, p) : hashed_slot_of(sphere, p);
+// `dense`: known beforehand, as a constant, so that there is no code for the other.
+FN uint slot_of(vec4 sphere, bool dense, Params p) {
+  return dense || p.hash_mask == 0u ? dense_slot_of(sphere, p) : hashed_slot_of(sphere, p);
 }
+FN uint slot_of(vec4 sphere, Params p) { return slot_of(sphere, false, p); }
 
 // Whether a sphere belongs to this level and to this row of its cells.
 FN bool stands_in_row(vec4 sphere, uint level, int y, int z, Params p) {

@@ -130,7 +130,7 @@ void DeviceBackend::upload(const Scene& scene) {
   planned_.reset();
   cell_order_.reset();
   order_ = Order::scene;
-  cleared_ = collided_ = buckets_clear_ = cells_built_ = counts_by_place_ = settle_at_once_ = false;
+  cleared_ = collided_ = cells_built_ = counts_by_place_ = settle_at_once_ = false;
   view_ = {};
   clustered_.reset();
   moved_ = seen_known_ = false;
@@ -150,15 +150,27 @@ void DeviceBackend::launch_clear(Order order) {
          params_);
 }
 
+std::vector<uint> DeviceBackend::numbers_in_cell_order() {
+  std::vector<uint> numbers(n_);
+  if (!names_in_radii_) {
+    read(SLOT_ID, numbers.data(), 0, n_ * sizeof(uint));
+    return numbers;
+  }
+  std::vector<vec4> sorted(n_);
+  read(SLOT_SORTED, sorted.data(), 0, n_ * sizeof(vec4));
+  for (uint64_t k = 0; k < n_; ++k) numbers[k] = float_bits(sorted[k].w);
+  return numbers;
+}
+
 std::vector<uint> DeviceBackend::counts() {
   finished_summary();
   std::vector<uint> counts(n_);
   read(count_slot(order_), counts.data(), 0, n_ * sizeof(uint));
   if (order_ != Order::cells) return counts;
-  std::vector<uint> ids(n_), by_id(n_);
-  read(SLOT_ID, ids.data(), 0, n_ * sizeof(uint));
-  for (uint64_t k = 0; k < n_; ++k) by_id[ids[k]] = counts[k];
-  return by_id;
+  const std::vector<uint> numbers = numbers_in_cell_order();
+  std::vector<uint> by_number(n_);
+  for (uint64_t k = 0; k < n_; ++k) by_number[numbers[k]] = counts[k];
+  return by_number;
 }
 
 std::vector<Pair> DeviceBackend::pairs() {

@@ -137,7 +137,14 @@ class DeviceBackend : public Backend {
   void sort_into_cells();
   bool stands_in_cell_order();
   void plan_cells();
+  uint names_of(Order order) const {  // as Params::in_cells
+    return order != Order::cells ? 0 : names_in_radii_ ? NAMES_IN_RADII : NAMES_IN_IDS;
+  }
+  std::vector<uint> numbers_in_cell_order();
+  Variant sorter(Kernel kernel) const;
   void split(uint shift, uint parent_shift, uint first_bucket, Order from, Order to);
+  void split_tiles(uint shift, uint buckets);
+  void split_twice(uint shift, uint buckets, uint parent_shift);
   void launch_scan(uint table);
   void sort_by_counting();
   void sort_by_buckets();
@@ -186,9 +193,9 @@ class DeviceBackend : public Backend {
   bool equal_radii_ = true;                        // of the scene
   std::optional<Cells> planned_;                   // the cells that the buffers and parameters are for
   std::optional<bool> cell_order_;  // whether the spheres stand in cell order as they are; not known after a move
-  bool buckets_clear_ = false;      // the counts of a split at once are 0
   bool cells_built_ = false;        // the cells are those of the spheres as they stand
   Order order_ = Order::scene;      // of the results
+  bool names_in_radii_ = false;     // of the spheres in cell order
   Params params_{};                 // of the last launch
   CollideOptions options_;
   bool tallied_ = true;  // colliding spheres are counted

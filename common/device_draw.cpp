@@ -110,7 +110,7 @@ void DeviceBackend::choose_visible_slot(bool alone) {
 void DeviceBackend::launch_rasteriser(bool keep) {
   const Order order = collided_ && cells_built_ ? order_ : Order::scene;
   Params params = params_;
-  params.in_cells = order == Order::cells;
+  params.in_cells = names_of(order);
   view_.tile_capacity = uint(bytes_[SLOT_TILE] / sizeof(uvec2));
   view_.counting = draw_options_.count;
   view_.pass = PASS_DEPTH;

@@ -38,7 +38,8 @@ void DeviceBackend::plan_cells() {
 
 void DeviceBackend::launch_bounds() {
   const uint64_t threads = std::max<uint64_t>(n_ + 1, SUMMARY_SLOTS * SUMMARY_WORDS);
-  launch({Kernel::grid_bounds, bounds_block(), {}, folded(ceil_div(threads, BOUNDS_TILE))}, params_);
+  launch({Kernel::grid_bounds, bounds_block(), sorter(Kernel::grid_bounds), folded(ceil_div(threads, BOUNDS_TILE))},
+         params_);
 }
 
 // Asked once after spheres have moved, and more and more rarely while the answer is no, since the host then waits for
@@ -58,8 +59,13 @@ bool DeviceBackend::stands_in_cell_order() {
   return *cell_order_;
 }
 
+Variant DeviceBackend::sorter(Kernel kernel) const {
+  const bool reads_again = kernel == Kernel::split_count || kernel == Kernel::grid_split || kernel == Kernel::grid_sort;
+  return {.texture_table = reads_again && takes_texture(kernel, options_.tricks), .dense = params_.hash_mask == 0};
+}
+
 void DeviceBackend::launch_sorter(Kernel kernel, uint block, uint64_t groups) {
-  launch({kernel, block, {}, folded(groups)}, params_);
+  launch({kernel, block, sorter(kernel), folded(groups)}, params_);
 }
 
 void DeviceBackend::launch_scan(uint table) {
@@ -91,48 +97,53 @@ void DeviceBackend::sort_by_counting() {
 }
 
 void DeviceBackend::split(uint shift, uint parent_shift, uint first_bucket, Order from, Order to) {
-  const bool only = to == Order::buckets && from == Order::scene;
   const auto tiles = folded(ceil_div(n_, SPLIT_TILE));
   params_.bucket_shift = shift;
   params_.parent_shift = parent_shift;
   params_.first_bucket = first_bucket;
   params_.buckets = (params_.cell_slots >> shift) + 1;
-  params_.names = (variant_.equal_radii ? NAMES_IN_RADII : 0) | (from == Order::scene ? 0 : NAMES_GIVEN);
-  const Variant variant = {.texture_table = takes_texture(Kernel::grid_split, options_.tricks), .only_split = only};
-  launch({Kernel::split_count, SPLIT_BLOCK, variant, tiles, from}, params_);
-  if (!only && params_.buckets <= BUCKETS_AT_MOST) {
+  if (from != Order::scene) params_.names |= NAMES_GIVEN;
+  launch({Kernel::split_count, SPLIT_BLOCK, sorter(Kernel::split_count), tiles, from}, params_);
+  if (params_.buckets <= BUCKETS_AT_MOST) {
     launch({Kernel::split_scan, BUCKETS_AT_MOST, {}, {1, 1, 1}}, params_);
-  } else if (!only) {
+  } else {
     launch_scan(SLOT_BUCKET);
   }
-  launch({Kernel::grid_split, SPLIT_BLOCK, variant, tiles, from, to}, params_);
+  launch({Kernel::grid_split, SPLIT_BLOCK, sorter(Kernel::grid_split), tiles, from, to}, params_);
+}
+
+// Where one group tells all buckets apart: each tile of spheres by itself, from all of which the sort collects.
+void DeviceBackend::split_tiles(uint shift, uint buckets) {
+  const uint64_t tiles = ceil_div(n_, SPLIT_TILE);
+  params_.bucket_shift = shift;
+  params_.buckets = buckets;
+  make_buffer(SLOT_BUCKET, tiles * BUCKETS_AT_MOST * sizeof(uint));
+  const Variant variant = sorter(Kernel::split_tiles);
+  launch({Kernel::split_tiles, SPLIT_BLOCK, variant, folded(tiles), Order::scene, Order::buckets}, params_);
+}
+
+void DeviceBackend::split_twice(uint shift, uint buckets, uint parent_shift) {
+  params_.scan_tiles = uint(ceil_div(buckets, SCAN_TILE));
+  params_.bucket_words = (params_.scan_tiles + 1) * SCAN_TILE;
+  params_.buckets = buckets;
+  make_buffer(SLOT_BUCKET, params_.bucket_words * sizeof(uint));
+  make_buffer(SLOT_SCAN, (params_.scan_tiles + 1) * sizeof(uint));
+  clear_for_sort(params_.bucket_words);
+  split(parent_shift, ONE_PARENT, 0, Order::scene, Order::cells);
+  split(shift, parent_shift, SCAN_TILE, Order::cells, Order::buckets);
 }
 
 // By buckets: split into ranges of cells, in two steps when they are many, until each fits a group's shared memory;
 // what is written then lies side by side. Ahead of counting where a scatter would go all over the memory.
 void DeviceBackend::sort_by_buckets() {
-  const auto [shift, buckets, parent] = plan_buckets(n_, params_.cell_slots);
-  const bool two_steps = parent != ONE_PARENT;
+  const auto [shift, buckets, parent_shift] = plan_buckets(n_, params_.cell_slots);
+  const bool tiles = parent_shift == ONE_PARENT;
   make_buffer(SLOT_SPLIT, n_ * sizeof(vec4));
   if (!variant_.equal_radii) make_buffer(SLOT_SPLIT_ID, n_ * sizeof(uint));
-  params_.scan_tiles = uint(ceil_div(buckets, SCAN_TILE));
-  params_.bucket_words = two_steps ? (params_.scan_tiles + 1) * SCAN_TILE : 3 * BUCKETS_AT_MOST;
-  make_buffer(SLOT_BUCKET, params_.bucket_words * sizeof(uint));
-  make_buffer(SLOT_SCAN, (params_.scan_tiles + 1) * sizeof(uint));
-  params_.buckets = buckets;
-  if (two_steps || !buckets_clear_ || options_.tricks.library_clear.value_or(false))
-    clear_for_sort(params_.bucket_words);
-  buckets_clear_ = false;
-  if (two_steps) {
-    split(parent, ONE_PARENT, 0, Order::scene, Order::cells);
-    split(shift, parent, SCAN_TILE, Order::cells, Order::buckets);
-  } else {
-    split(shift, ONE_PARENT, 0, Order::scene, Order::buckets);
-  }
-  const Variant variant = {.texture_table = takes_texture(Kernel::grid_sort, options_.tricks),
-                           .only_split = !two_steps};
+  tiles ? split_tiles(shift, buckets) : split_twice(shift, buckets, parent_shift);
+  Variant variant = sorter(Kernel::grid_sort);
+  variant.from_tiles = tiles;
   launch({Kernel::grid_sort, SORT_BLOCK, variant, folded(buckets), Order::buckets}, params_);
-  buckets_clear_ = !two_steps;
 }
 
 void DeviceBackend::sort_by_library() {
@@ -141,8 +152,9 @@ void DeviceBackend::sort_by_library() {
 }
 
 void DeviceBackend::sort_into_cells() {
+  params_.names = names_in_radii_ ? NAMES_IN_RADII : 0;
   make_buffer(SLOT_SORTED, n_ * sizeof(vec4));
-  make_buffer(SLOT_ID, n_ * sizeof(uint));
+  if (!names_in_radii_ || options_.grid.sort == Sort::radix) make_buffer(SLOT_ID, n_ * sizeof(uint));
   make_buffer(SLOT_SORTED_COUNT, n_ * sizeof(uint));
   if (options_.grid.sort == Sort::radix) return sort_by_library();
   const bool buckets =
@@ -152,10 +164,12 @@ void DeviceBackend::sort_into_cells() {
 
 // Cells of the spheres as they stand, and the results of the last step cleared.
 void DeviceBackend::build_cells() {
-  const bool built = cells_built_ && options_.grid.keep_cells;
+  const bool named = order_ == Order::scene || names_in_radii_ == variant_.equal_radii;
+  const bool built = cells_built_ && options_.grid.keep_cells && named;
   if (!built) order_ = stands_in_cell_order() ? Order::scene : Order::cells;
   const bool sorted = order_ == Order::cells;
-  params_.in_cells = sorted;
+  if (!built && sorted) names_in_radii_ = variant_.equal_radii;
+  params_.in_cells = names_of(order_);
   ++(built ? work_.cells_kept : sorted ? work_.sorts : work_.orders_kept);
   if (!built && sorted) return sort_into_cells();
   if (!built) return launch_bounds();

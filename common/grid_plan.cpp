@@ -17,7 +17,8 @@ namespace {
 constexpr double huge_radius = 0x1p100;    // above, cells would overflow float32: one cell holds everything
 constexpr double smallest_side = 0x1p-90;  // far above what flushed denormals can move
 constexpr uint64_t sample_size = 1 << 16;
-constexpr uint64_t spheres_per_bucket = 1536;  // on average, at most: few then have more than a group's threads hold
+constexpr uint64_t spheres_per_bucket =
+    SORT_EACH * SORT_BLOCK * 5 / 6;  // on average, at most: few then have more than a group's threads hold
 static_assert(SORT_EACH * SORT_BLOCK <= CELLS_PER_BUCKET);
 constexpr float many_octaves = 4;  // largest over smallest radius from which on levels pay
 
@@ -173,7 +174,7 @@ BucketPlan plan_buckets(uint64_t spheres, uint slots) {
   uint shift = std::bit_width(CELLS_PER_BUCKET) - 1;
   while (shift > 0 && spheres > spheres_per_bucket * ranges(shift)) --shift;
   const uint buckets = ranges(shift);
-  if (buckets <= BUCKETS_AT_MOST) return {shift, buckets, ONE_PARENT};
+  if (buckets <= BUCKETS_AT_MOST && spheres <= SPLIT_TILE * SORT_BLOCK) return {shift, buckets, ONE_PARENT};
   uint parent = shift + uint(std::bit_width(buckets)) / 2;
   while (ranges(parent) > BUCKETS_AT_MOST) ++parent;
   return {shift, buckets, parent};

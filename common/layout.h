@@ -16,12 +16,12 @@
 #define SLOT_VERDICT 7   // uint[m]: what `decide` answers, verdict_code()
 #define SLOT_CELL 8      // uint[cell_slots + 2]: where each cell's spheres begin in cell order
 #define SLOT_SPLIT_ID 9  // uint[n]: which sphere stands at each place of SLOT_SPLIT, unless NAMES_IN_RADII
-#define SLOT_SORTED 10   // vec4[n]: spheres in cell order
-#define SLOT_ID 11       // uint[n]: which sphere stands at each place of the cell order
+#define SLOT_SORTED 10   // vec4[n]: spheres in cell order; where all radii are equal, the number in w
+#define SLOT_ID 11       // uint[n]: which sphere stands at each place of the cell order, where radii differ
 #define SLOT_SORTED_COUNT 12  // uint[n]: contacts, in cell order
 #define SLOT_SCAN 13     // uint[scan_tiles]: sums of the tiles of grid_scan; of grid_bounds: [0] is 1 when out of order
-#define SLOT_SPLIT 14    // vec4[n]: spheres in the order of buckets of cells
-#define SLOT_BUCKET 15   // uint[bucket_words]: where the next sphere of each bucket goes; see Params, grid_split
+#define SLOT_SPLIT 14    // vec4[n]: spheres in the order of buckets of cells, all of them or those of each tile
+#define SLOT_BUCKET 15   // uint[]: where the next sphere of each bucket goes, or where it ends in each tile
 #define SLOT_VISIBLE 16  // uint[2 * pixels]: the number of the sphere seen, then its depth; both ~0 where there is none
 #define SLOT_IMAGE 17    // uint[pixels]: red, green, blue, 255 from the lowest byte up; rows from the top
 #define SLOT_TILE 18     // uvec2[]: large spheres cut into tiles: the sphere's number, that of the tile in its box
@@ -38,7 +38,11 @@
 #define SLOT_SEEN_LIST 29    // uint[], two by View::turn: numbers of spheres that the last pictures showed
 #define SLOT_VISIBLE_TOO 30  // as SLOT_VISIBLE, for every other picture where two overlap
 #define SLOT_TOTAL 31
-#define SLOT_PARAMS 0  // the uniform block's own binding
+#define SLOT_PARAMS 0   // the uniform block's own binding
+#define CELL_TEXTURE 0  // texture units of GLSL, one for each use, so that they seldom change
+#define SPHERE_TEXTURE 1
+#define PYRAMID_TEXTURE 2
+#define TEXTURE_UNITS 3
 
 // Totals are spread over SUMMARY_SLOTS rows so that thousands of groups do not queue on one address; the host adds the
 // rows. 64-bit totals take two words, low first.
@@ -61,21 +65,22 @@
 #define SERVICE_BLOCK 128     // group size of the kernels whose size is no subject of the study
 #define MAX_GROUPS 65535      // of one dispatch along each axis, on every device; more are folded into the next axis
 
-#define SPHERES_PER_SORTER 4    // spheres that one thread of grid_count and grid_scatter handles
-#define SPHERES_PER_BOUNCER 8   // spheres that one thread of bounce looks at
-#define SPLIT_BLOCK 1024        // group size of split_count and grid_split
-#define SORT_BLOCK 512          // group size of grid_sort
-#define SPLIT_TILE 4096u        // spheres that one group of split_count and grid_split takes
-#define SPLIT_EACH 4u           // spheres that one thread of grid_split takes
-#define SORT_EACH 4u            // spheres that one thread of grid_sort holds
-#define BUCKETS_AT_MOST 1024u   // that one group of grid_split tells apart at a time
-#define CELLS_PER_BUCKET 2048u  // that grid_sort puts into order, at most
-#define ROWS_AHEAD 5            // rows of cells in the later half of a neighbourhood
-#define BOUNDS_TILE 512u        // spheres that one group of grid_bounds takes
-#define BOUNDS_WINDOW 1024u     // cells whose begins it holds at a time
-#define ONE_PARENT 31u          // as parent_shift: all buckets have the same
-#define NAMES_GIVEN 1u          // the spheres come from a split before, with their numbers
-#define NAMES_IN_RADII 2u       // which travel in place of the radii, since these are all equal; else in SLOT_SPLIT_ID
+#define SPHERES_PER_SORTER 4       // spheres that one thread of grid_count and grid_scatter handles
+#define SPHERES_PER_BOUNCER 8      // spheres that one thread of bounce looks at
+#define SPLIT_BLOCK 1024           // group size of split_tiles, split_count and grid_split
+#define SORT_BLOCK 512             // group size of grid_sort
+#define SPLIT_TILE 4096u           // spheres that one group of these takes
+#define SPLIT_EACH 4u              // and that one of its threads takes
+#define SORT_EACH 3u               // spheres that one thread of grid_sort holds
+#define BUCKETS_AT_MOST 1024u      // that one group of grid_split tells apart at a time
+#define CELLS_PER_BUCKET 2048u     // that grid_sort puts into order, at most
+#define ROWS_AHEAD 5               // rows of cells in the later half of a neighbourhood
+#define BOUNDS_TILE 512u           // spheres that one group of grid_bounds takes
+#define BOUNDS_WINDOW 1024u        // cells whose begins it holds at a time
+#define ONE_PARENT 31u             // as parent_shift: all buckets have the same
+#define NAMES_GIVEN 1u             // the spheres come from a split before, with their numbers
+#define NAMES_IN_RADII 2u          // these travel in place of the radii, since these are all equal; also of in_cells
+#define NAMES_IN_IDS 4u            // of in_cells: they are in SLOT_ID
 #define EMPTY_CELLS_AT_MOST 4096u  // between two spheres that stand in cell order
 #define SCAN_BLOCK 256             // group size of grid_scan
 #define SCAN_VECTORS 4             // uvec4 that one thread of grid_scan handles
@@ -108,7 +113,7 @@ struct Params {
   uint whole_state;  // not 0: place also writes velocities and SLOT_WIDE, bounce looks at all that may ever bounce
   float fade;        // of draw_light: 1 / (OCCLUSION_RADII * largest radius)^2
   uint n, columns, pair_capacity, deferred_capacity;  // columns: spheres that one group of collide_triangle meets
-  uint defer_undecided, pairs_to_decide, first_group, in_cells;  // 0: the naive predicate; of decide; of this slice
+  uint defer_undecided, pairs_to_decide, first_group, in_cells;  // 0: naive; of decide; of this slice; see number_of
   float origin_x, origin_y, origin_z, cells_per_metre;           // of the grid's cells, at level 0
   float largest_radius, reach_scale, reach_offset;       // of level 0, doubles with each level; see reach_in_cells
   uint scan_tiles;                                       // of grid_scan

@@ -29,8 +29,9 @@ __device__ inline void draw_batch(const Params& p, const World& w, const View& v
   __syncthreads();
   for (uint k = lane / WALKERS; k < walk_count; k += block / WALKERS) {
     uvec4 found = walks[k];
-    Walk walk = {in_camera(w.position[found.w], v), box_from(uvec2{found.x, found.y}), found.z,
-                 sphere_at(p, w, found.w)};
+    vec4 sphere = w.position[found.w];
+    Walk walk = {in_camera(with_radius(p, sphere), v), box_from(uvec2{found.x, found.y}), found.z,
+                 number_of(p, w, sphere, found.w)};
     draw_walk(w, v, walk, lane % WALKERS, WALKERS, WALKERS_ACROSS);
   }
   __syncthreads();  // before the next batch

@@ -60,8 +60,11 @@ struct Collider {
     if ((p.left_for_later & TALLY_LATER) == 0u && before == 0u) newly_colliding += 1u;  // else it is not waited for
   }
 
-  // The sphere that stands at a place of the cell order.
-  __device__ uint sphere_at(uint place) const { return p.in_cells != 0u ? w.id[place] : place; }
+  // number_of, of a step's own cells: numbers are in the radii's place wherever these are equal.
+  __device__ uint number_in_step(vec4 found, uint place) const {
+    if constexpr (EQUAL_RADII) return p.in_cells != 0u ? float_bits(found.w) : place;
+    return p.in_cells != 0u ? w.id[place] : place;
+  }
 
   __device__ bool totals_later() const { return (p.left_for_later & TOTALS_LATER) != 0u; }
 
@@ -105,11 +108,11 @@ struct Collider {
   }
 
   // For kernels that meet every unordered pair once, at places i and j: what the filter says of it. The caller counts
-  // the contact, or has an undecided pair decided. Most that come here collide, so the numbers are loaded beside the
+  // the contact, or has an undecided pair decided. Most that come here collide, so numbers are loaded beside the
   // spheres.
   __device__ uint meet(uint i, vec4 a, uint j, vec4 b) {
-    uint first = totals_later() ? i : sphere_at(i);
-    uint second = totals_later() ? j : sphere_at(j);
+    uint first = totals_later() ? i : number_in_step(a, i);
+    uint second = totals_later() ? j : number_in_step(b, j);
     uint verdict = filter_spheres(a, b);
     if (verdict == COLLIDE && !totals_later()) record(first, second);
     return verdict;

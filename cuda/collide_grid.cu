@@ -100,12 +100,12 @@ __device__ void decide_undecided(Collider<EQUAL_RADII, LISTED>& collider, const 
   const World& w = collider.w;
   uint row = (group_index(collider.p) % SUMMARY_SLOTS) * SUMMARY_WORDS;
   uint lane = threadIdx.x;
-  if (lane == 0u && undecided.pairs != 0u) atomicAdd(&w.summary[row + SUM_UNDECIDED], undecided.pairs);
+  if (lane == 0u) atomicAdd(&w.summary[row + SUM_UNDECIDED], undecided.pairs);
   if (lane >= min(undecided.pairs, UNDECIDED_ROOM)) return;
   uint i = undecided.pair[lane].x;
   uint j = undecided.pair[lane].y;
-  vec4 a = w.position[i];
-  vec4 b = w.position[j];
+  vec4 a = with_radius(collider.p, w.position[i]);
+  vec4 b = with_radius(collider.p, w.position[j]);
   uint verdict = finite_sphere(a) && finite_sphere(b) ? decide_double(a, b) : UNDECIDED;
   if (verdict == UNDECIDED) {
     collider.defer(i, j);
@@ -113,7 +113,8 @@ __device__ void decide_undecided(Collider<EQUAL_RADII, LISTED>& collider, const 
   }
   atomicAdd(&w.summary[row + SUM_STAGE + STAGE_DOUBLE], 1u);
   if (verdict == APART) return;
-  if (!collider.totals_later()) collider.record(collider.sphere_at(i), collider.sphere_at(j));
+  if (!collider.totals_later())
+    collider.record(number_of(collider.p, w, w.position[i], i), number_of(collider.p, w, w.position[j], j));
   collider.touch(i, 1u);
   collider.touch(j, 1u);
 }
@@ -142,6 +143,7 @@ __global__ void __launch_bounds__(BLOCK, groups_at_work(BLOCK)) collide_grid(Par
   for (uint first = begin + team * TEAM; first < end; first += BLOCK) {
     uint i = first + lane;
     vec4 mine = w.position[min(i, p.n - 1u)];
+    if (EQUAL_RADII) mine.w = p.radius;
     Rows rows = find_rows(p, w, mine, i, i < end);
     uint marked = 0u;
     uint next = 0u;
@@ -181,8 +183,8 @@ __global__ void __launch_bounds__(BLOCK, groups_at_work(BLOCK)) collide_grid(Par
       team_barrier();
     }
   }
-  __syncthreads();
-  decide_undecided(collider, undecided);
+  if (TEAMS > 1u) __syncthreads();
+  if (undecided.pairs != 0u) decide_undecided(collider, undecided);
   collider.finish_totals();
 }
 

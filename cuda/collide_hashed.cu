@@ -21,7 +21,7 @@ __global__ void __launch_bounds__(BLOCK) collide_hashed(Params p, World w) {
     uint i = first + lane;
     if (lane == 0u) queued = 0u;
     __syncthreads();
-    vec4 mine = w.position[min(i, p.n - 1u)];
+    vec4 mine = with_radius(p, w.position[min(i, p.n - 1u)]);
     uint own_level = level_of(mine.w, p);
     Cell own = cell_at(mine.x, mine.y, mine.z, own_level, p);
     for (uint level = i < p.n ? own_level : p.top_level + 1u; level <= p.top_level; ++level) {
@@ -41,7 +41,7 @@ __global__ void __launch_bounds__(BLOCK) collide_hashed(Params p, World w) {
           uint end = w.cell[last + 1u] + (last < slot ? p.n : 0u);
           for (; j < end; ++j) {
             uint other = j < p.n ? j : j - p.n;
-            vec4 sphere = w.position[other];
+            vec4 sphere = with_radius(p, w.position[other]);
             if (collider.in_reach(mine, sphere) && stands_in_row(sphere, level, y, z, p)) {
               uint place = atomicAdd(&queued, 1u);
               if (place < QUEUE) {

@@ -47,7 +47,7 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_bounds(Params p, World w, 
     vec4 four[4];  // all on their way before the first is asked; behind the last sphere that one again
     for (uint j = 0u; j < 4u; ++j) {
       uint place = c * CLUSTER + k + j * lanes;
-      four[j] = w.position[place < p.n ? place : p.n - 1u];
+      four[j] = with_radius(p, w.position[place < p.n ? place : p.n - 1u]);
     }
     for (uint j = 0u; j < 4u; ++j) {
       if (!ever_drawable(four[j])) continue;

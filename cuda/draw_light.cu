@@ -6,11 +6,11 @@
 namespace spherepair {
 
 // The sphere that stands at a place of the cell order; the surface's own takes nothing away.
-__device__ inline vec4 standing(const Params& p, const World& w, uint place) {
+__device__ inline vec4 found_at(const Params& p, const World& w, uint place) {
   return p.in_cells != 0u ? w.sorted[place] : w.position[place];
 }
-__device__ inline bool is_own(const Params& p, const World& w, uint place, Surface s) {
-  return (p.in_cells != 0u ? w.id[place] : place) == s.sphere;
+__device__ inline bool is_own(const Params& p, const World& w, vec4 found, uint place, Surface s) {
+  return number_of(p, w, found, place) == s.sphere;
 }
 
 __device__ inline float light_around(const Params& p, const World& w, Surface s) {
@@ -24,8 +24,10 @@ __device__ inline float light_around(const Params& p, const World& w, Surface s)
   for (uint z_cell = row_z.low; z_cell <= row_z.high; ++z_cell)
     for (uint y_cell = row_y.low; y_cell <= row_y.high; ++y_cell) {
       uint row = dense_slot(0u, y_cell, z_cell, p);
-      for (uint place = w.cell[row + row_x.low]; place < w.cell[row + row_x.high + 1u]; ++place)
-        if (!is_own(p, w, place, s)) taken += taken_by(standing(p, w, place), s, p);
+      for (uint place = w.cell[row + row_x.low]; place < w.cell[row + row_x.high + 1u]; ++place) {
+        vec4 found = found_at(p, w, place);
+        if (!is_own(p, w, found, place, s)) taken += taken_by(with_radius(p, found), s, p);
+      }
     }
   return light_left(taken);
 }
@@ -39,8 +41,10 @@ __device__ inline bool in_shadow(const Params& p, const World& w, const View& v,
     CellRange row_z = cells_on_way(z, y, slope_of(v.sun.z, v), float(layer), p.cells_z);
     for (uint z_cell = row_z.low; z_cell <= row_z.high; ++z_cell) {
       uint row = dense_slot(0u, layer, z_cell, p);
-      for (uint place = w.cell[row + row_x.low]; place < w.cell[row + row_x.high + 1u]; ++place)
-        if (shades(standing(p, w, place), s, v) && !is_own(p, w, place, s)) return true;
+      for (uint place = w.cell[row + row_x.low]; place < w.cell[row + row_x.high + 1u]; ++place) {
+        vec4 found = found_at(p, w, place);
+        if (shades(with_radius(p, found), s, v) && !is_own(p, w, found, place, s)) return true;
+      }
     }
   }
   return false;

@@ -8,11 +8,13 @@
 namespace spherepair {
 
 // The sphere's slot; behind the last sphere, the end of the table.
+template <bool DENSE>
 __device__ inline uint slot_at(Params p, const World& w, uint i) {
-  uint own = slot_of(w.position[min(i, p.n - 1u)], p);
+  uint own = slot_of(w.position[min(i, p.n - 1u)], DENSE, p);
   return i < p.n ? own : p.cell_slots;
 }
 
+template <bool DENSE>
 __global__ void __launch_bounds__(SERVICE_BLOCK) grid_bounds(Params p, World w) {
   __shared__ uint slot[BOUNDS_TILE + 1];  // of the sphere before the first one, then of each
   __shared__ uint begins[BOUNDS_WINDOW];  // the part of the table that is being filled in
@@ -20,8 +22,8 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) grid_bounds(Params p, World w) 
   uint lane = threadIdx.x;
   uint first = group_index(p) * BOUNDS_TILE;
   if (lane == 0u) disorder = 0u;
-  if (lane == 0u) slot[0] = first == 0u ? ~0u : slot_at(p, w, first - 1u);
-  for (uint k = lane; k < BOUNDS_TILE; k += SERVICE_BLOCK) slot[k + 1u] = slot_at(p, w, first + k);
+  if (lane == 0u) slot[0] = first == 0u ? ~0u : slot_at<DENSE>(p, w, first - 1u);
+  for (uint k = lane; k < BOUNDS_TILE; k += SERVICE_BLOCK) slot[k + 1u] = slot_at<DENSE>(p, w, first + k);
   for (uint k = lane; k < BOUNDS_TILE; k += SERVICE_BLOCK) clear_results(p, w, first + k);
   __syncthreads();
   for (uint k = lane; k < BOUNDS_TILE; k += SERVICE_BLOCK) {
@@ -46,6 +48,8 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) grid_bounds(Params p, World w) 
   }
 }
 
-Entry grid_bounds_kernel(uint, Variant) { return reinterpret_cast<Entry>(&grid_bounds); }
+Entry grid_bounds_kernel(uint, Variant variant) {
+  return variant.dense ? reinterpret_cast<Entry>(&grid_bounds<true>) : reinterpret_cast<Entry>(&grid_bounds<false>);
+}
 
 }  // namespace spherepair

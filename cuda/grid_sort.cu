@@ -7,38 +7,60 @@
 #include "kernels.cuh"
 
 namespace spherepair {
+namespace {
 
-// The number of sphere i of the bucket.
-__device__ inline uint name_of(const Params& p, const World& w, vec4 sphere, uint i) {
-  return (p.names & NAMES_IN_RADII) != 0u ? float_bits(sphere.w) : w.from_id[i];
+constexpr uint HELD = SORT_EACH * SORT_BLOCK;
+static_assert(HELD <= CELLS_PER_BUCKET && CELLS_PER_BUCKET <= 1u << 16);
+
+// The spheres of a bucket: from which place on they go, and how many they are. Of a crowd a thread has those numbered
+// from `first` to below `last`, every `step`-th.
+struct Bucket {
+  uint begin, size, first, last, step;
+};
+
+// FROM_TILES: the bucket has a run of spheres in each tile, which a thread each finds.
+template <bool FROM_TILES>
+__device__ inline Bucket find_bucket(const Params& p, const World& w, uint bucket, uint* place) {
+  uint lane = threadIdx.x;
+  if constexpr (FROM_TILES) {
+    __shared__ uint bucket_begin, bucket_size;
+    uint tiles = (p.n + SPLIT_TILE - 1u) / SPLIT_TILE;
+    uint end_at = min(lane, tiles - 1u) * BUCKETS_AT_MOST + bucket;
+    uint end = w.next_place[end_at];
+    uint begin = w.next_place[max(end_at, 1u) - 1u];
+    if (bucket == 0u) begin = 0u;
+    if (lane >= tiles) begin = end = 0u;
+    if (lane == 0u) bucket_begin = 0u;
+    uint size = sum_up_to<SORT_BLOCK>(end - begin);
+    if (begin != 0u) atomicAdd(&bucket_begin, begin);
+    uint tile = lane * SPLIT_TILE;
+    for (uint k = begin; k < end && size - end + k < HELD; ++k) place[size - end + k] = tile + k;
+    if (lane == SORT_BLOCK - 1u) bucket_size = size;
+    __syncthreads();
+    return {bucket_begin, bucket_size, tile + begin, tile + end, 1u};
+  } else {
+    uint begin = bucket == 0u ? 0u : w.next_place[p.first_bucket + bucket - 1u];
+    uint end = w.next_place[p.first_bucket + bucket];
+    return {begin, end - begin, begin + lane, end, SORT_BLOCK};
+  }
 }
-__device__ inline void put(const Params& p, const World& w, vec4 sphere, uint name, uint at) {
-  if ((p.names & NAMES_IN_RADII) != 0u) sphere.w = p.radius;
+// Where the k-th sphere of the bucket stands, or behind its last one that one; any sphere where it has none.
+template <bool FROM_TILES>
+__device__ inline uint held(Bucket b, uint k, const uint* place) {
+  if (b.size == 0u) return 0u;
+  return FROM_TILES ? place[min(k, b.size - 1u)] : b.begin + min(k, b.size - 1u);
+}
+
+// Sphere i of those that were split.
+__device__ inline void put(const Params& p, const World& w, vec4 sphere, uint i, uint at) {
   w.sorted[at] = sphere;
-  w.id[at] = name;
+  if ((p.names & NAMES_IN_RADII) == 0u) w.id[at] = w.from_id[i];
   w.sorted_count[at] = 0u;
 }
 
-template <bool ONLY>
-__global__ void __launch_bounds__(SORT_BLOCK) grid_sort(Params p, World w) {
-  __shared__ uint place[CELLS_PER_BUCKET];  // of the next sphere of each cell, in the bucket; then its spheres by cell
+// Makes of the counts where the cells begin, in the bucket and in the table.
+__device__ inline void begin_cells(const Params& p, const World& w, Bucket b, uint low, uint* place) {
   uint lane = threadIdx.x;
-  if (group_index(p) >= p.buckets) return;
-  uint begin = group_index(p) == 0u ? 0u : w.next_place[p.first_bucket + group_index(p) - 1u];
-  uint end = w.next_place[p.first_bucket + group_index(p)];
-  uint low = group_index(p) << p.bucket_shift;
-  if (ONLY && lane == 0u)
-    w.next_place[BUCKETS_AT_MOST + group_index(p)] = w.next_place[2u * BUCKETS_AT_MOST + group_index(p)] = 0u;
-  for (uint c = lane; c < CELLS_PER_BUCKET; c += SORT_BLOCK) place[c] = 0u;
-  __syncthreads();
-  uint c[SORT_EACH];
-  uint rank[SORT_EACH];  // in the cell, then in the bucket; of the spheres of the last turn
-  uint turn = SORT_EACH * SORT_BLOCK;
-  for (uint first = begin + lane; first < end + lane; first += turn) {
-    for (uint k = 0u; k < SORT_EACH; ++k) c[k] = slot_of(w.position[min(first + k * SORT_BLOCK, end - 1u)], p) - low;
-    for (uint k = 0u; k < SORT_EACH; ++k)
-      if (first + k * SORT_BLOCK < end) rank[k] = atomicAdd(&place[c[k]], 1u);
-  }
   __syncthreads();
   uint own = 0u;
   for (uint k = 0u; k < CELLS_PER_BUCKET / SORT_BLOCK; ++k) own += place[lane * (CELLS_PER_BUCKET / SORT_BLOCK) + k];
@@ -50,30 +72,67 @@ __global__ void __launch_bounds__(SORT_BLOCK) grid_sort(Params p, World w) {
   }
   __syncthreads();
   for (uint k = lane; k < 1u << p.bucket_shift; k += SORT_BLOCK)
-    if (low + k <= p.cell_slots) w.cell[low + k] = begin + place[k];
-  if (end - begin <= turn) {
-    for (uint k = 0u; k < SORT_EACH; ++k)
-      if (begin + lane + k * SORT_BLOCK < end) rank[k] += place[c[k]];
-    __syncthreads();
-    for (uint k = 0u; k < SORT_EACH; ++k)
-      if (begin + lane + k * SORT_BLOCK < end) place[rank[k]] = begin + lane + k * SORT_BLOCK;
-    __syncthreads();
-    for (uint at = begin + lane; at < end; at += SORT_BLOCK) {
-      uint i = place[at - begin];
-      vec4 sphere = w.position[i];
-      put(p, w, sphere, name_of(p, w, sphere, i), at);
-    }
+    if (low + k <= p.cell_slots) w.cell[low + k] = b.begin + place[k];
+}
+
+template <bool FROM_TILES, bool DENSE>
+__device__ inline void sort_held(const Params& p, const World& w, Bucket b, uint low, uint* place) {
+  uint lane = threadIdx.x;
+  uint from[SORT_EACH];           // where the thread's spheres stand
+  uint cell_and_rank[SORT_EACH];  // of each, in the bucket; the rank in the upper half
+  for (uint k = 0u; k < SORT_EACH; ++k) from[k] = held<FROM_TILES>(b, lane + k * SORT_BLOCK, place);
+  __syncthreads();
+  for (uint c = lane; c < CELLS_PER_BUCKET; c += SORT_BLOCK) place[c] = 0u;
+  for (uint k = 0u; k < SORT_EACH; ++k) cell_and_rank[k] = slot_of(w.position[from[k]], DENSE, p) - low;
+  __syncthreads();
+  for (uint k = 0u; k < SORT_EACH; ++k)
+    if (lane + k * SORT_BLOCK < b.size) cell_and_rank[k] |= atomicAdd(&place[cell_and_rank[k]], 1u) << 16;
+  begin_cells(p, w, b, low, place);
+  for (uint k = 0u; k < SORT_EACH; ++k)
+    cell_and_rank[k] = place[cell_and_rank[k] % CELLS_PER_BUCKET] + (cell_and_rank[k] >> 16);
+  __syncthreads();
+  for (uint k = 0u; k < SORT_EACH; ++k)
+    if (lane + k * SORT_BLOCK < b.size) place[cell_and_rank[k]] = from[k];
+  __syncthreads();
+  for (uint k = lane; k < b.size; k += SORT_BLOCK) put(p, w, w.position[place[k]], place[k], b.begin + k);
+}
+
+template <bool DENSE>
+__device__ inline void sort_crowd(const Params& p, const World& w, Bucket b, uint low, uint* place) {
+  __syncthreads();
+  for (uint c = threadIdx.x; c < CELLS_PER_BUCKET; c += SORT_BLOCK) place[c] = 0u;
+  __syncthreads();
+  for (uint i = b.first; i < b.last; i += b.step) atomicAdd(&place[slot_of(w.position[i], DENSE, p) - low], 1u);
+  begin_cells(p, w, b, low, place);
+  __syncthreads();
+  for (uint i = b.first; i < b.last; i += b.step) {
+    vec4 sphere = w.position[i];
+    put(p, w, sphere, i, b.begin + atomicAdd(&place[slot_of(sphere, DENSE, p) - low], 1u));
+  }
+}
+
+}  // namespace
+
+template <bool FROM_TILES, bool DENSE>
+__global__ void __launch_bounds__(SORT_BLOCK, 4) grid_sort(Params p, World w) {
+  __shared__ uint place[CELLS_PER_BUCKET];  // where the bucket's spheres stand; then, in the bucket, of the next sphere
+                                            // of each cell; then its spheres by cell
+  if (group_index(p) >= p.buckets) return;
+  uint low = group_index(p) << p.bucket_shift;
+  Bucket b = find_bucket<FROM_TILES>(p, w, group_index(p), place);
+  if (b.size <= HELD) {
+    sort_held<FROM_TILES, DENSE>(p, w, b, low, place);
   } else {
-    __syncthreads();
-    for (uint i = begin + lane; i < end; i += SORT_BLOCK) {
-      vec4 sphere = w.position[i];
-      put(p, w, sphere, name_of(p, w, sphere, i), begin + atomicAdd(&place[slot_of(sphere, p) - low], 1u));
-    }
+    sort_crowd<DENSE>(p, w, b, low, place);
   }
 }
 
 Entry grid_sort_kernel(uint, Variant variant) {
-  return variant.only_split ? reinterpret_cast<Entry>(&grid_sort<true>) : reinterpret_cast<Entry>(&grid_sort<false>);
+  if (variant.dense)
+    return variant.from_tiles ? reinterpret_cast<Entry>(&grid_sort<true, true>)
+                              : reinterpret_cast<Entry>(&grid_sort<false, true>);
+  return variant.from_tiles ? reinterpret_cast<Entry>(&grid_sort<true, false>)
+                            : reinterpret_cast<Entry>(&grid_sort<false, false>);
 }
 
 }  // namespace spherepair

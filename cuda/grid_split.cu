@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A group takes SPLIT_TILE spheres, counts them by bucket, reserves a place for all of them in each bucket, puts their
 // numbers into the order of the buckets, and copies them in that order, so that neighbours are written by neighbours.
-// The spheres stand in the order of the parents of these buckets, so that a tile meets few of them. Where there is one
-// split only, each group makes of the counts the places where the buckets begin, a bucket a thread.
+// The spheres stand in the order of the parents of these buckets, so that a tile meets few of them.
 #include "cell.h"
 #include "group_sum.cuh"
 #include "kernels.cuh"
 
 namespace spherepair {
 
-// Of SLOT_BUCKET, where there is one split only: where each bucket ends, how many spheres it has, how many have a
-// place; BUCKETS_AT_MOST words each, of which grid_sort leaves the latter two at 0.
-template <bool ONLY>
+template <bool DENSE>
 __global__ void __launch_bounds__(SPLIT_BLOCK, 2) grid_split(Params p, World w) {
   __shared__ uint place[BUCKETS_AT_MOST];  // of the next sphere of each bucket; then from there to its place among all
   __shared__ uint order[SPLIT_TILE];       // the spheres of the tile by bucket: bucket, number in the tile
@@ -20,20 +17,12 @@ __global__ void __launch_bounds__(SPLIT_BLOCK, 2) grid_split(Params p, World w) 
   uint first = group_index(p) * SPLIT_TILE;
   if (first >= p.n) return;
   uint end = min(first + SPLIT_TILE, p.n);
-  uint spheres = ONLY ? w.next_place[BUCKETS_AT_MOST + lane] : 0u;
   uint bucket[SPLIT_EACH];
   for (uint k = 0u; k < SPLIT_EACH; ++k)
-    bucket[k] = slot_of(w.position[min(first + k * SPLIT_BLOCK + lane, end - 1u)], p) >> p.bucket_shift;
-  uint begin = 0u;
-  if constexpr (ONLY) {
-    uint bucket_end = sum_up_to<SPLIT_BLOCK>(spheres);
-    begin = bucket_end - spheres;
-    if (first == 0u) w.next_place[lane] = bucket_end;
-  }
-  uint places = ONLY ? 2u * BUCKETS_AT_MOST : p.first_bucket;  // where those begin that are handed out
+    bucket[k] = slot_of(w.position[min(first + k * SPLIT_BLOCK + lane, end - 1u)], DENSE, p) >> p.bucket_shift;
   bool parents = p.parent_shift < ONE_PARENT;
-  uint last_bucket = bucket_above(parents ? slot_of(w.position[end - 1u], p) : 0u, p);
-  uint low = parents ? bucket_below(slot_of(w.position[first], p), p) : 0u;
+  uint last_bucket = bucket_above(parents ? slot_of(w.position[end - 1u], DENSE, p) : 0u, p);
+  uint low = parents ? bucket_below(slot_of(w.position[first], DENSE, p), p) : 0u;
   for (; low <= last_bucket; low += BUCKETS_AT_MOST) {
     place[lane] = 0u;
     __syncthreads();
@@ -45,7 +34,7 @@ __global__ void __launch_bounds__(SPLIT_BLOCK, 2) grid_split(Params p, World w) 
     uint upto = sum_up_to<SPLIT_BLOCK>(own);
     if (lane == SPLIT_BLOCK - 1u) taken = upto;
     place[lane] = upto - own;
-    uint shift = own != 0u ? begin + atomicAdd(&w.next_place[places + low + lane], own) - (upto - own) : 0u;
+    uint shift = own != 0u ? atomicAdd(&w.next_place[p.first_bucket + low + lane], own) - (upto - own) : 0u;
     __syncthreads();
     for (uint k = 0u; k < SPLIT_EACH; ++k)
       if (first + k * SPLIT_BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST)
@@ -68,7 +57,7 @@ __global__ void __launch_bounds__(SPLIT_BLOCK, 2) grid_split(Params p, World w) 
 }
 
 Entry grid_split_kernel(uint, Variant variant) {
-  return variant.only_split ? reinterpret_cast<Entry>(&grid_split<true>) : reinterpret_cast<Entry>(&grid_split<false>);
+  return variant.dense ? reinterpret_cast<Entry>(&grid_split<true>) : reinterpret_cast<Entry>(&grid_split<false>);
 }
 
 }  // namespace spherepair

@@ -45,6 +45,16 @@ __device__ inline uint group_index(Params p) { return p.first_group + blockIdx.x
 
 __device__ inline uint group_count() { return gridDim.x * gridDim.y; }
 
+// Of whoever was found at a place of the launch's order: the number, and the sphere with its radius.
+__device__ inline uint number_of(const Params& p, const World& w, vec4 found, uint place) {
+  if (p.in_cells == NAMES_IN_RADII) return float_bits(found.w);
+  return p.in_cells == NAMES_IN_IDS ? w.id[place] : place;
+}
+__device__ inline vec4 with_radius(const Params& p, vec4 found) {
+  if (p.in_cells == NAMES_IN_RADII) found.w = p.radius;
+  return found;
+}
+
 __device__ inline void clear_results(Params p, World w, uint i) {
   if (i < p.n) w.count[i] = 0u;
   if (i < SUMMARY_SLOTS * SUMMARY_WORDS) w.summary[i] = 0u;

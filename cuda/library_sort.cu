@@ -5,7 +5,6 @@
 #include <thrust/device_ptr.h>
 #include <thrust/execution_policy.h>
 #include <thrust/fill.h>
-#include <thrust/gather.h>
 #include <thrust/iterator/counting_iterator.h>
 #include <thrust/scan.h>
 #include <thrust/sequence.h>
@@ -23,6 +22,17 @@ namespace {
 struct SlotOf {
   Params p;
   __device__ uint operator()(vec4 sphere) const { return slot_of(sphere, p); }
+};
+
+// The sphere of a number, with it in place of the radius where NAMES_IN_RADII.
+struct Named {
+  const vec4* position;
+  bool in_radii;
+  __device__ vec4 operator()(uint i) const {
+    vec4 sphere = position[i];
+    if (in_radii) sphere.w = bits_float(i);
+    return sphere;
+  }
 };
 
 }  // namespace
@@ -77,7 +87,8 @@ void LibrarySort::sort(const Params& p, const vec4* position, uint* table, vec4*
   thrust::transform(policy, spheres, spheres + n, slots, SlotOf{p});
   thrust::sequence(policy, ids, ids + n);
   thrust::sort_by_key(policy, slots, slots + n, ids);
-  thrust::gather(policy, ids, ids + n, spheres, thrust::device_ptr<vec4>(sorted));
+  const Named named{position, (p.names & NAMES_IN_RADII) != 0u};
+  thrust::transform(policy, ids, ids + n, thrust::device_ptr<vec4>(sorted), named);
   thrust::fill(policy, counts, counts + n, 0u);
   thrust::lower_bound(policy, slots, slots + n, first_slot, first_slot + p.cell_slots + 1, cells);
   memory_->deallocate(block, n * sizeof(uint));

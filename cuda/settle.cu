@@ -16,12 +16,12 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) settle(Params p, World w) {
   c.start_totals();
   uint row = (group_index(p) % SUMMARY_SLOTS) * SUMMARY_WORDS;
   for (; k < pairs; k += SERVICE_BLOCK * gridDim.x) {
-    uint first = c.sphere_at(pair.x);
-    uint second = c.sphere_at(pair.y);
-    Verdict verdict = decide_exact(w.position[pair.x], w.position[pair.y]);
+    vec4 a = w.position[pair.x];
+    vec4 b = w.position[pair.y];
+    Verdict verdict = decide_exact(with_radius(p, a), with_radius(p, b));
     atomicAdd(&w.summary[row + SUM_STAGE + verdict.stage], 1u);
     if (verdict.collide) {
-      if (!c.totals_later()) c.record(first, second);
+      if (!c.totals_later()) c.record(number_of(p, w, a, pair.x), number_of(p, w, b, pair.y));
       c.touch(pair.x, 1u);
       c.touch(pair.y, 1u);
     }

@@ -40,10 +40,6 @@ __device__ inline uint left_of(const World& w, uint seen) {
   return w.seen_left[seen / 8u] >> shift_in_word(seen) & 15u;
 }
 
-__device__ inline uint sphere_at(const Params& p, const World& w, uint place) {
-  return p.in_cells != 0u ? w.id[place] : place;
-}
-
 // Where a sphere is to be tried: an empty box where that is nowhere, or draw_tiles does it.
 struct Walk {
   vec4 seen;
@@ -54,7 +50,8 @@ struct Walk {
 // It is passed over when it is out of view, between the pixels' centres, hidden or drawn before, and cut into tiles
 // when it is large. One of its threads leads. The contacts of whatever may be seen come along from the cell order.
 __device__ inline Walk walk_of(const Params& p, const World& w, const View& v, uint place, bool leads) {
-  vec4 seen = in_camera(w.position[place], v);
+  vec4 found = w.position[place];
+  vec4 seen = in_camera(with_radius(p, found), v);
   Walk walk = {seen, {0u, 0u, 0u, 0u}, 0u, 0u};
   Box box = walk.box;
   if (in_frustum(seen, v)) box = box_of(seen, v);
@@ -67,7 +64,7 @@ __device__ inline Walk walk_of(const Params& p, const World& w, const View& v, u
   bool hidden = asks && is_hidden(w, v, box, walk.nearest, level_for(box));
   if (hidden) count_drawn(w, v, DRAWN_HIDDEN);
   if (hidden) return walk;
-  walk.sphere = sphere_at(p, w, place);
+  walk.sphere = number_of(p, w, found, place);
   if (leads && p.in_cells != 0u) w.count[walk.sphere] = w.sorted_count[place];
   if (rest && left_of(w, walk.sphere) != 0u) return walk;
   bool large = is_large(box, v);

@@ -4,13 +4,17 @@
 
 #include <epoxy/gl.h>
 
+#include <array>
 #include <cstdint>
 #include <map>
+
+#include "layout.h"
 
 namespace spherepair {
 
 // Part of a buffer; offset and size in bytes.
 struct TexelRange {
+  GLuint unit;  // where shaders find it
   GLenum format;
   GLuint buffer;
   uint64_t offset, bytes;
@@ -21,19 +25,19 @@ struct TexelRange {
 // small dispatch.
 class BufferTextures {
  public:
-  // To be read at texture unit 0.
   void bind(const TexelRange& range) {
     const auto found = made_.find(range);
     const GLuint texture = found != made_.end() ? found->second : make(range);
-    if (texture != bound_) glBindTextureUnit(0, texture);
-    bound_ = texture;
+    GLuint& bound = bound_[range.unit];
+    if (texture != bound) glBindTextureUnit(range.unit, texture);
+    bound = texture;
   }
 
   // Deletes all, as must be done before a buffer is deleted.
   void forget() {
     for (const auto& [range, texture] : made_) glDeleteTextures(1, &texture);
     made_.clear();
-    bound_ = 0;
+    bound_ = {};
   }
 
  private:
@@ -47,7 +51,7 @@ class BufferTextures {
   }
 
   std::map<TexelRange, GLuint> made_;
-  GLuint bound_ = 0;
+  std::array<GLuint, TEXTURE_UNITS> bound_{};
 };
 
 }  // namespace spherepair

@@ -169,8 +169,7 @@ bool GlslBackend::takes_texture(Kernel kernel, const Tricks& tricks) const {
   return wanted.value_or(true) && fits;
 }
 
-// What the launches before have written is seen through the paths that this one reads by. One call for both: each
-// waits for the device.
+// What the launches before have written is seen through the paths that this one reads by, after one wait for all.
 GLbitfield GlslBackend::barriers(const Launch& launch) const {
   if (!batched_) return GL_ALL_BARRIER_BITS;
   return GL_SHADER_STORAGE_BARRIER_BIT | (launch.variant.texture_table ? GL_TEXTURE_FETCH_BARRIER_BIT : 0);
@@ -179,11 +178,11 @@ GLbitfield GlslBackend::barriers(const Launch& launch) const {
 TexelRange GlslBackend::texels(const Launch& launch) const {
   switch (launch.kernel) {
     case Kernel::collide_grid:
-      return {GL_R32UI, buffers_[launch.table], 0, windows().words() * sizeof(uint)};
+      return {CELL_TEXTURE, GL_R32UI, buffers_[launch.table], 0, windows().words() * sizeof(uint)};
     case Kernel::draw_cull:
-      return {GL_RG32UI, buffers_[SLOT_PYRAMID], 0, pyramid_texels() * sizeof(uvec2)};
+      return {PYRAMID_TEXTURE, GL_RG32UI, buffers_[SLOT_PYRAMID], 0, pyramid_texels() * sizeof(uvec2)};
     default:
-      return {GL_RGBA32UI, buffers_[position_slot(launch.order)], 0, spheres() * sizeof(vec4)};
+      return {SPHERE_TEXTURE, GL_RGBA32UI, buffers_[position_slot(launch.order)], 0, spheres() * sizeof(vec4)};
   }
 }
 
@@ -198,6 +197,7 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   context_.make_current();
   Variant variant = launch.variant;
   variant.windows = launch.kernel == Kernel::collide_grid && variant.texture_table && windows().count() > 1;
+  variant.folded = launch.groups[1] > 1 || params.first_group != 0;
   const Program& program = programs_.get(kernel_name(launch.kernel), launch.block, variant, limits_.features);
   set_params(params);
   program.set_view(view());

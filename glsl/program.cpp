@@ -23,8 +23,9 @@ std::string source_of(const std::string& kernel, unsigned block, const Variant& 
          fmt::format("#define BLOCK {}\n#define EQUAL_RADII {}\n#define LISTED {}\n", block, int(variant.equal_radii),
                      int(variant.listed)) +
          (variant.texture_table ? "#define TEXTURE_TABLE\n" : "") + (variant.windows ? "#define WINDOWS\n" : "") +
-         (variant.only_split ? "#define ONLY_SPLIT\n" : "") +
-         fmt::format("#define BUNDLES {}\n#define BY_CELLS {}\n", variant.bundles, variant.by_cells) +
+         (variant.from_tiles ? "#define FROM_TILES\n" : "") + (variant.folded ? "#define FOLDED\n" : "") +
+         fmt::format("#define BUNDLES {}\n#define BY_CELLS {}\n#define DENSE {}\n", variant.bundles, variant.by_cells,
+                     variant.dense) +
          fmt::format("#define METHOD {}u\n#define PRECISION {}\n#define Real {}\n", method, precision,
                      real_names[precision]) +
          (features.atomics_64 ? "#extension GL_NV_shader_atomic_int64 : require\n#define ATOMICS_64\n" : "") +

@@ -24,7 +24,7 @@ uint64_t TableWindows::count() const { return step_ ? (cells() + step_ - 1) / st
 void TableWindows::dispatch(uint64_t groups, GLuint table, GLuint program, BufferTextures& textures) const {
   for (uint64_t first = 0; first < cells(); first += step_) {
     const uint64_t behind = std::min(first + step_, cells()), texels = std::min(longest_, words_ - first);
-    textures.bind({GL_R32UI, table, first * sizeof(uint), texels * sizeof(uint)});
+    textures.bind({CELL_TEXTURE, GL_R32UI, table, first * sizeof(uint), texels * sizeof(uint)});
     glProgramUniform2ui(program, 0, uint(first), uint(behind));
     const auto share = folded(groups * (behind - first) / words_ + 1);
     glDispatchCompute(share[0], share[1], share[2]);

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from ranks import apart
 from records import Missing
 
-ORDER = ("clear", "grid_clear", "grid_bounds", "split_count", "split_scan", "grid_split", "grid_sort", "grid_count",
+ORDER = ("clear", "grid_clear", "grid_bounds", "split_tiles", "split_count", "split_scan", "grid_split", "grid_sort", "grid_count",
          "grid_sums", "grid_scan", "grid_scatter", "collide", "settle", "tally")  # of the kernels of a collision step
 INSTRUCTIONS = 4  # three fused multiply-adds and a comparison a pair, the least for the form that is used
 # A sphere, as bench/floors.h reckons them; records before the numbers travelled in the radii's place counted 128.

@@ -24,7 +24,8 @@ void draw_batch(uint place, bool exists) {
   barrier();
   for (uint k = lane / WALKERS; k < walk_count; k += BLOCK / WALKERS) {
     uvec4 found = walks[k];
-    Walk walk = {in_camera(position[found.w], v), box_from(found.xy), found.z, sphere_at(found.w)};
+    vec4 sphere = position[found.w];
+    Walk walk = {in_camera(with_radius(sphere), v), box_from(found.xy), found.z, number_of(sphere, found.w)};
     draw_walk(walk, lane % WALKERS, WALKERS, WALKERS_ACROSS);
   }
   barrier();  // before the next batch

@@ -19,9 +19,23 @@ layout(std430, binding = SLOT_DEFERRED) restrict buffer DeferredBuffer { uvec2 d
 layout(std430, binding = SLOT_PAIR) restrict buffer PairBuffer { uvec2 listed[]; };
 layout(std430, binding = SLOT_ID) restrict ID_ACCESS buffer IdBuffer { uint id[]; };
 
+#ifdef FOLDED
 uint group_index() { return p.first_group + gl_WorkGroupID.x + gl_NumWorkGroups.x * gl_WorkGroupID.y; }
-
 uint group_count() { return gl_NumWorkGroups.x * gl_NumWorkGroups.y; }
+#else
+uint group_index() { return gl_WorkGroupID.x; }
+uint group_count() { return gl_NumWorkGroups.x; }
+#endif
+
+// Of whoever was found at a place of the launch's order: the number, and the sphere with its radius.
+uint number_of(vec4 found, uint place) {
+  if (p.in_cells == NAMES_IN_RADII) return float_bits(found.w);
+  return p.in_cells == NAMES_IN_IDS ? id[place] : place;
+}
+vec4 with_radius(vec4 found) {
+  if (p.in_cells == NAMES_IN_RADII) found.w = p.radius;
+  return found;
+}
 
 void clear_results(uint i) {
   if (i < p.n) count[i] = 0u;

@@ -51,8 +51,14 @@ void touch(uint i, uint contacts) {
   if ((p.left_for_later & TALLY_LATER) == 0u && before == 0u) newly_colliding += 1u;  // else it is not waited for
 }
 
-// The sphere that stands at a place of the cell order.
-uint sphere_at(uint place) { return p.in_cells != 0u ? id[place] : place; }
+// number_of, of a step's own cells: numbers are in the radii's place wherever these are equal.
+uint number_in_step(vec4 found, uint place) {
+#if EQUAL_RADII
+  return p.in_cells != 0u ? float_bits(found.w) : place;
+#else
+  return p.in_cells != 0u ? id[place] : place;
+#endif
+}
 
 bool totals_later() { return (p.left_for_later & TOTALS_LATER) != 0u; }
 
@@ -102,10 +108,10 @@ uint meet_ordered(uint i, vec4 a, uint j, vec4 b) {
 }
 
 // For kernels that meet every unordered pair once, at places i and j: what the filter says of it. The caller counts the
-// contact, or has an undecided pair decided. Most that come here collide, so the numbers are loaded beside the spheres.
+// contact, or has an undecided pair decided. Most that come here collide, so numbers are loaded beside the spheres.
 uint meet(uint i, vec4 a, uint j, vec4 b) {
-  uint first = totals_later() ? i : sphere_at(i);
-  uint second = totals_later() ? j : sphere_at(j);
+  uint first = totals_later() ? i : number_in_step(a, i);
+  uint second = totals_later() ? j : number_in_step(b, j);
   uint verdict = filter_spheres(a, b);
   if (verdict == COLLIDE && !totals_later()) record(first, second);
   return verdict;

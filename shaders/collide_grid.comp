@@ -93,12 +93,12 @@ void leave_undecided(uint i, uint j) {
 void decide_undecided() {
   uint row = (group_index() % SUMMARY_SLOTS) * SUMMARY_WORDS;
   uint lane = gl_LocalInvocationID.x;
-  if (lane == 0u && undecided_pairs != 0u) atomicAdd(summary[row + SUM_UNDECIDED], undecided_pairs);
+  if (lane == 0u) atomicAdd(summary[row + SUM_UNDECIDED], undecided_pairs);
   if (lane >= min(undecided_pairs, UNDECIDED_ROOM)) return;
   uint i = undecided[lane].x;
   uint j = undecided[lane].y;
-  vec4 a = position[i];
-  vec4 b = position[j];
+  vec4 a = with_radius(position[i]);
+  vec4 b = with_radius(position[j]);
   uint verdict = finite_sphere(a) && finite_sphere(b) ? decide_double(a, b) : UNDECIDED;
   if (verdict == UNDECIDED) {
     defer(i, j);
@@ -106,7 +106,7 @@ void decide_undecided() {
   }
   atomicAdd(summary[row + SUM_STAGE + STAGE_DOUBLE], 1u);
   if (verdict == APART) return;
-  if (!totals_later()) record(sphere_at(i), sphere_at(j));
+  if (!totals_later()) record(number_of(position[i], i), number_of(position[j], j));
   touch(i, 1u);
   touch(j, 1u);
 }
@@ -124,6 +124,7 @@ void main() {
   for (uint first = begin + team * TEAM; first < end; first += BLOCK) {
     uint i = first + lane;
     vec4 mine = position[min(i, p.n - 1u)];
+    if (bool(EQUAL_RADII)) mine.w = p.radius;
     Rows rows = find_rows(mine, i, i < end);
     uint marked = 0u;
     uint next = 0u;
@@ -161,7 +162,7 @@ void main() {
       team_barrier();
     }
   }
-  barrier();
-  decide_undecided();
+  if (TEAMS > 1u) barrier();
+  if (undecided_pairs != 0u) decide_undecided();
   finish_totals();
 }

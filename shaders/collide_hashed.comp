@@ -20,7 +20,7 @@ void main() {
     uint i = first + lane;
     if (lane == 0u) queued = 0u;
     barrier();
-    vec4 mine = position[min(i, p.n - 1u)];
+    vec4 mine = with_radius(position[min(i, p.n - 1u)]);
     uint own_level = level_of(mine.w, p);
     Cell own = cell_at(mine.x, mine.y, mine.z, own_level, p);
     for (uint level = i < p.n ? own_level : p.top_level + 1u; level <= p.top_level; ++level) {
@@ -40,7 +40,7 @@ void main() {
           uint end = cell[last + 1u] + (last < slot ? p.n : 0u);
           for (; j < end; ++j) {
             uint other = j < p.n ? j : j - p.n;
-            vec4 sphere = position[other];
+            vec4 sphere = with_radius(position[other]);
             if (in_reach(mine, sphere) && stands_in_row(sphere, level, y, z, p)) {
               uint place = atomicAdd(queued, 1u);
               if (place < QUEUE) {

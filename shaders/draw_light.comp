@@ -11,8 +11,8 @@ layout(std430, binding = SLOT_IMAGE) restrict writeonly buffer ImageBuffer { uin
 layout(local_size_x = BLOCK) in;
 
 // The sphere that stands at a place of the cell order; the surface's own takes nothing away.
-vec4 standing(uint place) { return p.in_cells != 0u ? sorted[place] : position[place]; }
-bool is_own(uint place, Surface s) { return (p.in_cells != 0u ? id[place] : place) == s.sphere; }
+vec4 found_at(uint place) { return p.in_cells != 0u ? sorted[place] : position[place]; }
+bool is_own(vec4 found, uint place, Surface s) { return number_of(found, place) == s.sphere; }
 
 float light_around(Surface s) {
   float x = place_unclamped(s.x, p.origin_x, p);
@@ -25,8 +25,10 @@ float light_around(Surface s) {
   for (uint z_cell = row_z.low; z_cell <= row_z.high; ++z_cell)
     for (uint y_cell = row_y.low; y_cell <= row_y.high; ++y_cell) {
       uint row = dense_slot(0u, y_cell, z_cell, p);
-      for (uint place = cell[row + row_x.low]; place < cell[row + row_x.high + 1u]; ++place)
-        if (!is_own(place, s)) taken += taken_by(standing(place), s, p);
+      for (uint place = cell[row + row_x.low]; place < cell[row + row_x.high + 1u]; ++place) {
+        vec4 found = found_at(place);
+        if (!is_own(found, place, s)) taken += taken_by(with_radius(found), s, p);
+      }
     }
   return light_left(taken);
 }
@@ -40,8 +42,10 @@ bool in_shadow(Surface s) {
     CellRange row_z = cells_on_way(z, y, slope_of(v.sun.z, v), float(layer), p.cells_z);
     for (uint z_cell = row_z.low; z_cell <= row_z.high; ++z_cell) {
       uint row = dense_slot(0u, layer, z_cell, p);
-      for (uint place = cell[row + row_x.low]; place < cell[row + row_x.high + 1u]; ++place)
-        if (shades(standing(place), s, v) && !is_own(place, s)) return true;
+      for (uint place = cell[row + row_x.low]; place < cell[row + row_x.high + 1u]; ++place) {
+        vec4 found = found_at(place);
+        if (shades(with_radius(found), s, v) && !is_own(found, place, s)) return true;
+      }
     }
   }
   return false;

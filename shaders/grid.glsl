@@ -10,7 +10,7 @@ layout(std430, binding = SLOT_CELL) restrict CELL_ACCESS buffer CellBuffer { uin
 
 // Of kernels that only read the table: where the spheres of its k-th cell begin, from the slot table_begin on.
 #if defined(TEXTURE_TABLE) && !defined(SORTS_SPHERES)
-layout(binding = 0) uniform usamplerBuffer cell_texture;
+layout(binding = CELL_TEXTURE) uniform usamplerBuffer cell_texture;
 #ifdef WINDOWS
 layout(location =
            0) uniform uvec2 window;  // the first cell of this dispatch, where the texture begins, and the last's end
@@ -33,7 +33,7 @@ uint places_end() { return p.n; }
 
 // The spheres, of kernels that sort them.
 #if defined(TEXTURE_TABLE) && defined(SORTS_SPHERES)
-layout(binding = 0) uniform usamplerBuffer sphere_texture;
+layout(binding = SPHERE_TEXTURE) uniform usamplerBuffer sphere_texture;
 vec4 sphere_of(uint i) { return uintBitsToFloat(texelFetch(sphere_texture, int(i))); }
 #else
 vec4 sphere_of(uint i) { return position[i]; }

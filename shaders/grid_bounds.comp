@@ -14,7 +14,7 @@ shared uint disorder;
 
 // The sphere's slot; behind the last sphere, the end of the table.
 uint slot_at(uint i) {
-  uint own = slot_of(position[min(i, p.n - 1u)], p);
+  uint own = slot_of(position[min(i, p.n - 1u)], DENSE, p);
   return i < p.n ? own : p.cell_slots;
 }
 

@@ -16,12 +16,16 @@ void main() {
   uint place[SPHERES_PER_SORTER];
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k) sphere[k] = position[min(first + k * BLOCK, p.n - 1u)];
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k)
-    if (first + k * BLOCK < p.n) place[k] = atomicAdd(cell[slot_of(sphere[k], p) + 1u], 1u);
+    if (first + k * BLOCK < p.n) place[k] = atomicAdd(cell[slot_of(sphere[k], DENSE, p) + 1u], 1u);
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k) {
     uint i = first + k * BLOCK;
     if (i < p.n) {
+      if ((p.names & NAMES_IN_RADII) != 0u) {
+        sphere[k].w = bits_float(i);
+      } else {
+        id[place[k]] = i;
+      }
       sorted[place[k]] = sphere[k];
-      id[place[k]] = i;
       sorted_count[i] = 0u;
     }
   }

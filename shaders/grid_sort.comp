@@ -12,67 +12,113 @@
 layout(std430, binding = SLOT_SPLIT_ID) restrict readonly buffer FromIdBuffer { uint from_id[]; };
 layout(std430, binding = SLOT_SORTED) restrict writeonly buffer SortedBuffer { vec4 sorted[]; };
 layout(std430, binding = SLOT_SORTED_COUNT) restrict writeonly buffer SortedCountBuffer { uint sorted_count[]; };
-layout(std430, binding = SLOT_BUCKET) restrict buffer BucketBuffer { uint next_place[]; };
+layout(std430, binding = SLOT_BUCKET) restrict readonly buffer BucketBuffer { uint next_place[]; };
 layout(local_size_x = BLOCK) in;
-shared uint place[CELLS_PER_BUCKET];  // of the next sphere of each cell, in the bucket; then its spheres by cell
+const uint HELD = SORT_EACH * BLOCK;
+shared uint place[CELLS_PER_BUCKET];  // where the bucket's spheres stand; then, in the bucket, of the next sphere of
+                                      // each cell; then its spheres by cell
 
-// The number of sphere i of the bucket.
-uint name_of(vec4 sphere, uint i) { return (p.names & NAMES_IN_RADII) != 0u ? float_bits(sphere.w) : from_id[i]; }
-void put(vec4 sphere, uint name, uint at) {
-  if ((p.names & NAMES_IN_RADII) != 0u) sphere.w = p.radius;
+// The spheres of a bucket: from which place on they go, and how many they are. Of a crowd a thread has those numbered
+// from `first` to below `last`, every `step`-th.
+struct Bucket {
+  uint begin, size, first, last, step;
+};
+#ifdef FROM_TILES
+shared uint bucket_begin, bucket_size;
+// The bucket has a run of spheres in each tile, which a thread each finds.
+Bucket find_bucket(uint bucket) {
+  uint lane = gl_LocalInvocationID.x;
+  uint tiles = (p.n + SPLIT_TILE - 1u) / SPLIT_TILE;
+  uint end_at = min(lane, tiles - 1u) * BUCKETS_AT_MOST + bucket;
+  uint end = next_place[end_at];
+  uint begin = next_place[max(end_at, 1u) - 1u];
+  if (bucket == 0u) begin = 0u;
+  if (lane >= tiles) begin = end = 0u;
+  if (lane == 0u) bucket_begin = 0u;
+  uint size = sum_up_to(end - begin);
+  if (begin != 0u) atomicAdd(bucket_begin, begin);
+  uint tile = lane * SPLIT_TILE;
+  for (uint k = begin; k < end && size - end + k < HELD; ++k) place[size - end + k] = tile + k;
+  if (lane == BLOCK - 1u) bucket_size = size;
+  barrier();
+  return Bucket(bucket_begin, bucket_size, tile + begin, tile + end, 1u);
+}
+// Where the k-th sphere of the bucket stands, or behind its last one that one; any sphere where it has none.
+uint held(Bucket b, uint k) { return b.size != 0u ? place[min(k, b.size - 1u)] : 0u; }
+#else
+Bucket find_bucket(uint bucket) {
+  uint begin = bucket == 0u ? 0u : next_place[p.first_bucket + bucket - 1u];
+  uint end = next_place[p.first_bucket + bucket];
+  return Bucket(begin, end - begin, begin + gl_LocalInvocationID.x, end, BLOCK);
+}
+uint held(Bucket b, uint k) { return b.size != 0u ? b.begin + min(k, b.size - 1u) : 0u; }
+#endif
+
+// Sphere i of those that were split.
+void put(vec4 sphere, uint i, uint at) {
   sorted[at] = sphere;
-  id[at] = name;
+  if ((p.names & NAMES_IN_RADII) == 0u) id[at] = from_id[i];
   sorted_count[at] = 0u;
 }
 
-void main() {
+// Makes of the counts where the cells begin, in the bucket and in the table.
+void begin_cells(Bucket b, uint low) {
   uint lane = gl_LocalInvocationID.x;
-  if (group_index() >= p.buckets) return;
-  uint begin = group_index() == 0u ? 0u : next_place[p.first_bucket + group_index() - 1u];
-  uint end = next_place[p.first_bucket + group_index()];
-  uint low = group_index() << p.bucket_shift;
-#ifdef ONLY_SPLIT
-  if (lane == 0u) next_place[BUCKETS_AT_MOST + group_index()] = next_place[2u * BUCKETS_AT_MOST + group_index()] = 0u;
-#endif
-  for (uint c = lane; c < CELLS_PER_BUCKET; c += BLOCK) place[c] = 0u;
-  barrier();
-  uint c[SORT_EACH];
-  uint rank[SORT_EACH];  // in the cell, then in the bucket; of the spheres of the last turn
-  uint turn = SORT_EACH * BLOCK;
-  for (uint first = begin + lane; first < end + lane; first += turn) {
-    for (uint k = 0u; k < SORT_EACH; ++k) c[k] = slot_of(sphere_of(min(first + k * BLOCK, end - 1u)), p) - low;
-    for (uint k = 0u; k < SORT_EACH; ++k)
-      if (first + k * BLOCK < end) rank[k] = atomicAdd(place[c[k]], 1u);
-  }
   barrier();
   uint own = 0u;
-  for (uint k = 0u; k < CELLS_PER_BUCKET / SORT_BLOCK; ++k) own += place[lane * (CELLS_PER_BUCKET / SORT_BLOCK) + k];
+  for (uint k = 0u; k < CELLS_PER_BUCKET / BLOCK; ++k) own += place[lane * (CELLS_PER_BUCKET / BLOCK) + k];
   uint upto = sum_up_to(own) - own;
-  for (uint k = 0u; k < CELLS_PER_BUCKET / SORT_BLOCK; ++k) {
-    uint counted = place[lane * (CELLS_PER_BUCKET / SORT_BLOCK) + k];
-    place[lane * (CELLS_PER_BUCKET / SORT_BLOCK) + k] = upto;
+  for (uint k = 0u; k < CELLS_PER_BUCKET / BLOCK; ++k) {
+    uint counted = place[lane * (CELLS_PER_BUCKET / BLOCK) + k];
+    place[lane * (CELLS_PER_BUCKET / BLOCK) + k] = upto;
     upto += counted;
   }
   barrier();
   for (uint k = lane; k < 1u << p.bucket_shift; k += BLOCK)
-    if (low + k <= p.cell_slots) cell[low + k] = begin + place[k];
-  if (end - begin <= turn) {
-    for (uint k = 0u; k < SORT_EACH; ++k)
-      if (begin + lane + k * BLOCK < end) rank[k] += place[c[k]];
-    barrier();
-    for (uint k = 0u; k < SORT_EACH; ++k)
-      if (begin + lane + k * BLOCK < end) place[rank[k]] = begin + lane + k * BLOCK;
-    barrier();
-    for (uint at = begin + lane; at < end; at += BLOCK) {
-      uint i = place[at - begin];
-      vec4 sphere = sphere_of(i);
-      put(sphere, name_of(sphere, i), at);
-    }
+    if (low + k <= p.cell_slots) cell[low + k] = b.begin + place[k];
+}
+
+void sort_held(Bucket b, uint low) {
+  uint lane = gl_LocalInvocationID.x;
+  uint from[SORT_EACH];           // where the thread's spheres stand
+  uint cell_and_rank[SORT_EACH];  // of each, in the bucket; the rank in the upper half
+  for (uint k = 0u; k < SORT_EACH; ++k) from[k] = held(b, lane + k * BLOCK);
+  barrier();
+  for (uint c = lane; c < CELLS_PER_BUCKET; c += BLOCK) place[c] = 0u;
+  for (uint k = 0u; k < SORT_EACH; ++k) cell_and_rank[k] = slot_of(sphere_of(from[k]), DENSE, p) - low;
+  barrier();
+  for (uint k = 0u; k < SORT_EACH; ++k)
+    if (lane + k * BLOCK < b.size) cell_and_rank[k] |= atomicAdd(place[cell_and_rank[k]], 1u) << 16;
+  begin_cells(b, low);
+  for (uint k = 0u; k < SORT_EACH; ++k)
+    cell_and_rank[k] = place[cell_and_rank[k] % CELLS_PER_BUCKET] + (cell_and_rank[k] >> 16);
+  barrier();
+  for (uint k = 0u; k < SORT_EACH; ++k)
+    if (lane + k * BLOCK < b.size) place[cell_and_rank[k]] = from[k];
+  barrier();
+  for (uint k = lane; k < b.size; k += BLOCK) put(sphere_of(place[k]), place[k], b.begin + k);
+}
+
+void sort_crowd(Bucket b, uint low) {
+  barrier();
+  for (uint c = gl_LocalInvocationID.x; c < CELLS_PER_BUCKET; c += BLOCK) place[c] = 0u;
+  barrier();
+  for (uint i = b.first; i < b.last; i += b.step) atomicAdd(place[slot_of(sphere_of(i), DENSE, p) - low], 1u);
+  begin_cells(b, low);
+  barrier();
+  for (uint i = b.first; i < b.last; i += b.step) {
+    vec4 sphere = sphere_of(i);
+    put(sphere, i, b.begin + atomicAdd(place[slot_of(sphere, DENSE, p) - low], 1u));
+  }
+}
+
+void main() {
+  if (group_index() >= p.buckets) return;
+  uint low = group_index() << p.bucket_shift;
+  Bucket b = find_bucket(group_index());
+  if (b.size <= HELD) {
+    sort_held(b, low);
   } else {
-    barrier();
-    for (uint i = begin + lane; i < end; i += BLOCK) {
-      vec4 sphere = sphere_of(i);
-      put(sphere, name_of(sphere, i), begin + atomicAdd(place[slot_of(sphere, p) - low], 1u));
-    }
+    sort_crowd(b, low);
   }
 }

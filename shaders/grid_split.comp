@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 // A group takes SPLIT_TILE spheres, counts them by bucket, reserves a place for all of them in each bucket, puts their
 // numbers into the order of the buckets, and copies them in that order, so that neighbours are written by neighbours.
-// The spheres stand in the order of the parents of these buckets, so that a tile meets few of them. Where there is one
-// split only, each group makes of the counts the places where the buckets begin, a bucket a thread.
+// The spheres stand in the order of the parents of these buckets, so that a tile meets few of them.
 #define ID_ACCESS
 #define SORTS_SPHERES
 #include "grid.glsl"
@@ -17,35 +16,17 @@ shared uint place[BUCKETS_AT_MOST];  // of the next sphere of each bucket; then 
 shared uint order[SPLIT_TILE];       // the spheres of the tile by bucket: bucket, number in the tile
 shared uint taken;                   // spheres of this turn
 
-// Where the places begin that are handed out. Of SLOT_BUCKET, where there is one split only: where each bucket ends,
-// how many spheres it has, how many have a place; BUCKETS_AT_MOST words each, of which grid_sort leaves the latter two
-// at 0.
-#ifdef ONLY_SPLIT
-uint places_at() { return 2u * BUCKETS_AT_MOST; }
-#else
-uint places_at() { return p.first_bucket; }
-#endif
-
 void main() {
   uint lane = gl_LocalInvocationID.x;
   uint first = group_index() * SPLIT_TILE;
   if (first >= p.n) return;
   uint end = min(first + SPLIT_TILE, p.n);
-#ifdef ONLY_SPLIT
-  uint spheres = next_place[BUCKETS_AT_MOST + lane];
-#endif
   uint bucket[SPLIT_EACH];
   for (uint k = 0u; k < SPLIT_EACH; ++k)
-    bucket[k] = slot_of(sphere_of(min(first + k * BLOCK + lane, end - 1u)), p) >> p.bucket_shift;
-  uint begin = 0u;
-#ifdef ONLY_SPLIT
-  uint bucket_end = sum_up_to(spheres);
-  begin = bucket_end - spheres;
-  if (first == 0u) next_place[lane] = bucket_end;
-#endif
+    bucket[k] = slot_of(sphere_of(min(first + k * BLOCK + lane, end - 1u)), DENSE, p) >> p.bucket_shift;
   bool parents = p.parent_shift < ONE_PARENT;
-  uint last_bucket = bucket_above(parents ? slot_of(sphere_of(end - 1u), p) : 0u, p);
-  uint low = parents ? bucket_below(slot_of(sphere_of(first), p), p) : 0u;
+  uint last_bucket = bucket_above(parents ? slot_of(sphere_of(end - 1u), DENSE, p) : 0u, p);
+  uint low = parents ? bucket_below(slot_of(sphere_of(first), DENSE, p), p) : 0u;
   for (; low <= last_bucket; low += BUCKETS_AT_MOST) {
     place[lane] = 0u;
     barrier();
@@ -56,7 +37,7 @@ void main() {
     uint upto = sum_up_to(own);
     if (lane == BLOCK - 1u) taken = upto;
     place[lane] = upto - own;
-    uint shift = own != 0u ? begin + atomicAdd(next_place[places_at() + low + lane], own) - (upto - own) : 0u;
+    uint shift = own != 0u ? atomicAdd(next_place[p.first_bucket + low + lane], own) - (upto - own) : 0u;
     barrier();
     for (uint k = 0u; k < SPLIT_EACH; ++k)
       if (first + k * BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST)

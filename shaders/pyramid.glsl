@@ -5,7 +5,7 @@
 #include "view.glsl"
 
 #ifdef TEXTURE_TABLE
-layout(binding = 0) uniform usamplerBuffer pyramid_texture;
+layout(binding = PYRAMID_TEXTURE) uniform usamplerBuffer pyramid_texture;
 uvec2 texel_at(uint k) { return texelFetch(pyramid_texture, int(k)).xy; }
 #else
 layout(std430, binding = SLOT_PYRAMID) restrict readonly buffer PyramidBuffer { uvec2 pyramid[]; };

@@ -14,12 +14,12 @@ void main() {
   start_totals();
   uint row = (group_index() % SUMMARY_SLOTS) * SUMMARY_WORDS;
   for (; k < pairs; k += BLOCK * gl_NumWorkGroups.x) {
-    uint first = sphere_at(pair.x);
-    uint second = sphere_at(pair.y);
-    Verdict verdict = decide_exact(position[pair.x], position[pair.y]);
+    vec4 a = position[pair.x];
+    vec4 b = position[pair.y];
+    Verdict verdict = decide_exact(with_radius(a), with_radius(b));
     atomicAdd(summary[row + SUM_STAGE + verdict.stage], 1u);
     if (verdict.collide) {
-      if (!totals_later()) record(first, second);
+      if (!totals_later()) record(number_of(a, pair.x), number_of(b, pair.y));
       touch(pair.x, 1u);
       touch(pair.y, 1u);
     }

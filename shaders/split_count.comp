@@ -9,27 +9,18 @@ layout(std430, binding = SLOT_BUCKET) restrict buffer BucketBuffer { uint next_p
 layout(local_size_x = BLOCK) in;
 shared uint counted[BUCKETS_AT_MOST];
 
-#ifdef ONLY_SPLIT  // as grid_split has it; results are cleared here then
-uint counts_at() { return BUCKETS_AT_MOST; }
-#else
-uint counts_at() { return p.first_bucket; }
-#endif
-
 void main() {
   uint lane = gl_LocalInvocationID.x;
   uint first = group_index() * SPLIT_TILE;
   if (first >= p.n) return;
   uint end = min(first + SPLIT_TILE, p.n);
-#ifdef ONLY_SPLIT
-  for (uint k = lane; first == 0u && k < SUMMARY_SLOTS * SUMMARY_WORDS; k += BLOCK) summary[k] = 0u;
-#endif
   bool parents = p.parent_shift < ONE_PARENT;
-  uint last_bucket = bucket_above(parents ? slot_of(sphere_of(end - 1u), p) : 0u, p);
+  uint last_bucket = bucket_above(parents ? slot_of(sphere_of(end - 1u), DENSE, p) : 0u, p);
   vec4 sphere[SPLIT_EACH];  // all on their way before the first is asked for its cell
   for (uint k = 0u; k < SPLIT_EACH; ++k) sphere[k] = sphere_of(min(first + k * BLOCK + lane, end - 1u));
   uint bucket[SPLIT_EACH];
-  for (uint k = 0u; k < SPLIT_EACH; ++k) bucket[k] = slot_of(sphere[k], p) >> p.bucket_shift;
-  uint low = parents ? bucket_below(slot_of(sphere_of(first), p), p) : 0u;
+  for (uint k = 0u; k < SPLIT_EACH; ++k) bucket[k] = slot_of(sphere[k], DENSE, p) >> p.bucket_shift;
+  uint low = parents ? bucket_below(slot_of(sphere_of(first), DENSE, p), p) : 0u;
   for (; low <= last_bucket; low += BUCKETS_AT_MOST) {
     for (uint b = lane; b < BUCKETS_AT_MOST; b += BLOCK) counted[b] = 0u;
     barrier();
@@ -37,7 +28,7 @@ void main() {
       if (first + k * BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST) atomicAdd(counted[bucket[k] - low], 1u);
     barrier();
     for (uint b = lane; b < BUCKETS_AT_MOST; b += BLOCK)
-      if (counted[b] != 0u) atomicAdd(next_place[counts_at() + low + b], counted[b]);
+      if (counted[b] != 0u) atomicAdd(next_place[p.first_bucket + low + b], counted[b]);
     barrier();
   }
 }

@@ -55,8 +55,6 @@ uint first_seen(uint turn) { return turn * (p.n + 1u); }
 uint shift_in_word(uint seen) { return 4u * (seen % 8u); }
 uint left_of(uint seen) { return seen_left[seen / 8u] >> shift_in_word(seen) & 15u; }
 
-uint sphere_at(uint place) { return p.in_cells != 0u ? id[place] : place; }
-
 // Where a sphere is to be tried: an empty box where that is nowhere, or draw_tiles does it.
 struct Walk {
   vec4 seen;
@@ -67,7 +65,8 @@ struct Walk {
 // It is passed over when it is out of view, between the pixels' centres, hidden or drawn before, and cut into tiles
 // when it is large. One of its threads leads. The contacts of whatever may be seen come along from the cell order.
 Walk walk_of(uint place, bool leads) {
-  vec4 seen = in_camera(position[place], v);
+  vec4 found = position[place];
+  vec4 seen = in_camera(with_radius(found), v);
   Walk walk = {seen, {0u, 0u, 0u, 0u}, 0u, 0u};
   Box box = walk.box;
   if (in_frustum(seen, v)) box = box_of(seen, v);
@@ -80,7 +79,7 @@ Walk walk_of(uint place, bool leads) {
   bool hidden = asks && is_hidden(box, walk.nearest, level_for(box));
   if (hidden) count_drawn(DRAWN_HIDDEN);
   if (hidden) return walk;
-  walk.sphere = sphere_at(place);
+  walk.sphere = number_of(found, place);
   if (leads && p.in_cells != 0u) count[walk.sphere] = sorted_count[place];
   if (rest && left_of(walk.sphere) != 0u) return walk;
   bool large = is_large(box, v);

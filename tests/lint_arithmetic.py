@@ -51,9 +51,10 @@ def disassemble(text):
 def variants(stem, text):
     """The definitions of every program that is made from a shader."""
     if stem not in STATE_FEEDING:
-        plain = [("BLOCK 256", f"EQUAL_RADII {uniform}", "LISTED 1", "BUNDLES false", "BY_CELLS false")
+        plain = [("BLOCK 256", f"EQUAL_RADII {uniform}", "LISTED 1", "BUNDLES false", "BY_CELLS false",
+                  f"DENSE {str(bool(uniform)).lower()}")
                  for uniform in (0, 1)]
-        further = [("ATOMICS_64",), ("TEXTURE_TABLE",), ("ONLY_SPLIT",)]
+        further = [("ATOMICS_64",), ("TEXTURE_TABLE",), ("FROM_TILES",), ("FOLDED",)]
         further += [("TEXTURE_TABLE", "WINDOWS")] * (stem == "collide_grid")
         chosen = [tuple(define.replace(f"{choice} false", f"{choice} true") for define in plain[0])
                   for choice in ("BUNDLES", "BY_CELLS") if choice in text]

@@ -40,7 +40,7 @@ TEST_P(SkipsOfApis, AStepLaunchesNoMoreThanItNeeds) {
   for (const bool library_clear : {false, true, false})
     for (const Sort sort : {Sort::buckets, Sort::buckets, Sort::counting, Sort::buckets})
       EXPECT_EQ(objection(ask(backend(), step(sort, library_clear)), expected, scene.size()), "");
-  EXPECT_EQ(launches(step(Sort::buckets, false)), 4u) << "split_count, grid_split, grid_sort, collide_grid";
+  EXPECT_EQ(launches(step(Sort::buckets, false)), 3u) << "split_tiles, grid_sort, collide_grid";
   EXPECT_EQ(launches(step(Sort::counting, false)), 6u);
 }
 
