@@ -14,7 +14,7 @@ static_assert(SCAN_TILE == SCAN_BLOCK * SCAN_VECTORS * 4);
 constexpr uint64_t least_groups = 4096;  // of the search, that fill a large device
 constexpr uint threads_per_chunk = 32;   // of a group, which goes through so few chunks that neighbours are at work
 constexpr uint64_t least_moves_to_wait = 32, most_moves_to_wait = 64;
-constexpr uint64_t buckets_pay_from = 500000;  // spheres
+constexpr uint64_t buckets_pay_from = 65536;  // spheres
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 

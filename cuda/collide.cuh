@@ -60,8 +60,8 @@ struct Collider {
     if ((p.left_for_later & TALLY_LATER) == 0u && before == 0u) newly_colliding += 1u;  // else it is not waited for
   }
 
-  // number_of, of a step's own cells: numbers are in the radii's place wherever these are equal.
-  __device__ uint number_in_step(vec4 found, uint place) const {
+  // Of whoever was found at a place: the number, which is in the radius's place wherever radii are equal.
+  __device__ uint number_of(vec4 found, uint place) const {
     if constexpr (EQUAL_RADII) return p.in_cells != 0u ? float_bits(found.w) : place;
     return p.in_cells != 0u ? w.id[place] : place;
   }
@@ -111,8 +111,8 @@ struct Collider {
   // the contact, or has an undecided pair decided. Most that come here collide, so numbers are loaded beside the
   // spheres.
   __device__ uint meet(uint i, vec4 a, uint j, vec4 b) {
-    uint first = totals_later() ? i : number_in_step(a, i);
-    uint second = totals_later() ? j : number_in_step(b, j);
+    uint first = totals_later() ? i : number_of(a, i);
+    uint second = totals_later() ? j : number_of(b, j);
     uint verdict = filter_spheres(a, b);
     if (verdict == COLLIDE && !totals_later()) record(first, second);
     return verdict;

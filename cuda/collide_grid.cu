@@ -114,7 +114,7 @@ __device__ void decide_undecided(Collider<EQUAL_RADII, LISTED>& collider, const 
   atomicAdd(&w.summary[row + SUM_STAGE + STAGE_DOUBLE], 1u);
   if (verdict == APART) return;
   if (!collider.totals_later())
-    collider.record(number_of(collider.p, w, w.position[i], i), number_of(collider.p, w, w.position[j], j));
+    collider.record(collider.number_of(w.position[i], i), collider.number_of(w.position[j], j));
   collider.touch(i, 1u);
   collider.touch(j, 1u);
 }

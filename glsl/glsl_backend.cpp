@@ -62,8 +62,7 @@ class GlslBackend final : public DeviceBackend {
   Context context_;
   DeviceLimits limits_;
   BackendInfo info_;
-  std::array<GLuint, SLOT_TOTAL> buffers_{};
-  std::array<GLuint, SLOT_TOTAL> bound_{};  // what kernels see now
+  std::array<GLuint, SLOT_TOTAL> buffers_{}, bound_{};  // and which of them kernels see now
   BufferTextures textures_;
   GLuint params_buffer_ = 0;
   Params params_on_device_{};
@@ -198,6 +197,7 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   Variant variant = launch.variant;
   variant.windows = launch.kernel == Kernel::collide_grid && variant.texture_table && windows().count() > 1;
   variant.folded = launch.groups[1] > 1 || params.first_group != 0;
+  variant.names = params.in_cells, variant.later = params.left_for_later;
   const Program& program = programs_.get(kernel_name(launch.kernel), launch.block, variant, limits_.features);
   set_params(params);
   program.set_view(view());

@@ -29,11 +29,11 @@ uint group_count() { return gl_NumWorkGroups.x; }
 
 // Of whoever was found at a place of the launch's order: the number, and the sphere with its radius.
 uint number_of(vec4 found, uint place) {
-  if (p.in_cells == NAMES_IN_RADII) return float_bits(found.w);
-  return p.in_cells == NAMES_IN_IDS ? id[place] : place;
+  if (NAMES == NAMES_IN_RADII) return float_bits(found.w);
+  return NAMES == NAMES_IN_IDS ? id[place] : place;
 }
 vec4 with_radius(vec4 found) {
-  if (p.in_cells == NAMES_IN_RADII) found.w = p.radius;
+  if (NAMES == NAMES_IN_RADII) found.w = p.radius;
   return found;
 }
 

@@ -48,19 +48,10 @@ void finish_totals() {
 // More contacts for sphere i. Of all additions to it exactly one finds a zero: that one counts the colliding sphere.
 void touch(uint i, uint contacts) {
   uint before = atomicAdd(count[i], contacts);
-  if ((p.left_for_later & TALLY_LATER) == 0u && before == 0u) newly_colliding += 1u;  // else it is not waited for
+  if ((LATER & TALLY_LATER) == 0u && before == 0u) newly_colliding += 1u;  // else it is not waited for
 }
 
-// number_of, of a step's own cells: numbers are in the radii's place wherever these are equal.
-uint number_in_step(vec4 found, uint place) {
-#if EQUAL_RADII
-  return p.in_cells != 0u ? float_bits(found.w) : place;
-#else
-  return p.in_cells != 0u ? id[place] : place;
-#endif
-}
-
-bool totals_later() { return (p.left_for_later & TOTALS_LATER) != 0u; }
+bool totals_later() { return (LATER & TOTALS_LATER) != 0u; }
 
 // Numbers of spheres, in any order.
 void record(uint a, uint b) {
@@ -110,8 +101,8 @@ uint meet_ordered(uint i, vec4 a, uint j, vec4 b) {
 // For kernels that meet every unordered pair once, at places i and j: what the filter says of it. The caller counts the
 // contact, or has an undecided pair decided. Most that come here collide, so numbers are loaded beside the spheres.
 uint meet(uint i, vec4 a, uint j, vec4 b) {
-  uint first = totals_later() ? i : number_in_step(a, i);
-  uint second = totals_later() ? j : number_in_step(b, j);
+  uint first = totals_later() ? i : number_of(a, i);
+  uint second = totals_later() ? j : number_of(b, j);
   uint verdict = filter_spheres(a, b);
   if (verdict == COLLIDE && !totals_later()) record(first, second);
   return verdict;

@@ -52,7 +52,7 @@ def variants(stem, text):
     """The definitions of every program that is made from a shader."""
     if stem not in STATE_FEEDING:
         plain = [("BLOCK 256", f"EQUAL_RADII {uniform}", "LISTED 1", "BUNDLES false", "BY_CELLS false",
-                  f"DENSE {str(bool(uniform)).lower()}")
+                  f"DENSE {str(bool(uniform)).lower()}", f"NAMES {2 if uniform else 4}u", f"LATER {3 if uniform else 1}u")
                  for uniform in (0, 1)]
         further = [("ATOMICS_64",), ("TEXTURE_TABLE",), ("FROM_TILES",), ("FOLDED",)]
         further += [("TEXTURE_TABLE", "WINDOWS")] * (stem == "collide_grid")
@@ -60,7 +60,7 @@ def variants(stem, text):
                   for choice in ("BUNDLES", "BY_CELLS") if choice in text]
         return plain + chosen + [(*plain[0], *defines) for defines in further if defines[-1] in text]
     methods = METHODS if stem == "move" else (6,)
-    return [("BLOCK 256", f"METHOD {method}u", f"PRECISION {precision}", f"Real {real}")
+    return [("BLOCK 256", "NAMES 0u", f"METHOD {method}u", f"PRECISION {precision}", f"Real {real}")
             for method in methods for precision, real in enumerate(PRECISIONS)]
 
 
