@@ -104,7 +104,7 @@ void DeviceBackend::split(uint shift, uint parent_shift, uint first_bucket, Orde
   params_.buckets = (params_.cell_slots >> shift) + 1;
   if (from != Order::scene) params_.names |= NAMES_GIVEN;
   launch({Kernel::split_count, SPLIT_BLOCK, sorter(Kernel::split_count), tiles, from}, params_);
-  if (params_.buckets <= BUCKETS_AT_MOST) {
+  if (first_bucket == 0) {  // at most BUCKETS_AT_MOST
     launch({Kernel::split_scan, BUCKETS_AT_MOST, {}, {1, 1, 1}}, params_);
   } else {
     launch_scan(SLOT_BUCKET);
@@ -168,6 +168,7 @@ void DeviceBackend::build_cells() {
   const bool built = cells_built_ && options_.grid.keep_cells && named;
   if (!built) order_ = stands_in_cell_order() ? Order::scene : Order::cells;
   const bool sorted = order_ == Order::cells;
+  if (!built) cells_built_ = false;  // until they are, should that fail
   if (!built && sorted) names_in_radii_ = variant_.equal_radii;
   params_.in_cells = names_of(order_);
   ++(built ? work_.cells_kept : sorted ? work_.sorts : work_.orders_kept);

@@ -43,11 +43,12 @@ GridPlans plan_grids(const std::vector<vec4>& spheres);
 GridPlans plan_grids_anew(const GridPlans& before, const std::vector<vec4>& sample, uint64_t n);
 inline GridPlan plan_grid(const Scene& scene, Cells wanted) { return plan_grids(scene.positions).plan(wanted); }
 
-// A table's slots in buckets, ranges of 2^shift slots, and these, where one group of grid_split cannot tell them apart,
-// in ranges of 2^parent_shift slots, which it can. A bucket has CELLS_PER_BUCKET slots, or fewer where that many hold
+// A table's slots in buckets, ranges of 2^shift slots, and these, where one group of split_tiles cannot tell them apart
+// or there are more tiles than a group of grid_sort has threads, in ranges of 2^parent_shift slots, which one group of
+// grid_split can tell apart. A bucket has CELLS_PER_BUCKET slots, or fewer where that many hold
 // more spheres on average than grid_sort should have.
 struct BucketPlan {
-  uint shift, buckets, parent_shift;  // ONE_PARENT where one split does
+  uint shift, buckets, parent_shift;  // ONE_PARENT: one split, by tiles
 };
 BucketPlan plan_buckets(uint64_t spheres, uint slots);
 

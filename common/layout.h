@@ -16,8 +16,8 @@
 #define SLOT_VERDICT 7   // uint[m]: what `decide` answers, verdict_code()
 #define SLOT_CELL 8      // uint[cell_slots + 2]: where each cell's spheres begin in cell order
 #define SLOT_SPLIT_ID 9  // uint[n]: which sphere stands at each place of SLOT_SPLIT, unless NAMES_IN_RADII
-#define SLOT_SORTED 10   // vec4[n]: spheres in cell order; where all radii are equal, the number in w
-#define SLOT_ID 11       // uint[n]: which sphere stands at each place of the cell order, where radii differ
+#define SLOT_SORTED 10   // vec4[n]: spheres in cell order; the number in w where NAMES_IN_RADII
+#define SLOT_ID 11       // uint[n]: which sphere stands at each place of the cell order, where NAMES_IN_IDS
 #define SLOT_SORTED_COUNT 12  // uint[n]: contacts, in cell order
 #define SLOT_SCAN 13     // uint[scan_tiles]: sums of the tiles of grid_scan; of grid_bounds: [0] is 1 when out of order
 #define SLOT_SPLIT 14    // vec4[n]: spheres in the order of buckets of cells, all of them or those of each tile

@@ -12,36 +12,52 @@ namespace {
 constexpr uint HELD = SORT_EACH * SORT_BLOCK;
 static_assert(HELD <= CELLS_PER_BUCKET && CELLS_PER_BUCKET <= 1u << 16);
 
-// The spheres of a bucket: from which place on they go, and how many they are. Of a crowd a thread has those numbered
-// from `first` to below `last`, every `step`-th.
+// The spheres of a bucket: from which place on they go, and how many they are. They stand in runs; of a crowd,
+// run_threads threads walk through each.
 struct Bucket {
-  uint begin, size, first, last, step;
+  uint begin, size, runs;
 };
+struct Run {
+  uint begin, end;
+};
+template <bool FROM_TILES>
+constexpr uint run_threads = FROM_TILES ? 32u : SORT_BLOCK;
 
-// FROM_TILES: the bucket has a run of spheres in each tile, which a thread each finds.
+// FROM_TILES: of a tile; else the only one.
+template <bool FROM_TILES>
+__device__ inline Run run_of(const Params& p, const World& w, uint bucket, uint tile) {
+  if constexpr (FROM_TILES) {
+    uint end_at = tile * BUCKETS_AT_MOST + bucket;
+    uint end = w.next_place[end_at];
+    uint begin = w.next_place[max(end_at, 1u) - 1u];
+    return {tile * SPLIT_TILE + (bucket == 0u ? 0u : begin), tile * SPLIT_TILE + end};
+  } else {
+    uint begin = bucket == 0u ? 0u : w.next_place[p.first_bucket + bucket - 1u];
+    return {begin, w.next_place[p.first_bucket + bucket]};
+  }
+}
+
+// FROM_TILES: a thread finds the run of each tile.
 template <bool FROM_TILES>
 __device__ inline Bucket find_bucket(const Params& p, const World& w, uint bucket, uint* place) {
   uint lane = threadIdx.x;
   if constexpr (FROM_TILES) {
     __shared__ uint bucket_begin, bucket_size;
     uint tiles = (p.n + SPLIT_TILE - 1u) / SPLIT_TILE;
-    uint end_at = min(lane, tiles - 1u) * BUCKETS_AT_MOST + bucket;
-    uint end = w.next_place[end_at];
-    uint begin = w.next_place[max(end_at, 1u) - 1u];
-    if (bucket == 0u) begin = 0u;
-    if (lane >= tiles) begin = end = 0u;
+    uint tile = min(lane, tiles - 1u) * SPLIT_TILE;
+    Run run = run_of<true>(p, w, bucket, min(lane, tiles - 1u));
+    uint begin = lane < tiles ? run.begin - tile : 0u;
+    uint end = lane < tiles ? run.end - tile : 0u;
     if (lane == 0u) bucket_begin = 0u;
     uint size = sum_up_to<SORT_BLOCK>(end - begin);
     if (begin != 0u) atomicAdd(&bucket_begin, begin);
-    uint tile = lane * SPLIT_TILE;
     for (uint k = begin; k < end && size - end + k < HELD; ++k) place[size - end + k] = tile + k;
     if (lane == SORT_BLOCK - 1u) bucket_size = size;
     __syncthreads();
-    return {bucket_begin, bucket_size, tile + begin, tile + end, 1u};
+    return {bucket_begin, bucket_size, tiles};
   } else {
-    uint begin = bucket == 0u ? 0u : w.next_place[p.first_bucket + bucket - 1u];
-    uint end = w.next_place[p.first_bucket + bucket];
-    return {begin, end - begin, begin + lane, end, SORT_BLOCK};
+    Run run = run_of<false>(p, w, bucket, 0u);
+    return {run.begin, run.end - run.begin, 1u};
   }
 }
 // Where the k-th sphere of the bucket stands, or behind its last one that one; any sphere where it has none.
@@ -97,17 +113,26 @@ __device__ inline void sort_held(const Params& p, const World& w, Bucket b, uint
   for (uint k = lane; k < b.size; k += SORT_BLOCK) put(p, w, w.position[place[k]], place[k], b.begin + k);
 }
 
-template <bool DENSE>
+template <bool FROM_TILES, bool DENSE>
 __device__ inline void sort_crowd(const Params& p, const World& w, Bucket b, uint low, uint* place) {
+  constexpr uint RUN_THREADS = run_threads<FROM_TILES>;
+  uint lane = threadIdx.x;
   __syncthreads();
-  for (uint c = threadIdx.x; c < CELLS_PER_BUCKET; c += SORT_BLOCK) place[c] = 0u;
+  for (uint c = lane; c < CELLS_PER_BUCKET; c += SORT_BLOCK) place[c] = 0u;
   __syncthreads();
-  for (uint i = b.first; i < b.last; i += b.step) atomicAdd(&place[slot_of(w.position[i], DENSE, p) - low], 1u);
+  for (uint r = lane / RUN_THREADS; r < b.runs; r += SORT_BLOCK / RUN_THREADS) {
+    Run run = run_of<FROM_TILES>(p, w, group_index(p), r);
+    for (uint i = run.begin + lane % RUN_THREADS; i < run.end; i += RUN_THREADS)
+      atomicAdd(&place[slot_of(w.position[i], DENSE, p) - low], 1u);
+  }
   begin_cells(p, w, b, low, place);
   __syncthreads();
-  for (uint i = b.first; i < b.last; i += b.step) {
-    vec4 sphere = w.position[i];
-    put(p, w, sphere, i, b.begin + atomicAdd(&place[slot_of(sphere, DENSE, p) - low], 1u));
+  for (uint r = lane / RUN_THREADS; r < b.runs; r += SORT_BLOCK / RUN_THREADS) {
+    Run run = run_of<FROM_TILES>(p, w, group_index(p), r);
+    for (uint i = run.begin + lane % RUN_THREADS; i < run.end; i += RUN_THREADS) {
+      vec4 sphere = w.position[i];
+      put(p, w, sphere, i, b.begin + atomicAdd(&place[slot_of(sphere, DENSE, p) - low], 1u));
+    }
   }
 }
 
@@ -123,7 +148,7 @@ __global__ void __launch_bounds__(SORT_BLOCK, 4) grid_sort(Params p, World w) {
   if (b.size <= HELD) {
     sort_held<FROM_TILES, DENSE>(p, w, b, low, place);
   } else {
-    sort_crowd<DENSE>(p, w, b, low, place);
+    sort_crowd<FROM_TILES, DENSE>(p, w, b, low, place);
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where one group tells all buckets apart, nothing need be counted before the split: a group takes SPLIT_TILE spheres,
 // puts their numbers into the order of the buckets, copies them in that order to where the tile stood, and writes where
-// in it each bucket ends. grid_sort collects the spheres of its bucket from all tiles. Results are cleared here.
+// in it each bucket ends. grid_sort collects the spheres of its bucket from all tiles. Totals are cleared here.
 #include "cell.h"
 #include "group_sum.cuh"
 #include "kernels.cuh"

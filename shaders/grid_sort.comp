@@ -18,38 +18,52 @@ const uint HELD = SORT_EACH * BLOCK;
 shared uint place[CELLS_PER_BUCKET];  // where the bucket's spheres stand; then, in the bucket, of the next sphere of
                                       // each cell; then its spheres by cell
 
-// The spheres of a bucket: from which place on they go, and how many they are. Of a crowd a thread has those numbered
-// from `first` to below `last`, every `step`-th.
+// The spheres of a bucket: from which place on they go, and how many they are. They stand in runs; of a crowd,
+// RUN_THREADS threads walk through each.
 struct Bucket {
-  uint begin, size, first, last, step;
+  uint begin, size, runs;
+};
+struct Run {
+  uint begin, end;
 };
 #ifdef FROM_TILES
+const uint RUN_THREADS = 32u;
 shared uint bucket_begin, bucket_size;
-// The bucket has a run of spheres in each tile, which a thread each finds.
+// Of a tile.
+Run run_of(uint bucket, uint tile) {
+  uint end_at = tile * BUCKETS_AT_MOST + bucket;
+  uint end = next_place[end_at];
+  uint begin = next_place[max(end_at, 1u) - 1u];
+  return Run(tile * SPLIT_TILE + (bucket == 0u ? 0u : begin), tile * SPLIT_TILE + end);
+}
+// A thread finds the run of each tile.
 Bucket find_bucket(uint bucket) {
   uint lane = gl_LocalInvocationID.x;
   uint tiles = (p.n + SPLIT_TILE - 1u) / SPLIT_TILE;
-  uint end_at = min(lane, tiles - 1u) * BUCKETS_AT_MOST + bucket;
-  uint end = next_place[end_at];
-  uint begin = next_place[max(end_at, 1u) - 1u];
-  if (bucket == 0u) begin = 0u;
-  if (lane >= tiles) begin = end = 0u;
+  uint tile = min(lane, tiles - 1u) * SPLIT_TILE;
+  Run run = run_of(bucket, min(lane, tiles - 1u));
+  uint begin = lane < tiles ? run.begin - tile : 0u;
+  uint end = lane < tiles ? run.end - tile : 0u;
   if (lane == 0u) bucket_begin = 0u;
   uint size = sum_up_to(end - begin);
   if (begin != 0u) atomicAdd(bucket_begin, begin);
-  uint tile = lane * SPLIT_TILE;
   for (uint k = begin; k < end && size - end + k < HELD; ++k) place[size - end + k] = tile + k;
   if (lane == BLOCK - 1u) bucket_size = size;
   barrier();
-  return Bucket(bucket_begin, bucket_size, tile + begin, tile + end, 1u);
+  return Bucket(bucket_begin, bucket_size, tiles);
 }
 // Where the k-th sphere of the bucket stands, or behind its last one that one; any sphere where it has none.
 uint held(Bucket b, uint k) { return b.size != 0u ? place[min(k, b.size - 1u)] : 0u; }
 #else
-Bucket find_bucket(uint bucket) {
+const uint RUN_THREADS = uint(BLOCK);
+// The only one.
+Run run_of(uint bucket, uint run) {
   uint begin = bucket == 0u ? 0u : next_place[p.first_bucket + bucket - 1u];
-  uint end = next_place[p.first_bucket + bucket];
-  return Bucket(begin, end - begin, begin + gl_LocalInvocationID.x, end, BLOCK);
+  return Run(begin, next_place[p.first_bucket + bucket]);
+}
+Bucket find_bucket(uint bucket) {
+  Run run = run_of(bucket, 0u);
+  return Bucket(run.begin, run.end - run.begin, 1u);
 }
 uint held(Bucket b, uint k) { return b.size != 0u ? b.begin + min(k, b.size - 1u) : 0u; }
 #endif
@@ -100,15 +114,23 @@ void sort_held(Bucket b, uint low) {
 }
 
 void sort_crowd(Bucket b, uint low) {
+  uint lane = gl_LocalInvocationID.x;
   barrier();
-  for (uint c = gl_LocalInvocationID.x; c < CELLS_PER_BUCKET; c += BLOCK) place[c] = 0u;
+  for (uint c = lane; c < CELLS_PER_BUCKET; c += BLOCK) place[c] = 0u;
   barrier();
-  for (uint i = b.first; i < b.last; i += b.step) atomicAdd(place[slot_of(sphere_of(i), DENSE, p) - low], 1u);
+  for (uint r = lane / RUN_THREADS; r < b.runs; r += BLOCK / RUN_THREADS) {
+    Run run = run_of(group_index(), r);
+    for (uint i = run.begin + lane % RUN_THREADS; i < run.end; i += RUN_THREADS)
+      atomicAdd(place[slot_of(sphere_of(i), DENSE, p) - low], 1u);
+  }
   begin_cells(b, low);
   barrier();
-  for (uint i = b.first; i < b.last; i += b.step) {
-    vec4 sphere = sphere_of(i);
-    put(sphere, i, b.begin + atomicAdd(place[slot_of(sphere, DENSE, p) - low], 1u));
+  for (uint r = lane / RUN_THREADS; r < b.runs; r += BLOCK / RUN_THREADS) {
+    Run run = run_of(group_index(), r);
+    for (uint i = run.begin + lane % RUN_THREADS; i < run.end; i += RUN_THREADS) {
+      vec4 sphere = sphere_of(i);
+      put(sphere, i, b.begin + atomicAdd(place[slot_of(sphere, DENSE, p) - low], 1u));
+    }
   }
 }
 
