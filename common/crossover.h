@@ -26,7 +26,7 @@ constexpr double contacts_least = 8;  // about, of few spheres
 constexpr int few_threads = 4;
 constexpr uint64_t never = ~uint64_t(0);
 constexpr Crossover crossovers[] = {{"cuda", 4600, 4400, 450, 4'000'000, 200},
-                                    {"glsl", 13600, 4500, 800, never, 0},
+                                    {"glsl", 9000, 4500, 800, never, 0},
                                     {"glsl in software", 512, 0, 50, never, 0},
                                     {"cpu", 2048, 0, 50, never, 0, 1.5, never},
                                     {"cpu of many threads", 12000, 0, 50, never, 0, 3, 1024}};
