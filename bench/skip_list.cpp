@@ -77,6 +77,8 @@ std::vector<Skip> tricks() {
        changed(buckets, [](CollideOptions& o) { o.tricks.texture_spheres = false; })},
       {"batch", "dispatches that go out together; off: each behind all barriers and waited for", "glsl", step,
        trick(&Tricks::batch, false)},
+      {"overlap", "the sort begins while the search before is under way; off: when it is done", "", buckets,
+       changed(buckets, [](CollideOptions& o) { o.tricks.overlap = false; })},
       {.name = "vector_loads",
        .summary = "16 bytes loaded and stored at once; off: a word at a time",
        .backend = "glsl",

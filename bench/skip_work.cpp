@@ -23,15 +23,11 @@ Scene in_the_wind(Scene scene) {
 json counts_json(const WorkCounts& before, const WorkCounts& after) {
   const double steps = double(after.steps - before.steps);
   const auto each = [&](uint64_t WorkCounts::*count) { return double(after.*count - before.*count) / steps; };
-  return {{"launches", each(&WorkCounts::launches)},
-          {"sorts", each(&WorkCounts::sorts)},
-          {"plans", each(&WorkCounts::plans)},
-          {"orders_kept", each(&WorkCounts::orders_kept)},
-          {"cells_kept", each(&WorkCounts::cells_kept)},
-          {"graphs_replayed", each(&WorkCounts::graphs_replayed)},
-          {"waits", each(&WorkCounts::waits)},
-          {"lists", each(&WorkCounts::lists)},
-          {"without_radii", each(&WorkCounts::without_radii)}};
+  return {{"launches", each(&WorkCounts::launches)},     {"sorts", each(&WorkCounts::sorts)},
+          {"plans", each(&WorkCounts::plans)},           {"orders_kept", each(&WorkCounts::orders_kept)},
+          {"cells_kept", each(&WorkCounts::cells_kept)}, {"graphs_replayed", each(&WorkCounts::graphs_replayed)},
+          {"waits", each(&WorkCounts::waits)},           {"beside", each(&WorkCounts::beside)},
+          {"lists", each(&WorkCounts::lists)},           {"without_radii", each(&WorkCounts::without_radii)}};
 }
 
 // Cells of a dense grid that a sphere reaches into, its own among them: 27 at most, of which the search walks half.

@@ -123,6 +123,11 @@ FN float reach_of(float radius, uint level, Params p) {
   return reach;
 }
 
+// Where the spheres of a bucket stand in a tile, from its first sphere on: the upper half is where they end.
+FN uint run_in_tile(uint begin, uint end) { return begin | end << 16; }
+FN uint begin_in_tile(uint run) { return run & 0xFFFFu; }
+FN uint end_in_tile(uint run) { return run >> 16; }
+
 // Buckets are ranges of slots. A sphere of this slot and those between it and others of its parent, a larger range, are
 // in the buckets from the one below to the one above.
 FN uint bucket_below(uint slot, Params p) { return (slot >> p.parent_shift) << (p.parent_shift - p.bucket_shift); }

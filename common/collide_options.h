@@ -62,6 +62,9 @@ struct Tricks {
   // GLSL: a step's dispatches go out together, each behind the one barrier that it needs. Off: each behind all
   // barriers, and the host waits for it. Absent: on
   std::optional<bool> batch = {};
+  // both, CUDA from compute capability 9.0 on: what needs nothing of the search before begins while that is under way,
+  // in CUDA in place of the graph. Absent: on, unless a graph is asked for
+  std::optional<bool> overlap = {};
   auto operator<=>(const Tricks&) const = default;
 };
 
@@ -92,6 +95,7 @@ struct WorkCounts {
   uint64_t plans = 0;                                   // of cells, with that of the upload
   uint64_t graphs_replayed = 0;
   uint64_t waits = 0;                     // for a launch alone, within steps
+  uint64_t beside = 0;                    // launches that could begin while the one before was under way
   uint64_t without_radii = 0, lists = 0;  // steps that loaded no radius; that kept a list of pairs
 };
 

@@ -38,11 +38,12 @@ struct Launch {
   uint block;  // threads per group
   Variant variant;
   std::array<uint, 3> groups;
-  Order order = Order::scene;   // that a kernel sees as positions, counts (count_slot) and sphere numbers
-  Order target = Order::cells;  // that it writes
-  uint table = SLOT_CELL;       // of the scan
-  const char* stage = nullptr;  // what its time is that of, where not of the kernel's name
-  bool overlaps = false;        // the picture before: it needs nothing of that, which may be under way still
+  Order order = Order::scene;         // that a kernel sees as positions, counts (count_slot) and sphere numbers
+  Order target = Order::cells;        // that it writes
+  uint table = SLOT_CELL;             // of the scan
+  const char* stage = nullptr;        // what its time is that of, where not of the kernel's name
+  std::optional<Kernel> beside = {};  // where that was launched last, it may be under way still: nothing that either
+                                      // of the two writes is used by the other
 };
 
 inline uint count_slot(const Launch& launch) {  // those that draw see contacts by the number of the sphere
@@ -110,7 +111,7 @@ class DeviceBackend : public Backend {
   const View& view() const { return view_; }  // of the draw_* kernels
   uint64_t pyramid_texels() const;            // of its pyramid
   uint visible_slot() const { return visible_slot_; }
-  virtual bool overlaps_launches() const { return false; }  // where Launch::overlaps is made use of
+  virtual bool overlaps_launches() const { return false; }  // where pictures may so
   uint spheres() const { return uint(n_); }
 
  private:
@@ -141,6 +142,11 @@ class DeviceBackend : public Backend {
     return order != Order::cells ? 0 : names_in_radii_ ? NAMES_IN_RADII : NAMES_IN_IDS;
   }
   std::vector<uint> numbers_in_cell_order();
+  // As Launch::beside, of what uses nothing of a search in cell order.
+  std::optional<Kernel> beside_search() const {
+    const Tricks& tricks = options_.tricks;
+    return tricks.overlap.value_or(!tricks.graph.value_or(false)) ? std::optional(Kernel::collide_grid) : std::nullopt;
+  }
   Variant sorter(Kernel kernel) const;
   void split(uint shift, uint parent_shift, uint first_bucket, Order from, Order to);
   void split_tiles(uint shift, uint buckets);

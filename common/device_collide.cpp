@@ -58,7 +58,7 @@ void DeviceBackend::launch_collide() {
     if (cut.kernel == Kernel::collide_square) {
       launching.groups = {part, uint(std::min<uint64_t>(groups, MAX_GROUPS)), uint(ceil_div(groups, MAX_GROUPS))};
     } else if (cut.kernel == Kernel::collide_triangle) {
-      launching.groups = {uint(ceil_div(n_, params_.columns)), part, 1};
+      launching.groups = {uint(ceil_div(n_, params_.stretch)), part, 1};
     }
     params_.first_group = uint(first);
     launch(launching, params_);
@@ -123,7 +123,7 @@ void DeviceBackend::run_collide() {
   params_.n = uint(n_);
   params_.in_cells = params_.left_for_later = 0;
   tallied_ = true;
-  params_.columns =
+  params_.stretch =
       options_.columns ? options_.columns : default_columns(n_, uint64_t(options_.block) * SPHERES_PER_THREAD);
   variant_.listed = options_.want_pairs;
   work_.without_radii += variant_.equal_radii;

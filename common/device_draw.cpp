@@ -49,7 +49,7 @@ void DeviceBackend::draw_all(const Params& params, Order order) {
     view_.pass = pass;
     if (pass == PASS_ID) restart_lists();
     Launch spheres{Kernel::draw_spheres, SERVICE_BLOCK, {}, folded(ceil_div(n_ * view_.lanes, SERVICE_BLOCK)), order};
-    spheres.overlaps = overlaps_;
+    if (overlaps_) spheres.beside = Kernel::draw_resolve;
     launch(spheres, params);
     draw_tiles(params);
   }

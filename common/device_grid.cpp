@@ -11,8 +11,11 @@ namespace {
 
 constexpr uint64_t most_spheres = (1u << 30) - 1;
 static_assert(SCAN_TILE == SCAN_BLOCK * SCAN_VECTORS * 4);
-constexpr uint64_t least_groups = 4096;  // of the search, that fill a large device
-constexpr uint threads_per_chunk = 32;   // of a group, which goes through so few chunks that neighbours are at work
+constexpr uint64_t spheres_near =
+    4'000'000;                          // are in the caches together, so that a group may take some here, some there
+constexpr uint64_t most_groups = 4096;  // of the search then: a large device has some left when others are done
+constexpr uint threads_per_chunk =
+    32;  // of a group, which else takes so few chunks in a row that neighbours are at work
 constexpr uint64_t least_moves_to_wait = 32, most_moves_to_wait = 64;
 constexpr uint64_t buckets_pay_from = 65536;  // spheres
 
@@ -120,7 +123,9 @@ void DeviceBackend::split_tiles(uint shift, uint buckets) {
   params_.buckets = buckets;
   make_buffer(SLOT_BUCKET, tiles * BUCKETS_AT_MOST * sizeof(uint));
   const Variant variant = sorter(Kernel::split_tiles);
-  launch({Kernel::split_tiles, SPLIT_BLOCK, variant, folded(tiles), Order::scene, Order::buckets}, params_);
+  Launch launching{Kernel::split_tiles, SPLIT_BLOCK, variant, folded(tiles), Order::scene, Order::buckets};
+  launching.beside = beside_search();
+  launch(launching, params_);
 }
 
 void DeviceBackend::split_twice(uint shift, uint buckets, uint parent_shift) {
@@ -181,16 +186,17 @@ void DeviceBackend::build_cells() {
 void DeviceBackend::launch_grid() {
   plan_cells();
   // Before the first launch: parameters that change within a step are sent again.
+  params_.stretch = options_.block * (n_ < spheres_near ? 1 : options_.block / threads_per_chunk);
   params_.left_for_later = TALLY_LATER | (options_.want_totals || options_.want_pairs ? 0 : TOTALS_LATER);
   build_cells();
   cells_built_ = true;
   tallied_ = false;
   const bool hashed = params_.hash_mask != 0;
-  const uint64_t chunks = ceil_div(n_, options_.block);
-  const uint64_t groups = std::max(std::min(chunks, least_groups), chunks / (options_.block / threads_per_chunk));
   Variant variant = variant_;
   const Kernel kernel = hashed ? Kernel::collide_hashed : Kernel::collide_grid;
   variant.texture_table = !hashed && takes_texture(kernel, options_.tricks);
+  const uint64_t stretches = ceil_div(n_, params_.stretch);
+  const uint64_t groups = n_ < spheres_near ? std::min(stretches, most_groups) : stretches;
   launch({kernel, options_.block, variant, folded(groups), order_}, params_);
 }
 

@@ -24,7 +24,9 @@ void DeviceBackend::launch_motion(Kernel kernel, bool whole_state) {
   params.in_cells = !cleared_;
   const auto groups =
       kernel == Kernel::bounce ? folded(n_ / (SERVICE_BLOCK * SPHERES_PER_BOUNCER) + 1) : per_sphere_groups();
-  launch({kernel, SERVICE_BLOCK, {.motion = motion_}, groups}, params);
+  Launch launching{kernel, SERVICE_BLOCK, {.motion = motion_}, groups};
+  if (kernel != Kernel::place && order_ == Order::cells && !cleared_) launching.beside = beside_search();
+  launch(launching, params);
 }
 
 void DeviceBackend::place_all(bool whole_state) {

@@ -21,7 +21,7 @@
 #define SLOT_SORTED_COUNT 12  // uint[n]: contacts, in cell order
 #define SLOT_SCAN 13     // uint[scan_tiles]: sums of the tiles of grid_scan; of grid_bounds: [0] is 1 when out of order
 #define SLOT_SPLIT 14    // vec4[n]: spheres in the order of buckets of cells, all of them or those of each tile
-#define SLOT_BUCKET 15   // uint[]: where the next sphere of each bucket goes, or where it ends in each tile
+#define SLOT_BUCKET 15   // uint[]: where the next sphere of each bucket goes; of each tile: see run_in_tile
 #define SLOT_VISIBLE 16  // uint[2 * pixels]: the number of the sphere seen, then its depth; both ~0 where there is none
 #define SLOT_IMAGE 17    // uint[pixels]: red, green, blue, 255 from the lowest byte up; rows from the top
 #define SLOT_TILE 18     // uvec2[]: large spheres cut into tiles: the sphere's number, that of the tile in its box
@@ -112,7 +112,8 @@ struct Params {
   float filter_scale, filter_offset;                 // K and T of filter_pair
   uint whole_state;  // not 0: place also writes velocities and SLOT_WIDE, bounce looks at all that may ever bounce
   float fade;        // of draw_light: 1 / (OCCLUSION_RADII * largest radius)^2
-  uint n, columns, pair_capacity, deferred_capacity;  // columns: spheres that one group of collide_triangle meets
+  uint n, stretch, pair_capacity, deferred_capacity;  // stretch: spheres that a group of collide_triangle meets, or
+                                                      // one of collide_grid takes in a row, a power of two
   uint defer_undecided, pairs_to_decide, first_group, in_cells;  // 0: naive; of decide; of this slice; see number_of
   float origin_x, origin_y, origin_z, cells_per_metre;           // of the grid's cells, at level 0
   float largest_radius, reach_scale, reach_offset;       // of level 0, doubles with each level; see reach_in_cells

@@ -64,6 +64,8 @@ void refuse_missing(const std::string& backend, const CollideOptions& options, c
   need(options.tricks.texture_table, offered.texture_table, "a table in a texture buffer", "the backend glsl");
   need(options.tricks.texture_spheres, offered.texture_spheres, "spheres in a texture buffer", "the backend glsl");
   need(options.tricks.batch, offered.batch, "a batch of dispatches", "the backend glsl");
+  need(options.tricks.overlap, offered.overlap, "a launch beside the search before",
+       "the backend glsl and, from compute capability 9.0 on, cuda");
   need(options.tricks.library_clear, offered.library_clear, "a clear by the API", "the backends glsl and cuda");
 }
 

@@ -34,6 +34,7 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) bounce(Params p, World w) {
     w.since[i] = a.since;
     w.due[i] = next_due(a, p);
   }
+  wait_for_launch_before();
 }
 
 Entry bounce_kernel(uint, Variant variant) {

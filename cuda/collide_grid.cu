@@ -119,6 +119,13 @@ __device__ void decide_undecided(Collider<EQUAL_RADII, LISTED>& collider, const 
   collider.touch(j, 1u);
 }
 
+// A group's next spheres: behind these, or those of its next stretch, as far on as all groups take.
+template <uint BLOCK>
+__device__ uint next_chunk(const Params& p, uint first) {
+  uint behind = first + BLOCK;
+  return (behind & (p.stretch - 1u)) != 0u ? behind : behind + (group_count() - 1u) * p.stretch;
+}
+
 // On a multiprocessor, whose registers are then shared by so many threads.
 constexpr int groups_at_work(int block) { return block < 64 ? 32 : 1280 / block; }
 
@@ -136,12 +143,13 @@ __global__ void __launch_bounds__(BLOCK, groups_at_work(BLOCK)) collide_grid(Par
   uint room = team * QUEUE_ROOM;
   if (lane == 0u) queued[team] = unfinished[team] = 0u;
   if (threadIdx.x == 0u) undecided.pairs = 0u;
+  wait_for_launch_before();
+  let_launch_behind_begin();
   collider.start_totals();
-  uint stretch = (p.n / BLOCK / group_count() + 1u) * BLOCK;  // GLSL may have a part of them only: first_place()
-  uint begin = group_index(p) * stretch;
-  uint end = min(begin + stretch, p.n);
-  for (uint first = begin + team * TEAM; first < end; first += BLOCK) {
-    uint i = first + lane;
+  uint end = p.n;  // GLSL may have a part of them only: first_place()
+  for (uint first = group_index(p) * p.stretch; first < end;) {
+    uint i = first + team * TEAM + lane;
+    first = next_chunk<BLOCK>(p, first);
     vec4 mine = w.position[min(i, p.n - 1u)];
     if (EQUAL_RADII) mine.w = p.radius;
     Rows rows = find_rows(p, w, mine, i, i < end);
@@ -165,7 +173,7 @@ __global__ void __launch_bounds__(BLOCK, groups_at_work(BLOCK)) collide_grid(Par
       team_barrier();
       again = unfinished[team] != 0u;
       uint held = min(queued[team], QUEUE_ROOM);
-      uint left = first + BLOCK < end || again ? held % TEAM : 0u;
+      uint left = first < end || again ? held % TEAM : 0u;
 #pragma unroll 1
       for (uint q = left + lane; q < held; q += TEAM) {
         uint a = queue[room + q].x;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Each unordered pair once: a group holds SPHERES_PER_THREAD spheres a thread in registers, its rows, and meets
-// p.columns spheres of its row or later, its columns, which pass through shared memory in Gram form. Where a column
+// p.stretch spheres of its row or later, its columns, which pass through shared memory in Gram form. Where a column
 // comes near a thread's rows the meeting is only queued; after the tile the whole group works the queue off, a thread
 // per pair.
 #include "collide.cuh"
@@ -30,7 +30,7 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, World w) {
   Collider<EQUAL_RADII, LISTED> collider(p, w, total);
   uint lane = threadIdx.x;
   uint first_row = (p.first_group + blockIdx.y) * ROWS;
-  uint first_column = first_row + blockIdx.x * p.columns;
+  uint first_column = first_row + blockIdx.x * p.stretch;
   if (first_column >= p.n) return;
   if (lane < 2u) near_length[lane] = 0u;
   collider.start_totals();
@@ -42,7 +42,7 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, World w) {
     row[k] = gram_form(sphere, origin, SHARE);
     row_radius[k] = sphere.w;
   }
-  uint end = min(first_column + p.columns, p.n);
+  uint end = min(first_column + p.stretch, p.n);
   uint turn = 0u;
   for (uint start = first_column; start < end; start += BLOCK) {
     vec4 sphere = w.position[min(start + lane, p.n - 1u)];

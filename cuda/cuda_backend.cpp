@@ -56,7 +56,7 @@ class CudaBackend final : public DeviceBackend {
   }
   World world(const Launch& launch) const;
   uint64_t table_bytes() const { return (uint64_t(params().cell_slots) + 2) * sizeof(uint); }
-  void require_kernels(int device) const;
+  void require_kernels(int device);
 
   BackendInfo info_;
   std::array<DeviceMemory, SLOT_TOTAL> memory_;
@@ -64,19 +64,17 @@ class CudaBackend final : public DeviceBackend {
   LibrarySort library_;
   L2Aside l2_;
   StageEvents stages_;
+  bool programmatic_ = false;   // a launch can begin before the one before it is done
+  bool early_ = false;          // and does, in this step
+  std::optional<Kernel> last_;  // that was launched
 };
-
-int chosen_device(const OpenOptions& options) {
-  const int device = usable_device(options.cuda_device);
-  cuda_check(cudaSetDevice(device), fmt::format("choosing device {}", device));
-  return device;
-}
 
 CudaBackend::CudaBackend(int device) : info_(describe_device(device)), l2_(device) { require_kernels(device); }
 
-void CudaBackend::require_kernels(int device) const {
+void CudaBackend::require_kernels(int device) {
   cudaFuncAttributes attributes;
   const cudaError_t error = cudaFuncGetAttributes(&attributes, empty_kernel(SERVICE_BLOCK, {}));
+  programmatic_ = error == cudaSuccess && attributes.ptxVersion >= 90;  // else kernels were compiled without waits
   if (error == cudaSuccess) return;
   const std::string capability = info_.details.at("compute capability");
   throw BackendError(
@@ -152,26 +150,28 @@ World CudaBackend::world(const Launch& launch) const {
 
 void CudaBackend::launch(const Launch& launch, const Params& params) {
   const dim3 groups(launch.groups[0], launch.groups[1], launch.groups[2]);
-  KernelCall call{stage_name(launch),
-                  entry_of(launch),
-                  groups,
-                  launch.block,
-                  params,
-                  world(launch),
-                  takes_view(launch.kernel) ? view() : View{},
-                  {}};
+  const View seen = takes_view(launch.kernel) ? view() : View{};
+  KernelCall call{stage_name(launch), entry_of(launch), groups, launch.block, params, world(launch), seen, {}, false};
   call.window = l2_.window(memory_[SLOT_CELL].data, table_bytes());
+  const bool beside = programmatic_ && last_ && launch.beside == last_;
+  const bool waits_first = launch.kernel == Kernel::grid_sort || launch.kernel == Kernel::collide_grid;
+  call.early = beside || (early_ && waits_first);
+  if (beside) graph_.flush();  // a graph would wait for all before it
+  work_.beside += beside;
+  last_ = launch.kernel;
   ++work_.launches;
   if (graph_.collecting()) return graph_.add(call);
   stages_.time(call.name, [&] { launch_call(call, nullptr); });
 }
 
 void CudaBackend::check_tricks(const CollideOptions& options) const {
-  refuse_missing("cuda", options, {.graph = true, .keep_in_l2 = l2_.bytes() > 0, .library_clear = true}, true);
+  refuse_missing("cuda", options,
+                 {.graph = true, .keep_in_l2 = l2_.bytes() > 0, .library_clear = true, .overlap = programmatic_}, true);
 }
 
 void CudaBackend::begin_step(const Tricks& tricks) {
   l2_.turn(tricks.keep_in_l2.value_or(false));
+  early_ = programmatic_ && tricks.overlap.value_or(true);
   if (tricks.graph.value_or(true) && !stages_.on()) graph_.begin();  // stages are timed one by one
 }
 
@@ -234,7 +234,7 @@ DeviceMemoryView cuda_positions(Backend& backend) { return cuda_backend(backend)
 DeviceMemoryView cuda_contacts(Backend& backend) { return cuda_backend(backend).shared(SLOT_COUNT, sizeof(uint)); }
 
 std::unique_ptr<Backend> open_cuda_backend(const OpenOptions& options) {
-  return std::make_unique<CudaBackend>(chosen_device(options));
+  return std::make_unique<CudaBackend>(use_device(options.cuda_device));
 }
 
 }  // namespace spherepair

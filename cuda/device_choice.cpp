@@ -9,7 +9,7 @@ namespace spherepair {
 
 std::string version_text(int number) { return fmt::format("{}.{}", number / 1000, number % 1000 / 10); }
 
-int usable_device(int wanted) {
+int use_device(int wanted) {
   int count = 0;
   const cudaError_t error = cudaGetDeviceCount(&count);
   if (error == cudaErrorInsufficientDriver) {
@@ -30,6 +30,7 @@ int usable_device(int wanted) {
   if (wanted < 0 || wanted >= count) {
     throw BackendError(fmt::format("cuda: there is no device {}; devices are 0 to {}", wanted, count - 1));
   }
+  cuda_check(cudaSetDevice(wanted), fmt::format("choosing device {}", wanted));
   return wanted;
 }
 

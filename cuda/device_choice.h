@@ -7,8 +7,8 @@
 
 namespace spherepair {
 
-// The device of this number, counted from 0. Throws BackendError that says why there is none to use.
-int usable_device(int wanted);
+// Takes the device of this number, counted from 0. Throws BackendError that says why there is none to use.
+int use_device(int wanted);
 
 BackendInfo describe_device(int device);  // its name, versions and sizes
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A group takes the spheres of a bucket and puts them into the order of its cells: counts them by cell, adds the counts
 // up, writes where the cells begin, puts the spheres' numbers into order and copies them in that order, so that
-// neighbours are written by neighbours. A bucket of more spheres than SORT_EACH a thread is copied as it comes.
+// neighbours are written by neighbours. A bucket of more spheres than SORT_EACH a thread is copied as it comes. Totals
+// are cleared here.
 #include "cell.h"
 #include "group_sum.cuh"
 #include "kernels.cuh"
@@ -27,10 +28,8 @@ constexpr uint run_threads = FROM_TILES ? 32u : SORT_BLOCK;
 template <bool FROM_TILES>
 __device__ inline Run run_of(const Params& p, const World& w, uint bucket, uint tile) {
   if constexpr (FROM_TILES) {
-    uint end_at = tile * BUCKETS_AT_MOST + bucket;
-    uint end = w.next_place[end_at];
-    uint begin = w.next_place[max(end_at, 1u) - 1u];
-    return {tile * SPLIT_TILE + (bucket == 0u ? 0u : begin), tile * SPLIT_TILE + end};
+    uint run = w.next_place[tile * BUCKETS_AT_MOST + bucket];
+    return {tile * SPLIT_TILE + begin_in_tile(run), tile * SPLIT_TILE + end_in_tile(run)};
   } else {
     uint begin = bucket == 0u ? 0u : w.next_place[p.first_bucket + bucket - 1u];
     return {begin, w.next_place[p.first_bucket + bucket]};
@@ -142,8 +141,10 @@ template <bool FROM_TILES, bool DENSE>
 __global__ void __launch_bounds__(SORT_BLOCK, 4) grid_sort(Params p, World w) {
   __shared__ uint place[CELLS_PER_BUCKET];  // where the bucket's spheres stand; then, in the bucket, of the next sphere
                                             // of each cell; then its spheres by cell
+  wait_for_launch_before();
   if (group_index(p) >= p.buckets) return;
   uint low = group_index(p) << p.bucket_shift;
+  for (uint k = threadIdx.x; low == 0u && k < SUMMARY_SLOTS * SUMMARY_WORDS; k += SORT_BLOCK) w.summary[k] = 0u;
   Bucket b = find_bucket<FROM_TILES>(p, w, group_index(p), place);
   if (b.size <= HELD) {
     sort_held<FROM_TILES, DENSE>(p, w, b, low, place);

@@ -55,6 +55,20 @@ __device__ inline vec4 with_radius(const Params& p, vec4 found) {
   return found;
 }
 
+// Of a launch that may begin before the one before it is done (KernelCall::early): waits until it is, and sees what it
+// has written. What needs nothing of that waits in the end, so that what comes next need only wait for this one.
+__device__ inline void wait_for_launch_before() {
+#if __CUDA_ARCH__ >= 900
+  cudaGridDependencySynchronize();
+#endif
+}
+// Once every group has come here, the next launch may begin.
+__device__ inline void let_launch_behind_begin() {
+#if __CUDA_ARCH__ >= 900
+  cudaTriggerProgrammaticLaunchCompletion();
+#endif
+}
+
 __device__ inline void clear_results(Params p, World w, uint i) {
   if (i < p.n) w.count[i] = 0u;
   if (i < SUMMARY_SLOTS * SUMMARY_WORDS) w.summary[i] = 0u;

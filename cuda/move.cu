@@ -11,6 +11,7 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) move(Params p, World w) {
   if (p.in_cells == 0u) clear_results(p, w, i);
   if (i >= p.n) return;
   store_sphere(p, w, i, take_step(METHOD, load_sphere<Real>(p, w, i), p));
+  wait_for_launch_before();
 }
 
 template <uint METHOD>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Where one group tells all buckets apart, nothing need be counted before the split: a group takes SPLIT_TILE spheres,
 // puts their numbers into the order of the buckets, copies them in that order to where the tile stood, and writes where
-// in it each bucket ends. grid_sort collects the spheres of its bucket from all tiles. Totals are cleared here.
+// in it each bucket is. grid_sort collects the spheres of its bucket from all tiles. The search before may be under way
+// still: nothing that it reads or writes is touched.
 #include "cell.h"
 #include "group_sum.cuh"
 #include "kernels.cuh"
@@ -16,7 +17,6 @@ __global__ void __launch_bounds__(SPLIT_BLOCK, 2) split_tiles(Params p, World w)
   uint first = group_index(p) * SPLIT_TILE;
   if (first >= p.n) return;
   uint end = min(first + SPLIT_TILE, p.n);
-  for (uint k = lane; first == 0u && k < SUMMARY_SLOTS * SUMMARY_WORDS; k += SPLIT_BLOCK) w.summary[k] = 0u;
   place[lane] = 0u;
   uint bucket[SPLIT_EACH];
   for (uint k = 0u; k < SPLIT_EACH; ++k)
@@ -28,7 +28,7 @@ __global__ void __launch_bounds__(SPLIT_BLOCK, 2) split_tiles(Params p, World w)
   __syncthreads();
   uint own = place[lane];
   uint upto = sum_up_to<SPLIT_BLOCK>(own);
-  w.next_place[group_index(p) * BUCKETS_AT_MOST + lane] = upto;
+  w.next_place[group_index(p) * BUCKETS_AT_MOST + lane] = run_in_tile(upto - own, upto);
   place[lane] = upto - own;
   __syncthreads();
   for (uint k = 0u; k < SPLIT_EACH; ++k)
@@ -44,6 +44,7 @@ __global__ void __launch_bounds__(SPLIT_BLOCK, 2) split_tiles(Params p, World w)
     }
     w.sorted[at] = sphere;
   }
+  wait_for_launch_before();
 }
 
 Entry split_tiles_kernel(uint, Variant variant) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <utility>
 
@@ -20,7 +21,7 @@ bool same_bytes(const T& a, const T& b) {
 bool same_call(const KernelCall& a, const KernelCall& b) {
   return a.entry == b.entry && a.groups.x == b.groups.x && a.groups.y == b.groups.y && a.groups.z == b.groups.z &&
          a.block == b.block && same_bytes(a.p, b.p) && same_bytes(a.w, b.w) && same_bytes(a.v, b.v) &&
-         a.window.base_ptr == b.window.base_ptr && a.window.num_bytes == b.window.num_bytes;
+         a.window.base_ptr == b.window.base_ptr && a.window.num_bytes == b.window.num_bytes && a.early == b.early;
 }
 
 }  // namespace
@@ -30,15 +31,22 @@ void launch_call(const KernelCall& call, cudaStream_t stream) {
   World w = call.w;
   View v = call.v;
   void* arguments[] = {&p, &w, &v};
-  cudaLaunchAttribute attribute{};
-  attribute.id = cudaLaunchAttributeAccessPolicyWindow;
-  attribute.val.accessPolicyWindow = call.window;
+  std::array<cudaLaunchAttribute, 2> attributes{};
+  uint count = 0;
+  if (call.window.num_bytes) {
+    attributes[count].id = cudaLaunchAttributeAccessPolicyWindow;
+    attributes[count++].val.accessPolicyWindow = call.window;
+  }
+  if (call.early) {
+    attributes[count].id = cudaLaunchAttributeProgrammaticStreamSerialization;
+    attributes[count++].val.programmaticStreamSerializationAllowed = 1;
+  }
   cudaLaunchConfig_t config{};
   config.gridDim = call.groups;
   config.blockDim = dim3(call.block);
   config.stream = stream;
-  config.attrs = &attribute;
-  config.numAttrs = call.window.num_bytes ? 1 : 0;
+  config.attrs = attributes.data();
+  config.numAttrs = count;
   cuda_check(cudaLaunchKernelExC(&config, call.entry, arguments),
              fmt::format("launching {} with {} threads a block", call.name, call.block));
 }

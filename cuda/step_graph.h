@@ -22,6 +22,7 @@ struct KernelCall {
   World w;
   View v;                         // zeros for a kernel that takes none: another view is no other call of it
   cudaAccessPolicyWindow window;  // of 0 bytes: none
+  bool early;                     // may begin before the launch before is done, for which the kernel itself waits
 };
 void launch_call(const KernelCall& call, cudaStream_t stream);  // throws BackendError
 

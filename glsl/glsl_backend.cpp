@@ -66,7 +66,8 @@ class GlslBackend final : public DeviceBackend {
   BufferTextures textures_;
   GLuint params_buffer_ = 0;
   Params params_on_device_{};
-  bool params_known_ = false, batched_ = true, after_picture_ = false;  // the last command has made a picture
+  bool params_known_ = false, batched_ = true;
+  std::optional<Kernel> last_;  // that was launched, with nothing else behind it
   Programs programs_;
   std::unique_ptr<GlRenderer> renderer_;
   StageTimer timer_;
@@ -103,7 +104,7 @@ void GlslBackend::allocate(uint slot, uint64_t bytes) {
 void GlslBackend::write(uint slot, const void* data, uint64_t offset, uint64_t bytes) {
   if (bytes == 0) return;
   context_.make_current();
-  after_picture_ = false;
+  last_.reset();
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glNamedBufferSubData(buffers_[slot], GLintptr(offset), GLsizeiptr(bytes), data);
   gl_check(fmt::format("writing {} bytes", bytes));
@@ -144,17 +145,17 @@ void GlslBackend::bind(const Launch& launch) {
 }
 
 void GlslBackend::check_tricks(const CollideOptions& options) const {
-  refuse_missing("glsl", options,
-                 {.texture_table = true, .texture_spheres = true, .library_clear = true, .batch = true}, false);
+  refuse_missing(
+      "glsl", options,
+      {.texture_table = true, .texture_spheres = true, .library_clear = true, .batch = true, .overlap = true}, false);
 }
 
 void GlslBackend::clear_buffer(uint slot, uint64_t bytes) {
   context_.make_current();
-  after_picture_ = false;
-  const uint zero = 0;
+  last_.reset();
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   timer_.time("gl_clear", [&] {
-    glClearNamedBufferSubData(buffers_[slot], GL_R32UI, 0, GLsizeiptr(bytes), GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+    glClearNamedBufferSubData(buffers_[slot], GL_R32UI, 0, GLsizeiptr(bytes), GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
   });
 }
 
@@ -203,21 +204,20 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   program.set_view(view());
   glUseProgram(program.id());
   bind(launch);
+  const bool beside = batched_ && last_ && launch.beside == last_;
   timer_.time(stage_name(launch), [&] {
-    if (!launch.overlaps || !after_picture_) glMemoryBarrier(barriers(launch));
+    beside ? void(++work_.beside) : glMemoryBarrier(barriers(launch));
     if (!variant.windows) return dispatch(launch);
     windows().dispatch(uint64_t(launch.groups[0]) * launch.groups[1], buffers_[launch.table], program.id(), textures_);
     work_.launches += windows().count();
   });
-  after_picture_ = launch.kernel == Kernel::draw_resolve;
-  if (batched_) return;
-  finish();
-  ++work_.waits;
+  last_ = launch.kernel;
+  if (!batched_) finish(), ++work_.waits;
 }
 
 void GlslBackend::draw_by_pipeline(DrawMethod method) {
   context_.make_current();
-  after_picture_ = false;
+  last_.reset();
   if (!renderer_) renderer_ = std::make_unique<GlRenderer>();
   bound_ = {};  // the renderer binds its own
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);

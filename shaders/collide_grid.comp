@@ -111,6 +111,12 @@ void decide_undecided() {
   touch(j, 1u);
 }
 
+// A group's next spheres: behind these, or those of its next stretch, as far on as all groups take.
+uint next_chunk(uint first) {
+  uint behind = first + BLOCK;
+  return (behind & (p.stretch - 1u)) != 0u ? behind : behind + (group_count() - 1u) * p.stretch;
+}
+
 void main() {
   uint lane = team_lane();
   uint team = team_index();
@@ -118,14 +124,14 @@ void main() {
   if (lane == 0u) queued[team] = unfinished[team] = 0u;
   if (gl_LocalInvocationID.x == 0u) undecided_pairs = 0u;
   start_totals();
-  uint stretch = ((places_end() - first_place()) / BLOCK / group_count() + 1u) * BLOCK;
-  uint begin = first_place() + group_index() * stretch;
-  uint end = min(begin + stretch, places_end());
-  for (uint first = begin + team * TEAM; first < end; first += BLOCK) {
-    uint i = first + lane;
+  uint end = places_end() - first_place();
+  for (uint first = group_index() * p.stretch; first < end;) {
+    uint k = first + team * TEAM + lane;
+    uint i = first_place() + k;
+    first = next_chunk(first);
     vec4 mine = position[min(i, p.n - 1u)];
     if (bool(EQUAL_RADII)) mine.w = p.radius;
-    Rows rows = find_rows(mine, i, i < end);
+    Rows rows = find_rows(mine, i, k < end);
     uint marked = 0u;
     uint next = 0u;
     uint base = 0u;
@@ -145,7 +151,7 @@ void main() {
       team_barrier();
       again = unfinished[team] != 0u;
       uint held = min(queued[team], QUEUE_ROOM);
-      uint left = first + BLOCK < end || again ? held % TEAM : 0u;
+      uint left = first < end || again ? held % TEAM : 0u;
       for (uint q = left + lane; q < held; q += TEAM) {
         uint a = queue[room + q].x;
         uint b = queue[room + q].y;

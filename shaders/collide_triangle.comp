@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // Each unordered pair once: a group holds SPHERES_PER_THREAD spheres a thread in registers, its rows, and meets
-// p.columns spheres of its row or later, its columns, which pass through shared memory in Gram form. Where a column
+// p.stretch spheres of its row or later, its columns, which pass through shared memory in Gram form. Where a column
 // comes near a thread's rows the meeting is only queued; after the tile the whole group works the queue off, a thread
 // per pair.
 #include "collide.glsl"
@@ -32,7 +32,7 @@ void meet(uint pair, uint lane, uint j, uint end) {
 void main() {
   uint lane = gl_LocalInvocationID.x;
   uint first_row = (p.first_group + gl_WorkGroupID.y) * ROWS;
-  uint first_column = first_row + gl_WorkGroupID.x * p.columns;
+  uint first_column = first_row + gl_WorkGroupID.x * p.stretch;
   if (first_column >= p.n) return;
   if (lane < 2u) near_length[lane] = 0u;
   start_totals();
@@ -44,7 +44,7 @@ void main() {
     row[k] = gram_form(sphere, origin, SHARE);
     row_radius[k] = sphere.w;
   }
-  uint end = min(first_column + p.columns, p.n);
+  uint end = min(first_column + p.stretch, p.n);
   uint turn = 0u;
   for (uint start = first_column; start < end; start += BLOCK) {
     vec4 sphere = position[min(start + lane, p.n - 1u)];

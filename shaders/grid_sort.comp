@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 // A group takes the spheres of a bucket and puts them into the order of its cells: counts them by cell, adds the counts
 // up, writes where the cells begin, puts the spheres' numbers into order and copies them in that order, so that
-// neighbours are written by neighbours. A bucket of more spheres than SORT_EACH a thread is copied as it comes.
+// neighbours are written by neighbours. A bucket of more spheres than SORT_EACH a thread is copied as it comes. Totals
+// are cleared here.
 #define CELL_ACCESS
 #define ID_ACCESS
 #define SORTS_SPHERES
@@ -31,10 +32,8 @@ const uint RUN_THREADS = 32u;
 shared uint bucket_begin, bucket_size;
 // Of a tile.
 Run run_of(uint bucket, uint tile) {
-  uint end_at = tile * BUCKETS_AT_MOST + bucket;
-  uint end = next_place[end_at];
-  uint begin = next_place[max(end_at, 1u) - 1u];
-  return Run(tile * SPLIT_TILE + (bucket == 0u ? 0u : begin), tile * SPLIT_TILE + end);
+  uint run = next_place[tile * BUCKETS_AT_MOST + bucket];
+  return Run(tile * SPLIT_TILE + begin_in_tile(run), tile * SPLIT_TILE + end_in_tile(run));
 }
 // A thread finds the run of each tile.
 Bucket find_bucket(uint bucket) {
@@ -137,6 +136,7 @@ void sort_crowd(Bucket b, uint low) {
 void main() {
   if (group_index() >= p.buckets) return;
   uint low = group_index() << p.bucket_shift;
+  for (uint k = gl_LocalInvocationID.x; low == 0u && k < SUMMARY_SLOTS * SUMMARY_WORDS; k += BLOCK) summary[k] = 0u;
   Bucket b = find_bucket(group_index());
   if (b.size <= HELD) {
     sort_held(b, low);

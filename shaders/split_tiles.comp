@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: MIT
 // Where one group tells all buckets apart, nothing need be counted before the split: a group takes SPLIT_TILE spheres,
 // puts their numbers into the order of the buckets, copies them in that order to where the tile stood, and writes where
-// in it each bucket ends. grid_sort collects the spheres of its bucket from all tiles. Totals are cleared here.
+// in it each bucket is. grid_sort collects the spheres of its bucket from all tiles. The search before may be under way
+// still: nothing that it reads or writes is touched.
 #define ID_ACCESS
 #define SORTS_SPHERES
 #include "grid.glsl"
 #include "group_sum.glsl"
 
 layout(std430, binding = SLOT_SORTED) restrict writeonly buffer SortedBuffer { vec4 sorted[]; };
-layout(std430, binding = SLOT_BUCKET) restrict buffer BucketBuffer { uint next_place[]; };
+layout(std430, binding = SLOT_BUCKET) restrict writeonly buffer BucketBuffer { uint next_place[]; };
 layout(local_size_x = BLOCK) in;
 shared uint place[BUCKETS_AT_MOST];  // in the tile: where each bucket begins; counts before that
 shared uint order[SPLIT_TILE];       // the spheres of the tile by bucket: their numbers in it
@@ -19,7 +20,6 @@ void main() {
   uint first = group_index() * SPLIT_TILE;
   if (first >= p.n) return;
   uint end = min(first + SPLIT_TILE, p.n);
-  for (uint k = lane; first == 0u && k < SUMMARY_SLOTS * SUMMARY_WORDS; k += BLOCK) summary[k] = 0u;
   place[lane] = 0u;
   uint bucket[SPLIT_EACH];
   for (uint k = 0u; k < SPLIT_EACH; ++k)
@@ -31,7 +31,7 @@ void main() {
   barrier();
   uint own = place[lane];
   uint upto = sum_up_to(own);
-  next_place[group_index() * BUCKETS_AT_MOST + lane] = upto;
+  next_place[group_index() * BUCKETS_AT_MOST + lane] = run_in_tile(upto - own, upto);
   place[lane] = upto - own;
   barrier();
   for (uint k = 0u; k < SPLIT_EACH; ++k)

@@ -107,12 +107,15 @@ TEST(MethodsByBucketsPlan, EachSplitTellsItsBucketsApart) {
       const BucketPlan plan = plan_buckets(n, slots);
       EXPECT_EQ(plan.buckets, (slots >> plan.shift) + 1);
       EXPECT_LE(1u << plan.shift, CELLS_PER_BUCKET);
-      if (plan.shift > 0) EXPECT_LE(n, uint64_t(plan.buckets) * SORT_EACH * SORT_BLOCK) << "on average";
+      if (plan.shift > 0) {
+        EXPECT_LE(n, uint64_t(plan.buckets) * SORT_EACH * SORT_BLOCK) << "on average";
+      }
       const uint first = plan.parent_shift == ONE_PARENT ? plan.buckets : (slots >> plan.parent_shift) + 1;
       EXPECT_LE(first, BUCKETS_AT_MOST) << n << ", " << cells_a_sphere;
       EXPECT_TRUE(plan.parent_shift == ONE_PARENT || plan.parent_shift > plan.shift);
-      if (plan.parent_shift == ONE_PARENT)
+      if (plan.parent_shift == ONE_PARENT) {
         EXPECT_LE(n, uint64_t(SPLIT_TILE) * SORT_BLOCK) << "a thread of grid_sort for each tile";
+      }
     }
 }
 

@@ -34,8 +34,9 @@ std::vector<CollideOptions> special_options() {
   std::vector<CollideOptions> all = {grid_step([](CollideOptions& o) { o.grid.scan = Scan::library; }),
                                      grid_step([](CollideOptions& o) { o.grid.sort = Sort::radix; })};
   for (const Sort sort : {Sort::counting, Sort::buckets})
-    for (std::optional<bool> Tricks::*trick : {&Tricks::graph, &Tricks::keep_in_l2, &Tricks::texture_table,
-                                               &Tricks::texture_spheres, &Tricks::library_clear, &Tricks::batch})
+    for (std::optional<bool> Tricks::*trick :
+         {&Tricks::graph, &Tricks::keep_in_l2, &Tricks::texture_table, &Tricks::texture_spheres, &Tricks::library_clear,
+          &Tricks::batch, &Tricks::overlap})
       all.push_back(grid_step([=](CollideOptions& o) { o.grid.sort = sort, o.tricks.*trick = true; }));
   return all;
 }
@@ -71,7 +72,7 @@ TEST_P(Skips, WhatABackendLacksIsRefused) {
   if (backend().info().name == "cpu") {
     EXPECT_EQ(there, 0u);
   } else if (backend().info().name == "glsl") {
-    EXPECT_EQ(there, 8u) << "both textures, library_clear and batch with both sorts";
+    EXPECT_EQ(there, 10u) << "both textures, library_clear, batch and overlap with both sorts";
   } else {
     EXPECT_GE(there, 6u) << "Thrust, graph and library_clear with both sorts; L2 where the device has it";
   }

@@ -101,6 +101,7 @@ CollideOptions random_options(Dice& dice, const Backend& backend) {
   options.tricks.texture_table = backend.info().name == "glsl" && dice.one_in(2);
   options.tricks.texture_spheres = backend.info().name == "glsl" && dice.one_in(2);
   options.tricks.library_clear = gpu_api && dice.one_in(2);
+  if (dice.one_in(2)) options.tricks.overlap = false;
   return options;
 }
 
