@@ -49,7 +49,8 @@ struct Samples {
 };
 json to_json(const Samples& samples);
 
-// Seconds that `batch` steps take, from and to an idle device.
+// Seconds that `batch` steps take, from and to an idle device; on a GPU behind one more that is not timed, where they
+// are more than one, so that the way back from another API's work is none of them.
 double time_batch(const Contender& contender, uint64_t batch);
 uint64_t choose_batch(const Contender& contender, const Sampling& sampling);
 

@@ -52,7 +52,8 @@ struct GridOptions {
 // What one API offers and the other lacks, each to be measured against going without. Absent: what was measured to be
 // faster; a backend that lacks one refuses it by name when it is asked for, std::invalid_argument.
 struct Tricks {
-  std::optional<bool> graph = {};  // CUDA: a step's launches are captured once, replayed while none changes. Absent: on
+  // CUDA: a step's launches are captured once, replayed while none changes. Absent: on, but for steps that overlap
+  std::optional<bool> graph = {};
   std::optional<bool> keep_in_l2 = {};  // CUDA: the table of cells is set aside in the L2 cache. Absent: off
   // GLSL: collide_grid reads the table of cells through a texture buffer, in parts where one is too small; the sort by
   // buckets so reads its spheres. Absent: on where they fit
@@ -62,9 +63,11 @@ struct Tricks {
   // GLSL: a step's dispatches go out together, each behind the one barrier that it needs. Off: each behind all
   // barriers, and the host waits for it. Absent: on
   std::optional<bool> batch = {};
-  // both, CUDA from compute capability 9.0 on: what needs nothing of the search before begins while that is under way,
-  // in CUDA in place of the graph. Absent: on, unless a graph is asked for
+  // both, CUDA where kernels are compiled for 9.0 or later: what needs nothing of the search right before it begins
+  // while that is under way, and CUDA's later launches of a step get ready early. Absent: on, unless a graph is asked
+  // for
   std::optional<bool> overlap = {};
+  bool overlaps() const { return overlap.value_or(!graph.value_or(false)); }
   auto operator<=>(const Tricks&) const = default;
 };
 
@@ -95,7 +98,7 @@ struct WorkCounts {
   uint64_t plans = 0;                                   // of cells, with that of the upload
   uint64_t graphs_replayed = 0;
   uint64_t waits = 0;                     // for a launch alone, within steps
-  uint64_t beside = 0;                    // launches that could begin while the one before was under way
+  uint64_t beside = 0;                    // launches that need not wait for the one before
   uint64_t without_radii = 0, lists = 0;  // steps that loaded no radius; that kept a list of pairs
 };
 

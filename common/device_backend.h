@@ -111,7 +111,7 @@ class DeviceBackend : public Backend {
   const View& view() const { return view_; }  // of the draw_* kernels
   uint64_t pyramid_texels() const;            // of its pyramid
   uint visible_slot() const { return visible_slot_; }
-  virtual bool overlaps_launches() const { return false; }  // where pictures may so
+  virtual bool overlaps_launches() const { return false; }  // pictures do, see Launch::beside
   uint spheres() const { return uint(n_); }
 
  private:
@@ -144,8 +144,7 @@ class DeviceBackend : public Backend {
   std::vector<uint> numbers_in_cell_order();
   // As Launch::beside, of what uses nothing of a search in cell order.
   std::optional<Kernel> beside_search() const {
-    const Tricks& tricks = options_.tricks;
-    return tricks.overlap.value_or(!tricks.graph.value_or(false)) ? std::optional(Kernel::collide_grid) : std::nullopt;
+    return options_.tricks.overlaps() ? std::optional(Kernel::collide_grid) : std::nullopt;
   }
   Variant sorter(Kernel kernel) const;
   void split(uint shift, uint parent_shift, uint first_bucket, Order from, Order to);

@@ -17,7 +17,7 @@ constexpr uint64_t most_groups = 4096;  // of the search then: a large device ha
 constexpr uint threads_per_chunk =
     32;  // of a group, which else takes so few chunks in a row that neighbours are at work
 constexpr uint64_t least_moves_to_wait = 32, most_moves_to_wait = 64;
-constexpr uint64_t buckets_pay_from = 65536;  // spheres
+constexpr uint64_t buckets_pay_from = 16384;  // spheres
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 

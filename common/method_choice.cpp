@@ -50,6 +50,9 @@ void check_collide(const CollideOptions& options) {
     throw std::invalid_argument("without its filter only collide_grid runs, and only with the exact predicate");
   if (!grid && options.tricks != Tricks{.graph = options.tricks.graph, .batch = options.tricks.batch})
     throw std::invalid_argument("of the tricks, all but the graph and the batch are of the grid");
+  if (options.tricks.graph.value_or(false) && options.tricks.overlap.value_or(false))
+    throw std::invalid_argument(
+        "a step is one graph, or its launches overlap with the step before: ask for one of both");
 }
 
 void refuse_missing(const std::string& backend, const CollideOptions& options, const Tricks& offered, bool thrust) {
@@ -65,7 +68,7 @@ void refuse_missing(const std::string& backend, const CollideOptions& options, c
   need(options.tricks.texture_spheres, offered.texture_spheres, "spheres in a texture buffer", "the backend glsl");
   need(options.tricks.batch, offered.batch, "a batch of dispatches", "the backend glsl");
   need(options.tricks.overlap, offered.overlap, "a launch beside the search before",
-       "the backend glsl and, from compute capability 9.0 on, cuda");
+       "the backend glsl and, compiled for compute capability 9.0 or later, cuda");
   need(options.tricks.library_clear, offered.library_clear, "a clear by the API", "the backends glsl and cuda");
 }
 

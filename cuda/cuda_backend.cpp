@@ -66,7 +66,7 @@ class CudaBackend final : public DeviceBackend {
   StageEvents stages_;
   bool programmatic_ = false;   // a launch can begin before the one before it is done
   bool early_ = false;          // and does, in this step
-  std::optional<Kernel> last_;  // that was launched
+  std::optional<Kernel> last_;  // that was launched, with nothing else behind it
 };
 
 CudaBackend::CudaBackend(int device) : info_(describe_device(device)), l2_(device) { require_kernels(device); }
@@ -85,6 +85,7 @@ void CudaBackend::require_kernels(int device) {
 
 void CudaBackend::allocate(uint slot, uint64_t bytes) {
   graph_.flush();
+  last_.reset();
   cuda_check(cudaFree(std::exchange(memory_[slot].data, nullptr)), "freeing a buffer");
   const cudaError_t error = cudaMalloc(&memory_[slot].data, bytes);
   if (error == cudaErrorMemoryAllocation) {
@@ -105,6 +106,7 @@ void CudaBackend::finish() {
 void CudaBackend::write(uint slot, const void* data, uint64_t offset, uint64_t bytes) {
   if (bytes == 0) return;
   graph_.flush();
+  last_.reset();
   char* target = static_cast<char*>(memory_[slot].data) + offset;
   cuda_check(cudaMemcpy(target, data, bytes, cudaMemcpyHostToDevice), fmt::format("writing {} bytes", bytes));
 }
@@ -171,29 +173,33 @@ void CudaBackend::check_tricks(const CollideOptions& options) const {
 
 void CudaBackend::begin_step(const Tricks& tricks) {
   l2_.turn(tricks.keep_in_l2.value_or(false));
-  early_ = programmatic_ && tricks.overlap.value_or(true);
+  early_ = programmatic_ && tricks.overlaps();
   if (tricks.graph.value_or(true) && !stages_.on()) graph_.begin();  // stages are timed one by one
 }
 
 void CudaBackend::end_step() {
   const uint64_t calls = graph_.size();
   if (!graph_.end()) return;
+  last_.reset();
   ++work_.graphs_replayed;
   work_.launches -= calls - 1;
 }
 
 void CudaBackend::clear_buffer(uint slot, uint64_t bytes) {
   graph_.flush();
+  last_.reset();
   stages_.time("memset", [&] { cuda_check(cudaMemsetAsync(memory_[slot].data, 0, bytes), "clearing a buffer"); });
 }
 
 void CudaBackend::library_scan() {
   graph_.flush();
+  last_.reset();
   stages_.time("thrust_scan", [&] { library_.scan(buffer<uint>(SLOT_CELL), table_bytes() / sizeof(uint)); });
 }
 
 void CudaBackend::library_sort() {
   graph_.flush();
+  last_.reset();
   stages_.time("thrust_sort", [&] {
     library_.sort(params(), buffer<vec4>(SLOT_POSITION), buffer<uint>(SLOT_CELL), buffer<vec4>(SLOT_SORTED),
                   buffer<uint>(SLOT_ID), buffer<uint>(SLOT_SORTED_COUNT));

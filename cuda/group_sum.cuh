@@ -20,7 +20,13 @@ __device__ inline uint sum_up_to(uint own) {
   }
   if (lane == 31u) warp_sums[warp] = upto;
   __syncthreads();
-  return __reduce_add_sync(~0u, lane < warp ? warp_sums[lane] : 0u) + upto;
+  uint before = lane < warp ? warp_sums[lane] : 0u;
+#if __CUDA_ARCH__ >= 800
+  before = __reduce_add_sync(~0u, before);
+#else
+  for (uint bit = 1u; bit < 32u; bit *= 2u) before += __shfl_xor_sync(~0u, before, bit);
+#endif
+  return before + upto;
 }
 
 }  // namespace spherepair

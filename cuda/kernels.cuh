@@ -56,7 +56,8 @@ __device__ inline vec4 with_radius(const Params& p, vec4 found) {
 }
 
 // Of a launch that may begin before the one before it is done (KernelCall::early): waits until it is, and sees what it
-// has written. What needs nothing of that waits in the end, so that what comes next need only wait for this one.
+// has written. What needs nothing of that waits in the end, so that what comes next need only wait for this one; what
+// it reads was written before the launch before began to work.
 __device__ inline void wait_for_launch_before() {
 #if __CUDA_ARCH__ >= 900
   cudaGridDependencySynchronize();

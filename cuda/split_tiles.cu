@@ -2,7 +2,7 @@
 // Where one group tells all buckets apart, nothing need be counted before the split: a group takes SPLIT_TILE spheres,
 // puts their numbers into the order of the buckets, copies them in that order to where the tile stood, and writes where
 // in it each bucket is. grid_sort collects the spheres of its bucket from all tiles. The search before may be under way
-// still: nothing that it reads or writes is touched.
+// still: nothing that it reads is written here, and nothing that it writes is read.
 #include "cell.h"
 #include "group_sum.cuh"
 #include "kernels.cuh"

@@ -84,18 +84,17 @@ void StepGraph::capture() {
 
 bool StepGraph::end() {
   if (!collecting_) return false;
-  const bool same = std::ranges::equal(calls_, last_, same_call), there = graph_ && same;
-  if (!same) {
+  if (!std::ranges::equal(calls_, last_, same_call)) {
     drop();
     last_ = calls_;
     flush();
     return false;
   }
   collecting_ = false;
-  if (!there) capture();
+  if (!graph_) capture();
   calls_.clear();
   cuda_check(cudaGraphLaunch(graph_, nullptr), "launching the graph of a step");
-  return there;
+  return true;
 }
 
 }  // namespace spherepair

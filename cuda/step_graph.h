@@ -38,7 +38,7 @@ class StepGraph {
   void add(const KernelCall& call) { calls_.push_back(call); }
   size_t size() const { return calls_.size(); }
   void flush();  // launches what was collected
-  bool end();    // true when all went out as one graph that was there already
+  bool end();    // true when all went out as one graph
 
  private:
   void capture();

@@ -2,7 +2,7 @@
 # The lint, one test a rule, and its negative controls. A missing tool skips a rule and says which.
 find_package(Python3 3.9 COMPONENTS Interpreter)
 if(Python3_Interpreter_FOUND)
-  foreach(rule twins files headers borders builtins format shaders ptx flags)
+  foreach(rule twins files headers borders builtins format shaders ptx oldest flags)
     add_test(NAME lint.${rule}
       COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/lint.py ${rule} --build ${PROJECT_BINARY_DIR})
     set_tests_properties(lint.${rule} PROPERTIES SKIP_RETURN_CODE 77)

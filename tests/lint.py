@@ -20,6 +20,7 @@ RULES = {
     "format": lint_sources.formatting,
     "shaders": lint_arithmetic.shaders,
     "ptx": lint_arithmetic.ptx,
+    "oldest": lint_arithmetic.oldest,
     "flags": lint_arithmetic.flags,
 }
 

@@ -112,7 +112,7 @@ def compile_commands(build):
     return json.loads(path.read_text())
 
 
-def ptx_of(entry, *, without=()):
+def ptx_of(entry, *, without=(), architecture=90):
     """PTX of one kernel with the flags that the build compiles it with."""
     words, kept, skip = shlex.split(entry["command"]), [], False
     for word in words:
@@ -124,7 +124,7 @@ def ptx_of(entry, *, without=()):
             kept.append(word)
     with tempfile.TemporaryDirectory() as folder:
         output = os.path.join(folder, "kernel.ptx")
-        subprocess.run([*kept, "-ptx", "-arch=compute_90", "-o", output], cwd=entry["directory"], check=True)
+        subprocess.run([*kept, "-ptx", f"-arch=compute_{architecture}", "-o", output], cwd=entry["directory"], check=True)
         return pathlib.Path(output).read_text()
 
 
@@ -142,6 +142,28 @@ def ptx(root, build):
     for stem, entry in commands.items():
         complaints += [f"cuda/{stem}.cu: {complaint}" for complaint in ptx_complaints(ptx_of(entry))]
     return complaints, f"{len(commands)} kernels that feed state"
+
+
+def warp_functions(root, source):
+    """Whether a kernel, or a header of its own folder, calls one of CUDA's functions on warps: not all GPUs have all."""
+    text = source.read_text()
+    headers = [root / "cuda" / name for name in re.findall(r'#include "(\w+\.cuh)"', text)]
+    return "_sync(" in text or any(warp_functions(root, header) for header in headers)
+
+
+def oldest(root, build):
+    """The oldest GPU that a build is for unless told otherwise compiles what calls functions on warps."""
+    architecture = int(re.search(r"set\(CMAKE_CUDA_ARCHITECTURES (\d+)-virtual", (root / "CMakeLists.txt").read_text())[1])
+    kernel_commands(root, build)
+    entries = [e for e in compile_commands(build) if e["file"].startswith(str(root / "cuda")) and e["file"].endswith(".cu")]
+    chosen = [e for e in entries if warp_functions(root, pathlib.Path(e["file"]))]
+    complaints = []
+    for entry in chosen:
+        try:
+            ptx_of(entry, architecture=architecture)
+        except subprocess.CalledProcessError:
+            complaints.append(f"{os.path.relpath(entry['file'], root)}: does not compile for compute_{architecture}, see above")
+    return complaints, f"{len(chosen)} kernels for compute_{architecture}"
 
 
 def flag_complaints(entry):

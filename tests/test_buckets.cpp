@@ -51,6 +51,13 @@ TEST_P(MethodsByBuckets, SearchedByFoldedGroups) {
   expect_right(backend(), make_scene({.name = "uniform", .n = (MAX_GROUPS + 1000) * 32}), 32);
 }
 
+// Above 4 million spheres groups take several chunks of them in a row.
+TEST_P(MethodsByBuckets, SearchedInStretches) {
+  const Scene scene = make_scene({.name = "uniform", .n = 4'000'100});
+  expect_right(backend(), scene, 64);
+  expect_right(backend(), scene, 256);
+}
+
 // Most spheres lie on the floor of a box, so that a bucket has more than a group holds; in a small box all buckets
 // would, were they of as many cells.
 TEST_P(MethodsByBuckets, OfManySpheres) {

@@ -16,7 +16,7 @@ COUNTED = ", and what of a step's work is counted otherwise with it than (in bra
 KINDS = {"skip": "skips: work that the scene does not need", "trick": "tricks: what one API offers",
          "library": "our own kernel in place of another's"}
 TRICKS = ({"glsl"}, {"cuda"})  # who has them, alone
-OF_BOTH = {"vector_loads"}  # tricks that both have
+OF_BOTH = {"vector_loads", "overlap"}  # tricks that both have
 MOST_SIZES = 2
 NAMES = {"cpu": "CPU", "glsl": "GLSL", "cuda": "CUDA"}
 
