@@ -179,8 +179,9 @@ void CudaBackend::begin_step(const Tricks& tricks) {
 
 void CudaBackend::end_step() {
   const uint64_t calls = graph_.size();
-  if (!graph_.end()) return;
-  last_.reset();
+  const bool replayed = graph_.end();
+  if (graph_.whole()) last_.reset();
+  if (!replayed) return;
   ++work_.graphs_replayed;
   work_.launches -= calls - 1;
 }

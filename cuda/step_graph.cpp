@@ -83,18 +83,20 @@ void StepGraph::capture() {
 }
 
 bool StepGraph::end() {
+  whole_ = collecting_ && std::ranges::equal(calls_, last_, same_call);
   if (!collecting_) return false;
-  if (!std::ranges::equal(calls_, last_, same_call)) {
+  if (!whole_) {
     drop();
     last_ = calls_;
     flush();
     return false;
   }
   collecting_ = false;
-  if (!graph_) capture();
+  const bool there = graph_ != nullptr;
+  if (!there) capture();
   calls_.clear();
   cuda_check(cudaGraphLaunch(graph_, nullptr), "launching the graph of a step");
-  return true;
+  return there;
 }
 
 }  // namespace spherepair
