@@ -28,10 +28,7 @@ std::string reason_of(const Crossover& row, uint64_t n, double crowd, uint level
   if (grid && crowd >= row.crowd_from)
     return text + fmt::format("; the grid is ahead from {} others on", row.crowd_from);
   if (grid && n <= row.few) return text + fmt::format("; the grid is ahead up to {}", row.few);
-  if (grid) return text + fmt::format("; the grid is ahead from {} on", row.grid_from * levels);
-  if (n < row.grid_from * levels)
-    return text + fmt::format("; the grid is ahead only from {} on", row.grid_from * levels);
-  return text + fmt::format("; the grid is ahead only up to {:.3g} others", double(n) / double(row.one_cell_of));
+  return text + fmt::format("; the grid is ahead {}from {:.0f} on", grid ? "" : "only ", grid_from(row, crowd, levels));
 }
 
 }  // namespace

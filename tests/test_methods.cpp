@@ -150,9 +150,12 @@ TEST_P(Methods, EmptyLaunchAndStageTimes) {
   EXPECT_TRUE(backend().stage_times().empty()) << "reading them takes them away";
 }
 
+// Of a gas, with some room.
+uint64_t enough_for_grid(const Crossover& row) { return row.grid_from + row.grid_from / 10 + 50; }
+
 TEST_P(Methods, AutomaticIsRightWhateverItTakes) {
   const Crossover& row = crossover_of(backend().info());
-  const uint64_t many = row.grid_from + 10, all = backend().info().software ? 700 : many;
+  const uint64_t many = enough_for_grid(row), all = backend().info().software ? 700 : many;
   const auto took = [&](const SceneOptions& options) {
     const Scene scene = make_scene(options);
     expect_pairs(backend(), scene, swept_pairs(scene.positions), {{.method = Method::automatic}});
@@ -168,26 +171,35 @@ TEST_P(Methods, AutomaticIsRightWhateverItTakes) {
   EXPECT_NE(far.reason.find(fmt::format("{} spheres", many)), std::string::npos) << far.reason;
 }
 
+Method taken(const char* device, const SceneOptions& scene, bool swept = false) {
+  BackendInfo info;
+  info.name = device;
+  const GridPlans plans = plan_grids(make_scene(scene).positions);
+  return chosen_method(info, scene.n, plans, {.method = Method::automatic, .swept = swept});
+}
+
 // The choice needs no device, so that of devices which are not here is tested too.
 TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
-  for (const char* name : {"cuda", "glsl"}) {
-    BackendInfo info;
-    info.name = name;
-    const Crossover& row = crossover_of(info);
-    const auto took = [&](uint64_t n, bool swept) {
-      const GridPlans plans = plan_grids(make_scene({.name = "uniform", .n = n}).positions);
-      return chosen_method(info, n, plans, {.method = Method::automatic, .swept = swept});
-    };
-    EXPECT_EQ(took(row.square_to, false), Method::collide_square) << name;
-    EXPECT_EQ(took(row.square_to + 1, false), Method::collide_triangle) << name;
-    EXPECT_EQ(took(row.grid_from - 1, false), Method::collide_triangle) << name;
-    EXPECT_EQ(took(row.grid_from, false), Method::collide_grid) << name;
-    EXPECT_EQ(took(row.square_to, true), Method::collide_tiled) << name;
-    EXPECT_EQ(took(128, false), row.few >= 128 ? Method::collide_grid : Method::collide_square) << name;
-    const GridPlans crowd = plan_grids(make_scene({.name = "one_cell", .n = 128}).positions);
-    EXPECT_EQ(chosen_method(info, 128, crowd, {.method = Method::automatic}), Method::collide_square) << name;
-    const GridPlans larger = plan_grids(make_scene({.name = "one_cell", .n = 9000}).positions);
-    EXPECT_EQ(chosen_method(info, 9000, larger, {.method = Method::automatic}), Method::collide_square) << name;
+  const auto gas = [](const char* device, uint64_t n) { return taken(device, {.name = "uniform", .n = n}); };
+  EXPECT_EQ(gas("cuda", 256), Method::collide_grid);
+  EXPECT_EQ(gas("cuda", 1024), Method::collide_square);
+  EXPECT_EQ(gas("cuda", 4096), Method::collide_grid);
+  EXPECT_EQ(gas("glsl", 64), Method::collide_square);
+  EXPECT_EQ(gas("glsl", 4096), Method::collide_square);
+  EXPECT_EQ(gas("glsl", 6000), Method::collide_triangle);
+  EXPECT_EQ(gas("glsl", 8192), Method::collide_grid);
+  for (const char* device : {"cuda", "glsl"}) {
+    EXPECT_EQ(taken(device, {.name = "clustered", .n = 128}), Method::collide_grid) << device;
+    EXPECT_EQ(taken(device, {.name = "clustered", .n = 4096}), Method::collide_square) << device;
+    EXPECT_EQ(taken(device, {.name = "clustered", .n = 8192}), Method::collide_grid) << device;
+    EXPECT_EQ(taken(device, {.name = "uniform", .n = 4096}, true), Method::collide_tiled) << device;
+    for (const uint64_t n : {128, 9000})
+      EXPECT_EQ(taken(device, {.name = "one_cell", .n = n}), Method::collide_square) << device;
+    SceneOptions radii = {.name = "uniform", .n = 16384, .radius_ratio = 16};
+    radii.packing_fraction = 0.01;
+    EXPECT_EQ(taken(device, radii), Method::collide_triangle) << device;
+    radii.n = 32768;
+    EXPECT_EQ(taken(device, radii), Method::collide_grid) << device;
   }
 }
 
@@ -206,11 +218,11 @@ TEST(MethodsOnTheHost, AutoOnTheCpuGoesByItsThreads) {
   EXPECT_EQ(took("one_cell", crowd_least), Method::collide_grid);
   EXPECT_EQ(took("one_cell", 4 * from), Method::collide_grid);
   EXPECT_EQ(took("uniform", from - 1), Method::parallel);
-  EXPECT_EQ(took("uniform", from), Method::collide_grid);
+  EXPECT_EQ(took("uniform", enough_for_grid(crossover_of(info))), Method::collide_grid);
   EXPECT_GT(from_of_many, from);
   info.details["threads"] = "16";
   EXPECT_EQ(took("uniform", from_of_many - 1), Method::parallel);
-  EXPECT_EQ(took("uniform", from_of_many), Method::collide_grid);
+  EXPECT_EQ(took("uniform", enough_for_grid(crossover_of(info))), Method::collide_grid);
   EXPECT_EQ(took("one_cell", crowd_least), Method::collide_grid);
   EXPECT_EQ(took("one_cell", 2000), Method::parallel);
 }

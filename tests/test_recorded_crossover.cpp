@@ -28,21 +28,23 @@ struct Recorded {
 std::map<std::string, Recorded> recorded_crossovers() {
   std::map<std::string, Recorded> found;
   for (const auto& machine : std::filesystem::directory_iterator(SPHEREPAIR_DATA)) {
-    std::ifstream file(machine.path() / "crossover.json");
-    if (!file) continue;
-    const json record = json::parse(file);
-    for (const json& row : record.at("measurements")) {
-      const json& scene = row.at("scene");
-      const std::string backend = row.at("backend"), kind = row.at("kind"), way = row.at("way");
-      const uint64_t n = row.at("n");
-      Recorded& one = found[fmt::format("{} {} {} of {}", machine.path().filename().string(), backend, kind, n)];
-      one.scene = {.name = scene.at("name"), .n = n, .seed = scene.at("seed"), .radius = scene.at("radius")};
-      one.scene.radius_ratio = scene.at("radius_ratio");
-      one.scene.packing_fraction = scene.at("packing_fraction");
-      one.backend = backend;
-      for (const json& opened : record.at("backends"))
-        if (opened.at("name") == "cpu") one.threads = opened.at("details").at("threads");
-      one.ways[way] = {row.at("interval_ms").at(0), row.at("interval_ms").at(1), row.at("coverage")};
+    if (!machine.is_directory()) continue;
+    for (const auto& file : std::filesystem::directory_iterator(machine.path())) {
+      if (!file.path().filename().string().starts_with("crossover")) continue;
+      const json record = json::parse(std::ifstream(file.path()));
+      for (const json& row : record.at("measurements")) {
+        const json& scene = row.at("scene");
+        const std::string backend = row.at("backend"), kind = row.at("kind"), way = row.at("way");
+        const uint64_t n = row.at("n");
+        Recorded& one = found[fmt::format("{} {} {} of {}", machine.path().filename().string(), backend, kind, n)];
+        one.scene = {.name = scene.at("name"), .n = n, .seed = scene.at("seed"), .radius = scene.at("radius")};
+        one.scene.radius_ratio = scene.at("radius_ratio");
+        one.scene.packing_fraction = scene.at("packing_fraction");
+        one.backend = backend;
+        for (const json& opened : record.at("backends"))
+          if (opened.at("name") == "cpu") one.threads = opened.at("details").at("threads");
+        one.ways[way] = {row.at("interval_ms").at(0), row.at("interval_ms").at(1), row.at("coverage")};
+      }
     }
   }
   return found;
