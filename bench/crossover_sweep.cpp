@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include "choice.h"
 
@@ -87,9 +86,7 @@ CrossoverSweep::CrossoverSweep(Session& session, const CrossoverOptions& options
 
 void CrossoverSweep::run(std::span<const SphereKind> chosen, const std::vector<uint64_t>& sizes) {
   uint64_t done = 0;
-  // Long steps first: in the first ten seconds of a process an OpenGL driver has work of its own, which short ones
-  // show.
-  for (const SphereKind& kind : chosen | std::views::reverse) {
+  for (const SphereKind& kind : chosen) {
     slow_.clear();
     for (const uint64_t n : sizes) {
       progress_.reach(done++, chosen.size() * sizes.size());

@@ -26,7 +26,7 @@ constexpr uint64_t crowd_least = 32;
 constexpr int few_threads = 4;
 constexpr uint64_t never = ~uint64_t(0);
 constexpr Crossover crossovers[] = {{"cuda", 3600, 4400, 400, 4'000'000, 512, 8},
-                                    {"glsl", 7000, 4500, 350, never, 200, 100},
+                                    {"glsl", 4700, 4500, 350, never, 200, 100},
                                     {"glsl in software", 480, 0, 50, never, 0, 0},
                                     {"cpu", 2000, 0, 50, never, 0, 0, 1.5, never},
                                     {"cpu of many threads", 7000, 0, 50, never, 0, 0, 2.2, 1024}};

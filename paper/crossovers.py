@@ -2,7 +2,7 @@
 """Where the grid overtakes all pairs in each kind of spheres, and whether the program's own choice is the best one."""
 from dataclasses import dataclass
 
-from ranks import apart, differ
+from ranks import differ
 from records import Missing
 
 GRIDS = ("dense", "hashed")  # the other ways, but for auto, meet all pairs
@@ -10,7 +10,7 @@ GRIDS = ("dense", "hashed")  # the other ways, but for auto, meet all pairs
 
 @dataclass(frozen=True)
 class Crossover:
-    start: str  # the least n from which the grid stays ahead, intervals apart
+    start: str  # the least n from which the grid stays ahead, as intervals or the rank test tell
     loss: str  # times the best fixed choice that auto took at worst; 1: no difference seen
     losses: tuple  # the same for each n
     source: str
@@ -25,12 +25,14 @@ def fastest(ways, grid=None):
 def grid_ahead(ways):
     """All pairs are not tried any more where they take far too long."""
     grid, pairs = fastest(ways, True), fastest(ways, False)
-    return grid is not None and (pairs is None or apart(grid, pairs) and grid.median < pairs.median)
+    return grid is not None and (pairs is None or differ(grid, pairs) and grid.median < pairs.median)
 
 
 def loss(ways):
-    """Auto's time over the best; 1 where the two do not differ."""
+    """Auto's time over the best; 1 where the two do not differ, or are the same way."""
     best, auto = fastest(ways), ways["auto"]
+    if auto.choice.get("cells", auto.choice["name"]) == best.way:
+        return 1.0
     return auto.median / best.median if auto.median > best.median and differ(auto, best) else 1.0
 
 

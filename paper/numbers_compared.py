@@ -16,7 +16,7 @@ SAID = (("counts_read", "glsl", 1), ("counts_read", "cuda", 1), ("vector_loads",
         ("exact_stages", "cuda", 1), ("order", "glsl", 1), ("order", "cuda", 1),
         ("cells", "glsl", 1), ("cells", "cuda", 1), ("read_back", "glsl", 1), ("read_back", "cuda", 1),
         ("graph", "cuda", 1), ("own_clear", "glsl", 1), ("own_clear", "cuda", 1), ("sparse_buffers", "glsl", 1),
-        ("subgroups", "glsl", 1), ("texture_table", "glsl", 1), ("totals", "glsl", 1), ("totals", "cuda", 1),
+        ("subgroups", "glsl", 1), ("overlap", "glsl", 1), ("overlap", "cuda", 1), ("totals", "glsl", 0), ("totals", "cuda", 1),
         ("l2_aside", "cuda", -1), ("own_sort", "cuda", 1),
         ("own_buckets", "cuda", 1), ("own_scan", "cuda", 1), ("new_cells", "glsl", -1), ("new_cells", "cuda", -1),
         ("cells_out_of_reach", "glsl", 0), ("cells_out_of_reach", "cuda", 0))  # saves, costs, or nothing seen
@@ -69,8 +69,7 @@ def kinds_of_spheres(put, machine, others):
         "best or less")
     put("kinds/cpu/worst", f"{max(max(by['cpu'].losses) for by in found.values()):.2g}", source,
         "times the best fixed choice that auto took at worst on the CPU")
-    put("kinds/worst/kind", kind, source, "the kind of spheres in which it did")
-    put("kinds/worst", f"{worst:.2g}", source, f"times the best fixed choice that auto took at worst: {kind}, {name}")
+    said(machine, worst <= GOOD, f"auto takes {GOOD:g} times the best fixed choice at most on the GPU (it is {worst:.2f}: {kind}, {name})")
     for name in DEVICES:
         start = {kind: as_number(by_backend[name].start) for kind, by_backend in found.items()}
         spread = max(start[kind] for kind in ("gas", "thin", "box"))

@@ -18,9 +18,9 @@ PEERS = ("Milliseconds from so many centres on the GPU, in random order and of t
          " number of colliding pairs, or to what else a system offers: ours beside other systems on the same "
          "centres. The others were timed in one run of their own ({run}), on an H200 too, as medians without "
          "intervals; wrong pairs are of the last column. Ours:")
-CROSSOVERS = ("The least $n$ up to {most:,} from which the grid stays ahead of all pairs, intervals apart, by the"
+CROSSOVERS = ("The least $n$ up to {most:,} from which the grid stays ahead of all pairs, as intervals or the rank test tell, by the"
               " kind of spheres, and how many times the best fixed choice the program's own (auto) took at worst;"
-              " 1 where no difference is seen.")
+              " 1 where no difference is seen, or where it took the same.")
 HAND_OVERS = ("CUDA steps, OpenGL draws {draw}: a picture with its hand-over, a step, both in a loop that waits for "
               "nothing but the hand-over, and what that hides of the sum of the two; medians, in brackets what their "
               "intervals allow.")

@@ -103,9 +103,10 @@ class Speed(unittest.TestCase):
     def test_7e(self):
         claims = {"counts_read": (10**6, 40, APIS), "exact_stages": (10**6, 10, APIS), "order": (10**6, 1.4, APIS),
                   "cells": (10**6, 1.4, APIS), "vector_loads": (10**6, 2, APIS), "own_clear": (10**6, 2, ("glsl",)),
-                  "batch": (10**6, 2, ("glsl",)), "graph": (16384, 1.4, ("cuda",))}
+                  "batch": (10**6, 2, ("glsl",)), "graph": (16384, 1.4, ("cuda",)),
+                  "overlap": (16384, 1.2, APIS)}
         self.said("7e", "asked for ≥ 40 times", "filter ≥ 10", "≥ 1.4", "a graph ≥ 1.4", "own clear ≥ 2",
-                  "one by one ≥ 2")
+                  "one by one ≥ 2", "overlapping steps ≥ 1.2")
         found = {(on.skip, on.n, on.backend): off.median / on.median for on, off in on_and_off(self.h200)}
         for skip, (n, least, apis) in claims.items():
             for name in apis:

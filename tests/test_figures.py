@@ -61,11 +61,12 @@ def sets_to_come():
             "contacts": contacts}
 
 
-def crossovers_to_come():
-    return [record for n, times in ((64, (1, 3, 3, 1)), (1024, (9, 2, 4, 2)))
+def crossovers_to_come(cells, time_of_auto):
+    square, grid = {"name": "collide_square"}, {"name": "collide_grid", "cells": cells}
+    return [record for n, times, taken in ((64, (1, 3, 3, 1), square), (1024, (9, 2, 4, time_of_auto), grid))
             for way, time in zip(("collide_square", "dense", "hashed", "auto"), times)
             for record in [Record({"table": "crossover", "kind": "gas", "way": way, "n": n, "backend": "glsl",
-                                   "scene": SCENE, "label": "made up", "samples_ms": [time] * 7}, time, time, time,
+                                   "choice": taken, "scene": SCENE, "label": "made up", "samples_ms": [time] * 7}, time, time, time,
                                   "made up")]]
 
 
@@ -97,8 +98,9 @@ class Figures(unittest.TestCase):
 class Tables(unittest.TestCase):
     def test_crossovers_by_kind(self):
         machine = Machine(DATA / "h200")
-        machine.records = crossovers_to_come()
-        self.assertEqual([["gas", "1,024", "1"]], tables_studies.crossover(machine).rows)
+        for cells, time_of_auto, loss in (("dense", 2, "1"), ("dense", 2.5, "1"), ("hashed", 4, "2")):
+            machine.records = crossovers_to_come(cells, time_of_auto)
+            self.assertEqual([["gas", "1,024", loss]], tables_studies.crossover(machine).rows)
 
     def test_hand_overs(self):
         machine = Machine(DATA / "h200")

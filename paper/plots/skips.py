@@ -52,9 +52,11 @@ def scene_of(record):
 
 
 def counts(on, off):
-    """E.g. sorts 0 (1). Launches say something of graphs alone: elsewhere they depend on what a graph can hold."""
+    """E.g. sorts 0 (1). Launches say something of graphs alone: elsewhere they depend on what a graph can hold; and
+    what is launched beside others is the overlap's."""
     with_it, without = (record.parameters.get("work_a_step", {}) for record in (on, off))
-    told = [name for name in with_it if "graph" in on.skip or name not in ("launches", "graphs_replayed")]
+    told = [name for name in with_it if "graph" in on.skip or name not in ("launches", "graphs_replayed")
+            if on.skip == "overlap" or name != "beside"]
     return ", ".join(f"{name.replace('_', ' ')} {in_short(with_it[name])} ({in_short(without.get(name, 0))})"
                      for name in told if with_it[name] != without.get(name))
 
