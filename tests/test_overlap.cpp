@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Sorts and moves that begin while the search before is under way.
+#include "frames.h"
 #include "grid_answers.h"
+#include "method_choice.h"
 
 namespace spherepair {
 namespace {
@@ -83,16 +85,22 @@ TEST_P(Overlap, IsOfWhatNeedsNothingOfTheSearch) {
   options = grid_step([](CollideOptions& o) { o.grid.sort = Sort::counting; });
   for (int k = 0; k < 2; ++k) EXPECT_EQ(more(collide), 0u) << "grid_clear writes the cells that are searched";
   options = grid_step([](CollideOptions& o) { o.grid.keep_order = true, o.grid.cells = Cells::dense; });
-  backend().upload(make_scene({.name = "lattice", .n = 1000}));
+  backend().upload(in_cell_order(make_scene({.name = "uniform", .n = 5000})));
   for (int k = 0; k < 2; ++k) EXPECT_EQ(more(collide), 0u);
-  if (backend().work_counts().orders_kept > 0) {
-    EXPECT_EQ(more(move), 0u) << "the search reads the spheres that are moved";
-  }
+  EXPECT_EQ(backend().work_counts().orders_kept, 2u);
+  EXPECT_EQ(more(move), 0u) << "the search reads the spheres that are moved";
 }
 
-TEST_P(Overlap, IsNotForAGraph) {
-  EXPECT_THROW(backend().collide(grid_step([](CollideOptions& o) { o.tricks.graph = o.tricks.overlap = true; })),
-               std::invalid_argument);
+TEST(OverlapOptions, AreNotForAGraph) {
+  const auto step = [](std::optional<bool> graph, std::optional<bool> overlap) {
+    return grid_step([=](CollideOptions& o) { o.tricks.graph = graph, o.tricks.overlap = overlap; });
+  };
+  EXPECT_THROW(check_collide(step(true, true)), std::invalid_argument);
+  EXPECT_NO_THROW(check_collide(step(true, std::nullopt)));
+  EXPECT_NO_THROW(check_collide(step(std::nullopt, true)));
+  EXPECT_FALSE(step(true, std::nullopt).tricks.overlaps());
+  EXPECT_TRUE(step(false, std::nullopt).tricks.overlaps());
+  EXPECT_TRUE(step(std::nullopt, std::nullopt).tricks.overlaps());
 }
 
 INSTANTIATE_BACKENDS(Overlap);
