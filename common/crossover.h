@@ -10,13 +10,14 @@
 namespace spherepair {
 
 struct Crossover {
-  const char* device;     // a backend, OpenGL in software, or a CPU of more than few_threads
-  uint64_t grid_from;     // spheres from which on the grid is ahead in a gas; of radii in several levels, so many each
-  uint64_t square_to;     // up to so many spheres collide_square is ahead of collide_triangle
-  uint64_t per_other;     // and so many more for each other sphere in a sphere's cell
-  uint64_t wide_from;     // spheres from which on collide_grid is faster in groups of wide_block, on devices
-  uint64_t few;           // up to so many spheres the grid is ahead as well, where there is no crowd, but ...
-  double contacts_least;  // ... so many contacts or more, about
+  const char* device;  // a backend, OpenGL in software, or a CPU of more than few_threads
+  uint64_t grid_from;  // spheres from which on the grid is ahead where none shares a cell; of radii in several levels,
+                       // so many each
+  uint64_t square_to;  // up to so many spheres collide_square is ahead of collide_triangle
+  uint64_t per_other;  // and so many more for each other sphere in a sphere's cell
+  uint64_t wide_from;  // spheres from which on collide_grid is faster in groups of wide_block, on devices
+  uint64_t few;        // up to so many spheres the grid is ahead as well, where there is no crowd, but ...
+  double contacts_least;         // ... so many contacts or more, about
   double crowd_from = HUGE_VAL;  // others in a cell from which on the grid is ahead of crowd_least spheres or more:
                                  // all pairs settles each near pair by itself
   uint64_t one_cell_to = 0;      // but not of more than so many where most of them stand in one cell
@@ -25,8 +26,8 @@ constexpr uint wide_block = 256;
 constexpr uint64_t crowd_least = 32;
 constexpr int few_threads = 4;
 constexpr uint64_t never = ~uint64_t(0);
-constexpr Crossover crossovers[] = {{"cuda", 3600, 4400, 400, 4'000'000, 512, 8},
-                                    {"glsl", 4700, 4500, 350, never, 200, 100},
+constexpr Crossover crossovers[] = {{"cuda", 3600, 4900, 400, 4'000'000, 512, 8},
+                                    {"glsl", 4700, 5200, 350, never, 200, 100},
                                     {"glsl in software", 480, 0, 50, never, 0, 0},
                                     {"cpu", 2000, 0, 50, never, 0, 0, 1.5, never},
                                     {"cpu of many threads", 7000, 0, 50, never, 0, 0, 2.2, 1024}};

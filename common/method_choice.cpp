@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <cmath>
 #include <limits>
 
 namespace spherepair {
@@ -28,7 +29,12 @@ std::string reason_of(const Crossover& row, uint64_t n, double crowd, uint level
   if (grid && crowd >= row.crowd_from)
     return text + fmt::format("; the grid is ahead from {} others on", row.crowd_from);
   if (grid && n <= row.few) return text + fmt::format("; the grid is ahead up to {}", row.few);
-  return text + fmt::format("; the grid is ahead {}from {:.0f} on", grid ? "" : "only ", grid_from(row, crowd, levels));
+  if (!grid && n <= row.few)
+    return text + fmt::format("; of so few the grid is ahead with {:g} contacts", row.contacts_least);
+  if (!grid && n < crowd_least && crowd >= row.crowd_from)
+    return text + fmt::format("; in such a crowd the grid is ahead from {} on", crowd_least);
+  const double from = std::ceil(grid_from(row, crowd, levels));
+  return text + fmt::format("; with so many others the grid is ahead {}from {:.0f} on", grid ? "" : "only ", from);
 }
 
 }  // namespace

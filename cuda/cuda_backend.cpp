@@ -66,7 +66,7 @@ class CudaBackend final : public DeviceBackend {
   StageEvents stages_;
   bool programmatic_ = false;   // a launch can begin before the one before it is done
   bool early_ = false;          // and does, in this step
-  std::optional<Kernel> last_;  // that was launched, with nothing else behind it
+  std::optional<Kernel> last_;  // that was launched; writes, clears, Thrust and graphs forget it
 };
 
 CudaBackend::CudaBackend(int device) : info_(describe_device(device)), l2_(device) { require_kernels(device); }

@@ -186,7 +186,7 @@ TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
   EXPECT_EQ(gas("cuda", 4096), Method::collide_grid);
   EXPECT_EQ(gas("glsl", 64), Method::collide_square);
   EXPECT_EQ(gas("glsl", 4096), Method::collide_square);
-  EXPECT_EQ(gas("glsl", 4600), Method::collide_triangle);
+  EXPECT_EQ(gas("glsl", 4600), Method::collide_square);
   EXPECT_EQ(gas("glsl", 6000), Method::collide_grid);
   for (const char* device : {"cuda", "glsl"}) {
     EXPECT_EQ(taken(device, {.name = "clustered", .n = 128}), Method::collide_grid) << device;

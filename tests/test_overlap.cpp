@@ -54,6 +54,7 @@ class Overlap : public BackendTest {
 };
 
 TEST_P(Overlap, NeverChangesTheSet) {
+  if (backend().info().name == "cpu") GTEST_SKIP() << "the others are compared with it";
   overlaps_ = overlaps();
   for (const uint64_t n : {3000, 100'000}) {
     SceneOptions scene = {.name = "uniform", .n = n};
@@ -71,7 +72,7 @@ TEST_P(Overlap, IsOfWhatNeedsNothingOfTheSearch) {
     return beside() - before;
   };
   backend().upload(make_scene({.name = "uniform", .n = 5000}));
-  CollideOptions options = grid_step([](CollideOptions& o) { o.grid.sort = Sort::buckets; });
+  CollideOptions options = grid_step([](CollideOptions& o) { o.grid.sort = Sort::buckets, o.tricks.graph = false; });
   const auto collide = [&] { backend().collide(options); };
   const auto move = [&] { backend().move(); };
   EXPECT_EQ(more(collide), 0u) << "nothing was there before";
@@ -82,9 +83,10 @@ TEST_P(Overlap, IsOfWhatNeedsNothingOfTheSearch) {
   options.tricks.overlap = false;
   EXPECT_EQ(more(collide), 0u);
   EXPECT_EQ(more(move), 0u);
-  options = grid_step([](CollideOptions& o) { o.grid.sort = Sort::counting; });
+  options = grid_step([](CollideOptions& o) { o.grid.sort = Sort::counting, o.tricks.graph = false; });
   for (int k = 0; k < 2; ++k) EXPECT_EQ(more(collide), 0u) << "grid_clear writes the cells that are searched";
-  options = grid_step([](CollideOptions& o) { o.grid.keep_order = true, o.grid.cells = Cells::dense; });
+  options = grid_step(
+      [](CollideOptions& o) { o.grid.keep_order = true, o.grid.cells = Cells::dense, o.tricks.graph = false; });
   backend().upload(in_cell_order(make_scene({.name = "uniform", .n = 5000})));
   for (int k = 0; k < 2; ++k) EXPECT_EQ(more(collide), 0u);
   EXPECT_EQ(backend().work_counts().orders_kept, 2u);
