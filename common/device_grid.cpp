@@ -11,11 +11,11 @@ namespace {
 
 constexpr uint64_t most_spheres = (1u << 30) - 1;
 static_assert(SCAN_TILE == SCAN_BLOCK * SCAN_VECTORS * 4);
-constexpr uint64_t spheres_near =
-    4'000'000;                          // are in the caches together, so that a group may take some here, some there
-constexpr uint64_t most_groups = 4096;  // of the search then: a large device has some left when others are done
-constexpr uint threads_per_chunk =
-    32;  // of a group, which else takes so few chunks in a row that neighbours are at work
+// Fewer are in the caches together, so that a group of the search may take some here, some there; of more it takes so
+// few chunks in a row that neighbours are at work.
+constexpr uint64_t spheres_near = 4'000'000;
+constexpr uint64_t most_groups = 4096;  // of few spheres: a large device has some left when others are done
+constexpr uint threads_per_chunk = 32;  // of a group, which takes that many chunks in a row of many spheres
 constexpr uint64_t least_moves_to_wait = 32, most_moves_to_wait = 64;
 constexpr uint64_t buckets_pay_from = 16384;  // spheres
 
