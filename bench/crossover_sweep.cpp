@@ -78,9 +78,8 @@ CrossoverSweep::CrossoverSweep(Session& session, const CrossoverOptions& options
   sampling_.rounds = options.rounds;
   sampling_.fewest_rounds = std::min(sampling_.fewest_rounds, options.rounds);
   sampling_.software_seconds = 0.003;
-  sampling_.hardware_batch = 50;
-  sampling_.hardware_seconds = 1e-3;
-  sampling_.hardware_ceiling = 0.01;
+  sampling_.hardware_seconds = 4e-3;
+  sampling_.hardware_ceiling = 0.02;
   sampling_.narrow_enough = 0.05;
 }
 
