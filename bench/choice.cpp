@@ -38,6 +38,7 @@ ChosenBackend choose_backend(const std::string& name, const OpenOptions& options
 json to_json(const MethodChoice& choice) {
   json out = {{"name", method_name(choice.method)}};
   if (choice.method == Method::collide_grid) out["cells"] = choice.cells == Cells::dense ? "dense" : "hashed";
+  if (choice.block) out["block"] = choice.block;
   out["reason"] = choice.reason;
   return out;
 }

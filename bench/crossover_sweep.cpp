@@ -30,16 +30,23 @@ SceneOptions scene_of(const SphereKind& kind, uint64_t n) {
 }
 
 // Every step sorts anew, as one after spheres have moved does.
-CollideOptions step(Method method, Cells cells = Cells::automatic) {
-  return {.method = method, .grid = {.cells = cells, .keep_order = false, .keep_cells = false}};
+CollideOptions step(Method method, Cells cells = Cells::automatic, uint block = CollideOptions{}.block) {
+  return {.method = method, .block = block, .grid = {.cells = cells, .keep_order = false, .keep_cells = false}};
+}
+
+std::string way_name(Method method, Cells cells, uint block) {
+  if (method == Method::collide_grid) return cells == Cells::dense ? "dense" : "hashed";
+  return method == Method::collide_square ? square_way(block) : method_name(method);
 }
 
 // The fixed choices first, auto last.
 std::vector<Way> ways_of(Backend& backend) {
   std::vector<Way> ways;
   const bool cpu = backend.info().name == "cpu";
-  for (const Method method : {Method::parallel, Method::collide_square, Method::collide_triangle})
-    if (cpu == (method == Method::parallel)) ways.push_back({&backend, method_name(method), false, step(method)});
+  for (const uint block : square_groups)
+    if (!cpu) ways.push_back({&backend, square_way(block), false, step(Method::collide_square, {}, block)});
+  const Method other = cpu ? Method::parallel : Method::collide_triangle;
+  ways.push_back({&backend, method_name(other), false, step(other)});
   ways.push_back({&backend, "dense", true, step(Method::collide_grid, Cells::dense)});
   ways.push_back({&backend, "hashed", true, step(Method::collide_grid, Cells::hashed)});
   ways.push_back({&backend, "auto", false, step(Method::automatic)});
@@ -52,12 +59,9 @@ double least(const std::map<std::string, double>& seconds) {
   return found;
 }
 
-std::string took(const MethodChoice& choice) {
-  if (choice.method != Method::collide_grid) return method_name(choice.method);
-  return choice.cells == Cells::dense ? "dense" : "hashed";
-}
-
 }  // namespace
+
+std::string square_way(uint block) { return fmt::format("{}/{}", method_name(Method::collide_square), block); }
 
 std::span<const SphereKind> sphere_kinds() { return kinds; }
 
@@ -134,7 +138,8 @@ void CrossoverSweep::time(const SphereKind& kind, const SceneOptions& scene, con
     timing.best = ways[k].name;
   }
   timing.automatic = samples.back().median_seconds();
-  timing.took = took(ways.back().backend->choice(ways.back().options));
+  const MethodChoice choice = ways.back().backend->choice(ways.back().options);
+  timing.took = way_name(choice.method, choice.cells, choice.block);
   timing.over_best = best ? timing.automatic / best->median_seconds() : 1;
   timing.slower = timing.took != timing.best && timing.over_best > tolerated && contest(*best, samples.back()).differ;
   for (size_t k = 0; k < ways.size(); ++k) record(kind, scene, ways[k], samples[k]);

@@ -18,10 +18,14 @@ struct SphereKind {
 };
 std::span<const SphereKind> sphere_kinds();
 
+// Groups in which collide_square is timed, and its name among the ways.
+constexpr uint square_groups[] = {32, 64, 128};
+std::string square_way(uint block);
+
 // A way to find all pairs that is timed.
 struct Way {
   Backend* backend;
-  std::string name;  // a method of all pairs, dense, hashed, or auto
+  std::string name;  // square_way, another method of all pairs, dense, hashed, or auto
   bool grid;
   CollideOptions options;
 };

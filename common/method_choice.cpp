@@ -28,9 +28,7 @@ std::string reason_of(const Crossover& row, uint64_t n, double crowd, uint level
   if (levels > 1) text += fmt::format(", {} levels of cells", levels);
   if (grid && crowd >= row.crowd_from)
     return text + fmt::format("; the grid is ahead from {} others on", row.crowd_from);
-  if (grid && n <= row.few) return text + fmt::format("; the grid is ahead up to {}", row.few);
-  if (!grid && n <= row.few)
-    return text + fmt::format("; of so few the grid is ahead with {:g} contacts", row.contacts_least);
+  if (most_pairs_near(row, n, crowd)) return text + "; with so many of all in one cell the grid leaves out too little";
   if (!grid && n < crowd_least && crowd >= row.crowd_from)
     return text + fmt::format("; in such a crowd the grid is ahead from {} on", crowd_least);
   const double from = std::ceil(grid_from(row, crowd, levels));
@@ -87,22 +85,23 @@ Method chosen_method(const BackendInfo& info, uint64_t n, const GridPlans& plans
 }
 
 uint chosen_block(const BackendInfo& info, uint64_t n, Method chosen, const CollideOptions& options) {
-  const bool left_open = options.method == Method::automatic && options.block == CollideOptions{}.block;
-  const bool wide = chosen == Method::collide_grid && n >= crossover_of(info).wide_from;
-  return left_open && wide ? wide_block : options.block;
+  if (options.method != Method::automatic || options.block != CollideOptions{}.block) return options.block;
+  const Crossover& row = crossover_of(info);
+  if (chosen == Method::collide_square) return n <= row.narrow_to ? narrow_block : square_block;
+  return chosen == Method::collide_grid && n >= row.wide_from ? wide_block : options.block;
 }
 
 MethodChoice explain_choice(const BackendInfo& info, uint64_t n, const GridPlans& plans,
                             const CollideOptions& options) {
   const Cells wanted = options.grid.cells;
   const Method method = chosen_method(info, n, plans, options);
-  MethodChoice choice{method, plans.plan(wanted).cells, plans.crowd(wanted), "asked for"};
+  const uint block = info.name == "cpu" ? 0 : chosen_block(info, n, method, options);
+  MethodChoice choice{method, block, plans.plan(wanted).cells, plans.crowd(wanted), "asked for"};
   if (options.method != Method::automatic) return choice;
-  const std::string groups = fmt::format("; groups of {}", chosen_block(info, n, method, options));
   choice.reason = options.swept ? "the method that finds pairs within the next step"
                                 : reason_of(crossover_of(info), n, plans.crowd(wanted), levels_of(plans.plan(wanted)),
                                             choice.method == Method::collide_grid);
-  if (info.name != "cpu") choice.reason += groups;
+  if (block) choice.reason += fmt::format("; groups of {}", block);
   return choice;
 }
 

@@ -28,10 +28,16 @@ def grid_ahead(ways):
     return grid is not None and (pairs is None or differ(grid, pairs) and grid.median < pairs.median)
 
 
+def taken(choice):
+    """The fixed way that auto stood for."""
+    name = choice.get("cells", choice["name"])
+    return f"{name}/{choice['block']}" if name == "collide_square" else name
+
+
 def loss(ways):
     """Auto's time over the best; 1 where the two do not differ, or are the same way."""
     best, auto = fastest(ways), ways["auto"]
-    if auto.choice.get("cells", auto.choice["name"]) == best.way:
+    if taken(auto.choice) == best.way:
         return 1.0
     return auto.median / best.median if auto.median > best.median and differ(auto, best) else 1.0
 

@@ -62,9 +62,9 @@ def sets_to_come():
 
 
 def crossovers_to_come(cells, time_of_auto):
-    square, grid = {"name": "collide_square"}, {"name": "collide_grid", "cells": cells}
+    square, grid = {"name": "collide_square", "block": 32}, {"name": "collide_grid", "cells": cells}
     return [record for n, times, taken in ((64, (1, 3, 3, 1), square), (1024, (9, 2, 4, time_of_auto), grid))
-            for way, time in zip(("collide_square", "dense", "hashed", "auto"), times)
+            for way, time in zip(("collide_square/32", "dense", "hashed", "auto"), times)
             for record in [Record({"table": "crossover", "kind": "gas", "way": way, "n": n, "backend": "glsl",
                                    "choice": taken, "scene": SCENE, "label": "made up", "samples_ms": [time] * 7}, time, time, time,
                                   "made up")]]

@@ -151,7 +151,7 @@ TEST_P(Methods, EmptyLaunchAndStageTimes) {
 }
 
 // Of a gas, with some room.
-uint64_t enough_for_grid(const Crossover& row) { return row.grid_from + row.grid_from / 10 + 50; }
+uint64_t enough_for_grid(const Crossover& row) { return uint64_t(grid_from(row, 0.8, 1)) + 50; }
 
 TEST_P(Methods, AutomaticIsRightWhateverItTakes) {
   const Crossover& row = crossover_of(backend().info());
@@ -181,15 +181,14 @@ Method taken(const char* device, const SceneOptions& scene, bool swept = false) 
 // The choice needs no device, so that of devices which are not here is tested too.
 TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
   const auto gas = [](const char* device, uint64_t n) { return taken(device, {.name = "uniform", .n = n}); };
-  EXPECT_EQ(gas("cuda", 256), Method::collide_grid);
-  EXPECT_EQ(gas("cuda", 1024), Method::collide_square);
-  EXPECT_EQ(gas("cuda", 4096), Method::collide_grid);
+  EXPECT_EQ(gas("cuda", 64), Method::collide_square);
+  EXPECT_EQ(gas("cuda", 3000), Method::collide_square);
+  EXPECT_EQ(gas("cuda", 3600), Method::collide_grid);
   EXPECT_EQ(gas("glsl", 64), Method::collide_square);
-  EXPECT_EQ(gas("glsl", 4096), Method::collide_square);
-  EXPECT_EQ(gas("glsl", 4600), Method::collide_square);
-  EXPECT_EQ(gas("glsl", 6000), Method::collide_grid);
+  EXPECT_EQ(gas("glsl", 4800), Method::collide_square);
+  EXPECT_EQ(gas("glsl", 5600), Method::collide_triangle);
+  EXPECT_EQ(gas("glsl", 6500), Method::collide_grid);
   for (const char* device : {"cuda", "glsl"}) {
-    EXPECT_EQ(taken(device, {.name = "clustered", .n = 128}), Method::collide_grid) << device;
     EXPECT_EQ(taken(device, {.name = "clustered", .n = 4096}), Method::collide_square) << device;
     EXPECT_EQ(taken(device, {.name = "clustered", .n = 8192}), Method::collide_grid) << device;
     EXPECT_EQ(taken(device, {.name = "uniform", .n = 4096}, true), Method::collide_tiled) << device;
@@ -198,6 +197,10 @@ TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
     SceneOptions radii = {.name = "uniform", .n = 16384, .radius_ratio = 16};
     radii.packing_fraction = 0.01;
     EXPECT_EQ(taken(device, radii), Method::collide_triangle) << device;
+    radii.n = 5800;
+    EXPECT_EQ(taken(device, radii), Method::collide_square) << device;
+    radii.n = 24000;
+    EXPECT_EQ(taken(device, radii), device[0] == 'c' ? Method::collide_grid : Method::collide_triangle) << device;
     radii.n = 32768;
     EXPECT_EQ(taken(device, radii), Method::collide_grid) << device;
   }
@@ -227,10 +230,10 @@ TEST(MethodsOnTheHost, AutoOnTheCpuGoesByItsThreads) {
   EXPECT_EQ(took("one_cell", 2000), Method::parallel);
 }
 
-TEST(MethodsOnTheHost, OnlyAutoWidensItsGroups) {
+TEST(MethodsOnTheHost, OnlyAutoChoosesItsGroups) {
   BackendInfo info;
   info.name = "cuda";
-  const uint64_t many = crossover_of(info).wide_from;
+  const uint64_t many = crossover_of(info).wide_from, few = crossover_of(info).narrow_to;
   const auto block = [&](uint64_t n, CollideOptions options) {
     return chosen_block(info, n, Method::collide_grid, options);
   };
@@ -238,6 +241,14 @@ TEST(MethodsOnTheHost, OnlyAutoWidensItsGroups) {
   EXPECT_EQ(block(many - 1, {.method = Method::automatic}), CollideOptions{}.block);
   EXPECT_EQ(block(many, {.method = Method::automatic, .block = 64}), 64u);
   EXPECT_EQ(block(many, {.method = Method::collide_grid}), CollideOptions{}.block);
+  const auto square = [&](uint64_t n, CollideOptions options) {
+    return chosen_block(info, n, Method::collide_square, options);
+  };
+  EXPECT_EQ(square(few, {.method = Method::automatic}), narrow_block);
+  EXPECT_EQ(square(few + 1, {.method = Method::automatic}), square_block);
+  EXPECT_EQ(square(few, {.method = Method::automatic, .block = 256}), 256u);
+  EXPECT_EQ(square(few, {.method = Method::collide_square}), CollideOptions{}.block);
+  EXPECT_EQ(chosen_block(info, few, Method::collide_triangle, {.method = Method::automatic}), CollideOptions{}.block);
 }
 
 INSTANTIATE_BACKENDS(Methods);

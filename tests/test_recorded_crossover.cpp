@@ -20,7 +20,7 @@ constexpr double tolerated = 1.1;
 
 struct Recorded {
   SceneOptions scene;
-  std::string backend, threads;          // of the CPU
+  BackendInfo info;
   std::map<std::string, Interval> ways;  // ms
 };
 
@@ -40,9 +40,12 @@ std::map<std::string, Recorded> recorded_crossovers() {
         one.scene = {.name = scene.at("name"), .n = n, .seed = scene.at("seed"), .radius = scene.at("radius")};
         one.scene.radius_ratio = scene.at("radius_ratio");
         one.scene.packing_fraction = scene.at("packing_fraction");
-        one.backend = backend;
-        for (const json& opened : record.at("backends"))
-          if (opened.at("name") == "cpu") one.threads = opened.at("details").at("threads");
+        one.info.name = backend;
+        for (const json& opened : record.at("backends")) {
+          if (opened.at("name") != backend) continue;
+          one.info.software = opened.at("software");
+          one.info.details = opened.at("details");
+        }
         one.ways[way] = {row.at("interval_ms").at(0), row.at("interval_ms").at(1), row.at("coverage")};
       }
     }
@@ -51,6 +54,7 @@ std::map<std::string, Recorded> recorded_crossovers() {
 }
 
 std::string way_of(const MethodChoice& choice) {
+  if (choice.method == Method::collide_square) return fmt::format("collide_square/{}", choice.block);
   if (choice.method != Method::collide_grid) return method_name(choice.method);
   return choice.cells == Cells::dense ? "dense" : "hashed";
 }
@@ -64,11 +68,8 @@ TEST(MethodsRecorded, AutoIsNeverFarBehindTheBestFixedChoice) {
   EXPECT_GT(of_cpu("h200 cpu"), 50);
   EXPECT_GT(of_cpu("llvmpipe cpu"), 50);
   for (const auto& [name, one] : all) {
-    BackendInfo info;
-    info.name = one.backend;
-    if (one.backend == "cpu") info.details["threads"] = one.threads;
     const GridPlans plans = plan_grids(make_scene(one.scene).positions);
-    const MethodChoice choice = explain_choice(info, one.scene.n, plans, {.method = Method::automatic});
+    const MethodChoice choice = explain_choice(one.info, one.scene.n, plans, {.method = Method::automatic});
     const auto taken = one.ways.find(way_of(choice));
     if (taken == one.ways.end()) {
       ADD_FAILURE() << name << ": " << describe(choice) << " was so slow that it was not timed";
@@ -80,20 +81,6 @@ TEST(MethodsRecorded, AutoIsNeverFarBehindTheBestFixedChoice) {
             << name << ": " << describe(choice) << " against " << way;
       }
   }
-}
-
-// Of few and thin spheres CUDA's grid is ahead where they have contacts enough.
-TEST(MethodsRecorded, FewSpheresGoByTheirContacts) {
-  BackendInfo info;
-  info.name = "cuda";
-  SceneOptions thin = {.name = "uniform"};
-  thin.packing_fraction = 0.05;
-  const auto took = [&](uint64_t n) {
-    thin.n = n;
-    return chosen_method(info, n, plan_grids(make_scene(thin).positions), {.method = Method::automatic});
-  };
-  EXPECT_EQ(took(64), Method::collide_square);
-  EXPECT_EQ(took(128), Method::collide_grid);
 }
 
 }  // namespace
