@@ -12,7 +12,8 @@ namespace spherepair {
 namespace {
 
 constexpr double tolerated = 1.1;  // auto against the best fixed choice
-constexpr double hopeless = 8;     // all pairs that take so many times the best do not catch up with more spheres
+constexpr double hopeless = 8;     // all pairs that take so many times the best do not catch up with more spheres ...
+constexpr double long_ms = 0.25;   // ... once a step is so long that it is pairs, not waiting
 constexpr SphereKind kinds[] = {{"gas", "packing fraction 0.3", "uniform"},
                                 {"thin", "packing fraction 0.05", "uniform", 0.05},
                                 {"box", "the paper's box, fuller with every sphere", "random"},
@@ -151,7 +152,8 @@ void CrossoverSweep::time(const SphereKind& kind, const SceneOptions& scene, con
 // All pairs take four times as long with twice the spheres, so those that are far behind stay behind. The least of the
 // samples decides, which a disturbance does not lengthen.
 void CrossoverSweep::give_up_if_slow(const Way& way, const Timing& at, double seconds, double fastest) {
-  const bool too_long = seconds * 1e3 > options_.most_ms, behind = seconds > hopeless * fastest;
+  const bool too_long = seconds * 1e3 > options_.most_ms,
+             behind = seconds > hopeless * fastest && seconds * 1e3 > long_ms;
   if (!too_long && !(behind && at.all_pairs.contains(way.name))) return;
   slow_.insert(at.backend + " " + way.name);
   given_up.push_back(fmt::format("{} {} {}: not beyond {} spheres, {} ms a step is more than {}", at.backend, at.kind,
