@@ -11,6 +11,7 @@ DEVICES = ("glsl", "cuda")
 GRID = {"table": "grid", "scene": "uniform", "method": "collide_grid", "order": "cold"}
 NEVER = float("inf")
 GOOD = 1.1  # times the best fixed choice
+FEW = 2048  # spheres of which small groups take less time
 SAID = (("counts_read", "glsl", 1), ("counts_read", "cuda", 1), ("vector_loads", "glsl", 1), ("vector_loads", "cuda", 1),
         ("batch", "glsl", 1), ("plane_test", "glsl", 1), ("plane_test", "cuda", 1), ("exact_stages", "glsl", 1),
         ("exact_stages", "cuda", 1), ("order", "glsl", 1), ("order", "cuda", 1),
@@ -55,6 +56,16 @@ def beside_peers(put, machine, others):
 
 def as_number(start):
     return NEVER if start == "nowhere" else int(start.replace(",", ""))
+
+
+def groups_of_few(put, machine, others):
+    for name in DEVICES:
+        narrow, usual = (machine.one(table="crossover", backend=name, kind="gas", n=FEW, way=f"collide_square/{block}")
+                         for block in (32, 128))
+        said(machine, narrow.high < usual.low, f"{FEW} spheres are met faster in groups of 32, {name}")
+        for what, record in (("narrow", narrow), ("usual", usual)):
+            put(f"few/{what}/{name}", ms(record.median), record.source, f"{record.label}, ms")
+    put("few/n", f"{FEW:,}", narrow.source, "spheres in the contest of group sizes of few")
 
 
 def kinds_of_spheres(put, machine, others):
@@ -125,4 +136,4 @@ def pipelined_hand_overs(put, machine, others):
     put("overlap/kernels", ms(drawn[0]["median_ms"]), root["id"], f"ms, CUDA's own picture in that run, n = {most}")
 
 
-COMPARED = (beside_peers, kinds_of_spheres, what_skips_save, pipelined_hand_overs)
+COMPARED = (beside_peers, groups_of_few, kinds_of_spheres, what_skips_save, pipelined_hand_overs)

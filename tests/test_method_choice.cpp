@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// What Method::automatic takes, by the rule alone. The choice needs no device, so that of devices which are not here is
+// tested too.
+#include <gtest/gtest.h>
+
+#include "method_choice.h"
+#include "scene.h"
+
+namespace spherepair {
+namespace {
+
+Method taken(const char* device, const SceneOptions& scene, bool swept = false) {
+  BackendInfo info;
+  info.name = device;
+  const GridPlans plans = plan_grids(make_scene(scene).positions);
+  return chosen_method(info, scene.n, plans, {.method = Method::automatic, .swept = swept});
+}
+
+TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
+  const auto gas = [](const char* device, uint64_t n) { return taken(device, {.name = "uniform", .n = n}); };
+  EXPECT_EQ(gas("cuda", 64), Method::collide_square);
+  EXPECT_EQ(gas("cuda", 3000), Method::collide_square);
+  EXPECT_EQ(gas("cuda", 3600), Method::collide_grid);
+  EXPECT_EQ(gas("glsl", 64), Method::collide_square);
+  EXPECT_EQ(gas("glsl", 4800), Method::collide_square);
+  EXPECT_EQ(gas("glsl", 5600), Method::collide_triangle);
+  EXPECT_EQ(gas("glsl", 6500), Method::collide_grid);
+  for (const char* device : {"cuda", "glsl"}) {
+    EXPECT_EQ(taken(device, {.name = "clustered", .n = 4096}), Method::collide_square) << device;
+    EXPECT_EQ(taken(device, {.name = "clustered", .n = 8192}), Method::collide_grid) << device;
+    EXPECT_EQ(taken(device, {.name = "uniform", .n = 4096}, true), Method::collide_tiled) << device;
+    for (const uint64_t n : {128, 9000})
+      EXPECT_EQ(taken(device, {.name = "one_cell", .n = n}), Method::collide_square) << device;
+    SceneOptions radii = {.name = "uniform", .n = 16384, .radius_ratio = 16};
+    radii.packing_fraction = 0.01;
+    EXPECT_EQ(taken(device, radii), Method::collide_triangle) << device;
+    radii.n = 5800;
+    EXPECT_EQ(taken(device, radii), Method::collide_square) << device;
+    radii.n = 24000;
+    EXPECT_EQ(taken(device, radii), device[0] == 'c' ? Method::collide_grid : Method::collide_triangle) << device;
+    radii.n = 32768;
+    EXPECT_EQ(taken(device, radii), Method::collide_grid) << device;
+  }
+}
+
+TEST(MethodsOnTheHost, AutoOnTheCpuGoesByItsThreads) {
+  BackendInfo info;
+  info.name = "cpu";
+  info.details["threads"] = "16";
+  const uint64_t from_of_many = crossover_of(info).grid_from;
+  info.details["threads"] = "2";
+  const auto took = [&](const char* scene, uint64_t n) {
+    const GridPlans plans = plan_grids(make_scene({.name = scene, .n = n}).positions);
+    return chosen_method(info, n, plans, {.method = Method::automatic});
+  };
+  const uint64_t from = crossover_of(info).grid_from;
+  EXPECT_EQ(took("one_cell", crowd_least - 1), Method::parallel);
+  EXPECT_EQ(took("one_cell", crowd_least), Method::collide_grid);
+  EXPECT_EQ(took("one_cell", 4 * from), Method::collide_grid);
+  EXPECT_EQ(took("uniform", from - 1), Method::parallel);
+  EXPECT_EQ(took("uniform", from + from / 10), Method::collide_grid);
+  EXPECT_GT(from_of_many, from);
+  info.details["threads"] = "16";
+  EXPECT_EQ(took("uniform", from_of_many - 1), Method::parallel);
+  EXPECT_EQ(took("uniform", from_of_many + from_of_many / 10), Method::collide_grid);
+  EXPECT_EQ(took("one_cell", crowd_least), Method::collide_grid);
+  EXPECT_EQ(took("one_cell", 2000), Method::parallel);
+}
+
+TEST(MethodsOnTheHost, OnlyAutoChoosesItsGroups) {
+  BackendInfo info;
+  info.name = "cuda";
+  const uint64_t many = crossover_of(info).wide_from, few = crossover_of(info).narrow_to;
+  const auto block = [&](uint64_t n, CollideOptions options) {
+    return chosen_block(info, n, Method::collide_grid, options);
+  };
+  EXPECT_EQ(block(many, {.method = Method::automatic}), wide_block);
+  EXPECT_EQ(block(many - 1, {.method = Method::automatic}), CollideOptions{}.block);
+  EXPECT_EQ(block(many, {.method = Method::automatic, .block = 64}), 64u);
+  EXPECT_EQ(block(many, {.method = Method::collide_grid}), CollideOptions{}.block);
+  const auto square = [&](uint64_t n, CollideOptions options) {
+    return chosen_block(info, n, Method::collide_square, options);
+  };
+  EXPECT_EQ(square(few, {.method = Method::automatic}), narrow_block);
+  EXPECT_EQ(square(few + 1, {.method = Method::automatic}), square_block);
+  EXPECT_EQ(square(few, {.method = Method::automatic, .block = 256}), 256u);
+  EXPECT_EQ(square(few, {.method = Method::collide_square}), CollideOptions{}.block);
+  EXPECT_EQ(chosen_block(info, few, Method::collide_triangle, {.method = Method::automatic}), CollideOptions{}.block);
+}
+
+}  // namespace
+}  // namespace spherepair
