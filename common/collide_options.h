@@ -43,7 +43,7 @@ struct GridOptions {
   bool keep_order = true;  // spheres that stand in cell order already are not sorted again
   bool keep_cells = true;  // spheres that have not moved keep the cells of the last step
   Sort sort = Sort::automatic;
-  Scan scan = Scan::own;   // of the counting sort
+  Scan scan = Scan::own;   // of the counting sort, which Scan::library therefore asks for
   bool skip_cells = true;  // of a dense grid, neighbouring cells that a sphere does not reach into are passed over
   bool replan = true;      // cells are planned anew when spheres may have left those of the last plan
   auto operator<=>(const GridOptions&) const = default;

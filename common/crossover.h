@@ -3,6 +3,7 @@
 // figures are those of `spherepair crossover`; bench/NOTES.md says on which machine they were measured.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "layout.h"
@@ -13,7 +14,8 @@ struct Crossover {
   const char* device;        // a backend, OpenGL in software, or a CPU of more than few_threads
   uint64_t grid_from;        // spheres from which on the grid is ahead where none shares a cell; of radii in several
                              // levels, so many each
-  double per_other, growth;  // and so many more, times the others in a sphere's cell to this power
+  double free_others;        // in a sphere's cell, that cost nothing; of more than these ...
+  double per_other, growth;  // ... so many spheres more, times those above to this power
   uint64_t square_to;        // up to so many spheres collide_square is ahead of collide_triangle, and so many more
                              // as others times `crowding`
   double crowding;           // where others times this exceed the spheres, most pairs are near: the grid has nothing
@@ -29,18 +31,19 @@ constexpr uint narrow_block = 32, square_block = 64, wide_block = 256;
 constexpr uint64_t crowd_least = 32;
 constexpr int few_threads = 4;
 constexpr uint64_t never = ~uint64_t(0);
-constexpr Crossover crossovers[] = {{"cuda", 2300, 1400, 0.55, 4600, 22, 0, 2100, 4'000'000},
-                                    {"glsl", 6100, 300, 1, 5000, 26, 0, 2100, never},
-                                    {"glsl in software", 2, 0, 1, 500, 4, 200, 0, never},
-                                    {"cpu", 2000, 50, 1, 0, 4, never, 0, never, 1.5},
-                                    {"cpu of many threads", 7000, 50, 1, 0, 4, 1024, 0, never, 2.2}};
+constexpr Crossover crossovers[] = {{"cuda", 2300, 1.3, 850, 0.645, 4600, 22, 0, 2100, 4'000'000},
+                                    {"glsl", 2, 1.3, 3340, 0.495, 5000, 26, 0, 2100, never},
+                                    {"glsl in software", 2, 0, 0, 1, 500, 4, 200, 0, never},
+                                    {"cpu", 2000, 0, 50, 1, 0, 4, never, 0, never, 1.5},
+                                    {"cpu of many threads", 7000, 0, 50, 1, 0, 4, 1024, 0, never, 2.2}};
 
 // Whatever the spheres' cells are like, in rows without crowd_from.
 constexpr bool may_take_grid(const Crossover& row, uint64_t n) { return n >= row.grid_from; }
 
 // The spheres from which on the grid is ahead with so many others in a sphere's cell on average and levels of cells.
 inline double grid_from(const Crossover& row, double others_in_cell, uint levels) {
-  return double(row.grid_from * levels) + row.per_other * std::pow(others_in_cell, row.growth);
+  const double dear = std::max(others_in_cell - row.free_others, 0.0);
+  return double(row.grid_from * levels) + row.per_other * std::pow(dear, row.growth);
 }
 constexpr bool most_pairs_near(const Crossover& row, uint64_t n, double others_in_cell) {
   return row.crowding * others_in_cell > double(n) && n > row.one_cell_to;

@@ -17,7 +17,10 @@ constexpr uint64_t spheres_near = 4'000'000;
 constexpr uint64_t most_groups = 4096;  // of few spheres: a large device has some left when others are done
 constexpr uint threads_per_chunk = 32;  // of a group, which takes that many chunks in a row of many spheres
 constexpr uint64_t least_moves_to_wait = 32, most_moves_to_wait = 64;
-constexpr uint64_t buckets_pay_from = 16384;  // spheres
+// Groups of the sort, if there are cells for so many: with fewer, most of a device waits for them. In software each
+// group costs its threads, so that few spheres are sorted by counting.
+constexpr uint least_buckets = 64;
+constexpr uint64_t buckets_pay_from_in_software = 16384;  // spheres
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
@@ -88,7 +91,7 @@ void DeviceBackend::clear_for_sort(uint64_t bucket_words) {
   launch_sorter(Kernel::grid_clear, SERVICE_BLOCK, ceil_div(clearers, SERVICE_BLOCK));
 }
 
-// By counting: a histogram of the cells, its sums, a scatter. The least work while the caches hold everything.
+// By counting: a histogram of the cells, its sums, a scatter. The least work, in the most launches.
 void DeviceBackend::sort_by_counting() {
   const uint64_t sorters = ceil_div(n_, SERVICE_BLOCK * SPHERES_PER_SORTER);
   params_.buckets = params_.bucket_words = params_.first_bucket = 0;
@@ -140,9 +143,9 @@ void DeviceBackend::split_twice(uint shift, uint buckets, uint parent_shift) {
 }
 
 // By buckets: split into ranges of cells, in two steps when they are many, until each fits a group's shared memory;
-// what is written then lies side by side. Ahead of counting where a scatter would go all over the memory.
+// what is written then lies side by side.
 void DeviceBackend::sort_by_buckets() {
-  const auto [shift, buckets, parent_shift] = plan_buckets(n_, params_.cell_slots);
+  const auto [shift, buckets, parent_shift] = plan_buckets(n_, params_.cell_slots, info().software ? 1 : least_buckets);
   const bool tiles = parent_shift == ONE_PARENT;
   make_buffer(SLOT_SPLIT, n_ * sizeof(vec4));
   if (!variant_.equal_radii) make_buffer(SLOT_SPLIT_ID, n_ * sizeof(uint));
@@ -163,8 +166,8 @@ void DeviceBackend::sort_into_cells() {
   if (!names_in_radii_ || options_.grid.sort == Sort::radix) make_buffer(SLOT_ID, n_ * sizeof(uint));
   make_buffer(SLOT_SORTED_COUNT, n_ * sizeof(uint));
   if (options_.grid.sort == Sort::radix) return sort_by_library();
-  const bool buckets =
-      options_.grid.sort == Sort::automatic ? n_ >= buckets_pay_from : options_.grid.sort == Sort::buckets;
+  const bool pays = options_.grid.scan == Scan::own && (!info().software || n_ >= buckets_pay_from_in_software);
+  const bool buckets = options_.grid.sort == Sort::automatic ? pays : options_.grid.sort == Sort::buckets;
   buckets ? sort_by_buckets() : sort_by_counting();
 }
 

@@ -169,10 +169,10 @@ GridPlans plan_grids_anew(const GridPlans& before, const std::vector<vec4>& samp
   return choose(dense_plan(extent, n), hashed, sample, n);
 }
 
-BucketPlan plan_buckets(uint64_t spheres, uint slots) {
+BucketPlan plan_buckets(uint64_t spheres, uint slots, uint least_buckets) {
   const auto ranges = [=](uint shift) { return (slots >> shift) + 1; };
   uint shift = std::bit_width(CELLS_PER_BUCKET) - 1;
-  while (shift > 0 && spheres > spheres_per_bucket * ranges(shift)) --shift;
+  while (shift > 0 && (ranges(shift) < least_buckets || spheres > spheres_per_bucket * ranges(shift))) --shift;
   const uint buckets = ranges(shift);
   if (buckets <= BUCKETS_AT_MOST && spheres <= SPLIT_TILE * SORT_BLOCK) return {shift, buckets, ONE_PARENT};
   uint parent = shift + uint(std::bit_width(buckets)) / 2;

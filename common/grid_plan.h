@@ -45,12 +45,12 @@ inline GridPlan plan_grid(const Scene& scene, Cells wanted) { return plan_grids(
 
 // A table's slots in buckets, ranges of 2^shift slots, and these, where one group of split_tiles cannot tell them apart
 // or there are more tiles than a group of grid_sort has threads, in ranges of 2^parent_shift slots, which one group of
-// grid_split can tell apart. A bucket has CELLS_PER_BUCKET slots, or fewer where that many hold
-// more spheres on average than grid_sort should have.
+// grid_split can tell apart. A bucket has CELLS_PER_BUCKET slots, or fewer where that many hold more spheres on average
+// than grid_sort should have, or make fewer buckets than these.
 struct BucketPlan {
   uint shift, buckets, parent_shift;  // ONE_PARENT: one split, by tiles
 };
-BucketPlan plan_buckets(uint64_t spheres, uint slots);
+BucketPlan plan_buckets(uint64_t spheres, uint slots, uint least_buckets);
 
 // Without skip_cells every sphere is taken to reach into all neighbouring cells of a dense grid.
 void set_grid(Params& params, const GridPlan& plan, bool skip_cells = true);

@@ -51,6 +51,10 @@ void check_collide(const CollideOptions& options) {
     throw std::invalid_argument("without its filter only collide_grid runs, and only with the exact predicate");
   if (!grid && options.tricks != Tricks{.graph = options.tricks.graph, .batch = options.tricks.batch})
     throw std::invalid_argument("of the tricks, all but the graph and the batch are of the grid");
+  const bool counts = options.grid.sort == Sort::automatic || options.grid.sort == Sort::counting;
+  if (options.grid.scan == Scan::library && !counts)
+    throw std::invalid_argument(
+        "the scan of a library is of the counting sort; leave the sort open or ask for that one");
   if (options.tricks.graph.value_or(false) && options.tricks.overlap.value_or(false))
     throw std::invalid_argument(
         "a step is one graph, or its launches overlap with the step before: ask for one of both");

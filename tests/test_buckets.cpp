@@ -58,11 +58,12 @@ TEST_P(MethodsByBuckets, SearchedInStretches) {
   expect_right(backend(), scene, 256);
 }
 
-// Most spheres lie on the floor of a box, so that a bucket has more than a group holds; in a small box all buckets
-// would, were they of as many cells.
+// Most spheres lie on the floor of a box, so that a bucket has more than a group holds where buckets are few; in a
+// small box all buckets would, were they of as many cells. In one place a bucket of a single cell has.
 TEST_P(MethodsByBuckets, OfManySpheres) {
   Scene scene = make_scene({.name = "uniform", .n = 7000});
   std::minstd_rand random(5);
+  std::uniform_real_distribution<float> place_within_a_cell(0, 0.25f);
   for (const float side : {24.0f, 12.0f}) {
     std::uniform_real_distribution<float> place(0, side);
     for (size_t i = 0; i < scene.size(); ++i) {
@@ -75,6 +76,9 @@ TEST_P(MethodsByBuckets, OfManySpheres) {
       expect_right(backend(), scene);
     }
   }
+  for (size_t i = 0; i < SORT_EACH * SORT_BLOCK + 100; ++i)
+    scene.positions[i] = {6 + place_within_a_cell(random), 6, 6 + place_within_a_cell(random), 0.5f};
+  expect_right(backend(), scene);
 }
 
 // In cell order equal radii give their place to numbers, so that who loads radii must not read cells that were kept.
@@ -110,8 +114,9 @@ TEST_P(MethodsByBuckets, OfCrowdsFromManyTiles) {
 TEST(MethodsByBucketsPlan, EachSplitTellsItsBucketsApart) {
   for (uint64_t n = 1000; n < (1u << 30); n = n * 5 / 4)
     for (const double cells_a_sphere : {0.0001, 0.01, 0.3, 0.5, 1.0, 1.3, 2.0}) {
-      const uint slots = uint(double(n) * cells_a_sphere);
-      const BucketPlan plan = plan_buckets(n, slots);
+      const uint slots = uint(double(n) * cells_a_sphere), least = n % 2 ? 1 : 64;
+      const BucketPlan plan = plan_buckets(n, slots, least);
+      EXPECT_TRUE(plan.shift == 0 || plan.buckets >= least) << n << ", " << cells_a_sphere;
       EXPECT_EQ(plan.buckets, (slots >> plan.shift) + 1);
       EXPECT_LE(1u << plan.shift, CELLS_PER_BUCKET);
       if (plan.shift > 0) {

@@ -19,19 +19,18 @@ Method taken(const char* device, const SceneOptions& scene, bool swept = false) 
 TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
   const auto gas = [](const char* device, uint64_t n) { return taken(device, {.name = "uniform", .n = n}); };
   EXPECT_EQ(gas("cuda", 64), Method::collide_square);
-  EXPECT_EQ(gas("cuda", 3000), Method::collide_square);
-  EXPECT_EQ(gas("cuda", 3600), Method::collide_grid);
-  EXPECT_EQ(gas("glsl", 64), Method::collide_square);
-  EXPECT_EQ(gas("glsl", 4800), Method::collide_square);
-  EXPECT_EQ(gas("glsl", 5600), Method::collide_triangle);
-  EXPECT_EQ(gas("glsl", 6500), Method::collide_grid);
+  EXPECT_EQ(gas("cuda", 2200), Method::collide_square);
+  EXPECT_EQ(gas("cuda", 2400), Method::collide_grid);
+  EXPECT_EQ(gas("glsl", 64), Method::collide_grid);
+  EXPECT_EQ(gas("glsl", 5600), Method::collide_grid);
   for (const char* device : {"cuda", "glsl"}) {
-    EXPECT_EQ(taken(device, {.name = "clustered", .n = 4096}), Method::collide_square) << device;
-    EXPECT_EQ(taken(device, {.name = "clustered", .n = 8192}), Method::collide_grid) << device;
+    EXPECT_EQ(taken(device, {.name = "clustered", .n = 256}), Method::collide_square) << device;
+    EXPECT_EQ(taken(device, {.name = "clustered", .n = 3072}), Method::collide_square) << device;
+    EXPECT_EQ(taken(device, {.name = "clustered", .n = 4096}), Method::collide_grid) << device;
     EXPECT_EQ(taken(device, {.name = "uniform", .n = 4096}, true), Method::collide_tiled) << device;
     for (const uint64_t n : {128, 9000})
       EXPECT_EQ(taken(device, {.name = "one_cell", .n = n}), Method::collide_square) << device;
-    SceneOptions radii = {.name = "uniform", .n = 16384, .radius_ratio = 16};
+    SceneOptions radii = {.name = "uniform", .n = 12288, .radius_ratio = 16};
     radii.packing_fraction = 0.01;
     EXPECT_EQ(taken(device, radii), Method::collide_triangle) << device;
     radii.n = 5800;
