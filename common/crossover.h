@@ -10,48 +10,61 @@
 
 namespace spherepair {
 
+// Spheres from which on hashed cells are ahead: so many, and more for each other sphere in a sphere's cell and for each
+// level of cells after the first.
+struct HashedFrom {
+  double spheres, per_other, per_level;
+};
+
 struct Crossover {
   const char* device;        // a backend, OpenGL in software, or a CPU of more than few_threads
-  uint64_t grid_from;        // spheres from which on the grid is ahead where none shares a cell; of radii in several
-                             // levels, so many each
+  uint64_t grid_from;        // spheres from which on the grid of dense cells is ahead
   double free_others;        // in a sphere's cell, that cost nothing; of more than these ...
   double per_other, growth;  // ... so many spheres more, times those above to this power
-  uint64_t square_to;        // up to so many spheres collide_square is ahead of collide_triangle, and so many more
-                             // as others times `crowding`
-  double crowding;           // where others times this exceed the spheres, most pairs are near: the grid has nothing
-                             // to leave out, collide_triangle queues them one by one ...
-  uint64_t one_cell_to;      // ... which the grid can bear up to so many spheres
-  uint64_t narrow_to;        // up to so many spheres collide_square is fastest in groups of narrow_block, then of
-                             // square_block
-  uint64_t wide_from;        // spheres from which on collide_grid is faster in groups of wide_block
-  double crowd_from = HUGE_VAL;  // others in a cell from which on the grid is ahead of crowd_least spheres or more:
-                                 // all pairs settles each near pair by itself
+  HashedFrom hashed;
+  uint64_t square_to;  // up to so many spheres collide_square is ahead of collide_triangle, and so many more as others
+                       // times `crowding`
+  double crowding;     // where others times this exceed the spheres, most pairs are near: the grid has nothing to
+                       // leave out, collide_triangle queues them one by one ...
+  uint64_t one_cell_to;  // ... which the grid can bear up to so many spheres
+  uint64_t narrow_to;    // up to so many spheres collide_square is fastest in groups of narrow_block, up to twice
+                         // square_to of square_block
+  uint64_t wide_from;    // spheres from which on collide_grid is faster in groups of wide_block
+  double crowd_from = HUGE_VAL;  // others in a dense cell from which on the grid is ahead of crowd_least spheres or
+                                 // more: all pairs settles each near pair by itself
 };
 constexpr uint narrow_block = 32, square_block = 64, wide_block = 256;
 constexpr uint64_t crowd_least = 32;
 constexpr int few_threads = 4;
 constexpr uint64_t never = ~uint64_t(0);
-constexpr Crossover crossovers[] = {{"cuda", 2300, 1.3, 850, 0.645, 4600, 22, 0, 2100, 4'000'000},
-                                    {"glsl", 2, 1.3, 3340, 0.495, 5000, 26, 0, 2100, never},
-                                    {"glsl in software", 2, 0, 0, 1, 500, 4, 200, 0, never},
-                                    {"cpu", 2000, 0, 50, 1, 0, 4, never, 0, never, 1.5},
-                                    {"cpu of many threads", 7000, 0, 50, 1, 0, 4, 1024, 0, never, 2.2}};
+constexpr Crossover crossovers[] = {
+    {"cuda", 2300, 1.3, 850, 0.645, {6500, 2000, 17'700}, 4600, 22, 0, 2100, 4'000'000},
+    {"glsl", 2, 1.3, 3340, 0.495, {7700, 2300, 14'800}, 5000, 26, 0, 2100, never},
+    {"glsl in software", 2, 0, 0, 1, {300, 0, 700}, 500, 4, 200, 0, never},
+    {"cpu", 2000, 0, 50, 1, {4000, 0, 2500}, 0, 4, never, 0, never, 1.5},
+    {"cpu of many threads", 7000, 0, 50, 1, {20'000, 0, 3000}, 0, 4, 1024, 0, never, 2.2}};
 
 // Whatever the spheres' cells are like, in rows without crowd_from.
 constexpr bool may_take_grid(const Crossover& row, uint64_t n) { return n >= row.grid_from; }
 
-// The spheres from which on the grid is ahead with so many others in a sphere's cell on average and levels of cells.
-inline double grid_from(const Crossover& row, double others_in_cell, uint levels) {
-  const double dear = std::max(others_in_cell - row.free_others, 0.0);
-  return double(row.grid_from * levels) + row.per_other * std::pow(dear, row.growth);
+// The spheres from which on the grid is ahead with so many others in a sphere's cell on average. Levels of hashed
+// cells; 0: cells are dense.
+inline double grid_from(const Crossover& row, double others_in_cell, uint hashed_levels) {
+  const HashedFrom& hashed = row.hashed;
+  if (hashed_levels != 0)
+    return hashed.spheres + hashed.per_other * others_in_cell + hashed.per_level * (hashed_levels - 1);
+  return double(row.grid_from) + row.per_other * std::pow(std::max(others_in_cell - row.free_others, 0.0), row.growth);
 }
 constexpr bool most_pairs_near(const Crossover& row, uint64_t n, double others_in_cell) {
   return row.crowding * others_in_cell > double(n) && n > row.one_cell_to;
 }
-inline bool grid_pays(const Crossover& row, uint64_t n, double others_in_cell, uint levels) {
+constexpr bool crowd_pays(const Crossover& row, uint64_t n, double others_in_cell, uint hashed_levels) {
+  return hashed_levels == 0 && n >= crowd_least && others_in_cell >= row.crowd_from;
+}
+inline bool grid_pays(const Crossover& row, uint64_t n, double others_in_cell, uint hashed_levels) {
   if (most_pairs_near(row, n, others_in_cell)) return false;
-  if (n >= crowd_least && others_in_cell >= row.crowd_from) return true;
-  return double(n) >= grid_from(row, others_in_cell, levels);
+  return crowd_pays(row, n, others_in_cell, hashed_levels) ||
+         double(n) >= grid_from(row, others_in_cell, hashed_levels);
 }
 
 // Between the two ways of all pairs.

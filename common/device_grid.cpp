@@ -18,7 +18,7 @@ constexpr uint64_t most_groups = 4096;  // of few spheres: a large device has so
 constexpr uint threads_per_chunk = 32;  // of a group, which takes that many chunks in a row of many spheres
 constexpr uint64_t least_moves_to_wait = 32, most_moves_to_wait = 64;
 // Groups of the sort, if there are cells for so many: with fewer, most of a device waits for them. In software each
-// group costs its threads, so that few spheres are sorted by counting.
+// group costs its threads, so that, unless buckets are asked for, they are few, and few spheres are sorted by counting.
 constexpr uint least_buckets = 64;
 constexpr uint64_t buckets_pay_from_in_software = 16384;  // spheres
 
@@ -145,7 +145,8 @@ void DeviceBackend::split_twice(uint shift, uint buckets, uint parent_shift) {
 // By buckets: split into ranges of cells, in two steps when they are many, until each fits a group's shared memory;
 // what is written then lies side by side.
 void DeviceBackend::sort_by_buckets() {
-  const auto [shift, buckets, parent_shift] = plan_buckets(n_, params_.cell_slots, info().software ? 1 : least_buckets);
+  const bool few = info().software && options_.grid.sort == Sort::automatic;
+  const auto [shift, buckets, parent_shift] = plan_buckets(n_, params_.cell_slots, few ? 1 : least_buckets);
   const bool tiles = parent_shift == ONE_PARENT;
   make_buffer(SLOT_SPLIT, n_ * sizeof(vec4));
   if (!variant_.equal_radii) make_buffer(SLOT_SPLIT_ID, n_ * sizeof(uint));

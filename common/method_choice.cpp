@@ -10,7 +10,8 @@
 namespace spherepair {
 namespace {
 
-uint levels_of(const GridPlan& plan) { return uint(std::popcount(plan.levels)); }
+// 0: cells are dense.
+uint hashed_levels(const GridPlan& plan) { return plan.cells == Cells::hashed ? uint(std::popcount(plan.levels)) : 0; }
 
 Method all_pairs(const BackendInfo& info, uint64_t n, double crowd, bool swept) {
   if (info.name == "cpu") return Method::parallel;
@@ -20,19 +21,20 @@ Method all_pairs(const BackendInfo& info, uint64_t n, double crowd, bool swept) 
 
 bool takes_grid(const BackendInfo& info, uint64_t n, const GridPlans& plans, const CollideOptions& options) {
   const Cells wanted = options.grid.cells;
-  return !options.swept && grid_pays(crossover_of(info), n, plans.crowd(wanted), levels_of(plans.plan(wanted)));
+  return !options.swept && grid_pays(crossover_of(info), n, plans.crowd(wanted), hashed_levels(plans.plan(wanted)));
 }
 
 std::string reason_of(const Crossover& row, uint64_t n, double crowd, uint levels, bool grid) {
   std::string text = fmt::format("{} spheres, {:.3g} others in a sphere's cell", n, crowd);
   if (levels > 1) text += fmt::format(", {} levels of cells", levels);
-  if (grid && crowd >= row.crowd_from)
+  if (grid && crowd_pays(row, n, crowd, levels))
     return text + fmt::format("; the grid is ahead from {} others on", row.crowd_from);
   if (most_pairs_near(row, n, crowd)) return text + "; with so many of all in one cell the grid leaves out too little";
-  if (!grid && n < crowd_least && crowd >= row.crowd_from)
+  if (!grid && n < crowd_least && levels == 0 && crowd >= row.crowd_from)
     return text + fmt::format("; in such a crowd the grid is ahead from {} on", crowd_least);
   const double from = std::ceil(grid_from(row, crowd, levels));
-  return text + fmt::format("; with so many others the grid is ahead {}from {:.0f} on", grid ? "" : "only ", from);
+  const char* cells = levels ? "in hashed cells" : "with so many others";
+  return text + fmt::format("; {} the grid is ahead {}from {:.0f} on", cells, grid ? "" : "only ", from);
 }
 
 }  // namespace
@@ -91,7 +93,8 @@ Method chosen_method(const BackendInfo& info, uint64_t n, const GridPlans& plans
 uint chosen_block(const BackendInfo& info, uint64_t n, Method chosen, const CollideOptions& options) {
   if (options.method != Method::automatic || options.block != CollideOptions{}.block) return options.block;
   const Crossover& row = crossover_of(info);
-  if (chosen == Method::collide_square) return n <= row.narrow_to ? narrow_block : square_block;
+  if (chosen == Method::collide_square)
+    return n <= row.narrow_to ? narrow_block : n <= 2 * row.square_to ? square_block : options.block;
   return chosen == Method::collide_grid && n >= row.wide_from ? wide_block : options.block;
 }
 
@@ -103,8 +106,8 @@ MethodChoice explain_choice(const BackendInfo& info, uint64_t n, const GridPlans
   MethodChoice choice{method, block, plans.plan(wanted).cells, plans.crowd(wanted), "asked for"};
   if (options.method != Method::automatic) return choice;
   choice.reason = options.swept ? "the method that finds pairs within the next step"
-                                : reason_of(crossover_of(info), n, plans.crowd(wanted), levels_of(plans.plan(wanted)),
-                                            choice.method == Method::collide_grid);
+                                : reason_of(crossover_of(info), n, plans.crowd(wanted),
+                                            hashed_levels(plans.plan(wanted)), choice.method == Method::collide_grid);
   if (block) choice.reason += fmt::format("; groups of {}", block);
   return choice;
 }

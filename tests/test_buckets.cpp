@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The sort by buckets of cells, where there are many, and where they hold many spheres.
+#include <algorithm>
 #include <random>
 
 #include "backends.h"
+#include "cell.h"
 #include "grid_plan.h"
 
 namespace spherepair {
@@ -11,10 +13,10 @@ namespace {
 class MethodsByBuckets : public BackendTest {};
 
 // The CPU's grid is the oracle.
-void expect_right(Backend& backend, const Scene& scene, uint block = 128) {
+void expect_right(Backend& backend, const Scene& scene, uint block = 128, Cells cells = Cells::dense) {
   const CollideOptions options = {.method = Method::collide_grid,
                                   .block = block,
-                                  .grid = {.cells = Cells::dense, .keep_order = false, .sort = Sort::buckets}};
+                                  .grid = {.cells = cells, .keep_order = false, .sort = Sort::buckets}};
   const auto oracle = open_backend("cpu");
   oracle->upload(scene);
   const Answer wanted = ask(*oracle, options);
@@ -28,6 +30,14 @@ void expect_right(Backend& backend, const Scene& scene, uint block = 128) {
 
 // More cells than one split tells apart.
 TEST_P(MethodsByBuckets, InTwoSteps) { expect_right(backend(), make_scene({.name = "uniform", .n = 1'300'000})); }
+
+// Buckets of few cells or of one, most of them empty.
+TEST_P(MethodsByBuckets, OfFewSpheres) {
+  for (const uint64_t n : {2, 3, 65, 700, 4097})
+    for (const float ratio : {1.0f, 16.0f})
+      for (const Cells cells : {Cells::dense, Cells::hashed})
+        expect_right(backend(), make_scene({.name = "uniform", .n = n, .radius_ratio = ratio}), 128, cells);
+}
 
 // A step that fails once it has begun to sort leaves no cells that the next one would keep.
 TEST_P(MethodsByBuckets, AfterAStepThatFailed) {
@@ -58,6 +68,14 @@ TEST_P(MethodsByBuckets, SearchedInStretches) {
   expect_right(backend(), scene, 256);
 }
 
+uint most_in_a_cell(const Scene& scene) {
+  Params p{};
+  set_grid(p, plan_grid(scene, Cells::dense), true);
+  std::vector<uint> held(p.cell_slots);
+  for (const vec4& sphere : scene.positions) ++held[slot_of(sphere, true, p)];
+  return std::ranges::max(held);
+}
+
 // Most spheres lie on the floor of a box, so that a bucket has more than a group holds where buckets are few; in a
 // small box all buckets would, were they of as many cells. In one place a bucket of a single cell has.
 TEST_P(MethodsByBuckets, OfManySpheres) {
@@ -77,7 +95,8 @@ TEST_P(MethodsByBuckets, OfManySpheres) {
     }
   }
   for (size_t i = 0; i < SORT_EACH * SORT_BLOCK + 100; ++i)
-    scene.positions[i] = {6 + place_within_a_cell(random), 6, 6 + place_within_a_cell(random), 0.5f};
+    scene.positions[i] = {6.3f + place_within_a_cell(random), 6.3f, 6.3f + place_within_a_cell(random), 0.5f};
+  EXPECT_GT(most_in_a_cell(scene), SORT_EACH * SORT_BLOCK);
   expect_right(backend(), scene);
 }
 

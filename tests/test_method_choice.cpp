@@ -9,11 +9,15 @@
 namespace spherepair {
 namespace {
 
-Method taken(const char* device, const SceneOptions& scene, bool swept = false) {
+Method taken(const char* device, const std::vector<vec4>& spheres, CollideOptions options = {}) {
   BackendInfo info;
   info.name = device;
-  const GridPlans plans = plan_grids(make_scene(scene).positions);
-  return chosen_method(info, scene.n, plans, {.method = Method::automatic, .swept = swept});
+  info.details["threads"] = "16";
+  options.method = Method::automatic;
+  return chosen_method(info, spheres.size(), plan_grids(spheres), options);
+}
+Method taken(const char* device, const SceneOptions& scene, const CollideOptions& options = {}) {
+  return taken(device, make_scene(scene).positions, options);
 }
 
 TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
@@ -27,7 +31,7 @@ TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
     EXPECT_EQ(taken(device, {.name = "clustered", .n = 256}), Method::collide_square) << device;
     EXPECT_EQ(taken(device, {.name = "clustered", .n = 3072}), Method::collide_square) << device;
     EXPECT_EQ(taken(device, {.name = "clustered", .n = 4096}), Method::collide_grid) << device;
-    EXPECT_EQ(taken(device, {.name = "uniform", .n = 4096}, true), Method::collide_tiled) << device;
+    EXPECT_EQ(taken(device, {.name = "uniform", .n = 4096}, {.swept = true}), Method::collide_tiled) << device;
     for (const uint64_t n : {128, 9000})
       EXPECT_EQ(taken(device, {.name = "one_cell", .n = n}), Method::collide_square) << device;
     SceneOptions radii = {.name = "uniform", .n = 12288, .radius_ratio = 16};
@@ -40,6 +44,21 @@ TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
     radii.n = 32768;
     EXPECT_EQ(taken(device, radii), Method::collide_grid) << device;
   }
+}
+
+// Of cells that are hashed, as a stray sphere or many levels of radii want it, the grid is ahead later.
+TEST(MethodsOnTheHost, AutoTakesHashedCellsLater) {
+  for (const auto& [device, few] : {std::pair{"cuda", 9000}, {"glsl", 9000}, {"cpu", 12'000}})
+    for (const uint64_t n : {few, 30'000}) {
+      std::vector<vec4> spheres = make_scene({.name = "uniform", .n = n}).positions;
+      EXPECT_EQ(taken(device, spheres), Method::collide_grid) << device << " " << n;
+      spheres[5].x = 1e9f;
+      EXPECT_EQ(plan_grids(spheres).plan(Cells::automatic).cells, Cells::hashed);
+      EXPECT_EQ(taken(device, spheres) == Method::collide_grid, n == 30'000) << device << " " << n;
+      SceneOptions radii = {.name = "uniform", .n = n, .radius_ratio = 1000};
+      radii.packing_fraction = 0.01;
+      EXPECT_NE(taken(device, radii, {.grid = {.cells = Cells::hashed}}), Method::collide_grid) << device << " " << n;
+    }
 }
 
 TEST(MethodsOnTheHost, AutoOnTheCpuGoesByItsThreads) {
@@ -82,6 +101,7 @@ TEST(MethodsOnTheHost, OnlyAutoChoosesItsGroups) {
   };
   EXPECT_EQ(square(few, {.method = Method::automatic}), narrow_block);
   EXPECT_EQ(square(few + 1, {.method = Method::automatic}), square_block);
+  EXPECT_EQ(square(2 * crossover_of(info).square_to + 1, {.method = Method::automatic}), CollideOptions{}.block);
   EXPECT_EQ(square(few, {.method = Method::automatic, .block = 256}), 256u);
   EXPECT_EQ(square(few, {.method = Method::collide_square}), CollideOptions{}.block);
   EXPECT_EQ(chosen_block(info, few, Method::collide_triangle, {.method = Method::automatic}), CollideOptions{}.block);

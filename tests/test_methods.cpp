@@ -150,20 +150,19 @@ TEST_P(Methods, EmptyLaunchAndStageTimes) {
   EXPECT_TRUE(backend().stage_times().empty()) << "reading them takes them away";
 }
 
-// Of a gas, with some room.
-uint64_t enough_for_grid(const Crossover& row) { return uint64_t(grid_from(row, 0.8, 1)) + 50; }
-
 TEST_P(Methods, AutomaticIsRightWhateverItTakes) {
   const Crossover& row = crossover_of(backend().info());
-  const uint64_t many = enough_for_grid(row), all = backend().info().software ? 700 : many;
+  const auto many = uint64_t(grid_from(row, 0.8, 0)) + 50;  // of a gas, with some room
   const auto took = [&](const SceneOptions& options) {
     const Scene scene = make_scene(options);
     expect_pairs(backend(), scene, swept_pairs(scene.positions), {{.method = Method::automatic}});
     return backend().choice({.method = Method::automatic});
   };
+  for (const char* scene : {"uniform", "clustered", "random"})
+    for (const uint64_t n : {2, 60, 300, 2300, 4000, 6500}) took({.name = scene, .n = n});
   EXPECT_NE(took({.name = "uniform", .n = row.grid_from / 2}).method, Method::collide_grid);
   EXPECT_EQ(took({.name = "uniform", .n = many}).method, Method::collide_grid);
-  const uint64_t crowded = std::min<uint64_t>(all, 4000);
+  const uint64_t crowded = backend().info().software ? 700 : 4000;
   const MethodChoice crowd = took({.name = "one_cell", .n = crowded});
   EXPECT_EQ(crowd.method == Method::collide_grid, crowded <= row.one_cell_to) << describe(crowd);
   const MethodChoice far = took({.name = "uniform", .n = many, .offset = 1e5f});

@@ -83,5 +83,25 @@ TEST(MethodsRecorded, AutoIsNeverFarBehindTheBestFixedChoice) {
   }
 }
 
+// Of cells that must be hashed, on the GPU.
+TEST(MethodsRecorded, AutoTakesHashedCellsWhereTheyAreAhead) {
+  int met = 0;
+  for (const auto& [name, one] : recorded_crossovers()) {
+    if (one.info.name == "cpu" || one.info.software || !one.ways.contains("hashed")) continue;
+    const GridPlans plans = plan_grids(make_scene(one.scene).positions);
+    const CollideOptions options = {.method = Method::automatic, .grid = {.cells = Cells::hashed}};
+    const MethodChoice choice = explain_choice(one.info, one.scene.n, plans, options);
+    const auto taken = one.ways.find(way_of(choice));
+    ASSERT_NE(taken, one.ways.end()) << name << ": " << describe(choice) << " was so slow that it was not timed";
+    ++met;
+    for (const auto& [way, interval] : one.ways)
+      if (way != "auto" && way != "dense") {
+        EXPECT_LE(taken->second.low, tolerated * interval.high)
+            << name << ": " << describe(choice) << " against " << way;
+      }
+  }
+  EXPECT_GT(met, 100);
+}
+
 }  // namespace
 }  // namespace spherepair
