@@ -84,7 +84,10 @@ def work_of(record):
 
 
 def latest(records):
-    """Where several runs timed the same work, that of the latest, of a sweep if there is one."""
+    """Where several runs timed the same work, that of the latest; of the grid, sweeps alone if there is one."""
+    swept = any(record.swept for record in records)
+    records = [record for record in records
+               if record.swept or not (swept and record.parameters.get("table") == "grid")]
     runs = {}
     for record in records:
         run = (record.swept, record.date, record.source)
