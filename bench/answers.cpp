@@ -84,7 +84,8 @@ bool uses_blocks(const Asked& asked) {
 
 std::string label(const Asked& asked) {
   const std::string text = asked.backend->info().name + " " + method_name(asked.options.method);
-  return uses_blocks(asked) ? fmt::format("{} {}", text, asked.options.block) : text;
+  const bool left_open = asked.options.method == Method::automatic && asked.options.block == CollideOptions{}.block;
+  return uses_blocks(asked) && !left_open ? fmt::format("{} {}", text, asked.options.block) : text;
 }
 
 std::string set_name(const CollideOptions& options) {

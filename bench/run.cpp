@@ -137,7 +137,7 @@ int run_command(const CommandLine& line, const RunOptions& options) {
                                            {"restitution", scene.restitution},
                                            {"method", method_name(choice.method)},
                                            {"choice", to_json(choice)},
-                                           {"block", collide.block},
+                                           {"block", choice.block ? choice.block : collide.block},
                                            {"exact", collide.exact},
                                            {"swept", collide.swept},
                                            {"steps", steps}}));

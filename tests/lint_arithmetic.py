@@ -112,8 +112,8 @@ def compile_commands(build):
     return json.loads(path.read_text())
 
 
-def ptx_of(entry, *, without=(), architecture=90):
-    """PTX of one kernel with the flags that the build compiles it with."""
+def ptx_of(entry, *, without=(), architecture=90, **options):
+    """PTX of one kernel with the flags that the build compiles it with; options of subprocess.run."""
     words, kept, skip = shlex.split(entry["command"]), [], False
     for word in words:
         if skip or word in ("-c", "-MD") or re.match(r"-{1,2}(generate-code|gencode|arch)\b", word) or word in without:
@@ -124,7 +124,7 @@ def ptx_of(entry, *, without=(), architecture=90):
             kept.append(word)
     with tempfile.TemporaryDirectory() as folder:
         output = os.path.join(folder, "kernel.ptx")
-        subprocess.run([*kept, "-ptx", f"-arch=compute_{architecture}", "-o", output], cwd=entry["directory"], check=True)
+        subprocess.run([*kept, "-ptx", f"-arch=compute_{architecture}", "-o", output], cwd=entry["directory"], check=True, **options)
         return pathlib.Path(output).read_text()
 
 
@@ -151,6 +151,13 @@ def warp_functions(root, source):
     return "_sync(" in text or any(warp_functions(root, header) for header in headers)
 
 
+def compiles_for(entry, architecture, **options):
+    try:
+        return bool(ptx_of(entry, architecture=architecture, **options))
+    except subprocess.CalledProcessError:
+        return False
+
+
 def oldest(root, build):
     """The oldest GPU that a build is for unless told otherwise compiles what calls functions on warps."""
     architecture = int(re.search(r"set\(CMAKE_CUDA_ARCHITECTURES (\d+)-virtual", (root / "CMakeLists.txt").read_text())[1])
@@ -159,9 +166,7 @@ def oldest(root, build):
     chosen = [e for e in entries if warp_functions(root, pathlib.Path(e["file"]))]
     complaints = []
     for entry in chosen:
-        try:
-            ptx_of(entry, architecture=architecture)
-        except subprocess.CalledProcessError:
+        if not compiles_for(entry, architecture):
             complaints.append(f"{os.path.relpath(entry['file'], root)}: does not compile for compute_{architecture}, see above")
     return complaints, f"{len(chosen)} kernels for compute_{architecture}"
 

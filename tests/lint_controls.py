@@ -136,6 +136,19 @@ class Cuda(unittest.TestCase):
         loose = lint_arithmetic.ptx_of(commands["move"], without=("--fmad=false",))
         self.assertTrue(lint_arithmetic.ptx_complaints(loose))
 
+    def test_oldest(self):
+        try:
+            entry = lint_arithmetic.kernel_commands(ROOT, BUILD)["move"]
+        except lint_sources.Skip as reason:
+            self.skipTest(str(reason))
+        with tempfile.TemporaryDirectory() as folder:
+            for body, compiles in (("__syncwarp(); x[0] = 1u", True), ("x[0] = __reduce_add_sync(~0u, x[1])", False)):
+                text = f'#include "kernels.cuh"\n__global__ void k(unsigned* x) {{ {body}; }}\n'
+                source = tree(folder, k_DOT_cu=text) / "k.cu"
+                own = {**entry, "command": entry["command"].replace(entry["file"], str(source))}
+                self.assertEqual(compiles, lint_arithmetic.compiles_for(own, 75, capture_output=True), body)
+                self.assertTrue(lint_arithmetic.warp_functions(ROOT, source) or compiles)
+
     def test_flags(self):
         def check(command, file="a.cpp"):
             return len(lint_arithmetic.flag_complaints({"command": command, "file": file}))

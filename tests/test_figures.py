@@ -17,7 +17,7 @@ if importlib.util.find_spec("matplotlib") is None:
 import figures  # noqa: E402  (the path must be set first)
 import tables_studies  # noqa: E402
 from derived import GRID_BYTES  # noqa: E402
-from records import DATA, Machine, Missing, Record  # noqa: E402
+from records import DATA, Machine, Missing, Record, latest  # noqa: E402
 
 SCENE = {"name": "uniform", "packing_fraction": 0.3}
 
@@ -101,6 +101,15 @@ class Tables(unittest.TestCase):
         for cells, time_of_auto, loss in (("dense", 2, "1"), ("dense", 2.5, "1"), ("hashed", 4, "2")):
             machine.records = crossovers_to_come(cells, time_of_auto)
             self.assertEqual([["gas", "1,024", loss]], tables_studies.crossover(machine).rows)
+
+    def test_of_the_grid_sweeps_alone_count(self):
+        def record(n, date, swept, table="grid"):
+            return Record({"table": table, "backend": "glsl", "method": "collide_grid", "n": n, "order": "cold",
+                           "scene": SCENE}, 1, 1, 1, f"{date} {swept}", date, swept)
+        old, new, compared = record(64, "1", True), record(64, "2", True), record(4096, "3", False)
+        other = record(64, "0", False, "methods")
+        self.assertEqual([new, other], latest([old, compared, new, other]))
+        self.assertEqual([compared, other], latest([compared, other]))
 
     def test_hand_overs(self):
         machine = Machine(DATA / "h200")
