@@ -97,7 +97,7 @@ json to_json(const PairsReport& report, const CommandLine& line) {
           {"input", to_json(input)},
           {"method", method_name(method.method)},
           {"choice", to_json(method)},
-          {"block", options.block},
+          {"block", method.block ? method.block : options.block},
           {"output", options.output_file},
           {"pairs", found.totals.pairs},
           {"colliding_spheres", found.totals.colliding_spheres},

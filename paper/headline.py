@@ -79,7 +79,7 @@ def who_leads(machine):
             for pair in matched(machine, **wanted, packing_fraction=fraction, order=order)]
     cuda = leads.won(grid, "cuda")
     text = (f"Where all pairs meet, {leads.headline(found)}: {leads.wins(found)}. Through the grid, whose steps are "
-            f"many short kernels, CUDA takes {leads.span(cuda)} % less time in {len(cuda)} of {len(grid)} contests. "
+            f"short kernels, CUDA takes {leads.span(cuda)} % less time in {len(cuda)} of {len(grid)} contests. "
             "Medians of recorded runs with their intervals: [paper/data/h200](paper/data/h200). What was tried on the "
             "way: [bench/NOTES.md](bench/NOTES.md).")
     whole = text.replace(" %", "\u00a0%")  # a number and its unit stay on one line

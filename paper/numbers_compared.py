@@ -83,9 +83,9 @@ def kinds_of_spheres(put, machine, others):
     said(machine, worst <= GOOD, f"auto takes {GOOD:g} times the best fixed choice at most on the GPU (it is {worst:.2f}: {kind}, {name})")
     for name in DEVICES:
         start = {kind: as_number(by_backend[name].start) for kind, by_backend in found.items()}
-        spread = max(start[kind] for kind in ("gas", "thin", "box"))
-        said(machine, spread <= start["clusters"] <= start["one_cell"] and spread < start["one_cell"] == NEVER,
-             f"the grid pays early where spheres are spread, later in crowds, never in one cell, in {name}")
+        of_one_size = max(start[kind] for kind in ("gas", "thin", "box", "clusters"))
+        said(machine, of_one_size <= 8192 and of_one_size < start["radii"] < start["one_cell"] == NEVER,
+             f"the grid pays from a few thousand spheres of one size on, later with unequal radii, never in one cell, in {name}")
     for kind, by_backend in found.items():
         for name in by_backend.keys() & set(DEVICES):
             put(f"kinds/{kind}/{name}", by_backend[name].start, source, f"{name}, {kind}: least n of the grid's lead")

@@ -10,7 +10,6 @@ from tabular import ms
 DEVICES = ("glsl", "cuda")
 GRID = {"table": "grid", "scene": "uniform", "method": "collide_grid"}
 SIZE = 16384
-FEW = 1024  # spheres, whose steps in the grid are launches and nothing else
 
 
 def pairs_of_the_sweep(put, machine, others):
@@ -94,12 +93,14 @@ def grid_leads(put, machine, others):
          "CUDA is the faster in most contests of the grid, and in none the slower")
     most, row = max(((100 * (1 - cuda.median / glsl.median), cuda) for glsl, cuda in wins["cuda"]),
                     key=lambda lead: lead[0])
-    said(machine, row.n <= FEW and row.order == "warm", "CUDA's lead is greatest for few spheres that are not sorted")
+    said(machine, row.n <= 1024 and row.order == "warm", "CUDA's lead is greatest for few spheres that are not sorted")
     put("grid/lead/most", f"{most:.0f}", source, f"greatest lead of CUDA in %: n = {row.n}, {row.order}")
-    few = [100 * (1 - cuda.median / glsl.median) for glsl, cuda in wins["cuda"] if cuda.n <= FEW and cuda.order == "cold"]
-    said(machine, max(few, default=0) < most / 2, "CUDA's lead is small where few spheres are sorted")
-    put("grid/few/n", f"{FEW:,}", source, "few spheres")
-    put("grid/few/most", f"{max(few, default=0):.0f}", source, f"greatest lead of CUDA in %, up to {FEW} spheres, cold")
+    leads_of = {order: [100 * (1 - cuda.median / glsl.median) for glsl, cuda in wins["cuda"] if cuda.order == order and
+                        cuda.scene["packing_fraction"] == 0.3] for order in ("cold", "warm")}
+    said(machine, leads_of["warm"] == sorted(leads_of["warm"], reverse=True), "in cell order CUDA leads by the more the fewer "
+         "the spheres")
+    cold = max(100 * (1 - cuda.median / glsl.median) for glsl, cuda in wins["cuda"] if cuda.order == "cold")
+    put("grid/lead/cold", f"{cold:.0f}", source, "greatest lead of CUDA in %, cold")
     for order in ("cold", "warm"):
         glsl, cuda = matched(machine, **GRID, packing_fraction=0.3, order=order)[-1]
         put(f"grid/last/{order}", lead_text(glsl, cuda), source, f"n = {cuda.n}, {order}")
