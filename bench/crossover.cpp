@@ -42,10 +42,8 @@ Table table_of(const CrossoverSweep& sweep) {
   for (const Timing& t : sweep.timings) {
     std::vector<std::string> row = {t.backend, t.kind, std::to_string(t.n), ms_of(t.all_pairs, "parallel")};
     for (const uint block : square_groups) row.push_back(ms_of(t.all_pairs, square_way(block)));
-    for (const std::string& last :
-         {ms_of(t.all_pairs, "collide_triangle"), ms_of(t.grid, "dense"), ms_of(t.grid, "hashed"),
-          format_ms(t.automatic), format_percent(t.over_best - 1), t.took, t.best})
-      row.push_back(last);
+    row.insert(row.end(), {ms_of(t.all_pairs, "collide_triangle"), ms_of(t.grid, "dense"), ms_of(t.grid, "hashed"),
+                           format_ms(t.automatic), format_percent(t.over_best - 1), t.took, t.best});
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -152,8 +152,8 @@ void CrossoverSweep::time(const SphereKind& kind, const SceneOptions& scene, con
 // All pairs take four times as long with twice the spheres, so those that are far behind stay behind. The least of the
 // samples decides, which a disturbance does not lengthen.
 void CrossoverSweep::give_up_if_slow(const Way& way, const Timing& at, double seconds, double fastest) {
-  const bool too_long = seconds * 1e3 > options_.most_ms,
-             behind = seconds > hopeless * fastest && seconds * 1e3 > long_ms;
+  const double ms = seconds * 1e3;
+  const bool too_long = ms > options_.most_ms, behind = seconds > hopeless * fastest && ms > long_ms;
   if (!too_long && !(behind && at.all_pairs.contains(way.name))) return;
   slow_.insert(at.backend + " " + way.name);
   given_up.push_back(fmt::format("{} {} {}: not beyond {} spheres, {} ms a step is more than {}", at.backend, at.kind,

@@ -105,7 +105,7 @@ struct WorkCounts {
 // What a method stands for with the scene that was uploaded: `automatic` names another one, others themselves.
 struct MethodChoice {
   Method method;
-  uint block;             // group size; 0 on the CPU, which has no groups
+  uint block;             // group size; 0 on the CPU
   Cells cells;            // of collide_grid
   double others_in_cell;  // of that grid, on average over the spheres
   std::string reason;     // one clause

@@ -16,33 +16,67 @@ struct HashedFrom {
   double spheres, per_other, per_level;
 };
 
+constexpr uint64_t never = ~uint64_t(0);
+
 struct Crossover {
-  const char* device;        // a backend, OpenGL in software, or a CPU of more than few_threads
-  uint64_t grid_from;        // spheres from which on the grid of dense cells is ahead
-  double free_others;        // in a sphere's cell, that cost nothing; of more than these ...
-  double per_other, growth;  // ... so many spheres more, times those above to this power
+  const char* device;                // a backend, OpenGL in software, or a CPU of more than few_threads
+  uint64_t grid_from;                // spheres from which on the grid of dense cells is ahead
+  double free_others = 0;            // in a sphere's cell, that cost nothing; of more than these ...
+  double per_other = 0, growth = 1;  // ... so many spheres more, times those above to this power
   HashedFrom hashed;
-  uint64_t square_to;  // up to so many spheres collide_square is ahead of collide_triangle, and so many more as others
-                       // times `crowding`
-  double crowding;     // where others times this exceed the spheres, most pairs are near: the grid has nothing to
-                       // leave out, collide_triangle queues them one by one ...
-  uint64_t one_cell_to;  // ... which the grid can bear up to so many spheres
-  uint64_t narrow_to;    // up to so many spheres collide_square is fastest in groups of narrow_block, up to twice
-                         // square_to of square_block
-  uint64_t wide_from;    // spheres from which on collide_grid is faster in groups of wide_block
+  uint64_t square_to = 0;        // up to so many spheres collide_square is ahead of collide_triangle, and so many
+                                 // more as others times `crowding`
+  double crowding;               // where others times this exceed the spheres, most pairs are near: the grid has
+                                 // nothing to leave out, collide_triangle queues them one by one ...
+  uint64_t one_cell_to = 0;      // ... which the grid can bear up to so many spheres
+  uint64_t narrow_to = 0;        // up to so many spheres collide_square is fastest in groups of narrow_block, up to
+                                 // twice square_to of square_block
+  uint64_t wide_from = never;    // spheres from which on collide_grid is faster in groups of wide_block
   double crowd_from = HUGE_VAL;  // others in a dense cell from which on the grid is ahead of crowd_least spheres or
                                  // more: all pairs settles each near pair by itself
 };
 constexpr uint narrow_block = 32, square_block = 64, wide_block = 256;
 constexpr uint64_t crowd_least = 32;
 constexpr int few_threads = 4;
-constexpr uint64_t never = ~uint64_t(0);
-constexpr Crossover crossovers[] = {
-    {"cuda", 2300, 1.3, 850, 0.645, {6500, 2000, 17'700}, 4600, 22, 0, 2100, 4'000'000},
-    {"glsl", 2, 1.3, 3340, 0.495, {7700, 2300, 14'800}, 5000, 26, 0, 2100, never},
-    {"glsl in software", 2, 0, 0, 1, {300, 0, 700}, 500, 4, 200, 0, never},
-    {"cpu", 2000, 0, 50, 1, {4000, 0, 2500}, 0, 4, never, 0, never, 1.5},
-    {"cpu of many threads", 7000, 0, 50, 1, {20'000, 0, 3000}, 0, 4, 1024, 0, never, 2.2}};
+constexpr Crossover crossovers[] = {{.device = "cuda",
+                                     .grid_from = 2300,
+                                     .free_others = 1.3,
+                                     .per_other = 850,
+                                     .growth = 0.645,
+                                     .hashed = {6500, 2000, 17'700},
+                                     .square_to = 4600,
+                                     .crowding = 22,
+                                     .narrow_to = 2100,
+                                     .wide_from = 4'000'000},
+                                    {.device = "glsl",
+                                     .grid_from = 2,
+                                     .free_others = 1.3,
+                                     .per_other = 3340,
+                                     .growth = 0.495,
+                                     .hashed = {7700, 2300, 14'800},
+                                     .square_to = 5000,
+                                     .crowding = 26,
+                                     .narrow_to = 2100},
+                                    {.device = "glsl in software",
+                                     .grid_from = 2,
+                                     .hashed = {300, 0, 700},
+                                     .square_to = 500,
+                                     .crowding = 4,
+                                     .one_cell_to = 200},
+                                    {.device = "cpu",
+                                     .grid_from = 2000,
+                                     .per_other = 50,
+                                     .hashed = {4000, 0, 2500},
+                                     .crowding = 4,
+                                     .one_cell_to = never,
+                                     .crowd_from = 1.5},
+                                    {.device = "cpu of many threads",
+                                     .grid_from = 7000,
+                                     .per_other = 50,
+                                     .hashed = {20'000, 0, 3000},
+                                     .crowding = 4,
+                                     .one_cell_to = 1024,
+                                     .crowd_from = 2.2}};
 
 // Whatever the spheres' cells are like, in rows without crowd_from.
 constexpr bool may_take_grid(const Crossover& row, uint64_t n) { return n >= row.grid_from; }

@@ -91,16 +91,14 @@ def grid_leads(put, machine, others):
     put("grid/open", str(len(contests) - sum(map(len, wins.values()))), source, "those in which no difference is seen")
     said(machine, not wins["glsl"] and len(wins["cuda"]) > 0.6 * len(contests),
          "CUDA is the faster in most contests of the grid, and in none the slower")
-    most, row = max(((100 * (1 - cuda.median / glsl.median), cuda) for glsl, cuda in wins["cuda"]),
-                    key=lambda lead: lead[0])
+    leads_of_cuda = [(100 * (1 - cuda.median / glsl.median), cuda) for glsl, cuda in wins["cuda"]]
+    most, row = max(leads_of_cuda, key=lambda lead: lead[0])
     said(machine, row.n <= 1024 and row.order == "warm", "CUDA's lead is greatest for few spheres that are not sorted")
     put("grid/lead/most", f"{most:.0f}", source, f"greatest lead of CUDA in %: n = {row.n}, {row.order}")
-    leads_of = {order: [100 * (1 - cuda.median / glsl.median) for glsl, cuda in wins["cuda"] if cuda.order == order and
-                        cuda.scene["packing_fraction"] == 0.3] for order in ("cold", "warm")}
-    said(machine, leads_of["warm"] == sorted(leads_of["warm"], reverse=True), "in cell order CUDA leads by the more the fewer "
-         "the spheres")
-    cold = max(100 * (1 - cuda.median / glsl.median) for glsl, cuda in wins["cuda"] if cuda.order == "cold")
-    put("grid/lead/cold", f"{cold:.0f}", source, "greatest lead of CUDA in %, cold")
+    put("grid/lead/cold", f"{max(lead for lead, cuda in leads_of_cuda if cuda.order == 'cold'):.0f}", source,
+        "greatest lead of CUDA in %, cold")
+    warm = [lead for lead, cuda in leads_of_cuda if cuda.order == "warm" and cuda.scene["packing_fraction"] == 0.3]
+    said(machine, warm == sorted(warm, reverse=True), "in cell order CUDA leads by the more the fewer the spheres")
     for order in ("cold", "warm"):
         glsl, cuda = matched(machine, **GRID, packing_fraction=0.3, order=order)[-1]
         put(f"grid/last/{order}", lead_text(glsl, cuda), source, f"n = {cuda.n}, {order}")

@@ -85,6 +85,14 @@ TEST(MethodsOnTheHost, AutoOnTheCpuGoesByItsThreads) {
   EXPECT_EQ(took("one_cell", 2000), Method::parallel);
 }
 
+TEST(MethodsOnTheHost, ALibrarysScanIsOfTheCountingSort) {
+  const auto step = [](Sort sort) {
+    return CollideOptions{.method = Method::collide_grid, .grid = {.sort = sort, .scan = Scan::library}};
+  };
+  for (const Sort sort : {Sort::automatic, Sort::counting}) EXPECT_NO_THROW(check_collide(step(sort)));
+  for (const Sort sort : {Sort::buckets, Sort::radix}) EXPECT_THROW(check_collide(step(sort)), std::invalid_argument);
+}
+
 TEST(MethodsOnTheHost, OnlyAutoChoosesItsGroups) {
   BackendInfo info;
   info.name = "cuda";
