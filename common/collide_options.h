@@ -52,7 +52,8 @@ struct GridOptions {
 // What one API offers and the other lacks, each to be measured against going without. Absent: what was measured to be
 // faster; a backend that lacks one refuses it by name when it is asked for, std::invalid_argument.
 struct Tricks {
-  // CUDA: a step's launches are captured once, replayed while none changes. Absent: on, but for steps that overlap
+  // CUDA: a step's launches are captured once, replayed while none changes. Absent: on, but for steps that overlap the
+  // one before
   std::optional<bool> graph = {};
   std::optional<bool> keep_in_l2 = {};  // CUDA: the table of cells is set aside in the L2 cache. Absent: off
   // GLSL: collide_grid reads the table of cells through a texture buffer, in parts where one is too small; the sort by
@@ -64,10 +65,10 @@ struct Tricks {
   // barriers, and the host waits for it. Absent: on
   std::optional<bool> batch = {};
   // both, CUDA where kernels are compiled for 9.0 or later: what needs nothing of the search right before it begins
-  // while that is under way, and CUDA's later launches of a step get ready early. Absent: on, unless a graph is asked
-  // for
+  // while that is under way, which no graph can, and CUDA's later launches of a step get ready early. Absent: on, the
+  // first not where a graph is asked for or pays more, of few spheres
   std::optional<bool> overlap = {};
-  bool overlaps() const { return overlap.value_or(!graph.value_or(false)); }
+  bool overlaps(bool graph_pays) const { return overlap.value_or(!graph.value_or(graph_pays)); }
   auto operator<=>(const Tricks&) const = default;
 };
 

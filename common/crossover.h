@@ -30,32 +30,33 @@ struct Crossover {
                                  // nothing to leave out, collide_triangle queues them one by one ...
   uint64_t one_cell_to = 0;      // ... which the grid can bear up to so many spheres
   uint64_t narrow_to = 0;        // up to so many spheres collide_square is fastest in groups of narrow_block, up to
-                                 // twice square_to of square_block
+                                 // square_block_to of square_block
   uint64_t wide_from = never;    // spheres from which on collide_grid is faster in groups of wide_block
   double crowd_from = HUGE_VAL;  // others in a dense cell from which on the grid is ahead of crowd_least spheres or
                                  // more: all pairs settles each near pair by itself
 };
 constexpr uint narrow_block = 32, square_block = 64, wide_block = 256;
+constexpr uint64_t square_block_to = 6500;
 constexpr uint64_t crowd_least = 32;
 constexpr int few_threads = 4;
 constexpr Crossover crossovers[] = {{.device = "cuda",
-                                     .grid_from = 2300,
+                                     .grid_from = 5900,
                                      .free_others = 1.3,
-                                     .per_other = 850,
+                                     .per_other = 800,
                                      .growth = 0.645,
-                                     .hashed = {6500, 2000, 17'700},
-                                     .square_to = 4600,
-                                     .crowding = 22,
+                                     .hashed = {9000, 2000, 17'700},
+                                     .square_to = 750,
+                                     .crowding = 27,
                                      .narrow_to = 2100,
                                      .wide_from = 4'000'000},
                                     {.device = "glsl",
-                                     .grid_from = 2,
+                                     .grid_from = 4500,
                                      .free_others = 1.3,
                                      .per_other = 3340,
                                      .growth = 0.495,
-                                     .hashed = {7700, 2300, 14'800},
-                                     .square_to = 5000,
-                                     .crowding = 26,
+                                     .hashed = {9000, 2300, 14'800},
+                                     .square_to = 750,
+                                     .crowding = 27,
                                      .narrow_to = 2100},
                                     {.device = "glsl in software",
                                      .grid_from = 2,

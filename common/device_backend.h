@@ -111,6 +111,7 @@ class DeviceBackend : public Backend {
   const View& view() const { return view_; }  // of the draw_* kernels
   uint64_t pyramid_texels() const;            // of its pyramid
   uint visible_slot() const { return visible_slot_; }
+  virtual bool graph_pays() const { return false; }         // more than steps that overlap, see Tricks
   virtual bool overlaps_launches() const { return false; }  // pictures do, see Launch::beside
   uint spheres() const { return uint(n_); }
 
@@ -144,7 +145,7 @@ class DeviceBackend : public Backend {
   std::vector<uint> numbers_in_cell_order();
   // As Launch::beside, of what uses nothing of a search in cell order.
   std::optional<Kernel> beside_search() const {
-    return options_.tricks.overlaps() ? std::optional(Kernel::collide_grid) : std::nullopt;
+    return options_.tricks.overlaps(graph_pays()) ? std::optional(Kernel::collide_grid) : std::nullopt;
   }
   Variant sorter(Kernel kernel) const;
   void split(uint shift, uint parent_shift, uint first_bucket, Order from, Order to);
@@ -206,7 +207,7 @@ class DeviceBackend : public Backend {
   bool tallied_ = true;  // colliding spheres are counted
   bool cleared_ = false, collided_ = false;
   bool search_decides_ = false;  // most of the pairs that the filter leaves undecided, and not only defers them
-  bool settled_ = true, settle_at_once_ = false;  // what it deferred; with every step
+  bool settled_ = true, settle_at_once_ = false;  // what was deferred; with every step
   bool counts_by_place_ = false;                  // SLOT_COUNT lacks the counts that SLOT_SORTED_COUNT has
   View view_{};                                   // of the last draw; a width of 0: there was none
   View asked_{};                                  // the same as it was asked for

@@ -16,12 +16,10 @@ constexpr uint64_t pairs_per_dispatch = uint64_t(1) << 40;
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
 // Groups of collide_triangle should outnumber the multiprocessors many times, yet each should meet enough spheres to
-// pay for loading its rows.
-uint default_columns(uint64_t n, uint64_t rows_per_group) {
-  const uint64_t row_groups = ceil_div(n, rows_per_group);
-  const uint64_t wanted = row_groups * n / 2 / 8192;
-  const uint64_t least = ceil_div(n, MAX_GROUPS);
-  return uint(std::max(std::clamp<uint64_t>(ceil_div(wanted, 32) * 32, 64, 4096), least));
+// pay for loading its rows. In software groups come one after another.
+uint default_columns(uint64_t n, bool software) {
+  const uint64_t least = std::max<uint64_t>(software ? 64 : 8, ceil_div(n, MAX_GROUPS / 2));
+  return uint(std::max(least, std::min<uint64_t>(ceil_div(n, 2048) * 8, 4096)));
 }
 
 uint64_t join(const uint* words) { return uint64_t(words[1]) << 32 | words[0]; }
@@ -50,7 +48,8 @@ DeviceBackend::Division DeviceBackend::division() const {
 // second, each waited for; each also stays within MAX_GROUPS.
 void DeviceBackend::launch_collide() {
   const Division cut = division();
-  const uint64_t groups = ceil_div(std::max<uint64_t>(n_, 1), cut.spheres);
+  const uint64_t rows = ceil_div(std::max<uint64_t>(n_, 1), cut.spheres);
+  const uint64_t groups = cut.kernel == Kernel::collide_triangle ? ceil_div(rows, 2) : rows;
   const uint64_t slice = std::clamp<uint64_t>(pairs_per_dispatch / (cut.spheres * cut.meets), 1, MAX_GROUPS);
   for (uint64_t first = 0; first < groups; first += slice) {
     const uint part = uint(std::min(slice, groups - first));
@@ -58,7 +57,9 @@ void DeviceBackend::launch_collide() {
     if (cut.kernel == Kernel::collide_square) {
       launching.groups = {part, uint(std::min<uint64_t>(groups, MAX_GROUPS)), uint(ceil_div(groups, MAX_GROUPS))};
     } else if (cut.kernel == Kernel::collide_triangle) {
-      launching.groups = {uint(ceil_div(n_, params_.stretch)), part, 1};
+      const uint64_t columns =
+          2 * n_ - (rows - 1) * cut.spheres;  // of the first rows and the last, of any two mirrored
+      launching.groups = {uint(ceil_div(columns, params_.stretch) + 1), part, 1};
     }
     params_.first_group = uint(first);
     launch(launching, params_);
@@ -121,10 +122,9 @@ void DeviceBackend::run_collide() {
   if (!options_.filter) leave_all_undecided(params_);
   variant_.equal_radii = equal_radii_ && !options_.load_radii;
   params_.n = uint(n_);
-  params_.in_cells = params_.left_for_later = 0;
-  tallied_ = true;
-  params_.stretch =
-      options_.columns ? options_.columns : default_columns(n_, uint64_t(options_.block) * SPHERES_PER_THREAD);
+  params_.in_cells = params_.totals_later = 0;
+  tallied_ = false;
+  params_.stretch = options_.columns ? options_.columns : default_columns(n_, info().software);
   variant_.listed = options_.want_pairs;
   work_.without_radii += variant_.equal_radii;
   work_.lists += variant_.listed;
@@ -144,13 +144,13 @@ void DeviceBackend::run_collide() {
     cleared_ = false;
     counts_by_place_ = order_ == Order::cells;
     settled_ = !options_.exact;
-    if (!search_decides_ || settle_at_once_) settle();
+    if (settle_at_once_) settle();
   }
   end_step();
 }
 
-// Decides what was deferred. A search that decides most pairs itself hardly ever leaves one, so after that it waits
-// until a picture is drawn, or results are asked for and there is one; from then on it comes with every step.
+// Decides what was deferred, of which there is hardly ever anything: so it waits until a picture is drawn, or results
+// are asked for and a pair is left; from then on it comes with every step.
 void DeviceBackend::settle() {
   if (settled_) return;
   launch({Kernel::settle, SERVICE_BLOCK, variant_, {settle_groups, 1, 1}, order_}, params_);
@@ -177,7 +177,7 @@ std::vector<uint> DeviceBackend::finished_summary() {
     throw BackendError(
         fmt::format("{}: no collision step to report since the last move; call collide first", info().name));
   std::vector<uint> words = read_summary();
-  if (search_decides_ && options_.exact) settle_at_once_ = words[SUM_DEFERRED] != 0;
+  if (options_.exact) settle_at_once_ = words[SUM_DEFERRED] != 0;
   if (settle_at_once_ && !settled_) {
     settle();
     words = read_summary();
@@ -190,7 +190,7 @@ std::vector<uint> DeviceBackend::finished_summary() {
 }
 
 Collisions DeviceBackend::collisions() {
-  if ((params_.left_for_later & TOTALS_LATER) != 0 && collided_) {
+  if (params_.totals_later && collided_) {
     options_.want_totals = true;
     run_collide();
   }

@@ -191,10 +191,9 @@ void DeviceBackend::launch_grid() {
   plan_cells();
   // Before the first launch: parameters that change within a step are sent again.
   params_.stretch = options_.block * (n_ < spheres_near ? 1 : options_.block / threads_per_chunk);
-  params_.left_for_later = TALLY_LATER | (options_.want_totals || options_.want_pairs ? 0 : TOTALS_LATER);
+  params_.totals_later = !options_.want_totals && !options_.want_pairs;
   build_cells();
   cells_built_ = true;
-  tallied_ = false;
   const bool hashed = params_.hash_mask != 0;
   Variant variant = variant_;
   const Kernel kernel = hashed ? Kernel::collide_hashed : Kernel::collide_grid;

@@ -51,7 +51,7 @@
 #define SUM_PAIRS 0       // uint64: colliding pairs
 #define SUM_MIX_A 2       // uint64: fingerprint, sum of pair_mix_a
 #define SUM_MIX_B 4       // uint64: fingerprint, sum of pair_mix_b
-#define SUM_COLLIDING 6   // uint64: spheres whose count left 0
+#define SUM_COLLIDING 6   // uint64: spheres whose count is not 0, of `tally`
 #define SUM_DEFERRED 8    // uint, row 0 only: pairs left to `settle`, also beyond the list's capacity
 #define SUM_LISTED 9      // uint, row 0 only: pairs wanted by the list, also beyond its capacity
 #define SUM_STAGE 10      // uint[5]: undecided pairs by the stage that decided them, STAGE_*
@@ -61,7 +61,8 @@
 
 #define SPHERES_PER_THREAD 8  // rows that one thread of collide_triangle holds
 #define COLUMNS_AT_ONCE 2     // columns that a thread of collide_triangle meets between two branches
-#define NEAR_CAPACITY 1024    // near meetings that one group of collide_triangle can queue per tile
+#define NEVER_NEAR 3.0e38f    // no product with a column reaches it, in place of what that of a row must reach
+#define NEAR_PER_THREAD 2     // near meetings of a tile that a group of collide_triangle can queue, per thread
 #define SERVICE_BLOCK 128     // group size of the kernels whose size is no subject of the study
 #define MAX_GROUPS 65535      // of one dispatch along each axis, on every device; more are folded into the next axis
 
@@ -88,9 +89,6 @@
 #define CEILING_CHAINS 8           // independent chains of multiply-adds of one thread of ceiling_issue, ...
 #define CEILING_TURNS 64           // ... so often round the loop, ...
 #define CEILING_STEPS 16           // ... with so many steps of each chain a time
-
-#define TALLY_LATER 1u   // the kernel `tally` counts the colliding spheres, if anybody asks
-#define TOTALS_LATER 2u  // the step is done again for the totals of its pairs, if anybody asks
 
 #define MOTION_EULER 0u  // MotionMethod of motion_options.h
 #define MOTION_SYMPLECTIC 1u
@@ -120,7 +118,7 @@ struct Params {
   uint scan_tiles;                                       // of grid_scan
   uint cells_x, cells_y, cells_z, cell_slots;            // dense grid; cell_slots: length of the table in either case
   uint hash_mask, first_octave, top_level, levels;       // 0: dense; see level_of; levels: bit k set when k has spheres
-  uint left_for_later;                                   // bits: TALLY_LATER, TOTALS_LATER
+  uint totals_later;                                     // not 0: the step is done again for them, if anybody asks
   uint steps_done;                                       // of anchored: after this move
   uint buckets, bucket_shift;                            // 0: not split; the bucket of a slot is slot >> bucket_shift
   uint parent_shift, first_bucket, bucket_words, names;  // see bucket_below; in SLOT_BUCKET; of a split: its bits

@@ -20,7 +20,6 @@ struct Collider {
   const World& w;
   uint* total;  // shared, TOTAL_ROWS * TOTAL_STRIDE words
   uint pairs_found = 0u;
-  uint newly_colliding = 0u;
   uint64_t mix_a = 0ul;
   uint64_t mix_b = 0ul;
 
@@ -43,7 +42,6 @@ struct Collider {
       add_to_total(SUM_MIX_A, mix_a);
       add_to_total(SUM_MIX_B, mix_b);
     }
-    if (newly_colliding != 0u) add_to_total(SUM_COLLIDING, uint64_t(newly_colliding));
     __syncthreads();
     uint word = 2u * threadIdx.x;
     if (word >= SUM_DEFERRED) return;
@@ -54,11 +52,8 @@ struct Collider {
     if (sum != 0ul) add_to_words(&w.summary[row + word], uint(sum & 0xFFFFFFFFul), uint(sum >> 32));
   }
 
-  // More contacts for sphere i. Of all additions to it exactly one finds a zero: that one counts the colliding sphere.
-  __device__ void touch(uint i, uint contacts) {
-    uint before = atomicAdd(&w.count[i], contacts);
-    if ((p.left_for_later & TALLY_LATER) == 0u && before == 0u) newly_colliding += 1u;  // else it is not waited for
-  }
+  // More contacts for sphere i; what was counted before is not asked for, so nothing waits for it.
+  __device__ void touch(uint i, uint contacts) { atomicAdd(&w.count[i], contacts); }
 
   // Of whoever was found at a place: the number, which is in the radius's place wherever radii are equal.
   __device__ uint number_of(vec4 found, uint place) const {
@@ -66,7 +61,7 @@ struct Collider {
     return p.in_cells != 0u ? w.id[place] : place;
   }
 
-  __device__ bool totals_later() const { return (p.left_for_later & TOTALS_LATER) != 0u; }
+  __device__ bool totals_later() const { return p.totals_later != 0u; }
 
   // Numbers of spheres, in any order.
   __device__ void record(uint a, uint b) {

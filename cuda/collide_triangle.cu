@@ -2,7 +2,8 @@
 // Each unordered pair once: a group holds SPHERES_PER_THREAD spheres a thread in registers, its rows, and meets
 // p.stretch spheres of its row or later, its columns, which pass through shared memory in Gram form. Where a column
 // comes near a thread's rows the meeting is only queued; after the tile the whole group works the queue off, a thread
-// per pair.
+// per pair. The fewer columns some rows still have to meet, the more have those mirrored at the middle: the groups of
+// both stand in one line of the launch, so that none is idle but a few at its end.
 #include "collide.cuh"
 
 namespace spherepair {
@@ -11,9 +12,8 @@ constexpr uint MEETING_PAIRS = SPHERES_PER_THREAD * COLUMNS_AT_ONCE;
 
 // Pair number `pair` of the meeting between a thread's rows and the columns from j on.
 template <int BLOCK, bool EQUAL_RADII, bool LISTED>
-__device__ void meet(Collider<EQUAL_RADII, LISTED>& collider, uint pair, uint lane, uint j, uint end) {
-  uint row_group = collider.p.first_group + blockIdx.y;
-  uint i = row_group * BLOCK * SPHERES_PER_THREAD + (pair % SPHERES_PER_THREAD) * BLOCK + lane;
+__device__ void meet(Collider<EQUAL_RADII, LISTED>& collider, uint first_row, uint pair, uint lane, uint j, uint end) {
+  uint i = first_row + (pair % SPHERES_PER_THREAD) * BLOCK + lane;
   j += pair / SPHERES_PER_THREAD;
   if (i < j && j < end) collider.meet_once(i, j);
 }
@@ -24,13 +24,21 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, World w) {
   constexpr float SHARE = EQUAL_RADII ? 1.0f : 0.5f;
   __shared__ vec4 tile[BLOCK];
   __shared__ float tile_radius[EQUAL_RADII ? 1 : BLOCK];
-  __shared__ uint near_queue[NEAR_CAPACITY];
+  __shared__ uint near_queue[NEAR_PER_THREAD * BLOCK];
   __shared__ uint near_length[2];  // of this tile and of the next
   __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
   Collider<EQUAL_RADII, LISTED> collider(p, w, total);
   uint lane = threadIdx.x;
+  uint stretch = blockIdx.x;
   uint first_row = (p.first_group + blockIdx.y) * ROWS;
-  uint first_column = first_row + blockIdx.x * p.stretch;
+  uint stretches = (p.n - first_row + p.stretch - 1u) / p.stretch;
+  if (stretch >= stretches) {
+    uint mirrored = (p.n - 1u) / ROWS * ROWS - first_row;
+    if (mirrored == first_row) return;  // the line in the middle
+    first_row = mirrored;
+    stretch -= stretches;
+  }
+  uint first_column = first_row + stretch * p.stretch;
   if (first_column >= p.n) return;
   if (lane < 2u) near_length[lane] = 0u;
   collider.start_totals();
@@ -41,6 +49,7 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, World w) {
     vec4 sphere = w.position[min(first_row + k * BLOCK + lane, p.n - 1u)];
     row[k] = gram_form(sphere, origin, SHARE);
     row_radius[k] = sphere.w;
+    if (first_row + k * BLOCK + lane >= p.n) row[k].w = NEVER_NEAR;
   }
   uint end = min(first_column + p.stretch, p.n);
   uint turn = 0u;
@@ -65,19 +74,20 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, World w) {
       }
       if (near) {
         uint place = atomicAdd(&near_length[turn], 1u);
-        if (place < NEAR_CAPACITY) {
+        if (place < NEAR_PER_THREAD * BLOCK) {
           near_queue[place] = c * BLOCK + lane;
         } else {
 #pragma unroll 1
-          for (uint pair = 0u; pair < MEETING_PAIRS; ++pair) meet<BLOCK>(collider, pair, lane, start + c, end);
+          for (uint pair = 0u; pair < MEETING_PAIRS; ++pair)
+            meet<BLOCK>(collider, first_row, pair, lane, start + c, end);
         }
       }
     }
     __syncthreads();
-    uint queued = min(near_length[turn], NEAR_CAPACITY) * MEETING_PAIRS;
+    uint queued = min(near_length[turn], uint(NEAR_PER_THREAD * BLOCK)) * MEETING_PAIRS;
     for (uint q = lane; q < queued; q += BLOCK) {
       uint meeting = near_queue[q / MEETING_PAIRS];
-      meet<BLOCK>(collider, q % MEETING_PAIRS, meeting % BLOCK, start + meeting / BLOCK, end);
+      meet<BLOCK>(collider, first_row, q % MEETING_PAIRS, meeting % BLOCK, start + meeting / BLOCK, end);
     }
     turn ^= 1u;
   }

@@ -25,6 +25,9 @@ struct DeviceMemory {
   ~DeviceMemory() { cudaFree(data); }
 };
 
+// Spheres; launching the steps of fewer one by one takes the host longer than the device.
+constexpr uint overlap_pays_from = 20'000;
+
 class CudaBackend final : public DeviceBackend {
  public:
   explicit CudaBackend(int device);
@@ -42,6 +45,7 @@ class CudaBackend final : public DeviceBackend {
   uint64_t largest_binding() const override { return uint64_t(1) << 47; }
   std::vector<Pair> read_pairs(uint64_t count) override;
   bool has_atomics_64() const override { return true; }
+  bool graph_pays() const override { return spheres() < overlap_pays_from; }
   void check_tricks(const CollideOptions& options) const override;
   void begin_step(const Tricks& tricks) override;
   void end_step() override;
@@ -66,7 +70,7 @@ class CudaBackend final : public DeviceBackend {
   StageEvents stages_;
   bool programmatic_ = false;   // a launch can begin before the one before it is done
   bool early_ = false;          // and does, in this step
-  std::optional<Kernel> last_;  // that was launched; writes, clears, Thrust and graphs forget it
+  std::optional<Kernel> last_;  // that was launched; writes, clears and Thrust forget it
 };
 
 CudaBackend::CudaBackend(int device) : info_(describe_device(device)), l2_(device) { require_kernels(device); }
@@ -173,14 +177,13 @@ void CudaBackend::check_tricks(const CollideOptions& options) const {
 
 void CudaBackend::begin_step(const Tricks& tricks) {
   l2_.turn(tricks.keep_in_l2.value_or(false));
-  early_ = programmatic_ && tricks.overlaps();
+  early_ = programmatic_ && tricks.overlap.value_or(true);
   if (tricks.graph.value_or(true) && !stages_.on()) graph_.begin();  // stages are timed one by one
 }
 
 void CudaBackend::end_step() {
   const uint64_t calls = graph_.size();
   const bool replayed = graph_.end();
-  if (graph_.whole()) last_.reset();
   if (!replayed) return;
   ++work_.graphs_replayed;
   work_.launches -= calls - 1;

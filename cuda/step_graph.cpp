@@ -83,9 +83,8 @@ void StepGraph::capture() {
 }
 
 bool StepGraph::end() {
-  whole_ = collecting_ && std::ranges::equal(calls_, last_, same_call);
   if (!collecting_) return false;
-  if (!whole_) {
+  if (!std::ranges::equal(calls_, last_, same_call)) {
     drop();
     last_ = calls_;
     flush();

@@ -37,15 +37,14 @@ class StepGraph {
   bool collecting() const { return collecting_; }
   void add(const KernelCall& call) { calls_.push_back(call); }
   size_t size() const { return calls_.size(); }
-  bool whole() const { return whole_; }  // the last step went out as a graph
-  void flush();                          // launches what was collected
-  bool end();                            // true when all went out as one graph that was there already
+  void flush();  // launches what was collected
+  bool end();    // true when all went out as one graph that was there already
 
  private:
   void capture();
   void drop();
 
-  bool collecting_ = false, whole_ = false;
+  bool collecting_ = false;
   std::vector<KernelCall> calls_, last_;  // of this step and of the one before
   cudaStream_t stream_ = nullptr;         // to capture on; the default stream cannot be
   cudaGraphExec_t graph_ = nullptr;

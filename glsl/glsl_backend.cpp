@@ -198,7 +198,7 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   Variant variant = launch.variant;
   variant.windows = launch.kernel == Kernel::collide_grid && variant.texture_table && windows().count() > 1;
   variant.folded = launch.groups[1] > 1 || params.first_group != 0;
-  variant.names = params.in_cells, variant.later = params.left_for_later;
+  variant.names = params.in_cells, variant.later = params.totals_later;
   const Program& program = programs_.get(kernel_name(launch.kernel), launch.block, variant, limits_.features);
   set_params(params);
   program.set_view(view());

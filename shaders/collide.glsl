@@ -6,7 +6,6 @@
 
 shared uint total[TOTAL_ROWS * TOTAL_STRIDE];
 uint pairs_found = 0u;
-uint newly_colliding = 0u;
 uint64_t mix_a = 0ul;
 uint64_t mix_b = 0ul;
 
@@ -34,7 +33,6 @@ void finish_totals() {
     add_to_total(SUM_MIX_A, mix_a);
     add_to_total(SUM_MIX_B, mix_b);
   }
-  if (newly_colliding != 0u) add_to_total(SUM_COLLIDING, uint64_t(newly_colliding));
   barrier();
   uint word = 2u * gl_LocalInvocationID.x;
   if (word >= SUM_DEFERRED) return;
@@ -45,13 +43,10 @@ void finish_totals() {
   if (sum != 0ul) add_to_summary(row + word, uint(sum & 0xFFFFFFFFul), uint(sum >> 32));
 }
 
-// More contacts for sphere i. Of all additions to it exactly one finds a zero: that one counts the colliding sphere.
-void touch(uint i, uint contacts) {
-  uint before = atomicAdd(count[i], contacts);
-  if ((LATER & TALLY_LATER) == 0u && before == 0u) newly_colliding += 1u;  // else it is not waited for
-}
+// More contacts for sphere i; what was counted before is not asked for, so nothing waits for it.
+void touch(uint i, uint contacts) { atomicAdd(count[i], contacts); }
 
-bool totals_later() { return (LATER & TOTALS_LATER) != 0u; }
+bool totals_later() { return LATER != 0u; }
 
 // Numbers of spheres, in any order.
 void record(uint a, uint b) {

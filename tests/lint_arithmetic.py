@@ -52,7 +52,7 @@ def variants(stem, text):
     """The definitions of every program that is made from a shader."""
     if stem not in STATE_FEEDING:
         plain = [("BLOCK 256", f"EQUAL_RADII {uniform}", "LISTED 1", "BUNDLES false", "BY_CELLS false",
-                  f"DENSE {str(bool(uniform)).lower()}", f"NAMES {2 if uniform else 4}u", f"LATER {3 if uniform else 1}u")
+                  f"DENSE {str(bool(uniform)).lower()}", f"NAMES {2 if uniform else 4}u", f"LATER {uniform}u")
                  for uniform in (0, 1)]
         further = [("ATOMICS_64",), ("TEXTURE_TABLE",), ("FROM_TILES",), ("FOLDED",)]
         further += [("TEXTURE_TABLE", "WINDOWS")] * (stem == "collide_grid")

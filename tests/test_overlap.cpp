@@ -93,6 +93,50 @@ TEST_P(Overlap, IsOfWhatNeedsNothingOfTheSearch) {
   EXPECT_EQ(more(move), 0u) << "the search reads the spheres that are moved";
 }
 
+// CUDA's steps of few spheres are graphs, those of many overlap, whatever steps were there before.
+TEST_P(Overlap, IsOfManySpheresWhereThereAreGraphs) {
+  if (backend().info().name != "cuda" || !overlaps()) GTEST_SKIP() << "graphs of launches are CUDA's";
+  const auto step = [](std::optional<bool> graph) {
+    return grid_step([=](CollideOptions& o) { o.grid.sort = Sort::buckets, o.tricks.graph = graph; });
+  };
+  const auto graphs = [&] { return backend().work_counts().graphs_replayed; };
+  for (const uint64_t n : {5000, 50'000, 5000}) {
+    SCOPED_TRACE(n);
+    backend().upload(make_scene({.name = "uniform", .n = n}));
+    for (const auto& before : {std::optional<bool>(true), std::optional<bool>(false)}) {
+      for (int k = 0; k < 4; ++k) backend().collide(step(before));
+      const uint64_t graphs_before = graphs(), beside_before = beside();
+      for (int k = 0; k < 4; ++k) backend().collide(step(std::nullopt));
+      EXPECT_EQ(beside() - beside_before, n < 20'000 ? 0u : 4u);
+      EXPECT_GE(graphs() - graphs_before, n < 20'000 ? 2u : 0u);
+      EXPECT_LE(graphs() - graphs_before, n < 20'000 ? 4u : 0u);
+    }
+  }
+}
+
+// A graph's launches get ready early as well: each must still wait for what it needs of the one before.
+TEST_P(Overlap, InsideAGraphChangesNoSet) {
+  if (backend().info().name != "cuda") GTEST_SKIP() << "graphs of launches are CUDA's";
+  const auto oracle = open_backend("cpu");
+  for (const uint64_t n : {3000, 100'000}) {
+    const Scene scene = make_scene({.name = "uniform", .n = n});
+    for (Backend* each : {oracle.get(), &backend()}) each->upload(scene);
+    for (int turn = 0; turn < 8; ++turn) {
+      const CollideOptions step = grid_step(
+          [](CollideOptions& o) { o.grid.cells = Cells::dense, o.grid.sort = Sort::buckets, o.tricks.graph = true; });
+      const uint64_t before = backend().work_counts().graphs_replayed;
+      for (int k = 0; k < 5; ++k) backend().collide(step);
+      EXPECT_GE(backend().work_counts().graphs_replayed - before, 2u);
+      const Answer given = ask(backend(), step), wanted = ask(*oracle, grid_step([](CollideOptions&) {}));
+      EXPECT_EQ(given.totals.pairs, wanted.totals.pairs) << n << ", " << turn;
+      EXPECT_EQ(given.totals.fingerprint, wanted.totals.fingerprint) << n << ", " << turn;
+      EXPECT_EQ(given.counts, wanted.counts) << n << ", " << turn;
+      for (Backend* each : {oracle.get(), &backend()}) each->move();
+    }
+    backend().check_guards();
+  }
+}
+
 TEST(OverlapOptions, AreNotForAGraph) {
   const auto step = [](std::optional<bool> graph, std::optional<bool> overlap) {
     return grid_step([=](CollideOptions& o) { o.tricks.graph = graph, o.tricks.overlap = overlap; });
@@ -100,9 +144,13 @@ TEST(OverlapOptions, AreNotForAGraph) {
   EXPECT_THROW(check_collide(step(true, true)), std::invalid_argument);
   EXPECT_NO_THROW(check_collide(step(true, std::nullopt)));
   EXPECT_NO_THROW(check_collide(step(std::nullopt, true)));
-  EXPECT_FALSE(step(true, std::nullopt).tricks.overlaps());
-  EXPECT_TRUE(step(false, std::nullopt).tricks.overlaps());
-  EXPECT_TRUE(step(std::nullopt, std::nullopt).tricks.overlaps());
+  for (const bool graph_pays : {false, true}) {
+    EXPECT_FALSE(step(true, std::nullopt).tricks.overlaps(graph_pays));
+    EXPECT_TRUE(step(false, std::nullopt).tricks.overlaps(graph_pays));
+    EXPECT_TRUE(step(std::nullopt, true).tricks.overlaps(graph_pays));
+    EXPECT_FALSE(step(std::nullopt, false).tricks.overlaps(graph_pays));
+    EXPECT_NE(step(std::nullopt, std::nullopt).tricks.overlaps(graph_pays), graph_pays);
+  }
 }
 
 INSTANTIATE_BACKENDS(Overlap);
