@@ -16,6 +16,12 @@ struct HashedFrom {
   double spheres, per_other, per_level;
 };
 
+// From so many others in a sphere's hashed cell on, which is made for radii like its own, collide_square is ahead of
+// collide_triangle: up to so many spheres for each of them.
+struct NearPairs {
+  double others = HUGE_VAL, spheres_per_other = 0;
+};
+
 constexpr uint64_t never = ~uint64_t(0);
 
 struct Crossover {
@@ -24,10 +30,10 @@ struct Crossover {
   double free_others = 0;            // in a sphere's cell, that cost nothing; of more than these ...
   double per_other = 0, growth = 1;  // ... so many spheres more, times those above to this power
   HashedFrom hashed;
-  uint64_t square_to = 0;        // up to so many spheres collide_square is ahead of collide_triangle, and so many
-                                 // more as others times `crowding`
+  NearPairs near = {};           // of few spheres, which collide_triangle queues one by one
+  uint64_t square_to = 0;        // up to so many spheres collide_square is ahead of it whatever is near
   double crowding;               // where others times this exceed the spheres, most pairs are near: the grid has
-                                 // nothing to leave out, collide_triangle queues them one by one ...
+                                 // nothing to leave out ...
   uint64_t one_cell_to = 0;      // ... which the grid can bear up to so many spheres
   uint64_t narrow_to = 0;        // up to so many spheres collide_square is fastest in groups of narrow_block, up to
                                  // square_block_to of square_block
@@ -40,27 +46,28 @@ constexpr uint64_t square_block_to = 6500;
 constexpr uint64_t crowd_least = 32;
 constexpr int few_threads = 4;
 constexpr Crossover crossovers[] = {{.device = "cuda",
-                                     .grid_from = 5900,
+                                     .grid_from = 5600,
                                      .free_others = 1.3,
-                                     .per_other = 800,
-                                     .growth = 0.645,
-                                     .hashed = {9000, 2000, 17'700},
-                                     .square_to = 750,
-                                     .crowding = 27,
+                                     .per_other = 2900,
+                                     .growth = 0.349,
+                                     .hashed = {8500, 2300, 17'700},
+                                     .near = {10, 120},
+                                     .crowding = 22,
                                      .narrow_to = 2100,
                                      .wide_from = 4'000'000},
                                     {.device = "glsl",
-                                     .grid_from = 4500,
+                                     .grid_from = 5100,
                                      .free_others = 1.3,
                                      .per_other = 3340,
-                                     .growth = 0.495,
-                                     .hashed = {9000, 2300, 14'800},
-                                     .square_to = 750,
-                                     .crowding = 27,
+                                     .growth = 0.479,
+                                     .hashed = {12'500, 1540, 14'800},
+                                     .near = {10, 120},
+                                     .crowding = 26,
                                      .narrow_to = 2100},
                                     {.device = "glsl in software",
                                      .grid_from = 2,
                                      .hashed = {300, 0, 700},
+                                     .near = {10, 4},
                                      .square_to = 500,
                                      .crowding = 4,
                                      .one_cell_to = 200},
@@ -102,9 +109,10 @@ inline bool grid_pays(const Crossover& row, uint64_t n, double others_in_cell, u
          double(n) >= grid_from(row, others_in_cell, hashed_levels);
 }
 
-// Between the two ways of all pairs.
-constexpr bool square_pays(const Crossover& row, uint64_t n, double others_in_cell) {
-  return double(n) <= double(row.square_to) + row.crowding * others_in_cell;
+// Between the two ways of all pairs; others in a sphere's hashed cell.
+constexpr bool square_pays(const Crossover& row, uint64_t n, double others_like_it) {
+  return n <= row.square_to ||
+         (others_like_it >= row.near.others && double(n) <= row.near.spheres_per_other * others_like_it);
 }
 
 }  // namespace spherepair

@@ -13,10 +13,10 @@ namespace {
 // 0: cells are dense.
 uint hashed_levels(const GridPlan& plan) { return plan.cells == Cells::hashed ? uint(std::popcount(plan.levels)) : 0; }
 
-Method all_pairs(const BackendInfo& info, uint64_t n, double crowd, bool swept) {
+Method all_pairs(const BackendInfo& info, uint64_t n, const GridPlans& plans, bool swept) {
   if (info.name == "cpu") return Method::parallel;
   if (swept) return Method::collide_tiled;
-  return square_pays(crossover_of(info), n, crowd) ? Method::collide_square : Method::collide_triangle;
+  return square_pays(crossover_of(info), n, plans.hashed_crowd) ? Method::collide_square : Method::collide_triangle;
 }
 
 bool takes_grid(const BackendInfo& info, uint64_t n, const GridPlans& plans, const CollideOptions& options) {
@@ -87,7 +87,7 @@ void leave_all_undecided(Params& params) {
 Method chosen_method(const BackendInfo& info, uint64_t n, const GridPlans& plans, const CollideOptions& options) {
   if (options.method != Method::automatic) return options.method;
   if (takes_grid(info, n, plans, options)) return Method::collide_grid;
-  return all_pairs(info, n, plans.crowd(options.grid.cells), options.swept);
+  return all_pairs(info, n, plans, options.swept);
 }
 
 uint chosen_block(const BackendInfo& info, uint64_t n, Method chosen, const CollideOptions& options) {

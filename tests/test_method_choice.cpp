@@ -21,28 +21,24 @@ Method taken(const char* device, const SceneOptions& scene, const CollideOptions
 }
 
 TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
-  const auto gas = [](const char* device, uint64_t n) { return taken(device, {.name = "uniform", .n = n}); };
-  EXPECT_EQ(gas("cuda", 64), Method::collide_square);
-  EXPECT_EQ(gas("cuda", 2200), Method::collide_square);
-  EXPECT_EQ(gas("cuda", 2400), Method::collide_grid);
-  EXPECT_EQ(gas("glsl", 64), Method::collide_grid);
-  EXPECT_EQ(gas("glsl", 5600), Method::collide_grid);
   for (const char* device : {"cuda", "glsl"}) {
-    EXPECT_EQ(taken(device, {.name = "clustered", .n = 256}), Method::collide_square) << device;
-    EXPECT_EQ(taken(device, {.name = "clustered", .n = 3072}), Method::collide_square) << device;
-    EXPECT_EQ(taken(device, {.name = "clustered", .n = 4096}), Method::collide_grid) << device;
-    EXPECT_EQ(taken(device, {.name = "uniform", .n = 4096}, {.swept = true}), Method::collide_tiled) << device;
-    for (const uint64_t n : {128, 9000})
-      EXPECT_EQ(taken(device, {.name = "one_cell", .n = n}), Method::collide_square) << device;
-    SceneOptions radii = {.name = "uniform", .n = 12288, .radius_ratio = 16};
-    radii.packing_fraction = 0.01;
-    EXPECT_EQ(taken(device, radii), Method::collide_triangle) << device;
-    radii.n = 5800;
-    EXPECT_EQ(taken(device, radii), Method::collide_square) << device;
-    radii.n = 24000;
-    EXPECT_EQ(taken(device, radii), device[0] == 'c' ? Method::collide_grid : Method::collide_triangle) << device;
-    radii.n = 32768;
-    EXPECT_EQ(taken(device, radii), Method::collide_grid) << device;
+    SCOPED_TRACE(device);
+    const auto takes = [&](const char* scene, uint64_t n) { return taken(device, {.name = scene, .n = n}); };
+    for (const uint64_t n : {64, 1024, 5000}) EXPECT_EQ(takes("uniform", n), Method::collide_triangle) << n;
+    EXPECT_EQ(takes("uniform", 5700), Method::collide_grid);
+    for (const uint64_t n : {64, 1024, 8192}) EXPECT_EQ(takes("clustered", n), Method::collide_triangle) << n;
+    EXPECT_EQ(takes("clustered", 16384), Method::collide_grid);
+    EXPECT_EQ(taken(device, {.name = "uniform", .n = 4096}, {.swept = true}), Method::collide_tiled);
+    for (const uint64_t n : {64, 128, 9000}) EXPECT_EQ(takes("one_cell", n), Method::collide_square) << n;
+    const auto with_radii = [&](uint64_t n) {
+      SceneOptions radii = {.name = "uniform", .n = n, .radius_ratio = 16};
+      radii.packing_fraction = 0.01;
+      return taken(device, radii);
+    };
+    for (const uint64_t n : {64, 4096, 16384}) EXPECT_EQ(with_radii(n), Method::collide_triangle) << n;
+    for (const uint64_t n : {256, 2048}) EXPECT_EQ(with_radii(n), Method::collide_square) << n;
+    EXPECT_EQ(with_radii(24'000), device[0] == 'c' ? Method::collide_grid : Method::collide_triangle);
+    EXPECT_EQ(with_radii(32'768), Method::collide_grid);
   }
 }
 
