@@ -49,8 +49,8 @@ struct Samples {
 };
 json to_json(const Samples& samples);
 
-// Seconds that `batch` steps take, from and to an idle device; on a GPU behind one more that is not timed, where they
-// are more than one, so that the way back from another API's work is none of them.
+// Seconds that `batch` steps take, from and to an idle device; on a GPU behind three more that are not timed, where
+// they are more than one, so that neither the way back from another API's work nor the making of a graph is among them.
 double time_batch(const Contender& contender, uint64_t batch);
 uint64_t choose_batch(const Contender& contender, const Sampling& sampling);
 

@@ -100,6 +100,7 @@ struct WorkCounts {
   uint64_t graphs_replayed = 0;
   uint64_t waits = 0;                     // for a launch alone, within steps
   uint64_t beside = 0;                    // launches that need not wait for the one before
+  uint64_t early = 0;                     // that get ready while the one before is under way; not of replays
   uint64_t without_radii = 0, lists = 0;  // steps that loaded no radius; that kept a list of pairs
 };
 

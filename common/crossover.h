@@ -30,19 +30,19 @@ struct Crossover {
   double free_others = 0;            // in a sphere's cell, that cost nothing; of more than these ...
   double per_other = 0, growth = 1;  // ... so many spheres more, times those above to this power
   HashedFrom hashed;
-  NearPairs near = {};           // of few spheres, which collide_triangle queues one by one
-  uint64_t square_to = 0;        // up to so many spheres collide_square is ahead of it whatever is near
-  double crowding;               // where others times this exceed the spheres, most pairs are near: the grid has
-                                 // nothing to leave out ...
-  uint64_t one_cell_to = 0;      // ... which the grid can bear up to so many spheres
-  uint64_t narrow_to = 0;        // up to so many spheres collide_square is fastest in groups of narrow_block, up to
-                                 // square_block_to of square_block
+  NearPairs near = {};       // of few spheres, which collide_triangle queues one by one
+  uint64_t square_to = 0;    // up to so many spheres collide_square is ahead of it whatever is near
+  double crowding;           // where others times this exceed the spheres, most pairs are near: the grid has
+                             // nothing to leave out ...
+  uint64_t one_cell_to = 0;  // ... which the grid can bear up to so many spheres
+  uint64_t narrow_to = 0;    // up to so many spheres collide_square is fastest in groups of narrow_block, up to
+                             // square_block_to of square_block
+  uint64_t square_block_to = 0;
   uint64_t wide_from = never;    // spheres from which on collide_grid is faster in groups of wide_block
   double crowd_from = HUGE_VAL;  // others in a dense cell from which on the grid is ahead of crowd_least spheres or
                                  // more: all pairs settles each near pair by itself
 };
 constexpr uint narrow_block = 32, square_block = 64, wide_block = 256;
-constexpr uint64_t square_block_to = 6500;
 constexpr uint64_t crowd_least = 32;
 constexpr int few_threads = 4;
 constexpr Crossover crossovers[] = {{.device = "cuda",
@@ -54,6 +54,7 @@ constexpr Crossover crossovers[] = {{.device = "cuda",
                                      .near = {10, 120},
                                      .crowding = 22,
                                      .narrow_to = 2100,
+                                     .square_block_to = 6500,
                                      .wide_from = 4'000'000},
                                     {.device = "glsl",
                                      .grid_from = 5100,
@@ -63,14 +64,16 @@ constexpr Crossover crossovers[] = {{.device = "cuda",
                                      .hashed = {12'500, 1540, 14'800},
                                      .near = {10, 120},
                                      .crowding = 26,
-                                     .narrow_to = 2100},
+                                     .narrow_to = 2100,
+                                     .square_block_to = 6500},
                                     {.device = "glsl in software",
                                      .grid_from = 2,
                                      .hashed = {300, 0, 700},
                                      .near = {10, 4},
                                      .square_to = 500,
                                      .crowding = 4,
-                                     .one_cell_to = 200},
+                                     .one_cell_to = 200,
+                                     .square_block_to = 1000},
                                     {.device = "cpu",
                                      .grid_from = 2000,
                                      .per_other = 50,

@@ -130,7 +130,8 @@ void DeviceBackend::upload(const Scene& scene) {
   planned_.reset();
   cell_order_.reset();
   order_ = Order::scene;
-  cleared_ = collided_ = cells_built_ = counts_by_place_ = settle_at_once_ = false;
+  cleared_ = collided_ = cells_built_ = counts_by_place_ = false;
+  settled_at_once_.clear();
   view_ = {};
   clustered_.reset();
   moved_ = seen_known_ = false;

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "backend.h"
 #include "kernel_list.h"
@@ -133,6 +135,7 @@ class DeviceBackend : public Backend {
   Division division() const;
   void launch_collide();
   void settle();
+  std::pair<Method, bool> search() const { return {options_.method, search_decides_}; }
   void launch_clear(Order order);
   void launch_bounds();
   void launch_grid();
@@ -207,10 +210,11 @@ class DeviceBackend : public Backend {
   bool tallied_ = true;  // colliding spheres are counted
   bool cleared_ = false, collided_ = false;
   bool search_decides_ = false;  // most of the pairs that the filter leaves undecided, and not only defers them
-  bool settled_ = true, settle_at_once_ = false;  // what was deferred; with every step
-  bool counts_by_place_ = false;                  // SLOT_COUNT lacks the counts that SLOT_SORTED_COUNT has
-  View view_{};                                   // of the last draw; a width of 0: there was none
-  View asked_{};                                  // the same as it was asked for
+  bool settled_ = true;          // what was deferred
+  std::set<std::pair<Method, bool>> settled_at_once_;  // searches that are settled with every step, see search()
+  bool counts_by_place_ = false;                       // SLOT_COUNT lacks the counts that SLOT_SORTED_COUNT has
+  View view_{};                                        // of the last draw; a width of 0: there was none
+  View asked_{};                                       // the same as it was asked for
   DrawOptions draw_options_;
   std::optional<Order> clustered_;                   // whose clusters they are; none when spheres have moved
   bool moved_ = false;                               // since the upload of a scene at its start

@@ -17,9 +17,13 @@ uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
 // Groups of collide_triangle should outnumber the multiprocessors many times, yet each should meet enough spheres to
 // pay for loading its rows. In software groups come one after another.
-uint default_columns(uint64_t n, bool software) {
-  const uint64_t least = std::max<uint64_t>(software ? 64 : 8, ceil_div(n, MAX_GROUPS / 2));
-  return uint(std::max(least, std::min<uint64_t>(ceil_div(n, 2048) * 8, 4096)));
+uint64_t default_columns(uint64_t n, bool software) {
+  return std::clamp<uint64_t>(ceil_div(n, 2048) * 8, software ? 64 : 8, 4096);
+}
+
+// What the first row group of collide_triangle and the last have to meet, as much as any two mirrored, or the only one.
+uint64_t columns_of_line(uint64_t n, uint64_t row_groups, uint64_t rows) {
+  return row_groups == 1 ? n : 2 * n - (row_groups - 1) * rows;
 }
 
 uint64_t join(const uint* words) { return uint64_t(words[1]) << 32 | words[0]; }
@@ -57,8 +61,8 @@ void DeviceBackend::launch_collide() {
     if (cut.kernel == Kernel::collide_square) {
       launching.groups = {part, uint(std::min<uint64_t>(groups, MAX_GROUPS)), uint(ceil_div(groups, MAX_GROUPS))};
     } else if (cut.kernel == Kernel::collide_triangle) {
-      const uint64_t columns =
-          2 * n_ - (rows - 1) * cut.spheres;  // of the first rows and the last, of any two mirrored
+      const uint64_t columns = columns_of_line(n_, rows, cut.spheres), least = ceil_div(columns, MAX_GROUPS - 1);
+      params_.stretch = uint(std::clamp<uint64_t>(params_.stretch, least, n_));
       launching.groups = {uint(ceil_div(columns, params_.stretch) + 1), part, 1};
     }
     params_.first_group = uint(first);
@@ -124,7 +128,7 @@ void DeviceBackend::run_collide() {
   params_.n = uint(n_);
   params_.in_cells = params_.totals_later = 0;
   tallied_ = false;
-  params_.stretch = options_.columns ? options_.columns : default_columns(n_, info().software);
+  params_.stretch = options_.columns ? options_.columns : uint(default_columns(n_, info().software));
   variant_.listed = options_.want_pairs;
   work_.without_radii += variant_.equal_radii;
   work_.lists += variant_.listed;
@@ -144,13 +148,13 @@ void DeviceBackend::run_collide() {
     cleared_ = false;
     counts_by_place_ = order_ == Order::cells;
     settled_ = !options_.exact;
-    if (settle_at_once_) settle();
+    if (settled_at_once_.contains(search())) settle();
   }
   end_step();
 }
 
 // Decides what was deferred, of which there is hardly ever anything: so it waits until a picture is drawn, or results
-// are asked for and a pair is left; from then on it comes with every step.
+// are asked for and a pair is left; from then on it comes with every step of that search.
 void DeviceBackend::settle() {
   if (settled_) return;
   launch({Kernel::settle, SERVICE_BLOCK, variant_, {settle_groups, 1, 1}, order_}, params_);
@@ -177,8 +181,9 @@ std::vector<uint> DeviceBackend::finished_summary() {
     throw BackendError(
         fmt::format("{}: no collision step to report since the last move; call collide first", info().name));
   std::vector<uint> words = read_summary();
-  if (options_.exact) settle_at_once_ = words[SUM_DEFERRED] != 0;
-  if (settle_at_once_ && !settled_) {
+  if (options_.exact && words[SUM_DEFERRED] == 0) settled_at_once_.erase(search());
+  if (options_.exact && words[SUM_DEFERRED] != 0) settled_at_once_.insert(search());
+  if (words[SUM_DEFERRED] != 0 && !settled_) {
     settle();
     words = read_summary();
   }

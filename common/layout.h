@@ -61,7 +61,7 @@
 
 #define SPHERES_PER_THREAD 8  // rows that one thread of collide_triangle holds
 #define COLUMNS_AT_ONCE 2     // columns that a thread of collide_triangle meets between two branches
-#define NEVER_NEAR 3.0e38f    // no product with a column reaches it, in place of what that of a row must reach
+#define NEVER_NEAR 3.0e38f    // hardly any product with a column reaches it, in place of what that of a row must
 #define NEAR_PER_THREAD 2     // near meetings of a tile that a group of collide_triangle can queue, per thread
 #define SERVICE_BLOCK 128     // group size of the kernels whose size is no subject of the study
 #define MAX_GROUPS 65535      // of one dispatch along each axis, on every device; more are folded into the next axis

@@ -94,7 +94,7 @@ uint chosen_block(const BackendInfo& info, uint64_t n, Method chosen, const Coll
   if (options.method != Method::automatic || options.block != CollideOptions{}.block) return options.block;
   const Crossover& row = crossover_of(info);
   if (chosen == Method::collide_square)
-    return n <= row.narrow_to ? narrow_block : n <= square_block_to ? square_block : options.block;
+    return n <= row.narrow_to ? narrow_block : n <= row.square_block_to ? square_block : options.block;
   return chosen == Method::collide_grid && n >= row.wide_from ? wide_block : options.block;
 }
 

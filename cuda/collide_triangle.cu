@@ -3,7 +3,7 @@
 // p.stretch spheres of its row or later, its columns, which pass through shared memory in Gram form. Where a column
 // comes near a thread's rows the meeting is only queued; after the tile the whole group works the queue off, a thread
 // per pair. The fewer columns some rows still have to meet, the more have those mirrored at the middle: the groups of
-// both stand in one line of the launch, so that none is idle but a few at its end.
+// both stand in one line of the launch, so that hardly any is idle but in the middle.
 #include "collide.cuh"
 
 namespace spherepair {

@@ -25,9 +25,6 @@ struct DeviceMemory {
   ~DeviceMemory() { cudaFree(data); }
 };
 
-// Spheres; launching the steps of fewer one by one takes the host longer than the device.
-constexpr uint overlap_pays_from = 20'000;
-
 class CudaBackend final : public DeviceBackend {
  public:
   explicit CudaBackend(int device);
@@ -45,7 +42,7 @@ class CudaBackend final : public DeviceBackend {
   uint64_t largest_binding() const override { return uint64_t(1) << 47; }
   std::vector<Pair> read_pairs(uint64_t count) override;
   bool has_atomics_64() const override { return true; }
-  bool graph_pays() const override { return spheres() < overlap_pays_from; }
+  bool graph_pays() const override { return spheres() < 20'000; }  // else launches take longer than the host to launch
   void check_tricks(const CollideOptions& options) const override;
   void begin_step(const Tricks& tricks) override;
   void end_step() override;
@@ -162,6 +159,7 @@ void CudaBackend::launch(const Launch& launch, const Params& params) {
   const bool beside = programmatic_ && last_ && launch.beside == last_;
   const bool waits_first = launch.kernel == Kernel::grid_sort || launch.kernel == Kernel::collide_grid;
   call.early = beside || (early_ && waits_first);
+  work_.early += call.early && !beside;
   if (beside) graph_.flush();  // a graph would wait for all before it
   work_.beside += beside;
   last_ = launch.kernel;
@@ -177,8 +175,8 @@ void CudaBackend::check_tricks(const CollideOptions& options) const {
 
 void CudaBackend::begin_step(const Tricks& tricks) {
   l2_.turn(tricks.keep_in_l2.value_or(false));
-  early_ = programmatic_ && tricks.overlap.value_or(true);
   if (tricks.graph.value_or(true) && !stages_.on()) graph_.begin();  // stages are timed one by one
+  early_ = programmatic_ && tricks.overlap.value_or(true) && (!graph_.collecting() || StepGraph::may_be_early());
 }
 
 void CudaBackend::end_step() {

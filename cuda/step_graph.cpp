@@ -67,6 +67,16 @@ void StepGraph::flush() {
   calls_.clear();
 }
 
+bool StepGraph::may_be_early() {
+  static const bool known = [] {
+    int runtime = 0, driver = 0;
+    cudaRuntimeGetVersion(&runtime);
+    cudaDriverGetVersion(&driver);
+    return std::min(runtime, driver) >= 12030;
+  }();
+  return known;
+}
+
 void StepGraph::drop() {
   if (graph_) cuda_check(cudaGraphExecDestroy(std::exchange(graph_, nullptr)), "giving a graph back");
 }
@@ -74,8 +84,13 @@ void StepGraph::drop() {
 void StepGraph::capture() {
   if (!stream_) cuda_check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "creating a stream");
   cuda_check(cudaStreamBeginCapture(stream_, cudaStreamCaptureModeThreadLocal), "beginning to capture a step");
-  for (const KernelCall& call : calls_) launch_call(call, stream_);
   cudaGraph_t graph = nullptr;
+  try {
+    for (const KernelCall& call : calls_) launch_call(call, stream_);
+  } catch (const BackendError&) {
+    cudaStreamEndCapture(stream_, &graph);  // else no later step could be captured
+    throw;
+  }
   cuda_check(cudaStreamEndCapture(stream_, &graph), "capturing a step");
   const cudaError_t error = cudaGraphInstantiate(&graph_, graph, 0);
   cudaGraphDestroy(graph);

@@ -37,8 +37,9 @@ class StepGraph {
   bool collecting() const { return collecting_; }
   void add(const KernelCall& call) { calls_.push_back(call); }
   size_t size() const { return calls_.size(); }
-  void flush();  // launches what was collected
-  bool end();    // true when all went out as one graph that was there already
+  static bool may_be_early();  // whether graphs know KernelCall::early: since CUDA 12.3
+  void flush();                // launches what was collected
+  bool end();                  // true when all went out as one graph that was there already
 
  private:
   void capture();

@@ -77,18 +77,13 @@ def exactness(put, machine, others):
     for key in (key for key in found if key[0] != "cpu"):
         (name, method), (exact, naive) = key, found[key]
         put(f"exact/{name}/{method}", f"{percent[key]:.1f}", exact.source, f"cost in %, {exact.label}, n = {exact.n}")
-        put(f"exact/us/{name}/{method}", f"{micro[key]:.1f}", exact.source, f"cost in microseconds, {exact.label}")
         text = f"{percent[key]:.1f}\\,\\%" if apart(exact, naive) else "nothing that is seen"
         put(f"exact/said/{name}/{method}", text, exact.source, f"cost, {exact.label}, n = {exact.n}")
-    for name in DEVICES:
-        said(machine, micro[name, "triangle"] < 8, "exactness costs the triangle about a launch")
-        most = max((value, method) for (who, method), value in percent.items() if who == name)
-        said(machine, most[1] == "group", "exactness costs the shortest kernel the largest share")
-    dear = [f"{name.upper()}'s \\kernel{{{method}}} with {value:.1f}\\,\\textmu s"
-            for (name, method), value in micro.items() if name != "cpu" and value >= 8]
+    said(machine, all(micro[key] < 1 or percent[key] < 1 for key in micro if key[0] != "cpu"),
+         "exactness costs a GPU's methods less than a microsecond or a percent where no pair is left undecided")
     source = found["cuda", "triangle"][0].source
-    put("exact/dear", f"More than a launch it costs {' and '.join(dear)}" if dear else "No method pays more than that",
-        source, "sentence: the methods that exactness costs 8 microseconds or more")
+    put("exact/most", f"{max(value for (name, _), value in percent.items() if name != 'cpu'):.1f}", source,
+        "cost in %, the most of a GPU's methods")
     seen = [f"{value:.0f}\\,\\% for \\kernel{{{method}}}" for (name, method), value in percent.items()
             if name == "cpu" and differ(*found[name, method])]
     put("exact/cpu", f"it costs {' and '.join(seen)}" if seen else "no difference is seen", source,

@@ -105,8 +105,8 @@ TEST(MethodsOnTheHost, OnlyAutoChoosesItsGroups) {
   };
   EXPECT_EQ(square(few, {.method = Method::automatic}), narrow_block);
   EXPECT_EQ(square(few + 1, {.method = Method::automatic}), square_block);
-  EXPECT_EQ(square(square_block_to, {.method = Method::automatic}), square_block);
-  EXPECT_EQ(square(square_block_to + 1, {.method = Method::automatic}), CollideOptions{}.block);
+  EXPECT_EQ(square(crossover_of(info).square_block_to, {.method = Method::automatic}), square_block);
+  EXPECT_EQ(square(crossover_of(info).square_block_to + 1, {.method = Method::automatic}), CollideOptions{}.block);
   EXPECT_EQ(square(few, {.method = Method::automatic, .block = 256}), 256u);
   EXPECT_EQ(square(few, {.method = Method::collide_square}), CollideOptions{}.block);
   EXPECT_EQ(chosen_block(info, few, Method::collide_triangle, {.method = Method::automatic}), CollideOptions{}.block);

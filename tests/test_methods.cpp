@@ -101,12 +101,16 @@ TEST_P(Methods, ColumnsNeverChangeTheSet) {
   if (backend().info().name == "cpu") GTEST_SKIP() << "the CPU has no groups";
   std::vector<CollideOptions> methods;
   for (uint block : {32u, 256u})
-    for (uint columns : {1u, 7u, 32u, 100u, 1024u, 5000u}) methods.push_back({.block = block, .columns = columns});
-  for (uint64_t n : {200, 257, 1024, 1111, 1281}) {  // 1 to 6 lines of 256 rows
-    SCOPED_TRACE(n);
-    const Scene scene = make_scene({.name = "uniform", .n = n});
-    expect_pairs(backend(), scene, brute_force_pairs(scene.positions), methods);
-  }
+    for (uint columns : {0u, 1u, 7u, 32u, 100u, 1024u, 5000u, ~0u})
+      methods.push_back({.block = block, .columns = columns});
+  for (const uint64_t n : {200, 257, 600, 1024, 1111, 1281, 2049, 4100})  // 1 to 17 groups of 256 rows, 1 to 3 of 2,048
+    for (const double radius_ratio : {1.0, 3.0}) {
+      SCOPED_TRACE(fmt::format("{} spheres, radii 1 to {}", n, radius_ratio));
+      SceneOptions options = {.name = "uniform", .n = n, .radius_ratio = radius_ratio};
+      options.packing_fraction = 0.1;
+      const Scene scene = make_scene(options);
+      expect_pairs(backend(), scene, brute_force_pairs(scene.positions), methods);
+    }
 }
 
 // The answers of one step may not leak into the next, nor those of a larger scene into a smaller.

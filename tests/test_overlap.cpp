@@ -27,7 +27,7 @@ class Overlap : public BackendTest {
     const auto step = [](bool load_radii) {
       return grid_step([=](CollideOptions& o) {
         o.grid.cells = Cells::dense, o.grid.sort = Sort::buckets, o.load_radii = load_radii;
-        o.tricks.graph = false;  // in which CUDA would put steps that do not overlap
+        o.tricks.graph = false;  // in which CUDA would put steps of few spheres, and those that do not overlap
       });
     };
     const auto oracle = open_backend("cpu");
@@ -117,6 +117,7 @@ TEST_P(Overlap, IsOfManySpheresWhereThereAreGraphs) {
 // A graph's launches get ready early as well: each must still wait for what it needs of the one before.
 TEST_P(Overlap, InsideAGraphChangesNoSet) {
   if (backend().info().name != "cuda") GTEST_SKIP() << "graphs of launches are CUDA's";
+  const bool early = overlaps();
   const auto oracle = open_backend("cpu");
   for (const uint64_t n : {3000, 100'000}) {
     const Scene scene = make_scene({.name = "uniform", .n = n});
@@ -130,9 +131,11 @@ TEST_P(Overlap, InsideAGraphChangesNoSet) {
       const Answer given = ask(backend(), step), wanted = ask(*oracle, grid_step([](CollideOptions&) {}));
       EXPECT_EQ(given.totals.pairs, wanted.totals.pairs) << n << ", " << turn;
       EXPECT_EQ(given.totals.fingerprint, wanted.totals.fingerprint) << n << ", " << turn;
+      EXPECT_EQ(given.totals.colliding_spheres, wanted.totals.colliding_spheres) << n << ", " << turn;
       EXPECT_EQ(given.counts, wanted.counts) << n << ", " << turn;
       for (Backend* each : {oracle.get(), &backend()}) each->move();
     }
+    EXPECT_EQ(backend().work_counts().early > 0, early);
     backend().check_guards();
   }
 }
