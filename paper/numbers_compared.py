@@ -83,9 +83,10 @@ def kinds_of_spheres(put, machine, others):
     said(machine, worst <= GOOD, f"auto takes {GOOD:g} times the best fixed choice at most on the GPU (it is {worst:.2f}: {kind}, {name})")
     for name in DEVICES:
         start = {kind: as_number(by_backend[name].start) for kind, by_backend in found.items()}
-        of_one_size = max(start[kind] for kind in ("gas", "thin", "box", "clusters"))
-        said(machine, of_one_size <= 8192 and of_one_size < start["radii"] < start["one_cell"] == NEVER,
-             f"the grid pays from a few thousand spheres of one size on, later with unequal radii, never in one cell, in {name}")
+        of_one_size = max(start[kind] for kind in ("gas", "thin", "box"))
+        said(machine, of_one_size <= 8192 and of_one_size < start["clusters"] < start["radii"] < start["one_cell"] == NEVER,
+             f"the grid pays from some thousand spheres of one size on, later in clusters, later still with unequal radii, "
+             f"never in one cell, in {name}")
     for kind, by_backend in found.items():
         for name in by_backend.keys() & set(DEVICES):
             put(f"kinds/{kind}/{name}", by_backend[name].start, source, f"{name}, {kind}: least n of the grid's lead")
