@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """How each number of the prose is made from recorded runs. A maker puts (key, text, run, how) for one section."""
 from derived import cost, issue_rate, pairs_of, share_of_floor, slope
-from ranks import apart, differ
+from ranks import differ
 from records import original_paper, said
 from tabular import ms
 
@@ -74,11 +74,6 @@ def exactness(put, machine, others):
              for exact, naive in pairs_of(machine) if exact.method != "collide_grid"}
     micro = {key: 1e3 * (exact.median - naive.median) for key, (exact, naive) in found.items()}
     percent = {key: cost(naive, exact)[0] for key, (exact, naive) in found.items()}
-    for key in (key for key in found if key[0] != "cpu"):
-        (name, method), (exact, naive) = key, found[key]
-        put(f"exact/{name}/{method}", f"{percent[key]:.1f}", exact.source, f"cost in %, {exact.label}, n = {exact.n}")
-        text = f"{percent[key]:.1f}\\,\\%" if apart(exact, naive) else "nothing that is seen"
-        put(f"exact/said/{name}/{method}", text, exact.source, f"cost, {exact.label}, n = {exact.n}")
     said(machine, all(micro[key] < 1 or percent[key] < 1 for key in micro if key[0] != "cpu"),
          "exactness costs a GPU's methods less than a microsecond or a percent where no pair is left undecided")
     source = found["cuda", "triangle"][0].source
