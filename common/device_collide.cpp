@@ -52,16 +52,17 @@ DeviceBackend::Division DeviceBackend::division() const {
 // second, each waited for; each also stays within MAX_GROUPS.
 void DeviceBackend::launch_collide() {
   const Division cut = division();
-  const uint64_t rows = ceil_div(std::max<uint64_t>(n_, 1), cut.spheres);
-  const uint64_t groups = cut.kernel == Kernel::collide_triangle ? ceil_div(rows, 2) : rows;
+  const bool mirrored = cut.kernel == Kernel::collide_triangle;  // two row groups make up one line of the launch
+  const uint64_t row_groups = ceil_div(std::max<uint64_t>(n_, 1), cut.spheres);
+  const uint64_t groups = mirrored ? ceil_div(row_groups, 2) : row_groups;
   const uint64_t slice = std::clamp<uint64_t>(pairs_per_dispatch / (cut.spheres * cut.meets), 1, MAX_GROUPS);
   for (uint64_t first = 0; first < groups; first += slice) {
     const uint part = uint(std::min(slice, groups - first));
     Launch launching{cut.kernel, options_.block, variant_, {part, 1, 1}};
     if (cut.kernel == Kernel::collide_square) {
       launching.groups = {part, uint(std::min<uint64_t>(groups, MAX_GROUPS)), uint(ceil_div(groups, MAX_GROUPS))};
-    } else if (cut.kernel == Kernel::collide_triangle) {
-      const uint64_t columns = columns_of_line(n_, rows, cut.spheres), least = ceil_div(columns, MAX_GROUPS - 1);
+    } else if (mirrored) {
+      const uint64_t columns = columns_of_line(n_, row_groups, cut.spheres), least = ceil_div(columns, MAX_GROUPS - 1);
       params_.stretch = uint(std::clamp<uint64_t>(params_.stretch, least, n_));
       launching.groups = {uint(ceil_div(columns, params_.stretch) + 1), part, 1};
     }
@@ -181,9 +182,10 @@ std::vector<uint> DeviceBackend::finished_summary() {
     throw BackendError(
         fmt::format("{}: no collision step to report since the last move; call collide first", info().name));
   std::vector<uint> words = read_summary();
-  if (options_.exact && words[SUM_DEFERRED] == 0) settled_at_once_.erase(search());
-  if (options_.exact && words[SUM_DEFERRED] != 0) settled_at_once_.insert(search());
-  if (words[SUM_DEFERRED] != 0 && !settled_) {
+  const bool left = words[SUM_DEFERRED] != 0;
+  if (options_.exact && !left) settled_at_once_.erase(search());
+  if (options_.exact && left) settled_at_once_.insert(search());
+  if (left && !settled_) {
     settle();
     words = read_summary();
   }

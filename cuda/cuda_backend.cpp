@@ -42,7 +42,7 @@ class CudaBackend final : public DeviceBackend {
   uint64_t largest_binding() const override { return uint64_t(1) << 47; }
   std::vector<Pair> read_pairs(uint64_t count) override;
   bool has_atomics_64() const override { return true; }
-  bool graph_pays() const override { return spheres() < 20'000; }  // else launches take longer than the host to launch
+  bool graph_pays() const override { return spheres() < 20'000; }  // one by one, few take the host the longer time
   void check_tricks(const CollideOptions& options) const override;
   void begin_step(const Tricks& tricks) override;
   void end_step() override;
