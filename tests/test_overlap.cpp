@@ -114,7 +114,8 @@ TEST_P(Overlap, IsOfManySpheresWhereThereAreGraphs) {
   }
 }
 
-// A graph's launches get ready early as well: each must still wait for what it needs of the one before.
+// A graph's launches get ready early as well. None of those before them lets them begin ahead of its end, so this shows
+// that a graph of such launches is the same step, not that none may be without its wait.
 TEST_P(Overlap, InsideAGraphChangesNoSet) {
   if (backend().info().name != "cuda") GTEST_SKIP() << "graphs of launches are CUDA's";
   const bool early = overlaps();
