@@ -6,6 +6,7 @@
 
 #include "camera.h"
 #include "plan.h"
+#include "session.h"
 #include "start.h"
 
 namespace spherepair {
@@ -16,6 +17,7 @@ enum ExitCode { kOk = 0, kDifference = 1, kUsage = 2, kDeviceTrouble = 3 };
 struct CommandLine {
   std::vector<std::string> words;  // for the record
   OpenOptions open;
+  Opener opener = open_backend;
 };
 
 struct DevicesOptions {

@@ -109,7 +109,7 @@ int compare_command(const CommandLine& line, const CompareOptions& options) {
   make_plan(options.plan, false);  // bad values end here, before any work
   const std::filesystem::path folder = options.results.empty() ? default_results() : options.results;
   prepare_folder(folder);
-  Session session(options.backends, line.open);
+  Session session(options.backends, line.open, line.opener);
   const bool hardware =
       std::ranges::any_of(session.backends(), [](const auto& backend) { return on_hardware(*backend); });
   const Plan plan = make_plan(options.plan, hardware);

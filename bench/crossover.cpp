@@ -107,7 +107,7 @@ int crossover_command(const CommandLine& line, const CrossoverOptions& options) 
   std::vector<uint64_t> sizes = options.sizes;
   for (uint64_t n = 64; options.sizes.empty() && n <= 1 << 15; n *= 2) sizes.push_back(n);
   std::ranges::sort(sizes);
-  Session session(options.backends, line.open);
+  Session session(options.backends, line.open, line.opener);
   json record = {{"complete", false},
                  {"context", capture_context(line.words)},
                  {"backends", session.to_json()},

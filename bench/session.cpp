@@ -24,11 +24,11 @@ std::string device_label(const BackendInfo& info) {
   return info.device + (info.software ? " (SOFTWARE: OpenGL on the CPU)" : "");
 }
 
-Session::Session(const std::vector<std::string>& names, const OpenOptions& options) {
+Session::Session(const std::vector<std::string>& names, const OpenOptions& options, Opener opener) {
   for (const std::string& name : names.empty() ? backend_names() : names) {
     if (find(name)) continue;
     try {
-      backends_.push_back(open_backend(name, options));
+      backends_.push_back(opener(name, options));
     } catch (const BackendError& error) {
       if (!names.empty()) throw;
       missing_.push_back({name, error.what()});

@@ -11,10 +11,13 @@
 
 namespace spherepair {
 
+// open_backend, or what a test puts in its place to have backends that answer wrongly.
+using Opener = std::unique_ptr<Backend> (*)(const std::string& name, const OpenOptions& options);
+
 class Session {
  public:
   // With an empty list every backend is tried and a missing one is only noted; a backend asked for by name must open.
-  Session(const std::vector<std::string>& names, const OpenOptions& options);
+  Session(const std::vector<std::string>& names, const OpenOptions& options, Opener opener = open_backend);
 
   const std::vector<std::unique_ptr<Backend>>& backends() const { return backends_; }
   std::vector<Backend*> devices() const;  // all but the CPU

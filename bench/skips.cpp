@@ -54,7 +54,7 @@ int skips_command(const CommandLine& line, const SkipsOptions& options) {
   require_known_backends(options.backends);
   check_names(options.names);
   check_writable(options.json_file);
-  Session session(options.backends, line.open);
+  Session session(options.backends, line.open, line.opener);
   const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
   std::vector<uint64_t> sizes = options.sizes;
   if (sizes.empty()) sizes = hardware ? std::vector<uint64_t>{16384, 1000000} : std::vector<uint64_t>{16384};

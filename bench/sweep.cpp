@@ -65,7 +65,7 @@ json to_json(const Ceilings& ceilings) {
 class Sweep {
  public:
   Sweep(const CommandLine& line, const SweepCommandOptions& options)
-      : line_(line), options_(options), session_(options.backends, line.open) {
+      : line_(line), options_(options), session_(options.backends, line.open, line.opener) {
     sampling_.rounds = options.rounds;
     sampling_.hardware_ceiling = 0.1;
   }
