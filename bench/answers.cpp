@@ -56,7 +56,7 @@ void require_same_parts(const Place& place, const std::string& left, const Answe
   const auto require = [&](const std::string& part, const auto& of_left, const auto& of_right) {
     if (of_left != of_right) report_part(place, left, right, part, fmt::to_string(of_left), fmt::to_string(of_right));
   };
-  require("the number of counts of spheres", l.counts.size(), r.counts.size());
+  require("how many spheres have a count", l.counts.size(), r.counts.size());
   const auto [at, other] = std::ranges::mismatch(l.counts, r.counts);
   if (at != l.counts.end()) require(fmt::format("the count of sphere {}", at - l.counts.begin()), *at, *other);
   require("the number of pairs", l.totals.pairs, r.totals.pairs);
@@ -114,8 +114,7 @@ Asked reference_for(Session& session, const CollideOptions& options, uint64_t n)
 bool same_answer(const Answer& left, const Answer& right) {
   const Collisions &l = left.totals, &r = right.totals;
   return l.pairs == r.pairs && l.colliding_spheres == r.colliding_spheres && l.fingerprint == r.fingerprint &&
-         left.counts == right.counts &&
-         (!left.pairs || !right.pairs || *left.pairs == *right.pairs);
+         left.counts == right.counts && (!left.pairs || !right.pairs || *left.pairs == *right.pairs);
 }
 
 Answer answer_of(Backend& backend, bool want_pairs) {
@@ -174,7 +173,7 @@ void require_same_state(Session& session, const Place& place, const Backend& ref
   const std::string left = reference.info().name, right = backend.info().name;
   const auto compare = [&](const std::vector<vec4>& l, const std::vector<vec4>& r, const char* what) {
     if (l.size() != r.size())
-      report_part(place, left, right, fmt::format("state, the number of {}s of spheres", what), fmt::to_string(l.size()),
+      report_part(place, left, right, fmt::format("how many spheres have a {}", what), fmt::to_string(l.size()),
                   fmt::to_string(r.size()));
     for (size_t i = 0; i < l.size(); ++i) {
       constexpr std::pair<const char*, float vec4::*> components[] = {

@@ -53,8 +53,8 @@ class Node {
 
   [[noreturn]] void fail(const std::string& expected) const {
     const std::string found = value_.dump(-1, ' ', false, json::error_handler_t::replace);
-    throw std::invalid_argument(fmt::format("at {}: expected {}, found {}", path_.empty() ? "the top" : path_, expected,
-                                            found.substr(0, 60)));
+    throw std::invalid_argument(
+        fmt::format("at {}: expected {}, found {}", path_.empty() ? "the top" : path_, expected, found.substr(0, 60)));
   }
 
  private:
@@ -75,8 +75,7 @@ void require_shown(const Node& results) {
 // What was found for a configuration: a scene with all that decides its sets, a set and a step.
 std::string found_at(const Node& point) {
   return fmt::format("{} pairs, {} colliding spheres, fingerprint {}, state {}", point.at("pairs").count(),
-                     point.at("colliding_spheres").count(), point.at("fingerprint").hex(32),
-                     point.at("state").hex(16));
+                     point.at("colliding_spheres").count(), point.at("fingerprint").hex(32), point.at("state").hex(16));
 }
 
 // One configuration may be recorded several times within a run: by the lockstep and before each timing.
@@ -91,8 +90,8 @@ std::map<std::string, std::string> records(const json& file) {
     entry.at("scene").at("n").count();
     entry.at("scene").at("seed").count();
     for (const Node& point : entry.at("checkpoints").elements()) {
-      const std::string key = fmt::format("{} | {} | step {}", entry.at("scene").dump(), entry.at("set").text(),
-                                          point.at("step").count());
+      const std::string key =
+          fmt::format("{} | {} | step {}", entry.at("scene").dump(), entry.at("set").text(), point.at("step").count());
       const auto [at, is_new] = found.try_emplace(key, found_at(point));
       if (!is_new && at->second != found_at(point))
         point.fail(fmt::format("what the same run recorded before for {}: {}", key, at->second));

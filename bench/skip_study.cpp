@@ -132,7 +132,8 @@ void SkipStudy::check_moves(const Turn& turn) {
   const Backend::State right = moved(*reference().backend, true);
   spending(spent.checking, [&] {
     for (const bool on : {false, true})
-      require_same_state(session_, {options, moves_checked}, *reference().backend, right, *turn.on, moved(*turn.on, on));
+      require_same_state(session_, {options, moves_checked}, *reference().backend, right, *turn.on,
+                         moved(*turn.on, on));
   });
 }
 

@@ -161,16 +161,17 @@ const std::vector<NamedFault>& set_faults() {
                                               {"fingerprint", Fault::fingerprint, "the fingerprint"},
                                               {"second_fingerprint", Fault::second_fingerprint, "the fingerprint"},
                                               {"sphere_count", Fault::sphere_count, "the count of sphere 7"},
-                                              {"count_missing", Fault::count_missing, "counts of"},
-                                              {"listed_pair", Fault::listed_pair, "list"}};
+                                              {"count_missing", Fault::count_missing, "how many spheres have a count"},
+                                              {"listed_pair", Fault::listed_pair, "first in pair ("}};
   return all;
 }
 
 const std::vector<NamedFault>& state_faults() {
-  static const std::vector<NamedFault> all = {{"position_bit", Fault::position_bit, "position z of sphere 3"},
-                                              {"velocity_bit", Fault::velocity_bit, "velocity y of sphere 3"},
-                                              {"radius_bit", Fault::radius_bit, "position w of sphere 3"},
-                                              {"velocity_missing", Fault::velocity_missing, "velocities of"}};
+  static const std::vector<NamedFault> all = {
+      {"position_bit", Fault::position_bit, "position z of sphere 3"},
+      {"velocity_bit", Fault::velocity_bit, "velocity y of sphere 3"},
+      {"radius_bit", Fault::radius_bit, "position w of sphere 3"},
+      {"velocity_missing", Fault::velocity_missing, "how many spheres have a velocity"}};
   return all;
 }
 

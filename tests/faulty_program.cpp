@@ -3,8 +3,8 @@
 // SPHEREPAIR_FAULT_FROM on.
 #include <cstdlib>
 
-#include "faulty_backend.h"
 #include "command_line.h"
+#include "faulty_backend.h"
 
 int main(int argc, char** argv) {
   using namespace spherepair;
