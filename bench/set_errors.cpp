@@ -56,6 +56,7 @@ MotionSetEntry run_everywhere(Session& session, const SetPlan& plan, const Scene
     require_same_state(session, {options, steps}, *first->backend, first->state, *backend, run.state);
     require_equal(session, {options, steps}, asked(*first->backend), first->answer, asked(*backend), run.answer);
   }
+  session.comparisons.require_complete();
   entry.found = set_error(*first->answer.pairs, right);
   entry.whole = set_error(state_pairs(scene, first->state), right);
   entry.rms = errors_of(scene, steps, first->state).rms;

@@ -125,6 +125,11 @@ class FaultyBackend : public ForwardingBackend {
     if (wrong(Fault::velocity_missing)) state.velocities.pop_back();
     return state;
   }
+  std::vector<uint> image() override {
+    std::vector<uint> pixels = ForwardingBackend::image();
+    if (wrong(Fault::image_pixel)) pixels.at(pixels.size() / 2) ^= 1u;
+    return pixels;
+  }
   void check_guards() override {
     if (wrong(Fault::guard_overwritten)) throw BackendError("a kernel wrote behind the end of a buffer");
   }
@@ -179,10 +184,13 @@ Fault fault_from_name(const std::string& name) {
   for (const auto* faults : {&set_faults(), &state_faults()})
     for (const NamedFault& one : *faults)
       if (name == one.name) return one.fault;
-  if (name == "wide_bit") return Fault::wide_bit;
-  if (name == "guard_overwritten") return Fault::guard_overwritten;
-  if (name == "no_methods") return Fault::no_methods;
-  if (name == "none") return Fault::none;
+  const std::pair<const char*, Fault> others[] = {{"none", Fault::none},
+                                                  {"wide_bit", Fault::wide_bit},
+                                                  {"image_pixel", Fault::image_pixel},
+                                                  {"guard_overwritten", Fault::guard_overwritten},
+                                                  {"no_methods", Fault::no_methods}};
+  for (const auto& [known, fault] : others)
+    if (name == known) return fault;
   throw std::invalid_argument("unknown fault " + name);
 }
 
