@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
+
+#include "numbers.h"
 
 namespace spherepair {
 
@@ -46,12 +47,11 @@ SceneOptions parse_scene(const std::string& text, uint64_t seed) {
   for (const SceneKind& kind : scene_kinds()) known.push_back(kind.name);
   require_known("scene", options.name, known);
   if (options.name == text) return options;
-  char rest = 0;
-  const std::string shape = text.substr(options.name.size() + 1);
-  if (options.name != "aligned" ||
-      std::sscanf(shape.c_str(), "%ux%u%c", &options.groups, &options.group_size, &rest) != 2 ||
-      shape.find('-') != std::string::npos || options.groups == 0 || options.group_size == 0)
+  const auto shape = two_numbers_of(text.substr(options.name.size() + 1), 'x', kMostSpheres);
+  if (options.name != "aligned" || !shape)
     throw std::invalid_argument(fmt::format("scene '{}' is not understood; an arrangement reads aligned:8x16", text));
+  options.groups = uint((*shape)[0]);
+  options.group_size = uint((*shape)[1]);
   options.n = uint64_t(options.groups) * options.group_size;
   return options;
 }

@@ -13,6 +13,9 @@
 #include "benchmark_rows.h"
 #include "commands.h"
 #include "context.h"
+#include "cpu_team.h"
+#include "options.h"
+#include "run_action.h"
 #include "shard.h"
 
 namespace spherepair {
@@ -140,10 +143,13 @@ int run_all(Session& session, const std::vector<SceneOptions>& scenes, const std
 void add_options(CLI::App& app, BenchOptions& options, OpenOptions& open) {
   app.add_option("--backends", options.backends, "Only these, and each must open: cpu,glsl,cuda")->delimiter(',');
   app.add_option("--scenes", options.scenes, "E.g. random,uniform,aligned:8x16")->delimiter(',')->capture_default_str();
-  app.add_option("--n", options.sizes, "Numbers of spheres (default 16384 with a GPU, else 4096)")->delimiter(',');
+  app.add_option("--n", options.sizes, "Numbers of spheres (default 16384 with a GPU, else 4096)")
+      ->delimiter(',')
+      ->check(positive_range);
   app.add_option("--blocks", options.blocks, "Only these group sizes: 32,64,128,256,512,1024")->delimiter(',');
-  app.add_option("--rounds", options.rounds, "Samples of each row (default 11)")->check(CLI::Range(1, 100000));
-  app.add_option("--threads", open.threads, "Threads of the CPU backend; 0 takes all cores");
+  app.add_option("--rounds", options.rounds, "Samples of each row (default 11)")->check(whole_number(1, 100000));
+  app.add_option("--threads", open.threads, "Threads of the CPU backend; 0 takes all cores")
+      ->check(whole_number(0, 4096));
   add_shard_options(app, options.sweep);
   app.footer(
       "Everything else goes to Google Benchmark, e.g. --benchmark_filter=triangle --benchmark_out=times.json\n"
@@ -168,6 +174,7 @@ int bench_command(int argc, char** argv) {
   benchmark::Initialize(&count, words.data());
   if (benchmark::ReportUnrecognizedArguments(count, words.data())) return kUsage;
   const std::vector<uint> blocks = parse_blocks(options.blocks);
+  start_team(open.threads);
   Session session(options.backends, open);
   Sampling sampling;
   if (options.rounds > 0) sampling.rounds = options.rounds;
@@ -185,13 +192,5 @@ int bench_command(int argc, char** argv) {
 }  // namespace spherepair
 
 int main(int argc, char** argv) {
-  try {
-    return spherepair::bench_command(argc, argv);
-  } catch (const std::invalid_argument& error) {
-    fmt::print(stderr, "spherepair_bench: {}\n", error.what());
-    return spherepair::kUsage;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "spherepair_bench: {}\n", error.what());
-    return spherepair::kDeviceTrouble;
-  }
+  return spherepair::run_action([&] { return spherepair::bench_command(argc, argv); });
 }

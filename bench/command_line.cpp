@@ -8,6 +8,7 @@
 #include "arguments.h"
 #include "commands.h"
 #include "context.h"
+#include "cpu_team.h"
 #include "crossover.h"
 #include "options.h"
 #include "precision_command.h"
@@ -127,7 +128,7 @@ void add_compare(CLI::App& app, CommandLine& line, Action& action) {
       ->capture_default_str();
   command->add_option("--rounds", plan.rounds, "Rounds of each timing (default 11)")->check(whole_number(1, 100000));
   command->add_option("--min-seconds", plan.min_seconds, "Least time of one sample (default 0.002 on a GPU, 0.05 else)")
-      ->check(CLI::Range(1e-6, 60.0));
+      ->check(sample_range);
   command->add_flag("--quick", plan.quick, "A first look: small sizes, few rounds");
   command->add_flag("--full", plan.full, "The long sweep: all sizes, more steps and rounds");
   command->add_option("--results", options->results,
@@ -182,8 +183,8 @@ int run_program(int argc, const char* const* argv, const Opener& opener) {
   app.set_version_flag("--version", fmt::format("spherepair {} ({})", build_info.version, build_info.commit));
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 all is well; 1 a difference was found; 2 bad usage or input; 3 a backend or device is missing or "
-      "fails.\n"
+      "Exit codes: 0 all is well; 1 a difference was found; 2 bad usage or input, or output that cannot be written; "
+      "3 a backend, device, memory or threads are missing or fail.\n"
       "Start with:\n  spherepair devices\n  spherepair compare --quick\nHelp on a subcommand: spherepair compare "
       "--help");
   CommandLine line;
@@ -199,12 +200,16 @@ int run_program(int argc, const char* const* argv, const Opener& opener) {
   add_compare(app, line, action);
   add_equal(app, action);
   add_studies(app, line, action);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kOk : kUsage;
-  }
-  return run_action(action);
+  for (CLI::App* command : app.get_subcommands({})) refuse_empty_values(*command);
+  return run_action([&]() -> int {
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      return app.exit(error) == 0 ? kOk : kUsage;
+    }
+    start_team(line.open.threads);
+    return action();
+  });
 }
 
 }  // namespace spherepair

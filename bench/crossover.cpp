@@ -145,6 +145,7 @@ std::shared_ptr<CrossoverOptions> add_crossover_options(CLI::App& command) {
       ->check(whole_number(1, 1000))
       ->capture_default_str();
   command.add_option("--most-ms", options->most_ms, "What takes longer a step is not tried at more spheres")
+      ->check(real_number(1e-3, 1e9))
       ->capture_default_str();
   command.add_option("--json", options->json_file, "The record")->capture_default_str();
   command.footer("Example:\n  spherepair crossover --backends cpu,glsl --n 64,1024,16384");

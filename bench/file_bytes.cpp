@@ -3,17 +3,21 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
 
+#include "backend.h"
+#include "cpu_buffer.h"
+#include "growing_list.h"
+
 namespace spherepair {
 namespace {
+
+constexpr size_t at_once = 1 << 16;  // bytes that a file may turn out to be longer
 
 [[noreturn]] void fail_to_read(const std::string& name, int error) {
   throw std::invalid_argument(fmt::format("cannot read {}: {}", name, std::strerror(error)));
@@ -36,25 +40,19 @@ FileBytes::FileBytes(const std::filesystem::path& path) : name_(path.string()) {
   struct stat status {};
   if (::fstat(file.value, &status) != 0) fail_to_read(name_, errno);
   if (S_ISDIR(status.st_mode)) fail_to_read(name_, EISDIR);
-  if (S_ISREG(status.st_mode) && status.st_size > 0) {
-    void* start = ::mmap(nullptr, size_t(status.st_size), PROT_READ, MAP_PRIVATE, file.value, 0);
-    mapped_ = start != MAP_FAILED;
-    if (mapped_) bytes_ = {static_cast<const char*>(start), size_t(status.st_size)};
-  }
-  if (!mapped_) read_whole(file.value);
-}
-
-FileBytes::~FileBytes() {
-  if (mapped_) ::munmap(const_cast<char*>(bytes_.data()), bytes_.size());
-}
-
-void FileBytes::read_whole(int descriptor) {
-  std::array<char, 1 << 16> chunk;
-  while (const ssize_t count = ::read(descriptor, chunk.data(), chunk.size())) {
-    if (count > 0) buffer_.append(chunk.data(), size_t(count));
+  const size_t size = size_t(status.st_size);  // 0 of a pipe
+  if (!fits_in_memory(size))
+    throw BackendError(fmt::format("{} has {} bytes, more than memory has room for", name_, size));
+  bytes_.reserve(size + at_once);
+  advise_large_pages(bytes_.data(), bytes_.capacity());
+  bytes_.resize(size + at_once);
+  size_t done = 0;
+  while (const ssize_t count = ::read(file.value, bytes_.data() + done, bytes_.size() - done)) {
     if (count < 0 && errno != EINTR) fail_to_read(name_, errno);
+    if (count > 0) done += size_t(count);
+    if (done == bytes_.size()) bytes_.resize(2 * done);
   }
-  bytes_ = buffer_;
+  bytes_.resize(done);
 }
 
 void FileBytes::fail_at_line(uint64_t line, std::string_view expected, std::string_view found) const {

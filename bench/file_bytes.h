@@ -9,13 +9,11 @@
 
 namespace spherepair {
 
-// Mapped into memory, or read whole where that is not possible (a pipe). Throws std::invalid_argument.
+// Read whole and not mapped into memory, since a process that reads a mapped file which another shortens is ended.
+// Throws std::invalid_argument, or BackendError where memory has no room for the file.
 class FileBytes {
  public:
   explicit FileBytes(const std::filesystem::path& path);
-  ~FileBytes();
-  FileBytes(const FileBytes&) = delete;
-  FileBytes& operator=(const FileBytes&) = delete;
 
   const std::string& name() const { return name_; }
   std::string_view bytes() const { return bytes_; }
@@ -25,11 +23,7 @@ class FileBytes {
   [[noreturn]] void fail_at_byte(uint64_t offset, std::string_view expected, std::string_view found) const;
 
  private:
-  void read_whole(int descriptor);
-
-  std::string name_, buffer_;
-  std::string_view bytes_;
-  bool mapped_ = false;
+  std::string name_, bytes_;
 };
 
 // In quotes, with unprintable bytes as \x.. and the end left out when it is long.

@@ -20,7 +20,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <functional>
 #include <map>
 #include <memory>
@@ -31,6 +30,7 @@
 #include "context.h"
 #include "files.h"
 #include "hash.h"
+#include "numbers.h"
 #include "shared_drawing.h"
 
 namespace spherepair {
@@ -73,10 +73,9 @@ class Bench {
     sampling_.rounds = options.rounds;
     for (const std::string& text : options.most) {
       const size_t colon = text.find(':');
-      char* end = nullptr;
-      const uint64_t n = colon == text.npos ? 0 : std::strtoull(text.c_str() + colon + 1, &end, 10);
-      if (!n || *end) throw std::invalid_argument(fmt::format("--most {}: not a method and a number, mesh:1000", text));
-      most_[draw_method_name(draw_method_from_name(text.substr(0, colon)))] = n;
+      const auto n = whole_number_of(text.substr(std::min(colon, text.size() - 1) + 1), 1, kMostSpheres);
+      if (!n) throw std::invalid_argument(fmt::format("--most {}: not a method and a number, mesh:1000", text));
+      most_[draw_method_name(draw_method_from_name(text.substr(0, colon)))] = *n;
     }
     if (options.min_seconds > 0) sampling_.hardware_seconds = sampling_.software_seconds = options.min_seconds;
   }

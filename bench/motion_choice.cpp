@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "commands.h"
+#include "options.h"
 
 namespace spherepair {
 
@@ -51,7 +51,8 @@ void add_motion_options(CLI::App& command, MotionChoice& motion) {
 
 void add_save_options(CLI::App& command, RunOptions& options) {
   command.add_option("--save", options.save_file, "Write a checkpoint to this file after the last step");
-  command.add_option("--save-every", options.save_every, "Also after every so many steps")->check(CLI::PositiveNumber);
+  command.add_option("--save-every", options.save_every, "Also after every so many steps")
+      ->check(whole_number(1, kMostSteps));
 }
 
 void add_resume_option(CLI::App& command, std::string& file) {

@@ -3,19 +3,33 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-
 namespace spherepair {
 
-// CLI11 would call "abc" a value out of range.
-CLI::Validator whole_number(int64_t low, int64_t high) {
+// CLI11 would call "abc" a value out of range, and read 010 as 8.
+CLI::Validator whole_number(uint64_t low, uint64_t high) {
   const auto check = [=](std::string& text) -> std::string {
-    int64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc() && end == text.data() + text.size() && value >= low && value <= high) return {};
-    return fmt::format("'{}' is not a whole number from {} to {}", text, low, high);
+    const bool padded = text.size() > 1 && text.starts_with('0');
+    if (!padded && whole_number_of(text, low, high)) return {};
+    return fmt::format("'{}' is not a whole number from {} to {}{}", text, low, high,
+                       padded ? ", written without leading zeros" : "");
   };
   return CLI::Validator(check, fmt::format("{}..{}", low, high));
+}
+
+CLI::Validator real_number(double low, double high) {
+  const auto check = [=](std::string& text) -> std::string {
+    if (real_number_of(text, low, high)) return {};
+    return fmt::format("'{}' is not a number from {} to {}", text, low, high);
+  };
+  return CLI::Validator(check, fmt::format("{}..{}", low, high));
+}
+
+void refuse_empty_values(CLI::App& command) {
+  const auto check = [](const std::string& text) {
+    return text.empty() ? "no value was given: leave the option out, or give one" : std::string();
+  };
+  for (CLI::Option* option : command.get_options())
+    if (option->get_expected_max() > 0) option->check(check);
 }
 
 namespace {
@@ -48,21 +62,31 @@ void add_scene_options(CLI::App& command, SceneOptions& scene) {
       ->capture_default_str();
   command.add_option("--radius", scene.radius, "Radius in metres")->capture_default_str();
   command.add_option("--radius-ratio", scene.radius_ratio, "Largest radius over smallest")->capture_default_str();
-  command.add_option("--packing-fraction", scene.packing_fraction, "Of the scene `uniform`")->capture_default_str();
-  command.add_option("--groups", scene.groups,
-                     "Of the scene `aligned`: m of the paper's m x n; n spheres = groups x group size");
-  command.add_option("--group-size", scene.group_size, "Of the scene `aligned`: n of the paper's m x n");
+  command.add_option("--packing-fraction", scene.packing_fraction, "Of the scene `uniform`")
+      ->check(fraction_range)
+      ->capture_default_str();
+  command
+      .add_option("--groups", scene.groups,
+                  "Of the scene `aligned`: m of the paper's m x n; n spheres = groups x group size")
+      ->check(count_range);
+  command.add_option("--group-size", scene.group_size, "Of the scene `aligned`: n of the paper's m x n")
+      ->check(count_range);
   command.add_option("--offset", scene.offset, "Added to every coordinate of every centre, metres")
       ->capture_default_str();
 }
 
 void add_start_options(CLI::App& command, StartOptions& start) {
   add_scene_options(command, start.scene);
-  command.add_option(
+  auto* input = command.add_option(
       "--input", start.input_file,
       "Take the spheres from a file instead: .xyz, .extxyz or .npy (see pairs --help; at rest), or any other name for "
       "text, a line each, `x y z radius [vx vy vz]`; # starts a comment");
-  command.add_option("--frame", start.frame, "Of an --input with several, counted from 0")->check(count_range);
+  for (const char* of_scenes :
+       {"--scene", "--n", "--seed", "--radius-ratio", "--packing-fraction", "--groups", "--group-size", "--offset"})
+    input->excludes(command.get_option(of_scenes));
+  command.add_option("--frame", start.frame, "Of an --input with several, counted from 0")
+      ->check(count_range)
+      ->needs(input);
   add_motion_options(command, start.motion);
   add_resume_option(command, start.resume_file);
 }

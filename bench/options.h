@@ -4,20 +4,27 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
-#include <limits>
 
 #include "commands.h"
+#include "numbers.h"
 
 namespace spherepair {
 
 using Action = std::function<int()>;
 
-CLI::Validator whole_number(int64_t low, int64_t high);
+CLI::Validator whole_number(uint64_t low, uint64_t high);
+CLI::Validator real_number(double low, double high);
 
-constexpr int64_t kMostSpheres = std::numeric_limits<int32_t>::max();
+constexpr uint64_t kMostSteps = uint64_t(1) << 53;
 const auto count_range = whole_number(0, kMostSpheres);
 const auto positive_range = whole_number(1, kMostSpheres);
-const auto steps_range = whole_number(0, int64_t(1) << 53);
+const auto steps_range = whole_number(0, kMostSteps);
+const auto block_range = whole_number(32, 1024);
+const auto fraction_range = real_number(1e-15, 0.74);  // as check_options has it
+const auto sample_range = real_number(1e-6, 60);       // seconds
+
+// The options that take a value refuse an empty one, which would pass for none.
+void refuse_empty_values(CLI::App& command);
 
 void add_open_options(CLI::App& command, OpenOptions& open);
 void add_scene_options(CLI::App& command, SceneOptions& scene);

@@ -9,9 +9,12 @@ namespace spherepair {
 
 void add_size_option(CLI::App& command, uint& width, uint& height) {
   const auto read = [&width, &height](const std::string& text) {
-    char rest = 0;
-    if (std::sscanf(text.c_str(), "%ux%u%c", &width, &height, &rest) == 2) return;
-    throw CLI::ValidationError("--size", fmt::format("'{}' is not a size in pixels such as 1280x720", text));
+    const auto size = two_numbers_of(text, 'x', widest_image);
+    if (!size)
+      throw CLI::ValidationError(
+          "--size", fmt::format("'{}' is not a size in pixels such as 1280x720, each at most {}", text, widest_image));
+    width = uint((*size)[0]);
+    height = uint((*size)[1]);
   };
   command.add_option_function<std::string>("--size", read,
                                            fmt::format("Width x height in pixels (default {}x{})", width, height));
@@ -24,8 +27,10 @@ void add_camera_options(CLI::App& command, CameraOptions& camera) {
     command.add_option(name, value, text)->expected(3)->delimiter(',');
   };
   command.add_option("--azimuth", camera.azimuth, "Direction of the camera around the vertical, degrees from +z to +x")
+      ->check(real_number(-360, 360))
       ->capture_default_str();
   command.add_option("--elevation", camera.elevation, "Of the camera above the horizon, degrees")
+      ->check(real_number(-90, 90))
       ->capture_default_str();
   command.add_option("--field", camera.field, "Vertical field of view, degrees")->capture_default_str();
   vector("--eye", camera.eye, "Place of the camera, x,y,z in metres; default: so that all spheres are in view");
@@ -110,11 +115,13 @@ void add_frames(CLI::App& app, CommandLine& line, Action& action) {
       ->add_option("--most", options->most, "Time a method of drawing up to so many spheres only, e.g. mesh_each:65536")
       ->delimiter(',');
   add_size_option(*command, options->width, options->height);
-  command->add_option("--packing-fraction", options->packing_fraction, "Of the spheres")->capture_default_str();
+  command->add_option("--packing-fraction", options->packing_fraction, "Of the spheres")
+      ->check(fraction_range)
+      ->capture_default_str();
   command->add_option("--rounds", options->rounds, "Rounds of each timing")
       ->check(whole_number(1, 100000))
       ->capture_default_str();
-  command->add_option("--min-seconds", options->min_seconds, "Least time of one sample")->check(CLI::Range(0.0, 60.0));
+  command->add_option("--min-seconds", options->min_seconds, "Least time of one sample")->check(sample_range);
   command->add_option("--json", options->json_file, "Where the record goes")->capture_default_str();
   add_open_options(*command, line.open);
   command->footer(

@@ -13,6 +13,7 @@
 #include "files.h"
 #include "motion_choice.h"
 #include "motion_targets.h"
+#include "options.h"
 #include "precision_command.h"
 
 namespace spherepair {
@@ -150,12 +151,13 @@ std::shared_ptr<PrecisionOptions> add_precision_options(CLI::App& command) {
       ->delimiter(',');
   command.add_option("--precisions", options->precisions, "Only these of float32, compensated, float64")
       ->delimiter(',');
-  command.add_option("--n", options->n, "Spheres of the timings (default 4194304 on a GPU, 65536 else)");
+  command.add_option("--n", options->n, "Spheres of the timings (default 4194304 on a GPU, 65536 else)")
+      ->check(positive_range);
   command.add_option("--steps", options->steps, "Only these time steps: k of dt = 2^-k s, e.g. 4,6,10")
       ->delimiter(',')
-      ->check(CLI::Range(0, 20));
+      ->check(whole_number(0, 20));
   command.add_option("--rounds", options->rounds, "Rounds of each timing")
-      ->check(CLI::Range(6, 1000))
+      ->check(whole_number(6, 1000))
       ->capture_default_str();
   command.add_flag("--quick", options->quick, "A first look: few time steps and spheres");
   command.add_option("--results", options->results, "Folder for precision.json and precision.txt");

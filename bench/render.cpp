@@ -85,16 +85,16 @@ json record(const Series& series, uint64_t step, const Collisions& totals) {
           {"samples", views}};
 }
 
-// Pictures are encoded and written while the next are drawn; an error in one is thrown when its turn comes.
+// Pictures are encoded and written while the next are drawn, or when their turn comes where no thread can be started;
+// an error in one is thrown then.
 class Writers {
  public:
   void write(const fs::path& path, std::vector<uint> image, const Shot& shot, const json& record) {
     if (jobs_.size() >= std::max(1u, std::thread::hardware_concurrency())) finish_one();
-    jobs_.push_back(
-        std::async(std::launch::async, [=, image = std::move(image), width = shot.width, height = shot.height] {
-          write_png(path, image, width, height);
-          write_file(fs::path(path).replace_extension(".json"), json_text(record));
-        }));
+    jobs_.push_back(std::async([=, image = std::move(image), width = shot.width, height = shot.height] {
+      write_png(path, image, width, height);
+      write_file(fs::path(path).replace_extension(".json"), json_text(record));
+    }));
   }
   void finish() {
     while (!jobs_.empty()) finish_one();

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <new>
 
 #include "answers.h"
@@ -12,14 +14,13 @@
 namespace spherepair {
 namespace {
 
+// Standard error may be full too.
 int fail(ExitCode code, const std::string& message) {
-  fmt::print(stderr, "spherepair: {}\n", message);
+  std::fputs(fmt::format("spherepair: {}\n", message).c_str(), stderr);
   return code;
 }
 
-}  // namespace
-
-int run_action(const std::function<int()>& action) {
+int code_of(const std::function<int()>& action) {
   try {
     return action();
   } catch (const DifferenceFound& difference) {
@@ -31,6 +32,15 @@ int run_action(const std::function<int()>& action) {
   } catch (const std::exception& error) {
     return fail(kDeviceTrouble, error.what());
   }
+}
+
+}  // namespace
+
+int run_action(const std::function<int()>& action) {
+  const int code = code_of(action);
+  if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
+  fail(kUsage, fmt::format("cannot write to standard output: {}", std::strerror(errno)));
+  return code == kDifference ? kDifference : kUsage;
 }
 
 }  // namespace spherepair

@@ -9,21 +9,20 @@
 #include "commands.h"
 #include "files.h"
 #include "hash.h"
+#include "numbers.h"
 
 namespace spherepair {
 namespace {
 
 struct Shard {
-  size_t index = 1, count = 1;
+  size_t index, count;
 };
 
 Shard parse_shard(const std::string& text) {
-  Shard shard;
-  char rest = 0;
-  const bool understood = std::sscanf(text.c_str(), "%zu/%zu%c", &shard.index, &shard.count, &rest) == 2;
-  if (!understood || shard.index < 1 || shard.index > shard.count || text.find('-') != std::string::npos)
+  const auto shard = two_numbers_of(text, '/', kMostSpheres);
+  if (!shard || (*shard)[0] > (*shard)[1])
     throw std::invalid_argument(fmt::format("shard '{}' is not understood; the second of four reads 2/4", text));
-  return shard;
+  return {(*shard)[0], (*shard)[1]};
 }
 
 }  // namespace

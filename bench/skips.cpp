@@ -90,7 +90,9 @@ std::shared_ptr<SkipsOptions> add_skips_options(CLI::App& command) {
   command.add_option("--n", options->sizes, "Numbers of spheres (default 16384, with a GPU 1000000 too)")
       ->delimiter(',')
       ->check(positive_range);
-  command.add_option("--packing-fraction", options->packing_fraction, "Of the spheres")->capture_default_str();
+  command.add_option("--packing-fraction", options->packing_fraction, "Of the spheres")
+      ->check(fraction_range)
+      ->capture_default_str();
   command.add_option("--rounds", options->rounds, "Rounds of each timing")
       ->check(whole_number(1, 1000))
       ->capture_default_str();

@@ -64,7 +64,7 @@ void check_radius(const FileBytes& file, bool own_radii, const SphereFileOptions
 }
 
 int reading_threads(const SphereFileOptions& options) {
-  return options.threads > 0 ? options.threads : omp_get_num_procs();
+  return options.threads > 0 ? options.threads : omp_get_max_threads();
 }
 
 std::string describe(const SphereFile& input) {

@@ -126,14 +126,17 @@ std::shared_ptr<SweepCommandOptions> add_sweep_options(CLI::App& command) {
       ->check(positive_range);
   command.add_option("--packing-fractions", options->packing_fractions, "Of the scene `uniform`")
       ->delimiter(',')
+      ->check(fraction_range)
       ->capture_default_str();
   command
       .add_option("--orders", options->orders,
                   "Of the spheres: cold is random, so that each step sorts; warm is that of the cells")
       ->delimiter(',')
       ->capture_default_str();
-  command.add_option("--block", options->block,
-                     "Group size: 32, 64, 128, 256, 512 or 1024; without it, the one that auto takes");
+  command
+      .add_option("--block", options->block,
+                  "Group size: 32, 64, 128, 256, 512 or 1024; without it, the one that auto takes")
+      ->check(block_range);
   command.add_option("--rounds", options->rounds, "Samples of each time")
       ->check(whole_number(1, 100000))
       ->capture_default_str();

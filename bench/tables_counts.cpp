@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <optional>
 
+#include "arguments.h"
 #include "study.h"
 
 namespace spherepair {
@@ -80,13 +80,8 @@ std::vector<Table> make_counts(Study& study) {
   for (const PaperCounts& paper : paper_counts)
     if (std::ranges::find(study.plan.count_sizes, paper.n) != study.plan.count_sizes.end())
       table.rows.push_back(count_row(study, study.paper_scene(paper.n), &paper));
-  for (const char* shape : {"8x16", "16x8", "8x32", "16x16", "32x8", "8x64", "16x32", "64x8"}) {
-    SceneOptions scene = study.paper_scene(0);
-    std::sscanf(shape, "%ux%u", &scene.groups, &scene.group_size);
-    scene.name = "aligned";
-    scene.n = uint64_t(scene.groups) * scene.group_size;
-    table.rows.push_back(count_row(study, scene, nullptr));
-  }
+  for (const char* shape : {"8x16", "16x8", "8x32", "16x16", "32x8", "8x64", "16x32", "64x8"})
+    table.rows.push_back(count_row(study, parse_scene(fmt::format("aligned:{}", shape), study.plan.seed), nullptr));
   return {table};
 }
 

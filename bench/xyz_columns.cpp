@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "numbers.h"
+
 namespace spherepair {
 namespace {
 
@@ -51,20 +53,17 @@ struct Property {
 };
 
 std::optional<Property> property_of(const std::string& name, const std::string& type, const std::string& columns) {
-  Property property{name, type, 0};
-  const char* end = columns.data() + columns.size();
-  const auto [rest, error] = std::from_chars(columns.data(), end, property.columns);
-  const bool counted = error == std::errc() && rest == end && property.columns > 0 && property.columns <= 1000;
-  if (name.empty() || !counted || (type != "S" && type != "R" && type != "I" && type != "L")) return std::nullopt;
-  return property;
+  const auto count = whole_number_of(columns, 1, 1000);
+  if (name.empty() || !count || (type != "S" && type != "R" && type != "I" && type != "L")) return std::nullopt;
+  return Property{name, type, *count};
 }
 
 // Half a unit of the last digit that stands there: 0.005 of 1.25, 50 of 12e2.
 double half_unit(std::string_view text) {
   const size_t mark = std::min(text.find_first_of("eE"), text.size()), point = text.substr(0, mark).find('.');
-  long exponent = point == text.npos ? 0 : -long(mark - point - 1);
-  if (mark < text.size()) exponent += std::atol(std::string(text.substr(mark + 1)).c_str());
-  return 0.5 * std::pow(10.0, double(exponent));
+  double exponent = point == text.npos ? 0 : -double(mark - point - 1);
+  if (mark < text.size()) exponent += double(std::atol(std::string(text.substr(mark + 1)).c_str()));
+  return 0.5 * std::pow(10.0, exponent);
 }
 
 template <typename Real>

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <exception>
 #include <limits>
 
+#include "cpu_team.h"
+#include "numbers.h"
 #include "sphere_file.h"
 #include "xyz_columns.h"
 
@@ -54,14 +54,11 @@ uint64_t read_count(const FileBytes& file, Cursor& cursor, bool first) {
   const std::string_view text = cursor.next();
   std::vector<std::string_view> fields;
   split_fields(text, 2, fields);
-  uint64_t count = 0;
-  const char* end = fields.empty() ? nullptr : fields[0].data() + fields[0].size();
-  const auto [rest, error] = fields.empty() ? std::from_chars_result{nullptr, std::errc::invalid_argument}
-                                            : std::from_chars(fields[0].data(), end, count);
-  if (fields.size() != 1 || error != std::errc() || rest != end) file.fail_at_line(line, expected, in_quotes(text));
-  constexpr uint64_t most = std::numeric_limits<int32_t>::max();
-  if (count > most) file.fail_at_line(line, fmt::format("at most {} spheres", most), fmt::to_string(count));
-  return count;
+  const auto count = whole_number_of(fields.size() == 1 ? fields[0] : "", 0, std::numeric_limits<uint64_t>::max());
+  if (!count) file.fail_at_line(line, expected, in_quotes(text));
+  if (*count > kMostSpheres)
+    file.fail_at_line(line, fmt::format("at most {} spheres", kMostSpheres), fmt::to_string(*count));
+  return *count;
 }
 
 // Finds where the frame's lines are and looks at none but the first two.
@@ -130,18 +127,12 @@ uint64_t read_stretch(const FileBytes& file, const XyzColumns& columns, Stretch 
 // The error that stands first in the file is thrown, whichever thread met one first.
 uint64_t read_spheres(const FileBytes& file, const XyzColumns& columns, const Frame& frame, int threads,
                       std::vector<vec4>& spheres) {
-  std::vector<std::exception_ptr> errors(frame.stretches.size());
+  TeamErrors errors;
   uint64_t changed = 0;
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1) reduction(+ : changed)
-  for (size_t k = 0; k < frame.stretches.size(); ++k) {
-    try {
-      changed += read_stretch(file, columns, frame.stretches[k], spheres);
-    } catch (...) {
-      errors[k] = std::current_exception();
-    }
-  }
-  for (const std::exception_ptr& error : errors)
-    if (error) std::rethrow_exception(error);
+  for (size_t k = 0; k < frame.stretches.size(); ++k)
+    errors.run(k, [&] { changed += read_stretch(file, columns, frame.stretches[k], spheres); });
+  errors.rethrow();
   return changed;
 }
 

@@ -37,7 +37,8 @@ void check_camera(const Camera& camera) {
       if (!(std::abs(x) < 1e15)) throw std::invalid_argument("a coordinate of the camera is no number below 1e15");
   if (!(camera.field > 0 && camera.field < 180))
     throw std::invalid_argument(fmt::format("the field of view is {} degrees, not between 0 and 180", camera.field));
-  if (!(camera.near >= 0)) throw std::invalid_argument(fmt::format("the nearest depth is {}, below 0", camera.near));
+  if (!(camera.near >= 0 && camera.near < 1e15))
+    throw std::invalid_argument(fmt::format("the nearest depth is {}, not from 0 to below 1e15", camera.near));
 }
 
 float above(double value) { return std::nextafter(float(value), INFINITY); }

@@ -31,7 +31,8 @@ std::string cpu_model() {
 
 class CpuBackend final : public Backend {
  public:
-  explicit CpuBackend(const OpenOptions& options) : threads_(options.threads ? options.threads : omp_get_num_procs()) {
+  explicit CpuBackend(const OpenOptions& options)
+      : threads_(options.threads ? options.threads : omp_get_max_threads()) {
     if (threads_ < 1)
       throw std::invalid_argument(fmt::format("the number of threads is {}, but must be at least 1", threads_));
     info_.name = "cpu";

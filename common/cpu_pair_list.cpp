@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cpu_pair_list.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <bit>
 #include <utility>
@@ -29,7 +31,7 @@ void sort_run(Pair* begin, Pair* end) {
 }
 
 // Keys whose first spheres are those from `first` on, as many as `places` has entries.
-void sort_bucket(std::span<uint64_t> keys, uint64_t first, std::vector<uint>& places, Pair* sorted) {
+void sort_bucket(std::span<uint64_t> keys, uint64_t first, std::span<uint> places, Pair* sorted) {
   if (keys.size() * sparse < places.size()) {
     std::ranges::sort(keys);
     std::ranges::transform(keys, sorted, pair_of);
@@ -66,14 +68,12 @@ void PairSort::sort(std::span<const GrowingList<uint64_t>> lists, uint64_t n, in
   split_.resize(pairs);
   const size_t buckets = ((n - 1) >> shift_) + 1;
   split(buckets, threads);
-#pragma omp parallel num_threads(threads)
-  {
-    std::vector<uint> places(size_t(1) << shift_);
-#pragma omp for schedule(dynamic, 1)
-    for (size_t b = 0; b < buckets; ++b)
-      sort_bucket({split_.data() + begin_[b], begin_[b + 1] - begin_[b]}, uint64_t(b) << shift_, places,
-                  sorted.data() + begin_[b]);
-  }
+  const size_t firsts = size_t(1) << shift_;
+  std::vector<uint> places(size_t(threads) * firsts);
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+  for (size_t b = 0; b < buckets; ++b)
+    sort_bucket({split_.data() + begin_[b], begin_[b + 1] - begin_[b]}, uint64_t(b) << shift_,
+                {places.data() + size_t(omp_get_thread_num()) * firsts, firsts}, sorted.data() + begin_[b]);
 }
 
 // Keys into buckets of consecutive first spheres.

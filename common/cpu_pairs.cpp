@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
 #include <stdexcept>
 
 #include "cpu_simd.h"
@@ -142,20 +143,21 @@ PairsFound search_blocks(const PairSearch& search, int threads, uint64_t blocks,
   PairsFound found;
   found.counts.resize(search.positions.size());
   std::vector<GrowingList<Pair>> lists(static_cast<size_t>(threads));
+  TeamErrors errors;
 #pragma omp parallel num_threads(threads)
   {
-    Finder finder(search, lists[size_t(omp_get_thread_num())]);
+    const size_t own = size_t(omp_get_thread_num());
+    std::optional<Finder> finder;  // none where memory ends
+    errors.run(own, [&] { finder.emplace(search, lists[own]); });
     Tiles tiles;
 #pragma omp for schedule(dynamic, 1)
-    for (uint64_t block = 0; block < blocks; ++block) meet_block(uint(block), tiles, finder);
+    for (uint64_t block = 0; block < blocks; ++block)
+      if (finder) meet_block(uint(block), tiles, *finder);
 #pragma omp critical
-    finder.add_to(found);
+    if (finder) finder->add_to(found);
   }
-  join_lists<Pair>(lists, found.totals.pairs, sizeof(Pair) * found.totals.pairs, [&] {
-    for (const GrowingList<Pair>& list : lists)
-      found.list.insert(found.list.end(), list.values().begin(), list.values().end());
-  });
-  std::ranges::sort(found.list);
+  errors.rethrow();
+  found.list = joined<Pair>(lists, found.totals.pairs);
   found.totals.colliding_spheres = uint64_t(std::ranges::count_if(found.counts, colliding));
   return found;
 }

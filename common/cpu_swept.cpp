@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cpu_pairs.h"
+#include "growing_list.h"
 #include "hash.h"
 #include "swept.h"
 
@@ -13,26 +14,24 @@ PairsFound search_swept(const PairSearch& search, std::span<const vec4> velociti
   const std::span<const vec4> at = search.positions;
   const Params& p = search.params;
   const uint n = uint(at.size());
-  PairsFound found;
-  found.counts.resize(n);
-#pragma omp parallel for num_threads(search.threads) schedule(dynamic, 16) if (n > 256)
+  uint64_t pairs = 0;
+  std::vector<GrowingList<Pair>> lists(static_cast<size_t>(search.threads));
+#pragma omp parallel for num_threads(search.threads) schedule(dynamic, 16) reduction(+ : pairs) if (n > 256)
   for (uint i = 0; i < n; ++i) {
-    std::vector<uint> others;
+    GrowingList<Pair>& list = lists[size_t(omp_get_thread_num())];
     for (uint j = i + 1; j < n; ++j) {
       if (!in_swept_reach(at[i], velocities[i], at[j], velocities[j], p.dt)) continue;
-      if (touch_within(at[i], velocities[i], at[j], velocities[j], p.dt, p.filter_scale, p.filter_offset))
-        others.push_back(j);
-    }
-    if (others.empty()) continue;
-#pragma omp critical
-    for (uint j : others) {
-      found.list.push_back({i, j});
-      ++found.counts[i];
-      ++found.counts[j];
+      if (!touch_within(at[i], velocities[i], at[j], velocities[j], p.dt, p.filter_scale, p.filter_offset)) continue;
+      const Pair pair{i, j};
+      list.append(&pair, 1);
+      ++pairs;
     }
   }
-  std::ranges::sort(found.list);
-  found.totals.pairs = found.list.size();
+  PairsFound found;
+  found.counts.resize(n);
+  found.list = joined<Pair>(lists, pairs);
+  for (const Pair& pair : found.list) ++found.counts[pair.first], ++found.counts[pair.second];
+  found.totals.pairs = pairs;
   found.totals.fingerprint = fingerprint(found.list);
   found.totals.colliding_spheres = uint64_t(std::ranges::count_if(found.counts, colliding));
   if (!search.options.want_pairs) found.list.clear();

@@ -63,4 +63,15 @@ void join_lists(std::span<const GrowingList<T>> lists, uint64_t pairs, uint64_t 
   }
 }
 
+// All of what threads found, in order.
+template <typename T>
+std::vector<T> joined(std::span<const GrowingList<T>> lists, uint64_t pairs) {
+  std::vector<T> all;
+  join_lists<T>(lists, pairs, sizeof(T) * pairs, [&] {
+    for (const GrowingList<T>& list : lists) all.insert(all.end(), list.values().begin(), list.values().end());
+  });
+  std::ranges::sort(all);
+  return all;
+}
+
 }  // namespace spherepair

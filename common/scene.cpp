@@ -45,7 +45,7 @@ float between(const SceneOptions& o, Stream stream, uint64_t index, float low, f
 
 // The float32 nearest to the cube root, found by comparing cubes of 25-bit midpoints: no libm can change it.
 float cube_root(double value) {
-  float root = std::cbrt(float(value));
+  float root = float(std::cbrt(value));
   const auto cube_of_midpoint = [](float a, float b) {
     const double middle = (double(a) + double(b)) / 2;
     return middle * middle * middle;

@@ -25,9 +25,10 @@ void check_options(const SceneOptions& o) {
   if (!(o.radius_ratio >= 1) || !std::isfinite(o.radius_ratio)) {
     refuse(fmt::format("radius ratio is {}, but must be at least 1 (largest over smallest radius)", o.radius_ratio));
   }
-  if (!(o.packing_fraction > 0 && o.packing_fraction <= 0.74)) {
-    refuse(fmt::format("packing fraction is {}, but must be above 0 and at most 0.74", o.packing_fraction));
-  }
+  if (!std::isfinite(o.radius * o.radius_ratio))
+    refuse(fmt::format("radius {} times radius ratio {} must be finite", o.radius, o.radius_ratio));
+  if (!(o.packing_fraction >= 1e-15 && o.packing_fraction <= 0.74))
+    refuse(fmt::format("packing fraction is {}, but must be from 1e-15 to 0.74", o.packing_fraction));
   if (!(o.dt > 0) || !std::isfinite(o.dt)) refuse(fmt::format("dt is {} s, but must be positive and finite", o.dt));
   if (!(o.restitution >= 0 && o.restitution <= 1))
     refuse(fmt::format("restitution is {}, but must be from 0 to 1", o.restitution));
