@@ -38,42 +38,47 @@ const char* answer_word(bool collide) { return collide ? "collide" : "apart"; }
                         details);
 }
 
-[[noreturn]] void report_totals(const Place& place, const std::string& left, const Collisions& l,
-                                const std::string& right, const Collisions& r, const std::string& what) {
-  const auto say = [](const Collisions& c) {
-    return fmt::format("{} pairs, {} colliding spheres, fingerprint {}{}", c.pairs, c.colliding_spheres,
-                       hex64(c.fingerprint.a), hex64(c.fingerprint.b));
-  };
+[[noreturn]] void report_part(const Place& place, const std::string& left, const std::string& right,
+                              const std::string& part, const std::string& of_left, const std::string& of_right) {
   json details = place_json(place, left, right);
-  details["totals"] = {say(l), say(r)};
-  details["what"] = what;
+  details["part"] = part;
+  details["answers"] = {of_left, of_right};
   throw DifferenceFound(
-      fmt::format("{}: {} and {} differ in {}: {} against {}", place_text(place), left, right, what, say(l), say(r)),
+      fmt::format("{}: {} and {} differ in {}: {} against {}", place_text(place), left, right, part, of_left, of_right),
       details);
 }
 
-bool same_totals(const Collisions& l, const Collisions& r) {
-  return l.pairs == r.pairs && l.colliding_spheres == r.colliding_spheres && l.fingerprint == r.fingerprint;
+std::string hex(const Fingerprint& fingerprint) { return hex64(fingerprint.a) + hex64(fingerprint.b); }
+
+// Reports the first part in which these differ, most telling first.
+void require_same_parts(const Place& place, const std::string& left, const Answer& l, const std::string& right,
+                        const Answer& r) {
+  const auto require = [&](const std::string& part, const auto& of_left, const auto& of_right) {
+    if (of_left != of_right) report_part(place, left, right, part, fmt::to_string(of_left), fmt::to_string(of_right));
+  };
+  require("how many spheres have a count", l.counts.size(), r.counts.size());
+  const auto [at, other] = std::ranges::mismatch(l.counts, r.counts);
+  if (at != l.counts.end()) require(fmt::format("the count of sphere {}", at - l.counts.begin()), *at, *other);
+  require("the number of pairs", l.totals.pairs, r.totals.pairs);
+  require("the number of colliding spheres", l.totals.colliding_spheres, r.totals.colliding_spheres);
+  require("the fingerprint", hex(l.totals.fingerprint), hex(r.totals.fingerprint));
 }
 
-// An answer's own totals, counts and list must agree with each other.
+// Totals, counts and list of one answer must agree with each other.
 void require_consistent(const Place& place, const Asked& asked, const Answer& answer) {
-  const uint64_t contacts = [&] {
-    uint64_t sum = 0;
-    for (uint count : answer.counts) sum += count;
-    return sum;
-  }();
-  Collisions told = answer.totals;
-  told.pairs = contacts / 2;
-  told.colliding_spheres = uint64_t(std::ranges::count_if(answer.counts, colliding));
+  uint64_t contacts = 0;
+  for (const uint count : answer.counts) contacts += count;
+  Answer told = answer;
+  told.totals.pairs = contacts / 2;
+  told.totals.colliding_spheres = uint64_t(std::ranges::count_if(answer.counts, colliding));
   const std::string who = label(asked);
-  if (contacts % 2 != 0 || !same_totals(told, answer.totals))
-    report_totals(place, who + " (totals)", answer.totals, who + " (counts per sphere)", told, "totals and counts");
+  if (contacts % 2 != 0)
+    report_part(place, who + " (counts)", who + " (pairs)", "the sum of all counts", fmt::to_string(contacts), "even");
+  require_same_parts(place, who + " (totals)", answer, who + " (counts)", told);
   if (!answer.pairs) return;
-  told.pairs = answer.pairs->size();
-  told.fingerprint = fingerprint(*answer.pairs);
-  if (!same_totals(told, answer.totals))
-    report_totals(place, who + " (totals)", answer.totals, who + " (list of pairs)", told, "totals and list");
+  told.totals.pairs = answer.pairs->size();
+  told.totals.fingerprint = fingerprint(*answer.pairs);
+  require_same_parts(place, who + " (totals)", answer, who + " (list)", told);
 }
 
 }  // namespace
@@ -107,8 +112,9 @@ Asked reference_for(Session& session, const CollideOptions& options, uint64_t n)
 }
 
 bool same_answer(const Answer& left, const Answer& right) {
-  return same_totals(left.totals, right.totals) && left.counts == right.counts &&
-         (!left.pairs || !right.pairs || *left.pairs == *right.pairs);
+  const Collisions &l = left.totals, &r = right.totals;
+  return l.pairs == r.pairs && l.colliding_spheres == r.colliding_spheres && l.fingerprint == r.fingerprint &&
+         left.counts == right.counts && (!left.pairs || !right.pairs || *left.pairs == *right.pairs);
 }
 
 Answer answer_of(Backend& backend, bool want_pairs) {
@@ -151,49 +157,54 @@ json scene_json(const SceneOptions& o) {
 
 void require_equal(Session& session, const Place& place, const Asked& reference, const Answer& expected,
                    const Asked& asked, const Answer& found) {
-  require_consistent(place, asked, found);
-  if (same_answer(expected, found)) return;
-  // Sets too large to be kept are listed now, once, to name the pair.
-  const std::vector<Pair> left = expected.pairs ? *expected.pairs : *ask(session, reference, true).pairs;
-  const std::vector<Pair> right = found.pairs ? *found.pairs : *ask(session, asked, true).pairs;
-  if (const auto difference = first_difference(left, right)) report_pair(place, reference, asked, *difference);
-  const auto at = std::ranges::mismatch(expected.counts, found.counts).in1 - expected.counts.begin();
-  report_totals(place, label(reference), expected.totals, label(asked), found.totals,
-                size_t(at) < expected.counts.size() ? fmt::format("the count of sphere {}", at) : "totals");
+  require_consistent(place, reference, expected);
+  if (!same_answer(expected, found)) {
+    // Sets too large to be kept are listed now, once, to name the pair.
+    const std::vector<Pair> left = expected.pairs ? *expected.pairs : *ask(session, reference, true).pairs;
+    const std::vector<Pair> right = found.pairs ? *found.pairs : *ask(session, asked, true).pairs;
+    if (const auto difference = first_difference(left, right)) report_pair(place, reference, asked, *difference);
+    require_same_parts(place, label(reference), expected, label(asked), found);
+  }
+  session.comparisons.made(asked.backend->info().name, Comparisons::sets);
 }
 
-void require_same_state(const Place& place, const Backend& reference, const Backend::State& expected,
+void require_same_state(Session& session, const Place& place, const Backend& reference, const Backend::State& expected,
                         const Backend& backend, const Backend::State& found) {
-  constexpr const char* names[] = {"x", "y", "z", "w"};
-  const auto compare = [&](const std::vector<vec4>& left, const std::vector<vec4>& right, const char* what) {
-    for (size_t i = 0; i < left.size(); ++i) {
-      const float l[] = {left[i].x, left[i].y, left[i].z, left[i].w};
-      const float r[] = {right[i].x, right[i].y, right[i].z, right[i].w};
-      for (int k = 0; k < 4; ++k) {
-        if (float_bits(l[k]) == float_bits(r[k])) continue;
-        json details = place_json(place, reference.info().name, backend.info().name);
-        details["sphere"] = i;
-        details["component"] = fmt::format("{} {}", what, names[k]);
-        details["bits"] = {fmt::format("{:08x}", float_bits(l[k])), fmt::format("{:08x}", float_bits(r[k]))};
-        throw DifferenceFound(
-            fmt::format("{}: {} and {} differ in state, first in {} {} of sphere {}: 0x{:08x} ({}) against "
-                        "0x{:08x} ({})",
-                        place_text(place), reference.info().name, backend.info().name, what, names[k], i,
-                        float_bits(l[k]), l[k], float_bits(r[k]), r[k]),
-            details);
+  const std::string left = reference.info().name, right = backend.info().name;
+  const auto compare = [&](const std::vector<vec4>& l, const std::vector<vec4>& r, const char* what) {
+    if (l.size() != r.size())
+      report_part(place, left, right, fmt::format("how many spheres have a {}", what), fmt::to_string(l.size()),
+                  fmt::to_string(r.size()));
+    for (size_t i = 0; i < l.size(); ++i) {
+      constexpr std::pair<const char*, float vec4::*> components[] = {
+          {"x", &vec4::x}, {"y", &vec4::y}, {"z", &vec4::z}, {"w", &vec4::w}};
+      for (const auto& [name, component] : components) {
+        const float a = l[i].*component, b = r[i].*component;
+        if (float_bits(a) == float_bits(b)) continue;
+        report_part(place, left, right, fmt::format("state, first in {} {} of sphere {}", what, name, i),
+                    fmt::format("0x{:08x} ({})", float_bits(a), a), fmt::format("0x{:08x} ({})", float_bits(b), b));
       }
     }
   };
   compare(expected.positions, found.positions, "position");
   compare(expected.velocities, found.velocities, "velocity");
-  const auto [left, right] = std::ranges::mismatch(expected.wide, found.wide);
-  if (left == expected.wide.end() && right == found.wide.end()) return;
-  json details = place_json(place, reference.info().name, backend.info().name);
-  details["wide word"] = left - expected.wide.begin();
-  throw DifferenceFound(
-      fmt::format("{}: {} and {} differ in the low bits of their state, first in word {}", place_text(place),
-                  reference.info().name, backend.info().name, left - expected.wide.begin()),
-      details);
+  const auto [l, r] = std::ranges::mismatch(expected.wide, found.wide);
+  const auto word = [](const std::vector<uint>& words, std::vector<uint>::const_iterator at) {
+    return at == words.end() ? "no word" : fmt::format("0x{:08x}", *at);
+  };
+  if (l != expected.wide.end() || r != found.wide.end())
+    report_part(place, left, right,
+                fmt::format("the low bits of their state, first in word {}", l - expected.wide.begin()),
+                word(expected.wide, l), word(found.wide, r));
+  session.comparisons.made(right, Comparisons::states);
+}
+
+uint64_t require_same_states(Session& session, const Place& place) {
+  const Backend::State expected = session.reference().state();
+  for (const auto& backend : session.backends())
+    if (backend.get() != &session.reference())
+      require_same_state(session, place, session.reference(), expected, *backend, backend->state());
+  return state_hash(expected.positions, expected.velocities, expected.wide);
 }
 
 }  // namespace spherepair

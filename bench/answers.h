@@ -47,10 +47,15 @@ struct Place {
 std::string scene_label(const SceneOptions& options);  // aligned 8x16
 json scene_json(const SceneOptions& options);
 
-// Throw DifferenceFound. Counts, totals and fingerprints are compared always, pairs when both answers have them.
+// Both throw DifferenceFound that names the first difference, and count the comparison in session.comparisons.
+// Counts, totals and fingerprints are compared always, pairs when both answers have them; an answer that contradicts
+// itself is a difference too.
 void require_equal(Session& session, const Place& place, const Asked& reference, const Answer& expected,
                    const Asked& asked, const Answer& found);
-void require_same_state(const Place& place, const Backend& reference, const Backend::State& expected,
+void require_same_state(Session& session, const Place& place, const Backend& reference, const Backend::State& expected,
                         const Backend& backend, const Backend::State& found);
+
+// Compares the state of every backend with the reference's; returns its hash.
+uint64_t require_same_states(Session& session, const Place& place);
 
 }  // namespace spherepair

@@ -70,15 +70,19 @@ void BenchScene::check_motion(const BenchRow& row) {
     backend->upload(scene_);
     backend->move();
   }
-  require_same_state({options_, 1}, reference, reference.state(), *row.backend, row.backend->state());
+  require_same_state(session_, {options_, 1}, reference, reference.state(), *row.backend, row.backend->state());
 }
 
 uint64_t BenchScene::check(const BenchRow& row, const Sampling& sampling) {
   const auto known = batches_.find(row.name);
   if (known != batches_.end()) return known->second;
   restore(*row.backend);
-  if (row.work && *row.work != Work::move) check_answer(row);
-  if (row.work && *row.work != Work::collide) check_motion(row);
+  const bool moves = row.work && *row.work != Work::collide, collides = row.work && *row.work != Work::move;
+  session_.comparisons.plan(row.backend->info().name, Comparisons::sets, collides);
+  session_.comparisons.plan(row.backend->info().name, Comparisons::states, moves);
+  if (collides) check_answer(row);
+  if (moves) check_motion(row);
+  session_.comparisons.require_complete();
   return batches_[row.name] = choose_batch(contender_for(row), sampling);
 }
 

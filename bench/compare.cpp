@@ -19,7 +19,7 @@ class Record {
   Record(std::filesystem::path folder, const CommandLine& line, const Session& session, const Plan& plan)
       : folder_(std::move(folder)) {
     constexpr const char* levels[] = {"quick", "standard", "full"};
-    root_ = {{"format", "spherepair results 1"},
+    root_ = {{"format", results_format},
              {"verdict", "unfinished"},
              {"context", capture_context(line.words)},
              {"backends", session.to_json()},
@@ -40,6 +40,7 @@ class Record {
     json equality = json::array();
     for (const EqualityEntry& entry : study.equality) equality.push_back(to_json(entry));
     root_["equality"] = std::move(equality);
+    root_["comparisons"] = study.session.comparisons.to_json();
     root_["measurements"] = study.measurements;
     write_file(folder_ / "results.json", root_.dump(1) + "\n");
   }
@@ -70,7 +71,7 @@ void check_everything(Study& study) {
         study.equality.push_back(std::move(entry));
     }
     study.progress.clear();
-    fmt::print("checked {} scenes of {} spheres over {} steps in {:.0f} s: all answers equal\n",
+    fmt::print("checked {} scenes of {} spheres over {} steps in {:.0f} s: all sets and states equal\n",
                study.plan.scenes.size(), check.n, check.steps, seconds_since(start));
     std::fflush(stdout);
   }
@@ -120,6 +121,7 @@ int compare_command(const CommandLine& line, const CompareOptions& options) {
   try {
     check_everything(study);
     make_tables(study, record);
+    session.comparisons.require_complete();
   } catch (const DifferenceFound& difference) {
     progress.clear();
     record.set("verdict", "difference");
@@ -137,8 +139,8 @@ int compare_command(const CommandLine& line, const CompareOptions& options) {
   record.set("verdict", "equal");
   record.set("seconds", seconds);
   record.write(study);
-  fmt::print("\nNo difference between {} backends, in {:.0f} s. Results: {}\n", session.backends().size(), seconds,
-             folder.string());
+  fmt::print("\nNo difference between {} backends: {}, in {:.0f} s. Results: {}\n", session.backends().size(),
+             session.comparisons.text(), seconds, folder.string());
   return kOk;
 }
 
@@ -146,8 +148,9 @@ int equal_command(const EqualOptions& options) {
   const json left = read_results(options.left), right = read_results(options.right);
   const RecordComparison result = compare_records(left, right);
   for (const std::string& difference : result.differences) fmt::print("DIFFERENT: {}\n", difference);
-  fmt::print("{} configurations compared, {} differ; {} only in {}, {} only in {}\n", result.compared,
-             result.differences.size(), result.only_left, options.left, result.only_right, options.right);
+  for (const auto& [file, only] : {std::pair{options.left, result.only_left}, {options.right, result.only_right}})
+    if (!only.empty()) fmt::print("only in {}: {} configurations, such as {}\n", file, only.size(), only.front());
+  fmt::print("{} configurations compared, {} differ\n", result.compared, result.differences.size());
   if (result.compared == 0)
     throw std::invalid_argument(
         "the two runs have no configuration in common: run both with the same scenes, --n, --steps and --seed");

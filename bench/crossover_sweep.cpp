@@ -109,7 +109,9 @@ void CrossoverSweep::measure_scene(const SphereKind& kind, const SceneOptions& o
     if (slow_.contains(backend->info().name + " auto")) continue;
     std::vector<Way> ways = ways_of(*backend);
     std::erase_if(ways, [&](const Way& w) { return slow_.contains(backend->info().name + " " + w.name); });
+    session_.comparisons.plan(backend->info().name, Comparisons::sets, ways.size());
     check(options, expected, ways);
+    session_.comparisons.require_complete();
     time(kind, options, ways);
   }
 }

@@ -8,6 +8,8 @@
 
 namespace spherepair {
 
+inline constexpr const char* results_format = "spherepair results 1";
+
 struct Checkpoint {
   uint64_t step, pairs, colliding_spheres;
   Fingerprint fingerprint;
@@ -24,11 +26,13 @@ struct EqualityEntry {
 json to_json(const EqualityEntry& entry);
 
 struct RecordComparison {
-  uint64_t compared = 0, only_left = 0, only_right = 0;
-  std::vector<std::string> differences;
+  uint64_t compared = 0;
+  std::vector<std::string> differences, only_left, only_right;  // configurations
 };
 
-// Compares the configurations (scene with all its options, set, step) that two results.json hold both.
+// Compares the configurations (scene with all its options, set, step) that two results.json hold both. Throws
+// std::invalid_argument that says where one is no record of equality: another format or verdict, fewer comparisons than
+// planned, something missing or of the wrong kind, one configuration recorded with two answers.
 RecordComparison compare_records(const json& left, const json& right);
 
 // Throws std::invalid_argument for a file that cannot be read or is no results.json.

@@ -229,7 +229,7 @@ int frames_command(const CommandLine& line, const FramesOptions& options) {
   for (const std::string& draw : options.draws) draw_method_from_name(draw);
   for (const std::string& place : options.places) require_known("place of the camera", place, {"outside", "inside"});
   for (const std::string& work : options.works) require_known("work", work, {"frame", "frame_all", "lit", "loop"});
-  Session session(options.backends, line.open);
+  Session session(options.backends, line.open, line.opener);
   fmt::print("{}\n", session.summary());
   json record = {{"format", "spherepair frames 1"}, {"context", capture_context(line.words)},
                  {"backends", session.to_json()},   {"width", options.width},

@@ -17,7 +17,7 @@ bool is_all_pairs_of_devices(Method method) {
   return method == Method::collide_tiled || method == Method::collide_square || method == Method::collide_triangle;
 }
 
-// One set that several answer: who they are and what the reference said.
+// One set that several find: who they are and what the reference said.
 struct SetCheck {
   Asked reference;
   std::vector<Asked> others;
@@ -25,9 +25,9 @@ struct SetCheck {
   uint64_t last_pairs = UINT64_MAX;  // at the last comparison: decides whether lists are worth asking for
 };
 
-std::vector<SetCheck> group_by_set(Session& session, const LockstepPlan& plan) {
+std::vector<SetCheck> group_by_set(Session& session, const LockstepPlan& plan, const std::vector<Asked>& all) {
   std::vector<SetCheck> sets;
-  for (const Asked& asked : everyone(session, plan.methods, plan.blocks)) {
+  for (const Asked& asked : all) {
     const std::string name = set_name(asked.options);
     auto found = std::ranges::find_if(sets, [&](const SetCheck& set) { return set.entry.set == name; });
     if (found == sets.end()) {
@@ -42,6 +42,32 @@ std::vector<SetCheck> group_by_set(Session& session, const LockstepPlan& plan) {
   return sets;
 }
 
+bool is_compared(const LockstepPlan& plan, uint64_t step) { return step % plan.every == 0 || step == plan.steps; }
+
+// From the list of all configurations and the steps alone, and not from what is then done about them.
+void plan_comparisons(Session& session, const LockstepPlan& plan, const std::vector<Asked>& all) {
+  const uint64_t steps = plan.steps / plan.every + 1 + (plan.steps % plan.every != 0);
+  uint64_t planned = 0;
+  for (const auto& backend : session.backends()) {
+    const auto takes_part = [&](const Asked& asked) {
+      return asked.backend == backend.get() &&
+             label(asked) != label(reference_for(session, asked.options, plan.scene.n));
+    };
+    const uint64_t configurations = uint64_t(std::ranges::count_if(all, takes_part));
+    const bool other = backend.get() != &session.reference();
+    if (other && configurations == 0)
+      throw std::invalid_argument(
+          fmt::format("nothing that {} finds would be compared: it has none of the chosen methods; choose another with "
+                      "--methods, or leave {} out with --backends",
+                      backend->info().name, backend->info().name));
+    session.comparisons.plan(backend->info().name, Comparisons::sets, configurations * steps);
+    session.comparisons.plan(backend->info().name, Comparisons::states, other ? steps : 0);
+    planned += configurations;
+  }
+  if (planned == 0)
+    throw std::invalid_argument("nothing would be compared: the only method chosen is the reference itself");
+}
+
 void check_set(Session& session, const Place& place, SetCheck& set, uint64_t state, uint64_t largest_list) {
   Answer expected = ask(session, set.reference, set.last_pairs <= largest_list);
   if (!expected.pairs && expected.totals.pairs <= largest_list) expected = ask(session, set.reference, true);
@@ -51,14 +77,6 @@ void check_set(Session& session, const Place& place, SetCheck& set, uint64_t sta
   set.last_pairs = expected.totals.pairs;
   set.entry.checkpoints.push_back(
       {place.step, expected.totals.pairs, expected.totals.colliding_spheres, expected.totals.fingerprint, state});
-}
-
-uint64_t check_states(Session& session, const Place& place) {
-  const Backend::State expected = session.reference().state();
-  for (const auto& backend : session.backends())
-    if (backend.get() != &session.reference())
-      require_same_state(place, session.reference(), expected, *backend, backend->state());
-  return state_hash(expected.positions, expected.velocities, expected.wide);
 }
 
 }  // namespace
@@ -84,18 +102,21 @@ std::vector<Asked> everyone(Session& session, const std::vector<Method>& methods
 std::vector<EqualityEntry> check_lockstep(Session& session, const LockstepPlan& plan, Progress& progress) {
   const Scene scene = make_scene(plan.scene);
   for (const auto& backend : session.backends()) backend->upload(scene);
-  std::vector<SetCheck> sets = group_by_set(session, plan);
+  const std::vector<Asked> all = everyone(session, plan.methods, plan.blocks);
+  plan_comparisons(session, plan, all);
+  std::vector<SetCheck> sets = group_by_set(session, plan, all);
   for (uint64_t step = 0; step <= plan.steps; ++step) {
     if (step > 0)
       for (const auto& backend : session.backends()) backend->move();
-    if (step % plan.every != 0 && step != plan.steps) continue;
+    if (!is_compared(plan, step)) continue;
     progress.say(
         fmt::format("checking {} n = {}: step {} of {}", scene_label(plan.scene), plan.scene.n, step, plan.steps));
     const Place place{plan.scene, step};
-    const uint64_t state = check_states(session, place);
+    const uint64_t state = require_same_states(session, place);
     for (SetCheck& set : sets) check_set(session, place, set, state, plan.largest_list);
     for (const auto& backend : session.backends()) backend->check_guards();
   }
+  session.comparisons.require_complete();
   std::vector<EqualityEntry> entries;
   for (SetCheck& set : sets) entries.push_back(std::move(set.entry));
   return entries;

@@ -16,7 +16,8 @@ struct LockstepPlan {
   uint64_t largest_list = 1'000'000;  // pairs; larger sets are compared by counts, totals and fingerprint
 };
 
-// What agreed, one entry for each set. Throws DifferenceFound at the first difference.
+// What agreed, one entry for each set. Throws DifferenceFound at the first difference, std::invalid_argument where
+// nothing of an open backend would be compared, std::logic_error where fewer comparisons were made than planned.
 std::vector<EqualityEntry> check_lockstep(Session& session, const LockstepPlan& plan, Progress& progress);
 
 // Everyone who runs these methods, at these group sizes where a method has one. On the CPU the devices' arrangements of

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "program.h"
+#include "command_line.h"
 
 int main(int argc, char** argv) { return spherepair::run_program(argc, argv); }

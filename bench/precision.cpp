@@ -124,7 +124,7 @@ int precision_command(const CommandLine& line, const PrecisionOptions& options) 
   make_precision_plan(options, false);  // bad values end here, before any work
   const std::filesystem::path folder = options.results.empty() ? default_results() : options.results;
   prepare_folder(folder);
-  Session session(options.backends, line.open);
+  Session session(options.backends, line.open, line.opener);
   const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
   const PrecisionPlan plan = make_precision_plan(options, hardware);
   fmt::print("spherepair {} ({})\n{}", build_info.version, build_info.commit, session.summary());

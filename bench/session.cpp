@@ -24,7 +24,7 @@ std::string device_label(const BackendInfo& info) {
   return info.device + (info.software ? " (SOFTWARE: OpenGL on the CPU)" : "");
 }
 
-Session::Session(const std::vector<std::string>& names, const OpenOptions& options, Opener opener) {
+Session::Session(const std::vector<std::string>& names, const OpenOptions& options, const Opener& opener) {
   for (const std::string& name : names.empty() ? backend_names() : names) {
     if (find(name)) continue;
     try {

@@ -2,22 +2,24 @@
 // The backends of this process: which are open, which are missing and why, and what their first steps took.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "backend.h"
+#include "comparisons.h"
 #include "report.h"
 
 namespace spherepair {
 
 // open_backend, or what a test puts in its place to have backends that answer wrongly.
-using Opener = std::unique_ptr<Backend> (*)(const std::string& name, const OpenOptions& options);
+using Opener = std::function<std::unique_ptr<Backend>(const std::string& name, const OpenOptions& options)>;
 
 class Session {
  public:
   // With an empty list every backend is tried and a missing one is only noted; a backend asked for by name must open.
-  Session(const std::vector<std::string>& names, const OpenOptions& options, Opener opener = open_backend);
+  Session(const std::vector<std::string>& names, const OpenOptions& options, const Opener& opener = open_backend);
 
   const std::vector<std::unique_ptr<Backend>>& backends() const { return backends_; }
   std::vector<Backend*> devices() const;  // all but the CPU
@@ -25,6 +27,9 @@ class Session {
 
   // The CPU, or the first backend that opened: what the others are compared with.
   Backend& reference() const { return *backends_.front(); }
+
+  // Of the whole run: every check plans what it will compare, and every comparison that found equality counts itself.
+  Comparisons comparisons;
 
   // Enqueues, waits, and keeps the time of a kernel's first use in this process, which compiles it.
   void collide(Backend& backend, const CollideOptions& options);

@@ -51,10 +51,13 @@ MotionSetEntry run_everywhere(Session& session, const SetPlan& plan, const Scene
       first = std::move(run);
       continue;
     }
+    session.comparisons.plan(backend->info().name, Comparisons::sets, 1);
+    session.comparisons.plan(backend->info().name, Comparisons::states, 1);
     const auto asked = [&](Backend& b) { return Asked{&b, {.method = choose_method("", b)}}; };
-    require_same_state({options, steps}, *first->backend, first->state, *backend, run.state);
+    require_same_state(session, {options, steps}, *first->backend, first->state, *backend, run.state);
     require_equal(session, {options, steps}, asked(*first->backend), first->answer, asked(*backend), run.answer);
   }
+  session.comparisons.require_complete();
   entry.found = set_error(*first->answer.pairs, right);
   entry.whole = set_error(state_pairs(scene, first->state), right);
   entry.rms = errors_of(scene, steps, first->state).rms;

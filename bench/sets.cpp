@@ -123,7 +123,7 @@ int sets_command(const CommandLine& line, const SetsOptions& options) {
   make_set_plan(options, false);  // bad values end here, before any work
   const std::filesystem::path folder = options.results.empty() ? default_results() : options.results;
   prepare_folder(folder);
-  Session session(options.backends, line.open);
+  Session session(options.backends, line.open, line.opener);
   const SetPlan plan =
       make_set_plan(options, std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); }));
   fmt::print("spherepair {} ({})\n{}", build_info.version, build_info.commit, session.summary());

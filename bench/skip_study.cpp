@@ -132,7 +132,8 @@ void SkipStudy::check_moves(const Turn& turn) {
   const Backend::State right = moved(*reference().backend, true);
   spending(spent.checking, [&] {
     for (const bool on : {false, true})
-      require_same_state({options, moves_checked}, *reference().backend, right, *turn.on, moved(*turn.on, on));
+      require_same_state(session_, {options, moves_checked}, *reference().backend, right, *turn.on,
+                         moved(*turn.on, on));
   });
 }
 
@@ -152,7 +153,11 @@ void SkipStudy::take(Turn turn) {
   try {
     if (skip.open_off && turn.off->info().details == turn.on->info().details)
       throw std::invalid_argument("this driver does not offer it");
+    session_.comparisons = {};  // what was left out before planned more than it made
+    session_.comparisons.plan(turn.on->info().name, Comparisons::sets, skip.work == Work::collide ? 2 : 0);
+    session_.comparisons.plan(turn.on->info().name, Comparisons::states, skip.work == Work::bounce ? 2 : 0);
     check(turn);
+    session_.comparisons.require_complete();
   } catch (const BackendError& error) {
     left_out.push_back(name + ": " + error.what());
     return;

@@ -66,13 +66,20 @@ void Study::upload(const SceneOptions& options) {
   for (const auto& backend : session.backends()) backend->upload(scene);
 }
 
-// Compares all answers at the present state, set by set; returns the state's hash.
-uint64_t Study::check_step(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t step) {
-  const Place place{scene, step};
-  const Backend::State expected = session.reference().state();
+// Of everyone but the references, and of the states of all backends but one.
+void Study::plan_comparisons(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t steps) {
   for (const auto& backend : session.backends())
-    require_same_state(place, session.reference(), expected, *backend, backend->state());
-  const uint64_t state = state_hash(expected.positions, expected.velocities, expected.wide);
+    if (backend.get() != &session.reference())
+      session.comparisons.plan(backend->info().name, Comparisons::states, steps);
+  for (const Asked& one : asked)
+    if (label(one) != label(reference_for(session, one.options, scene.n)))
+      session.comparisons.plan(one.backend->info().name, Comparisons::sets, steps);
+}
+
+// Compares all answers at the present state, set by set.
+void Study::check_step(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t step) {
+  const Place place{scene, step};
+  const uint64_t state = require_same_states(session, place);
   std::map<std::string, std::vector<Asked>> sets;
   for (const Asked& one : asked) sets[set_name(one.options)].push_back(one);
   for (const auto& [name, members] : sets) {
@@ -89,24 +96,29 @@ uint64_t Study::check_step(const SceneOptions& scene, const std::vector<Asked>& 
         {step, answer.totals.pairs, answer.totals.colliding_spheres, answer.totals.fingerprint, state});
     equality.push_back(std::move(entry));
   }
-  return state;
+}
+
+// At the start, and where it will be moved after a step too.
+void Study::check_steps(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t steps) {
+  plan_comparisons(scene, asked, steps);
+  upload(scene);
+  for (uint64_t step = 0; step < steps; ++step) {
+    if (step > 0)
+      for (const auto& backend : session.backends()) backend->move();
+    check_step(scene, asked, step);
+  }
+  session.comparisons.require_complete();
 }
 
 Answer Study::check(const SceneOptions& scene, const std::vector<Asked>& asked) {
-  upload(scene);
-  check_step(scene, asked, 0);
+  check_steps(scene, asked, 1);
   return ask(session, asked.front(), false);
 }
 
 std::vector<Samples> Study::time(const std::string& table, const SceneOptions& scene, const std::vector<Task>& tasks) {
   progress.say(fmt::format("{}: checking {} n = {}", table, scene_label(scene), scene.n));
-  const std::vector<Asked> asked = to_check(tasks);
-  upload(scene);
-  check_step(scene, asked, 0);
-  if (std::ranges::any_of(tasks, [](const Task& task) { return task.work != Work::collide; })) {
-    for (const auto& backend : session.backends()) backend->move();
-    check_step(scene, asked, 1);
-  }
+  const bool moves = std::ranges::any_of(tasks, [](const Task& task) { return task.work != Work::collide; });
+  check_steps(scene, to_check(tasks), moves ? 2 : 1);
   std::vector<Contender> contenders;
   for (const Task& task : tasks) contenders.push_back(contender_for(task));
   std::vector<Samples> samples = measure(contenders, plan.sampling, progress);

@@ -40,7 +40,9 @@ class Study {
 
  private:
   void upload(const SceneOptions& options);
-  uint64_t check_step(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t step);
+  void plan_comparisons(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t steps);
+  void check_step(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t step);
+  void check_steps(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t steps);
   void record(const std::string& table, const SceneOptions& scene, const Task& task, const Samples& samples);
 
   std::map<std::string, std::string> referees_;  // by set: who the last check trusted

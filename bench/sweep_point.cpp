@@ -128,6 +128,7 @@ PointTimes time_point(Session& session, const SweepPoint& point, const Ceilings&
   if (point.in_cell_order) scene = in_cell_order(scene);
   const std::vector<Asked> all = prepare(session, point, scene, times.left_out);
   scene = {};
+  for (const Asked& asked : all) session.comparisons.plan(asked.backend->info().name, Comparisons::sets, 1);
   std::map<std::string, Answer> expected;
   std::vector<Contender> contenders;
   std::vector<Collisions> totals;
@@ -140,6 +141,7 @@ PointTimes time_point(Session& session, const SweepPoint& point, const Ceilings&
     contenders.push_back({label(asked), asked.backend, [options = asked.options](Backend& b) { b.collide(options); }});
   }
   expected.clear();
+  session.comparisons.require_complete();
   const std::vector<Samples> samples = measure(contenders, sampling, progress);
   for (size_t k = 0; k < all.size(); ++k)
     times.measurements.push_back(row_of(session, point, all[k], referee(all, all[k]), totals[k], ceilings, samples[k]));

@@ -82,6 +82,7 @@ std::vector<Naive> all_naive_errors(Study& study, const std::vector<Asked>& all)
   place.name = "grazing";
   const Scene scene = make_scene(place);
   for (const auto& backend : study.session.backends()) backend->upload(scene);
+  for (const Asked& asked : all) study.session.comparisons.plan(asked.backend->info().name, Comparisons::sets, 1);
   std::vector<Naive> errors;
   for (const Asked& asked : all) errors.push_back(naive_errors(study, asked, place));
   return errors;

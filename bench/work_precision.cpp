@@ -17,11 +17,12 @@ SceneOptions scene_options(const PrecisionPlan& plan, MotionOptions motion, int 
   return {.name = "random", .n = n, .seed = plan.seed, .motion = motion, .dt = std::ldexp(1.0f, -k)};
 }
 
-void require_equal_states(Session& session, const SceneOptions& scene, uint64_t step) {
-  const Backend::State expected = session.reference().state();
+void compare_states(Session& session, const SceneOptions& scene, uint64_t step) {
   for (const auto& backend : session.backends())
     if (backend.get() != &session.reference())
-      require_same_state({scene, step}, session.reference(), expected, *backend, backend->state());
+      session.comparisons.plan(backend->info().name, Comparisons::states, 1);
+  require_same_states(session, {scene, step});
+  session.comparisons.require_complete();
 }
 
 ErrorEntry run_for_errors(Backend& backend, const Scene& scene, int k, uint64_t steps) {
@@ -110,7 +111,7 @@ std::vector<ErrorEntry> measure_errors(Session& session, const PrecisionPlan& pl
         }
         entries.push_back(run_for_errors(*backend, scene, k, steps));
       }
-      if (all) require_equal_states(session, options, steps);
+      if (all) compare_states(session, options, steps);
     }
   return entries;
 }
@@ -130,7 +131,7 @@ std::vector<TimeEntry> measure_times(Session& session, const PrecisionPlan& plan
         for (int step = 0; step < 3; ++step) backend->move();
         for (const Work& work : works_of(motion)) contenders.push_back({work.name, backend.get(), work.step});
       }
-      require_equal_states(session, scene_options(plan, motion, k, plan.time_n), 3);
+      compare_states(session, scene_options(plan, motion, k, plan.time_n), 3);
       for (Samples& samples : measure(contenders, plan.sampling, progress)) {
         const std::string work = samples.label, backend = samples.backend;
         entries.push_back({motion, k, work, backend, scene.size(), bouncing, std::move(samples)});

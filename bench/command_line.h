@@ -7,6 +7,6 @@
 namespace spherepair {
 
 // Parses the words, of which the first is the program's name, runs the subcommand and returns the exit code (commands.h).
-int run_program(int argc, const char* const* argv, Opener opener = open_backend);
+int run_program(int argc, const char* const* argv, const Opener& opener = open_backend);
 
 }  // namespace spherepair

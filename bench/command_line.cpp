@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "program.h"
+#include "command_line.h"
 
 #include <fmt/format.h>
 
@@ -175,7 +175,7 @@ void add_studies(CLI::App& app, CommandLine& line, Action& action) {
 
 }  // namespace
 
-int run_program(int argc, const char* const* argv, Opener opener) {
+int run_program(int argc, const char* const* argv, const Opener& opener) {
   CLI::App app(
       "spherepair finds the colliding pairs of spheres, exactly, on the CPU, through GLSL compute shaders and through "
       "CUDA; shows that all find the same pairs; and times them.");

@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Puts deliberate faults into the code, one at a time, and says which tests find them.
+
+    tests/mutants/mutants.py [--only NAME ...] [--workers N] [--output FILE]
+
+Each mutant of mutant_list.py is put into a copy of the tree under build/mutants, built without CUDA and given to the ctest
+entries that it names, then, where it survives those, to all of ./check's that run without CUDA. The results go to
+tests/mutants/results.txt; the exit status is 1 when fewer than 95 % of the mutants were killed.
+"""
+import argparse
+import concurrent.futures
+import pathlib
+import queue
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+from mutant_list import MUTANTS
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+TARGETS = ["spherepair", "spherepair_faulty", "spherepair_tests"]
+NEEDED = 0.95
+SLOWEST = 1800  # seconds that all tests together may take; a mutant that hangs is killed, too
+
+
+class Tree:
+    """A copy of the tree with a build of its own."""
+
+    def __init__(self, folder):
+        self.folder, self.build = folder, folder / "build"
+        files = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=ROOT,
+                               check=True, capture_output=True, text=True).stdout
+        for name in filter(None, files.split("\0")):
+            source, target = ROOT / name, folder / name
+            if not source.is_file():
+                continue
+            if target.exists() and target.read_bytes() == source.read_bytes():
+                continue
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(source, target)
+            shutil.copymode(source, target)
+        self.run(["cmake", "-S", ".", "-B", "build", "-G", "Ninja", "-D", "CMAKE_BUILD_TYPE=Release",
+                  "-D", "CMAKE_CUDA_COMPILER=NOTFOUND"], check=True)
+
+    def run(self, command, check=False, timeout=None):
+        try:
+            done = subprocess.run(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                  errors="replace", timeout=timeout)
+        except subprocess.TimeoutExpired:
+            return 124, "no end after %d s" % timeout
+        if check and done.returncode:
+            sys.exit("%s failed in %s:\n%s" % (" ".join(command), self.folder, done.stdout[-4000:]))
+        return done.returncode, done.stdout
+
+    def make(self):
+        return self.run(["cmake", "--build", "build", "--parallel", "2", "--target", *TARGETS])
+
+    def test(self, entries):
+        """The name of the first test that fails and what it said, or None."""
+        pattern = ["-R", "^(%s)$" % "|".join(map(re.escape, entries))] if entries else ["-E", "^(lint[.]|paper[.])"]
+        status, said = self.run(["ctest", "--test-dir", "build", "--stop-on-failure", "--output-on-failure",
+                                 "--no-tests=error", *pattern], timeout=SLOWEST)
+        if status == 0:
+            return None
+        failed = re.findall(r"\[  FAILED  \] (\S+)", said) or re.findall(r"\d+ - (\S+) \((?:Failed|Timeout|SEGFAULT|\S+)\)", said)
+        return failed[0].rstrip(",") if failed else said.strip().splitlines()[-1][:80]
+
+
+def check(mutant):
+    """Exactly one place of the file has the mutant's text."""
+    text = (ROOT / mutant["file"]).read_text()
+    if text.count(mutant["old"]) != 1:
+        sys.exit("%s: '%s' stands %d times in %s, not once" % (mutant["name"], mutant["old"], text.count(mutant["old"]), mutant["file"]))
+
+
+def try_mutant(mutant, tree):
+    file = tree.folder / mutant["file"]
+    right = file.read_text()
+    start = time.monotonic()
+    file.write_text(right.replace(mutant["old"], mutant["new"]))
+    try:
+        status, said = tree.make()
+        if status:
+            return "is no program: " + next((line for line in said.splitlines() if "error" in line), said[-200:])
+        killer = tree.test(mutant["tests"]) or tree.test([])
+        return "killed by %s after %.0f s" % (killer, time.monotonic() - start) if killer else "SURVIVED"
+    finally:
+        file.write_text(right)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--only", nargs="+", default=[], metavar="NAME", help="these mutants, and no results are written")
+    parser.add_argument("--workers", type=int, default=1, help="copies of the tree that are worked on at a time")
+    parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path(__file__).with_name("results.txt"))
+    options = parser.parse_args()
+    mutants = [m for m in MUTANTS if not options.only or m["name"] in options.only]
+    for mutant in mutants:
+        check(mutant)
+    trees = queue.Queue()
+    for k in range(options.workers):
+        tree = Tree(ROOT / "build" / "mutants" / str(k))
+        status, said = tree.make()
+        if status:
+            sys.exit("the tree as it is cannot be built:\n" + said[-4000:])
+        trees.put(tree)
+    used = sorted({entry for mutant in mutants for entry in mutant["tests"]})
+    tree = trees.get()
+    failing = tree.test(used)
+    trees.put(tree)
+    if failing:
+        sys.exit("%s fails without a mutant" % failing)
+
+    def one(mutant):
+        tree = trees.get()
+        try:
+            result = try_mutant(mutant, tree)
+        finally:
+            trees.put(tree)
+        print("%-34s %s" % (mutant["name"], result), flush=True)
+        return result
+
+    with concurrent.futures.ThreadPoolExecutor(options.workers) as pool:
+        results = list(pool.map(one, mutants))
+    killed = sum(result.startswith("killed") for result in results)
+    lines = ["%-34s %-34s %s" % (m["name"], m["file"], r) for m, r in zip(mutants, results)]
+    lines.append("\n%d of %d mutants killed" % (killed, len(mutants)))
+    if not options.only:
+        options.output.write_text("\n".join(lines) + "\n")
+    print(lines[-1])
+    return 0 if killed >= NEEDED * len(mutants) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
