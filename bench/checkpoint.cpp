@@ -5,6 +5,7 @@
 
 #include <cstring>
 
+#include "checkpoint_check.h"
 #include "file_bytes.h"
 #include "hash.h"
 #include "replaced_file.h"
@@ -167,7 +168,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
     read_part(reader, name, part, name == "positions" ? header.n : wanted_size(checkpoint, &part));
   });
   reader.finish();
-  check_scene(scene);
+  check_contents(checkpoint, path.string());
   return checkpoint;
 }
 

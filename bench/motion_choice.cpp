@@ -44,7 +44,7 @@ void add_motion_options(CLI::App& command, MotionChoice& motion) {
       ->capture_default_str();
   command.add_option("--precision", motion.precision, "Of the motion's state: float32, compensated or float64")
       ->capture_default_str();
-  command.add_option("--dt", motion.dt, "Seconds of a step")->capture_default_str();
+  command.add_option("--dt", motion.dt, "Seconds of a step, from 2^-60 to 2^20")->capture_default_str();
   command.add_option("--restitution", motion.restitution, "Speed after a bounce over speed before, 0 to 1")
       ->capture_default_str();
 }

@@ -13,6 +13,7 @@
 #include "choice.h"
 #include "context.h"
 #include "files.h"
+#include "finite_state.h"
 #include "legend.h"
 #include "photo.h"
 #include "png_file.h"
@@ -113,6 +114,7 @@ std::vector<uint> take_picture(const Series& series, uint64_t step, json& record
   Backend& backend = *series.chosen.backend;
   CollideOptions collide = {.method = series.method};
   if (series.shot.look.lighting) collide.grid.cells = Cells::dense;
+  require_finite(backend.state(), step);
   backend.collide(collide);
   record_of_it = record(series, step, backend.collisions());
   std::vector<uint> image = take(backend, series.shot);
@@ -157,7 +159,9 @@ int render_command(const CommandLine& line, const RenderOptions& options) {
   send(start, *chosen.backend);
   const double aspect = double(options.width) / options.height;
   for (uint64_t step = 0; step < options.steps; ++step) chosen.backend->move();
-  const Bounds bounds = bounds_of(chosen.backend->state().positions);
+  const Backend::State state = chosen.backend->state();
+  require_finite(state, start.step + options.steps);
+  const Bounds bounds = bounds_of(state.positions);
   const Camera camera = camera_of(options.camera, bounds, aspect);
   Look look = contact_look();
   if (lights) look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;

@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "context.h"
 #include "files.h"
+#include "finite_state.h"
 #include "missed_contacts.h"
 #include "replaced_file.h"
 
@@ -64,8 +65,7 @@ void print_steps(const std::vector<StepResult>& results) {
   fmt::print("{}", table.text().substr(1));
 }
 
-void save(Backend& backend, const Start& start, uint64_t step, const std::string& file) {
-  Backend::State state = backend.state();
+void save(Backend& backend, const Start& start, uint64_t step, Backend::State state, const std::string& file) {
   Checkpoint checkpoint{start.scene, backend.save(), step};
   checkpoint.scene.positions = std::move(state.positions);
   checkpoint.scene.velocities = std::move(state.velocities);
@@ -80,16 +80,20 @@ std::vector<StepResult> simulate(Backend& backend, const RunOptions& options, co
   const uint64_t end = start.step + options.steps;
   for (uint64_t step = start.step; step <= end; ++step) {
     if (step > start.step) backend.move();
-    const bool last = step == end;
-    if (!options.save_file.empty() && (last || (options.save_every && step % options.save_every == 0)))
-      save(backend, start, step, options.save_file);
-    if (!last && !options.per_step) continue;
+    const bool last = step == end, looks = last || options.per_step;
+    const bool on_the_way = options.save_every && step > start.step && step % options.save_every == 0;
+    const bool saves = !options.save_file.empty() && (last || on_the_way);
+    if (!looks && !saves) continue;
+    Backend::State state = backend.state();
+    require_finite(state, step);
+    const uint64_t hash = state_hash(state.positions, state.velocities, state.wide);
+    if (saves) save(backend, start, step, std::move(state), options.save_file);
+    if (!looks) continue;
     progress.say(fmt::format("step {} of {}", step, end));
     collide.want_pairs = last && !options.pairs_file.empty();
     backend.collide(collide);
     const Collisions totals = backend.collisions();
-    const Backend::State state = backend.state();
-    results.push_back({step, state_hash(state.positions, state.velocities, state.wide), totals});
+    results.push_back({step, hash, totals});
   }
   return results;
 }

@@ -9,6 +9,7 @@
 #include "answers.h"
 #include "choice.h"
 #include "closed_form.h"
+#include "finite_state.h"
 #include "hash.h"
 #include "missed_contacts.h"
 
@@ -30,9 +31,9 @@ RunAnswer run_for_set(Session& session, Backend& backend, const Scene& scene, ui
   backend.upload(scene);
   for (uint64_t step = 0; step < steps; ++step) backend.move();
   const Asked asked = {&backend, {.method = choose_method("", backend)}};
-  RunAnswer run = {&backend, {}, ask(session, asked, true)};
-  run.state = backend.state();
-  return run;
+  Backend::State state = backend.state();
+  require_finite(state, steps);
+  return {&backend, std::move(state), ask(session, asked, true)};
 }
 
 // The set of the first backend, which the others must find too. Where a GPU is, long runs are left to it.

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "choice.h"
+#include "finite_state.h"
 
 namespace spherepair {
 
@@ -58,6 +59,7 @@ void Viewer::list_choices() {
 void Viewer::go_on(size_t next) {
   Scene scene = start_.scene;
   const Backend::State state = backend().state();
+  require_finite(state, step_);
   const MotionState saved = backend().save();
   scene.positions = state.positions;
   scene.velocities = state.velocities;

@@ -8,6 +8,7 @@
 
 #include "answers.h"
 #include "closed_form.h"
+#include "finite_state.h"
 
 namespace spherepair {
 namespace {
@@ -31,7 +32,9 @@ ErrorEntry run_for_errors(Backend& backend, const Scene& scene, int k, uint64_t 
   for (uint64_t step = 1; step <= steps; ++step) {
     backend.move();
     if (step != steps && step % std::max<uint64_t>(steps / looks, 1) != 0) continue;
-    const MotionErrors errors = errors_of(scene, step, backend.state());
+    const Backend::State state = backend.state();
+    require_finite(state, step);
+    const MotionErrors errors = errors_of(scene, step, state);
     entry.rms_over_time = std::max(entry.rms_over_time, errors.rms);
     entry.largest_over_time = std::max(entry.largest_over_time, errors.largest);
     entry.rms = errors.rms, entry.largest = errors.largest, entry.energy = errors.energy;

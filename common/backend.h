@@ -106,7 +106,7 @@ class Backend {
   // Checks the scene (check_scene), allocates every buffer and copies. Throws BackendError when it does not fit.
   virtual void upload(const Scene& scene) = 0;
 
-  // Each enqueues work and returns; results wait for it. `move` is one step of the scene's motion method.
+  // Each enqueues work and returns; results wait for it. `move` is one step of the motion, or std::invalid_argument.
   virtual void move() = 0;
   // Of `anchored`: whether a step looks only at the spheres that are due, as it does unless told otherwise, or at all
   // that may ever meet the plane again. Never changes a bit of the state.

@@ -121,7 +121,7 @@ class CpuBackend final : public Backend {
   MotionState save() override { return motion_.save(threads_); }
   void resume(const Scene& scene, const MotionState& saved) override {
     upload(scene);
-    motion_.resume(saved);
+    motion_.resume(scene, saved);
   }
 
   void draw(const View& view, const DrawOptions& options) override {

@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "device_backend.h"
 #include "motion.h"
+#include "scene_bounds.h"
 
 namespace spherepair {
 namespace {
@@ -31,6 +34,7 @@ void check_swept(const std::string& backend, const CollideOptions& options, Moti
 
 void CpuMotion::upload(const Scene& scene) {
   motion_ = scene.motion;
+  unmovable_ = why_unmovable(scene);
   params_ = scene_params(scene, true);
   positions_ = scene.positions;
   velocities_ = scene.velocities;
@@ -61,16 +65,6 @@ void CpuMotion::store(uint64_t i, const Moving<Real>& sphere, bool whole) {
 }
 
 template <typename Real>
-Anchor<Real> CpuMotion::load_anchor(uint64_t i) const {
-  return {kept_.anchors[i],
-          snap(velocities_[i].x),
-          snap(velocities_[i].z),
-          load_real<Real>(kept_.flights, i),
-          load_real<Real>(kept_.flights, positions_.size() + i),
-          kept_.since[i]};
-}
-
-template <typename Real>
 void CpuMotion::step_all(int threads) {
   const uint method = uint(motion_.method);
 #pragma omp parallel for num_threads(threads) schedule(static) if (positions_.size() > few)
@@ -92,6 +86,7 @@ void CpuMotion::bounce_all(int threads) {
 }
 
 void CpuMotion::move(int threads) {
+  if (!unmovable_.empty()) throw std::invalid_argument(unmovable_);
   with_real(motion_.precision, [&](auto kind) {
     using Real = decltype(kind);
     if (motion_.method != MotionMethod::anchored) return step_all<Real>(threads);
@@ -126,6 +121,12 @@ Backend::State CpuMotion::state(int threads) {
 MotionState CpuMotion::save(int threads) {
   state(threads);
   return kept_;
+}
+
+void CpuMotion::resume(const Scene& scene, const MotionState& saved) {
+  unmovable_ = why_unmovable(scene, std::numeric_limits<float>::max());
+  kept_ = saved;
+  placed_ = motion_.method != MotionMethod::anchored;
 }
 
 }  // namespace spherepair

@@ -7,6 +7,17 @@
 
 namespace spherepair {
 
+template <typename Real>
+Anchor<Real> anchor_of(const MotionState& kept, const vec4& velocity, uint64_t i) {
+  const uint64_t n = kept.anchors.size();
+  return {kept.anchors[i],
+          snap(velocity.x),
+          snap(velocity.z),
+          load_real<Real>(kept.flights, i),
+          load_real<Real>(kept.flights, n + i),
+          kept.since[i]};
+}
+
 class CpuMotion {
  public:
   void upload(const Scene& scene);
@@ -19,7 +30,8 @@ class CpuMotion {
   Backend::State state(int threads);
 
   MotionState save(int threads);
-  void resume(const MotionState& saved) { kept_ = saved, placed_ = motion_.method != MotionMethod::anchored; }
+  // After the upload of that scene.
+  void resume(const Scene& scene, const MotionState& saved);
 
  private:
   template <typename Real>
@@ -27,7 +39,9 @@ class CpuMotion {
   template <typename Real>
   void store(uint64_t i, const Moving<Real>& sphere, bool whole);
   template <typename Real>
-  Anchor<Real> load_anchor(uint64_t i) const;
+  Anchor<Real> load_anchor(uint64_t i) const {
+    return anchor_of<Real>(kept_, velocities_[i], i);
+  }
   template <typename Real>
   void step_all(int threads);
   template <typename Real>
@@ -35,6 +49,7 @@ class CpuMotion {
   void place(int threads, bool whole);
 
   MotionOptions motion_;
+  std::string unmovable_;  // why
   Params params_{};
   std::vector<vec4> positions_, velocities_;
   MotionState kept_;

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <limits>
 
+#include "scene_bounds.h"
+
 namespace spherepair {
 namespace {
 
@@ -120,6 +122,7 @@ void DeviceBackend::upload(const Scene& scene) {
   write(SLOT_VELOCITY, scene.velocities.data(), 0, n_ * sizeof(vec4));
   equal_radii_ = scene.equal_radii;
   motion_ = scene.motion;
+  unmovable_ = why_unmovable(scene);
   constants_ = {scene_params(scene, false), scene_params(scene, true)};
   params_ = constants_[true];
   params_.n = uint(n_);

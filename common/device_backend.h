@@ -192,8 +192,9 @@ class DeviceBackend : public Backend {
   uint64_t n_ = 0;
   Variant variant_;  // for this scene and step
   MotionOptions motion_;
-  uint steps_ = 0;      // of anchored
-  bool placed_ = true;  // positions are those of this step
+  std::string unmovable_;  // why
+  uint steps_ = 0;         // of anchored
+  bool placed_ = true;     // positions are those of this step
   bool due_only_ = true;
   std::array<Params, 2> constants_{};  // of the scene: [exact]
   GridPlans plans_;

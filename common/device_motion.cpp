@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The motion of DeviceBackend: the state that a method keeps, one step, and where spheres of `anchored` are.
+#include <limits>
+
 #include "cpu_motion.h"
 #include "device_backend.h"
+#include "scene_bounds.h"
 
 namespace spherepair {
 
@@ -50,6 +53,7 @@ void DeviceBackend::prepare_positions() {
 
 void DeviceBackend::move() {
   require_scene("move");
+  if (!unmovable_.empty()) throw std::invalid_argument(unmovable_);
   if (motion_.method == MotionMethod::anchored) {
     check_steps(info().name, steps_++);
     launch_motion(Kernel::bounce, !due_only_);
@@ -100,6 +104,7 @@ MotionState DeviceBackend::save() {
 
 void DeviceBackend::resume(const Scene& scene, const MotionState& saved) {
   upload(scene);
+  unmovable_ = why_unmovable(scene, std::numeric_limits<float>::max());
   write_state(saved);
   placed_ = motion_.method != MotionMethod::anchored;
   moved_ = true;

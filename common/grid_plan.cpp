@@ -29,17 +29,22 @@ struct Extent {
   double length(int axis) const { return high[axis] - low[axis]; }
 };
 
+// Of the finite numbers: spheres may have left float32, and the others' cells are no worse for that.
 Extent extent_of(const std::vector<vec4>& spheres) {
-  if (spheres.empty()) return {};
   constexpr float most = std::numeric_limits<float>::max();
+  const auto widen = [](float& low, float& high, float x) {
+    if (std::isfinite(x)) low = std::min(low, x), high = std::max(high, x);
+  };
   float x0 = most, y0 = most, z0 = most, r0 = most, x1 = -most, y1 = -most, z1 = -most, r1 = 0;
 #pragma omp parallel for reduction(min : x0, y0, z0, r0) reduction(max : x1, y1, z1, r1) if (spheres.size() > 100000)
   for (size_t i = 0; i < spheres.size(); ++i) {
     const vec4& s = spheres[i];
-    x0 = std::min(x0, s.x), y0 = std::min(y0, s.y), z0 = std::min(z0, s.z), r0 = std::min(r0, s.w);
-    x1 = std::max(x1, s.x), y1 = std::max(y1, s.y), z1 = std::max(z1, s.z), r1 = std::max(r1, s.w);
+    widen(x0, x1, s.x), widen(y0, y1, s.y), widen(z0, z1, s.z), widen(r0, r1, s.w);
   }
-  return {{x0, y0, z0}, {x1, y1, z1}, r0, r1};
+  Extent extent{{x0, y0, z0}, {x1, y1, z1}, std::min(r0, r1), r1};
+  for (int axis = 0; axis < 3; ++axis)
+    if (extent.low[axis] > extent.high[axis]) extent.low[axis] = extent.high[axis] = 0;
+  return extent;
 }
 
 double cells_along(double length, double side) { return std::floor(length / side) + 1; }
@@ -50,18 +55,20 @@ uint64_t slot_limit(uint64_t n) { return std::max(slots_per_sphere * n, least_sl
 double place_margin(double cells) { return cells * 12 * 0x1p-24; }
 
 // The smallest side whose cells stay within the limit and are longer than the largest diameter, so that a sphere's
-// reach is less than a cell.
+// reach is less than a cell. At worst one cell holds everything.
 double dense_side(const Extent& extent, uint64_t n) {
   const double limit = double(slot_limit(n));
   const double longest = std::max({extent.length(0), extent.length(1), extent.length(2)});
+  const double one_cell = 2 * longest + 4.0 * double(extent.largest) + smallest_side;
   double side = std::max({2.0 * double(extent.largest) * (1 + 0x1p-8), longest * 0x1p-19, smallest_side});
-  for (;;) {
+  while (side < one_cell) {
     double cells = 1;
     for (int axis = 0; axis < 3; ++axis) cells *= cells_along(extent.length(axis), side);
     const double reach = 2.0 * double(extent.largest) / side + place_margin(cells_along(longest, side));
     if (cells <= limit && reach < 1 - 0x1p-9) return side;
     side *= std::max(std::min(std::cbrt(cells / limit), 1000.0), 1.002);
   }
+  return one_cell;
 }
 
 GridPlan dense_plan(const Extent& extent, uint64_t n) {
@@ -87,8 +94,10 @@ float middle_of(const std::vector<vec4>& spheres, float vec4::*axis) {
   const uint64_t m = std::min<uint64_t>(spheres.size(), 1023);
   std::vector<float> sample(m);
   for (uint64_t k = 0; k < m; ++k) sample[k] = spheres[k * spheres.size() / m].*axis;
-  std::ranges::nth_element(sample, sample.begin() + ptrdiff_t(m / 2));
-  return m ? sample[m / 2] : 0;
+  std::erase_if(sample, [](float x) { return !std::isfinite(x); });
+  const auto middle = sample.begin() + ptrdiff_t(sample.size() / 2);
+  std::ranges::nth_element(sample, middle);
+  return sample.empty() ? 0 : *middle;
 }
 
 void set_middle(GridPlan& plan, const std::vector<vec4>& spheres) {

@@ -50,8 +50,8 @@ void check_options(const SceneOptions& options);
 Scene make_scene(const SceneOptions& options);
 
 // Throws std::invalid_argument when a number is not finite or a radius negative: how many, the first one's index and
-// why. Methods other than `paper` also refuse what they cannot move: a time step that is not positive, a restitution
-// outside of 0..1, gravity upwards, and numbers above 2^60.
+// why. At rest a scene may hold any others; those of one that moves, its time step, restitution and gravity have bounds
+// as well (scene_bounds.h), which the first move checks.
 void check_scene(const Scene& scene);
 
 // How many spheres have a velocity that the scene's motion loses, since float32 positions are too coarse for one step

@@ -7,13 +7,16 @@
 #include <stdexcept>
 
 #include "hash.h"
-#include "scene.h"
+#include "scene_bounds.h"
 
 namespace spherepair {
 namespace {
 
 constexpr uint64_t many = 1 << 16;        // spheres from which on several threads share the work
 constexpr uint64_t hash_block = 1 << 20;  // recorded hashes of smaller states are those of a single chain
+
+constexpr const char* dt_bounds = "dt is {} s, but must be from 2^-60 to 2^20";
+bool is_time_step(float dt) { return dt >= shortest_step && dt <= longest_step; }
 
 }  // namespace
 
@@ -29,7 +32,7 @@ void check_options(const SceneOptions& o) {
     refuse(fmt::format("radius {} times radius ratio {} must be finite", o.radius, o.radius_ratio));
   if (!(o.packing_fraction >= 1e-15 && o.packing_fraction <= 0.74))
     refuse(fmt::format("packing fraction is {}, but must be from 1e-15 to 0.74", o.packing_fraction));
-  if (!(o.dt > 0) || !std::isfinite(o.dt)) refuse(fmt::format("dt is {} s, but must be positive and finite", o.dt));
+  if (!is_time_step(o.dt)) refuse(fmt::format(dt_bounds, o.dt));
   if (!(o.restitution >= 0 && o.restitution <= 1))
     refuse(fmt::format("restitution is {}, but must be from 0 to 1", o.restitution));
   if (!std::isfinite(o.offset)) refuse(fmt::format("offset is {}, but must be finite", o.offset));
@@ -42,51 +45,56 @@ void check_options(const SceneOptions& o) {
 
 namespace {
 
-// Squares of speeds must stay within the floats, and a time of impact needs gravity that pulls towards the plane.
-void check_motion(const Scene& scene) {
-  const auto refuse = [&](const std::string& why) {
-    throw std::invalid_argument(
-        fmt::format("scene '{}': the motion method {} {}", scene.name, motion_name(scene.motion.method), why));
-  };
-  if (!(scene.dt > 0) || !std::isfinite(scene.dt)) refuse(fmt::format("needs a time step above 0, not {}", scene.dt));
-  if (!(scene.restitution >= 0 && scene.restitution <= 1))
-    refuse(fmt::format("needs a restitution from 0 to 1, not {}", scene.restitution));
-  if (!(scene.gravity <= 0)) refuse(fmt::format("needs gravity that is not upwards, not {}", scene.gravity));
-  const auto large = [](const vec4& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) > 0x1p60f || std::abs(v.w) > 0x1p60f;
-  };
-  for (uint64_t i = 0; i < scene.size(); ++i)
-    if (large(scene.positions[i]) || large(scene.velocities[i]))
-      refuse(fmt::format("takes numbers up to 2^60, but sphere {} has a larger one", i));
+std::string describe(const vec4& p, const vec4& v) {
+  return fmt::format("centre ({}, {}, {}), radius {}, velocity ({}, {}, {})", p.x, p.y, p.z, p.w, v.x, v.y, v.z);
 }
 
 }  // namespace
 
-void check_scene(const Scene& scene) {
-  uint64_t bad = 0, first = scene.size();
-  const auto wrong = [&](uint64_t i) {
-    const vec4 &p = scene.positions[i], &v = scene.velocities[i];
-    const bool finite = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w) &&
-                        std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-    return !finite || p.w < 0;
+std::string unsound_spheres(const std::vector<vec4>& positions, const std::vector<vec4>& velocities) {
+  const uint64_t n = positions.size();
+  const auto finite = [](const vec4& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
   };
-  if (scene.positions.size() != scene.velocities.size()) {
+  uint64_t bad = 0, first = n;
+#pragma omp parallel for schedule(static) reduction(+ : bad) reduction(min : first) if (n > many)
+  for (uint64_t i = 0; i < n; ++i)
+    if (!finite(positions[i]) || !finite(velocities[i]) || positions[i].w < 0) ++bad, first = std::min(first, i);
+  if (bad == 0) return "";
+  return fmt::format("{} of {} spheres have a NaN, an infinity or a negative radius; the first is sphere {}: {}", bad,
+                     n, first, describe(positions[first], velocities[first]));
+}
+
+void check_scene(const Scene& scene) {
+  if (scene.positions.size() != scene.velocities.size())
     throw std::invalid_argument(fmt::format("scene '{}' has {} positions but {} velocities", scene.name,
                                             scene.positions.size(), scene.velocities.size()));
-  }
-#pragma omp parallel for schedule(static) reduction(+ : bad) reduction(min : first) if (scene.size() > many)
-  for (uint64_t i = 0; i < scene.size(); ++i) {
-    if (wrong(i)) ++bad, first = std::min(first, i);
-  }
-  if (bad == 0) {
-    if (scene.motion.method != MotionMethod::paper || scene.motion.precision != Precision::float32) check_motion(scene);
-    return;
-  }
-  const vec4 &p = scene.positions[first], &v = scene.velocities[first];
-  throw std::invalid_argument(
-      fmt::format("scene '{}': {} of {} spheres have a NaN, an infinity or a negative radius; the first is sphere {}: "
-                  "centre ({}, {}, {}), radius {}, velocity ({}, {}, {}); remove or mend them",
-                  scene.name, bad, scene.size(), first, p.x, p.y, p.z, p.w, v.x, v.y, v.z));
+  const std::string unsound = unsound_spheres(scene.positions, scene.velocities);
+  if (!unsound.empty())
+    throw std::invalid_argument(fmt::format("scene '{}': {}; remove or mend them", scene.name, unsound));
+}
+
+std::string why_unmovable(const Scene& scene, float largest) {
+  const auto why = [&](const std::string& text) {
+    return fmt::format("scene '{}' cannot be moved: {}", scene.name, text);
+  };
+  if (!is_time_step(scene.dt)) return why(fmt::format(dt_bounds, scene.dt));
+  if (!(scene.restitution >= 0 && scene.restitution <= 1))
+    return why(fmt::format("the restitution is {}, but must be from 0 to 1", scene.restitution));
+  if (!(scene.gravity <= 0 && scene.gravity >= -largest_number))
+    return why(fmt::format("gravity is {}, but must be from -2^60 to 0, not upwards", scene.gravity));
+  if (!(std::abs(scene.plane) <= largest_number))
+    return why(fmt::format("the plane is at {}, but must be from -2^60 to 2^60", scene.plane));
+  const auto large = [=](const vec4& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z), std::abs(v.w)}) > largest;
+  };
+  uint64_t first = scene.size();
+#pragma omp parallel for schedule(static) reduction(min : first) if (scene.size() > many)
+  for (uint64_t i = 0; i < scene.size(); ++i)
+    if (large(scene.positions[i]) || large(scene.velocities[i])) first = std::min(first, i);
+  if (first == scene.size()) return "";
+  return why(fmt::format("numbers up to 2^60 can be, but sphere {} has a larger one: {}", first,
+                         describe(scene.positions[first], scene.velocities[first])));
 }
 
 uint64_t stalled_spheres(const Scene& scene) {

@@ -114,9 +114,12 @@ TEST_P(MotionMethods, EveryNumberOfSpheres) {
 
 TEST_P(MotionMethods, RefusesWhatItCannotMove) {
   const auto refused = [&](auto change) {
-    Scene scene = bouncing_scene({.motion = {MotionMethod::impact, Precision::float32}, .n = 3});
-    change(scene);
-    EXPECT_THROW(backend().upload(scene), std::invalid_argument);
+    for (const MotionOptions& motion : all_motions()) {
+      Scene scene = bouncing_scene({.motion = motion, .n = 3});
+      change(scene);
+      backend().upload(scene);
+      EXPECT_THROW(backend().move(), std::invalid_argument) << motion_label(motion);
+    }
   };
   refused([](Scene& scene) { scene.gravity = 1; });
   refused([](Scene& scene) { scene.dt = 0; });
