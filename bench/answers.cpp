@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "finite_state.h"
 #include "margin.h"
 
 namespace spherepair {
@@ -201,6 +202,7 @@ void require_same_state(Session& session, const Place& place, const Backend& ref
 
 uint64_t require_same_states(Session& session, const Place& place) {
   const Backend::State expected = session.reference().state();
+  require_finite(expected, place.step);
   for (const auto& backend : session.backends())
     if (backend.get() != &session.reference())
       require_same_state(session, place, session.reference(), expected, *backend, backend->state());

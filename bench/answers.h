@@ -55,7 +55,7 @@ void require_equal(Session& session, const Place& place, const Asked& reference,
 void require_same_state(Session& session, const Place& place, const Backend& reference, const Backend::State& expected,
                         const Backend& backend, const Backend::State& found);
 
-// Compares the state of every backend with the reference's; returns its hash.
+// Compares the state of every backend with the reference's, which must be finite; returns its hash.
 uint64_t require_same_states(Session& session, const Place& place);
 
 }  // namespace spherepair

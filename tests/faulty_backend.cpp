@@ -2,6 +2,7 @@
 #include "faulty_backend.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace spherepair {
@@ -120,6 +121,7 @@ class FaultyBackend : public ForwardingBackend {
     const auto flip = [](float& value) { value = bits_float(float_bits(value) ^ 1u); };
     if (wrong(Fault::position_bit)) flip(state.positions.at(3).z);
     if (wrong(Fault::velocity_bit)) flip(state.velocities.at(3).y);
+    if (wrong(Fault::infinite_position)) state.positions.at(3).x = INFINITY;
     if (wrong(Fault::radius_bit)) flip(state.positions.at(3).w);
     if (wrong(Fault::wide_bit) && !state.wide.empty()) state.wide.back() ^= 1u;
     if (wrong(Fault::velocity_missing)) state.velocities.pop_back();
@@ -187,6 +189,7 @@ Fault fault_from_name(const std::string& name) {
   const std::pair<const char*, Fault> others[] = {{"none", Fault::none},
                                                   {"wide_bit", Fault::wide_bit},
                                                   {"image_pixel", Fault::image_pixel},
+                                                  {"infinite_position", Fault::infinite_position},
                                                   {"guard_overwritten", Fault::guard_overwritten},
                                                   {"no_methods", Fault::no_methods}};
   for (const auto& [known, fault] : others)

@@ -110,6 +110,16 @@ TEST(Harness, AWrongBitOfAWideStateIsFound) {
   }
 }
 
+TEST(Harness, AStateThatIsNotFiniteIsAnErrorAlsoWhereAllAgree) {
+  const Opener both = [](const std::string& name, const OpenOptions&) {
+    return make_faulty(name, Fault::infinite_position, 2);
+  };
+  Session session({"cpu", "glsl"}, {}, both);
+  const std::string message = error_of([&] { lockstep(session); });
+  EXPECT_NE(message.find("step 2"), std::string::npos) << message;
+  EXPECT_NE(message.find("sphere 3"), std::string::npos) << message;
+}
+
 TEST(Harness, LockstepNamesEveryFaultAtTheStepWhereItBegins) {
   for (const auto* faults : {&set_faults(), &state_faults()})
     for (const NamedFault& fault : *faults)
