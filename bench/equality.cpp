@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
+#include "file_bytes.h"
 
 namespace spherepair {
 namespace {
@@ -12,7 +12,7 @@ std::string hex(const Fingerprint& fingerprint) { return hex64(fingerprint.a) + 
 
 // Everything that decides a set, and nothing that does not.
 std::string key_of(const json& entry, const json& checkpoint) {
-  return fmt::format("{} | {} | step {}", entry.at("scene").dump(), entry.at("set").get<std::string>(),
+  return fmt::format("{} | {} | step {}", json_line(entry.at("scene")), entry.at("set").get<std::string>(),
                      checkpoint.at("step").get<uint64_t>());
 }
 
@@ -65,11 +65,10 @@ RecordComparison compare_records(const json& left, const json& right) {
 }
 
 json read_results(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw std::invalid_argument(fmt::format("cannot read {}: name the results.json of a compare run", path));
+  const FileBytes file(path);
   json results;
   try {
-    results = json::parse(file);
+    results = json::parse(file.bytes());
     records(results);
   } catch (const json::exception& error) {
     throw std::invalid_argument(fmt::format("{} is not the results.json of a compare run: {}", path, error.what()));

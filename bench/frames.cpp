@@ -31,6 +31,7 @@
 #include "context.h"
 #include "files.h"
 #include "hash.h"
+#include "output_files.h"
 #include "shared_drawing.h"
 
 namespace spherepair {
@@ -229,6 +230,7 @@ int frames_command(const CommandLine& line, const FramesOptions& options) {
   for (const std::string& draw : options.draws) draw_method_from_name(draw);
   for (const std::string& place : options.places) require_known("place of the camera", place, {"outside", "inside"});
   for (const std::string& work : options.works) require_known("work", work, {"frame", "frame_all", "lit", "loop"});
+  OutputFiles().write("--json", options.json_file);
   Session session(options.backends, line.open);
   fmt::print("{}\n", session.summary());
   json record = {{"format", "spherepair frames 1"}, {"context", capture_context(line.words)},
