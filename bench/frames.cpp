@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-// spherepair frames: times of drawing, as JSON:
-//   format     "spherepair frames 1"
-//   context, backends, clocks   as in results.json of compare
-//   width, height, packing_fraction
+// spherepair frames: times of drawing, as JSON of the format "spherepair frames 1":
+//   context, backends, clocks   as in results.json of compare; width, height, packing_fraction
 //   frames     one entry a measurement:
 //     n, backend, draw (DrawMethod), place (outside | inside: of the camera),
 //     work (frame: one picture from a new place; frame_all: the same with nothing skipped; lit: with ambient occlusion,

@@ -66,9 +66,8 @@ void add_picture(OutputFiles& files, const std::string& option, const fs::path& 
   files.write("the record of " + option, path);
   if (fs::is_regular_file(path) && !is_record(path))
     throw std::invalid_argument(
-        fmt::format("{}, where the record of {} would go, was not written by render: choose "
-                    "another name for {}",
-                    path.string(), option, picture.string()));
+        fmt::format("{}, where the record of {} goes, was not written by render: choose another {}", path.string(),
+                    option, option));
 }
 
 void check_files(const RenderOptions& options) {
