@@ -183,7 +183,8 @@ int bench_command(int argc, char** argv) {
   add_context(session);
   const int code = options.sweep.output.empty()
                        ? run_all(session, scenes, rows, sampling)
-                       : run_sweep(configurations(session, scenes, rows, sampling), options.sweep);
+                       : run_sweep(configurations(session, scenes, rows, sampling), options.sweep,
+                                   [](const json& found) { return found.is_object() && found.contains("benchmarks"); });
   benchmark::Shutdown();
   return code;
 }

@@ -42,7 +42,7 @@ class Record {
     root_["equality"] = std::move(equality);
     root_["comparisons"] = study.session.comparisons.to_json();
     root_["measurements"] = study.measurements;
-    write_file(folder_ / "results.json", root_.dump(1) + "\n");
+    write_file(folder_ / "results.json", json_text(root_));
   }
 
   void write_text(const std::string& name, const std::vector<Table>& tables, const Table& details) {
@@ -56,6 +56,13 @@ class Record {
   std::filesystem::path folder_;
   json root_;
 };
+
+// What the record will write.
+std::vector<std::string> files_of(const Plan& plan) {
+  std::vector<std::string> files = {"results.json"};
+  for (const std::string& table : plan.tables) files.push_back(table + ".txt");
+  return files;
+}
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -107,9 +114,8 @@ void print_heading(const Session& session) {
 int compare_command(const CommandLine& line, const CompareOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   require_known_backends(options.backends);
-  make_plan(options.plan, false);  // bad values end here, before any work
   const std::filesystem::path folder = options.results.empty() ? default_results() : options.results;
-  prepare_folder(folder);
+  prepare_folder(folder, files_of(make_plan(options.plan, false)));  // bad values end here, before any work
   Session session(options.backends, line.open, line.opener);
   const bool hardware =
       std::ranges::any_of(session.backends(), [](const auto& backend) { return on_hardware(*backend); });

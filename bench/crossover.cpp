@@ -11,7 +11,7 @@
 #include "crossover_sweep.h"
 #include "files.h"
 #include "options.h"
-#include "replaced_file.h"
+#include "output_files.h"
 
 namespace spherepair {
 namespace {
@@ -103,7 +103,7 @@ std::vector<SphereKind> chosen_kinds(const std::vector<std::string>& names) {
 int crossover_command(const CommandLine& line, const CrossoverOptions& options) {
   require_known_backends(options.backends);
   const std::vector<SphereKind> chosen = chosen_kinds(options.kinds);
-  check_writable(options.json_file);
+  OutputFiles().write("--json", options.json_file);
   std::vector<uint64_t> sizes = options.sizes;
   for (uint64_t n = 64; options.sizes.empty() && n <= 1 << 15; n *= 2) sizes.push_back(n);
   std::ranges::sort(sizes);
@@ -127,7 +127,7 @@ int crossover_command(const CommandLine& line, const CrossoverOptions& options) 
   record["clocks"].push_back(query_clocks());
   write();
   fmt::print("{}\n", table_of(*sweep).text());
-  for (const char* what : {"grid_from", "triangle_from"}) fmt::print("{}: {}\n", what, record[what].dump());
+  for (const char* what : {"grid_from", "triangle_from"}) fmt::print("{}: {}\n", what, json_line(record[what]));
   fmt::print("{}", verdict(sweep->timings));
   return kOk;
 }

@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "context.h"
 #include "files.h"
+#include "output_files.h"
 #include "session.h"
 
 namespace spherepair {
@@ -25,6 +26,7 @@ json compile_all(Backend& backend) {
 
 int devices_command(const CommandLine& line, const DevicesOptions& options) {
   require_known_backends(options.backends);
+  OutputFiles().write("--json", options.json_file);
   const Session session(options.backends, line.open);
   json list = session.to_json();
   for (json& backend : list) {
@@ -45,7 +47,7 @@ int devices_command(const CommandLine& line, const DevicesOptions& options) {
   }
   for (const std::string& warning : session.warnings()) fmt::print(stderr, "\n{}\n", warning);
   if (!options.json_file.empty())
-    write_file(options.json_file, json{{"context", capture_context(line.words)}, {"backends", list}}.dump(1) + "\n");
+    write_file(options.json_file, json_text({{"context", capture_context(line.words)}, {"backends", list}}));
   return kOk;
 }
 

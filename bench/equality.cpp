@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
+#include "file_bytes.h"
 
 namespace spherepair {
 namespace {
@@ -48,11 +48,11 @@ class Node {
   void require(const std::string& wanted) const {
     if (text() != wanted) fail(fmt::format("'{}'", wanted));
   }
-  std::string dump() const { return value_.dump(); }
+  std::string dump() const { return json_line(value_); }
   bool has(const std::string& key) const { return value_.is_object() && value_.contains(key); }
 
   [[noreturn]] void fail(const std::string& expected) const {
-    const std::string found = value_.dump(-1, ' ', false, json::error_handler_t::replace);
+    const std::string found = json_line(value_);
     throw std::invalid_argument(
         fmt::format("at {}: expected {}, found {}", path_.empty() ? "the top" : path_, expected, found.substr(0, 60)));
   }
@@ -136,11 +136,10 @@ RecordComparison compare_records(const json& left, const json& right) {
 }
 
 json read_results(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw std::invalid_argument(fmt::format("cannot read {}: name the results.json of a compare run", path));
+  const FileBytes file(path);
   json results;
   try {
-    results = json::parse(file);
+    results = json::parse(file.bytes());
     records(results);
   } catch (const std::exception& error) {  // no JSON, or not what records() wants
     throw std::invalid_argument(

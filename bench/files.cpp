@@ -4,32 +4,31 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-#include <fstream>
-#include <sstream>
+#include <array>
 #include <stdexcept>
 
+#include "file_lines.h"
 #include "replaced_file.h"
+#include "sphere_file.h"
+#include "xyz_columns.h"
 
 namespace spherepair {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Decimal numbers to the nearest float32; "nan" and "inf" are read too, so that the scene's check can name them.
-std::vector<float> numbers(const std::string& line, const std::string& where) {
+// Nothing for a line that is empty or a comment.
+std::vector<float> read_line(const FileBytes& file, uint64_t line, std::string_view text) {
+  constexpr std::array columns = {"x", "y", "z", "radius", "vx", "vy", "vz"};
+  std::vector<std::string_view> fields;
+  split_fields(text.substr(0, text.find('#')), columns.size() + 1, fields);
+  if (!fields.empty() && fields.size() != 4 && fields.size() != 7)
+    file.fail_at_line(line, "4 columns (x y z radius) or 7 (and vx vy vz)",
+                      fields.size() > 7 ? "more than 7" : fmt::to_string(fields.size()));
   std::vector<float> values;
-  std::istringstream words(line.substr(0, line.find('#')));
-  for (std::string word; words >> word;) {
-    char* end = nullptr;
-    values.push_back(std::strtof(word.c_str(), &end));
-    if (*end != 0) throw std::invalid_argument(fmt::format("{}: '{}' is not a number", where, word));
-  }
-  if (values.empty() || values.size() == 4 || values.size() == 7) return values;
-  throw std::invalid_argument(
-      fmt::format("{}: {} numbers, but a sphere has 4 (x y z radius) or 7 (and vx vy vz)", where, values.size()));
+  for (size_t k = 0; k < fields.size(); ++k)
+    values.push_back(read_number(file, line, fields, k, columns[k], k == 3).rounded);
+  return values;
 }
 
 }  // namespace
@@ -40,29 +39,23 @@ void write_file(const fs::path& path, const std::string& text) {
   file.commit();
 }
 
-void prepare_folder(const fs::path& folder) {
+void prepare_folder(const fs::path& folder, const std::vector<std::string>& files) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
-    throw std::invalid_argument(fmt::format("cannot create the results folder {}: {}; choose another with --results",
-                                            folder.string(), error.message()));
-  const fs::path trial = folder / "results.json.new";
-  std::ofstream file(trial);
-  if (!file)
-    throw std::invalid_argument(fmt::format("cannot write in the results folder {}: {}; choose another with --results",
-                                            folder.string(), std::strerror(errno)));
-  file.close();
-  fs::remove(trial, error);
+    throw std::invalid_argument(
+        fmt::format("cannot create the folder {}: {}; choose another", folder.string(), error.message()));
+  for (const std::string& file : files) check_writable(folder / file);
 }
 
 Scene read_spheres(const fs::path& path) {
-  std::ifstream file(path);
-  if (!file) throw std::invalid_argument(fmt::format("cannot read {}: {}", path.string(), std::strerror(errno)));
+  const FileBytes file(path);
+  require_text(file);
   Scene scene;
   scene.name = path.filename().string();
-  uint64_t count = 0;
-  for (std::string line; std::getline(file, line);) {
-    const std::vector<float> v = numbers(line, fmt::format("{}, line {}", path.string(), ++count));
+  for (FileLines lines{file.bytes()}; !lines.at_end();) {
+    const uint64_t line = lines.line;
+    const std::vector<float> v = read_line(file, line, lines.next());
     if (v.empty()) continue;
     scene.positions.push_back({v[0], v[1], v[2], v[3]});
     scene.velocities.push_back(v.size() == 7 ? vec4{v[4], v[5], v[6], 0} : vec4{0, 0, 0, 0});

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-// spherepair frames: times of drawing, as JSON:
-//   format     "spherepair frames 1"
-//   context, backends, clocks   as in results.json of compare
-//   width, height, packing_fraction
+// spherepair frames: times of drawing, as JSON of the format "spherepair frames 1":
+//   context, backends, clocks   as in results.json of compare; width, height, packing_fraction
 //   frames     one entry a measurement:
 //     n, backend, draw (DrawMethod), place (outside | inside: of the camera),
 //     work (frame: one picture from a new place; frame_all: the same with nothing skipped; lit: with ambient occlusion,
@@ -31,6 +29,7 @@
 #include "files.h"
 #include "hash.h"
 #include "numbers.h"
+#include "output_files.h"
 #include "shared_drawing.h"
 
 namespace spherepair {
@@ -228,6 +227,7 @@ int frames_command(const CommandLine& line, const FramesOptions& options) {
   for (const std::string& draw : options.draws) draw_method_from_name(draw);
   for (const std::string& place : options.places) require_known("place of the camera", place, {"outside", "inside"});
   for (const std::string& work : options.works) require_known("work", work, {"frame", "frame_all", "lit", "loop"});
+  OutputFiles().write("--json", options.json_file);
   Session session(options.backends, line.open, line.opener);
   fmt::print("{}\n", session.summary());
   json record = {{"format", "spherepair frames 1"}, {"context", capture_context(line.words)},

@@ -46,9 +46,10 @@ void add_camera_options(CLI::App& command, CameraOptions& camera) {
 void add_render(CLI::App& app, CommandLine& line, Action& action) {
   auto* command = app.add_subcommand("render", "Draw spheres, coloured by their contacts, into a PNG or a series");
   auto options = std::make_shared<RenderOptions>();
-  command->add_option("--output", options->output_file,
-                      "The picture, .png; a JSON of the same name holds all that makes it again. Of several pictures, "
-                      "each gets its number before the dot");
+  command->add_option(
+      "--output", options->output_file,
+      "The picture, .png; a JSON of the same name holds all that makes it again, and replaces no JSON but "
+      "one that render wrote. Of several pictures, each gets its number before the dot");
   command->add_option("--video", options->video_file,
                       "A film of the pictures, .mp4, through ffmpeg; its JSON beside it");
   command->add_option("--rate", options->pictures_per_second, "Pictures a second of the --video")

@@ -67,7 +67,6 @@ void check_pair_file(const std::string& file) {
         "cannot tell the format of {} by its extension; known are .npy (NPY), .txt (text) and - (text to standard "
         "output)",
         file));
-  check_writable(file);
 }
 
 void write_pairs(const std::string& file, std::span<const Pair> pairs) {

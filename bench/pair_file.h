@@ -11,7 +11,7 @@ namespace spherepair {
 
 inline constexpr const char* kStandardOutput = "-";  // as text
 
-// Throws std::invalid_argument for an extension that is not known and a place that cannot be written.
+// Throws std::invalid_argument for an extension that is not known.
 void check_pair_file(const std::string& file);
 
 // The file appears whole or not at all.

@@ -11,8 +11,8 @@
 #include "context.h"
 #include "degrees.h"
 #include "files.h"
+#include "output_files.h"
 #include "pair_file.h"
-#include "replaced_file.h"
 #include "sphere_file.h"
 
 namespace spherepair {
@@ -38,24 +38,17 @@ struct PairsReport {
   Seconds seconds;
 };
 
-void require_different(const std::string& what, const std::string& file, const std::string& other,
-                       const std::string& than) {
-  if (!file.empty() && !other.empty() && same_file(file, other))
-    throw std::invalid_argument(fmt::format("{} {} is {} {}: choose another name", what, file, than, other));
-}
-
 // All that can be wrong with the options, before hours are spent.
 void check_options(const PairsOptions& options) {
   if (!options.backend.empty()) require_known_backends({options.backend});
   if (!options.method.empty() && method_from_name(options.method) == Method::collide_group)
     throw std::invalid_argument("the method collide_group finds pairs within groups only; choose another");
   parse_blocks({options.block});
-  const bool to_file = options.output_file != kStandardOutput;
-  if (to_file) require_different("the output", options.output_file, options.input_file, "the input");
-  require_different("the file of --json", options.json_file, options.input_file, "the input");
-  if (to_file) require_different("the file of --json", options.json_file, options.output_file, "the output");
   check_pair_file(options.output_file);
-  if (!options.json_file.empty()) check_writable(options.json_file);
+  OutputFiles files;
+  files.read("--input", options.input_file);
+  if (options.output_file != kStandardOutput) files.write("--output", options.output_file);
+  files.write("--json", options.json_file);
 }
 
 template <typename Work>

@@ -124,7 +124,7 @@ int precision_command(const CommandLine& line, const PrecisionOptions& options) 
   require_known_backends(options.backends);
   make_precision_plan(options, false);  // bad values end here, before any work
   const std::filesystem::path folder = options.results.empty() ? default_results() : options.results;
-  prepare_folder(folder);
+  prepare_folder(folder, {"precision.txt", "precision.json"});
   Session session(options.backends, line.open, line.opener);
   const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
   const PrecisionPlan plan = make_precision_plan(options, hardware);

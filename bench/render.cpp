@@ -12,18 +12,21 @@
 #include "arguments.h"
 #include "choice.h"
 #include "context.h"
+#include "file_bytes.h"
 #include "files.h"
 #include "finite_state.h"
 #include "legend.h"
+#include "output_files.h"
 #include "photo.h"
 #include "png_file.h"
-#include "replaced_file.h"
 #include "video.h"
 
 namespace spherepair {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kFormat = "spherepair render 1";
 
 struct Series {
   const CommandLine& line;
@@ -42,18 +45,46 @@ fs::path name_of(const RenderOptions& options, uint64_t k) {
   return path.replace_filename(fmt::format("{}-{:0{}}.png", path.stem().string(), k, digits));
 }
 
-void check_file(const std::string& file, const std::string& extension) {
-  if (file.empty()) return;
-  if (fs::path(file).extension() != extension)
+fs::path record_of(fs::path picture) { return picture.replace_extension(".json"); }
+
+void check_extension(const std::string& file, const std::string& extension) {
+  if (!file.empty() && fs::path(file).extension() != extension)
     throw std::invalid_argument(fmt::format("the output {} does not end in {}", file, extension));
-  check_writable(file);
+}
+
+// Earlier versions gave their records no format.
+bool is_record(const fs::path& path) {
+  const json found = json::parse(FileBytes(path).bytes(), nullptr, false);
+  if (!found.is_object()) return false;
+  if (found.contains("format")) return found["format"] == kFormat;
+  return found.contains("context") && found.contains("camera") && found.contains("samples");
+}
+
+// A picture was named by the user; its record was not, and takes no other file's place.
+void add_picture(OutputFiles& files, const std::string& option, const fs::path& picture) {
+  const fs::path path = record_of(picture);
+  files.write(option, picture);
+  files.write("the record of " + option, path);
+  if (fs::is_regular_file(path) && !is_record(path))
+    throw std::invalid_argument(
+        fmt::format("{}, where the record of {} goes, was not written by render: choose another {}", path.string(),
+                    option, option));
+}
+
+void check_files(const RenderOptions& options) {
+  check_extension(options.output_file, ".png");
+  check_extension(options.video_file, ".mp4");
+  OutputFiles files;
+  add_inputs(files, options.start);
+  for (uint64_t k = 0; !options.output_file.empty() && k < options.pictures; ++k)
+    add_picture(files, "--output", name_of(options, k));
+  if (!options.video_file.empty()) add_picture(files, "--video", options.video_file);
 }
 
 void check_options(const RenderOptions& options) {
   if (options.output_file.empty() && options.video_file.empty())
     throw std::invalid_argument("nothing to write: give --output picture.png or --video film.mp4");
-  check_file(options.output_file, ".png");
-  check_file(options.video_file, ".mp4");
+  check_files(options);
   if (!options.backend.empty()) require_known_backends({options.backend});
   for (const auto& [name, value] : {std::pair{"--eye", options.camera.eye}, {"--target", options.camera.target}})
     if (!value.empty() && value.size() != 3) throw std::invalid_argument(fmt::format("{} needs x,y,z", name));
@@ -66,7 +97,8 @@ json record(const Series& series, uint64_t step, const Collisions& totals) {
   for (uint k = 0; k < shot.samples; ++k)
     views.push_back(to_json(make_view(shot.camera, shot.look, shot.width, shot.height, jitter(k, shot.samples))));
   const MethodChoice choice = series.chosen.backend->choice({.method = series.method});
-  return {{"context", capture_context(series.line.words)},
+  return {{"format", kFormat},
+          {"context", capture_context(series.line.words)},
           {"backends", series.chosen.session->to_json()},
           {"scene", series.start.record},
           {"motion", motion_label(series.start.scene.motion)},
@@ -94,7 +126,7 @@ class Writers {
     if (jobs_.size() >= std::max(1u, std::thread::hardware_concurrency())) finish_one();
     jobs_.push_back(std::async([=, image = std::move(image), width = shot.width, height = shot.height] {
       write_png(path, image, width, height);
-      write_file(fs::path(path).replace_extension(".json"), json_text(record));
+      write_file(record_of(path), json_text(record));
     }));
   }
   void finish() {
@@ -144,7 +176,7 @@ void take_series(const Series& series) {
   if (!video) return;
   video->commit();
   first.update({{"pictures", options.pictures}, {"every", options.every}, {"rate", options.pictures_per_second}});
-  write_file(fs::path(film).replace_extension(".json"), json_text(first));
+  write_file(record_of(film), json_text(first));
 }
 
 }  // namespace

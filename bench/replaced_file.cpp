@@ -26,8 +26,24 @@ bool replaceable(const fs::path& path) {
   return !fs::exists(path) || (fs::is_regular_file(path) && !names_open_file(path));
 }
 
-fs::path follow_links(const fs::path& path) {
+[[noreturn]] void fail_to_write(const fs::path& path, int error) {
+  throw std::invalid_argument(fmt::format("cannot write {}: {}", path.string(), std::strerror(error)));
+}
+
+fs::path follow_links(const fs::path& path) try {
   return fs::is_symlink(path) && replaceable(path) ? fs::weakly_canonical(path) : path;
+} catch (const fs::filesystem_error& error) {
+  fail_to_write(path, error.code().value());
+}
+
+fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : "."; }
+
+// The file is there already: a folder that cannot be read is no reason to fail.
+void sync_folder(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
 }
 
 }  // namespace
@@ -37,8 +53,7 @@ ReplacedFile::ReplacedFile(const fs::path& path) : path_(path), target_(follow_l
   if (!replaceable(target_)) {
     descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC | O_APPEND);
   } else {
-    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
-    descriptor_ = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+    descriptor_ = ::open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
     nameless_ = descriptor_ >= 0;
     if (!nameless_) open_beside();
   }
@@ -67,9 +82,7 @@ bool ReplacedFile::open_beside() {
   });
 }
 
-void ReplacedFile::fail(int error) const {
-  throw std::invalid_argument(fmt::format("cannot write {}: {}", path_.string(), std::strerror(error)));
-}
+void ReplacedFile::fail(int error) const { fail_to_write(path_, error); }
 
 void ReplacedFile::write(std::string_view bytes) {
   while (!bytes.empty()) {
@@ -79,28 +92,30 @@ void ReplacedFile::write(std::string_view bytes) {
   }
 }
 
-// A link cannot take the place of a file, only a rename can; so the file has a name beside it for that moment.
+std::string ReplacedFile::name_for_children() {
+  ::fcntl(descriptor_, F_SETFD, 0);  // no longer closed when they start
+  return fmt::format("/proc/self/fd/{}", descriptor_);
+}
+
+// A link cannot take the place of a file, only a rename can; so the file has a name beside it for that moment. The
+// bytes are on the disk before they get the name, so that a loss of power leaves the old file or the new one.
 void ReplacedFile::commit() {
   const std::string open_file = fmt::format("/proc/self/fd/{}", descriptor_);
   const auto link = [&](const std::string& name) {
     return ::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
   };
+  if ((nameless_ || !beside_.empty()) && ::fsync(descriptor_) != 0) fail(errno);
   if (nameless_ && !take_name_beside(link)) fail(errno);
   if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
   if (beside_.empty()) return;
   if (::rename(beside_.c_str(), target_.c_str()) != 0) fail(errno);
   beside_.clear();
+  sync_folder(folder_of(target_));
 }
 
 void check_writable(const fs::path& path) {
   const fs::path target = follow_links(path);
   if (replaceable(target) || fs::is_directory(target)) ReplacedFile trial(path);
-}
-
-bool same_file(const fs::path& left, const fs::path& right) {
-  std::error_code error;
-  if (fs::exists(left, error) && fs::exists(right, error)) return fs::equivalent(left, right, error);
-  return fs::weakly_canonical(fs::absolute(left), error) == fs::weakly_canonical(fs::absolute(right), error);
 }
 
 }  // namespace spherepair

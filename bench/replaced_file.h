@@ -9,10 +9,10 @@
 
 namespace spherepair {
 
-// Written without a name and given its name by commit(); until then whatever has the name stays as it is, and without a
-// commit nothing is left, even when the program is killed (where the file system knows no files without a name, that is
-// one beside it, which a kill leaves). What is no regular file (a pipe, a device) is written directly. Throws
-// std::invalid_argument.
+// Written without a name and given its name by commit(), once it is on the disk; until then whatever has the name stays
+// as it is, and without a commit nothing is left, even when the program is killed (where the file system knows no files
+// without a name, that is one beside it, which a kill leaves). What is no regular file (a pipe, a device) is written
+// directly. Throws std::invalid_argument.
 class ReplacedFile {
  public:
   explicit ReplacedFile(const std::filesystem::path& path);
@@ -21,6 +21,7 @@ class ReplacedFile {
   ReplacedFile& operator=(const ReplacedFile&) = delete;
 
   void write(std::string_view bytes);
+  std::string name_for_children();  // under which programs that are started from now on can write before the commit
   void commit();
 
  private:
@@ -35,8 +36,5 @@ class ReplacedFile {
 
 // Throws when a file of that name could not be written; leaves nothing and touches no pipe or device.
 void check_writable(const std::filesystem::path& path);
-
-// Whether both name the same file, or would once it is written.
-bool same_file(const std::filesystem::path& left, const std::filesystem::path& right);
 
 }  // namespace spherepair

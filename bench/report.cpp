@@ -71,6 +71,7 @@ std::string significant(double value, const char* missing = "-") {
 }  // namespace
 
 std::string json_text(const json& value) { return value.dump(1, ' ', false, json::error_handler_t::replace) + "\n"; }
+std::string json_line(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
 
 std::string Table::text() const {
   std::vector<size_t> widths = column_widths(*this);

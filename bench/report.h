@@ -12,7 +12,9 @@ namespace spherepair {
 
 using json = nlohmann::ordered_json;
 
-std::string json_text(const json& value);  // for a file; names that are no UTF-8 get replacement characters
+// For a file, and on one line; bytes that are no UTF-8 get replacement characters.
+std::string json_text(const json& value);
+std::string json_line(const json& value);
 
 // Each by its own to_json.
 template <typename Entry>

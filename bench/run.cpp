@@ -11,10 +11,18 @@
 #include "files.h"
 #include "finite_state.h"
 #include "missed_contacts.h"
-#include "replaced_file.h"
 
 namespace spherepair {
 namespace {
+
+// A checkpoint is read whole before the next one replaces it.
+void check_files(const RunOptions& options) {
+  OutputFiles files;
+  add_inputs(files, options.start);
+  files.write("--save", options.save_file, "--resume");
+  files.write("--pairs", options.pairs_file);
+  files.write("--json", options.json_file);
+}
 
 struct StepResult {
   uint64_t step, state;
@@ -104,7 +112,7 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   require_known_backends({options.backend});
   if (options.save_every && options.save_file.empty())
     throw std::invalid_argument("--save-every needs the name of a file: --save FILE");
-  if (!options.save_file.empty()) check_writable(options.save_file);
+  check_files(options);
   const Start start = start_of(options.start, line.open.threads);
   const Scene& scene = start.scene;
   check_scene(scene);

@@ -122,7 +122,7 @@ int sets_command(const CommandLine& line, const SetsOptions& options) {
   require_known_backends(options.backends);
   make_set_plan(options, false);  // bad values end here, before any work
   const std::filesystem::path folder = options.results.empty() ? default_results() : options.results;
-  prepare_folder(folder);
+  prepare_folder(folder, {"sets.txt", "sets.json"});
   Session session(options.backends, line.open, line.opener);
   const SetPlan plan =
       make_set_plan(options, std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); }));

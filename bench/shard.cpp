@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "commands.h"
+#include "file_bytes.h"
 #include "files.h"
 #include "hash.h"
 #include "numbers.h"
@@ -25,6 +26,18 @@ Shard parse_shard(const std::string& text) {
   return {(*shard)[0], (*shard)[1]};
 }
 
+std::vector<Configuration> part_of(const std::vector<Configuration>& all, const Shard& shard) {
+  std::vector<Configuration> part;
+  for (size_t k = shard.index - 1; k < all.size(); k += shard.count) part.push_back(all[k]);
+  return part;
+}
+
+std::vector<std::string> files_of(const std::vector<Configuration>& configurations) {
+  std::vector<std::string> files;
+  for (const Configuration& configuration : configurations) files.push_back(configuration.file);
+  return files;
+}
+
 }  // namespace
 
 void add_shard_options(CLI::App& command, SweepOptions& options) {
@@ -36,23 +49,25 @@ void add_shard_options(CLI::App& command, SweepOptions& options) {
 
 std::string hash_of(const json& what_decides) {
   uint64_t hash = 0;
-  for (const unsigned char letter : what_decides.dump()) hash = splitmix64(hash ^ letter);
+  for (const unsigned char letter : json_line(what_decides)) hash = splitmix64(hash ^ letter);
   return hex64(hash);
 }
 
-int run_sweep(const std::vector<Configuration>& all, const SweepOptions& options) {
-  const Shard shard = parse_shard(options.shard);
+int run_sweep(const std::vector<Configuration>& all, const SweepOptions& options, bool (*is_record)(const json&)) {
+  const std::vector<Configuration> ours = part_of(all, parse_shard(options.shard));
   const std::filesystem::path folder = options.output;
-  if (!options.list) prepare_folder(folder);
+  if (!options.list) prepare_folder(folder, files_of(ours));
   size_t done = 0, skipped = 0;
-  for (size_t k = shard.index - 1; k < all.size(); k += shard.count) {
-    const bool there = options.resume && std::filesystem::exists(folder / all[k].file);
-    fmt::print("{} {}{}\n", all[k].file, all[k].title, there ? ": there already" : "");
+  for (const Configuration& configuration : ours) {
+    const std::filesystem::path path = folder / configuration.file;
+    const bool there = options.resume && std::filesystem::exists(path) &&
+                       is_record(json::parse(FileBytes(path).bytes(), nullptr, false));
+    fmt::print("{} {}{}\n", configuration.file, configuration.title, there ? ": there already" : "");
     std::fflush(stdout);
     if (!there && !options.list) {
-      const std::optional<std::string> text = all[k].run();
+      const std::optional<std::string> text = configuration.run();
       if (!text) return kDifference;
-      write_file(folder / all[k].file, *text);
+      write_file(path, *text);
     }
     ++(there ? skipped : done);
   }

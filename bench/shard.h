@@ -17,7 +17,7 @@ namespace spherepair {
 struct SweepOptions {
   std::string output;         // folder
   std::string shard = "1/1";  // part i of n, counted from 1
-  bool resume = false;        // leave out configurations whose file is there
+  bool resume = false;        // leave out configurations whose record is there
   bool list = false;          // only name them
 };
 
@@ -34,8 +34,8 @@ void add_shard_options(CLI::App& command, SweepOptions& options);
 // 16 hexadecimal digits.
 std::string hash_of(const json& what_decides);
 
-// Runs this shard's configurations; a file appears whole or not at all, so that `resume` can trust it. Returns an exit
-// code; throws std::invalid_argument when the shard is not understood or the folder cannot be written.
-int run_sweep(const std::vector<Configuration>& all, const SweepOptions& options);
+// Runs this shard's configurations. `resume` leaves those out whose file is JSON that is_record knows as whole. Returns
+// an exit code; throws std::invalid_argument when the shard is not understood or the folder cannot be written.
+int run_sweep(const std::vector<Configuration>& all, const SweepOptions& options, bool (*is_record)(const json&));
 
 }  // namespace spherepair

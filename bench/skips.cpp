@@ -10,7 +10,7 @@
 #include "context.h"
 #include "files.h"
 #include "options.h"
-#include "replaced_file.h"
+#include "output_files.h"
 #include "skip_study.h"
 
 namespace spherepair {
@@ -53,7 +53,7 @@ void check_names(const std::vector<std::string>& names) {
 int skips_command(const CommandLine& line, const SkipsOptions& options) {
   require_known_backends(options.backends);
   check_names(options.names);
-  check_writable(options.json_file);
+  OutputFiles().write("--json", options.json_file);
   Session session(options.backends, line.open, line.opener);
   const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
   std::vector<uint64_t> sizes = options.sizes;

@@ -46,6 +46,11 @@ Start start_of(const StartOptions& options, int threads) {
   return {std::move(scene), label, "", record};
 }
 
+void add_inputs(OutputFiles& files, const StartOptions& options) {
+  files.read("--input", options.input_file);
+  files.read("--resume", options.resume_file);
+}
+
 void send(const Start& start, Backend& backend) {
   start.motion ? backend.resume(start.scene, *start.motion) : backend.upload(start.scene);
 }

@@ -7,6 +7,7 @@
 #include "backend.h"
 #include "motion_choice.h"
 #include "motion_state.h"
+#include "output_files.h"
 #include "report.h"
 #include "scene.h"
 
@@ -32,6 +33,9 @@ struct Start {
 // A scene, a file of another program, or one of our own text files, in which every sphere has its radius. threads: 0
 // takes all cores.
 Start start_of(const StartOptions& options, int threads);
+
+// Says that --input and --resume are read.
+void add_inputs(OutputFiles& files, const StartOptions& options);
 
 // Uploads the start, or goes on from the checkpoint.
 void send(const Start& start, Backend& backend);

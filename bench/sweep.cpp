@@ -24,6 +24,10 @@
 namespace spherepair {
 namespace {
 
+constexpr const char* kFormat = "spherepair sweep 1";
+
+bool is_record(const json& found) { return found.is_object() && found.value("format", json()) == kFormat; }
+
 std::vector<uint64_t> default_sizes(const Session& session) {
   std::vector<uint64_t> sizes = {64, 256, 1024, 4096, 16384, 65536, 262144, 1'000'000};
   const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
@@ -72,11 +76,10 @@ class Sweep {
 
   int run() {
     fmt::print("{}", session_.summary());
-    if (!options_.sweep.list) ceilings_ = measure_ceilings(session_, sampling_, progress_);
     std::vector<Configuration> all;
     for (const SweepPoint& point : points_of(session_, options_))
       all.push_back({file_name(point), label(point), [this, point] { return text_of(point); }});
-    return run_sweep(all, options_.sweep);
+    return run_sweep(all, options_.sweep, is_record);
   }
 
  private:
@@ -93,15 +96,16 @@ class Sweep {
   }
 
   std::string text_of(const SweepPoint& point) {
+    if (!ceilings_) ceilings_ = measure_ceilings(session_, sampling_, progress_);
     json clocks = json::array({{{"when", "before"}, {"gpus", query_clocks()}}});
-    const PointTimes times = time_point(session_, point, ceilings_, sampling_, progress_);
+    const PointTimes times = time_point(session_, point, *ceilings_, sampling_, progress_);
     clocks.push_back({{"when", "after"}, {"gpus", query_clocks()}});
     progress_.clear();
-    return json_text({{"format", "spherepair sweep 1"},
+    return json_text({{"format", kFormat},
                       {"context", capture_context(line_.words)},
                       {"backends", session_.to_json()},
                       {"seed", point.seed},
-                      {"ceilings", to_json(ceilings_)},
+                      {"ceilings", to_json(*ceilings_)},
                       {"clocks", clocks},
                       {"measurements", times.measurements},
                       {"left_out", times.left_out}});
@@ -111,7 +115,7 @@ class Sweep {
   const SweepCommandOptions& options_;
   Session session_;
   Sampling sampling_;
-  Ceilings ceilings_;
+  std::optional<Ceilings> ceilings_;  // once they are needed
   Progress progress_;
 };
 

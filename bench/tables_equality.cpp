@@ -41,7 +41,7 @@ std::map<Key, Gathered> gather(const std::vector<EqualityEntry>& entries) {
   for (const EqualityEntry& entry : entries) {
     if (entry.answers.size() < 2) continue;
     const SceneOptions& scene = entry.scene;
-    Gathered& row = rows[{scene_label(scene), scene.n, scene_json(scene).dump(), entry.set.size(), entry.set}];
+    Gathered& row = rows[{scene_label(scene), scene.n, json_line(scene_json(scene)), entry.set.size(), entry.set}];
     row.scene = scene;
     row.set = entry.set;
     row.comparisons += entry.checkpoints.size() * (entry.answers.size() - 1);

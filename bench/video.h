@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "layout.h"
+#include "replaced_file.h"
 
 namespace spherepair {
 
-// Written beside its name and renamed to it by commit(); without a commit nothing is left.
+// Appears under its name with commit(); without a commit nothing is left.
 class Video {
  public:
   // Throws std::invalid_argument when ffmpeg is not there. width and height must be even.
@@ -25,7 +26,8 @@ class Video {
  private:
   [[noreturn]] void fail(const char* what) const;
 
-  std::filesystem::path path_, beside_;
+  std::filesystem::path path_;
+  ReplacedFile file_;
   FILE* pipe_ = nullptr;
 };
 

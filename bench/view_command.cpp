@@ -14,6 +14,9 @@ namespace spherepair {
 
 int view_command(const CommandLine& line, const ViewOptions& options) {
   if (!options.backend.empty()) require_known_backends({options.backend});
+  OutputFiles files;
+  add_inputs(files, options.start);
+  files.write("--screenshot", options.screenshot_file);
   const Start start = start_of(options.start, line.open.threads);
   const std::unique_ptr<Window> window = open_window("spherepair: " + start.label, options.width, options.height);
   const Session session({}, line.open);

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "numbers.h"
+#include "sphere_file.h"
 
 namespace spherepair {
 namespace {
@@ -139,6 +140,16 @@ std::optional<Decimal> parse_decimal(std::string_view text) {
       decimal.value == 0 && text.substr(0, text.find_first_of("eE")).find_first_of("123456789") != text.npos;
   decimal.changed = vanished || (off > 0 && off > 1.00001 * half_unit(text));  // float64 may place a tie just above it
   return decimal;
+}
+
+Decimal read_number(const FileBytes& file, uint64_t line, std::span<const std::string_view> fields, size_t column,
+                    const char* name, bool is_radius) {
+  const std::string_view text = fields[column];
+  const auto decimal = parse_decimal(text);
+  if (!decimal) file.fail_at_line(line, fmt::format("a number for {} in column {}", name, column + 1), in_quotes(text));
+  const char* objection = objection_to(decimal->value, is_radius);
+  if (objection) file.fail_at_line(line, fmt::format("{} for {}", objection, name), in_quotes(text));
+  return *decimal;
 }
 
 }  // namespace spherepair

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "file_bytes.h"
@@ -33,5 +34,9 @@ struct Decimal {
   bool changed;
 };
 std::optional<Decimal> parse_decimal(std::string_view text);  // none when it is not a number
+
+// The number in a column that is named so; throws where it is none that a sphere can have.
+Decimal read_number(const FileBytes& file, uint64_t line, std::span<const std::string_view> fields, size_t column,
+                    const char* name, bool is_radius);
 
 }  // namespace spherepair

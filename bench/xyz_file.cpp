@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "cpu_team.h"
+#include "file_lines.h"
 #include "numbers.h"
 #include "sphere_file.h"
 #include "xyz_columns.h"
@@ -13,31 +14,10 @@
 namespace spherepair {
 namespace {
 
-// Where the reading stands.
-struct Cursor {
-  std::string_view rest;
-  uint64_t line = 1;  // of the rest's first
-
-  bool at_end() const { return rest.empty(); }
-
-  std::string_view next() {
-    const size_t end = std::min(rest.find('\n'), rest.size());
-    std::string_view text = rest.substr(0, end);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    ++line;
-    if (text.ends_with('\r')) text.remove_suffix(1);
-    return text;
-  }
-
-  void skip_blank_lines() {
-    for (Cursor ahead = *this; !ahead.at_end() && ahead.next().find_first_not_of(" \t") == rest.npos;) *this = ahead;
-  }
-};
-
 // A stretch of spheres' lines, of which threads take one after the other.
 constexpr uint64_t lines_at_once = 16384;
 struct Stretch {
-  Cursor start;
+  FileLines start;
   uint64_t first_sphere, spheres;
 };
 
@@ -47,7 +27,7 @@ struct Frame {
   std::vector<Stretch> stretches;
 };
 
-uint64_t read_count(const FileBytes& file, Cursor& cursor, bool first) {
+uint64_t read_count(const FileBytes& file, FileLines& cursor, bool first) {
   const char* expected = first ? "the number of spheres" : "the number of spheres of another frame, or the end";
   const uint64_t line = cursor.line;
   if (cursor.at_end()) file.fail_at_line(line, expected, "the end of the file");
@@ -62,7 +42,7 @@ uint64_t read_count(const FileBytes& file, Cursor& cursor, bool first) {
 }
 
 // Finds where the frame's lines are and looks at none but the first two.
-Frame read_frame(const FileBytes& file, Cursor& cursor, bool first) {
+Frame read_frame(const FileBytes& file, FileLines& cursor, bool first) {
   Frame frame;
   const uint64_t count_line = cursor.line;
   frame.spheres = read_count(file, cursor, first);
@@ -99,14 +79,9 @@ class LineReader {
 
  private:
   float number(size_t column, uint64_t line, const char* what) {
-    const std::string_view text = fields_[column];
-    const auto decimal = parse_decimal(text);
-    if (!decimal)
-      file_.fail_at_line(line, fmt::format("a number for {} in column {}", what, column + 1), in_quotes(text));
-    const char* objection = objection_to(decimal->value, columns_.radius == column);
-    if (objection) file_.fail_at_line(line, fmt::format("{} for {}", objection, what), in_quotes(text));
-    changed_ += decimal->changed;
-    return decimal->rounded;
+    const Decimal decimal = read_number(file_, line, fields_, column, what, columns_.radius == column);
+    changed_ += decimal.changed;
+    return decimal.rounded;
   }
 
   const FileBytes& file_;
@@ -139,7 +114,7 @@ uint64_t read_spheres(const FileBytes& file, const XyzColumns& columns, const Fr
 XyzColumns columns_of(const FileBytes& file, const Frame& frame) {
   if (const auto named = named_columns(file, frame.comment_line, frame.comment)) return *named;
   if (frame.stretches.empty()) return {.text = "no spheres"};
-  Cursor first = frame.stretches.front().start;
+  FileLines first = frame.stretches.front().start;
   const uint64_t line = first.line;
   return classic_columns(file, line, first.next());
 }
@@ -147,7 +122,7 @@ XyzColumns columns_of(const FileBytes& file, const Frame& frame) {
 // Counts the frames, of which all must be whole, and keeps one.
 Frame find_frame(const FileBytes& file, uint64_t wanted, uint64_t& frames) {
   Frame found;
-  Cursor cursor{file.bytes()};
+  FileLines cursor{file.bytes()};
   for (frames = 0; frames == 0 || !cursor.at_end(); ++frames) {
     Frame frame = read_frame(file, cursor, frames == 0);
     if (frames == wanted) found = std::move(frame);
@@ -162,6 +137,7 @@ Frame find_frame(const FileBytes& file, uint64_t wanted, uint64_t& frames) {
 }  // namespace
 
 SphereFile read_xyz(const FileBytes& file, const SphereFileOptions& options) {
+  require_text(file);
   SphereFile input;
   input.frame = options.frame.value_or(0);
   const Frame frame = find_frame(file, input.frame, input.frames);

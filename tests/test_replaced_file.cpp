@@ -2,13 +2,27 @@
 // A file that is to be replaced stays as it is when writing fails or the program is killed, and nothing is left behind.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <functional>
 
 #include "replaced_file.h"
 #include "sphere_files.h"
+
+namespace {
+std::function<void(bool is_folder)> on_fsync = [](bool) {};
+}
+
+// In place of the C library's, so that a test sees what is on the disk at that moment.
+extern "C" int fsync(int descriptor) {
+  struct stat status {};
+  if (fstat(descriptor, &status) == 0) on_fsync(S_ISDIR(status.st_mode));
+  return int(syscall(SYS_fsync, descriptor));
+}
 
 namespace spherepair {
 namespace {
@@ -47,6 +61,19 @@ TEST(ReplacedFile, BeingKilledLosesNothing) {
   EXPECT_TRUE(WIFSIGNALED(status));
   EXPECT_EQ(read_bytes(old), "old");
   EXPECT_EQ(folder.names(), std::vector<std::string>{"pairs.npy"});
+}
+
+// Else a loss of power could leave the name with an empty file.
+TEST(ReplacedFile, BytesReachTheDiskBeforeTheNameDoes) {
+  const ScratchFolder folder;
+  const std::string file = folder.write("pairs.npy", "old");
+  std::vector<std::string> seen;
+  on_fsync = [&](bool is_folder) { seen.push_back((is_folder ? "folder: " : "file: ") + read_bytes(file)); };
+  ReplacedFile replaced(file);
+  replaced.write("new");
+  replaced.commit();
+  on_fsync = [](bool) {};
+  EXPECT_EQ(seen, (std::vector<std::string>{"file: old", "folder: new"}));
 }
 
 }  // namespace

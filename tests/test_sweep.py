@@ -46,6 +46,15 @@ class Sweep:
         self.assertRegex(self.sweep("--resume"), f"^1 of {len(kept)} configurations timed, {len(kept) - 1} ")
         self.assertEqual(kept, sorted(self.files()))
 
+    def test_resume_times_again_what_is_no_whole_record(self):
+        self.sweep()
+        name = sorted(self.files())[0]
+        whole = (self.folder / name).read_text()
+        for text in ("", whole[:len(whole) // 2], "[]", '{"format": "another"}'):
+            (self.folder / name).write_text(text)
+            self.assertRegex(self.sweep("--resume"), "^1 of ", text)
+            self.assertEqual(json.loads(whole).keys(), json.loads((self.folder / name).read_text()).keys())
+
     def test_bad_shards_are_refused(self):
         for shard in ("0/2", "3/2", "2", "1/-2", "a/b"):
             self.assertEqual(2, self.run_it("--shard", shard).returncode, shard)
