@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "answers.h"
+#include "sphere_files.h"
+
+namespace spherepair {
+
+std::string input_file(const std::string& name, std::string_view bytes) {
+  static const ScratchFolder folder;
+  return folder.write(name, std::string(bytes));
+}
+
+void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "does not hold: %s\n", what);
+  std::abort();
+}
+
+Backend& fuzzed_backend() {
+  static const std::unique_ptr<Backend> backend = open_backend("cpu", {.threads = 1});
+  return *backend;
+}
+
+void require_one_set() {
+  Backend& backend = fuzzed_backend();
+  const auto ask_for = [&](Method method, Cells cells) {
+    CollideOptions options = {.method = method, .want_pairs = true};
+    options.grid.cells = cells;
+    backend.collide(options);
+    return answer_of(backend, true);
+  };
+  const Answer expected = ask_for(Method::sequential, Cells::automatic);
+  require(same_answer(expected, ask_for(Method::parallel, Cells::automatic)), "parallel finds what sequential does");
+  for (const Cells cells : {Cells::automatic, Cells::dense, Cells::hashed})
+    require(same_answer(expected, ask_for(Method::collide_grid, cells)), "the grid finds what all pairs do");
+}
+
+}  // namespace spherepair
