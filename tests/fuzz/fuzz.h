@@ -60,7 +60,7 @@ class Values {
 
 Backend& fuzzed_backend();  // the CPU's, with one thread
 
-// All pairs, the grid with dense and with hashed cells: one set from the spheres as they stand on the CPU.
+// All pairs, one by one and in vectors, and the grid: one set from the spheres as they stand on the CPU.
 void require_one_set();
 
 }  // namespace spherepair
