@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-# What check and reproduce share; sourced by both from the root of the project.
+# What check, reproduce and .ci/sanitize share; sourced by each from the root of the project.
 
 build_packages="g++ cmake ninja-build pkg-config libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
   libcli11-dev nlohmann-json3-dev libfmt-dev libboost-dev libglm-dev libpng-dev libglfw3-dev libimgui-dev libgl1"
 test_packages="libbenchmark-dev libgtest-dev libgmp-dev librapidcheck-dev glslang-tools spirv-tools
   clang-format python3 xvfb xauth"
+sanitize_packages="clang libclang-rt-dev libomp-dev llvm"
 figure_packages="python3-matplotlib"
 paper_packages="latexmk texlive-latex-base texlive-latex-recommended texlive-fonts-recommended"
 

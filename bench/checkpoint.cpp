@@ -26,16 +26,6 @@ struct Header {
 };
 static_assert(sizeof(Header) == 64);
 
-uint64_t checksum(std::string_view bytes) {
-  uint64_t sum = splitmix64(bytes.size());
-  for (size_t at = 0; at < bytes.size(); at += 8) {
-    uint64_t word = 0;
-    std::memcpy(&word, bytes.data() + at, std::min<size_t>(8, bytes.size() - at));
-    sum = splitmix64(sum ^ word);
-  }
-  return sum;
-}
-
 template <typename T>
 std::string_view bytes_of(const T* values, size_t count = 1) {
   return {reinterpret_cast<const char*>(values), count * sizeof(T)};
@@ -118,6 +108,16 @@ void read_part(Reader& reader, const std::string& name, std::vector<T>& part, ui
 }
 
 }  // namespace
+
+uint64_t checksum(std::string_view bytes) {
+  uint64_t sum = splitmix64(bytes.size());
+  for (size_t at = 0; at < bytes.size(); at += 8) {
+    uint64_t word = 0;
+    std::memcpy(&word, bytes.data() + at, std::min<size_t>(8, bytes.size() - at));
+    sum = splitmix64(sum ^ word);
+  }
+  return sum;
+}
 
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
   const Scene& scene = checkpoint.scene;

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 #include "motion_state.h"
 
@@ -25,5 +26,8 @@ struct Checkpoint {
 // it: no checkpoint, another version, cut off in which part, which part is damaged, what does not fit together.
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 Checkpoint read_checkpoint(const std::filesystem::path& path);
+
+// What stands behind the header and behind each part.
+uint64_t checksum(std::string_view bytes);
 
 }  // namespace spherepair

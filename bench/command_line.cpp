@@ -12,7 +12,6 @@
 #include "crossover.h"
 #include "options.h"
 #include "precision_command.h"
-#include "run_action.h"
 #include "sets_command.h"
 #include "skips.h"
 #include "sweep.h"
@@ -176,7 +175,7 @@ void add_studies(CLI::App& app, CommandLine& line, Action& action) {
 
 }  // namespace
 
-int run_program(int argc, const char* const* argv, const Opener& opener) {
+int run_program(int argc, const char* const* argv, const Opener& opener, Runner run) {
   CLI::App app(
       "spherepair finds the colliding pairs of spheres, exactly, on the CPU, through GLSL compute shaders and through "
       "CUDA; shows that all find the same pairs; and times them.");
@@ -207,8 +206,10 @@ int run_program(int argc, const char* const* argv, const Opener& opener) {
     } catch (const CLI::ParseError& error) {
       return app.exit(error) == 0 ? kOk : kUsage;
     }
-    start_team(line.open.threads);
-    return action();
+    return run([&] {
+      start_team(line.open.threads);
+      return action();
+    });
   });
 }
 

@@ -107,7 +107,9 @@ json to_json(const PairsReport& report, const CommandLine& line) {
 int pairs_command(const CommandLine& line, const PairsOptions& options) {
   check_options(options);
   PairsReport report{options, {}, {}, {}, {}, {}};
-  auto& [_, input, chosen, method, found, seconds] = report;
+  SphereFile& input = report.input;
+  ChosenBackend& chosen = report.chosen;
+  Seconds& seconds = report.seconds;
   Progress progress;
   progress.say("reading " + options.input_file);
   seconds.load = seconds_of([&] {
@@ -119,10 +121,10 @@ int pairs_command(const CommandLine& line, const PairsOptions& options) {
   progress.say(fmt::format("{} spheres on {}", input.scene.size(), chosen.backend->info().name));
   const CollideOptions collide = {
       .method = choose_method(options.method, *chosen.backend), .block = options.block, .want_pairs = true};
-  seconds.collide = seconds_of([&] { found = find_pairs(*chosen.backend, input.scene, collide); });
-  method = chosen.backend->choice(collide);
+  seconds.collide = seconds_of([&] { report.found = find_pairs(*chosen.backend, input.scene, collide); });
+  report.method = chosen.backend->choice(collide);
   progress.say("writing " + options.output_file);
-  seconds.write = seconds_of([&] { write_pairs(options.output_file, found.pairs); });
+  seconds.write = seconds_of([&] { write_pairs(options.output_file, report.found.pairs); });
   progress.clear();
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
   fmt::print(options.output_file == kStandardOutput ? stderr : stdout, "{}", summary(report));

@@ -35,7 +35,7 @@ Session::Session(const std::vector<std::string>& names, const OpenOptions& optio
     }
   }
   if (backends_.empty()) throw BackendError("no backend could be opened:\n" + summary());
-  std::ranges::stable_partition(backends_, [](const auto& backend) { return backend->info().name == "cpu"; });
+  std::stable_partition(backends_.begin(), backends_.end(), [](const auto& b) { return b->info().name == "cpu"; });
   for (Backend* left : devices())
     for (Backend* right : devices())
       if (left < right && on_hardware(*left) && on_hardware(*right)) check_same_gpu(*left, *right);

@@ -21,8 +21,7 @@ alignas(64) constexpr std::array<unsigned char, 64> bit_numbers = [] {
 }();
 }  // namespace spherepair::avx512
 
-#pragma GCC push_options
-#pragma GCC target("avx512f,avx512dq,avx512vl,avx512bw,avx512vbmi2,avx2,fma,bmi,bmi2,popcnt")
+BEGIN_TARGET("avx512f,avx512dq,avx512vl,avx512bw,avx512vbmi2,avx2,fma,bmi,bmi2,popcnt")
 namespace spherepair::avx512 {
 inline uint not_above(Floats a, Floats b) { return _mm512_cmp_ps_mask(a, b, _CMP_NGT_UQ); }
 inline uint below(Floats a, Floats b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ); }
@@ -41,10 +40,9 @@ inline void append(Meetings& found, uint first, uint at, uint64_t near, uint64_t
 }
 #include "cpu_grid_body.h"
 }  // namespace spherepair::avx512
-#pragma GCC pop_options
+END_TARGET
 
-#pragma GCC push_options
-#pragma GCC target("avx2,fma,bmi,bmi2,popcnt")
+BEGIN_TARGET("avx2,fma,bmi,bmi2,popcnt")
 namespace spherepair::avx2 {
 inline uint not_above(Floats a, Floats b) { return uint(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_NGT_UQ))); }
 inline uint below(Floats a, Floats b) { return uint(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LT_OQ))); }
@@ -54,7 +52,7 @@ inline void append(Meetings& found, uint first, uint at, uint64_t near, uint64_t
 }
 #include "cpu_grid_body.h"
 }  // namespace spherepair::avx2
-#pragma GCC pop_options
+END_TARGET
 #endif
 
 namespace spherepair::portable {

@@ -5,25 +5,23 @@
 #include "cpu_vectors.h"
 
 #ifdef __x86_64__
-#pragma GCC push_options
-#pragma GCC target("avx512f,avx512dq,avx2,fma")
+BEGIN_TARGET("avx512f,avx512dq,avx2,fma")
 namespace spherepair::avx512 {
 constexpr uint vectors = 4;
 inline Floats both(Floats a, Floats b) { return _mm512_and_ps(a, b); }
 inline uint near_lanes(Floats margin) { return 0xFFFFu & ~uint(_mm512_movepi32_mask(_mm512_castps_si512(margin))); }
 #include "cpu_simd_body.h"
 }  // namespace spherepair::avx512
-#pragma GCC pop_options
+END_TARGET
 
-#pragma GCC push_options
-#pragma GCC target("avx2,fma")
+BEGIN_TARGET("avx2,fma")
 namespace spherepair::avx2 {
 constexpr uint vectors = 2;
 inline Floats both(Floats a, Floats b) { return _mm256_and_ps(a, b); }
 inline uint near_lanes(Floats margin) { return 0xFFu & ~uint(_mm256_movemask_ps(margin)); }
 #include "cpu_simd_body.h"
 }  // namespace spherepair::avx2
-#pragma GCC pop_options
+END_TARGET
 #endif
 
 namespace spherepair::portable {

@@ -8,8 +8,17 @@
 #ifdef __x86_64__
 #include <immintrin.h>
 
-#pragma GCC push_options
-#pragma GCC target("avx512f,avx512dq,avx2,fma")
+// Between these two, functions are compiled for an instruction set that the rest of the program may not count on.
+#define CPU_PRAGMA(text) _Pragma(#text)
+#ifdef __clang__
+#define BEGIN_TARGET(names) CPU_PRAGMA(clang attribute push(__attribute__((target(names))), apply_to = function))
+#define END_TARGET CPU_PRAGMA(clang attribute pop)
+#else
+#define BEGIN_TARGET(names) CPU_PRAGMA(GCC push_options) CPU_PRAGMA(GCC target(names))
+#define END_TARGET CPU_PRAGMA(GCC pop_options)
+#endif
+
+BEGIN_TARGET("avx512f,avx512dq,avx2,fma")
 namespace spherepair::avx512 {
 using Floats = __m512;
 constexpr uint lanes = 16;
@@ -17,10 +26,9 @@ inline Floats load(const float* p) { return _mm512_loadu_ps(p); }
 inline Floats spread(float x) { return _mm512_set1_ps(x); }
 inline Floats fused(Floats a, Floats b, Floats c) { return _mm512_fmadd_ps(a, b, c); }
 }  // namespace spherepair::avx512
-#pragma GCC pop_options
+END_TARGET
 
-#pragma GCC push_options
-#pragma GCC target("avx2,fma")
+BEGIN_TARGET("avx2,fma")
 namespace spherepair::avx2 {
 using Floats = __m256;
 constexpr uint lanes = 8;
@@ -28,7 +36,7 @@ inline Floats load(const float* p) { return _mm256_loadu_ps(p); }
 inline Floats spread(float x) { return _mm256_set1_ps(x); }
 inline Floats fused(Floats a, Floats b, Floats c) { return _mm256_fmadd_ps(a, b, c); }
 }  // namespace spherepair::avx2
-#pragma GCC pop_options
+END_TARGET
 #endif
 
 namespace spherepair::portable {

@@ -57,7 +57,8 @@ def twins(root, build):
 
 
 def files(root, build):
-    scripts = [root / name for name in ("check", "reproduce", "CMakeLists.txt", ".ci/run", ".ci/setup.sh")]
+    names = ("check", "reproduce", "CMakeLists.txt", "tests/fuzz/CMakeLists.txt", ".ci/run", ".ci/sanitize", ".ci/setup.sh")
+    scripts = [root / name for name in names]
     checked = sources(root) + [p for p in scripts if p.exists()] + sorted(root.glob("*/CMakeLists.txt"))
     complaints = []
     for path in checked:

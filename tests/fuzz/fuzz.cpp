@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "answers.h"
+#include "sphere_files.h"
+
+namespace spherepair {
+
+std::string input_file(const std::string& name, std::string_view bytes) {
+  static const ScratchFolder folder;
+  return folder.write(name, std::string(bytes));
+}
+
+void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "does not hold: %s\n", what);
+  std::abort();
+}
+
+Backend& fuzzed_backend() {
+  static const std::unique_ptr<Backend> backend = open_backend("cpu", {.threads = 1});
+  return *backend;
+}
+
+void require_one_set() {
+  Backend& backend = fuzzed_backend();
+  const auto ask_for = [&](Method method) {
+    backend.collide({.method = method, .want_pairs = true});
+    return answer_of(backend, true);
+  };
+  const Answer expected = ask_for(Method::sequential);
+  require(same_answer(expected, ask_for(Method::parallel)), "parallel finds what sequential does");
+  require(same_answer(expected, ask_for(Method::collide_grid)), "the grid finds what all pairs do");
+}
+
+}  // namespace spherepair

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// What the fuzz targets share. A target is one file with libFuzzer's entry. Bad bytes may end in std::invalid_argument
+// and in nothing else: any other exception, a crash, a sanitizer's report or a wait of 10 s is a finding.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "backend.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+
+namespace spherepair {
+
+// Writes the bytes to a file of this name, in memory where the system has such a folder, and returns its path.
+std::string input_file(const std::string& name, std::string_view bytes);
+inline std::string_view text_of(const uint8_t* data, size_t size) {
+  return {reinterpret_cast<const char*>(data), size};
+}
+
+// Ends the process, which libFuzzer takes for a finding.
+void require(bool holds, const char* what);
+
+// What the action returns; nothing when it refuses.
+template <typename Action>
+auto unless_refused(Action action) -> std::optional<decltype(action())> {
+  try {
+    return action();
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+// Values one after the other from the front of the input; zeros behind its end.
+class Values {
+ public:
+  Values(const uint8_t* data, size_t size) : rest_(text_of(data, size)) {}
+  template <typename T>
+  T next() {
+    T value{};
+    const size_t taken = std::min(sizeof value, rest_.size());
+    if (taken) std::memcpy(&value, rest_.data(), taken);
+    rest_.remove_prefix(taken);
+    return value;
+  }
+  template <typename T>
+  const T& among(const std::vector<T>& all) {
+    return all[next<uint8_t>() % all.size()];
+  }
+  std::string_view rest() const { return rest_; }
+
+ private:
+  std::string_view rest_;
+};
+
+Backend& fuzzed_backend();  // the CPU's, with one thread
+
+// All pairs, one by one and in vectors, and the grid: one set from the spheres as they stand on the CPU.
+void require_one_set();
+
+}  // namespace spherepair

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Names and numbers that options hold: each parser knows the text or refuses it.
+#include <cstdlib>
+
+#include "arguments.h"
+#include "fuzz.h"
+#include "shard.h"
+#include "xyz_columns.h"
+
+using namespace spherepair;
+
+namespace {
+
+void try_shard(const std::string& text) {
+  const Configuration named = {"file", "title", {}};
+  unless_refused([&] { return run_sweep({named, named, named}, {.output = "", .shard = text, .list = true}); });
+}
+
+void try_decimal(const std::string& text) {
+  const auto decimal = parse_decimal(text);
+  if (!decimal) return;
+  char* end = nullptr;
+  const float nearest = std::strtof(text.c_str(), &end);
+  const bool same = float_bits(nearest) == float_bits(decimal->rounded) ||
+                    (nearest != nearest && decimal->rounded != decimal->rounded);
+  require(*end == 0 && same, "a decimal is rounded as strtof rounds it");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  const std::string text(text_of(data, size));
+  const auto scene = unless_refused([&] { return parse_scene(text, 1); });
+  if (scene && scene->n <= 1000) unless_refused([&] { return make_scene(*scene); });
+  unless_refused([&] { return parse_methods({text}); });
+  unless_refused([&] { return motion_from_name(text); });
+  unless_refused([&] { return precision_from_name(text); });
+  unless_refused([&] { return draw_method_from_name(text); });
+  try_shard(text);
+  try_decimal(text);
+  return 0;
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// results.json: what is read as a record of a comparison equals itself.
+#include "equality.h"
+#include "fuzz.h"
+
+using namespace spherepair;
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  const std::string file = input_file("results.json", text_of(data, size));
+  const auto results = unless_refused([&] { return read_results(file); });
+  if (!results) return 0;
+  const auto same = unless_refused([&] { return compare_records(*results, *results); });
+  require(!same || (same->differences.empty() && same->only_left == 0 && same->only_right == 0),
+          "a record equals itself");
+  return 0;
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// XYZ and extended XYZ: what is read is a scene that every backend takes.
+#include "fuzz.h"
+#include "sphere_file.h"
+
+using namespace spherepair;
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  const std::string file = input_file("spheres.xyz", text_of(data, size));
+  const SphereFileOptions own_radii = {.threads = 1}, one_radius = {.radius = 0.5f, .threads = 1};
+  const SphereFileOptions second = {.radius = 0.5f, .frame = 1, .threads = 1};
+  for (const SphereFileOptions& options : {own_radii, one_radius, second}) {
+    const auto input = unless_refused([&] { return read_sphere_file(file, options); });
+    if (!input) continue;
+    check_scene(input->scene);
+    describe(*input);
+    to_json(*input).dump();
+  }
+  return 0;
+}
