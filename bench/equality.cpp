@@ -100,11 +100,17 @@ std::map<std::string, std::string> records(const json& file) {
   return found;
 }
 
+// A record is a few levels deep. What is read deeper than that would use up the stack when it is taken apart.
+bool require_flat(int depth, json::parse_event_t, json&) {
+  if (depth > 32) throw std::invalid_argument("expected values at most 32 levels deep, found deeper ones");
+  return true;
+}
+
 }  // namespace
 
 json to_json(const EqualityEntry& entry) {
   json points = json::array();
-  for (const Checkpoint& point : entry.checkpoints)
+  for (const ComparedStep& point : entry.checkpoints)
     points.push_back({{"step", point.step},
                       {"pairs", point.pairs},
                       {"colliding_spheres", point.colliding_spheres},
@@ -139,7 +145,7 @@ json read_results(const std::string& path) {
   const FileBytes file(path);
   json results;
   try {
-    results = json::parse(file.bytes());
+    results = json::parse(file.bytes(), require_flat);
     records(results);
   } catch (const std::exception& error) {  // no JSON, or not what records() wants
     throw std::invalid_argument(

@@ -10,7 +10,7 @@ namespace spherepair {
 
 inline constexpr const char* results_format = "spherepair results 1";
 
-struct Checkpoint {
+struct ComparedStep {
   uint64_t step, pairs, colliding_spheres;
   Fingerprint fingerprint;
   uint64_t state;  // state_hash()
@@ -21,7 +21,7 @@ struct EqualityEntry {
   SceneOptions scene;
   std::string set;
   std::vector<std::string> answers;
-  std::vector<Checkpoint> checkpoints;
+  std::vector<ComparedStep> checkpoints;
 };
 json to_json(const EqualityEntry& entry);
 

@@ -17,7 +17,7 @@ struct Gathered {
   SceneOptions scene;
   std::string set;
   uint64_t comparisons = 0;
-  Checkpoint last{};
+  ComparedStep last{};
   std::map<std::string, std::pair<std::set<uint>, std::set<std::string>>> methods;  // group sizes and backends
 };
 

@@ -51,10 +51,12 @@ FN uint level_of(float radius, Params p) {
   return above < p.top_level ? above : p.top_level;
 }
 
+const int MOST_CELLS = 1073741824;  // numbered up to this one in each direction
+
 FN int cell_number(float x, float origin, float scale) {
   EXACT float offset = x - origin;
   EXACT float place = offset * scale;
-  return int(smaller(larger(place, -1073741824.0f), 1073741824.0f));
+  return int(smaller(larger(place, -float(MOST_CELLS)), float(MOST_CELLS)));
 }
 
 FN float cells_per_metre(uint level, Params p) {

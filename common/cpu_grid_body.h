@@ -57,9 +57,13 @@ class Searcher {
     return {order_.x[place], order_.y[place], order_.z[place], equal_radii ? p_.radius : order_.radius[place]};
   }
 
+  // All beyond the largest cell number is one cell, whose spheres may be too far apart to meet rows of cells together.
+  static bool is_last(int cell) { return cell <= -MOST_CELLS || cell >= MOST_CELLS; }
+
   // A run of hashed cells ends with its row, and before the row comes back to its own slots.
   bool continues(const Run& run, uint place) const {
     if (!hashed) return true;
+    if (is_last(run.cell.x) || is_last(run.cell.y) || is_last(run.cell.z)) return false;
     const vec4 s = sphere(place);
     return stands_in_row(s, run.level, run.cell.y, run.cell.z, p_) &&
            uint(cells_.own(s, run.level).x) - uint(run.cell.x) < row_stretch;

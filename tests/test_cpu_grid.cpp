@@ -113,6 +113,21 @@ TEST(CpuGrid, RowsLongerThanTheTable) {
   }
 }
 
+// Beyond 2^30 cells all spheres share the last one, however far apart they are.
+TEST(CpuGrid, SpheresBeyondTheLastCellAreFoundWithoutWalkingTheWayBetweenThem) {
+  std::mt19937_64 random(20251121);
+  for (const int axis : {0, 1, 2}) {
+    std::vector<vec4> spheres;
+    for (int i = 0; i < 300; ++i) {
+      const float places[] = {0, 0, 0, 0, 1e7f, 1.2e7f, 1.5e7f}, far = places[i % 7] + float(random() % 8);
+      vec4 sphere = {0.25f, 0.25f, 0.25f, random() % 2 ? 0.5f : 0x1p-10f};
+      (axis == 0 ? sphere.x : axis == 1 ? sphere.y : sphere.z) = far;
+      spheres.push_back(sphere);
+    }
+    expect_grid(scene_of(spheres), fmt::format("far along axis {}", axis));
+  }
+}
+
 TEST(CpuGrid, EveryNumberOfThreadsGivesTheSame) {
   for (const char* kind : {"uniform", "clustered", "one_cell"}) {
     const Scene scene = make_scene({.name = kind, .n = kind == std::string("one_cell") ? 600u : 60000u});

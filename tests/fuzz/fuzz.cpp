@@ -27,13 +27,14 @@ Backend& fuzzed_backend() {
 
 void require_one_set() {
   Backend& backend = fuzzed_backend();
-  const auto ask_for = [&](Method method) {
-    backend.collide({.method = method, .want_pairs = true});
+  const auto ask_for = [&](Method method, Cells cells = Cells::automatic) {
+    backend.collide({.method = method, .want_pairs = true, .grid = {.cells = cells}});
     return answer_of(backend, true);
   };
   const Answer expected = ask_for(Method::sequential);
   require(same_answer(expected, ask_for(Method::parallel)), "parallel finds what sequential does");
-  require(same_answer(expected, ask_for(Method::collide_grid)), "the grid finds what all pairs do");
+  for (const Cells cells : {Cells::automatic, Cells::dense, Cells::hashed})
+    require(same_answer(expected, ask_for(Method::collide_grid, cells)), "the grid finds what all pairs do");
 }
 
 }  // namespace spherepair
