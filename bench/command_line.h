@@ -11,7 +11,8 @@ namespace spherepair {
 using Runner = int (*)(const std::function<int()>& action);
 inline int run_it(const std::function<int()>& action) { return action(); }
 
-// Parses the words, of which the first is the program's name, runs the subcommand and returns the exit code (commands.h).
+// Parses the words, of which the first is the program's name, runs the subcommand and returns the exit code
+// (commands.h).
 int run_program(int argc, const char* const* argv, const Opener& opener = open_backend, Runner run = run_it);
 
 }  // namespace spherepair

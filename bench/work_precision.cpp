@@ -19,8 +19,7 @@ SceneOptions scene_options(const PrecisionPlan& plan, MotionOptions motion, int 
 
 void compare_states(Session& session, const SceneOptions& scene, uint64_t step) {
   for (const auto& backend : session.backends())
-    if (backend.get() != &session.reference())
-      session.comparisons.plan(backend->info().name, Comparisons::states, 1);
+    if (backend.get() != &session.reference()) session.comparisons.plan(backend->info().name, Comparisons::states, 1);
   require_same_states(session, {scene, step});
   session.comparisons.require_complete();
 }

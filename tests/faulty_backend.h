@@ -28,7 +28,7 @@ enum class Fault {
   velocity_bit,  // y of sphere 3
   radius_bit,
   wide_bit,
-  velocity_missing,  // velocities of one sphere fewer
+  velocity_missing,   // velocities of one sphere fewer
   infinite_position,  // x of sphere 3
   image_pixel,
   // What a kernel must not do, and a backend that nothing is asked of.

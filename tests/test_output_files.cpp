@@ -34,7 +34,8 @@ class Outputs : public ProgramTest {
 };
 
 std::string render_of(const std::string& rest) {
-  return "render --backend cpu --n 20 --size 64x48 --samples 1 " + rest;
+  const char* spheres = rest.find("--input") == rest.npos ? "--n 20 " : "";
+  return "render --backend cpu --size 64x48 --samples 1 " + (spheres + rest);
 }
 
 TEST_F(Outputs, RunNeverWritesOverItsInput) {

@@ -13,8 +13,10 @@ namespace {
 
 void try_shard(const std::string& text) {
   const Configuration named = {"file", "title", {}};
-  unless_refused([&] { return run_sweep({named, named, named}, {.output = "", .shard = text, .list = true},
-                                           [](const json&) { return true; }); });
+  unless_refused([&] {
+    return run_sweep({named, named, named}, {.output = "", .shard = text, .list = true},
+                     [](const json&) { return true; });
+  });
 }
 
 void try_decimal(const std::string& text) {
