@@ -104,7 +104,7 @@ TEST_P(Methods, ColumnsNeverChangeTheSet) {
     for (uint columns : {0u, 1u, 7u, 32u, 100u, 1024u, 5000u, ~0u})
       methods.push_back({.block = block, .columns = columns});
   for (const uint64_t n : {200, 257, 600, 1024, 1111, 1281, 2049, 4100})  // 1 to 17 groups of 256 rows, 1 to 3 of 2,048
-    for (const double radius_ratio : {1.0, 3.0}) {
+    for (const float radius_ratio : {1.0f, 3.0f}) {
       SCOPED_TRACE(fmt::format("{} spheres, radii 1 to {}", n, radius_ratio));
       SceneOptions options = {.name = "uniform", .n = n, .radius_ratio = radius_ratio};
       options.packing_fraction = 0.1;

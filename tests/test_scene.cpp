@@ -56,8 +56,9 @@ TEST(Scenes, MedianCountsOfThePaper) {
     for (uint64_t seed = 0; seed < (n > 1000 ? 5 : 101); ++seed) counts.push_back(paper_count(n, seed));
     std::sort(counts.begin(), counts.end());
     const uint64_t median = counts[counts.size() / 2];
-    const auto inside = std::count_if(counts.begin(), counts.end(),
-                                      [&](uint64_t count) { return count >= range.first && count <= range.second; });
+    const auto inside = std::count_if(counts.begin(), counts.end(), [&range = range](uint64_t count) {
+      return count >= range.first && count <= range.second;
+    });
     fmt::print("{} spheres: median {} colliding, {} of {} seeds in the paper's range of {} to {}\n", n, median, inside,
                counts.size(), range.first, range.second);
     EXPECT_GE(median, range.first) << n << " spheres";
