@@ -10,6 +10,17 @@
 
 namespace spherepair {
 
+// A sanitizer of addresses itself needs more address space than a limit on it would leave.
+#ifdef __has_feature
+constexpr bool limits_address_space = !__has_feature(address_sanitizer);
+#elif defined(__SANITIZE_ADDRESS__)
+constexpr bool limits_address_space = false;
+#else
+constexpr bool limits_address_space = true;
+#endif
+#define SKIP_WHERE_ADDRESS_SPACE_HAS_NO_LIMIT() \
+  if (!limits_address_space) GTEST_SKIP() << "the address sanitizer needs more address space than the limit leaves"
+
 struct Outcome {
   int code = -1;  // 128 + the number of the signal that ended it
   std::string output, errors;

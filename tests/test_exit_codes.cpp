@@ -55,6 +55,7 @@ TEST_F(ExitCodes, ErrorsToAFullDeviceKeepTheirCode) {
 }
 
 TEST_F(ExitCodes, ThreadsThatCannotBeStartedAreTroubleAndNoDifference) {
+  SKIP_WHERE_ADDRESS_SPACE_HAS_NO_LIMIT();
   folder_.write("two.xyz", "2\n\nH 0 0 0 1\nH 1 0 0 1\n");
   expect_too_many_threads("run --n 64");
   expect_too_many_threads("run --n 100000 --method collide_grid");

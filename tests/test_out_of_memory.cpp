@@ -12,9 +12,7 @@ class OutOfMemory : public ProgramTest {
  protected:
   void SetUp() override {
     ProgramTest::SetUp();
-#ifdef __SANITIZE_ADDRESS__
-    GTEST_SKIP() << "the sanitizer itself needs more address space than these limits leave";
-#endif
+    SKIP_WHERE_ADDRESS_SPACE_HAS_NO_LIMIT();
     while (run_within(least_, "--version").code != kOk && least_ < 1000000) least_ += 2000;
   }
 

@@ -9,6 +9,7 @@
 #include "degrees.h"
 #include "oracle.h"
 #include "pair_file.h"
+#include "program.h"
 #include "sphere_files.h"
 
 namespace spherepair {
@@ -181,6 +182,7 @@ TEST_F(PairsCommand, FailureLosesNothing) {
 
 // 12.5 million pairs, 100 MB as threads find them.
 TEST_F(PairsCommand, AListBeyondMemoryIsRefusedWithItsSize) {
+  SKIP_WHERE_ADDRESS_SPACE_HAS_NO_LIMIT();
   if (!fs::exists(SPHEREPAIR_PROGRAM)) GTEST_SKIP() << "no " << SPHEREPAIR_PROGRAM << " here";
   std::string text = "5000\n\n";
   for (int k = 0; k < 5000; ++k) text += "1 2 3\n";

@@ -90,7 +90,12 @@ CPU = [
            "if (verdict == UNDECIDED && !(search_.params.defer_undecided && settle(a, b))) return;",
            "if (verdict == UNDECIDED) return;", "Methods", "StressCatalogue.Row0"),
     mutant("cpu: counts of one side", "common/cpu_pairs.cpp", "++counts_[j];", "", "Methods"),
-    mutant("cpu: pairs in no order", "common/cpu_pairs.cpp", "std::ranges::sort(found.list);", "", "Methods"),
+    mutant("cpu: pairs in no order", "common/growing_list.h", "std::ranges::sort(all);", "", "Methods"),
+    mutant("cpu: spheres beyond the last cell in runs", "common/cpu_grid_body.h",
+           "if (is_last(run.cell.x) || is_last(run.cell.y) || is_last(run.cell.z)) return false;", "", "CpuGrid"),
+    mutant("any scene moves", "common/cpu_motion.cpp", "if (!unmovable_.empty()) throw", "if (false) throw", "NonFinite"),
+    mutant("a state may be infinite", "bench/finite_state.cpp", "if (unsound.empty()) return;", "return;", "NonFinite",
+           "Harness"),
     mutant("cpu: columns beyond the tile", "common/cpu_pairs.cpp", "row < column && column < end", "row < column", "Methods"),
     mutant("cpu: rows of cells above left out", "common/cpu_grid_body.h", "for (; y <= high.y; ++y) meet_row",
            "for (; y < high.y; ++y) meet_row", "CpuGrid", "Methods"),
@@ -123,10 +128,22 @@ CHECKPOINT = [
     mutant("restitution is not restored", "bench/checkpoint.cpp", "scene.restitution = header.restitution", "scene.restitution = 1",
            "Checkpoint"),
     mutant("save-every at wrong steps", "bench/run.cpp", "step % options.save_every == 0", "step % options.save_every == 1",
-           "Checkpoint"),
+           "NonFinite", "Checkpoint"),
     mutant("a killed run leaves half a file", "bench/replaced_file.cpp", "nameless_ = descriptor_ >= 0;",
            "nameless_ = descriptor_ >= 0; if (nameless_) { ::close(descriptor_); nameless_ = false; open_beside(); }",
            "ReplacedFile"),
 ]
 
-MUTANTS = HARNESS + SHADERS + CPU + FILES + CHECKPOINT
+COMMANDS = [
+    mutant("an input may be an output", "bench/output_files.cpp", "if (other != uses_.end() &&", "if (false &&", "Outputs"),
+    mutant("bytes reach the disk later", "bench/replaced_file.cpp",
+           "if ((nameless_ || !beside_.empty()) && ::fsync(descriptor_) != 0) fail(errno);", "", "ReplacedFile"),
+    mutant("NUL bytes are taken", "bench/file_lines.h", 'file.fail_at_line(uint64_t(lines_before) + 1, "text", "a NUL byte");',
+           "", "ReadErrors"),
+    mutant("a full device is no error", "bench/run_action.cpp", "if (std::fflush(stdout) == 0 && !std::ferror(stdout))",
+           "if (true)", "ExitCodes"),
+    mutant("equal radii as the header says", "bench/checkpoint_check.cpp",
+           "(scene_.equal_radii && radius(i) != radius(0))", "false", "Checkpoint"),
+]
+
+MUTANTS = HARNESS + SHADERS + CPU + FILES + CHECKPOINT + COMMANDS
