@@ -99,14 +99,12 @@ CPU = [
     mutant("cpu: columns beyond the tile", "common/cpu_pairs.cpp", "row < column && column < end", "row < column", "Methods"),
     mutant("cpu: rows of cells above left out", "common/cpu_grid_body.h", "for (; y <= high.y; ++y) meet_row",
            "for (; y < high.y; ++y) meet_row", "CpuGrid", "Methods"),
-    mutant("float64 stage without its margin", "common/exact.h", "q * bits_double(0x3FF00000u, 12u)",
-           "q * bits_double(0x3FF00000u, 0u)", "StressCatalogue.Row0", "Predicate"),
-    mutant("wide integers lose their top word", "common/exact.h", "uint words = (top - base + 57u) >> 5;",
-           "uint words = (top - base + 25u) >> 5;", "StressCatalogue.Row0", "Predicate"),
+    mutant("cpu: half the reach of unequal radii", "common/cpu_pairs.cpp", "search.equal_radii ? 1.0f : 0.5f;",
+           "search.equal_radii ? 1.0f : 0.25f;", "StressCatalogue.Row1", "Methods"),
     mutant("filter of equal radii too sure", "common/scene_params.cpp", "const double margin = 12 * 0x1p-24",
-           "const double margin = 1 * 0x1p-24", "StressCatalogue", "Predicate"),
-    mutant("cells narrower than a diameter", "common/grid_plan.cpp", "2.0 * double(extent.largest) * (1 + 0x1p-8)",
-           "1.5 * double(extent.largest)", "CpuGrid", "GridProperties"),
+           "const double margin = 1 * 0x1p-24", "Predicate", "StressCatalogue.Row0"),
+    mutant("spheres reach half as many cells", "common/grid_plan.cpp", "float(scale * double(plan.largest_radius) +",
+           "float(scale * 0.5 * double(plan.largest_radius) +", "CpuGrid", "GridProperties"),
 ]
 
 FILES = [
@@ -146,4 +144,11 @@ COMMANDS = [
            "(scene_.equal_radii && radius(i) != radius(0))", "false", "Checkpoint"),
 ]
 
-MUTANTS = HARNESS + SHADERS + CPU + FILES + CHECKPOINT + COMMANDS
+EXACT = [
+    mutant("float64 stage without its margin", "common/exact.h", "q * bits_double(0x3FF00000u, 12u)",
+           "q * bits_double(0x3FF00000u, 0u)", "StressCatalogue.Row0", "Predicate"),
+    mutant("wide integers lose their top word", "common/exact.h", "uint words = (top - base + 57u) >> 5;",
+           "uint words = (top - base + 25u) >> 5;", "StressCatalogue.Row0", "Predicate"),
+]
+
+MUTANTS = HARNESS + SHADERS + CPU + FILES + CHECKPOINT + COMMANDS + EXACT
