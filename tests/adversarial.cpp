@@ -160,6 +160,27 @@ Inputs axis_offset(Random& random) {
   return inputs;
 }
 
+// An integer of up to 48 bits as the difference, or sum, of two floats.
+void set_difference(Inputs& inputs, int c, uint64_t value, float sign) {
+  inputs[c] = float(value >> 24) * 0x1p24f;
+  inputs[4 + c] = sign * float(value & 0xFFFFFFu);
+}
+
+// x^2 + y^2 beside r^2, where y is the root of r^2 - x^2 rounded down or up: so close that float64 sees no difference.
+Inputs beyond_double(Random& random) {
+  const uint64_t x = (1ul << 46) + random.below(1ul << 46), more = 1 + random.below(1 << 12);
+  const uint64_t square = more * (2 * x + more);  // r^2 - x^2 for r = x + more
+  uint64_t y = uint64_t(std::sqrt(double(square)));
+  while (y * y >= square) --y;
+  while ((y + 1) * (y + 1) < square) ++y;
+  Inputs inputs{};
+  set_difference(inputs, 0, x, -1);
+  set_difference(inputs, 1, y + (random.next() >> 63), -1);
+  set_difference(inputs, 3, x + more, 1);
+  permute_axes(inputs, random);
+  return scaled(inputs, random.between(-100, 10));
+}
+
 Inputs nonfinite(uint64_t index) {
   const float infinity = std::numeric_limits<float>::infinity();
   const float apart = (index / 390625) % 2 == 0 ? 0.25f : 4.0f;
@@ -189,6 +210,8 @@ Inputs make_inputs(Family family, uint64_t index) {
       return extreme(random);
     case Family::axis_offset:
       return axis_offset(random);
+    case Family::beyond_double:
+      return beyond_double(random);
     default:
       return nonfinite(index);
   }

@@ -33,6 +33,7 @@ enum class Family {
   extreme,        // row 6: squares around the largest float, or radii of 2^-115 to 2^-45
   axis_offset,    // row 7: tangent along an axis but for an offset around 2^-140
   nonfinite,      // row 8: NaN and infinities in every subset of the inputs; repeats after NONFINITE_CASES
+  beyond_double,  // differences of 48 bits, whose squares float64 rounds past the squared sum of radii
 };
 constexpr uint64_t NONFINITE_CASES = 2 * 390625;  // two pairs of spheres, five kinds of value in each of eight inputs
 

@@ -173,5 +173,14 @@ TEST(Controls, FilterWithoutMarginIsFoundOut) {
   EXPECT_GT(tally(Family::near_tangent, 100'000, careless).wrong, 0u);
 }
 
+// As is one in float64, by what it rounds.
+TEST(Controls, Float64WithoutMarginIsFoundOut) {
+  const Decider careless = decider_of([](vec4 a, vec4 b) {
+    const double x = double(a.x) - b.x, y = double(a.y) - b.y, z = double(a.z) - b.z, r = double(a.w) + b.w;
+    return x * x + y * y + z * z < r * r;
+  });
+  EXPECT_GT(tally(Family::beyond_double, 100'000, careless).wrong, 10'000u);
+}
+
 }  // namespace
 }  // namespace spherepair

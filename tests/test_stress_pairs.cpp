@@ -71,5 +71,17 @@ TEST_P(StressCatalogue, Row08_NotFiniteExhaustive) {
 
 INSTANTIATE_BACKENDS(StressCatalogue);
 
+class PredicateOf : public BackendTest {};
+
+TEST_P(PredicateOf, LeavesToIntegersWhatFloat64RoundsPastTheSumOfRadii) {
+  const Tally result =
+      tally(Family::beyond_double, 200'000, [&](std::span<const vec4> spheres) { return backend().decide(spheres); });
+  EXPECT_EQ(result.wrong, 0u) << "of " << result.pairs << "; the first: " << result.first_wrong;
+  EXPECT_EQ(result.by_stage[STAGE_INTEGER] + result.by_stage[STAGE_WIDE], result.pairs);
+  EXPECT_GT(result.overlapping, result.pairs / 3);
+}
+
+INSTANTIATE_BACKENDS(PredicateOf);
+
 }  // namespace
 }  // namespace spherepair

@@ -146,7 +146,9 @@ COMMANDS = [
 
 EXACT = [
     mutant("float64 stage without its margin", "common/exact.h", "q * bits_double(0x3FF00000u, 12u)",
-           "q * bits_double(0x3FF00000u, 0u)", "StressCatalogue.Row0", "Predicate"),
+           "q * bits_double(0x3FF00000u, 0u)", "Predicate"),
+    mutant("wide integers lose their top word", "common/exact.h", "uint words = (top - base + 57u) >> 5;",
+           "uint words = (top - base + 25u) >> 5;", "Predicate", "StressCatalogue.Row0"),
 ]
 
 MUTANTS = HARNESS + SHADERS + CPU + FILES + CHECKPOINT + COMMANDS + EXACT
