@@ -2,9 +2,9 @@
 // What every kernel gets, and where the host finds the kernels: one entry per file, by group size and variant.
 #pragma once
 
-#include "kernel_list.h"
-#include "layout.h"
-#include "variant.h"
+#include "common/device/kernel_list.h"
+#include "common/device/variant.h"
+#include "common/shared/layout.h"
 
 namespace spherepair {
 

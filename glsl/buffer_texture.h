@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <map>
 
-#include "layout.h"
+#include "common/shared/layout.h"
 
 namespace spherepair {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "context.h"
+#include "glsl/context.h"
 
 #include <fmt/format.h>
 

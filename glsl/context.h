@@ -5,7 +5,7 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
-#include "backend.h"
+#include "common/backend/backend.h"
 
 namespace spherepair {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "device_limits.h"
+#include "glsl/device_limits.h"
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 // What the driver of the current context offers.
 #pragma once
 
-#include "backend.h"
-#include "program.h"
+#include "common/backend/backend.h"
+#include "glsl/program.h"
 
 namespace spherepair {
 

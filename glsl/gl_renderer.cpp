@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "gl_renderer.h"
+#include "glsl/gl_renderer.h"
 
 #include <fmt/format.h>
 
-#include "context.h"
-#include "sphere_mesh.h"
+#include "glsl/context.h"
+#include "glsl/sphere_mesh.h"
 
 namespace spherepair {
 namespace {

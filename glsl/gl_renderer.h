@@ -6,8 +6,8 @@
 #include <map>
 #include <memory>
 
-#include "backend.h"
-#include "program.h"
+#include "common/backend/backend.h"
+#include "glsl/program.h"
 
 namespace spherepair {
 

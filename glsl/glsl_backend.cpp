@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "glsl_backend.h"
+#include "glsl/glsl_backend.h"
 
 #include <fmt/format.h>
 
 #include <cstring>
 
-#include "buffer_texture.h"
-#include "context.h"
-#include "device_backend.h"
-#include "device_limits.h"
-#include "gl_renderer.h"
-#include "method_choice.h"
-#include "program.h"
-#include "stage_timer.h"
-#include "table_windows.h"
+#include "common/backend/checks.h"
+#include "common/device/device_backend.h"
+#include "glsl/buffer_texture.h"
+#include "glsl/context.h"
+#include "glsl/device_limits.h"
+#include "glsl/gl_renderer.h"
+#include "glsl/program.h"
+#include "glsl/stage_timer.h"
+#include "glsl/table_windows.h"
 
 namespace spherepair {
 namespace {
@@ -44,7 +44,7 @@ class GlslBackend final : public DeviceBackend {
   void check_tricks(const CollideOptions& options) const override;
   bool takes_texture(Kernel kernel, const Tricks& tricks) const override;
   bool overlaps_launches() const override { return true; }
-  uint bounds_block() const override { return 256; }  // all then run at once (bench/NOTES.md)
+  uint bounds_block() const override { return 256; }  // all then run at once (docs/NOTES/NOTES.md)
   void begin_step(const Tricks& tricks) override { batched_ = tricks.batch.value_or(true); }
   void end_step() override { batched_ = true; }
   void clear_buffer(uint slot, uint64_t bytes) override;

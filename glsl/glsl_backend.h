@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "backend.h"
+#include "common/backend/backend.h"
 
 namespace spherepair {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "program.h"
+#include "glsl/program.h"
 
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cstring>
 
-#include "embedded_shaders.h"
-#include "kernel_list.h"
-#include "layout.h"
+#include "common/device/kernel_list.h"
+#include "common/shared/layout.h"
+#include "glsl/embedded_shaders.h"
 
 namespace spherepair {
 namespace {

@@ -10,9 +10,9 @@
 #include <tuple>
 #include <vector>
 
-#include "backend.h"
-#include "variant.h"
-#include "view.h"
+#include "common/backend/backend.h"
+#include "common/device/variant.h"
+#include "common/shared/view.h"
 
 namespace spherepair {
 

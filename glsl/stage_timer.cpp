@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stage_timer.h"
+#include "glsl/stage_timer.h"
 
 namespace spherepair {
 

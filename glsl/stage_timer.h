@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "backend.h"
+#include "common/backend/backend.h"
 
 namespace spherepair {
 

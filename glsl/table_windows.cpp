@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "table_windows.h"
+#include "glsl/table_windows.h"
 
 #include <algorithm>
 
-#include "device_backend.h"
+#include "common/device/device_backend.h"
 
 namespace spherepair {
 

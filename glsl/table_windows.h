@@ -3,8 +3,8 @@
 // cells and long enough for their neighbourhoods, so that one dispatch a part reads one texture each.
 #pragma once
 
-#include "buffer_texture.h"
-#include "layout.h"
+#include "common/shared/layout.h"
+#include "glsl/buffer_texture.h"
 
 namespace spherepair {
 

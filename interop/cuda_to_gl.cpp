@@ -8,13 +8,13 @@
 #include <algorithm>
 #include <array>
 
-#include "camera.h"
-#include "check.h"
-#include "context.h"
-#include "cuda_backend.h"
-#include "gl_renderer.h"
-#include "interop.h"
-#include "shared_memory.h"
+#include "common/scene/camera.h"
+#include "cuda/host/check.h"
+#include "cuda/host/cuda_backend.h"
+#include "glsl/context.h"
+#include "glsl/gl_renderer.h"
+#include "interop/interop.h"
+#include "interop/shared_memory.h"
 
 namespace spherepair {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "shared_drawing.h"
+#include "common/backend/shared_drawing.h"
 
 namespace spherepair {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "shared_memory.h"
+#include "interop/shared_memory.h"
 
 #include <cuda.h>
 #include <cuda_runtime.h>
 #include <epoxy/egl.h>
 #include <fmt/format.h>
 
-#include "backend.h"
+#include "common/backend/backend.h"
 
 namespace spherepair {
 namespace {

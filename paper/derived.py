@@ -9,7 +9,7 @@ from records import Missing
 ORDER = ("clear", "grid_clear", "grid_bounds", "split_tiles", "split_count", "split_scan", "grid_split", "grid_sort", "grid_count",
          "grid_sums", "grid_scan", "grid_scatter", "collide", "settle", "tally")  # of the kernels of a collision step
 INSTRUCTIONS = 4  # three fused multiply-adds and a comparison a pair, the least for the form that is used
-# A sphere, as bench/floors.h reckons them; records before there was split_tiles counted 111 or 128.
+# A sphere, as bench/measure/floors.h reckons them; records before there was split_tiles counted 111 or 128.
 GRID_BYTES = {"warm": 43, "cold": 91}
 
 

@@ -2,7 +2,7 @@
 // The buffers of every kernel (layout.h says what they hold), and the index of a group whatever the fold and slice of
 // its dispatch.
 #extension GL_ARB_gpu_shader_int64 : require
-#include "layout.h"
+#include "common/shared/layout.h"
 
 layout(std140, binding = SLOT_PARAMS) uniform ParamsBlock { Params p; };
 #ifndef ID_ACCESS

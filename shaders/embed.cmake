@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 cmake_minimum_required(VERSION 3.22)
-# Inlines #include "..." into each shader, once a file, and writes all of them as string literals into one C++ source, so
+# Inlines #include "...", written from ROOT, into each shader, once a file, and writes all of them as string literals into one C++ source, so
 # that the program needs no files at run time. Angle-bracket includes belong to the C++ side of a shared header and go.
 # The flattened texts are also left as files in FLATTENED, for the lint.
 function(flatten path seen_variable text_variable)
@@ -13,14 +13,8 @@ function(flatten path seen_variable text_variable)
   set(text "")
   foreach(line IN LISTS lines)
     if(line MATCHES "^#include \"(.*)\"")
-      set(found "")
-      foreach(folder IN LISTS INCLUDES)
-        if(EXISTS ${folder}/${CMAKE_MATCH_1})
-          set(found ${folder}/${CMAKE_MATCH_1})
-          break()
-        endif()
-      endforeach()
-      if(NOT found)
+      set(found ${ROOT}/${CMAKE_MATCH_1})
+      if(NOT EXISTS ${found})
         message(FATAL_ERROR "${path}: cannot find the included file ${CMAKE_MATCH_1}")
       endif()
       if(NOT found IN_LIST seen)
@@ -35,7 +29,7 @@ function(flatten path seen_variable text_variable)
   set(${text_variable} "${text}" PARENT_SCOPE)
 endfunction()
 
-set(output "// Made from shaders/ by shaders/embed.cmake.\n#include \"embedded_shaders.h\"\n\n")
+set(output "// Made from shaders/ by shaders/embed.cmake.\n#include \"glsl/embedded_shaders.h\"\n\n")
 string(APPEND output "namespace spherepair {\n\nconst std::map<std::string, std::string>& embedded_shaders() {\n")
 string(APPEND output "  static const std::map<std::string, std::string> shaders = {\n")
 foreach(shader IN LISTS SHADERS)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Any float32 numbers as spheres of an NPY file: every method finds one set of pairs. The first byte says whether all
 // radii are equal.
-#include "fuzz.h"
-#include "sphere_file.h"
-#include "sphere_files.h"
+#include "bench/formats/sphere_file.h"
+#include "tests/fuzz/fuzz.h"
+#include "tests/support/sphere_files.h"
 
 using namespace spherepair;
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "fuzz.h"
+#include "tests/fuzz/fuzz.h"
 
 #include <cstdio>
 #include <cstdlib>
 
-#include "answers.h"
-#include "sphere_files.h"
+#include "api/open.h"
+#include "bench/check/answers.h"
+#include "tests/support/sphere_files.h"
 
 namespace spherepair {
 

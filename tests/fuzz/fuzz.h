@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "backend.h"
+#include "common/backend/backend.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 

@@ -4,8 +4,9 @@
 #include <sstream>
 #include <vector>
 
-#include "command_line.h"
-#include "fuzz.h"
+#include "api/open.h"
+#include "bench/cli/command_line.h"
+#include "tests/fuzz/fuzz.h"
 
 using namespace spherepair;
 

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "fuzz.h"
-#include "sphere_files.h"
+#include "tests/fuzz/fuzz.h"
+#include "tests/support/sphere_files.h"
 
 int main(int, char** argv) {
   int inputs = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // results.json: what is read as a record of a comparison equals itself.
-#include "equality.h"
-#include "fuzz.h"
+#include "bench/check/equality.h"
+#include "tests/fuzz/fuzz.h"
 
 using namespace spherepair;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Scenes of any parameters: made, moved and searched on the CPU backend, or refused.
-#include "fuzz.h"
+#include "tests/fuzz/fuzz.h"
 
 using namespace spherepair;
 

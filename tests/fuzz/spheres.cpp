@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Spheres as text, a line each: what is read and checked is found to have one set of pairs by every method.
-#include "files.h"
-#include "fuzz.h"
+#include "bench/formats/files.h"
+#include "tests/fuzz/fuzz.h"
 
 using namespace spherepair;
 

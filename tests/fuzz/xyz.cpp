@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // XYZ and extended XYZ: what is read is a scene that every backend takes.
-#include "fuzz.h"
-#include "sphere_file.h"
+#include "bench/formats/sphere_file.h"
+#include "tests/fuzz/fuzz.h"
 
 using namespace spherepair;
 

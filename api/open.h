@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Opens what this build and this machine have: the only place that asks what was built.
+#pragma once
+
+#include "common/backend/backend.h"
+#include "common/backend/shared_drawing.h"
+
+namespace spherepair {
+
+std::vector<std::string> backend_names();  // cpu, glsl, cuda
+
+// Throws BackendError with the reason when this build or machine does not have it, std::invalid_argument for a name
+// that does not exist.
+std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions& options = {});
+
+// Throws BackendError when two backends sit on different GPUs.
+void check_same_gpu(const Backend& left, const Backend& right);
+
+// For a backend `cuda` that holds a scene; it must not upload another while this lives. Throws BackendError with the
+// reason: this build or machine lacks one of the two, or they are on different devices.
+std::unique_ptr<SharedDrawing> open_shared_drawing(Backend& cuda, const OpenOptions& options = {});
+
+}  // namespace spherepair

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "bench/check/lockstep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include "bench/io/scene_text.h"
+
+namespace spherepair {
+namespace {
+
+bool chosen(const std::vector<Method>& methods, Method method) {
+  return std::ranges::find(methods, method) != methods.end();
+}
+
+// Arrangements of threads: on the CPU all of them are the search of `parallel`.
+bool is_all_pairs_of_devices(Method method) {
+  return method == Method::collide_tiled || method == Method::collide_square || method == Method::collide_triangle;
+}
+
+// One set that several find: who they are and what the reference said.
+struct SetCheck {
+  Asked reference;
+  std::vector<Asked> others;
+  EqualityEntry entry;
+  uint64_t last_pairs = UINT64_MAX;  // at the last comparison: decides whether lists are worth asking for
+};
+
+std::vector<SetCheck> group_by_set(Session& session, const LockstepPlan& plan, const std::vector<Asked>& all) {
+  std::vector<SetCheck> sets;
+  for (const Asked& asked : all) {
+    const std::string name = set_name(asked.options);
+    auto found = std::ranges::find_if(sets, [&](const SetCheck& set) { return set.entry.set == name; });
+    if (found == sets.end()) {
+      const Asked reference = reference_for(session, asked.options, plan.scene.n);
+      sets.push_back({reference, {}, {plan.scene, name, {label(reference)}, {}}});
+      found = sets.end() - 1;
+    }
+    if (label(asked) == label(found->reference)) continue;
+    found->others.push_back(asked);
+    found->entry.answers.push_back(label(asked));
+  }
+  return sets;
+}
+
+bool is_compared(const LockstepPlan& plan, uint64_t step) { return step % plan.every == 0 || step == plan.steps; }
+
+// From the list of all configurations and the steps alone, and not from what is then done about them.
+void plan_comparisons(Session& session, const LockstepPlan& plan, const std::vector<Asked>& all) {
+  const uint64_t steps = plan.steps / plan.every + 1 + (plan.steps % plan.every != 0);
+  uint64_t planned = 0;
+  for (const auto& backend : session.backends()) {
+    const auto takes_part = [&](const Asked& asked) {
+      return asked.backend == backend.get() &&
+             label(asked) != label(reference_for(session, asked.options, plan.scene.n));
+    };
+    const uint64_t configurations = uint64_t(std::ranges::count_if(all, takes_part));
+    const bool other = backend.get() != &session.reference();
+    if (other && configurations == 0)
+      throw std::invalid_argument(
+          fmt::format("nothing that {} finds would be compared: it has none of the chosen methods; choose another with "
+                      "--methods, or leave {} out with --backends",
+                      backend->info().name, backend->info().name));
+    session.comparisons.plan(backend->info().name, Comparisons::sets, configurations * steps);
+    session.comparisons.plan(backend->info().name, Comparisons::states, other ? steps : 0);
+    planned += configurations;
+  }
+  if (planned == 0)
+    throw std::invalid_argument("nothing would be compared: the only method chosen is the reference itself");
+}
+
+void check_set(Session& session, const Place& place, SetCheck& set, uint64_t state, uint64_t largest_list) {
+  Answer expected = ask(session, set.reference, set.last_pairs <= largest_list);
+  if (!expected.pairs && expected.totals.pairs <= largest_list) expected = ask(session, set.reference, true);
+  const bool list = expected.pairs.has_value();
+  for (const Asked& asked : set.others)
+    require_equal(session, place, set.reference, expected, asked, ask(session, asked, list));
+  set.last_pairs = expected.totals.pairs;
+  set.entry.checkpoints.push_back(
+      {place.step, expected.totals.pairs, expected.totals.colliding_spheres, expected.totals.fingerprint, state});
+}
+
+}  // namespace
+
+std::vector<Asked> everyone(Session& session, const std::vector<Method>& methods, const std::vector<uint>& blocks) {
+  std::vector<Asked> all;
+  for (const auto& backend : session.backends()) {
+    const bool cpu = backend->info().name == "cpu";
+    std::vector<Method> known = backend->methods();
+    known.push_back(Method::automatic);
+    for (Method method : known) {
+      if (!chosen(methods, method)) continue;
+      if (cpu && is_all_pairs_of_devices(method)) continue;
+      for (uint block : blocks) {
+        all.push_back({backend.get(), {.method = method, .block = block}});
+        if (!uses_blocks(all.back())) break;
+      }
+    }
+  }
+  return all;
+}
+
+std::vector<EqualityEntry> check_lockstep(Session& session, const LockstepPlan& plan, Progress& progress) {
+  const Scene scene = make_scene(plan.scene);
+  for (const auto& backend : session.backends()) backend->upload(scene);
+  const std::vector<Asked> all = everyone(session, plan.methods, plan.blocks);
+  plan_comparisons(session, plan, all);
+  std::vector<SetCheck> sets = group_by_set(session, plan, all);
+  for (uint64_t step = 0; step <= plan.steps; ++step) {
+    if (step > 0)
+      for (const auto& backend : session.backends()) backend->move();
+    if (!is_compared(plan, step)) continue;
+    progress.say(
+        fmt::format("checking {} n = {}: step {} of {}", scene_label(plan.scene), plan.scene.n, step, plan.steps));
+    const Place place{plan.scene, step};
+    const uint64_t state = require_same_states(session, place);
+    for (SetCheck& set : sets) check_set(session, place, set, state, plan.largest_list);
+    for (const auto& backend : session.backends()) backend->check_guards();
+  }
+  session.comparisons.require_complete();
+  std::vector<EqualityEntry> entries;
+  for (SetCheck& set : sets) entries.push_back(std::move(set.entry));
+  return entries;
+}
+
+}  // namespace spherepair

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// How close a pair of spheres is to touching: what a report of a difference needs to be judged.
+#pragma once
+
+#include <string>
+
+#include "common/shared/exact.h"
+
+namespace spherepair {
+
+struct Margin {
+  bool collide;      // by the exact integer stages
+  bool finite;       // no NaN or infinity among the inputs
+  long double ulps;  // (S - Q) / Q in units of 2^-24, evaluated in long double
+};
+Margin margin_of(vec4 a, vec4 b);
+std::string describe(const Margin& margin);
+
+}  // namespace spherepair

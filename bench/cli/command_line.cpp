@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "bench/cli/command_line.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "bench/cli/commands.h"
+#include "bench/cli/crossover.h"
+#include "bench/cli/options.h"
+#include "bench/cli/precision_command.h"
+#include "bench/cli/sets_command.h"
+#include "bench/cli/skips.h"
+#include "bench/cli/sweep.h"
+#include "bench/cli/view_command.h"
+#include "bench/io/arguments.h"
+#include "bench/io/context.h"
+#include "common/backend/cpu_team.h"
+
+namespace spherepair {
+namespace {
+
+void add_devices(CLI::App& app, CommandLine& line, Action& action) {
+  auto* command =
+      app.add_subcommand("devices", "Show every backend: its device, versions and limits, or why it is missing");
+  auto options = std::make_shared<DevicesOptions>();
+  command->add_option("--backends", options->backends, "Only these, e.g. cpu,glsl")->delimiter(',');
+  command->add_flag("--compile", options->compile, "Time how long the driver takes to compile each shader");
+  command->add_option("--json", options->json_file, "Write the same as JSON to this file");
+  add_open_options(*command, line.open);
+  command->footer("Example:\n  spherepair devices");
+  command->callback([=, &line, &action] { action = [=, &line] { return devices_command(line, *options); }; });
+}
+
+void add_run(CLI::App& app, CommandLine& line, Action& action) {
+  auto* command = app.add_subcommand("run", "Move one scene on one backend and find its colliding pairs");
+  auto options = std::make_shared<RunOptions>();
+  command->add_option("--backend", options->backend, "cpu, glsl or cuda")->capture_default_str();
+  add_start_options(*command, options->start);
+  command->add_option("--steps", options->steps, "Steps before the pairs are found; 0: the scene as it is")
+      ->check(steps_range)
+      ->capture_default_str();
+  command->add_option(
+      "--method", options->method,
+      "sequential, parallel (cpu); collide_group, collide_tiled, collide_square, collide_triangle, collide_grid; "
+      "default: auto, whichever of all pairs and the grid should be faster");
+  command->add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024; 128 leaves it to auto")
+      ->capture_default_str();
+  command->add_flag("--naive", options->naive, "Use the naive float32 test in place of the exact predicate");
+  command->add_flag("--swept", options->swept,
+                    "Find the pairs that touch at any time within the next step, not only those that touch now");
+  command->add_flag("--per-step", options->per_step, "Print and record every step, not only the last");
+  command->add_option("--pairs", options->pairs_file,
+                      "Write the last step's colliding pairs to this file, a line `i j` each, i < j, in order");
+  command->add_option("--json", options->json_file, "Write totals and context as JSON to this file");
+  add_save_options(*command, *options);
+  add_open_options(*command, line.open);
+  command->footer(
+      "Examples:\n  spherepair run --backend glsl --scene random --n 1024 --steps 100 --pairs pairs.txt\n"
+      "  spherepair run --input spheres.txt --pairs pairs.txt");
+  command->callback([=, &line, &action] {
+    finish_start_options(*command, options->start);
+    action = [=, &line] { return run_command(line, *options); };
+  });
+}
+
+void add_pairs(CLI::App& app, CommandLine& line, Action& action) {
+  auto* command =
+      app.add_subcommand("pairs", "Bring your own spheres: read them from a file, write the colliding pairs");
+  auto options = std::make_shared<PairsOptions>();
+  command
+      ->add_option(
+          "--input", options->input_file,
+          "Extended XYZ (.xyz, .extxyz; columns pos and radius by Properties=, else `[species] x y z [radius]`) "
+          "or NPY (.npy; n x 3, or n x 4 with the radius; float32 or float64)")
+      ->required();
+  command->add_option("--radius", options->radius, "Radius of all spheres, where the file has none");
+  command
+      ->add_option("--output", options->output_file,
+                   "Pairs i < j in order, by extension: .npy (m x 2, uint32), .txt (a line `i j` each), or - for "
+                   "text on standard output")
+      ->required();
+  command->add_option("--frame", options->frame, "Of an XYZ file with several, counted from 0")->check(count_range);
+  command->add_option("--backend", options->backend, "cpu, glsl or cuda; default: a GPU where there is one, else cpu");
+  command->add_option("--method", options->method, "See run --help; default: auto");
+  command->add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024; 128 leaves it to auto")
+      ->capture_default_str();
+  command->add_option("--json", options->json_file, "Write the summary and context as JSON to this file");
+  add_open_options(*command, line.open);
+  command->footer(
+      "Examples:\n  spherepair pairs --input spheres.npy --radius 0.5 --output pairs.npy\n"
+      "  spherepair pairs --input atoms.extxyz --output - | head");
+  command->callback([=, &line, &action] { action = [=, &line] { return pairs_command(line, *options); }; });
+}
+
+void add_selection(CLI::App& command, CompareOptions& options) {
+  PlanOptions& plan = options.plan;
+  command.add_option("--backends", options.backends, "Only these, and each must open: cpu,glsl,cuda")->delimiter(',');
+  command.add_option("--scenes", plan.scenes, "Scenes of the check, e.g. random,aligned:8x16,grazing (see run --help)")
+      ->delimiter(',');
+  command.add_option("--methods", plan.methods, "Only these methods (see run --help)")->delimiter(',');
+  command.add_option("--blocks", plan.blocks, "Only these group sizes: 32,64,128,256,512,1024")->delimiter(',');
+  command.add_option("--n", plan.sizes, "Numbers of spheres, of the check and of every table but `counts`")
+      ->delimiter(',')
+      ->check(positive_range);
+  command
+      .add_option(
+          "--tables", plan.tables,
+          "Only these tables: table1, counts, methods, ceilings, overhead, exactness, scale, step, grid, equality; "
+          "`none` only checks")
+      ->delimiter(',');
+}
+
+void add_compare(CLI::App& app, CommandLine& line, Action& action) {
+  auto* command =
+      app.add_subcommand("compare", "Prove that all backends find the same pairs, then time them against each other");
+  auto options = std::make_shared<CompareOptions>();
+  PlanOptions& plan = options->plan;
+  add_selection(*command, *options);
+  command->add_option("--steps", plan.steps, "Steps of the check")->check(steps_range);
+  add_motion_options(*command, plan.motion);
+  command->add_option("--every", plan.every, "Compare after every so many steps")
+      ->check(positive_range)
+      ->capture_default_str();
+  command->add_option("--seed", plan.seed, "Seed of the scenes and of the order of the rounds")
+      ->check(steps_range)
+      ->capture_default_str();
+  command->add_option("--rounds", plan.rounds, "Rounds of each timing (default 11)")->check(whole_number(1, 100000));
+  command->add_option("--min-seconds", plan.min_seconds, "Least time of one sample (default 0.002 on a GPU, 0.05 else)")
+      ->check(sample_range);
+  command->add_flag("--quick", plan.quick, "A first look: small sizes, few rounds");
+  command->add_flag("--full", plan.full, "The long sweep: all sizes, more steps and rounds");
+  command->add_option("--results", options->results,
+                      "Folder for results.json and the tables (default results/<host>-<date>)");
+  add_open_options(*command, line.open);
+  command->footer(
+      "Every timed configuration is checked first; a wrong one is never timed.\n"
+      "Examples:\n  spherepair compare\n  spherepair compare --quick --backends cpu,glsl\n"
+      "  spherepair compare --tables none --scenes random --n 4096 --steps 100000 --every 1000");
+  command->callback([=, &line, &action] { action = [=, &line] { return compare_command(line, *options); }; });
+}
+
+void add_equal(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("equal", "Compare the collision sets and states that two compare runs recorded");
+  auto options = std::make_shared<EqualOptions>();
+  command->add_option("left", options->left, "results.json of one run")->required();
+  command->add_option("right", options->right, "results.json of another run, on another machine")->required();
+  command->footer("Example:\n  spherepair equal here/results.json there/results.json");
+  command->callback([=, &action] { action = [=] { return equal_command(*options); }; });
+}
+
+// A study: options of its own, those of opening backends, and what it then does.
+template <typename AddOptions, typename Study>
+void add_study(CLI::App& app, CommandLine& line, Action& action, const char* name, const char* what,
+               AddOptions add_options, Study study) {
+  auto* command = app.add_subcommand(name, what);
+  const auto options = add_options(*command);
+  add_open_options(*command, line.open);
+  command->callback([=, &line, &action] { action = [=, &line] { return study(line, *options); }; });
+}
+
+void add_studies(CLI::App& app, CommandLine& line, Action& action) {
+  add_study(app, line, action, "precision", "Measure error against run time of every motion method and precision",
+            add_precision_options, precision_command);
+  add_study(app, line, action, "sets",
+            "Measure how many pairs are wrong by motion, storage, a naive predicate, and testing once a step",
+            add_sets_options, sets_command);
+  add_study(app, line, action, "sweep", "Record the cost of a collision step from few spheres to 10^9",
+            add_sweep_options, sweep_command);
+  add_study(app, line, action, "crossover", "Time all pairs against the grid, and the automatic choice with both",
+            add_crossover_options, crossover_command);
+  add_study(app, line, action, "skips", "Time what is left out where a scene does not need it, and each API's tricks",
+            add_skips_options, skips_command);
+}
+
+}  // namespace
+
+int run_program(int argc, const char* const* argv, const Opener& opener, Runner run) {
+  CLI::App app(
+      "spherepair finds the colliding pairs of spheres, exactly, on the CPU, through GLSL compute shaders and through "
+      "CUDA; shows that all find the same pairs; and times them.");
+  app.set_version_flag("--version", fmt::format("spherepair {} ({})", build_info.version, build_info.commit));
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 all is well; 1 a difference was found; 2 bad usage or input, or output that cannot be written; "
+      "3 a backend, device, memory or threads are missing or fail.\n"
+      "Start with:\n  spherepair devices\n  spherepair compare --quick\nHelp on a subcommand: spherepair compare "
+      "--help");
+  CommandLine line;
+  line.words.assign(argv, argv + argc);
+  line.opener = opener;
+  Action action;
+  add_devices(app, line, action);
+  add_run(app, line, action);
+  add_pairs(app, line, action);
+  add_render(app, line, action);
+  add_view(app, line, action);
+  add_frames(app, line, action);
+  add_compare(app, line, action);
+  add_equal(app, action);
+  add_studies(app, line, action);
+  for (CLI::App* command : app.get_subcommands({})) refuse_empty_values(*command);
+  return run_action([&]() -> int {
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      return app.exit(error) == 0 ? kOk : kUsage;
+    }
+    return run([&] {
+      start_team(line.open.threads);
+      return action();
+    });
+  });
+}
+
+}  // namespace spherepair

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// The subcommands and their options. Each returns the exit code.
+#pragma once
+
+#include <optional>
+
+#include "api/open.h"
+#include "bench/formats/start.h"
+#include "bench/measure/session.h"
+#include "bench/tables/plan.h"
+#include "bench/view/photo.h"
+
+namespace spherepair {
+
+// Documented in --help; scripts rely on them.
+enum ExitCode { kOk = 0, kDifference = 1, kUsage = 2, kDeviceTrouble = 3 };
+
+struct CommandLine {
+  std::vector<std::string> words;  // for the record
+  OpenOptions open;
+  Opener opener = open_backend;
+};
+
+struct DevicesOptions {
+  std::vector<std::string> backends;
+  bool compile = false;  // time each kernel's compilation by the driver
+  std::string json_file;
+};
+int devices_command(const CommandLine& line, const DevicesOptions& options);
+
+struct RunOptions {
+  std::string backend = "cpu", method;  // no method: auto
+  StartOptions start;
+  uint block = CollideOptions{}.block;
+  uint64_t steps = 0;
+  bool per_step = false, naive = false, swept = false;
+  std::string pairs_file, json_file;
+  std::string save_file;    // a checkpoint
+  uint64_t save_every = 0;  // steps; 0: only at the end
+};
+int run_command(const CommandLine& line, const RunOptions& options);
+
+struct PairsOptions {
+  std::string backend, method;  // no backend: the fastest that opens; no method: auto
+  std::string input_file, output_file, json_file;
+  std::optional<float> radius;
+  std::optional<uint64_t> frame;
+  uint block = CollideOptions{}.block;
+};
+int pairs_command(const CommandLine& line, const PairsOptions& options);
+
+struct RenderOptions {
+  std::string backend, method;
+  StartOptions start;
+  std::string output_file, video_file;  // .png, .mp4: at least one
+  uint pictures_per_second = 30;        // of the video
+  uint64_t steps = 0;                   // before the first picture
+  uint64_t pictures = 1, every = 1;     // steps from each picture to the next
+  uint width = 1280, height = 720, samples = 16;
+  CameraOptions camera;
+  std::string draw = "compute";    // DrawMethod
+  bool legend = true, box = true;  // box: the edges of what holds the spheres of the first picture
+  bool plain = false;              // no occlusion, shadow or ground
+};
+int render_command(const CommandLine& line, const RenderOptions& options);
+
+struct FramesOptions;  // frames.h
+int frames_command(const CommandLine& line, const FramesOptions& options);
+
+struct CompareOptions {
+  std::vector<std::string> backends;
+  PlanOptions plan;
+  std::string results;  // empty: default_results()
+};
+int compare_command(const CommandLine& line, const CompareOptions& options);
+
+struct EqualOptions {
+  std::string left, right;
+};
+int equal_command(const EqualOptions& options);
+
+}  // namespace spherepair

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// spherepair compare and spherepair equal
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "bench/cli/commands.h"
+#include "bench/formats/files.h"
+#include "bench/io/arguments.h"
+#include "bench/io/context.h"
+#include "bench/tables/study.h"
+
+namespace spherepair {
+namespace {
+
+// Everything that results.json holds, written anew after every table so that a stopped run leaves what it had.
+class Record {
+ public:
+  Record(std::filesystem::path folder, const CommandLine& line, const Session& session, const Plan& plan)
+      : folder_(std::move(folder)) {
+    constexpr const char* levels[] = {"quick", "standard", "full"};
+    root_ = {{"format", results_format},
+             {"verdict", "unfinished"},
+             {"context", capture_context(line.words)},
+             {"backends", session.to_json()},
+             {"warnings", session.warnings()},
+             {"seed", plan.seed},
+             {"level", levels[size_t(plan.level)]},
+             {"clocks", json::array()},
+             {"tables", json::object()}};
+  }
+
+  void add_clocks(const std::string& when) { root_["clocks"].push_back({{"when", when}, {"gpus", query_clocks()}}); }
+  void add_tables(const std::string& name, const std::vector<Table>& tables) {
+    for (const Table& table : tables) root_["tables"][name].push_back(table.to_json());
+  }
+  void set(const char* name, json value) { root_[name] = std::move(value); }
+
+  void write(const Study& study) {
+    json equality = json::array();
+    for (const EqualityEntry& entry : study.equality) equality.push_back(to_json(entry));
+    root_["equality"] = std::move(equality);
+    root_["comparisons"] = study.session.comparisons.to_json();
+    root_["measurements"] = study.measurements;
+    write_file(folder_ / "results.json", json_text(root_));
+  }
+
+  void write_text(const std::string& name, const std::vector<Table>& tables, const Table& details) {
+    std::string text;
+    for (const Table& table : tables) text += table.text() + "\n";
+    if (!details.rows.empty()) text += details.text();
+    write_file(folder_ / (name + ".txt"), text);
+  }
+
+ private:
+  std::filesystem::path folder_;
+  json root_;
+};
+
+// What the record will write.
+std::vector<std::string> files_of(const Plan& plan) {
+  std::vector<std::string> files = {"results.json"};
+  for (const std::string& table : plan.tables) files.push_back(table + ".txt");
+  return files;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void check_everything(Study& study) {
+  for (const CheckSize& check : study.plan.checks) {
+    const auto start = std::chrono::steady_clock::now();
+    for (const SceneOptions& scene : study.plan.scenes) {
+      LockstepPlan plan{scene, check.steps, study.plan.every, study.plan.methods, check.blocks};
+      if (!scene.groups) plan.scene.n = check.n;
+      for (EqualityEntry& entry : check_lockstep(study.session, plan, study.progress))
+        study.equality.push_back(std::move(entry));
+    }
+    study.progress.clear();
+    fmt::print("checked {} scenes of {} spheres over {} steps in {:.0f} s: all sets and states equal\n",
+               study.plan.scenes.size(), check.n, check.steps, seconds_since(start));
+    std::fflush(stdout);
+  }
+}
+
+void make_tables(Study& study, Record& record) {
+  record.add_clocks("before the tables");
+  for (const TableKind& kind : table_kinds()) {
+    if (std::ranges::find(study.plan.tables, kind.name) == study.plan.tables.end()) continue;
+    const std::vector<Table> tables = kind.make(study);
+    record.add_clocks(std::string("after ") + kind.name);
+    study.progress.clear();
+    for (const Table& table : tables)
+      if (!table.only_in_file) fmt::print("\n{}", table.text());
+    std::fflush(stdout);
+    record.add_tables(kind.name, tables);
+    record.write_text(kind.name, tables, measurement_table(study, kind.name));
+    record.write(study);
+  }
+}
+
+void print_heading(const Session& session) {
+  fmt::print("spherepair {} ({})\n{}", build_info.version, build_info.commit, session.summary());
+  if (!session.find("cpu")) fmt::print("The CPU is left out: {} is the reference.\n", session.reference().info().name);
+  if (session.devices().size() < 2) fmt::print("GLSL and CUDA are not both open: their comparison is skipped.\n");
+  for (const std::string& warning : session.warnings()) fmt::print("\n{}\n", wrap(warning, 118, "  "));
+  fmt::print("\n");
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int compare_command(const CommandLine& line, const CompareOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  require_known_backends(options.backends);
+  const std::filesystem::path folder = options.results.empty() ? default_results() : options.results;
+  prepare_folder(folder, files_of(make_plan(options.plan, false)));  // bad values end here, before any work
+  Session session(options.backends, line.open, line.opener);
+  const bool hardware =
+      std::ranges::any_of(session.backends(), [](const auto& backend) { return on_hardware(*backend); });
+  const Plan plan = make_plan(options.plan, hardware);
+  print_heading(session);
+  Progress progress;
+  Study study(session, plan, progress);
+  Record record(folder, line, session, plan);
+  try {
+    check_everything(study);
+    make_tables(study, record);
+    session.comparisons.require_complete();
+  } catch (const DifferenceFound& difference) {
+    progress.clear();
+    record.set("verdict", "difference");
+    record.set("difference", difference.details);
+    record.write(study);
+    throw;
+  } catch (const std::exception& error) {
+    progress.clear();
+    record.set("verdict", "error");
+    record.set("error", error.what());
+    record.write(study);
+    throw;
+  }
+  const double seconds = seconds_since(start);
+  record.set("verdict", "equal");
+  record.set("seconds", seconds);
+  record.write(study);
+  fmt::print("\nNo difference between {} backends: {}, in {:.0f} s. Results: {}\n", session.backends().size(),
+             session.comparisons.text(), seconds, folder.string());
+  return kOk;
+}
+
+int equal_command(const EqualOptions& options) {
+  const json left = read_results(options.left), right = read_results(options.right);
+  const RecordComparison result = compare_records(left, right);
+  for (const std::string& difference : result.differences) fmt::print("DIFFERENT: {}\n", difference);
+  for (const auto& [file, only] : {std::pair{options.left, result.only_left}, {options.right, result.only_right}})
+    if (!only.empty()) fmt::print("only in {}: {} configurations, such as {}\n", file, only.size(), only.front());
+  fmt::print("{} configurations compared, {} differ\n", result.compared, result.differences.size());
+  if (result.compared == 0)
+    throw std::invalid_argument(
+        "the two runs have no configuration in common: run both with the same scenes, --n, --steps and --seed");
+  return result.differences.empty() ? kOk : kDifference;
+}
+
+}  // namespace spherepair

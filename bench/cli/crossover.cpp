@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "bench/cli/crossover.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "bench/cli/options.h"
+#include "bench/formats/files.h"
+#include "bench/io/arguments.h"
+#include "bench/io/context.h"
+#include "bench/io/output_files.h"
+#include "bench/studies/crossover_sweep.h"
+
+namespace spherepair {
+namespace {
+
+std::string ms_of(const std::map<std::string, double>& seconds, const std::string& way) {
+  const auto found = seconds.find(way);
+  return found == seconds.end() ? "-" : format_ms(found->second);
+}
+
+Table table_of(const CrossoverSweep& sweep) {
+  Table table{"One collision step of all pairs, of the grid and of auto; every step sorts the spheres anew",
+              {{"", "backend", "", true},
+               {"", "spheres", "", true},
+               {"", "n", ""},
+               {"all pairs", "parallel", "ms"},
+               {"all pairs", "square/32", "ms"},
+               {"all pairs", "/64", "ms"},
+               {"all pairs", "/128", "ms"},
+               {"all pairs", "triangle", "ms"},
+               {"grid", "dense", "ms"},
+               {"grid", "hashed", "ms"},
+               {"", "auto", "ms"},
+               {"", "loses", "%"},
+               {"", "auto took", "", true},
+               {"", "best", "", true}},
+              {},
+              sweep.given_up};
+  for (const Timing& t : sweep.timings) {
+    std::vector<std::string> row = {t.backend, t.kind, std::to_string(t.n), ms_of(t.all_pairs, "parallel")};
+    for (const uint block : square_groups) row.push_back(ms_of(t.all_pairs, square_way(block)));
+    row.insert(row.end(), {ms_of(t.all_pairs, "collide_triangle"), ms_of(t.grid, "dense"), ms_of(t.grid, "hashed"),
+                           format_ms(t.automatic), format_percent(t.over_best - 1), t.took, t.best});
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+// From which size on one stays ahead of the other; null: it is not ahead at the end.
+template <typename Ahead>
+json ahead_from(const std::vector<Timing>& timings, Ahead ahead) {
+  json found = json::object();
+  for (const Timing& t : timings) {
+    json& from = found[t.backend][t.kind];
+    if (!ahead(t)) from = nullptr;
+    if (ahead(t) && from.is_null()) from = t.n;
+  }
+  return found;
+}
+
+bool triangle_ahead(const Timing& t) {
+  const auto triangle = t.all_pairs.find(method_name(Method::collide_triangle));
+  if (triangle == t.all_pairs.end()) return false;
+  return std::ranges::all_of(t.all_pairs, [&](const auto& way) { return triangle->second <= way.second; });
+}
+
+std::vector<std::string> objections(const std::vector<Timing>& timings) {
+  std::vector<std::string> found;
+  for (const Timing& t : timings)
+    if (t.slower)
+      found.push_back(fmt::format("{} {} of {}: {} takes {:.0f} % more than {}", t.backend, t.kind, t.n, t.took,
+                                  100 * (t.over_best - 1), t.best));
+  return found;
+}
+
+std::string verdict(const std::vector<Timing>& timings) {
+  const std::vector<std::string> slower = objections(timings);
+  if (slower.empty())
+    return fmt::format("In all {} rows auto is within 10 % of the best fixed choice\n", timings.size());
+  std::string text =
+      fmt::format("WARNING: in {} of {} rows auto is slower than the best fixed choice by more than 10 %:\n",
+                  slower.size(), timings.size());
+  for (const std::string& objection : slower) text += "  " + objection + "\n";
+  return text;
+}
+
+std::vector<SphereKind> chosen_kinds(const std::vector<std::string>& names) {
+  std::vector<SphereKind> chosen;
+  std::vector<std::string> known;
+  for (const SphereKind& kind : sphere_kinds()) {
+    known.push_back(kind.name);
+    if (names.empty() || std::ranges::count(names, kind.name)) chosen.push_back(kind);
+  }
+  for (const std::string& name : names) require_known("kind of spheres", name, known);
+  return chosen;
+}
+
+}  // namespace
+
+int crossover_command(const CommandLine& line, const CrossoverOptions& options) {
+  require_known_backends(options.backends);
+  const std::vector<SphereKind> chosen = chosen_kinds(options.kinds);
+  OutputFiles().write("--json", options.json_file);
+  std::vector<uint64_t> sizes = options.sizes;
+  for (uint64_t n = 64; options.sizes.empty() && n <= 1 << 15; n *= 2) sizes.push_back(n);
+  std::ranges::sort(sizes);
+  Session session(options.backends, line.open, line.opener);
+  json record = {{"complete", false},
+                 {"context", capture_context(line.words)},
+                 {"backends", session.to_json()},
+                 {"clocks", json::array({query_clocks()})}};
+  std::optional<CrossoverSweep> sweep;
+  const auto write = [&] {
+    record["grid_from"] = ahead_from(sweep->timings, [](const Timing& t) { return t.grid_ahead(); });
+    record["triangle_from"] = ahead_from(sweep->timings, triangle_ahead);
+    record["auto"] = list_of(sweep->timings);
+    record["given_up"] = sweep->given_up;
+    record["measurements"] = sweep->measurements;
+    write_file(options.json_file, json_text(record));
+  };
+  sweep.emplace(session, options, write);
+  sweep->run(chosen, sizes);
+  record["complete"] = true;
+  record["clocks"].push_back(query_clocks());
+  write();
+  fmt::print("{}\n", table_of(*sweep).text());
+  for (const char* what : {"grid_from", "triangle_from"}) fmt::print("{}: {}\n", what, json_line(record[what]));
+  fmt::print("{}", verdict(sweep->timings));
+  return kOk;
+}
+
+std::shared_ptr<CrossoverOptions> add_crossover_options(CLI::App& command) {
+  auto options = std::make_shared<CrossoverOptions>();
+  std::string help = "Only these of:\n";
+  for (const SphereKind& kind : sphere_kinds()) help += fmt::format("    {:<9} {}\n", kind.name, kind.summary);
+  command.add_option("--backends", options->backends, "Only these, and each must open: cpu,glsl,cuda")->delimiter(',');
+  command.add_option("--n", options->sizes, "Numbers of spheres (default 64, 128 ... 32768)")
+      ->delimiter(',')
+      ->check(positive_range);
+  command.add_option("--kinds", options->kinds, help)->delimiter(',');
+  command.add_option("--rounds", options->rounds, "Rounds of each timing")
+      ->check(whole_number(1, 1000))
+      ->capture_default_str();
+  command.add_option("--most-ms", options->most_ms, "What takes longer a step is not tried at more spheres")
+      ->check(real_number(1e-3, 1e9))
+      ->capture_default_str();
+  command.add_option("--json", options->json_file, "The record")->capture_default_str();
+  command.footer("Example:\n  spherepair crossover --backends cpu,glsl --n 64,1024,16384");
+  return options;
+}
+
+}  // namespace spherepair

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// spherepair devices
+#include <fmt/format.h>
+
+#include "bench/cli/commands.h"
+#include "bench/formats/files.h"
+#include "bench/io/arguments.h"
+#include "bench/io/context.h"
+#include "bench/io/output_files.h"
+#include "bench/measure/session.h"
+
+namespace spherepair {
+namespace {
+
+// Kernel -> milliseconds; null where they were compiled with the program.
+json compile_all(Backend& backend) {
+  json times;
+  for (const StageTime& time : backend.compile_kernels()) {
+    times[time.stage] = 1e3 * time.seconds;
+    fmt::print("  compiling {:<24} {:.2f} ms\n", time.stage, 1e3 * time.seconds);
+  }
+  return times;
+}
+
+}  // namespace
+
+int devices_command(const CommandLine& line, const DevicesOptions& options) {
+  require_known_backends(options.backends);
+  OutputFiles().write("--json", options.json_file);
+  const Session session(options.backends, line.open);
+  json list = session.to_json();
+  for (json& backend : list) {
+    const std::string name = backend.at("name");
+    if (!backend.at("open")) {
+      fmt::print("{}\n  missing: {}\n", name, backend.at("reason").get<std::string>());
+      continue;
+    }
+    fmt::print("{}\n", name);
+    const auto show = [](const std::string& what, const std::string& value) {
+      fmt::print("  {:<34} {}\n", what, value);
+    };
+    show("device", device_label(session.find(name)->info()));
+    if (!backend.at("uuid").get<std::string>().empty()) show("uuid", backend.at("uuid"));
+    show("device timers", backend.at("device_timers") ? "yes" : "no");
+    for (const auto& [what, value] : backend.at("details").items()) show(what, value);
+    if (options.compile) backend["compile_ms"] = compile_all(*session.find(name));
+  }
+  for (const std::string& warning : session.warnings()) fmt::print(stderr, "\n{}\n", warning);
+  if (!options.json_file.empty())
+    write_file(options.json_file, json_text({{"context", capture_context(line.words)}, {"backends", list}}));
+  return kOk;
+}
+
+}  // namespace spherepair

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Options that several subcommands share, and the subcommands that draw.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "bench/cli/commands.h"
+#include "bench/io/numbers.h"
+
+namespace spherepair {
+
+using Action = std::function<int()>;
+
+CLI::Validator whole_number(uint64_t low, uint64_t high);
+CLI::Validator real_number(double low, double high);
+
+constexpr uint64_t kMostSteps = uint64_t(1) << 53;
+const auto count_range = whole_number(0, kMostSpheres);
+const auto positive_range = whole_number(1, kMostSpheres);
+const auto steps_range = whole_number(0, kMostSteps);
+const auto block_range = whole_number(32, 1024);
+const auto fraction_range = real_number(1e-15, 0.74);  // as check_options has it
+const auto sample_range = real_number(1e-6, 60);       // seconds
+
+// The options that take a value refuse an empty one, which would pass for none.
+void refuse_empty_values(CLI::App& command);
+
+void add_open_options(CLI::App& command, OpenOptions& open);
+void add_scene_options(CLI::App& command, SceneOptions& scene);
+
+// A scene, a file or a checkpoint, and the motion. The second goes into the command's callback.
+void add_start_options(CLI::App& command, StartOptions& start);
+void finish_start_options(const CLI::App& command, StartOptions& start);
+
+// --motion, --precision, --dt and --restitution.
+void add_motion_options(CLI::App& command, MotionChoice& motion);
+
+void add_save_options(CLI::App& command, RunOptions& options);  // --save and --save-every
+
+// --resume, which takes the place of every option of the scene and its motion; the command has these already.
+void add_resume_option(CLI::App& command, std::string& file);
+
+void add_size_option(CLI::App& command, uint& width, uint& height);  // --size 1280x720
+
+void add_render(CLI::App& app, CommandLine& line, Action& action);
+void add_frames(CLI::App& app, CommandLine& line, Action& action);
+
+}  // namespace spherepair

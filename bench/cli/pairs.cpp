@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// spherepair pairs
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "bench/check/degrees.h"
+#include "bench/cli/commands.h"
+#include "bench/formats/files.h"
+#include "bench/formats/pair_file.h"
+#include "bench/formats/sphere_file.h"
+#include "bench/io/arguments.h"
+#include "bench/io/context.h"
+#include "bench/io/output_files.h"
+#include "bench/measure/choice.h"
+
+namespace spherepair {
+namespace {
+
+struct Found {
+  Collisions totals;
+  Degrees degrees;
+  std::vector<Pair> pairs;
+};
+
+struct Seconds {
+  double load = 0, open = 0, collide = 0, write = 0;
+};
+
+// All that was asked for and found, for the summary and the JSON.
+struct PairsReport {
+  const PairsOptions& options;
+  SphereFile input;
+  ChosenBackend chosen;
+  MethodChoice method = {};
+  Found found;
+  Seconds seconds;
+};
+
+// All that can be wrong with the options, before hours are spent.
+void check_options(const PairsOptions& options) {
+  if (!options.backend.empty()) require_known_backends({options.backend});
+  if (!options.method.empty() && method_from_name(options.method) == Method::collide_group)
+    throw std::invalid_argument("the method collide_group finds pairs within groups only; choose another");
+  parse_blocks({options.block});
+  check_pair_file(options.output_file);
+  OutputFiles files;
+  files.read("--input", options.input_file);
+  if (options.output_file != kStandardOutput) files.write("--output", options.output_file);
+  files.write("--json", options.json_file);
+}
+
+template <typename Work>
+double seconds_of(Work work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Found find_pairs(Backend& backend, const Scene& scene, const CollideOptions& options) {
+  backend.upload(scene);
+  backend.collide(options);
+  Found found;
+  found.totals = backend.collisions();
+  found.degrees = degrees_of(backend.counts());
+  found.pairs = backend.pairs();
+  return found;
+}
+
+std::string summary(const PairsReport& report) {
+  const auto& [options, input, chosen, method, found, seconds] = report;
+  std::string text = describe(input);
+  text += fmt::format("{} on {}, {}\n", chosen.backend->info().name, device_label(chosen.backend->info()),
+                      describe(method));
+  for (const std::string& reason : chosen.passed_over) text += fmt::format("  passed over: {}\n", reason);
+  text += fmt::format("{} pairs, {} of {} spheres collide\n", found.totals.pairs, found.totals.colliding_spheres,
+                      input.scene.size());
+  text += fmt::format("seconds: load {:.3f}, open {:.3f}, collide {:.3f}, write {:.3f}\n\n", seconds.load, seconds.open,
+                      seconds.collide, seconds.write);
+  if (found.degrees.spheres) text += degree_table(found.degrees).text();
+  return text;
+}
+
+json to_json(const PairsReport& report, const CommandLine& line) {
+  const auto& [options, input, chosen, method, found, seconds] = report;
+  return {{"context", capture_context(line.words)},
+          {"backends", chosen.session->to_json()},
+          {"passed_over", chosen.passed_over},
+          {"input", to_json(input)},
+          {"method", method_name(method.method)},
+          {"choice", to_json(method)},
+          {"block", method.block ? method.block : options.block},
+          {"output", options.output_file},
+          {"pairs", found.totals.pairs},
+          {"colliding_spheres", found.totals.colliding_spheres},
+          {"fingerprint", hex64(found.totals.fingerprint.a) + hex64(found.totals.fingerprint.b)},
+          {"deferred", found.totals.deferred},
+          {"decided_by_stage", found.totals.decided_by},
+          {"degrees", to_json(found.degrees)},
+          {"seconds",
+           {{"load", seconds.load}, {"open", seconds.open}, {"collide", seconds.collide}, {"write", seconds.write}}}};
+}
+
+}  // namespace
+
+int pairs_command(const CommandLine& line, const PairsOptions& options) {
+  check_options(options);
+  PairsReport report{options, {}, {}, {}, {}, {}};
+  SphereFile& input = report.input;
+  ChosenBackend& chosen = report.chosen;
+  Seconds& seconds = report.seconds;
+  Progress progress;
+  progress.say("reading " + options.input_file);
+  seconds.load = seconds_of([&] {
+    input = read_sphere_file(options.input_file,
+                             {.radius = options.radius, .frame = options.frame, .threads = line.open.threads});
+  });
+  progress.say("opening a backend");
+  seconds.open = seconds_of([&] { chosen = choose_backend(options.backend, line.open); });
+  progress.say(fmt::format("{} spheres on {}", input.scene.size(), chosen.backend->info().name));
+  const CollideOptions collide = {
+      .method = choose_method(options.method, *chosen.backend), .block = options.block, .want_pairs = true};
+  seconds.collide = seconds_of([&] { report.found = find_pairs(*chosen.backend, input.scene, collide); });
+  report.method = chosen.backend->choice(collide);
+  progress.say("writing " + options.output_file);
+  seconds.write = seconds_of([&] { write_pairs(options.output_file, report.found.pairs); });
+  progress.clear();
+  for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
+  fmt::print(options.output_file == kStandardOutput ? stderr : stdout, "{}", summary(report));
+  if (!options.json_file.empty()) write_file(options.json_file, json_text(to_json(report, line)));
+  return kOk;
+}
+
+}  // namespace spherepair

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// spherepair precision
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "bench/cli/commands.h"
+#include "bench/cli/options.h"
+#include "bench/cli/precision_command.h"
+#include "bench/formats/files.h"
+#include "bench/io/arguments.h"
+#include "bench/io/context.h"
+#include "bench/io/motion_choice.h"
+#include "bench/studies/motion_targets.h"
+
+namespace spherepair {
+namespace {
+
+PrecisionPlan make_precision_plan(const PrecisionOptions& options, bool hardware) {
+  PrecisionPlan plan;
+  plan.error_steps = options.quick ? std::vector{4, 6, 8} : std::vector{4, 5, 6, 8, 10, 12, 14};
+  plan.time_steps = options.quick ? std::vector{6} : hardware ? std::vector{4, 5, 6, 8, 10} : std::vector{5, 6, 10};
+  if (!options.steps.empty()) plan.error_steps = plan.time_steps = options.steps;
+  plan.time_n = options.n ? options.n : hardware ? 1 << 22 : options.quick ? 1 << 14 : 1 << 16;
+  plan.sampling.rounds = plan.sampling.fewest_rounds = options.rounds;
+  if (!hardware) plan.sampling.software_seconds = 0.01;
+  plan.motions = chosen_motions(options.methods, options.precisions);
+  return plan;
+}
+
+// A row a method and precision, a column a time step; of the first backend that ran it.
+Table error_table(const PrecisionPlan& plan, const std::vector<ErrorEntry>& errors) {
+  Table table{fmt::format("Error of position after {} s, rms, metres", plan.seconds),
+              {{"", "method", "", true}, {"", "precision", "", true}},
+              {},
+              {}};
+  for (int k : plan.error_steps) table.columns.push_back({"dt", fmt::format("2^-{}", k), "s"});
+  for (const MotionOptions& motion : plan.motions) {
+    std::vector<std::string> row = {motion_name(motion.method), precision_name(motion.precision)};
+    for (int k : plan.error_steps) {
+      const auto found =
+          std::ranges::find_if(errors, [&](const ErrorEntry& e) { return e.motion == motion && e.k == k; });
+      row.push_back(found == errors.end() ? "-" : fmt::format("{:.1e}", found->rms));
+    }
+    table.rows.push_back(row);
+  }
+  table.notes.push_back(
+      fmt::format("{} spheres of the scene random, restitution 1, against the closed form in "
+                  "quadruple precision. The bits are the same on every backend that ran.",
+                  plan.error_n));
+  return table;
+}
+
+Table time_table(const PrecisionPlan& plan, const std::vector<TimeEntry>& times, int k) {
+  std::vector<std::string> backends;
+  for (const TimeEntry& entry : times)
+    if (std::ranges::find(backends, entry.backend) == backends.end()) backends.push_back(entry.backend);
+  const double bouncing = times.empty() ? 0 : std::ranges::find(times, k, &TimeEntry::k)->bouncing;
+  Table table{fmt::format("Time of a step at dt = 2^-{} s, {} spheres, {:.2f} % of which bounce in it", k, plan.time_n,
+                          100 * bouncing),
+              {{"", "method", "", true}, {"", "precision", "", true}, {"", "work", "", true}},
+              {},
+              {}};
+  for (const std::string& backend : backends) table.columns.push_back({backend, "a sphere", "ns"});
+  for (const TimeEntry& first : times) {
+    if (first.k != k || first.backend != backends.front()) continue;
+    std::vector<std::string> row = {motion_name(first.motion.method), precision_name(first.motion.precision),
+                                    first.work};
+    for (const std::string& backend : backends)
+      for (const TimeEntry& entry : times)
+        if (entry.k == k && entry.backend == backend && entry.motion == first.motion && entry.work == first.work)
+          row.push_back(format_number(1e9 * entry.per_sphere()));
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+json start_record(const CommandLine& line, const Session& session, const PrecisionPlan& plan) {
+  return {{"format", "spherepair precision 1"},
+          {"context", capture_context(line.words)},
+          {"backends", session.to_json()},
+          {"warnings", session.warnings()},
+          {"settings",
+           {{"seconds", plan.seconds},
+            {"error_n", plan.error_n},
+            {"time_n", plan.time_n},
+            {"seed", plan.seed},
+            {"restitution", 1}}},
+          {"clocks", json::array({query_clocks()})}};
+}
+
+struct Measured {
+  std::vector<ErrorEntry> errors;
+  std::vector<TimeEntry> times;
+  std::vector<CopyEntry> copies;
+  std::vector<Target> targets;
+};
+
+// Writes the JSON and the tables, and prints these.
+void report(const std::filesystem::path& folder, json record, const PrecisionPlan& plan, const Measured& measured) {
+  record["errors"] = list_of(measured.errors);
+  record["times"] = list_of(measured.times);
+  record["copies"] = list_of(measured.copies);
+  record["targets"] = list_of(measured.targets);
+  record["clocks"].push_back(query_clocks());
+  std::string text = error_table(plan, measured.errors).text();
+  for (int k : plan.time_steps) text += "\n" + time_table(plan, measured.times, k).text();
+  for (const CopyEntry& copy : measured.copies)
+    text += fmt::format("\nCopying {} spheres' positions on {}: {:.4g} GB/s read and written\n", copy.n, copy.backend,
+                        copy.bytes_per_second() / 1e9);
+  if (!measured.targets.empty()) text += "\n" + target_table(measured.targets).text();
+  fmt::print("{}", text);
+  write_file(folder / "precision.txt", text);
+  write_file(folder / "precision.json", json_text(record));
+}
+
+}  // namespace
+
+int precision_command(const CommandLine& line, const PrecisionOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  require_known_backends(options.backends);
+  make_precision_plan(options, false);  // bad values end here, before any work
+  const std::filesystem::path folder = options.results.empty() ? default_results() : options.results;
+  prepare_folder(folder, {"precision.txt", "precision.json"});
+  Session session(options.backends, line.open, line.opener);
+  const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
+  const PrecisionPlan plan = make_precision_plan(options, hardware);
+  fmt::print("spherepair {} ({})\n{}", build_info.version, build_info.commit, session.summary());
+  for (const std::string& warning : session.warnings()) fmt::print("\n{}\n", wrap(warning, 118, "  "));
+  const json record = start_record(line, session, plan);
+  Progress progress;
+  Measured measured = {measure_errors(session, plan, progress),
+                       measure_times(session, plan, progress),
+                       measure_copies(session, plan, progress),
+                       {}};
+  measured.targets = motion_targets(session, measured.errors, measured.times, measured.copies);
+  progress.clear();
+  report(folder, record, plan, measured);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  fmt::print("\nIn {:.0f} s. Results: {}\n", taken.count(), (folder / "precision.json").string());
+  return kOk;
+}
+
+std::shared_ptr<PrecisionOptions> add_precision_options(CLI::App& command) {
+  auto options = std::make_shared<PrecisionOptions>();
+  command.add_option("--backends", options->backends, "Only these, and each must open: cpu,glsl,cuda")->delimiter(',');
+  command.add_option("--motions", options->methods, "Only these methods, e.g. paper,anchored (see run --help)")
+      ->delimiter(',');
+  command.add_option("--precisions", options->precisions, "Only these of float32, compensated, float64")
+      ->delimiter(',');
+  command.add_option("--n", options->n, "Spheres of the timings (default 4194304 on a GPU, 65536 else)")
+      ->check(positive_range);
+  command.add_option("--steps", options->steps, "Only these time steps: k of dt = 2^-k s, e.g. 4,6,10")
+      ->delimiter(',')
+      ->check(whole_number(0, 20));
+  command.add_option("--rounds", options->rounds, "Rounds of each timing")
+      ->check(whole_number(6, 1000))
+      ->capture_default_str();
+  command.add_flag("--quick", options->quick, "A first look: few time steps and spheres");
+  command.add_option("--results", options->results, "Folder for precision.json and precision.txt");
+  command.footer("Example:\n  spherepair precision --quick --motions paper,impact,anchored");
+  return options;
+}
+
+}  // namespace spherepair

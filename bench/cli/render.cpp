@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+// spherepair render
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+#include <future>
+#include <optional>
+#include <thread>
+
+#include "bench/check/answers.h"
+#include "bench/check/finite_state.h"
+#include "bench/cli/commands.h"
+#include "bench/formats/files.h"
+#include "bench/formats/png_file.h"
+#include "bench/formats/video.h"
+#include "bench/io/arguments.h"
+#include "bench/io/context.h"
+#include "bench/io/file_bytes.h"
+#include "bench/io/output_files.h"
+#include "bench/measure/choice.h"
+#include "bench/view/legend.h"
+#include "bench/view/photo.h"
+
+namespace spherepair {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFormat = "spherepair render 1";
+
+struct Series {
+  const CommandLine& line;
+  const RenderOptions& options;
+  const Start& start;
+  const ChosenBackend& chosen;
+  Method method;
+  Shot shot;
+};
+
+// picture.png, or of several picture-007.png.
+fs::path name_of(const RenderOptions& options, uint64_t k) {
+  fs::path path = options.output_file;
+  if (options.pictures == 1) return path;
+  const size_t digits = std::to_string(options.pictures - 1).size();
+  return path.replace_filename(fmt::format("{}-{:0{}}.png", path.stem().string(), k, digits));
+}
+
+fs::path record_of(fs::path picture) { return picture.replace_extension(".json"); }
+
+void check_extension(const std::string& file, const std::string& extension) {
+  if (!file.empty() && fs::path(file).extension() != extension)
+    throw std::invalid_argument(fmt::format("the output {} does not end in {}", file, extension));
+}
+
+// Earlier versions gave their records no format.
+bool is_record(const fs::path& path) {
+  const json found = json::parse(FileBytes(path).bytes(), nullptr, false);
+  if (!found.is_object()) return false;
+  if (found.contains("format")) return found["format"] == kFormat;
+  return found.contains("context") && found.contains("camera") && found.contains("samples");
+}
+
+// A picture was named by the user; its record was not, and takes no other file's place.
+void add_picture(OutputFiles& files, const std::string& option, const fs::path& picture) {
+  const fs::path path = record_of(picture);
+  files.write(option, picture);
+  files.write("the record of " + option, path);
+  if (fs::is_regular_file(path) && !is_record(path))
+    throw std::invalid_argument(
+        fmt::format("{}, where the record of {} goes, was not written by render: choose another {}", path.string(),
+                    option, option));
+}
+
+void check_files(const RenderOptions& options) {
+  check_extension(options.output_file, ".png");
+  check_extension(options.video_file, ".mp4");
+  OutputFiles files;
+  add_inputs(files, options.start);
+  for (uint64_t k = 0; !options.output_file.empty() && k < options.pictures; ++k)
+    add_picture(files, "--output", name_of(options, k));
+  if (!options.video_file.empty()) add_picture(files, "--video", options.video_file);
+}
+
+void check_options(const RenderOptions& options) {
+  if (options.output_file.empty() && options.video_file.empty())
+    throw std::invalid_argument("nothing to write: give --output picture.png or --video film.mp4");
+  check_files(options);
+  if (!options.backend.empty()) require_known_backends({options.backend});
+  for (const auto& [name, value] : {std::pair{"--eye", options.camera.eye}, {"--target", options.camera.target}})
+    if (!value.empty() && value.size() != 3) throw std::invalid_argument(fmt::format("{} needs x,y,z", name));
+  draw_method_from_name(options.draw);
+}
+
+json record(const Series& series, uint64_t step, const Collisions& totals) {
+  const Shot& shot = series.shot;
+  json views = json::array();
+  for (uint k = 0; k < shot.samples; ++k)
+    views.push_back(to_json(make_view(shot.camera, shot.look, shot.width, shot.height, jitter(k, shot.samples))));
+  const MethodChoice choice = series.chosen.backend->choice({.method = series.method});
+  return {{"format", kFormat},
+          {"context", capture_context(series.line.words)},
+          {"backends", series.chosen.session->to_json()},
+          {"scene", series.start.record},
+          {"motion", motion_label(series.start.scene.motion)},
+          {"dt", series.start.scene.dt},
+          {"restitution", series.start.scene.restitution},
+          {"step", step},
+          {"method", method_name(choice.method)},
+          {"choice", to_json(choice)},
+          {"drawn_by", draw_method_name(shot.method)},
+          {"pairs", totals.pairs},
+          {"colliding_spheres", totals.colliding_spheres},
+          {"fingerprint", hex64(totals.fingerprint.a) + hex64(totals.fingerprint.b)},
+          {"width", shot.width},
+          {"height", shot.height},
+          {"box", shot.box ? json{{"low", shot.box->low}, {"high", shot.box->high}} : json()},
+          {"camera", to_json(shot.camera)},
+          {"samples", views}};
+}
+
+// Pictures are encoded and written while the next are drawn, or when their turn comes where no thread can be started;
+// an error in one is thrown then.
+class Writers {
+ public:
+  void write(const fs::path& path, std::vector<uint> image, const Shot& shot, const json& record) {
+    if (jobs_.size() >= std::max(1u, std::thread::hardware_concurrency())) finish_one();
+    jobs_.push_back(std::async([=, image = std::move(image), width = shot.width, height = shot.height] {
+      write_png(path, image, width, height);
+      write_file(record_of(path), json_text(record));
+    }));
+  }
+  void finish() {
+    while (!jobs_.empty()) finish_one();
+  }
+
+ private:
+  void finish_one() {
+    std::future<void> job = std::move(jobs_.front());
+    jobs_.pop_front();
+    job.get();
+  }
+  std::deque<std::future<void>> jobs_;
+};
+
+std::vector<uint> take_picture(const Series& series, uint64_t step, json& record_of_it) {
+  Backend& backend = *series.chosen.backend;
+  CollideOptions collide = {.method = series.method};
+  if (series.shot.look.lighting) collide.grid.cells = Cells::dense;
+  require_finite(backend.state(), step);
+  backend.collide(collide);
+  record_of_it = record(series, step, backend.collisions());
+  std::vector<uint> image = take(backend, series.shot);
+  if (series.options.legend) draw_legend(image, series.shot.width, series.shot.height, series.shot.look);
+  return image;
+}
+
+void take_series(const Series& series) {
+  const RenderOptions& options = series.options;
+  Progress progress;
+  Writers writers;
+  std::optional<Video> video;
+  const fs::path film = options.video_file;
+  if (!film.empty()) video.emplace(film, options.width, options.height, options.pictures_per_second);
+  uint64_t step = series.start.step + options.steps;
+  json first, now;
+  for (uint64_t k = 0; k < options.pictures; ++k) {
+    progress.say(fmt::format("picture {} of {}, step {}", k + 1, options.pictures, step));
+    std::vector<uint> image = take_picture(series, step, now);
+    if (k == 0) first = now;
+    if (video) video->add(image);
+    if (!options.output_file.empty()) writers.write(name_of(options, k), std::move(image), series.shot, now);
+    if (k + 1 == options.pictures) break;
+    for (uint64_t i = 0; i < options.every; ++i, ++step) series.chosen.backend->move();
+  }
+  writers.finish();
+  if (!video) return;
+  video->commit();
+  first.update({{"pictures", options.pictures}, {"every", options.every}, {"rate", options.pictures_per_second}});
+  write_file(record_of(film), json_text(first));
+}
+
+}  // namespace
+
+int render_command(const CommandLine& line, const RenderOptions& options) {
+  check_options(options);
+  const Start start = start_of(options.start, line.open.threads);
+  const ChosenBackend chosen = choose_backend(options.backend, line.open);
+  const bool lights = !options.plain && options.draw == "compute" && start.scene.size() > 1;
+  const Method method = lights ? Method::collide_grid : choose_method(options.method, *chosen.backend);
+  for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
+  send(start, *chosen.backend);
+  const double aspect = double(options.width) / options.height;
+  for (uint64_t step = 0; step < options.steps; ++step) chosen.backend->move();
+  const Backend::State state = chosen.backend->state();
+  require_finite(state, start.step + options.steps);
+  const Bounds bounds = bounds_of(state.positions);
+  const Camera camera = camera_of(options.camera, bounds, aspect);
+  Look look = contact_look();
+  if (lights) look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
+  Shot shot{camera, look, options.width, options.height, options.samples, draw_method_from_name(options.draw)};
+  if (options.box && shot.method == DrawMethod::compute && start.scene.size() > 0) shot.box = bounds;
+  if (lights) shot.ground = start.scene.plane;
+  take_series({line, options, start, chosen, method, shot});
+  fmt::print("{}{} on {}: scene {}, {} spheres\n", start.notes, chosen.backend->info().name,
+             device_label(chosen.backend->info()), start.label, start.scene.size());
+  if (!options.output_file.empty() && options.pictures > 1)
+    fmt::print("{} to {}\n", name_of(options, 0).string(), name_of(options, options.pictures - 1).string());
+  if (!options.output_file.empty() && options.pictures == 1) fmt::print("{}\n", options.output_file);
+  if (!options.video_file.empty()) fmt::print("{}\n", options.video_file);
+  return kOk;
+}
+
+}  // namespace spherepair

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "bench/cli/run_action.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <new>
+
+#include "bench/check/answers.h"
+#include "bench/cli/commands.h"
+
+namespace spherepair {
+namespace {
+
+// Standard error may be full too.
+int fail(ExitCode code, const std::string& message) {
+  std::fputs(fmt::format("spherepair: {}\n", message).c_str(), stderr);
+  return code;
+}
+
+int code_of(const std::function<int()>& action) {
+  try {
+    return action();
+  } catch (const DifferenceFound& difference) {
+    return fail(kDifference, std::string("DIFFERENCE FOUND: ") + difference.what());
+  } catch (const std::invalid_argument& error) {
+    return fail(kUsage, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(kDeviceTrouble, "out of memory on the host; use fewer spheres");
+  } catch (const std::exception& error) {
+    return fail(kDeviceTrouble, error.what());
+  }
+}
+
+}  // namespace
+
+int run_action(const std::function<int()>& action) {
+  const int code = code_of(action);
+  if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
+  fail(kUsage, fmt::format("cannot write to standard output: {}", std::strerror(errno)));
+  return code == kDifference ? kDifference : kUsage;
+}
+
+}  // namespace spherepair

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// spherepair sets
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+
+#include "bench/cli/sets_command.h"
+#include "bench/formats/files.h"
+#include "bench/io/arguments.h"
+#include "bench/io/context.h"
+#include "bench/io/motion_choice.h"
+#include "bench/studies/set_errors.h"
+
+namespace spherepair {
+namespace {
+
+SetPlan make_set_plan(const SetsOptions& options, bool hardware) {
+  SetPlan plan;
+  plan.motions = chosen_motions(options.methods, options.precisions);
+  plan.steps = options.quick ? std::vector{4, 6}
+               : hardware    ? std::vector{4, 6, 8, 10, 12, 14}
+                             : std::vector{4, 6, 8, 10};
+  plan.offsets = {1e2f, 1e3f, 1e4f, 1e5f, 1e6f, 1e7f};
+  plan.sampling.rounds = plan.sampling.fewest_rounds = 7;
+  if (hardware) {
+    plan.n = 1 << 16;
+    plan.naive_n = 1 << 20;
+  }
+  if (!options.quick) return plan;
+  plan.seconds = 2;
+  plan.n = plan.naive_n = 2048;
+  plan.passing = 600;
+  plan.offsets = {1e3f, 1e6f};
+  plan.ways = {0.5, 1.0, 5.0};
+  plan.sampling.software_seconds = 0.005;
+  return plan;
+}
+
+std::string share(uint64_t wrong, const SetError& error) {
+  return fmt::format("{} ({:.1e})", wrong, double(wrong) / double(std::max<uint64_t>(error.right, 1)));
+}
+
+Table motion_table(const SetPlan& plan, const std::vector<MotionSetEntry>& entries) {
+  Table table{fmt::format("Pairs after {} s against the closed form's: missed + extra, and as a share", plan.seconds),
+              {{"", "method", "", true},
+               {"", "precision", "", true},
+               {"", "dt", "s"},
+               {"", "away", "m"},
+               {"", "right", "pairs"},
+               {"as collided", "(float32)", "wrong"},
+               {"with all bits", "kept", "wrong"},
+               {"", "position", "m rms"}},
+              {},
+              {}};
+  for (const MotionSetEntry& entry : entries)
+    table.rows.push_back({motion_name(entry.motion.method), precision_name(entry.motion.precision),
+                          fmt::format("2^-{}", entry.k), fmt::format("{:g}", entry.offset),
+                          std::to_string(entry.found.right), share(entry.found.missed + entry.found.extra, entry.found),
+                          share(entry.whole.missed + entry.whole.extra, entry.found),
+                          fmt::format("{:.1e}", entry.rms)});
+  return table;
+}
+
+Table storage_table(const std::vector<StorageEntry>& entries) {
+  Table table{
+      "Pairs of spheres that are only stored, away from the origin",
+      {{"", "precision", "", true}, {"", "away", "m"}, {"", "right", "pairs"}, {"", "missed", ""}, {"", "extra", ""}},
+      {},
+      {}};
+  for (const StorageEntry& entry : entries)
+    table.rows.push_back({precision_name(entry.precision), fmt::format("{:g}", entry.offset),
+                          std::to_string(entry.error.right), share(entry.error.missed, entry.error),
+                          share(entry.error.extra, entry.error)});
+  return table;
+}
+
+Table naive_table(const std::vector<NaiveEntry>& entries) {
+  Table table{"What exactness corrects and what it costs",
+              {{"", "scene", "", true},
+               {"", "spheres", ""},
+               {"", "who", "", true},
+               {"", "right", "pairs"},
+               {"naive", "missed", ""},
+               {"naive", "extra", ""},
+               {"naive", "time", "ms"},
+               {"exact", "time", "ms"},
+               {"exact", "verdict", "", true}},
+              {},
+              {}};
+  for (const NaiveEntry& entry : entries)
+    table.rows.push_back({entry.scene, std::to_string(entry.n), entry.exact.backend + " " + entry.method,
+                          std::to_string(entry.error.right), std::to_string(entry.error.missed),
+                          std::to_string(entry.error.extra), format_ms(entry.naive.median_seconds()),
+                          format_ms(entry.exact.median_seconds()), contest(entry.naive, entry.exact).text});
+  return table;
+}
+
+Table contact_table(const std::vector<ContactEntry>& entries) {
+  Table table{"Pairs that pass through each other and are never seen to touch",
+              {{"", "way a step", "radii sums"},
+               {"", "backend", "", true},
+               {"", "pairs", ""},
+               {"once a step", "missed", ""},
+               {"once a step", "expected", ""},
+               {"once a step", "off", "sigma"},
+               {"swept", "missed", ""}},
+              {},
+              {}};
+  for (const ContactEntry& entry : entries)
+    table.rows.push_back({fmt::format("{:g}", entry.way), entry.backend, std::to_string(entry.pairs),
+                          std::to_string(entry.missed), fmt::format("{:.1f}", entry.expected()),
+                          fmt::format("{:+.1f}", (double(entry.missed) - entry.expected()) / entry.deviation()),
+                          std::to_string(entry.swept_missed)});
+  return table;
+}
+
+}  // namespace
+
+int sets_command(const CommandLine& line, const SetsOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  require_known_backends(options.backends);
+  make_set_plan(options, false);  // bad values end here, before any work
+  const std::filesystem::path folder = options.results.empty() ? default_results() : options.results;
+  prepare_folder(folder, {"sets.txt", "sets.json"});
+  Session session(options.backends, line.open, line.opener);
+  const SetPlan plan =
+      make_set_plan(options, std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); }));
+  fmt::print("spherepair {} ({})\n{}", build_info.version, build_info.commit, session.summary());
+  for (const std::string& warning : session.warnings()) fmt::print("\n{}\n", wrap(warning, 118, "  "));
+  const json before = query_clocks();
+  Progress progress;
+  const auto motion = measure_motion_sets(session, plan, progress);
+  const auto storage = measure_storage(plan, progress);
+  const auto naive = measure_naive(session, plan, progress);
+  const auto contacts = measure_contacts(session, plan, progress);
+  progress.clear();
+  const std::string text = motion_table(plan, motion).text() + "\n" + storage_table(storage).text() + "\n" +
+                           naive_table(naive).text() + "\n" + contact_table(contacts).text();
+  fmt::print("{}", text);
+  write_file(folder / "sets.txt", text);
+  write_file(
+      folder / "sets.json",
+      json_text({{"format", "spherepair sets 1"},
+                 {"context", capture_context(line.words)},
+                 {"backends", session.to_json()},
+                 {"warnings", session.warnings()},
+                 {"clocks", {before, query_clocks()}},
+                 {"settings",
+                  {{"n", plan.n}, {"seconds", plan.seconds}, {"seed", plan.seed}, {"restitution", 1}, {"speed", 1}}},
+                 {"motion", list_of(motion)},
+                 {"storage", list_of(storage)},
+                 {"exactness", list_of(naive)},
+                 {"contacts", list_of(contacts)}}));
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  fmt::print("\nIn {:.0f} s. Results: {}\n", taken.count(), (folder / "sets.json").string());
+  return kOk;
+}
+
+std::shared_ptr<SetsOptions> add_sets_options(CLI::App& command) {
+  auto options = std::make_shared<SetsOptions>();
+  command.add_option("--backends", options->backends, "Only these, and each must open: cpu,glsl,cuda")->delimiter(',');
+  command.add_option("--motions", options->methods, "Only these methods, e.g. paper,anchored (see run --help)")
+      ->delimiter(',');
+  command.add_option("--precisions", options->precisions, "Only these of float32, compensated, float64")
+      ->delimiter(',');
+  command.add_flag("--quick", options->quick, "A first look: few time steps, distances and spheres");
+  command.add_option("--results", options->results, "Folder for sets.json and sets.txt");
+  command.footer("Example:\n  spherepair sets --quick --motions paper,impact,anchored");
+  return options;
+}
+
+}  // namespace spherepair

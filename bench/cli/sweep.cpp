@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// spherepair sweep: the cost of a collision step against the number of spheres, as one JSON file a configuration:
+//   format         "spherepair sweep 1"
+//   context, backends, clocks, seed   as in results.json of compare
+//   ceilings       bytes a second that each GPU copies, lane-instructions a second
+//   measurements   one entry for each backend and method: n, scene, order (cold: random; warm: that of the cells),
+//                  method, block, the set's pairs, colliding_spheres and fingerprint, checked_against, floor (bytes or
+//                  instructions), floor_ms and share_of_floor where the ceiling is known, and the timing core's fields:
+//                  median_ms, interval_ms, samples_ms, device_stages_ms ...
+//   left_out       backend, method and the reason, of all that was asked for and not timed
+#include "bench/cli/sweep.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "bench/cli/options.h"
+#include "bench/io/arguments.h"
+#include "bench/io/context.h"
+#include "bench/io/scene_text.h"
+#include "bench/studies/sweep_point.h"
+
+namespace spherepair {
+namespace {
+
+constexpr const char* kFormat = "spherepair sweep 1";
+
+bool is_record(const json& found) { return found.is_object() && found.value("format", json()) == kFormat; }
+
+std::vector<uint64_t> default_sizes(const Session& session) {
+  std::vector<uint64_t> sizes = {64, 256, 1024, 4096, 16384, 65536, 262144, 1'000'000};
+  const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
+  if (hardware) sizes.insert(sizes.end(), {10'000'000, 100'000'000, 1'000'000'000});
+  return sizes;
+}
+
+std::vector<SweepPoint> points_of(const Session& session, const SweepCommandOptions& options) {
+  std::vector<SweepPoint> points;
+  for (const uint64_t n : options.sizes.empty() ? default_sizes(session) : options.sizes)
+    for (const double fraction : options.packing_fractions)
+      for (const std::string& order : options.orders) {
+        require_known("order", order, {"cold", "warm"});
+        points.push_back({.n = n,
+                          .packing_fraction = fraction,
+                          .in_cell_order = order == "warm",
+                          .methods = parse_methods(options.methods),
+                          .block = options.block});
+        check_options(scene_of(points.back()));
+      }
+  return points;
+}
+
+// A time is also a share of what the device can do at best, measured in the same run.
+Ceilings measure_ceilings(Session& session, const Sampling& sampling, Progress& progress) {
+  Ceilings ceilings{.issue = issue_rate(session), .copy = {}};
+  for (Backend* device : session.devices())
+    if (on_hardware(*device)) ceilings.copy[device] = copy_rate(*device, sampling, progress);
+  return ceilings;
+}
+
+json to_json(const Ceilings& ceilings) {
+  json all = {{"instructions_per_second", std::isfinite(ceilings.issue) ? json(ceilings.issue) : json(nullptr)},
+              {"copied_bytes_per_second", json::object()}};
+  for (const auto& [device, rate] : ceilings.copy) all["copied_bytes_per_second"][device->info().name] = rate;
+  return all;
+}
+
+class Sweep {
+ public:
+  Sweep(const CommandLine& line, const SweepCommandOptions& options)
+      : line_(line), options_(options), session_(options.backends, line.open, line.opener) {
+    sampling_.rounds = options.rounds;
+    sampling_.hardware_ceiling = 0.1;
+  }
+
+  int run() {
+    fmt::print("{}", session_.summary());
+    std::vector<Configuration> all;
+    for (const SweepPoint& point : points_of(session_, options_))
+      all.push_back({file_name(point), label(point), [this, point] { return text_of(point); }});
+    return run_sweep(all, options_.sweep, is_record);
+  }
+
+ private:
+  std::string file_name(const SweepPoint& point) const {
+    json key = {{"scene", scene_json(scene_of(point))},
+                {"order", point.in_cell_order},
+                {"rounds", sampling_.rounds},
+                {"block", point.block},
+                {"commit", build_info.commit}};
+    for (const Method method : point.methods) key["methods"].push_back(method_name(method));
+    for (const auto& backend : session_.backends()) key["devices"].push_back(backend->info().device);
+    return fmt::format("grid-{}-{}-{}-{}.json", point.n, point.packing_fraction, point.in_cell_order ? "warm" : "cold",
+                       hash_of(key).substr(0, 8));
+  }
+
+  std::string text_of(const SweepPoint& point) {
+    if (!ceilings_) ceilings_ = measure_ceilings(session_, sampling_, progress_);
+    json clocks = json::array({{{"when", "before"}, {"gpus", query_clocks()}}});
+    const PointTimes times = time_point(session_, point, *ceilings_, sampling_, progress_);
+    clocks.push_back({{"when", "after"}, {"gpus", query_clocks()}});
+    progress_.clear();
+    return json_text({{"format", kFormat},
+                      {"context", capture_context(line_.words)},
+                      {"backends", session_.to_json()},
+                      {"seed", point.seed},
+                      {"ceilings", to_json(*ceilings_)},
+                      {"clocks", clocks},
+                      {"measurements", times.measurements},
+                      {"left_out", times.left_out}});
+  }
+
+  const CommandLine& line_;
+  const SweepCommandOptions& options_;
+  Session session_;
+  Sampling sampling_;
+  std::optional<Ceilings> ceilings_;  // once they are needed
+  Progress progress_;
+};
+
+}  // namespace
+
+std::shared_ptr<SweepCommandOptions> add_sweep_options(CLI::App& command) {
+  auto options = std::make_shared<SweepCommandOptions>();
+  command.add_option("--backends", options->backends, "Only these, and each must open: cpu,glsl,cuda")->delimiter(',');
+  command.add_option("--methods", options->methods, "Only these methods (see run --help)")->delimiter(',');
+  command.add_option("--n", options->sizes, "Numbers of spheres (default: 64 to 10^6, with a GPU to 10^9)")
+      ->delimiter(',')
+      ->check(positive_range);
+  command.add_option("--packing-fractions", options->packing_fractions, "Of the scene `uniform`")
+      ->delimiter(',')
+      ->check(fraction_range)
+      ->capture_default_str();
+  command
+      .add_option("--orders", options->orders,
+                  "Of the spheres: cold is random, so that each step sorts; warm is that of the cells")
+      ->delimiter(',')
+      ->capture_default_str();
+  command
+      .add_option("--block", options->block,
+                  "Group size: 32, 64, 128, 256, 512 or 1024; without it, the one that auto takes")
+      ->check(block_range);
+  command.add_option("--rounds", options->rounds, "Samples of each time")
+      ->check(whole_number(1, 100000))
+      ->capture_default_str();
+  add_shard_options(command, options->sweep);
+  command.get_option("--output")->required();
+  command.footer(
+      "Each file holds every backend and method of one configuration, checked against each other, then timed.\n"
+      "Example:\n  spherepair sweep --output sweep --shard 2/8 --resume");
+  return options;
+}
+
+int sweep_command(const CommandLine& line, const SweepCommandOptions& options) {
+  require_known_backends(options.backends);
+  if (options.block) parse_blocks({options.block});
+  return Sweep(line, options).run();
+}
+
+}  // namespace spherepair

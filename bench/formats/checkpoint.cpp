@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "bench/formats/checkpoint.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "bench/formats/checkpoint_check.h"
+#include "bench/io/file_bytes.h"
+#include "bench/io/replaced_file.h"
+#include "bench/io/report.h"
+#include "common/shared/hash.h"
+
+namespace spherepair {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "checkpoints are little-endian");
+constexpr char magic[] = "SPHCHECK";
+constexpr uint format_version = 1;
+
+struct Header {
+  char magic[8];
+  uint version, method, precision, anchored_steps, equal_radii, name_length;
+  float dt, gravity, plane, restitution;
+  uint64_t n, step;
+};
+static_assert(sizeof(Header) == 64);
+
+template <typename T>
+std::string_view bytes_of(const T* values, size_t count = 1) {
+  return {reinterpret_cast<const char*>(values), count * sizeof(T)};
+}
+
+// The parts in the order of the file. For writing and for reading, with what its size must be.
+template <typename Any, typename Visit>
+void visit_all(Any& checkpoint, Visit visit) {
+  visit("positions", checkpoint.scene.positions);
+  visit("velocities", checkpoint.scene.velocities);
+  visit_parts(checkpoint.motion, [&](uint, const char* name, auto& part) { visit(name, part); });
+}
+
+class Reader {
+ public:
+  explicit Reader(const std::filesystem::path& path) : file_(path) {}
+
+  std::string_view take(uint64_t bytes, const std::string& what) {
+    if (bytes > file_.bytes().size() - at_)
+      fail(fmt::format("{} bytes of {}", bytes, what), fmt::format("{}: cut off", file_.bytes().size() - at_));
+    at_ += bytes;
+    return file_.bytes().substr(at_ - bytes, bytes);
+  }
+  template <typename T>
+  T number(const std::string& what) {
+    T value;
+    std::memcpy(&value, take(sizeof(T), what).data(), sizeof(T));
+    return value;
+  }
+  // What was read is as it was written.
+  void verify(std::string_view bytes, const std::string& what) {
+    const uint64_t given = number<uint64_t>("the checksum of the " + what), wanted = checksum(bytes);
+    if (given != wanted)
+      fail(fmt::format("the checksum {} of the {}", hex64(wanted), what), hex64(given) + ": damaged");
+  }
+  void finish() {
+    if (at_ != file_.bytes().size()) fail("the end", fmt::format("{} bytes more", file_.bytes().size() - at_));
+  }
+  [[noreturn]] void fail(const std::string& expected, const std::string& found) const {
+    file_.fail_at_byte(at_, expected, found);
+  }
+
+ private:
+  FileBytes file_;
+  uint64_t at_ = 0;
+};
+
+Header read_header(Reader& reader) {
+  const std::string_view start = reader.take(8, "a checkpoint's mark");
+  if (start != std::string_view(magic, 8)) reader.fail(magic, in_quotes(start) + ": no checkpoint");
+  Header header;
+  std::memcpy(header.magic, start.data(), 8);
+  header.version = reader.number<uint>("the version");
+  if (header.version != format_version)
+    reader.fail(fmt::format("version {}", format_version), fmt::format("version {}", header.version));
+  const std::string_view rest = reader.take(sizeof(Header) - 12, "the header");
+  std::memcpy(reinterpret_cast<char*>(&header) + 12, rest.data(), rest.size());
+  return header;
+}
+
+// How many words a part of this checkpoint has; vec4 count as one.
+uint64_t wanted_size(const Checkpoint& c, const void* part) {
+  const MotionOptions& motion = c.scene.motion;
+  const uint64_t n = c.scene.size(), anchored = motion.method == MotionMethod::anchored;
+  if (part == &c.motion.wide) return motion.precision == Precision::float32 ? 0 : 12 * n;
+  if (part == &c.motion.flights) return anchored * 2 * n * real_words(motion.precision);
+  if (part == &c.motion.anchors || part == &c.motion.since || part == &c.motion.due) return anchored * n;
+  return n;
+}
+
+template <typename T>
+void read_part(Reader& reader, const std::string& name, std::vector<T>& part, uint64_t size) {
+  const uint64_t bytes = reader.number<uint64_t>("the length of the " + name);
+  if (bytes != size * sizeof(T))
+    reader.fail(fmt::format("{} bytes of {}", size * sizeof(T), name), fmt::format("a length of {}", bytes));
+  const std::string_view data = reader.take(bytes, name);
+  reader.verify(data, name);
+  part.resize(size);
+  if (size) std::memcpy(part.data(), data.data(), bytes);
+}
+
+}  // namespace
+
+uint64_t checksum(std::string_view bytes) {
+  uint64_t sum = splitmix64(bytes.size());
+  for (size_t at = 0; at < bytes.size(); at += 8) {
+    uint64_t word = 0;
+    std::memcpy(&word, bytes.data() + at, std::min<size_t>(8, bytes.size() - at));
+    sum = splitmix64(sum ^ word);
+  }
+  return sum;
+}
+
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
+  const Scene& scene = checkpoint.scene;
+  Header header{{},
+                format_version,
+                uint(scene.motion.method),
+                uint(scene.motion.precision),
+                checkpoint.motion.steps,
+                scene.equal_radii,
+                uint(scene.name.size()),
+                scene.dt,
+                scene.gravity,
+                scene.plane,
+                scene.restitution,
+                scene.size(),
+                checkpoint.step};
+  std::memcpy(header.magic, magic, 8);
+  const std::string start = std::string(bytes_of(&header)) + scene.name;
+  ReplacedFile file(path);
+  const auto write_number = [&](uint64_t number) { file.write(bytes_of(&number)); };
+  file.write(start);
+  write_number(checksum(start));
+  visit_all(checkpoint, [&](const std::string&, const auto& part) {
+    const std::string_view bytes = bytes_of(part.data(), part.size());
+    write_number(bytes.size());
+    file.write(bytes);
+    write_number(checksum(bytes));
+  });
+  file.commit();
+}
+
+Checkpoint read_checkpoint(const std::filesystem::path& path) {
+  Reader reader(path);
+  const Header header = read_header(reader);
+  Checkpoint checkpoint;
+  Scene& scene = checkpoint.scene;
+  scene.name = reader.take(header.name_length, "the scene's name");
+  reader.verify(std::string(bytes_of(&header)) + scene.name, "header");
+  if (header.method > MOTION_ANCHORED || header.precision > PRECISION_FLOAT64 || header.n > 0x7FFFFFFF)
+    reader.fail("a known motion method and precision and at most 2147483647 spheres",
+                fmt::format("method {}, precision {}, n = {}", header.method, header.precision, header.n));
+  scene.motion = {MotionMethod(header.method), Precision(header.precision)};
+  scene.dt = header.dt, scene.gravity = header.gravity, scene.plane = header.plane;
+  scene.restitution = header.restitution, scene.equal_radii = header.equal_radii != 0;
+  checkpoint.motion.steps = header.anchored_steps;
+  checkpoint.step = header.step;
+  visit_all(checkpoint, [&](const std::string& name, auto& part) {
+    read_part(reader, name, part, name == "positions" ? header.n : wanted_size(checkpoint, &part));
+  });
+  reader.finish();
+  check_contents(checkpoint, path.string());
+  return checkpoint;
+}
+
+}  // namespace spherepair

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Reading spheres from XYZ and extended XYZ: a line with their number, a comment, a line for each; then the next frame.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "bench/formats/sphere_file.h"
+#include "bench/formats/xyz_columns.h"
+#include "bench/io/file_lines.h"
+#include "bench/io/numbers.h"
+#include "common/backend/cpu_team.h"
+
+namespace spherepair {
+namespace {
+
+// A stretch of spheres' lines, of which threads take one after the other.
+constexpr uint64_t lines_at_once = 16384;
+struct Stretch {
+  FileLines start;
+  uint64_t first_sphere, spheres;
+};
+
+struct Frame {
+  uint64_t spheres = 0, comment_line = 0;
+  std::string_view comment;
+  std::vector<Stretch> stretches;
+};
+
+uint64_t read_count(const FileBytes& file, FileLines& cursor, bool first) {
+  const char* expected = first ? "the number of spheres" : "the number of spheres of another frame, or the end";
+  const uint64_t line = cursor.line;
+  if (cursor.at_end()) file.fail_at_line(line, expected, "the end of the file");
+  const std::string_view text = cursor.next();
+  std::vector<std::string_view> fields;
+  split_fields(text, 2, fields);
+  const auto count = whole_number_of(fields.size() == 1 ? fields[0] : "", 0, std::numeric_limits<uint64_t>::max());
+  if (!count) file.fail_at_line(line, expected, in_quotes(text));
+  if (*count > kMostSpheres)
+    file.fail_at_line(line, fmt::format("at most {} spheres", kMostSpheres), fmt::to_string(*count));
+  return *count;
+}
+
+// Finds where the frame's lines are and looks at none but the first two.
+Frame read_frame(const FileBytes& file, FileLines& cursor, bool first) {
+  Frame frame;
+  const uint64_t count_line = cursor.line;
+  frame.spheres = read_count(file, cursor, first);
+  frame.comment_line = cursor.line;
+  if (cursor.at_end()) file.fail_at_line(cursor.line, "the comment line", "the end of the file");
+  frame.comment = cursor.next();
+  for (uint64_t sphere = 0; sphere < frame.spheres; ++sphere) {
+    if (sphere % lines_at_once == 0)
+      frame.stretches.push_back({cursor, sphere, std::min(lines_at_once, frame.spheres - sphere)});
+    if (cursor.at_end())
+      file.fail_at_line(cursor.line, fmt::format("{} spheres as line {} says", frame.spheres, count_line),
+                        fmt::format("the end of the file after {}", sphere));
+    cursor.next();
+  }
+  return frame;
+}
+
+class LineReader {
+ public:
+  LineReader(const FileBytes& file, const XyzColumns& columns) : file_(file), columns_(columns) {}
+
+  void read(std::string_view text, uint64_t line, vec4& sphere) {
+    split_fields(text, columns_.count + 1, fields_);
+    if (fields_.size() != columns_.count)
+      file_.fail_at_line(line, fmt::format("{} columns ({})", columns_.count, columns_.text),
+                         fmt::format("{}{}: {}", fields_.size() > columns_.count ? "more than " : "",
+                                     std::min(fields_.size(), columns_.count), in_quotes(text)));
+    sphere.x = number(columns_.position, line, "x");
+    sphere.y = number(columns_.position + 1, line, "y");
+    sphere.z = number(columns_.position + 2, line, "z");
+    if (columns_.radius) sphere.w = number(*columns_.radius, line, "radius");
+  }
+  uint64_t changed() const { return changed_; }
+
+ private:
+  float number(size_t column, uint64_t line, const char* what) {
+    const Decimal decimal = read_number(file_, line, fields_, column, what, columns_.radius == column);
+    changed_ += decimal.changed;
+    return decimal.rounded;
+  }
+
+  const FileBytes& file_;
+  const XyzColumns& columns_;
+  std::vector<std::string_view> fields_;
+  uint64_t changed_ = 0;
+};
+
+uint64_t read_stretch(const FileBytes& file, const XyzColumns& columns, Stretch stretch, std::vector<vec4>& spheres) {
+  LineReader reader(file, columns);
+  for (uint64_t k = 0; k < stretch.spheres; ++k) {
+    const uint64_t line = stretch.start.line;
+    reader.read(stretch.start.next(), line, spheres[stretch.first_sphere + k]);
+  }
+  return reader.changed();
+}
+
+// The error that stands first in the file is thrown, whichever thread met one first.
+uint64_t read_spheres(const FileBytes& file, const XyzColumns& columns, const Frame& frame, int threads,
+                      std::vector<vec4>& spheres) {
+  TeamErrors errors;
+  uint64_t changed = 0;
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1) reduction(+ : changed)
+  for (size_t k = 0; k < frame.stretches.size(); ++k)
+    errors.run(k, [&] { changed += read_stretch(file, columns, frame.stretches[k], spheres); });
+  errors.rethrow();
+  return changed;
+}
+
+XyzColumns columns_of(const FileBytes& file, const Frame& frame) {
+  if (const auto named = named_columns(file, frame.comment_line, frame.comment)) return *named;
+  if (frame.stretches.empty()) return {.text = "no spheres"};
+  FileLines first = frame.stretches.front().start;
+  const uint64_t line = first.line;
+  return classic_columns(file, line, first.next());
+}
+
+// Counts the frames, of which all must be whole, and keeps one.
+Frame find_frame(const FileBytes& file, uint64_t wanted, uint64_t& frames) {
+  Frame found;
+  FileLines cursor{file.bytes()};
+  for (frames = 0; frames == 0 || !cursor.at_end(); ++frames) {
+    Frame frame = read_frame(file, cursor, frames == 0);
+    if (frames == wanted) found = std::move(frame);
+    cursor.skip_blank_lines();
+  }
+  if (wanted >= frames)
+    throw std::invalid_argument(fmt::format("{} has {} frame{}, counted from 0, so --frame {} is not among them",
+                                            file.name(), frames, frames == 1 ? "" : "s", wanted));
+  return found;
+}
+
+}  // namespace
+
+SphereFile read_xyz(const FileBytes& file, const SphereFileOptions& options) {
+  require_text(file);
+  SphereFile input;
+  input.frame = options.frame.value_or(0);
+  const Frame frame = find_frame(file, input.frame, input.frames);
+  const XyzColumns columns = columns_of(file, frame);
+  input.own_radii = columns.radius.has_value();
+  if (frame.spheres > 0) check_radius(file, input.own_radii, options);
+  input.scene.positions.resize(frame.spheres, vec4{0, 0, 0, options.radius.value_or(0)});
+  input.values = frame.spheres * (input.own_radii ? 4 : 3);
+  input.changed = read_spheres(file, columns, frame, reading_threads(options), input.scene.positions);
+  input.format = fmt::format("{}XYZ ({})", columns.named ? "extended " : "", columns.text);
+  return input;
+}
+
+}  // namespace spherepair

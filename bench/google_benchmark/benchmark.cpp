@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+// Google Benchmark's view of the same timing core, for its compare.py. A repetition is one sample of K steps; its time
+// is that of one step. With --output every configuration gets a JSON file of its own, so that a sweep can be shared out
+// and taken up again.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <sstream>
+
+#include "bench/cli/commands.h"
+#include "bench/cli/options.h"
+#include "bench/cli/run_action.h"
+#include "bench/cli/shard.h"
+#include "bench/google_benchmark/benchmark_rows.h"
+#include "bench/io/arguments.h"
+#include "bench/io/context.h"
+#include "bench/io/scene_text.h"
+#include "common/backend/cpu_team.h"
+
+namespace spherepair {
+namespace {
+
+struct BenchOptions {
+  std::vector<std::string> backends, scenes = {"random"};
+  std::vector<uint64_t> sizes;  // empty: one that suits the machine
+  std::vector<uint> blocks;
+  int rounds = 0;
+  SweepOptions sweep;
+};
+
+std::vector<SceneOptions> chosen_scenes(const BenchOptions& options, const Session& session) {
+  const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
+  std::vector<uint64_t> sizes = options.sizes;
+  if (sizes.empty()) sizes = {hardware ? 16384u : 4096u};
+  std::vector<SceneOptions> scenes;
+  for (const std::string& name : options.scenes)
+    for (uint64_t n : sizes) {
+      SceneOptions scene = parse_scene(name, SceneOptions{}.seed);
+      if (!scene.groups) scene.n = n;
+      check_options(scene);
+      scenes.push_back(scene);
+      if (scene.groups) break;  // an arrangement has its own number
+    }
+  return scenes;
+}
+
+void sample_row(benchmark::State& state, BenchScene& scene, const BenchRow& row, const Sampling& sampling,
+                bool& wrong) {
+  uint64_t batch = 0;
+  try {
+    batch = scene.check(row, sampling);
+  } catch (const DifferenceFound& difference) {
+    wrong = true;
+    return state.SkipWithError(difference.what());
+  }
+  for (auto _ : state) state.SetIterationTime(scene.sample(row, batch));
+  const double n = double(scene.options().n);
+  state.SetLabel(parameters_of(row, scene.options()));
+  state.counters["n"] = n;
+  state.counters["K"] = double(batch);
+  if (row.work != Work::collide) return;
+  if (uses_blocks({row.backend, row.options})) state.counters["block"] = row.options.block;
+  if (row.options.method != Method::collide_group)
+    state.counters["pairs"] = benchmark::Counter(n * (n - 1) / 2, benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void register_row(BenchScene& scene, const BenchRow& row, const Sampling& sampling, bool& wrong) {
+  const std::string title = fmt::format("{}/{}/n:{}", row.name, scene_label(scene.options()), scene.options().n);
+  benchmark::RegisterBenchmark(
+      title.c_str(),
+      [&scene, row, &sampling, &wrong](benchmark::State& state) { sample_row(state, scene, row, sampling, wrong); })
+      ->UseManualTime()
+      ->Iterations(1)
+      ->Repetitions(sampling.rounds)
+      ->Unit(benchmark::kMillisecond);
+}
+
+void add_context(const Session& session) {
+  benchmark::AddCustomContext("commit", build_info.commit);
+  benchmark::AddCustomContext("compiler", fmt::format("{} {}", build_info.compiler, build_info.flags));
+  benchmark::AddCustomContext("cuda_compiler", build_info.cuda_compiler);
+  for (const json& backend : session.to_json()) {
+    const std::string name = backend.at("name");
+    benchmark::AddCustomContext(name, backend.at(backend.at("open") ? "device" : "reason").get<std::string>());
+    if (!backend.at("open")) continue;
+    for (const auto& [what, value] : backend.at("details").items())
+      benchmark::AddCustomContext(name + " " + what, value.get<std::string>());
+  }
+}
+
+// What decides a configuration's numbers: its scene, its row on every backend, the rounds, the devices, the commit.
+std::string file_name(const SceneOptions& scene, const std::vector<BenchRow>& rows, const Sampling& sampling) {
+  json key = {{"scene", scene_json(scene)}, {"rounds", sampling.rounds}, {"commit", build_info.commit}};
+  for (const BenchRow& row : rows) key["rows"].push_back({row.name, row.backend->info().device});
+  return hash_of(key) + ".json";
+}
+
+std::optional<std::string> run_configuration(Session& session, const SceneOptions& of,
+                                             const std::vector<BenchRow>& rows, const Sampling& sampling) {
+  OnBackend on_backend;
+  bool wrong = false;
+  BenchScene scene(session, of, on_backend);
+  benchmark::ClearRegisteredBenchmarks();
+  for (const BenchRow& row : rows) register_row(scene, row, sampling, wrong);
+  std::ostringstream text;
+  benchmark::JSONReporter reporter;
+  reporter.SetOutputStream(&text);
+  reporter.SetErrorStream(&std::cerr);
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  if (wrong) return std::nullopt;
+  return text.str();
+}
+
+// The same work on every backend that has it, timed against each other: cuda/collide_tiled/128 and
+// glsl/collide_tiled/128 belong together.
+std::vector<Configuration> configurations(Session& session, const std::vector<SceneOptions>& scenes,
+                                          const std::vector<BenchRow>& rows, const Sampling& sampling) {
+  std::map<std::string, std::vector<BenchRow>> together;
+  for (const BenchRow& row : rows) together[row.name.substr(row.name.find('/') + 1)].push_back(row);
+  std::vector<Configuration> all;
+  for (const SceneOptions& scene : scenes)
+    for (const auto& [name, members] : together)
+      all.push_back(
+          {file_name(scene, members, sampling), fmt::format("{} {}, n = {}", name, scene_label(scene), scene.n),
+           [&session, scene, members, &sampling] { return run_configuration(session, scene, members, sampling); }});
+  return all;
+}
+
+int run_all(Session& session, const std::vector<SceneOptions>& scenes, const std::vector<BenchRow>& rows,
+            const Sampling& sampling) {
+  bool wrong = false;
+  OnBackend on_backend;
+  std::vector<std::unique_ptr<BenchScene>> made;
+  for (const SceneOptions& scene : scenes) {
+    made.push_back(std::make_unique<BenchScene>(session, scene, on_backend));
+    for (const BenchRow& row : rows) register_row(*made.back(), row, sampling, wrong);
+  }
+  benchmark::RunSpecifiedBenchmarks();
+  return wrong ? kDifference : kOk;
+}
+
+void add_options(CLI::App& app, BenchOptions& options, OpenOptions& open) {
+  app.add_option("--backends", options.backends, "Only these, and each must open: cpu,glsl,cuda")->delimiter(',');
+  app.add_option("--scenes", options.scenes, "E.g. random,uniform,aligned:8x16")->delimiter(',')->capture_default_str();
+  app.add_option("--n", options.sizes, "Numbers of spheres (default 16384 with a GPU, else 4096)")
+      ->delimiter(',')
+      ->check(positive_range);
+  app.add_option("--blocks", options.blocks, "Only these group sizes: 32,64,128,256,512,1024")->delimiter(',');
+  app.add_option("--rounds", options.rounds, "Samples of each row (default 11)")->check(whole_number(1, 100000));
+  app.add_option("--threads", open.threads, "Threads of the CPU backend; 0 takes all cores")
+      ->check(whole_number(0, 4096));
+  add_shard_options(app, options.sweep);
+  app.footer(
+      "Everything else goes to Google Benchmark, e.g. --benchmark_filter=triangle --benchmark_out=times.json\n"
+      "--benchmark_enable_random_interleaving=true");
+}
+
+int bench_command(int argc, char** argv) {
+  CLI::App app("Times every backend's motion, steps, launches and methods with Google Benchmark, each checked first.");
+  BenchOptions options;
+  OpenOptions open;
+  add_options(app, options, open);
+  app.allow_extras();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kOk : kUsage;
+  }
+  std::vector<std::string> rest = app.remaining();
+  std::vector<char*> words = {argv[0]};
+  for (std::string& word : rest) words.push_back(word.data());
+  int count = int(words.size());
+  benchmark::Initialize(&count, words.data());
+  if (benchmark::ReportUnrecognizedArguments(count, words.data())) return kUsage;
+  const std::vector<uint> blocks = parse_blocks(options.blocks);
+  start_team(open.threads);
+  Session session(options.backends, open);
+  Sampling sampling;
+  if (options.rounds > 0) sampling.rounds = options.rounds;
+  const std::vector<SceneOptions> scenes = chosen_scenes(options, session);
+  const std::vector<BenchRow> rows = bench_rows(session, blocks);
+  add_context(session);
+  const int code = options.sweep.output.empty()
+                       ? run_all(session, scenes, rows, sampling)
+                       : run_sweep(configurations(session, scenes, rows, sampling), options.sweep,
+                                   [](const json& found) { return found.is_object() && found.contains("benchmarks"); });
+  benchmark::Shutdown();
+  return code;
+}
+
+}  // namespace
+}  // namespace spherepair
+
+int main(int argc, char** argv) {
+  return spherepair::run_action([&] { return spherepair::bench_command(argc, argv); });
+}

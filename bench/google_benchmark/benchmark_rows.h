@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The rows of Google Benchmark: what every open backend can do, from the comparison's own list; each checked, then
+// timed.
+#pragma once
+
+#include <map>
+
+#include "bench/tables/study.h"
+
+namespace spherepair {
+
+// One thing that one backend is timed at.
+struct BenchRow {
+  std::string name;  // glsl/collide_tiled/128, cuda/move, cpu/step, glsl/empty
+  Backend* backend;
+  std::optional<Work> work;  // none: an empty kernel
+  CollideOptions options;
+};
+
+// Every backend's motion, whole step and empty kernel, and everyone whom `compare` asks, at these group sizes.
+std::vector<BenchRow> bench_rows(Session& session, const std::vector<uint>& blocks);
+
+// The row's parameters that are no numbers and so no counters, as `name=value` words: readers need not take names
+// apart.
+std::string parameters_of(const BenchRow& row, const SceneOptions& scene);
+
+class BenchScene;
+using OnBackend = std::map<const Backend*, const BenchScene*>;  // whose spheres stand there as they were made
+
+// The scene that the rows are timed on, uploaded anew wherever a row has moved it or another scene has taken its place.
+class BenchScene {
+ public:
+  BenchScene(Session& session, const SceneOptions& options, OnBackend& on_backend);
+
+  // Compares the row's answer with the reference's, once; throws DifferenceFound. Returns K, the steps of a sample.
+  uint64_t check(const BenchRow& row, const Sampling& sampling);
+
+  // Seconds of one of K back-to-back steps.
+  double sample(const BenchRow& row, uint64_t batch);
+
+  const SceneOptions& options() const { return options_; }
+
+ private:
+  void restore(Backend& backend);
+  void check_answer(const BenchRow& row);
+  void check_motion(const BenchRow& row);
+
+  Session& session_;
+  SceneOptions options_;
+  Scene scene_;
+  OnBackend& on_backend_;
+  std::map<std::string, uint64_t> batches_;  // of the rows that were checked
+};
+
+}  // namespace spherepair

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "bench/io/arguments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "api/open.h"
+#include "bench/io/numbers.h"
+
+namespace spherepair {
+
+void require_known(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
+  if (std::ranges::find(known, name) == known.end())
+    throw std::invalid_argument(fmt::format("unknown {} '{}'; known are {}", what, name, fmt::join(known, ", ")));
+}
+
+void require_known_backends(const std::vector<std::string>& names) {
+  for (const std::string& name : names) require_known("backend", name, backend_names());
+}
+
+std::vector<Method> all_methods() {
+  std::vector<Method> methods = {Method::sequential, Method::parallel};
+  for (Method method : device_methods()) methods.push_back(method);
+  return methods;
+}
+
+std::vector<Method> parse_methods(const std::vector<std::string>& names) {
+  if (names.empty()) return all_methods();
+  std::vector<Method> methods;
+  for (const std::string& name : names) methods.push_back(method_from_name(name));
+  return methods;
+}
+
+std::vector<uint> parse_blocks(const std::vector<uint>& blocks) {
+  const std::vector<uint> known(block_sizes().begin(), block_sizes().end());
+  for (uint block : blocks)
+    if (std::ranges::find(known, block) == known.end())
+      throw std::invalid_argument(fmt::format("unknown group size {}; known are {}", block, fmt::join(known, ", ")));
+  return blocks.empty() ? known : blocks;
+}
+
+}  // namespace spherepair

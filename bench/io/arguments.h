@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Option values as text, checked against what is known. Each throws std::invalid_argument with the known values.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/backend/backend.h"
+
+namespace spherepair {
+
+void require_known(const std::string& what, const std::string& name, const std::vector<std::string>& known);
+void require_known_backends(const std::vector<std::string>& names);
+
+std::vector<Method> all_methods();
+std::vector<Method> parse_methods(const std::vector<std::string>& names);  // all when empty
+std::vector<uint> parse_blocks(const std::vector<uint>& blocks);           // all when empty
+
+}  // namespace spherepair

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// What a result needs beside it to be understood later: machine, versions, build, environment, clocks.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/io/report.h"
+
+namespace spherepair {
+
+struct BuildInfo {
+  const char *version, *commit, *compiler, *flags, *cuda_compiler;
+};
+extern const BuildInfo build_info;  // written at build time
+
+// Machine, build, environment and command line; the backends add theirs (Session::to_json).
+json capture_context(const std::vector<std::string>& command_line);
+
+// Clocks, throttle reasons, temperature and power of every GPU as nvidia-smi reports them; null without nvidia-smi.
+json query_clocks();
+
+bool gpu_seems_present();       // the kernel driver's control node exists
+std::string utc_date();         // 2025-11-21T04:08:00Z
+std::string default_results();  // results/<host>-<date>
+
+}  // namespace spherepair

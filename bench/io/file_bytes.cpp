@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "bench/io/file_bytes.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+#include "common/backend/backend.h"
+#include "common/backend/growing_list.h"
+#include "common/scene/host_buffer.h"
+
+namespace spherepair {
+namespace {
+
+constexpr size_t at_once = 1 << 16;  // bytes that a file may turn out to be longer
+
+[[noreturn]] void fail_to_read(const std::string& name, int error) {
+  throw std::invalid_argument(fmt::format("cannot read {}: {}", name, std::strerror(error)));
+}
+
+struct Descriptor {
+  explicit Descriptor(const std::string& name) : value(::open(name.c_str(), O_RDONLY | O_CLOEXEC)) {
+    if (value < 0) fail_to_read(name, errno);
+  }
+  ~Descriptor() { ::close(value); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int value;
+};
+
+}  // namespace
+
+FileBytes::FileBytes(const std::filesystem::path& path) : name_(path.string()) {
+  const Descriptor file(name_);
+  struct stat status {};
+  if (::fstat(file.value, &status) != 0) fail_to_read(name_, errno);
+  if (S_ISDIR(status.st_mode)) fail_to_read(name_, EISDIR);
+  const size_t size = size_t(status.st_size);  // 0 of a pipe
+  if (!fits_in_memory(size))
+    throw BackendError(fmt::format("{} has {} bytes, more than memory has room for", name_, size));
+  bytes_.reserve(size + at_once);
+  advise_large_pages(bytes_.data(), bytes_.capacity());
+  bytes_.resize(size + at_once);
+  size_t done = 0;
+  while (const ssize_t count = ::read(file.value, bytes_.data() + done, bytes_.size() - done)) {
+    if (count < 0 && errno != EINTR) fail_to_read(name_, errno);
+    if (count > 0) done += size_t(count);
+    if (done == bytes_.size()) bytes_.resize(2 * done);
+  }
+  bytes_.resize(done);
+}
+
+void FileBytes::fail_at_line(uint64_t line, std::string_view expected, std::string_view found) const {
+  throw std::invalid_argument(fmt::format("{}, line {}: expected {}, found {}", name_, line, expected, found));
+}
+
+void FileBytes::fail_at_byte(uint64_t offset, std::string_view expected, std::string_view found) const {
+  throw std::invalid_argument(fmt::format("{}, byte {}: expected {}, found {}", name_, offset, expected, found));
+}
+
+std::string in_quotes(std::string_view text) {
+  constexpr size_t most = 60;
+  std::string shown = "'";
+  for (const char c : text.substr(0, most)) {
+    if (c >= ' ' && c <= '~')
+      shown += c;
+    else
+      shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+  }
+  return shown + (text.size() > most ? "...'" : "'");
+}
+
+}  // namespace spherepair

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The lines of a text file.
+#pragma once
+
+#include <algorithm>
+
+#include "bench/io/file_bytes.h"
+
+namespace spherepair {
+
+// Where the reading stands.
+struct FileLines {
+  std::string_view rest;
+  uint64_t line = 1;  // of the rest's first
+
+  bool at_end() const { return rest.empty(); }
+
+  std::string_view next() {
+    const size_t end = std::min(rest.find('\n'), rest.size());
+    std::string_view text = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    ++line;
+    if (text.ends_with('\r')) text.remove_suffix(1);
+    return text;
+  }
+
+  void skip_blank_lines() {
+    for (FileLines ahead = *this; !ahead.at_end() && ahead.next().find_first_not_of(" \t") == rest.npos;) *this = ahead;
+  }
+};
+
+// Throws std::invalid_argument at the line of the first NUL byte: such a file is damaged, or no text.
+inline void require_text(const FileBytes& file) {
+  const std::string_view bytes = file.bytes();
+  const size_t nul = bytes.find('\0');
+  if (nul == bytes.npos) return;
+  const auto lines_before = std::ranges::count(bytes.substr(0, nul), '\n');
+  file.fail_at_line(uint64_t(lines_before) + 1, "text", "a NUL byte");
+}
+
+}  // namespace spherepair

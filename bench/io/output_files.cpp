@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "bench/io/output_files.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <stdexcept>
+
+#include "bench/io/replaced_file.h"
+
+namespace spherepair {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Equal for two names of one regular file, or of one that is not there yet; empty for anything else.
+std::string identity(const fs::path& path) {
+  struct stat status {};
+  std::error_code error;
+  if (::stat(path.c_str(), &status) != 0) return fs::weakly_canonical(fs::absolute(path, error), error).string();
+  return S_ISREG(status.st_mode) ? fmt::format("{}:{}", status.st_dev, status.st_ino) : "";
+}
+
+}  // namespace
+
+void OutputFiles::read(const std::string& option, const fs::path& path) {
+  if (path.empty()) return;
+  const std::string file = identity(path);
+  if (!file.empty()) uses_[file] = {option, path, false};
+}
+
+void OutputFiles::write(const std::string& option, const fs::path& path, const std::string& in_place) {
+  if (path.empty()) return;
+  const std::string file = identity(path);
+  const auto other = uses_.find(file);
+  if (other != uses_.end() && (other->second.output || other->second.option != in_place))
+    throw std::invalid_argument(fmt::format("{} {} is the {} {} of {}: choose another name", option, path.string(),
+                                            other->second.output ? "output" : "input", other->second.path.string(),
+                                            other->second.option));
+  check_writable(path);
+  if (!file.empty()) uses_[file] = {option, path, true};
+}
+
+}  // namespace spherepair

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "bench/io/replaced_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+namespace spherepair {
+namespace {
+
+namespace fs = std::filesystem;
+
+// /dev/stdout may lead to a regular file, but that one is open already: renaming would take it away from its writers.
+bool names_open_file(const fs::path& path) {
+  const std::string text = path.string();
+  return fs::is_symlink(path) && (text.starts_with("/dev/") || text.starts_with("/proc/"));
+}
+
+bool replaceable(const fs::path& path) {
+  return !fs::exists(path) || (fs::is_regular_file(path) && !names_open_file(path));
+}
+
+[[noreturn]] void fail_to_write(const fs::path& path, int error) {
+  throw std::invalid_argument(fmt::format("cannot write {}: {}", path.string(), std::strerror(error)));
+}
+
+fs::path follow_links(const fs::path& path) try {
+  return fs::is_symlink(path) && replaceable(path) ? fs::weakly_canonical(path) : path;
+} catch (const fs::filesystem_error& error) {
+  fail_to_write(path, error.code().value());
+}
+
+fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : "."; }
+
+// The file is there already: a folder that cannot be read is no reason to fail.
+void sync_folder(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+}  // namespace
+
+ReplacedFile::ReplacedFile(const fs::path& path) : path_(path), target_(follow_links(path)) {
+  if (fs::is_directory(target_)) fail(EISDIR);
+  if (!replaceable(target_)) {
+    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC | O_APPEND);
+  } else {
+    descriptor_ = ::open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+    nameless_ = descriptor_ >= 0;
+    if (!nameless_) open_beside();
+  }
+  if (descriptor_ < 0) fail(errno);
+}
+
+ReplacedFile::~ReplacedFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (!beside_.empty()) ::unlink(beside_.c_str());
+}
+
+// Never the name of a file that exists already: it may be another's.
+bool ReplacedFile::take_name_beside(const std::function<bool(const std::string&)>& take) {
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    const std::string name = target_.string() + ".new" + (attempt ? std::to_string(attempt) : "");
+    if (take(name)) return beside_ = name, true;
+    if (errno != EEXIST) return false;
+  }
+  return false;
+}
+
+bool ReplacedFile::open_beside() {
+  return take_name_beside([&](const std::string& name) {
+    descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    return descriptor_ >= 0;
+  });
+}
+
+void ReplacedFile::fail(int error) const { fail_to_write(path_, error); }
+
+void ReplacedFile::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) fail(errno);
+    if (written > 0) bytes.remove_prefix(size_t(written));
+  }
+}
+
+std::string ReplacedFile::name_for_children() {
+  ::fcntl(descriptor_, F_SETFD, 0);  // no longer closed when they start
+  return fmt::format("/proc/self/fd/{}", descriptor_);
+}
+
+// A link cannot take the place of a file, only a rename can; so the file has a name beside it for that moment. The
+// bytes are on the disk before they get the name, so that a loss of power leaves the old file or the new one.
+void ReplacedFile::commit() {
+  const std::string open_file = fmt::format("/proc/self/fd/{}", descriptor_);
+  const auto link = [&](const std::string& name) {
+    return ::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+  };
+  if ((nameless_ || !beside_.empty()) && ::fsync(descriptor_) != 0) fail(errno);
+  if (nameless_ && !take_name_beside(link)) fail(errno);
+  if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
+  if (beside_.empty()) return;
+  if (::rename(beside_.c_str(), target_.c_str()) != 0) fail(errno);
+  beside_.clear();
+  sync_folder(folder_of(target_));
+}
+
+void check_writable(const fs::path& path) {
+  const fs::path target = follow_links(path);
+  if (replaceable(target) || fs::is_directory(target)) ReplacedFile trial(path);
+}
+
+}  // namespace spherepair

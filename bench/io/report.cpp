@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "bench/io/report.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+namespace spherepair {
+namespace {
+
+constexpr const char* kGap = "  ";
+
+std::string pad(const std::string& text, size_t width, bool left) {
+  return left ? fmt::format("{:<{}}", text, width) : fmt::format("{:>{}}", text, width);
+}
+
+std::vector<size_t> column_widths(const Table& table) {
+  std::vector<size_t> widths;
+  for (size_t c = 0; c < table.columns.size(); ++c) {
+    size_t width = std::max(table.columns[c].name.size(), table.columns[c].unit.size());
+    for (const auto& row : table.rows) width = std::max(width, row.at(c).size());
+    widths.push_back(width);
+  }
+  return widths;
+}
+
+// Columns [first, last) share a group heading; they are widened when it needs the room.
+size_t group_end(const Table& table, size_t first) {
+  size_t last = first + 1;
+  const std::string& group = table.columns[first].group;
+  while (last < table.columns.size() && !group.empty() && table.columns[last].group == group) ++last;
+  return last;
+}
+
+size_t span_width(const std::vector<size_t>& widths, size_t first, size_t last) {
+  size_t width = 2 * (last - first - 1);
+  for (size_t c = first; c < last; ++c) width += widths[c];
+  return width;
+}
+
+std::string group_line(const Table& table, std::vector<size_t>& widths) {
+  std::string line;
+  bool any = false;
+  for (size_t first = 0, last; first < table.columns.size(); first = last) {
+    last = group_end(table, first);
+    const std::string& group = table.columns[first].group;
+    const size_t have = span_width(widths, first, last);
+    for (size_t missing = have; missing < group.size(); ++missing) ++widths[first + missing % (last - first)];
+    const size_t width = span_width(widths, first, last);
+    line += (first ? kGap : "") + (group.empty() ? std::string(width, ' ') : fmt::format("{:-^{}}", group, width));
+    any = any || !group.empty();
+  }
+  return any ? line + "\n" : "";
+}
+
+std::string significant(double value, const char* missing = "-") {
+  if (!std::isfinite(value)) return missing;
+  const double size = std::abs(value);
+  if (size >= 1000) return fmt::format("{:.0f}", value);
+  if (size >= 100) return fmt::format("{:.1f}", value);
+  if (size >= 10) return fmt::format("{:.2f}", value);
+  if (size >= 1) return fmt::format("{:.3f}", value);
+  if (size >= 0.1 || size == 0) return fmt::format("{:.4f}", value);
+  return fmt::format("{:.5f}", value);
+}
+
+}  // namespace
+
+std::string json_text(const json& value) { return value.dump(1, ' ', false, json::error_handler_t::replace) + "\n"; }
+std::string json_line(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
+
+std::string Table::text() const {
+  std::vector<size_t> widths = column_widths(*this);
+  std::string out = title + "\n" + group_line(*this, widths);
+  const auto line = [&](auto cell) {
+    std::string text;
+    for (size_t c = 0; c < columns.size(); ++c) text += (c ? kGap : "") + pad(cell(c), widths[c], columns[c].left);
+    return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
+  };
+  out += line([&](size_t c) { return columns[c].name; });
+  const bool units = std::ranges::any_of(columns, [](const Column& column) { return !column.unit.empty(); });
+  if (units) out += line([&](size_t c) { return columns[c].unit; });
+  out += std::string(span_width(widths, 0, columns.size()), '-') + "\n";
+  for (const auto& row : rows) out += line([&](size_t c) { return row[c]; });
+  for (const std::string& note : notes) out += wrap(note, 118, "  ") + "\n";
+  return out;
+}
+
+json Table::to_json() const {
+  json heads = json::array();
+  for (const Column& column : columns)
+    heads.push_back({{"group", column.group}, {"name", column.name}, {"unit", column.unit}});
+  return {{"title", title}, {"columns", heads}, {"rows", rows}, {"notes", notes}};
+}
+
+std::string format_ms(double seconds) { return significant(seconds * 1e3); }
+std::string format_us(double seconds) { return significant(seconds * 1e6); }
+std::string format_number(double value) { return significant(value); }
+std::string format_rate(double per_second) {
+  return std::isfinite(per_second) ? fmt::format("{:.3g}", per_second) : "-";
+}
+std::string format_percent(double share) { return std::isfinite(share) ? fmt::format("{:+.1f}", 100 * share) : "-"; }
+
+std::string hex64(uint64_t value) { return fmt::format("{:016x}", value); }
+
+std::string wrap(const std::string& text, size_t width, const std::string& indent) {
+  std::istringstream words(text);
+  std::string out = "*", word;
+  for (size_t column = 1; words >> word; column += word.size() + 1) {
+    if (column + 1 + word.size() > width) {
+      out.append("\n").append(indent, 1);
+      column = indent.size();
+    }
+    out.append(" ").append(word);
+  }
+  return out;
+}
+
+Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0) {}
+
+void Progress::say(const std::string& what) {
+  if (!terminal_) return;
+  const std::string line = (reached_ + what).substr(0, 100);
+  fmt::print(stderr, "\r{:<{}}", line, std::max(shown_, line.size()));
+  std::fflush(stderr);
+  shown_ = line.size();
+}
+
+void Progress::reach(uint64_t done, uint64_t total) {
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start_;
+  reached_ = fmt::format("{} of {}", done, total);
+  if (done) reached_ += fmt::format(", about {:.0f} s left", taken.count() * double(total - done) / double(done));
+  reached_ += ": ";
+}
+
+void Progress::clear() {
+  if (shown_ == 0) return;
+  fmt::print(stderr, "\r{:{}}\r", "", shown_);
+  std::fflush(stderr);
+  shown_ = 0;
+}
+
+}  // namespace spherepair

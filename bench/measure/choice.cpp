@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "bench/measure/choice.h"
+
+#include "bench/io/arguments.h"
+
+namespace spherepair {
+namespace {
+
+ChosenBackend open_one(const std::string& name, const OpenOptions& options) {
+  ChosenBackend chosen;
+  chosen.session = std::make_unique<Session>(std::vector{name}, options);
+  chosen.backend = chosen.session->find(name);
+  return chosen;
+}
+
+}  // namespace
+
+ChosenBackend choose_backend(const std::string& name, const OpenOptions& options) {
+  if (!name.empty()) return open_one(name, options);
+  std::vector<std::string> passed_over;
+  OpenOptions hardware = options;
+  hardware.require_hardware = true;  // OpenGL in software is slower than the CPU backend
+  for (const char* device : {"cuda", "glsl"}) {
+    if (!options.allow_gpu) break;
+    try {
+      ChosenBackend chosen = open_one(device, hardware);
+      chosen.passed_over = passed_over;
+      return chosen;
+    } catch (const BackendError& error) {
+      passed_over.push_back(error.what());
+    }
+  }
+  ChosenBackend chosen = open_one("cpu", options);
+  chosen.passed_over = passed_over;
+  return chosen;
+}
+
+json to_json(const MethodChoice& choice) {
+  json out = {{"name", method_name(choice.method)}};
+  if (choice.method == Method::collide_grid) out["cells"] = choice.cells == Cells::dense ? "dense" : "hashed";
+  if (choice.block) out["block"] = choice.block;
+  out["reason"] = choice.reason;
+  return out;
+}
+
+Method choose_method(const std::string& name, const Backend& backend) {
+  if (name.empty()) return Method::automatic;
+  std::vector<std::string> known;
+  for (Method method : backend.methods()) known.push_back(method_name(method));
+  known.push_back(method_name(Method::automatic));
+  const Method method = method_from_name(name);
+  require_known("method of the backend " + backend.info().name + ":", name, known);
+  return method;
+}
+
+}  // namespace spherepair

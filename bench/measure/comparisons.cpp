@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "bench/measure/comparisons.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace spherepair {
+namespace {
+
+constexpr const char* kind_names[] = {"sets", "states"};
+
+}  // namespace
+
+void Comparisons::require_complete() const {
+  for (const auto& [who, counts] : of_)
+    for (const Kind kind : {sets, states})
+      if (counts.made[kind] != counts.planned[kind])
+        throw std::logic_error(
+            fmt::format("{} comparisons of {} of {} were planned, but {} were made: the harness is at fault, and the "
+                        "equality of this run is not shown",
+                        counts.planned[kind], kind_names[kind], who, counts.made[kind]));
+}
+
+uint64_t Comparisons::made(Kind kind) const {
+  uint64_t sum = 0;
+  for (const auto& [who, counts] : of_) sum += counts.made[kind];
+  return sum;
+}
+
+std::string Comparisons::text() const {
+  return fmt::format("{} sets and {} states compared, as many as planned", made(sets), made(states));
+}
+
+json Comparisons::to_json() const {
+  json all = json::object();
+  for (const auto& [who, counts] : of_)
+    for (const Kind kind : {sets, states})
+      all[who][kind_names[kind]] = {{"planned", counts.planned[kind]}, {"made", counts.made[kind]}};
+  return all;
+}
+
+}  // namespace spherepair

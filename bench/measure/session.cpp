@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "bench/measure/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "api/open.h"
+#include "bench/io/context.h"
+
+namespace spherepair {
+namespace {
+
+// The set of a collision kernel's variants: one of them is compiled by its first use.
+std::string first_key(const Backend& backend, const CollideOptions& options) {
+  return fmt::format("{} {} {}", backend.info().name, method_name(options.method), options.block);
+}
+
+}  // namespace
+
+bool on_hardware(const Backend& backend) { return backend.info().name != "cpu" && !backend.info().software; }
+
+std::string device_label(const BackendInfo& info) {
+  return info.device + (info.software ? " (SOFTWARE: OpenGL on the CPU)" : "");
+}
+
+Session::Session(const std::vector<std::string>& names, const OpenOptions& options, const Opener& opener) {
+  for (const std::string& name : names.empty() ? backend_names() : names) {
+    if (find(name)) continue;
+    try {
+      backends_.push_back(opener(name, options));
+    } catch (const BackendError& error) {
+      if (!names.empty()) throw;
+      missing_.push_back({name, error.what()});
+    }
+  }
+  if (backends_.empty()) throw BackendError("no backend could be opened:\n" + summary());
+  std::stable_partition(backends_.begin(), backends_.end(), [](const auto& b) { return b->info().name == "cpu"; });
+  for (Backend* left : devices())
+    for (Backend* right : devices())
+      if (left < right && on_hardware(*left) && on_hardware(*right)) check_same_gpu(*left, *right);
+}
+
+std::vector<Backend*> Session::devices() const {
+  std::vector<Backend*> found;
+  for (const auto& backend : backends_)
+    if (backend->info().name != "cpu") found.push_back(backend.get());
+  return found;
+}
+
+Backend* Session::find(const std::string& name) const {
+  for (const auto& backend : backends_)
+    if (backend->info().name == name) return backend.get();
+  return nullptr;
+}
+
+void Session::collide(Backend& backend, const CollideOptions& options) {
+  const std::string key = first_key(backend, options);
+  if (first_.contains(key)) return backend.collide(options), backend.finish();
+  backend.finish();
+  const auto start = std::chrono::steady_clock::now();
+  backend.collide(options);
+  backend.finish();
+  first_[key] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double Session::first_seconds(const Backend& backend, const CollideOptions& options) const {
+  const auto found = first_.find(first_key(backend, options));
+  return found == first_.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+}
+
+std::string Session::summary() const {
+  std::string text;
+  for (const auto& backend : backends_)
+    text += fmt::format("  {:<5} {}\n", backend->info().name, device_label(backend->info()));
+  for (const Missing& missing : missing_) text += fmt::format("  {:<5} missing: {}\n", missing.name, missing.reason);
+  return text;
+}
+
+std::vector<std::string> Session::warnings() const {
+  std::vector<std::string> found;
+  const Backend *glsl = find("glsl"), *cuda = find("cuda");
+  const bool gpu = gpu_seems_present() || cuda;
+  if (gpu && glsl && glsl->info().software)
+    found.push_back("WARNING: this machine seems to have a GPU, but OpenGL runs in SOFTWARE (" + glsl->info().device +
+                    "). Times of glsl say nothing about the GPU. Install the driver's EGL files (for NVIDIA: "
+                    "libnvidia-gl and /usr/share/glvnd/egl_vendor.d/10_nvidia.json, in a container "
+                    "NVIDIA_DRIVER_CAPABILITIES=all), or pass --require-hardware to fail instead.");
+  if (gpu_seems_present() && !cuda)
+    found.push_back("WARNING: this machine seems to have an NVIDIA GPU, but the backend cuda is not open.");
+  return found;
+}
+
+json Session::to_json() const {
+  json list = json::array();
+  for (const auto& backend : backends_) {
+    const BackendInfo& info = backend->info();
+    list.push_back({{"name", info.name},
+                    {"open", true},
+                    {"device", info.device},
+                    {"uuid", info.uuid},
+                    {"software", info.software},
+                    {"device_timers", info.device_timers},
+                    {"details", info.details}});
+  }
+  for (const Missing& missing : missing_)
+    list.push_back({{"name", missing.name}, {"open", false}, {"reason", missing.reason}});
+  return list;
+}
+
+}  // namespace spherepair

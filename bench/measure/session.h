@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The backends of this process: which are open, which are missing and why, and what their first steps took.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "api/open.h"
+#include "bench/io/report.h"
+#include "bench/measure/comparisons.h"
+#include "common/backend/backend.h"
+
+namespace spherepair {
+
+// open_backend, or what a test puts in its place to have backends that answer wrongly.
+using Opener = std::function<std::unique_ptr<Backend>(const std::string& name, const OpenOptions& options)>;
+
+class Session {
+ public:
+  // With an empty list every backend is tried and a missing one is only noted; a backend asked for by name must open.
+  Session(const std::vector<std::string>& names, const OpenOptions& options, const Opener& opener = open_backend);
+
+  const std::vector<std::unique_ptr<Backend>>& backends() const { return backends_; }
+  std::vector<Backend*> devices() const;  // all but the CPU
+  Backend* find(const std::string& name) const;
+
+  // The CPU, or the first backend that opened: what the others are compared with.
+  Backend& reference() const { return *backends_.front(); }
+
+  // Of the whole run: every check plans what it will compare, and every comparison that found equality counts itself.
+  Comparisons comparisons;
+
+  // Enqueues, waits, and keeps the time of a kernel's first use in this process, which compiles it.
+  void collide(Backend& backend, const CollideOptions& options);
+  double first_seconds(const Backend& backend, const CollideOptions& options) const;
+
+  std::string summary() const;                // one line per backend, missing ones with the reason
+  std::vector<std::string> warnings() const;  // what a reader of the results must not overlook
+  json to_json() const;
+
+ private:
+  struct Missing {
+    std::string name, reason;
+  };
+  std::vector<std::unique_ptr<Backend>> backends_;
+  std::vector<Missing> missing_;
+  std::map<std::string, double> first_;
+};
+
+bool on_hardware(const Backend& backend);  // a GPU: neither the CPU nor GL in software
+std::string device_label(const BackendInfo& info);
+
+}  // namespace spherepair

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "bench/measure/timing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "bench/measure/session.h"
+#include "common/shared/hash.h"
+
+namespace spherepair {
+namespace {
+
+// Fisher and Yates, from an integer hash: the same order on every machine.
+void shuffle(std::vector<size_t>& order, uint64_t& state) {
+  for (size_t left = order.size(); left > 1; --left) {
+    state = splitmix64(state);
+    std::swap(order[left - 1], order[state % left]);
+  }
+}
+
+int choose_rounds(const Contender& contender, uint64_t batch, double step, const Sampling& sampling) {
+  if (on_hardware(*contender.backend) || step * double(batch) * sampling.rounds <= sampling.round_budget)
+    return sampling.rounds;
+  return std::min(sampling.rounds, sampling.fewest_rounds);
+}
+
+bool all_narrow(std::span<const Samples> all, const Sampling& sampling) {
+  return std::ranges::all_of(all, [&](const Samples& one) {
+    const Interval interval = one.interval();
+    return interval.high - interval.low <= sampling.narrow_enough * one.median_seconds();
+  });
+}
+
+// The device's own clock, in a run apart: its queries would disturb the host's times.
+void time_on_device(const Contender& contender, uint64_t batch, Samples& samples) {
+  if (!contender.backend->info().device_timers) return;
+  const uint64_t steps = std::min<uint64_t>(batch, 20);
+  if (contender.restart) contender.restart(*contender.backend);
+  contender.backend->time_stages(true);
+  for (uint64_t k = 0; k < steps; ++k) contender.step(*contender.backend);
+  contender.backend->finish();
+  std::map<std::string, std::vector<double>> by_stage;
+  for (const StageTime& time : contender.backend->stage_times()) by_stage[time.stage].push_back(time.seconds);
+  contender.backend->time_stages(false);
+  for (const auto& [stage, times] : by_stage) {
+    const double launches = double(times.size()) / double(steps);
+    const Interval one = median_interval(times);
+    samples.stages[stage] = median(times) * launches;
+    samples.stage_intervals[stage] = {one.low * launches, one.high * launches, one.coverage};
+  }
+}
+
+}  // namespace
+
+double Samples::device_seconds() const {
+  if (stages.empty()) return std::numeric_limits<double>::quiet_NaN();
+  return std::accumulate(stages.begin(), stages.end(), 0.0, [](double sum, const auto& s) { return sum + s.second; });
+}
+
+json to_json(const Samples& samples) {
+  const auto ms = [](std::vector<double> values) {
+    for (double& value : values) value *= 1e3;
+    return values;
+  };
+  const Interval interval = samples.interval();
+  json out = {{"label", samples.label},
+              {"backend", samples.backend},
+              {"batch", samples.batch},
+              {"rounds", samples.seconds.size()},
+              {"median_ms", samples.median_seconds() * 1e3},
+              {"interval_ms", {interval.low * 1e3, interval.high * 1e3}},
+              {"coverage", interval.coverage},
+              {"min_ms", minimum(samples.seconds) * 1e3},
+              {"samples_ms", ms(samples.seconds)},
+              {"turns", samples.turn}};
+  if (samples.stages.empty()) return out;
+  for (const auto& [stage, seconds] : samples.stages) {
+    const Interval within = samples.stage_intervals.at(stage);
+    out["device_stages_ms"][stage] = seconds * 1e3;
+    out["device_stages_interval_ms"][stage] = {within.low * 1e3, within.high * 1e3};
+  }
+  out["device_ms"] = samples.device_seconds() * 1e3;
+  out["host_minus_device_ms"] = (samples.median_seconds() - samples.device_seconds()) * 1e3;
+  return out;
+}
+
+double time_batch(const Contender& contender, uint64_t batch) {
+  Backend& backend = *contender.backend;
+  const bool after_others = batch > 1 && on_hardware(backend);  // a GPU comes back from them once, then has many steps
+  const int ahead = after_others && !contender.restart ? 3 : contender.alternates ? 1 : 0;
+  for (int k = 0; k < ahead; ++k) contender.step(backend);  // of a graph, the second step makes it
+  if (contender.restart) contender.restart(backend);
+  backend.finish();
+  const auto start = std::chrono::steady_clock::now();
+  for (uint64_t k = 0; k < batch; ++k) contender.step(backend);
+  backend.finish();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+uint64_t choose_batch(const Contender& contender, const Sampling& sampling) {
+  if (contender.batch) return contender.batch;
+  const bool hardware = on_hardware(*contender.backend);
+  const double wanted = hardware ? sampling.hardware_seconds : sampling.software_seconds;
+  uint64_t tried = 1;
+  double taken = time_batch(contender, tried);
+  while (taken < wanted / 4 && tried < (1u << 24)) taken = time_batch(contender, tried *= 4);
+  const double step = std::max(taken / double(tried), 1e-9);
+  const uint64_t batch = std::max<uint64_t>(1, uint64_t(std::ceil(wanted / step)));
+  if (!hardware) return batch;
+  const auto most = uint64_t(std::ceil(sampling.hardware_ceiling / step));
+  return std::max(batch, std::min(sampling.hardware_batch, most));
+}
+
+std::vector<Samples> measure(std::span<const Contender> contenders, const Sampling& sampling, Progress& progress) {
+  std::vector<Samples> all;
+  std::vector<int> rounds;
+  for (const Contender& contender : contenders) {
+    progress.say("warming up: " + contender.label);
+    Samples samples{contender.label, contender.backend->info().name, choose_batch(contender, sampling), {}, {}, {}, {}};
+    const double warm = time_batch(contender, samples.batch) / double(samples.batch);
+    rounds.push_back(choose_rounds(contender, samples.batch, warm, sampling));
+    all.push_back(std::move(samples));
+  }
+  uint64_t order_state = sampling.seed, turn = 0;
+  for (int round = 0; round < sampling.rounds; ++round) {
+    if (sampling.narrow_enough > 0 && round >= sampling.fewest_rounds && all_narrow(all, sampling)) break;
+    std::vector<size_t> order;
+    for (size_t c = 0; c < all.size(); ++c)
+      if (round < rounds[c]) order.push_back(c);
+    shuffle(order, order_state);
+    for (size_t c : order) {
+      progress.say(fmt::format("round {} of {}: {}", round + 1, sampling.rounds, contenders[c].label));
+      all[c].seconds.push_back(time_batch(contenders[c], all[c].batch) / double(all[c].batch));
+      all[c].turn.push_back(turn++);
+    }
+  }
+  for (size_t c = 0; c < all.size(); ++c) time_on_device(contenders[c], all[c].batch, all[c]);
+  return all;
+}
+
+// Choosing K and warming up take about as long as three samples.
+double predict_seconds(std::span<const Samples> samples, double growth, const Sampling& sampling) {
+  double sum = 0;
+  for (const Samples& one : samples) {
+    const double step = one.median_seconds() * growth;
+    const double sample = std::max(step, sampling.software_seconds);
+    const bool slow = sample * sampling.rounds > sampling.round_budget;
+    sum += sample * ((slow ? sampling.fewest_rounds : sampling.rounds) + 3);
+  }
+  return sum;
+}
+
+Contest contest(const Samples& left, const Samples& right) {
+  const double ratio = right.median_seconds() / left.median_seconds();
+  const double p = rank_test(left.seconds, right.seconds);
+  const bool differ = !overlap(left.interval(), right.interval()) || p < 0.01;
+  if (!differ) return {false, ratio, p, "no difference seen"};
+  return {true, ratio, p,
+          fmt::format("{} {:.1f} % {}", right.backend, 100 * std::abs(ratio - 1), ratio > 1 ? "slower" : "faster")};
+}
+
+}  // namespace spherepair

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "bench/studies/crossover_sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/io/scene_text.h"
+#include "bench/measure/choice.h"
+
+namespace spherepair {
+namespace {
+
+constexpr double tolerated = 1.1;  // auto against the best fixed choice
+constexpr double hopeless = 8;     // all pairs that take so many times the best do not catch up with more spheres ...
+constexpr double long_ms = 0.25;   // ... once a step is so long that it is pairs, not waiting
+constexpr SphereKind kinds[] = {{"gas", "packing fraction 0.3", "uniform"},
+                                {"thin", "packing fraction 0.05", "uniform", 0.05},
+                                {"box", "the paper's box, fuller with every sphere", "random"},
+                                {"clusters", "crowds far apart", "clustered"},
+                                {"radii", "radii 1 to 16, packing fraction of the smallest 0.01", "uniform", 0.01, 16},
+                                {"one_cell", "all spheres in one place", "one_cell"}};
+
+SceneOptions scene_of(const SphereKind& kind, uint64_t n) {
+  SceneOptions scene;
+  scene.name = kind.scene;
+  scene.n = n;
+  scene.packing_fraction = kind.packing_fraction;
+  scene.radius_ratio = kind.radius_ratio;
+  return scene;
+}
+
+// Every step sorts anew, as one after spheres have moved does.
+CollideOptions step(Method method, Cells cells = Cells::automatic, uint block = CollideOptions{}.block) {
+  return {.method = method, .block = block, .grid = {.cells = cells, .keep_order = false, .keep_cells = false}};
+}
+
+std::string way_name(Method method, Cells cells, uint block) {
+  if (method == Method::collide_grid) return cells == Cells::dense ? "dense" : "hashed";
+  return method == Method::collide_square ? square_way(block) : method_name(method);
+}
+
+// The fixed choices first, auto last.
+std::vector<Way> ways_of(Backend& backend) {
+  std::vector<Way> ways;
+  const bool cpu = backend.info().name == "cpu";
+  for (const uint block : square_groups)
+    if (!cpu) ways.push_back({&backend, square_way(block), false, step(Method::collide_square, {}, block)});
+  const Method other = cpu ? Method::parallel : Method::collide_triangle;
+  ways.push_back({&backend, method_name(other), false, step(other)});
+  ways.push_back({&backend, "dense", true, step(Method::collide_grid, Cells::dense)});
+  ways.push_back({&backend, "hashed", true, step(Method::collide_grid, Cells::hashed)});
+  ways.push_back({&backend, "auto", false, step(Method::automatic)});
+  return ways;
+}
+
+double least(const std::map<std::string, double>& seconds) {
+  double found = INFINITY;
+  for (const auto& [way, time] : seconds) found = std::min(found, time);
+  return found;
+}
+
+}  // namespace
+
+std::string square_way(uint block) { return fmt::format("{}/{}", method_name(Method::collide_square), block); }
+
+std::span<const SphereKind> sphere_kinds() { return kinds; }
+
+bool Timing::grid_ahead() const { return least(grid) < least(all_pairs); }
+
+json to_json(const Timing& t) {
+  json row = {{"backend", t.backend}, {"kind", t.kind}, {"n", t.n}, {"took", t.took}, {"auto_ms", t.automatic * 1e3}};
+  if (t.best.empty()) return row;
+  row["best"] = t.best;
+  row["best_ms"] = std::min(least(t.all_pairs), least(t.grid)) * 1e3;
+  row["loss_percent"] = (t.over_best - 1) * 100;
+  row["slower"] = t.slower;
+  return row;
+}
+
+CrossoverSweep::CrossoverSweep(Session& session, const CrossoverOptions& options, std::function<void()> written)
+    : session_(session), options_(options), written_(std::move(written)) {
+  sampling_.rounds = options.rounds;
+  sampling_.fewest_rounds = std::min(sampling_.fewest_rounds, options.rounds);
+  sampling_.software_seconds = 0.003;
+  sampling_.hardware_seconds = 4e-3;
+  sampling_.hardware_ceiling = 0.02;
+  sampling_.narrow_enough = 0.05;
+}
+
+void CrossoverSweep::run(std::span<const SphereKind> chosen, const std::vector<uint64_t>& sizes) {
+  uint64_t done = 0;
+  for (const SphereKind& kind : chosen) {
+    slow_.clear();
+    for (const uint64_t n : sizes) {
+      progress_.reach(done++, chosen.size() * sizes.size());
+      measure_scene(kind, scene_of(kind, n));
+      written_();
+    }
+  }
+}
+
+void CrossoverSweep::measure_scene(const SphereKind& kind, const SceneOptions& options) {
+  progress_.say(fmt::format("checking {} of {}", kind.name, options.n));
+  const Scene scene = make_scene(options);
+  for (const auto& backend : session_.backends()) backend->upload(scene);
+  const Answer expected = ask(session_, reference_for(session_, {}, options.n), false);
+  for (const auto& backend : session_.backends()) {
+    if (slow_.contains(backend->info().name + " auto")) continue;
+    std::vector<Way> ways = ways_of(*backend);
+    std::erase_if(ways, [&](const Way& w) { return slow_.contains(backend->info().name + " " + w.name); });
+    session_.comparisons.plan(backend->info().name, Comparisons::sets, ways.size());
+    check(options, expected, ways);
+    session_.comparisons.require_complete();
+    time(kind, options, ways);
+  }
+}
+
+void CrossoverSweep::check(const SceneOptions& options, const Answer& expected, const std::vector<Way>& ways) {
+  const Asked reference = reference_for(session_, {}, options.n);
+  for (const Way& way : ways) {
+    const Asked asked{way.backend, way.options};
+    require_equal(session_, {options, 0}, reference, expected, asked, ask(session_, asked, false));
+  }
+}
+
+void CrossoverSweep::time(const SphereKind& kind, const SceneOptions& scene, const std::vector<Way>& ways) {
+  std::vector<Contender> contenders;
+  for (const Way& w : ways) {
+    const std::string label = fmt::format("{} {} {} of {}", w.backend->info().name, w.name, kind.name, scene.n);
+    contenders.push_back({label, w.backend, [o = w.options](Backend& b) { b.collide(o); }, true});
+  }
+  const std::vector<Samples> samples = measure(contenders, sampling_, progress_);
+  Timing timing{.backend = ways.front().backend->info().name, .kind = kind.name, .n = scene.n};
+  const Samples* best = nullptr;
+  for (size_t k = 0; k + 1 < ways.size(); ++k) {
+    const double seconds = samples[k].median_seconds();
+    (ways[k].grid ? timing.grid : timing.all_pairs)[ways[k].name] = seconds;
+    if (best && seconds >= best->median_seconds()) continue;
+    best = &samples[k];
+    timing.best = ways[k].name;
+  }
+  timing.automatic = samples.back().median_seconds();
+  const MethodChoice choice = ways.back().backend->choice(ways.back().options);
+  timing.took = way_name(choice.method, choice.cells, choice.block);
+  timing.over_best = best ? timing.automatic / best->median_seconds() : 1;
+  timing.slower = timing.took != timing.best && timing.over_best > tolerated && contest(*best, samples.back()).differ;
+  for (size_t k = 0; k < ways.size(); ++k) record(kind, scene, ways[k], samples[k]);
+  timings.push_back(timing);
+  const double fastest = std::min(best ? best->median_seconds() : INFINITY, timing.automatic);
+  for (size_t k = 0; k < ways.size(); ++k) give_up_if_slow(ways[k], timing, minimum(samples[k].seconds), fastest);
+}
+
+// All pairs take four times as long with twice the spheres, so those that are far behind stay behind. The least of the
+// samples decides, which a disturbance does not lengthen.
+void CrossoverSweep::give_up_if_slow(const Way& way, const Timing& at, double seconds, double fastest) {
+  const double ms = seconds * 1e3;
+  const bool too_long = ms > options_.most_ms, behind = seconds > hopeless * fastest && ms > long_ms;
+  if (!too_long && !(behind && at.all_pairs.contains(way.name))) return;
+  slow_.insert(at.backend + " " + way.name);
+  given_up.push_back(fmt::format("{} {} {}: not beyond {} spheres, {} ms a step is more than {}", at.backend, at.kind,
+                                 way.name, at.n, format_ms(seconds),
+                                 too_long ? "--most-ms" : fmt::format("{} times the best", hopeless)));
+}
+
+void CrossoverSweep::record(const SphereKind& kind, const SceneOptions& scene, const Way& way, const Samples& samples) {
+  json row = {{"table", "crossover"}, {"n", scene.n},    {"scene", scene_json(scene)},
+              {"kind", kind.name},    {"way", way.name}, {"choice", to_json(way.backend->choice(way.options))}};
+  row.update(to_json(samples));
+  measurements.push_back(std::move(row));
+}
+
+}  // namespace spherepair

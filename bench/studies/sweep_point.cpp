@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "bench/studies/sweep_point.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "bench/io/scene_text.h"
+#include "bench/studies/frames.h"
+#include "common/backend/method_choice.h"
+
+namespace spherepair {
+namespace {
+
+// The devices' methods keep nothing from the step before, so that every step is the whole work.
+Asked asked_of(Backend& backend, Method method, const SweepPoint& point) {
+  const CollideOptions open = {.method = Method::automatic};
+  const uint block = point.block ? point.block : chosen_block(backend.info(), point.n, method, open);
+  return {&backend, {.method = method, .block = block, .grid = {.keep_cells = false}}};
+}
+
+bool is_device_arrangement(Method method) {
+  return method == Method::collide_tiled || method == Method::collide_square || method == Method::collide_triangle;
+}
+
+json left_out(const Backend& backend, const std::string& methods, const std::string& reason) {
+  return {{"backend", backend.info().name}, {"method", methods}, {"reason", reason}};
+}
+
+// Of the methods asked for, those whose time depends on what is new here: the order matters to the grid alone.
+std::vector<Asked> affordable(Backend& backend, const SweepPoint& point, json& omitted) {
+  std::vector<Asked> all;
+  for (const Method method : backend.methods()) {
+    if (std::ranges::find(point.methods, method) == point.methods.end()) continue;
+    if (point.in_cell_order && method != Method::collide_grid) continue;
+    if (backend.info().name == "cpu" && is_device_arrangement(method)) continue;
+    if (point.n <= most_spheres(backend, method)) {
+      all.push_back(asked_of(backend, method, point));
+    } else {
+      omitted.push_back(left_out(backend, method_name(method), "a step would take too long"));
+    }
+  }
+  return all;
+}
+
+// Uploads to whoever has something to do; who cannot hold the scene is left out with the reason.
+std::vector<Asked> prepare(Session& session, const SweepPoint& point, const Scene& scene, json& omitted) {
+  std::vector<Asked> all;
+  for (const auto& backend : session.backends()) {
+    const std::vector<Asked> asked = affordable(*backend, point, omitted);
+    if (asked.empty()) continue;
+    try {
+      backend->upload(scene);
+      all.insert(all.end(), asked.begin(), asked.end());
+    } catch (const BackendError& error) {
+      omitted.push_back(left_out(*backend, "all", error.what()));
+    }
+  }
+  return all;
+}
+
+// The first who answers this set at all: the CPU where it takes part.
+const Asked& referee(const std::vector<Asked>& all, const Asked& asked) {
+  return *std::ranges::find_if(all, [&](const Asked& one) { return set_name(one.options) == set_name(asked.options); });
+}
+
+json row_of(Session& session, const SweepPoint& point, const Asked& asked, const Asked& checked_by,
+            const Collisions& totals, const Ceilings& ceilings, const Samples& samples) {
+  const Method method = asked.options.method;
+  json row = {{"table", "grid"},
+              {"work", "collide"},
+              {"n", point.n},
+              {"scene", scene_json(scene_of(point))},
+              {"order", point.in_cell_order ? "warm" : "cold"},
+              {"method", method_name(method)},
+              {"block", uses_blocks(asked) ? json(asked.options.block) : json(nullptr)},
+              {"first_step_ms", session.first_seconds(*asked.backend, asked.options) * 1e3},
+              {"checked_against", label(checked_by)},
+              {"pairs", totals.pairs},
+              {"colliding_spheres", totals.colliding_spheres},
+              {"fingerprint", hex64(totals.fingerprint.a) + hex64(totals.fingerprint.b)}};
+  row.update(to_json(samples));
+  if (const auto floor = floor_of(ceilings, *asked.backend, method, point.n, point.in_cell_order)) {
+    row["floor"] = floor->what;
+    row["ceiling_per_second"] = floor->per_second;
+    row["floor_ms"] = floor->seconds * 1e3;
+    row["share_of_floor"] = floor->seconds / samples.median_seconds();
+  }
+  return row;
+}
+
+}  // namespace
+
+SceneOptions scene_of(const SweepPoint& point) {
+  SceneOptions scene{.name = "uniform", .n = point.n, .seed = point.seed};
+  scene.packing_fraction = point.packing_fraction;
+  return scene;
+}
+
+std::string label(const SweepPoint& point) {
+  return fmt::format("packing fraction {}, n = {}, {}", point.packing_fraction, point.n,
+                     point.in_cell_order ? "warm" : "cold");
+}
+
+uint64_t most_spheres(const Backend& backend, Method method) {
+  const bool gpu = on_hardware(backend), cpu = backend.info().name == "cpu";
+  switch (method) {
+    case Method::sequential:
+      return uint64_t(1) << 14;
+    case Method::parallel:
+      return uint64_t(1) << 16;
+    case Method::collide_group:
+      return uint64_t(1) << (gpu || cpu ? 20 : 16);
+    case Method::collide_triangle:
+      return gpu ? uint64_t(1) << 20 : uint64_t(1) << 14;
+    case Method::collide_grid:
+      return gpu ? std::numeric_limits<uint64_t>::max() : cpu ? 10'000'000 : uint64_t(1) << 18;
+    default:
+      return uint64_t(1) << (gpu ? 17 : 12);
+  }
+}
+
+PointTimes time_point(Session& session, const SweepPoint& point, const Ceilings& ceilings, const Sampling& sampling,
+                      Progress& progress) {
+  PointTimes times;
+  progress.say("checking " + label(point));
+  Scene scene = make_scene(scene_of(point));
+  if (point.in_cell_order) scene = in_cell_order(scene);
+  const std::vector<Asked> all = prepare(session, point, scene, times.left_out);
+  scene = {};
+  for (const Asked& asked : all) session.comparisons.plan(asked.backend->info().name, Comparisons::sets, 1);
+  std::map<std::string, Answer> expected;
+  std::vector<Contender> contenders;
+  std::vector<Collisions> totals;
+  for (const Asked& asked : all) {
+    const Asked& reference = referee(all, asked);
+    Answer answer = ask(session, asked, false);
+    const Answer& right = expected.try_emplace(set_name(asked.options), answer).first->second;
+    require_equal(session, {scene_of(point), 0}, reference, right, asked, answer);
+    totals.push_back(answer.totals);
+    contenders.push_back({label(asked), asked.backend, [options = asked.options](Backend& b) { b.collide(options); }});
+  }
+  expected.clear();
+  session.comparisons.require_complete();
+  const std::vector<Samples> samples = measure(contenders, sampling, progress);
+  for (size_t k = 0; k < all.size(); ++k)
+    times.measurements.push_back(row_of(session, point, all[k], referee(all, all[k]), totals[k], ceilings, samples[k]));
+  return times;
+}
+
+}  // namespace spherepair

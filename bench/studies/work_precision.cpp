@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "bench/studies/work_precision.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/check/answers.h"
+#include "bench/check/closed_form.h"
+#include "bench/check/finite_state.h"
+
+namespace spherepair {
+namespace {
+
+SceneOptions scene_options(const PrecisionPlan& plan, MotionOptions motion, int k, uint64_t n) {
+  return {.name = "random", .n = n, .seed = plan.seed, .motion = motion, .dt = std::ldexp(1.0f, -k)};
+}
+
+void compare_states(Session& session, const SceneOptions& scene, uint64_t step) {
+  for (const auto& backend : session.backends())
+    if (backend.get() != &session.reference()) session.comparisons.plan(backend->info().name, Comparisons::states, 1);
+  require_same_states(session, {scene, step});
+  session.comparisons.require_complete();
+}
+
+ErrorEntry run_for_errors(Backend& backend, const Scene& scene, int k, uint64_t steps) {
+  constexpr uint64_t looks = 16;
+  ErrorEntry entry{scene.motion, k, backend.info().name, 0, 0, 0, 0, 0};
+  backend.upload(scene);
+  for (uint64_t step = 1; step <= steps; ++step) {
+    backend.move();
+    if (step != steps && step % std::max<uint64_t>(steps / looks, 1) != 0) continue;
+    const Backend::State state = backend.state();
+    require_finite(state, step);
+    const MotionErrors errors = errors_of(scene, step, state);
+    entry.rms_over_time = std::max(entry.rms_over_time, errors.rms);
+    entry.largest_over_time = std::max(entry.largest_over_time, errors.largest);
+    entry.rms = errors.rms, entry.largest = errors.largest, entry.energy = errors.energy;
+  }
+  return entry;
+}
+
+// Two seconds of steps as long as any, so that as many spheres bounce at any time as ever will.
+Scene settled_scene(const PrecisionPlan& plan, Backend& backend) {
+  Scene scene = make_scene(scene_options(plan, {MotionMethod::anchored, Precision::float32}, 4, plan.time_n));
+  backend.upload(scene);
+  for (int step = 0; step < 64; ++step) backend.move();
+  Backend::State state = backend.state();
+  scene.positions = std::move(state.positions);
+  scene.velocities = std::move(state.velocities);
+  return scene;
+}
+
+// Only a bounce makes a sphere rise faster than before.
+double bouncing_share(Backend& backend, Scene scene, int k) {
+  scene.motion = {MotionMethod::anchored, Precision::float32};
+  scene.dt = std::ldexp(1.0f, -k);
+  backend.upload(scene);
+  backend.move();
+  const Backend::State after = backend.state();
+  uint64_t bounced = 0;
+  for (uint64_t i = 0; i < scene.size(); ++i) bounced += after.velocities[i].y > scene.velocities[i].y;
+  return double(bounced) / double(std::max<uint64_t>(scene.size(), 1));
+}
+
+struct Work {
+  const char* name;
+  std::function<void(Backend&)> step;
+};
+std::vector<Work> works_of(MotionOptions motion) {
+  std::vector<Work> works = {{"move", [](Backend& backend) { backend.move(); }}};
+  if (motion.method == MotionMethod::anchored)
+    works.push_back({"move and place", [](Backend& backend) { backend.move(), backend.place(); }});
+  return works;
+}
+
+json motion_json(MotionOptions motion, int k) {
+  return {{"method", motion_name(motion.method)},
+          {"precision", precision_name(motion.precision)},
+          {"k", k},
+          {"dt", std::ldexp(1.0, -k)}};
+}
+
+}  // namespace
+
+// The count that is cleared; then position and velocity in and out, or the wide state, and the position's image; or
+// anchor, velocity, flight and the step of the anchor in, the position out, and the due step.
+std::optional<uint64_t> bytes_per_sphere_step(const TimeEntry& entry) {
+  const uint64_t wide = entry.motion.precision == Precision::float32 ? 0 : 1;
+  if (entry.motion.method != MotionMethod::anchored) return 4 + (wide ? 2 * 48 + 32 : 64);
+  if (entry.work == "move") return {};
+  return 4 + 32 + 8 * (1 + wide) + 8 + 16;
+}
+
+std::vector<ErrorEntry> measure_errors(Session& session, const PrecisionPlan& plan, Progress& progress) {
+  std::vector<ErrorEntry> entries;
+  for (const MotionOptions& motion : plan.motions)
+    for (int k : plan.error_steps) {
+      const SceneOptions options = scene_options(plan, motion, k, plan.error_n);
+      const Scene scene = make_scene(options);
+      const uint64_t steps = uint64_t(std::ldexp(plan.seconds, k));
+      progress.say(fmt::format("errors: {} at dt = 2^-{}", motion_label(motion), k));
+      const bool everywhere = steps <= plan.most_software_steps;
+      bool all = true;
+      for (const auto& backend : session.backends()) {
+        if (backend->info().software && !everywhere) {
+          all = false;
+          continue;
+        }
+        entries.push_back(run_for_errors(*backend, scene, k, steps));
+      }
+      if (all) compare_states(session, options, steps);
+    }
+  return entries;
+}
+
+std::vector<TimeEntry> measure_times(Session& session, const PrecisionPlan& plan, Progress& progress) {
+  std::vector<TimeEntry> entries;
+  Scene scene = settled_scene(plan, session.reference());
+  for (int k : plan.time_steps) {
+    const double bouncing = bouncing_share(session.reference(), scene, k);
+    for (const MotionOptions& motion : plan.motions) {
+      progress.say(fmt::format("times: {} at dt = 2^-{}", motion_label(motion), k));
+      scene.motion = motion;
+      scene.dt = std::ldexp(1.0f, -k);
+      std::vector<Contender> contenders;
+      for (const auto& backend : session.backends()) {
+        backend->upload(scene);
+        for (int step = 0; step < 3; ++step) backend->move();
+        for (const Work& work : works_of(motion)) contenders.push_back({work.name, backend.get(), work.step});
+      }
+      compare_states(session, scene_options(plan, motion, k, plan.time_n), 3);
+      for (Samples& samples : measure(contenders, plan.sampling, progress)) {
+        const std::string work = samples.label, backend = samples.backend;
+        entries.push_back({motion, k, work, backend, scene.size(), bouncing, std::move(samples)});
+      }
+    }
+  }
+  return entries;
+}
+
+std::vector<CopyEntry> measure_copies(Session& session, const PrecisionPlan& plan, Progress& progress) {
+  std::vector<CopyEntry> entries;
+  const Scene scene = make_scene(scene_options(plan, {}, 6, plan.time_n));
+  for (Backend* device : session.devices()) {
+    progress.say("copying on " + device->info().name);
+    device->upload(scene);
+    device->check_ceiling(Ceiling::copy);
+    const Contender copy = {"copy", device, [](Backend& backend) { backend.launch_ceiling(Ceiling::copy); }};
+    entries.push_back({device->info().name, scene.size(), measure({&copy, 1}, plan.sampling, progress)[0]});
+  }
+  return entries;
+}
+
+json to_json(const ErrorEntry& entry) {
+  json out = motion_json(entry.motion, entry.k);
+  out.update({{"backend", entry.backend},
+              {"rms", entry.rms},
+              {"largest", entry.largest},
+              {"rms_over_time", entry.rms_over_time},
+              {"largest_over_time", entry.largest_over_time},
+              {"energy", entry.energy}});
+  return out;
+}
+
+json to_json(const TimeEntry& entry) {
+  json out = motion_json(entry.motion, entry.k);
+  const Interval interval = entry.samples.interval();
+  const std::optional<uint64_t> bytes = bytes_per_sphere_step(entry);
+  out.update({{"work", entry.work},
+              {"backend", entry.backend},
+              {"n", entry.n},
+              {"bouncing", entry.bouncing},
+              {"seconds_per_sphere_step", entry.per_sphere()},
+              {"low", interval.low / double(entry.n)},
+              {"high", interval.high / double(entry.n)},
+              {"bytes_per_sphere_step", bytes ? json(*bytes) : json()},
+              {"sample", to_json(entry.samples)}});
+  return out;
+}
+
+json to_json(const CopyEntry& entry) {
+  return {{"backend", entry.backend},
+          {"n", entry.n},
+          {"bytes_per_second", entry.bytes_per_second()},
+          {"sample", to_json(entry.samples)}};
+}
+
+}  // namespace spherepair

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "bench/tables/study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include "bench/io/scene_text.h"
+
+namespace spherepair {
+namespace {
+
+Contender contender_for(const Task& task) {
+  const CollideOptions options = task.asked.options;
+  switch (task.work) {
+    case Work::move:
+      return {label(task), task.asked.backend, [](Backend& b) { b.move(); }};
+    case Work::collide:
+      return {label(task), task.asked.backend, [options](Backend& b) { b.collide(options); }};
+    default:
+      return {label(task), task.asked.backend, [options](Backend& b) {
+                b.move();
+                b.collide(options);
+              }};
+  }
+}
+
+// A naive variant may answer wrongly by design, so its exact twin is what gets checked.
+std::vector<Asked> to_check(const std::vector<Task>& tasks) {
+  std::vector<Asked> asked;
+  for (const Task& task : tasks) {
+    if (task.work == Work::move) continue;
+    Asked exact = task.asked;
+    exact.options.exact = true;
+    const bool known = std::ranges::any_of(asked, [&](const Asked& a) { return label(a) == label(exact); });
+    if (!known) asked.push_back(exact);
+  }
+  return asked;
+}
+
+json number_or_null(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+
+}  // namespace
+
+std::string label(const Task& task) {
+  if (task.work == Work::move) return task.asked.backend->info().name + " move";
+  const std::string text = label(task.asked) + (task.asked.options.exact ? "" : " naive");
+  return task.work == Work::step ? text + " + move" : text;
+}
+
+SceneOptions Study::paper_scene(uint64_t n) const {
+  SceneOptions scene;
+  scene.n = n;
+  scene.seed = plan.seed;
+  return scene;
+}
+
+std::vector<Task> Study::collide_tasks(Method method, uint block, bool exact) const {
+  std::vector<Task> tasks;
+  for (Backend* device : session.devices())
+    tasks.push_back({Work::collide, {device, {.method = method, .block = block, .exact = exact}}});
+  return tasks;
+}
+
+void Study::upload(const SceneOptions& options) {
+  const Scene scene = make_scene(options);
+  for (const auto& backend : session.backends()) backend->upload(scene);
+}
+
+// Of everyone but the references, and of the states of all backends but one.
+void Study::plan_comparisons(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t steps) {
+  for (const auto& backend : session.backends())
+    if (backend.get() != &session.reference())
+      session.comparisons.plan(backend->info().name, Comparisons::states, steps);
+  for (const Asked& one : asked)
+    if (label(one) != label(reference_for(session, one.options, scene.n)))
+      session.comparisons.plan(one.backend->info().name, Comparisons::sets, steps);
+}
+
+// Compares all answers at the present state, set by set.
+void Study::check_step(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t step) {
+  const Place place{scene, step};
+  const uint64_t state = require_same_states(session, place);
+  std::map<std::string, std::vector<Asked>> sets;
+  for (const Asked& one : asked) sets[set_name(one.options)].push_back(one);
+  for (const auto& [name, members] : sets) {
+    const Asked reference = reference_for(session, members.front().options, scene.n);
+    const Answer answer = ask(session, reference, false);
+    referees_[name] = label(reference);
+    EqualityEntry entry{scene, name, {label(reference)}, {}};
+    for (const Asked& one : members) {
+      if (label(one) == label(reference)) continue;
+      require_equal(session, place, reference, answer, one, ask(session, one, false));
+      entry.answers.push_back(label(one));
+    }
+    entry.checkpoints.push_back(
+        {step, answer.totals.pairs, answer.totals.colliding_spheres, answer.totals.fingerprint, state});
+    equality.push_back(std::move(entry));
+  }
+}
+
+// At the start, and where it will be moved after a step too.
+void Study::check_steps(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t steps) {
+  plan_comparisons(scene, asked, steps);
+  upload(scene);
+  for (uint64_t step = 0; step < steps; ++step) {
+    if (step > 0)
+      for (const auto& backend : session.backends()) backend->move();
+    check_step(scene, asked, step);
+  }
+  session.comparisons.require_complete();
+}
+
+Answer Study::check(const SceneOptions& scene, const std::vector<Asked>& asked) {
+  check_steps(scene, asked, 1);
+  return ask(session, asked.front(), false);
+}
+
+std::vector<Samples> Study::time(const std::string& table, const SceneOptions& scene, const std::vector<Task>& tasks) {
+  progress.say(fmt::format("{}: checking {} n = {}", table, scene_label(scene), scene.n));
+  const bool moves = std::ranges::any_of(tasks, [](const Task& task) { return task.work != Work::collide; });
+  check_steps(scene, to_check(tasks), moves ? 2 : 1);
+  std::vector<Contender> contenders;
+  for (const Task& task : tasks) contenders.push_back(contender_for(task));
+  std::vector<Samples> samples = measure(contenders, plan.sampling, progress);
+  for (size_t k = 0; k < tasks.size(); ++k) record(table, scene, tasks[k], samples[k]);
+  return samples;
+}
+
+std::vector<Samples> Study::time_unchecked(const std::string& table, const std::vector<Contender>& contenders,
+                                           json meta) {
+  std::vector<Samples> samples = measure(contenders, plan.sampling, progress);
+  for (const Samples& one : samples) {
+    json row = {{"table", table}};
+    row.update(meta);
+    row.update(to_json(one));
+    measurements.push_back(std::move(row));
+  }
+  return samples;
+}
+
+void Study::record(const std::string& table, const SceneOptions& scene, const Task& task, const Samples& samples) {
+  constexpr const char* works[] = {"move", "collide", "step"};
+  json row = {{"table", table}, {"work", works[size_t(task.work)]}, {"n", scene.n}, {"scene", scene_json(scene)}};
+  if (task.work != Work::move) {
+    const CollideOptions& options = task.asked.options;
+    row["method"] = method_name(options.method);
+    row["block"] = uses_blocks(task.asked) ? json(options.block) : json(nullptr);
+    row["exact"] = options.exact;
+    row["first_step_ms"] = number_or_null(session.first_seconds(*task.asked.backend, options) * 1e3);
+    row["checked_against"] = referees_.at(set_name(options));
+  }
+  row.update(to_json(samples));
+  measurements.push_back(std::move(row));
+}
+
+bool SizeWalk::next() {
+  while (at_ < sizes_.size()) {
+    const uint64_t n = sizes_[at_++];
+    if (study_.plan.hardware || last_.empty()) return true;
+    const double ratio = double(n) / double(last_n_);
+    const double seconds = predict_seconds(last_, std::max(1.0, ratio * ratio), study_.plan.sampling);
+    if (seconds <= study_.plan.row_seconds) return true;
+    notes_.push_back(fmt::format("n = {} is left out: about {:.0f} s on this machine. --full or --n {} includes it.", n,
+                                 seconds, n));
+  }
+  return false;
+}
+
+const std::vector<TableKind>& table_kinds() {
+  static const std::vector<TableKind> kinds = {
+      {"table1", "the paper's Table 1 beside ours", make_table1},
+      {"counts", "colliding spheres beside the paper's ranges", make_counts},
+      {"methods", "GLSL against CUDA per method and group size", make_methods},
+      {"ceilings", "what each device can do at best: copying, atomics, multiply-adds", make_ceilings},
+      {"overhead", "what an empty dispatch or launch costs", make_overhead},
+      {"exactness", "what the exact predicate costs, and what it saves", make_exactness},
+      {"scale", "collide_triangle from small to large n", make_scale},
+      {"step", "a whole step: motion, plane, all pairs", make_step},
+      {"grid", "the uniform grid against all pairs", make_grid},
+      {"equality", "what was compared and found equal", make_equality}};
+  return kinds;
+}
+
+}  // namespace spherepair

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Validate, then time: what every table is made with.
+#pragma once
+
+#include "bench/check/lockstep.h"
+#include "bench/tables/plan.h"
+
+namespace spherepair {
+
+enum class Work { move, collide, step };  // step: move, then collide
+
+struct Task {
+  Work work;
+  Asked asked;
+};
+std::string label(const Task& task);
+
+class Study {
+ public:
+  Study(Session& session, const Plan& plan, Progress& progress) : session(session), plan(plan), progress(progress) {}
+
+  // Uploads the scene, checks every task's answer in this very configuration, throws DifferenceFound rather than time a
+  // wrong one, then times all tasks against each other. Samples come in the tasks' order and are kept for the record.
+  std::vector<Samples> time(const std::string& table, const SceneOptions& scene, const std::vector<Task>& tasks);
+
+  // The same record for contenders that have no answer to check.
+  std::vector<Samples> time_unchecked(const std::string& table, const std::vector<Contender>& contenders, json meta);
+
+  // Uploads the scene everywhere, compares the answers of `asked` and keeps what agreed.
+  Answer check(const SceneOptions& scene, const std::vector<Asked>& asked);
+
+  std::vector<Task> collide_tasks(Method method, uint block, bool exact = true) const;  // on every device
+  SceneOptions paper_scene(uint64_t n) const;
+
+  Session& session;
+  const Plan& plan;
+  Progress& progress;
+  json measurements = json::array();
+  std::vector<EqualityEntry> equality;
+
+ private:
+  void upload(const SceneOptions& options);
+  void plan_comparisons(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t steps);
+  void check_step(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t step);
+  void check_steps(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t steps);
+  void record(const std::string& table, const SceneOptions& scene, const Task& task, const Samples& samples);
+
+  std::map<std::string, std::string> referees_;  // by set: who the last check trusted
+};
+
+// Walks a table's sizes in order and leaves out those that would take too long without a GPU.
+class SizeWalk {
+ public:
+  SizeWalk(const Study& study, std::vector<uint64_t> sizes) : study_(study), sizes_(std::move(sizes)) {}
+  bool next();  // false at the end
+  uint64_t n() const { return sizes_[at_ - 1]; }
+  void measured(std::span<const Samples> samples) { last_.assign(samples.begin(), samples.end()), last_n_ = n(); }
+  std::vector<std::string> notes() const { return notes_; }  // what was left out
+
+ private:
+  const Study& study_;
+  std::vector<uint64_t> sizes_;
+  size_t at_ = 0;
+  uint64_t last_n_ = 0;
+  std::vector<Samples> last_;
+  std::vector<std::string> notes_;
+};
+
+struct TableKind {
+  const char *name, *summary;
+  std::vector<Table> (*make)(Study&);
+};
+const std::vector<TableKind>& table_kinds();
+
+std::vector<Table> make_table1(Study& study);
+std::vector<Table> make_ceilings(Study& study);
+std::vector<Table> make_counts(Study& study);
+std::vector<Table> make_methods(Study& study);
+std::vector<Table> make_overhead(Study& study);
+std::vector<Table> make_exactness(Study& study);
+std::vector<Table> make_scale(Study& study);
+std::vector<Table> make_step(Study& study);
+std::vector<Table> make_grid(Study& study);
+std::vector<Table> make_equality(Study& study);
+
+// Every measurement behind a table: K, rounds, median, interval, minimum, first step, device timer.
+Table measurement_table(const Study& study, const std::string& table);
+
+}  // namespace spherepair

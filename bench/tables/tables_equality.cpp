@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// What was compared, in rows that a reader can take in: methods with their group sizes and backends.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+#include <tuple>
+
+#include "bench/io/scene_text.h"
+#include "bench/tables/study.h"
+
+namespace spherepair {
+namespace {
+
+// All answers to one set of one scene, gathered over the lockstep and the checks before each timing.
+struct Gathered {
+  SceneOptions scene;
+  std::string set;
+  uint64_t comparisons = 0;
+  ComparedStep last{};
+  std::map<std::string, std::pair<std::set<uint>, std::set<std::string>>> methods;  // group sizes and backends
+};
+
+void add_answers(Gathered& row, const std::vector<std::string>& answers) {
+  for (const std::string& answer : answers) {
+    std::istringstream words(answer);
+    std::string backend, method;
+    uint block = 0;
+    words >> backend >> method;
+    auto& [blocks, backends] = row.methods[method];
+    if (words >> block) blocks.insert(block);
+    backends.insert(backend);
+  }
+}
+
+// Ordered by scene and size, the whole set before groups, small groups before large.
+using Key = std::tuple<std::string, uint64_t, std::string, size_t, std::string>;
+
+std::map<Key, Gathered> gather(const std::vector<EqualityEntry>& entries) {
+  std::map<Key, Gathered> rows;
+  for (const EqualityEntry& entry : entries) {
+    if (entry.answers.size() < 2) continue;
+    const SceneOptions& scene = entry.scene;
+    Gathered& row = rows[{scene_label(scene), scene.n, json_line(scene_json(scene)), entry.set.size(), entry.set}];
+    row.scene = scene;
+    row.set = entry.set;
+    row.comparisons += entry.checkpoints.size() * (entry.answers.size() - 1);
+    if (entry.checkpoints.back().step >= row.last.step) row.last = entry.checkpoints.back();
+    add_answers(row, entry.answers);
+  }
+  return rows;
+}
+
+std::string blocks_text(const std::set<uint>& blocks) {
+  if (blocks.empty()) return "-";
+  if (blocks.size() < 3) return fmt::format("{}", fmt::join(blocks, ", "));
+  return fmt::format("{}..{} ({})", *blocks.begin(), *blocks.rbegin(), blocks.size());
+}
+
+const char* reference_text(const Session& session) {
+  return session.find("cpu") ? "the CPU" : "the first open backend, for the CPU was left out";
+}
+
+std::string hex(const Fingerprint& fingerprint) { return hex64(fingerprint.a) + hex64(fingerprint.b); }
+
+Table every_method(const std::map<Key, Gathered>& rows) {
+  Table table{"Every method and group size that was found equal",
+              {{"", "scene", "", true},
+               {"", "n", ""},
+               {"", "seed", ""},
+               {"", "steps", ""},
+               {"", "set", "", true},
+               {"", "method", "", true},
+               {"", "group sizes", "", true},
+               {"", "backends", "", true},
+               {"", "pairs", "last step"},
+               {"", "fingerprint", "last step", true},
+               {"", "verdict", "", true}},
+              {},
+              {"Rows of one scene, n and set share one fingerprint: they are the same set of pairs."},
+              true};
+  for (const auto& [key, row] : rows)
+    for (const auto& [method, who] : row.methods)
+      table.rows.push_back({scene_label(row.scene), std::to_string(row.scene.n), std::to_string(row.scene.seed),
+                            std::to_string(row.last.step), row.set, method, blocks_text(who.first),
+                            fmt::format("{}", fmt::join(who.second, " ")), std::to_string(row.last.pairs),
+                            hex(row.last.fingerprint), "equal"});
+  return table;
+}
+
+// Of a scene and size: how many sets were compared how often, and the set of all pairs after the last step.
+Table summary(const std::map<Key, Gathered>& rows, const Session& session) {
+  Table table{"What was compared and found equal: states bit by bit, collision sets pair by pair",
+              {{"", "scene", "", true},
+               {"", "n", ""},
+               {"", "steps", ""},
+               {"", "comparisons", ""},
+               {"all pairs after the last step", "pairs", ""},
+               {"all pairs after the last step", "fingerprint", "", true},
+               {"", "verdict", "", true}},
+              {},
+              {}};
+  uint64_t total = 0, last_n = UINT64_MAX;
+  std::string last_scene;
+  for (const auto& [key, row] : rows) {
+    total += row.comparisons;
+    const std::string scene = std::get<2>(key);
+    if (scene != last_scene || row.scene.n != last_n) {
+      const bool all = row.set == "all pairs";
+      table.rows.push_back({scene_label(row.scene), std::to_string(row.scene.n), std::to_string(row.last.step), "0",
+                            all ? std::to_string(row.last.pairs) : "-", all ? hex(row.last.fingerprint) : "-",
+                            "equal"});
+    }
+    std::string& count = table.rows.back()[3];
+    count = std::to_string(std::stoull(count) + row.comparisons);
+    last_scene = scene;
+    last_n = row.scene.n;
+  }
+  table.notes = {fmt::format(
+      "{} answers were compared with a reference, all equal: number of pairs and of colliding spheres, each "
+      "sphere's count, fingerprint, and in the lockstep, up to 10^6 pairs, the whole list. The reference "
+      "is {}. Methods and group sizes one by one: equality.txt.",
+      total, reference_text(session))};
+  return table;
+}
+
+}  // namespace
+
+std::vector<Table> make_equality(Study& study) {
+  const std::map<Key, Gathered> rows = gather(study.equality);
+  return {summary(rows, study.session), every_method(rows)};
+}
+
+}  // namespace spherepair

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// GLSL against CUDA per method and group size, the cost of a dispatch or launch, the cost of exactness.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/tables/study.h"
+
+namespace spherepair {
+namespace {
+
+Table skipped(const std::string& title) {
+  return {title, {{"", "skipped", "", true}}, {{"no device backend is open, so there is nothing to compare"}}, {}};
+}
+
+// Unordered pairs that a method has to meet.
+double pairs_to_meet(Method method, uint block, uint64_t n) {
+  const auto all = [](double k) { return k * (k - 1) / 2; };
+  if (method != Method::collide_group) return all(double(n));
+  return double(n / block) * all(block) + all(double(n % block));
+}
+
+std::string interval_text(const Samples& samples) {
+  const Interval interval = samples.interval();
+  return fmt::format("[{}, {}]", format_ms(interval.low), format_ms(interval.high));
+}
+
+void add_contest_columns(Table& table, const std::vector<Backend*>& devices) {
+  if (devices.size() < 2) return;
+  const std::string over = devices[1]->info().name + "/" + devices[0]->info().name;
+  table.columns.push_back({"", over, "times"});
+  table.columns.push_back({"", "verdict", "", true});
+}
+
+void add_contest(std::vector<std::string>& row, const std::vector<Samples>& samples) {
+  if (samples.size() < 2) return;
+  const Contest result = contest(samples[0], samples[1]);
+  row.push_back(format_number(result.ratio));
+  row.push_back(result.text);
+}
+
+void methods_rows(Study& study, Table& table, uint64_t n, Method method) {
+  std::vector<Task> tasks;
+  for (uint block : study.plan.blocks)
+    for (const Task& task : study.collide_tasks(method, block)) tasks.push_back(task);
+  const std::vector<Samples> samples = study.time("methods", study.paper_scene(n), tasks);
+  const size_t devices = study.session.devices().size();
+  for (size_t b = 0; b < study.plan.blocks.size(); ++b) {
+    const uint block = study.plan.blocks[b];
+    const std::vector<Samples> pair(samples.begin() + b * devices, samples.begin() + (b + 1) * devices);
+    std::vector<std::string> row = {std::to_string(n), method_name(method), std::to_string(block)};
+    for (const Samples& one : pair) {
+      row.push_back(format_ms(one.median_seconds()));
+      row.push_back(interval_text(one));
+      row.push_back(format_rate(pairs_to_meet(method, block, n) / one.median_seconds()));
+    }
+    add_contest(row, pair);
+    table.rows.push_back(row);
+  }
+}
+
+struct Naive {
+  uint64_t right = 0, missed = 0, added = 0;
+};
+
+// What the naive float32 test gets wrong where it is hardest. The exact answer is checked against the reference first.
+Naive naive_errors(Study& study, Asked asked, const SceneOptions& place) {
+  study.progress.say(fmt::format("exactness: {} on {}", label(asked), place.name));
+  const Asked reference = reference_for(study.session, asked.options, place.n);
+  const Answer expected = ask(study.session, reference, true), right = ask(study.session, asked, true);
+  require_equal(study.session, {place, 0}, reference, expected, asked, right);
+  asked.options.exact = false;
+  const Answer naive = ask(study.session, asked, true);
+  std::vector<Pair> missed, added;
+  std::ranges::set_difference(*right.pairs, *naive.pairs, std::back_inserter(missed));
+  std::ranges::set_difference(*naive.pairs, *right.pairs, std::back_inserter(added));
+  return {right.pairs->size(), missed.size(), added.size()};
+}
+
+std::vector<Naive> all_naive_errors(Study& study, const std::vector<Asked>& all) {
+  SceneOptions place = study.paper_scene(2 * study.plan.grazing_pairs);
+  place.name = "grazing";
+  const Scene scene = make_scene(place);
+  for (const auto& backend : study.session.backends()) backend->upload(scene);
+  for (const Asked& asked : all) study.session.comparisons.plan(asked.backend->info().name, Comparisons::sets, 1);
+  std::vector<Naive> errors;
+  for (const Asked& asked : all) errors.push_back(naive_errors(study, asked, place));
+  return errors;
+}
+
+std::vector<Asked> exactness_asked(const Study& study) {
+  std::vector<Asked> asked;
+  for (const Asked& one : everyone(study.session, study.plan.methods, {study.plan.table_block}))
+    if (one.backend->info().name != "cpu" || one.options.method != Method::collide_group) asked.push_back(one);
+  return asked;
+}
+
+}  // namespace
+
+std::vector<Table> make_methods(Study& study) {
+  const std::vector<Backend*> devices = study.session.devices();
+  const std::string title = "GLSL against CUDA per method and group size, random scene, one collision step";
+  if (devices.empty()) return {skipped(title)};
+  Table table{title, {{"", "n", ""}, {"", "method", "", true}, {"", "group", "size"}}, {}, {}};
+  for (Backend* device : devices) {
+    const std::string group = device->info().name + (device->info().software ? " in SOFTWARE" : "");
+    table.columns.push_back({group, "median", "ms"});
+    table.columns.push_back({group, "95 % interval", "ms", true});
+    table.columns.push_back({group, "pairs", "1/s"});
+  }
+  add_contest_columns(table, devices);
+  for (uint64_t n : study.plan.method_sizes)
+    for (Method method : device_methods())
+      if (is_wanted(study.plan, method)) methods_rows(study, table, n, method);
+  table.notes = {
+      "pairs: unordered pairs that the method has to decide, per second; collide_group only meets pairs within a "
+      "group.",
+      "A difference is claimed only when the 95 % intervals are apart or the rank test says p < 0.01."};
+  return {table};
+}
+
+std::vector<Table> make_overhead(Study& study) {
+  const std::vector<Backend*> devices = study.session.devices();
+  const std::string title = "An empty kernel of one group: time per dispatch or launch";
+  if (devices.empty()) return {skipped(title)};
+  Table table{title, {{"", "back to back", "launches"}}, {}, {}};
+  for (Backend* device : devices) {
+    table.columns.push_back({device->info().name, "median", "us"});
+    table.columns.push_back({device->info().name, "min", "us"});
+  }
+  add_contest_columns(table, devices);
+  for (uint64_t launches : {1, 10, 100, 1000}) {
+    std::vector<Contender> contenders;
+    for (Backend* device : devices)
+      contenders.push_back(
+          {fmt::format("{} launch_empty {}", device->info().name, launches), device, [launches](Backend& b) {
+             for (uint64_t k = 0; k < launches; ++k) b.launch_empty(1);
+             b.finish();
+           }});
+    const std::vector<Samples> samples =
+        study.time_unchecked("overhead", contenders, {{"work", "empty"}, {"launches_per_step", launches}});
+    std::vector<std::string> row = {std::to_string(launches)};
+    for (const Samples& one : samples) {
+      row.push_back(format_us(one.median_seconds() / double(launches)));
+      row.push_back(format_us(minimum(one.seconds) / double(launches)));
+    }
+    add_contest(row, samples);
+    table.rows.push_back(row);
+  }
+  table.notes = {
+      "After so many launches the host waits for the device: the first row is a round trip, the last the rate."};
+  return {table};
+}
+
+std::vector<Table> make_exactness(Study& study) {
+  Table table{"What the exact predicate costs and saves",
+              {{"", "n", ""},
+               {"", "answered by", "", true},
+               {"random scene", "naive", "ms"},
+               {"random scene", "exact", "ms"},
+               {"random scene", "cost", "%"},
+               {"random scene", "verdict", "", true},
+               {"grazing scene", "pairs", "right"},
+               {"grazing scene", "naive", "missed"},
+               {"grazing scene", "naive", "added"}},
+              {},
+              {}};
+  const std::vector<Asked> all = exactness_asked(study);
+  const std::vector<Naive> errors = all_naive_errors(study, all);
+  for (uint64_t n : study.plan.exactness_sizes) {
+    for (size_t k = 0; k < all.size(); ++k) {
+      Asked naive = all[k];
+      naive.options.exact = false;
+      const auto samples =
+          study.time("exactness", study.paper_scene(n), {{Work::collide, naive}, {Work::collide, all[k]}});
+      const Contest result = contest(samples[0], samples[1]);
+      table.rows.push_back({std::to_string(n), label(all[k]), format_ms(samples[0].median_seconds()),
+                            format_ms(samples[1].median_seconds()), format_percent(result.ratio - 1),
+                            !result.differ     ? result.text
+                            : result.ratio > 1 ? "exact slower"
+                                               : "exact faster",
+                            std::to_string(errors[k].right), std::to_string(errors[k].missed),
+                            std::to_string(errors[k].added)});
+    }
+  }
+  table.notes = {
+      fmt::format("grazing: {} pairs of spheres within 8 ulp of touching. `missed` and `added`: pairs that the naive "
+                  "float32 test gets wrong there; the exact one was checked against the reference.",
+                  study.plan.grazing_pairs)};
+  return {table};
+}
+
+}  // namespace spherepair

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "bench/view/legend.h"
+
+#include <map>
+#include <string>
+
+#include "bench/view/canvas.h"
+
+namespace spherepair {
+namespace {
+
+// Strokes from point to point, each a digit for x (0 to 4) and one for y (0 at the foot, 6 at a capital's top).
+const std::map<char, std::string> glyphs = {{'0', "10 30 41 45 36 16 05 01 10"},
+                                            {'1', "14 26 20"},
+                                            {'2', "05 16 36 45 44 00 40"},
+                                            {'3', "05 16 36 45 44 33 23/33 42 41 30 10 01"},
+                                            {'4', "30 36 02 42"},
+                                            {'5', "46 06 03 33 42 41 30 00"},
+                                            {'6', "36 16 04 01 10 30 41 42 33 13 02"},
+                                            {'7', "06 46 10"},
+                                            {'+', "21 25/03 43"},
+                                            {'a', "04 34 43 40 10 01 12 42"},
+                                            {'c', "44 14 03 01 10 40"},
+                                            {'n', "00 04/03 14 34 43 40"},
+                                            {'o', "10 30 41 43 34 14 03 01 10"},
+                                            {'s', "44 14 03 12 32 41 30 00"},
+                                            {'t', "16 11 20 30/04 34"}};
+
+// From its left foot; unit: pixels of a sixth of a capital's height.
+void write(Canvas& canvas, const std::string& words, Point foot, double unit, uint colour) {
+  for (const char letter : words) {
+    const std::string& strokes = glyphs.at(letter);
+    for (size_t k = 3; k < strokes.size(); k += 3) {
+      if (strokes[k - 1] == '/') continue;
+      const auto point = [&](size_t at) {
+        return Point{foot.x + unit * (strokes[at] - '0'), foot.y - unit * (strokes[at + 1] - '0')};
+      };
+      canvas.stroke(point(k - 3), point(k), 0.9 * unit, colour);
+    }
+    foot.x += 6 * unit;
+  }
+}
+
+}  // namespace
+
+void draw_legend(std::vector<uint>& image, uint width, uint height, const Look& look) {
+  const double unit = std::max(1.5, height / 360.0), side = 12 * unit;
+  if (width < 11 * 1.5 * side || height < 6 * side) return;
+  const uint ink = 0x404040;
+  Canvas canvas(image, width, height);
+  Point at = {side, height - 2.2 * side};
+  write(canvas, "contacts", {at.x, at.y - 0.7 * side}, unit, ink);
+  for (size_t k = 0; k < look.palette.size(); ++k) {
+    const bool last = k + 1 == look.palette.size();
+    canvas.square(at, side, look.palette[k]);
+    write(canvas, std::to_string(k) + (last ? "+" : ""), {at.x + (last ? 1 : 4) * unit, at.y + 1.8 * side}, unit, ink);
+    at.x += 1.25 * side;
+  }
+}
+
+}  // namespace spherepair

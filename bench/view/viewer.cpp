@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "bench/view/viewer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "bench/check/finite_state.h"
+#include "bench/measure/choice.h"
+
+namespace spherepair {
+
+void Viewer::Choice::pick(const std::string& name) {
+  const auto found = std::ranges::find(names, name);
+  chosen = found == names.end() ? 0 : size_t(found - names.begin());
+}
+
+// A mean over the last ten or so, so that it can be read.
+template <typename Work>
+void Viewer::timed(double& seconds, Work work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  backend().finish();
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  seconds += (seconds == 0 ? 1 : 0.1) * (taken.count() - seconds);
+}
+
+Viewer::Viewer(const Session& session, const Start& start, const std::string& backend, const std::string& method)
+    : session_(session), start_(start), bounds_(bounds_of(start.scene.positions)) {
+  bounds_.low[1] = std::min(bounds_.low[1], double(start.scene.plane));
+  for (const auto& each : session.backends()) backends_.names.push_back(each->info().name);
+  backends_.pick(backend);
+  running_ = backends_.chosen;
+  restart();
+  list_choices();
+  methods_.pick(method);
+}
+
+void Viewer::restart() {
+  send(start_, backend());
+  step_ = start_.step;
+  found_ = false;
+}
+
+void Viewer::list_choices() {
+  const std::string method = methods_.names.empty() ? "" : methods_.name();
+  const std::string draw = draws_.names.empty() ? "" : draws_.name();
+  methods_.names.clear();
+  draws_.names.clear();
+  for (const Method each : backend().methods()) methods_.names.push_back(method_name(each));
+  for (const DrawMethod each : backend().draw_methods()) draws_.names.push_back(draw_method_name(each));
+  methods_.pick(method);
+  draws_.pick(draw);
+}
+
+// The run goes on there with the same bits; where that fails, here.
+void Viewer::go_on(size_t next) {
+  Scene scene = start_.scene;
+  const Backend::State state = backend().state();
+  require_finite(state, step_);
+  const MotionState saved = backend().save();
+  scene.positions = state.positions;
+  scene.velocities = state.velocities;
+  const size_t before = running_;
+  try {
+    running_ = next;
+    backend().resume(scene, saved);
+    trouble_.clear();
+  } catch (const BackendError& error) {
+    trouble_ = error.what();
+    running_ = backends_.chosen = before;
+  }
+  move_seconds_ = collide_seconds_ = draw_seconds_ = read_seconds_ = 0;
+  found_ = false;
+  list_choices();
+}
+
+void Viewer::take_keys(Window& window, char key) {
+  const auto pressed = [&](char wanted) { return key == wanted || window.pressed(wanted); };
+  if (pressed(' ')) paused_ = !paused_;
+  if (pressed('n')) single_step_ = paused_ = true;
+  if (pressed('l')) light_ = !light_;
+  if (pressed('b')) backends_.next();
+  if (pressed('m')) methods_.next();
+  if (pressed('d')) draws_.next();
+  if (pressed('r')) restart();
+}
+
+void Viewer::fill_panel(Window& window) {
+  window.choose("backend (b)", backends_.names, backends_.chosen);
+  window.choose("method (m)", methods_.names, methods_.chosen);
+  window.choose("drawing (d)", draws_.names, draws_.chosen);
+  window.check("paused (space)", paused_);
+  if (window.button("one step (n)")) single_step_ = paused_ = true;
+  if (window.button("start again (r)")) restart();
+  window.check("light and shadows (l)", light_);
+  window.text(fmt::format("{}, {} spheres", start_.label, start_.scene.size()));
+  window.text(device_label(backend().info()));
+  window.text(fmt::format("step {}: {} pairs, {} spheres in contact", step_, totals_.pairs, totals_.colliding_spheres));
+  window.text(fmt::format("move {} ms, collide {} ms", format_ms(move_seconds_), format_ms(collide_seconds_)));
+  window.text(fmt::format("draw {} ms, read back {} ms", format_ms(draw_seconds_), format_ms(read_seconds_)));
+  window.text("drag to turn, scroll to come nearer");
+  if (!trouble_.empty()) window.text(wrap(trouble_, 50, ""));
+}
+
+void Viewer::turn_camera(const Window& window) {
+  const auto [right, down] = window.dragged();
+  azimuth_ -= 0.4 * right;
+  elevation_ = std::clamp(elevation_ + 0.4 * down, -5.0, 85.0);
+  distance_ = std::clamp(distance_ * std::pow(0.9, window.scrolled()), 0.05, 5.0);
+}
+
+void Viewer::advance() {
+  if (paused_ && !single_step_) return;
+  single_step_ = found_ = false;
+  timed(move_seconds_, [&] { backend().move(), backend().place(); });
+  ++step_;
+}
+
+void Viewer::collide() {
+  CollideOptions options = {.method = method_from_name(methods_.name())};
+  const bool lit =
+      light_ && options.method == Method::collide_grid && draws_.name() == "compute" && start_.scene.size() > 1;
+  if (lit) options.grid.cells = Cells::dense;
+  if (found_ && lit == lit_ && options.method == method_) return;
+  timed(collide_seconds_, [&] { backend().collide(options); });
+  totals_ = backend().collisions();
+  found_ = true;
+  lit_ = lit;
+  method_ = options.method;
+}
+
+std::vector<uint> Viewer::picture(uint width, uint height) {
+  Camera camera = spherepair::frame(bounds_, azimuth_, elevation_, 30, double(width) / height);
+  for (int a = 0; a < 3; ++a) camera.eye[a] = camera.target[a] + distance_ * (camera.eye[a] - camera.target[a]);
+  Look look = contact_look();
+  look.light = {-0.3, 0.9, -0.3};  // from above even where the camera looks down
+  if (lit_) look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
+  const View view = make_view(camera, look, width, height);
+  timed(draw_seconds_, [&] { backend().draw(view, {.method = draw_method_from_name(draws_.name())}); });
+  std::vector<uint> image;
+  timed(read_seconds_, [&] { image = backend().image(); });
+  return image;
+}
+
+// What is chosen in the panel is done in the next frame.
+void Viewer::frame(Window& window, char key) {
+  take_keys(window, key);
+  turn_camera(window);
+  if (backends_.chosen != running_) go_on(backends_.chosen);
+  advance();
+  collide();
+  const auto [width, height] = window.size();
+  const std::vector<uint> image = picture(width, height);
+  fill_panel(window);
+  window.show(image, width, height);
+}
+
+std::string Viewer::summary() const {
+  return fmt::format("{} {}, drawn by {}: step {}, {} pairs, fingerprint {}", backends_.name(), methods_.name(),
+                     draws_.name(), step_, totals_.pairs, hex64(totals_.fingerprint.a) + hex64(totals_.fingerprint.b));
+}
+
+}  // namespace spherepair

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// The state behind `spherepair view`: one run of spheres that goes on from backend to backend, and how it is looked at.
+#pragma once
+
+#include "bench/formats/start.h"
+#include "bench/measure/session.h"
+#include "bench/view/window.h"
+#include "common/scene/camera.h"
+
+namespace spherepair {
+
+class Viewer {
+ public:
+  // The session's backends are those to choose from.
+  Viewer(const Session& session, const Start& start, const std::string& backend, const std::string& method);
+
+  // One frame: what the user did, a step unless paused, and the picture. key: pressed too; 0: none.
+  void frame(Window& window, char key);
+  std::string summary() const;
+
+ private:
+  struct Choice {
+    std::vector<std::string> names;
+    size_t chosen = 0;
+    const std::string& name() const { return names[chosen]; }
+    void next() { chosen = (chosen + 1) % names.size(); }
+    void pick(const std::string& name);  // the first where there is none of this name
+  };
+
+  Backend& backend() const { return *session_.backends()[running_]; }
+  void go_on(size_t backend);
+  void restart();
+  void list_choices();
+  void take_keys(Window& window, char key);
+  void fill_panel(Window& window);
+  void turn_camera(const Window& window);
+  void advance();
+  void collide();
+  std::vector<uint> picture(uint width, uint height);
+  template <typename Work>
+  void timed(double& seconds, Work work);
+
+  const Session& session_;
+  const Start& start_;
+  Bounds bounds_;
+  Choice backends_, methods_, draws_;
+  size_t running_ = 0;  // the backend that holds the spheres
+  bool paused_ = false, single_step_ = false, light_ = true, found_ = false;
+  bool lit_ = false;                                     // of the last collide: it built the cells that light needs
+  Method method_ = Method::collide_grid;                 // of the last collide
+  double azimuth_ = 30, elevation_ = 20, distance_ = 1;  // degrees; of that at which all is in view
+  uint64_t step_ = 0;
+  Collisions totals_;
+  std::string trouble_;  // of the last choice
+  double move_seconds_ = 0, collide_seconds_ = 0, draw_seconds_ = 0, read_seconds_ = 0;
+};
+
+}  // namespace spherepair

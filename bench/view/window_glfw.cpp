@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include <epoxy/gl.h>
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "bench/view/window.h"
+#include "common/backend/backend.h"
+
+namespace spherepair {
+namespace {
+
+[[noreturn]] void fail(const char* what) {
+  const char* reason = nullptr;
+  glfwGetError(&reason);
+  throw BackendError(fmt::format("{}: {}; without a display, `spherepair render` draws into files", what,
+                                 reason ? reason : "no reason given"));
+}
+
+class GlfwWindow final : public Window {
+ public:
+  GlfwWindow(const std::string& title, uint width, uint height) {
+    if (!glfwInit()) fail("no window can be opened");
+    // EGL, as the backends' own contexts: GLX beside it would take them away.
+    glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_EGL_CONTEXT_API);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    window_ = glfwCreateWindow(int(width), int(height), title.c_str(), nullptr, nullptr);
+    if (!window_) {
+      try {
+        fail("the window was refused");
+      } catch (...) {
+        glfwTerminate();
+        throw;
+      }
+    }
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(0);
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;
+    ImGui::StyleColorsLight();
+    ImGui_ImplGlfw_InitForOpenGL(window_, true);
+    ImGui_ImplOpenGL3_Init("#version 330");
+    make_texture();
+  }
+
+  ~GlfwWindow() override {
+    glfwMakeContextCurrent(window_);
+    glDeleteTextures(1, &texture_);
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+  }
+
+  bool next() override {
+    glfwMakeContextCurrent(window_);
+    if (drawn_) glfwSwapBuffers(window_);
+    glfwPollEvents();
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+    ImGui::SetNextWindowPos({8, 8}, ImGuiCond_FirstUseEver);
+    ImGui::Begin("spherepair", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
+    return !glfwWindowShouldClose(window_);
+  }
+
+  std::array<uint, 2> size() const override {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    return {uint(std::max(width, 1)), uint(std::max(height, 1))};
+  }
+  std::array<double, 2> dragged() const override {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantCaptureMouse || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) return {};
+    return {io.MouseDelta.x, io.MouseDelta.y};
+  }
+  double scrolled() const override { return ImGui::GetIO().WantCaptureMouse ? 0 : ImGui::GetIO().MouseWheel; }
+  bool pressed(char key) const override {  // GLFW numbers letters as capitals
+    return ImGui::IsKeyPressed(key >= 'a' && key <= 'z' ? key - 'a' + GLFW_KEY_A : key, false);
+  }
+
+  void text(const std::string& line) override { ImGui::TextUnformatted(line.c_str()); }
+  bool button(const char* label) override { return ImGui::Button(label); }
+  void check(const char* label, bool& value) override { ImGui::Checkbox(label, &value); }
+  void choose(const char* label, const std::vector<std::string>& names, size_t& chosen) override {
+    ImGui::SetNextItemWidth(170);
+    if (!ImGui::BeginCombo(label, names[chosen].c_str())) return;
+    for (size_t k = 0; k < names.size(); ++k)
+      if (ImGui::Selectable(names[k].c_str(), k == chosen)) chosen = k;
+    ImGui::EndCombo();
+  }
+
+  void show(std::span<const uint> image, uint width, uint height) override {
+    glfwMakeContextCurrent(window_);
+    ImGui::End();
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, GLsizei(width), GLsizei(height), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 image.data());
+    const auto whole = ImGui::GetIO().DisplaySize;
+    ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<ImTextureID>(uintptr_t(texture_)), {0, 0}, whole);
+    ImGui::Render();
+    const auto [window_width, window_height] = size();
+    glViewport(0, 0, GLsizei(window_width), GLsizei(window_height));
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    drawn_ = true;  // next() swaps: until then the back buffer holds the frame for screenshot()
+  }
+
+  std::vector<uint> screenshot() override {
+    const auto [width, height] = size();
+    std::vector<uint> pixels(size_t(width) * height), turned(pixels.size());
+    glfwMakeContextCurrent(window_);
+    glReadBuffer(GL_BACK);
+    glReadPixels(0, 0, GLsizei(width), GLsizei(height), GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    for (size_t k = 0; k < pixels.size(); ++k)
+      turned[k] = pixels[(height - 1 - k / width) * width + k % width] | 0xFF000000u;
+    return turned;
+  }
+
+ private:
+  void make_texture() {
+    glGenTextures(1, &texture_);
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  }
+
+  GLFWwindow* window_ = nullptr;
+  GLuint texture_ = 0;
+  bool drawn_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Window> open_window(const std::string& title, uint width, uint height) {
+  return std::make_unique<GlfwWindow>(title, width, height);
+}
+
+}  // namespace spherepair

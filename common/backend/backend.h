@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// What every backend does: hold a scene, move it, find its colliding pairs. One process can hold several backends; each
+// call is made a few times a step at most, so virtual functions cost nothing that could be measured.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "common/backend/collide_options.h"
+#include "common/scene/motion_state.h"
+#include "common/scene/scene.h"
+#include "common/shared/view.h"
+
+namespace spherepair {
+
+// Out of memory, driver trouble, a limit of the device: what failed, where, and what to do.
+class BackendError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// What a device can do at best: 16 bytes a sphere copied, a scattered atomic a sphere, multiply-adds in registers; and
+// the same bytes copied a word at a time.
+enum class Ceiling { copy, atomics, issue, words };
+
+struct StageTime {
+  std::string stage;  // the kernel's name
+  double seconds;     // on the device's own timer
+};
+
+enum class DrawMethod {
+  compute,       // the rasteriser that CPU, GLSL and CUDA mirror: the exact sphere
+  mesh_each,     // OpenGL: the paper's sphere of 80 triangles, one draw a sphere
+  mesh,          // OpenGL: the same with one instanced draw for all
+  mesh_indexed,  // OpenGL: the same with shared vertices
+  points,        // OpenGL: a disc a sphere
+  impostor       // OpenGL: the exact sphere on two triangles
+};
+const char* draw_method_name(DrawMethod method);
+DrawMethod draw_method_from_name(const std::string& name);  // throws std::invalid_argument with the known names
+std::span<const DrawMethod> all_draw_methods();
+
+struct DrawOptions {
+  DrawMethod method = DrawMethod::compute;
+
+  // What the rasteriser may leave out; never changes a bit of the picture. Spheres in consecutive places of the cell
+  // order (as they stand, without one) form clusters, which are tested as a whole.
+  bool skip_outside = true;       // clusters out of view
+  bool skip_hidden = true;        // clusters behind what is drawn already; implies the above
+  bool skip_unchanged = true;     // the whole picture, when nothing has changed since the last
+  bool skip_tiles = true;         // the launches for large spheres, where none as uploaded can look large
+  bool overlap = true;            // GLSL: few spheres are drawn while the last picture is coloured still
+  uint64_t skip_from = 1u << 17;  // clusters are made of so many spheres or more
+
+  // Of so many spheres or more, clusters are tested before their spheres; of fewer that costs more than it saves.
+  uint64_t cull_from = 1u << 21;
+
+  // Of so many spheres or more, clusters far behind what the last pictures showed wait until the near ones are drawn.
+  uint64_t put_off_from = 1u << 22;
+
+  // Of so many spheres or more, BUNDLE clusters in a row are tested as a whole first.
+  uint64_t bundles_from = 1u << 25;
+
+  // Of fewer spheres, which then are large on the screen, each is drawn by LANES threads; without clusters only.
+  uint64_t share_below = 1u << 17;
+
+  bool count = false;  // fill all of DrawCounts, which costs an atomic operation a sphere
+  auto operator<=>(const DrawOptions&) const = default;
+  uint lanes(uint64_t n) const { return n < share_below ? LANES : 1; }
+};
+
+// Of one draw(), numbers of spheres; `drawn` are those with a pixel's centre in their box, whether seen in the end or
+// not.
+struct DrawCounts {
+  uint64_t drawn = 0, unseen = 0;  // out of view, or between the centres of the pixels
+  uint64_t large = 0, tiles = 0;   // of those drawn, the ones cut into tiles; their tiles
+  uint64_t hidden = 0;             // behind what is drawn already
+  uint64_t undrawable = 0;         // numbers beyond those that can be drawn (draw.h, in_camera)
+  uint64_t clusters = 0, clusters_outside = 0, clusters_hidden = 0;  // their spheres are in none of the above
+  uint64_t clusters_put_off = 0;  // that waited for others to be drawn, whatever became of them then
+  uint64_t bundles_left_out = 0;  // of clusters that are hidden, out of view or put off together
+  uint64_t pictures_kept = 0;     // calls of draw() since upload() that had nothing to do
+};
+
+struct BackendInfo {
+  std::string name;       // cpu, glsl, cuda
+  std::string device;     // as the driver names it
+  std::string uuid;       // of the GPU, 32 hex digits; empty for software
+  bool software = false;  // GL on the CPU
+  bool device_timers = false;
+  std::map<std::string, std::string> details;  // versions, extensions, limits
+};
+
+class Backend {
+ public:
+  virtual ~Backend() = default;
+  virtual const BackendInfo& info() const = 0;
+
+  // Methods that this backend runs under their own name.
+  virtual std::vector<Method> methods() const = 0;
+
+  // Checks the scene (check_scene), allocates every buffer and copies. Throws BackendError when it does not fit.
+  virtual void upload(const Scene& scene) = 0;
+
+  // Each enqueues work and returns; results wait for it. `move` is one step of the motion, or std::invalid_argument.
+  virtual void move() = 0;
+  // Of `anchored`: whether a step looks only at the spheres that are due, as it does unless told otherwise, or at all
+  // that may ever meet the plane again. Never changes a bit of the state.
+  virtual void look_at_due_only(bool on) = 0;
+  // Makes the positions in memory those of this step where a method leaves that until they are asked for; collide and
+  // state do it by themselves.
+  virtual void place() = 0;
+  virtual void collide(const CollideOptions& options) = 0;
+  virtual void finish() = 0;
+  virtual MethodChoice choice(const CollideOptions& options) const = 0;
+
+  // Results of the last collide(). When a list was too short, the device's lists are grown and the collision step is
+  // repeated, never truncated; so ask before the next step.
+  virtual Collisions collisions() = 0;
+  virtual std::vector<uint> counts() = 0;  // contacts of each sphere
+  virtual std::vector<Pair> pairs() = 0;   // in canonical order; needs want_pairs
+
+  // The nearest float32 numbers, and the words of SLOT_WIDE where the precision has them: evaluated at this step.
+  struct State {
+    std::vector<vec4> positions, velocities;
+    std::vector<uint> wide;
+  };
+  virtual State state() = 0;
+
+  // All that the next steps depend on; `resume` takes the place of upload and goes on from there, to the same bits as
+  // if nothing had been saved, on any backend. The scene must be the one that was uploaded, with the state's positions
+  // and velocities.
+  virtual MotionState save() = 0;
+  virtual void resume(const Scene& scene, const MotionState& saved) = 0;
+  // A picture of the spheres as they stand, coloured by the contacts that the last collide() found; none since the last
+  // move() or upload(): by 0 contacts. view.tile_capacity, counting and pass are the backend's own.
+  virtual void draw(const View& view, const DrawOptions& options) = 0;
+  virtual std::vector<DrawMethod> draw_methods() const { return {DrawMethod::compute}; }
+
+  // Of the last draw(), which is repeated when a list was too short, and for visible(); so ask before the next step.
+  // Pixels as SLOT_IMAGE has them, row by row from the top; visible: of each pixel the sphere's number and the depth,
+  // as SLOT_VISIBLE has them.
+  virtual std::vector<uint> image() = 0;
+  virtual std::vector<uvec2> visible() = 0;
+  virtual DrawCounts draw_counts() = 0;  // needs DrawOptions::count; this and visible(): of the method compute only
+
+  // Decides spheres[2k] against spheres[2k + 1] for every k, with the same code as the kernels: verdict_code() each.
+  virtual std::vector<uint> decide(std::span<const vec4> spheres) = 0;
+
+  // An empty kernel, to measure what a dispatch or launch costs by itself.
+  virtual void launch_empty(uint groups) = 0;
+
+  // A kernel that does nothing else, to measure that ceiling; it writes over velocities and counts. Only devices have
+  // them. `check_ceiling` runs it once and throws BackendError when its result is wrong.
+  virtual void launch_ceiling(Ceiling) { throw BackendError(info().name + ": has no kernels for ceilings"); }
+  virtual void check_ceiling(Ceiling) { throw BackendError(info().name + ": has no kernels for ceilings"); }
+
+  // Throws BackendError naming the buffer when a kernel wrote behind the end of one: guard words stand there.
+  virtual void check_guards() = 0;
+
+  virtual WorkCounts work_counts() const = 0;
+
+  // The host's seconds that the driver takes to compile each kernel, groups of 128, as on its first use; nothing where
+  // kernels are compiled when the program is built.
+  virtual std::vector<StageTime> compile_kernels() { return {}; }
+
+  // With timing on, every kernel is bracketed by the device's timer; the times since the last call, in order.
+  virtual void time_stages(bool on) = 0;
+  virtual std::vector<StageTime> stage_times() = 0;
+};
+
+// The colliding flag of each sphere (the paper's colour) is that its count is not zero.
+inline bool colliding(uint count) { return count != 0; }
+
+struct OpenOptions {
+  int cuda_device = 0;
+  bool require_hardware = false;  // refuse GL in software
+  bool allow_gpu = true;          // false: software GL even where a GPU is
+  bool sparse_buffers = true;     // GL: storage in large pages where the driver has it
+  bool subgroups = true;          // GL: sums through subgroups where the driver has them
+  uint64_t texels = ~0ull;        // GL: texels of a texture buffer at most, where the driver has more
+  int threads = 0;                // of the CPU backend; 0: all cores
+};
+
+}  // namespace spherepair

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "common/backend/checks.h"
+
+#include <fmt/format.h>
+
+namespace spherepair {
+
+void check_collide(const CollideOptions& options) {
+  const bool grid = options.method == Method::collide_grid || options.method == Method::automatic;
+  if (!options.filter && (!options.exact || options.method != Method::collide_grid))
+    throw std::invalid_argument("without its filter only collide_grid runs, and only with the exact predicate");
+  if (!grid && options.tricks != Tricks{.graph = options.tricks.graph, .batch = options.tricks.batch})
+    throw std::invalid_argument("of the tricks, all but the graph and the batch are of the grid");
+  const bool counts = options.grid.sort == Sort::automatic || options.grid.sort == Sort::counting;
+  if (options.grid.scan == Scan::library && !counts)
+    throw std::invalid_argument(
+        "the scan of a library is of the counting sort; leave the sort open or ask for that one");
+  if (options.tricks.graph.value_or(false) && options.tricks.overlap.value_or(false))
+    throw std::invalid_argument(
+        "a step is one graph, or its launches overlap with the step before: ask for one of both");
+}
+
+void refuse_missing(const std::string& backend, const CollideOptions& options, const Tricks& offered, bool thrust) {
+  const auto need = [&](std::optional<bool> wanted, std::optional<bool> there, const char* what, const char* who) {
+    if (wanted.value_or(false) && !there.value_or(false))
+      throw std::invalid_argument(fmt::format("{}: {} is to be had with {} only", backend, what, who));
+  };
+  need(options.grid.sort == Sort::radix, thrust, "the radix sort of Thrust", "the backend cuda");
+  need(options.grid.scan == Scan::library, thrust, "the scan of Thrust", "the backend cuda");
+  need(options.tricks.graph, offered.graph, "a graph of launches", "the backend cuda");
+  need(options.tricks.keep_in_l2, offered.keep_in_l2, "setting L2 aside", "the backend cuda, where the device has it,");
+  need(options.tricks.texture_table, offered.texture_table, "a table in a texture buffer", "the backend glsl");
+  need(options.tricks.texture_spheres, offered.texture_spheres, "spheres in a texture buffer", "the backend glsl");
+  need(options.tricks.batch, offered.batch, "a batch of dispatches", "the backend glsl");
+  need(options.tricks.overlap, offered.overlap, "a launch beside the search before",
+       "the backend glsl and, compiled for compute capability 9.0 or later, cuda");
+  need(options.tricks.library_clear, offered.library_clear, "a clear by the API", "the backends glsl and cuda");
+}
+
+void check_steps(const std::string& backend, uint steps) {
+  if (steps >= ANCHOR_ON_PLANE - 1)
+    throw BackendError(fmt::format("{}: anchored counts {} steps at most; go on from the state as a new scene", backend,
+                                   ANCHOR_ON_PLANE - 1));
+}
+
+void check_swept(const std::string& backend, const CollideOptions& options, MotionOptions motion) {
+  if (options.method != Method::collide_tiled && options.method != Method::parallel)
+    throw std::invalid_argument(
+        fmt::format("{}: contacts between steps are found by collide_tiled and parallel, not {}", backend,
+                    method_name(options.method)));
+  if (motion.precision != Precision::float32)
+    throw std::invalid_argument(fmt::format("{}: contacts between steps need float32 state, not {}", backend,
+                                            precision_name(motion.precision)));
+}
+
+}  // namespace spherepair

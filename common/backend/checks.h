@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What a backend refuses before it begins: options that exclude each other, or that it lacks.
+#pragma once
+
+#include "common/backend/backend.h"
+
+namespace spherepair {
+
+// Throws std::invalid_argument for options that exclude each other.
+void check_collide(const CollideOptions& options);
+
+// Throws std::invalid_argument naming what is asked for and not among the tricks offered; Thrust stands for the sort
+// and the scan of a library.
+void refuse_missing(const std::string& backend, const CollideOptions& options, const Tricks& offered, bool thrust);
+
+// Throws std::invalid_argument when swept contacts are asked for of a method or state that has none.
+void check_swept(const std::string& backend, const CollideOptions& options, MotionOptions motion);
+
+// Throws BackendError when `anchored` has done so many steps that their count would be lost.
+void check_steps(const std::string& backend, uint steps);
+
+}  // namespace spherepair

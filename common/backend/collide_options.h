@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// How a collision step is done, and what it answers.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/backend/grid_plan.h"
+#include "common/scene/pair_set.h"
+#include "common/shared/exact.h"
+
+namespace spherepair {
+
+enum class Method {
+  sequential,        // CPU only: the paper's code 2, one thread, double loop
+  parallel,          // CPU only: all cores, SIMD
+  collide_group,     // the paper's code 4: pairs within a group of `block` consecutive spheres only
+  collide_tiled,     // the paper's code 5: every group through shared memory, each ordered pair tested
+  collide_square,    // two-dimensional arrangement, a single loop
+  collide_triangle,  // each unordered pair once, several spheres per thread: the fastest of all pairs
+  collide_grid,      // only the spheres of neighbouring cells
+  automatic,         // collide_grid or the fastest of all pairs, whichever crossover.h expects to be faster
+};
+
+const char* method_name(Method method);
+Method method_from_name(const std::string& name);  // throws std::invalid_argument with the known names
+std::vector<Method> device_methods();              // the four that GLSL and CUDA mirror
+std::span<const uint> block_sizes();               // 32, 64 ... 1024
+
+// How spheres are put into cell order: by counting them by cell, by splitting them into buckets of cells first, or by
+// the radix sort of a library (CUDA: Thrust).
+enum class Sort { automatic, counting, buckets, radix };
+
+// Who adds up the counts of the cells: our kernels, or a library (CUDA: Thrust).
+enum class Scan { own, library };
+
+// What the grid may skip or do in another way, each to be measured against its opposite.
+struct GridOptions {
+  Cells cells = Cells::automatic;
+  bool keep_order = true;  // spheres that stand in cell order already are not sorted again
+  bool keep_cells = true;  // spheres that have not moved keep the cells of the last step
+  Sort sort = Sort::automatic;
+  Scan scan = Scan::own;   // of the counting sort, which Scan::library therefore asks for
+  bool skip_cells = true;  // of a dense grid, neighbouring cells that a sphere does not reach into are passed over
+  bool replan = true;      // cells are planned anew when spheres may have left those of the last plan
+  auto operator<=>(const GridOptions&) const = default;
+};
+
+// What one API offers and the other lacks, each to be measured against going without. Absent: what was measured to be
+// faster; a backend that lacks one refuses it by name when it is asked for, std::invalid_argument.
+struct Tricks {
+  // CUDA: a step's launches are captured once, replayed while none changes. Absent: on, but for steps that overlap the
+  // one before
+  std::optional<bool> graph = {};
+  std::optional<bool> keep_in_l2 = {};  // CUDA: the table of cells is set aside in the L2 cache. Absent: off
+  // GLSL: collide_grid reads the table of cells through a texture buffer, in parts where one is too small; the sort by
+  // buckets so reads its spheres. Absent: on where they fit
+  std::optional<bool> texture_table = {}, texture_spheres = {};
+  // both: the API's function clears the table, in place of a kernel. Absent: off
+  std::optional<bool> library_clear = {};
+  // GLSL: a step's dispatches go out together, each behind the one barrier that it needs. Off: each behind all
+  // barriers, and the host waits for it. Absent: on
+  std::optional<bool> batch = {};
+  // both, CUDA where kernels are compiled for 9.0 or later: what needs nothing of the search right before it begins
+  // while that is under way, which no graph can, and CUDA's later launches of a step get ready early. Absent: on, the
+  // first not where a graph is asked for or pays more, of few spheres
+  std::optional<bool> overlap = {};
+  bool overlaps(bool graph_pays) const { return overlap.value_or(!graph.value_or(graph_pays)); }
+  auto operator<=>(const Tricks&) const = default;
+};
+
+struct CollideOptions {
+  Method method = Method::collide_triangle;
+  uint block = 128;         // group size of the kernel; decides the set only for collide_group. With `automatic`, 128
+                            // leaves it to crossover.h
+  bool exact = true;        // false: the naive float32 predicate, to measure what exactness costs
+  bool want_pairs = false;  // keep the pairs for pairs()
+  // false: GLSL and CUDA's grid finds the contacts of each sphere only, and does the step again once collisions() asks
+  // for the totals
+  bool want_totals = true;
+  uint columns = 0;       // of collide_triangle: spheres that one group meets; 0: chosen by n. Never changes the set
+  GridOptions grid = {};  // of collide_grid. Never changes the set
+  // Pairs that touch at any time within the next step, in free flight (swept.h): of collide_tiled, and on the CPU of
+  // `parallel`, with float32 state; anything else throws std::invalid_argument.
+  bool swept = false;
+  bool load_radii = false;  // takes the variant for unequal radii even where all are equal. Never changes the set
+  bool filter = true;       // false: collide_grid leaves every pair that it meets to the exact stages
+  Tricks tricks = {};       // never change the set
+};
+
+// What was done and what was left out since the scene was uploaded.
+struct WorkCounts {
+  uint64_t steps = 0;     // calls of collide(), and repetitions because a list was too short
+  uint64_t launches = 0;  // of kernels; a replayed graph counts as one
+  uint64_t sorts = 0, orders_kept = 0, cells_kept = 0;  // of steps through the grid, what became of the cell order
+  uint64_t plans = 0;                                   // of cells, with that of the upload
+  uint64_t graphs_replayed = 0;
+  uint64_t waits = 0;                     // for a launch alone, within steps
+  uint64_t beside = 0;                    // launches that need not wait for the one before
+  uint64_t early = 0;                     // that get ready while the one before is under way; not of replays
+  uint64_t without_radii = 0, lists = 0;  // steps that loaded no radius; that kept a list of pairs
+};
+
+// What a method stands for with the scene that was uploaded: `automatic` names another one, others themselves.
+struct MethodChoice {
+  Method method;
+  uint block;             // group size; 0 on the CPU
+  Cells cells;            // of collide_grid
+  double others_in_cell;  // of that grid, on average over the spheres
+  std::string reason;     // one clause
+};
+std::string describe(const MethodChoice& choice);
+
+// Totals of one collide(). Sizes are numbers of pairs (i<j) or spheres.
+struct Collisions {
+  uint64_t pairs = 0;
+  uint64_t colliding_spheres = 0;  // spheres with at least one contact
+  Fingerprint fingerprint;
+  uint64_t deferred = 0;                      // pairs that the float32 filter left undecided
+  std::array<uint64_t, STAGES> decided_by{};  // of those, by STAGE_*
+};
+
+}  // namespace spherepair

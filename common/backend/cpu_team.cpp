@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "common/backend/cpu_team.h"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <latch>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "common/backend/backend.h"
+
+namespace spherepair {
+
+// As many threads of our own, all there at once, show whether OpenMP's can start. Theirs then stay until the end.
+void start_team(int threads) {
+  const size_t wanted = size_t(threads > 0 ? threads : omp_get_num_procs()) - 1;  // beside this one
+  std::vector<std::thread> trial;
+  std::latch all_tried(1);
+  std::string trouble;
+  try {
+    trial.reserve(wanted);
+    while (trial.size() < wanted) trial.emplace_back([&] { all_tried.wait(); });
+  } catch (const std::exception& error) {
+    trouble = error.what();
+  }
+  const size_t started = trial.size();
+  all_tried.count_down();
+  for (std::thread& thread : trial) thread.join();
+  if (started < wanted)
+    throw BackendError(fmt::format(
+        "only {} of {} threads could be started ({}): ask for fewer with --threads, or raise the limits on processes "
+        "and memory (ulimit -u, ulimit -v)",
+        started + 1, wanted + 1, trouble));
+  omp_set_num_threads(int(wanted) + 1);
+  int running = 0;
+#pragma omp parallel reduction(+ : running)
+  running += 1;
+}
+
+}  // namespace spherepair

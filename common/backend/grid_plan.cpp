@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "common/backend/grid_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "common/shared/cell.h"
+#include "common/shared/view.h"
+
+namespace spherepair {
+namespace {
+
+constexpr double huge_radius = 0x1p100;    // above, cells would overflow float32: one cell holds everything
+constexpr double smallest_side = 0x1p-90;  // far above what flushed denormals can move
+constexpr uint64_t sample_size = 1 << 16;
+constexpr uint64_t spheres_per_bucket =
+    SORT_EACH * SORT_BLOCK * 5 / 6;  // on average, at most: few then have more than a group's threads hold
+static_assert(SORT_EACH * SORT_BLOCK <= CELLS_PER_BUCKET);
+constexpr float many_octaves = 4;  // largest over smallest radius from which on levels pay
+
+struct Extent {
+  double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+  float smallest = 0, largest = 0;  // radius
+
+  double length(int axis) const { return high[axis] - low[axis]; }
+};
+
+// Of the finite numbers: spheres may have left float32, and the others' cells are no worse for that.
+Extent extent_of(const std::vector<vec4>& spheres) {
+  constexpr float most = std::numeric_limits<float>::max();
+  const auto widen = [](float& low, float& high, float x) {
+    if (std::isfinite(x)) low = std::min(low, x), high = std::max(high, x);
+  };
+  float x0 = most, y0 = most, z0 = most, r0 = most, x1 = -most, y1 = -most, z1 = -most, r1 = 0;
+#pragma omp parallel for reduction(min : x0, y0, z0, r0) reduction(max : x1, y1, z1, r1) if (spheres.size() > 100000)
+  for (size_t i = 0; i < spheres.size(); ++i) {
+    const vec4& s = spheres[i];
+    widen(x0, x1, s.x), widen(y0, y1, s.y), widen(z0, z1, s.z), widen(r0, r1, s.w);
+  }
+  Extent extent{{x0, y0, z0}, {x1, y1, z1}, std::min(r0, r1), r1};
+  for (int axis = 0; axis < 3; ++axis)
+    if (extent.low[axis] > extent.high[axis]) extent.low[axis] = extent.high[axis] = 0;
+  return extent;
+}
+
+double cells_along(double length, double side) { return std::floor(length / side) + 1; }
+
+uint64_t slot_limit(uint64_t n) { return std::max(slots_per_sphere * n, least_slots); }
+
+// What rounding may move a place by, in cells, when an axis has so many of them: 12 units in the last place.
+double place_margin(double cells) { return cells * 12 * 0x1p-24; }
+
+// The smallest side whose cells stay within the limit and are longer than the largest diameter, so that a sphere's
+// reach is less than a cell. At worst one cell holds everything.
+double dense_side(const Extent& extent, uint64_t n) {
+  const double limit = double(slot_limit(n));
+  const double longest = std::max({extent.length(0), extent.length(1), extent.length(2)});
+  const double one_cell = 2 * longest + 4.0 * double(extent.largest) + smallest_side;
+  double side = std::max({2.0 * double(extent.largest) * (1 + 0x1p-8), longest * 0x1p-19, smallest_side});
+  while (side < one_cell) {
+    double cells = 1;
+    for (int axis = 0; axis < 3; ++axis) cells *= cells_along(extent.length(axis), side);
+    const double reach = 2.0 * double(extent.largest) / side + place_margin(cells_along(longest, side));
+    if (cells <= limit && reach < 1 - 0x1p-9) return side;
+    side *= std::max(std::min(std::cbrt(cells / limit), 1000.0), 1.002);
+  }
+  return one_cell;
+}
+
+GridPlan dense_plan(const Extent& extent, uint64_t n) {
+  GridPlan plan;
+  plan.cells = Cells::dense;
+  plan.largest_radius = extent.largest;
+  if (double(extent.largest) > huge_radius) return plan;
+  plan.side = float(dense_side(extent, n));
+  plan.slots = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    plan.origin[axis] = float(extent.low[axis]);
+    plan.size[axis] = uint(cells_along(extent.length(axis), plan.side));
+    plan.slots *= plan.size[axis];
+  }
+  return plan;
+}
+
+uint octave(float radius) { return std::bit_cast<uint>(radius) >> 23; }
+
+// The median coordinate of a sample: cells are fine where the crowd is, however far away a few spheres are, since
+// float32 places are finest near the origin.
+float middle_of(const std::vector<vec4>& spheres, float vec4::*axis) {
+  const uint64_t m = std::min<uint64_t>(spheres.size(), 1023);
+  std::vector<float> sample(m);
+  for (uint64_t k = 0; k < m; ++k) sample[k] = spheres[k * spheres.size() / m].*axis;
+  std::erase_if(sample, [](float x) { return !std::isfinite(x); });
+  const auto middle = sample.begin() + ptrdiff_t(sample.size() / 2);
+  std::ranges::nth_element(sample, middle);
+  return sample.empty() ? 0 : *middle;
+}
+
+void set_middle(GridPlan& plan, const std::vector<vec4>& spheres) {
+  plan.origin[0] = middle_of(spheres, &vec4::x);
+  plan.origin[1] = middle_of(spheres, &vec4::y);
+  plan.origin[2] = middle_of(spheres, &vec4::z);
+}
+
+GridPlan hashed_plan(const std::vector<vec4>& spheres, const Extent& extent) {
+  GridPlan plan;
+  plan.cells = Cells::hashed;
+  plan.slots = uint(std::bit_ceil(std::max<uint64_t>(spheres.size(), least_slots)));
+  set_middle(plan, spheres);
+  plan.largest_radius = extent.largest;
+  plan.side = std::max(2 * extent.largest, float(smallest_side));
+  if (extent.largest <= many_octaves * extent.smallest) return plan;
+  const uint top = octave(extent.largest);
+  plan.first_octave = std::max({octave(extent.smallest), top > 24 ? top - 24 : 0, octave(float(smallest_side))});
+  if (top <= plan.first_octave) return plan;
+  plan.top_level = top - plan.first_octave;
+  plan.largest_radius = std::bit_cast<float>((plan.first_octave + 1) << 23);
+  plan.side = 2 * plan.largest_radius;
+  Params p{};
+  set_grid(p, plan);
+  plan.levels = 0;
+  for (const vec4& sphere : spheres) plan.levels |= 1u << level_of(sphere.w, p);
+  return plan;
+}
+
+// How many others of n spheres share a sphere's slot, on average over them, estimated from some of these.
+double crowding(const std::vector<vec4>& spheres, const GridPlan& plan, uint64_t n) {
+  const uint64_t m = std::min<uint64_t>(spheres.size(), sample_size);
+  if (m < 2) return 0;
+  Params p{};
+  set_grid(p, plan);
+  std::vector<uint> slots(m);
+  for (uint64_t k = 0; k < m; ++k) slots[k] = slot_of(spheres[k * spheres.size() / m], p);
+  std::ranges::sort(slots);
+  double pairs = 0;
+  for (uint64_t first = 0, k = 0; k < m; ++k) {
+    if (slots[k] != slots[first]) first = k;
+    pairs += double(k - first);
+  }
+  return 2 * pairs / double(m) * double(n - 1) / double(m - 1);
+}
+
+// Both plans, and which of them is taken, for n spheres like these.
+GridPlans choose(const GridPlan& dense, const GridPlan& hashed, const std::vector<vec4>& spheres, uint64_t n) {
+  GridPlans plans{dense, hashed, Cells::dense, 0, 0, {}};
+  plans.dense_crowd = crowding(spheres, dense, n);
+  plans.hashed_crowd = crowding(spheres, hashed, n);
+  // A sphere looks into the cells of every level, and a hashed cell costs some four times a dense one.
+  if (plans.dense_crowd > 4 * std::popcount(hashed.levels) * (plans.hashed_crowd + 1)) plans.chosen = Cells::hashed;
+  plans.reason =
+      fmt::format("{}: {:.3g} other spheres in a sphere's cell if dense (side {:.3g} m), {:.3g} if hashed ({:.3g} m)",
+                  plans.chosen == Cells::dense ? "dense" : "hashed", plans.dense_crowd, dense.side, plans.hashed_crowd,
+                  hashed.side);
+  return plans;
+}
+
+}  // namespace
+
+GridPlans plan_grids(const std::vector<vec4>& spheres) {
+  const uint64_t n = spheres.size();
+  const Extent extent = extent_of(spheres);
+  const GridPlan dense = dense_plan(extent, n);
+  if (double(extent.largest) > huge_radius)
+    return {dense, dense, Cells::dense, double(n), double(n), "dense: the largest radius leaves one cell"};
+  return choose(dense, hashed_plan(spheres, extent), spheres, n);
+}
+
+GridPlans plan_grids_anew(const GridPlans& before, const std::vector<vec4>& sample, uint64_t n) {
+  Extent extent = extent_of(sample);
+  extent.largest = before.dense.largest_radius;
+  if (double(extent.largest) > huge_radius) return before;
+  GridPlan hashed = before.hashed;
+  set_middle(hashed, sample);
+  return choose(dense_plan(extent, n), hashed, sample, n);
+}
+
+BucketPlan plan_buckets(uint64_t spheres, uint slots, uint least_buckets) {
+  const auto ranges = [=](uint shift) { return (slots >> shift) + 1; };
+  uint shift = std::bit_width(CELLS_PER_BUCKET) - 1;
+  while (shift > 0 && (ranges(shift) < least_buckets || spheres > spheres_per_bucket * ranges(shift))) --shift;
+  const uint buckets = ranges(shift);
+  if (buckets <= BUCKETS_AT_MOST && spheres <= SPLIT_TILE * SORT_BLOCK) return {shift, buckets, ONE_PARENT};
+  uint parent = shift + uint(std::bit_width(buckets)) / 2;
+  while (ranges(parent) > BUCKETS_AT_MOST) ++parent;
+  return {shift, buckets, parent};
+}
+
+void set_grid(Params& p, const GridPlan& plan, bool skip_cells) {
+  p.origin_x = plan.origin[0], p.origin_y = plan.origin[1], p.origin_z = plan.origin[2];
+  p.cells_per_metre = 1 / plan.side;
+  p.largest_radius = plan.largest_radius;
+  const double fades_within = OCCLUSION_RADII * std::max(double(plan.largest_radius), 0x1p-30);
+  p.fade = float(1 / (fades_within * fades_within));
+  const double scale = double(p.cells_per_metre) * (1 + 0x1p-19);
+  p.reach_scale = float(scale);
+  p.reach_offset =
+      float(scale * double(plan.largest_radius) + place_margin(std::max({plan.size[0], plan.size[1], plan.size[2]})));
+  if (!skip_cells) p.reach_scale = 0, p.reach_offset = float(1 - 0x1p-9);
+  p.cells_x = plan.size[0], p.cells_y = plan.size[1], p.cells_z = plan.size[2];
+  p.cell_slots = plan.slots;
+  p.hash_mask = plan.cells == Cells::hashed ? plan.slots - 1 : 0;
+  p.first_octave = plan.first_octave;
+  p.top_level = plan.top_level;
+  p.levels = plan.levels;
+}
+
+}  // namespace spherepair

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "common/backend/method_choice.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace spherepair {
+namespace {
+
+// 0: cells are dense.
+uint hashed_levels(const GridPlan& plan) { return plan.cells == Cells::hashed ? uint(std::popcount(plan.levels)) : 0; }
+
+Method all_pairs(const BackendInfo& info, uint64_t n, const GridPlans& plans, bool swept) {
+  if (info.name == "cpu") return Method::parallel;
+  if (swept) return Method::collide_tiled;
+  return square_pays(crossover_of(info), n, plans.hashed_crowd) ? Method::collide_square : Method::collide_triangle;
+}
+
+bool takes_grid(const BackendInfo& info, uint64_t n, const GridPlans& plans, const CollideOptions& options) {
+  const Cells wanted = options.grid.cells;
+  return !options.swept && grid_pays(crossover_of(info), n, plans.crowd(wanted), hashed_levels(plans.plan(wanted)));
+}
+
+std::string reason_of(const Crossover& row, uint64_t n, double crowd, uint levels, bool grid) {
+  std::string text = fmt::format("{} spheres, {:.3g} others in a sphere's cell", n, crowd);
+  if (levels > 1) text += fmt::format(", {} levels of cells", levels);
+  if (grid && crowd_pays(row, n, crowd, levels))
+    return text + fmt::format("; the grid is ahead from {} others on", row.crowd_from);
+  if (most_pairs_near(row, n, crowd)) return text + "; with so many of all in one cell the grid leaves out too little";
+  if (!grid && n < crowd_least && levels == 0 && crowd >= row.crowd_from)
+    return text + fmt::format("; in such a crowd the grid is ahead from {} on", crowd_least);
+  const double from = std::ceil(grid_from(row, crowd, levels));
+  const char* cells = levels ? "in hashed cells" : "with so many others";
+  return text + fmt::format("; {} the grid is ahead {}from {:.0f} on", cells, grid ? "" : "only ", from);
+}
+
+}  // namespace
+
+const Crossover& crossover_of(const BackendInfo& info) {
+  const bool many = info.name == "cpu" && std::stoi(info.details.at("threads")) > few_threads;
+  const std::string device = info.software ? info.name + " in software" : many ? "cpu of many threads" : info.name;
+  for (const Crossover& row : crossovers)
+    if (device == row.device) return row;
+  throw BackendError(fmt::format("{}: no crossover of grid and all pairs is known; name a method", device));
+}
+
+void leave_all_undecided(Params& params) {
+  params.apart_above = params.filter_scale = std::numeric_limits<float>::infinity();
+  params.collide_below = -1;
+}
+
+Method chosen_method(const BackendInfo& info, uint64_t n, const GridPlans& plans, const CollideOptions& options) {
+  if (options.method != Method::automatic) return options.method;
+  if (takes_grid(info, n, plans, options)) return Method::collide_grid;
+  return all_pairs(info, n, plans, options.swept);
+}
+
+uint chosen_block(const BackendInfo& info, uint64_t n, Method chosen, const CollideOptions& options) {
+  if (options.method != Method::automatic || options.block != CollideOptions{}.block) return options.block;
+  const Crossover& row = crossover_of(info);
+  if (chosen == Method::collide_square)
+    return n <= row.narrow_to ? narrow_block : n <= row.square_block_to ? square_block : options.block;
+  return chosen == Method::collide_grid && n >= row.wide_from ? wide_block : options.block;
+}
+
+MethodChoice explain_choice(const BackendInfo& info, uint64_t n, const GridPlans& plans,
+                            const CollideOptions& options) {
+  const Cells wanted = options.grid.cells;
+  const Method method = chosen_method(info, n, plans, options);
+  const uint block = info.name == "cpu" ? 0 : chosen_block(info, n, method, options);
+  MethodChoice choice{method, block, plans.plan(wanted).cells, plans.crowd(wanted), "asked for"};
+  if (options.method != Method::automatic) return choice;
+  choice.reason = options.swept ? "the method that finds pairs within the next step"
+                                : reason_of(crossover_of(info), n, plans.crowd(wanted),
+                                            hashed_levels(plans.plan(wanted)), choice.method == Method::collide_grid);
+  if (block) choice.reason += fmt::format("; groups of {}", block);
+  return choice;
+}
+
+std::string describe(const MethodChoice& choice) {
+  const bool grid = choice.method == Method::collide_grid;
+  const char* cells = choice.cells == Cells::dense ? ", dense cells" : ", hashed cells";
+  return fmt::format("{}{} ({})", method_name(choice.method), grid ? cells : "", choice.reason);
+}
+
+}  // namespace spherepair

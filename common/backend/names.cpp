@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Names of methods, as options and records have them.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "common/backend/backend.h"
+#include "common/backend/shared_drawing.h"
+
+namespace spherepair {
+namespace {
+
+constexpr std::array<const char*, 8> method_names = {
+    "sequential",     "parallel",         "collide_group", "collide_tiled",
+    "collide_square", "collide_triangle", "collide_grid",  "auto"};
+constexpr std::array<const char*, 6> draw_method_names = {"compute",      "mesh_each", "mesh",
+                                                          "mesh_indexed", "points",    "impostor"};
+constexpr std::array<DrawMethod, 6> draw_methods = {DrawMethod::compute, DrawMethod::mesh_each,
+                                                    DrawMethod::mesh,    DrawMethod::mesh_indexed,
+                                                    DrawMethod::points,  DrawMethod::impostor};
+constexpr std::array<uint, 6> blocks = {32, 64, 128, 256, 512, 1024};
+
+}  // namespace
+
+const char* method_name(Method method) { return method_names[size_t(method)]; }
+
+Method method_from_name(const std::string& name) {
+  const auto found = std::ranges::find(method_names, name);
+  if (found == method_names.end()) {
+    throw std::invalid_argument(fmt::format("unknown method '{}'; known are {}", name, fmt::join(method_names, ", ")));
+  }
+  return Method(found - method_names.begin());
+}
+
+const char* draw_method_name(DrawMethod method) { return draw_method_names[size_t(method)]; }
+
+DrawMethod draw_method_from_name(const std::string& name) {
+  const auto found = std::ranges::find(draw_method_names, name);
+  if (found == draw_method_names.end()) {
+    throw std::invalid_argument(
+        fmt::format("unknown method of drawing '{}'; known are {}", name, fmt::join(draw_method_names, ", ")));
+  }
+  return DrawMethod(found - draw_method_names.begin());
+}
+
+std::span<const DrawMethod> all_draw_methods() { return draw_methods; }
+
+std::vector<Method> device_methods() {
+  return {Method::collide_group, Method::collide_tiled, Method::collide_square, Method::collide_triangle,
+          Method::collide_grid};
+}
+
+std::span<const uint> block_sizes() { return blocks; }
+
+const char* hand_over_name(HandOver way) {
+  constexpr const char* names[] = {"host", "registered", "imported"};
+  return names[size_t(way)];
+}
+
+}  // namespace spherepair

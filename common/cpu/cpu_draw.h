@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The rasteriser on the CPU: the reference of the kernels draw_*.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "common/backend/backend.h"
+
+namespace spherepair {
+
+struct CpuPicture {
+  std::vector<uint> image;     // as SLOT_IMAGE
+  std::vector<uvec2> visible;  // as SLOT_VISIBLE
+  DrawCounts counts;
+};
+// p: with the dense cells for the light; only looked at when the view asks for LIGHT_*.
+CpuPicture draw_picture(std::span<const vec4> spheres, std::span<const uint> contacts, const View& view,
+                        const Params& p, int threads);
+
+}  // namespace spherepair

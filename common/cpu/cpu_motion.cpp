@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "common/cpu/cpu_motion.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "common/backend/checks.h"
+#include "common/scene/scene_bounds.h"
+#include "common/scene/scene_params.h"
+#include "common/shared/motion.h"
+
+namespace spherepair {
+namespace {
+
+constexpr uint64_t few = 4096;  // spheres for which threads cost more than they save
+
+}  // namespace
+
+void CpuMotion::upload(const Scene& scene) {
+  motion_ = scene.motion;
+  unmovable_ = why_unmovable(scene);
+  params_ = scene_params(scene, true);
+  positions_ = scene.positions;
+  velocities_ = scene.velocities;
+  kept_ = initial_state(scene, params_);
+  placed_ = true;
+}
+
+template <typename Real>
+Moving<Real> CpuMotion::load(uint64_t i) const {
+  const vec4 &at = positions_[i], &v = velocities_[i];
+  if constexpr (std::is_same_v<Real, float>) return {at.x, at.y, at.z, v.x, v.y, v.z, at.w};
+  const uint64_t n = positions_.size();
+  const auto wide = [&](uint64_t k) { return load_real<Real>(kept_.wide, k * n + i); };
+  return {wide(0), wide(1), wide(2), wide(3), wide(4), wide(5), at.w};
+}
+
+// Velocities and the wide state only when the whole state is wanted.
+template <typename Real>
+void CpuMotion::store(uint64_t i, const Moving<Real>& sphere, bool whole) {
+  positions_[i] = {nearest(sphere.x), nearest(sphere.y), nearest(sphere.z), sphere.radius};
+  if (!whole) return;
+  if constexpr (std::is_same_v<Real, float>) {
+    velocities_[i] = {sphere.vx, sphere.vy, sphere.vz, 0};
+  } else {
+    const Real values[6] = {sphere.x, sphere.y, sphere.z, sphere.vx, sphere.vy, sphere.vz};
+    for (uint64_t k = 0; k < 6; ++k) store_real(kept_.wide, k * positions_.size() + i, values[k]);
+  }
+}
+
+template <typename Real>
+void CpuMotion::step_all(int threads) {
+  const uint method = uint(motion_.method);
+#pragma omp parallel for num_threads(threads) schedule(static) if (positions_.size() > few)
+  for (uint64_t i = 0; i < positions_.size(); ++i) store(i, take_step(method, load<Real>(i), params_), true);
+}
+
+template <typename Real>
+void CpuMotion::bounce_all(int threads) {
+  const uint now = due_only_ ? params_.steps_done : NEVER_DUE - 1u;
+#pragma omp parallel for num_threads(threads) schedule(static) if (positions_.size() > few)
+  for (uint64_t i = 0; i < positions_.size(); ++i) {
+    if (now < kept_.due[i]) continue;
+    const Anchor<Real> anchor = anchor_anew(load_anchor<Real>(i), params_);
+    store_real(kept_.flights, i, anchor.speed);
+    store_real(kept_.flights, positions_.size() + i, anchor.age);
+    kept_.since[i] = anchor.since;
+    kept_.due[i] = next_due(anchor, params_);
+  }
+}
+
+void CpuMotion::move(int threads) {
+  if (!unmovable_.empty()) throw std::invalid_argument(unmovable_);
+  with_real(motion_.precision, [&](auto kind) {
+    using Real = decltype(kind);
+    if (motion_.method != MotionMethod::anchored) return step_all<Real>(threads);
+    check_steps("cpu", kept_.steps);
+    params_.steps_done = ++kept_.steps;
+    bounce_all<Real>(threads);
+    placed_ = false;
+  });
+}
+
+void CpuMotion::place(int threads, bool whole) {
+  params_.steps_done = kept_.steps;
+  with_real(motion_.precision, [&](auto kind) {
+    using Real = decltype(kind);
+#pragma omp parallel for num_threads(threads) schedule(static) if (positions_.size() > few)
+    for (uint64_t i = 0; i < positions_.size(); ++i) store(i, place_sphere(load_anchor<Real>(i), params_), whole);
+  });
+  placed_ = true;
+}
+
+const std::vector<vec4>& CpuMotion::positions(int threads) {
+  if (!placed_) place(threads, false);
+  return positions_;
+}
+
+Backend::State CpuMotion::state(int threads) {
+  if (motion_.method == MotionMethod::anchored) place(threads, true);
+  if (kept_.wide.empty()) return {positions_, velocities_, {}};
+  return {positions_, rounded_velocities(kept_.wide, motion_.precision, positions_.size()), kept_.wide};
+}
+
+MotionState CpuMotion::save(int threads) {
+  state(threads);
+  return kept_;
+}
+
+void CpuMotion::resume(const Scene& scene, const MotionState& saved) {
+  unmovable_ = why_unmovable(scene, std::numeric_limits<float>::max());
+  kept_ = saved;
+  placed_ = motion_.method != MotionMethod::anchored;
+}
+
+}  // namespace spherepair

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The CPU's spheres and how they move.
+#pragma once
+
+#include "common/backend/backend.h"
+#include "common/shared/anchor.h"
+
+namespace spherepair {
+
+template <typename Real>
+Anchor<Real> anchor_of(const MotionState& kept, const vec4& velocity, uint64_t i) {
+  const uint64_t n = kept.anchors.size();
+  return {kept.anchors[i],
+          snap(velocity.x),
+          snap(velocity.z),
+          load_real<Real>(kept.flights, i),
+          load_real<Real>(kept.flights, n + i),
+          kept.since[i]};
+}
+
+class CpuMotion {
+ public:
+  void upload(const Scene& scene);
+  MotionOptions options() const { return motion_; }
+  void move(int threads);
+  void look_at_due_only(bool on) { due_only_ = on; }
+
+  // As they stand now; of `anchored` they are evaluated when they are asked for.
+  const std::vector<vec4>& positions(int threads);
+  Backend::State state(int threads);
+
+  MotionState save(int threads);
+  // After the upload of that scene.
+  void resume(const Scene& scene, const MotionState& saved);
+
+ private:
+  template <typename Real>
+  Moving<Real> load(uint64_t i) const;
+  template <typename Real>
+  void store(uint64_t i, const Moving<Real>& sphere, bool whole);
+  template <typename Real>
+  Anchor<Real> load_anchor(uint64_t i) const {
+    return anchor_of<Real>(kept_, velocities_[i], i);
+  }
+  template <typename Real>
+  void step_all(int threads);
+  template <typename Real>
+  void bounce_all(int threads);
+  void place(int threads, bool whole);
+
+  MotionOptions motion_;
+  std::string unmovable_;  // why
+  Params params_{};
+  std::vector<vec4> positions_, velocities_;
+  MotionState kept_;
+  bool placed_ = true;  // positions are those of this step
+  bool due_only_ = true;
+};
+
+}  // namespace spherepair

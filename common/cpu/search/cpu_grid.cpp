@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "common/cpu/search/cpu_grid.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <atomic>
+
+#include "common/backend/cpu_team.h"
+#include "common/shared/exact.h"
+
+namespace spherepair {
+namespace {
+
+constexpr uint64_t alone = 32768;  // spheres up to which passing over them is not worth a second thread
+
+}  // namespace
+
+// What one thread has found. Within its stretch of places it counts alone; contacts of other places are counted apart,
+// where several threads may meet.
+class CpuGrid::Finder final : public MeetingSink {
+ public:
+  Finder(CpuGrid& grid, const PairSearch& search, const Params& p, GrowingList<uint64_t>& list)
+      : simd_(grid.simd_),
+        order_(grid.cells_.order()),
+        p_(p),
+        near_counts_(grid.near_counts_.data()),
+        far_counts_(grid.far_counts_.data()),
+        list_(search.options.want_pairs ? &list : nullptr) {}
+
+  void search(Stretch stretch) {
+    stretch_ = stretch;
+    std::fill(near_counts_ + stretch.first, near_counts_ + stretch.last, 0u);
+    simd_.find_meetings(order_, p_, stretch.first, stretch.last, meetings_, *this);
+    take(meetings_);
+  }
+
+  void take(Meetings& meetings) override {
+    settle(meetings);
+    const Fingerprint sum = simd_.mix(meetings, order_.id, keys_);
+    totals_.pairs += meetings.size;
+    totals_.fingerprint.a += sum.a;
+    totals_.fingerprint.b += sum.b;
+    for (uint k = 0; k < meetings.size; ++k) {
+      ++near_counts_[meetings.mine[k]];
+      touch(meetings.other[k]);
+    }
+    if (list_) list_->append(keys_, meetings.size);
+    meetings.size = 0;
+  }
+
+  void add_to(Collisions& totals) const {
+    totals.pairs += totals_.pairs;
+    totals.fingerprint.a += totals_.fingerprint.a;
+    totals.fingerprint.b += totals_.fingerprint.b;
+    totals.deferred += totals_.deferred;
+    for (uint stage = 0; stage < STAGES; ++stage) totals.decided_by[stage] += totals_.decided_by[stage];
+  }
+
+ private:
+  void touch(uint place) {
+    if (place - stretch_.first < stretch_.last - stretch_.first) {
+      ++near_counts_[place];
+    } else {
+      std::atomic_ref(far_counts_[place]).fetch_add(1, std::memory_order_relaxed);
+    }
+  }
+
+  // Drops the undecided meetings that are no collisions.
+  void settle(Meetings& meetings) {
+    uint flags = 0;
+    for (uint k = 0; k < meetings.size; ++k) flags |= meetings.other[k];
+    if (!(flags & UNDECIDED_BIT)) return;
+    uint kept = 0;
+    for (uint k = 0; k < meetings.size; ++k) {
+      const uint mine = meetings.mine[k], other = meetings.other[k] & ~UNDECIDED_BIT;
+      if (meetings.other[k] & UNDECIDED_BIT && !decide(mine, other)) continue;
+      meetings.mine[kept] = mine;
+      meetings.other[kept++] = other;
+    }
+    meetings.size = kept;
+  }
+
+  bool decide(uint mine, uint other) {
+    if (!p_.defer_undecided) return false;
+    const Verdict verdict = decide_exact(sphere(mine), sphere(other));
+    ++totals_.deferred;
+    ++totals_.decided_by[verdict.stage];
+    return verdict.collide;
+  }
+
+  vec4 sphere(uint place) const {
+    return {order_.x[place], order_.y[place], order_.z[place], order_.radius ? order_.radius[place] : p_.radius};
+  }
+
+  const GridSimd& simd_;
+  const CellOrder order_;
+  const Params& p_;
+  uint *near_counts_, *far_counts_;
+  GrowingList<uint64_t>* list_;
+  Stretch stretch_{};
+  Collisions totals_;
+  Meetings meetings_;
+  uint64_t keys_[meetings_at_once];
+};
+
+PairsFound CpuGrid::search(const PairSearch& search, const GridPlan& plan, bool keep_cells) {
+  Params p = search.params;
+  n_ = search.positions.size();
+  p.n = uint(n_);
+  set_grid(p, plan, search.options.grid.skip_cells);
+  if (!keep_cells) cells_.sort(search.positions, p, !search.equal_radii, search.threads);
+  near_counts_.resize(n_);
+  far_counts_.resize(n_);
+  PairsFound found;
+  found.totals = find(search, p);
+  found.totals.colliding_spheres = join_counts(search.threads);
+  if (!search.options.want_pairs) return found;
+  join_lists<uint64_t>(lists_, found.totals.pairs, 2 * sizeof(Pair) * found.totals.pairs,
+                       [&] { list_sort_.sort(lists_, n_, search.threads, found.list); });
+  return found;
+}
+
+Collisions CpuGrid::find(const PairSearch& search, const Params& p) {
+  Collisions totals;
+  const std::vector<Stretch> stretches = cells_.stretches(search.threads);
+  const int threads = team_of(stretches.size(), search.threads);
+  lists_.resize(size_t(threads));
+  for (GrowingList<uint64_t>& list : lists_) list.clear();
+#pragma omp parallel num_threads(threads)
+  {
+#pragma omp for schedule(static)
+    for (uint64_t k = 0; k < n_; ++k) far_counts_[k] = 0;
+    Finder finder(*this, search, p, lists_[size_t(omp_get_thread_num())]);
+#pragma omp for schedule(dynamic, 1)
+    for (size_t s = 0; s < stretches.size(); ++s) finder.search(stretches[s]);
+#pragma omp critical
+    finder.add_to(totals);
+  }
+  return totals;
+}
+
+uint64_t CpuGrid::join_counts(int threads) {
+  uint64_t with_contacts = 0;
+#pragma omp parallel for num_threads(threads) schedule(static) reduction(+ : with_contacts) if (n_ > alone)
+  for (uint64_t k = 0; k < n_; ++k) {
+    near_counts_[k] += far_counts_[k];
+    with_contacts += colliding(near_counts_[k]);
+  }
+  return with_contacts;
+}
+
+std::vector<uint> CpuGrid::counts(int threads) const {
+  std::vector<uint> counts(n_);
+  const uint* id = cells_.order().id;
+#pragma omp parallel for num_threads(threads) schedule(static) if (n_ > alone)
+  for (uint64_t k = 0; k < n_; ++k) counts[id[k]] = near_counts_[k];
+  return counts;
+}
+
+}  // namespace spherepair

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The collision step of the CPU backend through the grid. It keeps its memory from call to call.
+#pragma once
+
+#include "common/cpu/search/cpu_grid_sort.h"
+#include "common/cpu/search/cpu_pair_list.h"
+#include "common/cpu/search/cpu_pairs.h"
+
+namespace spherepair {
+
+class CpuGrid {
+ public:
+  explicit CpuGrid(const GridSimd& simd = grid_simds().front()) : simd_(simd), cells_(simd) {}
+
+  // All but the counts, which are put into the order of the spheres when they are asked for. With keep_cells the
+  // spheres are those of the last search, in the same cells.
+  PairsFound search(const PairSearch& search, const GridPlan& plan, bool keep_cells);
+  std::vector<uint> counts(int threads) const;  // of the last search
+
+ private:
+  class Finder;
+
+  Collisions find(const PairSearch& search, const Params& p);
+  uint64_t join_counts(int threads);
+
+  const GridSimd& simd_;
+  CellSort cells_;
+  uint64_t n_ = 0;
+  Buffer<uint> near_counts_, far_counts_;  // contacts by place: within a sphere's own stretch, and beyond
+  std::vector<GrowingList<uint64_t>> lists_;
+  PairSort list_sort_;
+};
+
+}  // namespace spherepair

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The grid's loops that run on vectors, for one instruction set: cell numbers, and the search of a half neighbourhood.
+#pragma once
+
+#include <span>
+
+#include "common/scene/pair_set.h"
+#include "common/shared/hash.h"
+#include "common/shared/layout.h"
+
+namespace spherepair {
+
+// Spheres in cell order, component by component; a whole vector may be read behind the last.
+struct CellOrder {
+  const float *x, *y, *z;
+  const float* radius;  // null when all are Params.radius
+  const uint* id;       // which sphere stands at each place
+  const uint* begin;    // of each slot, and of the one behind the last
+};
+
+// Pairs of places that are in reach of each other; UNDECIDED_BIT is set in `other` where the filter leaves it open.
+constexpr uint UNDECIDED_BIT = 0x80000000u;
+constexpr uint meetings_at_once = 2048;
+constexpr uint spheres_at_once = 8;  // of a row of cells, that meet the same vector of others
+constexpr uint quad = 4;             // of these, whose meetings are one mask
+constexpr uint widest_vector = 16;
+struct Meetings {
+  alignas(64) uint mine[meetings_at_once + widest_vector], other[meetings_at_once + widest_vector];
+  uint size = 0;
+};
+
+class MeetingSink {
+ public:
+  virtual void take(Meetings& meetings) = 0;  // and empties them
+
+ protected:
+  ~MeetingSink() = default;
+};
+
+struct GridSimd {
+  const char* name;
+  // slot_of every sphere; radii of records stand apart, since w has their index.
+  void (*find_slots)(const vec4* spheres, const float* radii, uint count, const Params& p, uint* slots);
+  // Every pair that a sphere at the places from first to last meets in its half neighbourhood.
+  void (*find_meetings)(const CellOrder& order, const Params& p, uint first, uint last, Meetings& found,
+                        MeetingSink& sink);
+  // first << 32 | second of the pairs of spheres at these places, and the sum of their fingerprints.
+  Fingerprint (*mix)(const Meetings& meetings, const uint* id, uint64_t* keys);
+};
+
+std::span<const GridSimd> grid_simds();  // those that this machine can run, the fastest first
+
+}  // namespace spherepair

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Spheres into cell order on the CPU.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "common/cpu/search/cpu_grid_simd.h"
+#include "common/scene/host_buffer.h"
+
+namespace spherepair {
+
+// Consecutive places that make one task of the search.
+struct Stretch {
+  uint first, last;
+};
+
+class CellSort {
+ public:
+  explicit CellSort(const GridSimd& simd) : simd_(simd) {}
+
+  // A counting sort by slot_of, in two passes: into buckets of consecutive slots, so that the second pass stays in the
+  // cache. `radii` says whether the order keeps them.
+  void sort(std::span<const vec4> spheres, const Params& p, bool radii, int threads);
+
+  CellOrder order() const {
+    return {x_.data(), y_.data(), z_.data(), radii_ ? radius_.data() : nullptr, id_.data(), begin_.data()};
+  }
+  // All places in stretches of about the same work, several for each thread.
+  std::vector<Stretch> stretches(int threads) const;
+
+ private:
+  struct Bucket {
+    uint first, last;  // places
+    uint64_t work;     // estimated
+  };
+
+  void plan(uint64_t n, const Params& p);
+  void count_buckets(std::span<const vec4> spheres, const Params& p, int threads);
+  void place_buckets();
+  void fill_buckets(std::span<const vec4> spheres, const Params& p, int threads);
+  void order_bucket(uint number, const Params& p);
+
+  // Runs act(k, slot) for the spheres from first to last.
+  template <typename Act>
+  void for_slots(const vec4* spheres, const float* radii, uint64_t first, uint64_t last, const Params& p,
+                 Act act) const;
+
+  const GridSimd& simd_;
+  bool radii_ = false;
+  uint64_t n_ = 0, slots_ = 0, blocks_ = 0;
+  uint shift_ = 0;
+  std::vector<uint> cursor_;     // [block][bucket]: where the block's next sphere of the bucket goes
+  std::vector<Bucket> buckets_;  // of 2^shift slots each
+  Buffer<vec4> split_;           // spheres by bucket, with their index for a radius
+  Buffer<float> split_radius_;
+  Buffer<float> x_, y_, z_, radius_;
+  Buffer<uint> id_, begin_;
+};
+
+}  // namespace spherepair

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Finding colliding pairs on the CPU.
+#pragma once
+
+#include "common/backend/backend.h"
+
+namespace spherepair {
+
+struct PairSearch {
+  std::span<const vec4> positions;
+  Params params;  // scene_params: filter constants
+  bool equal_radii;
+  CollideOptions options;
+  int threads;
+};
+
+struct PairsFound {
+  Collisions totals;
+  std::vector<uint> counts;  // contacts of each sphere
+  std::vector<Pair> list;    // canonical order; filled when options.want_pairs
+};
+
+PairsFound search_sequential(const PairSearch& search);  // the paper's code 2: one thread, double loop
+PairsFound search_parallel(const PairSearch& search);    // all threads, SIMD, each unordered pair once
+PairsFound search_groups(const PairSearch& search);      // within groups of options.block consecutive spheres
+
+// Those that touch within the next step (swept.h): all threads, every pair.
+PairsFound search_swept(const PairSearch& search, std::span<const vec4> velocities);
+
+}  // namespace spherepair

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "common/shared/predicate.h"
+
+namespace spherepair {
+
+// Spheres component by component, so that a vector takes consecutive ones.
+constexpr uint tile_columns = 64;
+struct alignas(64) ColumnTile {
+  float x[tile_columns], y[tile_columns], z[tile_columns], w[tile_columns], radius[tile_columns];
+};
+
+constexpr uint tile_rows = 256;
+struct RowTile {
+  vec4 form[tile_rows];
+  float radius[tile_rows];
+  uint count;
+};
+
+// The columns that one row may meet: bit b stands for column first_column + b of the tile.
+struct NearColumns {
+  uint16_t row, first_column;
+  uint64_t bits;
+};
+
+// Room for the worst case, in which every row is near every column. An entry covers at least so many columns.
+constexpr uint least_columns = 8;
+struct NearList {
+  NearColumns entry[tile_rows * tile_columns / least_columns];
+  uint size;
+};
+
+// The Gram filter on whole vectors, for one instruction set.
+struct Simd {
+  const char* name;
+  // Spheres in the tile become Gram forms about the origin, in place; w becomes -w of the form.
+  void (*form_columns)(ColumnTile& tile, vec4 origin, float share);
+  // Lists all columns before `columns` that a row may meet.
+  void (*find_near)(const ColumnTile& tile, uint columns, const RowTile& rows, bool equal_radii, NearList& list);
+};
+
+const Simd& best_simd();  // of those that this machine can run
+
+}  // namespace spherepair

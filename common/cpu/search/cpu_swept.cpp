@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include <omp.h>
+
+#include <algorithm>
+
+#include "common/backend/growing_list.h"
+#include "common/cpu/search/cpu_pairs.h"
+#include "common/shared/hash.h"
+#include "common/shared/swept.h"
+
+namespace spherepair {
+
+PairsFound search_swept(const PairSearch& search, std::span<const vec4> velocities) {
+  const std::span<const vec4> at = search.positions;
+  const Params& p = search.params;
+  const uint n = uint(at.size());
+  uint64_t pairs = 0;
+  std::vector<GrowingList<Pair>> lists(static_cast<size_t>(search.threads));
+#pragma omp parallel for num_threads(search.threads) schedule(dynamic, 16) reduction(+ : pairs) if (n > 256)
+  for (uint i = 0; i < n; ++i) {
+    GrowingList<Pair>& list = lists[size_t(omp_get_thread_num())];
+    for (uint j = i + 1; j < n; ++j) {
+      if (!in_swept_reach(at[i], velocities[i], at[j], velocities[j], p.dt)) continue;
+      if (!touch_within(at[i], velocities[i], at[j], velocities[j], p.dt, p.filter_scale, p.filter_offset)) continue;
+      const Pair pair{i, j};
+      list.append(&pair, 1);
+      ++pairs;
+    }
+  }
+  PairsFound found;
+  found.counts.resize(n);
+  found.list = joined<Pair>(lists, pairs);
+  for (const Pair& pair : found.list) ++found.counts[pair.first], ++found.counts[pair.second];
+  found.totals.pairs = pairs;
+  found.totals.fingerprint = fingerprint(found.list);
+  found.totals.colliding_spheres = uint64_t(std::ranges::count_if(found.counts, colliding));
+  if (!search.options.want_pairs) found.list.clear();
+  return found;
+}
+
+}  // namespace spherepair

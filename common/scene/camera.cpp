@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "common/scene/camera.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec3.hpp>
+#include <stdexcept>
+
+namespace spherepair {
+namespace {
+
+glm::dvec3 vector(const Vector& v) { return {v[0], v[1], v[2]}; }
+vec4 rounded(const glm::dvec3& v, double w = 0) { return {float(v.x), float(v.y), float(v.z), float(w)}; }
+
+struct Axes {
+  glm::dvec3 right, up, forward;
+};
+Axes axes_of(const Camera& camera) {
+  const glm::dvec3 along = vector(camera.target) - vector(camera.eye), up = vector(camera.up);
+  const glm::dvec3 across = glm::cross(along, up);
+  const double least = 1e-9 * glm::length(along) * glm::length(up);
+  if (!(glm::length(across) > least)) {
+    throw std::invalid_argument(
+        "the camera has no direction: eye and target must differ, and not lie above each other along `up`");
+  }
+  const glm::dvec3 forward = glm::normalize(along), right = glm::normalize(across);
+  return {right, glm::cross(right, forward), forward};
+}
+
+void check_camera(const Camera& camera) {
+  for (const Vector& v : {camera.eye, camera.target, camera.up})
+    for (const double x : v)
+      if (!(std::abs(x) < 1e15)) throw std::invalid_argument("a coordinate of the camera is no number below 1e15");
+  if (!(camera.field > 0 && camera.field < 180))
+    throw std::invalid_argument(fmt::format("the field of view is {} degrees, not between 0 and 180", camera.field));
+  if (!(camera.near >= 0 && camera.near < 1e15))
+    throw std::invalid_argument(fmt::format("the nearest depth is {}, not from 0 to below 1e15", camera.near));
+}
+
+float above(double value) { return std::nextafter(float(value), INFINITY); }
+
+}  // namespace
+
+void check_view(const View& view) {
+  if (view.width >= 1 && view.width <= widest_image && view.height >= 1 && view.height <= widest_image) return;
+  throw std::invalid_argument(
+      fmt::format("an image of {} x {} pixels: each must be 1 to {}", view.width, view.height, widest_image));
+}
+
+Bounds bounds_of(std::span<const vec4> spheres) {
+  Bounds bounds{{1, 1, 1}, {0, 0, 0}};
+  for (const vec4& s : spheres) {
+    const Vector centre = {s.x, s.y, s.z};
+    for (int a = 0; a < 3; ++a) {
+      const double low = centre[a] - s.w, high = centre[a] + s.w;
+      bounds.low[a] = &s == spheres.data() ? low : std::min(bounds.low[a], low);
+      bounds.high[a] = &s == spheres.data() ? high : std::max(bounds.high[a], high);
+    }
+  }
+  return spheres.empty() ? Bounds{{0, 0, 0}, {1, 1, 1}} : bounds;
+}
+
+Camera frame(const Bounds& bounds, double azimuth, double elevation, double field, double aspect) {
+  const glm::dvec3 low = vector(bounds.low), high = vector(bounds.high), middle = (low + high) * 0.5;
+  const double around = glm::radians(azimuth), over = glm::radians(std::clamp(elevation, -89.0, 89.0));
+  const glm::dvec3 back(std::sin(around) * std::cos(over), std::sin(over), std::cos(around) * std::cos(over));
+  Camera camera{{back.x, back.y, back.z}, {0, 0, 0}, {0, 1, 0}, field};
+  const Axes axes = axes_of(camera);
+  const double half_y = std::tan(glm::radians(field) / 2) / 1.05, half_x = half_y * aspect;  // 5 % of margin
+  double distance = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 at(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z);
+    const glm::dvec3 from = at - middle;
+    const double nearer = -glm::dot(from, axes.forward);
+    const double wide = std::abs(glm::dot(from, axes.right)) / half_x,
+                 tall = std::abs(glm::dot(from, axes.up)) / half_y;
+    distance = std::max(distance, nearer + std::max(wide, tall));
+  }
+  if (distance == 0) distance = 1;
+  const glm::dvec3 eye = middle + back * distance;
+  camera.eye = {eye.x, eye.y, eye.z};
+  camera.target = {middle.x, middle.y, middle.z};
+  return camera;
+}
+
+Look contact_look() {
+  return {.palette = {0x9FB4CC, 0xFFEDA0, 0xFED976, 0xFEB24C, 0xFD8D3C, 0xFC4E2A, 0xE31A1C, 0xB10026}};
+}
+
+View make_view(const Camera& camera, const Look& look, uint width, uint height, std::array<double, 2> jitter) {
+  check_camera(camera);
+  View v{};
+  v.width = width;
+  v.height = height;
+  check_view(v);
+  const Axes axes = axes_of(camera);
+  const double distance = glm::length(vector(camera.target) - vector(camera.eye));
+  const double near = camera.near > 0 ? camera.near : distance * 1e-3;
+  const double focal = height / 2.0 / std::tan(glm::radians(camera.field) / 2);
+  v.eye = rounded(vector(camera.eye), near);
+  v.right = rounded(axes.right);
+  v.up = rounded(axes.up);
+  v.forward = rounded(axes.forward);
+  v.light = rounded(glm::normalize(vector(look.light)), look.ambient);
+  const glm::dvec3 light = glm::normalize(vector(look.light));
+  const glm::dvec3 sun = light.x * axes.right + light.y * axes.up + light.z * axes.forward;
+  if (look.lighting & LIGHT_SHADOW && sun.y < 0.2)
+    throw std::invalid_argument("shadows need light from above: look from a lower or less tilted camera");
+  v.sun = rounded(sun, look.shadow);
+  v.lighting = look.lighting;
+  v.focal = float(focal);
+  v.pixel = float(1 / focal);
+  v.centre_x = float(width / 2.0 - 0.5 + jitter[0]);
+  v.centre_y = float(height / 2.0 - 0.5 + jitter[1]);
+  v.half_x = above((width / 2.0 + 2) / focal);  // the jitter and a pixel are within it
+  v.half_y = above((height / 2.0 + 2) / focal);
+  v.norm_x = above(std::hypot(1.0, double(v.half_x)) * (1 + 1e-6));
+  v.norm_y = above(std::hypot(1.0, double(v.half_y)) * (1 + 1e-6));
+  v.palette_0 = {look.palette[0], look.palette[1], look.palette[2], look.palette[3]};
+  v.palette_4 = {look.palette[4], look.palette[5], look.palette[6], look.palette[7]};
+  v.background = look.background;
+  return v;
+}
+
+}  // namespace spherepair

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// What a method remembers of n spheres besides their float32 positions and velocities, in the layout of the buffers
+// SLOT_WIDE to SLOT_DUE: the same words on every backend, so that one can go on where another stopped.
+#pragma once
+
+#include <cstring>
+
+#include "common/scene/scene.h"
+#include "common/shared/two.h"
+
+namespace spherepair {
+
+struct MotionState {
+  uint steps = 0;                // done, of `anchored`
+  std::vector<uint> wide;        // Real[6n]; empty for float32
+  std::vector<vec4> anchors;     // these four only for `anchored`
+  std::vector<uint> flights;     // Real[2n]
+  std::vector<uint> since, due;  // n each
+};
+
+// Its buffers: the slot, the name in messages and files, the vector.
+template <typename State, typename Visit>
+void visit_parts(State& state, Visit visit) {
+  visit(SLOT_WIDE, "wide state", state.wide);
+  visit(SLOT_ANCHOR, "anchors", state.anchors);
+  visit(SLOT_FLIGHT, "flights", state.flights);
+  visit(SLOT_SINCE, "steps of the anchors", state.since);
+  visit(SLOT_DUE, "due steps", state.due);
+}
+
+// Words of one number.
+inline uint real_words(Precision precision) { return precision == Precision::float32 ? 1 : 2; }
+
+// As a method starts from the scene's positions and velocities; params are the scene's.
+MotionState initial_state(const Scene& scene, const Params& params);
+
+template <typename Real>
+Real load_real(const std::vector<uint>& words, uint64_t i) {
+  Real value;
+  std::memcpy(&value, &words[i * (sizeof(Real) / sizeof(uint))], sizeof(Real));
+  return value;
+}
+template <typename Real>
+void store_real(std::vector<uint>& words, uint64_t i, Real value) {
+  std::memcpy(&words[i * (sizeof(Real) / sizeof(uint))], &value, sizeof(Real));
+}
+
+// Calls work(Real{}) with the number type of this precision.
+template <typename Work>
+auto with_real(Precision precision, Work work) {
+  if (precision == Precision::compensated) return work(Two{});
+  if (precision == Precision::float64) return work(double{});
+  return work(float{});
+}
+
+// The n velocities that the wide state holds, rounded to float32.
+std::vector<vec4> rounded_velocities(const std::vector<uint>& wide, Precision precision, uint64_t n);
+
+}  // namespace spherepair

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Scenes: where spheres start. Every number comes from an integer hash of (seed, index), so a scene has the same bits
+// on every machine and with every compiler.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/scene/motion_options.h"
+#include "common/shared/layout.h"
+
+namespace spherepair {
+
+// n spheres; positions in metres with the radius in w, velocities in metres per second.
+struct Scene {
+  std::string name;
+  std::vector<vec4> positions = {}, velocities = {};
+  float plane = -5.0f;       // height of the ground
+  float gravity = -9.81f;    // along y, metres per second squared
+  float dt = 0x1p-6f;        // seconds; a power of two keeps v*dt exact
+  float restitution = 1.0f;  // 0..1
+  bool equal_radii = true;   // all radii have the same bits
+  MotionOptions motion = {};
+
+  uint64_t size() const { return positions.size(); }
+};
+
+struct SceneOptions {
+  std::string name = "random";
+  uint64_t n = 16384;
+  uint64_t seed = 20251121;
+  float radius = 0.5f;
+  float radius_ratio = 1.0f;      // largest radius over smallest; radii are log-uniform between radius and radius*ratio
+  double packing_fraction = 0.3;  // of `uniform`
+  uint groups = 0, group_size = 0;  // of `aligned`: the paper's m x n; 0 x 0 takes groups of 128 or fewer
+  float offset = 0.0f;              // added to every coordinate of every centre
+  MotionOptions motion = {};
+  float dt = 0x1p-6f, restitution = 1.0f;
+};
+
+struct SceneKind {
+  const char* name;
+  const char* summary;
+};
+const std::vector<SceneKind>& scene_kinds();
+
+// Both throw std::invalid_argument naming the option that is wrong and what it may be.
+void check_options(const SceneOptions& options);
+Scene make_scene(const SceneOptions& options);
+
+// Throws std::invalid_argument when a number is not finite or a radius negative: how many, the first one's index and
+// why. At rest a scene may hold any others; those of one that moves, its time step, restitution and gravity have bounds
+// as well (scene_bounds.h), which the first move checks.
+void check_scene(const Scene& scene);
+
+// How many spheres have a velocity that the scene's motion loses, since float32 positions are too coarse for one step
+// of it along some axis: they stall where they are. The other precisions and `anchored` lose none.
+uint64_t stalled_spheres(const Scene& scene);
+
+// A 64-bit hash of the bits of all positions and velocities, in order, and of the words of a wide state.
+uint64_t state_hash(const std::vector<vec4>& positions, const std::vector<vec4>& velocities,
+                    const std::vector<uint>& wide = {});
+
+}  // namespace spherepair

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Which numbers a scene may hold: any finite ones while it is at rest, bounded ones where it starts to move, since
+// motion multiplies them. Within the bounds every motion method stays finite for 2^40 steps.
+#pragma once
+
+#include "common/scene/scene.h"
+
+namespace spherepair {
+
+constexpr float shortest_step = 0x1p-60f, longest_step = 0x1p20f;  // seconds: of dt
+constexpr float largest_number = 0x1p60f;  // of coordinates, radii, speeds, gravity and the height of the plane
+
+// How many spheres have a NaN, an infinity or a negative radius, and the first of them; empty where none has.
+std::string unsound_spheres(const std::vector<vec4>& positions, const std::vector<vec4>& velocities);
+
+// Why a scene that check_scene lets pass cannot be moved; empty where it can. A run that goes on may have got to larger
+// numbers than a start: `largest` is then that of the floats.
+std::string why_unmovable(const Scene& scene, float largest = largest_number);
+
+}  // namespace spherepair

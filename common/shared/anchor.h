@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// The method `anchored`: a sphere is its last bounce (at first, its start) and the number of steps since, so that its
+// place at any step is one evaluation of the parabola and nothing is written or rounded between bounces. Horizontally
+// it never needs another anchor than its start.
+#ifndef SPHEREPAIR_ANCHOR_H
+#define SPHEREPAIR_ANCHOR_H
+
+#include "common/shared/impact.h"
+
+ANY_REAL struct Anchor {
+  vec4 start;       // centre at step 0, radius in w
+  float vx, vz;     // constant
+  Real speed, age;  // upwards at the anchor; seconds from the anchor to step `since`
+  uint since;       // with ANCHOR_ON_PLANE once it has bounced
+};
+
+// Seconds that so many steps take: both halves of the count are exact floats.
+ANY_REAL FN Real seconds_of(uint steps, Real kind, Params p) {
+  EXACT float high = float(steps >> 16) * 65536.0f;
+  return times(plus(widened(high, kind), widened(float(steps & 0xFFFFu), kind)), widened(p.dt, kind));
+}
+
+FN bool on_plane(uint since) { return (since & ANCHOR_ON_PLANE) != 0u; }
+
+ANY_REAL FN Real seconds_since(Anchor OF_REAL a, Params p) {
+  return plus(seconds_of(p.steps_done - (a.since & ~ANCHOR_ON_PLANE), a.age, p), a.age);
+}
+
+// From the anchor until the sphere meets the plane. Without gravity it may never: see `leaves`.
+ANY_REAL FN Fall OF_REAL flight_of(Anchor OF_REAL a, Params p) {
+  Real zero = widened(0.0f, a.age);
+  if (on_plane(a.since)) {
+    Fall OF_REAL whole = {times(a.speed, constant(p.seconds_per_speed, a.age)), a.speed};
+    return whole;
+  }
+  Real height = minus(widened(a.start.y, a.age), ground(a.start.w, p.plane, a.age));
+  if (below(height, zero)) height = zero;
+  return fall(height, a.speed, p);
+}
+
+// Whether the sphere stays where it is or rises for ever.
+ANY_REAL FN bool leaves(Anchor OF_REAL a, Params p) {
+  Real zero = widened(0.0f, a.age);
+  if (on_plane(a.since) && !below(zero, a.speed)) return true;
+  return p.gravity == 0.0f && !below(a.speed, zero);
+}
+
+// The first step after which the sphere may have met the plane: float32 with a margin for its rounding.
+ANY_REAL FN uint next_due(Anchor OF_REAL a, Params p) {
+  if (leaves(a, p)) return NEVER_DUE;
+  float seconds = nearest(minus(flight_of(a, p).time, a.age));
+  float steps = times(times(seconds, p.steps_per_second), bits_float(0x3F7FFFF0u));  // 1 - 2^-20
+  return (a.since & ~ANCHOR_ON_PLANE) + 1u + uint(smaller(larger(steps, 0.0f), 1073741824.0f));
+}
+
+// The anchor after the bounces of the step that is done now; the same one when there was none.
+ANY_REAL FN Anchor OF_REAL anchor_anew(Anchor OF_REAL a, Params p) {
+  Fall OF_REAL end = flight_of(a, p);
+  Real left = minus(seconds_since(a, p), end.time);
+  if (below(left, widened(0.0f, left))) return a;
+  Rebound OF_REAL last = rebound(left, times(end.speed, widened(p.restitution, left)), p);
+  a.speed = last.speed;
+  a.age = last.time;
+  a.since = p.steps_done | ANCHOR_ON_PLANE;
+  return a;
+}
+
+// Where the sphere is now.
+ANY_REAL FN Moving OF_REAL place_sphere(Anchor OF_REAL a, Params p) {
+  Real time = seconds_since(a, p);
+  Real total = seconds_of(p.steps_done, a.age, p);
+  Real level = ground(a.start.w, p.plane, a.age);
+  Real slowed = times(widened(p.gravity, a.age), time);
+  Moving OF_REAL now = {widened(a.start.x, a.age),
+                        widened(a.start.y, a.age),
+                        widened(a.start.z, a.age),
+                        widened(a.vx, a.age),
+                        plus(a.speed, slowed),
+                        widened(a.vz, a.age),
+                        a.start.w};
+  now.x = drift(now.x, now.vx, total);
+  now.z = drift(now.z, now.vz, total);
+  if (on_plane(a.since)) now.y = level;
+  if (on_plane(a.since) && !below(widened(0.0f, a.age), a.speed)) {
+    now.vy = widened(0.0f, a.age);
+  } else {
+    now.y = plus(now.y, times(time, plus(a.speed, times(slowed, widened(0.5f, a.age)))));
+  }
+  if (below(now.y, level)) now.y = level;
+  now.y = snapped(now.y);
+  now.vx = snapped(now.vx);
+  now.vy = snapped(now.vy);
+  now.vz = snapped(now.vz);
+  return now;
+}
+
+#endif

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// The cells of the uniform grid. A coordinate's cell number is a chain of one subtraction, one multiplication, a clamp
+// and a truncation, each of which is monotonic however it rounds. So x <= y gives cell(x) <= cell(y) for all floats,
+// and a sphere that reaches down to x - reach can only meet spheres of the cells from cell(x - reach) on: no margin is
+// needed, at any distance from the origin. A cell belongs to a level, that of its spheres' radii; the cells of level k
+// are 2^k as large as those of level 0.
+#ifndef SPHEREPAIR_CELL_H
+#define SPHEREPAIR_CELL_H
+
+#include "common/shared/layout.h"
+
+struct Cell {
+  int x, y, z;
+};
+
+// A dense grid in the units of its cells, from 0 to below their number; spheres outside belong to the border.
+struct Place {
+  float x, y, z;
+};
+FN float place_along(float x, float origin, float scale, uint cells) {
+  EXACT float offset = x - origin;
+  EXACT float place = offset * scale;
+  return smaller(larger(place, 0.0f), float(cells - 1u));
+}
+FN Place place_of(vec4 sphere, Params p) {
+  Place place = {place_along(sphere.x, p.origin_x, p.cells_per_metre, p.cells_x),
+                 place_along(sphere.y, p.origin_y, p.cells_per_metre, p.cells_y),
+                 place_along(sphere.z, p.origin_z, p.cells_per_metre, p.cells_z)};
+  return place;
+}
+// In a dense grid: at least r + (the largest radius) in units of cells, with a margin for the rounding of two places,
+// and less than 1, so that a neighbourhood is three cells wide at most.
+FN float reach_in_cells(float radius, Params p) {
+  EXACT float reach = multiply_add(radius, p.reach_scale, p.reach_offset);
+  return reach;
+}
+FN uint cell_below(float place, float reach) {
+  EXACT float low = place - reach;
+  return uint(larger(low, 0.0f));
+}
+FN uint cell_above(float place, float reach, uint cells) {
+  EXACT float high = place + reach;
+  return uint(smaller(high, float(cells - 1u)));
+}
+FN uint dense_slot(uint x, uint y, uint z, Params p) { return (z * p.cells_y + y) * p.cells_x + x; }
+
+// The level of a radius: its octave above the smallest; everything is in level 0 when there is only one.
+FN uint level_of(float radius, Params p) {
+  uint octave = (float_bits(radius) >> 23) & 0xFFu;
+  uint above = octave > p.first_octave ? octave - p.first_octave : 0u;
+  return above < p.top_level ? above : p.top_level;
+}
+
+const int MOST_CELLS = 1073741824;  // numbered up to this one in each direction
+
+FN int cell_number(float x, float origin, float scale) {
+  EXACT float offset = x - origin;
+  EXACT float place = offset * scale;
+  return int(smaller(larger(place, -float(MOST_CELLS)), float(MOST_CELLS)));
+}
+
+FN float cells_per_metre(uint level, Params p) {
+  EXACT float scaled = p.cells_per_metre * bits_float((127u - level) << 23);
+  return scaled;
+}
+
+FN Cell cell_at(float x, float y, float z, uint level, Params p) {
+  float scale = cells_per_metre(level, p);
+  Cell cell = {cell_number(x, p.origin_x, scale), cell_number(y, p.origin_y, scale), cell_number(z, p.origin_z, scale)};
+  return cell;
+}
+
+// Where the row of cells y, z begins in the table, hashed; its cells have consecutive slots, modulo the table's size.
+// Rows may share slots.
+FN uint row_slot(uint level, int y, int z) {
+  uint h = uint(y) * 0x9E3779B1u + uint(z) * 0x85EBCA77u + level * 0xC2B2AE3Du;
+  h = (h ^ (h >> 16)) * 0x7FEB352Du;
+  h = (h ^ (h >> 15)) * 0x846CA68Bu;
+  return h ^ (h >> 16);
+}
+
+FN uint slot_in_row(uint row, int x, Params p) { return (row + uint(x)) & p.hash_mask; }
+
+// The cells of a level in which a sphere can meet others lie between these two.
+FN Cell lowest_cell(vec4 sphere, float reach, uint level, Params p) {
+  EXACT float x = sphere.x - reach;
+  EXACT float y = sphere.y - reach;
+  EXACT float z = sphere.z - reach;
+  return cell_at(x, y, z, level, p);
+}
+FN Cell highest_cell(vec4 sphere, float reach, uint level, Params p) {
+  EXACT float x = sphere.x + reach;
+  EXACT float y = sphere.y + reach;
+  EXACT float z = sphere.z + reach;
+  return cell_at(x, y, z, level, p);
+}
+
+FN uint dense_slot_of(vec4 sphere, Params p) {
+  Place place = place_of(sphere, p);
+  return dense_slot(uint(place.x), uint(place.y), uint(place.z), p);
+}
+FN uint hashed_slot_of(vec4 sphere, Params p) {
+  uint level = level_of(sphere.w, p);
+  Cell cell = cell_at(sphere.x, sphere.y, sphere.z, level, p);
+  return slot_in_row(row_slot(level, cell.y, cell.z), cell.x, p);
+}
+// `dense`: known beforehand, as a constant, so that there is no code for the other.
+FN uint slot_of(vec4 sphere, bool dense, Params p) {
+  return dense || p.hash_mask == 0u ? dense_slot_of(sphere, p) : hashed_slot_of(sphere, p);
+}
+FN uint slot_of(vec4 sphere, Params p) { return slot_of(sphere, false, p); }
+
+// Whether a sphere belongs to this level and to this row of its cells.
+FN bool stands_in_row(vec4 sphere, uint level, int y, int z, Params p) {
+  if (level_of(sphere.w, p) != level) return false;
+  Cell cell = cell_at(sphere.x, sphere.y, sphere.z, level, p);
+  return cell.y == y && cell.z == z;
+}
+
+// At least r + (the largest radius of a level), in real arithmetic.
+FN float reach_of(float radius, uint level, Params p) {
+  EXACT float largest = p.largest_radius * bits_float((127u + level) << 23);
+  EXACT float sum = radius + largest;
+  EXACT float reach = multiply_add(sum, bits_float(0x3F800010u), bits_float(0x0D800000u));  // 1 + 2^-19, 2^-100
+  return reach;
+}
+
+// Where the spheres of a bucket stand in a tile, from its first sphere on: the upper half is where they end.
+FN uint run_in_tile(uint begin, uint end) { return begin | end << 16; }
+FN uint begin_in_tile(uint run) { return run & 0xFFFFu; }
+FN uint end_in_tile(uint run) { return run >> 16; }
+
+// Buckets are ranges of slots. A sphere of this slot and those between it and others of its parent, a larger range, are
+// in the buckets from the one below to the one above.
+FN uint bucket_below(uint slot, Params p) { return (slot >> p.parent_shift) << (p.parent_shift - p.bucket_shift); }
+FN uint bucket_above(uint slot, Params p) {
+  uint behind = ((slot >> p.parent_shift) + 1u) << (p.parent_shift - p.bucket_shift);
+  return (behind < p.buckets ? behind : p.buckets) - 1u;
+}
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// A moving sphere, its free flight, and the methods that turn it round at the plane where a step finds it below: the
+// paper's and its relatives. Written once for state in float, Two and double.
+#ifndef SPHEREPAIR_FLIGHT_H
+#define SPHEREPAIR_FLIGHT_H
+
+#include "common/shared/exact.h"
+#include "common/shared/layout.h"
+#include "common/shared/two.h"
+#include "common/shared/wide.h"
+
+ANY_REAL struct Moving {
+  Real x, y, z, vx, vy, vz;
+  float radius;
+};
+
+// Whether the sphere's lowest point is below the plane: y - r < plane in real arithmetic. Rounding is monotonic, so
+// only equality after rounding needs the integers.
+FN bool below_plane(float y, float r, float plane) {
+  EXACT float bottom = y - r;
+  if (bottom != plane) return bottom < plane;
+  return sum_negative(float_bits(y), float_bits(r) ^ 0x80000000u, float_bits(plane) ^ 0x80000000u);
+}
+FN bool below_plane(Two y, float r, float plane) { return below(y, exact_sum(plane, r)); }
+FN bool below_plane(double y, float r, float plane) { return below(y, plus(double(plane), double(r))); }
+
+// P + v*dt + g*dt*dt/2 along one axis (the paper's equation 1); term = g*dt*dt/2 is computed once, on the host.
+ANY_REAL FN Real advance(Real position, Real velocity, Real dt, Real term) {
+  return snapped(plus(plus(position, times(velocity, dt)), term));
+}
+ANY_REAL FN Real drift(Real position, Real velocity, Real dt) { return snapped(plus(position, times(velocity, dt))); }
+
+// One step without a plane.
+ANY_REAL FN Moving OF_REAL fly(Moving OF_REAL from, Params p) {
+  Real dt = widened(p.dt, from.y);
+  Moving OF_REAL next = from;
+  next.x = drift(from.x, from.vx, dt);
+  next.y = advance(from.y, from.vy, dt, constant(p.half_gravity_dt2, from.y));
+  next.z = drift(from.z, from.vz, dt);
+  next.vx = snapped(from.vx);
+  next.vy = snapped(plus(from.vy, constant(p.gravity_dt, from.y)));
+  next.vz = snapped(from.vz);
+  return next;
+}
+
+ANY_REAL FN Real turned(Real velocity, Params p) {
+  return snapped(negated(times(velocity, widened(p.restitution, velocity))));
+}
+
+// Code 1 of the paper, to the letter: on contact the old velocity is turned round, times the restitution, and the step
+// is taken again from the old position. It sinks for restitution < 1 and gains energy at 1; both belong to the method.
+ANY_REAL FN Moving OF_REAL move_paper(Moving OF_REAL from, Params p) {
+  Moving OF_REAL next = fly(from, p);
+  if (below_plane(next.y, from.radius, p.plane)) {
+    next.vy = turned(from.vy, p);
+    next.y = advance(from.y, next.vy, widened(p.dt, from.y), constant(p.half_gravity_dt2, from.y));
+  }
+  return next;
+}
+
+// The lowest height at which a sphere does not reach below the plane: plane + r, rounded upwards.
+FN float ground(float r, float plane, float kind) {
+  Two height = exact_sum(plane, r);
+  kind = height.hi;
+  if (!(snap(height.lo) > 0.0f)) return kind;
+  return bits_float((float_bits(kind) & 0x80000000u) != 0u ? float_bits(kind) - 1u : float_bits(kind) + 1u);
+}
+FN Two ground(float r, float plane, Two kind) {
+  kind = exact_sum(plane, r);
+  return kind;
+}
+FN double ground(float r, float plane, double kind) {
+  kind = plus(double(plane), double(r));
+  return kind;
+}
+
+// The same, but a sphere that is below the plane after all is put on it.
+ANY_REAL FN Moving OF_REAL move_clamped(Moving OF_REAL from, Params p) {
+  Moving OF_REAL next = move_paper(from, p);
+  if (below_plane(next.y, from.radius, p.plane)) next.y = ground(from.radius, p.plane, from.y);
+  return next;
+}
+
+// A step straight along y at this velocity, the same turn.
+ANY_REAL FN Moving OF_REAL move_straight(Moving OF_REAL from, Real velocity, Moving OF_REAL next, Params p) {
+  Real dt = widened(p.dt, from.y);
+  next.y = drift(from.y, velocity, dt);
+  if (below_plane(next.y, from.radius, p.plane)) {
+    next.vy = turned(from.vy, p);
+    next.y = drift(from.y, next.vy, dt);
+  }
+  return next;
+}
+
+// The explicit Euler method: the position with the old velocity.
+ANY_REAL FN Moving OF_REAL move_euler(Moving OF_REAL from, Params p) {
+  return move_straight(from, from.vy, fly(from, p), p);
+}
+
+// The semi-implicit Euler method, which is symplectic: the position with the new velocity.
+ANY_REAL FN Moving OF_REAL move_symplectic(Moving OF_REAL from, Params p) {
+  Moving OF_REAL next = fly(from, p);
+  return move_straight(from, next.vy, next, p);
+}
+
+#endif

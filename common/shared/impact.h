@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Methods that find when a sphere meets the plane within a step. Gravity is constant, so between bounces a step is
+// exact but for rounding: the time of impact is all that there is to find. Gravity must not point upwards. A sphere
+// that starts below the plane is put on it.
+#ifndef SPHEREPAIR_IMPACT_H
+#define SPHEREPAIR_IMPACT_H
+
+#include "common/shared/flight.h"
+
+// The step without a plane: its length is rounded before it is added to the position, which is far coarser, so that
+// the same small terms are not rounded the same way again and again (in float32 that is 30 times more accurate).
+ANY_REAL FN Moving OF_REAL glide(Moving OF_REAL from, Params p) {
+  Moving OF_REAL next = fly(from, p);
+  Real climbed = times(from.vy, widened(p.dt, from.y));
+  next.y = snapped(plus(from.y, plus(climbed, constant(p.half_gravity_dt2, from.y))));
+  return next;
+}
+
+// Until a sphere meets the plane, and how fast it then is, downwards.
+ANY_REAL struct Fall { Real time, speed; };
+
+// From this height (>= 0) above the plane: the root of height + velocity*t + g*t*t/2 that has no cancellation.
+ANY_REAL FN Fall OF_REAL fall(Real height, Real velocity, Params p) {
+  Real zero = widened(0.0f, height);
+  EXACT float twice_gravity = -2.0f * p.gravity;
+  Real potential = times(widened(twice_gravity, height), height);
+  Fall OF_REAL end = {zero, square_root(plus(times(velocity, velocity), potential))};
+  if (below(velocity, zero)) {
+    if (below(zero, height)) end.time = quotient(plus(height, height), minus(end.speed, velocity));
+  } else {
+    Real inverse = times(constant(p.seconds_per_speed, height), widened(0.5f, height));
+    end.time = times(plus(velocity, end.speed), inverse);
+  }
+  return end;
+}
+
+// The last of the bounces that are over by now: when it was, and the speed after it. Speed 0: at rest.
+ANY_REAL struct Rebound { Real time, speed; };
+
+// A sphere that leaves the plane upwards at `speed` and moves for `time`: any number of bounces. A flight takes
+// 2*speed/|g|; 2^k flights take s(k) times as long as the first, s(k+1) = s(k) * (1 + e^(2^k)), and leave e^(2^k) of
+// the speed, so doubling finds the last bounce in a few turns at every restitution. What would bounce 2^32 times more
+// is at rest: for e < 1 that is Zeno's time, 2*speed/(|g|(1-e)), and for e = 1 it is lower than any float can show.
+ANY_REAL FN Rebound OF_REAL rebound(Real time, Real speed, Params p) {
+  Rebound OF_REAL last = {time, speed};
+  if (p.gravity == 0.0f) return last;
+  Real zero = widened(0.0f, time);
+  Real one = widened(1.0f, time);
+  Real flight = times(speed, constant(p.seconds_per_speed, time));
+  if (!below(time, times(flight, constant(p.zeno_flights, time)))) {
+    last.time = zero;
+    last.speed = zero;
+    return last;
+  }
+  for (uint turn = 0u; turn < 64u && !below(last.time, flight); ++turn) {
+    Real flights = flight;
+    Real decay = widened(p.restitution, time);
+    for (uint k = 0u; k < 32u; ++k) {
+      Real longer = times(flights, plus(one, decay));
+      if (below(last.time, longer)) break;
+      flights = longer;
+      decay = times(decay, decay);
+    }
+    last.time = minus(last.time, flights);
+    last.speed = times(last.speed, decay);
+    flight = times(last.speed, constant(p.seconds_per_speed, time));
+  }
+  return last;
+}
+
+// Where a sphere is that left the plane so long ago, and its velocity.
+ANY_REAL FN Moving OF_REAL risen(Moving OF_REAL sphere, Rebound OF_REAL since, Params p) {
+  Real zero = widened(0.0f, sphere.y);
+  Real slowed = times(widened(p.gravity, sphere.y), since.time);
+  Real mean = plus(since.speed, times(slowed, widened(0.5f, sphere.y)));
+  Real height = times(since.time, mean);
+  if (below(height, zero)) height = zero;
+  sphere.y = snapped(plus(ground(sphere.radius, p.plane, sphere.y), height));
+  sphere.vy = snapped(plus(since.speed, slowed));
+  return sphere;
+}
+
+// Quadratic time of impact and every bounce within the step.
+ANY_REAL FN Moving OF_REAL move_impact(Moving OF_REAL from, Params p) {
+  Moving OF_REAL next = glide(from, p);
+  if (!below_plane(next.y, from.radius, p.plane)) return next;
+  Real zero = widened(0.0f, from.y);
+  Real height = minus(from.y, ground(from.radius, p.plane, from.y));
+  if (below(height, zero)) height = zero;
+  Fall OF_REAL end = fall(height, from.vy, p);
+  Real left = minus(widened(p.dt, from.y), end.time);
+  if (below(left, zero)) left = zero;
+  return risen(next, rebound(left, times(end.speed, widened(p.restitution, from.y)), p), p);
+}
+
+// The time of impact as if the step's path were straight, and one bounce: what ends below the plane even so rests.
+ANY_REAL FN Moving OF_REAL move_impact_linear(Moving OF_REAL from, Params p) {
+  Moving OF_REAL next = glide(from, p);
+  if (!below_plane(next.y, from.radius, p.plane)) return next;
+  Real zero = widened(0.0f, from.y);
+  Real dt = widened(p.dt, from.y);
+  Real level = ground(from.radius, p.plane, from.y);
+  Real height = minus(from.y, level);
+  if (below(height, zero)) height = zero;
+  Real time = times(dt, quotient(height, plus(height, minus(level, next.y))));
+  Real slower = times(widened(p.gravity, from.y), time);
+  Rebound OF_REAL last = {minus(dt, time), times(negated(plus(from.vy, slower)), widened(p.restitution, from.y))};
+  next = risen(next, last, p);
+  if (below(level, next.y)) return next;
+  next.vy = zero;
+  return next;
+}
+
+#endif

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// One step of one sphere by any method but anchored (anchor.h), as every backend computes it: the same bits on every
+// machine. `method` is a constant where this is called.
+#ifndef SPHEREPAIR_MOTION_H
+#define SPHEREPAIR_MOTION_H
+
+#include "common/shared/impact.h"
+
+ANY_REAL FN Moving OF_REAL take_step(uint method, Moving OF_REAL from, Params p) {
+  if (method == MOTION_EULER) return move_euler(from, p);
+  if (method == MOTION_SYMPLECTIC) return move_symplectic(from, p);
+  if (method == MOTION_PAPER_CLAMP) return move_clamped(from, p);
+  if (method == MOTION_IMPACT_LINEAR) return move_impact_linear(from, p);
+  if (method == MOTION_IMPACT) return move_impact(from, p);
+  return move_paper(from, p);
+}
+
+#endif

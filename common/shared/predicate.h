@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// The float32 filter of the exact collision predicate. Spheres a and b collide when S < Q, S = |a - b|^2 and
+// Q = (a.w + b.w)^2, in real arithmetic on the float32 inputs (the paper's equation 2); tangent spheres do not. The
+// filter answers APART or COLLIDE only when rounding cannot have changed the answer, else UNDECIDED: exact.h settles
+// those. Nothing here relies on how often a compiler fuses or in which direction it rounds.
+#ifndef SPHEREPAIR_PREDICATE_H
+#define SPHEREPAIR_PREDICATE_H
+
+#include "common/shared/portable.h"
+
+const uint APART = 0u;
+const uint COLLIDE = 1u;
+const uint UNDECIDED = 2u;
+
+FN float squared_distance(vec4 a, vec4 b) {
+  EXACT float dx = a.x - b.x;
+  EXACT float dy = a.y - b.y;
+  EXACT float dz = a.z - b.z;
+  EXACT float xx = dx * dx;
+  EXACT float s = multiply_add(dz, dz, multiply_add(dy, dy, xx));
+  return s;
+}
+
+// With u = 2^-24, s carries at most 5 rounding factors, q 3 and the bound 2, so scale = 1 + 24u decides safely; offset
+// = 2^-100 absorbs underflow and flushed denormals. scale = 1 and offset = 0 make it the naive test. A q that
+// overflowed may come from an infinite radius, which never collides, so it stays undecided.
+FN uint filter_pair(vec4 a, vec4 b, float scale, float offset) {
+  EXACT float s = squared_distance(a, b);
+  EXACT float r = a.w + b.w;
+  EXACT float q = r * r;
+  EXACT float apart_above = multiply_add(q, scale, offset);
+  EXACT float collide_above = multiply_add(s, scale, offset);
+  if (s > apart_above) return APART;
+  if (q > collide_above && q <= bits_float(0x7F7FFFFFu)) return COLLIDE;
+  return UNDECIDED;
+}
+
+// For equal radii the host rounds Q(1 + 12u) and Q(1 - 12u) outward once and the radius needs no load.
+FN uint filter_equal(float s, float apart_above, float collide_below) {
+  if (s > apart_above) return APART;
+  if (s < collide_below) return COLLIDE;
+  return UNDECIDED;
+}
+
+// A sphere relative to an origin, for the Gram form of the test: a and b can only collide if
+//   a.x*b.x + a.y*b.y + a.z*b.z [+ ra*rb] >= a.w + b.w,   w = N(1 - k)/2 - r^2(1 + k)*share - T,   N = |centre|^2,
+// which costs three fused operations and a compare instead of seven instructions. With any origin, any rounding
+// direction and e = 2^-23 per operation: centring moves a distance by at most 4e(Na + Nb) of its square, the chain adds
+// 4e(Na/2 + Nb + r^2), w itself 6e of its terms; k = 32e covers their sum with room, T = 2^-100 covers underflow.
+// share is 1 when all radii are equal (no product of radii is then added) and 1/2 otherwise. What could overflow or is
+// not finite becomes a form that can collide with everything, so that the filter proper decides it.
+FN vec4 gram_form(vec4 a, vec4 origin, float share) {
+  EXACT float x = a.x - origin.x;
+  EXACT float y = a.y - origin.y;
+  EXACT float z = a.z - origin.z;
+  EXACT float xx = x * x;
+  EXACT float norm = multiply_add(z, z, multiply_add(y, y, xx));
+  EXACT float rr = a.w * a.w;
+  EXACT float reach = (rr * share) * bits_float(0x3F800020u);                   // 1 + 2^-18
+  EXACT float half_norm = norm * bits_float(0x3EFFFFC0u);                       // (1 - 2^-18) / 2
+  EXACT float w = (half_norm - reach) - bits_float(0x0D800000u);                // 2^-100
+  bool small = norm < bits_float(0x71800000u) && rr < bits_float(0x71800000u);  // 2^100
+  if (!small) {
+    x = 0.0f;
+    y = 0.0f;
+    z = 0.0f;
+    w = bits_float(0xFE800000u);  // -2^126
+  }
+  vec4 form = {x, y, z, w};
+  return form;
+}
+
+// True when the sphere of form a cannot collide with that of form b; minus_w is -b.w, which the caller computes once.
+FN float gram_product(vec4 a, float bx, float by, float bz, float minus_w) {
+  EXACT float product = multiply_add(a.x, bx, multiply_add(a.y, by, multiply_add(a.z, bz, minus_w)));
+  return product;
+}
+
+#endif

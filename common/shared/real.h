@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Arithmetic of float state, with the same bits on every machine: the first of the three number types (real.h, two.h,
+// wide.h) for which motion is written once. Functions have the same names for all three. No float here is ever
+// denormal: products below 2^-100 become +0, so every value is a multiple of 2^-123 and sums are too. Quotients and
+// square roots are built from integers, one bit a turn, and correctly rounded: GLSL's own are not.
+#ifndef SPHEREPAIR_REAL_H
+#define SPHEREPAIR_REAL_H
+
+#include "common/shared/portable.h"
+
+// A host constant, or a float, as a number of the kind of the second argument, which is overwritten. The sum of a
+// constant's three floats holds a double's 53 bits.
+FN float constant(vec4 parts, float kind) {
+  kind = parts.x;
+  return kind;
+}
+FN float widened(float x, float kind) {
+  kind = x;
+  return kind;
+}
+FN float nearest(float x) { return x; }
+
+// Components below 2^-64 and -0 become +0, so that a backend that flushes denormals cannot show it.
+FN float snap(float x) { return (float_bits(x) & 0x7FFFFFFFu) < 0x1F800000u ? 0.0f : x; }
+FN float snapped(float x) { return snap(x); }
+
+FN bool below(float a, float b) { return a < b; }
+FN float negated(float a) { return -a; }
+FN float plus(float a, float b) {
+  EXACT float sum = a + b;
+  return sum;
+}
+FN float minus(float a, float b) {
+  EXACT float difference = a - b;
+  return difference;
+}
+FN float times(float a, float b) {
+  EXACT float product = a * b;
+  return (float_bits(product) & 0x7FFFFFFFu) < 0x0D800000u ? 0.0f : product;
+}
+
+FN uint significand(float x) { return (float_bits(x) & 0x7FFFFFu) | 0x800000u; }
+FN uint exponent_field(float x) { return (float_bits(x) >> 23) & 255u; }
+
+// Bits of a positive float from 25 bits of its value, the last of which decides the rounding together with `rest`, and
+// the exponent field of the first. What is below 2^-126 becomes 0, what is above the floats the largest of them.
+FN uint rounded_bits(uint digits, uint rest, int exponent) {
+  if (exponent < 1) return 0u;
+  if (exponent > 254) return 0x7F7FFFFFu;
+  uint whole = digits >> 1;
+  bool up = (digits & 1u) != 0u && (rest != 0u || (whole & 1u) != 0u);
+  uint bits = (uint(exponent) << 23) + (whole - 0x800000u) + (up ? 1u : 0u);
+  return bits < 0x7F800000u ? bits : 0x7F7FFFFFu;
+}
+
+// a / b, correctly rounded. Denormals count as 0; a / 0 is the largest float.
+FN float quotient(float a, float b) {
+  uint sign = (float_bits(a) ^ float_bits(b)) & 0x80000000u;
+  if (exponent_field(a) == 0u) return 0.0f;
+  if (exponent_field(b) == 0u) return bits_float(sign | 0x7F7FFFFFu);
+  int exponent = int(exponent_field(a)) - int(exponent_field(b)) + 127;
+  uint rest = significand(a);
+  uint divisor = significand(b);
+  if (rest < divisor) {
+    rest = rest << 1;
+    exponent -= 1;
+  }
+  uint digits = 0u;
+  for (uint turn = 0u; turn < 25u; ++turn) {
+    bool fits = rest >= divisor;
+    digits = (digits << 1) | (fits ? 1u : 0u);
+    rest = (fits ? rest - divisor : rest) << 1;
+  }
+  return bits_float(sign | rounded_bits(digits, rest, exponent));
+}
+
+// The square root, correctly rounded; 0 for what is not positive.
+FN float square_root(float x) {
+  if (!(x > 0.0f) || exponent_field(x) == 0u) return 0.0f;
+  uint even = (exponent_field(x) & 1u) ^ 1u;
+  uint next = significand(x) << (7u + even);  // read two bits a turn
+  uint rest = 0u;
+  uint digits = 0u;
+  for (uint turn = 0u; turn < 25u; ++turn) {
+    rest = (rest << 2) | (next >> 30);
+    next = next << 2;
+    uint trial = (digits << 2) | 1u;
+    bool fits = rest >= trial;
+    digits = (digits << 1) | (fits ? 1u : 0u);
+    rest = fits ? rest - trial : rest;
+  }
+  int halved = (int(exponent_field(x)) - 175 - int(even)) / 2;  // exact
+  return bits_float(rounded_bits(digits, rest, 151 + halved));
+}
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// One thread per sphere: it meets the spheres of its own group, which stand in shared memory (the paper's code 4).
+#include "cuda/collide/collide.cuh"
+
+namespace spherepair {
+
+template <int BLOCK, bool EQUAL_RADII, bool LISTED>
+__global__ void __launch_bounds__(BLOCK) collide_group(Params p, World w) {
+  __shared__ vec4 tile[BLOCK];
+  __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
+  Collider<EQUAL_RADII, LISTED> c(p, w, total);
+  uint lane = threadIdx.x;
+  uint first = group_index(p) * BLOCK;
+  uint i = first + lane;
+  vec4 mine = w.position[min(i, p.n - 1u)];
+  tile[lane] = mine;
+  c.start_totals();
+  uint contacts = 0u;
+  uint others = first < p.n ? min(uint(BLOCK), p.n - first) : 0u;
+  for (uint k = 0u; k < others; ++k) {
+    if (c.in_reach(mine, tile[k])) contacts += c.meet_ordered(i, mine, first + k, tile[k]);
+  }
+  if (contacts != 0u) c.touch(i, contacts);
+  c.finish_totals();
+}
+
+Entry collide_group_kernel(uint block, Variant variant) {
+  return pick_kernel(block, variant, [](auto size, auto equal, auto listed) {
+    return reinterpret_cast<Entry>(&collide_group<size(), equal(), listed()>);
+  });
+}
+
+}  // namespace spherepair

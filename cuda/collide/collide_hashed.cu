@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// One thread per sphere in the order of hashed cells: it looks through the later half of its neighbourhood on its own
+// level and through its whole neighbourhood on every coarser level. Rows of cells may share slots, so whoever is in
+// reach is also asked for its cell. Pairs are queued and worked off by the whole group.
+#include "common/shared/cell.h"
+#include "cuda/collide/collide.cuh"
+
+namespace spherepair {
+
+template <int BLOCK, bool EQUAL_RADII, bool LISTED>
+__global__ void __launch_bounds__(BLOCK) collide_hashed(Params p, World w) {
+  constexpr uint QUEUE = BLOCK <= 256 ? BLOCK * 6 : 2048;
+  __shared__ uint queue_mine[QUEUE];
+  __shared__ uint queue_other[QUEUE];
+  __shared__ uint queued;
+  __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
+  Collider<EQUAL_RADII, LISTED> collider(p, w, total);
+  uint lane = threadIdx.x;
+  collider.start_totals();
+  for (uint first = group_index(p) * BLOCK; first < p.n; first += group_count() * BLOCK) {
+    uint i = first + lane;
+    if (lane == 0u) queued = 0u;
+    __syncthreads();
+    vec4 mine = with_radius(p, w.position[min(i, p.n - 1u)]);
+    uint own_level = level_of(mine.w, p);
+    Cell own = cell_at(mine.x, mine.y, mine.z, own_level, p);
+    for (uint level = i < p.n ? own_level : p.top_level + 1u; level <= p.top_level; ++level) {
+      if ((p.levels >> level & 1u) == 0u) continue;
+      float reach = reach_of(mine.w, level, p);
+      Cell low = lowest_cell(mine, reach, level, p);
+      Cell high = highest_cell(mine, reach, level, p);
+      bool later_half = level == own_level;
+      int y = later_half ? own.y : low.y;
+      for (int z = later_half ? own.z : low.z; z <= high.z; ++z) {
+        for (; y <= high.y; ++y) {
+          uint row = row_slot(level, y, z);
+          bool own_row = later_half && y == own.y && z == own.z;
+          uint slot = slot_in_row(row, own_row ? own.x : low.x, p);
+          uint last = slot_in_row(row, high.x, p);
+          uint j = own_row ? i + 1u : w.cell[slot];
+          uint end = w.cell[last + 1u] + (last < slot ? p.n : 0u);
+          for (; j < end; ++j) {
+            uint other = j < p.n ? j : j - p.n;
+            vec4 sphere = with_radius(p, w.position[other]);
+            if (collider.in_reach(mine, sphere) && stands_in_row(sphere, level, y, z, p)) {
+              uint place = atomicAdd(&queued, 1u);
+              if (place < QUEUE) {
+                queue_mine[place] = i;
+                queue_other[place] = other;
+              } else {
+                collider.meet_once(i, other);
+              }
+            }
+          }
+        }
+        y = low.y;
+      }
+    }
+    __syncthreads();
+    uint meetings = min(queued, QUEUE);
+    for (uint q = lane; q < meetings; q += BLOCK) collider.meet_once(queue_mine[q], queue_other[q]);
+    __syncthreads();
+  }
+  collider.finish_totals();
+}
+
+Entry collide_hashed_kernel(uint block, Variant variant) {
+  return pick_kernel(block, variant, [](auto size, auto equal, auto listed) {
+    return reinterpret_cast<Entry>(&collide_hashed<size(), equal(), listed()>);
+  });
+}
+
+}  // namespace spherepair

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// A square of groups, one thread per sphere and group of others: it meets that group in a single loop (the paper's
+// two-dimensional arrangement).
+#include "cuda/collide/collide.cuh"
+
+namespace spherepair {
+
+template <int BLOCK, bool EQUAL_RADII, bool LISTED>
+__global__ void __launch_bounds__(BLOCK) collide_square(Params p, World w) {
+  __shared__ vec4 tile[BLOCK];
+  __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
+  Collider<EQUAL_RADII, LISTED> c(p, w, total);
+  uint lane = threadIdx.x;
+  uint groups = (p.n + BLOCK - 1u) / BLOCK;
+  uint mine_group = p.first_group + blockIdx.x;
+  uint other_group = blockIdx.y + MAX_GROUPS * blockIdx.z;
+  if (mine_group >= groups || other_group >= groups) return;
+  uint i = mine_group * BLOCK + lane;
+  uint first = other_group * BLOCK;
+  vec4 mine = w.position[min(i, p.n - 1u)];
+  tile[lane] = w.position[min(first + lane, p.n - 1u)];
+  c.start_totals();
+  uint contacts = 0u;
+  uint others = min(uint(BLOCK), p.n - first);
+  for (uint k = 0u; k < others; ++k) {
+    if (c.in_reach(mine, tile[k])) contacts += c.meet_ordered(i, mine, first + k, tile[k]);
+  }
+  if (contacts != 0u) c.touch(i, contacts);
+  c.finish_totals();
+}
+
+Entry collide_square_kernel(uint block, Variant variant) {
+  return pick_kernel(block, variant, [](auto size, auto equal, auto listed) {
+    return reinterpret_cast<Entry>(&collide_square<size(), equal(), listed()>);
+  });
+}
+
+}  // namespace spherepair

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Each unordered pair once: a group holds SPHERES_PER_THREAD spheres a thread in registers, its rows, and meets
+// p.stretch spheres of its row or later, its columns, which pass through shared memory in Gram form. Where a column
+// comes near a thread's rows the meeting is only queued; after the tile the whole group works the queue off, a thread
+// per pair. The fewer columns some rows still have to meet, the more have those mirrored at the middle: the groups of
+// both stand in one line of the launch, so that hardly any is idle but in the middle.
+#include "cuda/collide/collide.cuh"
+
+namespace spherepair {
+
+constexpr uint MEETING_PAIRS = SPHERES_PER_THREAD * COLUMNS_AT_ONCE;
+
+// Pair number `pair` of the meeting between a thread's rows and the columns from j on.
+template <int BLOCK, bool EQUAL_RADII, bool LISTED>
+__device__ void meet(Collider<EQUAL_RADII, LISTED>& collider, uint first_row, uint pair, uint lane, uint j, uint end) {
+  uint i = first_row + (pair % SPHERES_PER_THREAD) * BLOCK + lane;
+  j += pair / SPHERES_PER_THREAD;
+  if (i < j && j < end) collider.meet_once(i, j);
+}
+
+template <int BLOCK, bool EQUAL_RADII, bool LISTED>
+__global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, World w) {
+  constexpr uint ROWS = BLOCK * SPHERES_PER_THREAD;
+  constexpr float SHARE = EQUAL_RADII ? 1.0f : 0.5f;
+  __shared__ vec4 tile[BLOCK];
+  __shared__ float tile_radius[EQUAL_RADII ? 1 : BLOCK];
+  __shared__ uint near_queue[NEAR_PER_THREAD * BLOCK];
+  __shared__ uint near_length[2];  // of this tile and of the next
+  __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
+  Collider<EQUAL_RADII, LISTED> collider(p, w, total);
+  uint lane = threadIdx.x;
+  uint stretch = blockIdx.x;
+  uint first_row = (p.first_group + blockIdx.y) * ROWS;
+  uint stretches = (p.n - first_row + p.stretch - 1u) / p.stretch;
+  if (stretch >= stretches) {
+    uint mirrored = (p.n - 1u) / ROWS * ROWS - first_row;
+    if (mirrored == first_row) return;  // the line in the middle
+    first_row = mirrored;
+    stretch -= stretches;
+  }
+  uint first_column = first_row + stretch * p.stretch;
+  if (first_column >= p.n) return;
+  if (lane < 2u) near_length[lane] = 0u;
+  collider.start_totals();
+  vec4 origin = w.position[first_row];
+  vec4 row[SPHERES_PER_THREAD];
+  float row_radius[SPHERES_PER_THREAD];
+  for (uint k = 0u; k < SPHERES_PER_THREAD; ++k) {
+    vec4 sphere = w.position[min(first_row + k * BLOCK + lane, p.n - 1u)];
+    row[k] = gram_form(sphere, origin, SHARE);
+    row_radius[k] = sphere.w;
+    if (first_row + k * BLOCK + lane >= p.n) row[k].w = NEVER_NEAR;
+  }
+  uint end = min(first_column + p.stretch, p.n);
+  uint turn = 0u;
+  for (uint start = first_column; start < end; start += BLOCK) {
+    vec4 sphere = w.position[min(start + lane, p.n - 1u)];
+    vec4 form = gram_form(sphere, origin, SHARE);
+    tile[lane] = vec4{form.x, form.y, form.z, -form.w};
+    if constexpr (!EQUAL_RADII) tile_radius[lane] = sphere.w;
+    __syncthreads();
+    if (lane == 0u) near_length[turn ^ 1u] = 0u;
+    uint others = min(uint(BLOCK), end - start);
+    for (uint c = 0u; c < others; c += COLUMNS_AT_ONCE) {
+      bool near = false;
+      for (uint u = 0u; u < COLUMNS_AT_ONCE; ++u) {
+        vec4 column = tile[c + u];
+        for (uint k = 0u; k < SPHERES_PER_THREAD; ++k) {
+          float product = gram_product(row[k], column.x, column.y, column.z, column.w);
+          if constexpr (!EQUAL_RADII) product = multiply_add(row_radius[k], tile_radius[c + u], product);
+          bool apart = product < row[k].w;
+          near = near || !apart;
+        }
+      }
+      if (near) {
+        uint place = atomicAdd(&near_length[turn], 1u);
+        if (place < NEAR_PER_THREAD * BLOCK) {
+          near_queue[place] = c * BLOCK + lane;
+        } else {
+#pragma unroll 1
+          for (uint pair = 0u; pair < MEETING_PAIRS; ++pair)
+            meet<BLOCK>(collider, first_row, pair, lane, start + c, end);
+        }
+      }
+    }
+    __syncthreads();
+    uint queued = min(near_length[turn], uint(NEAR_PER_THREAD * BLOCK)) * MEETING_PAIRS;
+    for (uint q = lane; q < queued; q += BLOCK) {
+      uint meeting = near_queue[q / MEETING_PAIRS];
+      meet<BLOCK>(collider, first_row, q % MEETING_PAIRS, meeting % BLOCK, start + meeting / BLOCK, end);
+    }
+    turn ^= 1u;
+  }
+  collider.finish_totals();
+}
+
+Entry collide_triangle_kernel(uint block, Variant variant) {
+  return pick_kernel(block, variant, [](auto size, auto equal, auto listed) {
+    return reinterpret_cast<Entry>(&collide_triangle<size(), equal(), listed()>);
+  });
+}
+
+}  // namespace spherepair

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// BOUNDS_LANES threads per cluster, each of which goes through as large a share of its spheres: the box that holds
+// them; and then the box that holds a bundle. By cells one thread per cluster, which looks at where it and the next one
+// begin, and at all spheres only when that is not in one row of cells.
+#include "common/shared/cluster.h"
+#include "cuda/kernels.cuh"
+
+namespace spherepair {
+
+__device__ inline vec4 min(vec4 a, vec4 b) {
+  return {smaller(a.x, b.x), smaller(a.y, b.y), smaller(a.z, b.z), smaller(a.w, b.w)};
+}
+__device__ inline vec4 max(vec4 a, vec4 b) {
+  return {larger(a.x, b.x), larger(a.y, b.y), larger(a.z, b.z), larger(a.w, b.w)};
+}
+
+// All threads of the group call it: every second of what stands `stride` apart takes in its neighbour.
+__device__ inline void join(vec4* low, vec4* high, uint stride) {
+  uint lane = threadIdx.x;
+  __syncthreads();
+  if (lane % (2u * stride) != 0u) return;
+  low[lane] = min(low[lane], low[lane + stride]);
+  high[lane] = max(high[lane], high[lane + stride]);
+}
+
+template <bool BY_CELLS>
+__global__ void __launch_bounds__(SERVICE_BLOCK) draw_bounds(Params p, World w, View v) {
+  __shared__ vec4 low[SERVICE_BLOCK];
+  __shared__ vec4 high[SERVICE_BLOCK];
+  constexpr uint lanes = BY_CELLS ? 1u : BOUNDS_LANES;
+  uint lane = threadIdx.x;
+  uint own_lane = lane % lanes;  // of the cluster's
+  uint c = group_index(p) * (SERVICE_BLOCK / lanes) + lane / lanes;
+  float most = bits_float(0x7F7FFFFFu);
+  low[lane] = vec4{most, most, most, most};
+  high[lane] = vec4{-most, -most, -most, -most};
+  bool in_row = false;
+  if (BY_CELLS && c < v.clusters) {
+    Place begin = place_of(w.position[c * CLUSTER], p);
+    uint next = (c + 1u) * CLUSTER;
+    Place end = place_of(w.position[next < p.n ? next : p.n - 1u], p);
+    in_row = within_row(begin, end, p);
+    if (in_row) low[lane] = lowest_in_row(begin, p);
+    if (in_row) high[lane] = highest_in_row(end, p);
+  }
+  for (uint k = own_lane; !in_row && k < CLUSTER; k += 4u * lanes) {
+    vec4 four[4];  // all on their way before the first is asked; behind the last sphere that one again
+    for (uint j = 0u; j < 4u; ++j) {
+      uint place = c * CLUSTER + k + j * lanes;
+      four[j] = with_radius(p, w.position[place < p.n ? place : p.n - 1u]);
+    }
+    for (uint j = 0u; j < 4u; ++j) {
+      if (!ever_drawable(four[j])) continue;
+      low[lane] = min(low[lane], lowest_corner(four[j]));
+      high[lane] = max(high[lane], highest_corner(four[j]));
+    }
+  }
+  for (uint stride = 1u; stride < lanes; stride *= 2u) join(low, high, stride);
+  if (own_lane == 0u && c < v.clusters) {
+    w.cluster[2u * c] = low[lane];
+    w.cluster[2u * c + 1u] = high[lane];
+  }
+  for (uint stride = lanes; stride < BUNDLE * lanes; stride *= 2u) join(low, high, stride);
+  if (own_lane != 0u || c % BUNDLE != 0u || c >= v.clusters) return;
+  w.cluster[corners_of_bundle(c / BUNDLE, v)] = low[lane];
+  w.cluster[corners_of_bundle(c / BUNDLE, v) + 1u] = high[lane];
+}
+
+Entry draw_bounds_kernel(uint, Variant variant) {
+  return variant.by_cells ? reinterpret_cast<Entry>(&draw_bounds<true>) : reinterpret_cast<Entry>(&draw_bounds<false>);
+}
+
+}  // namespace spherepair

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// One thread per pixel, in place of draw_resolve: light that the spheres around take away, shadows, and the ground.
+#include "common/shared/light.h"
+#include "cuda/kernels.cuh"
+
+namespace spherepair {
+
+// The sphere that stands at a place of the cell order; the surface's own takes nothing away.
+__device__ inline vec4 found_at(const Params& p, const World& w, uint place) {
+  return p.in_cells != 0u ? w.sorted[place] : w.position[place];
+}
+__device__ inline bool is_own(const Params& p, const World& w, vec4 found, uint place, Surface s) {
+  return number_of(p, w, found, place) == s.sphere;
+}
+
+__device__ inline float light_around(const Params& p, const World& w, Surface s) {
+  float x = place_unclamped(s.x, p.origin_x, p);
+  float y = place_unclamped(s.y, p.origin_y, p);
+  float z = place_unclamped(s.z, p.origin_z, p);
+  CellRange row_x = cells_around(x, p.cells_x);
+  CellRange row_y = cells_around(y, p.cells_y);
+  CellRange row_z = cells_around(z, p.cells_z);
+  uint taken = 0u;
+  for (uint z_cell = row_z.low; z_cell <= row_z.high; ++z_cell)
+    for (uint y_cell = row_y.low; y_cell <= row_y.high; ++y_cell) {
+      uint row = dense_slot(0u, y_cell, z_cell, p);
+      for (uint place = w.cell[row + row_x.low]; place < w.cell[row + row_x.high + 1u]; ++place) {
+        vec4 found = found_at(p, w, place);
+        if (!is_own(p, w, found, place, s)) taken += taken_by(with_radius(p, found), s, p);
+      }
+    }
+  return light_left(taken);
+}
+
+__device__ inline bool in_shadow(const Params& p, const World& w, const View& v, Surface s) {
+  float x = place_unclamped(s.x, p.origin_x, p);
+  float y = place_unclamped(s.y, p.origin_y, p);
+  float z = place_unclamped(s.z, p.origin_z, p);
+  for (uint layer = first_layer(y, p.cells_y); layer < p.cells_y; ++layer) {
+    CellRange row_x = cells_on_way(x, y, slope_of(v.sun.x, v), float(layer), p.cells_x);
+    CellRange row_z = cells_on_way(z, y, slope_of(v.sun.z, v), float(layer), p.cells_z);
+    for (uint z_cell = row_z.low; z_cell <= row_z.high; ++z_cell) {
+      uint row = dense_slot(0u, layer, z_cell, p);
+      for (uint place = w.cell[row + row_x.low]; place < w.cell[row + row_x.high + 1u]; ++place) {
+        vec4 found = found_at(p, w, place);
+        if (shades(with_radius(p, found), s, v) && !is_own(p, w, found, place, s)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+__global__ void __launch_bounds__(SERVICE_BLOCK) draw_light(Params p, World w, View v) {
+  uint pixel = group_index(p) * SERVICE_BLOCK + threadIdx.x;
+  if (pixel >= v.width * v.height) return;
+  uvec2 seen = w.visible[pixel];
+  Ray ray = ray_through(pixel % v.width, pixel / v.width, v);
+  bool sphere = seen.y != 0xFFFFFFFFu;
+  float ground = (v.lighting & LIGHT_GROUND) != 0u ? depth_of_ground(ray, p.plane, v) : 0.0f;
+  w.image[pixel] = lit(v.background, 1.0f);
+  if (!sphere && ground == 0.0f) return;
+  bool on_ground = !sphere || (ground > 0.0f && ground < bits_float(seen.y));
+  vec4 shown = in_camera(w.position[sphere ? seen.x : 0u], v);
+  Normal normal = normal_at(shown, ray, bits_float(seen.y));
+  Surface s = on_ground ? ground_at(ray, ground, p.plane, v) : surface_of(w.position[seen.x], seen.x, normal, v);
+  float around = (v.lighting & LIGHT_OCCLUSION) != 0u ? light_around(p, w, s) : 1.0f;
+  float sun = (v.lighting & LIGHT_SHADOW) != 0u && in_shadow(p, w, v, s) ? 0.0f : 1.0f;
+  w.image[pixel] = on_ground ? ground_colour(around, sun, v)
+                             : lit(palette(w.count[seen.x], v), light_on_normal(normal, around, sun, v));
+}
+
+Entry draw_light_kernel(uint, Variant) { return reinterpret_cast<Entry>(&draw_light); }
+
+}  // namespace spherepair

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Sums over the threads of a block, through the registers of its warps.
+#pragma once
+
+#include "common/shared/layout.h"
+
+namespace spherepair {
+
+// The sum of `own` over this thread and those before it. Every thread of the block must call it, and a barrier must
+// stand between two calls.
+template <uint BLOCK>
+__device__ inline uint sum_up_to(uint own) {
+  __shared__ uint warp_sums[BLOCK / 32u];
+  uint lane = threadIdx.x % 32u;
+  uint warp = threadIdx.x / 32u;
+  uint upto = own;
+  for (uint distance = 1u; distance < 32u; distance *= 2u) {
+    uint other = __shfl_up_sync(~0u, upto, distance);
+    if (lane >= distance) upto += other;
+  }
+  if (lane == 31u) warp_sums[warp] = upto;
+  __syncthreads();
+  uint before = lane < warp ? warp_sums[lane] : 0u;
+#if __CUDA_ARCH__ >= 800
+  before = __reduce_add_sync(~0u, before);
+#else
+  for (uint bit = 1u; bit < 32u; bit *= 2u) before += __shfl_xor_sync(~0u, before, bit);
+#endif
+  return before + upto;
+}
+
+}  // namespace spherepair

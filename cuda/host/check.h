@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The one place where CUDA's answers are checked.
+#pragma once
+
+#include <cuda_runtime.h>
+
+#include <string>
+
+#include "common/backend/backend.h"
+
+namespace spherepair {
+
+inline void cuda_check(cudaError_t error, const std::string& what) {
+  if (error == cudaSuccess) return;
+  throw BackendError("cuda: " + what + " failed: " + cudaGetErrorName(error) + ", " + cudaGetErrorString(error));
+}
+
+}  // namespace spherepair

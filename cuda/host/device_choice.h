@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "common/backend/backend.h"
+
+namespace spherepair {
+
+// Takes the device of this number, counted from 0. Throws BackendError that says why there is none to use.
+int use_device(int wanted);
+
+BackendInfo describe_device(int device);  // its name, versions and sizes
+
+std::string version_text(int number);  // of a driver or runtime, as CUDA encodes it: 13000 is 13.0
+
+}  // namespace spherepair

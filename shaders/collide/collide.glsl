@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// What a thread does with the pairs that reach it: decide, record, defer; and the totals of its group.
+#include "shaders/buffers.glsl"
+#include "common/shared/hash.h"
+#include "common/shared/predicate.h"
+
+shared uint total[TOTAL_ROWS * TOTAL_STRIDE];
+uint pairs_found = 0u;
+uint64_t mix_a = 0ul;
+uint64_t mix_b = 0ul;
+
+// 64-bit sums by two 32-bit atomics: each wrap of the low word is seen by exactly one addition.
+void add_to_total(uint word, uint64_t value) {
+  uint low = uint(value & 0xFFFFFFFFul);
+  uint place = (gl_LocalInvocationID.x % TOTAL_ROWS) * TOTAL_STRIDE + word;
+  uint before = atomicAdd(total[place], low);
+  atomicAdd(total[place + 1u], uint(value >> 32) + (before + low < before ? 1u : 0u));
+}
+
+void add_to_summary(uint word, uint low, uint high) {
+  uint before = atomicAdd(summary[word], low);
+  atomicAdd(summary[word + 1u], high + (before + low < before ? 1u : 0u));
+}
+
+void start_totals() {
+  for (uint k = gl_LocalInvocationID.x; k < TOTAL_ROWS * TOTAL_STRIDE; k += BLOCK) total[k] = 0u;
+  barrier();
+}
+
+void finish_totals() {
+  if (pairs_found != 0u) {
+    add_to_total(SUM_PAIRS, uint64_t(pairs_found));
+    add_to_total(SUM_MIX_A, mix_a);
+    add_to_total(SUM_MIX_B, mix_b);
+  }
+  barrier();
+  uint word = 2u * gl_LocalInvocationID.x;
+  if (word >= SUM_DEFERRED) return;
+  uint64_t sum = 0ul;
+  for (uint k = 0u; k < TOTAL_ROWS; ++k)
+    sum += uint64_t(total[k * TOTAL_STRIDE + word]) + (uint64_t(total[k * TOTAL_STRIDE + word + 1u]) << 32);
+  uint row = (group_index() % SUMMARY_SLOTS) * SUMMARY_WORDS;
+  if (sum != 0ul) add_to_summary(row + word, uint(sum & 0xFFFFFFFFul), uint(sum >> 32));
+}
+
+// More contacts for sphere i; what was counted before is not asked for, so nothing waits for it.
+void touch(uint i, uint contacts) { atomicAdd(count[i], contacts); }
+
+bool totals_later() { return LATER != 0u; }
+
+// Numbers of spheres, in any order.
+void record(uint a, uint b) {
+  uint i = min(a, b);
+  uint j = max(a, b);
+  pairs_found += 1u;
+  mix_a += pair_mix_a(i, j);
+  mix_b += pair_mix_b(i, j);
+#if LISTED
+  uint k = atomicAdd(summary[SUM_LISTED], 1u);
+  if (k < p.pair_capacity) listed[k] = uvec2(i, j);
+#endif
+}
+
+void defer(uint i, uint j) {
+  if (p.defer_undecided == 0u) return;
+  uint k = atomicAdd(summary[SUM_DEFERRED], 1u);
+  if (k < p.deferred_capacity) deferred[k] = uvec2(i, j);
+}
+
+// Whether the filter must look closer at this pair: the one test of the hot loops.
+bool in_reach(vec4 a, vec4 b) {
+#if EQUAL_RADII
+  return !(squared_distance(a, b) > p.apart_above);
+#else
+  return filter_pair(a, b, p.filter_scale, p.filter_offset) != APART;
+#endif
+}
+
+uint filter_spheres(vec4 a, vec4 b) {
+#if EQUAL_RADII
+  return filter_equal(squared_distance(a, b), p.apart_above, p.collide_below);
+#else
+  return filter_pair(a, b, p.filter_scale, p.filter_offset);
+#endif
+}
+
+// For kernels that meet every ordered pair: sphere i counts its own contacts, and i<j records the pair.
+uint meet_ordered(uint i, vec4 a, uint j, vec4 b) {
+  if (i == j || i >= p.n) return 0u;
+  uint verdict = filter_spheres(a, b);
+  if (verdict == UNDECIDED && i < j) defer(i, j);
+  if (verdict == COLLIDE && i < j) record(i, j);
+  return verdict == COLLIDE ? 1u : 0u;
+}
+
+// For kernels that meet every unordered pair once, at places i and j: what the filter says of it. The caller counts the
+// contact, or has an undecided pair decided. Most that come here collide, so numbers are loaded beside the spheres.
+uint meet(uint i, vec4 a, uint j, vec4 b) {
+  uint first = totals_later() ? i : number_of(a, i);
+  uint second = totals_later() ? j : number_of(b, j);
+  uint verdict = filter_spheres(a, b);
+  if (verdict == COLLIDE && !totals_later()) record(first, second);
+  return verdict;
+}
+
+void meet_once(uint i, uint j) {
+  uint verdict = meet(i, position[i], j, position[j]);
+  if (verdict == UNDECIDED) defer(i, j);
+  if (verdict != COLLIDE) return;
+  touch(i, 1u);
+  touch(j, 1u);
+}

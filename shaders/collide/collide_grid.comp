@@ -1,0 +1,174 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// One thread per sphere in cell order; groups take chunks of spheres until none is left. The later half of a sphere's
+// neighbourhood is five rows of cells, each a contiguous range of spheres. A thread walks through all of them in one
+// loop, four spheres at a time, and marks in a word whoever is in reach; then it queues them, and its team settles the
+// queue, a thread per pair, in full rounds: the rest waits for the next chunk. Where a word or the queue is full, the
+// team walks on after that. What the filter leaves undecided is decided at the group's end, in float64; only what that
+// leaves, or has no room, is deferred.
+#include "shaders/collide/collide.glsl"
+#include "shaders/collide/team.glsl"
+#include "shaders/grid/grid.glsl"
+#include "common/shared/exact.h"
+
+layout(local_size_x = BLOCK) in;
+const uint TEAMS = BLOCK / TEAM;
+const uint QUEUE_ROOM = 3u * TEAM;
+shared uvec2 queue[TEAMS * QUEUE_ROOM];  // of each team: two spheres that may meet
+shared uint queued[TEAMS];
+shared uint unfinished[TEAMS];
+const uint UNDECIDED_ROOM = 16u;
+shared uvec2 undecided[UNDECIDED_ROOM];  // the group's first pairs that the filter leaves so
+shared uint undecided_pairs;             // and all of them
+
+// The k-th sphere of a walk is sphere k + shift in the first row with k < bound.
+struct Row {
+  uint bound, shift;
+};
+Row row_after(Row last, uint begin, uint end) { return Row(last.bound + end - begin, begin - last.bound); }
+Row row_at(Row last, bool exists, uint slot, uint x, uint last_x) {
+  return row_after(last, exists ? begin_at(slot + x) : 0u, exists ? begin_at(slot + last_x + 1u) : 0u);
+}
+
+// The rows of the neighbourhood: the rest of the sphere's own, the one above it, and three of the layer ahead.
+struct Rows {
+  Row own, above, ahead_below, ahead, ahead_above;
+};
+Rows find_rows(vec4 mine, uint i, bool exists) {
+  Place place = place_of(mine, p);
+  float reach = reach_in_cells(mine.w, p);
+  uint x = cell_below(place.x, reach);
+  uint last_x = cell_above(place.x, reach, p.cells_x);
+  uint y = uint(place.y);
+  uint z = uint(place.z);
+  bool below = cell_below(place.y, reach) != y;
+  bool above = cell_above(place.y, reach, p.cells_y) != y && exists;
+  bool ahead = cell_above(place.z, reach, p.cells_z) != z && exists;
+  uint slot = dense_slot(0u, y, z, p) - table_begin();
+  uint next = slot + p.cells_x * p.cells_y;
+  Rows rows;
+  rows.own = row_after(Row(0u, 0u), exists ? i + 1u : 0u, exists ? begin_at(slot + last_x + 1u) : 0u);
+  rows.above = row_at(rows.own, above, slot + p.cells_x, x, last_x);
+  rows.ahead_below = row_at(rows.above, ahead && below, next - p.cells_x, x, last_x);
+  rows.ahead = row_at(rows.ahead_below, ahead, next, x, last_x);
+  rows.ahead_above = row_at(rows.ahead, ahead && above, next + p.cells_x, x, last_x);
+  return rows;
+}
+
+uint walked(Rows rows, uint k) {
+  uint shift = rows.ahead_above.shift;
+  shift = k < rows.ahead.bound ? rows.ahead.shift : shift;
+  shift = k < rows.ahead_below.bound ? rows.ahead_below.shift : shift;
+  shift = k < rows.above.bound ? rows.above.shift : shift;
+  shift = k < rows.own.bound ? rows.own.shift : shift;
+  return k + shift;
+}
+
+// Whether the k-th sphere of the walk is in reach. Behind the last sphere of all, a guard may be read.
+bool near(vec4 mine, Rows rows, uint k) { return in_reach(mine, position[walked(rows, k)]); }
+
+// Marks who is in reach among 32 spheres of the walk.
+uint walk(vec4 mine, Rows rows, uint first) {
+  uint marked = 0u;
+  uint end = min(rows.ahead_above.bound, first + 32u);
+
+  for (uint k = first; k < end; k += 4u) {
+    uint four = uint(near(mine, rows, k)) | uint(near(mine, rows, k + 1u)) << 1 | uint(near(mine, rows, k + 2u)) << 2 |
+                uint(near(mine, rows, k + 3u)) << 3;
+    marked |= four << (k - first);
+  }
+  return end - first < 32u ? marked & ((1u << (end - first)) - 1u) : marked;
+}
+
+void leave_undecided(uint i, uint j) {
+  uint k = atomicAdd(undecided_pairs, 1u);
+  if (k < UNDECIDED_ROOM) {
+    undecided[k] = uvec2(i, j);
+  } else {
+    defer(i, j);
+  }
+}
+
+// A thread for each pair that there was room for.
+void decide_undecided() {
+  uint row = (group_index() % SUMMARY_SLOTS) * SUMMARY_WORDS;
+  uint lane = gl_LocalInvocationID.x;
+  if (lane == 0u) atomicAdd(summary[row + SUM_UNDECIDED], undecided_pairs);
+  if (lane >= min(undecided_pairs, UNDECIDED_ROOM)) return;
+  uint i = undecided[lane].x;
+  uint j = undecided[lane].y;
+  vec4 a = with_radius(position[i]);
+  vec4 b = with_radius(position[j]);
+  uint verdict = finite_sphere(a) && finite_sphere(b) ? decide_double(a, b) : UNDECIDED;
+  if (verdict == UNDECIDED) {
+    defer(i, j);
+    return;
+  }
+  atomicAdd(summary[row + SUM_STAGE + STAGE_DOUBLE], 1u);
+  if (verdict == APART) return;
+  if (!totals_later()) record(number_of(position[i], i), number_of(position[j], j));
+  touch(i, 1u);
+  touch(j, 1u);
+}
+
+// A group's next spheres: behind these, or those of its next stretch, as far on as all groups take.
+uint next_chunk(uint first) {
+  uint behind = first + BLOCK;
+  return (behind & (p.stretch - 1u)) != 0u ? behind : behind + (group_count() - 1u) * p.stretch;
+}
+
+void main() {
+  uint lane = team_lane();
+  uint team = team_index();
+  uint room = team * QUEUE_ROOM;
+  if (lane == 0u) queued[team] = unfinished[team] = 0u;
+  if (gl_LocalInvocationID.x == 0u) undecided_pairs = 0u;
+  start_totals();
+  uint end = places_end() - first_place();
+  for (uint first = group_index() * p.stretch; first < end;) {
+    uint k = first + team * TEAM + lane;
+    uint i = first_place() + k;
+    first = next_chunk(first);
+    vec4 mine = position[min(i, p.n - 1u)];
+    if (bool(EQUAL_RADII)) mine.w = p.radius;
+    Rows rows = find_rows(mine, i, k < end);
+    uint marked = 0u;
+    uint next = 0u;
+    uint base = 0u;
+    bool again = true;
+    while (again) {
+      if (marked == 0u && next < rows.ahead_above.bound) {
+        base = next;
+        next = base + 32u;
+        marked = walk(mine, rows, base);
+      }
+      uint at = marked != 0u ? atomicAdd(queued[team], uint(bitCount(marked))) : 0u;
+      for (; marked != 0u && at < QUEUE_ROOM; ++at) {
+        queue[room + at] = uvec2(i, walked(rows, base + uint(findLSB(marked))));
+        marked &= marked - 1u;
+      }
+      if (marked != 0u || next < rows.ahead_above.bound) unfinished[team] = 1u;
+      team_barrier();
+      again = unfinished[team] != 0u;
+      uint held = min(queued[team], QUEUE_ROOM);
+      uint left = first < end || again ? held % TEAM : 0u;
+      for (uint q = left + lane; q < held; q += TEAM) {
+        uint a = queue[room + q].x;
+        uint b = queue[room + q].y;
+        uint verdict = meet(a, position[a], b, position[b]);
+        if (verdict == COLLIDE) {
+          atomicAdd(count[a], 1u);
+          atomicAdd(count[b], 1u);
+        }
+        if (verdict == UNDECIDED && p.defer_undecided != 0u) leave_undecided(a, b);
+      }
+      team_barrier();
+      if (lane == 0u) queued[team] = left;
+      if (lane == 0u) unfinished[team] = 0u;
+      team_barrier();
+    }
+  }
+  if (TEAMS > 1u) barrier();
+  if (undecided_pairs != 0u) decide_undecided();
+  finish_totals();
+}

@@ -1,0 +1,23 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// One thread per sphere: it meets the spheres of its own group, which stand in shared memory (the paper's code 4).
+#include "shaders/collide/collide.glsl"
+
+layout(local_size_x = BLOCK) in;
+shared vec4 tile[BLOCK];
+
+void main() {
+  uint lane = gl_LocalInvocationID.x;
+  uint first = group_index() * BLOCK;
+  uint i = first + lane;
+  vec4 mine = position[min(i, p.n - 1u)];
+  tile[lane] = mine;
+  start_totals();
+  uint contacts = 0u;
+  uint others = first < p.n ? min(uint(BLOCK), p.n - first) : 0u;
+  for (uint k = 0u; k < others; ++k) {
+    if (in_reach(mine, tile[k])) contacts += meet_ordered(i, mine, first + k, tile[k]);
+  }
+  if (contacts != 0u) touch(i, contacts);
+  finish_totals();
+}

@@ -1,0 +1,27 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// One thread per sphere: every group of spheres passes through shared memory, and it meets them all (the paper's code
+// 5).
+#include "shaders/collide/collide.glsl"
+
+layout(local_size_x = BLOCK) in;
+shared vec4 tile[BLOCK];
+
+void main() {
+  uint lane = gl_LocalInvocationID.x;
+  uint i = group_index() * BLOCK + lane;
+  vec4 mine = position[min(i, p.n - 1u)];
+  start_totals();
+  uint contacts = 0u;
+  for (uint first = 0u; first < p.n; first += BLOCK) {
+    tile[lane] = position[min(first + lane, p.n - 1u)];
+    barrier();
+    uint others = min(uint(BLOCK), p.n - first);
+    for (uint k = 0u; k < others; ++k) {
+      if (in_reach(mine, tile[k])) contacts += meet_ordered(i, mine, first + k, tile[k]);
+    }
+    barrier();
+  }
+  if (contacts != 0u) touch(i, contacts);
+  finish_totals();
+}

@@ -1,0 +1,100 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// Each unordered pair once: a group holds SPHERES_PER_THREAD spheres a thread in registers, its rows, and meets
+// p.stretch spheres of its row or later, its columns, which pass through shared memory in Gram form. Where a column
+// comes near a thread's rows the meeting is only queued; after the tile the whole group works the queue off, a thread
+// per pair. The fewer columns some rows still have to meet, the more have those mirrored at the middle: the groups of
+// both stand in one line of the launch, so that hardly any is idle but in the middle.
+#include "shaders/collide/collide.glsl"
+
+#define ROWS (BLOCK * SPHERES_PER_THREAD)
+#define MEETING_PAIRS (SPHERES_PER_THREAD * COLUMNS_AT_ONCE)
+#if EQUAL_RADII
+#define SHARE 1.0f
+#else
+#define SHARE 0.5f
+#endif
+
+layout(local_size_x = BLOCK) in;
+shared vec4 tile[BLOCK];
+#if !EQUAL_RADII
+shared float tile_radius[BLOCK];
+#endif
+shared uint near_queue[NEAR_PER_THREAD * BLOCK];
+shared uint near_length[2];  // of this tile and of the next
+
+// Pair number `pair` of the meeting between a thread's rows and the columns from j on.
+void meet(uint first_row, uint pair, uint lane, uint j, uint end) {
+  uint i = first_row + (pair % SPHERES_PER_THREAD) * BLOCK + lane;
+  j += pair / SPHERES_PER_THREAD;
+  if (i < j && j < end) meet_once(i, j);
+}
+
+void main() {
+  uint lane = gl_LocalInvocationID.x;
+  uint stretch = gl_WorkGroupID.x;
+  uint first_row = (p.first_group + gl_WorkGroupID.y) * ROWS;
+  uint stretches = (p.n - first_row + p.stretch - 1u) / p.stretch;
+  if (stretch >= stretches) {
+    uint mirrored = (p.n - 1u) / ROWS * ROWS - first_row;
+    if (mirrored == first_row) return;  // the line in the middle
+    first_row = mirrored;
+    stretch -= stretches;
+  }
+  uint first_column = first_row + stretch * p.stretch;
+  if (first_column >= p.n) return;
+  if (lane < 2u) near_length[lane] = 0u;
+  start_totals();
+  vec4 origin = position[first_row];
+  vec4 row[SPHERES_PER_THREAD];
+  float row_radius[SPHERES_PER_THREAD];
+  for (uint k = 0u; k < SPHERES_PER_THREAD; ++k) {
+    vec4 sphere = position[min(first_row + k * BLOCK + lane, p.n - 1u)];
+    row[k] = gram_form(sphere, origin, SHARE);
+    row_radius[k] = sphere.w;
+    if (first_row + k * BLOCK + lane >= p.n) row[k].w = NEVER_NEAR;
+  }
+  uint end = min(first_column + p.stretch, p.n);
+  uint turn = 0u;
+  for (uint start = first_column; start < end; start += BLOCK) {
+    vec4 sphere = position[min(start + lane, p.n - 1u)];
+    vec4 form = gram_form(sphere, origin, SHARE);
+    tile[lane] = vec4(form.x, form.y, form.z, -form.w);
+#if !EQUAL_RADII
+    tile_radius[lane] = sphere.w;
+#endif
+    barrier();
+    if (lane == 0u) near_length[turn ^ 1u] = 0u;
+    uint others = min(uint(BLOCK), end - start);
+    for (uint c = 0u; c < others; c += COLUMNS_AT_ONCE) {
+      bool near = false;
+      for (uint u = 0u; u < COLUMNS_AT_ONCE; ++u) {
+        vec4 column = tile[c + u];
+        for (uint k = 0u; k < SPHERES_PER_THREAD; ++k) {
+          float product = gram_product(row[k], column.x, column.y, column.z, column.w);
+#if !EQUAL_RADII
+          product = multiply_add(row_radius[k], tile_radius[c + u], product);
+#endif
+          bool apart = product < row[k].w;
+          near = near || !apart;
+        }
+      }
+      if (near) {
+        uint place = atomicAdd(near_length[turn], 1u);
+        if (place < NEAR_PER_THREAD * BLOCK) {
+          near_queue[place] = c * BLOCK + lane;
+        } else {
+          for (uint pair = 0u; pair < MEETING_PAIRS; ++pair) meet(first_row, pair, lane, start + c, end);
+        }
+      }
+    }
+    barrier();
+    uint queued = min(near_length[turn], uint(NEAR_PER_THREAD * BLOCK)) * MEETING_PAIRS;
+    for (uint q = lane; q < queued; q += BLOCK) {
+      uint meeting = near_queue[q / MEETING_PAIRS];
+      meet(first_row, q % MEETING_PAIRS, meeting % BLOCK, start + meeting / BLOCK, end);
+    }
+    turn ^= 1u;
+  }
+  finish_totals();
+}

@@ -1,0 +1,62 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// BOUNDS_LANES threads per cluster, each of which goes through as large a share of its spheres: the box that holds
+// them; and then the box that holds a bundle. By cells one thread per cluster, which looks at where it and the next one
+// begin, and at all spheres only when that is not in one row of cells.
+#include "shaders/buffers.glsl"
+#include "shaders/draw/view.glsl"
+#include "common/shared/cluster.h"
+
+layout(std430, binding = SLOT_CLUSTER) restrict writeonly buffer ClusterBuffer { vec4 cluster[]; };
+layout(local_size_x = BLOCK) in;
+const uint lanes = bool(BY_CELLS) ? 1u : BOUNDS_LANES;
+shared vec4 low[BLOCK];
+shared vec4 high[BLOCK];
+
+// All threads of the group call it: every second of what stands `stride` apart takes in its neighbour.
+void join(uint stride) {
+  uint lane = gl_LocalInvocationID.x;
+  barrier();
+  if (lane % (2u * stride) != 0u) return;
+  low[lane] = min(low[lane], low[lane + stride]);
+  high[lane] = max(high[lane], high[lane + stride]);
+}
+
+void main() {
+  uint lane = gl_LocalInvocationID.x;
+  uint own_lane = lane % lanes;  // of the cluster's
+  uint c = group_index() * (BLOCK / lanes) + lane / lanes;
+  float most = bits_float(0x7F7FFFFFu);
+  low[lane] = vec4(most, most, most, most);
+  high[lane] = vec4(-most, -most, -most, -most);
+  bool in_row = false;
+  if (bool(BY_CELLS) && c < v.clusters) {
+    Place begin = place_of(position[c * CLUSTER], p);
+    uint next = (c + 1u) * CLUSTER;
+    Place end = place_of(position[next < p.n ? next : p.n - 1u], p);
+    in_row = within_row(begin, end, p);
+    if (in_row) low[lane] = lowest_in_row(begin, p);
+    if (in_row) high[lane] = highest_in_row(end, p);
+  }
+  for (uint k = own_lane; !in_row && k < CLUSTER; k += 4u * lanes) {
+    vec4 four[4];  // all on their way before the first is asked; behind the last sphere that one again
+    for (uint j = 0u; j < 4u; ++j) {
+      uint place = c * CLUSTER + k + j * lanes;
+      four[j] = with_radius(position[place < p.n ? place : p.n - 1u]);
+    }
+    for (uint j = 0u; j < 4u; ++j) {
+      if (!ever_drawable(four[j])) continue;
+      low[lane] = min(low[lane], lowest_corner(four[j]));
+      high[lane] = max(high[lane], highest_corner(four[j]));
+    }
+  }
+  for (uint stride = 1u; stride < lanes; stride *= 2u) join(stride);
+  if (own_lane == 0u && c < v.clusters) {
+    cluster[2u * c] = low[lane];
+    cluster[2u * c + 1u] = high[lane];
+  }
+  for (uint stride = lanes; stride < BUNDLE * lanes; stride *= 2u) join(stride);
+  if (own_lane != 0u || c % BUNDLE != 0u || c >= v.clusters) return;
+  cluster[corners_of_bundle(c / BUNDLE, v)] = low[lane];
+  cluster[corners_of_bundle(c / BUNDLE, v) + 1u] = high[lane];
+}

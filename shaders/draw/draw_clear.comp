@@ -1,0 +1,18 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// One thread per PIXELS_EACH pixels: no sphere is seen there yet. Those that the last picture showed are listed. Done
+// by draw_resolve of the picture before, unless that kept its pixels or had fewer.
+#include "shaders/draw/shown.glsl"
+
+layout(local_size_x = BLOCK) in;
+
+void main() {
+  uint lane = gl_LocalInvocationID.x;
+  if (group_index() == 0u && lane < DRAWN_WORDS && lane != DRAWN_SEEN + v.turn) drawn[lane] = 0u;
+  begin_list();
+  for (uint k = 0u; k < PIXELS_EACH; ++k) {
+    uint pixel = (group_index() * PIXELS_EACH + k) * BLOCK + lane;
+    if (pixel < v.width * v.height) clear_pixel(pixel);
+  }
+  end_list(v.turn);
+}

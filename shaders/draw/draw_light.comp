@@ -1,0 +1,71 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// One thread per pixel, in place of draw_resolve: light that the spheres around take away, shadows, and the ground.
+#include "shaders/draw/view.glsl"
+#include "shaders/grid/grid.glsl"
+#include "common/shared/light.h"
+
+layout(std430, binding = SLOT_SORTED) restrict readonly buffer SortedBuffer { vec4 sorted[]; };
+layout(std430, binding = SLOT_VISIBLE) restrict readonly buffer VisibleBuffer { uvec2 visible[]; };
+layout(std430, binding = SLOT_IMAGE) restrict writeonly buffer ImageBuffer { uint image[]; };
+layout(local_size_x = BLOCK) in;
+
+// The sphere that stands at a place of the cell order; the surface's own takes nothing away.
+vec4 found_at(uint place) { return p.in_cells != 0u ? sorted[place] : position[place]; }
+bool is_own(vec4 found, uint place, Surface s) { return number_of(found, place) == s.sphere; }
+
+float light_around(Surface s) {
+  float x = place_unclamped(s.x, p.origin_x, p);
+  float y = place_unclamped(s.y, p.origin_y, p);
+  float z = place_unclamped(s.z, p.origin_z, p);
+  CellRange row_x = cells_around(x, p.cells_x);
+  CellRange row_y = cells_around(y, p.cells_y);
+  CellRange row_z = cells_around(z, p.cells_z);
+  uint taken = 0u;
+  for (uint z_cell = row_z.low; z_cell <= row_z.high; ++z_cell)
+    for (uint y_cell = row_y.low; y_cell <= row_y.high; ++y_cell) {
+      uint row = dense_slot(0u, y_cell, z_cell, p);
+      for (uint place = cell[row + row_x.low]; place < cell[row + row_x.high + 1u]; ++place) {
+        vec4 found = found_at(place);
+        if (!is_own(found, place, s)) taken += taken_by(with_radius(found), s, p);
+      }
+    }
+  return light_left(taken);
+}
+
+bool in_shadow(Surface s) {
+  float x = place_unclamped(s.x, p.origin_x, p);
+  float y = place_unclamped(s.y, p.origin_y, p);
+  float z = place_unclamped(s.z, p.origin_z, p);
+  for (uint layer = first_layer(y, p.cells_y); layer < p.cells_y; ++layer) {
+    CellRange row_x = cells_on_way(x, y, slope_of(v.sun.x, v), float(layer), p.cells_x);
+    CellRange row_z = cells_on_way(z, y, slope_of(v.sun.z, v), float(layer), p.cells_z);
+    for (uint z_cell = row_z.low; z_cell <= row_z.high; ++z_cell) {
+      uint row = dense_slot(0u, layer, z_cell, p);
+      for (uint place = cell[row + row_x.low]; place < cell[row + row_x.high + 1u]; ++place) {
+        vec4 found = found_at(place);
+        if (shades(with_radius(found), s, v) && !is_own(found, place, s)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+void main() {
+  uint pixel = group_index() * BLOCK + gl_LocalInvocationID.x;
+  if (pixel >= v.width * v.height) return;
+  uvec2 seen = visible[pixel];
+  Ray ray = ray_through(pixel % v.width, pixel / v.width, v);
+  bool sphere = seen.y != 0xFFFFFFFFu;
+  float ground = (v.lighting & LIGHT_GROUND) != 0u ? depth_of_ground(ray, p.plane, v) : 0.0f;
+  image[pixel] = lit(v.background, 1.0f);
+  if (!sphere && ground == 0.0f) return;
+  bool on_ground = !sphere || (ground > 0.0f && ground < bits_float(seen.y));
+  vec4 shown = in_camera(position[sphere ? seen.x : 0u], v);
+  Normal normal = normal_at(shown, ray, bits_float(seen.y));
+  Surface s = on_ground ? ground_at(ray, ground, p.plane, v) : surface_of(position[seen.x], seen.x, normal, v);
+  float around = (v.lighting & LIGHT_OCCLUSION) != 0u ? light_around(s) : 1.0f;
+  float sun = (v.lighting & LIGHT_SHADOW) != 0u && in_shadow(s) ? 0.0f : 1.0f;
+  image[pixel] = on_ground ? ground_colour(around, sun, v)
+                           : lit(palette(count[seen.x], v), light_on_normal(normal, around, sun, v));
+}

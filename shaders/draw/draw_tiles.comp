@@ -1,0 +1,25 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// A fixed number of groups shares out the tiles of large spheres; a group's threads share the pixels of its tile.
+#include "shaders/draw/visible.glsl"
+
+layout(local_size_x = BLOCK) in;
+
+void main() {
+  uint tiles = min(drawn[DRAWN_TILES], v.tile_capacity);
+  for (uint t = drawn[DRAWN_TILES_DONE] + group_index(); t < tiles; t += group_count()) {
+    uint sphere = tile[t].x;
+    vec4 seen = in_camera(position[sphere], v);
+    Box box = box_of(seen, v);
+    uint column = tile[t].y % tiles_along(box.width);
+    uint row = tile[t].y / tiles_along(box.width);
+    box = tile_of(box, column, row);
+    uint nearest = least_depth_of(seen, box, v);
+    if (v.occlusion != 0u && v.phase != PHASE_SEEN && is_hidden(box, nearest, 1u)) continue;
+    for (uint k = gl_LocalInvocationID.x; k < TILE * TILE; k += BLOCK) {
+      uint x = k % TILE;
+      uint y = k / TILE;
+      if (x < box.width && y < box.height) draw_at(box.x + x, box.y + y, seen, nearest, sphere);
+    }
+  }
+}

@@ -1,8 +1,0 @@
-#version 450
-// SPDX-License-Identifier: MIT
-// No thread does anything: what remains is the cost of a launch.
-#include "buffers.glsl"
-
-layout(local_size_x = BLOCK) in;
-
-void main() {}

@@ -1,0 +1,17 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// Each thread takes SPHERES_PER_SORTER spheres and counts each in its cell, one slot ahead of the cell's own, and in
+// the cell's tile of the scan.
+#define CELL_ACCESS
+#include "shaders/grid/grid.glsl"
+
+layout(local_size_x = BLOCK) in;
+
+void main() {
+  uint first = group_index() * BLOCK * SPHERES_PER_SORTER + gl_LocalInvocationID.x;
+  uint slot[SPHERES_PER_SORTER];
+  for (uint k = 0u; k < SPHERES_PER_SORTER; ++k)
+    slot[k] = slot_of(position[min(first + k * BLOCK, p.n - 1u)], DENSE, p);
+  for (uint k = 0u; k < SPHERES_PER_SORTER; ++k)
+    if (first + k * BLOCK < p.n) atomicAdd(cell[slot[k] + 1u], 1u);
+}

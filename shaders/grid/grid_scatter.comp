@@ -1,0 +1,32 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// Each thread takes SPHERES_PER_SORTER spheres and puts each at the next place of its cell. The slot ahead of a cell's
+// own holds that place, and so, in the end, the beginning of the cell ahead.
+#define CELL_ACCESS
+#define ID_ACCESS
+#include "shaders/grid/grid.glsl"
+
+layout(std430, binding = SLOT_SORTED) restrict writeonly buffer SortedBuffer { vec4 sorted[]; };
+layout(std430, binding = SLOT_SORTED_COUNT) restrict writeonly buffer SortedCountBuffer { uint sorted_count[]; };
+layout(local_size_x = BLOCK) in;
+
+void main() {
+  uint first = group_index() * BLOCK * SPHERES_PER_SORTER + gl_LocalInvocationID.x;
+  vec4 sphere[SPHERES_PER_SORTER];
+  uint place[SPHERES_PER_SORTER];
+  for (uint k = 0u; k < SPHERES_PER_SORTER; ++k) sphere[k] = position[min(first + k * BLOCK, p.n - 1u)];
+  for (uint k = 0u; k < SPHERES_PER_SORTER; ++k)
+    if (first + k * BLOCK < p.n) place[k] = atomicAdd(cell[slot_of(sphere[k], DENSE, p) + 1u], 1u);
+  for (uint k = 0u; k < SPHERES_PER_SORTER; ++k) {
+    uint i = first + k * BLOCK;
+    if (i < p.n) {
+      if ((p.names & NAMES_IN_RADII) != 0u) {
+        sphere[k].w = bits_float(i);
+      } else {
+        id[place[k]] = i;
+      }
+      sorted[place[k]] = sphere[k];
+      sorted_count[i] = 0u;
+    }
+  }
+}

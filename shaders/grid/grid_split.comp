@@ -1,0 +1,60 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// A group takes SPLIT_TILE spheres, counts them by bucket, reserves a place for all of them in each bucket, puts their
+// numbers into the order of the buckets, and copies them in that order, so that neighbours are written by neighbours.
+// The spheres stand in the order of the parents of these buckets, so that a tile meets few of them.
+#define ID_ACCESS
+#define SORTS_SPHERES
+#include "shaders/grid/grid.glsl"
+#include "shaders/grid/group_sum.glsl"
+
+layout(std430, binding = SLOT_SPLIT_ID) restrict readonly buffer FromIdBuffer { uint from_id[]; };
+layout(std430, binding = SLOT_SORTED) restrict writeonly buffer SortedBuffer { vec4 sorted[]; };
+layout(std430, binding = SLOT_BUCKET) restrict buffer BucketBuffer { uint next_place[]; };
+layout(local_size_x = BLOCK) in;
+shared uint place[BUCKETS_AT_MOST];  // of the next sphere of each bucket; then from there to its place among all
+shared uint order[SPLIT_TILE];       // the spheres of the tile by bucket: bucket, number in the tile
+shared uint taken;                   // spheres of this turn
+
+void main() {
+  uint lane = gl_LocalInvocationID.x;
+  uint first = group_index() * SPLIT_TILE;
+  if (first >= p.n) return;
+  uint end = min(first + SPLIT_TILE, p.n);
+  uint bucket[SPLIT_EACH];
+  for (uint k = 0u; k < SPLIT_EACH; ++k)
+    bucket[k] = slot_of(sphere_of(min(first + k * BLOCK + lane, end - 1u)), DENSE, p) >> p.bucket_shift;
+  bool parents = p.parent_shift < ONE_PARENT;
+  uint last_bucket = bucket_above(parents ? slot_of(sphere_of(end - 1u), DENSE, p) : 0u, p);
+  uint low = parents ? bucket_below(slot_of(sphere_of(first), DENSE, p), p) : 0u;
+  for (; low <= last_bucket; low += BUCKETS_AT_MOST) {
+    place[lane] = 0u;
+    barrier();
+    for (uint k = 0u; k < SPLIT_EACH; ++k)
+      if (first + k * BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST) atomicAdd(place[bucket[k] - low], 1u);
+    barrier();
+    uint own = place[lane];
+    uint upto = sum_up_to(own);
+    if (lane == BLOCK - 1u) taken = upto;
+    place[lane] = upto - own;
+    uint shift = own != 0u ? atomicAdd(next_place[p.first_bucket + low + lane], own) - (upto - own) : 0u;
+    barrier();
+    for (uint k = 0u; k < SPLIT_EACH; ++k)
+      if (first + k * BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST)
+        order[atomicAdd(place[bucket[k] - low], 1u)] = (bucket[k] - low) * SPLIT_TILE + k * BLOCK + lane;
+    barrier();
+    place[lane] = shift;
+    barrier();
+    for (uint q = lane; q < taken; q += BLOCK) {
+      uint i = first + order[q] % SPLIT_TILE;
+      uint at = q + place[order[q] / SPLIT_TILE];
+      vec4 sphere = sphere_of(i);
+      bool in_radii = (p.names & NAMES_IN_RADII) != 0u;
+      uint name = (p.names & NAMES_GIVEN) == 0u ? i : in_radii ? float_bits(sphere.w) : from_id[i];
+      if (in_radii) sphere.w = bits_float(name);
+      if (!in_radii) id[at] = name;
+      sorted[at] = sphere;
+    }
+    barrier();
+  }
+}

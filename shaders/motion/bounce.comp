@@ -1,0 +1,36 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// One thread per eight spheres: one step of the method `anchored`, which touches only the spheres that may meet the
+// plane. A group lists these first, so that the few that bounce share subgroups instead of delaying one each.
+#include "shaders/motion/motion_state.glsl"
+
+layout(std430, binding = SLOT_DUE) readonly buffer DueVectors { uvec4 due_vector[]; };
+layout(local_size_x = BLOCK) in;
+shared uint found;
+shared uint bouncing[SPHERES_PER_BOUNCER * BLOCK];
+
+void main() {
+  uint lane = gl_LocalInvocationID.x;
+  uint first = group_index() * (SPHERES_PER_BOUNCER / 4) * BLOCK + lane;
+  uint now = p.whole_state == 0u ? p.steps_done : NEVER_DUE - 1u;
+  if (lane == 0u) found = 0u;
+  barrier();
+  for (uint v = 0u; v < SPHERES_PER_BOUNCER / 4; ++v) {
+    uint i = 4u * (first + v * BLOCK);
+    if (i >= p.n) break;
+    uvec4 due_step = due_vector[i / 4u];
+    if (now >= due_step.x) bouncing[atomicAdd(found, 1u)] = i;
+    if (now >= due_step.y && i + 1u < p.n) bouncing[atomicAdd(found, 1u)] = i + 1u;
+    if (now >= due_step.z && i + 2u < p.n) bouncing[atomicAdd(found, 1u)] = i + 2u;
+    if (now >= due_step.w && i + 3u < p.n) bouncing[atomicAdd(found, 1u)] = i + 3u;
+  }
+  barrier();
+  for (uint k = lane; k < found; k += BLOCK) {
+    uint i = bouncing[k];
+    Anchor a = anchor_anew(load_anchor(i), p);
+    flight[i] = a.speed;
+    flight[p.n + i] = a.age;
+    since[i] = a.since;
+    due[i] = next_due(a, p);
+  }
+}

@@ -1,0 +1,14 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// One thread per sphere: one step of motion and the plane, and the results of the last step cleared where they are by
+// the number of the sphere.
+#include "shaders/motion/motion_state.glsl"
+
+layout(local_size_x = BLOCK) in;
+
+void main() {
+  uint i = group_index() * BLOCK + gl_LocalInvocationID.x;
+  if (p.in_cells == 0u) clear_results(i);
+  if (i >= p.n) return;
+  store_sphere(i, take_step(METHOD, load_sphere(i), p));
+}

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// The rasteriser: every backend's picture equals, to the bit, that of every sphere tried at every pixel.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "common/shared/draw.h"
+#include "tests/support/oracle.h"
+#include "tests/support/pictures.h"
+
+namespace spherepair {
+namespace {
+
+constexpr uint width = 157, height = 83;  // no multiple of a group or a tile
+
+class Draw : public BackendTest {
+ protected:
+  void expect_picture(const Scene& scene, const View& view, const std::string& what) {
+    std::vector<uint> contacts(scene.size());
+    for (const Pair& pair : brute_force_pairs(scene.positions)) ++contacts[pair.first], ++contacts[pair.second];
+    backend().upload(scene);
+    const Picture expected = brute_force_picture(scene.positions, contacts, view);
+    for (const Method method : {fast_method(backend()).method, Method::collide_grid}) {
+      backend().collide({.method = method});
+      EXPECT_EQ(objection(picture_of(backend(), view), expected, view), "") << what << ", " << method_name(method);
+    }
+  }
+
+  DrawCounts counts_of(const View& view) {
+    backend().draw(view, {.count = true});
+    return backend().draw_counts();
+  }
+};
+
+View view_of(const Camera& camera, std::array<double, 2> jitter = {}) {
+  return make_view(camera, contact_look(), width, height, jitter);
+}
+
+Camera framed(const Scene& scene) { return frame(bounds_of(scene.positions), 30, 20, 40, double(width) / height); }
+
+// From the middle of the spheres outwards.
+Camera inside(const Scene& scene, double near) {
+  Camera camera = framed(scene);
+  camera.eye = camera.target;
+  camera.target = {camera.eye[0] + 3, camera.eye[1] + 0.5, camera.eye[2] + 1};
+  camera.near = near;
+  return camera;
+}
+
+TEST_P(Draw, EverySceneFromOutsideAndInside) {
+  for (const SceneKind& kind : scene_kinds()) {
+    const Scene scene = make_scene({.name = kind.name, .n = 700});
+    expect_picture(scene, view_of(framed(scene)), fmt::format("{} from outside", kind.name));
+    for (double near : {0.0, 2.0})
+      expect_picture(scene, view_of(inside(scene, near)), fmt::format("{} from inside, near {}", kind.name, near));
+  }
+}
+
+TEST_P(Draw, NoneOneAndTwo) {
+  for (uint64_t n : {0, 1, 2}) {
+    const Scene scene = make_scene({.n = n});
+    expect_picture(scene, view_of(framed(scene)), fmt::format("{} spheres", n));
+    EXPECT_EQ(counts_of(view_of(framed(scene))).drawn, n);
+  }
+}
+
+// Nobody but the drawing has asked where they are.
+TEST_P(Draw, AnchoredSpheresWhereTheyAreNow) {
+  const Scene scene = make_scene({.n = 300, .motion = {.method = MotionMethod::anchored}});
+  const View view = view_of(framed(scene));
+  backend().upload(scene);
+  for (int step = 0; step < 20; ++step) backend().move();
+  const Picture seen = picture_of(backend(), view);
+  const std::vector<vec4> now = backend().state().positions;
+  EXPECT_EQ(objection(seen, brute_force_picture(now, std::vector<uint>(now.size()), view), view), "");
+}
+
+// From a point to twenty screens: all three classes of size, and the border between each two.
+TEST_P(Draw, EverySizeOnTheScreen) {
+  for (float ratio : {1.0f, 3e4f}) {
+    const Scene scene = make_scene({.name = "uniform", .n = 1500, .radius = 0.5f / ratio, .radius_ratio = ratio});
+    Camera camera = framed(scene);
+    const Vector eye = camera.eye, target = camera.target;
+    for (double distance : {1000.0, 60.0, 3.0, 0.8}) {
+      for (int a = 0; a < 3; ++a) camera.eye[a] = target[a] + (eye[a] - target[a]) * distance;
+      expect_picture(scene, view_of(camera, {0.3, -0.4}), fmt::format("ratio {}, {} times as far", ratio, distance));
+    }
+  }
+}
+
+// Spheres that the eye's plane cuts: in front, beside, around the eye.
+TEST_P(Draw, AcrossThePlaneOfTheEye) {
+  std::vector<vec4> spheres;
+  for (int i = 0; i < 300; ++i)
+    spheres.push_back({float(i % 20) - 10, float(i / 20) - 7.5f, float(i % 7) * 0.25f - 0.75f, 0.3f + float(i % 5)});
+  spheres.push_back({0, 0, 0, 100});  // the eye is inside
+  spheres.push_back({0, 0, -2, 1});   // the eye's axis is tangent to nothing, and the sphere ahead
+  for (double near : {1e-4, 0.5})
+    for (double field : {20.0, 120.0})
+      expect_picture(scene_of(spheres), view_of({{0.1, 0.2, 0}, {0, 0, -5}, {0, 1, 0}, field, near}),
+                     fmt::format("near {}, field {}", near, field));
+}
+
+// More tiles than the list has room for at first.
+TEST_P(Draw, ManySpheresFillTheScreen) {
+  std::vector<vec4> spheres(4400, vec4{0, 0, -10, 9});
+  for (size_t i = 0; i < spheres.size(); ++i) spheres[i].x = float(i % 7) / 1024;
+  const View view = view_of({{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 40, 0.01});
+  backend().upload(scene_of(spheres));
+  const DrawCounts counts = counts_of(view);
+  EXPECT_EQ(counts.large, spheres.size());
+  EXPECT_GT(counts.tiles, 65536u);
+  const Picture expected = brute_force_picture({spheres.begin(), spheres.begin() + 7}, std::vector<uint>(7), view);
+  EXPECT_EQ(objection(picture_of(backend(), view), expected, view), "");  // of equal depths the lowest number is seen
+}
+
+TEST_P(Draw, WhatCannotBeDrawnIsCounted) {
+  Scene scene = make_scene({.name = "uniform", .n = 50});
+  const View view = view_of(framed(scene));
+  scene.positions[3].w = 0;
+  scene.positions[4].w = 1e-20f;
+  scene.positions[5].x = 1e20f;
+  scene.positions[6] = {0, 0, 0, 1e30f};
+  scene.equal_radii = false;
+  expect_picture(scene, view, "four undrawable");
+  const DrawCounts counts = counts_of(view);
+  EXPECT_EQ(counts.undrawable, 4u);
+  EXPECT_EQ(counts.drawn, 46u);
+  EXPECT_EQ(counts.unseen, 0u);
+}
+
+// Contacts belong to the last collision step, and a move forgets them.
+TEST_P(Draw, ColoursFollowTheSteps) {
+  const Scene scene = make_scene({.n = 3000});
+  const View view = view_of(framed(scene));
+  backend().upload(scene);
+  for (int step = 0; step < 3; ++step) {
+    backend().move();
+    const std::vector<vec4> positions = backend().state().positions;
+    Picture expected = brute_force_picture(positions, std::vector<uint>(scene.size()), view);
+    EXPECT_EQ(objection(picture_of(backend(), view), expected, view), "") << "moved, step " << step;
+    backend().collide({.method = Method::collide_grid});
+    expected = brute_force_picture(positions, backend().counts(), view);
+    EXPECT_EQ(objection(picture_of(backend(), view), expected, view), "") << "collided, step " << step;
+  }
+}
+
+TEST_P(Draw, RefusesWhatIsNoView) {
+  backend().upload(make_scene({.n = 10}));
+  EXPECT_THROW(backend().image(), BackendError);
+  EXPECT_THROW(backend().draw(View{}, {}), std::invalid_argument);
+  EXPECT_THROW(view_of({{1, 2, 3}, {1, 2, 3}}), std::invalid_argument);
+  EXPECT_THROW(view_of({{0, 5, 0}, {0, 0, 0}}), std::invalid_argument);
+}
+
+INSTANTIATE_BACKENDS(Draw);
+
+// What decides a pixel is near the true value at least.
+TEST(DrawArithmetic, RootAndReciprocal) {
+  for (uint bits = 0x04000000u; bits < 0x7B000000u; bits += 9973) {
+    const float x = bits_float(bits);
+    EXPECT_NEAR(double(same_reciprocal(x)) * double(x), 1, 0x1p-21) << x;
+    if (x >= 0x1p-100f) {
+      EXPECT_NEAR(double(same_root(x)) / std::sqrt(double(x)), 1, 0x1p-21) << x;
+    }
+  }
+  EXPECT_EQ(same_root(0.0f), 0.0f);
+}
+
+}  // namespace
+}  // namespace spherepair

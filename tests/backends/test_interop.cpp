@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// CUDA's spheres drawn through OpenGL: whichever way they are handed over, the picture is that of OpenGL's own spheres.
+#include "api/open.h"
+#include "common/backend/shared_drawing.h"
+#include "tests/support/pictures.h"
+
+namespace spherepair {
+namespace {
+
+constexpr uint width = 320, height = 180;
+
+Backend* open_one(const std::string& name) {
+  for (Backend* backend : open_backends())
+    if (backend->info().name == name) return backend;
+  return nullptr;
+}
+
+TEST(Interop, EveryWayGivesTheSamePicture) {
+  Backend *cuda = open_one("cuda"), *glsl = open_one("glsl");
+  if (!cuda || !glsl || !is_gpu(*glsl)) GTEST_SKIP() << "needs a GPU through both CUDA and OpenGL";
+  const Scene scene = make_scene({.n = 3000});
+  for (Backend* backend : {cuda, glsl}) backend->upload(scene);
+  const std::unique_ptr<SharedDrawing> shared = open_shared_drawing(*cuda);
+  for (int step = 0; step < 3; ++step) {
+    for (Backend* backend : {cuda, glsl}) {
+      backend->move();
+      backend->collide({.method = Method::collide_grid});
+    }
+    const Camera camera = frame(bounds_of(scene.positions), 30, 20, 40, double(width) / height);
+    const View view = make_view(camera, contact_look(), width, height);
+    for (DrawMethod method : {DrawMethod::mesh, DrawMethod::points, DrawMethod::impostor}) {
+      glsl->draw(view, {.method = method});
+      const std::vector<uint> expected = glsl->image();
+      for (HandOver way : {HandOver::host, HandOver::registered, HandOver::imported}) {
+        shared->hand_over(way);
+        shared->draw(method, view);
+        EXPECT_EQ(shared->image(), expected) << hand_over_name(way) << ", " << draw_method_name(method);
+      }
+    }
+  }
+}
+
+TEST(Interop, SaysWhatIsMissing) {
+  Backend* cpu = open_one("cpu");
+  cpu->upload(make_scene({.n = 10}));
+  EXPECT_THROW(open_shared_drawing(*cpu), BackendError);
+}
+
+}  // namespace
+}  // namespace spherepair

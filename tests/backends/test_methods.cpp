@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// Every method, group size and kind of scene: counts, flags, totals, fingerprint and pairs equal the oracle's.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "common/backend/method_choice.h"
+#include "tests/support/backends.h"
+#include "tests/support/oracle.h"
+
+namespace spherepair {
+namespace {
+
+// Equal radii and a ratio of 1000, at a number of spheres that no group size divides; kinds that fix the radii refuse
+// the ratio.
+std::vector<Scene> scenes_of_kind(const std::string& kind, uint64_t n) {
+  std::vector<Scene> scenes;
+  for (float ratio : {1.0f, 1000.0f}) {
+    const float radius = ratio == 1.0f ? 0.5f : 0.01f;
+    try {
+      scenes.push_back(make_scene({.name = kind, .n = n, .radius = radius, .radius_ratio = ratio}));
+    } catch (const std::invalid_argument&) {
+      if (ratio == 1.0f) throw;
+    }
+  }
+  return scenes;
+}
+
+// The naive test may be wrong where rounding decides: only where S and Q differ by a few units in the last place.
+bool within_rounding(const vec4& a, const vec4& b) {
+  const auto square = [](long double x) { return x * x; };
+  const long double s =
+      square((long double)(a.x) - b.x) + square((long double)(a.y) - b.y) + square((long double)(a.z) - b.z);
+  const long double q = square((long double)(a.w) + b.w);
+  return std::abs(s - q) <= 16 * 0x1p-24L * std::max(s, q);
+}
+
+// A naive answer must be free of contradictions and equal the exact one but for pairs within rounding.
+void expect_naive(Backend& backend, const Scene& scene, std::span<const Pair> expected, CollideOptions options) {
+  options.exact = false;
+  options.want_pairs = true;
+  const Answer answer = ask(backend, options);
+  const std::string where = fmt::format("{}, scene {}, {}", backend.info().name, scene.name, describe(options));
+  EXPECT_EQ(objection(answer, *answer.pairs, scene.size()), "") << where;
+  EXPECT_EQ(answer.totals.deferred, 0u) << where;
+  std::vector<Pair> wrong;
+  std::set_symmetric_difference(answer.pairs->begin(), answer.pairs->end(), expected.begin(), expected.end(),
+                                std::back_inserter(wrong));
+  for (const Pair& pair : wrong)
+    EXPECT_TRUE(within_rounding(scene.positions[pair.first], scene.positions[pair.second]))
+        << where << ", pair (" << pair.first << ", " << pair.second << ")";
+}
+
+class Methods : public BackendTest {};
+
+// The grid keeps its cells while spheres stand still, also when another method comes between.
+TEST_P(Methods, OneAfterTheOther) {
+  const Scene scene = make_scene({.name = "uniform", .n = 3000});
+  const std::vector<Pair> expected = brute_force_pairs(scene.positions);
+  backend().upload(scene);
+  for (const Method method : {Method::collide_grid, fast_method(backend()).method, Method::collide_grid}) {
+    const CollideOptions options = {.method = method, .want_pairs = true};
+    EXPECT_EQ(objection(ask(backend(), options), expected, scene.size()), "") << method_name(method);
+  }
+}
+
+TEST_P(Methods, EverySceneEqualsTheOracle) {
+  uint64_t n = 300;
+  for (const SceneKind& kind : scene_kinds()) {
+    n += 37;
+    for (const Scene& scene : scenes_of_kind(kind.name, n))
+      expect_pairs(backend(), scene, brute_force_pairs(scene.positions), every_method(backend(), block_sizes()));
+  }
+}
+
+TEST_P(Methods, NaiveIsWrongOnlyWithinRounding) {
+  for (const SceneKind& kind : scene_kinds())
+    for (const Scene& scene : scenes_of_kind(kind.name, 515)) {
+      const std::vector<Pair> expected = brute_force_pairs(scene.positions);
+      backend().upload(scene);
+      for (const CollideOptions& options : every_method(backend(), block_sizes().subspan(1, 2)))
+        expect_naive(backend(), scene,
+                     options.method == Method::collide_group ? within_groups(expected, options.block) : expected,
+                     options);
+    }
+}
+
+// Row 14 in small: a radius ratio of 10^5 in one scene.
+TEST_P(Methods, RadiiAcrossFiveDecades) {
+  Scene scene = make_scene({.name = "uniform", .n = 900, .radius = 0.001f, .radius_ratio = 1e5f});
+  for (size_t i = 0; i < scene.size(); i += 90) scene.positions[i].w = 0;
+  const std::vector<Pair> expected = brute_force_pairs(scene.positions);
+  EXPECT_FALSE(expected.empty());
+  expect_pairs(backend(), scene, expected, every_method(backend(), block_sizes()));
+}
+
+// How many spheres a group of collide_triangle meets is for speed alone.
+TEST_P(Methods, ColumnsNeverChangeTheSet) {
+  if (backend().info().name == "cpu") GTEST_SKIP() << "the CPU has no groups";
+  std::vector<CollideOptions> methods;
+  for (uint block : {32u, 256u})
+    for (uint columns : {0u, 1u, 7u, 32u, 100u, 1024u, 5000u, ~0u})
+      methods.push_back({.block = block, .columns = columns});
+  for (const uint64_t n : {200, 257, 600, 1024, 1111, 1281, 2049, 4100})  // 1 to 17 groups of 256 rows, 1 to 3 of 2,048
+    for (const float radius_ratio : {1.0f, 3.0f}) {
+      SCOPED_TRACE(fmt::format("{} spheres, radii 1 to {}", n, radius_ratio));
+      SceneOptions options = {.name = "uniform", .n = n, .radius_ratio = radius_ratio};
+      options.packing_fraction = 0.1;
+      const Scene scene = make_scene(options);
+      expect_pairs(backend(), scene, brute_force_pairs(scene.positions), methods);
+    }
+}
+
+// The answers of one step may not leak into the next, nor those of a larger scene into a smaller.
+TEST_P(Methods, NothingIsLeftFromTheStepBefore) {
+  for (uint64_t n : {2000, 150, 1100}) {
+    const Scene scene = make_scene({.name = "clustered", .n = n});
+    expect_pairs(backend(), scene, brute_force_pairs(scene.positions), every_method(backend(), block_sizes().first(1)));
+  }
+}
+
+TEST_P(Methods, RightAfterEveryMove) {
+  const Scene scene = make_scene({.name = "random", .n = 700});
+  backend().upload(scene);
+  const std::vector<CollideOptions> methods = every_method(backend(), block_sizes().subspan(3, 1));
+  for (size_t step = 0; step < 40; ++step) {
+    backend().move();
+    CollideOptions options = methods[step % methods.size()];
+    options.want_pairs = step % 3 == 0;
+    const Answer answer = ask(backend(), options);
+    const std::vector<Pair> expected = brute_force_pairs(backend().state().positions);
+    const std::vector<Pair> wanted =
+        options.method == Method::collide_group ? within_groups(expected, options.block) : expected;
+    EXPECT_EQ(objection(answer, wanted, scene.size()), "") << describe(options) << ", step " << step;
+  }
+}
+
+TEST_P(Methods, EmptyLaunchAndStageTimes) {
+  backend().upload(make_scene({.name = "random", .n = 300}));
+  backend().time_stages(true);
+  backend().launch_empty(10);
+  backend().move();
+  backend().collide(fast_method(backend()));
+  backend().finish();
+  const std::vector<StageTime> times = backend().stage_times();
+  backend().time_stages(false);
+  for (const StageTime& time : times) {
+    EXPECT_FALSE(time.stage.empty());
+    EXPECT_GE(time.seconds, 0) << time.stage;
+  }
+  if (backend().info().device_timers) {
+    EXPECT_FALSE(times.empty());
+  }
+  EXPECT_TRUE(backend().stage_times().empty()) << "reading them takes them away";
+}
+
+TEST_P(Methods, AutomaticIsRightWhateverItTakes) {
+  const Crossover& row = crossover_of(backend().info());
+  const auto many = uint64_t(grid_from(row, 0.8, 0)) + 50;  // of a gas, with some room
+  const auto took = [&](const SceneOptions& options) {
+    const Scene scene = make_scene(options);
+    expect_pairs(backend(), scene, swept_pairs(scene.positions), {{.method = Method::automatic}});
+    return backend().choice({.method = Method::automatic});
+  };
+  for (const char* scene : {"uniform", "clustered", "random"})
+    for (const uint64_t n : {2, 60, 300, 2300, 4000, 6500}) took({.name = scene, .n = n});
+  EXPECT_NE(took({.name = "uniform", .n = row.grid_from / 2}).method, Method::collide_grid);
+  EXPECT_EQ(took({.name = "uniform", .n = many}).method, Method::collide_grid);
+  const uint64_t crowded = backend().info().software ? 700 : 4000;
+  const MethodChoice crowd = took({.name = "one_cell", .n = crowded});
+  EXPECT_EQ(crowd.method == Method::collide_grid, crowded <= row.one_cell_to) << describe(crowd);
+  const MethodChoice far = took({.name = "uniform", .n = many, .offset = 1e5f});
+  EXPECT_EQ(far.method, Method::collide_grid);
+  EXPECT_NE(far.reason.find(fmt::format("{} spheres", many)), std::string::npos) << far.reason;
+}
+
+INSTANTIATE_BACKENDS(Methods);
+
+}  // namespace
+}  // namespace spherepair

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Lists that outgrow their first capacity: nothing may be lost, whichever of them overflows, nor when it happens twice.
+#include "tests/support/backends.h"
+#include "tests/support/oracle.h"
+
+namespace spherepair {
+namespace {
+
+// Half the spheres at one point, half at another exactly `distance` away: n*n/4 pairs that the filter cannot decide
+// when the distance is that of touching, give or take an ulp.
+Scene two_points(uint64_t n, float distance) {
+  std::vector<vec4> spheres(n, vec4{0, 0, 0, 0.5f});
+  for (uint64_t i = 1; i < n; i += 2) spheres[i].z = distance;
+  return scene_of(std::move(spheres));
+}
+
+class Overflow : public BackendTest {};
+
+constexpr uint64_t MANY = 3000;  // 2.25 million undecided pairs, 4.5 million colliding ones
+
+// Collisions of two_points by what they are: within a point always, across when the points overlap.
+std::vector<Pair> expected_of(uint64_t n, bool across) {
+  std::vector<Pair> pairs;
+  for (uint i = 0; i < n; ++i)
+    for (uint j = i + 1; j < n; ++j)
+      if (across || i % 2 == j % 2) pairs.push_back({i, j});
+  return pairs;
+}
+
+TEST_P(Overflow, UndecidedPairsBeyondTheList) {
+  const Scene scene = two_points(MANY, 1);
+  expect_pairs(backend(), scene, expected_of(MANY, false), every_method(backend(), block_sizes().subspan(2, 1)));
+  backend().upload(scene);
+  const Answer answer = ask(backend(), fast_method(backend()));
+  EXPECT_EQ(answer.totals.deferred, MANY * MANY / 4) << "all of them tangent";
+  EXPECT_EQ(answer.totals.decided_by[STAGE_INTEGER], MANY * MANY / 4);
+}
+
+TEST_P(Overflow, UndecidedAndCollidingPairsBeyondBothLists) {
+  const Scene scene = two_points(MANY, 1 - 0x1p-24f);
+  expect_pairs(backend(), scene, expected_of(MANY, true), every_method(backend(), block_sizes().subspan(2, 1)));
+}
+
+TEST_P(Overflow, CollidingPairsBeyondTheList) {
+  const Scene scene = make_scene({.name = "coincident", .n = MANY});
+  expect_pairs(backend(), scene, expected_of(MANY, true), every_method(backend(), block_sizes().subspan(2, 1)));
+}
+
+TEST_P(Overflow, UnequalRadii) {
+  constexpr uint64_t n = 2000;
+  Scene scene = two_points(n, 1);
+  for (uint64_t i = 0; i < n; ++i) scene.positions[i].w = i % 2 == 0 ? 0.25f : 0.75f;
+  scene.equal_radii = false;
+  expect_pairs(backend(), scene, expected_of(n, false), every_method(backend(), block_sizes().subspan(2, 1)));
+}
+
+// The first overflow in the middle of a run: the step is repeated, the motion is not.
+TEST_P(Overflow, MotionIsNotRepeated) {
+  const Scene scene = two_points(MANY, 1);
+  backend().upload(scene);
+  backend().move();
+  backend().move();
+  CollideOptions options = fast_method(backend());
+  options.want_pairs = true;
+  const Answer answer = ask(backend(), options);
+  EXPECT_EQ(objection(answer, swept_pairs(backend().state().positions), scene.size()), "");
+  const Backend::State grown = backend().state();
+  backend().upload(scene);
+  backend().move();
+  backend().move();
+  const Backend::State plain = backend().state();
+  EXPECT_EQ(state_hash(grown.positions, grown.velocities), state_hash(plain.positions, plain.velocities));
+}
+
+INSTANTIATE_BACKENDS(Overflow);
+
+}  // namespace
+}  // namespace spherepair

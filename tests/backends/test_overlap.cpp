@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// Sorts and moves that begin while the search before is under way.
+#include "api/open.h"
+#include "bench/studies/frames.h"
+#include "common/backend/checks.h"
+#include "common/backend/method_choice.h"
+#include "tests/support/grid_answers.h"
+
+namespace spherepair {
+namespace {
+
+class Overlap : public BackendTest {
+ protected:
+  uint64_t beside() { return backend().work_counts().beside; }
+  bool overlaps() {
+    backend().upload(make_scene({.name = "uniform", .n = 10}));
+    try {
+      backend().collide(grid_step([](CollideOptions& o) { o.tricks.overlap = true; }));
+    } catch (const std::invalid_argument&) {
+      return false;
+    }
+    return true;
+  }
+
+  // By turns with radii and without, so that each sort has other words to write than the one before, of the same and of
+  // other positions. Nothing waits between steps but where a result is asked for, and that is of a sort beside a
+  // search.
+  void expect_right(const Scene& scene) {
+    const auto step = [](bool load_radii) {
+      return grid_step([=](CollideOptions& o) {
+        o.grid.cells = Cells::dense, o.grid.sort = Sort::buckets, o.load_radii = load_radii;
+        o.tricks.graph = false;  // in which CUDA would put steps of few spheres, and those that do not overlap
+      });
+    };
+    const auto oracle = open_backend("cpu");
+    for (Backend* each : {oracle.get(), &backend()}) each->upload(scene);
+    for (int turn = 0; turn < 6; ++turn) {
+      for (int k = 0; k < 3; ++k) backend().collide(step((turn + k) % 2 == 0));
+      const Answer given = ask(backend(), step(turn % 2 != 0)), wanted = ask(*oracle, step(false));
+      EXPECT_EQ(given.totals.pairs, wanted.totals.pairs) << turn;
+      EXPECT_EQ(given.totals.fingerprint, wanted.totals.fingerprint) << turn;
+      EXPECT_EQ(given.totals.colliding_spheres, wanted.totals.colliding_spheres) << turn;
+      EXPECT_EQ(given.counts, wanted.counts) << turn;
+      backend().collide(step(turn % 2 == 0));
+      for (Backend* each : {oracle.get(), &backend()}) each->move();
+    }
+    if (overlaps_) {
+      EXPECT_GE(beside(), 6u * 4u) << "three sorts and a move a turn";
+    }
+    const Backend::State moved = backend().state(), expected = oracle->state();
+    EXPECT_EQ(state_hash(moved.positions, moved.velocities, moved.wide),
+              state_hash(expected.positions, expected.velocities, expected.wide));
+    backend().check_guards();
+  }
+  bool overlaps_ = false;
+};
+
+TEST_P(Overlap, NeverChangesTheSet) {
+  if (backend().info().name == "cpu") GTEST_SKIP() << "the others are compared with it";
+  overlaps_ = overlaps();
+  for (const uint64_t n : {3000, 100'000}) {
+    SceneOptions scene = {.name = "uniform", .n = n};
+    expect_right(make_scene(scene));
+    scene.motion.method = MotionMethod::anchored;
+    expect_right(make_scene(scene));
+  }
+}
+
+TEST_P(Overlap, IsOfWhatNeedsNothingOfTheSearch) {
+  if (!overlaps()) GTEST_SKIP() << "launches wait for one another here";
+  const auto more = [&](auto act) {
+    const uint64_t before = beside();
+    act();
+    return beside() - before;
+  };
+  backend().upload(make_scene({.name = "uniform", .n = 5000}));
+  CollideOptions options = grid_step([](CollideOptions& o) { o.grid.sort = Sort::buckets, o.tricks.graph = false; });
+  const auto collide = [&] { backend().collide(options); };
+  const auto move = [&] { backend().move(); };
+  EXPECT_EQ(more(collide), 0u) << "nothing was there before";
+  EXPECT_EQ(more(collide), 1u) << "split_tiles beside collide_grid";
+  EXPECT_EQ(more(move), 1u);
+  EXPECT_EQ(more(move), 0u) << "a move needs the move before";
+  EXPECT_EQ(more(collide), 0u) << "spheres that move are not sorted";
+  options.tricks.overlap = false;
+  EXPECT_EQ(more(collide), 0u);
+  EXPECT_EQ(more(move), 0u);
+  options = grid_step([](CollideOptions& o) { o.grid.sort = Sort::counting, o.tricks.graph = false; });
+  for (int k = 0; k < 2; ++k) EXPECT_EQ(more(collide), 0u) << "grid_clear writes the cells that are searched";
+  options = grid_step(
+      [](CollideOptions& o) { o.grid.keep_order = true, o.grid.cells = Cells::dense, o.tricks.graph = false; });
+  backend().upload(in_cell_order(make_scene({.name = "uniform", .n = 5000})));
+  for (int k = 0; k < 2; ++k) EXPECT_EQ(more(collide), 0u);
+  EXPECT_EQ(backend().work_counts().orders_kept, 2u);
+  EXPECT_EQ(more(move), 0u) << "the search reads the spheres that are moved";
+}
+
+// CUDA's steps of few spheres are graphs, those of many overlap, whatever steps were there before.
+TEST_P(Overlap, IsOfManySpheresWhereThereAreGraphs) {
+  if (backend().info().name != "cuda" || !overlaps()) GTEST_SKIP() << "graphs of launches are CUDA's";
+  const auto step = [](std::optional<bool> graph) {
+    return grid_step([=](CollideOptions& o) { o.grid.sort = Sort::buckets, o.tricks.graph = graph; });
+  };
+  const auto graphs = [&] { return backend().work_counts().graphs_replayed; };
+  for (const uint64_t n : {5000, 50'000, 5000}) {
+    SCOPED_TRACE(n);
+    backend().upload(make_scene({.name = "uniform", .n = n}));
+    for (const auto& before : {std::optional<bool>(true), std::optional<bool>(false)}) {
+      for (int k = 0; k < 4; ++k) backend().collide(step(before));
+      const uint64_t graphs_before = graphs(), beside_before = beside();
+      for (int k = 0; k < 4; ++k) backend().collide(step(std::nullopt));
+      EXPECT_EQ(beside() - beside_before, n < 20'000 ? 0u : 4u);
+      EXPECT_GE(graphs() - graphs_before, n < 20'000 ? 2u : 0u);
+      EXPECT_LE(graphs() - graphs_before, n < 20'000 ? 4u : 0u);
+    }
+  }
+}
+
+// A graph's launches get ready early as well. None of those before them lets them begin ahead of its end, so this shows
+// that a graph of such launches is the same step, not that none may be without its wait.
+TEST_P(Overlap, InsideAGraphChangesNoSet) {
+  if (backend().info().name != "cuda") GTEST_SKIP() << "graphs of launches are CUDA's";
+  const bool early = overlaps();
+  const auto oracle = open_backend("cpu");
+  for (const uint64_t n : {3000, 100'000}) {
+    const Scene scene = make_scene({.name = "uniform", .n = n});
+    for (Backend* each : {oracle.get(), &backend()}) each->upload(scene);
+    for (int turn = 0; turn < 8; ++turn) {
+      const CollideOptions step = grid_step(
+          [](CollideOptions& o) { o.grid.cells = Cells::dense, o.grid.sort = Sort::buckets, o.tricks.graph = true; });
+      const uint64_t before = backend().work_counts().graphs_replayed;
+      for (int k = 0; k < 5; ++k) backend().collide(step);
+      EXPECT_GE(backend().work_counts().graphs_replayed - before, 2u);
+      const Answer given = ask(backend(), step), wanted = ask(*oracle, grid_step([](CollideOptions&) {}));
+      EXPECT_EQ(given.totals.pairs, wanted.totals.pairs) << n << ", " << turn;
+      EXPECT_EQ(given.totals.fingerprint, wanted.totals.fingerprint) << n << ", " << turn;
+      EXPECT_EQ(given.totals.colliding_spheres, wanted.totals.colliding_spheres) << n << ", " << turn;
+      EXPECT_EQ(given.counts, wanted.counts) << n << ", " << turn;
+      for (Backend* each : {oracle.get(), &backend()}) each->move();
+    }
+    EXPECT_EQ(backend().work_counts().early > 0, early);
+    backend().check_guards();
+  }
+}
+
+TEST(OverlapOptions, AreNotForAGraph) {
+  const auto step = [](std::optional<bool> graph, std::optional<bool> overlap) {
+    return grid_step([=](CollideOptions& o) { o.tricks.graph = graph, o.tricks.overlap = overlap; });
+  };
+  EXPECT_THROW(check_collide(step(true, true)), std::invalid_argument);
+  EXPECT_NO_THROW(check_collide(step(true, std::nullopt)));
+  EXPECT_NO_THROW(check_collide(step(std::nullopt, true)));
+  for (const bool graph_pays : {false, true}) {
+    EXPECT_FALSE(step(true, std::nullopt).tricks.overlaps(graph_pays));
+    EXPECT_TRUE(step(false, std::nullopt).tricks.overlaps(graph_pays));
+    EXPECT_TRUE(step(std::nullopt, true).tricks.overlaps(graph_pays));
+    EXPECT_FALSE(step(std::nullopt, false).tricks.overlaps(graph_pays));
+    EXPECT_NE(step(std::nullopt, std::nullopt).tricks.overlaps(graph_pays), graph_pays);
+  }
+}
+
+INSTANTIATE_BACKENDS(Overlap);
+
+}  // namespace
+}  // namespace spherepair

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// Row 26 of the stress catalogue, contacts between steps: testing once a step misses as many as geometry says, the
+// swept test misses none and invents none, on every backend.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bench/check/missed_contacts.h"
+#include "bench/check/quad.h"
+#include "common/shared/swept.h"
+#include "tests/support/adversarial.h"
+#include "tests/support/catalogue.h"
+#include "tests/support/motion_runs.h"
+
+namespace spherepair {
+namespace {
+
+// Whether two spheres come nearer than `shorter` times their radii within dt, in quadruple precision.
+bool touch_in_quad(const Scene& scene, uint i, uint j, const Quad& shorter = 1) {
+  const vec4 &a = scene.positions[i], &b = scene.positions[j], &v = scene.velocities[i], &w = scene.velocities[j];
+  const Quad p[3] = {Quad(a.x) - b.x, Quad(a.y) - b.y, Quad(a.z) - b.z};
+  const Quad u[3] = {Quad(v.x) - w.x, Quad(v.y) - w.y, Quad(v.z) - w.z};
+  Quad speed = 0, parting = 0, nearest = 0;
+  for (int k = 0; k < 3; ++k) speed += u[k] * u[k], parting += p[k] * u[k];
+  Quad time = speed > 0 ? Quad(-parting / speed) : Quad(0);
+  time = std::max(Quad(0), std::min(time, Quad(scene.dt)));
+  for (int k = 0; k < 3; ++k) nearest += (p[k] + u[k] * time) * (p[k] + u[k] * time);
+  const Quad reach = (Quad(a.w) + b.w) * shorter;
+  return nearest < reach * reach;
+}
+
+CollideOptions swept_options(const Backend& backend) {
+  return {.method = swept_method(backend), .want_pairs = true, .swept = true};
+}
+
+// Spheres that fly through each other in all directions, some tangent, some at rest relative to another.
+Scene crossing_scene(uint64_t n, float dt) {
+  Random random(26);
+  Scene scene = make_scene({.name = "uniform", .n = n, .packing_fraction = 0.05, .dt = dt});
+  const auto speed = [&] { return std::ldexp(float(random.uniform(-1, 1)), random.between(-6, 6)); };
+  for (uint64_t i = 0; i < n; ++i) {
+    scene.velocities[i] = {speed(), speed(), speed(), 0};
+    if (i % 9 == 8) {
+      scene.positions[i] = scene.positions[i - 1];
+      scene.positions[i].x += 2 * scene.positions[i].w;
+      if (i % 2 == 0) scene.velocities[i] = scene.velocities[i - 1];
+    }
+  }
+  return scene;
+}
+
+TEST_P(StressCatalogue, Row26_SweptFindsWhatTouchesWithinAStep) {
+  for (float dt : {0x1p-8f, 0.1f, 1.0f}) {
+    const Scene scene = crossing_scene(700, dt);
+    std::vector<Pair> touching;
+    uint64_t grazing = 0;
+    for (uint i = 0; i < scene.size(); ++i)
+      for (uint j = i + 1; j < scene.size(); ++j) {
+        if (touch_in_quad(scene, i, j)) touching.push_back({i, j});
+        grazing += !touch_in_quad(scene, i, j) && touch_in_quad(scene, i, j, Quad(1) + 0x1p-40);
+      }
+    backend().upload(scene);
+    const Answer answer = ask(backend(), swept_options(backend()));
+    std::vector<Pair> missed, invented;
+    std::ranges::set_difference(touching, *answer.pairs, std::back_inserter(missed));
+    std::ranges::set_difference(*answer.pairs, touching, std::back_inserter(invented));
+    note_figure(fmt::format("{} found, {} missed at dt = {}", touching.size(), missed.size(), dt), "0 missed");
+    EXPECT_TRUE(missed.empty()) << missed.size() << " missed at dt = " << dt;
+    EXPECT_LE(invented.size(), grazing) << "at dt = " << dt;
+    const Answer now = ask(backend(), {.method = swept_options(backend()).method});
+    EXPECT_GT(answer.totals.pairs, now.totals.pairs);
+    cpu_backend().upload(scene);
+    const Answer by_cpu = ask(cpu_backend(), swept_options(cpu_backend()));
+    EXPECT_EQ(*answer.pairs, *by_cpu.pairs);
+    EXPECT_EQ(answer.counts, by_cpu.counts);
+    EXPECT_EQ(answer.totals.fingerprint, by_cpu.totals.fingerprint);
+  }
+}
+
+TEST_P(StressCatalogue, Row26_DiscreteTestMissesAsGeometrySays) {
+  const uint64_t pairs = is_gpu(backend()) || full_stress() ? 8192 : 600;
+  for (double way : {0.5, 1.0, 2.0, 5.0}) {
+    const Scene scene = passing_scene(pairs, way, 27);
+    const double share = expected_miss_share(way);
+    const double expected = share * double(pairs), deviation = std::sqrt(expected * (1 - share));
+    const uint64_t missed = missed_pairs(backend(), scene, way, false);
+    fmt::print("{}: at s = {} {} of {} contacts are missed, {:.0f} +- {:.0f} expected\n", backend().info().name, way,
+               missed, pairs, expected, deviation);
+    note_figure(fmt::format("{} of {} at s = {}, {:.0f} expected, swept 0", missed, pairs, way, expected), "3 sigma");
+    EXPECT_NEAR(double(missed), expected, 3 * deviation);
+    EXPECT_EQ(missed_pairs(backend(), scene, way, true), 0u);
+  }
+}
+
+class Swept : public BackendTest {};
+
+TEST_P(Swept, RefusedWhereItIsNot) {
+  backend().upload(bouncing_scene({.motion = {MotionMethod::impact, Precision::float64}, .n = 5}));
+  EXPECT_THROW(backend().collide(swept_options(backend())), std::invalid_argument);
+  backend().upload(bouncing_scene({.motion = {}, .n = 5}));
+  CollideOptions grid = swept_options(backend());
+  grid.method = Method::collide_grid;
+  EXPECT_THROW(backend().collide(grid), std::invalid_argument);
+}
+
+INSTANTIATE_BACKENDS(Swept);
+
+}  // namespace
+}  // namespace spherepair

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// Checkpoints on disk (row 30 of the stress catalogue): the same bits after a pause, and a damaged or truncated file
+// refused by the name of what is wrong with it.
+#include "bench/formats/checkpoint.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/catalogue.h"
+#include "tests/support/motion_runs.h"
+#include "tests/support/sphere_files.h"
+
+namespace spherepair {
+namespace {
+
+Checkpoint sample(MotionOptions motion, uint64_t n = 3) {
+  const Scene scene = bouncing_scene({.motion = motion, .dt = 0.125f, .restitution = 0.5f, .n = n});
+  const Backend::State state = run_steps(cpu_backend(), scene, 20);
+  Checkpoint checkpoint{scene, cpu_backend().save(), 20};
+  checkpoint.scene.positions = state.positions;
+  checkpoint.scene.velocities = state.velocities;
+  return checkpoint;
+}
+
+constexpr MotionOptions largest_state = {MotionMethod::anchored, Precision::compensated};
+
+TEST(Checkpoint, HoldsEverything) {
+  const ScratchFolder folder;
+  for (const MotionOptions& motion : all_motions())
+    for (uint64_t n : {0, 1, 50}) {
+      const Checkpoint written = sample(motion, n);
+      write_checkpoint(folder.path("run.checkpoint"), written);
+      const Checkpoint read = read_checkpoint(folder.path("run.checkpoint"));
+      EXPECT_EQ(read.step, 20u);
+      EXPECT_EQ(read.scene.name, written.scene.name);
+      EXPECT_EQ(read.scene.motion, motion);
+      EXPECT_EQ(read.scene.dt, 0.125f);
+      EXPECT_EQ(read.scene.restitution, 0.5f);
+      EXPECT_EQ(read.scene.gravity, written.scene.gravity);
+      EXPECT_EQ(read.scene.plane, written.scene.plane);
+      EXPECT_EQ(read.motion.steps, written.motion.steps);
+      EXPECT_EQ(read.motion.flights, written.motion.flights);
+      EXPECT_EQ(read.motion.since, written.motion.since);
+      EXPECT_EQ(read.motion.due, written.motion.due);
+      const Backend::State a = {read.scene.positions, read.scene.velocities, read.motion.wide};
+      expect_equal_states(a, {written.scene.positions, written.scene.velocities, written.motion.wide},
+                          motion_label(motion));
+    }
+}
+
+std::string bytes_of_a_checkpoint(const ScratchFolder& folder) {
+  const std::string file = folder.path("whole");
+  write_checkpoint(file, sample(largest_state));
+  return read_bytes(file);
+}
+
+TEST(Checkpoint, EveryTruncationIsRefused) {
+  const ScratchFolder folder;
+  const std::string bytes = bytes_of_a_checkpoint(folder);
+  for (size_t length = 0; length < bytes.size(); ++length) {
+    const std::string complaint = complaint_of([&] { read_checkpoint(folder.write("cut", bytes.substr(0, length))); });
+    ASSERT_NE(complaint.find("cut off"), std::string::npos) << length << " bytes: " << complaint;
+  }
+  const std::string longer = folder.write("longer", bytes + "x");
+  EXPECT_NE(complaint_of([&] { read_checkpoint(longer); }).find("1 bytes more"), std::string::npos);
+}
+
+TEST(Checkpoint, EveryDamagedByteIsRefused) {
+  const ScratchFolder folder;
+  const std::string bytes = bytes_of_a_checkpoint(folder);
+  for (size_t at = 0; at < bytes.size(); ++at) {
+    std::string damaged = bytes;
+    damaged[at] = char(damaged[at] ^ 0x10);
+    const std::string complaint = complaint_of([&] { read_checkpoint(folder.write("damaged", damaged)); });
+    ASSERT_NE(complaint.find("expected"), std::string::npos) << "byte " << at << ": " << complaint;
+  }
+}
+
+TEST(Checkpoint, SaysWhatIsWrong) {
+  const ScratchFolder folder;
+  const std::string bytes = bytes_of_a_checkpoint(folder);
+  const auto complaint = [&](size_t at, const std::string& replacement) {
+    std::string changed = bytes;
+    changed.replace(at, replacement.size(), replacement);
+    return complaint_of([&] { read_checkpoint(folder.write("changed", changed)); });
+  };
+  EXPECT_NE(complaint(0, "P").find("no checkpoint"), std::string::npos);
+  EXPECT_NE(complaint(8, "\x02").find("version 2"), std::string::npos);
+  EXPECT_NE(complaint(12, "\x05").find("of the header"), std::string::npos);
+  EXPECT_NE(complaint(64, "X").find("of the header"), std::string::npos);
+  const size_t positions = 64 + std::string("random").size() + 16;
+  EXPECT_NE(complaint(positions + 5, "X").find("of the positions"), std::string::npos);
+  EXPECT_NE(complaint(positions + 3 * 16 + 16 + 7, "X").find("of the velocities"), std::string::npos);
+  EXPECT_NE(complaint(bytes.size() - 9, "X").find("of the due steps"), std::string::npos);
+  EXPECT_NE(complaint_of([&] { read_checkpoint(folder.path("nothing")); }).find("cannot read"), std::string::npos);
+}
+
+nlohmann::json last_step_of(const ScratchFolder& folder, const std::string& arguments) {
+  const std::string json_file = folder.path("run.json");
+  const std::string command =
+      fmt::format("{} run {} --json {} > {}", SPHEREPAIR_PROGRAM, arguments, json_file, folder.path("output"));
+  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  return nlohmann::json::parse(read_bytes(json_file)).at("steps").back();
+}
+
+// The tests may have been carried to another machine without it.
+class CheckpointProgram : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(SPHEREPAIR_PROGRAM)) GTEST_SKIP() << "no " << SPHEREPAIR_PROGRAM << " here";
+  }
+};
+
+TEST_F(CheckpointProgram, Row30_TheProgramGoesOnToTheSameBits) {
+  const ScratchFolder folder;
+  const std::string file = folder.path("middle");
+  for (const char* motion : {"paper", "anchored --precision compensated --restitution 0.9"}) {
+    const std::string start = fmt::format("--n 500 --motion {}", motion);
+    const nlohmann::json whole = last_step_of(folder, start + " --steps 1000");
+    last_step_of(folder, fmt::format("{} --steps 500 --save {}", start, file));
+    EXPECT_EQ(last_step_of(folder, fmt::format("--resume {} --steps 500", file)), whole) << motion;
+    note_figure(motion);
+  }
+}
+
+TEST_F(CheckpointProgram, ResumeExcludesTheScene) {
+  const ScratchFolder folder;
+  const std::string file = folder.path("run");
+  write_checkpoint(file, sample({}));
+  const std::string command = fmt::format("{} run --resume {} --n 7 2> {}", SPHEREPAIR_PROGRAM, file, folder.path("e"));
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2);
+}
+
+}  // namespace
+}  // namespace spherepair

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// The studies fed wrong answers: what is recorded was compared first, in drawing, precision, sets and ablation too.
+#include <gtest/gtest.h>
+
+#include "bench/check/answers.h"
+#include "bench/studies/set_errors.h"
+#include "bench/studies/work_precision.h"
+#include "tests/support/faulty_backend.h"
+#include "tests/support/program.h"
+
+namespace spherepair {
+namespace {
+
+class StudyOfFaults : public testing::Test {
+ protected:
+  // The message of the difference that a study finds between the CPU and a faulty backend.
+  template <typename Work>
+  std::string difference_of(Fault fault, Work work) {
+    Session session({"cpu", "glsl"}, {.threads = 1}, faulty_opener(fault, 1));
+    try {
+      work(session);
+      session.comparisons.require_complete();
+    } catch (const DifferenceFound& difference) {
+      return difference.what();
+    }
+    EXPECT_GT(session.comparisons.made(Comparisons::states), 0u);
+    return {};
+  }
+  Progress progress_;
+};
+
+TEST_F(StudyOfFaults, PrecisionComparesStatesBeforeItRecordsErrorsAndTimes) {
+  PrecisionPlan plan;
+  plan.motions = {{MotionMethod::impact, Precision::float64}};
+  plan.error_steps = plan.time_steps = {4};
+  plan.seconds = 0.5, plan.error_n = plan.time_n = 50;
+  plan.sampling.rounds = plan.sampling.fewest_rounds = 1;
+  plan.sampling.software_seconds = 1e-4;
+  const auto errors = [&](Session& session) { measure_errors(session, plan, progress_); };
+  const auto times = [&](Session& session) { measure_times(session, plan, progress_); };
+  EXPECT_EQ(difference_of(Fault::none, errors), "");
+  EXPECT_EQ(difference_of(Fault::none, times), "");
+  for (const NamedFault& fault : state_faults()) {
+    EXPECT_NE(difference_of(fault.fault, errors).find(fault.found_as), std::string::npos) << fault.name;
+    EXPECT_NE(difference_of(fault.fault, times).find(fault.found_as), std::string::npos) << fault.name;
+  }
+  EXPECT_NE(difference_of(Fault::wide_bit, times).find("first in word"), std::string::npos);
+}
+
+TEST_F(StudyOfFaults, SetsComparesSetsAndStatesBeforeItRecordsErrors) {
+  SetPlan plan;
+  plan.motions = {{MotionMethod::paper, Precision::float32}};
+  plan.steps = {4}, plan.seconds = 0.5, plan.n = 300;
+  const auto sets = [&](Session& session) { measure_motion_sets(session, plan, progress_); };
+  EXPECT_EQ(difference_of(Fault::none, sets), "");
+  for (const auto* faults : {&set_faults(), &state_faults()})
+    for (const NamedFault& fault : *faults)
+      EXPECT_NE(difference_of(fault.fault, sets).find(fault.found_as), std::string::npos) << fault.name;
+}
+
+class StudyProgram : public ProgramTest {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(SPHEREPAIR_FAULTY_PROGRAM))
+      GTEST_SKIP() << "no " << SPHEREPAIR_FAULTY_PROGRAM << " here";
+  }
+  Outcome study(const char* fault, const std::string& words) const {
+    return run_shell(fmt::format("SPHEREPAIR_FAULT={} '{}' {} --backends cpu,glsl --threads 1 --rounds 1 --json '{}'",
+                                 fault, SPHEREPAIR_FAULTY_PROGRAM, words, path("record.json")),
+                     folder_);
+  }
+};
+
+TEST_F(StudyProgram, FramesTimesNoWrongImage) {
+  const std::string words =
+      "frames --n 500 --draws compute --places outside --works frame,lit --size 64x48 --min-seconds 0.001";
+  const Outcome right = study("none", words), wrong = study("image_pixel", words);
+  EXPECT_EQ(right.code, 0) << right.errors;
+  EXPECT_EQ(wrong.code, 1) << wrong.output;
+  EXPECT_NE(wrong.errors.find("differs from that of"), std::string::npos) << wrong.errors;
+}
+
+TEST_F(StudyProgram, SkipsTimesNoWrongAnswer) {
+  const std::string words = "skips --n 300 --names radius_load,plane_test";
+  const Outcome right = study("none", words);
+  EXPECT_EQ(right.code, 0) << right.errors;
+  for (const auto* faults : {&set_faults(), &state_faults()})
+    for (const NamedFault& fault : *faults) {
+      if (fault.fault == Fault::listed_pair) continue;
+      const Outcome wrong = study(fault.name, words);
+      EXPECT_EQ(wrong.code, 1) << fault.name << wrong.output;
+      EXPECT_NE(wrong.errors.find(fault.found_as), std::string::npos) << wrong.errors;
+    }
+}
+
+}  // namespace
+}  // namespace spherepair

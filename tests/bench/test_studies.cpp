@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// spherepair crossover and spherepair skips as a user runs them: their records, and what they refuse; and samples of
+// the timing core.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "api/open.h"
+#include "bench/io/report.h"
+#include "bench/measure/timing.h"
+#include "tests/support/sphere_files.h"
+
+namespace spherepair {
+namespace {
+
+class Studies : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(SPHEREPAIR_PROGRAM)) GTEST_SKIP() << "no " << SPHEREPAIR_PROGRAM << " here";
+  }
+  int run(const std::string& words) const {
+    const std::string command = std::string(SPHEREPAIR_PROGRAM) + " " + words + " > " + folder_.path("said") + " 2>&1";
+    return WEXITSTATUS(std::system(command.c_str()));
+  }
+  std::string said() const {
+    std::ifstream file(folder_.path("said"));
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  json record(const std::string& name) const { return json::parse(std::ifstream(folder_.path(name))); }
+
+  const ScratchFolder folder_;
+};
+
+void expect_measurements(const json& rows, const std::string& table) {
+  ASSERT_FALSE(rows.empty());
+  for (const json& row : rows) {
+    EXPECT_EQ(row.at("table"), table);
+    EXPECT_EQ(row.at("samples_ms").size(), 1u);
+    EXPECT_GT(row.at("median_ms").get<double>(), 0);
+    EXPECT_TRUE(row.at("scene").contains("name"));
+  }
+}
+
+TEST_F(Studies, CrossoverNamesTheChoiceAndItsReason) {
+  const std::string words = "crossover --backends cpu --n 100,3000 --kinds gas,one_cell --rounds 1 --json ";
+  ASSERT_EQ(run(words + folder_.path("crossover.json")), 0) << said();
+  const json found = record("crossover.json");
+  expect_measurements(found.at("measurements"), "crossover");
+  EXPECT_LE(found.at("measurements").size(), 16u) << "two kinds, two sizes, four ways";
+  EXPECT_GE(found.at("measurements").size(), 14u) << "all pairs may be given up";
+  EXPECT_TRUE(found.at("complete"));
+  EXPECT_TRUE(found.at("grid_from").at("cpu").contains("gas"));
+  EXPECT_EQ(found.at("auto").size(), 4u);
+  for (const json& row : found.at("auto")) {
+    EXPECT_NEAR(row.at("loss_percent"), 100 * (row.at("auto_ms").get<double>() / row.at("best_ms").get<double>() - 1),
+                1e-6);
+  }
+  EXPECT_NE(said().find("the best fixed choice"), std::string::npos) << said();
+}
+
+TEST_F(Studies, SkipsAreRecordedOnAndOff) {
+  const std::string words = "skips --backends cpu --n 300 --rounds 1 --json ";
+  ASSERT_EQ(run(words + folder_.path("skips.json")), 0) << said();
+  const json rows = record("skips.json").at("measurements");
+  expect_measurements(rows, "skips");
+  int on = 0;
+  for (const json& row : rows) {
+    on += row.at("on").get<bool>();
+    if (row.at("skip") == "cells") {
+      EXPECT_EQ(row.at("work_a_step").at("cells_kept"), row.at("on").get<bool>() ? 1.0 : 0.0);
+    }
+    if (row.at("skip") == "plane_test") {
+      const json& work = row.at("work_a_step");
+      EXPECT_LE(work.at("bounces"), work.at("plane_tests"));
+      if (!row.at("on").get<bool>()) {
+        EXPECT_EQ(work.at("plane_tests"), 300);
+      }
+    }
+    if (row.at("skip") == "cells_out_of_reach") {
+      EXPECT_LE(row.at("work_a_step").at("cells_in_reach"), 27);
+    }
+  }
+  EXPECT_EQ(size_t(2 * on), rows.size());
+}
+
+TEST_F(Studies, WhatIsUnknownIsRefused) {
+  EXPECT_EQ(run("skips --backends cpu --names nothing"), 2);
+  EXPECT_NE(said().find("cells_out_of_reach"), std::string::npos) << said();
+  EXPECT_EQ(run("crossover --backends cpu --kinds nothing"), 2);
+  EXPECT_EQ(run("run --n 100 --method nothing"), 2);
+}
+
+TEST_F(Studies, RunSaysWhatAutoTook) {
+  ASSERT_EQ(run("run --n 100 --scene uniform --json " + folder_.path("run.json")), 0) << said();
+  EXPECT_NE(said().find("auto: parallel"), std::string::npos) << said();
+  EXPECT_EQ(record("run.json").at("choice").at("name"), "parallel");
+}
+
+// Steps that change what the next one has to do are counted from the same start in every sample.
+TEST(StudiesOfTime, EverySampleBeginsWhereTheFirstDid) {
+  const auto cpu = open_backend("cpu");
+  uint64_t steps = 0, most = 0, restarts = 0;
+  Contender falling{"falling", cpu.get(), [&](Backend&) { most = std::max(most, ++steps); }};
+  falling.restart = [&](Backend&) { steps = 0, ++restarts; };
+  falling.batch = 3;
+  Sampling sampling;
+  sampling.rounds = 4;
+  Progress progress;
+  const std::vector<Samples> samples = measure({&falling, 1}, sampling, progress);
+  EXPECT_EQ(samples.front().seconds.size(), 4u);
+  EXPECT_EQ(most, 3u);
+  EXPECT_GE(restarts, 4u);
+}
+
+}  // namespace
+}  // namespace spherepair

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+// spherepair pairs as a whole: a file of spheres in, pairs and a summary out, and nothing lost when it fails.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "bench/check/degrees.h"
+#include "bench/cli/commands.h"
+#include "bench/formats/pair_file.h"
+#include "tests/support/backends.h"
+#include "tests/support/oracle.h"
+#include "tests/support/program.h"
+#include "tests/support/sphere_files.h"
+
+namespace spherepair {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<vec4>& spheres() {
+  static const std::vector<vec4> all = make_scene({.name = "clustered", .n = 1500, .radius_ratio = 8}).positions;
+  return all;
+}
+
+std::string xyz_of(const std::vector<vec4>& all) {
+  std::string text = fmt::format("{}\nProperties=species:S:1:pos:R:3:radius:R:1\n", all.size());
+  for (const vec4& s : all) text += fmt::format("Ar {} {} {} {}\n", s.x, s.y, s.z, s.w);
+  return text;
+}
+
+std::string text_of(const std::vector<Pair>& pairs) {
+  std::string text;
+  for (const Pair& pair : pairs) text += fmt::format("{} {}\n", pair.first, pair.second);
+  return text;
+}
+
+class PairsCommand : public testing::Test {
+ protected:
+  PairsOptions options(const std::string& output) const {
+    return {.backend = "cpu",
+            .method = "",
+            .input_file = input_,
+            .output_file = output == "-" ? output : folder_.path(output),
+            .json_file = "",
+            .radius = {},
+            .frame = {}};
+  }
+
+  std::string run(const PairsOptions& options) {
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const std::string complaint = complaint_of([&] { EXPECT_EQ(pairs_command({{"test"}, {}}, options), kOk); });
+    output_ = testing::internal::GetCapturedStdout();
+    errors_ = testing::internal::GetCapturedStderr();
+    return complaint;
+  }
+
+  // The exit code of the program itself; what it printed goes to output_ and errors_.
+  int run_program(const std::string& arguments, const std::string& before = "") {
+    const std::string command = fmt::format("{} '{}' {} >'{}' 2>'{}'", before, SPHEREPAIR_PROGRAM, arguments,
+                                            folder_.path("out"), folder_.path("err"));
+    const int status = std::system(command.c_str());
+    output_ = read_bytes(folder_.path("out"));
+    errors_ = read_bytes(folder_.path("err"));
+    fs::remove(folder_.path("out"));
+    fs::remove(folder_.path("err"));
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  const ScratchFolder folder_;
+  const std::string input_ = folder_.write("spheres.xyz", xyz_of(spheres()));
+  const std::vector<Pair> expected_ = brute_force_pairs(spheres());
+  std::string output_, errors_;
+};
+
+TEST_F(PairsCommand, FindsThePairsOnEveryBackend) {
+  ASSERT_GT(expected_.size(), 1000u);
+  for (const OpenedBackend& entry : all_backends()) {
+    PairsOptions chosen = options(entry.name + ".txt");
+    chosen.backend = entry.name;
+    if (!entry.backend) continue;
+    EXPECT_EQ(run(chosen), "");
+    EXPECT_EQ(read_bytes(chosen.output_file), text_of(expected_)) << entry.name;
+  }
+  PairsOptions fastest = options("fastest.txt");
+  fastest.backend = "";
+  EXPECT_EQ(run(fastest), "");
+  EXPECT_EQ(read_bytes(fastest.output_file), text_of(expected_)) << output_;
+}
+
+TEST_F(PairsCommand, WritesNpy) {
+  EXPECT_EQ(run(options("pairs.npy")), "");
+  const std::string bytes = read_bytes(folder_.path("pairs.npy"));
+  const std::string header =
+      fmt::format("{{'descr': '<u4', 'fortran_order': False, 'shape': ({}, 2), }}", expected_.size());
+  ASSERT_EQ(bytes.size(), 128 + 8 * expected_.size());
+  EXPECT_EQ(bytes.substr(0, 10 + header.size()), std::string("\x93NUMPY\x01\x00\x76\x00", 10) + header);
+  EXPECT_EQ(bytes[127], '\n');
+  EXPECT_EQ(std::memcmp(bytes.data() + 128, expected_.data(), 8 * expected_.size()), 0);
+}
+
+TEST_F(PairsCommand, WritesNoPairsToo) {
+  PairsOptions lone = options("none.npy");
+  lone.input_file = folder_.write("lone.xyz", "1\n\n1 2 3 4\n");
+  EXPECT_EQ(run(lone), "");
+  EXPECT_EQ(read_bytes(lone.output_file).size(), 128u);
+  lone.input_file = folder_.write("lone.xyz", "0\n\n");
+  lone.output_file = folder_.path("none.txt");
+  EXPECT_EQ(run(lone), "");
+  EXPECT_TRUE(fs::exists(lone.output_file));
+  EXPECT_NE(output_.find("0 pairs, 0 of 0 spheres"), std::string::npos) << output_;
+}
+
+TEST_F(PairsCommand, KeepsStandardOutputForThePairs) {
+  EXPECT_EQ(run(options("-")), "");
+  EXPECT_EQ(output_, text_of(expected_));
+  EXPECT_NE(errors_.find(fmt::format("{} pairs", expected_.size())), std::string::npos) << errors_;
+}
+
+TEST_F(PairsCommand, SummaryAndJson) {
+  PairsOptions all = options("pairs.txt");
+  all.json_file = folder_.path("pairs.json");
+  EXPECT_EQ(run(all), "");
+  std::vector<uint> counts(spheres().size());
+  for (const Pair& pair : expected_) ++counts[pair.first], ++counts[pair.second];
+  const uint64_t colliding_spheres = uint64_t(std::count_if(counts.begin(), counts.end(), colliding));
+  EXPECT_NE(output_.find(fmt::format("{} pairs, {} of 1500 spheres collide", expected_.size(), colliding_spheres)),
+            std::string::npos)
+      << output_;
+  const json record = json::parse(read_bytes(all.json_file));
+  EXPECT_EQ(record.at("pairs"), expected_.size());
+  EXPECT_EQ(record.at("colliding_spheres"), colliding_spheres);
+  EXPECT_EQ(record.at("degrees"), to_json(degrees_of(counts)));
+  EXPECT_EQ(record.at("input").at("n"), 1500);
+  EXPECT_EQ(record.at("input").at("numbers"), 6000);
+  EXPECT_TRUE(record.at("context").contains("build") && record.at("seconds").contains("load"));
+}
+
+// Neither a terminal nor JSON takes such bytes.
+TEST_F(PairsCommand, NamesMayBeAnyBytes) {
+  PairsOptions odd = options("pairs.txt");
+  odd.input_file = folder_.write("odd\xff.xyz", "1\nProperties=\x1b\xff:S:1:pos:R:3:radius:R:1\nH 1 2 3 4\n");
+  odd.json_file = folder_.path("pairs.json");
+  EXPECT_EQ(run(odd), "");
+  EXPECT_NE(output_.find("'\\x1b\\xff:S:1"), std::string::npos) << output_;
+  EXPECT_TRUE(json::accept(read_bytes(odd.json_file)));
+}
+
+TEST_F(PairsCommand, NeverOverwritesTheInput) {
+  const std::string before = read_bytes(input_);
+  fs::create_hard_link(input_, folder_.path("link.txt"));
+  fs::create_symlink(input_, folder_.path("symlink.npy"));
+  for (const char* output : {"link.txt", "symlink.npy"})
+    EXPECT_NE(run(options(output)).find("is the input"), std::string::npos) << output;
+  PairsOptions json_over = options("pairs.txt");
+  json_over.json_file = folder_.path("./spheres.xyz");
+  EXPECT_NE(run(json_over).find("is the input"), std::string::npos);
+  json_over.json_file =
+      folder_.path("../" + fs::path(folder_.path("")).parent_path().filename().string() + "/pairs.txt");
+  EXPECT_NE(run(json_over).find("is the output"), std::string::npos);
+  EXPECT_EQ(read_bytes(input_), before);
+  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"link.txt", "spheres.xyz", "symlink.npy"}));
+}
+
+TEST_F(PairsCommand, FailureLosesNothing) {
+  const std::string old = folder_.write("pairs.txt", "old"), neighbour = folder_.write("pairs.txt.new", "another's");
+  PairsOptions bad = options("pairs.txt");
+  bad.input_file = folder_.write("bad.xyz", "2\n\n1 2 3 4\n1 2 x 4\n");
+  EXPECT_NE(run(bad).find("bad.xyz, line 4"), std::string::npos);
+  EXPECT_EQ(read_bytes(old), "old");
+  for (const char* output : {"pairs.csv", "no/folder/pairs.txt", "pairs"})
+    EXPECT_NE(run(options(output)), "") << output;
+  PairsOptions groups = options("pairs.txt");
+  groups.method = "collide_group";
+  EXPECT_NE(run(groups).find("within groups only"), std::string::npos);
+  EXPECT_EQ(read_bytes(old), "old");
+  EXPECT_EQ(run(options("pairs.txt")), "");
+  EXPECT_EQ(read_bytes(old), text_of(expected_));
+  EXPECT_EQ(read_bytes(neighbour), "another's");
+  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"bad.xyz", "pairs.txt", "pairs.txt.new", "spheres.xyz"}));
+}
+
+// 12.5 million pairs, 100 MB as threads find them.
+TEST_F(PairsCommand, AListBeyondMemoryIsRefusedWithItsSize) {
+  SKIP_WHERE_ADDRESS_SPACE_HAS_NO_LIMIT();
+  if (!fs::exists(SPHEREPAIR_PROGRAM)) GTEST_SKIP() << "no " << SPHEREPAIR_PROGRAM << " here";
+  std::string text = "5000\n\n";
+  for (int k = 0; k < 5000; ++k) text += "1 2 3\n";
+  const std::string pairs = "pairs --radius 1 --backend cpu --threads 1 --input " + folder_.write("one.xyz", text);
+  for (const char* method : {"parallel", "collide_grid"}) {
+    const std::string all = fmt::format("{} --output {} --method {}", pairs, folder_.path("one.npy"), method);
+    EXPECT_EQ(run_program(all, "ulimit -v 200000;"), kDeviceTrouble);
+    EXPECT_NE(errors_.find("12497500 pairs collide, and a list of them takes about 0.3 GB"), std::string::npos)
+        << errors_;
+    EXPECT_FALSE(fs::exists(folder_.path("one.npy")));
+    EXPECT_EQ(run_program(all), kOk) << errors_;
+    fs::remove(folder_.path("one.npy"));
+  }
+}
+
+TEST_F(PairsCommand, ProgramsExitCodes) {
+  if (!fs::exists(SPHEREPAIR_PROGRAM)) GTEST_SKIP() << "no " << SPHEREPAIR_PROGRAM << " here";
+  const std::string pairs = "pairs --backend cpu --output " + folder_.path("pairs.txt") + " --input ";
+  EXPECT_EQ(run_program(pairs + input_), kOk) << errors_;
+  EXPECT_EQ(read_bytes(folder_.path("pairs.txt")), text_of(expected_));
+  fs::remove(folder_.path("pairs.txt"));
+  EXPECT_EQ(run_program(pairs + folder_.write("bad.xyz", "1\n\n1 2\n") + " --radius 1"), kUsage);
+  EXPECT_NE(errors_.find("bad.xyz, line 3: expected 3 columns"), std::string::npos) << errors_;
+  EXPECT_EQ(run_program(pairs + folder_.write("bad.npy", "")), kUsage);
+  EXPECT_NE(errors_.find("bad.npy, byte 0: expected the magic string"), std::string::npos) << errors_;
+  EXPECT_EQ(run_program(pairs + input_ + " --radius 1"), kUsage);
+  EXPECT_EQ(run_program(pairs + input_ + " --radius -1"), kUsage);
+  EXPECT_EQ(run_program(pairs + input_ + " --frame 1"), kUsage);
+  EXPECT_EQ(run_program("pairs --input " + input_), kUsage) << "no output was named";
+  EXPECT_FALSE(fs::exists(folder_.path("pairs.txt")));
+  EXPECT_EQ(run_program("run --input " + input_ + " --pairs " + folder_.path("run.txt")), kOk) << errors_;
+  EXPECT_EQ(read_bytes(folder_.path("run.txt")), text_of(expected_));
+}
+
+TEST(Degrees, GroupedInPowersOfTwoFromSixteenOn) {
+  const Degrees degrees = degrees_of(std::vector<uint>{14, 14, 16, 17, 31, 100});
+  EXPECT_EQ(to_json(degrees).dump(),
+            "{\"min\":14,\"median\":16.5,\"mean\":32.0,\"max\":100,\"spheres_by_degree\":["
+            "{\"from\":14,\"to\":14,\"spheres\":2},{\"from\":15,\"to\":15,\"spheres\":0},"
+            "{\"from\":16,\"to\":31,\"spheres\":3},{\"from\":32,\"to\":63,\"spheres\":0},"
+            "{\"from\":64,\"to\":127,\"spheres\":1}]}");
+  EXPECT_EQ(degrees_of(std::vector<uint>{7, 0, 3}).median, 3);
+  EXPECT_EQ(degrees_of(std::vector<uint>{40, 50}).bins.front().from, 32u);
+  EXPECT_TRUE(degrees_of({}).bins.empty());
+}
+
+}  // namespace
+}  // namespace spherepair

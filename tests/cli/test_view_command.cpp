@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// spherepair view in a window of its own X server: it shows spheres and goes on with the same bits on every backend.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+
+#include "bench/cli/commands.h"
+#include "tests/support/sphere_files.h"
+
+namespace spherepair {
+namespace {
+
+struct Ended {
+  int code;
+  std::string said;
+};
+Ended run(const std::string& words, const ScratchFolder& folder) {
+  const int status = std::system(fmt::format("{} > {} 2>&1", words, folder.path("said")).c_str());
+  return {WEXITSTATUS(status), read_bytes(folder.path("said"))};
+}
+
+bool finds(const char* program) { return std::system(fmt::format("command -v {} >/dev/null", program).c_str()) == 0; }
+
+class ViewCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(SPHEREPAIR_PROGRAM)) GTEST_SKIP() << "no " << SPHEREPAIR_PROGRAM << " here";
+  }
+  Ended view(const std::string& more) {
+    return run(fmt::format("xvfb-run -a -s '-screen 0 800x600x24' {} view --scene random --n 300 --size 640x480 {}",
+                           SPHEREPAIR_PROGRAM, more),
+               folder_);
+  }
+  const ScratchFolder folder_;
+};
+
+// What stands behind the last colon of the last line.
+std::string totals_in(const std::string& said) { return said.substr(said.rfind(": step")); }
+
+TEST_F(ViewCommand, ShowsSpheresAndThePanel) {
+  if (!finds("xvfb-run")) GTEST_SKIP() << "xvfb-run is not installed (Debian: xvfb, xauth)";
+  const std::string file = folder_.path("shot.png");
+  const Ended ended = view("--backend cpu --frames 4 --screenshot " + file);
+  if (ended.said.find("built without windows") != std::string::npos) GTEST_SKIP() << ended.said;
+  ASSERT_EQ(ended.code, kOk) << ended.said;
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  ASSERT_TRUE(png_image_begin_read_from_file(&image, file.c_str()));
+  image.format = PNG_FORMAT_RGBA;
+  std::vector<uint> pixels(size_t(image.width) * image.height);
+  ASSERT_TRUE(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr));
+  ASSERT_EQ(image.width * image.height, 640u * 480u);
+  const auto colours = [&](uint left, uint right) {
+    std::set<uint> found;
+    for (uint y = 0; y < image.height; ++y)
+      for (uint x = left; x < right; ++x) found.insert(pixels[y * image.width + x]);
+    return found.size();
+  };
+  EXPECT_GT(colours(0, 200), 30u) << "the panel";
+  EXPECT_GT(colours(400, 640), 100u) << "the spheres";
+}
+
+TEST_F(ViewCommand, GoesOnWithTheSameBits) {
+  if (!finds("xvfb-run")) GTEST_SKIP() << "xvfb-run is not installed (Debian: xvfb, xauth)";
+  const Ended plain = view("--backend cpu --frames 9");
+  if (plain.said.find("built without windows") != std::string::npos) GTEST_SKIP() << plain.said;
+  ASSERT_EQ(plain.code, kOk) << plain.said;
+  EXPECT_NE(plain.said.find("step 9"), std::string::npos) << plain.said;
+  const Ended switched = view("--backend cpu --frames 9 --keys bmmdlbd");
+  ASSERT_EQ(switched.code, kOk) << switched.said;
+  EXPECT_EQ(totals_in(switched.said), totals_in(plain.said));
+  const Ended paused = view("--backend cpu --frames 14 --keys ' xxxx x'");  // five frames stand still
+  EXPECT_EQ(totals_in(paused.said), totals_in(plain.said));
+}
+
+TEST_F(ViewCommand, NamesRenderWhereNoDisplayIs) {
+  const Ended ended = run(fmt::format("env -u DISPLAY -u WAYLAND_DISPLAY {} view --n 10", SPHEREPAIR_PROGRAM), folder_);
+  EXPECT_EQ(ended.code, kDeviceTrouble);
+  EXPECT_NE(ended.said.find("spherepair render"), std::string::npos) << ended.said;
+}
+
+}  // namespace
+}  // namespace spherepair

@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: MIT
+"""Rules on what compilers make of float arithmetic: glslang's SPIR-V (a proxy, drivers get text), nvcc's PTX, flags.
+
+Each takes (root, build) and returns (complaints, what was checked)."""
+
+import json
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import tempfile
+
+from lint_sources import Skip
+
+STATE_FEEDING = ("move", "bounce", "place")  # kernels whose results are the next step's input: every bit counts, so nothing is fused
+METHODS, PRECISIONS = range(6), ("float", "Two", "double")  # of layout.h; bounce and place are of a method of their own
+EXACT_FUNCTIONS = ("PackDouble2x32", "UnpackDouble2x32", "FAbs", "FMin", "FMax", "NMin", "NMax", "UMin", "UMax", "SMin",
+                   "SMax", "FindUMsb", "FindSMsb", "FindILsb")
+ROUNDED = re.compile(r"(%\w+) = (OpF(?:Add|Sub|Mul|Div|Rem|Mod)|Op(?:Vector|Matrix)Times\w+|OpDot|OpOuterProduct) ")
+LOOSE_PTX = re.compile(r"^\s*((?:fma|mad)\.(?:\w+\.)*f(?:32|64)|(?:add|sub|mul)\.(?:ftz\.|sat\.)*f(?:32|64)|"
+                       r"\w+\.(?:approx|full)\.(?:\w+\.)*f(?:32|64))\b.*", re.M)
+MAY_CONTRACT = ("common/cpu/search/cpu_simd.cpp", "tests/")  # a filter whose bound covers both roundings; negative controls
+LOOSE_FLAGS = ("-ffast-math", "-Ofast", "--use_fast_math", "-use_fast_math", "--ftz=true", "-ffp-contract=fast")
+
+
+def need(tool, package):
+    if not shutil.which(tool):
+        raise Skip(f"{tool} is not installed (package {package})")
+
+
+def with_defines(text, *defines):
+    """As the driver gets it: the definitions follow the #version line."""
+    extension = "#extension GL_NV_shader_atomic_int64 : require\n" if "ATOMICS_64" in defines else ""
+    lines = extension + "".join(f"#define {define}\n" for define in defines)
+    return re.sub(r"(#version .*\n)", lambda match: match[1] + lines, text, count=1)
+
+
+def disassemble(text):
+    """SPIR-V assembly of a compute shader; raises ValueError with glslang's message."""
+    with tempfile.TemporaryDirectory() as folder:
+        shader, binary = pathlib.Path(folder, "shader.comp"), pathlib.Path(folder, "shader.spv")
+        shader.write_text(text)
+        made = subprocess.run(["glslangValidator", "-G", "-o", binary, shader], capture_output=True, text=True)
+        if made.returncode:
+            raise ValueError(made.stdout.replace(folder + "/", "").strip())
+        return subprocess.run(["spirv-dis", binary], capture_output=True, text=True, check=True).stdout
+
+
+def variants(stem, text):
+    """The definitions of every program that is made from a shader."""
+    if stem not in STATE_FEEDING:
+        plain = [("BLOCK 256", f"EQUAL_RADII {uniform}", "LISTED 1", "BUNDLES false", "BY_CELLS false",
+                  f"DENSE {str(bool(uniform)).lower()}", f"NAMES {2 if uniform else 4}u", f"LATER {uniform}u")
+                 for uniform in (0, 1)]
+        further = [("ATOMICS_64",), ("TEXTURE_TABLE",), ("FROM_TILES",), ("FOLDED",)]
+        further += [("TEXTURE_TABLE", "WINDOWS")] * (stem == "collide_grid")
+        chosen = [tuple(define.replace(f"{choice} false", f"{choice} true") for define in plain[0])
+                  for choice in ("BUNDLES", "BY_CELLS") if choice in text]
+        return plain + chosen + [(*plain[0], *defines) for defines in further if defines[-1] in text]
+    methods = METHODS if stem == "move" else (6,)
+    return [("BLOCK 256", "NAMES 0u", f"METHOD {method}u", f"PRECISION {precision}", f"Real {real}")
+            for method in methods for precision, real in enumerate(PRECISIONS)]
+
+
+def spirv_complaints(assembly, may_fuse):
+    exact = set(re.findall(r"OpDecorate (%\w+) NoContraction", assembly))
+    complaints = []
+    for result, operation in ROUNDED.findall(assembly):
+        if result not in exact:
+            complaints.append(f"{operation} {result} may be contracted: compute it into an EXACT local")
+    for function in re.findall(r"= OpExtInst %\w+ %\w+ (\w+)", assembly):
+        if function == "Fma" and not may_fuse:
+            complaints.append("Fma in a kernel that feeds state: it is fused on one driver and not on another")
+        elif function != "Fma" and function not in EXACT_FUNCTIONS:
+            complaints.append(f"{function} is not exact on every driver")
+    return complaints
+
+
+def shaders(root, build):
+    need("glslangValidator", "glslang-tools")
+    need("spirv-dis", "spirv-tools")
+    flattened = sorted((build / "flattened").glob("*.comp"))
+    if not flattened:
+        raise Skip("no flattened shaders: the build has no GLSL")
+    missing = {p.stem for p in (root / "shaders").rglob("*.comp")} - {p.stem for p in flattened}
+    complaints = [f"{stem}.comp: is not built: add it to common/device/kernel_list.h" for stem in sorted(missing)]
+    checked = 0
+    for path in flattened:
+        text = path.read_text()
+        for defines in variants(path.stem, text):
+            checked += 1
+            try:
+                assembly = disassemble(with_defines(text, *defines))
+                found = spirv_complaints(assembly, may_fuse=path.stem not in STATE_FEEDING)
+            except ValueError as error:
+                found = [str(error)]
+            complaints += [f"{path.name} ({', '.join(defines)}): {complaint}" for complaint in found]
+    return complaints, f"{len(flattened)} shaders in {checked} variants"
+
+
+def ptx_complaints(text):
+    """Without .rn the assembler behind PTX may still fuse, so a rounding is asked for everywhere."""
+    return [f"{match[0].strip()}: is fused or may be" for match in LOOSE_PTX.finditer(text)]
+
+
+def compile_commands(build):
+    path = build / "compile_commands.json"
+    if not path.exists():
+        raise Skip(f"{path.name} is missing: configure with Ninja or Make")
+    return json.loads(path.read_text())
+
+
+def ptx_of(entry, *, without=(), architecture=90, **options):
+    """PTX of one kernel with the flags that the build compiles it with; options of subprocess.run."""
+    words, kept, skip = shlex.split(entry["command"]), [], False
+    for word in words:
+        if skip or word in ("-c", "-MD") or re.match(r"-{1,2}(generate-code|gencode|arch)\b", word) or word in without:
+            skip = False
+        elif word in ("-o", "-MT", "-MF"):
+            skip = True
+        else:
+            kept.append(word)
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "kernel.ptx")
+        subprocess.run([*kept, "-ptx", f"-arch=compute_{architecture}", "-o", output], cwd=entry["directory"], check=True, **options)
+        return pathlib.Path(output).read_text()
+
+
+def kernel_commands(root, build):
+    wanted = {str(root / "cuda/motion" / f"{stem}.cu"): stem for stem in STATE_FEEDING}
+    found = {wanted[e["file"]]: e for e in compile_commands(build) if e["file"] in wanted}
+    if not found:
+        raise Skip("this build has no CUDA (no nvcc was found)")
+    return found
+
+
+def ptx(root, build):
+    commands = kernel_commands(root, build)
+    complaints = [f"cuda/motion/{stem}.cu: is not built" for stem in STATE_FEEDING if stem not in commands]
+    for stem, entry in commands.items():
+        complaints += [f"cuda/motion/{stem}.cu: {complaint}" for complaint in ptx_complaints(ptx_of(entry))]
+    return complaints, f"{len(commands)} kernels that feed state"
+
+
+def warp_functions(root, source):
+    """Whether a kernel, or a header of its own folder, calls one of CUDA's functions on warps: not all GPUs have all."""
+    text = source.read_text()
+    headers = [root / name for name in re.findall(r'#include "(cuda/[\w/]+\.cuh)"', text)]
+    return "_sync(" in text or any(warp_functions(root, header) for header in headers)
+
+
+def compiles_for(entry, architecture, **options):
+    try:
+        return bool(ptx_of(entry, architecture=architecture, **options))
+    except subprocess.CalledProcessError:
+        return False
+
+
+def oldest(root, build):
+    """The oldest GPU that a build is for unless told otherwise compiles what calls functions on warps."""
+    architecture = int(re.search(r"set\(CMAKE_CUDA_ARCHITECTURES (\d+)-virtual", (root / "CMakeLists.txt").read_text())[1])
+    kernel_commands(root, build)
+    entries = [e for e in compile_commands(build) if e["file"].startswith(str(root / "cuda")) and e["file"].endswith(".cu")]
+    chosen = [e for e in entries if warp_functions(root, pathlib.Path(e["file"]))]
+    complaints = []
+    for entry in chosen:
+        if not compiles_for(entry, architecture):
+            complaints.append(f"{os.path.relpath(entry['file'], root)}: does not compile for compute_{architecture}, see above")
+    return complaints, f"{len(chosen)} kernels for compute_{architecture}"
+
+
+def flag_complaints(entry):
+    words = shlex.split(entry["command"])
+    complaints = [f"is compiled with {flag}" for flag in LOOSE_FLAGS if flag in words]
+    if not any("-ffp-contract=off" in word for word in words):
+        complaints.append("is compiled without -ffp-contract=off")
+    if entry["file"].endswith(".cu") and "--fmad=false" not in words:
+        complaints.append("is compiled without --fmad=false")
+    return complaints
+
+
+def flags(root, build):
+    entries = [e for e in compile_commands(build) if e["file"].startswith((f"{root}/", f"{build}/"))]
+    complaints = []
+    for entry in entries:
+        name = os.path.relpath(entry["file"], root)
+        if not name.startswith(MAY_CONTRACT):
+            complaints += [f"{name}: {complaint}" for complaint in flag_complaints(entry)]
+    return complaints, f"{len(entries)} compilations"

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: MIT
+"""Rules on the text of the sources. Each takes (root, build) and returns (complaints, what was checked)."""
+
+import re
+import shutil
+import subprocess
+
+MAX_LINES = 250
+CLANG_FORMAT = 14  # other versions lay out some lines differently
+CODE = (".h", ".cpp", ".cu", ".cuh", ".comp", ".glsl")
+FOLDERS = ("common", "shaders", "glsl", "cuda", "interop", "api", "bench", "tests", "paper")
+
+# What has no one meaning on all compilers, see rule 1 of the design: their rounding differs even under `precise`.
+FORBIDDEN = re.compile(r"(?<![.\w])(dot|length|distance|normalize|mix|inversesqrt|sqrt|floor|fmaf?|exp|pow)\s*\(")
+FOREIGN = re.compile(r'^\s*#\s*include\s*[<"]((?:GL|GLES\w*|EGL|epoxy|cuda|thrust|cub)[/_.\w]*)', re.M)
+
+
+class Skip(Exception):
+    """A rule cannot be checked here; the text says why."""
+
+
+def sources(root, suffixes=CODE + (".py", ".cmake")):
+    found = []
+    for folder in FOLDERS:
+        found += [p for p in sorted((root / folder).rglob("*")) if p.suffix in suffixes and p.is_file()]
+    return found
+
+
+def strip_comments(text):
+    return re.sub(r"//[^\n]*|/\*.*?\*/", " ", text, flags=re.S)
+
+
+def first_sentence(text):
+    """Of the first comment after the SPDX line: how threads map to work."""
+    comment = []
+    for line in text.splitlines():
+        if line.startswith("//") and "SPDX" not in line:
+            comment.append(line.lstrip("/ ").rstrip())
+        elif comment:
+            break
+    return re.split(r"(?<=\.)\s", " ".join(comment), maxsplit=1)[0]
+
+
+def twins(root, build):
+    """The same stems in the same folders of shaders/ and cuda/, but for cuda/host."""
+    shaders = {p.relative_to(root / "shaders").with_suffix(""): p.read_text() for p in (root / "shaders").rglob("*.comp")}
+    kernels = {p.relative_to(root / "cuda").with_suffix(""): p.read_text() for p in (root / "cuda").rglob("*.cu")}
+    kernels = {stem: text for stem, text in kernels.items() if "__global__" in strip_comments(text)}
+    complaints = [f"shaders/{stem}.comp: has no kernel cuda/{stem}.cu" for stem in sorted(shaders.keys() - kernels)]
+    complaints += [f"cuda/{stem}.cu: has no twin shaders/{stem}.comp" for stem in sorted(kernels.keys() - shaders)]
+    for stem in sorted(shaders.keys() & kernels):
+        left, right = first_sentence(shaders[stem]), first_sentence(kernels[stem])
+        if left != right or not left:
+            complaints.append(f'{stem}: the first sentences differ\n  .comp: "{left}"\n  .cu:   "{right}"')
+    if not shaders and not kernels:
+        complaints.append("no kernels found")
+    return complaints, f"{len(shaders)} shaders and {len(kernels)} kernels"
+
+
+def files(root, build):
+    names = ("check", "reproduce", "CMakeLists.txt", ".ci/run", ".ci/sanitize", ".ci/setup.sh")
+    scripts = [root / name for name in names]
+    checked = sources(root) + [p for p in scripts if p.exists()] + sorted(root.glob("*/**/CMakeLists.txt"))
+    complaints = []
+    for path in checked:
+        lines = path.read_text().splitlines()
+        name = path.relative_to(root)
+        if len(lines) > MAX_LINES:
+            complaints.append(f"{name}: {len(lines)} lines, more than {MAX_LINES}: split it")
+        if lines and not any("SPDX-License-Identifier: MIT" in line for line in lines[:2]):
+            complaints.append(f"{name}: has no SPDX-License-Identifier in its first two lines")
+    return complaints, f"{len(checked)} files"
+
+
+def shared_headers(root):
+    return sorted((root / "common/shared").glob("*.h"))
+
+
+def conditionals(text):
+    """Preprocessor conditions but for the include guard."""
+    lines = re.findall(r"^\s*#\s*((?:if|ifdef|ifndef|elif|else)\b.*)", strip_comments(text), re.M)
+    guard = re.search(r"^#ifndef (\w+)\n#define \1$", text, re.M)
+    if guard and lines and lines[0] == f"ifndef {guard[1]}":
+        lines = lines[1:]
+    return [line.strip() for line in lines]
+
+
+def headers(root, build):
+    shared = shared_headers(root)
+    complaints = []
+    allowed = {"layout.h": ["ifndef GL_core_profile"]}  # its static_asserts
+    for path in shared:
+        found = conditionals(path.read_text())
+        if path.name != "portable.h" and found != allowed.get(path.name, []) and found:
+            complaints.append(f"common/shared/{path.name}: #{found[0]}: conditions belong into portable.h")
+    for path in sorted((root / "common").rglob("*.h")):
+        for include in FOREIGN.findall(path.read_text()):
+            complaints.append(f"{path.relative_to(root)}: includes {include}: no GL, CUDA or Thrust header in common/")
+    if not shared:
+        complaints.append("common/shared has no headers")
+    return complaints, f"{len(shared)} shared headers"
+
+
+def borders(root, build):
+    """Only api/open.cpp asks what was built."""
+    checked = sources(root, CODE)
+    asking = [path.relative_to(root) for path in checked if "SPHEREPAIR_WITH_" in path.read_text()]
+    complaints = [f"{name}: asks what was built; only api/open.cpp may" for name in asking if str(name) != "api/open.cpp"]
+    return complaints, f"{len(checked)} files"
+
+
+def builtins(root, build):
+    shaders = [*sorted((root / "shaders").rglob("*.comp")), *sorted((root / "shaders").rglob("*.glsl"))]
+    complaints = []
+    for path in shaders + shared_headers(root):
+        text = strip_comments(path.read_text())
+        if path.name == "portable.h":
+            text = re.sub(r"float multiply_add\(.*", "", text)
+        for match in FORBIDDEN.finditer(text):
+            complaints.append(f"{path.relative_to(root)}: {match[1]}() is not the same on all compilers")
+    return complaints, f"{len(shaders)} shaders and their headers"
+
+
+def clang_format():
+    for name in (f"clang-format-{CLANG_FORMAT}", "clang-format"):
+        if shutil.which(name):
+            version = subprocess.run([name, "--version"], capture_output=True, text=True).stdout
+            if f"version {CLANG_FORMAT}." in version:
+                return name
+    raise Skip(f"clang-format {CLANG_FORMAT} is not installed, and other versions lay lines out differently")
+
+
+def formatting(root, build):
+    tool = clang_format()
+    checked = sources(root, CODE)
+    command = [tool, "--dry-run", "-Werror", "--style=file", *map(str, checked)]
+    result = subprocess.run(command, cwd=root, capture_output=True, text=True)
+    first_places = {}
+    for path, line in re.findall(r"^(.*?):(\d+):\d+: error: .*\[-Wclang-format", result.stderr, re.M):
+        first_places.setdefault(path.replace(f"{root}/", ""), line)
+    complaints = [f"{path}:{line}: run {tool} -i {path}" for path, line in first_places.items()]
+    if result.returncode and not complaints:
+        complaints = [result.stderr.strip()]
+    return complaints, f"{len(checked)} files"

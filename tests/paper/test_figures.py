@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: MIT
+"""Every figure can be drawn: from recorded runs, or from made-up records where none are recorded yet."""
+import contextlib
+import importlib.util
+import io
+import pathlib
+import sys
+import tempfile
+import unittest
+
+PAPER = pathlib.Path(__file__).resolve().parents[2] / "paper"
+sys.path.insert(0, str(PAPER))
+if importlib.util.find_spec("matplotlib") is None:
+    print("SKIPPED: figures need matplotlib (python3-matplotlib)")
+    sys.exit(77)
+
+import figures  # noqa: E402  (the path must be set first)
+import tables_studies  # noqa: E402
+from derived import GRID_BYTES  # noqa: E402
+from records import DATA, Machine, Missing, Record, latest  # noqa: E402
+
+SCENE = {"name": "uniform", "packing_fraction": 0.3}
+
+
+def made_up(table, times, **parameters):
+    return [Record({"table": table, "scene": SCENE, "n": n, "label": "made up", **parameters}, 1e-6 * n * t,
+                   0.9e-6 * n * t, 1.1e-6 * n * t, "made up") for t in times for n in (1024, 1000000)]
+
+
+def of_tables_to_come():
+    rows = made_up("grid", [9], backend="cpu", method="collide_grid", order="cold")
+    for backend in ("glsl", "cuda"):
+        for method, order, time in (("grid", "cold", 2), ("grid", "warm", 1), ("triangle", "cold", 3)):
+            rows += made_up("grid", [time], backend=backend, method=f"collide_{method}", order=order,
+                            share_of_floor=0.5, ceiling_per_second=1e12, device_stages_ms={"collide": 1.0},
+                            device_stages_interval_ms={"collide": [0.9, 1.1]})
+            for row in rows[-2:]:
+                row.parameters["floor_ms"] = 1e-9 * GRID_BYTES[order] * row.n
+        rows += made_up("draw", [1], backend=backend, draw="compute", place="outside", work="frame")
+        rows += made_up("interop", [1], backend=backend, way=f"map from {backend}")
+        for on in (True, False):
+            rows += made_up("skips", [1 if on else 2], backend=backend, skip="kept order", on=on)
+        for precision in ("float32", "float64"):
+            rows += made_up("precision", [1, 2], backend=backend, method="paper", precision=precision, dt=0.0625,
+                            error_m=1e-3, simulated_s=10, work="move")
+    return rows
+
+
+def sets_to_come():
+    """A run of `spherepair sets`, as short as it can be."""
+    error = {"right": 100, "missed": 3, "extra": 2}
+    motion = [{"method": "paper", "precision": "float32", "k": 6, "dt": 1 / 64, "offset": offset, "whole_missed": 0,
+               "whole_extra": 0, **error} for offset in (0, 1e5)]
+    times = {"median_ms": 1.0, "interval_ms": [0.9, 1.1]}
+    exactness = [{"backend": name, "scene": "far", "n": 1024, "exact": times, "naive": times, **error}
+                 for name in ("cpu", "glsl")]
+    contacts = [{"backend": "glsl", "way": way, "pairs": 100, "missed": 8, "deviation": 2.8, "swept_missed": 0}
+                for way in (1.0, 3.0)]
+    return {"format": "spherepair sets 1", "id": "made up", "settings": {"seconds": 10}, "motion": motion,
+            "storage": [{"precision": "float32", "offset": 1e5, **error}], "exactness": exactness,
+            "contacts": contacts}
+
+
+def crossovers_to_come(cells, time_of_auto):
+    square, grid = {"name": "collide_square", "block": 32}, {"name": "collide_grid", "cells": cells}
+    return [record for n, times, taken in ((64, (1, 3, 3, 1), square), (1024, (9, 2, 4, time_of_auto), grid))
+            for way, time in zip(("collide_square/32", "dense", "hashed", "auto"), times)
+            for record in [Record({"table": "crossover", "kind": "gas", "way": way, "n": n, "backend": "glsl",
+                                   "choice": taken, "scene": SCENE, "label": "made up", "samples_ms": [time] * 7}, time, time, time,
+                                  "made up")]]
+
+
+class Figures(unittest.TestCase):
+    def draw(self, machine):
+        left_out = []
+        for module in figures.modules():
+            try:
+                figures.style.plt.close(module.draw(machine))
+                self.assertTrue(module.caption(machine) if hasattr(module, "caption") else module.CAPTION)
+            except Missing:
+                left_out.append(module.NAME)
+        return left_out
+
+    def test_each_is_drawn_once_its_records_are_there(self):
+        machine = Machine(DATA / "h200")
+        kept = [r for r in machine.records if r.table not in ("grid", "draw", "interop", "skips", "precision")]
+        machine.records = kept + of_tables_to_come()
+        machine.sources["sets.json"] = sets_to_come()
+        self.assertEqual([], self.draw(machine))
+
+    def test_none_is_drawn_without_its_records(self):
+        machine = Machine(DATA / "h200")
+        machine.records, machine.sources = [], {}
+        drawn = {module.NAME for module in figures.modules()} - set(self.draw(machine))
+        self.assertLessEqual(drawn, {"animations", "closeup", "same-frame", "settling"})  # pictures
+
+
+class Tables(unittest.TestCase):
+    def test_crossovers_by_kind(self):
+        machine = Machine(DATA / "h200")
+        for cells, time_of_auto, loss in (("dense", 2, "1"), ("dense", 2.5, "1"), ("hashed", 4, "2")):
+            machine.records = crossovers_to_come(cells, time_of_auto)
+            self.assertEqual([["gas", "1,024", loss]], tables_studies.crossover(machine).rows)
+
+    def test_of_the_grid_sweeps_alone_count(self):
+        def record(n, date, swept, table="grid"):
+            return Record({"table": table, "backend": "glsl", "method": "collide_grid", "n": n, "order": "cold",
+                           "scene": SCENE}, 1, 1, 1, f"{date} {swept}", date, swept)
+        old, new, compared = record(64, "1", True), record(64, "2", True), record(4096, "3", False)
+        other = record(64, "0", False, "methods")
+        self.assertEqual([new, other], latest([old, compared, new, other]))
+        self.assertEqual([compared, other], latest([compared, other]))
+
+    def test_hand_overs(self):
+        machine = Machine(DATA / "h200")
+        timed = {"imported": (1.9, 2.2), "step": (0.9, 1.1), "imported_pipelined": (2.4, 2.6)}
+
+        def record(n):
+            frames = [{"work": work, "draw": "none" if work == "step" else "points", "n": n, "interval_ms": interval}
+                      for work, interval in timed.items()]
+            frames.append({"work": "imported", "draw": "none", "n": n, "interval_ms": (9, 9)})  # alone, not meant
+            return {"id": "made up", "frames": frames, "overlaps": [
+                {"hand_over": "imported", "draw": "points", "n": n, "picture_ms": 2.0, "step_ms": 1.0,
+                 "pipelined_ms": 2.5, "overlap": 0.5}]}
+
+        machine.sources = {"frames.json": record(1000), "more_frames.json": record(10**8)}
+        figures_of_each = ["2.00", "1.00", "2.50", "0.500 [0.200, 0.900]"]
+        self.assertEqual([["imported", size, *figures_of_each] for size in ("10^3", "10^8")],
+                         tables_studies.hand_over(machine).rows)
+
+
+class Paper(unittest.TestCase):
+    def test_all_that_it_includes_is_made(self):
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()) as said:
+            figures.write_paper_inputs(pathlib.Path(folder))
+            made = {path.name for path in pathlib.Path(folder).rglob("*")}
+        self.assertLessEqual({"numbers.tex", "captions.tex", "trace.tex", "table1.tex", "scale.pdf", "scale.png"}, made)
+        self.assertRegex(said.getvalue(), "each from a recorded run")
+
+
+if __name__ == "__main__":
+    unittest.main()

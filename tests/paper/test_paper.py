@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: MIT
+"""The paper's numbers come from recorded runs, and what guards that can fail. Needs no matplotlib and no LaTeX."""
+import contextlib
+import io
+import pathlib
+import sys
+import tempfile
+import unittest
+from dataclasses import replace
+
+PAPER = pathlib.Path(__file__).resolve().parents[2] / "paper"
+sys.path.insert(0, str(PAPER))
+
+import headline  # noqa: E402  (the path must be set first)
+import leads  # noqa: E402
+import macros  # noqa: E402
+import ranks  # noqa: E402
+import tables_studies  # noqa: E402
+import tabular  # noqa: E402
+from records import DATA, Machine, Missing, median_interval  # noqa: E402
+
+FRAME = "\\begin{abstract}%s\\begin{thebibliography}"
+
+
+def check(prose, numbers, recorded=()):
+    with contextlib.redirect_stderr(io.StringIO()):
+        macros.check(FRAME % prose, numbers, recorded)
+
+
+class Prose(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.numbers = macros.collect(Machine(DATA / "h200"), [Machine(DATA / "llvmpipe")])
+
+    def test_every_number_of_the_paper_is_recorded(self):
+        macros.check((PAPER / "paper.tex").read_text(), self.numbers)
+
+    def test_what_awaits_a_figure_asks_for_no_number(self):
+        prose = "A. \\ifrecorded{abacus}{It takes \\Nr{step/abacus}\\,ms {at} 5.} B."
+        check(prose, self.numbers)
+        with self.assertRaises(Missing):
+            check(prose, self.numbers, ["abacus"])
+
+    def test_a_number_without_a_run_is_found_out(self):
+        with self.assertRaises(Missing):
+            check("It takes \\Nr{step/abacus}\\,ms.", self.numbers)
+
+    def test_a_digit_in_the_prose_is_found_out(self):
+        check("A step on an H200 takes \\Nr{step/glsl}\\,ms of $2^{20}$, see GTX~\\given{590}.", self.numbers)
+        for prose in ("It takes 0.068\\,ms.", "GLSL is 8\\,\\% faster.", "In 2 of \\Nr{step/glsl} cases."):
+            with self.assertRaises(Missing, msg=prose):
+                check(prose, self.numbers)
+
+    def test_a_number_names_the_file_it_comes_from(self):
+        text, source, _ = self.numbers.entries["step/glsl"]
+        self.assertEqual(Machine(DATA / "h200").id, source)
+        self.assertEqual(f"{Machine(DATA / 'h200').one(table='step', backend='glsl', n=16384).median:.4f}", text)
+
+
+class Readme(unittest.TestCase):
+    def test_its_headline_is_the_recorded_one(self):
+        readme, machine = (PAPER.parent / "README.md").read_text(), Machine(DATA / "h200")
+        self.assertEqual(headline.updated(readme, machine), readme, "paper/figures.py --headline brings it up to date")
+
+    def test_a_stale_row_is_found_out(self):
+        readme, machine = (PAPER.parent / "README.md").read_text(), Machine(DATA / "h200")
+        row = "| the paper's own tile, 16,384 spheres | "
+        stale = readme.replace(row, row + "9")
+        self.assertNotEqual(stale, readme)
+        self.assertEqual(readme, headline.updated(stale, machine))
+
+
+def changed(wanted, factor):
+    """The recorded machine with the times of some records made longer or shorter by a factor."""
+    machine = Machine(DATA / "h200")
+
+    def scaled(record):
+        times = factor(record) if wanted(record) else 1
+        samples = [times * sample for sample in record.parameters.get("samples_ms", [])]
+        return replace(record, median=times * record.median, low=times * record.low, high=times * record.high,
+                       parameters={**record.parameters, "samples_ms": samples})
+
+    machine.records = [scaled(record) for record in machine.records]
+    return machine
+
+
+def all_pairs(backend):
+    return lambda record: record.table in ("scale", "step") and record.backend == backend
+
+
+class WhoLeads(unittest.TestCase):
+    """What the prose says of leads follows the records, or the paper is refused."""
+
+    def sentences(self, factor):
+        found = leads.contests(changed(all_pairs("glsl"), factor))
+        return leads.headline(found), leads.wins(found), leads.at_large_sizes(found)
+
+    def test_one_api_throughout(self):
+        for factor, winner in ((10, "CUDA"), (0.1, "GLSL")):
+            head, wins, large = self.sentences(lambda _: factor)
+            self.assertEqual(f"{winner} wins throughout", head)
+            self.assertRegex(wins, rf"^{winner} takes \d+ to \d+ % less time at every size$")
+            self.assertRegex(large, rf"^in 6 of 6 contests of 65,536 spheres and more {winner}'s compiler")
+
+    def test_a_number_of_spheres_parts_them(self):
+        head, wins, _ = self.sentences(lambda record: 10 if record.n < 4096 else 0.1)
+        self.assertEqual("neither API wins throughout", head)
+        self.assertRegex(wins, "^CUDA takes .* up to 2,048 spheres and GLSL .* from 4,096 on$")
+        self.assertRegex(self.sentences(lambda record: 0.1 if record.n < 4096 else 10)[1], "^GLSL .* and CUDA .* on$")
+
+    def test_no_order_of_sizes_is_told_where_there_is_none(self):
+        _, wins, large = self.sentences(lambda record: 0.1 if record.n in (1024, 65536) else 10)
+        self.assertRegex(wins, "^of 22 contests, CUDA .* less time in 17 and GLSL .* less time in 5$")
+        self.assertRegex(large, "^in 4 of 6 .* CUDA's compiler .*, and GLSL's in 2, by ")
+
+    def test_kinds_of_work_that_differ_are_told_apart(self):
+        gas = {"table": "scale", "scene": "uniform"}
+        _, wins, _ = self.sentences(lambda record: 0.1 if record.matches(gas) and record.n > 16384 else 10)
+        self.assertRegex(wins, "^in all pairs of the original's box and in whole steps CUDA .* at every size; in all "
+                               "pairs of a gas CUDA .* up to 16,384 spheres and GLSL .* from 65,536 on$")
+
+    def test_alike_is_no_lead(self):
+        machine = Machine(DATA / "h200")
+        of_cuda = {(r.table, r.n, str(r.scene)): r for r in machine.records if all_pairs("cuda")(r)}
+        machine.records = [replace(of_cuda[r.table, r.n, str(r.scene)], parameters=r.parameters)
+                           if all_pairs("glsl")(r) else r for r in machine.records]
+        found = leads.contests(machine)
+        self.assertEqual("no difference is seen", leads.headline(found))
+        self.assertEqual("no difference is seen", leads.wins(found))
+
+    def test_the_readme_follows(self):
+        readme = (PAPER.parent / "README.md").read_text()
+        self.assertIn("GLSL wins throughout", headline.updated(readme, changed(all_pairs("glsl"), lambda _: 0.1)))
+
+    def refused(self, wanted, factor):
+        return [name for name, reason in macros.collect(changed(wanted, factor), [Machine(DATA / "llvmpipe")]).left_out
+                if "the text says" in reason]
+
+    def test_prose_that_does_not_follow_refuses(self):
+        for maker, wanted, factor in (
+                ("who_leads", {"table": "scale", "backend": "glsl"}, 2),
+                ("launches", {"table": "overhead", "backend": "cuda"}, 2),
+                ("arrangements", {"table": "methods", "method": "collide_tiled"}, 0.2),
+                ("group_sizes", {"table": "methods", "method": "collide_square", "block": 128}, 2),
+                ("whole_steps", {"table": "step", "backend": "cpu"}, 0.01),
+                ("keeping_order", {"table": "grid", "backend": "cuda", "order": "warm"}, 3),
+                ("grid_leads", {"table": "grid", "backend": "glsl"}, 0.5),
+                ("beside_peers", {"table": "grid", "backend": "cuda"}, 9),
+                ("pictures", {"table": "draw", "backend": "glsl", "n": 10**8}, 999),
+                ("hand_overs", {"table": "interop", "way": "through the host's memory"}, 1e-3),
+                ("kinds_of_spheres", {"table": "crossover", "kind": "one_cell", "way": "dense"}, 1e-3),
+                ("exactness", {"table": "exactness", "method": "collide_triangle", "exact": True}, 2),
+                ("errors_of_motion", {"table": "precision", "method": "anchored"}, 99)):
+            self.assertIn(maker, self.refused(lambda record: record.matches(wanted), lambda _: factor), wanted)
+        self.assertEqual([], self.refused(lambda record: False, None))
+
+    def test_a_skip_that_turns_refuses(self):
+        for skip in ("graph", "exact_stages", "l2_aside"):
+            wanted = lambda record: record.table == "skips" and record.skip == skip and record.on
+            self.assertIn("what_skips_save", self.refused(wanted, lambda _: 0.2 if skip == "l2_aside" else 20))
+
+
+class Stress(unittest.TestCase):
+    """The catalogue's table, from made-up tests of every row."""
+
+    @staticmethod
+    def table(verdict="pass", rows=33):
+        machine = Machine(DATA / "h200")
+        found = [{"row": row, "scene": "a lattice", "what": "it holds", "backend": name, "figure": "0 wrong of 100000",
+                  "bound": "1e-04 m", "verdict": verdict if row == 7 else "pass"}
+                 for row in range(1, rows + 1) for name in ("cpu", "glsl", "cuda")]
+        machine.sources["stress.json"] = {"rows": found, "id": "made up"}
+        return tables_studies.stress(machine)
+
+    def test_a_row_a_test_and_a_verdict_a_backend(self):
+        rows = self.table().rows
+        self.assertEqual(33, len(rows))
+        self.assertEqual(["7", "a lattice", "it holds", "0 wrong of 100,000", "1e-04 m", *["pass"] * 3], rows[6])
+
+    def test_a_failed_and_an_absent_row_are_refused(self):
+        for wrong in ({"verdict": "FAIL"}, {"rows": 32}):
+            with self.assertRaises(Missing):
+                self.table(**wrong)
+
+    def test_backends_that_found_different_figures_are_named(self):
+        self.assertEqual("CPU, GLSL: 1 m; CUDA: 2 m",
+                         tables_studies.figure_text({"cpu": "1 m", "glsl": "1 m", "cuda": "2 m"}))
+
+    def test_numbers_are_set_as_mathematics(self):
+        self.assertEqual("0 wrong of 100000, $\\pm$ $10^{-4}$, $5.8\\cdot10^{-5}$ m, 0, $2^{-149}$, 4096",
+                         tabular.typeset("0 wrong of 100000, +- 1e-04, 5.8e-05 m, 0.0e+00, 2^-149, 4096"))
+
+
+class Records(unittest.TestCase):
+    def test_none_or_many_are_no_answer(self):
+        machine = Machine(DATA / "h200")
+        for wanted in ({"table": "step", "backend": "abacus"}, {"table": "step", "backend": "glsl"}):
+            with self.assertRaises(Missing):
+                machine.one(**wanted)
+
+    def test_intervals_are_those_of_the_program(self):
+        rows = Machine(DATA / "h200").records
+        self.assertLess(100, len(rows))
+        for record in rows:
+            self.assertEqual((record.low, record.high), median_interval(record.samples_ms))
+
+    def test_a_folder_without_results_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder, self.assertRaises(Missing):
+            Machine(folder)
+
+
+class Ranks(unittest.TestCase):
+    def test_apart_and_alike(self):
+        low, high = list(range(11)), list(range(20, 31))
+        self.assertAlmostEqual(2 / 705432, ranks.rank_test(low, high))
+        self.assertEqual(1.0, ranks.rank_test(low, low))
+        self.assertAlmostEqual(0.2, ranks.rank_test([1, 2, 4], [3, 5, 6]))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "tests/support/backends.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+#include "api/open.h"
+#include "tests/support/catalogue.h"
+#include "tests/support/oracle.h"
+
+namespace spherepair {
+
+std::vector<OpenedBackend>& all_backends() {
+  static std::vector<OpenedBackend> backends = [] {
+    std::vector<OpenedBackend> opened;
+    for (const std::string& name : backend_names()) {
+      OpenedBackend& entry = opened.emplace_back();
+      entry.name = name;
+      try {
+        entry.backend = open_backend(name);
+      } catch (const BackendError& error) {
+        entry.reason = error.what();
+      }
+    }
+    return opened;
+  }();
+  return backends;
+}
+
+std::vector<Backend*> open_backends() {
+  std::vector<Backend*> there;
+  for (OpenedBackend& entry : all_backends())
+    if (entry.backend) there.push_back(entry.backend.get());
+  return there;
+}
+
+bool backend_required(const std::string& name) {
+  const char* list = std::getenv("REQUIRE_BACKENDS");
+  return list && fmt::format(",{},", list).find("," + name + ",") != std::string::npos;
+}
+
+bool full_stress() {
+  const char* form = std::getenv("STRESS");
+  return form && std::strcmp(form, "full") == 0;
+}
+
+bool is_gpu(const Backend& backend) { return backend.info().name != "cpu" && !backend.info().software; }
+
+std::vector<CollideOptions> every_method(const Backend& backend, std::span<const uint> blocks) {
+  std::vector<CollideOptions> all;
+  for (Method method : backend.methods()) {
+    const bool blocked = backend.info().name != "cpu" || method == Method::collide_group;
+    for (uint block : blocked ? blocks : blocks.first(1)) all.push_back({.method = method, .block = block});
+  }
+  return all;
+}
+
+CollideOptions fast_method(const Backend& backend) {
+  return {.method = backend.info().name == "cpu" ? Method::parallel : Method::collide_triangle};
+}
+
+std::string describe(const CollideOptions& options) {
+  constexpr const char* cells[] = {"", ", dense cells", ", hashed cells"};
+  constexpr const char* sorts[] = {"", ", sorted by counting", ", sorted by buckets"};
+  const GridOptions& grid = options.grid;
+  return fmt::format("{} with groups of {}{}{}{}{}{}{}", method_name(options.method), options.block,
+                     options.exact ? "" : ", naive", options.want_pairs ? ", listing pairs" : "",
+                     cells[size_t(grid.cells)], sorts[size_t(grid.sort)], grid.keep_order ? "" : ", order not kept",
+                     grid.keep_cells ? "" : ", cells not kept");
+}
+
+void BackendTest::SetUp() {
+  for (OpenedBackend& entry : all_backends()) {
+    if (entry.name != GetParam()) continue;
+    backend_ = entry.backend.get();
+    if (backend_) return;
+    if (backend_required(entry.name))
+      FAIL() << "the required backend " << entry.name << " is missing: " << entry.reason;
+    GTEST_SKIP() << "no backend " << entry.name << ": " << entry.reason;
+  }
+}
+
+std::string parameter_name(const testing::TestParamInfo<std::string>& info) { return info.param; }
+
+Answer ask(Backend& backend, const CollideOptions& options) {
+  backend.collide(options);
+  backend.check_guards();  // before lists that were too short are replaced by longer ones
+  const Answer answer = answer_of(backend, options.want_pairs);
+  backend.check_guards();
+  return answer;
+}
+
+namespace {
+
+std::string count_objection(const Answer& answer, std::span<const Pair> expected, size_t spheres) {
+  if (answer.counts.size() != spheres)
+    return fmt::format("counts of {} spheres, not of {}", answer.counts.size(), spheres);
+  std::vector<uint> counts(spheres);
+  for (const Pair& pair : expected) ++counts[pair.first], ++counts[pair.second];
+  const auto [given, wanted] = std::mismatch(answer.counts.begin(), answer.counts.end(), counts.begin());
+  if (wanted != counts.end())
+    return fmt::format("sphere {} has {} contacts, not {}", wanted - counts.begin(), *given, *wanted);
+  const uint64_t flagged = uint64_t(std::count_if(counts.begin(), counts.end(), colliding));
+  if (answer.totals.colliding_spheres != flagged)
+    return fmt::format("{} colliding spheres, not {}", answer.totals.colliding_spheres, flagged);
+  return {};
+}
+
+}  // namespace
+
+std::string objection(const Answer& answer, std::span<const Pair> expected, size_t spheres) {
+  const auto difference = answer.pairs ? first_difference(*answer.pairs, expected) : std::nullopt;
+  if (difference)
+    return fmt::format("pair ({}, {}) is {}", difference->pair.first, difference->pair.second,
+                       difference->in_left ? "too much" : "missing");
+  if (answer.totals.pairs != expected.size())
+    return fmt::format("{} pairs, not {}", answer.totals.pairs, expected.size());
+  if (answer.totals.fingerprint != fingerprint(expected)) return "the fingerprint is that of another set";
+  uint64_t settled = 0;
+  for (uint64_t stage : answer.totals.decided_by) settled += stage;
+  if (settled != answer.totals.deferred)
+    return fmt::format("{} pairs deferred but {} settled", answer.totals.deferred, settled);
+  return count_objection(answer, expected, spheres);
+}
+
+Scene scene_of(std::vector<vec4> spheres) {
+  Scene scene;
+  scene.name = "test";
+  scene.velocities.resize(spheres.size(), vec4{0, 0, 0, 0});
+  scene.equal_radii = std::all_of(spheres.begin(), spheres.end(), [&](const vec4& sphere) {
+    return float_bits(sphere.w) == float_bits(spheres.front().w);
+  });
+  scene.positions = std::move(spheres);
+  return scene;
+}
+
+void expect_pairs(Backend& backend, const Scene& scene, std::span<const Pair> expected,
+                  const std::vector<CollideOptions>& methods) {
+  backend.upload(scene);
+  for (CollideOptions options : methods) {
+    const std::vector<Pair> in_groups =
+        options.method == Method::collide_group ? within_groups(expected, options.block) : std::vector<Pair>();
+    const std::span<const Pair> wanted = options.method == Method::collide_group ? in_groups : expected;
+    for (bool want_pairs : {false, true}) {
+      options.want_pairs = want_pairs;
+      count_figure("answers");
+      EXPECT_EQ(objection(ask(backend, options), wanted, scene.size()), "")
+          << backend.info().name << ", scene " << scene.name << " of " << scene.size() << ", " << describe(options);
+    }
+  }
+}
+
+}  // namespace spherepair

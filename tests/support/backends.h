@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// The backends of this machine, opened once a process, and tests parametrised over them. A backend that is missing
+// skips its tests with the reason; the environment variable REQUIRE_BACKENDS=cpu,glsl,cuda makes that a failure.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "api/open.h"
+#include "bench/check/answers.h"
+
+namespace spherepair {
+
+struct OpenedBackend {
+  std::string name;
+  std::unique_ptr<Backend> backend;  // null when it is missing
+  std::string reason;                // why it is missing
+};
+std::vector<OpenedBackend>& all_backends();
+std::vector<Backend*> open_backends();  // those that are there
+bool backend_required(const std::string& name);
+
+// STRESS=full in the environment asks for sizes that take long without a GPU.
+bool full_stress();
+
+// A GPU: sizes that a CPU would take minutes for are fine.
+bool is_gpu(const Backend& backend);
+
+// A backend's methods at these group sizes; on the CPU the size matters to collide_group alone.
+std::vector<CollideOptions> every_method(const Backend& backend, std::span<const uint> blocks);
+CollideOptions fast_method(const Backend& backend);
+std::string describe(const CollideOptions& options);
+
+class BackendTest : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override;
+  Backend& backend() { return *backend_; }
+
+ private:
+  Backend* backend_ = nullptr;
+};
+
+// Rows of the stress catalogue that every backend must pass; each test is named by its row.
+class StressCatalogue : public BackendTest {};
+
+std::string parameter_name(const testing::TestParamInfo<std::string>& info);
+#define INSTANTIATE_BACKENDS(suite) \
+  INSTANTIATE_TEST_SUITE_P(Backends, suite, testing::ValuesIn(backend_names()), parameter_name)
+
+Answer ask(Backend& backend, const CollideOptions& options);
+
+// What is wrong with an answer, as one sentence that names the first difference; empty when it is the expected set.
+std::string objection(const Answer& answer, std::span<const Pair> expected, size_t spheres);
+
+// A scene of these spheres at rest; equal_radii is found out.
+Scene scene_of(std::vector<vec4> spheres);
+
+// Runs the methods at the blocks on the scene and compares each with the expected pairs (of collide_group: those within
+// a group), as a list and, where that differs inside, without one.
+void expect_pairs(Backend& backend, const Scene& scene, std::span<const Pair> expected,
+                  const std::vector<CollideOptions>& methods);
+
+}  // namespace spherepair

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// A backend that answers wrongly in one known way: what the harness is tested with.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/measure/session.h"
+
+namespace spherepair {
+
+enum class Fault {
+  none,
+  // The whole set is another one, told without a contradiction by totals, counts and list.
+  dropped_pair,   // the first pair is missing
+  added_pair,     // a pair that is apart is there
+  swapped_pairs,  // two pairs exchange a partner: every count stays as it was
+  // One part of the answer is wrong and contradicts the others.
+  pair_total,
+  colliding_total,
+  fingerprint,         // its first half ...
+  second_fingerprint,  // ... and its second
+  sphere_count,        // of sphere 7
+  count_missing,       // counts of one sphere fewer
+  listed_pair,         // another pair in the list alone
+  // The state; in a wide state also where the float32 numbers do not show it.
+  position_bit,  // z of sphere 3
+  velocity_bit,  // y of sphere 3
+  radius_bit,
+  wide_bit,
+  velocity_missing,   // velocities of one sphere fewer
+  infinite_position,  // x of sphere 3
+  image_pixel,
+  // What a kernel must not do, and a backend that nothing is asked of.
+  guard_overwritten,
+  no_methods
+};
+
+struct NamedFault {
+  const char* name;
+  Fault fault;
+  const char* found_as;  // part of the message that must name it
+};
+const std::vector<NamedFault>& set_faults();    // that a comparison of sets must find
+const std::vector<NamedFault>& state_faults();  // that a comparison of states must find
+Fault fault_from_name(const std::string& name);
+
+// The CPU backend under this name, which answers wrongly after so many moves since the upload, and until then rightly.
+std::unique_ptr<Backend> make_faulty(const std::string& name, Fault fault, uint64_t from_step = 0);
+
+// Opens the CPU as it is, and as `glsl` a faulty one; no other backend.
+Opener faulty_opener(Fault fault, uint64_t from_step = 0);
+
+}  // namespace spherepair

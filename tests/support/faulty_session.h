@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What tests of the comparing code share: a session of the CPU and a faulty backend, and what is said of a fault.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "bench/check/answers.h"
+#include "tests/support/faulty_backend.h"
+
+namespace spherepair {
+
+inline Session session_with(Fault fault, uint64_t from_step = 0) {
+  return Session({"cpu", "glsl"}, {.threads = 1}, faulty_opener(fault, from_step));
+}
+
+// The message of the difference that `work` finds; empty when it finds none.
+template <typename Work>
+std::string difference_of(Work work) {
+  try {
+    work();
+  } catch (const DifferenceFound& difference) {
+    return difference.what();
+  }
+  return {};
+}
+
+template <typename Work>
+std::string error_of(Work work) {
+  try {
+    work();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return {};
+}
+
+inline void expect_named(const std::string& message, const NamedFault& fault, const std::string& where) {
+  EXPECT_NE(message.find(fault.found_as), std::string::npos) << where << ", " << fault.name << ": '" << message << "'";
+  EXPECT_NE(message.find("glsl"), std::string::npos) << message;
+}
+
+}  // namespace spherepair

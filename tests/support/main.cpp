@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#include <cstdlib>
+#include <iostream>
+
+#include "tests/support/backends.h"
+#include "tests/support/catalogue.h"
+
+// Properties are tried on the same cases in every run, unless RC_PARAMS says otherwise.
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  setenv("RC_PARAMS", "seed=20251121 max_success=5000", 0);
+  if (!testing::GTEST_FLAG(list_tests)) {
+    std::cout << (spherepair::full_stress() ? "full form" : "short form; STRESS=full asks for the full one") << '\n';
+    for (const auto& entry : spherepair::all_backends())
+      std::cout << entry.name << ": " << (entry.backend ? entry.backend->info().device : entry.reason) << '\n';
+  }
+  testing::UnitTest::GetInstance()->listeners().Append(new spherepair::CatalogueListener);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Scenes that bounce, and running a backend through them: what the tests of the motion methods share.
+#pragma once
+
+#include "bench/check/closed_form.h"
+#include "tests/support/backends.h"
+
+namespace spherepair {
+
+struct BouncingOptions {
+  MotionOptions motion;
+  float dt = 0x1p-6f, restitution = 1;
+  uint64_t n = 100;
+};
+
+// The paper's first animation: heights up to 20 m above the plane, vertical speeds up to 5 m/s.
+Scene bouncing_scene(const BouncingOptions& options);
+
+// Like it, with places, speeds, radii and directions of every size, spheres at rest on the plane and below it.
+Scene awkward_scene(const BouncingOptions& options);
+
+// The state after so many steps from the scene.
+Backend::State run_steps(Backend& backend, const Scene& scene, uint64_t steps);
+
+Backend& cpu_backend();
+
+// Fails naming the first sphere, and the place in the wide state, that differs in any bit.
+void expect_equal_states(const Backend::State& given, const Backend::State& wanted, const std::string& where);
+
+constexpr Precision PRECISIONS[] = {Precision::float32, Precision::compensated, Precision::float64};
+
+}  // namespace spherepair

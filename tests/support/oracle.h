@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The exact answer, by other means than the program's: floats are taken apart by their bits and compared as GMP
+// integers. Nothing here shares code with exact.h.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "common/scene/pair_set.h"
+
+namespace spherepair {
+
+enum class Relation { nonfinite, apart, tangent, overlapping };
+
+Relation relation(const vec4& a, const vec4& b);
+
+// spheres[2k] against spheres[2k + 1] for every k, on all cores.
+std::vector<Relation> relations(std::span<const vec4> spheres);
+
+// The colliding pairs in canonical order: every pair decided by relation().
+std::vector<Pair> brute_force_pairs(std::span<const vec4> spheres);
+
+// The same set for large scenes: only pairs whose bounding boxes, a little enlarged, meet go to relation().
+std::vector<Pair> swept_pairs(std::span<const vec4> spheres);
+
+// Those pairs whose spheres share a group of `block` consecutive indices.
+std::vector<Pair> within_groups(std::span<const Pair> pairs, uint block);
+
+}  // namespace spherepair

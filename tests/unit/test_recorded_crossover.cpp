@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// What Method::automatic takes by the rule of common/backend/crossover.h, against the times that `spherepair crossover`
+// recorded on GPUs and on CPUs of 2 and 16 cores: the choice needs no device.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "bench/io/report.h"
+#include "bench/measure/statistics.h"
+#include "common/backend/method_choice.h"
+
+namespace spherepair {
+namespace {
+
+constexpr double tolerated = 1.1;
+
+struct Recorded {
+  SceneOptions scene;
+  BackendInfo info;
+  std::map<std::string, Interval> ways;  // ms
+};
+
+// By machine, backend, kind of spheres and number.
+std::map<std::string, Recorded> recorded_crossovers() {
+  std::map<std::string, Recorded> found;
+  for (const auto& machine : std::filesystem::directory_iterator(SPHEREPAIR_DATA)) {
+    if (!machine.is_directory()) continue;
+    for (const auto& file : std::filesystem::directory_iterator(machine.path())) {
+      if (!file.path().filename().string().starts_with("crossover")) continue;
+      const json record = json::parse(std::ifstream(file.path()));
+      for (const json& row : record.at("measurements")) {
+        const json& scene = row.at("scene");
+        const std::string backend = row.at("backend"), kind = row.at("kind"), way = row.at("way");
+        const uint64_t n = row.at("n");
+        Recorded& one = found[fmt::format("{} {} {} of {}", machine.path().filename().string(), backend, kind, n)];
+        one.scene = {.name = scene.at("name"), .n = n, .seed = scene.at("seed"), .radius = scene.at("radius")};
+        one.scene.radius_ratio = scene.at("radius_ratio");
+        one.scene.packing_fraction = scene.at("packing_fraction");
+        one.info.name = backend;
+        for (const json& opened : record.at("backends")) {
+          if (opened.at("name") != backend) continue;
+          one.info.software = opened.at("software");
+          one.info.details = opened.at("details");
+        }
+        one.ways[way] = {row.at("interval_ms").at(0), row.at("interval_ms").at(1), row.at("coverage")};
+      }
+    }
+  }
+  return found;
+}
+
+std::string way_of(const MethodChoice& choice) {
+  if (choice.method == Method::collide_square) return fmt::format("collide_square/{}", choice.block);
+  if (choice.method != Method::collide_grid) return method_name(choice.method);
+  return choice.cells == Cells::dense ? "dense" : "hashed";
+}
+
+TEST(MethodsRecorded, AutoIsNeverFarBehindTheBestFixedChoice) {
+  const auto all = recorded_crossovers();
+  const auto of_cpu = [&](const char* machine) {
+    return std::ranges::count_if(all, [&](const auto& one) { return one.first.starts_with(machine); });
+  };
+  EXPECT_GT(all.size(), 200u);
+  EXPECT_GT(of_cpu("h200 cpu"), 50);
+  EXPECT_GT(of_cpu("llvmpipe cpu"), 50);
+  for (const auto& [name, one] : all) {
+    const GridPlans plans = plan_grids(make_scene(one.scene).positions);
+    const MethodChoice choice = explain_choice(one.info, one.scene.n, plans, {.method = Method::automatic});
+    const auto taken = one.ways.find(way_of(choice));
+    if (taken == one.ways.end()) {
+      ADD_FAILURE() << name << ": " << describe(choice) << " was so slow that it was not timed";
+      continue;
+    }
+    for (const auto& [way, interval] : one.ways)
+      if (way != "auto") {
+        EXPECT_LE(taken->second.low, tolerated * interval.high)
+            << name << ": " << describe(choice) << " against " << way;
+      }
+  }
+}
+
+// Of cells that must be hashed, on the GPU.
+TEST(MethodsRecorded, AutoTakesHashedCellsWhereTheyAreAhead) {
+  int met = 0;
+  for (const auto& [name, one] : recorded_crossovers()) {
+    if (one.info.name == "cpu" || one.info.software || !one.ways.contains("hashed")) continue;
+    const GridPlans plans = plan_grids(make_scene(one.scene).positions);
+    const CollideOptions options = {.method = Method::automatic, .grid = {.cells = Cells::hashed}};
+    const MethodChoice choice = explain_choice(one.info, one.scene.n, plans, options);
+    const auto taken = one.ways.find(way_of(choice));
+    ASSERT_NE(taken, one.ways.end()) << name << ": " << describe(choice) << " was so slow that it was not timed";
+    ++met;
+    for (const auto& [way, interval] : one.ways)
+      if (way != "auto" && way != "dense") {
+        EXPECT_LE(taken->second.low, tolerated * interval.high)
+            << name << ": " << describe(choice) << " against " << way;
+      }
+  }
+  EXPECT_GT(met, 100);
+}
+
+}  // namespace
+}  // namespace spherepair
