@@ -46,31 +46,31 @@ __device__ inline uint group_index(Params p) { return p.first_group + blockIdx.x
 __device__ inline uint group_count() { return gridDim.x * gridDim.y; }
 
 // Of whoever was found at a place of the launch's order: the number, and the sphere with its radius.
-__device__ inline uint number_of(const Params& p, const World& w, vec4 found, uint place) {
-  if (p.in_cells == NAMES_IN_RADII) return float_bits(found.w);
-  return p.in_cells == NAMES_IN_IDS ? w.id[place] : place;
+__device__ inline uint sphere_index(const Params& p, const KernelBuffers& w, vec4 found, uint sorted_index) {
+  if (p.in_cells == INDEX_IN_W) return float_bits(found.w);
+  return p.in_cells == INDEX_IN_ID ? w.id[sorted_index] : sorted_index;
 }
 __device__ inline vec4 with_radius(const Params& p, vec4 found) {
-  if (p.in_cells == NAMES_IN_RADII) found.w = p.radius;
+  if (p.in_cells == INDEX_IN_W) found.w = p.radius;
   return found;
 }
 
 // Of a launch that may begin before the one before it is done (KernelCall::early): waits until it is, and sees what it
 // has written. What needs nothing of that waits in the end, so that what comes next need only wait for this one; what
 // it reads was written before the launch before began to work.
-__device__ inline void wait_for_launch_before() {
+__device__ inline void grid_dependency_sync() {
 #if __CUDA_ARCH__ >= 900
   cudaGridDependencySynchronize();
 #endif
 }
 // Once every group has come here, the next launch may begin.
-__device__ inline void let_launch_behind_begin() {
+__device__ inline void trigger_dependent_launch() {
 #if __CUDA_ARCH__ >= 900
   cudaTriggerProgrammaticLaunchCompletion();
 #endif
 }
 
-__device__ inline void clear_results(Params p, World w, uint i) {
+__device__ inline void clear_results(Params p, KernelBuffers w, uint i) {
   if (i < p.n) w.count[i] = 0u;
   if (i < SUMMARY_SLOTS * SUMMARY_WORDS) w.summary[i] = 0u;
 }

@@ -9,7 +9,7 @@
 namespace spherepair {
 
 // The buffers of layout.h, by slot.
-struct World {
+struct KernelBuffers {
   vec4* position;
   vec4* velocity;
   uint* count;
@@ -24,7 +24,7 @@ struct World {
   uint* id;
   uint* sorted_count;
   uint* tile_sum;
-  uint* next_place;
+  uint* bucket_cursor;
   uvec2* visible;
   uint* image;
   uvec2* tile;
@@ -37,12 +37,12 @@ struct World {
   const vec4* anchor;
   void* flight;  // Real[]
   uint* since;
-  uint* due;
+  uint* next_event;
   uint* seen_list;
 };
 
-// Every kernel is void (Params p, World w), those that draw take a View v beside. A null entry means a group size or a
-// variant that was not compiled; a kernel of one form ignores both.
+// Every kernel is void (Params p, KernelBuffers w), those that draw take a View v beside. A null entry means a group
+// size or a variant that was not compiled; a kernel of one form ignores both.
 using Entry = const void*;
 #define DECLARE(name) Entry name##_kernel(uint block, Variant variant);
 SPHEREPAIR_KERNELS(DECLARE)

@@ -41,11 +41,11 @@ class GlslBackend final : public DeviceBackend {
   void launch(const Launch& launch, const Params& params) override;
   uint64_t largest_binding() const override { return limits_.largest_binding; }
   bool has_atomics_64() const override { return limits_.features.atomics_64; }
-  void check_tricks(const CollideOptions& options) const override;
-  bool takes_texture(Kernel kernel, const Tricks& tricks) const override;
+  void check_api_options(const CollideOptions& options) const override;
+  bool takes_texture(Kernel kernel, const ApiOptions& api) const override;
   bool overlaps_launches() const override { return true; }
   uint bounds_block() const override { return 256; }  // all then run at once (docs/NOTES/NOTES.md)
-  void begin_step(const Tricks& tricks) override { batched_ = tricks.batch.value_or(true); }
+  void begin_step(const ApiOptions& api) override { batched_ = api.batch.value_or(true); }
   void end_step() override { batched_ = true; }
   void clear_buffer(uint slot, uint64_t bytes) override;
   void draw_by_pipeline(DrawMethod method) override;
@@ -144,7 +144,7 @@ void GlslBackend::bind(const Launch& launch) {
   bound_ = wanted;
 }
 
-void GlslBackend::check_tricks(const CollideOptions& options) const {
+void GlslBackend::check_api_options(const CollideOptions& options) const {
   refuse_missing(
       "glsl", options,
       {.texture_table = true, .texture_spheres = true, .library_clear = true, .batch = true, .overlap = true}, false);
@@ -159,10 +159,10 @@ void GlslBackend::clear_buffer(uint slot, uint64_t bytes) {
   });
 }
 
-bool GlslBackend::takes_texture(Kernel kernel, const Tricks& tricks) const {
+bool GlslBackend::takes_texture(Kernel kernel, const ApiOptions& api) const {
   if (kernel == Kernel::draw_cull) return pyramid_texels() <= limits_.largest_texture;
   const bool table = kernel == Kernel::collide_grid;
-  const std::optional<bool> wanted = table ? tricks.texture_table : tricks.texture_spheres;
+  const std::optional<bool> wanted = table ? api.texture_table : api.texture_spheres;
   const bool fits = table ? windows().count() > 0 : spheres() <= limits_.largest_texture;
   if (wanted.value_or(false) && !fits)
     throw BackendError(texture_too_long(table ? windows().words() : spheres(), limits_));
@@ -198,15 +198,15 @@ void GlslBackend::launch(const Launch& launch, const Params& params) {
   Variant variant = launch.variant;
   variant.windows = launch.kernel == Kernel::collide_grid && variant.texture_table && windows().count() > 1;
   variant.folded = launch.groups[1] > 1 || params.first_group != 0;
-  variant.names = params.in_cells, variant.later = params.totals_later;
+  variant.indices = params.in_cells, variant.later = params.totals_later;
   const Program& program = programs_.get(kernel_name(launch.kernel), launch.block, variant, limits_.features);
   set_params(params);
   program.set_view(view());
   glUseProgram(program.id());
   bind(launch);
-  const bool beside = batched_ && last_ && launch.beside == last_;
+  const bool overlaps_previous = batched_ && last_ && launch.overlaps_previous == last_;
   timer_.time(stage_name(launch), [&] {
-    beside ? void(++work_.beside) : glMemoryBarrier(barriers(launch));
+    overlaps_previous ? void(++work_.overlapped) : glMemoryBarrier(barriers(launch));
     if (!variant.windows) return dispatch(launch);
     windows().dispatch(uint64_t(launch.groups[0]) * launch.groups[1], buffers_[launch.table], program.id(), textures_);
     work_.launches += windows().count();

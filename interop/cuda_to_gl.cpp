@@ -84,12 +84,12 @@ class CudaToGl final : public SharedDrawing {
     renderer_.reset();
   }
 
-  void hand_over(HandOver way) override {
+  void transfer(Transfer way) override {
     context_.make_current();
     cuda_contacts(cuda_);  // puts them in the order of the spheres' numbers
     way_ = way;
-    if (way == HandOver::host) return through_host();
-    if (way == HandOver::registered) return through_mapping();
+    if (way == Transfer::host) return through_host();
+    if (way == Transfer::registered) return through_mapping();
     for (Channel* channel : channels())
       if (!channel->imported) channel->imported = std::make_unique<SharedMemory>(channel->source.bytes);
     glFinish();  // the last picture still reads what is written next
@@ -119,7 +119,7 @@ class CudaToGl final : public SharedDrawing {
  private:
   std::array<Channel*, 2> channels() { return {&spheres_, &contacts_}; }
   GLuint source_of(const Channel& channel) const {
-    return way_ == HandOver::imported ? channel.imported->buffer() : channel.buffer;
+    return way_ == Transfer::imported ? channel.imported->buffer() : channel.buffer;
   }
   static void copy_on_device(void* target, const Channel& channel) {
     cuda_check(cudaMemcpyAsync(target, channel.source.data, channel.source.bytes, cudaMemcpyDeviceToDevice, nullptr),
@@ -160,7 +160,7 @@ class CudaToGl final : public SharedDrawing {
   Context context_;
   Channel spheres_, contacts_;
   std::unique_ptr<GlRenderer> renderer_;
-  HandOver way_ = HandOver::host;
+  Transfer way_ = Transfer::host;
 };
 
 }  // namespace

@@ -28,12 +28,12 @@ uint group_count() { return gl_NumWorkGroups.x; }
 #endif
 
 // Of whoever was found at a place of the launch's order: the number, and the sphere with its radius.
-uint number_of(vec4 found, uint place) {
-  if (NAMES == NAMES_IN_RADII) return float_bits(found.w);
-  return NAMES == NAMES_IN_IDS ? id[place] : place;
+uint sphere_index(vec4 found, uint sorted_index) {
+  if (INDICES == INDEX_IN_W) return float_bits(found.w);
+  return INDICES == INDEX_IN_ID ? id[sorted_index] : sorted_index;
 }
 vec4 with_radius(vec4 found) {
-  if (NAMES == NAMES_IN_RADII) found.w = p.radius;
+  if (INDICES == INDEX_IN_W) found.w = p.radius;
   return found;
 }
 

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "bench/check/answers.h"
+#include "bench/check/step_result.h"
 
 namespace spherepair {
 

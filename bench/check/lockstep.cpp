@@ -20,25 +20,25 @@ bool is_all_pairs_of_devices(Method method) {
 
 // One set that several find: who they are and what the reference said.
 struct SetCheck {
-  Asked reference;
-  std::vector<Asked> others;
+  Configuration reference;
+  std::vector<Configuration> others;
   EqualityEntry entry;
   uint64_t last_pairs = UINT64_MAX;  // at the last comparison: decides whether lists are worth asking for
 };
 
-std::vector<SetCheck> group_by_set(Session& session, const LockstepPlan& plan, const std::vector<Asked>& all) {
+std::vector<SetCheck> group_by_set(Session& session, const LockstepPlan& plan, const std::vector<Configuration>& all) {
   std::vector<SetCheck> sets;
-  for (const Asked& asked : all) {
-    const std::string name = set_name(asked.options);
+  for (const Configuration& configuration : all) {
+    const std::string name = set_name(configuration.options);
     auto found = std::ranges::find_if(sets, [&](const SetCheck& set) { return set.entry.set == name; });
     if (found == sets.end()) {
-      const Asked reference = reference_for(session, asked.options, plan.scene.n);
+      const Configuration reference = reference_for(session, configuration.options, plan.scene.n);
       sets.push_back({reference, {}, {plan.scene, name, {label(reference)}, {}}});
       found = sets.end() - 1;
     }
-    if (label(asked) == label(found->reference)) continue;
-    found->others.push_back(asked);
-    found->entry.answers.push_back(label(asked));
+    if (label(configuration) == label(found->reference)) continue;
+    found->others.push_back(configuration);
+    found->entry.answers.push_back(label(configuration));
   }
   return sets;
 }
@@ -46,13 +46,13 @@ std::vector<SetCheck> group_by_set(Session& session, const LockstepPlan& plan, c
 bool is_compared(const LockstepPlan& plan, uint64_t step) { return step % plan.every == 0 || step == plan.steps; }
 
 // From the list of all configurations and the steps alone, and not from what is then done about them.
-void plan_comparisons(Session& session, const LockstepPlan& plan, const std::vector<Asked>& all) {
+void plan_comparisons(Session& session, const LockstepPlan& plan, const std::vector<Configuration>& all) {
   const uint64_t steps = plan.steps / plan.every + 1 + (plan.steps % plan.every != 0);
   uint64_t planned = 0;
   for (const auto& backend : session.backends()) {
-    const auto takes_part = [&](const Asked& asked) {
-      return asked.backend == backend.get() &&
-             label(asked) != label(reference_for(session, asked.options, plan.scene.n));
+    const auto takes_part = [&](const Configuration& configuration) {
+      return configuration.backend == backend.get() &&
+             label(configuration) != label(reference_for(session, configuration.options, plan.scene.n));
     };
     const uint64_t configurations = uint64_t(std::ranges::count_if(all, takes_part));
     const bool other = backend.get() != &session.reference();
@@ -70,11 +70,11 @@ void plan_comparisons(Session& session, const LockstepPlan& plan, const std::vec
 }
 
 void check_set(Session& session, const Place& place, SetCheck& set, uint64_t state, uint64_t largest_list) {
-  Answer expected = ask(session, set.reference, set.last_pairs <= largest_list);
-  if (!expected.pairs && expected.totals.pairs <= largest_list) expected = ask(session, set.reference, true);
+  StepResult expected = run_step(session, set.reference, set.last_pairs <= largest_list);
+  if (!expected.pairs && expected.totals.pairs <= largest_list) expected = run_step(session, set.reference, true);
   const bool list = expected.pairs.has_value();
-  for (const Asked& asked : set.others)
-    require_equal(session, place, set.reference, expected, asked, ask(session, asked, list));
+  for (const Configuration& configuration : set.others)
+    require_equal(session, place, set.reference, expected, configuration, run_step(session, configuration, list));
   set.last_pairs = expected.totals.pairs;
   set.entry.checkpoints.push_back(
       {place.step, expected.totals.pairs, expected.totals.colliding_spheres, expected.totals.fingerprint, state});
@@ -82,8 +82,9 @@ void check_set(Session& session, const Place& place, SetCheck& set, uint64_t sta
 
 }  // namespace
 
-std::vector<Asked> everyone(Session& session, const std::vector<Method>& methods, const std::vector<uint>& blocks) {
-  std::vector<Asked> all;
+std::vector<Configuration> all_configurations(Session& session, const std::vector<Method>& methods,
+                                              const std::vector<uint>& blocks) {
+  std::vector<Configuration> all;
   for (const auto& backend : session.backends()) {
     const bool cpu = backend->info().name == "cpu";
     std::vector<Method> known = backend->methods();
@@ -103,7 +104,7 @@ std::vector<Asked> everyone(Session& session, const std::vector<Method>& methods
 std::vector<EqualityEntry> check_lockstep(Session& session, const LockstepPlan& plan, Progress& progress) {
   const Scene scene = make_scene(plan.scene);
   for (const auto& backend : session.backends()) backend->upload(scene);
-  const std::vector<Asked> all = everyone(session, plan.methods, plan.blocks);
+  const std::vector<Configuration> all = all_configurations(session, plan.methods, plan.blocks);
   plan_comparisons(session, plan, all);
   std::vector<SetCheck> sets = group_by_set(session, plan, all);
   for (uint64_t step = 0; step <= plan.steps; ++step) {

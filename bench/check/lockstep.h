@@ -2,8 +2,8 @@
 // All backends step one scene together; after every step their states and collision sets are compared.
 #pragma once
 
-#include "bench/check/answers.h"
 #include "bench/check/equality.h"
+#include "bench/check/step_result.h"
 
 namespace spherepair {
 
@@ -22,6 +22,7 @@ std::vector<EqualityEntry> check_lockstep(Session& session, const LockstepPlan& 
 
 // Everyone who runs these methods, at these group sizes where a method has one. On the CPU the devices' arrangements of
 // all pairs are left out: they are the search of `parallel`.
-std::vector<Asked> everyone(Session& session, const std::vector<Method>& methods, const std::vector<uint>& blocks);
+std::vector<Configuration> all_configurations(Session& session, const std::vector<Method>& methods,
+                                              const std::vector<uint>& blocks);
 
 }  // namespace spherepair

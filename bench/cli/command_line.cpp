@@ -5,12 +5,12 @@
 
 #include <cstdio>
 
+#include "bench/cli/ablate.h"
 #include "bench/cli/commands.h"
 #include "bench/cli/crossover.h"
 #include "bench/cli/options.h"
 #include "bench/cli/precision_command.h"
 #include "bench/cli/sets_command.h"
-#include "bench/cli/skips.h"
 #include "bench/cli/sweep.h"
 #include "bench/cli/view_command.h"
 #include "bench/io/arguments.h"
@@ -169,8 +169,8 @@ void add_studies(CLI::App& app, CommandLine& line, Action& action) {
             add_sweep_options, sweep_command);
   add_study(app, line, action, "crossover", "Time all pairs against the grid, and the automatic choice with both",
             add_crossover_options, crossover_command);
-  add_study(app, line, action, "skips", "Time what is left out where a scene does not need it, and each API's tricks",
-            add_skips_options, skips_command);
+  add_study(app, line, action, "skips", "Time what is left out where a scene does not need it, and each API's api",
+            add_ablate_options, ablate_command);
 }
 
 }  // namespace

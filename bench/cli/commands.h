@@ -8,7 +8,7 @@
 #include "bench/formats/start.h"
 #include "bench/measure/session.h"
 #include "bench/tables/plan.h"
-#include "bench/view/photo.h"
+#include "bench/view/antialiased_image.h"
 
 namespace spherepair {
 
@@ -55,7 +55,7 @@ struct RenderOptions {
   std::string output_file, video_file;  // .png, .mp4: at least one
   uint pictures_per_second = 30;        // of the video
   uint64_t steps = 0;                   // before the first picture
-  uint64_t pictures = 1, every = 1;     // steps from each picture to the next
+  uint64_t images = 1, every = 1;       // steps from each picture to the next
   uint width = 1280, height = 720, samples = 16;
   CameraOptions camera;
   std::string draw = "compute";    // DrawMethod

@@ -67,7 +67,7 @@ bool triangle_ahead(const Timing& t) {
   return std::ranges::all_of(t.all_pairs, [&](const auto& way) { return triangle->second <= way.second; });
 }
 
-std::vector<std::string> objections(const std::vector<Timing>& timings) {
+std::vector<std::string> slower_than_auto(const std::vector<Timing>& timings) {
   std::vector<std::string> found;
   for (const Timing& t : timings)
     if (t.slower)
@@ -77,13 +77,13 @@ std::vector<std::string> objections(const std::vector<Timing>& timings) {
 }
 
 std::string verdict(const std::vector<Timing>& timings) {
-  const std::vector<std::string> slower = objections(timings);
+  const std::vector<std::string> slower = slower_than_auto(timings);
   if (slower.empty())
     return fmt::format("In all {} rows auto is within 10 % of the best fixed choice\n", timings.size());
   std::string text =
       fmt::format("WARNING: in {} of {} rows auto is slower than the best fixed choice by more than 10 %:\n",
                   slower.size(), timings.size());
-  for (const std::string& objection : slower) text += "  " + objection + "\n";
+  for (const std::string& first_mismatch : slower) text += "  " + first_mismatch + "\n";
   return text;
 }
 

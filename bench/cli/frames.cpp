@@ -7,10 +7,10 @@
 //     shadows and the ground; loop: move, collide_grid and frame, the first 20 steps), and the timing core's fields:
 //     median_ms, interval_ms, samples_ms, batch, device_stages_ms ... image: hash of a check picture, equal for all
 //     that draw exactly; counts: what that picture left out. From CUDA to OpenGL (--hand-over): draw is none for the
-//     hand-over alone and for `step` (move and collide_grid alone); work is host, registered or imported (HandOver),
+//     hand-over alone and for `step` (move and collide_grid alone); work is host, registered or imported (Transfer),
 //     each picture waited for, or the same with _pipelined: hand-over, picture and step, nothing waited for but by the
 //     hand-over
-//   overlaps   of --hand-over: n, draw, hand_over, picture_ms, step_ms, pipelined_ms, and of the shorter of picture and
+//   overlaps   of --hand-over: n, draw, transfer, picture_ms, step_ms, pipelined_ms, and of the shorter of picture and
 //     step the share that the pipelined loop hides: overlap
 //   left_out   n, backend, draw and the reason, of all that was asked for and not timed
 #include "bench/studies/frames.h"
@@ -23,7 +23,7 @@
 #include <memory>
 
 #include "api/open.h"
-#include "bench/check/answers.h"
+#include "bench/check/step_result.h"
 #include "bench/cli/commands.h"
 #include "bench/formats/files.h"
 #include "bench/io/arguments.h"
@@ -37,9 +37,9 @@ namespace spherepair {
 namespace {
 
 DrawOptions draw_options(const FrameTask& task, bool count = false) {
-  const bool skips = task.work != "frame_all";
-  DrawOptions options = {.method = task.draw, .skip_unchanged = false, .count = count};
-  options.skip_outside = options.skip_hidden = options.skip_tiles = options.overlap = skips;
+  const bool ablations = task.work != "frame_all";
+  DrawOptions options = {.method = task.draw, .reuse_unchanged = false, .count = count};
+  options.frustum_culling = options.occlusion_culling = options.skip_tile_launches = options.overlap = ablations;
   return options;
 }
 
@@ -49,7 +49,7 @@ uint64_t image_hash(const std::vector<uint>& image) {
   return hash;
 }
 
-json to_json(const DrawCounts& counts) {
+json to_json(const DrawStatistics& counts) {
   return {{"drawn", counts.drawn},
           {"unseen", counts.unseen},
           {"large", counts.large},
@@ -59,7 +59,7 @@ json to_json(const DrawCounts& counts) {
           {"clusters", counts.clusters},
           {"clusters_outside", counts.clusters_outside},
           {"clusters_hidden", counts.clusters_hidden},
-          {"clusters_put_off", counts.clusters_put_off},
+          {"clusters_deferred", counts.clusters_deferred},
           {"bundles_left_out", counts.bundles_left_out}};
 }
 
@@ -95,7 +95,7 @@ class Bench {
         continue;
       }
       for (const std::string& place : options_.places) measure_place(n, *backend, scene, bounds, place);
-      if (options_.hand_over && backend->info().name == "cuda") measure_shared(n, *backend, scene, bounds);
+      if (options_.transfer && backend->info().name == "cuda") measure_shared(n, *backend, scene, bounds);
       backend->upload(make_scene({.n = 0}));  // its memory is the next one's
     }
   }
@@ -138,13 +138,13 @@ class Bench {
                   {"work", task.work}};
     check(task, views, entry);
     uint64_t turn = 0;
-    const auto picture = [&](Backend& backend) { backend.draw(views[turn++ % views.size()], draw_options(task)); };
-    Contender contender{label(task), task.backend, picture};
+    const auto image = [&](Backend& backend) { backend.draw(views[turn++ % views.size()], draw_options(task)); };
+    Contender contender{label(task), task.backend, image};
     if (task.work == "loop") {
       contender.step = [&](Backend& backend) {
         backend.move();
         backend.collide(in_dense_cells(backend, n));
-        picture(backend);
+        image(backend);
       };
       contender.restart = [&](Backend& backend) {
         turn = 0;
@@ -178,7 +178,7 @@ class Bench {
       return samples.median_seconds();
     };
     const std::unique_ptr<SharedDrawing> shared = open_shared_drawing(cuda, open_);
-    for (json& overlap : time_hand_overs(task, *shared, time)) {
+    for (json& overlap : time_transfers(task, *shared, time)) {
       overlap["n"] = n;
       overlaps.push_back(overlap);
     }
@@ -191,7 +191,7 @@ class Bench {
   void check(const FrameTask& task, const std::vector<View>& views, json& entry) {
     const bool exact = task.draw == DrawMethod::compute;
     for (int time = 0; exact && time < 3; ++time) task.backend->draw(views.front(), draw_options(task, true));
-    if (exact && task.backend->info().name != "cpu") entry["counts"] = to_json(task.backend->draw_counts());
+    if (exact && task.backend->info().name != "cpu") entry["counts"] = to_json(task.backend->draw_statistics());
     for (int time = 0; time < 2; ++time) task.backend->draw(views.front(), draw_options(task));
     const json image = entry["image"] = hex64(image_hash(task.backend->image()));
     for (const json& other : frames)
@@ -240,7 +240,7 @@ int frames_command(const CommandLine& line, const FramesOptions& options) {
     record["clocks"].push_back(query_clocks());
     record["frames"] = bench.frames;
     record["left_out"] = bench.left_out;
-    if (options.hand_over) record["overlaps"] = bench.overlaps;
+    if (options.transfer) record["overlaps"] = bench.overlaps;
     write_file(options.json_file, json_text(record));
   }
   fmt::print("{}\n", options.json_file);

@@ -59,9 +59,7 @@ void add_render(CLI::App& app, CommandLine& line, Action& action) {
   command->add_option("--steps", options->steps, "Steps before the first picture")
       ->check(steps_range)
       ->capture_default_str();
-  command->add_option("--pictures", options->pictures, "How many pictures")
-      ->check(positive_range)
-      ->capture_default_str();
+  command->add_option("--pictures", options->images, "How many pictures")->check(positive_range)->capture_default_str();
   command->add_option("--every", options->every, "Steps from each picture to the next")
       ->check(positive_range)
       ->capture_default_str();
@@ -106,7 +104,7 @@ void add_frames(CLI::App& app, CommandLine& line, Action& action) {
   list("--works", options->works,
        "frame: a picture from a new place each time; frame_all: the same with nothing skipped; lit: with ambient "
        "occlusion, shadows and the ground; loop: move, collide_grid and frame");
-  command->add_flag("--hand-over", options->hand_over,
+  command->add_flag("--hand-over", options->transfer,
                     "Time CUDA's spheres drawn by OpenGL too, handed over in three ways");
   command->add_option("--n", options->sizes, "Numbers of spheres, put in cell order before")
       ->delimiter(',')

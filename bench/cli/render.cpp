@@ -8,8 +8,8 @@
 #include <optional>
 #include <thread>
 
-#include "bench/check/answers.h"
 #include "bench/check/finite_state.h"
+#include "bench/check/step_result.h"
 #include "bench/cli/commands.h"
 #include "bench/formats/files.h"
 #include "bench/formats/png_file.h"
@@ -19,8 +19,8 @@
 #include "bench/io/file_bytes.h"
 #include "bench/io/output_files.h"
 #include "bench/measure/choice.h"
+#include "bench/view/antialiased_image.h"
 #include "bench/view/legend.h"
-#include "bench/view/photo.h"
 
 namespace spherepair {
 namespace {
@@ -41,12 +41,12 @@ struct Series {
 // picture.png, or of several picture-007.png.
 fs::path name_of(const RenderOptions& options, uint64_t k) {
   fs::path path = options.output_file;
-  if (options.pictures == 1) return path;
-  const size_t digits = std::to_string(options.pictures - 1).size();
+  if (options.images == 1) return path;
+  const size_t digits = std::to_string(options.images - 1).size();
   return path.replace_filename(fmt::format("{}-{:0{}}.png", path.stem().string(), k, digits));
 }
 
-fs::path record_of(fs::path picture) { return picture.replace_extension(".json"); }
+fs::path record_of(fs::path image) { return image.replace_extension(".json"); }
 
 void check_extension(const std::string& file, const std::string& extension) {
   if (!file.empty() && fs::path(file).extension() != extension)
@@ -62,9 +62,9 @@ bool is_record(const fs::path& path) {
 }
 
 // A picture was named by the user; its record was not, and takes no other file's place.
-void add_picture(OutputFiles& files, const std::string& option, const fs::path& picture) {
-  const fs::path path = record_of(picture);
-  files.write(option, picture);
+void add_image(OutputFiles& files, const std::string& option, const fs::path& image) {
+  const fs::path path = record_of(image);
+  files.write(option, image);
   files.write("the record of " + option, path);
   if (fs::is_regular_file(path) && !is_record(path))
     throw std::invalid_argument(
@@ -77,9 +77,9 @@ void check_files(const RenderOptions& options) {
   check_extension(options.video_file, ".mp4");
   OutputFiles files;
   add_inputs(files, options.start);
-  for (uint64_t k = 0; !options.output_file.empty() && k < options.pictures; ++k)
-    add_picture(files, "--output", name_of(options, k));
-  if (!options.video_file.empty()) add_picture(files, "--video", options.video_file);
+  for (uint64_t k = 0; !options.output_file.empty() && k < options.images; ++k)
+    add_image(files, "--output", name_of(options, k));
+  if (!options.video_file.empty()) add_image(files, "--video", options.video_file);
 }
 
 void check_options(const RenderOptions& options) {
@@ -143,7 +143,7 @@ class Writers {
   std::deque<std::future<void>> jobs_;
 };
 
-std::vector<uint> take_picture(const Series& series, uint64_t step, json& record_of_it) {
+std::vector<uint> take_image(const Series& series, uint64_t step, json& record_of_it) {
   Backend& backend = *series.chosen.backend;
   CollideOptions collide = {.method = series.method};
   if (series.shot.look.lighting) collide.grid.cells = Cells::dense;
@@ -164,19 +164,19 @@ void take_series(const Series& series) {
   if (!film.empty()) video.emplace(film, options.width, options.height, options.pictures_per_second);
   uint64_t step = series.start.step + options.steps;
   json first, now;
-  for (uint64_t k = 0; k < options.pictures; ++k) {
-    progress.say(fmt::format("picture {} of {}, step {}", k + 1, options.pictures, step));
-    std::vector<uint> image = take_picture(series, step, now);
+  for (uint64_t k = 0; k < options.images; ++k) {
+    progress.say(fmt::format("picture {} of {}, step {}", k + 1, options.images, step));
+    std::vector<uint> image = take_image(series, step, now);
     if (k == 0) first = now;
     if (video) video->add(image);
     if (!options.output_file.empty()) writers.write(name_of(options, k), std::move(image), series.shot, now);
-    if (k + 1 == options.pictures) break;
+    if (k + 1 == options.images) break;
     for (uint64_t i = 0; i < options.every; ++i, ++step) series.chosen.backend->move();
   }
   writers.finish();
   if (!video) return;
   video->commit();
-  first.update({{"pictures", options.pictures}, {"every", options.every}, {"rate", options.pictures_per_second}});
+  first.update({{"pictures", options.images}, {"every", options.every}, {"rate", options.pictures_per_second}});
   write_file(record_of(film), json_text(first));
 }
 
@@ -204,9 +204,9 @@ int render_command(const CommandLine& line, const RenderOptions& options) {
   take_series({line, options, start, chosen, method, shot});
   fmt::print("{}{} on {}: scene {}, {} spheres\n", start.notes, chosen.backend->info().name,
              device_label(chosen.backend->info()), start.label, start.scene.size());
-  if (!options.output_file.empty() && options.pictures > 1)
-    fmt::print("{} to {}\n", name_of(options, 0).string(), name_of(options, options.pictures - 1).string());
-  if (!options.output_file.empty() && options.pictures == 1) fmt::print("{}\n", options.output_file);
+  if (!options.output_file.empty() && options.images > 1)
+    fmt::print("{} to {}\n", name_of(options, 0).string(), name_of(options, options.images - 1).string());
+  if (!options.output_file.empty() && options.images == 1) fmt::print("{}\n", options.output_file);
   if (!options.video_file.empty()) fmt::print("{}\n", options.video_file);
   return kOk;
 }

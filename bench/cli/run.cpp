@@ -2,9 +2,9 @@
 // spherepair run
 #include <fmt/format.h>
 
-#include "bench/check/answers.h"
 #include "bench/check/finite_state.h"
 #include "bench/check/missed_contacts.h"
+#include "bench/check/step_result.h"
 #include "bench/cli/commands.h"
 #include "bench/formats/checkpoint.h"
 #include "bench/formats/files.h"
@@ -24,7 +24,7 @@ void check_files(const RunOptions& options) {
   files.write("--json", options.json_file);
 }
 
-struct StepResult {
+struct RunStep {
   uint64_t step, state;
   Collisions totals;
 };
@@ -45,7 +45,7 @@ std::string pairs_text(const std::vector<Pair>& pairs) {
   return fmt::to_string(text);
 }
 
-json to_json(const StepResult& result) {
+json to_json(const RunStep& result) {
   const Collisions& totals = result.totals;
   return {{"step", result.step},
           {"pairs", totals.pairs},
@@ -56,7 +56,7 @@ json to_json(const StepResult& result) {
           {"decided_by_stage", totals.decided_by}};
 }
 
-void print_steps(const std::vector<StepResult>& results) {
+void print_steps(const std::vector<RunStep>& results) {
   Table table{"",
               {{"", "step", ""},
                {"", "pairs", ""},
@@ -81,9 +81,8 @@ void save(Backend& backend, const Start& start, uint64_t step, Backend::State st
 }
 
 // Steps, and the results of those that are asked for.
-std::vector<StepResult> simulate(Backend& backend, const RunOptions& options, const Start& start,
-                                 CollideOptions collide) {
-  std::vector<StepResult> results;
+std::vector<RunStep> simulate(Backend& backend, const RunOptions& options, const Start& start, CollideOptions collide) {
+  std::vector<RunStep> results;
   Progress progress;
   const uint64_t end = start.step + options.steps;
   for (uint64_t step = start.step; step <= end; ++step) {
@@ -127,7 +126,7 @@ int run_command(const CommandLine& line, const RunOptions& options) {
                "anchored.\n",
                stalled);
   send(start, backend);
-  const std::vector<StepResult> results = simulate(backend, options, start, collide);
+  const std::vector<RunStep> results = simulate(backend, options, start, collide);
   const MethodChoice choice = backend.choice(collide);
   fmt::print("{}{} on {}: {}{}, scene {}, {} spheres, {} steps of {}\n", start.notes, options.backend,
              device_label(backend.info()), label({&backend, collide}),
@@ -140,7 +139,7 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   if (!options.pairs_file.empty()) write_file(options.pairs_file, pairs_text(backend.pairs()));
   if (options.json_file.empty()) return kOk;
   json steps = json::array();
-  for (const StepResult& result : results) steps.push_back(to_json(result));
+  for (const RunStep& result : results) steps.push_back(to_json(result));
   write_file(options.json_file, json_text({{"context", capture_context(line.words)},
                                            {"backends", session.to_json()},
                                            {"scene", start.record},

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <new>
 
-#include "bench/check/answers.h"
+#include "bench/check/step_result.h"
 #include "bench/cli/commands.h"
 
 namespace spherepair {

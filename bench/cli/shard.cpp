@@ -26,15 +26,15 @@ Shard parse_shard(const std::string& text) {
   return {(*shard)[0], (*shard)[1]};
 }
 
-std::vector<Configuration> part_of(const std::vector<Configuration>& all, const Shard& shard) {
-  std::vector<Configuration> part;
+std::vector<SweepTask> part_of(const std::vector<SweepTask>& all, const Shard& shard) {
+  std::vector<SweepTask> part;
   for (size_t k = shard.index - 1; k < all.size(); k += shard.count) part.push_back(all[k]);
   return part;
 }
 
-std::vector<std::string> files_of(const std::vector<Configuration>& configurations) {
+std::vector<std::string> files_of(const std::vector<SweepTask>& configurations) {
   std::vector<std::string> files;
-  for (const Configuration& configuration : configurations) files.push_back(configuration.file);
+  for (const SweepTask& configuration : configurations) files.push_back(configuration.file);
   return files;
 }
 
@@ -53,12 +53,12 @@ std::string hash_of(const json& what_decides) {
   return hex64(hash);
 }
 
-int run_sweep(const std::vector<Configuration>& all, const SweepOptions& options, bool (*is_record)(const json&)) {
-  const std::vector<Configuration> ours = part_of(all, parse_shard(options.shard));
+int run_sweep(const std::vector<SweepTask>& all, const SweepOptions& options, bool (*is_record)(const json&)) {
+  const std::vector<SweepTask> ours = part_of(all, parse_shard(options.shard));
   const std::filesystem::path folder = options.output;
   if (!options.list) prepare_folder(folder, files_of(ours));
   size_t done = 0, skipped = 0;
-  for (const Configuration& configuration : ours) {
+  for (const SweepTask& configuration : ours) {
     const std::filesystem::path path = folder / configuration.file;
     const bool there = options.resume && std::filesystem::exists(path) &&
                        is_record(json::parse(FileBytes(path).bytes(), nullptr, false));

@@ -21,7 +21,7 @@ struct SweepOptions {
   bool list = false;          // only name them
 };
 
-struct Configuration {
+struct SweepTask {
   std::string file;   // within the folder
   std::string title;  // one line for the reader
   // Returns the file's text, or nothing when a wrong answer was found and reported.
@@ -36,6 +36,6 @@ std::string hash_of(const json& what_decides);
 
 // Runs this shard's configurations. `resume` leaves those out whose file is JSON that is_record knows as whole. Returns
 // an exit code; throws std::invalid_argument when the shard is not understood or the folder cannot be written.
-int run_sweep(const std::vector<Configuration>& all, const SweepOptions& options, bool (*is_record)(const json&));
+int run_sweep(const std::vector<SweepTask>& all, const SweepOptions& options, bool (*is_record)(const json&));
 
 }  // namespace spherepair

@@ -53,17 +53,17 @@ std::vector<SweepPoint> points_of(const Session& session, const SweepCommandOpti
 }
 
 // A time is also a share of what the device can do at best, measured in the same run.
-Ceilings measure_ceilings(Session& session, const Sampling& sampling, Progress& progress) {
-  Ceilings ceilings{.issue = issue_rate(session), .copy = {}};
+PeakRates measure_peak_rates(Session& session, const Sampling& sampling, Progress& progress) {
+  PeakRates peak_rates{.issue = issue_rate(session), .copy = {}};
   for (Backend* device : session.devices())
-    if (on_hardware(*device)) ceilings.copy[device] = copy_rate(*device, sampling, progress);
-  return ceilings;
+    if (on_hardware(*device)) peak_rates.copy[device] = copy_rate(*device, sampling, progress);
+  return peak_rates;
 }
 
-json to_json(const Ceilings& ceilings) {
-  json all = {{"instructions_per_second", std::isfinite(ceilings.issue) ? json(ceilings.issue) : json(nullptr)},
+json to_json(const PeakRates& peak_rates) {
+  json all = {{"instructions_per_second", std::isfinite(peak_rates.issue) ? json(peak_rates.issue) : json(nullptr)},
               {"copied_bytes_per_second", json::object()}};
-  for (const auto& [device, rate] : ceilings.copy) all["copied_bytes_per_second"][device->info().name] = rate;
+  for (const auto& [device, rate] : peak_rates.copy) all["copied_bytes_per_second"][device->info().name] = rate;
   return all;
 }
 
@@ -72,12 +72,12 @@ class Sweep {
   Sweep(const CommandLine& line, const SweepCommandOptions& options)
       : line_(line), options_(options), session_(options.backends, line.open, line.opener) {
     sampling_.rounds = options.rounds;
-    sampling_.hardware_ceiling = 0.1;
+    sampling_.hardware_peak = 0.1;
   }
 
   int run() {
     fmt::print("{}", session_.summary());
-    std::vector<Configuration> all;
+    std::vector<SweepTask> all;
     for (const SweepPoint& point : points_of(session_, options_))
       all.push_back({file_name(point), label(point), [this, point] { return text_of(point); }});
     return run_sweep(all, options_.sweep, is_record);
@@ -97,16 +97,16 @@ class Sweep {
   }
 
   std::string text_of(const SweepPoint& point) {
-    if (!ceilings_) ceilings_ = measure_ceilings(session_, sampling_, progress_);
+    if (!peak_rates_) peak_rates_ = measure_peak_rates(session_, sampling_, progress_);
     json clocks = json::array({{{"when", "before"}, {"gpus", query_clocks()}}});
-    const PointTimes times = time_point(session_, point, *ceilings_, sampling_, progress_);
+    const PointTimes times = time_point(session_, point, *peak_rates_, sampling_, progress_);
     clocks.push_back({{"when", "after"}, {"gpus", query_clocks()}});
     progress_.clear();
     return json_text({{"format", kFormat},
                       {"context", capture_context(line_.words)},
                       {"backends", session_.to_json()},
                       {"seed", point.seed},
-                      {"ceilings", to_json(*ceilings_)},
+                      {"ceilings", to_json(*peak_rates_)},
                       {"clocks", clocks},
                       {"measurements", times.measurements},
                       {"left_out", times.left_out}});
@@ -116,7 +116,7 @@ class Sweep {
   const SweepCommandOptions& options_;
   Session session_;
   Sampling sampling_;
-  std::optional<Ceilings> ceilings_;  // once they are needed
+  std::optional<PeakRates> peak_rates_;  // once they are needed
   Progress progress_;
 };
 

@@ -92,7 +92,7 @@ uint64_t wanted_size(const Checkpoint& c, const void* part) {
   const uint64_t n = c.scene.size(), anchored = motion.method == MotionMethod::anchored;
   if (part == &c.motion.wide) return motion.precision == Precision::float32 ? 0 : 12 * n;
   if (part == &c.motion.flights) return anchored * 2 * n * real_words(motion.precision);
-  if (part == &c.motion.anchors || part == &c.motion.since || part == &c.motion.due) return anchored * n;
+  if (part == &c.motion.anchors || part == &c.motion.since || part == &c.motion.next_event) return anchored * n;
   return n;
 }
 

@@ -6,7 +6,7 @@
 // float32 dt, gravity, plane and restitution; as 64-bit numbers n and the steps done. Then the name, and a 64-bit
 // checksum of all that. Then seven parts, each a 64-bit length in bytes, the bytes, and a 64-bit checksum of the bytes:
 // positions, velocities (vec4[n] each), wide state, anchors, flights, steps of the anchors, due steps (as layout.h
-// describes SLOT_WIDE to SLOT_DUE; empty where the method has none).
+// describes SLOT_WIDE to SLOT_NEXT_EVENT; empty where the method has none).
 #pragma once
 
 #include <filesystem>

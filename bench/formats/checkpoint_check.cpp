@@ -117,12 +117,14 @@ class Checker {
           fail(fmt::format("steps of the anchors, sphere {}", i),
                fmt::format("a bounce by step {}, or none", motion_.steps), fmt::format("{:#x}", motion_.since[i]));
         });
-    const auto due = [&](uint64_t i) { return next_due(anchor_of<Real>(motion_, scene_.velocities[i], i), params); };
+    const auto due = [&](uint64_t i) {
+      return next_event_step(anchor_of<Real>(motion_, scene_.velocities[i], i), params);
+    };
     refuse(
-        n_, [&](uint64_t i) { return motion_.due[i] != due(i); },
+        n_, [&](uint64_t i) { return motion_.next_event[i] != due(i); },
         [&](uint64_t i) {
           fail(fmt::format("due steps, sphere {}", i), fmt::format("{}, by its anchor", due(i)),
-               fmt::format("{}", motion_.due[i]));
+               fmt::format("{}", motion_.next_event[i]));
         });
   }
 
@@ -133,7 +135,7 @@ class Checker {
     params.steps_done = motion_.steps;
     const auto wide = [&](uint64_t k, uint64_t i) { return load_real<Real>(motion_.wide, k * n_ + i); };
     const auto told = [&](uint64_t i) -> Moving<Real> {
-      if (anchored()) return place_sphere(anchor_of<Real>(motion_, scene_.velocities[i], i), params);
+      if (anchored()) return evaluate_sphere(anchor_of<Real>(motion_, scene_.velocities[i], i), params);
       return {wide(0, i), wide(1, i), wide(2, i), wide(3, i), wide(4, i), wide(5, i), scene_.positions[i].w};
     };
     const char* by = anchored() ? "anchors and flights" : "wide state";

@@ -47,7 +47,7 @@ void convert_row(const Array& array, uint64_t row, vec4& sphere, Converted& done
   float* fields[] = {&sphere.x, &sphere.y, &sphere.z, &sphere.w};
   for (uint64_t column = 0; column < array.columns; ++column) {
     const Real value = load<Real>(array, row, column);
-    if (objection_to(double(value), column == 3)) [[unlikely]] {
+    if (why_invalid(double(value), column == 3)) [[unlikely]] {
       ++done.wrong;
       done.first_wrong = std::min(done.first_wrong, row * array.columns + column);
       continue;
@@ -78,7 +78,7 @@ template <typename Real>
   const uint64_t row = done.first_wrong / array.columns, column = done.first_wrong % array.columns;
   const double value = double(load<Real>(array, row, column));
   constexpr const char* names[] = {"x", "y", "z", "radius"};
-  array.file.fail_at_byte(array.byte_of(row, column), objection_to(value, column == 3),
+  array.file.fail_at_byte(array.byte_of(row, column), why_invalid(value, column == 3),
                           fmt::format("{} ({} of sphere {}; the first of {} such numbers of {})", value, names[column],
                                       row, done.wrong, array.rows * array.columns));
 }

@@ -40,7 +40,7 @@ SphereFile read_sphere_file(const std::string& file, const SphereFileOptions& op
     throw std::invalid_argument(fmt::format(
         "cannot tell the format of {} by its extension; known are .xyz and .extxyz (XYZ, extended XYZ) and .npy (NPY)",
         file));
-  if (options.radius && objection_to(*options.radius, true))
+  if (options.radius && why_invalid(*options.radius, true))
     throw std::invalid_argument(
         fmt::format("--radius is {}, but must be finite and not negative", double(*options.radius)));
   SphereFile input = format->read(FileBytes(file), options);

@@ -43,7 +43,7 @@ void check_radius(const FileBytes& file, bool own_radii, const SphereFileOptions
 int reading_threads(const SphereFileOptions& options);
 
 // What should have stood in place of a value that no sphere can have; null for one that is fine.
-inline const char* objection_to(double value, bool is_radius) {
+inline const char* why_invalid(double value, bool is_radius) {
   constexpr double beyond_float32 = 0x1.ffffffp127;  // from here on it would round to infinity
   if (!(value < beyond_float32 && value > -beyond_float32)) return "a finite number within the range of float32";
   return is_radius && value < 0 ? "a radius that is not negative" : nullptr;

@@ -147,8 +147,8 @@ Decimal read_number(const FileBytes& file, uint64_t line, std::span<const std::s
   const std::string_view text = fields[column];
   const auto decimal = parse_decimal(text);
   if (!decimal) file.fail_at_line(line, fmt::format("a number for {} in column {}", name, column + 1), in_quotes(text));
-  const char* objection = objection_to(decimal->value, is_radius);
-  if (objection) file.fail_at_line(line, fmt::format("{} for {}", objection, name), in_quotes(text));
+  const char* first_mismatch = why_invalid(decimal->value, is_radius);
+  if (first_mismatch) file.fail_at_line(line, fmt::format("{} for {}", first_mismatch, name), in_quotes(text));
   return *decimal;
 }
 

@@ -115,11 +115,11 @@ std::optional<std::string> run_configuration(Session& session, const SceneOption
 
 // The same work on every backend that has it, timed against each other: cuda/collide_tiled/128 and
 // glsl/collide_tiled/128 belong together.
-std::vector<Configuration> configurations(Session& session, const std::vector<SceneOptions>& scenes,
-                                          const std::vector<BenchRow>& rows, const Sampling& sampling) {
+std::vector<SweepTask> configurations(Session& session, const std::vector<SceneOptions>& scenes,
+                                      const std::vector<BenchRow>& rows, const Sampling& sampling) {
   std::map<std::string, std::vector<BenchRow>> together;
   for (const BenchRow& row : rows) together[row.name.substr(row.name.find('/') + 1)].push_back(row);
-  std::vector<Configuration> all;
+  std::vector<SweepTask> all;
   for (const SceneOptions& scene : scenes)
     for (const auto& [name, members] : together)
       all.push_back(

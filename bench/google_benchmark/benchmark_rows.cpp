@@ -31,10 +31,10 @@ std::vector<BenchRow> bench_rows(Session& session, const std::vector<uint>& bloc
     rows.push_back({name + "/step", backend.get(), Work::step, {.method = method}});
     if (name != "cpu") rows.push_back({name + "/empty", backend.get(), std::nullopt, {}});
   }
-  for (const Asked& asked : everyone(session, all_methods(), blocks)) {
-    std::string name = label(asked);
+  for (const Configuration& configuration : all_configurations(session, all_methods(), blocks)) {
+    std::string name = label(configuration);
     std::ranges::replace(name, ' ', '/');
-    rows.push_back({name, asked.backend, Work::collide, asked.options});
+    rows.push_back({name, configuration.backend, Work::collide, configuration.options});
   }
   return rows;
 }
@@ -55,11 +55,12 @@ void BenchScene::restore(Backend& backend) {
   on_backend_[&backend] = this;
 }
 
-void BenchScene::check_answer(const BenchRow& row) {
-  const Asked asked{row.backend, row.options}, reference = reference_for(session_, row.options, options_.n);
+void BenchScene::check_result(const BenchRow& row) {
+  const Configuration configuration{row.backend, row.options},
+      reference = reference_for(session_, row.options, options_.n);
   restore(*reference.backend);
-  const Answer expected = ask(session_, reference, false);
-  require_equal(session_, {options_, 0}, reference, expected, asked, ask(session_, asked, false));
+  const StepResult expected = run_step(session_, reference, false);
+  require_equal(session_, {options_, 0}, reference, expected, configuration, run_step(session_, configuration, false));
 }
 
 // One step from the start, compared bit by bit. Both then stand somewhere else than the scene as it was made.
@@ -80,7 +81,7 @@ uint64_t BenchScene::check(const BenchRow& row, const Sampling& sampling) {
   const bool moves = row.work && *row.work != Work::collide, collides = row.work && *row.work != Work::move;
   session_.comparisons.plan(row.backend->info().name, Comparisons::sets, collides);
   session_.comparisons.plan(row.backend->info().name, Comparisons::states, moves);
-  if (collides) check_answer(row);
+  if (collides) check_result(row);
   if (moves) check_motion(row);
   session_.comparisons.require_complete();
   return batches_[row.name] = choose_batch(contender_for(row), sampling);

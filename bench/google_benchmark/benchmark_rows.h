@@ -17,7 +17,8 @@ struct BenchRow {
   CollideOptions options;
 };
 
-// Every backend's motion, whole step and empty kernel, and everyone whom `compare` asks, at these group sizes.
+// Every backend's motion, whole step and empty kernel, and all_configurations whom `compare` asks, at these group
+// sizes.
 std::vector<BenchRow> bench_rows(Session& session, const std::vector<uint>& blocks);
 
 // The row's parameters that are no numbers and so no counters, as `name=value` words: readers need not take names
@@ -42,7 +43,7 @@ class BenchScene {
 
  private:
   void restore(Backend& backend);
-  void check_answer(const BenchRow& row);
+  void check_result(const BenchRow& row);
   void check_motion(const BenchRow& row);
 
   Session& session_;

@@ -18,26 +18,26 @@ double issue_rate(const Session& session) {
 double copy_rate(Backend& device, const Sampling& sampling, Progress& progress) {
   constexpr uint64_t beyond_caches = uint64_t(1) << 25;  // spheres: 0.5 GB read, 0.5 GB written
   device.upload(make_scene({.name = "uniform", .n = beyond_caches}));
-  device.check_ceiling(Ceiling::copy);
+  device.check_peak_rate(PeakRate::copy);
   const Contender copy{device.info().name + " ceiling copy", &device,
-                       [](Backend& b) { b.launch_ceiling(Ceiling::copy); }};
+                       [](Backend& b) { b.launch_peak_rate(PeakRate::copy); }};
   const std::vector<Samples> samples = measure({&copy, 1}, sampling, progress);
   return 2 * sizeof(vec4) * double(beyond_caches) / samples.front().median_seconds();
 }
 
-std::optional<Floor> floor_of(const Ceilings& ceilings, const Backend& backend, Method method, uint64_t n,
+std::optional<Floor> floor_of(const PeakRates& peak_rates, const Backend& backend, Method method, uint64_t n,
                               bool in_cell_order) {
   if (!on_hardware(backend)) return {};
-  const auto copy = ceilings.copy.find(&backend);
-  if (method == Method::collide_grid && copy != ceilings.copy.end()) {
+  const auto copy = peak_rates.copy.find(&backend);
+  if (method == Method::collide_grid && copy != peak_rates.copy.end()) {
     const double bytes = double(n) * (in_cell_order ? grid_bytes_in_cell_order : grid_bytes_in_random_order);
     return Floor{"bytes", copy->second, bytes / copy->second};
   }
   const bool all_pairs =
       method == Method::collide_tiled || method == Method::collide_square || method == Method::collide_triangle;
-  if (!all_pairs || !(ceilings.issue > 0)) return {};
+  if (!all_pairs || !(peak_rates.issue > 0)) return {};
   const double pairs = 0.5 * double(n) * double(n - 1);
-  return Floor{"instructions", ceilings.issue, pairs * instructions_per_pair / ceilings.issue};
+  return Floor{"instructions", peak_rates.issue, pairs * instructions_per_pair / peak_rates.issue};
 }
 
 }  // namespace spherepair

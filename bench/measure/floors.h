@@ -26,7 +26,7 @@ double issue_rate(const Session& session);
 // Bytes a second, read and written, that a device copies beyond its caches. The device holds another scene after it.
 double copy_rate(Backend& device, const Sampling& sampling, Progress& progress);
 
-struct Ceilings {
+struct PeakRates {
   double issue = 0;                       // lane-instructions a second, NaN or 0: unknown
   std::map<const Backend*, double> copy;  // bytes a second
 };
@@ -38,7 +38,7 @@ struct Floor {
 };
 
 // None where no ceiling is known: in software, or for a method that has none here.
-std::optional<Floor> floor_of(const Ceilings& ceilings, const Backend& backend, Method method, uint64_t n,
+std::optional<Floor> floor_of(const PeakRates& peak_rates, const Backend& backend, Method method, uint64_t n,
                               bool in_cell_order);
 
 }  // namespace spherepair

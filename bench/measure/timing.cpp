@@ -112,7 +112,7 @@ uint64_t choose_batch(const Contender& contender, const Sampling& sampling) {
   const double step = std::max(taken / double(tried), 1e-9);
   const uint64_t batch = std::max<uint64_t>(1, uint64_t(std::ceil(wanted / step)));
   if (!hardware) return batch;
-  const auto most = uint64_t(std::ceil(sampling.hardware_ceiling / step));
+  const auto most = uint64_t(std::ceil(sampling.hardware_peak / step));
   return std::max(batch, std::min(sampling.hardware_batch, most));
 }
 

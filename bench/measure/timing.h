@@ -29,7 +29,7 @@ struct Sampling {
   double round_budget = 4.0;       // seconds for all rounds of one contender before they are cut to the fewest
   uint64_t hardware_batch = 100;   // K at least, on a GPU
   double hardware_seconds = 2e-3;  // a sample lasts at least this long, on a GPU
-  double hardware_ceiling = 0.25;  // K shrinks again when the least K would last longer than this
+  double hardware_peak = 0.25;     // K shrinks again when the least K would last longer than this
   double software_seconds = 0.05;  // a sample lasts at least this long on the CPU
   double narrow_enough = 0;        // share of the median; rounds end, after the fewest, when no interval is wider
   uint64_t seed = 1;               // of the order within rounds

@@ -85,7 +85,7 @@ CrossoverSweep::CrossoverSweep(Session& session, const CrossoverOptions& options
   sampling_.fewest_rounds = std::min(sampling_.fewest_rounds, options.rounds);
   sampling_.software_seconds = 0.003;
   sampling_.hardware_seconds = 4e-3;
-  sampling_.hardware_ceiling = 0.02;
+  sampling_.hardware_peak = 0.02;
   sampling_.narrow_enough = 0.05;
 }
 
@@ -105,7 +105,7 @@ void CrossoverSweep::measure_scene(const SphereKind& kind, const SceneOptions& o
   progress_.say(fmt::format("checking {} of {}", kind.name, options.n));
   const Scene scene = make_scene(options);
   for (const auto& backend : session_.backends()) backend->upload(scene);
-  const Answer expected = ask(session_, reference_for(session_, {}, options.n), false);
+  const StepResult expected = run_step(session_, reference_for(session_, {}, options.n), false);
   for (const auto& backend : session_.backends()) {
     if (slow_.contains(backend->info().name + " auto")) continue;
     std::vector<Way> ways = ways_of(*backend);
@@ -117,11 +117,11 @@ void CrossoverSweep::measure_scene(const SphereKind& kind, const SceneOptions& o
   }
 }
 
-void CrossoverSweep::check(const SceneOptions& options, const Answer& expected, const std::vector<Way>& ways) {
-  const Asked reference = reference_for(session_, {}, options.n);
+void CrossoverSweep::check(const SceneOptions& options, const StepResult& expected, const std::vector<Way>& ways) {
+  const Configuration reference = reference_for(session_, {}, options.n);
   for (const Way& way : ways) {
-    const Asked asked{way.backend, way.options};
-    require_equal(session_, {options, 0}, reference, expected, asked, ask(session_, asked, false));
+    const Configuration configuration{way.backend, way.options};
+    require_equal(session_, {options, 0}, reference, expected, configuration, run_step(session_, configuration, false));
   }
 }
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "bench/check/answers.h"
+#include "bench/check/step_result.h"
 #include "bench/measure/timing.h"
 
 namespace spherepair {
@@ -66,7 +66,7 @@ class CrossoverSweep {
 
  private:
   void measure_scene(const SphereKind& kind, const SceneOptions& options);
-  void check(const SceneOptions& options, const Answer& expected, const std::vector<Way>& ways);
+  void check(const SceneOptions& options, const StepResult& expected, const std::vector<Way>& ways);
   void time(const SphereKind& kind, const SceneOptions& scene, const std::vector<Way>& ways);
   void give_up_if_slow(const Way& way, const Timing& at, double seconds, double fastest);
   void record(const SphereKind& kind, const SceneOptions& scene, const Way& way, const Samples& samples);

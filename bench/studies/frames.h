@@ -19,7 +19,7 @@ struct FramesOptions {
   std::vector<std::string> works = {"frame", "frame_all", "lit", "loop"};
   uint width = 1920, height = 1080;
   double packing_fraction = 0.3;
-  bool hand_over = false;  // CUDA's spheres through OpenGL too
+  bool transfer = false;  // CUDA's spheres through OpenGL too
   int rounds = 11;
   double min_seconds = 0;         // of a sample; 0: the timing core's own
   std::vector<std::string> most;  // METHOD:n, spheres that a method of drawing is timed with
@@ -49,7 +49,7 @@ using TimeStep =
     std::function<double(const std::string& draw, const std::string& work, const std::function<void()>& step)>;
 // Every way to hand over, alone, with a picture, and with picture and next step pipelined: how much of it overlaps, as
 // frames.cpp says. The spheres have moved afterwards.
-json time_hand_overs(const SharedTask& task, SharedDrawing& shared, const TimeStep& time);
+json time_transfers(const SharedTask& task, SharedDrawing& shared, const TimeStep& time);
 
 // The spheres put into the order of the grid's cells, in which a simulation that sorts would keep them.
 Scene in_cell_order(Scene scene);

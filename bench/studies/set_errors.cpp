@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/check/answers.h"
 #include "bench/check/closed_form.h"
 #include "bench/check/finite_state.h"
 #include "bench/check/missed_contacts.h"
+#include "bench/check/step_result.h"
 #include "bench/measure/choice.h"
 #include "common/shared/hash.h"
 
@@ -22,18 +22,18 @@ SceneOptions scene_options(const SetPlan& plan, MotionOptions motion, int k) {
   return {.name = "random", .n = plan.n, .seed = plan.seed, .motion = motion, .dt = std::ldexp(1.0f, -k)};
 }
 
-struct RunAnswer {
+struct RunResult {
   Backend* backend;
   Backend::State state;
-  Answer answer;
+  StepResult answer;
 };
-RunAnswer run_for_set(Session& session, Backend& backend, const Scene& scene, uint64_t steps) {
+RunResult run_for_set(Session& session, Backend& backend, const Scene& scene, uint64_t steps) {
   backend.upload(scene);
   for (uint64_t step = 0; step < steps; ++step) backend.move();
-  const Asked asked = {&backend, {.method = choose_method("", backend)}};
+  const Configuration configuration = {&backend, {.method = choose_method("", backend)}};
   Backend::State state = backend.state();
   require_finite(state, steps);
-  return {&backend, std::move(state), ask(session, asked, true)};
+  return {&backend, std::move(state), run_step(session, configuration, true)};
 }
 
 // The set of the first backend, which the others must find too. Where a GPU is, long runs are left to it.
@@ -42,10 +42,10 @@ MotionSetEntry run_everywhere(Session& session, const SetPlan& plan, const Scene
   const uint64_t steps = uint64_t(std::ldexp(plan.seconds, entry.k));
   const SceneOptions options = scene_options(plan, entry.motion, entry.k);
   const bool gpu = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
-  std::optional<RunAnswer> first;
+  std::optional<RunResult> first;
   for (const auto& backend : session.backends()) {
     if ((first || gpu) && !on_hardware(*backend) && steps > plan.most_software_steps) continue;
-    RunAnswer run = run_for_set(session, *backend, scene, steps);
+    RunResult run = run_for_set(session, *backend, scene, steps);
     entry.backends.push_back(backend->info().name);
     if (!first) {
       first = std::move(run);
@@ -53,9 +53,10 @@ MotionSetEntry run_everywhere(Session& session, const SetPlan& plan, const Scene
     }
     session.comparisons.plan(backend->info().name, Comparisons::sets, 1);
     session.comparisons.plan(backend->info().name, Comparisons::states, 1);
-    const auto asked = [&](Backend& b) { return Asked{&b, {.method = choose_method("", b)}}; };
+    const auto configuration = [&](Backend& b) { return Configuration{&b, {.method = choose_method("", b)}}; };
     require_same_state(session, {options, steps}, *first->backend, first->state, *backend, run.state);
-    require_equal(session, {options, steps}, asked(*first->backend), first->answer, asked(*backend), run.answer);
+    require_equal(session, {options, steps}, configuration(*first->backend), first->answer, configuration(*backend),
+                  run.answer);
   }
   session.comparisons.require_complete();
   entry.found = set_error(*first->answer.pairs, right);
@@ -65,14 +66,15 @@ MotionSetEntry run_everywhere(Session& session, const SetPlan& plan, const Scene
 }
 
 // With the exact predicate and without.
-std::array<Samples, 2> time_predicates(Session& session, const SetPlan& plan, Asked asked, Progress& progress) {
+std::array<Samples, 2> time_predicates(Session& session, const SetPlan& plan, Configuration configuration,
+                                       Progress& progress) {
   std::vector<Contender> contenders;
   for (bool exact : {true, false}) {
-    CollideOptions options = asked.options;
+    CollideOptions options = configuration.options;
     options.exact = exact;
-    contenders.push_back({fmt::format("{} {}", label(asked), exact ? "exact" : "naive"), asked.backend,
+    contenders.push_back({fmt::format("{} {}", label(configuration), exact ? "exact" : "naive"), configuration.backend,
                           [options](Backend& backend) { backend.collide(options); }});
-    session.collide(*asked.backend, options);
+    session.collide(*configuration.backend, options);
   }
   std::vector<Samples> samples = measure(contenders, plan.sampling, progress);
   return {std::move(samples[0]), std::move(samples[1])};
@@ -134,12 +136,12 @@ std::vector<NaiveEntry> measure_naive(Session& session, const SetPlan& plan, Pro
     for (const auto& backend : session.backends()) {
       progress.say(fmt::format("exactness: {} on {}", name, backend->info().name));
       backend->upload(scene);
-      Asked asked = {backend.get(), {.method = choose_method("", *backend)}};
-      const Answer exact = ask(session, asked, true);
-      asked.options.exact = false;
-      const SetError error = set_error(*ask(session, asked, true).pairs, *exact.pairs);
-      auto [exact_samples, naive_samples] = time_predicates(session, plan, asked, progress);
-      entries.push_back({method_name(backend->choice(asked.options).method), name, scene.size(), error,
+      Configuration configuration = {backend.get(), {.method = choose_method("", *backend)}};
+      const StepResult exact = run_step(session, configuration, true);
+      configuration.options.exact = false;
+      const SetError error = set_error(*run_step(session, configuration, true).pairs, *exact.pairs);
+      auto [exact_samples, naive_samples] = time_predicates(session, plan, configuration, progress);
+      entries.push_back({method_name(backend->choice(configuration.options).method), name, scene.size(), error,
                          std::move(exact_samples), std::move(naive_samples)});
     }
   }

@@ -14,7 +14,7 @@ namespace spherepair {
 namespace {
 
 // The devices' methods keep nothing from the step before, so that every step is the whole work.
-Asked asked_of(Backend& backend, Method method, const SweepPoint& point) {
+Configuration asked_of(Backend& backend, Method method, const SweepPoint& point) {
   const CollideOptions open = {.method = Method::automatic};
   const uint block = point.block ? point.block : chosen_block(backend.info(), point.n, method, open);
   return {&backend, {.method = method, .block = block, .grid = {.keep_cells = false}}};
@@ -29,8 +29,8 @@ json left_out(const Backend& backend, const std::string& methods, const std::str
 }
 
 // Of the methods asked for, those whose time depends on what is new here: the order matters to the grid alone.
-std::vector<Asked> affordable(Backend& backend, const SweepPoint& point, json& omitted) {
-  std::vector<Asked> all;
+std::vector<Configuration> affordable(Backend& backend, const SweepPoint& point, json& omitted) {
+  std::vector<Configuration> all;
   for (const Method method : backend.methods()) {
     if (std::ranges::find(point.methods, method) == point.methods.end()) continue;
     if (point.in_cell_order && method != Method::collide_grid) continue;
@@ -45,14 +45,14 @@ std::vector<Asked> affordable(Backend& backend, const SweepPoint& point, json& o
 }
 
 // Uploads to whoever has something to do; who cannot hold the scene is left out with the reason.
-std::vector<Asked> prepare(Session& session, const SweepPoint& point, const Scene& scene, json& omitted) {
-  std::vector<Asked> all;
+std::vector<Configuration> prepare(Session& session, const SweepPoint& point, const Scene& scene, json& omitted) {
+  std::vector<Configuration> all;
   for (const auto& backend : session.backends()) {
-    const std::vector<Asked> asked = affordable(*backend, point, omitted);
-    if (asked.empty()) continue;
+    const std::vector<Configuration> configuration = affordable(*backend, point, omitted);
+    if (configuration.empty()) continue;
     try {
       backend->upload(scene);
-      all.insert(all.end(), asked.begin(), asked.end());
+      all.insert(all.end(), configuration.begin(), configuration.end());
     } catch (const BackendError& error) {
       omitted.push_back(left_out(*backend, "all", error.what()));
     }
@@ -61,29 +61,31 @@ std::vector<Asked> prepare(Session& session, const SweepPoint& point, const Scen
 }
 
 // The first who answers this set at all: the CPU where it takes part.
-const Asked& referee(const std::vector<Asked>& all, const Asked& asked) {
-  return *std::ranges::find_if(all, [&](const Asked& one) { return set_name(one.options) == set_name(asked.options); });
+const Configuration& referee(const std::vector<Configuration>& all, const Configuration& configuration) {
+  return *std::ranges::find_if(
+      all, [&](const Configuration& one) { return set_name(one.options) == set_name(configuration.options); });
 }
 
-json row_of(Session& session, const SweepPoint& point, const Asked& asked, const Asked& checked_by,
-            const Collisions& totals, const Ceilings& ceilings, const Samples& samples) {
-  const Method method = asked.options.method;
+json row_of(Session& session, const SweepPoint& point, const Configuration& configuration,
+            const Configuration& checked_by, const Collisions& totals, const PeakRates& peak_rates,
+            const Samples& samples) {
+  const Method method = configuration.options.method;
   json row = {{"table", "grid"},
               {"work", "collide"},
               {"n", point.n},
               {"scene", scene_json(scene_of(point))},
               {"order", point.in_cell_order ? "warm" : "cold"},
               {"method", method_name(method)},
-              {"block", uses_blocks(asked) ? json(asked.options.block) : json(nullptr)},
-              {"first_step_ms", session.first_seconds(*asked.backend, asked.options) * 1e3},
+              {"block", uses_blocks(configuration) ? json(configuration.options.block) : json(nullptr)},
+              {"first_step_ms", session.first_seconds(*configuration.backend, configuration.options) * 1e3},
               {"checked_against", label(checked_by)},
               {"pairs", totals.pairs},
               {"colliding_spheres", totals.colliding_spheres},
               {"fingerprint", hex64(totals.fingerprint.a) + hex64(totals.fingerprint.b)}};
   row.update(to_json(samples));
-  if (const auto floor = floor_of(ceilings, *asked.backend, method, point.n, point.in_cell_order)) {
+  if (const auto floor = floor_of(peak_rates, *configuration.backend, method, point.n, point.in_cell_order)) {
     row["floor"] = floor->what;
-    row["ceiling_per_second"] = floor->per_second;
+    row["peak_per_second"] = floor->per_second;
     row["floor_ms"] = floor->seconds * 1e3;
     row["share_of_floor"] = floor->seconds / samples.median_seconds();
   }
@@ -121,31 +123,34 @@ uint64_t most_spheres(const Backend& backend, Method method) {
   }
 }
 
-PointTimes time_point(Session& session, const SweepPoint& point, const Ceilings& ceilings, const Sampling& sampling,
+PointTimes time_point(Session& session, const SweepPoint& point, const PeakRates& peak_rates, const Sampling& sampling,
                       Progress& progress) {
   PointTimes times;
   progress.say("checking " + label(point));
   Scene scene = make_scene(scene_of(point));
   if (point.in_cell_order) scene = in_cell_order(scene);
-  const std::vector<Asked> all = prepare(session, point, scene, times.left_out);
+  const std::vector<Configuration> all = prepare(session, point, scene, times.left_out);
   scene = {};
-  for (const Asked& asked : all) session.comparisons.plan(asked.backend->info().name, Comparisons::sets, 1);
-  std::map<std::string, Answer> expected;
+  for (const Configuration& configuration : all)
+    session.comparisons.plan(configuration.backend->info().name, Comparisons::sets, 1);
+  std::map<std::string, StepResult> expected;
   std::vector<Contender> contenders;
   std::vector<Collisions> totals;
-  for (const Asked& asked : all) {
-    const Asked& reference = referee(all, asked);
-    Answer answer = ask(session, asked, false);
-    const Answer& right = expected.try_emplace(set_name(asked.options), answer).first->second;
-    require_equal(session, {scene_of(point), 0}, reference, right, asked, answer);
+  for (const Configuration& configuration : all) {
+    const Configuration& reference = referee(all, configuration);
+    StepResult answer = run_step(session, configuration, false);
+    const StepResult& right = expected.try_emplace(set_name(configuration.options), answer).first->second;
+    require_equal(session, {scene_of(point), 0}, reference, right, configuration, answer);
     totals.push_back(answer.totals);
-    contenders.push_back({label(asked), asked.backend, [options = asked.options](Backend& b) { b.collide(options); }});
+    contenders.push_back({label(configuration), configuration.backend,
+                          [options = configuration.options](Backend& b) { b.collide(options); }});
   }
   expected.clear();
   session.comparisons.require_complete();
   const std::vector<Samples> samples = measure(contenders, sampling, progress);
   for (size_t k = 0; k < all.size(); ++k)
-    times.measurements.push_back(row_of(session, point, all[k], referee(all, all[k]), totals[k], ceilings, samples[k]));
+    times.measurements.push_back(
+        row_of(session, point, all[k], referee(all, all[k]), totals[k], peak_rates, samples[k]));
   return times;
 }
 

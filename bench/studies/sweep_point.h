@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// One configuration of the sweep: a number of spheres at a packing fraction, in random or in cell order, and everyone
-// who finds its pairs in affordable time, checked and then timed against each other.
+// One configuration of the sweep: a number of spheres at a packing fraction, in random or in cell order, and
+// all_configurations who finds its pairs in affordable time, checked and then timed against each other.
 #pragma once
 
-#include "bench/check/answers.h"
+#include "bench/check/step_result.h"
 #include "bench/measure/floors.h"
 
 namespace spherepair {
@@ -30,7 +30,7 @@ struct PointTimes {
 };
 
 // Throws DifferenceFound rather than time a wrong answer. A backend that cannot hold the scene is left out.
-PointTimes time_point(Session& session, const SweepPoint& point, const Ceilings& ceilings, const Sampling& sampling,
+PointTimes time_point(Session& session, const SweepPoint& point, const PeakRates& peak_rates, const Sampling& sampling,
                       Progress& progress);
 
 }  // namespace spherepair

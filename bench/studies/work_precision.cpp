@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/check/answers.h"
 #include "bench/check/closed_form.h"
 #include "bench/check/finite_state.h"
+#include "bench/check/step_result.h"
 
 namespace spherepair {
 namespace {
@@ -71,7 +71,7 @@ struct Work {
 std::vector<Work> works_of(MotionOptions motion) {
   std::vector<Work> works = {{"move", [](Backend& backend) { backend.move(); }}};
   if (motion.method == MotionMethod::anchored)
-    works.push_back({"move and place", [](Backend& backend) { backend.move(), backend.place(); }});
+    works.push_back({"move and place", [](Backend& backend) { backend.move(), backend.evaluate_positions(); }});
   return works;
 }
 
@@ -146,8 +146,8 @@ std::vector<CopyEntry> measure_copies(Session& session, const PrecisionPlan& pla
   for (Backend* device : session.devices()) {
     progress.say("copying on " + device->info().name);
     device->upload(scene);
-    device->check_ceiling(Ceiling::copy);
-    const Contender copy = {"copy", device, [](Backend& backend) { backend.launch_ceiling(Ceiling::copy); }};
+    device->check_peak_rate(PeakRate::copy);
+    const Contender copy = {"copy", device, [](Backend& backend) { backend.launch_peak_rate(PeakRate::copy); }};
     entries.push_back({device->info().name, scene.size(), measure({&copy, 1}, plan.sampling, progress)[0]});
   }
   return entries;

@@ -11,14 +11,14 @@ namespace spherepair {
 namespace {
 
 Contender contender_for(const Task& task) {
-  const CollideOptions options = task.asked.options;
+  const CollideOptions options = task.configuration.options;
   switch (task.work) {
     case Work::move:
-      return {label(task), task.asked.backend, [](Backend& b) { b.move(); }};
+      return {label(task), task.configuration.backend, [](Backend& b) { b.move(); }};
     case Work::collide:
-      return {label(task), task.asked.backend, [options](Backend& b) { b.collide(options); }};
+      return {label(task), task.configuration.backend, [options](Backend& b) { b.collide(options); }};
     default:
-      return {label(task), task.asked.backend, [options](Backend& b) {
+      return {label(task), task.configuration.backend, [options](Backend& b) {
                 b.move();
                 b.collide(options);
               }};
@@ -26,16 +26,17 @@ Contender contender_for(const Task& task) {
 }
 
 // A naive variant may answer wrongly by design, so its exact twin is what gets checked.
-std::vector<Asked> to_check(const std::vector<Task>& tasks) {
-  std::vector<Asked> asked;
+std::vector<Configuration> to_check(const std::vector<Task>& tasks) {
+  std::vector<Configuration> configuration;
   for (const Task& task : tasks) {
     if (task.work == Work::move) continue;
-    Asked exact = task.asked;
+    Configuration exact = task.configuration;
     exact.options.exact = true;
-    const bool known = std::ranges::any_of(asked, [&](const Asked& a) { return label(a) == label(exact); });
-    if (!known) asked.push_back(exact);
+    const bool known =
+        std::ranges::any_of(configuration, [&](const Configuration& a) { return label(a) == label(exact); });
+    if (!known) configuration.push_back(exact);
   }
-  return asked;
+  return configuration;
 }
 
 json number_or_null(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
@@ -43,8 +44,8 @@ json number_or_null(double value) { return std::isfinite(value) ? json(value) : 
 }  // namespace
 
 std::string label(const Task& task) {
-  if (task.work == Work::move) return task.asked.backend->info().name + " move";
-  const std::string text = label(task.asked) + (task.asked.options.exact ? "" : " naive");
+  if (task.work == Work::move) return task.configuration.backend->info().name + " move";
+  const std::string text = label(task.configuration) + (task.configuration.options.exact ? "" : " naive");
   return task.work == Work::step ? text + " + move" : text;
 }
 
@@ -67,30 +68,31 @@ void Study::upload(const SceneOptions& options) {
   for (const auto& backend : session.backends()) backend->upload(scene);
 }
 
-// Of everyone but the references, and of the states of all backends but one.
-void Study::plan_comparisons(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t steps) {
+// Of all_configurations but the references, and of the states of all backends but one.
+void Study::plan_comparisons(const SceneOptions& scene, const std::vector<Configuration>& configuration,
+                             uint64_t steps) {
   for (const auto& backend : session.backends())
     if (backend.get() != &session.reference())
       session.comparisons.plan(backend->info().name, Comparisons::states, steps);
-  for (const Asked& one : asked)
+  for (const Configuration& one : configuration)
     if (label(one) != label(reference_for(session, one.options, scene.n)))
       session.comparisons.plan(one.backend->info().name, Comparisons::sets, steps);
 }
 
 // Compares all answers at the present state, set by set.
-void Study::check_step(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t step) {
+void Study::check_step(const SceneOptions& scene, const std::vector<Configuration>& configuration, uint64_t step) {
   const Place place{scene, step};
   const uint64_t state = require_same_states(session, place);
-  std::map<std::string, std::vector<Asked>> sets;
-  for (const Asked& one : asked) sets[set_name(one.options)].push_back(one);
+  std::map<std::string, std::vector<Configuration>> sets;
+  for (const Configuration& one : configuration) sets[set_name(one.options)].push_back(one);
   for (const auto& [name, members] : sets) {
-    const Asked reference = reference_for(session, members.front().options, scene.n);
-    const Answer answer = ask(session, reference, false);
+    const Configuration reference = reference_for(session, members.front().options, scene.n);
+    const StepResult answer = run_step(session, reference, false);
     referees_[name] = label(reference);
     EqualityEntry entry{scene, name, {label(reference)}, {}};
-    for (const Asked& one : members) {
+    for (const Configuration& one : members) {
       if (label(one) == label(reference)) continue;
-      require_equal(session, place, reference, answer, one, ask(session, one, false));
+      require_equal(session, place, reference, answer, one, run_step(session, one, false));
       entry.answers.push_back(label(one));
     }
     entry.checkpoints.push_back(
@@ -100,20 +102,20 @@ void Study::check_step(const SceneOptions& scene, const std::vector<Asked>& aske
 }
 
 // At the start, and where it will be moved after a step too.
-void Study::check_steps(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t steps) {
-  plan_comparisons(scene, asked, steps);
+void Study::check_steps(const SceneOptions& scene, const std::vector<Configuration>& configuration, uint64_t steps) {
+  plan_comparisons(scene, configuration, steps);
   upload(scene);
   for (uint64_t step = 0; step < steps; ++step) {
     if (step > 0)
       for (const auto& backend : session.backends()) backend->move();
-    check_step(scene, asked, step);
+    check_step(scene, configuration, step);
   }
   session.comparisons.require_complete();
 }
 
-Answer Study::check(const SceneOptions& scene, const std::vector<Asked>& asked) {
-  check_steps(scene, asked, 1);
-  return ask(session, asked.front(), false);
+StepResult Study::check(const SceneOptions& scene, const std::vector<Configuration>& configuration) {
+  check_steps(scene, configuration, 1);
+  return run_step(session, configuration.front(), false);
 }
 
 std::vector<Samples> Study::time(const std::string& table, const SceneOptions& scene, const std::vector<Task>& tasks) {
@@ -143,11 +145,11 @@ void Study::record(const std::string& table, const SceneOptions& scene, const Ta
   constexpr const char* works[] = {"move", "collide", "step"};
   json row = {{"table", table}, {"work", works[size_t(task.work)]}, {"n", scene.n}, {"scene", scene_json(scene)}};
   if (task.work != Work::move) {
-    const CollideOptions& options = task.asked.options;
+    const CollideOptions& options = task.configuration.options;
     row["method"] = method_name(options.method);
-    row["block"] = uses_blocks(task.asked) ? json(options.block) : json(nullptr);
+    row["block"] = uses_blocks(task.configuration) ? json(options.block) : json(nullptr);
     row["exact"] = options.exact;
-    row["first_step_ms"] = number_or_null(session.first_seconds(*task.asked.backend, options) * 1e3);
+    row["first_step_ms"] = number_or_null(session.first_seconds(*task.configuration.backend, options) * 1e3);
     row["checked_against"] = referees_.at(set_name(options));
   }
   row.update(to_json(samples));
@@ -172,7 +174,7 @@ const std::vector<TableKind>& table_kinds() {
       {"table1", "the paper's Table 1 beside ours", make_table1},
       {"counts", "colliding spheres beside the paper's ranges", make_counts},
       {"methods", "GLSL against CUDA per method and group size", make_methods},
-      {"ceilings", "what each device can do at best: copying, atomics, multiply-adds", make_ceilings},
+      {"ceilings", "what each device can do at best: copying, atomics, multiply-adds", make_peak_rates},
       {"overhead", "what an empty dispatch or launch costs", make_overhead},
       {"exactness", "what the exact predicate costs, and what it saves", make_exactness},
       {"scale", "collide_triangle from small to large n", make_scale},

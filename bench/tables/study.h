@@ -11,7 +11,7 @@ enum class Work { move, collide, step };  // step: move, then collide
 
 struct Task {
   Work work;
-  Asked asked;
+  Configuration configuration;
 };
 std::string label(const Task& task);
 
@@ -27,7 +27,7 @@ class Study {
   std::vector<Samples> time_unchecked(const std::string& table, const std::vector<Contender>& contenders, json meta);
 
   // Uploads the scene everywhere, compares the answers of `asked` and keeps what agreed.
-  Answer check(const SceneOptions& scene, const std::vector<Asked>& asked);
+  StepResult check(const SceneOptions& scene, const std::vector<Configuration>& configuration);
 
   std::vector<Task> collide_tasks(Method method, uint block, bool exact = true) const;  // on every device
   SceneOptions paper_scene(uint64_t n) const;
@@ -40,9 +40,9 @@ class Study {
 
  private:
   void upload(const SceneOptions& options);
-  void plan_comparisons(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t steps);
-  void check_step(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t step);
-  void check_steps(const SceneOptions& scene, const std::vector<Asked>& asked, uint64_t steps);
+  void plan_comparisons(const SceneOptions& scene, const std::vector<Configuration>& configuration, uint64_t steps);
+  void check_step(const SceneOptions& scene, const std::vector<Configuration>& configuration, uint64_t step);
+  void check_steps(const SceneOptions& scene, const std::vector<Configuration>& configuration, uint64_t steps);
   void record(const std::string& table, const SceneOptions& scene, const Task& task, const Samples& samples);
 
   std::map<std::string, std::string> referees_;  // by set: who the last check trusted
@@ -73,7 +73,7 @@ struct TableKind {
 const std::vector<TableKind>& table_kinds();
 
 std::vector<Table> make_table1(Study& study);
-std::vector<Table> make_ceilings(Study& study);
+std::vector<Table> make_peak_rates(Study& study);
 std::vector<Table> make_counts(Study& study);
 std::vector<Table> make_methods(Study& study);
 std::vector<Table> make_overhead(Study& study);

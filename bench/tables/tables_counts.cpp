@@ -36,14 +36,15 @@ const char* place_in(const PaperCounts& paper, uint64_t count) {
 // Colliding spheres over the animation, counted by the fastest backend after all have agreed on frame 0.
 std::vector<std::string> count_row(Study& study, const SceneOptions& scene, const PaperCounts* paper) {
   const uint64_t steps = scene.n > 16384 ? study.plan.count_steps_large : study.plan.count_steps;
-  std::vector<Asked> asked;
+  std::vector<Configuration> configuration;
   for (const auto& backend : study.session.backends())
-    asked.push_back(
+    configuration.push_back(
         {backend.get(), {.method = backend->info().name == "cpu" ? Method::parallel : Method::collide_triangle}});
-  const uint64_t first = study.check(scene, asked).totals.colliding_spheres;
+  const uint64_t first = study.check(scene, configuration).totals.colliding_spheres;
   Range range{first, first};
-  const auto hardware = std::ranges::find_if(asked, [](const Asked& a) { return on_hardware(*a.backend); });
-  const Asked counter = hardware == asked.end() ? asked.front() : *hardware;
+  const auto hardware =
+      std::ranges::find_if(configuration, [](const Configuration& a) { return on_hardware(*a.backend); });
+  const Configuration counter = hardware == configuration.end() ? configuration.front() : *hardware;
   for (uint64_t step = 1; step <= steps; ++step) {
     study.progress.say(fmt::format("counts: {} n = {}, step {} of {}", scene_label(scene), scene.n, step, steps));
     counter.backend->move();

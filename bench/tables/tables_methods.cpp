@@ -14,7 +14,7 @@ Table skipped(const std::string& title) {
 }
 
 // Unordered pairs that a method has to meet.
-double pairs_to_meet(Method method, uint block, uint64_t n) {
+double candidate_pairs(Method method, uint block, uint64_t n) {
   const auto all = [](double k) { return k * (k - 1) / 2; };
   if (method != Method::collide_group) return all(double(n));
   return double(n / block) * all(block) + all(double(n % block));
@@ -52,7 +52,7 @@ void methods_rows(Study& study, Table& table, uint64_t n, Method method) {
     for (const Samples& one : pair) {
       row.push_back(format_ms(one.median_seconds()));
       row.push_back(interval_text(one));
-      row.push_back(format_rate(pairs_to_meet(method, block, n) / one.median_seconds()));
+      row.push_back(format_rate(candidate_pairs(method, block, n) / one.median_seconds()));
     }
     add_contest(row, pair);
     table.rows.push_back(row);
@@ -64,35 +64,37 @@ struct Naive {
 };
 
 // What the naive float32 test gets wrong where it is hardest. The exact answer is checked against the reference first.
-Naive naive_errors(Study& study, Asked asked, const SceneOptions& place) {
-  study.progress.say(fmt::format("exactness: {} on {}", label(asked), place.name));
-  const Asked reference = reference_for(study.session, asked.options, place.n);
-  const Answer expected = ask(study.session, reference, true), right = ask(study.session, asked, true);
-  require_equal(study.session, {place, 0}, reference, expected, asked, right);
-  asked.options.exact = false;
-  const Answer naive = ask(study.session, asked, true);
+Naive naive_errors(Study& study, Configuration configuration, const SceneOptions& place) {
+  study.progress.say(fmt::format("exactness: {} on {}", label(configuration), place.name));
+  const Configuration reference = reference_for(study.session, configuration.options, place.n);
+  const StepResult expected = run_step(study.session, reference, true),
+                   right = run_step(study.session, configuration, true);
+  require_equal(study.session, {place, 0}, reference, expected, configuration, right);
+  configuration.options.exact = false;
+  const StepResult naive = run_step(study.session, configuration, true);
   std::vector<Pair> missed, added;
   std::ranges::set_difference(*right.pairs, *naive.pairs, std::back_inserter(missed));
   std::ranges::set_difference(*naive.pairs, *right.pairs, std::back_inserter(added));
   return {right.pairs->size(), missed.size(), added.size()};
 }
 
-std::vector<Naive> all_naive_errors(Study& study, const std::vector<Asked>& all) {
+std::vector<Naive> all_naive_errors(Study& study, const std::vector<Configuration>& all) {
   SceneOptions place = study.paper_scene(2 * study.plan.grazing_pairs);
   place.name = "grazing";
   const Scene scene = make_scene(place);
   for (const auto& backend : study.session.backends()) backend->upload(scene);
-  for (const Asked& asked : all) study.session.comparisons.plan(asked.backend->info().name, Comparisons::sets, 1);
+  for (const Configuration& configuration : all)
+    study.session.comparisons.plan(configuration.backend->info().name, Comparisons::sets, 1);
   std::vector<Naive> errors;
-  for (const Asked& asked : all) errors.push_back(naive_errors(study, asked, place));
+  for (const Configuration& configuration : all) errors.push_back(naive_errors(study, configuration, place));
   return errors;
 }
 
-std::vector<Asked> exactness_asked(const Study& study) {
-  std::vector<Asked> asked;
-  for (const Asked& one : everyone(study.session, study.plan.methods, {study.plan.table_block}))
-    if (one.backend->info().name != "cpu" || one.options.method != Method::collide_group) asked.push_back(one);
-  return asked;
+std::vector<Configuration> exactness_asked(const Study& study) {
+  std::vector<Configuration> configuration;
+  for (const Configuration& one : all_configurations(study.session, study.plan.methods, {study.plan.table_block}))
+    if (one.backend->info().name != "cpu" || one.options.method != Method::collide_group) configuration.push_back(one);
+  return configuration;
 }
 
 }  // namespace
@@ -165,11 +167,11 @@ std::vector<Table> make_exactness(Study& study) {
                {"grazing scene", "naive", "added"}},
               {},
               {}};
-  const std::vector<Asked> all = exactness_asked(study);
+  const std::vector<Configuration> all = exactness_asked(study);
   const std::vector<Naive> errors = all_naive_errors(study, all);
   for (uint64_t n : study.plan.exactness_sizes) {
     for (size_t k = 0; k < all.size(); ++k) {
-      Asked naive = all[k];
+      Configuration naive = all[k];
       naive.options.exact = false;
       const auto samples =
           study.time("exactness", study.paper_scene(n), {{Work::collide, naive}, {Work::collide, all[k]}});

@@ -26,7 +26,7 @@ std::vector<std::string> scale_row(const SceneOptions& scene, const std::vector<
     const double per_second = pairs / samples[k].median_seconds();
     row.push_back(format_ms(samples[k].median_seconds()));
     row.push_back(format_rate(per_second));
-    if (!on_hardware(*tasks[k].asked.backend) || std::isnan(rate)) continue;
+    if (!on_hardware(*tasks[k].configuration.backend) || std::isnan(rate)) continue;
     row.push_back(format_number(100 * per_second * instructions_per_pair / rate));
   }
   if (samples.size() > 1) row.push_back(contest(samples[0], samples[1]).text);
@@ -47,10 +47,11 @@ std::vector<Table> make_scale(Study& study) {
   const std::vector<Task> tasks = scale_tasks(study);
   if (tasks.empty()) return {};
   for (const Task& task : tasks) {
-    const std::string group = label(task) + (task.asked.backend->info().software ? " in SOFTWARE" : "");
+    const std::string group = label(task) + (task.configuration.backend->info().software ? " in SOFTWARE" : "");
     table.columns.push_back({group, "median", "ms"});
     table.columns.push_back({group, "pairs", "1/s"});
-    if (on_hardware(*task.asked.backend) && !std::isnan(rate)) table.columns.push_back({group, "of floor", "%"});
+    if (on_hardware(*task.configuration.backend) && !std::isnan(rate))
+      table.columns.push_back({group, "of floor", "%"});
   }
   if (tasks.size() > 1) table.columns.push_back({"", "verdict", "", true});
   std::vector<std::string> left_out;
@@ -83,8 +84,8 @@ std::vector<Table> make_step(Study& study) {
     const bool cpu = backend->info().name == "cpu";
     const Method method = cpu ? Method::parallel : Method::collide_triangle;
     tasks.push_back({Work::step, {backend.get(), {.method = method, .block = study.plan.table_block}}});
-    table.columns.push_back({label(tasks.back().asked), "median", "ms"});
-    table.columns.push_back({label(tasks.back().asked), "of 16 ms", "times faster"});
+    table.columns.push_back({label(tasks.back().configuration), "median", "ms"});
+    table.columns.push_back({label(tasks.back().configuration), "of 16 ms", "times faster"});
   }
   const size_t devices = study.session.devices().size();
   if (devices > 1) table.columns.push_back({"", "verdict", "", true});

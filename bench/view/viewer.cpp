@@ -115,7 +115,7 @@ void Viewer::turn_camera(const Window& window) {
 void Viewer::advance() {
   if (paused_ && !single_step_) return;
   single_step_ = found_ = false;
-  timed(move_seconds_, [&] { backend().move(), backend().place(); });
+  timed(move_seconds_, [&] { backend().move(), backend().evaluate_positions(); });
   ++step_;
 }
 
@@ -132,7 +132,7 @@ void Viewer::collide() {
   method_ = options.method;
 }
 
-std::vector<uint> Viewer::picture(uint width, uint height) {
+std::vector<uint> Viewer::image(uint width, uint height) {
   Camera camera = spherepair::frame(bounds_, azimuth_, elevation_, 30, double(width) / height);
   for (int a = 0; a < 3; ++a) camera.eye[a] = camera.target[a] + distance_ * (camera.eye[a] - camera.target[a]);
   Look look = contact_look();
@@ -153,9 +153,9 @@ void Viewer::frame(Window& window, char key) {
   advance();
   collide();
   const auto [width, height] = window.size();
-  const std::vector<uint> image = picture(width, height);
+  const std::vector<uint> pixels = image(width, height);
   fill_panel(window);
-  window.show(image, width, height);
+  window.show(pixels, width, height);
 }
 
 std::string Viewer::summary() const {

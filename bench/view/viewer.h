@@ -36,7 +36,7 @@ class Viewer {
   void turn_camera(const Window& window);
   void advance();
   void collide();
-  std::vector<uint> picture(uint width, uint height);
+  std::vector<uint> image(uint width, uint height);
   template <typename Work>
   void timed(double& seconds, Work work);
 

@@ -25,7 +25,7 @@ class BackendError : public std::runtime_error {
 
 // What a device can do at best: 16 bytes a sphere copied, a scattered atomic a sphere, multiply-adds in registers; and
 // the same bytes copied a word at a time.
-enum class Ceiling { copy, atomics, issue, words };
+enum class PeakRate { copy, atomics, issue, words };
 
 struct StageTime {
   std::string stage;  // the kernel's name
@@ -49,18 +49,18 @@ struct DrawOptions {
 
   // What the rasteriser may leave out; never changes a bit of the picture. Spheres in consecutive places of the cell
   // order (as they stand, without one) form clusters, which are tested as a whole.
-  bool skip_outside = true;       // clusters out of view
-  bool skip_hidden = true;        // clusters behind what is drawn already; implies the above
-  bool skip_unchanged = true;     // the whole picture, when nothing has changed since the last
-  bool skip_tiles = true;         // the launches for large spheres, where none as uploaded can look large
-  bool overlap = true;            // GLSL: few spheres are drawn while the last picture is coloured still
-  uint64_t skip_from = 1u << 17;  // clusters are made of so many spheres or more
+  bool frustum_culling = true;        // clusters out of view
+  bool occlusion_culling = true;      // clusters behind what is drawn already; implies the above
+  bool reuse_unchanged = true;        // the whole picture, when nothing has changed since the last
+  bool skip_tile_launches = true;     // the launches for large spheres, where none as uploaded can look large
+  bool overlap = true;                // GLSL: few spheres are drawn while the last picture is coloured still
+  uint64_t clusters_from = 1u << 17;  // clusters are made of so many spheres or more
 
   // Of so many spheres or more, clusters are tested before their spheres; of fewer that costs more than it saves.
   uint64_t cull_from = 1u << 21;
 
   // Of so many spheres or more, clusters far behind what the last pictures showed wait until the near ones are drawn.
-  uint64_t put_off_from = 1u << 22;
+  uint64_t defer_from = 1u << 22;
 
   // Of so many spheres or more, BUNDLE clusters in a row are tested as a whole first.
   uint64_t bundles_from = 1u << 25;
@@ -68,22 +68,22 @@ struct DrawOptions {
   // Of fewer spheres, which then are large on the screen, each is drawn by LANES threads; without clusters only.
   uint64_t share_below = 1u << 17;
 
-  bool count = false;  // fill all of DrawCounts, which costs an atomic operation a sphere
+  bool count = false;  // fill all of DrawStatistics, which costs an atomic operation a sphere
   auto operator<=>(const DrawOptions&) const = default;
   uint lanes(uint64_t n) const { return n < share_below ? LANES : 1; }
 };
 
 // Of one draw(), numbers of spheres; `drawn` are those with a pixel's centre in their box, whether seen in the end or
 // not.
-struct DrawCounts {
+struct DrawStatistics {
   uint64_t drawn = 0, unseen = 0;  // out of view, or between the centres of the pixels
   uint64_t large = 0, tiles = 0;   // of those drawn, the ones cut into tiles; their tiles
   uint64_t hidden = 0;             // behind what is drawn already
   uint64_t undrawable = 0;         // numbers beyond those that can be drawn (draw.h, in_camera)
   uint64_t clusters = 0, clusters_outside = 0, clusters_hidden = 0;  // their spheres are in none of the above
-  uint64_t clusters_put_off = 0;  // that waited for others to be drawn, whatever became of them then
-  uint64_t bundles_left_out = 0;  // of clusters that are hidden, out of view or put off together
-  uint64_t pictures_kept = 0;     // calls of draw() since upload() that had nothing to do
+  uint64_t clusters_deferred = 0;  // that waited for others to be drawn, whatever became of them then
+  uint64_t bundles_left_out = 0;   // of clusters that are hidden, out of view or put off together
+  uint64_t images_kept = 0;        // calls of draw() since upload() that had nothing to do
 };
 
 struct BackendInfo {
@@ -110,10 +110,10 @@ class Backend {
   virtual void move() = 0;
   // Of `anchored`: whether a step looks only at the spheres that are due, as it does unless told otherwise, or at all
   // that may ever meet the plane again. Never changes a bit of the state.
-  virtual void look_at_due_only(bool on) = 0;
+  virtual void set_event_driven(bool on) = 0;
   // Makes the positions in memory those of this step where a method leaves that until they are asked for; collide and
   // state do it by themselves.
-  virtual void place() = 0;
+  virtual void evaluate_positions() = 0;
   virtual void collide(const CollideOptions& options) = 0;
   virtual void finish() = 0;
   virtual MethodChoice choice(const CollideOptions& options) const = 0;
@@ -146,7 +146,8 @@ class Backend {
   // as SLOT_VISIBLE has them.
   virtual std::vector<uint> image() = 0;
   virtual std::vector<uvec2> visible() = 0;
-  virtual DrawCounts draw_counts() = 0;  // needs DrawOptions::count; this and visible(): of the method compute only
+  virtual DrawStatistics
+  draw_statistics() = 0;  // needs DrawOptions::count; this and visible(): of the method compute only
 
   // Decides spheres[2k] against spheres[2k + 1] for every k, with the same code as the kernels: verdict_code() each.
   virtual std::vector<uint> decide(std::span<const vec4> spheres) = 0;
@@ -155,9 +156,9 @@ class Backend {
   virtual void launch_empty(uint groups) = 0;
 
   // A kernel that does nothing else, to measure that ceiling; it writes over velocities and counts. Only devices have
-  // them. `check_ceiling` runs it once and throws BackendError when its result is wrong.
-  virtual void launch_ceiling(Ceiling) { throw BackendError(info().name + ": has no kernels for ceilings"); }
-  virtual void check_ceiling(Ceiling) { throw BackendError(info().name + ": has no kernels for ceilings"); }
+  // them. `check_peak_rate` runs it once and throws BackendError when its result is wrong.
+  virtual void launch_peak_rate(PeakRate) { throw BackendError(info().name + ": has no kernels for ceilings"); }
+  virtual void check_peak_rate(PeakRate) { throw BackendError(info().name + ": has no kernels for ceilings"); }
 
   // Throws BackendError naming the buffer when a kernel wrote behind the end of one: guard words stand there.
   virtual void check_guards() = 0;

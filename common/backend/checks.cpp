@@ -9,32 +9,32 @@ void check_collide(const CollideOptions& options) {
   const bool grid = options.method == Method::collide_grid || options.method == Method::automatic;
   if (!options.filter && (!options.exact || options.method != Method::collide_grid))
     throw std::invalid_argument("without its filter only collide_grid runs, and only with the exact predicate");
-  if (!grid && options.tricks != Tricks{.graph = options.tricks.graph, .batch = options.tricks.batch})
-    throw std::invalid_argument("of the tricks, all but the graph and the batch are of the grid");
+  if (!grid && options.api != ApiOptions{.graph = options.api.graph, .batch = options.api.batch})
+    throw std::invalid_argument("of the api, all but the graph and the batch are of the grid");
   const bool counts = options.grid.sort == Sort::automatic || options.grid.sort == Sort::counting;
   if (options.grid.scan == Scan::library && !counts)
     throw std::invalid_argument(
         "the scan of a library is of the counting sort; leave the sort open or ask for that one");
-  if (options.tricks.graph.value_or(false) && options.tricks.overlap.value_or(false))
+  if (options.api.graph.value_or(false) && options.api.overlap.value_or(false))
     throw std::invalid_argument(
         "a step is one graph, or its launches overlap with the step before: ask for one of both");
 }
 
-void refuse_missing(const std::string& backend, const CollideOptions& options, const Tricks& offered, bool thrust) {
+void refuse_missing(const std::string& backend, const CollideOptions& options, const ApiOptions& offered, bool thrust) {
   const auto need = [&](std::optional<bool> wanted, std::optional<bool> there, const char* what, const char* who) {
     if (wanted.value_or(false) && !there.value_or(false))
       throw std::invalid_argument(fmt::format("{}: {} is to be had with {} only", backend, what, who));
   };
   need(options.grid.sort == Sort::radix, thrust, "the radix sort of Thrust", "the backend cuda");
   need(options.grid.scan == Scan::library, thrust, "the scan of Thrust", "the backend cuda");
-  need(options.tricks.graph, offered.graph, "a graph of launches", "the backend cuda");
-  need(options.tricks.keep_in_l2, offered.keep_in_l2, "setting L2 aside", "the backend cuda, where the device has it,");
-  need(options.tricks.texture_table, offered.texture_table, "a table in a texture buffer", "the backend glsl");
-  need(options.tricks.texture_spheres, offered.texture_spheres, "spheres in a texture buffer", "the backend glsl");
-  need(options.tricks.batch, offered.batch, "a batch of dispatches", "the backend glsl");
-  need(options.tricks.overlap, offered.overlap, "a launch beside the search before",
+  need(options.api.graph, offered.graph, "a graph of launches", "the backend cuda");
+  need(options.api.keep_in_l2, offered.keep_in_l2, "setting L2 aside", "the backend cuda, where the device has it,");
+  need(options.api.texture_table, offered.texture_table, "a table in a texture buffer", "the backend glsl");
+  need(options.api.texture_spheres, offered.texture_spheres, "spheres in a texture buffer", "the backend glsl");
+  need(options.api.batch, offered.batch, "a batch of dispatches", "the backend glsl");
+  need(options.api.overlap, offered.overlap, "a launch beside the search before",
        "the backend glsl and, compiled for compute capability 9.0 or later, cuda");
-  need(options.tricks.library_clear, offered.library_clear, "a clear by the API", "the backends glsl and cuda");
+  need(options.api.library_clear, offered.library_clear, "a clear by the API", "the backends glsl and cuda");
 }
 
 void check_steps(const std::string& backend, uint steps) {

@@ -43,15 +43,15 @@ struct GridOptions {
   bool keep_order = true;  // spheres that stand in cell order already are not sorted again
   bool keep_cells = true;  // spheres that have not moved keep the cells of the last step
   Sort sort = Sort::automatic;
-  Scan scan = Scan::own;   // of the counting sort, which Scan::library therefore asks for
-  bool skip_cells = true;  // of a dense grid, neighbouring cells that a sphere does not reach into are passed over
-  bool replan = true;      // cells are planned anew when spheres may have left those of the last plan
+  Scan scan = Scan::own;    // of the counting sort, which Scan::library therefore asks for
+  bool prune_cells = true;  // of a dense grid, neighbouring cells that a sphere does not reach into are passed over
+  bool replan = true;       // cells are planned anew when spheres may have left those of the last plan
   auto operator<=>(const GridOptions&) const = default;
 };
 
 // What one API offers and the other lacks, each to be measured against going without. Absent: what was measured to be
 // faster; a backend that lacks one refuses it by name when it is asked for, std::invalid_argument.
-struct Tricks {
+struct ApiOptions {
   // CUDA: a step's launches are captured once, replayed while none changes. Absent: on, but for steps that overlap the
   // one before
   std::optional<bool> graph = {};
@@ -69,7 +69,7 @@ struct Tricks {
   // first not where a graph is asked for or pays more, of few spheres
   std::optional<bool> overlap = {};
   bool overlaps(bool graph_pays) const { return overlap.value_or(!graph.value_or(graph_pays)); }
-  auto operator<=>(const Tricks&) const = default;
+  auto operator<=>(const ApiOptions&) const = default;
 };
 
 struct CollideOptions {
@@ -88,7 +88,7 @@ struct CollideOptions {
   bool swept = false;
   bool load_radii = false;  // takes the variant for unequal radii even where all are equal. Never changes the set
   bool filter = true;       // false: collide_grid leaves every pair that it meets to the exact stages
-  Tricks tricks = {};       // never change the set
+  ApiOptions api = {};      // never change the set
 };
 
 // What was done and what was left out since the scene was uploaded.
@@ -99,7 +99,7 @@ struct WorkCounts {
   uint64_t plans = 0;                                   // of cells, with that of the upload
   uint64_t graphs_replayed = 0;
   uint64_t waits = 0;                     // for a launch alone, within steps
-  uint64_t beside = 0;                    // launches that need not wait for the one before
+  uint64_t overlapped = 0;                // launches that need not wait for the one before
   uint64_t early = 0;                     // that get ready while the one before is under way; not of replays
   uint64_t without_radii = 0, lists = 0;  // steps that loaded no radius; that kept a list of pairs
 };

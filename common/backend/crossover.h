@@ -32,18 +32,18 @@ struct Crossover {
   HashedFrom hashed;
   NearPairs near = {};       // of few spheres, which collide_triangle queues one by one
   uint64_t square_to = 0;    // up to so many spheres collide_square is ahead of it whatever is near
-  double crowding;           // where others times this exceed the spheres, most pairs are near: the grid has
+  double occupancy_of;       // where others times this exceed the spheres, most pairs are near: the grid has
                              // nothing to leave out ...
   uint64_t one_cell_to = 0;  // ... which the grid can bear up to so many spheres
   uint64_t narrow_to = 0;    // up to so many spheres collide_square is fastest in groups of narrow_block, up to
                              // square_block_to of square_block
   uint64_t square_block_to = 0;
-  uint64_t wide_from = never;    // spheres from which on collide_grid is faster in groups of wide_block
-  double crowd_from = HUGE_VAL;  // others in a dense cell from which on the grid is ahead of crowd_least spheres or
-                                 // more: all pairs settles each near pair by itself
+  uint64_t wide_from = never;        // spheres from which on collide_grid is faster in groups of wide_block
+  double occupancy_from = HUGE_VAL;  // others in a dense cell from which on the grid is ahead of least_crowded spheres
+                                     // or more: all pairs settles each near pair by itself
 };
 constexpr uint narrow_block = 32, square_block = 64, wide_block = 256;
-constexpr uint64_t crowd_least = 32;
+constexpr uint64_t least_crowded = 32;
 constexpr int few_threads = 4;
 constexpr Crossover crossovers[] = {{.device = "cuda",
                                      .grid_from = 5600,
@@ -52,7 +52,7 @@ constexpr Crossover crossovers[] = {{.device = "cuda",
                                      .growth = 0.349,
                                      .hashed = {8500, 2300, 17'700},
                                      .near = {10, 120},
-                                     .crowding = 22,
+                                     .occupancy_of = 22,
                                      .narrow_to = 2100,
                                      .square_block_to = 6500,
                                      .wide_from = 4'000'000},
@@ -63,7 +63,7 @@ constexpr Crossover crossovers[] = {{.device = "cuda",
                                      .growth = 0.479,
                                      .hashed = {12'500, 1540, 14'800},
                                      .near = {10, 120},
-                                     .crowding = 26,
+                                     .occupancy_of = 26,
                                      .narrow_to = 2100,
                                      .square_block_to = 6500},
                                     {.device = "glsl in software",
@@ -71,7 +71,7 @@ constexpr Crossover crossovers[] = {{.device = "cuda",
                                      .hashed = {300, 0, 700},
                                      .near = {10, 40},
                                      .square_to = 500,
-                                     .crowding = 4,
+                                     .occupancy_of = 4,
                                      .one_cell_to = 200,
                                      .narrow_to = 100,
                                      .square_block_to = 1000},
@@ -79,18 +79,18 @@ constexpr Crossover crossovers[] = {{.device = "cuda",
                                      .grid_from = 2000,
                                      .per_other = 50,
                                      .hashed = {4000, 0, 2500},
-                                     .crowding = 4,
+                                     .occupancy_of = 4,
                                      .one_cell_to = never,
-                                     .crowd_from = 1.5},
+                                     .occupancy_from = 1.5},
                                     {.device = "cpu of many threads",
                                      .grid_from = 7000,
                                      .per_other = 50,
                                      .hashed = {20'000, 0, 3000},
-                                     .crowding = 4,
+                                     .occupancy_of = 4,
                                      .one_cell_to = 1024,
-                                     .crowd_from = 2.2}};
+                                     .occupancy_from = 2.2}};
 
-// Whatever the spheres' cells are like, in rows without crowd_from.
+// Whatever the spheres' cells are like, in rows without occupancy_from.
 constexpr bool may_take_grid(const Crossover& row, uint64_t n) { return n >= row.grid_from; }
 
 // The spheres from which on the grid is ahead with so many others in a sphere's cell on average. Levels of hashed
@@ -102,14 +102,14 @@ inline double grid_from(const Crossover& row, double others_in_cell, uint hashed
   return double(row.grid_from) + row.per_other * std::pow(std::max(others_in_cell - row.free_others, 0.0), row.growth);
 }
 constexpr bool most_pairs_near(const Crossover& row, uint64_t n, double others_in_cell) {
-  return row.crowding * others_in_cell > double(n) && n > row.one_cell_to;
+  return row.occupancy_of * others_in_cell > double(n) && n > row.one_cell_to;
 }
-constexpr bool crowd_pays(const Crossover& row, uint64_t n, double others_in_cell, uint hashed_levels) {
-  return hashed_levels == 0 && n >= crowd_least && others_in_cell >= row.crowd_from;
+constexpr bool occupancy_pays(const Crossover& row, uint64_t n, double others_in_cell, uint hashed_levels) {
+  return hashed_levels == 0 && n >= least_crowded && others_in_cell >= row.occupancy_from;
 }
 inline bool grid_pays(const Crossover& row, uint64_t n, double others_in_cell, uint hashed_levels) {
   if (most_pairs_near(row, n, others_in_cell)) return false;
-  return crowd_pays(row, n, others_in_cell, hashed_levels) ||
+  return occupancy_pays(row, n, others_in_cell, hashed_levels) ||
          double(n) >= grid_from(row, others_in_cell, hashed_levels);
 }
 

@@ -52,7 +52,7 @@ double cells_along(double length, double side) { return std::floor(length / side
 uint64_t slot_limit(uint64_t n) { return std::max(slots_per_sphere * n, least_slots); }
 
 // What rounding may move a place by, in cells, when an axis has so many of them: 12 units in the last place.
-double place_margin(double cells) { return cells * 12 * 0x1p-24; }
+double coordinate_margin(double cells) { return cells * 12 * 0x1p-24; }
 
 // The smallest side whose cells stay within the limit and are longer than the largest diameter, so that a sphere's
 // reach is less than a cell. At worst one cell holds everything.
@@ -64,7 +64,7 @@ double dense_side(const Extent& extent, uint64_t n) {
   while (side < one_cell) {
     double cells = 1;
     for (int axis = 0; axis < 3; ++axis) cells *= cells_along(extent.length(axis), side);
-    const double reach = 2.0 * double(extent.largest) / side + place_margin(cells_along(longest, side));
+    const double reach = 2.0 * double(extent.largest) / side + coordinate_margin(cells_along(longest, side));
     if (cells <= limit && reach < 1 - 0x1p-9) return side;
     side *= std::max(std::min(std::cbrt(cells / limit), 1000.0), 1.002);
   }
@@ -128,7 +128,7 @@ GridPlan hashed_plan(const std::vector<vec4>& spheres, const Extent& extent) {
 }
 
 // How many others of n spheres share a sphere's slot, on average over them, estimated from some of these.
-double crowding(const std::vector<vec4>& spheres, const GridPlan& plan, uint64_t n) {
+double occupancy_of(const std::vector<vec4>& spheres, const GridPlan& plan, uint64_t n) {
   const uint64_t m = std::min<uint64_t>(spheres.size(), sample_size);
   if (m < 2) return 0;
   Params p{};
@@ -147,14 +147,15 @@ double crowding(const std::vector<vec4>& spheres, const GridPlan& plan, uint64_t
 // Both plans, and which of them is taken, for n spheres like these.
 GridPlans choose(const GridPlan& dense, const GridPlan& hashed, const std::vector<vec4>& spheres, uint64_t n) {
   GridPlans plans{dense, hashed, Cells::dense, 0, 0, {}};
-  plans.dense_crowd = crowding(spheres, dense, n);
-  plans.hashed_crowd = crowding(spheres, hashed, n);
+  plans.dense_occupancy = occupancy_of(spheres, dense, n);
+  plans.hashed_occupancy = occupancy_of(spheres, hashed, n);
   // A sphere looks into the cells of every level, and a hashed cell costs some four times a dense one.
-  if (plans.dense_crowd > 4 * std::popcount(hashed.levels) * (plans.hashed_crowd + 1)) plans.chosen = Cells::hashed;
+  if (plans.dense_occupancy > 4 * std::popcount(hashed.levels) * (plans.hashed_occupancy + 1))
+    plans.chosen = Cells::hashed;
   plans.reason =
       fmt::format("{}: {:.3g} other spheres in a sphere's cell if dense (side {:.3g} m), {:.3g} if hashed ({:.3g} m)",
-                  plans.chosen == Cells::dense ? "dense" : "hashed", plans.dense_crowd, dense.side, plans.hashed_crowd,
-                  hashed.side);
+                  plans.chosen == Cells::dense ? "dense" : "hashed", plans.dense_occupancy, dense.side,
+                  plans.hashed_occupancy, hashed.side);
   return plans;
 }
 
@@ -189,7 +190,7 @@ BucketPlan plan_buckets(uint64_t spheres, uint slots, uint least_buckets) {
   return {shift, buckets, parent};
 }
 
-void set_grid(Params& p, const GridPlan& plan, bool skip_cells) {
+void set_grid(Params& p, const GridPlan& plan, bool prune_cells) {
   p.origin_x = plan.origin[0], p.origin_y = plan.origin[1], p.origin_z = plan.origin[2];
   p.cells_per_metre = 1 / plan.side;
   p.largest_radius = plan.largest_radius;
@@ -197,9 +198,9 @@ void set_grid(Params& p, const GridPlan& plan, bool skip_cells) {
   p.fade = float(1 / (fades_within * fades_within));
   const double scale = double(p.cells_per_metre) * (1 + 0x1p-19);
   p.reach_scale = float(scale);
-  p.reach_offset =
-      float(scale * double(plan.largest_radius) + place_margin(std::max({plan.size[0], plan.size[1], plan.size[2]})));
-  if (!skip_cells) p.reach_scale = 0, p.reach_offset = float(1 - 0x1p-9);
+  p.reach_offset = float(scale * double(plan.largest_radius) +
+                         coordinate_margin(std::max({plan.size[0], plan.size[1], plan.size[2]})));
+  if (!prune_cells) p.reach_scale = 0, p.reach_offset = float(1 - 0x1p-9);
   p.cells_x = plan.size[0], p.cells_y = plan.size[1], p.cells_z = plan.size[2];
   p.cell_slots = plan.slots;
   p.hash_mask = plan.cells == Cells::hashed ? plan.slots - 1 : 0;

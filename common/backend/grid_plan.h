@@ -29,13 +29,15 @@ struct GridPlan {
 struct GridPlans {
   GridPlan dense, hashed;
   Cells chosen = Cells::dense;
-  double dense_crowd = 0, hashed_crowd = 0;  // other spheres in a sphere's cell, on average
-  std::string reason;                        // one sentence: what was chosen, from which figures
+  double dense_occupancy = 0, hashed_occupancy = 0;  // other spheres in a sphere's cell, on average
+  std::string reason;                                // one sentence: what was chosen, from which figures
 
   const GridPlan& plan(Cells wanted) const {
     return (wanted == Cells::automatic ? chosen : wanted) == Cells::dense ? dense : hashed;
   }
-  double crowd(Cells wanted) const { return plan(wanted).cells == Cells::dense ? dense_crowd : hashed_crowd; }
+  double occupancy(Cells wanted) const {
+    return plan(wanted).cells == Cells::dense ? dense_occupancy : hashed_occupancy;
+  }
 };
 GridPlans plan_grids(const std::vector<vec4>& spheres);
 // The same for n spheres of the same radii that have moved, of which these are a sample from all over the scene. Those
@@ -52,7 +54,7 @@ struct BucketPlan {
 };
 BucketPlan plan_buckets(uint64_t spheres, uint slots, uint least_buckets);
 
-// Without skip_cells every sphere is taken to reach into all neighbouring cells of a dense grid.
-void set_grid(Params& params, const GridPlan& plan, bool skip_cells = true);
+// Without prune_cells every sphere is taken to reach into all neighbouring cells of a dense grid.
+void set_grid(Params& params, const GridPlan& plan, bool prune_cells = true);
 
 }  // namespace spherepair

@@ -16,23 +16,24 @@ uint hashed_levels(const GridPlan& plan) { return plan.cells == Cells::hashed ? 
 Method all_pairs(const BackendInfo& info, uint64_t n, const GridPlans& plans, bool swept) {
   if (info.name == "cpu") return Method::parallel;
   if (swept) return Method::collide_tiled;
-  return square_pays(crossover_of(info), n, plans.hashed_crowd) ? Method::collide_square : Method::collide_triangle;
+  return square_pays(crossover_of(info), n, plans.hashed_occupancy) ? Method::collide_square : Method::collide_triangle;
 }
 
 bool takes_grid(const BackendInfo& info, uint64_t n, const GridPlans& plans, const CollideOptions& options) {
   const Cells wanted = options.grid.cells;
-  return !options.swept && grid_pays(crossover_of(info), n, plans.crowd(wanted), hashed_levels(plans.plan(wanted)));
+  return !options.swept && grid_pays(crossover_of(info), n, plans.occupancy(wanted), hashed_levels(plans.plan(wanted)));
 }
 
-std::string reason_of(const Crossover& row, uint64_t n, double crowd, uint levels, bool grid) {
-  std::string text = fmt::format("{} spheres, {:.3g} others in a sphere's cell", n, crowd);
+std::string reason_of(const Crossover& row, uint64_t n, double occupancy, uint levels, bool grid) {
+  std::string text = fmt::format("{} spheres, {:.3g} others in a sphere's cell", n, occupancy);
   if (levels > 1) text += fmt::format(", {} levels of cells", levels);
-  if (grid && crowd_pays(row, n, crowd, levels))
-    return text + fmt::format("; the grid is ahead from {} others on", row.crowd_from);
-  if (most_pairs_near(row, n, crowd)) return text + "; with so many of all in one cell the grid leaves out too little";
-  if (!grid && n < crowd_least && levels == 0 && crowd >= row.crowd_from)
-    return text + fmt::format("; in such a crowd the grid is ahead from {} on", crowd_least);
-  const double from = std::ceil(grid_from(row, crowd, levels));
+  if (grid && occupancy_pays(row, n, occupancy, levels))
+    return text + fmt::format("; the grid is ahead from {} others on", row.occupancy_from);
+  if (most_pairs_near(row, n, occupancy))
+    return text + "; with so many of all in one cell the grid leaves out too little";
+  if (!grid && n < least_crowded && levels == 0 && occupancy >= row.occupancy_from)
+    return text + fmt::format("; in such a crowd the grid is ahead from {} on", least_crowded);
+  const double from = std::ceil(grid_from(row, occupancy, levels));
   const char* cells = levels ? "in hashed cells" : "with so many others";
   return text + fmt::format("; {} the grid is ahead {}from {:.0f} on", cells, grid ? "" : "only ", from);
 }
@@ -71,10 +72,10 @@ MethodChoice explain_choice(const BackendInfo& info, uint64_t n, const GridPlans
   const Cells wanted = options.grid.cells;
   const Method method = chosen_method(info, n, plans, options);
   const uint block = info.name == "cpu" ? 0 : chosen_block(info, n, method, options);
-  MethodChoice choice{method, block, plans.plan(wanted).cells, plans.crowd(wanted), "asked for"};
+  MethodChoice choice{method, block, plans.plan(wanted).cells, plans.occupancy(wanted), "asked for"};
   if (options.method != Method::automatic) return choice;
   choice.reason = options.swept ? "the method that finds pairs within the next step"
-                                : reason_of(crossover_of(info), n, plans.crowd(wanted),
+                                : reason_of(crossover_of(info), n, plans.occupancy(wanted),
                                             hashed_levels(plans.plan(wanted)), choice.method == Method::collide_grid);
   if (block) choice.reason += fmt::format("; groups of {}", block);
   return choice;

@@ -52,9 +52,9 @@ std::vector<Method> device_methods() {
 
 std::span<const uint> block_sizes() { return blocks; }
 
-const char* hand_over_name(HandOver way) {
-  constexpr const char* names[] = {"host", "registered", "imported"};
-  return names[size_t(way)];
+const char* transfer_name(Transfer way) {
+  constexpr const char* indices[] = {"host", "registered", "imported"};
+  return indices[size_t(way)];
 }
 
 }  // namespace spherepair

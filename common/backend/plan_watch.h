@@ -13,7 +13,7 @@ class PlanWatch {
   PlanWatch(const Scene& scene, const GridPlans& plans);
 
   void moved() { travelled_ += step_; }
-  bool due() const { return travelled_ > patience_ * allowance_; }
+  bool needed() const { return travelled_ > patience_ * allowance_; }
 
   // Whether some of the spheres, from all over the scene, show that new cells may pay: many stand outside the cells, or
   // the cells along some axis are mostly empty. If not, the watch is content for longer.

@@ -8,12 +8,12 @@
 
 namespace spherepair {
 
-enum class HandOver {
+enum class Transfer {
   host,        // read back by CUDA, written again by OpenGL
   registered,  // copied into OpenGL's buffers, which CUDA maps once a frame, both in one call
   imported     // copied into memory of CUDA's that OpenGL has imported for good
 };
-const char* hand_over_name(HandOver way);
+const char* transfer_name(Transfer way);
 
 class SharedDrawing {
  public:
@@ -21,7 +21,7 @@ class SharedDrawing {
 
   // What the CUDA backend holds, positions and contacts by the number of the sphere, is OpenGL's when this returns, and
   // OpenGL is done with what it had before.
-  virtual void hand_over(HandOver way) = 0;
+  virtual void transfer(Transfer way) = 0;
 
   virtual void draw(DrawMethod method, const View& view) = 0;  // of what was handed over last; not compute
   virtual std::vector<uint> image() = 0;

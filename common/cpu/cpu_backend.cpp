@@ -59,7 +59,7 @@ class CpuBackend final : public Backend {
     work_ = {.plans = 1};
     celled_.reset();
     found_.reset();
-    picture_ = {};
+    image_ = {};
   }
 
   void move() override {
@@ -69,7 +69,7 @@ class CpuBackend final : public Backend {
     found_.reset();
   }
 
-  void look_at_due_only(bool on) override { motion_.look_at_due_only(on); }
+  void set_event_driven(bool on) override { motion_.set_event_driven(on); }
 
   MethodChoice choice(const CollideOptions& options) const override {
     return explain_choice(info_, n_, plans_, options);
@@ -80,7 +80,7 @@ class CpuBackend final : public Backend {
     refuse_missing("cpu", asked, {}, false);
     CollideOptions options = asked;
     const std::vector<vec4>& positions = motion_.positions(threads_);
-    replan_if_due(positions, asked);
+    replan_if_needed(positions, asked);
     options.method = chosen_method(info_, n_, plans_, asked);
     Params params = constants_[options.exact];
     if (!options.filter) leave_all_undecided(params);
@@ -106,7 +106,7 @@ class CpuBackend final : public Backend {
     listed_ = options.want_pairs;
   }
 
-  void place() override { motion_.positions(threads_); }
+  void evaluate_positions() override { motion_.positions(threads_); }
   void finish() override {}
   Collisions collisions() override { return found().totals; }
   std::vector<uint> counts() override {
@@ -139,14 +139,14 @@ class CpuBackend final : public Backend {
     set_grid(p, plans_.dense);
     View asked = view;
     asked.lanes = options.lanes(positions.size());
-    timed("draw", [&] { picture_ = draw_picture(positions, contacts, asked, p, threads_); });
+    timed("draw", [&] { image_ = draw_image(positions, contacts, asked, p, threads_); });
     counted_ = options.count;
   }
-  std::vector<uint> image() override { return picture().image; }
-  std::vector<uvec2> visible() override { return picture().visible; }
-  DrawCounts draw_counts() override {
+  std::vector<uint> image() override { return last_image().image; }
+  std::vector<uvec2> visible() override { return last_image().visible; }
+  DrawStatistics draw_statistics() override {
     if (!counted_) throw BackendError("cpu: drawing was not counted; set count");
-    return picture().counts;
+    return last_image().counts;
   }
 
   std::vector<uint> decide(std::span<const vec4> spheres) override {
@@ -174,14 +174,14 @@ class CpuBackend final : public Backend {
     return *found_;
   }
 
-  const CpuPicture& picture() const {
-    if (picture_.image.empty()) throw BackendError("cpu: nothing is drawn yet; call draw first");
-    return picture_;
+  const CpuImage& last_image() const {
+    if (image_.image.empty()) throw BackendError("cpu: nothing is drawn yet; call draw first");
+    return image_;
   }
 
-  void replan_if_due(const std::vector<vec4>& positions, const CollideOptions& asked) {
+  void replan_if_needed(const std::vector<vec4>& positions, const CollideOptions& asked) {
     const bool may_use_grid = asked.method == Method::collide_grid || asked.method == Method::automatic;
-    if (!asked.grid.replan || !may_use_grid || !watch_.due() || !watch_.replan(positions, positions.size(), plans_))
+    if (!asked.grid.replan || !may_use_grid || !watch_.needed() || !watch_.replan(positions, positions.size(), plans_))
       return;
     ++work_.plans;
     celled_.reset();
@@ -222,7 +222,7 @@ class CpuBackend final : public Backend {
   std::optional<PairsFound> found_;
   Method method_ = Method::sequential;  // of the last collide
   bool listed_ = false;
-  CpuPicture picture_;
+  CpuImage image_;
   bool counted_ = false;
   bool timing_ = false;
   std::vector<StageTime> times_;

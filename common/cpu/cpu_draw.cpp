@@ -26,7 +26,7 @@ void put(std::vector<uvec2>& visible, const Box& box, vec4 seen, uint sphere, co
     }
 }
 
-void count(DrawCounts& counts, vec4 seen, const Box& box, const View& v) {
+void count(DrawStatistics& counts, vec4 seen, const Box& box, const View& v) {
   const bool unseen = box.width == 0 || box.height == 0;
   const bool large = !unseen && is_large(box, v);
   counts.undrawable += seen.w == 0;
@@ -45,12 +45,12 @@ uint colour_of(uvec2 there, uint pixel, std::span<const vec4> spheres, std::span
 }  // namespace
 
 // Each thread has a band of rows, for which it goes through all spheres.
-CpuPicture draw_picture(std::span<const vec4> spheres, std::span<const uint> contacts, const View& view,
-                        const Params& p, int threads) {
+CpuImage draw_image(std::span<const vec4> spheres, std::span<const uint> contacts, const View& view, const Params& p,
+                    int threads) {
   std::optional<CpuLight> light;
   if (view.lighting != 0) light.emplace(spheres, p);
   const size_t pixels = size_t(view.width) * view.height;
-  CpuPicture picture{std::vector<uint>(pixels), std::vector<uvec2>(pixels, uvec2{none, none}), {}};
+  CpuImage image{std::vector<uint>(pixels), std::vector<uvec2>(pixels, uvec2{none, none}), {}};
 #pragma omp parallel for num_threads(threads) schedule(static, 1)
   for (int band = 0; band < threads; ++band) {
     const uint first = uint(uint64_t(view.height) * uint(band) / uint(threads));
@@ -58,14 +58,14 @@ CpuPicture draw_picture(std::span<const vec4> spheres, std::span<const uint> con
     for (size_t i = 0; i < spheres.size(); ++i) {
       const vec4 seen = in_camera(spheres[i], view);
       const Box box = in_frustum(seen, view) ? box_of(seen, view) : Box{};
-      if (band == 0) count(picture.counts, seen, box, view);
-      put(picture.visible, within_rows(box, first, last), seen, uint(i), view);
+      if (band == 0) count(image.counts, seen, box, view);
+      put(image.visible, within_rows(box, first, last), seen, uint(i), view);
     }
     for (size_t pixel = size_t(first) * view.width; pixel < size_t(last) * view.width; ++pixel)
-      picture.image[pixel] = light ? light->colour(picture.visible[pixel], uint(pixel), contacts, view)
-                                   : colour_of(picture.visible[pixel], uint(pixel), spheres, contacts, view);
+      image.image[pixel] = light ? light->colour(image.visible[pixel], uint(pixel), contacts, view)
+                                 : colour_of(image.visible[pixel], uint(pixel), spheres, contacts, view);
   }
-  return picture;
+  return image;
 }
 
 }  // namespace spherepair

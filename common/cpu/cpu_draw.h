@@ -9,13 +9,13 @@
 
 namespace spherepair {
 
-struct CpuPicture {
+struct CpuImage {
   std::vector<uint> image;     // as SLOT_IMAGE
   std::vector<uvec2> visible;  // as SLOT_VISIBLE
-  DrawCounts counts;
+  DrawStatistics counts;
 };
 // p: with the dense cells for the light; only looked at when the view asks for LIGHT_*.
-CpuPicture draw_picture(std::span<const vec4> spheres, std::span<const uint> contacts, const View& view,
-                        const Params& p, int threads);
+CpuImage draw_image(std::span<const vec4> spheres, std::span<const uint> contacts, const View& view, const Params& p,
+                    int threads);
 
 }  // namespace spherepair

@@ -11,8 +11,8 @@ CpuLight::CpuLight(std::span<const vec4> spheres, const Params& p)
 }
 
 float CpuLight::around(const Surface& s) const {
-  const float x = place_unclamped(s.x, p_.origin_x, p_), y = place_unclamped(s.y, p_.origin_y, p_),
-              z = place_unclamped(s.z, p_.origin_z, p_);
+  const float x = grid_coordinate_unclamped(s.x, p_.origin_x, p_), y = grid_coordinate_unclamped(s.y, p_.origin_y, p_),
+              z = grid_coordinate_unclamped(s.z, p_.origin_z, p_);
   const CellRange row_x = cells_around(x, p_.cells_x), row_y = cells_around(y, p_.cells_y),
                   row_z = cells_around(z, p_.cells_z);
   uint taken = 0;
@@ -26,8 +26,8 @@ float CpuLight::around(const Surface& s) const {
 }
 
 bool CpuLight::in_shadow(const Surface& s, const View& v) const {
-  const float x = place_unclamped(s.x, p_.origin_x, p_), y = place_unclamped(s.y, p_.origin_y, p_),
-              z = place_unclamped(s.z, p_.origin_z, p_);
+  const float x = grid_coordinate_unclamped(s.x, p_.origin_x, p_), y = grid_coordinate_unclamped(s.y, p_.origin_y, p_),
+              z = grid_coordinate_unclamped(s.z, p_.origin_z, p_);
   for (uint layer = first_layer(y, p_.cells_y); layer < p_.cells_y; ++layer) {
     const CellRange row_x = cells_on_way(x, y, slope_of(v.sun.x, v), float(layer), p_.cells_x);
     const CellRange row_z = cells_on_way(z, y, slope_of(v.sun.z, v), float(layer), p_.cells_z);

@@ -24,7 +24,7 @@ void CpuMotion::upload(const Scene& scene) {
   positions_ = scene.positions;
   velocities_ = scene.velocities;
   kept_ = initial_state(scene, params_);
-  placed_ = true;
+  evaluated_ = true;
 }
 
 template <typename Real>
@@ -58,15 +58,15 @@ void CpuMotion::step_all(int threads) {
 
 template <typename Real>
 void CpuMotion::bounce_all(int threads) {
-  const uint now = due_only_ ? params_.steps_done : NEVER_DUE - 1u;
+  const uint now = event_driven_ ? params_.steps_done : NO_EVENT - 1u;
 #pragma omp parallel for num_threads(threads) schedule(static) if (positions_.size() > few)
   for (uint64_t i = 0; i < positions_.size(); ++i) {
-    if (now < kept_.due[i]) continue;
+    if (now < kept_.next_event[i]) continue;
     const Anchor<Real> anchor = anchor_anew(load_anchor<Real>(i), params_);
     store_real(kept_.flights, i, anchor.speed);
     store_real(kept_.flights, positions_.size() + i, anchor.age);
     kept_.since[i] = anchor.since;
-    kept_.due[i] = next_due(anchor, params_);
+    kept_.next_event[i] = next_event_step(anchor, params_);
   }
 }
 
@@ -78,7 +78,7 @@ void CpuMotion::move(int threads) {
     check_steps("cpu", kept_.steps);
     params_.steps_done = ++kept_.steps;
     bounce_all<Real>(threads);
-    placed_ = false;
+    evaluated_ = false;
   });
 }
 
@@ -87,13 +87,13 @@ void CpuMotion::place(int threads, bool whole) {
   with_real(motion_.precision, [&](auto kind) {
     using Real = decltype(kind);
 #pragma omp parallel for num_threads(threads) schedule(static) if (positions_.size() > few)
-    for (uint64_t i = 0; i < positions_.size(); ++i) store(i, place_sphere(load_anchor<Real>(i), params_), whole);
+    for (uint64_t i = 0; i < positions_.size(); ++i) store(i, evaluate_sphere(load_anchor<Real>(i), params_), whole);
   });
-  placed_ = true;
+  evaluated_ = true;
 }
 
 const std::vector<vec4>& CpuMotion::positions(int threads) {
-  if (!placed_) place(threads, false);
+  if (!evaluated_) place(threads, false);
   return positions_;
 }
 
@@ -111,7 +111,7 @@ MotionState CpuMotion::save(int threads) {
 void CpuMotion::resume(const Scene& scene, const MotionState& saved) {
   unmovable_ = why_unmovable(scene, std::numeric_limits<float>::max());
   kept_ = saved;
-  placed_ = motion_.method != MotionMethod::anchored;
+  evaluated_ = motion_.method != MotionMethod::anchored;
 }
 
 }  // namespace spherepair

@@ -23,7 +23,7 @@ class CpuMotion {
   void upload(const Scene& scene);
   MotionOptions options() const { return motion_; }
   void move(int threads);
-  void look_at_due_only(bool on) { due_only_ = on; }
+  void set_event_driven(bool on) { event_driven_ = on; }
 
   // As they stand now; of `anchored` they are evaluated when they are asked for.
   const std::vector<vec4>& positions(int threads);
@@ -53,8 +53,8 @@ class CpuMotion {
   Params params_{};
   std::vector<vec4> positions_, velocities_;
   MotionState kept_;
-  bool placed_ = true;  // positions are those of this step
-  bool due_only_ = true;
+  bool evaluated_ = true;  // positions are those of this step
+  bool event_driven_ = true;
 };
 
 }  // namespace spherepair

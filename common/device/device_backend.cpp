@@ -59,9 +59,9 @@ std::array<uint, 3> folded(uint64_t groups) {
 
 const char* kernel_name(Kernel kernel) {
 #define NAME(name) #name,
-  constexpr const char* names[] = {SPHEREPAIR_KERNELS(NAME)};
+  constexpr const char* indices[] = {SPHEREPAIR_KERNELS(NAME)};
 #undef NAME
-  return names[int(kernel)];
+  return indices[int(kernel)];
 }
 
 bool takes_view(Kernel kernel) { return std::string_view(kernel_name(kernel)).starts_with("draw_"); }
@@ -133,13 +133,13 @@ void DeviceBackend::upload(const Scene& scene) {
   planned_.reset();
   cell_order_.reset();
   order_ = Order::scene;
-  cleared_ = collided_ = cells_built_ = counts_by_place_ = false;
-  settled_at_once_.clear();
+  cleared_ = collided_ = cells_built_ = counts_sorted_ = false;
+  resolved_in_step_.clear();
   view_ = {};
   clustered_.reset();
   moved_ = seen_known_ = false;
-  picture_stands_ = false;
-  pictures_kept_ = 0;
+  image_current_ = false;
+  images_kept_ = 0;
   write_state(initial_state(scene, params_));
 }
 
@@ -156,7 +156,7 @@ void DeviceBackend::launch_clear(Order order) {
 
 std::vector<uint> DeviceBackend::numbers_in_cell_order() {
   std::vector<uint> numbers(n_);
-  if (!names_in_radii_) {
+  if (!index_in_w_) {
     read(SLOT_ID, numbers.data(), 0, n_ * sizeof(uint));
     return numbers;
   }

@@ -38,12 +38,12 @@ struct Launch {
   uint block;  // threads per group
   Variant variant;
   std::array<uint, 3> groups;
-  Order order = Order::scene;         // that a kernel sees as positions, counts (count_slot) and sphere numbers
-  Order target = Order::cells;        // that it writes
-  uint table = SLOT_CELL;             // of the scan
-  const char* stage = nullptr;        // what its time is that of, where not of the kernel's name
-  std::optional<Kernel> beside = {};  // where that was launched last, it may be under way still: nothing that either
-                                      // of the two writes is used by the other
+  Order order = Order::scene;   // that a kernel sees as positions, counts (count_slot) and sphere numbers
+  Order target = Order::cells;  // that it writes
+  uint table = SLOT_CELL;       // of the scan
+  const char* stage = nullptr;  // what its time is that of, where not of the kernel's name
+  std::optional<Kernel> overlaps_previous = {};  // where that was launched last, it may be under way still: nothing
+                                                 // that either of the two writes is used by the other
 };
 
 inline uint count_slot(const Launch& launch) {  // those that draw see contacts by the number of the sphere
@@ -56,8 +56,8 @@ class DeviceBackend : public Backend {
   std::vector<Method> methods() const override { return device_methods(); }
   void upload(const Scene& scene) override;
   void move() override;
-  void look_at_due_only(bool on) override { due_only_ = on; }
-  void place() override;
+  void set_event_driven(bool on) override { event_driven_ = on; }
+  void evaluate_positions() override;
   void collide(const CollideOptions& options) override;
   MethodChoice choice(const CollideOptions& options) const override;
   Collisions collisions() override;
@@ -69,11 +69,11 @@ class DeviceBackend : public Backend {
   void draw(const View& view, const DrawOptions& options) override;
   std::vector<uint> image() override;
   std::vector<uvec2> visible() override;
-  DrawCounts draw_counts() override;
+  DrawStatistics draw_statistics() override;
   std::vector<uint> decide(std::span<const vec4> spheres) override;
   void launch_empty(uint groups) override;
-  void launch_ceiling(Ceiling ceiling) override;
-  void check_ceiling(Ceiling ceiling) override;
+  void launch_peak_rate(PeakRate ceiling) override;
+  void check_peak_rate(PeakRate ceiling) override;
   void check_guards() override;
   WorkCounts work_counts() const override { return work_; }
 
@@ -87,14 +87,14 @@ class DeviceBackend : public Backend {
   virtual std::vector<Pair> read_pairs(uint64_t count);
   virtual bool has_atomics_64() const = 0;
 
-  // What one API alone offers (Tricks, Sort::radix, Scan::library); check_tricks throws std::invalid_argument that
-  // names what this one lacks.
-  virtual void check_tricks(const CollideOptions& options) const = 0;
+  // What one API alone offers (ApiOptions, Sort::radix, Scan::library); check_api_options throws std::invalid_argument
+  // that names what this one lacks.
+  virtual void check_api_options(const CollideOptions& options) const = 0;
   // Whether this kernel, collide_grid, draw_cull or one that sorts by buckets, reads the table of cells, the pyramid or
   // the spheres through texture buffers. Throws when that is asked for and they do not fit.
-  virtual bool takes_texture(Kernel, const Tricks&) const { return false; }
+  virtual bool takes_texture(Kernel, const ApiOptions&) const { return false; }
   virtual uint bounds_block() const { return SERVICE_BLOCK; }  // group size of grid_bounds
-  virtual void begin_step(const Tricks&) {}                    // around the launches of a collision step
+  virtual void begin_step(const ApiOptions&) {}                // around the launches of a collision step
   virtual void end_step() {}
   virtual void clear_buffer(uint slot, uint64_t bytes) = 0;  // to 0, by the API's own function
   virtual void library_scan() {}  // of SLOT_CELL: counts one slot ahead of their cells become starts
@@ -106,12 +106,12 @@ class DeviceBackend : public Backend {
   virtual void draw_by_pipeline(DrawMethod) {}
   virtual std::vector<uint> pipeline_image() { return {}; }
   // Positions of this step, and contacts in SLOT_COUNT by the number of the sphere: 0 where none were found since a
-  // move. Those that are `by_place` stay where they are: draw_spheres and draw_clusters bring along what is seen.
-  void ready_to_draw(bool by_place = false);
+  // move. Those that are `sorted` stay where they are: draw_spheres and draw_clusters bring along what is seen.
+  void ready_to_draw(bool sorted = false);
   const View& view() const { return view_; }  // of the draw_* kernels
   uint64_t pyramid_texels() const;            // of its pyramid
   uint visible_slot() const { return visible_slot_; }
-  virtual bool graph_pays() const { return false; }         // more than steps that overlap, see Tricks
+  virtual bool graph_pays() const { return false; }         // more than steps that overlap, see ApiOptions
   virtual bool overlaps_launches() const { return false; }  // pictures do, see Launch::beside
   uint spheres() const { return uint(n_); }
 
@@ -121,7 +121,7 @@ class DeviceBackend : public Backend {
   uint64_t fitting(uint64_t bytes) const;
   void write_state(const MotionState& state);
   void launch_motion(Kernel kernel, bool whole_state);
-  void place_all(bool whole_state);
+  void evaluate_all(bool whole_state);
   void prepare_positions();
   void run_collide();
   bool grow_lists(uint64_t deferred, uint64_t listed);
@@ -132,7 +132,7 @@ class DeviceBackend : public Backend {
   };
   Division division() const;
   void launch_collide();
-  void settle();
+  void resolve_undecided();
   std::pair<Method, bool> search() const { return {options_.method, search_decides_}; }
   void launch_clear(Order order);
   void launch_bounds();
@@ -140,13 +140,13 @@ class DeviceBackend : public Backend {
   void sort_into_cells();
   bool stands_in_cell_order();
   void plan_cells();
-  uint names_of(Order order) const {  // as Params::in_cells
-    return order != Order::cells ? 0 : names_in_radii_ ? NAMES_IN_RADII : NAMES_IN_IDS;
+  uint indices_of(Order order) const {  // as Params::in_cells
+    return order != Order::cells ? 0 : index_in_w_ ? INDEX_IN_W : INDEX_IN_ID;
   }
   std::vector<uint> numbers_in_cell_order();
   // As Launch::beside, of what uses nothing of a search in cell order.
-  std::optional<Kernel> beside_search() const {
-    return options_.tricks.overlaps(graph_pays()) ? std::optional(Kernel::collide_grid) : std::nullopt;
+  std::optional<Kernel> overlaps_search() const {
+    return options_.api.overlaps(graph_pays()) ? std::optional(Kernel::collide_grid) : std::nullopt;
   }
   Variant sorter(Kernel kernel) const;
   void split(uint shift, uint parent_shift, uint first_bucket, Order from, Order to);
@@ -158,7 +158,7 @@ class DeviceBackend : public Backend {
   void sort_by_library();
   void clear_for_sort(uint64_t bucket_words);
   std::vector<vec4> sample_positions();
-  bool replan_if_due(const CollideOptions& asked);
+  bool replan_if_needed(const CollideOptions& asked);
   void launch_sorter(Kernel kernel, uint block, uint64_t groups);
 
   void build_cells();
@@ -171,7 +171,7 @@ class DeviceBackend : public Backend {
   void launch_rasteriser(bool keep = false);
   uint64_t drawn_results() const { return pixels_kept_ ? 0 : DRAWN_WORDS * sizeof(uint); }  // in SLOT_DRAWN
   bool grow_draw_lists();
-  bool same_picture(const View& view, const DrawOptions& options) const;
+  bool same_image(const View& view, const DrawOptions& options) const;
   void draw_all(const Params& params, Order order);
   void draw_clusters(const Params& params, Order order);
   void draw_phase(uint phase, const Params& params, Order order);
@@ -192,8 +192,8 @@ class DeviceBackend : public Backend {
   MotionOptions motion_;
   std::string unmovable_;  // why
   uint steps_ = 0;         // of anchored
-  bool placed_ = true;     // positions are those of this step
-  bool due_only_ = true;
+  bool evaluated_ = true;  // positions are those of this step
+  bool event_driven_ = true;
   std::array<Params, 2> constants_{};  // of the scene: [exact]
   GridPlans plans_;
   PlanWatch watch_;                                // whether they still fit
@@ -203,17 +203,17 @@ class DeviceBackend : public Backend {
   std::optional<bool> cell_order_;  // whether the spheres stand in cell order as they are; not known after a move
   bool cells_built_ = false;        // the cells are those of the spheres as they stand
   Order order_ = Order::scene;      // of the results
-  bool names_in_radii_ = false;     // of the spheres in cell order
+  bool index_in_w_ = false;         // of the spheres in cell order
   Params params_{};                 // of the last launch
   CollideOptions options_;
   bool tallied_ = true;  // colliding spheres are counted
   bool cleared_ = false, collided_ = false;
   bool search_decides_ = false;  // most of the pairs that the filter leaves undecided, and not only defers them
-  bool settled_ = true;          // what was deferred
-  std::set<std::pair<Method, bool>> settled_at_once_;  // searches that are settled with every step, see search()
-  bool counts_by_place_ = false;                       // SLOT_COUNT lacks the counts that SLOT_SORTED_COUNT has
-  View view_{};                                        // of the last draw; a width of 0: there was none
-  View asked_{};                                       // the same as it was asked for
+  bool resolved_ = true;         // what was deferred
+  std::set<std::pair<Method, bool>> resolved_in_step_;  // searches that are settled with every step, see search()
+  bool counts_sorted_ = false;                          // SLOT_COUNT lacks the counts that SLOT_SORTED_COUNT has
+  View view_{};                                         // of the last draw; a width of 0: there was none
+  View asked_{};                                        // the same as it was asked for
   DrawOptions draw_options_;
   std::optional<Order> clustered_;                   // whose clusters they are; none when spheres have moved
   bool moved_ = false;                               // since the upload of a scene at its start
@@ -223,10 +223,10 @@ class DeviceBackend : public Backend {
   bool overlaps_ = false;                            // ... whose spheres are drawn whether or not the last one is done
   std::array<uint64_t, SLOT_TOTAL> pixels_clear_{};  // of the two slots; the counts of SLOT_DRAWN are those of a new
                                                      // picture then
-  uint first_pass_tiles_ = 0;    // that the depths of the picture needed, where its numbers take a second pass
-  uint lists_turn_ = 0;          // View::turn of the next picture
-  bool picture_stands_ = false;  // nothing has changed since the last draw
-  uint64_t pictures_kept_ = 0;
+  uint first_pass_tiles_ = 0;   // that the depths of the picture needed, where its numbers take a second pass
+  uint lists_turn_ = 0;         // View::turn of the next picture
+  bool image_current_ = false;  // nothing has changed since the last draw
+  uint64_t images_kept_ = 0;
   std::array<uint64_t, SLOT_TOTAL> bytes_{};
 };
 

@@ -11,7 +11,7 @@
 namespace spherepair {
 namespace {
 
-constexpr uint settle_groups = 64, tally_groups = 1024;
+constexpr uint resolve_groups = 64, tally_groups = 1024;
 constexpr uint64_t pairs_per_dispatch = uint64_t(1) << 40;
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
@@ -64,8 +64,8 @@ void DeviceBackend::launch_collide() {
       launching.groups = {part, uint(std::min<uint64_t>(groups, MAX_GROUPS)), uint(ceil_div(groups, MAX_GROUPS))};
     } else if (mirrored) {
       const uint64_t columns = columns_of_line(n_, row_groups, cut.spheres), least = ceil_div(columns, MAX_GROUPS - 1);
-      params_.stretch = uint(std::clamp<uint64_t>(params_.stretch, least, n_));
-      launching.groups = {uint(ceil_div(columns, params_.stretch) + 1), part, 1};
+      params_.columns_per_group = uint(std::clamp<uint64_t>(params_.columns_per_group, least, n_));
+      launching.groups = {uint(ceil_div(columns, params_.columns_per_group) + 1), part, 1};
     }
     params_.first_group = uint(first);
     launch(launching, params_);
@@ -81,11 +81,11 @@ void DeviceBackend::collide(const CollideOptions& options) {
         fmt::format("group size {} is not one of {}", options.block, fmt::join(block_sizes(), ", ")));
   }
   check_collide(options);
-  check_tricks(options);
+  check_api_options(options);
   options_ = options;
   options_.method = chosen_method(info(), n_, plans_, options);
   prepare_positions();
-  if (replan_if_due(options)) options_.method = chosen_method(info(), n_, plans_, options);
+  if (replan_if_needed(options)) options_.method = chosen_method(info(), n_, plans_, options);
   options_.block = chosen_block(info(), n_, options_.method, options);
   run_collide();
   collided_ = true;
@@ -104,10 +104,10 @@ std::vector<vec4> DeviceBackend::sample_positions() {
 }
 
 // The host's copy of the spheres is that of the upload, so some are read back, which the watch keeps rare.
-bool DeviceBackend::replan_if_due(const CollideOptions& asked) {
+bool DeviceBackend::replan_if_needed(const CollideOptions& asked) {
   const bool may_use_grid = asked.method == Method::collide_grid ||
                             (asked.method == Method::automatic && may_take_grid(crossover_of(info()), n_));
-  if (!asked.grid.replan || !may_use_grid || !watch_.due()) return false;
+  if (!asked.grid.replan || !may_use_grid || !watch_.needed()) return false;
   const std::vector<vec4> sample = sample_positions();
   if (!watch_.worthwhile(sample, plans_) || !watch_.replan(sample, n_, plans_)) return false;
   ++work_.plans;
@@ -122,7 +122,7 @@ MethodChoice DeviceBackend::choice(const CollideOptions& options) const {
 
 void DeviceBackend::run_collide() {
   clustered_.reset();
-  picture_stands_ = false;
+  image_current_ = false;
   ++work_.steps;
   params_ = constants_[options_.exact];
   if (!options_.filter) leave_all_undecided(params_);
@@ -130,7 +130,7 @@ void DeviceBackend::run_collide() {
   params_.n = uint(n_);
   params_.in_cells = params_.totals_later = 0;
   tallied_ = false;
-  params_.stretch = options_.columns ? options_.columns : uint(default_columns(n_, info().software));
+  params_.columns_per_group = options_.columns ? options_.columns : uint(default_columns(n_, info().software));
   variant_.listed = options_.want_pairs;
   work_.without_radii += variant_.equal_radii;
   work_.lists += variant_.listed;
@@ -138,29 +138,29 @@ void DeviceBackend::run_collide() {
   params_.deferred_capacity = uint(bytes_[SLOT_DEFERRED] / sizeof(uvec2));
   const bool grid = options_.method == Method::collide_grid && n_ >= 2;
   search_decides_ = grid && plans_.plan(options_.grid.cells).cells == Cells::dense;
-  settled_ = true;
+  resolved_ = true;
   if (!grid) {  // results are not in cell order now
     order_ = Order::scene;
     cells_built_ = false;
   }
-  begin_step(options_.tricks);
+  begin_step(options_.api);
   if (!cleared_ && !grid) launch_clear(Order::scene);
   if (n_ >= 2) {
     grid ? launch_grid() : launch_collide();
     cleared_ = false;
-    counts_by_place_ = order_ == Order::cells;
-    settled_ = !options_.exact;
-    if (settled_at_once_.contains(search())) settle();
+    counts_sorted_ = order_ == Order::cells;
+    resolved_ = !options_.exact;
+    if (resolved_in_step_.contains(search())) resolve_undecided();
   }
   end_step();
 }
 
 // Decides what was deferred, of which there is hardly ever anything: so it waits until a picture is drawn, or results
 // are asked for and a pair is left; from then on it comes with every step of that search.
-void DeviceBackend::settle() {
-  if (settled_) return;
-  launch({Kernel::settle, SERVICE_BLOCK, variant_, {settle_groups, 1, 1}, order_}, params_);
-  settled_ = true;
+void DeviceBackend::resolve_undecided() {
+  if (resolved_) return;
+  launch({Kernel::resolve_undecided, SERVICE_BLOCK, variant_, {resolve_groups, 1, 1}, order_}, params_);
+  resolved_ = true;
 }
 
 std::vector<uint> DeviceBackend::read_summary() {
@@ -184,10 +184,10 @@ std::vector<uint> DeviceBackend::finished_summary() {
         fmt::format("{}: no collision step to report since the last move; call collide first", info().name));
   std::vector<uint> words = read_summary();
   const bool left = words[SUM_DEFERRED] != 0;
-  if (options_.exact && !left) settled_at_once_.erase(search());
-  if (options_.exact && left) settled_at_once_.insert(search());
-  if (left && !settled_) {
-    settle();
+  if (options_.exact && !left) resolved_in_step_.erase(search());
+  if (options_.exact && left) resolved_in_step_.insert(search());
+  if (left && !resolved_) {
+    resolve_undecided();
     words = read_summary();
   }
   while (grow_lists(words[SUM_DEFERRED], words[SUM_LISTED])) {

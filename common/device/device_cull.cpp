@@ -18,8 +18,8 @@ constexpr uint64_t clusters_groups = 4096, cull_groups = 8192;  // that fill it
 struct Stages {
   const char *pyramid, *cull, *clusters;
 };
-constexpr Stages near_stages{"draw_pyramid_near", "draw_cull_near", "draw_clusters_near"};
-constexpr Stages far_stages{"draw_pyramid_far", "draw_cull_far", "draw_clusters_far"};
+constexpr Stages near_stages{"draw_hiz_pyramid_near", "draw_cull_near", "draw_clusters_near"};
+constexpr Stages far_stages{"draw_hiz_pyramid_far", "draw_cull_far", "draw_clusters_far"};
 Stages stages_of(uint phase) { return phase == PHASE_NEAR ? near_stages : phase == PHASE_FAR ? far_stages : Stages{}; }
 
 uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
@@ -67,7 +67,7 @@ void DeviceBackend::draw_phase(uint phase, const Params& params, Order order) {
   const bool seen = phase == PHASE_SEEN;
   const uint block = seen ? SEEN_BLOCK : CLUSTERS_BLOCK;
   const bool bundles = !seen && phase != PHASE_ALL && n_ >= draw_options_.bundles_from;
-  launch({.kernel = seen ? Kernel::draw_seen : Kernel::draw_clusters,
+  launch({.kernel = seen ? Kernel::draw_previously_visible : Kernel::draw_clusters,
           .block = block,
           .variant = {.bundles = bundles},
           .groups = folded(std::min(ceil_div(n_, block), seen ? seen_groups : clusters_groups)),
@@ -80,8 +80,8 @@ void DeviceBackend::draw_phase(uint phase, const Params& params, Order order) {
 // In the box of the dense cells: what is near then hides what is far, gaps or not.
 bool DeviceBackend::eye_among_cells() const {
   const auto within = [this](float eye, float origin, uint cells) {
-    const float place = (eye - origin) * params_.cells_per_metre;
-    return place >= 0 && place <= float(cells);
+    const float sorted_index = (eye - origin) * params_.cells_per_metre;
+    return sorted_index >= 0 && sorted_index <= float(cells);
   };
   return planned_ == Cells::dense && within(view_.eye.x, params_.origin_x, params_.cells_x) &&
          within(view_.eye.y, params_.origin_y, params_.cells_y) &&
@@ -93,7 +93,7 @@ void DeviceBackend::cull(uint phase, const Params& params) {
   view_.phase = phase;
   const Stages stages = stages_of(phase);
   const uint64_t texels = uint64_t(texels_along(view_.width, 2)) * texels_along(view_.height, 2);
-  Launch pyramid{Kernel::draw_pyramid, PYRAMID_BLOCK, {}, folded(texels)};
+  Launch pyramid{Kernel::draw_hiz_pyramid, PYRAMID_BLOCK, {}, folded(texels)};
   pyramid.stage = stages.pyramid;
   if (view_.occlusion) launch(pyramid, params);
   if (phase == PHASE_ALL) return;
@@ -115,7 +115,7 @@ void DeviceBackend::draw_clusters(const Params& params, Order order) {
   if (view_.occlusion) phases = {PHASE_SEEN};
   if (all) {
     phases.push_back(PHASE_ALL);
-  } else if (view_.occlusion && n_ >= draw_options_.put_off_from && !eye_among_cells()) {
+  } else if (view_.occlusion && n_ >= draw_options_.defer_from && !eye_among_cells()) {
     phases.insert(phases.end(), {PHASE_NEAR, PHASE_FAR});
   } else {
     phases.push_back(PHASE_REST);

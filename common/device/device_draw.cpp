@@ -49,7 +49,7 @@ void DeviceBackend::draw_all(const Params& params, Order order) {
     view_.pass = pass;
     if (pass == PASS_ID) restart_lists();
     Launch spheres{Kernel::draw_spheres, SERVICE_BLOCK, {}, folded(ceil_div(n_ * view_.lanes, SERVICE_BLOCK)), order};
-    if (overlaps_) spheres.beside = Kernel::draw_resolve;
+    if (overlaps_) spheres.overlaps_previous = Kernel::draw_resolve;
     launch(spheres, params);
     draw_tiles(params);
   }
@@ -58,7 +58,7 @@ void DeviceBackend::draw_all(const Params& params, Order order) {
 // Whether the box of any sphere's pixels may be large (is_large). As they were uploaded, all lie in the dense cells'
 // box, so none looks larger than the largest would in its nearest corner, at the picture's edge.
 bool DeviceBackend::may_be_large() const {
-  if (moved_ || !draw_options_.skip_tiles) return true;
+  if (moved_ || !draw_options_.skip_tile_launches) return true;
   const GridPlan& plan = plans_.dense;
   const double eye[] = {view_.eye.x, view_.eye.y, view_.eye.z};
   const double forward[] = {view_.forward.x, view_.forward.y, view_.forward.z};
@@ -102,7 +102,7 @@ void DeviceBackend::launch_per_pixel(Kernel kernel, const Params& params) {
 void DeviceBackend::choose_visible_slot(bool alone) {
   const bool shares = alone || !overlaps_launches() || !draw_options_.overlap || view_.counting || may_be_large();
   overlaps_ = !shares;
-  visible_slot_ = shares || visible_slot_ == SLOT_VISIBLE_TOO ? SLOT_VISIBLE : SLOT_VISIBLE_TOO;
+  visible_slot_ = shares || visible_slot_ == SLOT_VISIBLE_ODD ? SLOT_VISIBLE : SLOT_VISIBLE_ODD;
   make_visible_buffer();
 }
 
@@ -110,15 +110,16 @@ void DeviceBackend::choose_visible_slot(bool alone) {
 void DeviceBackend::launch_rasteriser(bool keep) {
   const Order order = collided_ && cells_built_ ? order_ : Order::scene;
   Params params = params_;
-  params.in_cells = names_of(order);
+  params.in_cells = indices_of(order);
   view_.tile_capacity = uint(bytes_[SLOT_TILE] / sizeof(uvec2));
   view_.counting = draw_options_.count;
   view_.pass = PASS_DEPTH;
   first_pass_tiles_ = 0;
   view_.phase = PHASE_SEEN;
   view_.turn = lists_turn_;
-  const bool culls = (draw_options_.skip_outside || draw_options_.skip_hidden) && n_ >= draw_options_.skip_from;
-  view_.occlusion = culls && draw_options_.skip_hidden;
+  const bool culls =
+      (draw_options_.frustum_culling || draw_options_.occlusion_culling) && n_ >= draw_options_.clusters_from;
+  view_.occlusion = culls && draw_options_.occlusion_culling;
   view_.lanes = culls ? 1 : draw_options_.lanes(n_);
   pixels_kept_ = keep || view_.lighting;
   choose_visible_slot(culls || pixels_kept_ || params.in_cells);
@@ -133,15 +134,15 @@ void DeviceBackend::launch_rasteriser(bool keep) {
   if (view_.occlusion) lists_turn_ = 1 - lists_turn_;
 }
 
-void DeviceBackend::ready_to_draw(bool by_place) {
+void DeviceBackend::ready_to_draw(bool sorted) {
   require_scene("draw");
-  place();
+  evaluate_positions();
   if (!collided_ && !cleared_) launch_clear(Order::scene);
   cleared_ |= !collided_;
-  if (collided_) settle();
-  if (!collided_ || !counts_by_place_ || by_place) return;
-  launch({Kernel::draw_counts, SERVICE_BLOCK, {}, folded(ceil_div(n_, SERVICE_BLOCK))}, params_);
-  counts_by_place_ = false;
+  if (collided_) resolve_undecided();
+  if (!collided_ || !counts_sorted_ || sorted) return;
+  launch({Kernel::draw_unsort_counts, SERVICE_BLOCK, {}, folded(ceil_div(n_, SERVICE_BLOCK))}, params_);
+  counts_sorted_ = false;
 }
 
 void DeviceBackend::launch_draw() {
@@ -162,18 +163,18 @@ void DeviceBackend::draw(const View& view, const DrawOptions& options) {
       !(collided_ && options_.method == Method::collide_grid && n_ > 1 && planned_ == Cells::dense))
     throw std::invalid_argument(fmt::format(
         "{}: occlusion and shadows need the dense cells of collide_grid; collide with them first", info().name));
-  if (options.skip_unchanged && picture_stands_ && same_picture(view, options)) {
-    ++pictures_kept_;
+  if (options.reuse_unchanged && image_current_ && same_image(view, options)) {
+    ++images_kept_;
     return;
   }
-  picture_stands_ = false;
+  image_current_ = false;
   view_ = asked_ = view;
   draw_options_ = options;
   launch_draw();
-  picture_stands_ = true;
+  image_current_ = true;
 }
 
-bool DeviceBackend::same_picture(const View& view, const DrawOptions& options) const {
+bool DeviceBackend::same_image(const View& view, const DrawOptions& options) const {
   return std::memcmp(&view, &asked_, sizeof(View)) == 0 && options == draw_options_;
 }
 
@@ -203,7 +204,7 @@ bool DeviceBackend::grow_draw_lists() {
 
 void DeviceBackend::finish_draw() {
   while (grow_draw_lists()) launch_draw();
-  picture_stands_ = true;
+  image_current_ = true;
 }
 
 std::vector<uint> DeviceBackend::image() {
@@ -227,7 +228,7 @@ std::vector<uvec2> DeviceBackend::visible() {
   return visible;
 }
 
-DrawCounts DeviceBackend::draw_counts() {
+DrawStatistics DeviceBackend::draw_statistics() {
   require_drawn(true);
   if (!draw_options_.count) throw BackendError(fmt::format("{}: drawing was not counted; set count", info().name));
   finish_draw();
@@ -242,9 +243,9 @@ DrawCounts DeviceBackend::draw_counts() {
           .clusters = view_.clusters,
           .clusters_outside = drawn[DRAWN_CLUSTERS_OUTSIDE],
           .clusters_hidden = drawn[DRAWN_CLUSTERS_HIDDEN],
-          .clusters_put_off = drawn[DRAWN_CLUSTERS_PUT_OFF],
+          .clusters_deferred = drawn[DRAWN_CLUSTERS_DEFERRED],
           .bundles_left_out = drawn[DRAWN_BUNDLES],
-          .pictures_kept = pictures_kept_};
+          .images_kept = images_kept_};
 }
 
 }  // namespace spherepair

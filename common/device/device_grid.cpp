@@ -29,7 +29,7 @@ uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 // Parameters of the cells that the options ask for, and room for them.
 void DeviceBackend::plan_cells() {
   const GridPlan& plan = plans_.plan(options_.grid.cells);
-  set_grid(params_, plan, options_.grid.skip_cells);
+  set_grid(params_, plan, options_.grid.prune_cells);
   if (planned_ == plan.cells) return;
   if (n_ > most_spheres) {
     throw BackendError(fmt::format("{}: {} spheres, but the grid takes {} at most; use collide_triangle", info().name,
@@ -48,8 +48,8 @@ void DeviceBackend::launch_bounds() {
          params_);
 }
 
-// Asked once after spheres have moved, and more and more rarely while the answer is no, since the host then waits for
-// the device.
+// Read once after spheres have moved, and more and more rarely while the answer is no, since the host then
+// waits for the device.
 bool DeviceBackend::stands_in_cell_order() {
   if (!options_.grid.keep_order) return false;
   if (!cell_order_ && moves_waited_ < moves_to_wait_) return false;
@@ -68,7 +68,7 @@ bool DeviceBackend::stands_in_cell_order() {
 // Those of buckets read spheres through textures, but for split_tiles, which is faster without.
 Variant DeviceBackend::sorter(Kernel kernel) const {
   const bool texture = kernel == Kernel::split_count || kernel == Kernel::grid_split || kernel == Kernel::grid_sort;
-  return {.texture_table = texture && takes_texture(kernel, options_.tricks), .dense = params_.hash_mask == 0};
+  return {.texture_table = texture && takes_texture(kernel, options_.api), .dense = params_.hash_mask == 0};
 }
 
 void DeviceBackend::launch_sorter(Kernel kernel, uint block, uint64_t groups) {
@@ -83,7 +83,7 @@ void DeviceBackend::launch_scan(uint table) {
 // The table or the buckets, and the totals, for a new sort.
 void DeviceBackend::clear_for_sort(uint64_t bucket_words) {
   const uint64_t table_words = bucket_words ? 0 : params_.cell_slots + 2;
-  if (options_.tricks.library_clear.value_or(false)) {
+  if (options_.api.library_clear.value_or(false)) {
     clear_buffer(bucket_words ? SLOT_BUCKET : SLOT_CELL, (bucket_words + table_words) * sizeof(uint));
     return clear_buffer(SLOT_SUMMARY, SUMMARY_SLOTS * SUMMARY_WORDS * sizeof(uint));
   }
@@ -109,7 +109,7 @@ void DeviceBackend::split(uint shift, uint parent_shift, uint first_bucket, Orde
   params_.parent_shift = parent_shift;
   params_.first_bucket = first_bucket;
   params_.buckets = (params_.cell_slots >> shift) + 1;
-  if (from != Order::scene) params_.names |= NAMES_GIVEN;
+  if (from != Order::scene) params_.indices |= INDEX_GIVEN;
   launch({Kernel::split_count, SPLIT_BLOCK, sorter(Kernel::split_count), tiles, from}, params_);
   if (first_bucket == 0) {  // at most BUCKETS_AT_MOST
     launch({Kernel::split_scan, BUCKETS_AT_MOST, {}, {1, 1, 1}}, params_);
@@ -127,7 +127,7 @@ void DeviceBackend::split_tiles(uint shift, uint buckets) {
   make_buffer(SLOT_BUCKET, tiles * BUCKETS_AT_MOST * sizeof(uint));
   const Variant variant = sorter(Kernel::split_tiles);
   Launch launching{Kernel::split_tiles, SPLIT_BLOCK, variant, folded(tiles), Order::scene, Order::buckets};
-  launching.beside = beside_search();
+  launching.overlaps_previous = overlaps_search();
   launch(launching, params_);
 }
 
@@ -162,9 +162,9 @@ void DeviceBackend::sort_by_library() {
 }
 
 void DeviceBackend::sort_into_cells() {
-  params_.names = names_in_radii_ ? NAMES_IN_RADII : 0;
+  params_.indices = index_in_w_ ? INDEX_IN_W : 0;
   make_buffer(SLOT_SORTED, n_ * sizeof(vec4));
-  if (!names_in_radii_ || options_.grid.sort == Sort::radix) make_buffer(SLOT_ID, n_ * sizeof(uint));
+  if (!index_in_w_ || options_.grid.sort == Sort::radix) make_buffer(SLOT_ID, n_ * sizeof(uint));
   make_buffer(SLOT_SORTED_COUNT, n_ * sizeof(uint));
   if (options_.grid.sort == Sort::radix) return sort_by_library();
   const bool pays = options_.grid.scan == Scan::own && (!info().software || n_ >= buckets_pay_from_in_software);
@@ -174,13 +174,13 @@ void DeviceBackend::sort_into_cells() {
 
 // Cells of the spheres as they stand, and the results of the last step cleared.
 void DeviceBackend::build_cells() {
-  const bool named = order_ == Order::scene || names_in_radii_ == variant_.equal_radii;
+  const bool named = order_ == Order::scene || index_in_w_ == variant_.equal_radii;
   const bool built = cells_built_ && options_.grid.keep_cells && named;
   if (!built) order_ = stands_in_cell_order() ? Order::scene : Order::cells;
   const bool sorted = order_ == Order::cells;
   if (!built) cells_built_ = false;  // until they are, should that fail
-  if (!built && sorted) names_in_radii_ = variant_.equal_radii;
-  params_.in_cells = names_of(order_);
+  if (!built && sorted) index_in_w_ = variant_.equal_radii;
+  params_.in_cells = indices_of(order_);
   ++(built ? work_.cells_kept : sorted ? work_.sorts : work_.orders_kept);
   if (!built && sorted) return sort_into_cells();
   if (!built) return launch_bounds();
@@ -190,15 +190,15 @@ void DeviceBackend::build_cells() {
 void DeviceBackend::launch_grid() {
   plan_cells();
   // Before the first launch: parameters that change within a step are sent again.
-  params_.stretch = options_.block * (n_ < spheres_near ? 1 : options_.block / threads_per_chunk);
+  params_.columns_per_group = options_.block * (n_ < spheres_near ? 1 : options_.block / threads_per_chunk);
   params_.totals_later = !options_.want_totals && !options_.want_pairs;
   build_cells();
   cells_built_ = true;
   const bool hashed = params_.hash_mask != 0;
   Variant variant = variant_;
   const Kernel kernel = hashed ? Kernel::collide_hashed : Kernel::collide_grid;
-  variant.texture_table = !hashed && takes_texture(kernel, options_.tricks);
-  const uint64_t stretches = ceil_div(n_, params_.stretch);
+  variant.texture_table = !hashed && takes_texture(kernel, options_.api);
+  const uint64_t stretches = ceil_div(n_, params_.columns_per_group);
   const uint64_t groups = n_ < spheres_near ? std::min(stretches, most_groups) : stretches;
   launch({kernel, options_.block, variant, folded(groups), order_}, params_);
 }

@@ -16,7 +16,7 @@ void DeviceBackend::write_state(const MotionState& state) {
     write(slot, part.data(), 0, bytes);
   });
   steps_ = state.steps;
-  placed_ = true;
+  evaluated_ = true;
 }
 
 void DeviceBackend::launch_motion(Kernel kernel, bool whole_state) {
@@ -28,27 +28,28 @@ void DeviceBackend::launch_motion(Kernel kernel, bool whole_state) {
   const auto groups =
       kernel == Kernel::bounce ? folded(n_ / (SERVICE_BLOCK * SPHERES_PER_BOUNCER) + 1) : per_sphere_groups();
   Launch launching{kernel, SERVICE_BLOCK, {.motion = motion_}, groups};
-  if (kernel != Kernel::place && order_ == Order::cells && !cleared_) launching.beside = beside_search();
+  if (kernel != Kernel::evaluate_positions && order_ == Order::cells && !cleared_)
+    launching.overlaps_previous = overlaps_search();
   launch(launching, params);
 }
 
-void DeviceBackend::place_all(bool whole_state) {
-  launch_motion(Kernel::place, whole_state);
-  placed_ = true;
+void DeviceBackend::evaluate_all(bool whole_state) {
+  launch_motion(Kernel::evaluate_positions, whole_state);
+  evaluated_ = true;
 }
 
-void DeviceBackend::place() {
-  require_scene("place");
-  if (placed_) return;
-  place_all(false);
+void DeviceBackend::evaluate_positions() {
+  require_scene("evaluate_positions");
+  if (evaluated_) return;
+  evaluate_all(false);
   cleared_ = true;
 }
 
 // What a collision step is about to read.
 void DeviceBackend::prepare_positions() {
-  if (!options_.swept) return place();
+  if (!options_.swept) return evaluate_positions();
   check_swept(info().name, options_, motion_);
-  if (motion_.method == MotionMethod::anchored) place_all(true);
+  if (motion_.method == MotionMethod::anchored) evaluate_all(true);
 }
 
 void DeviceBackend::move() {
@@ -56,14 +57,14 @@ void DeviceBackend::move() {
   if (!unmovable_.empty()) throw std::invalid_argument(unmovable_);
   if (motion_.method == MotionMethod::anchored) {
     check_steps(info().name, steps_++);
-    launch_motion(Kernel::bounce, !due_only_);
-    placed_ = cleared_ = false;
+    launch_motion(Kernel::bounce, !event_driven_);
+    evaluated_ = cleared_ = false;
   } else {
-    cleared_ = !counts_by_place_;  // which the next sort makes anew
+    cleared_ = !counts_sorted_;  // which the next sort makes anew
     launch_motion(Kernel::move, false);
   }
   moved_ = true;
-  collided_ = cells_built_ = picture_stands_ = false;
+  collided_ = cells_built_ = image_current_ = false;
   cell_order_.reset();
   watch_.moved();
   ++moves_waited_;
@@ -72,7 +73,7 @@ void DeviceBackend::move() {
 
 Backend::State DeviceBackend::state() {
   require_scene("state");
-  if (motion_.method == MotionMethod::anchored) place_all(true);
+  if (motion_.method == MotionMethod::anchored) evaluate_all(true);
   State state{std::vector<vec4>(n_), std::vector<vec4>(n_), {}};
   read(SLOT_POSITION, state.positions.data(), 0, n_ * sizeof(vec4));
   if (motion_.precision == Precision::float32) {
@@ -94,7 +95,7 @@ MotionState DeviceBackend::save() {
     saved.anchors.resize(n_);
     saved.flights.resize(2 * n_ * real_words(motion_.precision));
     saved.since.resize(n_);
-    saved.due.resize(n_);
+    saved.next_event.resize(n_);
   }
   visit_parts(saved, [&](uint slot, const char*, auto& part) {
     if (slot != SLOT_WIDE) read(slot, part.data(), 0, part.size() * sizeof(part[0]));
@@ -106,7 +107,7 @@ void DeviceBackend::resume(const Scene& scene, const MotionState& saved) {
   upload(scene);
   unmovable_ = why_unmovable(scene, std::numeric_limits<float>::max());
   write_state(saved);
-  placed_ = motion_.method != MotionMethod::anchored;
+  evaluated_ = motion_.method != MotionMethod::anchored;
   moved_ = true;
 }
 

@@ -21,11 +21,11 @@ static_assert(uint(Precision::float32) == PRECISION_FLOAT32 && uint(Precision::f
               uint(Precision::compensated) == PRECISION_COMPENSATED);
 
 template <size_t count>
-uint place_of_name(const std::array<const char*, count>& names, const std::string& name, const char* what) {
-  const auto found = std::ranges::find(names, name);
-  if (found == names.end())
-    throw std::invalid_argument(fmt::format("unknown {} '{}'; known are {}", what, name, fmt::join(names, ", ")));
-  return uint(found - names.begin());
+uint place_of_name(const std::array<const char*, count>& indices, const std::string& name, const char* what) {
+  const auto found = std::ranges::find(indices, name);
+  if (found == indices.end())
+    throw std::invalid_argument(fmt::format("unknown {} '{}'; known are {}", what, name, fmt::join(indices, ", ")));
+  return uint(found - indices.begin());
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ void anchor_at_start(const Scene& scene, const Params& params, MotionState& stat
   state.anchors = scene.positions;
   state.flights.resize(2 * n * sizeof(Real) / sizeof(uint));
   state.since.assign(n, 0);
-  state.due.resize(n);
+  state.next_event.resize(n);
 #pragma omp parallel for schedule(static)
   for (uint64_t i = 0; i < n; ++i) {
     const vec4& v = scene.velocities[i];
@@ -33,7 +33,7 @@ void anchor_at_start(const Scene& scene, const Params& params, MotionState& stat
     const Anchor<Real> anchor = {at, snap(v.x), snap(v.z), widened(snap(v.y), Real{}), widened(0.0f, Real{}), 0};
     store_real(state.flights, i, anchor.speed);
     store_real(state.flights, n + i, anchor.age);
-    state.due[i] = next_due(anchor, params);
+    state.next_event[i] = next_event_step(anchor, params);
   }
 }
 

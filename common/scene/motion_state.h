@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a method remembers of n spheres besides their float32 positions and velocities, in the layout of the buffers
-// SLOT_WIDE to SLOT_DUE: the same words on every backend, so that one can go on where another stopped.
+// SLOT_WIDE to SLOT_NEXT_EVENT: the same words on every backend, so that one can go on where another stopped.
 #pragma once
 
 #include <cstring>
@@ -11,11 +11,11 @@
 namespace spherepair {
 
 struct MotionState {
-  uint steps = 0;                // done, of `anchored`
-  std::vector<uint> wide;        // Real[6n]; empty for float32
-  std::vector<vec4> anchors;     // these four only for `anchored`
-  std::vector<uint> flights;     // Real[2n]
-  std::vector<uint> since, due;  // n each
+  uint steps = 0;                       // done, of `anchored`
+  std::vector<uint> wide;               // Real[6n]; empty for float32
+  std::vector<vec4> anchors;            // these four only for `anchored`
+  std::vector<uint> flights;            // Real[2n]
+  std::vector<uint> since, next_event;  // n each
 };
 
 // Its buffers: the slot, the name in messages and files, the vector.
@@ -25,7 +25,7 @@ void visit_parts(State& state, Visit visit) {
   visit(SLOT_ANCHOR, "anchors", state.anchors);
   visit(SLOT_FLIGHT, "flights", state.flights);
   visit(SLOT_SINCE, "steps of the anchors", state.since);
-  visit(SLOT_DUE, "due steps", state.due);
+  visit(SLOT_NEXT_EVENT, "due steps", state.next_event);
 }
 
 // Words of one number.

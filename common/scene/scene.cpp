@@ -234,9 +234,10 @@ Scene make_scene(const SceneOptions& options) {
   check_options(options);
   const auto maker = std::ranges::find_if(makers(), [&](const Maker& m) { return options.name == m.kind.name; });
   if (maker == makers().end()) {
-    std::vector<std::string> names;
-    for (const SceneKind& kind : scene_kinds()) names.push_back(kind.name);
-    throw std::invalid_argument(fmt::format("unknown scene '{}'; known are {}", options.name, fmt::join(names, ", ")));
+    std::vector<std::string> indices;
+    for (const SceneKind& kind : scene_kinds()) indices.push_back(kind.name);
+    throw std::invalid_argument(
+        fmt::format("unknown scene '{}'; known are {}", options.name, fmt::join(indices, ", ")));
   }
   Scene scene{.name = options.name, .dt = options.dt, .restitution = options.restitution, .motion = options.motion};
   for (std::vector<vec4>* values : {&scene.positions, &scene.velocities}) reserve_large(*values, options.n);

@@ -46,8 +46,8 @@ ANY_REAL FN bool leaves(Anchor OF_REAL a, Params p) {
 }
 
 // The first step after which the sphere may have met the plane: float32 with a margin for its rounding.
-ANY_REAL FN uint next_due(Anchor OF_REAL a, Params p) {
-  if (leaves(a, p)) return NEVER_DUE;
+ANY_REAL FN uint next_event_step(Anchor OF_REAL a, Params p) {
+  if (leaves(a, p)) return NO_EVENT;
   float seconds = nearest(minus(flight_of(a, p).time, a.age));
   float steps = times(times(seconds, p.steps_per_second), bits_float(0x3F7FFFF0u));  // 1 - 2^-20
   return (a.since & ~ANCHOR_ON_PLANE) + 1u + uint(smaller(larger(steps, 0.0f), 1073741824.0f));
@@ -66,7 +66,7 @@ ANY_REAL FN Anchor OF_REAL anchor_anew(Anchor OF_REAL a, Params p) {
 }
 
 // Where the sphere is now.
-ANY_REAL FN Moving OF_REAL place_sphere(Anchor OF_REAL a, Params p) {
+ANY_REAL FN Moving OF_REAL evaluate_sphere(Anchor OF_REAL a, Params p) {
   Real time = seconds_since(a, p);
   Real total = seconds_of(p.steps_done, a.age, p);
   Real level = ground(a.start.w, p.plane, a.age);

@@ -14,18 +14,18 @@ struct Cell {
 };
 
 // A dense grid in the units of its cells, from 0 to below their number; spheres outside belong to the border.
-struct Place {
+struct GridPosition {
   float x, y, z;
 };
-FN float place_along(float x, float origin, float scale, uint cells) {
+FN float grid_coordinate(float x, float origin, float scale, uint cells) {
   EXACT float offset = x - origin;
   EXACT float place = offset * scale;
   return smaller(larger(place, 0.0f), float(cells - 1u));
 }
-FN Place place_of(vec4 sphere, Params p) {
-  Place place = {place_along(sphere.x, p.origin_x, p.cells_per_metre, p.cells_x),
-                 place_along(sphere.y, p.origin_y, p.cells_per_metre, p.cells_y),
-                 place_along(sphere.z, p.origin_z, p.cells_per_metre, p.cells_z)};
+FN GridPosition grid_position(vec4 sphere, Params p) {
+  GridPosition place = {grid_coordinate(sphere.x, p.origin_x, p.cells_per_metre, p.cells_x),
+                        grid_coordinate(sphere.y, p.origin_y, p.cells_per_metre, p.cells_y),
+                        grid_coordinate(sphere.z, p.origin_z, p.cells_per_metre, p.cells_z)};
   return place;
 }
 // In a dense grid: at least r + (the largest radius) in units of cells, with a margin for the rounding of two places,
@@ -96,7 +96,7 @@ FN Cell highest_cell(vec4 sphere, float reach, uint level, Params p) {
 }
 
 FN uint dense_slot_of(vec4 sphere, Params p) {
-  Place place = place_of(sphere, p);
+  GridPosition place = grid_position(sphere, p);
   return dense_slot(uint(place.x), uint(place.y), uint(place.z), p);
 }
 FN uint hashed_slot_of(vec4 sphere, Params p) {

@@ -36,7 +36,7 @@ FN vec4 highest_corner(vec4 sphere) {
 
 // Whether spheres of places from a to b of a cell order are in one row of cells, none of which is at the grid's border,
 // where cells have no end.
-FN bool within_row(Place a, Place b, Params p) {
+FN bool within_row(GridPosition a, GridPosition b, Params p) {
   return uint(a.y) == uint(b.y) && uint(a.z) == uint(b.z) && a.x >= 1.0f && b.x < float(p.cells_x - 1u) &&
          a.y >= 1.0f && a.y < float(p.cells_y - 1u) && a.z >= 1.0f && a.z < float(p.cells_z - 1u);
 }
@@ -54,12 +54,12 @@ FN float most_before(uint cell, float origin, Params p) {
   EXACT float most = ((origin + offset) + room) + p.largest_radius;
   return most;
 }
-FN vec4 lowest_in_row(Place a, Params p) {
+FN vec4 lowest_in_row(GridPosition a, Params p) {
   vec4 corner = {least_from(uint(a.x), p.origin_x, p), least_from(uint(a.y), p.origin_y, p),
                  least_from(uint(a.z), p.origin_z, p), 0.0f};
   return corner;
 }
-FN vec4 highest_in_row(Place b, Params p) {
+FN vec4 highest_in_row(GridPosition b, Params p) {
   vec4 corner = {most_before(uint(b.x) + 1u, p.origin_x, p), most_before(uint(b.y) + 1u, p.origin_y, p),
                  most_before(uint(b.z) + 1u, p.origin_z, p), 0.0f};
   return corner;
@@ -90,11 +90,11 @@ FN Solid solid_of(vec4 low, vec4 high, View v) {
 
 FN bool outside(Solid solid, View v) {
   EXACT float far = solid.z + solid.ahead;
-  EXACT float beside = magnitude(solid.x) - solid.across;
+  EXACT float sideways = magnitude(solid.x) - solid.across;
   EXACT float over = magnitude(solid.y) - solid.above;
   EXACT float wide = v.half_x * far;
   EXACT float tall = v.half_y * far;
-  return far <= v.eye.w || beside > wide || over > tall;
+  return far <= v.eye.w || sideways > wide || over > tall;
 }
 
 FN bool reaches_eye_plane(Solid solid) {

@@ -30,11 +30,11 @@ FN float magnitude(float x) { return bits_float(float_bits(x) & 0x7FFFFFFFu); }
 // Whether any of it may be in view. The borders are a pixel wider than the image, which is more than rounding.
 FN bool in_frustum(vec4 seen, View v) {
   EXACT float far = seen.z + seen.w;
-  EXACT float beside = magnitude(seen.x) - v.half_x * seen.z;
+  EXACT float sideways = magnitude(seen.x) - v.half_x * seen.z;
   EXACT float over = magnitude(seen.y) - v.half_y * seen.z;
   EXACT float room_x = seen.w * v.norm_x;
   EXACT float room_y = seen.w * v.norm_y;
-  return seen.w > 0.0f && far > v.eye.w && beside <= room_x && over <= room_y;
+  return seen.w > 0.0f && far > v.eye.w && sideways <= room_x && over <= room_y;
 }
 
 // Pixels x .. x + width - 1, y .. y + height - 1. A width or height of 0: none.

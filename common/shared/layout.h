@@ -15,9 +15,9 @@
 #define SLOT_SPHERES 6   // vec4[2m]: the m pairs of spheres that `decide` is asked about
 #define SLOT_VERDICT 7   // uint[m]: what `decide` answers, verdict_code()
 #define SLOT_CELL 8      // uint[cell_slots + 2]: where each cell's spheres begin in cell order
-#define SLOT_SPLIT_ID 9  // uint[n]: which sphere stands at each place of SLOT_SPLIT, unless NAMES_IN_RADII
-#define SLOT_SORTED 10   // vec4[n]: spheres in cell order; the number in w where NAMES_IN_RADII
-#define SLOT_ID 11       // uint[n]: which sphere stands at each place of the cell order, where NAMES_IN_IDS
+#define SLOT_SPLIT_ID 9  // uint[n]: which sphere stands at each place of SLOT_SPLIT, unless INDEX_IN_W
+#define SLOT_SORTED 10   // vec4[n]: spheres in cell order; the number in w where INDEX_IN_W
+#define SLOT_ID 11       // uint[n]: which sphere stands at each place of the cell order, where INDEX_IN_ID
 #define SLOT_SORTED_COUNT 12  // uint[n]: contacts, in cell order
 #define SLOT_SCAN 13     // uint[scan_tiles]: sums of the tiles of grid_scan; of grid_bounds: [0] is 1 when out of order
 #define SLOT_SPLIT 14    // vec4[n]: spheres in the order of buckets of cells, all of them or those of each tile
@@ -29,14 +29,14 @@
 #define SLOT_CLUSTER 20  // vec4[2 * (clusters + bundles)]: corners of what holds each one; w: list_for_bundle
 #define SLOT_SEEN_LEFT 21     // uint[]: four bits for each sphere, not 0 while in the list of those seen
 #define SLOT_CLUSTER_LIST 22  // uint[3 * clusters], by LIST_*, each in any order
-#define SLOT_PYRAMID 23       // uvec2[]: of the depths in each texel, level by level; see draw_pyramid
+#define SLOT_PYRAMID 23       // uvec2[]: of the depths in each texel, level by level; see draw_hiz_pyramid
 #define SLOT_WIDE 24          // Real[6n], of compensated and float64: all x, all y, all z, then the velocities
 #define SLOT_ANCHOR 25        // vec4[n], of anchored: where the spheres started, radius in w
 #define SLOT_FLIGHT 26  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
 #define SLOT_SINCE 27   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
-#define SLOT_DUE 28     // uint[n], of anchored: no sphere meets the plane before its step of this number
+#define SLOT_NEXT_EVENT 28   // uint[n], of anchored: no sphere meets the plane before its step of this number
 #define SLOT_SEEN_LIST 29    // uint[], two by View::turn: numbers of spheres that the last pictures showed
-#define SLOT_VISIBLE_TOO 30  // as SLOT_VISIBLE, for every other picture where two overlap
+#define SLOT_VISIBLE_ODD 30  // as SLOT_VISIBLE, for every other picture where two overlap
 #define SLOT_TOTAL 31
 #define SLOT_PARAMS 0   // the uniform block's own binding
 #define CELL_TEXTURE 0  // texture units of GLSL, one for each use, so that they seldom change
@@ -79,16 +79,16 @@
 #define BOUNDS_TILE 512u           // spheres that one group of grid_bounds takes
 #define BOUNDS_WINDOW 1024u        // cells whose begins it holds at a time
 #define ONE_PARENT 31u             // as parent_shift: all buckets have the same
-#define NAMES_GIVEN 1u             // the spheres come from a split before, with their numbers
-#define NAMES_IN_RADII 2u          // these travel in place of the radii, since these are all equal; also of in_cells
-#define NAMES_IN_IDS 4u            // of in_cells: they are in SLOT_ID
+#define INDEX_GIVEN 1u             // the spheres come from a split before, with their numbers
+#define INDEX_IN_W 2u              // these travel in place of the radii, since these are all equal; also of in_cells
+#define INDEX_IN_ID 4u             // of in_cells: they are in SLOT_ID
 #define EMPTY_CELLS_AT_MOST 4096u  // between two spheres that stand in cell order
 #define SCAN_BLOCK 256             // group size of grid_scan
 #define SCAN_VECTORS 4             // uvec4 that one thread of grid_scan handles
 #define SCAN_TILE 4096u            // entries of the table that one group of grid_scan handles
-#define CEILING_CHAINS 8           // independent chains of multiply-adds of one thread of ceiling_issue, ...
-#define CEILING_TURNS 64           // ... so often round the loop, ...
-#define CEILING_STEPS 16           // ... with so many steps of each chain a time
+#define PEAK_CHAINS 8              // independent chains of multiply-adds of one thread of peak_issue, ...
+#define PEAK_TURNS 64              // ... so often round the loop, ...
+#define PEAK_STEPS 16              // ... with so many steps of each chain a time
 
 #define MOTION_EULER 0u  // MotionMethod of motion_options.h
 #define MOTION_SYMPLECTIC 1u
@@ -101,7 +101,7 @@
 #define PRECISION_COMPENSATED 1
 #define PRECISION_FLOAT64 2
 #define ANCHOR_ON_PLANE 0x80000000u  // bit of `since`: the anchor is a bounce, not the start
-#define NEVER_DUE 0xFFFFFFFFu
+#define NO_EVENT 0xFFFFFFFFu
 
 // Constants of the motion are vec4 whose first three floats add up to the constant: see `constant` in real.h.
 struct Params {
@@ -110,19 +110,20 @@ struct Params {
   float filter_scale, filter_offset;                 // K and T of filter_pair
   uint whole_state;  // not 0: place also writes velocities and SLOT_WIDE, bounce looks at all that may ever bounce
   float fade;        // of draw_light: 1 / (OCCLUSION_RADII * largest radius)^2
-  uint n, stretch, pair_capacity, deferred_capacity;  // stretch: spheres that a group of collide_triangle meets, or
-                                                      // one of collide_grid takes in a row, a power of two
+  uint n, columns_per_group, pair_capacity,
+      deferred_capacity;  // stretch: spheres that a group of collide_triangle meets, or
+                          // one of collide_grid takes in a row, a power of two
   uint defer_undecided, pairs_to_decide, first_group, in_cells;  // 0: naive; of decide; of this slice; see number_of
   float origin_x, origin_y, origin_z, cells_per_metre;           // of the grid's cells, at level 0
-  float largest_radius, reach_scale, reach_offset;       // of level 0, doubles with each level; see reach_in_cells
-  uint scan_tiles;                                       // of grid_scan
-  uint cells_x, cells_y, cells_z, cell_slots;            // dense grid; cell_slots: length of the table in either case
-  uint hash_mask, first_octave, top_level, levels;       // 0: dense; see level_of; levels: bit k set when k has spheres
-  uint totals_later;                                     // not 0: the step is done again for them, if anybody asks
-  uint steps_done;                                       // of anchored: after this move
-  uint buckets, bucket_shift;                            // 0: not split; the bucket of a slot is slot >> bucket_shift
-  uint parent_shift, first_bucket, bucket_words, names;  // see bucket_below; in SLOT_BUCKET; of a split: its bits
-  vec4 gravity_dt, half_gravity_dt2;                     // g*dt, g*dt*dt/2, both <= 0
+  float largest_radius, reach_scale, reach_offset;  // of level 0, doubles with each level; see reach_in_cells
+  uint scan_tiles;                                  // of grid_scan
+  uint cells_x, cells_y, cells_z, cell_slots;       // dense grid; cell_slots: length of the table in either case
+  uint hash_mask, first_octave, top_level, levels;  // 0: dense; see level_of; levels: bit k set when k has spheres
+  uint totals_later;                                // not 0: the step is done again for them, if anybody asks
+  uint steps_done;                                  // of anchored: after this move
+  uint buckets, bucket_shift;                       // 0: not split; the bucket of a slot is slot >> bucket_shift
+  uint parent_shift, first_bucket, bucket_words, indices;  // see bucket_below; in SLOT_BUCKET; of a split: its bits
+  vec4 gravity_dt, half_gravity_dt2;                       // g*dt, g*dt*dt/2, both <= 0
   vec4 seconds_per_speed, zeno_flights;  // 2 / |g|, or 0 without gravity; flights until rest, see rebound
 };
 

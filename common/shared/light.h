@@ -76,7 +76,7 @@ struct CellRange {
 // Spheres beyond the border belong to its cells.
 FN uint clamped_cell(float place, uint cells) { return uint(smaller(larger(place, 0.0f), float(cells - 1u))); }
 
-FN float place_unclamped(float x, float origin, Params p) {
+FN float grid_coordinate_unclamped(float x, float origin, Params p) {
   EXACT float offset = x - origin;
   EXACT float place = offset * p.cells_per_metre;
   return place;

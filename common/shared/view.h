@@ -22,54 +22,54 @@
 #define LIGHT_GROUND 4u     // and both show on the plane too
 #define OCCLUSION_RADII 4   // so far, in largest radii, a sphere takes light away: less than two dense cells
 
-#define CLUSTER 16          // spheres, in consecutive places, that are culled together
-#define BUNDLE 4u           // clusters, one after the other, that are culled together first: a bundle
-#define BOUNDS_LANES 4u     // threads that share a cluster when its box is made
-#define SEEN_BLOCK 128      // threads, and spheres at a time, of a group that goes through a list of spheres ...
-#define CLUSTERS_BLOCK 256  // ... or of clusters ...
-#define WALKERS 8           // ... and the threads that then share a sphere ...
-#define WALKERS_ACROSS 4    // ... so many in a row of its box
-#define SEEN_FADES 1u       // in each picture, of the 15 that a sphere gets in the one that shows it
-#define WALK_ALONE 8u       // pixels that a thread that finds them tries itself ...
-#define WALK_UNTESTED 4u    // ... and so many that are as soon tried as looked up in the pyramid
-#define PIXELS_EACH 4       // pixels of one thread that goes through the picture ...
-#define PIXELS_BLOCK 256    // ... in groups of so many
-#define PHASE_SEEN 0        // draws the spheres that the last pictures showed ...
-#define PHASE_REST 1        // ... and then those of the others that what is drawn already does not hide, or first ...
-#define PHASE_NEAR 2        // ... of these the ones that are not far behind what is drawn, and then ...
-#define PHASE_FAR 3         // ... the others, which by then are hidden but for a few
-#define PHASE_ALL 4         // in place of PHASE_REST: clusters are not tested before their spheres
-#define NEAR_LAYERS 2.0f    // so far behind, in a cluster's thinnest half, is near
-#define LEVEL_0 8           // pixels: side of what a texel of the pyramid's level 0 covers ...
-#define LEVEL_1 32          // ... of its level 1 ...
-#define LEVEL_2 128         // ... and of its level 2
-#define PYRAMID_BLOCK 1024  // threads that make a texel of level 2 and those in it
-#define TEXELS_AT_MOST 36   // in which a box is looked up at level 0, beside those that its borders touch
-#define TEXELS_FEW 6        // the same for clusters where there are no bundles, of pictures ...
-#define LARGE_PICTURE 262144u  // ... of so many pixels or more
-#define TEXELS_TO_SEARCH 64    // at levels 1 and 2; a box of more is taken for seen
+#define CLUSTER 16           // spheres, in consecutive places, that are culled together
+#define BUNDLE 4u            // clusters, one after the other, that are culled together first: a bundle
+#define BOUNDS_LANES 4u      // threads that share a cluster when its box is made
+#define SEEN_BLOCK 128       // threads, and spheres at a time, of a group that goes through a list of spheres ...
+#define CLUSTERS_BLOCK 256   // ... or of clusters ...
+#define WALKERS 8            // ... and the threads that then share a sphere ...
+#define WALKERS_ACROSS 4     // ... so many in a row of its box
+#define SEEN_FADES 1u        // in each picture, of the 15 that a sphere gets in the one that shows it
+#define WALK_ALONE 8u        // pixels that a thread that finds them tries itself ...
+#define WALK_UNTESTED 4u     // ... and so many that are as soon tried as looked up in the pyramid
+#define PIXELS_EACH 4        // pixels of one thread that goes through the picture ...
+#define PIXELS_BLOCK 256     // ... in groups of so many
+#define PHASE_SEEN 0         // draws the spheres that the last pictures showed ...
+#define PHASE_REST 1         // ... and then those of the others that what is drawn already does not hide, or first ...
+#define PHASE_NEAR 2         // ... of these the ones that are not far behind what is drawn, and then ...
+#define PHASE_FAR 3          // ... the others, which by then are hidden but for a few
+#define PHASE_ALL 4          // in place of PHASE_REST: clusters are not tested before their spheres
+#define NEAR_LAYERS 2.0f     // so far behind, in a cluster's thinnest half, is near
+#define LEVEL_0 8            // pixels: side of what a texel of the pyramid's level 0 covers ...
+#define LEVEL_1 32           // ... of its level 1 ...
+#define LEVEL_2 128          // ... and of its level 2
+#define PYRAMID_BLOCK 1024   // threads that make a texel of level 2 and those in it
+#define TEXELS_AT_MOST 36    // in which a box is looked up at level 0, beside those that its borders touch
+#define TEXELS_FEW 6         // the same for clusters where there are no bundles, of pictures ...
+#define LARGE_IMAGE 262144u  // ... of so many pixels or more
+#define TEXELS_TO_SEARCH 64  // at levels 1 and 2; a box of more is taken for seen
 
 // The lists in SLOT_CLUSTER_LIST, each with room for all clusters.
-#define LIST_DRAWN 0u    // clusters to draw at once
-#define LIST_PUT_OFF 1u  // those far behind what is drawn already, or parts of bundles: all_of_bundle
-#define LIST_FAR 2u      // clusters of the latter that are to be drawn after all
-#define HIDDEN 3u        // in none ...
-#define OUT_OF_VIEW 4u   // ... of them
+#define LIST_DRAWN 0u     // clusters to draw at once
+#define LIST_DEFERRED 1u  // those far behind what is drawn already, or parts of bundles: all_of_bundle
+#define LIST_FAR 2u       // clusters of the latter that are to be drawn after all
+#define HIDDEN 3u         // in none ...
+#define OUT_OF_VIEW 4u    // ... of them
 
 // Words of SLOT_DRAWN. Those from DRAWN_LARGE on are counted on request only.
-#define DRAWN_TILES 0              // entries that the list of tiles needs
-#define DRAWN_TILES_DONE 1         // of those, the ones of the first phase
-#define DRAWN_CLUSTERS 2           // and 3, 4, by LIST_*: entries of the lists of clusters
-#define DRAWN_SEEN 5               // and 6, by View::turn: entries of the two lists of spheres seen
-#define DRAWN_LARGE 7              // spheres cut into tiles
-#define DRAWN_SMALL 8              // spheres walked at once, with at least one pixel's centre in their box
-#define DRAWN_UNSEEN 9             // spheres out of view, or between the centres of the pixels
-#define DRAWN_UNDRAWABLE 10        // spheres whose numbers are beyond those that can be drawn, see in_camera
-#define DRAWN_CLUSTERS_OUTSIDE 11  // clusters out of view
-#define DRAWN_CLUSTERS_HIDDEN 12   // clusters behind what is drawn already
-#define DRAWN_HIDDEN 13            // spheres behind what is drawn already, of clusters that are not
-#define DRAWN_CLUSTERS_PUT_OFF 14  // clusters that waited for others to be drawn
-#define DRAWN_BUNDLES 15           // bundles left out or put off as a whole
+#define DRAWN_TILES 0               // entries that the list of tiles needs
+#define DRAWN_TILES_DONE 1          // of those, the ones of the first phase
+#define DRAWN_CLUSTERS 2            // and 3, 4, by LIST_*: entries of the lists of clusters
+#define DRAWN_SEEN 5                // and 6, by View::turn: entries of the two lists of spheres seen
+#define DRAWN_LARGE 7               // spheres cut into tiles
+#define DRAWN_SMALL 8               // spheres walked at once, with at least one pixel's centre in their box
+#define DRAWN_UNSEEN 9              // spheres out of view, or between the centres of the pixels
+#define DRAWN_UNDRAWABLE 10         // spheres whose numbers are beyond those that can be drawn, see in_camera
+#define DRAWN_CLUSTERS_OUTSIDE 11   // clusters out of view
+#define DRAWN_CLUSTERS_HIDDEN 12    // clusters behind what is drawn already
+#define DRAWN_HIDDEN 13             // spheres behind what is drawn already, of clusters that are not
+#define DRAWN_CLUSTERS_DEFERRED 14  // clusters that waited for others to be drawn
+#define DRAWN_BUNDLES 15            // bundles left out or put off as a whole
 #define DRAWN_WORDS 16
 // Behind them the same of the picture before, once its pixels are cleared.
 

@@ -5,7 +5,7 @@
 
 namespace spherepair {
 
-__global__ void __launch_bounds__(SERVICE_BLOCK) clear(Params p, World w) {
+__global__ void __launch_bounds__(SERVICE_BLOCK) clear(Params p, KernelBuffers w) {
   uint first = group_index(p) * SERVICE_BLOCK * SPHERES_PER_SORTER + threadIdx.x;
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k) clear_results(p, w, first + k * SERVICE_BLOCK);
 }

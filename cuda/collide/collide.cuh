@@ -17,13 +17,13 @@ __device__ inline void add_to_words(uint* words, uint low, uint high) {
 template <bool EQUAL_RADII, bool LISTED>
 struct Collider {
   const Params& p;
-  const World& w;
+  const KernelBuffers& w;
   uint* total;  // shared, TOTAL_ROWS * TOTAL_STRIDE words
   uint pairs_found = 0u;
   uint64_t mix_a = 0ul;
   uint64_t mix_b = 0ul;
 
-  __device__ Collider(const Params& params, const World& world, uint* shared_total)
+  __device__ Collider(const Params& params, const KernelBuffers& world, uint* shared_total)
       : p(params), w(world), total(shared_total) {}
 
   __device__ void start_totals() {
@@ -53,12 +53,12 @@ struct Collider {
   }
 
   // More contacts for sphere i; what was counted before is not asked for, so nothing waits for it.
-  __device__ void touch(uint i, uint contacts) { atomicAdd(&w.count[i], contacts); }
+  __device__ void add_contact(uint i, uint contacts) { atomicAdd(&w.count[i], contacts); }
 
   // Of whoever was found at a place: the number, which is in the radius's place wherever radii are equal.
-  __device__ uint number_of(vec4 found, uint place) const {
-    if constexpr (EQUAL_RADII) return p.in_cells != 0u ? float_bits(found.w) : place;
-    return p.in_cells != 0u ? w.id[place] : place;
+  __device__ uint sphere_index(vec4 found, uint sorted_index) const {
+    if constexpr (EQUAL_RADII) return p.in_cells != 0u ? float_bits(found.w) : sorted_index;
+    return p.in_cells != 0u ? w.id[sorted_index] : sorted_index;
   }
 
   __device__ bool totals_later() const { return p.totals_later != 0u; }
@@ -94,7 +94,7 @@ struct Collider {
   }
 
   // For kernels that meet every ordered pair: sphere i counts its own contacts, and i<j records the pair.
-  __device__ uint meet_ordered(uint i, vec4 a, uint j, vec4 b) {
+  __device__ uint test_ordered_pair(uint i, vec4 a, uint j, vec4 b) {
     if (i == j || i >= p.n) return 0u;
     uint verdict = filter_spheres(a, b);
     if (verdict == UNDECIDED && i < j) defer(i, j);
@@ -105,20 +105,20 @@ struct Collider {
   // For kernels that meet every unordered pair once, at places i and j: what the filter says of it. The caller counts
   // the contact, or has an undecided pair decided. Most that come here collide, so numbers are loaded beside the
   // spheres.
-  __device__ uint meet(uint i, vec4 a, uint j, vec4 b) {
-    uint first = totals_later() ? i : number_of(a, i);
-    uint second = totals_later() ? j : number_of(b, j);
+  __device__ uint test_pair(uint i, vec4 a, uint j, vec4 b) {
+    uint first = totals_later() ? i : sphere_index(a, i);
+    uint second = totals_later() ? j : sphere_index(b, j);
     uint verdict = filter_spheres(a, b);
     if (verdict == COLLIDE && !totals_later()) record(first, second);
     return verdict;
   }
 
-  __device__ void meet_once(uint i, uint j) {
-    uint verdict = meet(i, w.position[i], j, w.position[j]);
+  __device__ void test_stored_pair(uint i, uint j) {
+    uint verdict = test_pair(i, w.position[i], j, w.position[j]);
     if (verdict == UNDECIDED) defer(i, j);
     if (verdict != COLLIDE) return;
-    touch(i, 1u);
-    touch(j, 1u);
+    add_contact(i, 1u);
+    add_contact(j, 1u);
   }
 };
 

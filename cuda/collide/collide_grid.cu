@@ -19,7 +19,7 @@ struct Row {
 __device__ inline Row row_after(Row last, uint begin, uint end) {
   return Row{last.bound + end - begin, begin - last.bound};
 }
-__device__ inline Row row_at(Params p, const World& w, Row last, bool exists, uint slot, uint x, uint last_x) {
+__device__ inline Row row_at(Params p, const KernelBuffers& w, Row last, bool exists, uint slot, uint x, uint last_x) {
   return row_after(last, exists ? w.cell[slot + x] : 0u, exists ? w.cell[slot + last_x + 1u] : 0u);
 }
 
@@ -27,16 +27,16 @@ __device__ inline Row row_at(Params p, const World& w, Row last, bool exists, ui
 struct Rows {
   Row own, above, ahead_below, ahead, ahead_above;
 };
-__device__ inline Rows find_rows(Params p, const World& w, vec4 mine, uint i, bool exists) {
-  Place place = place_of(mine, p);
+__device__ inline Rows find_rows(Params p, const KernelBuffers& w, vec4 mine, uint i, bool exists) {
+  GridPosition sorted_index = grid_position(mine, p);
   float reach = reach_in_cells(mine.w, p);
-  uint x = cell_below(place.x, reach);
-  uint last_x = cell_above(place.x, reach, p.cells_x);
-  uint y = uint(place.y);
-  uint z = uint(place.z);
-  bool below = cell_below(place.y, reach) != y;
-  bool above = cell_above(place.y, reach, p.cells_y) != y && exists;
-  bool ahead = cell_above(place.z, reach, p.cells_z) != z && exists;
+  uint x = cell_below(sorted_index.x, reach);
+  uint last_x = cell_above(sorted_index.x, reach, p.cells_x);
+  uint y = uint(sorted_index.y);
+  uint z = uint(sorted_index.z);
+  bool below = cell_below(sorted_index.y, reach) != y;
+  bool above = cell_above(sorted_index.y, reach, p.cells_y) != y && exists;
+  bool ahead = cell_above(sorted_index.z, reach, p.cells_z) != z && exists;
   uint slot = dense_slot(0u, y, z, p);
   uint next = slot + p.cells_x * p.cells_y;
   Rows rows;
@@ -97,7 +97,7 @@ __device__ void leave_undecided(Collider<EQUAL_RADII, LISTED>& collider, Undecid
 // A thread for each pair that there was room for.
 template <bool EQUAL_RADII, bool LISTED>
 __device__ void decide_undecided(Collider<EQUAL_RADII, LISTED>& collider, const Undecided& undecided) {
-  const World& w = collider.w;
+  const KernelBuffers& w = collider.w;
   uint row = (group_index(collider.p) % SUMMARY_SLOTS) * SUMMARY_WORDS;
   uint lane = threadIdx.x;
   if (lane == 0u) atomicAdd(&w.summary[row + SUM_UNDECIDED], undecided.pairs);
@@ -114,23 +114,23 @@ __device__ void decide_undecided(Collider<EQUAL_RADII, LISTED>& collider, const 
   atomicAdd(&w.summary[row + SUM_STAGE + STAGE_DOUBLE], 1u);
   if (verdict == APART) return;
   if (!collider.totals_later())
-    collider.record(collider.number_of(w.position[i], i), collider.number_of(w.position[j], j));
-  collider.touch(i, 1u);
-  collider.touch(j, 1u);
+    collider.record(collider.sphere_index(w.position[i], i), collider.sphere_index(w.position[j], j));
+  collider.add_contact(i, 1u);
+  collider.add_contact(j, 1u);
 }
 
 // A group's next spheres: behind these, or those of its next stretch, as far on as all groups take.
 template <uint BLOCK>
 __device__ uint next_chunk(const Params& p, uint first) {
   uint behind = first + BLOCK;
-  return (behind & (p.stretch - 1u)) != 0u ? behind : behind + (group_count() - 1u) * p.stretch;
+  return (behind & (p.columns_per_group - 1u)) != 0u ? behind : behind + (group_count() - 1u) * p.columns_per_group;
 }
 
 // On a multiprocessor, whose registers are then shared by so many threads.
 constexpr int groups_at_work(int block) { return block < 64 ? 32 : 1280 / block; }
 
 template <int BLOCK, bool EQUAL_RADII, bool LISTED>
-__global__ void __launch_bounds__(BLOCK, groups_at_work(BLOCK)) collide_grid(Params p, World w) {
+__global__ void __launch_bounds__(BLOCK, groups_at_work(BLOCK)) collide_grid(Params p, KernelBuffers w) {
   constexpr uint TEAMS = BLOCK / TEAM;
   __shared__ uvec2 queue[TEAMS * QUEUE_ROOM];  // of each team: two spheres that may meet
   __shared__ uint queued[TEAMS];
@@ -143,11 +143,11 @@ __global__ void __launch_bounds__(BLOCK, groups_at_work(BLOCK)) collide_grid(Par
   uint room = team * QUEUE_ROOM;
   if (lane == 0u) queued[team] = unfinished[team] = 0u;
   if (threadIdx.x == 0u) undecided.pairs = 0u;
-  wait_for_launch_before();
-  let_launch_behind_begin();
+  grid_dependency_sync();
+  trigger_dependent_launch();
   collider.start_totals();
-  uint end = p.n;  // GLSL may have a part of them only: first_place()
-  for (uint first = group_index(p) * p.stretch; first < end;) {
+  uint end = p.n;  // GLSL may have a part of them only: sorted_begin()
+  for (uint first = group_index(p) * p.columns_per_group; first < end;) {
     uint i = first + team * TEAM + lane;
     first = next_chunk<BLOCK>(p, first);
     vec4 mine = w.position[min(i, p.n - 1u)];
@@ -178,7 +178,7 @@ __global__ void __launch_bounds__(BLOCK, groups_at_work(BLOCK)) collide_grid(Par
       for (uint q = left + lane; q < held; q += TEAM) {
         uint a = queue[room + q].x;
         uint b = queue[room + q].y;
-        uint verdict = collider.meet(a, w.position[a], b, w.position[b]);
+        uint verdict = collider.test_pair(a, w.position[a], b, w.position[b]);
         if (verdict == COLLIDE) {
           atomicAdd(&w.count[a], 1u);
           atomicAdd(&w.count[b], 1u);

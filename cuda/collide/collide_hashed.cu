@@ -8,7 +8,7 @@
 namespace spherepair {
 
 template <int BLOCK, bool EQUAL_RADII, bool LISTED>
-__global__ void __launch_bounds__(BLOCK) collide_hashed(Params p, World w) {
+__global__ void __launch_bounds__(BLOCK) collide_hashed(Params p, KernelBuffers w) {
   constexpr uint QUEUE = BLOCK <= 256 ? BLOCK * 6 : 2048;
   __shared__ uint queue_mine[QUEUE];
   __shared__ uint queue_other[QUEUE];
@@ -43,12 +43,12 @@ __global__ void __launch_bounds__(BLOCK) collide_hashed(Params p, World w) {
             uint other = j < p.n ? j : j - p.n;
             vec4 sphere = with_radius(p, w.position[other]);
             if (collider.in_reach(mine, sphere) && stands_in_row(sphere, level, y, z, p)) {
-              uint place = atomicAdd(&queued, 1u);
-              if (place < QUEUE) {
-                queue_mine[place] = i;
-                queue_other[place] = other;
+              uint sorted_index = atomicAdd(&queued, 1u);
+              if (sorted_index < QUEUE) {
+                queue_mine[sorted_index] = i;
+                queue_other[sorted_index] = other;
               } else {
-                collider.meet_once(i, other);
+                collider.test_stored_pair(i, other);
               }
             }
           }
@@ -57,8 +57,8 @@ __global__ void __launch_bounds__(BLOCK) collide_hashed(Params p, World w) {
       }
     }
     __syncthreads();
-    uint meetings = min(queued, QUEUE);
-    for (uint q = lane; q < meetings; q += BLOCK) collider.meet_once(queue_mine[q], queue_other[q]);
+    uint candidates = min(queued, QUEUE);
+    for (uint q = lane; q < candidates; q += BLOCK) collider.test_stored_pair(queue_mine[q], queue_other[q]);
     __syncthreads();
   }
   collider.finish_totals();

@@ -7,7 +7,7 @@
 namespace spherepair {
 
 template <int BLOCK, bool EQUAL_RADII, bool LISTED>
-__global__ void __launch_bounds__(BLOCK) collide_swept(Params p, World w) {
+__global__ void __launch_bounds__(BLOCK) collide_swept(Params p, KernelBuffers w) {
   __shared__ vec4 tile[BLOCK];
   __shared__ vec4 tile_velocity[BLOCK];
   __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
@@ -33,7 +33,7 @@ __global__ void __launch_bounds__(BLOCK) collide_swept(Params p, World w) {
     }
     __syncthreads();
   }
-  if (contacts != 0u) c.touch(i, contacts);
+  if (contacts != 0u) c.add_contact(i, contacts);
   c.finish_totals();
 }
 

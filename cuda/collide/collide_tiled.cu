@@ -6,7 +6,7 @@
 namespace spherepair {
 
 template <int BLOCK, bool EQUAL_RADII, bool LISTED>
-__global__ void __launch_bounds__(BLOCK) collide_tiled(Params p, World w) {
+__global__ void __launch_bounds__(BLOCK) collide_tiled(Params p, KernelBuffers w) {
   __shared__ vec4 tile[BLOCK];
   __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
   Collider<EQUAL_RADII, LISTED> c(p, w, total);
@@ -20,11 +20,11 @@ __global__ void __launch_bounds__(BLOCK) collide_tiled(Params p, World w) {
     __syncthreads();
     uint others = min(uint(BLOCK), p.n - first);
     for (uint k = 0u; k < others; ++k) {
-      if (c.in_reach(mine, tile[k])) contacts += c.meet_ordered(i, mine, first + k, tile[k]);
+      if (c.in_reach(mine, tile[k])) contacts += c.test_ordered_pair(i, mine, first + k, tile[k]);
     }
     __syncthreads();
   }
-  if (contacts != 0u) c.touch(i, contacts);
+  if (contacts != 0u) c.add_contact(i, contacts);
   c.finish_totals();
 }
 

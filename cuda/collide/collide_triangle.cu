@@ -8,18 +8,19 @@
 
 namespace spherepair {
 
-constexpr uint MEETING_PAIRS = SPHERES_PER_THREAD * COLUMNS_AT_ONCE;
+constexpr uint PAIRS_PER_ENTRY = SPHERES_PER_THREAD * COLUMNS_AT_ONCE;
 
 // Pair number `pair` of the meeting between a thread's rows and the columns from j on.
 template <int BLOCK, bool EQUAL_RADII, bool LISTED>
-__device__ void meet(Collider<EQUAL_RADII, LISTED>& collider, uint first_row, uint pair, uint lane, uint j, uint end) {
+__device__ void test_pair(Collider<EQUAL_RADII, LISTED>& collider, uint first_row, uint pair, uint lane, uint j,
+                          uint end) {
   uint i = first_row + (pair % SPHERES_PER_THREAD) * BLOCK + lane;
   j += pair / SPHERES_PER_THREAD;
-  if (i < j && j < end) collider.meet_once(i, j);
+  if (i < j && j < end) collider.test_stored_pair(i, j);
 }
 
 template <int BLOCK, bool EQUAL_RADII, bool LISTED>
-__global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, World w) {
+__global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, KernelBuffers w) {
   constexpr uint ROWS = BLOCK * SPHERES_PER_THREAD;
   constexpr float SHARE = EQUAL_RADII ? 1.0f : 0.5f;
   __shared__ vec4 tile[BLOCK];
@@ -29,16 +30,16 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, World w) {
   __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
   Collider<EQUAL_RADII, LISTED> collider(p, w, total);
   uint lane = threadIdx.x;
-  uint stretch = blockIdx.x;
+  uint columns_per_group = blockIdx.x;
   uint first_row = (p.first_group + blockIdx.y) * ROWS;
-  uint stretches = (p.n - first_row + p.stretch - 1u) / p.stretch;
-  if (stretch >= stretches) {
+  uint stretches = (p.n - first_row + p.columns_per_group - 1u) / p.columns_per_group;
+  if (columns_per_group >= stretches) {
     uint mirrored = (p.n - 1u) / ROWS * ROWS - first_row;
     if (mirrored == first_row) return;  // the line in the middle
     first_row = mirrored;
-    stretch -= stretches;
+    columns_per_group -= stretches;
   }
-  uint first_column = first_row + stretch * p.stretch;
+  uint first_column = first_row + columns_per_group * p.columns_per_group;
   if (first_column >= p.n) return;
   if (lane < 2u) near_length[lane] = 0u;
   collider.start_totals();
@@ -51,7 +52,7 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, World w) {
     row_radius[k] = sphere.w;
     if (first_row + k * BLOCK + lane >= p.n) row[k].w = NEVER_NEAR;
   }
-  uint end = min(first_column + p.stretch, p.n);
+  uint end = min(first_column + p.columns_per_group, p.n);
   uint turn = 0u;
   for (uint start = first_column; start < end; start += BLOCK) {
     vec4 sphere = w.position[min(start + lane, p.n - 1u)];
@@ -73,21 +74,21 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, World w) {
         }
       }
       if (near) {
-        uint place = atomicAdd(&near_length[turn], 1u);
-        if (place < NEAR_PER_THREAD * BLOCK) {
-          near_queue[place] = c * BLOCK + lane;
+        uint sorted_index = atomicAdd(&near_length[turn], 1u);
+        if (sorted_index < NEAR_PER_THREAD * BLOCK) {
+          near_queue[sorted_index] = c * BLOCK + lane;
         } else {
 #pragma unroll 1
-          for (uint pair = 0u; pair < MEETING_PAIRS; ++pair)
-            meet<BLOCK>(collider, first_row, pair, lane, start + c, end);
+          for (uint pair = 0u; pair < PAIRS_PER_ENTRY; ++pair)
+            test_pair<BLOCK>(collider, first_row, pair, lane, start + c, end);
         }
       }
     }
     __syncthreads();
-    uint queued = min(near_length[turn], uint(NEAR_PER_THREAD * BLOCK)) * MEETING_PAIRS;
+    uint queued = min(near_length[turn], uint(NEAR_PER_THREAD * BLOCK)) * PAIRS_PER_ENTRY;
     for (uint q = lane; q < queued; q += BLOCK) {
-      uint meeting = near_queue[q / MEETING_PAIRS];
-      meet<BLOCK>(collider, first_row, q % MEETING_PAIRS, meeting % BLOCK, start + meeting / BLOCK, end);
+      uint candidate = near_queue[q / PAIRS_PER_ENTRY];
+      test_pair<BLOCK>(collider, first_row, q % PAIRS_PER_ENTRY, candidate % BLOCK, start + candidate / BLOCK, end);
     }
     turn ^= 1u;
   }

@@ -5,7 +5,7 @@
 
 namespace spherepair {
 
-__global__ void __launch_bounds__(SERVICE_BLOCK) decide(Params p, World w) {
+__global__ void __launch_bounds__(SERVICE_BLOCK) decide(Params p, KernelBuffers w) {
   uint k = group_index(p) * SERVICE_BLOCK + threadIdx.x;
   if (k >= p.pairs_to_decide) return;
   w.verdict[k] = verdict_code(decide_pair(w.spheres[2u * k], w.spheres[2u * k + 1u], p.filter_scale, p.filter_offset));

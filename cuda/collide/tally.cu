@@ -4,7 +4,7 @@
 
 namespace spherepair {
 
-__global__ void __launch_bounds__(SERVICE_BLOCK) tally(Params p, World w) {
+__global__ void __launch_bounds__(SERVICE_BLOCK) tally(Params p, KernelBuffers w) {
   __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
   Collider<false, false> c(p, w, total);
   uint colliding = 0u;

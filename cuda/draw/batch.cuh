@@ -9,7 +9,8 @@ namespace spherepair {
 
 // All threads of the group call it; `exists`: there is a sphere at this one's place.
 template <uint block>
-__device__ inline void draw_batch(const Params& p, const World& w, const View& v, uint place, bool exists) {
+__device__ inline void draw_batch(const Params& p, const KernelBuffers& w, const View& v, uint sorted_index,
+                                  bool exists) {
   // Box, nearest and place: many groups are to have room, so the rest is looked up again.
   __shared__ uvec4 walks[block];
   __shared__ uint walk_count;
@@ -17,11 +18,11 @@ __device__ inline void draw_batch(const Params& p, const World& w, const View& v
   if (lane == 0u) walk_count = 0u;
   __syncthreads();
   if (exists) {
-    Walk walk = walk_of(p, w, v, place, true);
+    Walk walk = walk_of(p, w, v, sorted_index, true);
     if (walk.box.width * walk.box.height > WALK_ALONE) {
       uint entry = atomicAdd(&walk_count, 1u);
       uvec2 box = words_of(walk.box);
-      walks[entry] = uvec4{box.x, box.y, walk.nearest, place};
+      walks[entry] = uvec4{box.x, box.y, walk.nearest, sorted_index};
     } else {
       draw_walk(w, v, walk, 0u, 1u, 1u);
     }
@@ -31,7 +32,7 @@ __device__ inline void draw_batch(const Params& p, const World& w, const View& v
     uvec4 found = walks[k];
     vec4 sphere = w.position[found.w];
     Walk walk = {in_camera(with_radius(p, sphere), v), box_from(uvec2{found.x, found.y}), found.z,
-                 number_of(p, w, sphere, found.w)};
+                 sphere_index(p, w, sphere, found.w)};
     draw_walk(w, v, walk, lane % WALKERS, WALKERS, WALKERS_ACROSS);
   }
   __syncthreads();  // before the next batch

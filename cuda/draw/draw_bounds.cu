@@ -24,7 +24,7 @@ __device__ inline void join(vec4* low, vec4* high, uint stride) {
 }
 
 template <bool BY_CELLS>
-__global__ void __launch_bounds__(SERVICE_BLOCK) draw_bounds(Params p, World w, View v) {
+__global__ void __launch_bounds__(SERVICE_BLOCK) draw_bounds(Params p, KernelBuffers w, View v) {
   __shared__ vec4 low[SERVICE_BLOCK];
   __shared__ vec4 high[SERVICE_BLOCK];
   constexpr uint lanes = BY_CELLS ? 1u : BOUNDS_LANES;
@@ -36,9 +36,9 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_bounds(Params p, World w, 
   high[lane] = vec4{-most, -most, -most, -most};
   bool in_row = false;
   if (BY_CELLS && c < v.clusters) {
-    Place begin = place_of(w.position[c * CLUSTER], p);
+    GridPosition begin = grid_position(w.position[c * CLUSTER], p);
     uint next = (c + 1u) * CLUSTER;
-    Place end = place_of(w.position[next < p.n ? next : p.n - 1u], p);
+    GridPosition end = grid_position(w.position[next < p.n ? next : p.n - 1u], p);
     in_row = within_row(begin, end, p);
     if (in_row) low[lane] = lowest_in_row(begin, p);
     if (in_row) high[lane] = highest_in_row(end, p);
@@ -46,8 +46,8 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_bounds(Params p, World w, 
   for (uint k = own_lane; !in_row && k < CLUSTER; k += 4u * lanes) {
     vec4 four[4];  // all on their way before the first is asked; behind the last sphere that one again
     for (uint j = 0u; j < 4u; ++j) {
-      uint place = c * CLUSTER + k + j * lanes;
-      four[j] = with_radius(p, w.position[place < p.n ? place : p.n - 1u]);
+      uint sorted_index = c * CLUSTER + k + j * lanes;
+      four[j] = with_radius(p, w.position[sorted_index < p.n ? sorted_index : p.n - 1u]);
     }
     for (uint j = 0u; j < 4u; ++j) {
       if (!ever_drawable(four[j])) continue;

@@ -5,7 +5,7 @@
 
 namespace spherepair {
 
-__global__ void __launch_bounds__(PIXELS_BLOCK) draw_clear(Params p, World w, View v) {
+__global__ void __launch_bounds__(PIXELS_BLOCK) draw_clear(Params p, KernelBuffers w, View v) {
   uint lane = threadIdx.x;
   if (group_index(p) == 0u && lane < DRAWN_WORDS && lane != DRAWN_SEEN + v.turn) w.drawn[lane] = 0u;
   Shown shown = begin_list();

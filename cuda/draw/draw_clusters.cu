@@ -6,7 +6,7 @@
 namespace spherepair {
 
 template <bool BUNDLES>
-__global__ void __launch_bounds__(CLUSTERS_BLOCK) draw_clusters(Params p, World w, View v) {
+__global__ void __launch_bounds__(CLUSTERS_BLOCK) draw_clusters(Params p, KernelBuffers w, View v) {
   constexpr uint at_once = CLUSTERS_BLOCK / CLUSTER;
   uint list = list_of(v.phase);
   bool all = !BUNDLES && v.phase == PHASE_ALL;  // bundles are of more
@@ -15,8 +15,8 @@ __global__ void __launch_bounds__(CLUSTERS_BLOCK) draw_clusters(Params p, World 
     uint k = first + threadIdx.x / CLUSTER;
     uint cluster = place_in_turn(k, count, v);
     if (!all && k < count) cluster = w.cluster_list[list * v.clusters + k];
-    uint place = cluster * CLUSTER + threadIdx.x % CLUSTER;
-    draw_batch<CLUSTERS_BLOCK>(p, w, v, place, k < count && place < p.n);
+    uint sorted_index = cluster * CLUSTER + threadIdx.x % CLUSTER;
+    draw_batch<CLUSTERS_BLOCK>(p, w, v, sorted_index, k < count && sorted_index < p.n);
   }
 }
 

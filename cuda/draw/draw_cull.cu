@@ -8,7 +8,7 @@ namespace spherepair {
 // The list for what is in such a box, or why it is in none. A bundle is looked up in coarser texels than a cluster, and
 // one that was put off in the coarsest first.
 template <bool BUNDLES>
-__device__ inline uint list_for(const World& w, const View& v, vec4 low, vec4 high, bool bundled) {
+__device__ inline uint list_for(const KernelBuffers& w, const View& v, vec4 low, vec4 high, bool bundled) {
   if (low.x > high.x) return OUT_OF_VIEW;  // there is nothing in it
   Solid solid = solid_of(low, high, v);
   if (outside(solid, v)) return OUT_OF_VIEW;
@@ -17,57 +17,57 @@ __device__ inline uint list_for(const World& w, const View& v, vec4 low, vec4 hi
   if (box.width == 0u || box.height == 0u) return HIDDEN;
   uint nearest = least_depth(solid, box, v);
   if (bundled && v.phase == PHASE_FAR && texel_of_box(w, v, box, nearest, 2u).x < nearest) return HIDDEN;
-  bool large = !BUNDLES && v.width * v.height >= LARGE_PICTURE;
+  bool large = !BUNDLES && v.width * v.height >= LARGE_IMAGE;
   uint level = bundled || (large && texels_of(box, 0u) > uint(TEXELS_FEW)) ? 1u : level_for(box);
   if (texels_of(box, level) > uint(TEXELS_TO_SEARCH)) level = 2u;
   uvec2 texel = texel_of_box(w, v, box, nearest, level);
   if (texel.x < nearest) return HIDDEN;
   if (v.phase != PHASE_NEAR || texel.y >= nearest) return list_of(v.phase);
-  return texel.y < least_depth(brought_nearer(solid, low, high), box, v) ? LIST_PUT_OFF : LIST_DRAWN;
+  return texel.y < least_depth(brought_nearer(solid, low, high), box, v) ? LIST_DEFERRED : LIST_DRAWN;
 }
 
 // A bundle that was hidden when it was tested last, as the w of its lowest corner tells, most likely is again: it is
 // put off untested.
-__device__ inline uint list_for_bundle(const World& w, const View& v, uint bundle) {
+__device__ inline uint list_for_bundle(const KernelBuffers& w, const View& v, uint bundle) {
   uint at = corners_of_bundle(bundle, v);
   vec4 low = w.cluster[at];
   bool was_hidden = low.w != 0.0f;
-  if (was_hidden && v.phase == PHASE_NEAR) return LIST_PUT_OFF;
+  if (was_hidden && v.phase == PHASE_NEAR) return LIST_DEFERRED;
   uint list = list_for<true>(w, v, low, w.cluster[at + 1u], true);
   if (was_hidden != (list == HIDDEN)) w.cluster[at].w = list == HIDDEN ? 1.0f : 0.0f;
   return list;
 }
 
 // All threads of the group call it; `enters`: its entry does.
-__device__ inline void enter(const World& w, const View& v, uint list, bool enters, uint entry) {
-  uint place = place_in_list(w, DRAWN_CLUSTERS + list, enters);
-  if (enters) w.cluster_list[list * v.clusters + place] = entry;
+__device__ inline void enter(const KernelBuffers& w, const View& v, uint list, bool enters, uint entry) {
+  uint sorted_index = index_in_list(w, DRAWN_CLUSTERS + list, enters);
+  if (enters) w.cluster_list[list * v.clusters + sorted_index] = entry;
 }
 
-__device__ inline void count_in(const World& w, const View& v, uint word, uint more) {
+__device__ inline void count_in(const KernelBuffers& w, const View& v, uint word, uint more) {
   if (v.counting != 0u && more != 0u) atomicAdd(&w.drawn[word], more);
 }
-__device__ inline void count_left_out(const World& w, const View& v, uint list, uint clusters) {
+__device__ inline void count_left_out(const KernelBuffers& w, const View& v, uint list, uint clusters) {
   if (list == OUT_OF_VIEW) count_in(w, v, DRAWN_CLUSTERS_OUTSIDE, clusters);
   if (list == HIDDEN) count_in(w, v, DRAWN_CLUSTERS_HIDDEN, clusters);
 }
 
 // All threads of the group call it; `meant`: its cluster c is tested. Whether that is put off.
 template <bool BUNDLES>
-__device__ inline bool cull_cluster(const World& w, const View& v, uint c, bool meant) {
+__device__ inline bool cull_cluster(const KernelBuffers& w, const View& v, uint c, bool meant) {
   uint list = OUT_OF_VIEW;
   if (meant) list = list_for<BUNDLES>(w, v, w.cluster[2u * c], w.cluster[2u * c + 1u], false);
   count_left_out(w, v, list, meant ? 1u : 0u);
-  count_in(w, v, DRAWN_CLUSTERS_PUT_OFF, list == LIST_PUT_OFF ? 1u : 0u);
+  count_in(w, v, DRAWN_CLUSTERS_DEFERRED, list == LIST_DEFERRED ? 1u : 0u);
   enter(w, v, list_of(v.phase), list == list_of(v.phase), c);
-  return list == LIST_PUT_OFF;
+  return list == LIST_DEFERRED;
 }
 
 // All threads of the group call it; `exists`: it has an entry, a bundle and which of its clusters are meant. Those of
 // them that are put off.
-__device__ inline uint cull_bundle(const World& w, const View& v, uint entry, bool exists) {
-  __shared__ uint apart[SERVICE_BLOCK];       // the bundles that are taken apart ...
-  __shared__ uint put_off_of[SERVICE_BLOCK];  // ... and which of their clusters are put off
+__device__ inline uint cull_bundle(const KernelBuffers& w, const View& v, uint entry, bool exists) {
+  __shared__ uint apart[SERVICE_BLOCK];        // the bundles that are taken apart ...
+  __shared__ uint deferred_of[SERVICE_BLOCK];  // ... and which of their clusters are put off
   __shared__ uint count_apart;
   uint lane = threadIdx.x;
   uint own = list_of(v.phase);
@@ -76,39 +76,39 @@ __device__ inline uint cull_bundle(const World& w, const View& v, uint entry, bo
   if (exists && whole) list = list_for_bundle(w, v, bundle_in(entry));
   if (exists && list != own) count_in(w, v, DRAWN_BUNDLES, 1u);
   count_left_out(w, v, list, __popc(bits_in(entry)));
-  count_in(w, v, DRAWN_CLUSTERS_PUT_OFF, list == LIST_PUT_OFF ? __popc(bits_in(entry)) : 0u);
+  count_in(w, v, DRAWN_CLUSTERS_DEFERRED, list == LIST_DEFERRED ? __popc(bits_in(entry)) : 0u);
   if (lane == 0u) count_apart = 0u;
   __syncthreads();
-  uint place = list == own ? atomicAdd(&count_apart, 1u) : 0u;
-  if (list == own) apart[place] = entry;
-  if (list == own) put_off_of[place] = 0u;
+  uint sorted_index = list == own ? atomicAdd(&count_apart, 1u) : 0u;
+  if (list == own) apart[sorted_index] = entry;
+  if (list == own) deferred_of[sorted_index] = 0u;
   __syncthreads();
   for (uint from = 0u; from < count_apart * BUNDLE; from += SERVICE_BLOCK) {
     uint of = (from + lane) / BUNDLE;
     uint bit = lane % BUNDLE;
     bool meant = of < count_apart && (bits_in(apart[of]) >> bit & 1u) != 0u;
     uint c = meant ? bundle_in(apart[of]) * BUNDLE + bit : 0u;
-    if (cull_cluster<true>(w, v, c, meant)) atomicOr(&put_off_of[of], 1u << bit);
+    if (cull_cluster<true>(w, v, c, meant)) atomicOr(&deferred_of[of], 1u << bit);
   }
   __syncthreads();
-  return list == own ? put_off_of[place] : list == LIST_PUT_OFF ? bits_in(entry) : 0u;
+  return list == own ? deferred_of[sorted_index] : list == LIST_DEFERRED ? bits_in(entry) : 0u;
 }
 
 template <bool BUNDLES>
-__global__ void __launch_bounds__(SERVICE_BLOCK) draw_cull(Params p, World w, View v) {
+__global__ void __launch_bounds__(SERVICE_BLOCK) draw_cull(Params p, KernelBuffers w, View v) {
   bool again = v.phase == PHASE_FAR;
   uint all = BUNDLES ? bundles_of(v) : v.clusters;
-  uint total = again ? w.drawn[DRAWN_CLUSTERS + LIST_PUT_OFF] : all;
+  uint total = again ? w.drawn[DRAWN_CLUSTERS + LIST_DEFERRED] : all;
   uint at_once = min(uint(SERVICE_BLOCK), total / group_count() + 1u);  // no group is left without
   for (uint first = group_index(p) * at_once; first < total; first += group_count() * at_once) {
     uint k = first + threadIdx.x;
     bool exists = threadIdx.x < at_once && k < total;
     uint entry = 0u;
-    if (exists && again) entry = w.cluster_list[LIST_PUT_OFF * v.clusters + k];
+    if (exists && again) entry = w.cluster_list[LIST_DEFERRED * v.clusters + k];
     if (exists && !again) entry = BUNDLES ? all_of_bundle(place_in_turn(k, all, v), v) : place_in_turn(k, all, v);
-    uint put_off = BUNDLES ? cull_bundle(w, v, entry, exists) : uint(cull_cluster<false>(w, v, entry, exists));
-    uint rest = BUNDLES ? entry - bits_in(entry) + put_off : entry;
-    if (v.phase == PHASE_NEAR) enter(w, v, LIST_PUT_OFF, put_off != 0u, rest);
+    uint deferred_count = BUNDLES ? cull_bundle(w, v, entry, exists) : uint(cull_cluster<false>(w, v, entry, exists));
+    uint rest = BUNDLES ? entry - bits_in(entry) + deferred_count : entry;
+    if (v.phase == PHASE_NEAR) enter(w, v, LIST_DEFERRED, deferred_count != 0u, rest);
   }
 }
 

@@ -6,17 +6,17 @@
 namespace spherepair {
 
 // The sphere that stands at a place of the cell order; the surface's own takes nothing away.
-__device__ inline vec4 found_at(const Params& p, const World& w, uint place) {
-  return p.in_cells != 0u ? w.sorted[place] : w.position[place];
+__device__ inline vec4 found_at(const Params& p, const KernelBuffers& w, uint sorted_index) {
+  return p.in_cells != 0u ? w.sorted[sorted_index] : w.position[sorted_index];
 }
-__device__ inline bool is_own(const Params& p, const World& w, vec4 found, uint place, Surface s) {
-  return number_of(p, w, found, place) == s.sphere;
+__device__ inline bool is_own(const Params& p, const KernelBuffers& w, vec4 found, uint sorted_index, Surface s) {
+  return sphere_index(p, w, found, sorted_index) == s.sphere;
 }
 
-__device__ inline float light_around(const Params& p, const World& w, Surface s) {
-  float x = place_unclamped(s.x, p.origin_x, p);
-  float y = place_unclamped(s.y, p.origin_y, p);
-  float z = place_unclamped(s.z, p.origin_z, p);
+__device__ inline float light_around(const Params& p, const KernelBuffers& w, Surface s) {
+  float x = grid_coordinate_unclamped(s.x, p.origin_x, p);
+  float y = grid_coordinate_unclamped(s.y, p.origin_y, p);
+  float z = grid_coordinate_unclamped(s.z, p.origin_z, p);
   CellRange row_x = cells_around(x, p.cells_x);
   CellRange row_y = cells_around(y, p.cells_y);
   CellRange row_z = cells_around(z, p.cells_z);
@@ -24,33 +24,33 @@ __device__ inline float light_around(const Params& p, const World& w, Surface s)
   for (uint z_cell = row_z.low; z_cell <= row_z.high; ++z_cell)
     for (uint y_cell = row_y.low; y_cell <= row_y.high; ++y_cell) {
       uint row = dense_slot(0u, y_cell, z_cell, p);
-      for (uint place = w.cell[row + row_x.low]; place < w.cell[row + row_x.high + 1u]; ++place) {
-        vec4 found = found_at(p, w, place);
-        if (!is_own(p, w, found, place, s)) taken += taken_by(with_radius(p, found), s, p);
+      for (uint sorted_index = w.cell[row + row_x.low]; sorted_index < w.cell[row + row_x.high + 1u]; ++sorted_index) {
+        vec4 found = found_at(p, w, sorted_index);
+        if (!is_own(p, w, found, sorted_index, s)) taken += taken_by(with_radius(p, found), s, p);
       }
     }
   return light_left(taken);
 }
 
-__device__ inline bool in_shadow(const Params& p, const World& w, const View& v, Surface s) {
-  float x = place_unclamped(s.x, p.origin_x, p);
-  float y = place_unclamped(s.y, p.origin_y, p);
-  float z = place_unclamped(s.z, p.origin_z, p);
+__device__ inline bool in_shadow(const Params& p, const KernelBuffers& w, const View& v, Surface s) {
+  float x = grid_coordinate_unclamped(s.x, p.origin_x, p);
+  float y = grid_coordinate_unclamped(s.y, p.origin_y, p);
+  float z = grid_coordinate_unclamped(s.z, p.origin_z, p);
   for (uint layer = first_layer(y, p.cells_y); layer < p.cells_y; ++layer) {
     CellRange row_x = cells_on_way(x, y, slope_of(v.sun.x, v), float(layer), p.cells_x);
     CellRange row_z = cells_on_way(z, y, slope_of(v.sun.z, v), float(layer), p.cells_z);
     for (uint z_cell = row_z.low; z_cell <= row_z.high; ++z_cell) {
       uint row = dense_slot(0u, layer, z_cell, p);
-      for (uint place = w.cell[row + row_x.low]; place < w.cell[row + row_x.high + 1u]; ++place) {
-        vec4 found = found_at(p, w, place);
-        if (shades(with_radius(p, found), s, v) && !is_own(p, w, found, place, s)) return true;
+      for (uint sorted_index = w.cell[row + row_x.low]; sorted_index < w.cell[row + row_x.high + 1u]; ++sorted_index) {
+        vec4 found = found_at(p, w, sorted_index);
+        if (shades(with_radius(p, found), s, v) && !is_own(p, w, found, sorted_index, s)) return true;
       }
     }
   }
   return false;
 }
 
-__global__ void __launch_bounds__(SERVICE_BLOCK) draw_light(Params p, World w, View v) {
+__global__ void __launch_bounds__(SERVICE_BLOCK) draw_light(Params p, KernelBuffers w, View v) {
   uint pixel = group_index(p) * SERVICE_BLOCK + threadIdx.x;
   if (pixel >= v.width * v.height) return;
   uvec2 seen = w.visible[pixel];

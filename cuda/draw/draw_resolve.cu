@@ -6,14 +6,14 @@
 namespace spherepair {
 
 // Counts begin anew, but of the list of spheres seen that the next picture draws.
-__device__ inline void move_counts(const World& w, const View& v, uint word) {
+__device__ inline void move_counts(const KernelBuffers& w, const View& v, uint word) {
   uint stays = DRAWN_SEEN + (v.occlusion != 0u ? 1u - v.turn : v.turn);
   if (word >= DRAWN_WORDS || word == stays) return;
   w.drawn[DRAWN_WORDS + word] = w.drawn[word];
   w.drawn[word] = 0u;
 }
 
-__global__ void __launch_bounds__(PIXELS_BLOCK) draw_resolve(Params p, World w, View v) {
+__global__ void __launch_bounds__(PIXELS_BLOCK) draw_resolve(Params p, KernelBuffers w, View v) {
   bool clears = v.pass != PASS_KEEP;
   uint lane = threadIdx.x;
   if (clears && group_index(p) == 0u) move_counts(w, v, lane);

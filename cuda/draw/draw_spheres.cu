@@ -4,7 +4,7 @@
 
 namespace spherepair {
 
-__global__ void __launch_bounds__(SERVICE_BLOCK) draw_spheres(Params p, World w, View v) {
+__global__ void __launch_bounds__(SERVICE_BLOCK) draw_spheres(Params p, KernelBuffers w, View v) {
   uint k = group_index(p) * (SERVICE_BLOCK / v.lanes) + threadIdx.x / v.lanes;
   if (k >= p.n) return;
   uint lane = threadIdx.x % v.lanes;

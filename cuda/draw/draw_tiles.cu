@@ -4,7 +4,7 @@
 
 namespace spherepair {
 
-__global__ void __launch_bounds__(SERVICE_BLOCK) draw_tiles(Params p, World w, View v) {
+__global__ void __launch_bounds__(SERVICE_BLOCK) draw_tiles(Params p, KernelBuffers w, View v) {
   uint tiles = min(w.drawn[DRAWN_TILES], v.tile_capacity);
   for (uint t = w.drawn[DRAWN_TILES_DONE] + group_index(p); t < tiles; t += group_count()) {
     uint sphere = w.tile[t].x;

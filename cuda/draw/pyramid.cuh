@@ -8,7 +8,7 @@
 namespace spherepair {
 
 // Whether something nearer than `nearest` is seen already at every pixel of the box, as far as this level tells.
-__device__ inline bool is_hidden(const World& w, const View& v, Box box, uint nearest, uint level) {
+__device__ inline bool is_hidden(const KernelBuffers& w, const View& v, Box box, uint nearest, uint level) {
   if (texels_of(box, level) > uint(TEXELS_TO_SEARCH)) return false;
   uint shift = texel_shift(level);
   uint first = first_texel(level, v);
@@ -21,7 +21,7 @@ __device__ inline bool is_hidden(const World& w, const View& v, Box box, uint ne
 
 // What the texels of a box say together; infinite when they are too many to look up. Those that are left are not asked
 // for once something seen, or in phases that put nothing off anything, is no nearer than `nearest`.
-__device__ inline uvec2 texel_of_box(const World& w, const View& v, Box box, uint nearest, uint level) {
+__device__ inline uvec2 texel_of_box(const KernelBuffers& w, const View& v, Box box, uint nearest, uint level) {
   uvec2 all = {0xFFFFFFFFu, 0xFFFFFFFFu};
   if (texels_of(box, level) > uint(TEXELS_TO_SEARCH)) return all;
   all = texel_of_pixel(0u);

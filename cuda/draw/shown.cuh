@@ -12,7 +12,7 @@ struct Shown {
 };
 
 // Only the first of a sphere's pixels need to ask: one whose neighbours, unless they are cleared already, show another.
-__device__ inline bool is_new(const World& w, const View& v, uint pixel) {
+__device__ inline bool is_new(const KernelBuffers& w, const View& v, uint pixel) {
   uint sphere = w.visible[pixel].x;
   uint left = w.visible[max(pixel, 1u) - 1u].x;
   uint above = w.visible[max(pixel, v.width) - v.width].x;
@@ -30,11 +30,11 @@ __device__ inline Shown begin_list() {
   __syncthreads();
   return {found, &entries, &first_entry};
 }
-__device__ inline void clear_pixel(const World& w, const View& v, const Shown& shown, uint pixel) {
+__device__ inline void clear_pixel(const KernelBuffers& w, const View& v, const Shown& shown, uint pixel) {
   if (v.occlusion != 0u && is_new(w, v, pixel)) shown.found[atomicAdd(shown.entries, 1u)] = w.visible[pixel].x;
   w.visible[pixel] = uvec2{0xFFFFFFFFu, 0xFFFFFFFFu};
 }
-__device__ inline void end_list(const Params& p, const World& w, const Shown& shown, uint turn) {
+__device__ inline void end_list(const Params& p, const KernelBuffers& w, const Shown& shown, uint turn) {
   uint lane = threadIdx.x;
   __syncthreads();
   uint entries = *shown.entries;

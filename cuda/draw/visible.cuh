@@ -11,12 +11,13 @@
 
 namespace spherepair {
 
-__device__ inline void count_drawn(const World& w, const View& v, uint word) {
+__device__ inline void count_drawn(const KernelBuffers& w, const View& v, uint word) {
   if (v.counting != 0u && v.pass == PASS_DEPTH) atomicAdd(&w.drawn[word], 1u);
 }
 
 // `nearest`: least_depth_of the sphere; where something nearer is seen already, the ray's meeting is not asked for.
-__device__ inline void draw_at(const World& w, const View& v, uint px, uint py, vec4 seen, uint nearest, uint sphere) {
+__device__ inline void draw_at(const KernelBuffers& w, const View& v, uint px, uint py, vec4 seen, uint nearest,
+                               uint sphere) {
   uint pixel = py * v.width + px;
   unsigned long long* visible = reinterpret_cast<unsigned long long*>(w.visible);
   unsigned long long there = VISIBLE_LOAD(&visible[pixel]);
@@ -27,7 +28,7 @@ __device__ inline void draw_at(const World& w, const View& v, uint px, uint py, 
   if (mine < there) atomicMin(&visible[pixel], mine);
 }
 
-__device__ inline void cut_into_tiles(const World& w, const View& v, uint sphere, Box box) {
+__device__ inline void cut_into_tiles(const KernelBuffers& w, const View& v, uint sphere, Box box) {
   uint tiles = tiles_along(box.width) * tiles_along(box.height);
   uint first = atomicAdd(&w.drawn[DRAWN_TILES], tiles);
   for (uint k = 0u; k < tiles && first + k < v.tile_capacity; ++k) w.tile[first + k] = uvec2{sphere, k};
@@ -36,7 +37,7 @@ __device__ inline void cut_into_tiles(const World& w, const View& v, uint sphere
 // The list of those seen and, in four bits, for how long each still stands there.
 __device__ inline uint first_seen(const Params& p, uint turn) { return turn * (p.n + 1u); }
 __device__ inline uint shift_in_word(uint seen) { return 4u * (seen % 8u); }
-__device__ inline uint left_of(const World& w, uint seen) {
+__device__ inline uint left_of(const KernelBuffers& w, uint seen) {
   return w.seen_left[seen / 8u] >> shift_in_word(seen) & 15u;
 }
 
@@ -49,8 +50,8 @@ struct Walk {
 
 // It is passed over when it is out of view, between the pixels' centres, hidden or drawn before, and cut into tiles
 // when it is large. One of its threads leads. The contacts of whatever may be seen come along from the cell order.
-__device__ inline Walk walk_of(const Params& p, const World& w, const View& v, uint place, bool leads) {
-  vec4 found = w.position[place];
+__device__ inline Walk walk_of(const Params& p, const KernelBuffers& w, const View& v, uint sorted_index, bool leads) {
+  vec4 found = w.position[sorted_index];
   vec4 seen = in_camera(with_radius(p, found), v);
   Walk walk = {seen, {0u, 0u, 0u, 0u}, 0u, 0u};
   Box box = walk.box;
@@ -64,8 +65,8 @@ __device__ inline Walk walk_of(const Params& p, const World& w, const View& v, u
   bool hidden = asks && is_hidden(w, v, box, walk.nearest, level_for(box));
   if (hidden) count_drawn(w, v, DRAWN_HIDDEN);
   if (hidden) return walk;
-  walk.sphere = number_of(p, w, found, place);
-  if (leads && p.in_cells != 0u) w.count[walk.sphere] = w.sorted_count[place];
+  walk.sphere = sphere_index(p, w, found, sorted_index);
+  if (leads && p.in_cells != 0u) w.count[walk.sphere] = w.sorted_count[sorted_index];
   if (rest && left_of(w, walk.sphere) != 0u) return walk;
   bool large = is_large(box, v);
   if (leads) count_drawn(w, v, large ? DRAWN_LARGE : DRAWN_SMALL);
@@ -75,7 +76,7 @@ __device__ inline Walk walk_of(const Params& p, const World& w, const View& v, u
 }
 
 // The work of one of the threads that share the pixels of a walk.
-__device__ inline void draw_walk(const World& w, const View& v, Walk walk, uint lane, uint lanes, uint across) {
+__device__ inline void draw_walk(const KernelBuffers& w, const View& v, Walk walk, uint lane, uint lanes, uint across) {
   Box box = walk.box;
 #pragma unroll 1  // boxes are small, and a warp has several
   for (uint y = box.y + lane / across; y < box.y + box.height; y += lanes / across)

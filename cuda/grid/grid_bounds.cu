@@ -9,13 +9,13 @@ namespace spherepair {
 
 // The sphere's slot; behind the last sphere, the end of the table.
 template <bool DENSE>
-__device__ inline uint slot_at(Params p, const World& w, uint i) {
+__device__ inline uint slot_at(Params p, const KernelBuffers& w, uint i) {
   uint own = slot_of(w.position[min(i, p.n - 1u)], DENSE, p);
   return i < p.n ? own : p.cell_slots;
 }
 
 template <bool DENSE>
-__global__ void __launch_bounds__(SERVICE_BLOCK) grid_bounds(Params p, World w) {
+__global__ void __launch_bounds__(SERVICE_BLOCK) grid_bounds(Params p, KernelBuffers w) {
   __shared__ uint slot[BOUNDS_TILE + 1];  // of the sphere before the first one, then of each
   __shared__ uint begins[BOUNDS_WINDOW];  // the part of the table that is being filled in
   __shared__ uint disorder;

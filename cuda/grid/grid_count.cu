@@ -7,7 +7,7 @@
 namespace spherepair {
 
 template <bool DENSE>
-__global__ void __launch_bounds__(SERVICE_BLOCK) grid_count(Params p, World w) {
+__global__ void __launch_bounds__(SERVICE_BLOCK) grid_count(Params p, KernelBuffers w) {
   uint first = group_index(p) * SERVICE_BLOCK * SPHERES_PER_SORTER + threadIdx.x;
   uint slot[SPHERES_PER_SORTER];
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k)

@@ -6,7 +6,7 @@ namespace spherepair {
 
 __device__ uvec4 operator+(uvec4 a, uvec4 b) { return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w}; }
 
-__global__ void __launch_bounds__(SCAN_BLOCK) grid_scan(Params p, World w) {
+__global__ void __launch_bounds__(SCAN_BLOCK) grid_scan(Params p, KernelBuffers w) {
   __shared__ uvec4 sums[SCAN_BLOCK];
   __shared__ uint before;
   uvec4* cell = reinterpret_cast<uvec4*>(w.cell);

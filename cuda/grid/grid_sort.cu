@@ -26,19 +26,19 @@ constexpr uint run_threads = FROM_TILES ? 32u : SORT_BLOCK;
 
 // FROM_TILES: of a tile; else the only one.
 template <bool FROM_TILES>
-__device__ inline Run run_of(const Params& p, const World& w, uint bucket, uint tile) {
+__device__ inline Run run_of(const Params& p, const KernelBuffers& w, uint bucket, uint tile) {
   if constexpr (FROM_TILES) {
-    uint run = w.next_place[tile * BUCKETS_AT_MOST + bucket];
+    uint run = w.bucket_cursor[tile * BUCKETS_AT_MOST + bucket];
     return {tile * SPLIT_TILE + begin_in_tile(run), tile * SPLIT_TILE + end_in_tile(run)};
   } else {
-    uint begin = bucket == 0u ? 0u : w.next_place[p.first_bucket + bucket - 1u];
-    return {begin, w.next_place[p.first_bucket + bucket]};
+    uint begin = bucket == 0u ? 0u : w.bucket_cursor[p.first_bucket + bucket - 1u];
+    return {begin, w.bucket_cursor[p.first_bucket + bucket]};
   }
 }
 
 // FROM_TILES: a thread finds the run of each tile.
 template <bool FROM_TILES>
-__device__ inline Bucket find_bucket(const Params& p, const World& w, uint bucket, uint* place) {
+__device__ inline Bucket find_bucket(const Params& p, const KernelBuffers& w, uint bucket, uint* sorted_index) {
   uint lane = threadIdx.x;
   if constexpr (FROM_TILES) {
     __shared__ uint bucket_begin, bucket_size;
@@ -50,7 +50,7 @@ __device__ inline Bucket find_bucket(const Params& p, const World& w, uint bucke
     if (lane == 0u) bucket_begin = 0u;
     uint size = sum_up_to<SORT_BLOCK>(end - begin);
     if (begin != 0u) atomicAdd(&bucket_begin, begin);
-    for (uint k = begin; k < end && size - end + k < HELD; ++k) place[size - end + k] = tile + k;
+    for (uint k = begin; k < end && size - end + k < HELD; ++k) sorted_index[size - end + k] = tile + k;
     if (lane == SORT_BLOCK - 1u) bucket_size = size;
     __syncthreads();
     return {bucket_begin, bucket_size, tiles};
@@ -61,76 +61,78 @@ __device__ inline Bucket find_bucket(const Params& p, const World& w, uint bucke
 }
 // Where the k-th sphere of the bucket stands, or behind its last one that one; any sphere where it has none.
 template <bool FROM_TILES>
-__device__ inline uint held(Bucket b, uint k, const uint* place) {
+__device__ inline uint held(Bucket b, uint k, const uint* sorted_index) {
   if (b.size == 0u) return 0u;
-  return FROM_TILES ? place[min(k, b.size - 1u)] : b.begin + min(k, b.size - 1u);
+  return FROM_TILES ? sorted_index[min(k, b.size - 1u)] : b.begin + min(k, b.size - 1u);
 }
 
 // Sphere i of those that were split.
-__device__ inline void put(const Params& p, const World& w, vec4 sphere, uint i, uint at) {
+__device__ inline void put(const Params& p, const KernelBuffers& w, vec4 sphere, uint i, uint at) {
   w.sorted[at] = sphere;
-  if ((p.names & NAMES_IN_RADII) == 0u) w.id[at] = w.from_id[i];
+  if ((p.indices & INDEX_IN_W) == 0u) w.id[at] = w.from_id[i];
   w.sorted_count[at] = 0u;
 }
 
 // Makes of the counts where the cells begin, in the bucket and in the table.
-__device__ inline void begin_cells(const Params& p, const World& w, Bucket b, uint low, uint* place) {
+__device__ inline void begin_cells(const Params& p, const KernelBuffers& w, Bucket b, uint low, uint* sorted_index) {
   uint lane = threadIdx.x;
   __syncthreads();
   uint own = 0u;
-  for (uint k = 0u; k < CELLS_PER_BUCKET / SORT_BLOCK; ++k) own += place[lane * (CELLS_PER_BUCKET / SORT_BLOCK) + k];
+  for (uint k = 0u; k < CELLS_PER_BUCKET / SORT_BLOCK; ++k)
+    own += sorted_index[lane * (CELLS_PER_BUCKET / SORT_BLOCK) + k];
   uint upto = sum_up_to<SORT_BLOCK>(own) - own;
   for (uint k = 0u; k < CELLS_PER_BUCKET / SORT_BLOCK; ++k) {
-    uint counted = place[lane * (CELLS_PER_BUCKET / SORT_BLOCK) + k];
-    place[lane * (CELLS_PER_BUCKET / SORT_BLOCK) + k] = upto;
+    uint counted = sorted_index[lane * (CELLS_PER_BUCKET / SORT_BLOCK) + k];
+    sorted_index[lane * (CELLS_PER_BUCKET / SORT_BLOCK) + k] = upto;
     upto += counted;
   }
   __syncthreads();
   for (uint k = lane; k < 1u << p.bucket_shift; k += SORT_BLOCK)
-    if (low + k <= p.cell_slots) w.cell[low + k] = b.begin + place[k];
+    if (low + k <= p.cell_slots) w.cell[low + k] = b.begin + sorted_index[k];
 }
 
 template <bool FROM_TILES, bool DENSE>
-__device__ inline void sort_held(const Params& p, const World& w, Bucket b, uint low, uint* place) {
+__device__ inline void sort_held(const Params& p, const KernelBuffers& w, Bucket b, uint low, uint* sorted_index) {
   uint lane = threadIdx.x;
   uint from[SORT_EACH];           // where the thread's spheres stand
   uint cell_and_rank[SORT_EACH];  // of each, in the bucket; the rank in the upper half
-  for (uint k = 0u; k < SORT_EACH; ++k) from[k] = held<FROM_TILES>(b, lane + k * SORT_BLOCK, place);
+  for (uint k = 0u; k < SORT_EACH; ++k) from[k] = held<FROM_TILES>(b, lane + k * SORT_BLOCK, sorted_index);
   __syncthreads();
-  for (uint c = lane; c < CELLS_PER_BUCKET; c += SORT_BLOCK) place[c] = 0u;
+  for (uint c = lane; c < CELLS_PER_BUCKET; c += SORT_BLOCK) sorted_index[c] = 0u;
   for (uint k = 0u; k < SORT_EACH; ++k) cell_and_rank[k] = slot_of(w.position[from[k]], DENSE, p) - low;
   __syncthreads();
   for (uint k = 0u; k < SORT_EACH; ++k)
-    if (lane + k * SORT_BLOCK < b.size) cell_and_rank[k] |= atomicAdd(&place[cell_and_rank[k]], 1u) << 16;
-  begin_cells(p, w, b, low, place);
+    if (lane + k * SORT_BLOCK < b.size) cell_and_rank[k] |= atomicAdd(&sorted_index[cell_and_rank[k]], 1u) << 16;
+  begin_cells(p, w, b, low, sorted_index);
   for (uint k = 0u; k < SORT_EACH; ++k)
-    cell_and_rank[k] = place[cell_and_rank[k] % CELLS_PER_BUCKET] + (cell_and_rank[k] >> 16);
+    cell_and_rank[k] = sorted_index[cell_and_rank[k] % CELLS_PER_BUCKET] + (cell_and_rank[k] >> 16);
   __syncthreads();
   for (uint k = 0u; k < SORT_EACH; ++k)
-    if (lane + k * SORT_BLOCK < b.size) place[cell_and_rank[k]] = from[k];
+    if (lane + k * SORT_BLOCK < b.size) sorted_index[cell_and_rank[k]] = from[k];
   __syncthreads();
-  for (uint k = lane; k < b.size; k += SORT_BLOCK) put(p, w, w.position[place[k]], place[k], b.begin + k);
+  for (uint k = lane; k < b.size; k += SORT_BLOCK) put(p, w, w.position[sorted_index[k]], sorted_index[k], b.begin + k);
 }
 
 template <bool FROM_TILES, bool DENSE>
-__device__ inline void sort_crowd(const Params& p, const World& w, Bucket b, uint low, uint* place) {
+__device__ inline void sort_oversized_bucket(const Params& p, const KernelBuffers& w, Bucket b, uint low,
+                                             uint* sorted_index) {
   constexpr uint RUN_THREADS = run_threads<FROM_TILES>;
   uint lane = threadIdx.x;
   __syncthreads();
-  for (uint c = lane; c < CELLS_PER_BUCKET; c += SORT_BLOCK) place[c] = 0u;
+  for (uint c = lane; c < CELLS_PER_BUCKET; c += SORT_BLOCK) sorted_index[c] = 0u;
   __syncthreads();
   for (uint r = lane / RUN_THREADS; r < b.runs; r += SORT_BLOCK / RUN_THREADS) {
     Run run = run_of<FROM_TILES>(p, w, group_index(p), r);
     for (uint i = run.begin + lane % RUN_THREADS; i < run.end; i += RUN_THREADS)
-      atomicAdd(&place[slot_of(w.position[i], DENSE, p) - low], 1u);
+      atomicAdd(&sorted_index[slot_of(w.position[i], DENSE, p) - low], 1u);
   }
-  begin_cells(p, w, b, low, place);
+  begin_cells(p, w, b, low, sorted_index);
   __syncthreads();
   for (uint r = lane / RUN_THREADS; r < b.runs; r += SORT_BLOCK / RUN_THREADS) {
     Run run = run_of<FROM_TILES>(p, w, group_index(p), r);
     for (uint i = run.begin + lane % RUN_THREADS; i < run.end; i += RUN_THREADS) {
       vec4 sphere = w.position[i];
-      put(p, w, sphere, i, b.begin + atomicAdd(&place[slot_of(sphere, DENSE, p) - low], 1u));
+      put(p, w, sphere, i, b.begin + atomicAdd(&sorted_index[slot_of(sphere, DENSE, p) - low], 1u));
     }
   }
 }
@@ -138,18 +140,18 @@ __device__ inline void sort_crowd(const Params& p, const World& w, Bucket b, uin
 }  // namespace
 
 template <bool FROM_TILES, bool DENSE>
-__global__ void __launch_bounds__(SORT_BLOCK, 4) grid_sort(Params p, World w) {
-  __shared__ uint place[CELLS_PER_BUCKET];  // where the bucket's spheres stand; then, in the bucket, of the next sphere
-                                            // of each cell; then its spheres by cell
-  wait_for_launch_before();
+__global__ void __launch_bounds__(SORT_BLOCK, 4) grid_sort(Params p, KernelBuffers w) {
+  __shared__ uint sorted_index[CELLS_PER_BUCKET];  // where the bucket's spheres stand; then, in the bucket, of the next
+                                                   // sphere of each cell; then its spheres by cell
+  grid_dependency_sync();
   if (group_index(p) >= p.buckets) return;
   uint low = group_index(p) << p.bucket_shift;
   for (uint k = threadIdx.x; low == 0u && k < SUMMARY_SLOTS * SUMMARY_WORDS; k += SORT_BLOCK) w.summary[k] = 0u;
-  Bucket b = find_bucket<FROM_TILES>(p, w, group_index(p), place);
+  Bucket b = find_bucket<FROM_TILES>(p, w, group_index(p), sorted_index);
   if (b.size <= HELD) {
-    sort_held<FROM_TILES, DENSE>(p, w, b, low, place);
+    sort_held<FROM_TILES, DENSE>(p, w, b, low, sorted_index);
   } else {
-    sort_crowd<FROM_TILES, DENSE>(p, w, b, low, place);
+    sort_oversized_bucket<FROM_TILES, DENSE>(p, w, b, low, sorted_index);
   }
 }
 

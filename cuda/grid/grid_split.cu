@@ -9,10 +9,11 @@
 namespace spherepair {
 
 template <bool DENSE>
-__global__ void __launch_bounds__(SPLIT_BLOCK, 2) grid_split(Params p, World w) {
-  __shared__ uint place[BUCKETS_AT_MOST];  // of the next sphere of each bucket; then from there to its place among all
-  __shared__ uint order[SPLIT_TILE];       // the spheres of the tile by bucket: bucket, number in the tile
-  __shared__ uint taken;                   // spheres of this turn
+__global__ void __launch_bounds__(SPLIT_BLOCK, 2) grid_split(Params p, KernelBuffers w) {
+  __shared__ uint
+      sorted_index[BUCKETS_AT_MOST];  // of the next sphere of each bucket; then from there to its place among all
+  __shared__ uint order[SPLIT_TILE];  // the spheres of the tile by bucket: bucket, number in the tile
+  __shared__ uint taken;              // spheres of this turn
   uint lane = threadIdx.x;
   uint first = group_index(p) * SPLIT_TILE;
   if (first >= p.n) return;
@@ -24,30 +25,30 @@ __global__ void __launch_bounds__(SPLIT_BLOCK, 2) grid_split(Params p, World w) 
   uint last_bucket = bucket_above(parents ? slot_of(w.position[end - 1u], DENSE, p) : 0u, p);
   uint low = parents ? bucket_below(slot_of(w.position[first], DENSE, p), p) : 0u;
   for (; low <= last_bucket; low += BUCKETS_AT_MOST) {
-    place[lane] = 0u;
+    sorted_index[lane] = 0u;
     __syncthreads();
     for (uint k = 0u; k < SPLIT_EACH; ++k)
       if (first + k * SPLIT_BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST)
-        atomicAdd(&place[bucket[k] - low], 1u);
+        atomicAdd(&sorted_index[bucket[k] - low], 1u);
     __syncthreads();
-    uint own = place[lane];
+    uint own = sorted_index[lane];
     uint upto = sum_up_to<SPLIT_BLOCK>(own);
     if (lane == SPLIT_BLOCK - 1u) taken = upto;
-    place[lane] = upto - own;
-    uint shift = own != 0u ? atomicAdd(&w.next_place[p.first_bucket + low + lane], own) - (upto - own) : 0u;
+    sorted_index[lane] = upto - own;
+    uint shift = own != 0u ? atomicAdd(&w.bucket_cursor[p.first_bucket + low + lane], own) - (upto - own) : 0u;
     __syncthreads();
     for (uint k = 0u; k < SPLIT_EACH; ++k)
       if (first + k * SPLIT_BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST)
-        order[atomicAdd(&place[bucket[k] - low], 1u)] = (bucket[k] - low) * SPLIT_TILE + k * SPLIT_BLOCK + lane;
+        order[atomicAdd(&sorted_index[bucket[k] - low], 1u)] = (bucket[k] - low) * SPLIT_TILE + k * SPLIT_BLOCK + lane;
     __syncthreads();
-    place[lane] = shift;
+    sorted_index[lane] = shift;
     __syncthreads();
     for (uint q = lane; q < taken; q += SPLIT_BLOCK) {
       uint i = first + order[q] % SPLIT_TILE;
-      uint at = q + place[order[q] / SPLIT_TILE];
+      uint at = q + sorted_index[order[q] / SPLIT_TILE];
       vec4 sphere = w.position[i];
-      bool in_radii = (p.names & NAMES_IN_RADII) != 0u;
-      uint name = (p.names & NAMES_GIVEN) == 0u ? i : in_radii ? float_bits(sphere.w) : w.from_id[i];
+      bool in_radii = (p.indices & INDEX_IN_W) != 0u;
+      uint name = (p.indices & INDEX_GIVEN) == 0u ? i : in_radii ? float_bits(sphere.w) : w.from_id[i];
       if (in_radii) sphere.w = bits_float(name);
       if (!in_radii) w.id[at] = name;
       w.sorted[at] = sphere;

@@ -4,7 +4,7 @@
 
 namespace spherepair {
 
-__global__ void __launch_bounds__(SCAN_BLOCK) grid_sums(Params p, World w) {
+__global__ void __launch_bounds__(SCAN_BLOCK) grid_sums(Params p, KernelBuffers w) {
   __shared__ uint sum;
   uint lane = threadIdx.x;
   uint tile = p.first_bucket / SCAN_TILE + group_index(p);

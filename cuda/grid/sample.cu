@@ -4,7 +4,7 @@
 
 namespace spherepair {
 
-__global__ void __launch_bounds__(SERVICE_BLOCK) sample(Params p, World w) {
+__global__ void __launch_bounds__(SERVICE_BLOCK) sample(Params p, KernelBuffers w) {
   uint k = group_index(p) * SERVICE_BLOCK + threadIdx.x;
   w.sorted[k] = w.position[uint(uint64_t(k) * uint64_t(p.n) / uint64_t(group_count() * SERVICE_BLOCK))];
 }

@@ -7,7 +7,7 @@
 namespace spherepair {
 
 template <bool DENSE>
-__global__ void __launch_bounds__(SPLIT_BLOCK) split_count(Params p, World w) {
+__global__ void __launch_bounds__(SPLIT_BLOCK) split_count(Params p, KernelBuffers w) {
   __shared__ uint counted[BUCKETS_AT_MOST];
   uint lane = threadIdx.x;
   uint first = group_index(p) * SPLIT_TILE;
@@ -28,7 +28,7 @@ __global__ void __launch_bounds__(SPLIT_BLOCK) split_count(Params p, World w) {
         atomicAdd(&counted[bucket[k] - low], 1u);
     __syncthreads();
     for (uint b = lane; b < BUCKETS_AT_MOST; b += SPLIT_BLOCK)
-      if (counted[b] != 0u) atomicAdd(&w.next_place[p.first_bucket + low + b], counted[b]);
+      if (counted[b] != 0u) atomicAdd(&w.bucket_cursor[p.first_bucket + low + b], counted[b]);
     __syncthreads();
   }
 }

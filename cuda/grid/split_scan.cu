@@ -5,11 +5,11 @@
 
 namespace spherepair {
 
-__global__ void __launch_bounds__(BUCKETS_AT_MOST) split_scan(Params p, World w) {
+__global__ void __launch_bounds__(BUCKETS_AT_MOST) split_scan(Params p, KernelBuffers w) {
   uint lane = threadIdx.x;
-  uint own = w.next_place[lane];
+  uint own = w.bucket_cursor[lane];
   uint upto = sum_up_to<BUCKETS_AT_MOST>(own);
-  w.next_place[lane] = upto - own;
+  w.bucket_cursor[lane] = upto - own;
 }
 
 Entry split_scan_kernel(uint, Variant) { return reinterpret_cast<Entry>(&split_scan); }

@@ -44,8 +44,8 @@ class CudaBackend final : public DeviceBackend {
   std::vector<Pair> read_pairs(uint64_t count) override;
   bool has_atomics_64() const override { return true; }
   bool graph_pays() const override { return spheres() < 20'000; }  // one by one, few take the host the longer time
-  void check_tricks(const CollideOptions& options) const override;
-  void begin_step(const Tricks& tricks) override;
+  void check_api_options(const CollideOptions& options) const override;
+  void begin_step(const ApiOptions& api) override;
   void end_step() override;
   void clear_buffer(uint slot, uint64_t bytes) override;
   void library_scan() override;
@@ -56,7 +56,7 @@ class CudaBackend final : public DeviceBackend {
   T* buffer(uint slot) const {
     return static_cast<T*>(memory_[slot].data);
   }
-  World world(const Launch& launch) const;
+  KernelBuffers world(const Launch& launch) const;
   uint64_t table_bytes() const { return (uint64_t(params().cell_slots) + 2) * sizeof(uint); }
   void require_kernels(int device);
 
@@ -120,7 +120,7 @@ void CudaBackend::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
   cuda_check(cudaMemcpy(data, source, bytes, cudaMemcpyDeviceToHost), fmt::format("reading {} bytes", bytes));
 }
 
-World CudaBackend::world(const Launch& launch) const {
+KernelBuffers CudaBackend::world(const Launch& launch) const {
   return {.position = buffer<vec4>(position_slot(launch.order)),
           .velocity = buffer<vec4>(SLOT_VELOCITY),
           .count = buffer<uint>(count_slot(launch)),
@@ -135,7 +135,7 @@ World CudaBackend::world(const Launch& launch) const {
           .id = buffer<uint>(id_slot(launch.target)),
           .sorted_count = buffer<uint>(SLOT_SORTED_COUNT),
           .tile_sum = buffer<uint>(SLOT_SCAN),
-          .next_place = buffer<uint>(SLOT_BUCKET),
+          .bucket_cursor = buffer<uint>(SLOT_BUCKET),
           .visible = buffer<uvec2>(SLOT_VISIBLE),
           .image = buffer<uint>(SLOT_IMAGE),
           .tile = buffer<uvec2>(SLOT_TILE),
@@ -148,7 +148,7 @@ World CudaBackend::world(const Launch& launch) const {
           .anchor = buffer<vec4>(SLOT_ANCHOR),
           .flight = buffer<void>(SLOT_FLIGHT),
           .since = buffer<uint>(SLOT_SINCE),
-          .due = buffer<uint>(SLOT_DUE),
+          .next_event = buffer<uint>(SLOT_NEXT_EVENT),
           .seen_list = buffer<uint>(SLOT_SEEN_LIST)};
 }
 
@@ -157,27 +157,27 @@ void CudaBackend::launch(const Launch& launch, const Params& params) {
   const View seen = takes_view(launch.kernel) ? view() : View{};
   KernelCall call{stage_name(launch), entry_of(launch), groups, launch.block, params, world(launch), seen, {}, false};
   call.window = l2_.window(memory_[SLOT_CELL].data, table_bytes());
-  const bool beside = programmatic_ && last_ && launch.beside == last_;
+  const bool overlaps_previous = programmatic_ && last_ && launch.overlaps_previous == last_;
   const bool waits_first = launch.kernel == Kernel::grid_sort || launch.kernel == Kernel::collide_grid;
-  call.early = beside || (early_ && waits_first);
-  work_.early += call.early && !beside;
-  if (beside) graph_.flush();  // a graph would wait for all before it
-  work_.beside += beside;
+  call.early = overlaps_previous || (early_ && waits_first);
+  work_.early += call.early && !overlaps_previous;
+  if (overlaps_previous) graph_.flush();  // a graph would wait for all before it
+  work_.overlapped += overlaps_previous;
   last_ = launch.kernel;
   ++work_.launches;
   if (graph_.collecting()) return graph_.add(call);
   stages_.time(call.name, [&] { launch_call(call, nullptr); });
 }
 
-void CudaBackend::check_tricks(const CollideOptions& options) const {
+void CudaBackend::check_api_options(const CollideOptions& options) const {
   refuse_missing("cuda", options,
                  {.graph = true, .keep_in_l2 = l2_.bytes() > 0, .library_clear = true, .overlap = programmatic_}, true);
 }
 
-void CudaBackend::begin_step(const Tricks& tricks) {
-  l2_.turn(tricks.keep_in_l2.value_or(false));
-  if (tricks.graph.value_or(true) && !stages_.on()) graph_.begin();  // stages are timed one by one
-  early_ = programmatic_ && tricks.overlap.value_or(true) && (!graph_.collecting() || StepGraph::may_be_early());
+void CudaBackend::begin_step(const ApiOptions& api) {
+  l2_.turn(api.keep_in_l2.value_or(false));
+  if (api.graph.value_or(true) && !stages_.on()) graph_.begin();  // stages are timed one by one
+  early_ = programmatic_ && api.overlap.value_or(true) && (!graph_.collecting() || StepGraph::may_be_early());
 }
 
 void CudaBackend::end_step() {

@@ -24,7 +24,7 @@ struct SlotOf {
   __device__ uint operator()(vec4 sphere) const { return slot_of(sphere, p); }
 };
 
-// The sphere of a number, with it in place of the radius where NAMES_IN_RADII.
+// The sphere of a number, with it in place of the radius where INDEX_IN_W.
 struct Named {
   const vec4* position;
   bool in_radii;
@@ -87,7 +87,7 @@ void LibrarySort::sort(const Params& p, const vec4* position, uint* table, vec4*
   thrust::transform(policy, spheres, spheres + n, slots, SlotOf{p});
   thrust::sequence(policy, ids, ids + n);
   thrust::sort_by_key(policy, slots, slots + n, ids);
-  const Named named{position, (p.names & NAMES_IN_RADII) != 0u};
+  const Named named{position, (p.indices & INDEX_IN_W) != 0u};
   thrust::transform(policy, ids, ids + n, thrust::device_ptr<vec4>(sorted), named);
   thrust::fill(policy, counts, counts + n, 0u);
   thrust::lower_bound(policy, slots, slots + n, first_slot, first_slot + p.cell_slots + 1, cells);

@@ -28,7 +28,7 @@ bool same_call(const KernelCall& a, const KernelCall& b) {
 
 void launch_call(const KernelCall& call, cudaStream_t stream) {
   Params p = call.p;
-  World w = call.w;
+  KernelBuffers w = call.w;
   View v = call.v;
   void* arguments[] = {&p, &w, &v};
   std::array<cudaLaunchAttribute, 2> attributes{};

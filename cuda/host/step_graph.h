@@ -19,7 +19,7 @@ struct KernelCall {
   dim3 groups;
   uint block;
   Params p;
-  World w;
+  KernelBuffers w;
   View v;                         // zeros for a kernel that takes none: another view is no other call of it
   cudaAccessPolicyWindow window;  // of 0 bytes: none
   bool early;                     // may begin before the launch before is done, for which the kernel itself waits

@@ -6,23 +6,23 @@
 namespace spherepair {
 
 template <typename Real>
-__global__ void __launch_bounds__(SERVICE_BLOCK) bounce(Params p, World w) {
+__global__ void __launch_bounds__(SERVICE_BLOCK) bounce(Params p, KernelBuffers w) {
   __shared__ uint found;
   __shared__ uint bouncing[SPHERES_PER_BOUNCER * SERVICE_BLOCK];
-  const uvec4* due_vector = reinterpret_cast<const uvec4*>(w.due);
+  const uvec4* next_event_vector = reinterpret_cast<const uvec4*>(w.next_event);
   uint lane = threadIdx.x;
   uint first = group_index(p) * (SPHERES_PER_BOUNCER / 4) * SERVICE_BLOCK + lane;
-  uint now = p.whole_state == 0u ? p.steps_done : NEVER_DUE - 1u;
+  uint now = p.whole_state == 0u ? p.steps_done : NO_EVENT - 1u;
   if (lane == 0u) found = 0u;
   __syncthreads();
   for (uint v = 0u; v < SPHERES_PER_BOUNCER / 4; ++v) {
     uint i = 4u * (first + v * SERVICE_BLOCK);
     if (i >= p.n) break;
-    uvec4 due_step = due_vector[i / 4u];
-    if (now >= due_step.x) bouncing[atomicAdd(&found, 1u)] = i;
-    if (now >= due_step.y && i + 1u < p.n) bouncing[atomicAdd(&found, 1u)] = i + 1u;
-    if (now >= due_step.z && i + 2u < p.n) bouncing[atomicAdd(&found, 1u)] = i + 2u;
-    if (now >= due_step.w && i + 3u < p.n) bouncing[atomicAdd(&found, 1u)] = i + 3u;
+    uvec4 event_step = next_event_vector[i / 4u];
+    if (now >= event_step.x) bouncing[atomicAdd(&found, 1u)] = i;
+    if (now >= event_step.y && i + 1u < p.n) bouncing[atomicAdd(&found, 1u)] = i + 1u;
+    if (now >= event_step.z && i + 2u < p.n) bouncing[atomicAdd(&found, 1u)] = i + 2u;
+    if (now >= event_step.w && i + 3u < p.n) bouncing[atomicAdd(&found, 1u)] = i + 3u;
   }
   __syncthreads();
   Real* flight = static_cast<Real*>(w.flight);
@@ -32,9 +32,9 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) bounce(Params p, World w) {
     flight[i] = a.speed;
     flight[size_t(p.n) + i] = a.age;
     w.since[i] = a.since;
-    w.due[i] = next_due(a, p);
+    w.next_event[i] = next_event_step(a, p);
   }
-  wait_for_launch_before();
+  grid_dependency_sync();
 }
 
 Entry bounce_kernel(uint, Variant variant) {

@@ -10,7 +10,7 @@
 namespace spherepair {
 
 template <typename Real>
-__device__ inline Moving<Real> load_sphere(Params p, World w, uint i) {
+__device__ inline Moving<Real> load_sphere(Params p, KernelBuffers w, uint i) {
   vec4 at = w.position[i];
   if constexpr (std::is_same_v<Real, float>) {
     vec4 v = w.velocity[i];
@@ -23,7 +23,7 @@ __device__ inline Moving<Real> load_sphere(Params p, World w, uint i) {
 }
 
 template <typename Real>
-__device__ inline void store_sphere(Params p, World w, uint i, Moving<Real> s) {
+__device__ inline void store_sphere(Params p, KernelBuffers w, uint i, Moving<Real> s) {
   w.position[i] = {nearest(s.x), nearest(s.y), nearest(s.z), s.radius};
   if constexpr (std::is_same_v<Real, float>) {
     w.velocity[i] = {s.vx, s.vy, s.vz, 0.0f};
@@ -40,7 +40,7 @@ __device__ inline void store_sphere(Params p, World w, uint i, Moving<Real> s) {
 }
 
 template <typename Real>
-__device__ inline Anchor<Real> load_anchor(Params p, World w, uint i) {
+__device__ inline Anchor<Real> load_anchor(Params p, KernelBuffers w, uint i) {
   const Real* flight = static_cast<const Real*>(w.flight) + i;
   vec4 v = w.velocity[i];
   return {w.anchor[i], snap(v.x), snap(v.z), flight[0], flight[size_t(p.n)], w.since[i]};

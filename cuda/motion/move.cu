@@ -6,12 +6,12 @@
 namespace spherepair {
 
 template <uint METHOD, typename Real>
-__global__ void __launch_bounds__(SERVICE_BLOCK) move(Params p, World w) {
+__global__ void __launch_bounds__(SERVICE_BLOCK) move(Params p, KernelBuffers w) {
   uint i = group_index(p) * SERVICE_BLOCK + threadIdx.x;
   if (p.in_cells == 0u) clear_results(p, w, i);
   if (i >= p.n) return;
   store_sphere(p, w, i, take_step(METHOD, load_sphere<Real>(p, w, i), p));
-  wait_for_launch_before();
+  grid_dependency_sync();
 }
 
 template <uint METHOD>

@@ -4,7 +4,7 @@
 
 namespace spherepair {
 
-__global__ void __launch_bounds__(SERVICE_BLOCK) empty(Params, World) {}
+__global__ void __launch_bounds__(SERVICE_BLOCK) empty(Params, KernelBuffers) {}
 
 Entry empty_kernel(uint, Variant) { return reinterpret_cast<Entry>(&empty); }
 

@@ -12,9 +12,9 @@ uint64_t mix_b = 0ul;
 // 64-bit sums by two 32-bit atomics: each wrap of the low word is seen by exactly one addition.
 void add_to_total(uint word, uint64_t value) {
   uint low = uint(value & 0xFFFFFFFFul);
-  uint place = (gl_LocalInvocationID.x % TOTAL_ROWS) * TOTAL_STRIDE + word;
-  uint before = atomicAdd(total[place], low);
-  atomicAdd(total[place + 1u], uint(value >> 32) + (before + low < before ? 1u : 0u));
+  uint sorted_index = (gl_LocalInvocationID.x % TOTAL_ROWS) * TOTAL_STRIDE + word;
+  uint before = atomicAdd(total[sorted_index], low);
+  atomicAdd(total[sorted_index + 1u], uint(value >> 32) + (before + low < before ? 1u : 0u));
 }
 
 void add_to_summary(uint word, uint low, uint high) {
@@ -44,7 +44,7 @@ void finish_totals() {
 }
 
 // More contacts for sphere i; what was counted before is not asked for, so nothing waits for it.
-void touch(uint i, uint contacts) { atomicAdd(count[i], contacts); }
+void add_contact(uint i, uint contacts) { atomicAdd(count[i], contacts); }
 
 bool totals_later() { return LATER != 0u; }
 
@@ -85,7 +85,7 @@ uint filter_spheres(vec4 a, vec4 b) {
 }
 
 // For kernels that meet every ordered pair: sphere i counts its own contacts, and i<j records the pair.
-uint meet_ordered(uint i, vec4 a, uint j, vec4 b) {
+uint test_ordered_pair(uint i, vec4 a, uint j, vec4 b) {
   if (i == j || i >= p.n) return 0u;
   uint verdict = filter_spheres(a, b);
   if (verdict == UNDECIDED && i < j) defer(i, j);
@@ -95,18 +95,18 @@ uint meet_ordered(uint i, vec4 a, uint j, vec4 b) {
 
 // For kernels that meet every unordered pair once, at places i and j: what the filter says of it. The caller counts the
 // contact, or has an undecided pair decided. Most that come here collide, so numbers are loaded beside the spheres.
-uint meet(uint i, vec4 a, uint j, vec4 b) {
-  uint first = totals_later() ? i : number_of(a, i);
-  uint second = totals_later() ? j : number_of(b, j);
+uint test_pair(uint i, vec4 a, uint j, vec4 b) {
+  uint first = totals_later() ? i : sphere_index(a, i);
+  uint second = totals_later() ? j : sphere_index(b, j);
   uint verdict = filter_spheres(a, b);
   if (verdict == COLLIDE && !totals_later()) record(first, second);
   return verdict;
 }
 
-void meet_once(uint i, uint j) {
-  uint verdict = meet(i, position[i], j, position[j]);
+void test_stored_pair(uint i, uint j) {
+  uint verdict = test_pair(i, position[i], j, position[j]);
   if (verdict == UNDECIDED) defer(i, j);
   if (verdict != COLLIDE) return;
-  touch(i, 1u);
-  touch(j, 1u);
+  add_contact(i, 1u);
+  add_contact(j, 1u);
 }

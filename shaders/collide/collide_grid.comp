@@ -35,15 +35,15 @@ struct Rows {
   Row own, above, ahead_below, ahead, ahead_above;
 };
 Rows find_rows(vec4 mine, uint i, bool exists) {
-  Place place = place_of(mine, p);
+  GridPosition sorted_index = grid_position(mine, p);
   float reach = reach_in_cells(mine.w, p);
-  uint x = cell_below(place.x, reach);
-  uint last_x = cell_above(place.x, reach, p.cells_x);
-  uint y = uint(place.y);
-  uint z = uint(place.z);
-  bool below = cell_below(place.y, reach) != y;
-  bool above = cell_above(place.y, reach, p.cells_y) != y && exists;
-  bool ahead = cell_above(place.z, reach, p.cells_z) != z && exists;
+  uint x = cell_below(sorted_index.x, reach);
+  uint last_x = cell_above(sorted_index.x, reach, p.cells_x);
+  uint y = uint(sorted_index.y);
+  uint z = uint(sorted_index.z);
+  bool below = cell_below(sorted_index.y, reach) != y;
+  bool above = cell_above(sorted_index.y, reach, p.cells_y) != y && exists;
+  bool ahead = cell_above(sorted_index.z, reach, p.cells_z) != z && exists;
   uint slot = dense_slot(0u, y, z, p) - table_begin();
   uint next = slot + p.cells_x * p.cells_y;
   Rows rows;
@@ -106,15 +106,15 @@ void decide_undecided() {
   }
   atomicAdd(summary[row + SUM_STAGE + STAGE_DOUBLE], 1u);
   if (verdict == APART) return;
-  if (!totals_later()) record(number_of(position[i], i), number_of(position[j], j));
-  touch(i, 1u);
-  touch(j, 1u);
+  if (!totals_later()) record(sphere_index(position[i], i), sphere_index(position[j], j));
+  add_contact(i, 1u);
+  add_contact(j, 1u);
 }
 
 // A group's next spheres: behind these, or those of its next stretch, as far on as all groups take.
 uint next_chunk(uint first) {
   uint behind = first + BLOCK;
-  return (behind & (p.stretch - 1u)) != 0u ? behind : behind + (group_count() - 1u) * p.stretch;
+  return (behind & (p.columns_per_group - 1u)) != 0u ? behind : behind + (group_count() - 1u) * p.columns_per_group;
 }
 
 void main() {
@@ -124,10 +124,10 @@ void main() {
   if (lane == 0u) queued[team] = unfinished[team] = 0u;
   if (gl_LocalInvocationID.x == 0u) undecided_pairs = 0u;
   start_totals();
-  uint end = places_end() - first_place();
-  for (uint first = group_index() * p.stretch; first < end;) {
+  uint end = sorted_end() - sorted_begin();
+  for (uint first = group_index() * p.columns_per_group; first < end;) {
     uint k = first + team * TEAM + lane;
-    uint i = first_place() + k;
+    uint i = sorted_begin() + k;
     first = next_chunk(first);
     vec4 mine = position[min(i, p.n - 1u)];
     if (bool(EQUAL_RADII)) mine.w = p.radius;
@@ -155,7 +155,7 @@ void main() {
       for (uint q = left + lane; q < held; q += TEAM) {
         uint a = queue[room + q].x;
         uint b = queue[room + q].y;
-        uint verdict = meet(a, position[a], b, position[b]);
+        uint verdict = test_pair(a, position[a], b, position[b]);
         if (verdict == COLLIDE) {
           atomicAdd(count[a], 1u);
           atomicAdd(count[b], 1u);

@@ -42,12 +42,12 @@ void main() {
             uint other = j < p.n ? j : j - p.n;
             vec4 sphere = with_radius(position[other]);
             if (in_reach(mine, sphere) && stands_in_row(sphere, level, y, z, p)) {
-              uint place = atomicAdd(queued, 1u);
-              if (place < QUEUE) {
-                queue_mine[place] = i;
-                queue_other[place] = other;
+              uint sorted_index = atomicAdd(queued, 1u);
+              if (sorted_index < QUEUE) {
+                queue_mine[sorted_index] = i;
+                queue_other[sorted_index] = other;
               } else {
-                meet_once(i, other);
+                test_stored_pair(i, other);
               }
             }
           }
@@ -56,8 +56,8 @@ void main() {
       }
     }
     barrier();
-    uint meetings = min(queued, QUEUE);
-    for (uint q = lane; q < meetings; q += BLOCK) meet_once(queue_mine[q], queue_other[q]);
+    uint candidates = min(queued, QUEUE);
+    for (uint q = lane; q < candidates; q += BLOCK) test_stored_pair(queue_mine[q], queue_other[q]);
     barrier();
   }
   finish_totals();

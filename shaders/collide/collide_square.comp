@@ -21,8 +21,8 @@ void main() {
   uint contacts = 0u;
   uint others = min(uint(BLOCK), p.n - first);
   for (uint k = 0u; k < others; ++k) {
-    if (in_reach(mine, tile[k])) contacts += meet_ordered(i, mine, first + k, tile[k]);
+    if (in_reach(mine, tile[k])) contacts += test_ordered_pair(i, mine, first + k, tile[k]);
   }
-  if (contacts != 0u) touch(i, contacts);
+  if (contacts != 0u) add_contact(i, contacts);
   finish_totals();
 }

@@ -32,6 +32,6 @@ void main() {
     }
     barrier();
   }
-  if (contacts != 0u) touch(i, contacts);
+  if (contacts != 0u) add_contact(i, contacts);
   finish_totals();
 }

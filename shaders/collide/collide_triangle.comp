@@ -8,7 +8,7 @@
 #include "shaders/collide/collide.glsl"
 
 #define ROWS (BLOCK * SPHERES_PER_THREAD)
-#define MEETING_PAIRS (SPHERES_PER_THREAD * COLUMNS_AT_ONCE)
+#define PAIRS_PER_ENTRY (SPHERES_PER_THREAD * COLUMNS_AT_ONCE)
 #if EQUAL_RADII
 #define SHARE 1.0f
 #else
@@ -24,24 +24,24 @@ shared uint near_queue[NEAR_PER_THREAD * BLOCK];
 shared uint near_length[2];  // of this tile and of the next
 
 // Pair number `pair` of the meeting between a thread's rows and the columns from j on.
-void meet(uint first_row, uint pair, uint lane, uint j, uint end) {
+void test_pair(uint first_row, uint pair, uint lane, uint j, uint end) {
   uint i = first_row + (pair % SPHERES_PER_THREAD) * BLOCK + lane;
   j += pair / SPHERES_PER_THREAD;
-  if (i < j && j < end) meet_once(i, j);
+  if (i < j && j < end) test_stored_pair(i, j);
 }
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
-  uint stretch = gl_WorkGroupID.x;
+  uint columns_per_group = gl_WorkGroupID.x;
   uint first_row = (p.first_group + gl_WorkGroupID.y) * ROWS;
-  uint stretches = (p.n - first_row + p.stretch - 1u) / p.stretch;
-  if (stretch >= stretches) {
+  uint stretches = (p.n - first_row + p.columns_per_group - 1u) / p.columns_per_group;
+  if (columns_per_group >= stretches) {
     uint mirrored = (p.n - 1u) / ROWS * ROWS - first_row;
     if (mirrored == first_row) return;  // the line in the middle
     first_row = mirrored;
-    stretch -= stretches;
+    columns_per_group -= stretches;
   }
-  uint first_column = first_row + stretch * p.stretch;
+  uint first_column = first_row + columns_per_group * p.columns_per_group;
   if (first_column >= p.n) return;
   if (lane < 2u) near_length[lane] = 0u;
   start_totals();
@@ -54,7 +54,7 @@ void main() {
     row_radius[k] = sphere.w;
     if (first_row + k * BLOCK + lane >= p.n) row[k].w = NEVER_NEAR;
   }
-  uint end = min(first_column + p.stretch, p.n);
+  uint end = min(first_column + p.columns_per_group, p.n);
   uint turn = 0u;
   for (uint start = first_column; start < end; start += BLOCK) {
     vec4 sphere = position[min(start + lane, p.n - 1u)];
@@ -80,19 +80,19 @@ void main() {
         }
       }
       if (near) {
-        uint place = atomicAdd(near_length[turn], 1u);
-        if (place < NEAR_PER_THREAD * BLOCK) {
-          near_queue[place] = c * BLOCK + lane;
+        uint sorted_index = atomicAdd(near_length[turn], 1u);
+        if (sorted_index < NEAR_PER_THREAD * BLOCK) {
+          near_queue[sorted_index] = c * BLOCK + lane;
         } else {
-          for (uint pair = 0u; pair < MEETING_PAIRS; ++pair) meet(first_row, pair, lane, start + c, end);
+          for (uint pair = 0u; pair < PAIRS_PER_ENTRY; ++pair) test_pair(first_row, pair, lane, start + c, end);
         }
       }
     }
     barrier();
-    uint queued = min(near_length[turn], uint(NEAR_PER_THREAD * BLOCK)) * MEETING_PAIRS;
+    uint queued = min(near_length[turn], uint(NEAR_PER_THREAD * BLOCK)) * PAIRS_PER_ENTRY;
     for (uint q = lane; q < queued; q += BLOCK) {
-      uint meeting = near_queue[q / MEETING_PAIRS];
-      meet(first_row, q % MEETING_PAIRS, meeting % BLOCK, start + meeting / BLOCK, end);
+      uint candidate = near_queue[q / PAIRS_PER_ENTRY];
+      test_pair(first_row, q % PAIRS_PER_ENTRY, candidate % BLOCK, start + candidate / BLOCK, end);
     }
     turn ^= 1u;
   }

@@ -31,9 +31,9 @@ void main() {
   high[lane] = vec4(-most, -most, -most, -most);
   bool in_row = false;
   if (bool(BY_CELLS) && c < v.clusters) {
-    Place begin = place_of(position[c * CLUSTER], p);
+    GridPosition begin = grid_position(position[c * CLUSTER], p);
     uint next = (c + 1u) * CLUSTER;
-    Place end = place_of(position[next < p.n ? next : p.n - 1u], p);
+    GridPosition end = grid_position(position[next < p.n ? next : p.n - 1u], p);
     in_row = within_row(begin, end, p);
     if (in_row) low[lane] = lowest_in_row(begin, p);
     if (in_row) high[lane] = highest_in_row(end, p);
@@ -41,8 +41,8 @@ void main() {
   for (uint k = own_lane; !in_row && k < CLUSTER; k += 4u * lanes) {
     vec4 four[4];  // all on their way before the first is asked; behind the last sphere that one again
     for (uint j = 0u; j < 4u; ++j) {
-      uint place = c * CLUSTER + k + j * lanes;
-      four[j] = with_radius(position[place < p.n ? place : p.n - 1u]);
+      uint sorted_index = c * CLUSTER + k + j * lanes;
+      four[j] = with_radius(position[sorted_index < p.n ? sorted_index : p.n - 1u]);
     }
     for (uint j = 0u; j < 4u; ++j) {
       if (!ever_drawable(four[j])) continue;

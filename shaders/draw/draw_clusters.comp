@@ -16,7 +16,7 @@ void main() {
     uint k = first + gl_LocalInvocationID.x / CLUSTER;
     uint cluster = place_in_turn(k, count, v);
     if (!all && k < count) cluster = cluster_list[list * v.clusters + k];
-    uint place = cluster * CLUSTER + gl_LocalInvocationID.x % CLUSTER;
-    draw_batch(place, k < count && place < p.n);
+    uint sorted_index = cluster * CLUSTER + gl_LocalInvocationID.x % CLUSTER;
+    draw_batch(sorted_index, k < count && sorted_index < p.n);
   }
 }

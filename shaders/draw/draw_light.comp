@@ -1,6 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // One thread per pixel, in place of draw_resolve: light that the spheres around take away, shadows, and the ground.
+#include "shaders/buffers.glsl"
 #include "shaders/draw/view.glsl"
 #include "shaders/grid/grid.glsl"
 #include "common/shared/light.h"
@@ -11,13 +12,13 @@ layout(std430, binding = SLOT_IMAGE) restrict writeonly buffer ImageBuffer { uin
 layout(local_size_x = BLOCK) in;
 
 // The sphere that stands at a place of the cell order; the surface's own takes nothing away.
-vec4 found_at(uint place) { return p.in_cells != 0u ? sorted[place] : position[place]; }
-bool is_own(vec4 found, uint place, Surface s) { return number_of(found, place) == s.sphere; }
+vec4 found_at(uint sorted_index) { return p.in_cells != 0u ? sorted[sorted_index] : position[sorted_index]; }
+bool is_own(vec4 found, uint sorted_index, Surface s) { return sphere_index(found, sorted_index) == s.sphere; }
 
 float light_around(Surface s) {
-  float x = place_unclamped(s.x, p.origin_x, p);
-  float y = place_unclamped(s.y, p.origin_y, p);
-  float z = place_unclamped(s.z, p.origin_z, p);
+  float x = grid_coordinate_unclamped(s.x, p.origin_x, p);
+  float y = grid_coordinate_unclamped(s.y, p.origin_y, p);
+  float z = grid_coordinate_unclamped(s.z, p.origin_z, p);
   CellRange row_x = cells_around(x, p.cells_x);
   CellRange row_y = cells_around(y, p.cells_y);
   CellRange row_z = cells_around(z, p.cells_z);
@@ -25,26 +26,26 @@ float light_around(Surface s) {
   for (uint z_cell = row_z.low; z_cell <= row_z.high; ++z_cell)
     for (uint y_cell = row_y.low; y_cell <= row_y.high; ++y_cell) {
       uint row = dense_slot(0u, y_cell, z_cell, p);
-      for (uint place = cell[row + row_x.low]; place < cell[row + row_x.high + 1u]; ++place) {
-        vec4 found = found_at(place);
-        if (!is_own(found, place, s)) taken += taken_by(with_radius(found), s, p);
+      for (uint sorted_index = cell[row + row_x.low]; sorted_index < cell[row + row_x.high + 1u]; ++sorted_index) {
+        vec4 found = found_at(sorted_index);
+        if (!is_own(found, sorted_index, s)) taken += taken_by(with_radius(found), s, p);
       }
     }
   return light_left(taken);
 }
 
 bool in_shadow(Surface s) {
-  float x = place_unclamped(s.x, p.origin_x, p);
-  float y = place_unclamped(s.y, p.origin_y, p);
-  float z = place_unclamped(s.z, p.origin_z, p);
+  float x = grid_coordinate_unclamped(s.x, p.origin_x, p);
+  float y = grid_coordinate_unclamped(s.y, p.origin_y, p);
+  float z = grid_coordinate_unclamped(s.z, p.origin_z, p);
   for (uint layer = first_layer(y, p.cells_y); layer < p.cells_y; ++layer) {
     CellRange row_x = cells_on_way(x, y, slope_of(v.sun.x, v), float(layer), p.cells_x);
     CellRange row_z = cells_on_way(z, y, slope_of(v.sun.z, v), float(layer), p.cells_z);
     for (uint z_cell = row_z.low; z_cell <= row_z.high; ++z_cell) {
       uint row = dense_slot(0u, layer, z_cell, p);
-      for (uint place = cell[row + row_x.low]; place < cell[row + row_x.high + 1u]; ++place) {
-        vec4 found = found_at(place);
-        if (shades(with_radius(found), s, v) && !is_own(found, place, s)) return true;
+      for (uint sorted_index = cell[row + row_x.low]; sorted_index < cell[row + row_x.high + 1u]; ++sorted_index) {
+        vec4 found = found_at(sorted_index);
+        if (shades(with_radius(found), s, v) && !is_own(found, sorted_index, s)) return true;
       }
     }
   }

@@ -7,12 +7,12 @@ shared uint first_entry;
 
 // The place in the list whose entries `word` of SLOT_DRAWN counts, for a thread that takes one. All threads of the
 // group call it.
-uint place_in_list(uint word, bool takes) {
+uint index_in_list(uint word, bool takes) {
   if (gl_LocalInvocationID.x == 0u) entries = 0u;
   barrier();
-  uint place = takes ? atomicAdd(entries, 1u) : 0u;
+  uint sorted_index = takes ? atomicAdd(entries, 1u) : 0u;
   barrier();
   if (gl_LocalInvocationID.x == 0u && entries > 0u) first_entry = atomicAdd(drawn[word], entries);
   barrier();
-  return first_entry + place;
+  return first_entry + sorted_index;
 }

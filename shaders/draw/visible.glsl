@@ -64,8 +64,8 @@ struct Walk {
 
 // It is passed over when it is out of view, between the pixels' centres, hidden or drawn before, and cut into tiles
 // when it is large. One of its threads leads. The contacts of whatever may be seen come along from the cell order.
-Walk walk_of(uint place, bool leads) {
-  vec4 found = position[place];
+Walk walk_of(uint sorted_index, bool leads) {
+  vec4 found = position[sorted_index];
   vec4 seen = in_camera(with_radius(found), v);
   Walk walk = {seen, {0u, 0u, 0u, 0u}, 0u, 0u};
   Box box = walk.box;
@@ -79,8 +79,8 @@ Walk walk_of(uint place, bool leads) {
   bool hidden = asks && is_hidden(box, walk.nearest, level_for(box));
   if (hidden) count_drawn(DRAWN_HIDDEN);
   if (hidden) return walk;
-  walk.sphere = number_of(found, place);
-  if (leads && p.in_cells != 0u) count[walk.sphere] = sorted_count[place];
+  walk.sphere = sphere_index(found, sorted_index);
+  if (leads && p.in_cells != 0u) count[walk.sphere] = sorted_count[sorted_index];
   if (rest && left_of(walk.sphere) != 0u) return walk;
   bool large = is_large(box, v);
   if (leads) count_drawn(large ? DRAWN_LARGE : DRAWN_SMALL);

@@ -21,14 +21,14 @@ uint begin_at(uint k) { return texelFetch(cell_texture, int(k)).x; }
 uint begin_at(uint k) { return cell[k]; }
 #endif
 
-// The spheres of this dispatch, from first_place to below places_end of the cell order.
+// The spheres of this dispatch, from sorted_begin to below sorted_end of the cell order.
 #ifdef WINDOWS
-uint first_place() { return begin_at(0u); }
-uint places_end() { return begin_at(window.y - window.x); }
+uint sorted_begin() { return begin_at(0u); }
+uint sorted_end() { return begin_at(window.y - window.x); }
 #else
 uint table_begin() { return 0u; }
-uint first_place() { return 0u; }
-uint places_end() { return p.n; }
+uint sorted_begin() { return 0u; }
+uint sorted_end() { return p.n; }
 #endif
 
 // The spheres, of kernels that sort them.

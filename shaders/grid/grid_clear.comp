@@ -4,12 +4,12 @@
 #include "shaders/buffers.glsl"
 
 layout(std430, binding = SLOT_CELL) restrict writeonly buffer CellBuffer { uvec4 cell[]; };
-layout(std430, binding = SLOT_BUCKET) restrict writeonly buffer BucketBuffer { uint next_place[]; };
+layout(std430, binding = SLOT_BUCKET) restrict writeonly buffer BucketBuffer { uint bucket_cursor[]; };
 layout(local_size_x = BLOCK) in;
 
 void main() {
   uint k = group_index() * BLOCK + gl_LocalInvocationID.x;
   if (p.buckets == 0u && k <= (p.cell_slots + 1u) / 4u) cell[k] = uvec4(0u, 0u, 0u, 0u);
   if (k < SUMMARY_SLOTS * SUMMARY_WORDS) summary[k] = 0u;
-  if (k < p.bucket_words) next_place[k] = 0u;
+  if (k < p.bucket_words) bucket_cursor[k] = 0u;
 }

@@ -13,19 +13,19 @@ layout(local_size_x = BLOCK) in;
 void main() {
   uint first = group_index() * BLOCK * SPHERES_PER_SORTER + gl_LocalInvocationID.x;
   vec4 sphere[SPHERES_PER_SORTER];
-  uint place[SPHERES_PER_SORTER];
+  uint sorted_index[SPHERES_PER_SORTER];
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k) sphere[k] = position[min(first + k * BLOCK, p.n - 1u)];
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k)
-    if (first + k * BLOCK < p.n) place[k] = atomicAdd(cell[slot_of(sphere[k], DENSE, p) + 1u], 1u);
+    if (first + k * BLOCK < p.n) sorted_index[k] = atomicAdd(cell[slot_of(sphere[k], DENSE, p) + 1u], 1u);
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k) {
     uint i = first + k * BLOCK;
     if (i < p.n) {
-      if ((p.names & NAMES_IN_RADII) != 0u) {
+      if ((p.indices & INDEX_IN_W) != 0u) {
         sphere[k].w = bits_float(i);
       } else {
-        id[place[k]] = i;
+        id[sorted_index[k]] = i;
       }
-      sorted[place[k]] = sphere[k];
+      sorted[sorted_index[k]] = sphere[k];
       sorted_count[i] = 0u;
     }
   }

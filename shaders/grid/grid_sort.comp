@@ -13,11 +13,11 @@
 layout(std430, binding = SLOT_SPLIT_ID) restrict readonly buffer FromIdBuffer { uint from_id[]; };
 layout(std430, binding = SLOT_SORTED) restrict writeonly buffer SortedBuffer { vec4 sorted[]; };
 layout(std430, binding = SLOT_SORTED_COUNT) restrict writeonly buffer SortedCountBuffer { uint sorted_count[]; };
-layout(std430, binding = SLOT_BUCKET) restrict readonly buffer BucketBuffer { uint next_place[]; };
+layout(std430, binding = SLOT_BUCKET) restrict readonly buffer BucketBuffer { uint bucket_cursor[]; };
 layout(local_size_x = BLOCK) in;
 const uint HELD = SORT_EACH * BLOCK;
-shared uint place[CELLS_PER_BUCKET];  // where the bucket's spheres stand; then, in the bucket, of the next sphere of
-                                      // each cell; then its spheres by cell
+shared uint sorted_index[CELLS_PER_BUCKET];  // where the bucket's spheres stand; then, in the bucket, of the next
+                                             // sphere of each cell; then its spheres by cell
 
 // The spheres of a bucket: from which place on they go, and how many they are. They stand in runs; of a crowd,
 // RUN_THREADS threads walk through each.
@@ -32,7 +32,7 @@ const uint RUN_THREADS = 32u;
 shared uint bucket_begin, bucket_size;
 // Of a tile.
 Run run_of(uint bucket, uint tile) {
-  uint run = next_place[tile * BUCKETS_AT_MOST + bucket];
+  uint run = bucket_cursor[tile * BUCKETS_AT_MOST + bucket];
   return Run(tile * SPLIT_TILE + begin_in_tile(run), tile * SPLIT_TILE + end_in_tile(run));
 }
 // A thread finds the run of each tile.
@@ -46,19 +46,19 @@ Bucket find_bucket(uint bucket) {
   if (lane == 0u) bucket_begin = 0u;
   uint size = sum_up_to(end - begin);
   if (begin != 0u) atomicAdd(bucket_begin, begin);
-  for (uint k = begin; k < end && size - end + k < HELD; ++k) place[size - end + k] = tile + k;
+  for (uint k = begin; k < end && size - end + k < HELD; ++k) sorted_index[size - end + k] = tile + k;
   if (lane == BLOCK - 1u) bucket_size = size;
   barrier();
   return Bucket(bucket_begin, bucket_size, tiles);
 }
 // Where the k-th sphere of the bucket stands, or behind its last one that one; any sphere where it has none.
-uint held(Bucket b, uint k) { return b.size != 0u ? place[min(k, b.size - 1u)] : 0u; }
+uint held(Bucket b, uint k) { return b.size != 0u ? sorted_index[min(k, b.size - 1u)] : 0u; }
 #else
 const uint RUN_THREADS = uint(BLOCK);
 // The only one.
 Run run_of(uint bucket, uint run) {
-  uint begin = bucket == 0u ? 0u : next_place[p.first_bucket + bucket - 1u];
-  return Run(begin, next_place[p.first_bucket + bucket]);
+  uint begin = bucket == 0u ? 0u : bucket_cursor[p.first_bucket + bucket - 1u];
+  return Run(begin, bucket_cursor[p.first_bucket + bucket]);
 }
 Bucket find_bucket(uint bucket) {
   Run run = run_of(bucket, 0u);
@@ -70,7 +70,7 @@ uint held(Bucket b, uint k) { return b.size != 0u ? b.begin + min(k, b.size - 1u
 // Sphere i of those that were split.
 void put(vec4 sphere, uint i, uint at) {
   sorted[at] = sphere;
-  if ((p.names & NAMES_IN_RADII) == 0u) id[at] = from_id[i];
+  if ((p.indices & INDEX_IN_W) == 0u) id[at] = from_id[i];
   sorted_count[at] = 0u;
 }
 
@@ -79,16 +79,16 @@ void begin_cells(Bucket b, uint low) {
   uint lane = gl_LocalInvocationID.x;
   barrier();
   uint own = 0u;
-  for (uint k = 0u; k < CELLS_PER_BUCKET / BLOCK; ++k) own += place[lane * (CELLS_PER_BUCKET / BLOCK) + k];
+  for (uint k = 0u; k < CELLS_PER_BUCKET / BLOCK; ++k) own += sorted_index[lane * (CELLS_PER_BUCKET / BLOCK) + k];
   uint upto = sum_up_to(own) - own;
   for (uint k = 0u; k < CELLS_PER_BUCKET / BLOCK; ++k) {
-    uint counted = place[lane * (CELLS_PER_BUCKET / BLOCK) + k];
-    place[lane * (CELLS_PER_BUCKET / BLOCK) + k] = upto;
+    uint counted = sorted_index[lane * (CELLS_PER_BUCKET / BLOCK) + k];
+    sorted_index[lane * (CELLS_PER_BUCKET / BLOCK) + k] = upto;
     upto += counted;
   }
   barrier();
   for (uint k = lane; k < 1u << p.bucket_shift; k += BLOCK)
-    if (low + k <= p.cell_slots) cell[low + k] = b.begin + place[k];
+    if (low + k <= p.cell_slots) cell[low + k] = b.begin + sorted_index[k];
 }
 
 void sort_held(Bucket b, uint low) {
@@ -97,30 +97,30 @@ void sort_held(Bucket b, uint low) {
   uint cell_and_rank[SORT_EACH];  // of each, in the bucket; the rank in the upper half
   for (uint k = 0u; k < SORT_EACH; ++k) from[k] = held(b, lane + k * BLOCK);
   barrier();
-  for (uint c = lane; c < CELLS_PER_BUCKET; c += BLOCK) place[c] = 0u;
+  for (uint c = lane; c < CELLS_PER_BUCKET; c += BLOCK) sorted_index[c] = 0u;
   for (uint k = 0u; k < SORT_EACH; ++k) cell_and_rank[k] = slot_of(sphere_of(from[k]), DENSE, p) - low;
   barrier();
   for (uint k = 0u; k < SORT_EACH; ++k)
-    if (lane + k * BLOCK < b.size) cell_and_rank[k] |= atomicAdd(place[cell_and_rank[k]], 1u) << 16;
+    if (lane + k * BLOCK < b.size) cell_and_rank[k] |= atomicAdd(sorted_index[cell_and_rank[k]], 1u) << 16;
   begin_cells(b, low);
   for (uint k = 0u; k < SORT_EACH; ++k)
-    cell_and_rank[k] = place[cell_and_rank[k] % CELLS_PER_BUCKET] + (cell_and_rank[k] >> 16);
+    cell_and_rank[k] = sorted_index[cell_and_rank[k] % CELLS_PER_BUCKET] + (cell_and_rank[k] >> 16);
   barrier();
   for (uint k = 0u; k < SORT_EACH; ++k)
-    if (lane + k * BLOCK < b.size) place[cell_and_rank[k]] = from[k];
+    if (lane + k * BLOCK < b.size) sorted_index[cell_and_rank[k]] = from[k];
   barrier();
-  for (uint k = lane; k < b.size; k += BLOCK) put(sphere_of(place[k]), place[k], b.begin + k);
+  for (uint k = lane; k < b.size; k += BLOCK) put(sphere_of(sorted_index[k]), sorted_index[k], b.begin + k);
 }
 
-void sort_crowd(Bucket b, uint low) {
+void sort_oversized_bucket(Bucket b, uint low) {
   uint lane = gl_LocalInvocationID.x;
   barrier();
-  for (uint c = lane; c < CELLS_PER_BUCKET; c += BLOCK) place[c] = 0u;
+  for (uint c = lane; c < CELLS_PER_BUCKET; c += BLOCK) sorted_index[c] = 0u;
   barrier();
   for (uint r = lane / RUN_THREADS; r < b.runs; r += BLOCK / RUN_THREADS) {
     Run run = run_of(group_index(), r);
     for (uint i = run.begin + lane % RUN_THREADS; i < run.end; i += RUN_THREADS)
-      atomicAdd(place[slot_of(sphere_of(i), DENSE, p) - low], 1u);
+      atomicAdd(sorted_index[slot_of(sphere_of(i), DENSE, p) - low], 1u);
   }
   begin_cells(b, low);
   barrier();
@@ -128,7 +128,7 @@ void sort_crowd(Bucket b, uint low) {
     Run run = run_of(group_index(), r);
     for (uint i = run.begin + lane % RUN_THREADS; i < run.end; i += RUN_THREADS) {
       vec4 sphere = sphere_of(i);
-      put(sphere, i, b.begin + atomicAdd(place[slot_of(sphere, DENSE, p) - low], 1u));
+      put(sphere, i, b.begin + atomicAdd(sorted_index[slot_of(sphere, DENSE, p) - low], 1u));
     }
   }
 }
@@ -141,6 +141,6 @@ void main() {
   if (b.size <= HELD) {
     sort_held(b, low);
   } else {
-    sort_crowd(b, low);
+    sort_oversized_bucket(b, low);
   }
 }

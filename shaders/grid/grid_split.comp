@@ -10,11 +10,11 @@
 
 layout(std430, binding = SLOT_SPLIT_ID) restrict readonly buffer FromIdBuffer { uint from_id[]; };
 layout(std430, binding = SLOT_SORTED) restrict writeonly buffer SortedBuffer { vec4 sorted[]; };
-layout(std430, binding = SLOT_BUCKET) restrict buffer BucketBuffer { uint next_place[]; };
+layout(std430, binding = SLOT_BUCKET) restrict buffer BucketBuffer { uint bucket_cursor[]; };
 layout(local_size_x = BLOCK) in;
-shared uint place[BUCKETS_AT_MOST];  // of the next sphere of each bucket; then from there to its place among all
-shared uint order[SPLIT_TILE];       // the spheres of the tile by bucket: bucket, number in the tile
-shared uint taken;                   // spheres of this turn
+shared uint sorted_index[BUCKETS_AT_MOST];  // of the next sphere of each bucket; then from there to its place among all
+shared uint order[SPLIT_TILE];              // the spheres of the tile by bucket: bucket, number in the tile
+shared uint taken;                          // spheres of this turn
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
@@ -28,29 +28,30 @@ void main() {
   uint last_bucket = bucket_above(parents ? slot_of(sphere_of(end - 1u), DENSE, p) : 0u, p);
   uint low = parents ? bucket_below(slot_of(sphere_of(first), DENSE, p), p) : 0u;
   for (; low <= last_bucket; low += BUCKETS_AT_MOST) {
-    place[lane] = 0u;
-    barrier();
-    for (uint k = 0u; k < SPLIT_EACH; ++k)
-      if (first + k * BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST) atomicAdd(place[bucket[k] - low], 1u);
-    barrier();
-    uint own = place[lane];
-    uint upto = sum_up_to(own);
-    if (lane == BLOCK - 1u) taken = upto;
-    place[lane] = upto - own;
-    uint shift = own != 0u ? atomicAdd(next_place[p.first_bucket + low + lane], own) - (upto - own) : 0u;
+    sorted_index[lane] = 0u;
     barrier();
     for (uint k = 0u; k < SPLIT_EACH; ++k)
       if (first + k * BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST)
-        order[atomicAdd(place[bucket[k] - low], 1u)] = (bucket[k] - low) * SPLIT_TILE + k * BLOCK + lane;
+        atomicAdd(sorted_index[bucket[k] - low], 1u);
     barrier();
-    place[lane] = shift;
+    uint own = sorted_index[lane];
+    uint upto = sum_up_to(own);
+    if (lane == BLOCK - 1u) taken = upto;
+    sorted_index[lane] = upto - own;
+    uint shift = own != 0u ? atomicAdd(bucket_cursor[p.first_bucket + low + lane], own) - (upto - own) : 0u;
+    barrier();
+    for (uint k = 0u; k < SPLIT_EACH; ++k)
+      if (first + k * BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST)
+        order[atomicAdd(sorted_index[bucket[k] - low], 1u)] = (bucket[k] - low) * SPLIT_TILE + k * BLOCK + lane;
+    barrier();
+    sorted_index[lane] = shift;
     barrier();
     for (uint q = lane; q < taken; q += BLOCK) {
       uint i = first + order[q] % SPLIT_TILE;
-      uint at = q + place[order[q] / SPLIT_TILE];
+      uint at = q + sorted_index[order[q] / SPLIT_TILE];
       vec4 sphere = sphere_of(i);
-      bool in_radii = (p.names & NAMES_IN_RADII) != 0u;
-      uint name = (p.names & NAMES_GIVEN) == 0u ? i : in_radii ? float_bits(sphere.w) : from_id[i];
+      bool in_radii = (p.indices & INDEX_IN_W) != 0u;
+      uint name = (p.indices & INDEX_GIVEN) == 0u ? i : in_radii ? float_bits(sphere.w) : from_id[i];
       if (in_radii) sphere.w = bits_float(name);
       if (!in_radii) id[at] = name;
       sorted[at] = sphere;

@@ -5,7 +5,7 @@
 #define SORTS_SPHERES
 #include "shaders/grid/grid.glsl"
 
-layout(std430, binding = SLOT_BUCKET) restrict buffer BucketBuffer { uint next_place[]; };
+layout(std430, binding = SLOT_BUCKET) restrict buffer BucketBuffer { uint bucket_cursor[]; };
 layout(local_size_x = BLOCK) in;
 shared uint counted[BUCKETS_AT_MOST];
 
@@ -28,7 +28,7 @@ void main() {
       if (first + k * BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST) atomicAdd(counted[bucket[k] - low], 1u);
     barrier();
     for (uint b = lane; b < BUCKETS_AT_MOST; b += BLOCK)
-      if (counted[b] != 0u) atomicAdd(next_place[p.first_bucket + low + b], counted[b]);
+      if (counted[b] != 0u) atomicAdd(bucket_cursor[p.first_bucket + low + b], counted[b]);
     barrier();
   }
 }

@@ -4,12 +4,12 @@
 #include "shaders/buffers.glsl"
 #include "shaders/grid/group_sum.glsl"
 
-layout(std430, binding = SLOT_BUCKET) restrict buffer BucketBuffer { uint next_place[]; };
+layout(std430, binding = SLOT_BUCKET) restrict buffer BucketBuffer { uint bucket_cursor[]; };
 layout(local_size_x = BLOCK) in;
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
-  uint own = next_place[lane];
+  uint own = bucket_cursor[lane];
   uint upto = sum_up_to(own);
-  next_place[lane] = upto - own;
+  bucket_cursor[lane] = upto - own;
 }

@@ -10,37 +10,37 @@
 #include "shaders/grid/group_sum.glsl"
 
 layout(std430, binding = SLOT_SORTED) restrict writeonly buffer SortedBuffer { vec4 sorted[]; };
-layout(std430, binding = SLOT_BUCKET) restrict writeonly buffer BucketBuffer { uint next_place[]; };
+layout(std430, binding = SLOT_BUCKET) restrict writeonly buffer BucketBuffer { uint bucket_cursor[]; };
 layout(local_size_x = BLOCK) in;
-shared uint place[BUCKETS_AT_MOST];  // in the tile: where each bucket begins; counts before that
-shared uint order[SPLIT_TILE];       // the spheres of the tile by bucket: their numbers in it
+shared uint sorted_index[BUCKETS_AT_MOST];  // in the tile: where each bucket begins; counts before that
+shared uint order[SPLIT_TILE];              // the spheres of the tile by bucket: their numbers in it
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
   uint first = group_index() * SPLIT_TILE;
   if (first >= p.n) return;
   uint end = min(first + SPLIT_TILE, p.n);
-  place[lane] = 0u;
+  sorted_index[lane] = 0u;
   uint bucket[SPLIT_EACH];
   for (uint k = 0u; k < SPLIT_EACH; ++k)
     bucket[k] = slot_of(sphere_of(min(first + k * BLOCK + lane, end - 1u)), DENSE, p) >> p.bucket_shift;
   barrier();
   uint rank[SPLIT_EACH];  // in the bucket, of the tile's spheres
   for (uint k = 0u; k < SPLIT_EACH; ++k)
-    if (first + k * BLOCK + lane < end) rank[k] = atomicAdd(place[bucket[k]], 1u);
+    if (first + k * BLOCK + lane < end) rank[k] = atomicAdd(sorted_index[bucket[k]], 1u);
   barrier();
-  uint own = place[lane];
+  uint own = sorted_index[lane];
   uint upto = sum_up_to(own);
-  next_place[group_index() * BUCKETS_AT_MOST + lane] = run_in_tile(upto - own, upto);
-  place[lane] = upto - own;
+  bucket_cursor[group_index() * BUCKETS_AT_MOST + lane] = run_in_tile(upto - own, upto);
+  sorted_index[lane] = upto - own;
   barrier();
   for (uint k = 0u; k < SPLIT_EACH; ++k)
-    if (first + k * BLOCK + lane < end) order[place[bucket[k]] + rank[k]] = k * BLOCK + lane;
+    if (first + k * BLOCK + lane < end) order[sorted_index[bucket[k]] + rank[k]] = k * BLOCK + lane;
   barrier();
   for (uint at = first + lane; at < end; at += BLOCK) {
     uint i = first + order[at - first];
     vec4 sphere = sphere_of(i);
-    if ((p.names & NAMES_IN_RADII) != 0u) {
+    if ((p.indices & INDEX_IN_W) != 0u) {
       sphere.w = bits_float(i);
     } else {
       id[at] = i;

@@ -4,7 +4,7 @@
 // plane. A group lists these first, so that the few that bounce share subgroups instead of delaying one each.
 #include "shaders/motion/motion_state.glsl"
 
-layout(std430, binding = SLOT_DUE) readonly buffer DueVectors { uvec4 due_vector[]; };
+layout(std430, binding = SLOT_NEXT_EVENT) readonly buffer NextEventVectors { uvec4 next_event_vector[]; };
 layout(local_size_x = BLOCK) in;
 shared uint found;
 shared uint bouncing[SPHERES_PER_BOUNCER * BLOCK];
@@ -12,17 +12,17 @@ shared uint bouncing[SPHERES_PER_BOUNCER * BLOCK];
 void main() {
   uint lane = gl_LocalInvocationID.x;
   uint first = group_index() * (SPHERES_PER_BOUNCER / 4) * BLOCK + lane;
-  uint now = p.whole_state == 0u ? p.steps_done : NEVER_DUE - 1u;
+  uint now = p.whole_state == 0u ? p.steps_done : NO_EVENT - 1u;
   if (lane == 0u) found = 0u;
   barrier();
   for (uint v = 0u; v < SPHERES_PER_BOUNCER / 4; ++v) {
     uint i = 4u * (first + v * BLOCK);
     if (i >= p.n) break;
-    uvec4 due_step = due_vector[i / 4u];
-    if (now >= due_step.x) bouncing[atomicAdd(found, 1u)] = i;
-    if (now >= due_step.y && i + 1u < p.n) bouncing[atomicAdd(found, 1u)] = i + 1u;
-    if (now >= due_step.z && i + 2u < p.n) bouncing[atomicAdd(found, 1u)] = i + 2u;
-    if (now >= due_step.w && i + 3u < p.n) bouncing[atomicAdd(found, 1u)] = i + 3u;
+    uvec4 event_step = next_event_vector[i / 4u];
+    if (now >= event_step.x) bouncing[atomicAdd(found, 1u)] = i;
+    if (now >= event_step.y && i + 1u < p.n) bouncing[atomicAdd(found, 1u)] = i + 1u;
+    if (now >= event_step.z && i + 2u < p.n) bouncing[atomicAdd(found, 1u)] = i + 2u;
+    if (now >= event_step.w && i + 3u < p.n) bouncing[atomicAdd(found, 1u)] = i + 3u;
   }
   barrier();
   for (uint k = lane; k < found; k += BLOCK) {
@@ -31,6 +31,6 @@ void main() {
     flight[i] = a.speed;
     flight[p.n + i] = a.age;
     since[i] = a.since;
-    due[i] = next_due(a, p);
+    next_event[i] = next_event_step(a, p);
   }
 }

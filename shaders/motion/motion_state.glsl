@@ -11,7 +11,7 @@ layout(std430, binding = SLOT_WIDE) restrict buffer WideBuffer { Real wide[]; };
 layout(std430, binding = SLOT_ANCHOR) restrict readonly buffer AnchorBuffer { vec4 anchor[]; };
 layout(std430, binding = SLOT_FLIGHT) restrict buffer FlightBuffer { Real flight[]; };
 layout(std430, binding = SLOT_SINCE) restrict buffer SinceBuffer { uint since[]; };
-layout(std430, binding = SLOT_DUE) buffer DueBuffer { uint due[]; };
+layout(std430, binding = SLOT_NEXT_EVENT) buffer NextEventBuffer { uint next_event[]; };
 
 #if PRECISION == PRECISION_FLOAT32
 Moving load_sphere(uint i) {

@@ -20,9 +20,9 @@ void expect_right(Backend& backend, const Scene& scene, uint block = 128, Cells 
                                   .grid = {.cells = cells, .keep_order = false, .sort = Sort::buckets}};
   const auto oracle = open_backend("cpu");
   oracle->upload(scene);
-  const Answer wanted = ask(*oracle, options);
+  const StepResult wanted = run_step(*oracle, options);
   backend.upload(scene);
-  const Answer answer = ask(backend, options);
+  const StepResult answer = run_step(backend, options);
   EXPECT_EQ(answer.totals.pairs, wanted.totals.pairs);
   EXPECT_EQ(answer.totals.fingerprint, wanted.totals.fingerprint);
   EXPECT_EQ(answer.counts, wanted.counts);
@@ -52,12 +52,12 @@ TEST_P(MethodsByBuckets, AfterAStepThatFailed) {
   glsl->upload(make_scene({.name = "uniform", .n = 5000}));
   CollideOptions options = {.method = Method::collide_grid,
                             .grid = {.cells = Cells::dense, .keep_order = false, .sort = Sort::buckets}};
-  const Answer wanted = ask(*glsl, options);
+  const StepResult wanted = run_step(*glsl, options);
   options.load_radii = true;
   CollideOptions too_long = options;
-  too_long.tricks.texture_spheres = true;
+  too_long.api.texture_spheres = true;
   EXPECT_THROW(glsl->collide(too_long), BackendError);
-  EXPECT_EQ(ask(*glsl, options).totals.fingerprint, wanted.totals.fingerprint);
+  EXPECT_EQ(run_step(*glsl, options).totals.fingerprint, wanted.totals.fingerprint);
 }
 
 // The search's groups are more than a dispatch takes along one axis.
@@ -111,12 +111,12 @@ TEST_P(MethodsByBuckets, WhetherRadiiAreLoadedOrNot) {
   backend().upload(scene);
   CollideOptions options = {.method = Method::collide_grid,
                             .grid = {.cells = Cells::dense, .keep_order = false, .sort = Sort::buckets}};
-  const Answer wanted = ask(backend(), options);
+  const StepResult wanted = run_step(backend(), options);
   EXPECT_GT(wanted.totals.pairs, 0u);
   for (const bool load_radii : {true, false, true}) {
     options.load_radii = load_radii;
     const uint64_t sorts = backend().work_counts().sorts;
-    const Answer answer = ask(backend(), options);
+    const StepResult answer = run_step(backend(), options);
     EXPECT_EQ(answer.totals.fingerprint, wanted.totals.fingerprint) << load_radii;
     EXPECT_EQ(answer.counts, wanted.counts) << load_radii;
     EXPECT_GT(backend().work_counts().sorts, sorts) << "the cells are built anew";
@@ -124,7 +124,7 @@ TEST_P(MethodsByBuckets, WhetherRadiiAreLoadedOrNot) {
 }
 
 // A crowd of many more tiles than are walked through at a time.
-TEST_P(MethodsByBuckets, OfCrowdsFromManyTiles) {
+TEST_P(MethodsByBuckets, OfOversizedBucketsFromManyTiles) {
   Scene scene = make_scene({.name = "uniform", .n = 40 * SPLIT_TILE});
   std::minstd_rand random(7);
   std::uniform_real_distribution<float> place(0, 120);

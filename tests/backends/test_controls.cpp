@@ -23,9 +23,9 @@ const std::vector<Pair>& right_pairs() {
 }
 
 // What a backend that found these pairs would answer, without a contradiction in it.
-Answer answer_of(std::vector<Pair> pairs, bool with_list) {
+StepResult result_of(std::vector<Pair> pairs, bool with_list) {
   std::sort(pairs.begin(), pairs.end());
-  Answer answer;
+  StepResult answer;
   answer.counts.resize(SPHERES);
   for (const Pair& pair : pairs) ++answer.counts[pair.first], ++answer.counts[pair.second];
   answer.totals.pairs = pairs.size();
@@ -51,16 +51,16 @@ std::vector<Pair> swapped(std::vector<Pair> pairs) {
 
 TEST(Controls, ComparerAcceptsTheRightSet) {
   ASSERT_GT(right_pairs().size(), 100u);
-  EXPECT_EQ(objection(answer_of(right_pairs(), true), right_pairs(), SPHERES), "");
-  EXPECT_EQ(objection(answer_of(right_pairs(), false), right_pairs(), SPHERES), "");
+  EXPECT_EQ(first_mismatch(result_of(right_pairs(), true), right_pairs(), SPHERES), "");
+  EXPECT_EQ(first_mismatch(result_of(right_pairs(), false), right_pairs(), SPHERES), "");
 }
 
 TEST(Controls, ComparerObjectsToADroppedPair) {
   for (size_t at : {size_t(0), right_pairs().size() / 2, right_pairs().size() - 1}) {
     std::vector<Pair> pairs = right_pairs();
     pairs.erase(pairs.begin() + ptrdiff_t(at));
-    EXPECT_NE(objection(answer_of(pairs, true), right_pairs(), SPHERES).find("missing"), std::string::npos);
-    EXPECT_NE(objection(answer_of(pairs, false), right_pairs(), SPHERES), "");
+    EXPECT_NE(first_mismatch(result_of(pairs, true), right_pairs(), SPHERES).find("missing"), std::string::npos);
+    EXPECT_NE(first_mismatch(result_of(pairs, false), right_pairs(), SPHERES), "");
   }
 }
 
@@ -69,38 +69,38 @@ TEST(Controls, ComparerObjectsToAnAddedPair) {
   Pair extra = {0, 1};
   while (std::count(pairs.begin(), pairs.end(), extra)) ++extra.second;
   pairs.push_back(extra);
-  EXPECT_NE(objection(answer_of(pairs, true), right_pairs(), SPHERES).find("too much"), std::string::npos);
-  EXPECT_NE(objection(answer_of(pairs, false), right_pairs(), SPHERES), "");
+  EXPECT_NE(first_mismatch(result_of(pairs, true), right_pairs(), SPHERES).find("too much"), std::string::npos);
+  EXPECT_NE(first_mismatch(result_of(pairs, false), right_pairs(), SPHERES), "");
 }
 
 TEST(Controls, ComparerObjectsToARepeatedPair) {
   std::vector<Pair> pairs = right_pairs();
   pairs.push_back(pairs.front());
-  EXPECT_NE(objection(answer_of(pairs, true), right_pairs(), SPHERES), "");
+  EXPECT_NE(first_mismatch(result_of(pairs, true), right_pairs(), SPHERES), "");
 }
 
 TEST(Controls, ComparerObjectsToSwappedPairsOfEqualCounts) {
   const std::vector<Pair> pairs = swapped(right_pairs());
-  const Answer given = answer_of(pairs, false), right = answer_of(right_pairs(), false);
+  const StepResult given = result_of(pairs, false), right = result_of(right_pairs(), false);
   ASSERT_NE(pairs, right_pairs());
   ASSERT_EQ(given.counts, right.counts);
   ASSERT_EQ(given.totals.pairs, right.totals.pairs);
-  EXPECT_NE(objection(answer_of(pairs, true), right_pairs(), SPHERES), "");
-  EXPECT_NE(objection(given, right_pairs(), SPHERES).find("fingerprint"), std::string::npos);
+  EXPECT_NE(first_mismatch(result_of(pairs, true), right_pairs(), SPHERES), "");
+  EXPECT_NE(first_mismatch(given, right_pairs(), SPHERES).find("fingerprint"), std::string::npos);
 }
 
 TEST(Controls, ComparerObjectsToContradictions) {
-  const auto spoiled = [](const std::function<void(Answer&)>& spoil) {
-    Answer answer = answer_of(right_pairs(), true);
+  const auto spoiled = [](const std::function<void(StepResult&)>& spoil) {
+    StepResult answer = result_of(right_pairs(), true);
     spoil(answer);
-    return objection(answer, right_pairs(), SPHERES);
+    return first_mismatch(answer, right_pairs(), SPHERES);
   };
-  EXPECT_NE(spoiled([](Answer& answer) { ++answer.counts[7]; }), "");
-  EXPECT_NE(spoiled([](Answer& answer) { answer.counts.push_back(0); }), "");
-  EXPECT_NE(spoiled([](Answer& answer) { --answer.totals.pairs; }), "");
-  EXPECT_NE(spoiled([](Answer& answer) { ++answer.totals.colliding_spheres; }), "");
-  EXPECT_NE(spoiled([](Answer& answer) { answer.totals.fingerprint.b ^= 1; }), "");
-  EXPECT_NE(spoiled([](Answer& answer) { ++answer.totals.deferred; }), "");
+  EXPECT_NE(spoiled([](StepResult& answer) { ++answer.counts[7]; }), "");
+  EXPECT_NE(spoiled([](StepResult& answer) { answer.counts.push_back(0); }), "");
+  EXPECT_NE(spoiled([](StepResult& answer) { --answer.totals.pairs; }), "");
+  EXPECT_NE(spoiled([](StepResult& answer) { ++answer.totals.colliding_spheres; }), "");
+  EXPECT_NE(spoiled([](StepResult& answer) { answer.totals.fingerprint.b ^= 1; }), "");
+  EXPECT_NE(spoiled([](StepResult& answer) { ++answer.totals.deferred; }), "");
 }
 
 TEST(Controls, StateHashSeesEveryBit) {

@@ -9,13 +9,13 @@
 #include <set>
 
 #include "api/open.h"
-#include "tests/support/grid_answers.h"
+#include "tests/support/grid_results.h"
 
 namespace spherepair {
 namespace {
 
 void expect_grid(const Scene& scene, const std::string& what) {
-  EXPECT_EQ(objection_to_grid(scene), "") << what << ", " << scene.size() << " spheres";
+  EXPECT_EQ(first_grid_mismatch(scene), "") << what << ", " << scene.size() << " spheres";
 }
 
 TEST(CpuGrid, EqualsAllPairsOnEveryScene) {
@@ -134,9 +134,9 @@ TEST(CpuGrid, EveryNumberOfThreadsGivesTheSame) {
     const Scene scene = make_scene({.name = kind, .n = kind == std::string("one_cell") ? 600u : 60000u});
     for (Cells cells : both_cells) {
       CpuGrid grid;
-      const Answer one = answer_of(grid, scene, cells, true, 1);
+      const StepResult one = result_of(grid, scene, cells, true, 1);
       for (int threads = 2; threads <= 8; ++threads) {
-        const Answer other = answer_of(grid, scene, cells, true, threads);
+        const StepResult other = result_of(grid, scene, cells, true, threads);
         EXPECT_TRUE(other.totals.fingerprint == one.totals.fingerprint && other.counts == one.counts &&
                     other.pairs == one.pairs && other.totals.deferred == one.totals.deferred)
             << kind << ", " << name_of(cells) << ", " << threads << " threads";
@@ -152,7 +152,7 @@ TEST(CpuGrid, KeepsMemoryAndCellsButNoAnswers) {
     for (Cells cells : both_cells) {
       const Scene scene = make_scene({.name = "uniform", .n = n, .radius_ratio = n == 300 ? 100.0f : 1.0f});
       const PairsFound wanted = search_parallel(search_of(scene, true, 2));
-      EXPECT_EQ(difference(answer_of(grid, scene, cells, true), wanted), "") << n << ", " << name_of(cells);
+      EXPECT_EQ(difference(result_of(grid, scene, cells, true), wanted), "") << n << ", " << name_of(cells);
       const PairsFound kept = grid.search(search_of(scene, true, 2), plan_grid(scene, cells), true);
       EXPECT_EQ(difference({kept.totals, grid.counts(2), kept.list}, wanted), "") << n << " kept, " << name_of(cells);
     }
@@ -167,8 +167,8 @@ TEST(CpuGrid, FollowsMovesOutOfItsCells) {
     backend->move();
     CollideOptions options = {.method = Method::collide_grid, .want_pairs = step % 2 == 0};
     options.grid.cells = step % 3 ? Cells::dense : Cells::hashed;
-    const Answer grid = ask(*backend, options), again = ask(*backend, options);
-    const Answer all = ask(*backend, {.method = Method::parallel, .want_pairs = options.want_pairs});
+    const StepResult grid = run_step(*backend, options), again = run_step(*backend, options);
+    const StepResult all = run_step(*backend, {.method = Method::parallel, .want_pairs = options.want_pairs});
     ASSERT_TRUE(grid.totals.fingerprint == all.totals.fingerprint && grid.counts == all.counts &&
                 grid.pairs == all.pairs && again.counts == all.counts)
         << "step " << step;
@@ -190,7 +190,7 @@ TEST(CpuGrid, EveryStepIsTakenByTheSameThreads) {
   std::set<std::string> threads;
   for (int step = 0; step < 3; ++step) {
     backend->move();
-    ask(*backend, {.method = Method::collide_grid, .want_pairs = true});
+    run_step(*backend, {.method = Method::collide_grid, .want_pairs = true});
     const std::set<std::string> now = threads_of_this_process();
     if (step > 0) {
       EXPECT_TRUE(std::ranges::includes(threads, now)) << "step " << step << " started threads";

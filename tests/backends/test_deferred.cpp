@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "api/open.h"
-#include "tests/support/grid_answers.h"
-#include "tests/support/pictures.h"
+#include "tests/support/grid_results.h"
+#include "tests/support/images.h"
 
 namespace spherepair {
 namespace {
@@ -59,7 +59,7 @@ TEST_P(Deferred, AreDecidedWhenAskedFor) {
             EXPECT_EQ(totals.decided_by[distance < touching ? STAGE_DOUBLE : STAGE_INTEGER], pairs);
           }
           options.want_pairs = true;
-          EXPECT_EQ(objection(ask(backend(), options), expected, 2 * pairs), "");
+          EXPECT_EQ(first_mismatch(run_step(backend(), options), expected, 2 * pairs), "");
         }
   backend().check_guards();
 }
@@ -73,7 +73,7 @@ TEST_P(Deferred, TakeALaunchOnlyWhereThereAreAny) {
     return backend().work_counts().launches - before;
   };
   std::vector<CollideOptions> all = searches(backend());
-  for (CollideOptions& search : all) search.tricks.graph = false;  // a replay is one launch
+  for (CollideOptions& search : all) search.api.graph = false;  // a replay is one launch
   for (const auto& [pairs, distance] : {std::pair{500u, touching}, {10u, overlapping}})
     for (const CollideOptions& search : all) {
       SCOPED_TRACE(fmt::format("{}, {} pairs", describe(search), pairs));
@@ -86,7 +86,7 @@ TEST_P(Deferred, TakeALaunchOnlyWhereThereAreAny) {
       EXPECT_EQ(launches(search), unasked + (decides ? 0 : 1)) << "settle";
       CollideOptions naive = search;
       naive.exact = false;
-      ask(backend(), naive);
+      run_step(backend(), naive);
       EXPECT_EQ(launches(search), unasked + (decides ? 0 : 1))
           << "a naive step defers none, which says nothing of these";
       const CollideOptions other = all[search.method == Method::collide_square ? 0 : 2];
@@ -106,12 +106,12 @@ TEST_P(Deferred, AreDecidedBeforeTheyAreDrawn) {
   const auto reference = open_backend("cpu");
   reference->upload(scene);
   reference->collide({.method = Method::collide_grid});
-  const Picture expected = picture_of(*reference, view);
+  const Image expected = image_of(*reference, view);
   for (const CollideOptions& search : searches(backend())) {
     backend().upload(scene);
     for (int step = 0; step < 2; ++step) {
       backend().collide(search);
-      EXPECT_EQ(objection(picture_of(backend(), view), expected, view), "") << describe(search) << ", " << step;
+      EXPECT_EQ(first_mismatch(image_of(backend(), view), expected, view), "") << describe(search) << ", " << step;
     }
   }
 }

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "common/shared/draw.h"
+#include "tests/support/images.h"
 #include "tests/support/oracle.h"
-#include "tests/support/pictures.h"
 
 namespace spherepair {
 namespace {
@@ -15,20 +15,20 @@ constexpr uint width = 157, height = 83;  // no multiple of a group or a tile
 
 class Draw : public BackendTest {
  protected:
-  void expect_picture(const Scene& scene, const View& view, const std::string& what) {
+  void expect_image(const Scene& scene, const View& view, const std::string& what) {
     std::vector<uint> contacts(scene.size());
     for (const Pair& pair : brute_force_pairs(scene.positions)) ++contacts[pair.first], ++contacts[pair.second];
     backend().upload(scene);
-    const Picture expected = brute_force_picture(scene.positions, contacts, view);
+    const Image expected = brute_force_image(scene.positions, contacts, view);
     for (const Method method : {fast_method(backend()).method, Method::collide_grid}) {
       backend().collide({.method = method});
-      EXPECT_EQ(objection(picture_of(backend(), view), expected, view), "") << what << ", " << method_name(method);
+      EXPECT_EQ(first_mismatch(image_of(backend(), view), expected, view), "") << what << ", " << method_name(method);
     }
   }
 
-  DrawCounts counts_of(const View& view) {
+  DrawStatistics counts_of(const View& view) {
     backend().draw(view, {.count = true});
-    return backend().draw_counts();
+    return backend().draw_statistics();
   }
 };
 
@@ -50,16 +50,16 @@ Camera inside(const Scene& scene, double near) {
 TEST_P(Draw, EverySceneFromOutsideAndInside) {
   for (const SceneKind& kind : scene_kinds()) {
     const Scene scene = make_scene({.name = kind.name, .n = 700});
-    expect_picture(scene, view_of(framed(scene)), fmt::format("{} from outside", kind.name));
+    expect_image(scene, view_of(framed(scene)), fmt::format("{} from outside", kind.name));
     for (double near : {0.0, 2.0})
-      expect_picture(scene, view_of(inside(scene, near)), fmt::format("{} from inside, near {}", kind.name, near));
+      expect_image(scene, view_of(inside(scene, near)), fmt::format("{} from inside, near {}", kind.name, near));
   }
 }
 
 TEST_P(Draw, NoneOneAndTwo) {
   for (uint64_t n : {0, 1, 2}) {
     const Scene scene = make_scene({.n = n});
-    expect_picture(scene, view_of(framed(scene)), fmt::format("{} spheres", n));
+    expect_image(scene, view_of(framed(scene)), fmt::format("{} spheres", n));
     EXPECT_EQ(counts_of(view_of(framed(scene))).drawn, n);
   }
 }
@@ -70,9 +70,9 @@ TEST_P(Draw, AnchoredSpheresWhereTheyAreNow) {
   const View view = view_of(framed(scene));
   backend().upload(scene);
   for (int step = 0; step < 20; ++step) backend().move();
-  const Picture seen = picture_of(backend(), view);
+  const Image seen = image_of(backend(), view);
   const std::vector<vec4> now = backend().state().positions;
-  EXPECT_EQ(objection(seen, brute_force_picture(now, std::vector<uint>(now.size()), view), view), "");
+  EXPECT_EQ(first_mismatch(seen, brute_force_image(now, std::vector<uint>(now.size()), view), view), "");
 }
 
 // From a point to twenty screens: all three classes of size, and the border between each two.
@@ -83,7 +83,7 @@ TEST_P(Draw, EverySizeOnTheScreen) {
     const Vector eye = camera.eye, target = camera.target;
     for (double distance : {1000.0, 60.0, 3.0, 0.8}) {
       for (int a = 0; a < 3; ++a) camera.eye[a] = target[a] + (eye[a] - target[a]) * distance;
-      expect_picture(scene, view_of(camera, {0.3, -0.4}), fmt::format("ratio {}, {} times as far", ratio, distance));
+      expect_image(scene, view_of(camera, {0.3, -0.4}), fmt::format("ratio {}, {} times as far", ratio, distance));
     }
   }
 }
@@ -97,8 +97,8 @@ TEST_P(Draw, AcrossThePlaneOfTheEye) {
   spheres.push_back({0, 0, -2, 1});   // the eye's axis is tangent to nothing, and the sphere ahead
   for (double near : {1e-4, 0.5})
     for (double field : {20.0, 120.0})
-      expect_picture(scene_of(spheres), view_of({{0.1, 0.2, 0}, {0, 0, -5}, {0, 1, 0}, field, near}),
-                     fmt::format("near {}, field {}", near, field));
+      expect_image(scene_of(spheres), view_of({{0.1, 0.2, 0}, {0, 0, -5}, {0, 1, 0}, field, near}),
+                   fmt::format("near {}, field {}", near, field));
 }
 
 // More tiles than the list has room for at first.
@@ -107,11 +107,12 @@ TEST_P(Draw, ManySpheresFillTheScreen) {
   for (size_t i = 0; i < spheres.size(); ++i) spheres[i].x = float(i % 7) / 1024;
   const View view = view_of({{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 40, 0.01});
   backend().upload(scene_of(spheres));
-  const DrawCounts counts = counts_of(view);
+  const DrawStatistics counts = counts_of(view);
   EXPECT_EQ(counts.large, spheres.size());
   EXPECT_GT(counts.tiles, 65536u);
-  const Picture expected = brute_force_picture({spheres.begin(), spheres.begin() + 7}, std::vector<uint>(7), view);
-  EXPECT_EQ(objection(picture_of(backend(), view), expected, view), "");  // of equal depths the lowest number is seen
+  const Image expected = brute_force_image({spheres.begin(), spheres.begin() + 7}, std::vector<uint>(7), view);
+  EXPECT_EQ(first_mismatch(image_of(backend(), view), expected, view),
+            "");  // of equal depths the lowest number is seen
 }
 
 TEST_P(Draw, WhatCannotBeDrawnIsCounted) {
@@ -122,8 +123,8 @@ TEST_P(Draw, WhatCannotBeDrawnIsCounted) {
   scene.positions[5].x = 1e20f;
   scene.positions[6] = {0, 0, 0, 1e30f};
   scene.equal_radii = false;
-  expect_picture(scene, view, "four undrawable");
-  const DrawCounts counts = counts_of(view);
+  expect_image(scene, view, "four undrawable");
+  const DrawStatistics counts = counts_of(view);
   EXPECT_EQ(counts.undrawable, 4u);
   EXPECT_EQ(counts.drawn, 46u);
   EXPECT_EQ(counts.unseen, 0u);
@@ -137,11 +138,11 @@ TEST_P(Draw, ColoursFollowTheSteps) {
   for (int step = 0; step < 3; ++step) {
     backend().move();
     const std::vector<vec4> positions = backend().state().positions;
-    Picture expected = brute_force_picture(positions, std::vector<uint>(scene.size()), view);
-    EXPECT_EQ(objection(picture_of(backend(), view), expected, view), "") << "moved, step " << step;
+    Image expected = brute_force_image(positions, std::vector<uint>(scene.size()), view);
+    EXPECT_EQ(first_mismatch(image_of(backend(), view), expected, view), "") << "moved, step " << step;
     backend().collide({.method = Method::collide_grid});
-    expected = brute_force_picture(positions, backend().counts(), view);
-    EXPECT_EQ(objection(picture_of(backend(), view), expected, view), "") << "collided, step " << step;
+    expected = brute_force_image(positions, backend().counts(), view);
+    EXPECT_EQ(first_mismatch(image_of(backend(), view), expected, view), "") << "collided, step " << step;
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include "common/scene/scene_params.h"
 #include "common/shared/light.h"
-#include "tests/support/pictures.h"
+#include "tests/support/images.h"
 
 namespace spherepair {
 namespace {
@@ -42,13 +42,13 @@ uint colour_of(uvec2 seen, uint pixel, const Scene& scene, const std::vector<uin
                 : ground_colour(around, sun, v);
 }
 
-Picture expected_picture(const Scene& scene, const std::vector<uint>& contacts, const View& view) {
-  Picture picture = brute_force_picture(scene.positions, contacts, view);
+Image expected_image(const Scene& scene, const std::vector<uint>& contacts, const View& view) {
+  Image image = brute_force_image(scene.positions, contacts, view);
   Params p = scene_params(scene, true);
   set_grid(p, plan_grid(scene, Cells::dense));
-  for (uint pixel = 0; pixel < picture.image.size(); ++pixel)
-    picture.image[pixel] = colour_of(picture.visible[pixel], pixel, scene, contacts, p, view);
-  return picture;
+  for (uint pixel = 0; pixel < image.image.size(); ++pixel)
+    image.image[pixel] = colour_of(image.visible[pixel], pixel, scene, contacts, p, view);
+  return image;
 }
 
 View view_of(const Scene& scene, uint lighting, double azimuth) {
@@ -66,9 +66,10 @@ TEST_P(DrawLight, EqualsEverySphereTried) {
     for (uint lighting : {LIGHT_OCCLUSION, LIGHT_SHADOW, LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND})
       for (double azimuth : {30.0, 200.0}) {
         const View view = view_of(scene, lighting, azimuth);
-        const Picture expected = expected_picture(scene, backend().counts(), view);
-        EXPECT_EQ(objection(picture_of(backend(), view), expected, view), "") << kind << ", " << lighting;
-        EXPECT_NE(objection(picture_of(backend(), view_of(scene, 0, azimuth)), expected, view), "") << "no light shows";
+        const Image expected = expected_image(scene, backend().counts(), view);
+        EXPECT_EQ(first_mismatch(image_of(backend(), view), expected, view), "") << kind << ", " << lighting;
+        EXPECT_NE(first_mismatch(image_of(backend(), view_of(scene, 0, azimuth)), expected, view), "")
+            << "no light shows";
       }
   }
 }
@@ -77,20 +78,20 @@ TEST_P(DrawLight, EqualsEverySphereTried) {
 TEST_P(DrawLight, IsTheSameAfterAPause) {
   Scene scene = make_scene({.n = 300, .restitution = 0.25f});
   const View view = view_of(scene, LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND, 30);
-  const auto picture = [&] {
+  const auto image = [&] {
     backend().collide({.method = Method::collide_grid, .grid = {.cells = Cells::dense}});
-    return picture_of(backend(), view);
+    return image_of(backend(), view);
   };
   backend().upload(scene);
   const GridPlan before = plan_grid(scene, Cells::dense);
   for (int step = 0; step < 250; ++step) backend().move();
-  const Picture expected = picture();
+  const Image expected = image();
   const MotionState saved = backend().save();
   const Backend::State state = backend().state();
   scene.positions = state.positions, scene.velocities = state.velocities;
   EXPECT_NE(plan_grid(scene, Cells::dense).side, before.side) << "the cells are the same: this shows nothing";
   backend().resume(scene, saved);
-  EXPECT_EQ(objection(picture(), expected, view), "");
+  EXPECT_EQ(first_mismatch(image(), expected, view), "");
 }
 
 TEST_P(DrawLight, NeedsTheDenseCells) {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "glsl/sphere_mesh.h"
-#include "tests/support/pictures.h"
+#include "tests/support/images.h"
 
 namespace spherepair {
 namespace {

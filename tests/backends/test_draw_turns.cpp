@@ -5,24 +5,24 @@
 #include <random>
 
 #include "common/shared/draw.h"
+#include "tests/support/images.h"
 #include "tests/support/oracle.h"
-#include "tests/support/pictures.h"
 
 namespace spherepair {
 namespace {
 
-class DrawTurns : public DevicePictures {};
+class DrawTurns : public DeviceImages {};
 
 struct Shot {
   View view;
-  Picture expected;
+  Image expected;
 };
 
 // Of several sizes, from outside and inside, with and without light.
 std::vector<Shot> shots(Backend& backend, const Scene& scene) {
   std::vector<Shot> all;
   const DrawOptions everything = {
-      .skip_outside = false, .skip_hidden = false, .skip_unchanged = false, .skip_tiles = false};
+      .frustum_culling = false, .occlusion_culling = false, .reuse_unchanged = false, .skip_tile_launches = false};
   for (const auto& [width, height] : {std::pair{61u, 40u}, {130u, 97u}, {90u, 55u}})
     for (const double nearer : {1.0, 0.3})
       for (const uint lighting : {0u, LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND}) {
@@ -31,7 +31,7 @@ std::vector<Shot> shots(Backend& backend, const Scene& scene) {
         Look look = contact_look();
         look.lighting = lighting;
         const View view = make_view(camera, look, width, height);
-        all.push_back({view, picture_of(backend, view, everything)});
+        all.push_back({view, image_of(backend, view, everything)});
       }
   return all;
 }
@@ -46,27 +46,27 @@ TEST_P(DrawTurns, LeaveNothingToTheNext) {
   for (int turn = 0; turn < 120; ++turn) {
     if (turn % 40 == 20) {  // another scene, then this one: nothing of the last picture is listed
       backend().upload(make_scene({.name = "uniform", .n = 50}));
-      backend().draw(all[0].view, {.skip_from = 0});
+      backend().draw(all[0].view, {.clusters_from = 0});
       backend().upload(scene);
       backend().collide(dense);
     }
     const Shot& shot = all[random() % all.size()];
-    DrawOptions options = {.skip_unchanged = false, .count = random() % 2 == 0};
-    options.skip_outside = random() % 2;
-    options.skip_hidden = random() % 3 > 0;
-    options.skip_from = random() % 4 ? 0 : ~uint64_t(0);
+    DrawOptions options = {.reuse_unchanged = false, .count = random() % 2 == 0};
+    options.frustum_culling = random() % 2;
+    options.occlusion_culling = random() % 3 > 0;
+    options.clusters_from = random() % 4 ? 0 : ~uint64_t(0);
     options.cull_from = random() % 3 ? 0 : ~uint64_t(0);
-    options.put_off_from = random() % 2 ? 0 : ~uint64_t(0);
+    options.defer_from = random() % 2 ? 0 : ~uint64_t(0);
     backend().draw(shot.view, options);
-    Picture given{backend().image(), shot.expected.visible};
+    Image given{backend().image(), shot.expected.visible};
     if (options.count) {
-      const DrawCounts counts = backend().draw_counts();
+      const DrawStatistics counts = backend().draw_statistics();
       EXPECT_GT(counts.drawn + counts.unseen, 0u) << turn;
       EXPECT_LE(counts.drawn + counts.unseen + counts.hidden, 2 * scene.size())
           << turn;  // seen, and then with a cluster
     }
     if (random() % 4 == 0) given.visible = backend().visible();
-    ASSERT_EQ(objection(given, shot.expected, shot.view), "") << turn;
+    ASSERT_EQ(first_mismatch(given, shot.expected, shot.view), "") << turn;
   }
   backend().check_guards();
 }
@@ -78,14 +78,16 @@ TEST_P(DrawTurns, ListNothingOfAnotherScene) {
   };
   const Scene large = make_scene({.name = "uniform", .n = 700}), small = make_scene({.name = "uniform", .n = 500});
   backend().upload(large);
-  picture_of(backend(), view_of(large, 300));  // asks for the numbers, which stay
+  image_of(backend(), view_of(large, 300));  // asks for the numbers, which stay
   backend().upload(small);
   for (const uint width : {60u, 300u, 300u})
-    backend().draw(view_of(small, width), {.skip_unchanged = false, .skip_from = 0});
+    backend().draw(view_of(small, width), {.reuse_unchanged = false, .clusters_from = 0});
   backend().check_guards();
   const View view = view_of(small, 300);
-  const Picture given = picture_of(backend(), view, {.skip_from = 0});
-  EXPECT_EQ(objection(given, picture_of(backend(), view, {.skip_outside = false, .skip_hidden = false}), view), "");
+  const Image given = image_of(backend(), view, {.clusters_from = 0});
+  EXPECT_EQ(
+      first_mismatch(given, image_of(backend(), view, {.frustum_culling = false, .occlusion_culling = false}), view),
+      "");
 }
 
 // Nothing is asked in between, so that a device is free to draw one picture while it colours the one before.
@@ -97,18 +99,18 @@ TEST_P(DrawTurns, MayOverlap) {
     const uint width = 400 - 30 * (k % 5), height = 300 - 20 * (k % 3);
     Camera camera = frame(bounds_of(scene.positions), 30 * k, 20, 50, double(width) / height);
     const View view = make_view(camera, contact_look(), width, height);
-    all.push_back({view, picture_of(backend(), view, {.skip_unchanged = false, .overlap = false})});
+    all.push_back({view, image_of(backend(), view, {.reuse_unchanged = false, .overlap = false})});
   }
   std::minstd_rand random(11);
   for (int turn = 0; turn < 40; ++turn) {
     const Shot& shot = all[random() % all.size()];
     const bool overlap = random() % 8 > 0;
     for (uint before = random() % 20; before-- > 0;)
-      backend().draw(all[random() % all.size()].view, {.skip_unchanged = false, .overlap = overlap});
-    backend().draw(shot.view, {.skip_unchanged = false});
-    Picture given{backend().image(), shot.expected.visible};
+      backend().draw(all[random() % all.size()].view, {.reuse_unchanged = false, .overlap = overlap});
+    backend().draw(shot.view, {.reuse_unchanged = false});
+    Image given{backend().image(), shot.expected.visible};
     if (random() % 4 == 0) given.visible = backend().visible();
-    ASSERT_EQ(objection(given, shot.expected, shot.view), "") << turn;
+    ASSERT_EQ(first_mismatch(given, shot.expected, shot.view), "") << turn;
   }
   backend().check_guards();
 }
@@ -121,9 +123,9 @@ TEST_P(DrawTurns, TilesAreLeftOutWhereNoneCanBe) {
   backend().upload(scene);
   std::minstd_rand random(3);
   const auto number = [&](double low, double high) { return low + (high - low) * double(random()) / 2147483646.0; };
-  const auto launches_of = [&](const View& view, bool skip) {
+  const auto launches_of = [&](const View& view, bool ablation) {
     const uint64_t before = backend().work_counts().launches;
-    backend().draw(view, {.skip_unchanged = false, .skip_tiles = skip, .share_below = 0, .count = true});
+    backend().draw(view, {.reuse_unchanged = false, .skip_tile_launches = ablation, .share_below = 0, .count = true});
     return backend().work_counts().launches - before;
   };
   launches_of(make_view({}, contact_look(), 203, 117), false);  // the first makes the pixels clear
@@ -136,7 +138,7 @@ TEST_P(DrawTurns, TilesAreLeftOutWhereNoneCanBe) {
     camera.field = number(30, 110);
     const View view = make_view(camera, contact_look(), 203, 117);
     const uint64_t all = launches_of(view, false);
-    const DrawCounts counts = backend().draw_counts();
+    const DrawStatistics counts = backend().draw_statistics();
     const bool skipped = launches_of(view, true) < all;
     EXPECT_FALSE(skipped && counts.large > 0) << k;
     left_out += skipped;

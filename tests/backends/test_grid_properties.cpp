@@ -7,7 +7,7 @@
 #include <numeric>
 #include <random>
 
-#include "tests/support/grid_answers.h"
+#include "tests/support/grid_results.h"
 
 namespace spherepair {
 namespace {
@@ -31,7 +31,7 @@ class GridProperties : public BackendTest {
 
   std::vector<Pair> grid_pairs(const std::vector<vec4>& spheres, Cells cells) {
     backend().upload(scene_of(spheres));
-    return *ask(backend(), {.method = Method::collide_grid, .want_pairs = true, .grid = {.cells = cells}}).pairs;
+    return *run_step(backend(), {.method = Method::collide_grid, .want_pairs = true, .grid = {.cells = cells}}).pairs;
   }
 
  private:

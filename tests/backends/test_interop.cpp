@@ -2,7 +2,7 @@
 // CUDA's spheres drawn through OpenGL: whichever way they are handed over, the picture is that of OpenGL's own spheres.
 #include "api/open.h"
 #include "common/backend/shared_drawing.h"
-#include "tests/support/pictures.h"
+#include "tests/support/images.h"
 
 namespace spherepair {
 namespace {
@@ -15,7 +15,7 @@ Backend* open_one(const std::string& name) {
   return nullptr;
 }
 
-TEST(Interop, EveryWayGivesTheSamePicture) {
+TEST(Interop, EveryWayGivesTheSameImage) {
   Backend *cuda = open_one("cuda"), *glsl = open_one("glsl");
   if (!cuda || !glsl || !is_gpu(*glsl)) GTEST_SKIP() << "needs a GPU through both CUDA and OpenGL";
   const Scene scene = make_scene({.n = 3000});
@@ -31,10 +31,10 @@ TEST(Interop, EveryWayGivesTheSamePicture) {
     for (DrawMethod method : {DrawMethod::mesh, DrawMethod::points, DrawMethod::impostor}) {
       glsl->draw(view, {.method = method});
       const std::vector<uint> expected = glsl->image();
-      for (HandOver way : {HandOver::host, HandOver::registered, HandOver::imported}) {
-        shared->hand_over(way);
+      for (Transfer way : {Transfer::host, Transfer::registered, Transfer::imported}) {
+        shared->transfer(way);
         shared->draw(method, view);
-        EXPECT_EQ(shared->image(), expected) << hand_over_name(way) << ", " << draw_method_name(method);
+        EXPECT_EQ(shared->image(), expected) << transfer_name(way) << ", " << draw_method_name(method);
       }
     }
   }

@@ -41,9 +41,9 @@ bool within_rounding(const vec4& a, const vec4& b) {
 void expect_naive(Backend& backend, const Scene& scene, std::span<const Pair> expected, CollideOptions options) {
   options.exact = false;
   options.want_pairs = true;
-  const Answer answer = ask(backend, options);
+  const StepResult answer = run_step(backend, options);
   const std::string where = fmt::format("{}, scene {}, {}", backend.info().name, scene.name, describe(options));
-  EXPECT_EQ(objection(answer, *answer.pairs, scene.size()), "") << where;
+  EXPECT_EQ(first_mismatch(answer, *answer.pairs, scene.size()), "") << where;
   EXPECT_EQ(answer.totals.deferred, 0u) << where;
   std::vector<Pair> wrong;
   std::set_symmetric_difference(answer.pairs->begin(), answer.pairs->end(), expected.begin(), expected.end(),
@@ -62,7 +62,7 @@ TEST_P(Methods, OneAfterTheOther) {
   backend().upload(scene);
   for (const Method method : {Method::collide_grid, fast_method(backend()).method, Method::collide_grid}) {
     const CollideOptions options = {.method = method, .want_pairs = true};
-    EXPECT_EQ(objection(ask(backend(), options), expected, scene.size()), "") << method_name(method);
+    EXPECT_EQ(first_mismatch(run_step(backend(), options), expected, scene.size()), "") << method_name(method);
   }
 }
 
@@ -129,11 +129,11 @@ TEST_P(Methods, RightAfterEveryMove) {
     backend().move();
     CollideOptions options = methods[step % methods.size()];
     options.want_pairs = step % 3 == 0;
-    const Answer answer = ask(backend(), options);
+    const StepResult answer = run_step(backend(), options);
     const std::vector<Pair> expected = brute_force_pairs(backend().state().positions);
     const std::vector<Pair> wanted =
         options.method == Method::collide_group ? within_groups(expected, options.block) : expected;
-    EXPECT_EQ(objection(answer, wanted, scene.size()), "") << describe(options) << ", step " << step;
+    EXPECT_EQ(first_mismatch(answer, wanted, scene.size()), "") << describe(options) << ", step " << step;
   }
 }
 
@@ -169,8 +169,8 @@ TEST_P(Methods, AutomaticIsRightWhateverItTakes) {
   EXPECT_NE(took({.name = "uniform", .n = row.grid_from / 2}).method, Method::collide_grid);
   EXPECT_EQ(took({.name = "uniform", .n = many}).method, Method::collide_grid);
   const uint64_t crowded = backend().info().software ? 700 : 4000;
-  const MethodChoice crowd = took({.name = "one_cell", .n = crowded});
-  EXPECT_EQ(crowd.method == Method::collide_grid, crowded <= row.one_cell_to) << describe(crowd);
+  const MethodChoice occupancy = took({.name = "one_cell", .n = crowded});
+  EXPECT_EQ(occupancy.method == Method::collide_grid, crowded <= row.one_cell_to) << describe(occupancy);
   const MethodChoice far = took({.name = "uniform", .n = many, .offset = 1e5f});
   EXPECT_EQ(far.method, Method::collide_grid);
   EXPECT_NE(far.reason.find(fmt::format("{} spheres", many)), std::string::npos) << far.reason;

@@ -47,7 +47,7 @@ TEST_P(MotionMethods, UndisturbedByCollisionStepsAndByAsking) {
     backend().upload(scene);
     for (int step = 0; step < 120; ++step) {
       backend().move();
-      if (step % 7 == 0) ask(backend(), {.method = fast_method(backend()).method});
+      if (step % 7 == 0) run_step(backend(), {.method = fast_method(backend()).method});
       if (step % 11 == 0) backend().state();
     }
     expect_equal_states(backend().state(), run_steps(cpu_backend(), scene, 120), motion_label(motion));
@@ -60,15 +60,15 @@ TEST_P(MotionMethods, CollisionsAreThoseOfThePresentPositions) {
     const Scene scene = bouncing_scene({.motion = motion, .n = 1500});
     backend().upload(scene);
     for (int step = 0; step < 90; ++step) backend().move();
-    const Answer answer = ask(backend(), {.method = fast_method(backend()).method, .want_pairs = true});
+    const StepResult answer = run_step(backend(), {.method = fast_method(backend()).method, .want_pairs = true});
     Scene there = scene;
     there.positions = backend().state().positions;
     EXPECT_EQ(backend().counts(), answer.counts) << "asking for the state must not touch the results";
     EXPECT_EQ(backend().pairs(), *answer.pairs);
     Backend& cpu = cpu_backend();
     cpu.upload(there);
-    const Answer wanted = ask(cpu, {.method = Method::sequential, .want_pairs = true});
-    EXPECT_EQ(objection(answer, *wanted.pairs, scene.size()), "") << motion_label(motion);
+    const StepResult wanted = run_step(cpu, {.method = Method::sequential, .want_pairs = true});
+    EXPECT_EQ(first_mismatch(answer, *wanted.pairs, scene.size()), "") << motion_label(motion);
     EXPECT_GT(wanted.pairs->size(), 0u);
   }
 }
@@ -81,14 +81,14 @@ void expect_no_bounce_before_due(float dt, float restitution) {
   uint64_t bounces = 0, looks = 0;
   for (uint64_t i = 0; i < scene.size(); ++i) {
     Anchor<Real> anchor = {scene.positions[i], 0, 0, widened(scene.velocities[i].y, Real{}), widened(0.0f, Real{}), 0};
-    uint due = next_due(anchor, params);
-    for (params.steps_done = 1; params.steps_done <= 2000 && due != NEVER_DUE; ++params.steps_done) {
+    uint due = next_event_step(anchor, params);
+    for (params.steps_done = 1; params.steps_done <= 2000 && due != NO_EVENT; ++params.steps_done) {
       const Anchor<Real> next = anchor_anew(anchor, params);
       const bool bounced = next.since != anchor.since;
       ASSERT_FALSE(bounced && params.steps_done < due) << "sphere " << i << " bounces before step " << due;
       bounces += bounced, looks += params.steps_done >= due;
       anchor = next;
-      if (bounced) due = next_due(anchor, params);
+      if (bounced) due = next_event_step(anchor, params);
     }
   }
   EXPECT_LE(double(looks), 1.01 * double(bounces)) << "dt " << dt << ", restitution " << restitution;
@@ -136,19 +136,19 @@ TEST_P(MotionMethods, LookingAtSpheresThatAreNotDueChangesNothing) {
       scene.gravity = gravity;
       std::array<MotionState, 2> kept;
       std::array<Backend::State, 2> states;
-      for (const bool due_only : {false, true}) {
+      for (const bool event_driven : {false, true}) {
         backend().upload(scene);
-        backend().look_at_due_only(due_only);
+        backend().set_event_driven(event_driven);
         for (int step = 0; step < 400; ++step) backend().move();
-        states[due_only] = backend().state();
-        kept[due_only] = backend().save();
+        states[event_driven] = backend().state();
+        kept[event_driven] = backend().save();
       }
       EXPECT_EQ(state_hash(states[0].positions, states[0].velocities, states[0].wide),
                 state_hash(states[1].positions, states[1].velocities, states[1].wide))
           << motion_label(motion) << ", gravity " << gravity;
       EXPECT_EQ(kept[0].since, kept[1].since) << motion_label(motion);
       EXPECT_EQ(kept[0].flights, kept[1].flights) << motion_label(motion);
-      EXPECT_EQ(kept[0].due, kept[1].due) << motion_label(motion);
+      EXPECT_EQ(kept[0].next_event, kept[1].next_event) << motion_label(motion);
       EXPECT_GT(std::ranges::count_if(kept[1].since, [](uint since) { return since != 0; }), 100);
     }
   }

@@ -31,7 +31,7 @@ TEST_P(Overflow, UndecidedPairsBeyondTheList) {
   const Scene scene = two_points(MANY, 1);
   expect_pairs(backend(), scene, expected_of(MANY, false), every_method(backend(), block_sizes().subspan(2, 1)));
   backend().upload(scene);
-  const Answer answer = ask(backend(), fast_method(backend()));
+  const StepResult answer = run_step(backend(), fast_method(backend()));
   EXPECT_EQ(answer.totals.deferred, MANY * MANY / 4) << "all of them tangent";
   EXPECT_EQ(answer.totals.decided_by[STAGE_INTEGER], MANY * MANY / 4);
 }
@@ -62,8 +62,8 @@ TEST_P(Overflow, MotionIsNotRepeated) {
   backend().move();
   CollideOptions options = fast_method(backend());
   options.want_pairs = true;
-  const Answer answer = ask(backend(), options);
-  EXPECT_EQ(objection(answer, swept_pairs(backend().state().positions), scene.size()), "");
+  const StepResult answer = run_step(backend(), options);
+  EXPECT_EQ(first_mismatch(answer, swept_pairs(backend().state().positions), scene.size()), "");
   const Backend::State grown = backend().state();
   backend().upload(scene);
   backend().move();

@@ -4,18 +4,18 @@
 #include "bench/studies/frames.h"
 #include "common/backend/checks.h"
 #include "common/backend/method_choice.h"
-#include "tests/support/grid_answers.h"
+#include "tests/support/grid_results.h"
 
 namespace spherepair {
 namespace {
 
 class Overlap : public BackendTest {
  protected:
-  uint64_t beside() { return backend().work_counts().beside; }
+  uint64_t overlapped() { return backend().work_counts().overlapped; }
   bool overlaps() {
     backend().upload(make_scene({.name = "uniform", .n = 10}));
     try {
-      backend().collide(grid_step([](CollideOptions& o) { o.tricks.overlap = true; }));
+      backend().collide(grid_step([](CollideOptions& o) { o.api.overlap = true; }));
     } catch (const std::invalid_argument&) {
       return false;
     }
@@ -29,14 +29,14 @@ class Overlap : public BackendTest {
     const auto step = [](bool load_radii) {
       return grid_step([=](CollideOptions& o) {
         o.grid.cells = Cells::dense, o.grid.sort = Sort::buckets, o.load_radii = load_radii;
-        o.tricks.graph = false;  // in which CUDA would put steps of few spheres, and those that do not overlap
+        o.api.graph = false;  // in which CUDA would put steps of few spheres, and those that do not overlap
       });
     };
     const auto oracle = open_backend("cpu");
     for (Backend* each : {oracle.get(), &backend()}) each->upload(scene);
     for (int turn = 0; turn < 6; ++turn) {
       for (int k = 0; k < 3; ++k) backend().collide(step((turn + k) % 2 == 0));
-      const Answer given = ask(backend(), step(turn % 2 != 0)), wanted = ask(*oracle, step(false));
+      const StepResult given = run_step(backend(), step(turn % 2 != 0)), wanted = run_step(*oracle, step(false));
       EXPECT_EQ(given.totals.pairs, wanted.totals.pairs) << turn;
       EXPECT_EQ(given.totals.fingerprint, wanted.totals.fingerprint) << turn;
       EXPECT_EQ(given.totals.colliding_spheres, wanted.totals.colliding_spheres) << turn;
@@ -45,7 +45,7 @@ class Overlap : public BackendTest {
       for (Backend* each : {oracle.get(), &backend()}) each->move();
     }
     if (overlaps_) {
-      EXPECT_GE(beside(), 6u * 4u) << "three sorts and a move a turn";
+      EXPECT_GE(overlapped(), 6u * 4u) << "three sorts and a move a turn";
     }
     const Backend::State moved = backend().state(), expected = oracle->state();
     EXPECT_EQ(state_hash(moved.positions, moved.velocities, moved.wide),
@@ -69,12 +69,12 @@ TEST_P(Overlap, NeverChangesTheSet) {
 TEST_P(Overlap, IsOfWhatNeedsNothingOfTheSearch) {
   if (!overlaps()) GTEST_SKIP() << "launches wait for one another here";
   const auto more = [&](auto act) {
-    const uint64_t before = beside();
+    const uint64_t before = overlapped();
     act();
-    return beside() - before;
+    return overlapped() - before;
   };
   backend().upload(make_scene({.name = "uniform", .n = 5000}));
-  CollideOptions options = grid_step([](CollideOptions& o) { o.grid.sort = Sort::buckets, o.tricks.graph = false; });
+  CollideOptions options = grid_step([](CollideOptions& o) { o.grid.sort = Sort::buckets, o.api.graph = false; });
   const auto collide = [&] { backend().collide(options); };
   const auto move = [&] { backend().move(); };
   EXPECT_EQ(more(collide), 0u) << "nothing was there before";
@@ -82,13 +82,13 @@ TEST_P(Overlap, IsOfWhatNeedsNothingOfTheSearch) {
   EXPECT_EQ(more(move), 1u);
   EXPECT_EQ(more(move), 0u) << "a move needs the move before";
   EXPECT_EQ(more(collide), 0u) << "spheres that move are not sorted";
-  options.tricks.overlap = false;
+  options.api.overlap = false;
   EXPECT_EQ(more(collide), 0u);
   EXPECT_EQ(more(move), 0u);
-  options = grid_step([](CollideOptions& o) { o.grid.sort = Sort::counting, o.tricks.graph = false; });
+  options = grid_step([](CollideOptions& o) { o.grid.sort = Sort::counting, o.api.graph = false; });
   for (int k = 0; k < 2; ++k) EXPECT_EQ(more(collide), 0u) << "grid_clear writes the cells that are searched";
-  options = grid_step(
-      [](CollideOptions& o) { o.grid.keep_order = true, o.grid.cells = Cells::dense, o.tricks.graph = false; });
+  options =
+      grid_step([](CollideOptions& o) { o.grid.keep_order = true, o.grid.cells = Cells::dense, o.api.graph = false; });
   backend().upload(in_cell_order(make_scene({.name = "uniform", .n = 5000})));
   for (int k = 0; k < 2; ++k) EXPECT_EQ(more(collide), 0u);
   EXPECT_EQ(backend().work_counts().orders_kept, 2u);
@@ -99,7 +99,7 @@ TEST_P(Overlap, IsOfWhatNeedsNothingOfTheSearch) {
 TEST_P(Overlap, IsOfManySpheresWhereThereAreGraphs) {
   if (backend().info().name != "cuda" || !overlaps()) GTEST_SKIP() << "graphs of launches are CUDA's";
   const auto step = [](std::optional<bool> graph) {
-    return grid_step([=](CollideOptions& o) { o.grid.sort = Sort::buckets, o.tricks.graph = graph; });
+    return grid_step([=](CollideOptions& o) { o.grid.sort = Sort::buckets, o.api.graph = graph; });
   };
   const auto graphs = [&] { return backend().work_counts().graphs_replayed; };
   for (const uint64_t n : {5000, 50'000, 5000}) {
@@ -107,9 +107,9 @@ TEST_P(Overlap, IsOfManySpheresWhereThereAreGraphs) {
     backend().upload(make_scene({.name = "uniform", .n = n}));
     for (const auto& before : {std::optional<bool>(true), std::optional<bool>(false)}) {
       for (int k = 0; k < 4; ++k) backend().collide(step(before));
-      const uint64_t graphs_before = graphs(), beside_before = beside();
+      const uint64_t graphs_before = graphs(), beside_before = overlapped();
       for (int k = 0; k < 4; ++k) backend().collide(step(std::nullopt));
-      EXPECT_EQ(beside() - beside_before, n < 20'000 ? 0u : 4u);
+      EXPECT_EQ(overlapped() - beside_before, n < 20'000 ? 0u : 4u);
       EXPECT_GE(graphs() - graphs_before, n < 20'000 ? 2u : 0u);
       EXPECT_LE(graphs() - graphs_before, n < 20'000 ? 4u : 0u);
     }
@@ -127,11 +127,11 @@ TEST_P(Overlap, InsideAGraphChangesNoSet) {
     for (Backend* each : {oracle.get(), &backend()}) each->upload(scene);
     for (int turn = 0; turn < 8; ++turn) {
       const CollideOptions step = grid_step(
-          [](CollideOptions& o) { o.grid.cells = Cells::dense, o.grid.sort = Sort::buckets, o.tricks.graph = true; });
+          [](CollideOptions& o) { o.grid.cells = Cells::dense, o.grid.sort = Sort::buckets, o.api.graph = true; });
       const uint64_t before = backend().work_counts().graphs_replayed;
       for (int k = 0; k < 5; ++k) backend().collide(step);
       EXPECT_GE(backend().work_counts().graphs_replayed - before, 2u);
-      const Answer given = ask(backend(), step), wanted = ask(*oracle, grid_step([](CollideOptions&) {}));
+      const StepResult given = run_step(backend(), step), wanted = run_step(*oracle, grid_step([](CollideOptions&) {}));
       EXPECT_EQ(given.totals.pairs, wanted.totals.pairs) << n << ", " << turn;
       EXPECT_EQ(given.totals.fingerprint, wanted.totals.fingerprint) << n << ", " << turn;
       EXPECT_EQ(given.totals.colliding_spheres, wanted.totals.colliding_spheres) << n << ", " << turn;
@@ -145,17 +145,17 @@ TEST_P(Overlap, InsideAGraphChangesNoSet) {
 
 TEST(OverlapOptions, AreNotForAGraph) {
   const auto step = [](std::optional<bool> graph, std::optional<bool> overlap) {
-    return grid_step([=](CollideOptions& o) { o.tricks.graph = graph, o.tricks.overlap = overlap; });
+    return grid_step([=](CollideOptions& o) { o.api.graph = graph, o.api.overlap = overlap; });
   };
   EXPECT_THROW(check_collide(step(true, true)), std::invalid_argument);
   EXPECT_NO_THROW(check_collide(step(true, std::nullopt)));
   EXPECT_NO_THROW(check_collide(step(std::nullopt, true)));
   for (const bool graph_pays : {false, true}) {
-    EXPECT_FALSE(step(true, std::nullopt).tricks.overlaps(graph_pays));
-    EXPECT_TRUE(step(false, std::nullopt).tricks.overlaps(graph_pays));
-    EXPECT_TRUE(step(std::nullopt, true).tricks.overlaps(graph_pays));
-    EXPECT_FALSE(step(std::nullopt, false).tricks.overlaps(graph_pays));
-    EXPECT_NE(step(std::nullopt, std::nullopt).tricks.overlaps(graph_pays), graph_pays);
+    EXPECT_FALSE(step(true, std::nullopt).api.overlaps(graph_pays));
+    EXPECT_TRUE(step(false, std::nullopt).api.overlaps(graph_pays));
+    EXPECT_TRUE(step(std::nullopt, true).api.overlaps(graph_pays));
+    EXPECT_FALSE(step(std::nullopt, false).api.overlaps(graph_pays));
+    EXPECT_NE(step(std::nullopt, std::nullopt).api.overlaps(graph_pays), graph_pays);
   }
 }
 

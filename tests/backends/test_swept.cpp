@@ -60,17 +60,17 @@ TEST_P(StressCatalogue, Row26_SweptFindsWhatTouchesWithinAStep) {
         grazing += !touch_in_quad(scene, i, j) && touch_in_quad(scene, i, j, Quad(1) + 0x1p-40);
       }
     backend().upload(scene);
-    const Answer answer = ask(backend(), swept_options(backend()));
+    const StepResult answer = run_step(backend(), swept_options(backend()));
     std::vector<Pair> missed, invented;
     std::ranges::set_difference(touching, *answer.pairs, std::back_inserter(missed));
     std::ranges::set_difference(*answer.pairs, touching, std::back_inserter(invented));
     note_figure(fmt::format("{} found, {} missed at dt = {}", touching.size(), missed.size(), dt), "0 missed");
     EXPECT_TRUE(missed.empty()) << missed.size() << " missed at dt = " << dt;
     EXPECT_LE(invented.size(), grazing) << "at dt = " << dt;
-    const Answer now = ask(backend(), {.method = swept_options(backend()).method});
+    const StepResult now = run_step(backend(), {.method = swept_options(backend()).method});
     EXPECT_GT(answer.totals.pairs, now.totals.pairs);
     cpu_backend().upload(scene);
-    const Answer by_cpu = ask(cpu_backend(), swept_options(cpu_backend()));
+    const StepResult by_cpu = run_step(cpu_backend(), swept_options(cpu_backend()));
     EXPECT_EQ(*answer.pairs, *by_cpu.pairs);
     EXPECT_EQ(answer.counts, by_cpu.counts);
     EXPECT_EQ(answer.totals.fingerprint, by_cpu.totals.fingerprint);

@@ -43,7 +43,7 @@ TEST(Checkpoint, HoldsEverything) {
       EXPECT_EQ(read.motion.steps, written.motion.steps);
       EXPECT_EQ(read.motion.flights, written.motion.flights);
       EXPECT_EQ(read.motion.since, written.motion.since);
-      EXPECT_EQ(read.motion.due, written.motion.due);
+      EXPECT_EQ(read.motion.next_event, written.motion.next_event);
       const Backend::State a = {read.scene.positions, read.scene.velocities, read.motion.wide};
       expect_equal_states(a, {written.scene.positions, written.scene.velocities, written.motion.wide},
                           motion_label(motion));

@@ -107,7 +107,7 @@ TEST_F(CheckpointContents, TheStateIsWhatTheMotionKeeps) {
     };
     refused("positions, sphere 9", [](Checkpoint& c) { c.motion.anchors[9].x += 1; });
     refused("positions, sphere 9", [](Checkpoint& c) { c.motion.anchors[9].w += 1; });
-    refused("due steps, sphere 9", [](Checkpoint& c) { c.motion.due[9] += 1; });
+    refused("due steps, sphere 9", [](Checkpoint& c) { c.motion.next_event[9] += 1; });
     refused("steps of the anchors, sphere 9", [](Checkpoint& c) { c.motion.since[9] = 3; });
     refused("steps of the anchors, sphere 9", [](Checkpoint& c) { c.motion.since[9] = 8 | ANCHOR_ON_PLANE; });
     if (precision != Precision::float32)

@@ -28,10 +28,10 @@ std::vector<EqualityEntry> lockstep(Session& session, const LockstepPlan& plan =
 void compare_sets(Session& session, bool listed) {
   const Scene scene = make_scene(gas);
   for (const auto& backend : session.backends()) backend->upload(scene);
-  const Asked reference{session.find("cpu"), {.method = Method::sequential}};
-  const Asked asked{session.find("glsl"), {.method = Method::collide_grid}};
-  const Answer expected = ask(session, reference, listed);
-  require_equal(session, {gas, 0}, reference, expected, asked, ask(session, asked, listed));
+  const Configuration reference{session.find("cpu"), {.method = Method::sequential}};
+  const Configuration configuration{session.find("glsl"), {.method = Method::collide_grid}};
+  const StepResult expected = run_step(session, reference, listed);
+  require_equal(session, {gas, 0}, reference, expected, configuration, run_step(session, configuration, listed));
 }
 
 TEST(Harness, AcceptsRightAnswers) {

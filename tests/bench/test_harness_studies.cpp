@@ -2,7 +2,7 @@
 // The studies fed wrong answers: what is recorded was compared first, in drawing, precision, sets and ablation too.
 #include <gtest/gtest.h>
 
-#include "bench/check/answers.h"
+#include "bench/check/step_result.h"
 #include "bench/studies/set_errors.h"
 #include "bench/studies/work_precision.h"
 #include "tests/support/faulty_backend.h"
@@ -80,7 +80,7 @@ TEST_F(StudyProgram, FramesTimesNoWrongImage) {
   EXPECT_NE(wrong.errors.find("differs from that of"), std::string::npos) << wrong.errors;
 }
 
-TEST_F(StudyProgram, SkipsTimesNoWrongAnswer) {
+TEST_F(StudyProgram, AblateTimesNoWrongAnswer) {
   const std::string words = "skips --n 300 --names radius_load,plane_test";
   const Outcome right = study("none", words);
   EXPECT_EQ(right.code, 0) << right.errors;

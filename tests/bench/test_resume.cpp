@@ -31,11 +31,11 @@ Scene falling_scene(MotionOptions motion, uint64_t n = 300) {
 struct Look {
   Backend::State state;
   MotionState kept;
-  Answer answer;
+  StepResult answer;
 };
 Look look_at(Backend& backend) {
   Look look{backend.state(), backend.save(), {}};
-  look.answer = ask(backend, fast_method(backend));
+  look.answer = run_step(backend, fast_method(backend));
   return look;
 }
 
@@ -46,7 +46,7 @@ void expect_equal_looks(const Look& given, const Look& wanted, const std::string
             state_hash(wanted.kept.anchors, {}, wanted.kept.flights))
       << where;
   EXPECT_EQ(given.kept.since, wanted.kept.since) << where;
-  EXPECT_EQ(given.kept.due, wanted.kept.due) << where;
+  EXPECT_EQ(given.kept.next_event, wanted.kept.next_event) << where;
   EXPECT_EQ(given.answer.counts, wanted.answer.counts) << where;
   EXPECT_EQ(given.answer.totals.fingerprint, wanted.answer.totals.fingerprint) << where;
 }

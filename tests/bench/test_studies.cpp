@@ -62,7 +62,7 @@ TEST_F(Studies, CrossoverNamesTheChoiceAndItsReason) {
   EXPECT_NE(said().find("the best fixed choice"), std::string::npos) << said();
 }
 
-TEST_F(Studies, SkipsAreRecordedOnAndOff) {
+TEST_F(Studies, AblationsAreRecordedOnAndOff) {
   const std::string words = "skips --backends cpu --n 300 --rounds 1 --json ";
   ASSERT_EQ(run(words + folder_.path("skips.json")), 0) << said();
   const json rows = record("skips.json").at("measurements");

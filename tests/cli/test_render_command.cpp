@@ -52,7 +52,7 @@ class RenderCommand : public testing::Test {
 
 TEST_F(RenderCommand, WritesASeriesAndItsRecords) {
   RenderOptions series = options("fall.png");
-  series.pictures = 11;
+  series.images = 11;
   series.every = 3;
   EXPECT_EQ(run(series), "");
   for (const char* name : {"fall-00", "fall-05", "fall-10"}) {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "api/open.h"
-#include "bench/check/answers.h"
+#include "bench/check/step_result.h"
 #include "tests/support/sphere_files.h"
 
 namespace spherepair {
@@ -30,12 +30,12 @@ void require_one_set() {
   Backend& backend = fuzzed_backend();
   const auto ask_for = [&](Method method, Cells cells = Cells::automatic) {
     backend.collide({.method = method, .want_pairs = true, .grid = {.cells = cells}});
-    return answer_of(backend, true);
+    return result_of(backend, true);
   };
-  const Answer expected = ask_for(Method::sequential);
-  require(same_answer(expected, ask_for(Method::parallel)), "parallel finds what sequential does");
+  const StepResult expected = ask_for(Method::sequential);
+  require(same_result(expected, ask_for(Method::parallel)), "parallel finds what sequential does");
   for (const Cells cells : {Cells::automatic, Cells::dense, Cells::hashed})
-    require(same_answer(expected, ask_for(Method::collide_grid, cells)), "the grid finds what all pairs do");
+    require(same_result(expected, ask_for(Method::collide_grid, cells)), "the grid finds what all pairs do");
 }
 
 }  // namespace spherepair

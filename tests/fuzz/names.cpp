@@ -13,7 +13,7 @@ using namespace spherepair;
 namespace {
 
 void try_shard(const std::string& text) {
-  const Configuration named = {"file", "title", {}};
+  const SweepTask named = {"file", "title", {}};
   unless_refused([&] {
     return run_sweep({named, named, named}, {.output = "", .shard = text, .list = true},
                      [](const json&) { return true; });

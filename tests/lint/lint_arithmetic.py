@@ -14,7 +14,7 @@ import tempfile
 
 from lint_sources import Skip
 
-STATE_FEEDING = ("move", "bounce", "place")  # kernels whose results are the next step's input: every bit counts, so nothing is fused
+STATE_FEEDING = ("move", "bounce", "evaluate_positions")  # kernels whose results are the next step's input: every bit counts, so nothing is fused
 METHODS, PRECISIONS = range(6), ("float", "Two", "double")  # of layout.h; bounce and place are of a method of their own
 EXACT_FUNCTIONS = ("PackDouble2x32", "UnpackDouble2x32", "FAbs", "FMin", "FMax", "NMin", "NMax", "UMin", "UMax", "SMin",
                    "SMax", "FindUMsb", "FindSMsb", "FindILsb")
@@ -52,7 +52,7 @@ def variants(stem, text):
     """The definitions of every program that is made from a shader."""
     if stem not in STATE_FEEDING:
         plain = [("BLOCK 256", f"EQUAL_RADII {uniform}", "LISTED 1", "BUNDLES false", "BY_CELLS false",
-                  f"DENSE {str(bool(uniform)).lower()}", f"NAMES {2 if uniform else 4}u", f"LATER {uniform}u")
+                  f"DENSE {str(bool(uniform)).lower()}", f"INDICES {2 if uniform else 4}u", f"LATER {uniform}u")
                  for uniform in (0, 1)]
         further = [("ATOMICS_64",), ("TEXTURE_TABLE",), ("FROM_TILES",), ("FOLDED",)]
         further += [("TEXTURE_TABLE", "WINDOWS")] * (stem == "collide_grid")
@@ -60,7 +60,7 @@ def variants(stem, text):
                   for choice in ("BUNDLES", "BY_CELLS") if choice in text]
         return plain + chosen + [(*plain[0], *defines) for defines in further if defines[-1] in text]
     methods = METHODS if stem == "move" else (6,)
-    return [("BLOCK 256", "NAMES 0u", f"METHOD {method}u", f"PRECISION {precision}", f"Real {real}")
+    return [("BLOCK 256", "INDICES 0u", f"METHOD {method}u", f"PRECISION {precision}", f"Real {real}")
             for method in methods for precision, real in enumerate(PRECISIONS)]
 
 

@@ -23,6 +23,7 @@ def sources(root, suffixes=CODE + (".py", ".cmake")):
     found = []
     for folder in FOLDERS:
         found += [p for p in sorted((root / folder).rglob("*")) if p.suffix in suffixes and p.is_file()]
+        found += sorted((root / folder).rglob("CMakeLists.txt")) if ".cmake" in suffixes else []
     return found
 
 
@@ -60,7 +61,7 @@ def twins(root, build):
 def files(root, build):
     names = ("check", "reproduce", "CMakeLists.txt", ".ci/run", ".ci/sanitize", ".ci/setup.sh")
     scripts = [root / name for name in names]
-    checked = sources(root) + [p for p in scripts if p.exists()] + sorted(root.glob("*/**/CMakeLists.txt"))
+    checked = sources(root) + [p for p in scripts if p.exists()]
     complaints = []
     for path in checked:
         lines = path.read_text().splitlines()

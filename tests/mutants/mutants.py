@@ -126,7 +126,7 @@ def main():
     with concurrent.futures.ThreadPoolExecutor(options.workers) as pool:
         results = list(pool.map(one, mutants))
     killed = sum(result.startswith("killed") for result in results)
-    lines = ["%-42s %-34s %s" % (m["name"], m["file"], r) for m, r in zip(mutants, results)]
+    lines = ["%-42s %-38s %s" % (m["name"], m["file"], r) for m, r in zip(mutants, results)]
     lines.append("\n%d of %d mutants killed" % (killed, len(mutants)))
     if not options.only:
         options.output.write_text("\n".join(lines) + "\n")

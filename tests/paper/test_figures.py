@@ -32,7 +32,7 @@ def of_tables_to_come():
     for backend in ("glsl", "cuda"):
         for method, order, time in (("grid", "cold", 2), ("grid", "warm", 1), ("triangle", "cold", 3)):
             rows += made_up("grid", [time], backend=backend, method=f"collide_{method}", order=order,
-                            share_of_floor=0.5, ceiling_per_second=1e12, device_stages_ms={"collide": 1.0},
+                            share_of_floor=0.5, peak_per_second=1e12, device_stages_ms={"collide": 1.0},
                             device_stages_interval_ms={"collide": [0.9, 1.1]})
             for row in rows[-2:]:
                 row.parameters["floor_ms"] = 1e-9 * GRID_BYTES[order] * row.n
@@ -120,13 +120,13 @@ class Tables(unittest.TestCase):
                       for work, interval in timed.items()]
             frames.append({"work": "imported", "draw": "none", "n": n, "interval_ms": (9, 9)})  # alone, not meant
             return {"id": "made up", "frames": frames, "overlaps": [
-                {"hand_over": "imported", "draw": "points", "n": n, "picture_ms": 2.0, "step_ms": 1.0,
+                {"transfer": "imported", "draw": "points", "n": n, "picture_ms": 2.0, "step_ms": 1.0,
                  "pipelined_ms": 2.5, "overlap": 0.5}]}
 
         machine.sources = {"frames.json": record(1000), "more_frames.json": record(10**8)}
         figures_of_each = ["2.00", "1.00", "2.50", "0.500 [0.200, 0.900]"]
         self.assertEqual([["imported", size, *figures_of_each] for size in ("10^3", "10^8")],
-                         tables_studies.hand_over(machine).rows)
+                         tables_studies.transfer(machine).rows)
 
 
 class Paper(unittest.TestCase):

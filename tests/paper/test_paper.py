@@ -147,7 +147,7 @@ class WhoLeads(unittest.TestCase):
                 ("grid_leads", {"table": "grid", "backend": "glsl"}, 0.5),
                 ("beside_peers", {"table": "grid", "backend": "cuda"}, 9),
                 ("pictures", {"table": "draw", "backend": "glsl", "n": 10**8}, 999),
-                ("hand_overs", {"table": "interop", "way": "through the host's memory"}, 1e-3),
+                ("transfers", {"table": "interop", "way": "through the host's memory"}, 1e-3),
                 ("kinds_of_spheres", {"table": "crossover", "kind": "one_cell", "way": "dense"}, 1e-3),
                 ("exactness", {"table": "exactness", "method": "collide_triangle", "exact": True}, 2),
                 ("errors_of_motion", {"table": "precision", "method": "anchored"}, 99)):

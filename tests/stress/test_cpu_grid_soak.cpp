@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "tests/support/grid_answers.h"
+#include "tests/support/grid_results.h"
 
 namespace spherepair {
 namespace {
@@ -35,7 +35,7 @@ TEST(CpuGrid, Soak) {
   const uint64_t first = seed;
   for (; std::chrono::steady_clock::now() < end; ++seed) {
     const SceneOptions options = drawn_scene(seed);
-    ASSERT_EQ(objection_to_grid(make_scene(options)), "")
+    ASSERT_EQ(first_grid_mismatch(make_scene(options)), "")
         << "SOAK_SEED=" << seed << ": " << options.name << " of " << options.n;
   }
   fmt::print("{} scenes from SOAK_SEED={} on\n", seed - first, first);

@@ -88,7 +88,7 @@ CollideOptions random_options(Dice& dice, const Backend& backend) {
   options.grid.cells = dice.of<Cells>({Cells::automatic, Cells::dense, Cells::hashed});
   options.grid.keep_order = dice.one_in(2);
   options.grid.keep_cells = dice.one_in(2);
-  options.grid.skip_cells = !dice.one_in(4);
+  options.grid.prune_cells = !dice.one_in(4);
   options.grid.replan = !dice.one_in(4);
   std::vector<Sort> sorts = {Sort::automatic, Sort::counting, Sort::buckets};
   if (cuda) sorts.push_back(Sort::radix);
@@ -96,18 +96,18 @@ CollideOptions random_options(Dice& dice, const Backend& backend) {
   const bool counts = options.grid.sort == Sort::automatic || options.grid.sort == Sort::counting;
   if (cuda && counts && dice.one_in(3)) options.grid.scan = Scan::library;
   options.load_radii = dice.one_in(4);
-  options.tricks.graph = cuda && dice.one_in(2);
+  options.api.graph = cuda && dice.one_in(2);
   if (options.method != Method::collide_grid) return options;
   options.filter = !dice.one_in(6);
-  options.tricks.texture_table = backend.info().name == "glsl" && dice.one_in(2);
-  options.tricks.texture_spheres = backend.info().name == "glsl" && dice.one_in(2);
-  options.tricks.library_clear = gpu_api && dice.one_in(2);
-  if (dice.one_in(2)) options.tricks.overlap = false;
+  options.api.texture_table = backend.info().name == "glsl" && dice.one_in(2);
+  options.api.texture_spheres = backend.info().name == "glsl" && dice.one_in(2);
+  options.api.library_clear = gpu_api && dice.one_in(2);
+  if (dice.one_in(2)) options.api.overlap = false;
   return options;
 }
 
 // One scene, a few moves and steps, all backends: what is wrong.
-std::string objection_to(uint64_t seed) {
+std::string why_invalid(uint64_t seed) {
   Dice dice(seed);
   const Scene scene = random_scene(dice);
   const std::vector<Backend*> backends = open_backends();
@@ -124,7 +124,7 @@ std::string objection_to(uint64_t seed) {
       if (state_hash(own.positions, own.velocities, own.wide) != hash) return backend->info().name + ": another state";
       const CollideOptions options = random_options(dice, *backend);
       const auto wanted = options.method == Method::collide_group ? within_groups(expected, options.block) : expected;
-      const std::string why = objection(ask(*backend, options), wanted, scene.size());
+      const std::string why = first_mismatch(run_step(*backend, options), wanted, scene.size());
       if (!why.empty())
         return fmt::format("{}, {} spheres, turn {}, {}: {}", backend->info().name, scene.size(), turn,
                            describe(options), why);
@@ -140,7 +140,7 @@ TEST(Soak, RandomScenesAndOptionsOnEveryBackend) {
   uint64_t done = 0;
   const auto elapsed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
   for (; done == 0 || elapsed() < seconds; ++done, ++seed) {
-    const std::string why = objection_to(seed);
+    const std::string why = why_invalid(seed);
     ASSERT_EQ(why, "") << "repeat it with SPHEREPAIR_SOAK_SEED=" << seed << " SPHEREPAIR_SOAK_SECONDS=0";
   }
   fmt::print("{} scenes in {:.0f} s, the last of seed {}\n", done, elapsed(), seed - 1);

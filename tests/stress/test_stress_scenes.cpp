@@ -126,10 +126,10 @@ TEST_P(StressCatalogue, Row15_FilterDecidesDensePackings) {
     for (CollideOptions options : cpu ? std::vector{fast_method(backend())} : each_method_once(backend())) {
       if (options.method == Method::collide_group) continue;
       options.want_pairs = true;
-      const Answer answer = ask(backend(), options);
+      const StepResult answer = run_step(backend(), options);
       const double undecided = double(answer.totals.deferred) / (0.5 * double(n) * double(n - 1));
       most = std::max(most, undecided);
-      EXPECT_EQ(objection(answer, expected, n), "") << describe(options) << ", packing fraction " << fraction;
+      EXPECT_EQ(first_mismatch(answer, expected, n), "") << describe(options) << ", packing fraction " << fraction;
       EXPECT_LE(undecided, 1e-6) << describe(options) << ", packing fraction " << fraction;
     }
     note_figure(fmt::format("{:.0e} undecided at {}, n = {}", most, fraction, n));
@@ -174,7 +174,8 @@ TEST_P(StressCatalogue, Row18_ShuffledInput) {
   const auto run = [&](const Scene& start) {
     backend().upload(start);
     for (int step = 0; step < 60; ++step) backend().move();
-    return std::pair(ask(backend(), {.method = fast_method(backend()).method, .want_pairs = true}), backend().state());
+    return std::pair(run_step(backend(), {.method = fast_method(backend()).method, .want_pairs = true}),
+                     backend().state());
   };
   const auto [answer, state] = run(scene);
   EXPECT_GT(answer.pairs->size(), 100u);

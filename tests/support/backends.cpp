@@ -85,17 +85,17 @@ void BackendTest::SetUp() {
 
 std::string parameter_name(const testing::TestParamInfo<std::string>& info) { return info.param; }
 
-Answer ask(Backend& backend, const CollideOptions& options) {
+StepResult run_step(Backend& backend, const CollideOptions& options) {
   backend.collide(options);
   backend.check_guards();  // before lists that were too short are replaced by longer ones
-  const Answer answer = answer_of(backend, options.want_pairs);
+  const StepResult answer = result_of(backend, options.want_pairs);
   backend.check_guards();
   return answer;
 }
 
 namespace {
 
-std::string count_objection(const Answer& answer, std::span<const Pair> expected, size_t spheres) {
+std::string count_mismatch(const StepResult& answer, std::span<const Pair> expected, size_t spheres) {
   if (answer.counts.size() != spheres)
     return fmt::format("counts of {} spheres, not of {}", answer.counts.size(), spheres);
   std::vector<uint> counts(spheres);
@@ -111,7 +111,7 @@ std::string count_objection(const Answer& answer, std::span<const Pair> expected
 
 }  // namespace
 
-std::string objection(const Answer& answer, std::span<const Pair> expected, size_t spheres) {
+std::string first_mismatch(const StepResult& answer, std::span<const Pair> expected, size_t spheres) {
   const auto difference = answer.pairs ? first_difference(*answer.pairs, expected) : std::nullopt;
   if (difference)
     return fmt::format("pair ({}, {}) is {}", difference->pair.first, difference->pair.second,
@@ -123,7 +123,7 @@ std::string objection(const Answer& answer, std::span<const Pair> expected, size
   for (uint64_t stage : answer.totals.decided_by) settled += stage;
   if (settled != answer.totals.deferred)
     return fmt::format("{} pairs deferred but {} settled", answer.totals.deferred, settled);
-  return count_objection(answer, expected, spheres);
+  return count_mismatch(answer, expected, spheres);
 }
 
 Scene scene_of(std::vector<vec4> spheres) {
@@ -147,7 +147,7 @@ void expect_pairs(Backend& backend, const Scene& scene, std::span<const Pair> ex
     for (bool want_pairs : {false, true}) {
       options.want_pairs = want_pairs;
       count_figure("answers");
-      EXPECT_EQ(objection(ask(backend, options), wanted, scene.size()), "")
+      EXPECT_EQ(first_mismatch(run_step(backend, options), wanted, scene.size()), "")
           << backend.info().name << ", scene " << scene.name << " of " << scene.size() << ", " << describe(options);
     }
   }

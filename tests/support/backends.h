@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "api/open.h"
-#include "bench/check/answers.h"
+#include "bench/check/step_result.h"
 
 namespace spherepair {
 
@@ -49,10 +49,10 @@ std::string parameter_name(const testing::TestParamInfo<std::string>& info);
 #define INSTANTIATE_BACKENDS(suite) \
   INSTANTIATE_TEST_SUITE_P(Backends, suite, testing::ValuesIn(backend_names()), parameter_name)
 
-Answer ask(Backend& backend, const CollideOptions& options);
+StepResult run_step(Backend& backend, const CollideOptions& options);
 
 // What is wrong with an answer, as one sentence that names the first difference; empty when it is the expected set.
-std::string objection(const Answer& answer, std::span<const Pair> expected, size_t spheres);
+std::string first_mismatch(const StepResult& answer, std::span<const Pair> expected, size_t spheres);
 
 // A scene of these spheres at rest; equal_radii is found out.
 Scene scene_of(std::vector<vec4> spheres);

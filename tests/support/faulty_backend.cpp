@@ -21,8 +21,8 @@ class ForwardingBackend : public Backend {
   std::vector<Method> methods() const override { return real_->methods(); }
   void upload(const Scene& scene) override { real_->upload(scene); }
   void move() override { real_->move(); }
-  void look_at_due_only(bool on) override { real_->look_at_due_only(on); }
-  void place() override { real_->place(); }
+  void set_event_driven(bool on) override { real_->set_event_driven(on); }
+  void evaluate_positions() override { real_->evaluate_positions(); }
   void collide(const CollideOptions& options) override { real_->collide(options); }
   void finish() override { real_->finish(); }
   MethodChoice choice(const CollideOptions& options) const override { return real_->choice(options); }
@@ -35,7 +35,7 @@ class ForwardingBackend : public Backend {
   void draw(const View& view, const DrawOptions& options) override { real_->draw(view, options); }
   std::vector<uint> image() override { return real_->image(); }
   std::vector<uvec2> visible() override { return real_->visible(); }
-  DrawCounts draw_counts() override { return real_->draw_counts(); }
+  DrawStatistics draw_statistics() override { return real_->draw_statistics(); }
   std::vector<uint> decide(std::span<const vec4> spheres) override { return real_->decide(spheres); }
   void launch_empty(uint groups) override { real_->launch_empty(groups); }
   void check_guards() override { real_->check_guards(); }

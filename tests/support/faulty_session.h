@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bench/check/answers.h"
+#include "bench/check/step_result.h"
 #include "tests/support/faulty_backend.h"
 
 namespace spherepair {

@@ -64,7 +64,7 @@ Decided gather(size_t rows, const Row& row) {
   return all;
 }
 
-bool boxes_may_meet(const vec4& a, const vec4& b) {
+bool boxes_may_overlap(const vec4& a, const vec4& b) {
   const double reach = (double(a.w) + double(b.w)) * (1 + 1e-9);
   return std::abs(double(a.y) - double(b.y)) <= reach && std::abs(double(a.z) - double(b.z)) <= reach &&
          std::abs(double(a.x) - double(b.x)) <= reach;
@@ -151,7 +151,7 @@ std::vector<Pair> swept_pairs(std::span<const vec4> spheres) {
   const Slabs slabs(spheres);
   return gather(spheres.size(), [&](size_t row, Decided& mine) {
     slabs.for_candidates(row, [&](uint i, uint j) {
-      if (boxes_may_meet(spheres[i], spheres[j]) && relation(spheres[i], spheres[j]) == Relation::overlapping)
+      if (boxes_may_overlap(spheres[i], spheres[j]) && relation(spheres[i], spheres[j]) == Relation::overlapping)
         mine.push_back({std::min(i, j), std::max(i, j)});
     });
   });

@@ -29,7 +29,7 @@ struct Outcome {
 // Runs a shell command; its standard output and error go through files of this folder.
 Outcome run_shell(const std::string& command, const ScratchFolder& folder);
 
-// Skips where the tests were carried to another machine without the program.
+// Ablations where the tests were carried to another machine without the program.
 class ProgramTest : public testing::Test {
  protected:
   void SetUp() override;

@@ -22,8 +22,8 @@ TEST(DrawClusters, BordersOfCellsHoldThem) {
     uint64_t in_rows = 0, tight = 0;
     const size_t clusters = scene.size() / CLUSTER;
     for (size_t c = 0; c + 1 < clusters; ++c) {
-      const ::Place begin = place_of(scene.positions[c * CLUSTER], p);
-      const ::Place end = place_of(scene.positions[(c + 1) * CLUSTER], p);
+      const ::GridPosition begin = grid_position(scene.positions[c * CLUSTER], p);
+      const ::GridPosition end = grid_position(scene.positions[(c + 1) * CLUSTER], p);
       if (!within_row(begin, end, p)) continue;
       const vec4 low = lowest_in_row(begin, p), high = highest_in_row(end, p);
       ++in_rows;

@@ -69,8 +69,8 @@ TEST(MethodsOnTheHost, AutoOnTheCpuGoesByItsThreads) {
     return chosen_method(info, n, plans, {.method = Method::automatic});
   };
   const uint64_t from = crossover_of(info).grid_from;
-  EXPECT_EQ(took("one_cell", crowd_least - 1), Method::parallel);
-  EXPECT_EQ(took("one_cell", crowd_least), Method::collide_grid);
+  EXPECT_EQ(took("one_cell", least_crowded - 1), Method::parallel);
+  EXPECT_EQ(took("one_cell", least_crowded), Method::collide_grid);
   EXPECT_EQ(took("one_cell", 4 * from), Method::collide_grid);
   EXPECT_EQ(took("uniform", from - 1), Method::parallel);
   EXPECT_EQ(took("uniform", from + from / 10), Method::collide_grid);
@@ -78,7 +78,7 @@ TEST(MethodsOnTheHost, AutoOnTheCpuGoesByItsThreads) {
   info.details["threads"] = "16";
   EXPECT_EQ(took("uniform", from_of_many - 1), Method::parallel);
   EXPECT_EQ(took("uniform", from_of_many + from_of_many / 10), Method::collide_grid);
-  EXPECT_EQ(took("one_cell", crowd_least), Method::collide_grid);
+  EXPECT_EQ(took("one_cell", least_crowded), Method::collide_grid);
   EXPECT_EQ(took("one_cell", 2000), Method::parallel);
 }
 

@@ -86,7 +86,7 @@ TEST_P(NonFiniteOf, ASceneAtRestMayHoldAnyFiniteNumberButIsNotMoved) {
   for (const MotionOptions& motion : all_motions())
     for (const auto& [x, speed, sphere] : {std::tuple(LARGEST, 0.0f, 7), std::tuple(0.0f, -0x1.1p60f, 9)}) {
       backend().upload(static_scene(motion, x, speed));
-      EXPECT_GT(ask(backend(), fast_method(backend())).totals.pairs, 0u);
+      EXPECT_GT(run_step(backend(), fast_method(backend())).totals.pairs, 0u);
       try {
         backend().move();
         ADD_FAILURE() << motion_label(motion) << " moves it";
@@ -136,12 +136,12 @@ bool finite_centre(const vec4& s) { return std::isfinite(s.x) && std::isfinite(s
 // Every method, in every kind of cells; what is not finite collides with nothing.
 void expect_steps_that_end(Backend& backend, const std::string& where) {
   const uint block = 128;
-  std::vector<CollideOptions> asked = every_method(backend, {&block, 1});
+  std::vector<CollideOptions> configuration = every_method(backend, {&block, 1});
   for (const Cells cells : {Cells::dense, Cells::hashed})
-    asked.push_back({.method = Method::collide_grid, .grid = {.cells = cells}});
-  for (CollideOptions options : asked) {
+    configuration.push_back({.method = Method::collide_grid, .grid = {.cells = cells}});
+  for (CollideOptions options : configuration) {
     options.want_pairs = true;
-    const Answer answer = ask(backend, options);
+    const StepResult answer = run_step(backend, options);
     const Backend::State state = backend.state();
     for (size_t i = 0; i < state.positions.size(); ++i)
       ASSERT_TRUE(finite_centre(state.positions[i]) || answer.counts[i] == 0) << where << ", " << describe(options);

@@ -18,7 +18,7 @@ constexpr uint64_t alone = 32768;  // spheres up to which passing over them is n
 
 // What one thread has found. Within its stretch of places it counts alone; contacts of other places are counted apart,
 // where several threads may meet.
-class CpuGrid::Finder final : public MeetingSink {
+class CpuGrid::Finder final : public CandidateSink {
  public:
   Finder(CpuGrid& grid, const PairSearch& search, const Params& p, GrowingList<uint64_t>& list)
       : simd_(grid.simd_),
@@ -28,25 +28,25 @@ class CpuGrid::Finder final : public MeetingSink {
         far_counts_(grid.far_counts_.data()),
         list_(search.options.want_pairs ? &list : nullptr) {}
 
-  void search(Stretch stretch) {
-    stretch_ = stretch;
-    std::fill(near_counts_ + stretch.first, near_counts_ + stretch.last, 0u);
-    simd_.find_meetings(order_, p_, stretch.first, stretch.last, meetings_, *this);
-    take(meetings_);
+  void search(Stretch columns_per_group) {
+    stretch_ = columns_per_group;
+    std::fill(near_counts_ + columns_per_group.first, near_counts_ + columns_per_group.last, 0u);
+    simd_.find_candidates(order_, p_, columns_per_group.first, columns_per_group.last, candidates_, *this);
+    take(candidates_);
   }
 
-  void take(Meetings& meetings) override {
-    settle(meetings);
-    const Fingerprint sum = simd_.mix(meetings, order_.id, keys_);
-    totals_.pairs += meetings.size;
+  void take(Candidates& candidates) override {
+    resolve_undecided(candidates);
+    const Fingerprint sum = simd_.mix(candidates, order_.id, keys_);
+    totals_.pairs += candidates.size;
     totals_.fingerprint.a += sum.a;
     totals_.fingerprint.b += sum.b;
-    for (uint k = 0; k < meetings.size; ++k) {
-      ++near_counts_[meetings.mine[k]];
-      touch(meetings.other[k]);
+    for (uint k = 0; k < candidates.size; ++k) {
+      ++near_counts_[candidates.mine[k]];
+      add_contact(candidates.other[k]);
     }
-    if (list_) list_->append(keys_, meetings.size);
-    meetings.size = 0;
+    if (list_) list_->append(keys_, candidates.size);
+    candidates.size = 0;
   }
 
   void add_to(Collisions& totals) const {
@@ -58,7 +58,7 @@ class CpuGrid::Finder final : public MeetingSink {
   }
 
  private:
-  void touch(uint place) {
+  void add_contact(uint place) {
     if (place - stretch_.first < stretch_.last - stretch_.first) {
       ++near_counts_[place];
     } else {
@@ -67,18 +67,18 @@ class CpuGrid::Finder final : public MeetingSink {
   }
 
   // Drops the undecided meetings that are no collisions.
-  void settle(Meetings& meetings) {
+  void resolve_undecided(Candidates& candidates) {
     uint flags = 0;
-    for (uint k = 0; k < meetings.size; ++k) flags |= meetings.other[k];
+    for (uint k = 0; k < candidates.size; ++k) flags |= candidates.other[k];
     if (!(flags & UNDECIDED_BIT)) return;
     uint kept = 0;
-    for (uint k = 0; k < meetings.size; ++k) {
-      const uint mine = meetings.mine[k], other = meetings.other[k] & ~UNDECIDED_BIT;
-      if (meetings.other[k] & UNDECIDED_BIT && !decide(mine, other)) continue;
-      meetings.mine[kept] = mine;
-      meetings.other[kept++] = other;
+    for (uint k = 0; k < candidates.size; ++k) {
+      const uint mine = candidates.mine[k], other = candidates.other[k] & ~UNDECIDED_BIT;
+      if (candidates.other[k] & UNDECIDED_BIT && !decide(mine, other)) continue;
+      candidates.mine[kept] = mine;
+      candidates.other[kept++] = other;
     }
-    meetings.size = kept;
+    candidates.size = kept;
   }
 
   bool decide(uint mine, uint other) {
@@ -100,15 +100,15 @@ class CpuGrid::Finder final : public MeetingSink {
   GrowingList<uint64_t>* list_;
   Stretch stretch_{};
   Collisions totals_;
-  Meetings meetings_;
-  uint64_t keys_[meetings_at_once];
+  Candidates candidates_;
+  uint64_t keys_[candidates_at_once];
 };
 
 PairsFound CpuGrid::search(const PairSearch& search, const GridPlan& plan, bool keep_cells) {
   Params p = search.params;
   n_ = search.positions.size();
   p.n = uint(n_);
-  set_grid(p, plan, search.options.grid.skip_cells);
+  set_grid(p, plan, search.options.grid.prune_cells);
   if (!keep_cells) cells_.sort(search.positions, p, !search.equal_radii, search.threads);
   near_counts_.resize(n_);
   far_counts_.resize(n_);

@@ -40,14 +40,14 @@ struct Filter<false> {
 template <bool hashed, bool equal_radii>
 class Searcher {
  public:
-  Searcher(const CellOrder& order, const Params& p, Meetings& found, MeetingSink& sink)
+  Searcher(const CellOrder& order, const Params& p, Candidates& found, CandidateSink& sink)
       : order_(order), p_(p), cells_{p}, filter_(p), found_(found), sink_(sink) {}
 
   void search(uint first, uint last) {
     while (first < last) {
       const Run run = take_run(first, last);
       for (uint level = run.level; level <= p_.top_level; ++level)
-        if (p_.levels >> level & 1) meet_level(run, level);
+        if (p_.levels >> level & 1) test_level(run, level);
       first += run.count;
     }
   }
@@ -102,7 +102,7 @@ class Searcher {
   }
 
   // The rows of cells of a level in reach; of the spheres' own level only the half that comes after their own row.
-  void meet_level(const Run& run, uint level) {
+  void test_level(const Run& run, uint level) {
     const float reach = cells_.reach(run.high.w, level);
     const Cell low = cells_.lowest(run.low, reach, level), high = cells_.highest(run.high, reach, level);
     int first[groups_at_once], last[groups_at_once];
@@ -111,46 +111,46 @@ class Searcher {
       last[g] = cells_.highest({run.group_high[g], 0, 0, 0}, reach, level).x;
     }
     const bool half = level == run.level;
-    if (half) meet_own_row(run, last);
+    if (half) test_own_row(run, last);
     int y = half ? run.cell.y + 1 : low.y;
     for (int z = half ? run.cell.z : low.z; z <= high.z; ++z) {
-      for (; y <= high.y; ++y) meet_row(run, level, y, z, first, last);
+      for (; y <= high.y; ++y) test_row(run, level, y, z, first, last);
       y = low.y;
     }
   }
 
-  void meet_own_row(const Run& run, const int* last) {
+  void test_own_row(const Run& run, const int* last) {
     const uint row = cells_.row(run.level, run.cell.y, run.cell.z);
     for (uint g = 0; g < run.groups(); ++g) {
       const uint begin = run.first + g * spheres_at_once,
                  count = std::min(spheres_at_once, run.first + run.count - begin);
       const uint slot = cells_.slot(row, last[g]), end = order_.begin[slot + 1];
       const bool wraps = hashed && slot < cells_.slot(row, run.cell.x);
-      meet<true>(begin, count, begin + 1, wraps ? p_.n : end, run.level, run.cell.y, run.cell.z);
-      if (wraps) meet<false>(begin, count, 0, end, run.level, run.cell.y, run.cell.z);
+      test_pair<true>(begin, count, begin + 1, wraps ? p_.n : end, run.level, run.cell.y, run.cell.z);
+      if (wraps) test_pair<false>(begin, count, 0, end, run.level, run.cell.y, run.cell.z);
     }
   }
 
-  void meet_row(const Run& run, uint level, int y, int z, const int* first, const int* last) {
+  void test_row(const Run& run, uint level, int y, int z, const int* first, const int* last) {
     const uint row = cells_.row(level, y, z);
     for (uint g = 0; g < run.groups(); ++g) {
       const uint begin = run.first + g * spheres_at_once,
                  count = std::min(spheres_at_once, run.first + run.count - begin);
       const uint from = cells_.slot(row, first[g]), to = cells_.slot(row, last[g]);
       if (hashed && to < from) {
-        meet<false>(begin, count, order_.begin[from], p_.n, level, y, z);
-        meet<false>(begin, count, 0, order_.begin[to + 1], level, y, z);
+        test_pair<false>(begin, count, order_.begin[from], p_.n, level, y, z);
+        test_pair<false>(begin, count, 0, order_.begin[to + 1], level, y, z);
       } else {
-        meet<false>(begin, count, order_.begin[from], order_.begin[to + 1], level, y, z);
+        test_pair<false>(begin, count, order_.begin[from], order_.begin[to + 1], level, y, z);
       }
     }
   }
 
   // Each of a few spheres with each from begin to end, and, when these go on in the same row, after itself.
   template <bool half>
-  void meet(uint first, uint count, uint begin, uint end, uint level, int y, int z) {
+  void test_pair(uint first, uint count, uint begin, uint end, uint level, int y, int z) {
     for (uint at = begin; at < end; at += lanes) {
-      if (found_.size + spheres_at_once * lanes > meetings_at_once) sink_.take(found_);
+      if (found_.size + spheres_at_once * lanes > candidates_at_once) sink_.take(found_);
       const Floats xs = load(order_.x + at), ys = load(order_.y + at), zs = load(order_.z + at);
       Floats radii = xs;
       if (!equal_radii) radii = load(order_.radius + at);
@@ -199,12 +199,12 @@ class Searcher {
   const Params& p_;
   const CellMap<hashed> cells_;
   const Filter<equal_radii> filter_;
-  Meetings& found_;
-  MeetingSink& sink_;
+  Candidates& found_;
+  CandidateSink& sink_;
 };
 
-inline void find_meetings(const CellOrder& order, const Params& p, uint first, uint last, Meetings& found,
-                          MeetingSink& sink) {
+inline void find_candidates(const CellOrder& order, const Params& p, uint first, uint last, Candidates& found,
+                            CandidateSink& sink) {
   const bool hashed = p.hash_mask != 0, equal_radii = order.radius == nullptr;
   if (hashed) {
     equal_radii ? Searcher<true, true>(order, p, found, sink).search(first, last)
@@ -215,4 +215,4 @@ inline void find_meetings(const CellOrder& order, const Params& p, uint first, u
   }
 }
 
-inline GridSimd grid_simd(const char* name) { return {name, find_slots, find_meetings, mix}; }
+inline GridSimd grid_simd(const char* name) { return {name, find_slots, find_candidates, mix}; }

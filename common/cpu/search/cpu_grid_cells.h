@@ -13,16 +13,16 @@ template <>
 struct CellMap<false> {
   const Params& p;
   Cell own(vec4 s, uint) const {
-    const Place place = place_of(s, p);
+    const GridPosition place = grid_position(s, p);
     return {int(place.x), int(place.y), int(place.z)};
   }
   float reach(float radius, uint) const { return reach_in_cells(radius, p); }
   Cell lowest(vec4 s, float reach, uint) const {
-    const Place place = place_of(s, p);
+    const GridPosition place = grid_position(s, p);
     return {int(cell_below(place.x, reach)), int(cell_below(place.y, reach)), int(cell_below(place.z, reach))};
   }
   Cell highest(vec4 s, float reach, uint) const {
-    const Place place = place_of(s, p);
+    const GridPosition place = grid_position(s, p);
     return {int(cell_above(place.x, reach, p.cells_x)), int(cell_above(place.y, reach, p.cells_y)),
             int(cell_above(place.z, reach, p.cells_z))};
   }

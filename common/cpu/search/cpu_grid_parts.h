@@ -3,7 +3,7 @@
 // namespace that says what lanes is there: hence no include guard.
 
 // Lists the meetings of a quad one by one.
-inline void append_each(Meetings& found, uint first, uint at, uint64_t near, uint64_t open) {
+inline void append_each(Candidates& found, uint first, uint at, uint64_t near, uint64_t open) {
   for (; near; near &= near - 1) {
     const uint bit = uint(std::countr_zero(near));
     found.mine[found.size] = first + bit / lanes;
@@ -38,10 +38,10 @@ inline void find_slots(const vec4* spheres, const float* radii, uint count, cons
   }
 }
 
-inline Fingerprint mix(const Meetings& meetings, const uint* id, uint64_t* keys) {
+inline Fingerprint mix(const Candidates& candidates, const uint* id, uint64_t* keys) {
   uint64_t a = 0, b = 0;
-  for (uint k = 0; k < meetings.size; ++k) {
-    const uint i = id[meetings.mine[k]], j = id[meetings.other[k]];
+  for (uint k = 0; k < candidates.size; ++k) {
+    const uint i = id[candidates.mine[k]], j = id[candidates.other[k]];
     const uint first = i < j ? i : j, second = i < j ? j : i;
     keys[k] = uint64_t(first) << 32 | second;
     a += pair_mix_a(first, second);

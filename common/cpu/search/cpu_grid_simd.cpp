@@ -28,7 +28,7 @@ inline uint below(Floats a, Floats b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_
 typedef uint Uints __attribute__((vector_size(64)));
 #include "common/cpu/search/cpu_grid_parts.h"
 // A quad's meetings as the numbers of their bits, all at once: whether there are any is hard to predict.
-inline void append(Meetings& found, uint first, uint at, uint64_t near, uint64_t open) {
+inline void append(Candidates& found, uint first, uint at, uint64_t near, uint64_t open) {
   const uint count = uint(_mm_popcnt_u64(near));
   if (count > lanes || (open & near)) [[unlikely]]
     return append_each(found, first, at, near, open);
@@ -47,7 +47,7 @@ namespace spherepair::avx2 {
 inline uint not_above(Floats a, Floats b) { return uint(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_NGT_UQ))); }
 inline uint below(Floats a, Floats b) { return uint(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LT_OQ))); }
 #include "common/cpu/search/cpu_grid_parts.h"
-inline void append(Meetings& found, uint first, uint at, uint64_t near, uint64_t open) {
+inline void append(Candidates& found, uint first, uint at, uint64_t near, uint64_t open) {
   append_each(found, first, at, near, open);
 }
 #include "common/cpu/search/cpu_grid_body.h"
@@ -60,7 +60,7 @@ inline uint bits_of(Ints m) { return uint((m[0] & 1) | (m[1] & 2) | (m[2] & 4) |
 inline uint not_above(Floats a, Floats b) { return bits_of(~(a > b)); }
 inline uint below(Floats a, Floats b) { return bits_of(a < b); }
 #include "common/cpu/search/cpu_grid_parts.h"
-inline void append(Meetings& found, uint first, uint at, uint64_t near, uint64_t open) {
+inline void append(Candidates& found, uint first, uint at, uint64_t near, uint64_t open) {
   append_each(found, first, at, near, open);
 }
 #include "common/cpu/search/cpu_grid_body.h"

@@ -20,21 +20,21 @@ struct CellOrder {
 
 // Pairs of places that are in reach of each other; UNDECIDED_BIT is set in `other` where the filter leaves it open.
 constexpr uint UNDECIDED_BIT = 0x80000000u;
-constexpr uint meetings_at_once = 2048;
+constexpr uint candidates_at_once = 2048;
 constexpr uint spheres_at_once = 8;  // of a row of cells, that meet the same vector of others
 constexpr uint quad = 4;             // of these, whose meetings are one mask
 constexpr uint widest_vector = 16;
-struct Meetings {
-  alignas(64) uint mine[meetings_at_once + widest_vector], other[meetings_at_once + widest_vector];
+struct Candidates {
+  alignas(64) uint mine[candidates_at_once + widest_vector], other[candidates_at_once + widest_vector];
   uint size = 0;
 };
 
-class MeetingSink {
+class CandidateSink {
  public:
-  virtual void take(Meetings& meetings) = 0;  // and empties them
+  virtual void take(Candidates& candidates) = 0;  // and empties them
 
  protected:
-  ~MeetingSink() = default;
+  ~CandidateSink() = default;
 };
 
 struct GridSimd {
@@ -42,10 +42,10 @@ struct GridSimd {
   // slot_of every sphere; radii of records stand apart, since w has their index.
   void (*find_slots)(const vec4* spheres, const float* radii, uint count, const Params& p, uint* slots);
   // Every pair that a sphere at the places from first to last meets in its half neighbourhood.
-  void (*find_meetings)(const CellOrder& order, const Params& p, uint first, uint last, Meetings& found,
-                        MeetingSink& sink);
+  void (*find_candidates)(const CellOrder& order, const Params& p, uint first, uint last, Candidates& found,
+                          CandidateSink& sink);
   // first << 32 | second of the pairs of spheres at these places, and the sum of their fingerprints.
-  Fingerprint (*mix)(const Meetings& meetings, const uint* id, uint64_t* keys);
+  Fingerprint (*mix)(const Candidates& candidates, const uint* id, uint64_t* keys);
 };
 
 std::span<const GridSimd> grid_simds();  // those that this machine can run, the fastest first

@@ -25,7 +25,7 @@ class Finder {
       : search_(search), counts_(search.positions.size()), list_(list) {}
 
   template <bool equal_radii>
-  void meet(vec4 a, vec4 b, uint i, uint j) {
+  void test_pair(vec4 a, vec4 b, uint i, uint j) {
     const Params& p = search_.params;
     const uint verdict = equal_radii ? filter_equal(squared_distance(a, b), p.apart_above, p.collide_below)
                                      : filter_pair(a, b, p.filter_scale, p.filter_offset);
@@ -33,9 +33,9 @@ class Finder {
       close(a, b, i, j, verdict);
   }
 
-  void meet(uint i, uint j) {
+  void test_pair(uint i, uint j) {
     const vec4 a = search_.positions[i], b = search_.positions[j];
-    search_.equal_radii ? meet<true>(a, b, i, j) : meet<false>(a, b, i, j);
+    search_.equal_radii ? test_pair<true>(a, b, i, j) : test_pair<false>(a, b, i, j);
   }
 
   void add_to(PairsFound& found) const {
@@ -50,7 +50,7 @@ class Finder {
  private:
   // Kept out of the loops over all pairs, whose registers it would take.
   [[gnu::noinline]] void close(vec4 a, vec4 b, uint i, uint j, uint verdict) {
-    if (verdict == UNDECIDED && !(search_.params.defer_undecided && settle(a, b))) return;
+    if (verdict == UNDECIDED && !(search_.params.defer_undecided && resolve_undecided(a, b))) return;
     ++totals_.pairs;
     totals_.fingerprint.a += pair_mix_a(i, j);
     totals_.fingerprint.b += pair_mix_b(i, j);
@@ -60,7 +60,7 @@ class Finder {
     if (search_.options.want_pairs) list_.append(&pair, 1);
   }
 
-  bool settle(vec4 a, vec4 b) {
+  bool resolve_undecided(vec4 a, vec4 b) {
     const Verdict verdict = decide_exact(a, b);
     ++totals_.deferred;
     ++totals_.decided_by[verdict.stage];
@@ -78,7 +78,7 @@ template <bool equal_radii>
 void double_loop(std::span<const vec4> spheres, uint first, uint last, Finder& finder) {
   for (uint i = first; i < last; ++i) {
     const vec4 a = spheres[i];
-    for (uint j = i + 1; j < last; ++j) finder.meet<equal_radii>(a, spheres[j], i, j);
+    for (uint j = i + 1; j < last; ++j) finder.test_pair<equal_radii>(a, spheres[j], i, j);
   }
 }
 void double_loop(const PairSearch& search, uint first, uint last, Finder& finder) {
@@ -114,18 +114,18 @@ uint load_columns(const PairSearch& search, uint start, ColumnTile& tile) {
   return columns;
 }
 
-void meet_near(const NearList& near, uint first_row, uint start, uint end, Finder& finder) {
+void test_near(const NearList& near, uint first_row, uint start, uint end, Finder& finder) {
   for (uint k = 0; k < near.size; ++k) {
     const NearColumns& entry = near.entry[k];
     const uint row = first_row + entry.row;
     for (uint64_t bits = entry.bits; bits; bits &= bits - 1) {
       const uint column = start + entry.first_column + uint(std::countr_zero(bits));
-      if (row < column && column < end) finder.meet(row, column);
+      if (row < column && column < end) finder.test_pair(row, column);
     }
   }
 }
 
-void meet_row_block(const PairSearch& search, uint first, Tiles& tiles, Finder& finder) {
+void test_row_block(const PairSearch& search, uint first, Tiles& tiles, Finder& finder) {
   const Simd& simd = best_simd();
   const float share = search.equal_radii ? 1.0f : 0.5f;
   load_rows(search, first, share, tiles.rows);
@@ -133,13 +133,13 @@ void meet_row_block(const PairSearch& search, uint first, Tiles& tiles, Finder& 
     const uint columns = load_columns(search, uint(start), tiles.columns);
     simd.form_columns(tiles.columns, search.positions[first], share);
     simd.find_near(tiles.columns, columns, tiles.rows, search.equal_radii, tiles.near);
-    meet_near(tiles.near, first, uint(start), uint(start) + columns, finder);
+    test_near(tiles.near, first, uint(start), uint(start) + columns, finder);
   }
 }
 
-// Runs meet_block(block, finder, tiles) for every block, by as many threads as asked for.
-template <typename MeetBlock>
-PairsFound search_blocks(const PairSearch& search, int threads, uint64_t blocks, MeetBlock meet_block) {
+// Runs test_block(block, finder, tiles) for every block, by as many threads as asked for.
+template <typename TestBlock>
+PairsFound search_blocks(const PairSearch& search, int threads, uint64_t blocks, TestBlock test_block) {
   PairsFound found;
   found.counts.resize(search.positions.size());
   std::vector<GrowingList<Pair>> lists(static_cast<size_t>(threads));
@@ -152,7 +152,7 @@ PairsFound search_blocks(const PairSearch& search, int threads, uint64_t blocks,
     Tiles tiles;
 #pragma omp for schedule(dynamic, 1)
     for (uint64_t block = 0; block < blocks; ++block)
-      if (finder) meet_block(uint(block), tiles, *finder);
+      if (finder) test_block(uint(block), tiles, *finder);
 #pragma omp critical
     if (finder) finder->add_to(found);
   }
@@ -175,7 +175,7 @@ PairsFound search_parallel(const PairSearch& search) {
   const uint64_t n = search.positions.size();
   const int threads = team_of(n * n / 2 / pairs_per_thread, search.threads);
   return search_blocks(search, threads, (n + tile_rows - 1) / tile_rows, [&](uint block, Tiles& tiles, Finder& finder) {
-    meet_row_block(search, block * tile_rows, tiles, finder);
+    test_row_block(search, block * tile_rows, tiles, finder);
   });
 }
 

@@ -11,10 +11,10 @@
 // Between these two, functions are compiled for an instruction set that the rest of the program may not count on.
 #define CPU_PRAGMA(text) _Pragma(#text)
 #ifdef __clang__
-#define BEGIN_TARGET(names) CPU_PRAGMA(clang attribute push(__attribute__((target(names))), apply_to = function))
+#define BEGIN_TARGET(indices) CPU_PRAGMA(clang attribute push(__attribute__((target(indices))), apply_to = function))
 #define END_TARGET CPU_PRAGMA(clang attribute pop)
 #else
-#define BEGIN_TARGET(names) CPU_PRAGMA(GCC push_options) CPU_PRAGMA(GCC target(names))
+#define BEGIN_TARGET(indices) CPU_PRAGMA(GCC push_options) CPU_PRAGMA(GCC target(indices))
 #define END_TARGET CPU_PRAGMA(GCC pop_options)
 #endif
 

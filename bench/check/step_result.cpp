@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "bench/check/step_result.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/check/finite_state.h"
+#include "bench/check/margin.h"
+#include "bench/io/scene_text.h"
+
+namespace spherepair {
+namespace {
+
+std::string place_text(const Place& place) {
+  return fmt::format("scene {}, n = {}, seed {}, step {} of {}", scene_label(place.scene), place.scene.n,
+                     place.scene.seed, place.step, motion_label(place.scene.motion));
+}
+
+json place_json(const Place& place, const std::string& left, const std::string& right) {
+  return {{"scene", scene_json(place.scene)}, {"step", place.step}, {"between", {left, right}}};
+}
+
+const char* answer_word(bool collide) { return collide ? "collide" : "apart"; }
+
+[[noreturn]] void report_pair(const Place& place, const Configuration& reference, const Configuration& configuration,
+                              const Difference& difference) {
+  const Backend::State state = reference.backend->state();
+  const auto [i, j] = difference.pair;
+  const Margin margin = margin_of(state.positions.at(i), state.positions.at(j));
+  const std::string left = label(reference), right = label(configuration);
+  json details = place_json(place, left, right);
+  details["pair"] = {i, j};
+  details["answers"] = {answer_word(difference.in_left), answer_word(!difference.in_left)};
+  details["exact"] = answer_word(margin.collide);
+  details["margin"] = describe(margin);
+  throw DifferenceFound(fmt::format("{}: {} and {} differ, first in pair ({}, {}): {} says {}, {} says {}; {}",
+                                    place_text(place), left, right, i, j, left, answer_word(difference.in_left), right,
+                                    answer_word(!difference.in_left), describe(margin)),
+                        details);
+}
+
+[[noreturn]] void report_part(const Place& place, const std::string& left, const std::string& right,
+                              const std::string& part, const std::string& of_left, const std::string& of_right) {
+  json details = place_json(place, left, right);
+  details["part"] = part;
+  details["answers"] = {of_left, of_right};
+  throw DifferenceFound(
+      fmt::format("{}: {} and {} differ in {}: {} against {}", place_text(place), left, right, part, of_left, of_right),
+      details);
+}
+
+std::string hex(const Fingerprint& fingerprint) { return hex64(fingerprint.a) + hex64(fingerprint.b); }
+
+// Reports the first part in which these differ, most telling first.
+void require_same_parts(const Place& place, const std::string& left, const StepResult& l, const std::string& right,
+                        const StepResult& r) {
+  const auto require = [&](const std::string& part, const auto& of_left, const auto& of_right) {
+    if (of_left != of_right) report_part(place, left, right, part, fmt::to_string(of_left), fmt::to_string(of_right));
+  };
+  require("how many spheres have a count", l.counts.size(), r.counts.size());
+  const auto [at, other] = std::ranges::mismatch(l.counts, r.counts);
+  if (at != l.counts.end()) require(fmt::format("the count of sphere {}", at - l.counts.begin()), *at, *other);
+  require("the number of pairs", l.totals.pairs, r.totals.pairs);
+  require("the number of colliding spheres", l.totals.colliding_spheres, r.totals.colliding_spheres);
+  require("the fingerprint", hex(l.totals.fingerprint), hex(r.totals.fingerprint));
+}
+
+// Totals, counts and list of one answer must agree with each other.
+void require_consistent(const Place& place, const Configuration& configuration, const StepResult& answer) {
+  uint64_t contacts = 0;
+  for (const uint count : answer.counts) contacts += count;
+  StepResult told = answer;
+  told.totals.pairs = contacts / 2;
+  told.totals.colliding_spheres = uint64_t(std::ranges::count_if(answer.counts, colliding));
+  const std::string who = label(configuration);
+  if (contacts % 2 != 0)
+    report_part(place, who + " (counts)", who + " (pairs)", "the sum of all counts", fmt::to_string(contacts), "even");
+  require_same_parts(place, who + " (totals)", answer, who + " (counts)", told);
+  if (!answer.pairs) return;
+  told.totals.pairs = answer.pairs->size();
+  told.totals.fingerprint = fingerprint(*answer.pairs);
+  require_same_parts(place, who + " (totals)", answer, who + " (list)", told);
+}
+
+}  // namespace
+
+bool uses_blocks(const Configuration& configuration) {
+  return configuration.backend->info().name != "cpu" || configuration.options.method == Method::collide_group;
+}
+
+std::string label(const Configuration& configuration) {
+  const std::string text = configuration.backend->info().name + " " + method_name(configuration.options.method);
+  const bool left_open =
+      configuration.options.method == Method::automatic && configuration.options.block == CollideOptions{}.block;
+  return uses_blocks(configuration) && !left_open ? fmt::format("{} {}", text, configuration.options.block) : text;
+}
+
+std::string set_name(const CollideOptions& options) {
+  return options.method == Method::collide_group ? fmt::format("within groups of {}", options.block) : "all pairs";
+}
+
+// One thread and a double loop is the plainest reference; it gives way to all cores where it would take seconds, and
+// they to the grid.
+Configuration reference_for(Session& session, const CollideOptions& options, uint64_t n) {
+  Configuration configuration{&session.reference(), {}};
+  const bool cpu = configuration.backend->info().name == "cpu";
+  if (options.method == Method::collide_group) {
+    configuration.options.method = options.method;
+    configuration.options.block = options.block;
+  } else if (cpu) {
+    configuration.options.method = n <= 20000    ? Method::sequential
+                                   : n <= 100000 ? Method::parallel
+                                                 : Method::collide_grid;
+  }
+  return configuration;
+}
+
+bool same_result(const StepResult& left, const StepResult& right) {
+  const Collisions &l = left.totals, &r = right.totals;
+  return l.pairs == r.pairs && l.colliding_spheres == r.colliding_spheres && l.fingerprint == r.fingerprint &&
+         left.counts == right.counts && (!left.pairs || !right.pairs || *left.pairs == *right.pairs);
+}
+
+StepResult result_of(Backend& backend, bool want_pairs) {
+  StepResult answer{backend.collisions(), backend.counts(), std::nullopt};
+  if (want_pairs) answer.pairs = backend.pairs();
+  return answer;
+}
+
+StepResult run_step(Session& session, Configuration configuration, bool want_pairs) {
+  configuration.options.want_pairs = want_pairs;
+  session.collide(*configuration.backend, configuration.options);
+  return result_of(*configuration.backend, want_pairs);
+}
+
+void require_equal(Session& session, const Place& place, const Configuration& reference, const StepResult& expected,
+                   const Configuration& configuration, const StepResult& found) {
+  require_consistent(place, reference, expected);
+  if (!same_result(expected, found)) {
+    // Sets too large to be kept are listed now, once, to name the pair.
+    const std::vector<Pair> left = expected.pairs ? *expected.pairs : *run_step(session, reference, true).pairs;
+    const std::vector<Pair> right = found.pairs ? *found.pairs : *run_step(session, configuration, true).pairs;
+    if (const auto difference = first_difference(left, right))
+      report_pair(place, reference, configuration, *difference);
+    require_same_parts(place, label(reference), expected, label(configuration), found);
+  }
+  session.comparisons.made(configuration.backend->info().name, Comparisons::sets);
+}
+
+void require_same_state(Session& session, const Place& place, const Backend& reference, const Backend::State& expected,
+                        const Backend& backend, const Backend::State& found) {
+  const std::string left = reference.info().name, right = backend.info().name;
+  const auto compare = [&](const std::vector<vec4>& l, const std::vector<vec4>& r, const char* what) {
+    if (l.size() != r.size())
+      report_part(place, left, right, fmt::format("how many spheres have a {}", what), fmt::to_string(l.size()),
+                  fmt::to_string(r.size()));
+    for (size_t i = 0; i < l.size(); ++i) {
+      constexpr std::pair<const char*, float vec4::*> components[] = {
+          {"x", &vec4::x}, {"y", &vec4::y}, {"z", &vec4::z}, {"w", &vec4::w}};
+      for (const auto& [name, component] : components) {
+        const float a = l[i].*component, b = r[i].*component;
+        if (float_bits(a) == float_bits(b)) continue;
+        report_part(place, left, right, fmt::format("state, first in {} {} of sphere {}", what, name, i),
+                    fmt::format("0x{:08x} ({})", float_bits(a), a), fmt::format("0x{:08x} ({})", float_bits(b), b));
+      }
+    }
+  };
+  compare(expected.positions, found.positions, "position");
+  compare(expected.velocities, found.velocities, "velocity");
+  const auto [l, r] = std::ranges::mismatch(expected.wide, found.wide);
+  const auto word = [](const std::vector<uint>& words, std::vector<uint>::const_iterator at) {
+    return at == words.end() ? "no word" : fmt::format("0x{:08x}", *at);
+  };
+  if (l != expected.wide.end() || r != found.wide.end())
+    report_part(place, left, right,
+                fmt::format("the low bits of their state, first in word {}", l - expected.wide.begin()),
+                word(expected.wide, l), word(found.wide, r));
+  session.comparisons.made(right, Comparisons::states);
+}
+
+uint64_t require_same_states(Session& session, const Place& place) {
+  const Backend::State expected = session.reference().state();
+  require_finite(expected, place.step);
+  for (const auto& backend : session.backends())
+    if (backend.get() != &session.reference())
+      require_same_state(session, place, session.reference(), expected, *backend, backend->state());
+  return state_hash(expected.positions, expected.velocities, expected.wide);
+}
+
+}  // namespace spherepair

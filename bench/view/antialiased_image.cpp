@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "bench/view/antialiased_image.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bench/view/box_edges.h"
+
+namespace spherepair {
+namespace {
+
+Vector vector_of(const std::vector<double>& values) { return {values[0], values[1], values[2]}; }
+json to_json(vec4 v) { return {v.x, v.y, v.z, v.w}; }
+json to_json(uvec4 v) {
+  json list = json::array();
+  for (const uint colour : {v.x, v.y, v.z, v.w}) list.push_back(fmt::format("{:06X}", colour));
+  return list;
+}
+
+}  // namespace
+
+Camera camera_of(const CameraOptions& options, const Bounds& bounds, double aspect) {
+  Camera camera = frame(bounds, options.azimuth, options.elevation, options.field, aspect);
+  if (!options.target.empty()) camera.target = vector_of(options.target);
+  if (!options.eye.empty()) camera.eye = vector_of(options.eye);
+  camera.up = vector_of(options.up);
+  camera.near = options.near;
+  return camera;
+}
+
+// A lattice of rank 1: equal steps along one axis, the golden ratio's along the other.
+std::array<double, 2> jitter(uint k, uint samples) {
+  if (samples == 1) return {0, 0};
+  const double golden = (k + 0.5) * 0.6180339887498949;
+  return {(k + 0.5) / samples - 0.5, golden - std::floor(golden) - 0.5};
+}
+
+std::vector<uint> take(Backend& backend, const Shot& shot) {
+  const auto draw = [&](uint k) {
+    const View view = make_view(shot.camera, shot.look, shot.width, shot.height, jitter(k, shot.samples));
+    backend.draw(view, {.method = shot.method});
+    std::vector<uint> image = backend.image();
+    if (shot.box) draw_edges(image, backend.visible(), view, *shot.box, shot.ground);
+    return image;
+  };
+  if (shot.samples == 1) return draw(0);
+  std::vector<uint> sums(size_t(shot.width) * shot.height * 3);
+  for (uint k = 0; k < shot.samples; ++k) {
+    const std::vector<uint> image = draw(k);
+    for (size_t i = 0; i < sums.size(); ++i) sums[i] += image[i / 3] >> (i % 3 * 8) & 255;
+  }
+  std::vector<uint> mean(sums.size() / 3, 0xFF000000u);
+  for (size_t i = 0; i < sums.size(); ++i) mean[i / 3] |= (sums[i] + shot.samples / 2) / shot.samples << (i % 3 * 8);
+  return mean;
+}
+
+json to_json(const Camera& camera) {
+  return {{"eye", camera.eye},
+          {"target", camera.target},
+          {"up", camera.up},
+          {"field_degrees", camera.field},
+          {"near", camera.near}};
+}
+
+json to_json(const View& view) {
+  return {{"eye_and_near", to_json(view.eye)},
+          {"right", to_json(view.right)},
+          {"up", to_json(view.up)},
+          {"forward", to_json(view.forward)},
+          {"light_and_ambient", to_json(view.light)},
+          {"focal", view.focal},
+          {"centre", {view.centre_x, view.centre_y}},
+          {"palette", {to_json(view.palette_0), to_json(view.palette_4)}},
+          {"background", fmt::format("{:06X}", view.background)}};
+}
+
+}  // namespace spherepair

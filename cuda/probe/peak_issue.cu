@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// One thread per sphere runs independent chains of multiply-adds in registers: what remains is the issue rate.
+#include "common/shared/peak_rate.h"
+#include "cuda/kernels.cuh"
+
+namespace spherepair {
+
+__global__ void __launch_bounds__(SERVICE_BLOCK) peak_issue(Params p, KernelBuffers w) {
+  uint i = group_index(p) * SERVICE_BLOCK + threadIdx.x;
+  if (i >= p.n) return;
+  vec4 start = w.position[i];
+  float chain[PEAK_CHAINS];
+  for (uint k = 0u; k < PEAK_CHAINS; ++k) chain[k] = k % 2u == 0u ? start.x : start.y;
+  for (uint turn = 0u; turn < PEAK_TURNS; ++turn) {
+    for (uint step = 0u; step < PEAK_STEPS; ++step) {
+      for (uint k = 0u; k < PEAK_CHAINS; ++k) chain[k] = towards_one(chain[k]);
+    }
+  }
+  float least = chain[0];
+  float most = chain[0];
+  for (uint k = 1u; k < PEAK_CHAINS; ++k) {
+    least = smaller(least, chain[k]);
+    most = larger(most, chain[k]);
+  }
+  w.velocity[i] = {least, most, chain[0], chain[1]};
+}
+
+Entry peak_issue_kernel(uint, Variant) { return reinterpret_cast<Entry>(&peak_issue); }
+
+}  // namespace spherepair

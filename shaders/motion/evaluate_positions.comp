@@ -1,0 +1,19 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// One thread per sphere: where the method `anchored` has it at this step; without the whole state, for a collision
+// step, whose results are cleared.
+#include "shaders/motion/motion_state.glsl"
+
+layout(local_size_x = BLOCK) in;
+
+void main() {
+  uint i = group_index() * BLOCK + gl_LocalInvocationID.x;
+  if (p.whole_state == 0u) clear_results(i);
+  if (i >= p.n) return;
+  Moving s = evaluate_sphere(load_anchor(i), p);
+  if (p.whole_state != 0u) {
+    store_sphere(i, s);
+  } else {
+    position[i] = vec4(nearest(s.x), nearest(s.y), nearest(s.z), s.radius);
+  }
+}
