@@ -4,11 +4,12 @@
 #include <fmt/format.h>
 
 #include "common/cpu/cpu_backend.h"
+#include "common/device/simulation.h"
 #ifdef SPHEREPAIR_WITH_GLSL
-#include "glsl/glsl_backend.h"
+#include "glsl/gl_device.h"
 #endif
 #ifdef SPHEREPAIR_WITH_CUDA
-#include "cuda/host/cuda_backend.h"
+#include "cuda/host/cuda_device.h"
 #endif
 #ifdef SPHEREPAIR_WITH_INTEROP
 #include "interop/interop.h"
@@ -22,14 +23,14 @@ std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions
   if (name == "cpu") return open_cpu_backend(options);
   if (name == "glsl") {
 #ifdef SPHEREPAIR_WITH_GLSL
-    return open_glsl_backend(options);
+    return std::make_unique<Simulation>(open_gl_device(options));
 #else
     throw BackendError("glsl: not in this build; install libepoxy-dev and libegl-dev and configure again");
 #endif
   }
   if (name == "cuda") {
 #ifdef SPHEREPAIR_WITH_CUDA
-    return open_cuda_backend(options);
+    return std::make_unique<Simulation>(open_cuda_device(options));
 #else
     throw BackendError("cuda: not in this build; put nvcc on the PATH and configure again");
 #endif

@@ -46,24 +46,18 @@ GlRenderer::GlRenderer() {
 
 GlRenderer::~GlRenderer() {
   if (eglGetCurrentContext() == EGL_NO_CONTEXT) return;  // a lost context took everything with it
-  for (GLuint buffer : {corners_, indices_}) glDeleteBuffers(1, &buffer);
+  glDeleteBuffers(1, &corners_);
   for (GLuint image : {colour_, depth_}) glDeleteRenderbuffers(1, &image);
   glDeleteVertexArrays(1, &vertices_);
   glDeleteFramebuffers(1, &frame_);
 }
 
-// The indexed corners stand behind the 240 in the same buffer.
 void GlRenderer::make_mesh() {
-  const SphereMesh mesh = sphere_mesh();
-  std::vector<Corner> corners = mesh.unindexed();
-  corners.insert(corners.end(), mesh.corners.begin(), mesh.corners.end());
+  const std::vector<Corner> corners = sphere_mesh().unindexed();
   glCreateBuffers(1, &corners_);
   glNamedBufferStorage(corners_, GLsizeiptr(corners.size() * sizeof(Corner)), corners.data(), 0);
-  glCreateBuffers(1, &indices_);
-  glNamedBufferStorage(indices_, GLsizeiptr(mesh.indices.size() * sizeof(unsigned)), mesh.indices.data(), 0);
   glCreateVertexArrays(1, &vertices_);
   glVertexArrayVertexBuffer(vertices_, 0, corners_, 0, sizeof(Corner));
-  glVertexArrayElementBuffer(vertices_, indices_);
   glEnableVertexArrayAttrib(vertices_, 0);
   glVertexArrayAttribFormat(vertices_, 0, 3, GL_FLOAT, GL_FALSE, 0);
   glVertexArrayAttribBinding(vertices_, 0, 0);
@@ -110,10 +104,6 @@ void GlRenderer::draw(DrawMethod method, const View& view, GLuint positions, GLu
   } else if (method == DrawMethod::mesh) {
     glUniform1ui(0, 0);
     glDrawArraysInstanced(GL_TRIANGLES, 0, corners_of_mesh, GLsizei(n));
-  } else if (method == DrawMethod::mesh_indexed) {
-    glUniform1ui(0, 0);
-    glDrawElementsInstancedBaseVertex(GL_TRIANGLES, corners_of_mesh, GL_UNSIGNED_INT, nullptr, GLsizei(n),
-                                      corners_of_mesh);
   } else if (method == DrawMethod::points) {
     glDrawArrays(GL_POINTS, 0, GLsizei(n));
   } else {

@@ -28,7 +28,7 @@ class GlRenderer {
   const Program& program(DrawMethod method);
 
   std::map<std::string, std::unique_ptr<Program>> programs_;
-  GLuint vertices_ = 0, corners_ = 0, indices_ = 0;  // vertex array; buffers of the mesh
+  GLuint vertices_ = 0, corners_ = 0;  // vertex array; buffer of the mesh
   GLuint frame_ = 0, colour_ = 0, depth_ = 0;
   uint width_ = 0, height_ = 0;
 };

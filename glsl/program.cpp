@@ -25,8 +25,8 @@ std::string source_of(const std::string& kernel, unsigned block, const Variant& 
          (variant.texture_table ? "#define TEXTURE_TABLE\n" : "") + (variant.windows ? "#define WINDOWS\n" : "") +
          (variant.from_tiles ? "#define FROM_TILES\n" : "") + (variant.folded ? "#define FOLDED\n" : "") +
          fmt::format(
-             "#define BUNDLES {}\n#define BY_CELLS {}\n#define DENSE {}\n#define INDICES {}u\n#define LATER {}u\n",
-             variant.bundles, variant.by_cells, variant.dense, variant.indices, variant.later) +
+             "#define BUNDLES {}\n#define BY_CELLS {}\n#define DENSE {}\n#define INDICES {}u\n#define LATER 0u\n",
+             variant.bundles, variant.by_cells, variant.dense, variant.indices) +
          fmt::format("#define METHOD {}u\n#define PRECISION {}\n#define Real {}\n", method, precision,
                      real_names[precision]) +
          (features.atomics_64 ? "#extension GL_NV_shader_atomic_int64 : require\n#define ATOMICS_64\n" : "") +

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "common/device/device_backend.h"
+#include "common/device/launch.h"
 
 namespace spherepair {
 

@@ -8,9 +8,10 @@
 #include <algorithm>
 #include <array>
 
+#include "common/device/simulation.h"
 #include "common/scene/camera.h"
 #include "cuda/host/check.h"
-#include "cuda/host/cuda_backend.h"
+#include "cuda/host/cuda_device.h"
 #include "glsl/context.h"
 #include "glsl/gl_renderer.h"
 #include "interop/interop.h"
@@ -35,6 +36,22 @@ void require_same_device() {
       reinterpret_cast<const char*>(glGetString(GL_RENDERER)), current));
 }
 
+Simulation& cuda_simulation(Backend& backend) {
+  if (auto* simulation = dynamic_cast<Simulation*>(&backend)) return *simulation;
+  throw BackendError(
+      fmt::format("{} is not the CUDA backend: only CUDA's spheres are transferred to OpenGL", backend.info().name));
+}
+
+// Memory of a buffer of the CUDA device.
+struct DeviceMemoryView {
+  void* data;
+  uint64_t bytes;
+};
+DeviceMemoryView shared(Simulation& cuda, uint slot, uint64_t bytes_per_sphere) {
+  cuda.prepare_to_share();
+  return {cuda_memory(cuda.device(), slot), cuda.spheres() * bytes_per_sphere};
+}
+
 // Host memory that the device reaches directly.
 struct PinnedMemory {
   explicit PinnedMemory(uint64_t bytes) { cuda_check(cudaMallocHost(&data, bytes), "allocating pinned memory"); }
@@ -51,7 +68,7 @@ struct RegisteredBuffer {
   cudaGraphicsResource_t resource = nullptr;
 };
 
-// One of the two arrays that are handed over.
+// One of the two arrays that are transferred.
 struct Channel {
   explicit Channel(DeviceMemoryView source) : source(source) {
     glCreateBuffers(1, &buffer);
@@ -74,8 +91,11 @@ struct Channel {
 
 class CudaToGl final : public SharedDrawing {
  public:
-  CudaToGl(Backend& cuda, const OpenOptions& options)
-      : cuda_(cuda), context_(options), spheres_(cuda_positions(cuda)), contacts_(cuda_contacts(cuda)) {
+  CudaToGl(Simulation& cuda, const OpenOptions& options)
+      : cuda_(cuda),
+        context_(options),
+        spheres_(shared(cuda, SLOT_POSITION, sizeof(vec4))),
+        contacts_(shared(cuda, SLOT_COUNT, sizeof(uint))) {
     require_same_device();
     renderer_ = std::make_unique<GlRenderer>();
   }
@@ -86,15 +106,15 @@ class CudaToGl final : public SharedDrawing {
 
   void transfer(Transfer way) override {
     context_.make_current();
-    cuda_contacts(cuda_);  // puts them in the order of the spheres' numbers
+    cuda_.prepare_to_share();
     way_ = way;
     if (way == Transfer::host) return through_host();
     if (way == Transfer::registered) return through_mapping();
     for (Channel* channel : channels())
       if (!channel->imported) channel->imported = std::make_unique<SharedMemory>(channel->source.bytes);
-    glFinish();  // the last picture still reads what is written next
+    glFinish();  // the last image still reads what is written next
     for (Channel* channel : channels()) copy_on_device(channel->imported->address(), *channel);
-    cuda_check(cudaStreamSynchronize(nullptr), "waiting for what is handed over");
+    cuda_check(cudaStreamSynchronize(nullptr), "waiting for what is transferred");
   }
 
   void draw(DrawMethod method, const View& view) override {
@@ -112,7 +132,7 @@ class CudaToGl final : public SharedDrawing {
   void finish() override {
     context_.make_current();
     glFinish();
-    gl_check("drawing what CUDA handed over");
+    gl_check("drawing what CUDA transferred");
     cuda_.finish();
   }
 
@@ -123,7 +143,7 @@ class CudaToGl final : public SharedDrawing {
   }
   static void copy_on_device(void* target, const Channel& channel) {
     cuda_check(cudaMemcpyAsync(target, channel.source.data, channel.source.bytes, cudaMemcpyDeviceToDevice, nullptr),
-               "copying what is handed over");
+               "copying what is transferred");
   }
 
   void through_host() {
@@ -131,11 +151,11 @@ class CudaToGl final : public SharedDrawing {
       const uint64_t bytes = channel->source.bytes;
       if (!channel->pinned) channel->pinned = std::make_unique<PinnedMemory>(bytes);
       cuda_check(cudaMemcpy(channel->pinned->data, channel->source.data, bytes, cudaMemcpyDeviceToHost),
-                 "reading what is handed over");
-      glFinish();  // the last picture has read what is written next
+                 "reading what is transferred");
+      glFinish();  // the last image has read what is written next
       glNamedBufferSubData(channel->buffer, 0, GLsizeiptr(bytes), channel->pinned->data);
     }
-    gl_check("writing what is handed over");
+    gl_check("writing what is transferred");
   }
 
   void through_mapping() {
@@ -156,7 +176,7 @@ class CudaToGl final : public SharedDrawing {
   }
 
   // The members below need the context until they are gone.
-  Backend& cuda_;
+  Simulation& cuda_;
   Context context_;
   Channel spheres_, contacts_;
   std::unique_ptr<GlRenderer> renderer_;
@@ -168,7 +188,7 @@ class CudaToGl final : public SharedDrawing {
 std::unique_ptr<SharedDrawing> open_cuda_to_gl(Backend& cuda, const OpenOptions& options) {
   OpenOptions hardware = options;
   hardware.require_hardware = true;
-  return std::make_unique<CudaToGl>(cuda, hardware);
+  return std::make_unique<CudaToGl>(cuda_simulation(cuda), hardware);
 }
 
 }  // namespace spherepair

@@ -81,7 +81,7 @@ def who_leads(machine):
     text = (f"Where all pairs meet, {leads.headline(found)}: {leads.wins(found)}. Through the grid, whose steps are "
             f"short kernels, CUDA takes {leads.span(cuda)} % less time in {len(cuda)} of {len(grid)} contests. "
             "Medians of recorded runs with their intervals: [paper/data/h200](paper/data/h200). What was tried on the "
-            "way: [docs/NOTES/NOTES.md](docs/NOTES/NOTES.md).")
+            "way: [docs/NOTES](docs/NOTES/README.md).")
     whole = text.replace(" %", "\u00a0%")  # a number and its unit stay on one line
     return textwrap.fill(whole, 120, break_long_words=False, break_on_hyphens=False).replace("\u00a0", " ")
 

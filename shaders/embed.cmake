@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 cmake_minimum_required(VERSION 3.22)
-# Inlines #include "...", written from ROOT, into each shader, once a file, and writes all of them as string literals into one C++ source, so
-# that the program needs no files at run time. Angle-bracket includes belong to the C++ side of a shared header and go.
+# Inlines #include "...", written from ROOT, into each shader, once a file, and writes all of them as string literals
+# into one C++ source, so that the program needs no files at run time. Angle-bracket includes belong to the C++ side of
+# a shared header and go.
 # The flattened texts are also left as files in FLATTENED, for the lint.
 function(flatten path seen_variable text_variable)
   set(seen ${${seen_variable}} ${path})
@@ -29,6 +30,7 @@ function(flatten path seen_variable text_variable)
   set(${text_variable} "${text}" PARENT_SCOPE)
 endfunction()
 
+file(REMOVE_RECURSE ${FLATTENED})
 set(output "// Made from shaders/ by shaders/embed.cmake.\n#include \"glsl/embedded_shaders.h\"\n\n")
 string(APPEND output "namespace spherepair {\n\nconst std::map<std::string, std::string>& embedded_shaders() {\n")
 string(APPEND output "  static const std::map<std::string, std::string> shaders = {\n")

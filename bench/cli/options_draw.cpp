@@ -70,8 +70,8 @@ void add_render(CLI::App& app, CommandLine& line, Action& action) {
   add_camera_options(*command, options->camera);
   command
       ->add_option("--draw", options->draw,
-                   "compute (every backend), or of the backend glsl: mesh_each, mesh, mesh_indexed (the paper's 80 "
-                   "triangles), points, impostor")
+                   "compute (every backend), or of the backend glsl: mesh_each, mesh (the paper's 80 triangles), "
+                   "points, impostor")
       ->capture_default_str();
   command->add_flag_callback(
       "--no-legend", [=] { options->legend = false; }, "Leave the key to the colours out");

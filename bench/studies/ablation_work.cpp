@@ -30,22 +30,6 @@ json counts_json(const WorkCounts& before, const WorkCounts& after) {
           {"lists", each(&WorkCounts::lists)},           {"without_radii", each(&WorkCounts::without_radii)}};
 }
 
-// Cells of a dense grid that a sphere reaches into, its own among them: 27 at most, of which the search walks half.
-double cells_in_reach(const Scene& scene, const CollideOptions& options) {
-  Params p = scene_params(scene, true);
-  set_grid(p, plan_grid(scene, Cells::dense), options.grid.prune_cells);
-  const auto span = [](float place, float reach, uint cells) {
-    return double(cell_above(place, reach, cells) - cell_below(place, reach) + 1);
-  };
-  double sum = 0;
-  for (uint64_t i = 0; i < scene.size(); ++i) {
-    const GridPosition at = grid_position(scene.positions[i], p);
-    const float reach = reach_in_cells(scene.positions[i].w, p);
-    sum += span(at.x, reach, p.cells_x) * span(at.y, reach, p.cells_y) * span(at.z, reach, p.cells_z);
-  }
-  return sum / double(std::max<uint64_t>(scene.size(), 1));
-}
-
 json plane_json(bool event_driven, Backend& backend, const Scene& scene) {
   uint64_t tested = 0, bounced = 0;
   for (int k = 0; k < steps_counted; ++k) {
@@ -109,9 +93,6 @@ json work_a_step(const Ablation& ablation, bool on, Backend& backend, const Scen
   for (int k = 0; k < steps_counted; ++k) step(backend);
   json work = counts_json(before, backend.work_counts());
   work["left_to_exact_stages"] = backend.collisions().deferred;
-  const CollideOptions& options = on ? ablation.on : ablation.off;
-  if (options.grid.cells == Cells::dense && ablation.spheres != Spheres::windy)
-    work["cells_in_reach"] = cells_in_reach(scene, options);
   return work;
 }
 

@@ -14,7 +14,7 @@ namespace spherepair {
 struct FramesOptions {
   std::vector<std::string> backends;  // empty: all that open
   std::vector<uint64_t> sizes = {16384, 1000000};
-  std::vector<std::string> draws = {"compute", "mesh_each", "mesh", "mesh_indexed", "points", "impostor"};
+  std::vector<std::string> draws = {"compute", "mesh_each", "mesh", "points", "impostor"};
   std::vector<std::string> places = {"outside", "inside"};  // of the camera
   std::vector<std::string> works = {"frame", "frame_all", "lit", "loop"};
   uint width = 1920, height = 1080;

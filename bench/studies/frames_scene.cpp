@@ -59,7 +59,6 @@ CollideOptions in_dense_cells(const Backend& backend, uint64_t n) {
   CollideOptions options = {.method = Method::automatic, .grid = {.cells = Cells::dense}};
   options.block = chosen_block(backend.info(), n, Method::collide_grid, options);
   options.method = Method::collide_grid;
-  options.want_totals = false;  // pictures show contacts
   return options;
 }
 

@@ -33,12 +33,11 @@ struct StageTime {
 };
 
 enum class DrawMethod {
-  compute,       // the rasteriser that CPU, GLSL and CUDA mirror: the exact sphere
-  mesh_each,     // OpenGL: the paper's sphere of 80 triangles, one draw a sphere
-  mesh,          // OpenGL: the same with one instanced draw for all
-  mesh_indexed,  // OpenGL: the same with shared vertices
-  points,        // OpenGL: a disc a sphere
-  impostor       // OpenGL: the exact sphere on two triangles
+  compute,    // the rasteriser that CPU, GLSL and CUDA mirror: the exact sphere
+  mesh_each,  // OpenGL: the paper's sphere of 80 triangles, one draw a sphere
+  mesh,       // OpenGL: the same with one instanced draw for all
+  points,     // OpenGL: a disc a sphere
+  impostor    // OpenGL: the exact sphere on two triangles
 };
 const char* draw_method_name(DrawMethod method);
 DrawMethod draw_method_from_name(const std::string& name);  // throws std::invalid_argument with the known names

@@ -28,9 +28,7 @@ void refuse_missing(const std::string& backend, const CollideOptions& options, c
   need(options.grid.sort == Sort::radix, thrust, "the radix sort of Thrust", "the backend cuda");
   need(options.grid.scan == Scan::library, thrust, "the scan of Thrust", "the backend cuda");
   need(options.api.graph, offered.graph, "a graph of launches", "the backend cuda");
-  need(options.api.keep_in_l2, offered.keep_in_l2, "setting L2 aside", "the backend cuda, where the device has it,");
   need(options.api.texture_table, offered.texture_table, "a table in a texture buffer", "the backend glsl");
-  need(options.api.texture_spheres, offered.texture_spheres, "spheres in a texture buffer", "the backend glsl");
   need(options.api.batch, offered.batch, "a batch of dispatches", "the backend glsl");
   need(options.api.overlap, offered.overlap, "a launch beside the search before",
        "the backend glsl and, compiled for compute capability 9.0 or later, cuda");

@@ -43,9 +43,8 @@ struct GridOptions {
   bool keep_order = true;  // spheres that stand in cell order already are not sorted again
   bool keep_cells = true;  // spheres that have not moved keep the cells of the last step
   Sort sort = Sort::automatic;
-  Scan scan = Scan::own;    // of the counting sort, which Scan::library therefore asks for
-  bool prune_cells = true;  // of a dense grid, neighbouring cells that a sphere does not reach into are passed over
-  bool replan = true;       // cells are planned anew when spheres may have left those of the last plan
+  Scan scan = Scan::own;  // of the counting sort, which Scan::library therefore asks for
+  bool replan = true;     // cells are planned anew when spheres may have left those of the last plan
   auto operator<=>(const GridOptions&) const = default;
 };
 
@@ -55,18 +54,17 @@ struct ApiOptions {
   // CUDA: a step's launches are captured once, replayed while none changes. Absent: on, but for steps that overlap the
   // one before
   std::optional<bool> graph = {};
-  std::optional<bool> keep_in_l2 = {};  // CUDA: the table of cells is set aside in the L2 cache. Absent: off
-  // GLSL: collide_grid reads the table of cells through a texture buffer, in parts where one is too small; the sort by
-  // buckets so reads its spheres. Absent: on where they fit
-  std::optional<bool> texture_table = {}, texture_spheres = {};
+  // GLSL: collide_grid reads the table of cells through a texture buffer, in parts where one is too small. Absent: on
+  // where it fits
+  std::optional<bool> texture_table = {};
   // both: the API's function clears the table, in place of a kernel. Absent: off
   std::optional<bool> library_clear = {};
   // GLSL: a step's dispatches go out together, each behind the one barrier that it needs. Off: each behind all
   // barriers, and the host waits for it. Absent: on
   std::optional<bool> batch = {};
   // both, CUDA where kernels are compiled for 9.0 or later: what needs nothing of the search right before it begins
-  // while that is under way, which no graph can, and CUDA's later launches of a step get ready early. Absent: on, the
-  // first not where a graph is asked for or pays more, of few spheres
+  // while that is under way, and CUDA's later launches of a step get ready early; a graph can do neither. Absent: on
+  // where no graph is asked for or pays more, of few spheres
   std::optional<bool> overlap = {};
   bool overlaps(bool graph_pays) const { return overlap.value_or(!graph.value_or(graph_pays)); }
   auto operator<=>(const ApiOptions&) const = default;
@@ -78,11 +76,8 @@ struct CollideOptions {
                             // leaves it to crossover.h
   bool exact = true;        // false: the naive float32 predicate, to measure what exactness costs
   bool want_pairs = false;  // keep the pairs for pairs()
-  // false: GLSL and CUDA's grid finds the contacts of each sphere only, and does the step again once collisions() asks
-  // for the totals
-  bool want_totals = true;
-  uint columns = 0;       // of collide_triangle: spheres that one group meets; 0: chosen by n. Never changes the set
-  GridOptions grid = {};  // of collide_grid. Never changes the set
+  uint columns = 0;         // of collide_triangle: spheres that one group meets; 0: chosen by n. Never changes the set
+  GridOptions grid = {};    // of collide_grid. Never changes the set
   // Pairs that touch at any time within the next step, in free flight (swept.h): of collide_tiled, and on the CPU of
   // `parallel`, with float32 state; anything else throws std::invalid_argument.
   bool swept = false;

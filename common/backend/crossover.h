@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // When Method::automatic takes the grid, and when which way of all pairs. Only speed depends on it, never the set. The
-// figures are those of `spherepair crossover`; docs/NOTES/NOTES.md says on which machine they were measured.
+// figures are those of `spherepair crossover`; docs/NOTES/crossover.md has them and their machines.
 #pragma once
 
 #include <algorithm>

@@ -190,7 +190,7 @@ BucketPlan plan_buckets(uint64_t spheres, uint slots, uint least_buckets) {
   return {shift, buckets, parent};
 }
 
-void set_grid(Params& p, const GridPlan& plan, bool prune_cells) {
+void set_grid(Params& p, const GridPlan& plan) {
   p.origin_x = plan.origin[0], p.origin_y = plan.origin[1], p.origin_z = plan.origin[2];
   p.cells_per_metre = 1 / plan.side;
   p.largest_radius = plan.largest_radius;
@@ -200,7 +200,6 @@ void set_grid(Params& p, const GridPlan& plan, bool prune_cells) {
   p.reach_scale = float(scale);
   p.reach_offset = float(scale * double(plan.largest_radius) +
                          coordinate_margin(std::max({plan.size[0], plan.size[1], plan.size[2]})));
-  if (!prune_cells) p.reach_scale = 0, p.reach_offset = float(1 - 0x1p-9);
   p.cells_x = plan.size[0], p.cells_y = plan.size[1], p.cells_z = plan.size[2];
   p.cell_slots = plan.slots;
   p.hash_mask = plan.cells == Cells::hashed ? plan.slots - 1 : 0;

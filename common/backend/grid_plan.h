@@ -54,7 +54,6 @@ struct BucketPlan {
 };
 BucketPlan plan_buckets(uint64_t spheres, uint slots, uint least_buckets);
 
-// Without prune_cells every sphere is taken to reach into all neighbouring cells of a dense grid.
-void set_grid(Params& params, const GridPlan& plan, bool prune_cells = true);
+void set_grid(Params& params, const GridPlan& plan);
 
 }  // namespace spherepair

@@ -13,11 +13,9 @@ namespace {
 constexpr std::array<const char*, 8> method_names = {
     "sequential",     "parallel",         "collide_group", "collide_tiled",
     "collide_square", "collide_triangle", "collide_grid",  "auto"};
-constexpr std::array<const char*, 6> draw_method_names = {"compute",      "mesh_each", "mesh",
-                                                          "mesh_indexed", "points",    "impostor"};
-constexpr std::array<DrawMethod, 6> draw_methods = {DrawMethod::compute, DrawMethod::mesh_each,
-                                                    DrawMethod::mesh,    DrawMethod::mesh_indexed,
-                                                    DrawMethod::points,  DrawMethod::impostor};
+constexpr std::array<const char*, 5> draw_method_names = {"compute", "mesh_each", "mesh", "points", "impostor"};
+constexpr std::array<DrawMethod, 5> draw_methods = {DrawMethod::compute, DrawMethod::mesh_each, DrawMethod::mesh,
+                                                    DrawMethod::points, DrawMethod::impostor};
 constexpr std::array<uint, 6> blocks = {32, 64, 128, 256, 512, 1024};
 
 }  // namespace

@@ -10,17 +10,17 @@
 namespace spherepair {
 
 struct Variant {
-  bool equal_radii = true;      // loads no radius
-  bool listed = false;          // keeps the pairs, not only their number
-  bool texture_table = false;   // GLSL: the cells, the spheres to sort or the pyramid come through a texture buffer
-  bool dense = false;           // grid_bounds and what sorts: the cells are
-  bool from_tiles = false;      // grid_sort: the spheres come from split_tiles
-  bool bundles = false;         // draw_cull, draw_clusters: bundles of clusters are tested first
-  bool by_cells = false;        // draw_bounds: spheres stand in the order of dense cells, whose borders hold clusters
-  uint indices = 0, later = 0;  // GLSL: Params::in_cells and totals_later, known to the compiler
-  bool folded = false;          // GLSL: groups are numbered along two axes, or not from 0 on
-  bool windows = false;         // GLSL: that table in several textures, of which a dispatch reads one
-  MotionOptions motion = {};    // of move, bounce and place
+  bool equal_radii = true;     // loads no radius
+  bool listed = false;         // keeps the pairs, not only their number
+  bool texture_table = false;  // GLSL: the cells, the spheres to sort or the pyramid come through a texture buffer
+  bool dense = false;          // grid_bounds and what sorts: the cells are
+  bool from_tiles = false;     // grid_sort: the spheres come from split_tiles
+  bool bundles = false;        // draw_cull, draw_clusters: bundles of clusters are tested first
+  bool by_cells = false;       // draw_bounds: spheres stand in the order of dense cells, whose borders hold clusters
+  uint indices = 0;            // GLSL: Params::in_cells, known to the compiler
+  bool folded = false;         // GLSL: groups are numbered along two axes, or not from 0 on
+  bool windows = false;        // GLSL: that table in several textures, of which a dispatch reads one
+  MotionOptions motion = {};   // of move, bounce and place
   auto operator<=>(const Variant&) const = default;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "common/device/device_backend.h"
+#include "common/device/launch.h"
 #include "cuda/kernels.h"
 
 namespace spherepair {

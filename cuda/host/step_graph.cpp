@@ -21,7 +21,7 @@ bool same_bytes(const T& a, const T& b) {
 bool same_call(const KernelCall& a, const KernelCall& b) {
   return a.entry == b.entry && a.groups.x == b.groups.x && a.groups.y == b.groups.y && a.groups.z == b.groups.z &&
          a.block == b.block && same_bytes(a.p, b.p) && same_bytes(a.w, b.w) && same_bytes(a.v, b.v) &&
-         a.window.base_ptr == b.window.base_ptr && a.window.num_bytes == b.window.num_bytes && a.early == b.early;
+         a.early == b.early;
 }
 
 }  // namespace
@@ -31,22 +31,15 @@ void launch_call(const KernelCall& call, cudaStream_t stream) {
   KernelBuffers w = call.w;
   View v = call.v;
   void* arguments[] = {&p, &w, &v};
-  std::array<cudaLaunchAttribute, 2> attributes{};
-  uint count = 0;
-  if (call.window.num_bytes) {
-    attributes[count].id = cudaLaunchAttributeAccessPolicyWindow;
-    attributes[count++].val.accessPolicyWindow = call.window;
-  }
-  if (call.early) {
-    attributes[count].id = cudaLaunchAttributeProgrammaticStreamSerialization;
-    attributes[count++].val.programmaticStreamSerializationAllowed = 1;
-  }
+  cudaLaunchAttribute early{};
+  early.id = cudaLaunchAttributeProgrammaticStreamSerialization;
+  early.val.programmaticStreamSerializationAllowed = 1;
   cudaLaunchConfig_t config{};
   config.gridDim = call.groups;
   config.blockDim = dim3(call.block);
   config.stream = stream;
-  config.attrs = attributes.data();
-  config.numAttrs = count;
+  config.attrs = &early;
+  config.numAttrs = call.early ? 1 : 0;
   cuda_check(cudaLaunchKernelExC(&config, call.entry, arguments),
              fmt::format("launching {} with {} threads a block", call.name, call.block));
 }
@@ -65,16 +58,6 @@ void StepGraph::flush() {
   collecting_ = false;
   for (const KernelCall& call : calls_) launch_call(call, nullptr);
   calls_.clear();
-}
-
-bool StepGraph::may_be_early() {
-  static const bool known = [] {
-    int runtime = 0, driver = 0;
-    cudaRuntimeGetVersion(&runtime);
-    cudaDriverGetVersion(&driver);
-    return std::min(runtime, driver) >= 12030;
-  }();
-  return known;
 }
 
 void StepGraph::drop() {

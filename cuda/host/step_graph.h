@@ -20,9 +20,8 @@ struct KernelCall {
   uint block;
   Params p;
   KernelBuffers w;
-  View v;                         // zeros for a kernel that takes none: another view is no other call of it
-  cudaAccessPolicyWindow window;  // of 0 bytes: none
-  bool early;                     // may begin before the launch before is done, for which the kernel itself waits
+  View v;      // zeros for a kernel that takes none: another view is no other call of it
+  bool early;  // may begin before the launch before is done, for which the kernel itself waits
 };
 void launch_call(const KernelCall& call, cudaStream_t stream);  // throws BackendError
 
@@ -37,9 +36,8 @@ class StepGraph {
   bool collecting() const { return collecting_; }
   void add(const KernelCall& call) { calls_.push_back(call); }
   size_t size() const { return calls_.size(); }
-  static bool may_be_early();  // whether graphs know KernelCall::early: since CUDA 12.3
-  void flush();                // launches what was collected
-  bool end();                  // true when all went out as one graph that was there already
+  void flush();  // launches what was collected
+  bool end();    // true when all went out as one graph that was there already
 
  private:
   void capture();

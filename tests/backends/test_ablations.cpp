@@ -15,17 +15,15 @@ class Ablations : public BackendTest {};
 
 // Options that every backend has.
 std::vector<CollideOptions> common_options() {
-  return {grid_step([](CollideOptions& o) { o.grid.cells = Cells::dense, o.grid.prune_cells = false; }),
-          grid_step([](CollideOptions& o) { o.grid.cells = Cells::hashed, o.grid.prune_cells = false; }),
+  return {grid_step([](CollideOptions& o) { o.grid.cells = Cells::dense; }),
+          grid_step([](CollideOptions& o) { o.grid.cells = Cells::hashed; }),
           grid_step([](CollideOptions& o) { o.filter = false; }),
           grid_step([](CollideOptions& o) { o.filter = false, o.load_radii = true; }),
           grid_step([](CollideOptions& o) { o.load_radii = true; }),
           grid_step([](CollideOptions& o) { o.grid.keep_order = true; }),
           grid_step([](CollideOptions& o) { o.grid.keep_cells = true; }),
           grid_step([](CollideOptions& o) { o.grid.keep_cells = true, o.load_radii = true; }),
-          grid_step([](CollideOptions& o) {
-            o.api = {.graph = false, .texture_table = false, .texture_spheres = false, .batch = false};
-          }),
+          grid_step([](CollideOptions& o) { o.api = {.graph = false, .texture_table = false, .batch = false}; }),
           {.method = Method::automatic, .load_radii = true}};
 }
 
@@ -35,8 +33,8 @@ std::vector<CollideOptions> special_options() {
                                      grid_step([](CollideOptions& o) { o.grid.sort = Sort::radix; })};
   for (const Sort sort : {Sort::counting, Sort::buckets})
     for (std::optional<bool> ApiOptions::*trick :
-         {&ApiOptions::graph, &ApiOptions::keep_in_l2, &ApiOptions::texture_table, &ApiOptions::texture_spheres,
-          &ApiOptions::library_clear, &ApiOptions::batch, &ApiOptions::overlap})
+         {&ApiOptions::graph, &ApiOptions::texture_table, &ApiOptions::library_clear, &ApiOptions::batch,
+          &ApiOptions::overlap})
       all.push_back(grid_step([=](CollideOptions& o) { o.grid.sort = sort, o.api.*trick = true; }));
   return all;
 }
@@ -72,9 +70,9 @@ TEST_P(Ablations, WhatABackendLacksIsRefused) {
   if (backend().info().name == "cpu") {
     EXPECT_EQ(there, 0u);
   } else if (backend().info().name == "glsl") {
-    EXPECT_EQ(there, 10u) << "both textures, library_clear, batch and overlap with both sorts";
+    EXPECT_EQ(there, 8u) << "the texture, library_clear, batch and overlap with both sorts";
   } else {
-    EXPECT_GE(there, 6u) << "Thrust, graph and library_clear with both sorts; L2 where the device has it";
+    EXPECT_GE(there, 6u) << "Thrust, graph and library_clear with both sorts";
   }
   EXPECT_THROW(backend().collide({.method = Method::automatic, .filter = false}), std::invalid_argument);
 }
@@ -86,11 +84,6 @@ TEST_P(Ablations, WithoutTheFilterEveryCandidateIsDecidedExactly) {
   const StepResult exact = run_step(backend(), grid_step([](CollideOptions& o) { o.filter = false; }));
   EXPECT_LT(filtered.totals.deferred, 10u);
   EXPECT_GT(exact.totals.deferred, 2 * exact.totals.pairs);
-  const StepResult wide = run_step(backend(), grid_step([](CollideOptions& o) {
-                                     o.filter = false, o.grid.cells = Cells::dense, o.grid.prune_cells = false;
-                                   }));
-  const bool in_vectors = backend().info().name == "cpu";  // whose rows are met whole at this n
-  EXPECT_GT(wide.totals.deferred + in_vectors, exact.totals.deferred) << "more cells, more meetings";
 }
 
 TEST_P(Ablations, WorkIsCounted) {
@@ -126,32 +119,6 @@ TEST_P(Ablations, LoadsOfRadiiAndListsAreCounted) {
   EXPECT_EQ(counted(equal, loading), (std::array<uint64_t, 3>{1, 0, 0}));
   EXPECT_EQ(counted(unequal, grid_step([](CollideOptions&) {})), (std::array<uint64_t, 3>{1, 0, 0}));
   EXPECT_EQ(counted(equal, listing), (std::array<uint64_t, 3>{1, 1, 1}));
-}
-
-// Contacts are found without the totals of pairs, which the step is done again for when they are asked for.
-TEST_P(Ablations, TotalsLater) {
-  if (backend().info().name == "cpu") GTEST_SKIP() << "the CPU adds up as it goes";
-  for (const Cells cells : {Cells::dense, Cells::hashed})
-    for (const float ratio : {1.0f, 4.0f}) {
-      const Scene scene = make_scene({.name = "uniform", .n = 3000, .radius_ratio = ratio});
-      const auto configuration = [&](bool totals, bool pairs) {
-        return grid_step(
-            [=](CollideOptions& o) { o.grid.cells = cells, o.want_totals = totals, o.want_pairs = pairs; });
-      };
-      backend().upload(scene);
-      const StepResult expected = run_step(backend(), configuration(true, true));
-      backend().upload(scene);
-      backend().collide(configuration(false, false));
-      EXPECT_EQ(backend().counts(), expected.counts);
-      EXPECT_EQ(backend().work_counts().steps, 1u);
-      EXPECT_EQ(backend().collisions().fingerprint, expected.totals.fingerprint);
-      EXPECT_EQ(backend().collisions().pairs, expected.totals.pairs);
-      EXPECT_EQ(backend().collisions().colliding_spheres, expected.totals.colliding_spheres);
-      EXPECT_EQ(backend().work_counts().steps, 2u);
-      EXPECT_EQ(backend().counts(), expected.counts);
-      const StepResult listed = run_step(backend(), configuration(false, true));
-      EXPECT_EQ(first_mismatch(listed, *expected.pairs, scene.size()), "");
-    }
 }
 
 // Spheres that fly off together: planned once, all of them end in the cells along the border.

@@ -219,7 +219,7 @@ TEST(CpuGrid, CountsOfOtherPrograms) {
     SceneOptions options = {.name = "uniform", .n = peer.n};
     options.packing_fraction = peer.fraction;
     const Scene scene = make_scene(options);
-    const PairSearch search = search_of(scene, true, 2);
+    const SearchInput search = search_of(scene, true, 2);
     const PairsFound dense = grid.search(search, plan_grid(scene, Cells::dense), false);
     const PairsFound hashed = grid.search(search, plan_grid(scene, Cells::hashed), false);
     EXPECT_EQ(dense.totals.pairs, peer.pairs) << peer.n << " at " << peer.fraction;

@@ -41,7 +41,7 @@ size_t differences(const std::vector<uint>& left, const std::vector<uint>& right
 
 size_t covered(const std::vector<uint>& image) { return differences(image, std::vector<uint>(image.size(), ~0u)); }
 
-TEST_P(DrawPipeline, TheMeshIsTheSameThreeTimes) {
+TEST_P(DrawPipeline, TheMeshIsTheSameInOneDrawOrOneASphere) {
   for (const char* kind : {"random", "lattice", "clustered"}) {
     const Scene scene = make_scene({.name = kind, .n = 500, .radius_ratio = kind[0] == 'c' ? 5.0f : 1.0f});
     show(scene);
@@ -50,7 +50,6 @@ TEST_P(DrawPipeline, TheMeshIsTheSameThreeTimes) {
       const std::vector<uint> mesh = image(DrawMethod::mesh, view);
       EXPECT_GT(covered(mesh), mesh.size() / 50) << kind;
       EXPECT_EQ(differences(mesh, image(DrawMethod::mesh_each, view)), 0u) << kind;
-      EXPECT_EQ(differences(mesh, image(DrawMethod::mesh_indexed, view)), 0u) << kind;
     }
   }
 }

@@ -116,33 +116,6 @@ TEST_P(Overlap, IsOfManySpheresWhereThereAreGraphs) {
   }
 }
 
-// A graph's launches get ready early as well. None of those before them lets them begin ahead of its end, so this shows
-// that a graph of such launches is the same step, not that none may be without its wait.
-TEST_P(Overlap, InsideAGraphChangesNoSet) {
-  if (backend().info().name != "cuda") GTEST_SKIP() << "graphs of launches are CUDA's";
-  const bool early = overlaps();
-  const auto oracle = open_backend("cpu");
-  for (const uint64_t n : {3000, 100'000}) {
-    const Scene scene = make_scene({.name = "uniform", .n = n});
-    for (Backend* each : {oracle.get(), &backend()}) each->upload(scene);
-    for (int turn = 0; turn < 8; ++turn) {
-      const CollideOptions step = grid_step(
-          [](CollideOptions& o) { o.grid.cells = Cells::dense, o.grid.sort = Sort::buckets, o.api.graph = true; });
-      const uint64_t before = backend().work_counts().graphs_replayed;
-      for (int k = 0; k < 5; ++k) backend().collide(step);
-      EXPECT_GE(backend().work_counts().graphs_replayed - before, 2u);
-      const StepResult given = run_step(backend(), step), wanted = run_step(*oracle, grid_step([](CollideOptions&) {}));
-      EXPECT_EQ(given.totals.pairs, wanted.totals.pairs) << n << ", " << turn;
-      EXPECT_EQ(given.totals.fingerprint, wanted.totals.fingerprint) << n << ", " << turn;
-      EXPECT_EQ(given.totals.colliding_spheres, wanted.totals.colliding_spheres) << n << ", " << turn;
-      EXPECT_EQ(given.counts, wanted.counts) << n << ", " << turn;
-      for (Backend* each : {oracle.get(), &backend()}) each->move();
-    }
-    EXPECT_EQ(backend().work_counts().early > 0, early);
-    backend().check_guards();
-  }
-}
-
 TEST(OverlapOptions, AreNotForAGraph) {
   const auto step = [](std::optional<bool> graph, std::optional<bool> overlap) {
     return grid_step([=](CollideOptions& o) { o.api.graph = graph, o.api.overlap = overlap; });

@@ -80,16 +80,13 @@ TEST_F(Studies, AblationsAreRecordedOnAndOff) {
         EXPECT_EQ(work.at("plane_tests"), 300);
       }
     }
-    if (row.at("skip") == "cells_out_of_reach") {
-      EXPECT_LE(row.at("work_a_step").at("cells_in_reach"), 27);
-    }
   }
   EXPECT_EQ(size_t(2 * on), rows.size());
 }
 
 TEST_F(Studies, WhatIsUnknownIsRefused) {
   EXPECT_EQ(run("skips --backends cpu --names nothing"), 2);
-  EXPECT_NE(said().find("cells_out_of_reach"), std::string::npos) << said();
+  EXPECT_NE(said().find("exact_stages"), std::string::npos) << said();
   EXPECT_EQ(run("crossover --backends cpu --kinds nothing"), 2);
   EXPECT_EQ(run("run --n 100 --method nothing"), 2);
 }

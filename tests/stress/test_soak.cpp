@@ -88,7 +88,6 @@ CollideOptions random_options(Dice& dice, const Backend& backend) {
   options.grid.cells = dice.of<Cells>({Cells::automatic, Cells::dense, Cells::hashed});
   options.grid.keep_order = dice.one_in(2);
   options.grid.keep_cells = dice.one_in(2);
-  options.grid.prune_cells = !dice.one_in(4);
   options.grid.replan = !dice.one_in(4);
   std::vector<Sort> sorts = {Sort::automatic, Sort::counting, Sort::buckets};
   if (cuda) sorts.push_back(Sort::radix);
@@ -100,7 +99,6 @@ CollideOptions random_options(Dice& dice, const Backend& backend) {
   if (options.method != Method::collide_grid) return options;
   options.filter = !dice.one_in(6);
   options.api.texture_table = backend.info().name == "glsl" && dice.one_in(2);
-  options.api.texture_spheres = backend.info().name == "glsl" && dice.one_in(2);
   options.api.library_clear = gpu_api && dice.one_in(2);
   if (dice.one_in(2)) options.api.overlap = false;
   return options;

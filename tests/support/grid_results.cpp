@@ -13,7 +13,7 @@ namespace {
 constexpr uint64_t longest_list = 300'000;  // beyond, fingerprint and counts have to do
 }  // namespace
 
-PairSearch search_of(const Scene& scene, bool want_pairs, int threads) {
+SearchInput search_of(const Scene& scene, bool want_pairs, int threads) {
   return {scene.positions,
           scene_params(scene, true),
           scene.equal_radii,

@@ -18,7 +18,7 @@ CollideOptions grid_step(Change change) {
   return options;
 }
 
-PairSearch search_of(const Scene& scene, bool want_pairs, int threads);
+SearchInput search_of(const Scene& scene, bool want_pairs, int threads);
 StepResult result_of(CpuGrid& grid, const Scene& scene, Cells cells, bool want_pairs, int threads = 2);
 
 // Empty when both answers are of the same set.

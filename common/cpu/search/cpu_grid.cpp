@@ -20,7 +20,7 @@ constexpr uint64_t alone = 32768;  // spheres up to which passing over them is n
 // where several threads may meet.
 class CpuGrid::Finder final : public CandidateSink {
  public:
-  Finder(CpuGrid& grid, const PairSearch& search, const Params& p, GrowingList<uint64_t>& list)
+  Finder(CpuGrid& grid, const SearchInput& search, const Params& p, GrowingList<uint64_t>& list)
       : simd_(grid.simd_),
         order_(grid.cells_.order()),
         p_(p),
@@ -104,11 +104,11 @@ class CpuGrid::Finder final : public CandidateSink {
   uint64_t keys_[candidates_at_once];
 };
 
-PairsFound CpuGrid::search(const PairSearch& search, const GridPlan& plan, bool keep_cells) {
+PairsFound CpuGrid::search(const SearchInput& search, const GridPlan& plan, bool keep_cells) {
   Params p = search.params;
   n_ = search.positions.size();
   p.n = uint(n_);
-  set_grid(p, plan, search.options.grid.prune_cells);
+  set_grid(p, plan);
   if (!keep_cells) cells_.sort(search.positions, p, !search.equal_radii, search.threads);
   near_counts_.resize(n_);
   far_counts_.resize(n_);
@@ -121,7 +121,7 @@ PairsFound CpuGrid::search(const PairSearch& search, const GridPlan& plan, bool 
   return found;
 }
 
-Collisions CpuGrid::find(const PairSearch& search, const Params& p) {
+Collisions CpuGrid::find(const SearchInput& search, const Params& p) {
   Collisions totals;
   const std::vector<Stretch> stretches = cells_.stretches(search.threads);
   const int threads = team_of(stretches.size(), search.threads);

@@ -14,13 +14,13 @@ class CpuGrid {
 
   // All but the counts, which are put into the order of the spheres when they are asked for. With keep_cells the
   // spheres are those of the last search, in the same cells.
-  PairsFound search(const PairSearch& search, const GridPlan& plan, bool keep_cells);
+  PairsFound search(const SearchInput& search, const GridPlan& plan, bool keep_cells);
   std::vector<uint> counts(int threads) const;  // of the last search
 
  private:
   class Finder;
 
-  Collisions find(const PairSearch& search, const Params& p);
+  Collisions find(const SearchInput& search, const Params& p);
   uint64_t join_counts(int threads);
 
   const GridSimd& simd_;

@@ -21,7 +21,7 @@ constexpr uint64_t pairs_per_thread = 1u << 16;  // that are worth a second thre
 // What one thread has found. Sums do not depend on the order, so neither do the results on the number of threads.
 class Finder {
  public:
-  Finder(const PairSearch& search, GrowingList<Pair>& list)
+  Finder(const SearchInput& search, GrowingList<Pair>& list)
       : search_(search), counts_(search.positions.size()), list_(list) {}
 
   template <bool equal_radii>
@@ -67,7 +67,7 @@ class Finder {
     return verdict.collide;
   }
 
-  const PairSearch& search_;
+  const SearchInput& search_;
   std::vector<uint> counts_;
   Collisions totals_;
   GrowingList<Pair>& list_;
@@ -81,7 +81,7 @@ void double_loop(std::span<const vec4> spheres, uint first, uint last, Finder& f
     for (uint j = i + 1; j < last; ++j) finder.test_pair<equal_radii>(a, spheres[j], i, j);
   }
 }
-void double_loop(const PairSearch& search, uint first, uint last, Finder& finder) {
+void double_loop(const SearchInput& search, uint first, uint last, Finder& finder) {
   search.equal_radii ? double_loop<true>(search.positions, first, last, finder)
                      : double_loop<false>(search.positions, first, last, finder);
 }
@@ -92,7 +92,7 @@ struct Tiles {
   NearList near;
 };
 
-void load_rows(const PairSearch& search, uint first, float share, RowTile& rows) {
+void load_rows(const SearchInput& search, uint first, float share, RowTile& rows) {
   rows.count = std::min<uint>(tile_rows, uint(search.positions.size()) - first);
   for (uint r = 0; r < rows.count; ++r) {
     const vec4 sphere = search.positions[first + r];
@@ -102,7 +102,7 @@ void load_rows(const PairSearch& search, uint first, float share, RowTile& rows)
 }
 
 // Returns the number of columns; behind the last sphere, it repeats to the end of the tile.
-uint load_columns(const PairSearch& search, uint start, ColumnTile& tile) {
+uint load_columns(const SearchInput& search, uint start, ColumnTile& tile) {
   const uint columns = std::min<uint>(tile_columns, uint(search.positions.size()) - start);
   for (uint c = 0; c < tile_columns; ++c) {
     const vec4 sphere = search.positions[start + std::min(c, columns - 1)];
@@ -125,7 +125,7 @@ void test_near(const NearList& near, uint first_row, uint start, uint end, Finde
   }
 }
 
-void test_row_block(const PairSearch& search, uint first, Tiles& tiles, Finder& finder) {
+void test_row_block(const SearchInput& search, uint first, Tiles& tiles, Finder& finder) {
   const Simd& simd = best_simd();
   const float share = search.equal_radii ? 1.0f : 0.5f;
   load_rows(search, first, share, tiles.rows);
@@ -139,7 +139,7 @@ void test_row_block(const PairSearch& search, uint first, Tiles& tiles, Finder& 
 
 // Runs test_block(block, finder, tiles) for every block, by as many threads as asked for.
 template <typename TestBlock>
-PairsFound search_blocks(const PairSearch& search, int threads, uint64_t blocks, TestBlock test_block) {
+PairsFound search_blocks(const SearchInput& search, int threads, uint64_t blocks, TestBlock test_block) {
   PairsFound found;
   found.counts.resize(search.positions.size());
   std::vector<GrowingList<Pair>> lists(static_cast<size_t>(threads));
@@ -164,14 +164,14 @@ PairsFound search_blocks(const PairSearch& search, int threads, uint64_t blocks,
 
 }  // namespace
 
-PairsFound search_sequential(const PairSearch& search) {
+PairsFound search_sequential(const SearchInput& search) {
   return search_blocks(search, 1, 1, [&](uint, Tiles&, Finder& finder) {
     double_loop(search, 0, uint(search.positions.size()), finder);
   });
 }
 
 // Few spheres are met by one thread: to wake the others costs as much as some 10^5 pairs.
-PairsFound search_parallel(const PairSearch& search) {
+PairsFound search_parallel(const SearchInput& search) {
   const uint64_t n = search.positions.size();
   const int threads = team_of(n * n / 2 / pairs_per_thread, search.threads);
   return search_blocks(search, threads, (n + tile_rows - 1) / tile_rows, [&](uint block, Tiles& tiles, Finder& finder) {
@@ -179,7 +179,7 @@ PairsFound search_parallel(const PairSearch& search) {
   });
 }
 
-PairsFound search_groups(const PairSearch& search) {
+PairsFound search_groups(const SearchInput& search) {
   const uint64_t n = search.positions.size(), size = search.options.block;
   if (size == 0) throw std::invalid_argument("the group size is 0, but must be at least 1");
   return search_blocks(search, search.threads, (n + size - 1) / size, [&](uint group, Tiles&, Finder& finder) {

@@ -6,7 +6,7 @@
 
 namespace spherepair {
 
-struct PairSearch {
+struct SearchInput {
   std::span<const vec4> positions;
   Params params;  // scene_params: filter constants
   bool equal_radii;
@@ -20,11 +20,11 @@ struct PairsFound {
   std::vector<Pair> list;    // canonical order; filled when options.want_pairs
 };
 
-PairsFound search_sequential(const PairSearch& search);  // the paper's code 2: one thread, double loop
-PairsFound search_parallel(const PairSearch& search);    // all threads, SIMD, each unordered pair once
-PairsFound search_groups(const PairSearch& search);      // within groups of options.block consecutive spheres
+PairsFound search_sequential(const SearchInput& search);  // the paper's code 2: one thread, double loop
+PairsFound search_parallel(const SearchInput& search);    // all threads, SIMD, each unordered pair once
+PairsFound search_groups(const SearchInput& search);      // within groups of options.block consecutive spheres
 
 // Those that touch within the next step (swept.h): all threads, every pair.
-PairsFound search_swept(const PairSearch& search, std::span<const vec4> velocities);
+PairsFound search_swept(const SearchInput& search, std::span<const vec4> velocities);
 
 }  // namespace spherepair

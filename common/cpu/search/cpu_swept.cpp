@@ -10,7 +10,7 @@
 
 namespace spherepair {
 
-PairsFound search_swept(const PairSearch& search, std::span<const vec4> velocities) {
+PairsFound search_swept(const SearchInput& search, std::span<const vec4> velocities) {
   const std::span<const vec4> at = search.positions;
   const Params& p = search.params;
   const uint n = uint(at.size());

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "glsl/glsl_backend.h"
+#include "glsl/gl_device.h"
 
 #include <fmt/format.h>
 
 #include <cstring>
 
 #include "common/backend/checks.h"
-#include "common/device/device_backend.h"
 #include "glsl/buffer_texture.h"
 #include "glsl/context.h"
 #include "glsl/device_limits.h"
@@ -18,72 +17,73 @@
 namespace spherepair {
 namespace {
 
-class GlslBackend final : public DeviceBackend {
+class GlDevice final : public Device, private GraphicsPipeline {
  public:
-  explicit GlslBackend(const OpenOptions& options);
-  ~GlslBackend() override;
+  explicit GlDevice(const OpenOptions& options);
+  ~GlDevice() override;
   const BackendInfo& info() const override { return info_; }
-  void finish() override;
-  std::vector<DrawMethod> draw_methods() const override {
-    return {all_draw_methods().begin(), all_draw_methods().end()};
-  }
+  const DeviceCapabilities& capabilities() const override { return capabilities_; }
+
+  void allocate(uint slot, uint64_t bytes) override;
+  void write(uint slot, const void* data, uint64_t offset, uint64_t bytes) override;
+  void read(uint slot, void* data, uint64_t offset, uint64_t bytes) override;
+  void clear(uint slot, uint64_t bytes) override;
+  void launch(const Launch& launch, const Params& params) override;
+  void wait() override;
+
+  void check(const CollideOptions& options) const override;
+  void begin_step(const ApiOptions& options) override { batched_ = options.batch.value_or(true); }
+  void end_step() override { batched_ = true; }
+  bool reads_texture(Kernel kernel, const Params& params, uint64_t texels, std::optional<bool> wanted) const override;
+
   void time_stages(bool on) override { stage_times(), timer_.turn(on); }
   std::vector<StageTime> stage_times() override;
   std::vector<StageTime> compile_kernels() override {
     context_.make_current();
     return compile_times(limits_.features);
   }
-
- protected:
-  void allocate(uint slot, uint64_t bytes) override;
-  void write(uint slot, const void* data, uint64_t offset, uint64_t bytes) override;
-  void read(uint slot, void* data, uint64_t offset, uint64_t bytes) override;
-  void launch(const Launch& launch, const Params& params) override;
-  uint64_t largest_binding() const override { return limits_.largest_binding; }
-  bool has_atomics_64() const override { return limits_.features.atomics_64; }
-  void check_api_options(const CollideOptions& options) const override;
-  bool takes_texture(Kernel kernel, const ApiOptions& api) const override;
-  bool overlaps_launches() const override { return true; }
-  uint bounds_block() const override { return 256; }  // all then run at once (docs/NOTES/NOTES.md)
-  void begin_step(const ApiOptions& api) override { batched_ = api.batch.value_or(true); }
-  void end_step() override { batched_ = true; }
-  void clear_buffer(uint slot, uint64_t bytes) override;
-  void draw_by_pipeline(DrawMethod method) override;
-  std::vector<uint> pipeline_image() override;
+  GraphicsPipeline* pipeline() override { return this; }
 
  private:
+  void draw_spheres(DrawMethod method, const View& view, uint spheres) override;
+  std::vector<uint> read_image() override;
+
   void set_params(const Params& params);
   void bind(const Launch& launch);
   GLbitfield barriers(const Launch& launch) const;
   TexelRange texels(const Launch& launch) const;
   void dispatch(const Launch& launch);
-  TableWindows windows() const { return {params(), limits_.largest_texture}; }
 
   Context context_;
   DeviceLimits limits_;
   BackendInfo info_;
+  DeviceCapabilities capabilities_;
   std::array<GLuint, SLOT_TOTAL> buffers_{}, bound_{};  // and which of them kernels see now
   BufferTextures textures_;
   GLuint params_buffer_ = 0;
-  Params params_on_device_{};
-  bool params_known_ = false, batched_ = true;
+  std::optional<Params> params_on_device_;
+  bool batched_ = true;
   std::optional<Kernel> last_;  // that was launched, with nothing else behind it
   Programs programs_;
   std::unique_ptr<GlRenderer> renderer_;
   StageTimer timer_;
 };
 
-GlslBackend::GlslBackend(const OpenOptions& options) : context_(options) {
+GlDevice::GlDevice(const OpenOptions& options) : context_(options) {
   context_.make_current();
   limits_ = device_limits(options);
   info_ = describe_device(context_.software(), limits_);
+  capabilities_ = {.largest_buffer = limits_.largest_binding,
+                   .atomics_64 = limits_.features.atomics_64,
+                   .overlaps_images = true,
+                   .bounds_block = 256};  // all groups then run at once (docs/NOTES/grid.md)
   glCreateBuffers(1, &params_buffer_);
   glNamedBufferStorage(params_buffer_, sizeof(Params), nullptr, GL_DYNAMIC_STORAGE_BIT);
   glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_PARAMS, params_buffer_);  // for good
   gl_check("making the buffer of parameters");
 }
 
-GlslBackend::~GlslBackend() {
+GlDevice::~GlDevice() {
   if (!context_.try_make_current()) return;  // a lost context took everything with it
   renderer_.reset();
   timer_.forget();
@@ -92,7 +92,7 @@ GlslBackend::~GlslBackend() {
   textures_.forget();
 }
 
-void GlslBackend::allocate(uint slot, uint64_t bytes) {
+void GlDevice::allocate(uint slot, uint64_t bytes) {
   context_.make_current();
   bound_ = {};  // a new buffer may get the name of the one deleted
   textures_.forget();
@@ -101,7 +101,7 @@ void GlslBackend::allocate(uint slot, uint64_t bytes) {
   buffers_[slot] = new_buffer(bytes, limits_);
 }
 
-void GlslBackend::write(uint slot, const void* data, uint64_t offset, uint64_t bytes) {
+void GlDevice::write(uint slot, const void* data, uint64_t offset, uint64_t bytes) {
   if (bytes == 0) return;
   context_.make_current();
   last_.reset();
@@ -110,7 +110,7 @@ void GlslBackend::write(uint slot, const void* data, uint64_t offset, uint64_t b
   gl_check(fmt::format("writing {} bytes", bytes));
 }
 
-void GlslBackend::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
+void GlDevice::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
   if (bytes == 0) return;
   context_.make_current();
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -119,15 +119,14 @@ void GlslBackend::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
 }
 
 // The same parameters serve a whole step, so they are sent only when they change.
-void GlslBackend::set_params(const Params& params) {
-  if (params_known_ && std::memcmp(&params, &params_on_device_, sizeof(Params)) == 0) return;
+void GlDevice::set_params(const Params& params) {
+  if (params_on_device_ && std::memcmp(&params, &*params_on_device_, sizeof(Params)) == 0) return;
   glNamedBufferSubData(params_buffer_, 0, sizeof(Params), &params);
   params_on_device_ = params;
-  params_known_ = true;
 }
 
 // Binding is dear, and most launches use what the last did.
-void GlslBackend::bind(const Launch& launch) {
+void GlDevice::bind(const Launch& launch) {
   std::array<GLuint, SLOT_TOTAL> wanted = buffers_;
   wanted[SLOT_POSITION] = buffers_[position_slot(launch.order)];
   wanted[SLOT_COUNT] = buffers_[count_slot(launch)];
@@ -135,7 +134,7 @@ void GlslBackend::bind(const Launch& launch) {
   wanted[SLOT_SORTED] = buffers_[position_slot(launch.target)];
   wanted[SLOT_ID] = buffers_[id_slot(launch.target)];
   wanted[SLOT_CELL] = buffers_[launch.table];
-  wanted[SLOT_VISIBLE] = buffers_[visible_slot()];
+  wanted[SLOT_VISIBLE] = buffers_[launch.visible_slot];
   size_t first = 0, behind = wanted.size();
   while (first < behind && wanted[first] == bound_[first]) ++first;
   while (first < behind && wanted[behind - 1] == bound_[behind - 1]) --behind;
@@ -144,13 +143,12 @@ void GlslBackend::bind(const Launch& launch) {
   bound_ = wanted;
 }
 
-void GlslBackend::check_api_options(const CollideOptions& options) const {
-  refuse_missing(
-      "glsl", options,
-      {.texture_table = true, .texture_spheres = true, .library_clear = true, .batch = true, .overlap = true}, false);
+void GlDevice::check(const CollideOptions& options) const {
+  refuse_missing("glsl", options, {.texture_table = true, .library_clear = true, .batch = true, .overlap = true},
+                 false);
 }
 
-void GlslBackend::clear_buffer(uint slot, uint64_t bytes) {
+void GlDevice::clear(uint slot, uint64_t bytes) {
   context_.make_current();
   last_.reset();
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -159,92 +157,85 @@ void GlslBackend::clear_buffer(uint slot, uint64_t bytes) {
   });
 }
 
-bool GlslBackend::takes_texture(Kernel kernel, const ApiOptions& api) const {
-  if (kernel == Kernel::draw_cull) return pyramid_texels() <= limits_.largest_texture;
+// The table of cells may come in several windows.
+bool GlDevice::reads_texture(Kernel kernel, const Params& params, uint64_t texels, std::optional<bool> wanted) const {
   const bool table = kernel == Kernel::collide_grid;
-  const std::optional<bool> wanted = table ? api.texture_table : api.texture_spheres;
-  const bool fits = table ? windows().count() > 0 : spheres() <= limits_.largest_texture;
-  if (wanted.value_or(false) && !fits)
-    throw BackendError(texture_too_long(table ? windows().words() : spheres(), limits_));
+  const bool fits =
+      table ? TableWindows(params, limits_.largest_texture).count() > 0 : texels <= limits_.largest_texture;
+  if (wanted.value_or(false) && !fits) throw BackendError(texture_too_long(texels, limits_));
   return wanted.value_or(true) && fits;
 }
 
 // What the launches before have written is seen through the paths that this one reads by, after one wait for all.
-GLbitfield GlslBackend::barriers(const Launch& launch) const {
+GLbitfield GlDevice::barriers(const Launch& launch) const {
   if (!batched_) return GL_ALL_BARRIER_BITS;
   return GL_SHADER_STORAGE_BARRIER_BIT | (launch.variant.texture_table ? GL_TEXTURE_FETCH_BARRIER_BIT : 0);
 }
 
-TexelRange GlslBackend::texels(const Launch& launch) const {
-  switch (launch.kernel) {
-    case Kernel::collide_grid:
-      return {CELL_TEXTURE, GL_R32UI, buffers_[launch.table], 0, windows().words() * sizeof(uint)};
-    case Kernel::draw_cull:
-      return {PYRAMID_TEXTURE, GL_RG32UI, buffers_[SLOT_PYRAMID], 0, pyramid_texels() * sizeof(uvec2)};
-    default:
-      return {SPHERE_TEXTURE, GL_RGBA32UI, buffers_[position_slot(launch.order)], 0, spheres() * sizeof(vec4)};
-  }
+TexelRange GlDevice::texels(const Launch& launch) const {
+  if (launch.kernel == Kernel::draw_cull)
+    return {PYRAMID_TEXTURE, GL_RG32UI, buffers_[SLOT_PYRAMID], 0, launch.texels * sizeof(uvec2)};
+  return {CELL_TEXTURE, GL_R32UI, buffers_[launch.table], 0, launch.texels * sizeof(uint)};
 }
 
-void GlslBackend::dispatch(const Launch& launch) {
+void GlDevice::dispatch(const Launch& launch) {
   if (launch.variant.texture_table) textures_.bind(texels(launch));
-  ++work_.launches;
+  ++work.launches;
   glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);
 }
 
-// GL keeps an error until it is asked, so dispatches are checked where their results are waited for.
-void GlslBackend::launch(const Launch& launch, const Params& params) {
+// GL keeps an error until it is asked for, so dispatches are checked where their results are waited for.
+void GlDevice::launch(const Launch& launch, const Params& params) {
   context_.make_current();
+  const TableWindows windows(params, limits_.largest_texture);
   Variant variant = launch.variant;
-  variant.windows = launch.kernel == Kernel::collide_grid && variant.texture_table && windows().count() > 1;
+  variant.windows = launch.kernel == Kernel::collide_grid && variant.texture_table && windows.count() > 1;
   variant.folded = launch.groups[1] > 1 || params.first_group != 0;
-  variant.indices = params.in_cells, variant.later = params.totals_later;
+  variant.indices = params.in_cells;
   const Program& program = programs_.get(kernel_name(launch.kernel), launch.block, variant, limits_.features);
   set_params(params);
-  program.set_view(view());
+  if (launch.view) program.set_view(*launch.view);
   glUseProgram(program.id());
   bind(launch);
-  const bool overlaps_previous = batched_ && last_ && launch.overlaps_previous == last_;
+  const bool overlapped = batched_ && last_ && launch.overlaps == last_;
   timer_.time(stage_name(launch), [&] {
-    overlaps_previous ? void(++work_.overlapped) : glMemoryBarrier(barriers(launch));
+    overlapped ? void(++work.overlapped) : glMemoryBarrier(barriers(launch));
     if (!variant.windows) return dispatch(launch);
-    windows().dispatch(uint64_t(launch.groups[0]) * launch.groups[1], buffers_[launch.table], program.id(), textures_);
-    work_.launches += windows().count();
+    windows.dispatch(uint64_t(launch.groups[0]) * launch.groups[1], buffers_[launch.table], program.id(), textures_);
+    work.launches += windows.count();
   });
   last_ = launch.kernel;
-  if (!batched_) finish(), ++work_.waits;
+  if (!batched_) wait(), ++work.waits;
 }
 
-void GlslBackend::draw_by_pipeline(DrawMethod method) {
+void GlDevice::draw_spheres(DrawMethod method, const View& view, uint spheres) {
   context_.make_current();
   last_.reset();
   if (!renderer_) renderer_ = std::make_unique<GlRenderer>();
   bound_ = {};  // the renderer binds its own
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   timer_.time(draw_method_name(method),
-              [&] { renderer_->draw(method, view(), buffers_[SLOT_POSITION], buffers_[SLOT_COUNT], spheres()); });
+              [&] { renderer_->draw(method, view, buffers_[SLOT_POSITION], buffers_[SLOT_COUNT], spheres); });
 }
 
-std::vector<uint> GlslBackend::pipeline_image() {
+std::vector<uint> GlDevice::read_image() {
   context_.make_current();
   return renderer_->image();
 }
 
-void GlslBackend::finish() {
+void GlDevice::wait() {
   context_.make_current();
   glFinish();
   gl_check("a dispatch, or waiting for it,");
 }
 
-std::vector<StageTime> GlslBackend::stage_times() {
-  finish();
+std::vector<StageTime> GlDevice::stage_times() {
+  wait();
   return timer_.take();
 }
 
 }  // namespace
 
-std::unique_ptr<Backend> open_glsl_backend(const OpenOptions& options) {
-  return std::make_unique<GlslBackend>(options);
-}
+std::unique_ptr<Device> open_gl_device(const OpenOptions& options) { return std::make_unique<GlDevice>(options); }
 
 }  // namespace spherepair

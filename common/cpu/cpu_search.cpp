@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "common/cpu/cpu_search.h"
+
+#include "common/backend/checks.h"
+#include "common/backend/method_choice.h"
+
+namespace spherepair {
+
+void CpuSearch::upload(const Scene& scene) {
+  n_ = scene.size();
+  equal_radii_ = scene.equal_radii;
+  constants_ = {scene_params(scene, false), scene_params(scene, true)};
+  plans_ = plan_grids(scene.positions);
+  watch_ = PlanWatch(scene, plans_);
+  work_ = {.plans = 1};
+  cells_.reset();
+  found_.reset();
+}
+
+void CpuSearch::moved() {
+  watch_.moved();
+  cells_.reset();
+  found_.reset();
+}
+
+MethodChoice CpuSearch::choice(const CollideOptions& options) const {
+  return explain_choice(info_, n_, plans_, options);
+}
+
+void CpuSearch::replan_if_needed(const std::vector<vec4>& positions, const CollideOptions& options) {
+  const bool may_use_grid = options.method == Method::collide_grid || options.method == Method::automatic;
+  if (!options.grid.replan || !may_use_grid || !watch_.needed()) return;
+  if (!watch_.replan(positions, positions.size(), plans_)) return;
+  ++work_.plans;
+  cells_.reset();
+}
+
+PairsFound CpuSearch::search_cells(const SearchInput& input) {
+  const GridPlan& plan = plans_.plan(input.options.grid.cells);
+  const bool keep = input.options.grid.keep_cells && cells_ == plan.cells && cells_equal_radii_ == input.equal_radii;
+  ++(keep ? work_.cells_kept : work_.sorts);
+  cells_.reset();  // until they are, should that fail
+  PairsFound found = grid_.search(input, plan, keep);
+  cells_equal_radii_ = input.equal_radii;
+  cells_ = plan.cells;
+  return found;
+}
+
+Method CpuSearch::prepare(const CollideOptions& options, CpuMotion& motion) {
+  check_collide(options);
+  refuse_missing(info_.name, options, {}, false);
+  replan_if_needed(motion.positions(threads_), options);
+  options_ = options;
+  options_.method = chosen_method(info_, n_, plans_, options);
+  if (options.swept) check_swept(info_.name, options_, motion.options());
+  return options_.method;
+}
+
+void CpuSearch::run(CpuMotion& motion) {
+  Params params = constants_[options_.exact];
+  if (!options_.filter) leave_all_undecided(params);
+  const SearchInput input{motion.positions(threads_), params, equal_radii_ && !options_.load_radii, options_, threads_};
+  ++work_.steps;
+  work_.without_radii += input.equal_radii;
+  work_.lists += options_.want_pairs;
+  found_.reset();
+  if (options_.swept) {
+    found_ = search_swept(input, motion.state(threads_).velocities);
+  } else if (options_.method == Method::sequential) {
+    found_ = search_sequential(input);
+  } else if (options_.method == Method::collide_group) {
+    found_ = search_groups(input);
+  } else if (options_.method == Method::collide_grid) {
+    found_ = search_cells(input);
+  } else {
+    found_ = search_parallel(input);
+  }
+}
+
+const PairsFound& CpuSearch::found() const {
+  if (!found_) throw BackendError("cpu: no collision step to report since the last move; call collide first");
+  return *found_;
+}
+
+std::vector<uint> CpuSearch::counts() const {
+  const PairsFound& last = found();
+  return options_.method == Method::collide_grid ? grid_.counts(threads_) : last.counts;
+}
+
+const std::vector<Pair>& CpuSearch::pairs() const {
+  const std::vector<Pair>& list = found().list;
+  if (!options_.want_pairs) throw BackendError("cpu: no pair list was asked for; set want_pairs");
+  return list;
+}
+
+bool CpuSearch::in_dense_cells() const {
+  return found_ && options_.method == Method::collide_grid && cells_ == Cells::dense;
+}
+
+Params CpuSearch::dense_cells() const {
+  Params params = constants_[true];
+  set_grid(params, plans_.dense);
+  return params;
+}
+
+}  // namespace spherepair

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The CPU's search for colliding pairs: chooses the method, keeps the cells while they are current, and the results.
+#pragma once
+
+#include <optional>
+
+#include "common/backend/plan_watch.h"
+#include "common/cpu/cpu_motion.h"
+#include "common/cpu/search/cpu_grid.h"
+#include "common/scene/scene_params.h"
+
+namespace spherepair {
+
+class CpuSearch {
+ public:
+  CpuSearch(const BackendInfo& info, int threads) : info_(info), threads_(threads) {}
+
+  void upload(const Scene& scene);
+  void moved();
+
+  MethodChoice choice(const CollideOptions& options) const;
+  // Chooses the method for a search of these positions, and plans the cells anew where spheres have left them.
+  Method prepare(const CollideOptions& options, CpuMotion& motion);
+  void run(CpuMotion& motion);  // what was prepared
+
+  bool searched() const { return found_.has_value(); }  // these positions
+  bool in_dense_cells() const;                          // through the dense grid
+  const Collisions& totals() const { return found().totals; }
+  std::vector<uint> counts() const;
+  const std::vector<Pair>& pairs() const;
+
+  // Parameters with the dense cells of the scene.
+  Params dense_cells() const;
+  const WorkCounts& work() const { return work_; }
+
+ private:
+  const PairsFound& found() const;
+  void replan_if_needed(const std::vector<vec4>& positions, const CollideOptions& options);
+  PairsFound search_cells(const SearchInput& input);
+
+  const BackendInfo& info_;
+  int threads_;
+  uint64_t n_ = 0;
+  bool equal_radii_ = true;            // of the scene
+  std::array<Params, 2> constants_{};  // of the scene: [exact]
+  GridPlans plans_;
+  PlanWatch watch_;
+  WorkCounts work_;
+  CpuGrid grid_;
+  std::optional<Cells> cells_;       // that grid_ has sorted these positions into ...
+  bool cells_equal_radii_ = true;    // ... for searches that load no radii
+  CollideOptions options_;           // of the last search, with the method that was chosen
+  std::optional<PairsFound> found_;  // by it
+};
+
+}  // namespace spherepair

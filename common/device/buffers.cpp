@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "common/device/buffers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace spherepair {
+namespace {
+
+constexpr uint guard_words = 16;
+constexpr uint guard_pattern = 0xA5C3F00Du;
+constexpr const char* slot_names[SLOT_TOTAL] = {"positions",
+                                                "velocities",
+                                                "counts",
+                                                "summary",
+                                                "deferred pairs",
+                                                "pairs",
+                                                "spheres to decide",
+                                                "verdicts",
+                                                "cells",
+                                                "sphere indices in buckets",
+                                                "spheres in cell order",
+                                                "sphere indices",
+                                                "counts in cell order",
+                                                "tiles of the scan",
+                                                "spheres in buckets",
+                                                "buckets",
+                                                "visible spheres",
+                                                "image",
+                                                "tiles of large spheres",
+                                                "counts of drawing",
+                                                "clusters",
+                                                "ages of visible spheres",
+                                                "list of clusters",
+                                                "depth pyramid",
+                                                "wide state",
+                                                "anchors",
+                                                "flights",
+                                                "steps of the anchors",
+                                                "steps of the next events",
+                                                "list of visible spheres",
+                                                "visible spheres of every other image"};
+
+}  // namespace
+
+// How many spheres fit into one buffer when these take so many bytes.
+uint64_t Buffers::fitting(uint64_t bytes) const {
+  const uint64_t room = (device_.capabilities().largest_buffer - guard_words * sizeof(uint)) / 16 * 16;
+  return uint64_t(double(room) / double(bytes) * double(spheres_));
+}
+
+void Buffers::resize(uint slot, uint64_t bytes) {
+  bytes = ceil_div(std::max<uint64_t>(bytes, 16), 16) * 16;
+  const uint64_t whole = bytes + guard_words * sizeof(uint), largest = device_.capabilities().largest_buffer;
+  if (whole > largest) {
+    throw BackendError(fmt::format(
+        "{}: {} spheres need {} bytes for the {} ({:.3g} a sphere), but a kernel of this device can bind at "
+        "most {}; {} spheres fit",
+        device_.info().name, spheres_, whole, slot_names[slot], double(bytes) / double(spheres_), largest,
+        fitting(bytes)));
+  }
+  if (bytes_[slot] == bytes) return;
+  bytes_[slot] = 0;  // none is there should this fail
+  device_.allocate(slot, whole);
+  bytes_[slot] = bytes;
+  const std::vector<uint> guard(guard_words, guard_pattern);
+  device_.write(slot, guard.data(), bytes, guard_words * sizeof(uint));
+}
+
+bool Buffers::grow(uint slot, uint64_t bytes) {
+  if (bytes_[slot] >= bytes) return false;
+  resize(slot, bytes);
+  return true;
+}
+
+void Buffers::check_guards() {
+  for (uint slot = 0; slot < SLOT_TOTAL; ++slot) {
+    if (!bytes_[slot]) continue;
+    std::vector<uint> guard(guard_words);
+    device_.read(slot, guard.data(), bytes_[slot], guard_words * sizeof(uint));
+    if (std::ranges::any_of(guard, [](uint word) { return word != guard_pattern; })) {
+      throw BackendError(
+          fmt::format("{}: something was written behind the end of the {}", device_.info().name, slot_names[slot]));
+    }
+  }
+}
+
+}  // namespace spherepair

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "common/device/cell_sorter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "common/device/sphere_sort.h"
+
+namespace spherepair {
+namespace {
+
+constexpr uint64_t most_spheres = (1u << 30) - 1;
+constexpr uint64_t least_moves_to_wait = 32, most_moves_to_wait = 64;
+
+}  // namespace
+
+void CellSorter::upload(const Scene& scene) {
+  plans_ = plan_grids(scene.positions);
+  watch_ = PlanWatch(scene, plans_);
+  planned_.reset();
+  cell_order_.reset();
+  moves_to_wait_ = moves_waited_ = 0;
+  built_ = false;
+  order_ = Order::scene;
+}
+
+void CellSorter::moved() {
+  built_ = false;
+  cell_order_.reset();
+  watch_.moved();
+  ++moves_waited_;
+}
+
+uint CellSorter::indices(Order order) const {
+  return order != Order::cells ? 0 : index_in_w_ ? INDEX_IN_W : INDEX_IN_ID;
+}
+
+std::vector<uint> CellSorter::sphere_indices() {
+  if (!index_in_w_) return context_.buffers.read<uint>(SLOT_ID, context_.n);
+  std::vector<uint> indices(context_.n);
+  const std::vector<vec4> sorted = context_.buffers.read<vec4>(SLOT_SORTED, context_.n);
+  for (uint64_t k = 0; k < context_.n; ++k) indices[k] = float_bits(sorted[k].w);
+  return indices;
+}
+
+// Some spheres from all over the scene; all where that is not many more.
+std::vector<vec4> CellSorter::sample_positions() {
+  constexpr uint64_t size = 1 << 16;
+  if (context_.n <= size) return context_.buffers.read<vec4>(SLOT_POSITION, context_.n);
+  context_.buffers.grow(SLOT_SPLIT, size * sizeof(vec4));
+  context_.launch({Kernel::sample, SERVICE_BLOCK, {}, folded(size / SERVICE_BLOCK), Order::scene, Order::buckets});
+  return context_.buffers.read<vec4>(SLOT_SPLIT, size);
+}
+
+bool CellSorter::replan_if_needed() {
+  if (!watch_.needed()) return false;
+  const std::vector<vec4> sample = sample_positions();
+  if (!watch_.worthwhile(sample, plans_) || !watch_.replan(sample, context_.n, plans_)) return false;
+  ++context_.work().plans;
+  planned_.reset();
+  return true;
+}
+
+// Parameters of the cells, and room for the table.
+void CellSorter::plan_cells(const GridOptions& options) {
+  const GridPlan& plan = plans_.plan(options.cells);
+  set_grid(context_.params, plan);
+  if (planned_ == plan.cells) return;
+  if (context_.n > most_spheres) {
+    throw BackendError(fmt::format("{}: {} spheres, but the grid takes {} at most; use collide_triangle",
+                                   context_.name(), context_.n, most_spheres));
+  }
+  context_.buffers.resize(SLOT_CELL, ceil_div(uint64_t(plan.slots) + 2, SCAN_TILE) * SCAN_TILE * sizeof(uint));
+  context_.buffers.resize(SLOT_SCAN, sizeof(uint));
+  planned_ = plan.cells;
+  built_ = false;
+  cell_order_.reset();
+}
+
+void CellSorter::launch_bounds() {
+  const uint64_t threads = std::max<uint64_t>(context_.n + 1, SUMMARY_SLOTS * SUMMARY_WORDS);
+  const Variant variant{.dense = context_.params.hash_mask == 0};
+  context_.launch({Kernel::grid_bounds, context_.device.capabilities().bounds_block, variant,
+                   folded(ceil_div(threads, BOUNDS_TILE))});
+}
+
+// Read back once after spheres have moved, and more and more rarely while the answer is no, since the host then waits
+// for the device.
+bool CellSorter::stands_in_cell_order(const GridOptions& options) {
+  if (!options.keep_order) return false;
+  if (!cell_order_ && moves_waited_ < moves_to_wait_) return false;
+  if (!cell_order_) {
+    uint disorder = 0;
+    context_.device.write(SLOT_SCAN, &disorder, 0, sizeof(disorder));
+    launch_bounds();
+    context_.device.read(SLOT_SCAN, &disorder, 0, sizeof(disorder));
+    cell_order_ = disorder == 0;
+    moves_to_wait_ = *cell_order_ ? 0 : std::clamp(2 * moves_to_wait_, least_moves_to_wait, most_moves_to_wait);
+    moves_waited_ = 0;
+  }
+  return *cell_order_;
+}
+
+void CellSorter::build(const CollideOptions& options, bool equal_radii, bool results_clear) {
+  plan_cells(options.grid);
+  const bool same_indices = order_ == Order::scene || index_in_w_ == equal_radii;
+  const bool kept = built_ && options.grid.keep_cells && same_indices;
+  if (!kept) {
+    built_ = false;  // until they are, should that fail
+    order_ = stands_in_cell_order(options.grid) ? Order::scene : Order::cells;
+    if (order_ == Order::cells) index_in_w_ = equal_radii;
+  }
+  const bool sorted = order_ == Order::cells;
+  context_.params.in_cells = indices(order_);
+  WorkCounts& work = context_.work();
+  ++(kept ? work.cells_kept : sorted ? work.sorts : work.orders_kept);
+  if (kept) {
+    if (!results_clear || sorted) clear_results(context_, order_);
+  } else if (sorted) {
+    SphereSort(context_, options, index_in_w_).run();
+  } else {
+    launch_bounds();
+  }
+  built_ = true;
+}
+
+}  // namespace spherepair

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The grid of a simulation: which cells the spheres have, and the spheres in the order of their cells.
+#pragma once
+
+#include "common/backend/plan_watch.h"
+#include "common/device/context.h"
+
+namespace spherepair {
+
+class CellSorter {
+ public:
+  explicit CellSorter(DeviceContext& context) : context_(context) {}
+
+  void upload(const Scene& scene);
+  void moved();  // the spheres, by one step
+
+  const GridPlans& plans() const { return plans_; }
+
+  // Plans the cells anew where spheres may have left those of the last plan: reads some positions back, rarely.
+  bool replan_if_needed();
+
+  // Makes the cells that the options ask for current: the grid's part of the parameters, the table, the spheres in the
+  // order of the cells, and their counts and totals cleared where `results_clear` says that they are not yet. What is
+  // current already is kept.
+  void build(const CollideOptions& options, bool equal_radii, bool results_clear);
+
+  bool built() const { return built_; }    // for the spheres as they stand
+  void forget_order() { built_ = false; }  // a search without cells came between
+  bool dense() const { return planned_ == Cells::dense; }
+  Order order() const { return built_ ? order_ : Order::scene; }  // in which the search finds the spheres
+  uint indices(Order order) const;     // INDEX_IN_* of a launch that reads them in this order
+  std::vector<uint> sphere_indices();  // at each place of the cell order
+
+ private:
+  void plan_cells(const GridOptions& options);
+  bool stands_in_cell_order(const GridOptions& options);
+  std::vector<vec4> sample_positions();
+  void launch_bounds();
+
+  DeviceContext& context_;
+  GridPlans plans_;
+  PlanWatch watch_;                 // whether they still fit
+  std::optional<Cells> planned_;    // the cells that table and parameters are for
+  std::optional<bool> cell_order_;  // whether the spheres stand in cell order as they are; unknown after a move
+  uint64_t moves_to_wait_ = 0, moves_waited_ = 0;  // before that is looked at again
+  bool built_ = false;
+  Order order_ = Order::scene;
+  bool index_in_w_ = false;  // of the spheres in cell order
+};
+
+}  // namespace spherepair

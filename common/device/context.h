@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// What the components of one simulation share: the device, its buffers, and the parameters of the current step.
+#pragma once
+
+#include "common/device/buffers.h"
+
+namespace spherepair {
+
+struct DeviceContext {
+  explicit DeviceContext(Device& device) : device(device), buffers(device) {}
+
+  Device& device;
+  Buffers buffers;
+  Params params{};  // sent to the device only when they change, so components keep each other's part
+  uint64_t n = 0;   // spheres
+  bool equal_radii = true;
+  uint64_t version = 0;  // of the spheres and their contacts: grows with every move and search
+
+  const std::string& name() const { return device.info().name; }
+  bool software() const { return device.info().software; }
+  WorkCounts& work() { return device.work; }
+
+  // For Launch::overlaps of what uses nothing of a search in cell order.
+  std::optional<Kernel> overlaps_search(const ApiOptions& options) const {
+    const bool graph_pays = n < device.capabilities().graph_pays_below;
+    return options.overlaps(graph_pays) ? std::optional(Kernel::collide_grid) : std::nullopt;
+  }
+
+  void launch(const Launch& launch) { device.launch(launch, params); }
+  void launch(const Launch& launch, const Params& other) { device.launch(launch, other); }
+};
+
+// A thread for every sphere, and at least one for every word of the summary, which the same kernels clear.
+inline std::array<uint, 3> groups_per_sphere(const DeviceContext& context) {
+  return folded(ceil_div(std::max<uint64_t>(context.n, SUMMARY_SLOTS * SUMMARY_WORDS), SERVICE_BLOCK));
+}
+
+// Contact counts, in this order, and the totals.
+inline void clear_results(DeviceContext& context, Order order) {
+  const uint64_t threads = std::max<uint64_t>(context.n, SUMMARY_SLOTS * SUMMARY_WORDS);
+  context.launch(
+      {Kernel::clear, SERVICE_BLOCK, {}, folded(ceil_div(threads, SERVICE_BLOCK * SPHERES_PER_SORTER)), order});
+}
+
+}  // namespace spherepair

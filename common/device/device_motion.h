@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The motion of the spheres on a device: positions, velocities and what the method keeps beside them.
+#pragma once
+
+#include "common/device/context.h"
+
+namespace spherepair {
+
+class DeviceMotion {
+ public:
+  explicit DeviceMotion(DeviceContext& context) : context_(context) {}
+
+  // Into the buffers, and the scene's part of the parameters; with `saved` as a run left it.
+  void upload(const Scene& scene, const MotionState* saved);
+
+  void set_event_driven(bool on) { event_driven_ = on; }
+  MotionOptions options() const { return motion_; }
+
+  // One step. Where `clear_results`, and the method has a kernel that goes through all spheres, the counts and totals
+  // of the last search are cleared by it: true. Throws std::invalid_argument for a scene that cannot be moved.
+  bool step(bool clear_results, std::optional<Kernel> overlaps);
+
+  // Of `anchored`, which keeps anchors: the positions of this step, and the results cleared (true where anything was
+  // done). Other methods have their positions always.
+  bool evaluate_positions();
+  void evaluate_state();  // positions, velocities and the wide state
+
+  bool moved() const { return moved_; }  // since the upload of a scene at its start
+  Backend::State state();                // as evaluate_state left it
+  MotionState save();
+
+ private:
+  void write_state(const MotionState& state);
+  void launch(Kernel kernel, bool whole_state, bool clear_results, std::optional<Kernel> overlaps = {});
+
+  DeviceContext& context_;
+  MotionOptions motion_;
+  std::string unmovable_;  // why the scene cannot be moved
+  uint steps_ = 0;         // of `anchored`
+  bool evaluated_ = true;  // positions are those of this step
+  bool event_driven_ = true;
+  bool moved_ = false;
+};
+
+}  // namespace spherepair

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// One image on its way through the rasteriser: what every launch of it has in common.
+#pragma once
+
+#include "common/device/context.h"
+
+namespace spherepair {
+
+struct Frame {
+  View view;  // phase and pass change from launch to launch
+  DrawOptions options;
+  Params params;
+  Order order = Order::scene;        // of the spheres
+  uint visible_slot = SLOT_VISIBLE;  // its pixels
+  bool overlaps_previous = false;    // its spheres are drawn while the last image is still resolved
+  bool may_have_tiles = true;        // some sphere may look large
+  uint tiles_of_depth_pass = 0;      // where depths and indices take a pass each
+};
+
+inline uint64_t pixels(const View& view) { return uint64_t(view.width) * view.height; }
+
+// The launch with the frame's view and pixels.
+Launch drawing(const Frame& frame, Launch launch);
+void launch_drawing(DeviceContext& context, const Frame& frame, const Launch& launch);
+
+// The large spheres listed so far, tile by tile.
+void launch_tiles(DeviceContext& context, const Frame& frame);
+
+// Before the pass of the indices, which lists the tiles again, of fewer spheres where more is drawn by then.
+void restart_tiles(DeviceContext& context, Frame& frame);
+
+}  // namespace spherepair

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// One launch of a kernel, as both GPU APIs take it.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "common/device/kernel_list.h"
+#include "common/device/variant.h"
+#include "common/shared/view.h"
+
+namespace spherepair {
+
+#define ENUMERATOR(name) name,
+enum class Kernel { SPHEREPAIR_KERNELS(ENUMERATOR) };
+#undef ENUMERATOR
+
+const char* kernel_name(Kernel kernel);  // the stem of its two source files
+
+constexpr uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
+
+// `groups` along one axis, folded into the next where one dispatch cannot hold them.
+std::array<uint, 3> folded(uint64_t groups);
+
+// Which copy of the spheres a kernel sees as positions, contact counts and sphere indices.
+enum class Order { scene, buckets, cells };
+inline uint position_slot(Order order) {
+  return order == Order::cells ? SLOT_SORTED : order == Order::buckets ? SLOT_SPLIT : SLOT_POSITION;
+}
+inline uint id_slot(Order order) { return order == Order::buckets ? SLOT_SPLIT_ID : SLOT_ID; }
+inline uint count_slot(Order order) { return order == Order::cells ? SLOT_SORTED_COUNT : SLOT_COUNT; }
+
+struct Launch {
+  Kernel kernel;
+  uint block;  // threads per group
+  Variant variant;
+  std::array<uint, 3> groups = {1, 1, 1};
+  Order order = Order::scene;           // that the kernel reads
+  Order target = Order::cells;          // that it writes
+  uint table = SLOT_CELL;               // of the scan
+  const char* stage = nullptr;          // name of its time, where not the kernel's
+  std::optional<Kernel> overlaps = {};  // right behind this kernel it may begin while that one still runs: neither
+                                        // writes what the other uses
+  const View* view = nullptr;           // of kernels that draw, which see contact counts by sphere index
+  uint visible_slot = SLOT_VISIBLE;     // of kernels that draw
+  uint64_t texels = 0;                  // GLSL, where variant.texture_table is set: elements of the buffer texture
+};
+
+inline uint count_slot(const Launch& launch) { return launch.view ? SLOT_COUNT : count_slot(launch.order); }
+inline const char* stage_name(const Launch& launch) { return launch.stage ? launch.stage : kernel_name(launch.kernel); }
+
+}  // namespace spherepair

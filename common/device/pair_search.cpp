@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include "common/device/pair_search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "common/backend/checks.h"
+#include "common/backend/method_choice.h"
+#include "common/device/all_pairs.h"
+
+namespace spherepair {
+namespace {
+
+constexpr uint resolve_groups = 64, tally_groups = 1024;
+// Fewer spheres fit the caches together, so groups of collide_grid stride through them; of more, each group takes so
+// few chunks in a row that neighbouring groups work on neighbouring cells.
+constexpr uint64_t cached_spheres = 4'000'000;
+constexpr uint64_t most_groups = 4096;  // of few spheres: enough to balance the load on a large device
+constexpr uint threads_per_chunk = 32;  // of a group, which takes that many chunks in a row of many spheres
+
+uint64_t join(const uint* words) { return uint64_t(words[1]) << 32 | words[0]; }
+
+}  // namespace
+
+void PairSearch::upload(const Scene& scene) {
+  const uint64_t n = scene.size();
+  context_.buffers.resize(SLOT_COUNT, n * sizeof(uint));
+  context_.buffers.resize(SLOT_SUMMARY, SUMMARY_SLOTS * SUMMARY_WORDS * sizeof(uint));
+  context_.buffers.resize(SLOT_DEFERRED, std::max<uint64_t>(n, 4096) * sizeof(uvec2));
+  context_.buffers.resize(SLOT_PAIR, std::max<uint64_t>(n, 4096) * sizeof(uvec2));
+  constants_ = {scene_params(scene, false), scene_params(scene, true)};
+  order_ = Order::scene;
+  searched_ = results_clear_ = counts_sorted_ = false;
+  resolved_in_step_.clear();
+}
+
+void PairSearch::moved(bool results_cleared) {
+  results_clear_ = results_cleared;
+  searched_ = false;
+}
+
+MethodChoice PairSearch::choice(const CollideOptions& options) const {
+  return explain_choice(context_.device.info(), context_.n, sorter_.plans(), options);
+}
+
+void PairSearch::choose(const CollideOptions& options) {
+  const BackendInfo& info = context_.device.info();
+  options_ = options;
+  options_.method = chosen_method(info, context_.n, sorter_.plans(), options);
+  const bool may_use_grid = options.method == Method::collide_grid ||
+                            (options.method == Method::automatic && may_take_grid(crossover_of(info), context_.n));
+  if (options.grid.replan && may_use_grid && sorter_.replan_if_needed())
+    options_.method = chosen_method(info, context_.n, sorter_.plans(), options);
+  options_.block = chosen_block(info, context_.n, options_.method, options);
+}
+
+void PairSearch::enqueue(const CollideOptions& options) {
+  if (std::ranges::find(block_sizes(), options.block) == block_sizes().end())
+    throw std::invalid_argument(
+        fmt::format("group size {} is not one of {}", options.block, fmt::join(block_sizes(), ", ")));
+  check_collide(options);
+  context_.device.check(options);
+  if (options.swept) {
+    const CollideOptions chosen = {.method =
+                                       chosen_method(context_.device.info(), context_.n, sorter_.plans(), options)};
+    check_swept(context_.name(), chosen, motion_.options());
+    motion_.evaluate_state();
+  } else {
+    evaluate_positions();
+  }
+  choose(options);
+  launch_search();
+  searched_ = true;
+}
+
+// The scene's constants, and what the options say. Grid and sort add theirs.
+void PairSearch::set_params() {
+  Params& params = context_.params;
+  params = constants_[options_.exact];
+  if (!options_.filter) leave_all_undecided(params);
+  params.n = uint(context_.n);
+  params.in_cells = 0;
+  params.columns_per_group = options_.columns ? options_.columns : default_columns(context_.n, context_.software());
+  params.pair_capacity = options_.want_pairs ? uint(context_.buffers.bytes(SLOT_PAIR) / sizeof(uvec2)) : 0;
+  params.deferred_capacity = uint(context_.buffers.bytes(SLOT_DEFERRED) / sizeof(uvec2));
+}
+
+void PairSearch::launch_search() {
+  ++context_.version;
+  set_params();
+  variant_.equal_radii = context_.equal_radii && !options_.load_radii;
+  variant_.listed = options_.want_pairs;
+  WorkCounts& work = context_.work();
+  ++work.steps;
+  work.without_radii += variant_.equal_radii;
+  work.lists += variant_.listed;
+  const bool grid = options_.method == Method::collide_grid && context_.n >= 2;
+  search_decides_ = grid && sorter_.plans().plan(options_.grid.cells).cells == Cells::dense;
+  tallied_ = false;
+  resolved_ = true;
+  if (!grid) sorter_.forget_order();
+  context_.device.begin_step(options_.api);
+  if (!grid && !results_clear_) clear_results(context_, Order::scene);
+  if (context_.n >= 2) {
+    grid ? launch_grid() : launch_all_pairs(context_, options_, variant_);
+    results_clear_ = false;
+    resolved_ = !options_.exact;
+  }
+  order_ = sorter_.order();
+  counts_sorted_ = order_ == Order::cells;
+  if (resolved_in_step_.contains(kind())) resolve_undecided();
+  context_.device.end_step();
+}
+
+void PairSearch::launch_grid() {
+  Params& params = context_.params;
+  const bool few = context_.n < cached_spheres;
+  // Before the first launch: parameters that change within a step are sent again.
+  params.columns_per_group = options_.block * (few ? 1 : options_.block / threads_per_chunk);
+  sorter_.build(options_, variant_.equal_radii, results_clear_);
+  Launch launching{params.hash_mask != 0 ? Kernel::collide_hashed : Kernel::collide_grid, options_.block, variant_};
+  if (launching.kernel == Kernel::collide_grid) {
+    launching.texels = uint64_t(params.cell_slots) + 2;
+    launching.variant.texture_table =
+        context_.device.reads_texture(launching.kernel, params, launching.texels, options_.api.texture_table);
+  }
+  const uint64_t chunks = ceil_div(context_.n, params.columns_per_group);
+  launching.groups = folded(few ? std::min(chunks, most_groups) : chunks);
+  launching.order = sorter_.order();
+  context_.launch(launching);
+}
+
+// Decides what was deferred, of which there is hardly ever anything: so finish() launches it only where a pair is left;
+// from then on it is part of every step of that kind of search.
+void PairSearch::resolve_undecided() {
+  if (resolved_) return;
+  context_.launch({Kernel::resolve_undecided, SERVICE_BLOCK, variant_, {resolve_groups, 1, 1}, order_});
+  resolved_ = true;
+}
+
+std::vector<uint> PairSearch::read_summary() {
+  return context_.buffers.read<uint>(SLOT_SUMMARY, SUMMARY_SLOTS * SUMMARY_WORDS);
+}
+
+bool PairSearch::grow_lists(const std::vector<uint>& summary) {
+  const uint64_t deferred = summary[SUM_DEFERRED], listed = summary[SUM_LISTED];
+  const bool short_deferred = deferred > context_.params.deferred_capacity;
+  const bool short_pairs = options_.want_pairs && listed > context_.params.pair_capacity;
+  if (short_deferred) context_.buffers.resize(SLOT_DEFERRED, (deferred + deferred / 8) * sizeof(uvec2));
+  if (short_pairs) context_.buffers.resize(SLOT_PAIR, (listed + listed / 8) * sizeof(uvec2));
+  return short_deferred || short_pairs;
+}
+
+bool PairSearch::repeat_if_too_short() {
+  if (!searched_ || !grow_lists(read_summary())) return false;
+  launch_search();
+  return true;
+}
+
+Collisions PairSearch::finish() {
+  if (!searched_)
+    throw BackendError(
+        fmt::format("{}: no collision step to report since the last move; call collide first", context_.name()));
+  std::vector<uint> summary = read_summary();
+  const bool left = summary[SUM_DEFERRED] != 0;
+  if (options_.exact && !left) resolved_in_step_.erase(kind());
+  if (options_.exact && left) resolved_in_step_.insert(kind());
+  bool changed = left && !resolved_;
+  if (changed) resolve_undecided();
+  while (repeat_if_too_short()) changed = true;
+  if (!tallied_) {
+    context_.launch({Kernel::tally, SERVICE_BLOCK, {}, {tally_groups, 1, 1}, order_});
+    changed = tallied_ = true;
+  }
+  return totals(changed ? read_summary() : summary);
+}
+
+Collisions PairSearch::totals(const std::vector<uint>& summary) const {
+  Collisions total;
+  for (uint row = 0; row < SUMMARY_SLOTS; ++row) {
+    const uint* sum = &summary[row * SUMMARY_WORDS];
+    total.pairs += join(sum + SUM_PAIRS);
+    total.fingerprint.a += join(sum + SUM_MIX_A);
+    total.fingerprint.b += join(sum + SUM_MIX_B);
+    total.colliding_spheres += join(sum + SUM_COLLIDING);
+    for (uint stage = 0; stage < STAGES; ++stage) total.decided_by[stage] += sum[SUM_STAGE + stage];
+    total.deferred += sum[search_decides_ ? SUM_UNDECIDED : SUM_DEFERRED];
+  }
+  return total;
+}
+
+std::vector<uint> PairSearch::counts() {
+  const std::vector<uint> counts = context_.buffers.read<uint>(count_slot(order_), context_.n);
+  if (order_ != Order::cells) return counts;
+  const std::vector<uint> indices = sorter_.sphere_indices();
+  std::vector<uint> by_index(context_.n);
+  for (uint64_t k = 0; k < context_.n; ++k) by_index[indices[k]] = counts[k];
+  return by_index;
+}
+
+void PairSearch::require_list() const {
+  if (!options_.want_pairs)
+    throw BackendError(fmt::format("{}: no pair list was asked for; set want_pairs", context_.name()));
+}
+
+std::vector<Pair> PairSearch::pairs(uint64_t count) {
+  if (count > std::numeric_limits<uint>::max())
+    throw BackendError(
+        fmt::format("{}: {} pairs collide, but a list holds 2^32 - 1 at most; ask for the numbers without the list",
+                    context_.name(), count));
+  DeviceLibrary* library = context_.device.library();
+  if (library) library->sort_pairs(count);
+  std::vector<Pair> pairs = context_.buffers.read<Pair>(SLOT_PAIR, count);
+  if (!library) std::ranges::sort(pairs);
+  return pairs;
+}
+
+void PairSearch::prepare_counts(bool sorted) {
+  evaluate_positions();
+  if (!searched_) {
+    if (!results_clear_) clear_results(context_, Order::scene);
+    results_clear_ = true;
+    return;
+  }
+  resolve_undecided();
+  if (!counts_sorted_ || sorted) return;
+  context_.launch({Kernel::draw_unsort_counts, SERVICE_BLOCK, {}, folded(ceil_div(context_.n, SERVICE_BLOCK))});
+  counts_sorted_ = false;
+}
+
+}  // namespace spherepair

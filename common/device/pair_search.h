@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// The search for colliding pairs on a device: chooses and launches it, decides what its filter left, and reads results.
+#pragma once
+
+#include <set>
+#include <utility>
+
+#include "common/device/cell_sorter.h"
+#include "common/device/device_motion.h"
+#include "common/scene/scene_params.h"
+
+namespace spherepair {
+
+class PairSearch {
+ public:
+  PairSearch(DeviceContext& context, DeviceMotion& motion, CellSorter& sorter)
+      : context_(context), motion_(motion), sorter_(sorter) {}
+
+  void upload(const Scene& scene);
+  void moved(bool results_cleared);
+  void evaluate_positions() { results_clear_ |= motion_.evaluate_positions(); }
+
+  MethodChoice choice(const CollideOptions& options) const;
+
+  // Launches a search of these positions and returns. Left out until finish(): pairs that the filter left undecided
+  // (unless the last search of this kind had some, which makes their kernel part of the step), lists that are too short
+  // and the number of colliding spheres.
+  void enqueue(const CollideOptions& options);
+
+  // Waits for the search and completes it. Throws BackendError where there was none since the last move.
+  Collisions finish();
+  bool searched() const { return searched_; }
+  const CollideOptions& options() const { return options_; }
+
+  std::vector<uint> counts();                            // of a search that was finished, by sphere index
+  void require_list() const;                             // throws BackendError where the last search kept no pairs
+  std::vector<Pair> pairs(uint64_t count);               // of a search that was finished and kept them, canonical order
+  bool counts_sorted() const { return counts_sorted_; }  // they stand in cell order
+  bool results_clear() const { return results_clear_; }
+
+  // For drawing: contact counts of these positions, by sphere index unless `sorted` will do; 0 without a search.
+  void prepare_counts(bool sorted);
+
+  // Whether a list was too short for the search, which is repeated then.
+  bool repeat_if_too_short();
+
+ private:
+  void choose(const CollideOptions& options);
+  void launch_search();
+  void launch_grid();
+  void set_params();
+  void resolve_undecided();
+  std::vector<uint> read_summary();
+  bool grow_lists(const std::vector<uint>& summary);
+  Collisions totals(const std::vector<uint>& summary) const;
+  std::pair<Method, bool> kind() const { return {options_.method, search_decides_}; }
+
+  DeviceContext& context_;
+  DeviceMotion& motion_;
+  CellSorter& sorter_;
+  std::array<Params, 2> constants_{};  // of the scene: [exact]
+  CollideOptions options_;             // of the last search, method and group size as chosen
+  Variant variant_;
+  Order order_ = Order::scene;   // of its results
+  bool searched_ = false;        // these positions
+  bool results_clear_ = false;   // counts and totals are 0
+  bool counts_sorted_ = false;   // SLOT_COUNT lacks the counts that SLOT_SORTED_COUNT has
+  bool search_decides_ = false;  // most pairs that the filter leaves undecided, and defers only what is left
+  bool resolved_ = true;         // what was deferred
+  bool tallied_ = true;          // colliding spheres are counted
+  std::set<std::pair<Method, bool>> resolved_in_step_;  // kinds of search whose deferred pairs are decided in the step
+};
+
+}  // namespace spherepair

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "common/device/rasterizer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include "common/scene/camera.h"
+
+namespace spherepair {
+namespace {
+
+constexpr uint64_t least_tiles = 1 << 16, most_tiles = 1 << 22;  // that the list has room for at first
+
+static_assert(sizeof(View) == 208);
+
+}  // namespace
+
+void Rasterizer::upload() {
+  view_ = {};
+  current_ = false;
+  images_kept_ = 0;
+  culling_.upload();
+}
+
+void Rasterizer::enqueue(const View& view, const DrawOptions& options) {
+  check_view(view);
+  const bool lit_by_cells =
+      search_.searched() && search_.options().method == Method::collide_grid && context_.n > 1 && sorter_.dense();
+  if (view.lighting != 0 && !lit_by_cells)
+    throw std::invalid_argument(fmt::format(
+        "{}: occlusion and shadows need the dense cells of collide_grid; collide with them first", context_.name()));
+  if (options.reuse_unchanged && current(view, options)) {
+    ++images_kept_;
+    return;
+  }
+  current_ = false;
+  view_ = view;
+  options_ = options;
+  launch();
+  current_ = true;
+  version_ = context_.version;
+}
+
+bool Rasterizer::current(const View& view, const DrawOptions& options) const {
+  return current_ && version_ == context_.version && std::memcmp(&view, &view_, sizeof(View)) == 0 &&
+         options == options_;
+}
+
+void Rasterizer::launch() {
+  search_.prepare_counts(draws_by_compute());
+  if (draws_by_compute()) return launch_compute(false);
+  context_.device.pipeline()->draw_spheres(options_.method, view_, uint(context_.n));
+}
+
+Frame Rasterizer::make_frame(bool keep) {
+  Frame frame{.view = view_, .options = options_, .params = context_.params};
+  frame.order = search_.searched() ? sorter_.order() : Order::scene;
+  frame.params.in_cells = sorter_.indices(frame.order);
+  const bool culls = (options_.frustum_culling || options_.occlusion_culling) && context_.n >= options_.clusters_from;
+  View& view = frame.view;
+  view.tile_capacity = uint(context_.buffers.bytes(SLOT_TILE) / sizeof(uvec2));
+  view.counting = options_.count;
+  view.pass = PASS_DEPTH;
+  view.phase = PHASE_SEEN;
+  view.turn = culling_.turn();
+  view.clusters = 0;
+  view.occlusion = culls && options_.occlusion_culling;
+  view.lanes = culls ? 1 : options_.lanes(context_.n);
+  frame.may_have_tiles = may_be_large(view);
+  pixels_kept_ = keep || view.lighting;
+  choose_pixels(frame, culls || pixels_kept_ || frame.params.in_cells);
+  return frame;
+}
+
+// Images by turns in two buffers of pixels have nothing in common but what they read, where nothing is counted or
+// listed. Others use the first.
+void Rasterizer::choose_pixels(Frame& frame, bool alone) {
+  const bool shares = alone || !context_.device.capabilities().overlaps_images || !options_.overlap ||
+                      frame.view.counting || frame.may_have_tiles;
+  frame.overlaps_previous = !shares;
+  frame.visible_slot = shares || frame_.visible_slot == SLOT_VISIBLE_ODD ? SLOT_VISIBLE : SLOT_VISIBLE_ODD;
+  make_pixels(frame.visible_slot, pixels(frame.view) * 2 * sizeof(uint));
+}
+
+void Rasterizer::make_pixels(uint slot, uint64_t bytes) {
+  if (context_.buffers.bytes(slot) >= bytes) return;
+  pixels_clear_[slot] = 0;
+  if (slot == SLOT_VISIBLE) culling_.forget_visible();
+  context_.buffers.resize(slot, bytes);
+}
+
+// `keep`: the visible spheres are to be read. Else their pixels, and the counts, are cleared for the next image.
+void Rasterizer::launch_compute(bool keep) {
+  context_.buffers.grow(SLOT_IMAGE, pixels(view_) * sizeof(uint));
+  context_.buffers.grow(SLOT_DRAWN, 2 * DRAWN_WORDS * sizeof(uint));
+  context_.buffers.grow(SLOT_TILE, std::clamp(context_.n, least_tiles, most_tiles) * sizeof(uvec2));
+  frame_ = make_frame(keep);
+  View& view = frame_.view;
+  const bool culls = (options_.frustum_culling || options_.occlusion_culling) && context_.n >= options_.clusters_from;
+  const bool by_cells =
+      motion_.moved() && context_.equal_radii && search_.searched() && sorter_.built() && sorter_.dense();
+  const uint64_t clear = std::exchange(pixels_clear_[frame_.visible_slot], 0);
+  if (view.occlusion) culling_.prepare_list();
+  if (pixels(view) > clear) launch_per_pixel(frame_, Kernel::draw_clear);
+  if (context_.n > 0) culls ? culling_.draw(frame_, by_cells) : draw_all(frame_);
+  view.pass = pixels_kept_ ? PASS_KEEP : PASS_DEPTH;
+  launch_per_pixel(frame_, view.lighting ? Kernel::draw_light : Kernel::draw_resolve);
+  if (pixels_kept_) {
+    pixels_clear_ = {};
+  } else {
+    pixels_clear_[frame_.visible_slot] = std::max(clear, pixels(view));
+  }
+  if (view.occlusion) culling_.end_image();
+}
+
+// One pass with 64-bit atomics, else one for depths and one for indices.
+void Rasterizer::draw_all(Frame& frame) {
+  for (const uint pass : {PASS_DEPTH, PASS_ID}) {
+    if (pass == PASS_ID && context_.device.capabilities().atomics_64) return;
+    frame.view.pass = pass;
+    if (pass == PASS_ID) restart_tiles(context_, frame);
+    const auto groups = folded(ceil_div(context_.n * frame.view.lanes, SERVICE_BLOCK));
+    Launch spheres{Kernel::draw_spheres, SERVICE_BLOCK, {}, groups, frame.order};
+    if (frame.overlaps_previous) spheres.overlaps = Kernel::draw_resolve;
+    launch_drawing(context_, frame, spheres);
+    launch_tiles(context_, frame);
+  }
+}
+
+// Whether any sphere's box of pixels may be large (is_large). As they were uploaded, all lie in the dense cells' box,
+// so none looks larger than the largest would in its nearest corner, at the image's edge.
+bool Rasterizer::may_be_large(const View& view) const {
+  if (motion_.moved() || !options_.skip_tile_launches) return true;
+  const GridPlan& plan = sorter_.plans().dense;
+  const double eye[] = {view.eye.x, view.eye.y, view.eye.z};
+  const double forward[] = {view.forward.x, view.forward.y, view.forward.z};
+  const double radius = plan.largest_radius;
+  double close = 0, coordinates = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = plan.origin[axis] - eye[axis], high = low + plan.size[axis] * double(plan.side);
+    close += std::min(forward[axis] * low, forward[axis] * high);
+    coordinates += std::abs(eye[axis]) + std::max(std::abs(low), std::abs(high));
+  }
+  close -= coordinates * 0x1p-20;  // more than rounding takes from a coordinate
+  if (!(close > 1.01 * radius)) return true;
+  const double aside = std::max(view.half_x, view.half_y), beyond = std::max(view.norm_x, view.norm_y) * radius;
+  const double pixels = 2 * radius * view.focal * ((1 + aside) * close + beyond) / (close * close - radius * radius);
+  const uint most = view.lanes == LANES ? SHARE_AT_MOST : WALK_AT_MOST;
+  return !(1.01 * pixels + 2 <= most);
+}
+
+void Rasterizer::launch_per_pixel(const Frame& frame, Kernel kernel) {
+  const bool one_each = kernel == Kernel::draw_light;
+  const uint block = one_each ? SERVICE_BLOCK : PIXELS_BLOCK, each = one_each ? 1 : PIXELS_EACH;
+  launch_drawing(context_, frame, {kernel, block, {}, folded(ceil_div(pixels(frame.view), block * each))});
+}
+
+void Rasterizer::require_drawn(bool by_compute) const {
+  if (view_.width == 0) throw BackendError(fmt::format("{}: nothing is drawn yet; call draw first", context_.name()));
+  if (by_compute && !draws_by_compute())
+    throw BackendError(fmt::format("{}: the last image was drawn by {}, which keeps no indices of spheres",
+                                   context_.name(), draw_method_name(options_.method)));
+}
+
+bool Rasterizer::grow_tiles() {
+  if (!draws_by_compute()) return false;
+  uint tiles = 0;
+  context_.device.read(SLOT_DRAWN, &tiles, statistics_offset() + DRAWN_TILES * sizeof(uint), sizeof(uint));
+  tiles = std::max(tiles, frame_.tiles_of_depth_pass);
+  if (tiles <= frame_.view.tile_capacity) return false;
+  context_.buffers.resize(SLOT_TILE, (uint64_t(tiles) + tiles / 8) * sizeof(uvec2));
+  return true;
+}
+
+// Lists of the search that were too short mean wrong colours, so they are looked at too.
+void Rasterizer::finish() {
+  for (;;) {
+    const bool tiles = grow_tiles(), pairs = search_.repeat_if_too_short();
+    if (!tiles && !pairs) break;
+    launch();
+  }
+  version_ = context_.version;
+  current_ = true;
+}
+
+std::vector<uint> Rasterizer::image() {
+  require_drawn(false);
+  finish();
+  if (!draws_by_compute()) return context_.device.pipeline()->read_image();
+  return context_.buffers.read<uint>(SLOT_IMAGE, pixels(view_));
+}
+
+std::vector<uvec2> Rasterizer::visible() {
+  require_drawn(true);
+  finish();
+  while (!pixels_kept_) {
+    launch_compute(true);
+    finish();  // which may have to draw it with longer lists
+  }
+  return context_.buffers.read<uvec2>(SLOT_VISIBLE, pixels(view_));
+}
+
+DrawStatistics Rasterizer::statistics() {
+  require_drawn(true);
+  if (!options_.count) throw BackendError(fmt::format("{}: drawing was not counted; set count", context_.name()));
+  finish();
+  std::vector<uint> drawn(DRAWN_WORDS);
+  context_.device.read(SLOT_DRAWN, drawn.data(), statistics_offset(), drawn.size() * sizeof(uint));
+  return {.drawn = uint64_t(drawn[DRAWN_SMALL]) + drawn[DRAWN_LARGE],
+          .unseen = drawn[DRAWN_UNSEEN],
+          .large = drawn[DRAWN_LARGE],
+          .tiles = std::max(drawn[DRAWN_TILES], frame_.tiles_of_depth_pass),
+          .hidden = drawn[DRAWN_HIDDEN],
+          .undrawable = drawn[DRAWN_UNDRAWABLE],
+          .clusters = frame_.view.clusters,
+          .clusters_outside = drawn[DRAWN_CLUSTERS_OUTSIDE],
+          .clusters_hidden = drawn[DRAWN_CLUSTERS_HIDDEN],
+          .clusters_deferred = drawn[DRAWN_CLUSTERS_DEFERRED],
+          .bundles_left_out = drawn[DRAWN_BUNDLES],
+          .images_kept = images_kept_};
+}
+
+}  // namespace spherepair

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Images of the spheres, coloured by their contacts, through compute kernels; through OpenGL's pipeline where the
+// device has one.
+#pragma once
+
+#include "common/device/cluster_culling.h"
+#include "common/device/pair_search.h"
+
+namespace spherepair {
+
+class Rasterizer {
+ public:
+  Rasterizer(DeviceContext& context, DeviceMotion& motion, CellSorter& sorter, PairSearch& search)
+      : context_(context), motion_(motion), sorter_(sorter), search_(search), culling_(context, sorter) {}
+
+  void upload();
+
+  // Launches an image and returns; finish() waits, and draws it again where a list was too short.
+  void enqueue(const View& view, const DrawOptions& options);
+  void finish();
+
+  std::vector<uint> image();
+  std::vector<uvec2> visible();  // the image is drawn again where its pixels were not kept
+  DrawStatistics statistics();
+
+ private:
+  bool current(const View& view, const DrawOptions& options) const;
+  void require_drawn(bool by_compute) const;
+  bool draws_by_compute() const { return options_.method == DrawMethod::compute; }
+  void launch();
+  void launch_compute(bool keep);
+  Frame make_frame(bool keep);
+  void choose_pixels(Frame& frame, bool alone);
+  void make_pixels(uint slot, uint64_t bytes);
+  void draw_all(Frame& frame);
+  bool may_be_large(const View& view) const;
+  void launch_per_pixel(const Frame& frame, Kernel kernel);
+  bool grow_tiles();
+  uint64_t statistics_offset() const { return pixels_kept_ ? 0 : DRAWN_WORDS * sizeof(uint); }  // in SLOT_DRAWN
+
+  DeviceContext& context_;
+  DeviceMotion& motion_;
+  CellSorter& sorter_;
+  PairSearch& search_;
+  ClusterCulling culling_;
+  View view_{};  // of the last image, as it was asked for; a width of 0: there was none
+  DrawOptions options_;
+  Frame frame_{};                                    // of the last image
+  bool current_ = false;                             // it shows ...
+  uint64_t version_ = 0;                             // ... the spheres and contacts as they were then
+  bool pixels_kept_ = false;                         // its visible spheres are still there
+  std::array<uint64_t, SLOT_TOTAL> pixels_clear_{};  // of the two slots of pixels; the counts of SLOT_DRAWN are then
+                                                     // those of a new image
+  uint64_t images_kept_ = 0;
+};
+
+}  // namespace spherepair
