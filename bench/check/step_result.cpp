@@ -25,7 +25,7 @@ const char* answer_word(bool collide) { return collide ? "collide" : "apart"; }
 
 [[noreturn]] void report_pair(const Place& place, const Configuration& reference, const Configuration& configuration,
                               const Difference& difference) {
-  const Backend::State state = reference.backend->state();
+  const Backend::State state = current_state(*reference.backend);
   const auto [i, j] = difference.pair;
   const Margin margin = margin_of(state.positions.at(i), state.positions.at(j));
   const std::string left = label(reference), right = label(configuration);
@@ -180,11 +180,11 @@ void require_same_state(Session& session, const Place& place, const Backend& ref
 }
 
 uint64_t require_same_states(Session& session, const Place& place) {
-  const Backend::State expected = session.reference().state();
+  const Backend::State expected = current_state(session.reference());
   require_finite(expected, place.step);
   for (const auto& backend : session.backends())
     if (backend.get() != &session.reference())
-      require_same_state(session, place, session.reference(), expected, *backend, backend->state());
+      require_same_state(session, place, session.reference(), expected, *backend, current_state(*backend));
   return state_hash(expected.positions, expected.velocities, expected.wide);
 }
 

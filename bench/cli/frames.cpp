@@ -89,7 +89,6 @@ class Bench {
       try {
         backend->upload(scene);
         backend->collide(in_dense_cells(*backend, n));
-        backend->collisions();
       } catch (const BackendError& error) {
         leave_out(n, *backend, "all", error.what());
         continue;
@@ -138,12 +137,14 @@ class Bench {
                   {"work", task.work}};
     check(task, views, entry);
     uint64_t turn = 0;
-    const auto image = [&](Backend& backend) { backend.draw(views[turn++ % views.size()], draw_options(task)); };
+    const auto image = [&](Backend& backend) {
+      backend.enqueue_draw(views[turn++ % views.size()], draw_options(task));
+    };
     Contender contender{label(task), task.backend, image};
     if (task.work == "loop") {
       contender.step = [&](Backend& backend) {
         backend.move();
-        backend.collide(in_dense_cells(backend, n));
+        backend.enqueue_collide(in_dense_cells(backend, n));
         image(backend);
       };
       contender.restart = [&](Backend& backend) {

@@ -147,7 +147,7 @@ std::vector<uint> take_image(const Series& series, uint64_t step, json& record_o
   Backend& backend = *series.chosen.backend;
   CollideOptions collide = {.method = series.method};
   if (series.shot.look.lighting) collide.grid.cells = Cells::dense;
-  require_finite(backend.state(), step);
+  require_finite(current_state(backend), step);
   backend.collide(collide);
   record_of_it = record(series, step, backend.collisions());
   std::vector<uint> image = take(backend, series.shot);
@@ -192,7 +192,7 @@ int render_command(const CommandLine& line, const RenderOptions& options) {
   send(start, *chosen.backend);
   const double aspect = double(options.width) / options.height;
   for (uint64_t step = 0; step < options.steps; ++step) chosen.backend->move();
-  const Backend::State state = chosen.backend->state();
+  const Backend::State state = current_state(*chosen.backend);
   require_finite(state, start.step + options.steps);
   const Bounds bounds = bounds_of(state.positions);
   const Camera camera = camera_of(options.camera, bounds, aspect);

@@ -91,7 +91,7 @@ std::vector<RunStep> simulate(Backend& backend, const RunOptions& options, const
     const bool on_the_way = options.save_every && step > start.step && step % options.save_every == 0;
     const bool saves = !options.save_file.empty() && (last || on_the_way);
     if (!looks && !saves) continue;
-    Backend::State state = backend.state();
+    Backend::State state = current_state(backend);
     require_finite(state, step);
     const uint64_t hash = state_hash(state.positions, state.velocities, state.wide);
     if (saves) save(backend, start, step, std::move(state), options.save_file);

@@ -16,7 +16,7 @@ Contender contender_for(const BenchRow& row) {
   const bool moves = *row.work != Work::collide, collides = *row.work != Work::move;
   return {row.name, row.backend, [=](Backend& b) {
             if (moves) b.move();
-            if (collides) b.collide(options);
+            if (collides) b.enqueue_collide(options);
           }};
 }
 
@@ -71,7 +71,8 @@ void BenchScene::check_motion(const BenchRow& row) {
     backend->upload(scene_);
     backend->move();
   }
-  require_same_state(session_, {options_, 1}, reference, reference.state(), *row.backend, row.backend->state());
+  require_same_state(session_, {options_, 1}, reference, current_state(reference), *row.backend,
+                     current_state(*row.backend));
 }
 
 uint64_t BenchScene::check(const BenchRow& row, const Sampling& sampling) {

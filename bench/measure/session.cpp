@@ -57,7 +57,7 @@ Backend* Session::find(const std::string& name) const {
 
 void Session::collide(Backend& backend, const CollideOptions& options) {
   const std::string key = first_key(backend, options);
-  if (first_.contains(key)) return backend.collide(options), backend.finish();
+  if (first_.contains(key)) return backend.collide(options);
   backend.finish();
   const auto start = std::chrono::steady_clock::now();
   backend.collide(options);

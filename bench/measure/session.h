@@ -32,7 +32,7 @@ class Session {
   // Of the whole run: every check plans what it will compare, and every comparison that found equality counts itself.
   Comparisons comparisons;
 
-  // Enqueues, waits, and keeps the time of a kernel's first use in this process, which compiles it.
+  // A complete search; keeps the time of a kernel's first use in this process, which compiles it.
   void collide(Backend& backend, const CollideOptions& options);
   double first_seconds(const Backend& backend, const CollideOptions& options) const;
 

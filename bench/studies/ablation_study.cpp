@@ -132,7 +132,7 @@ void AblationStudy::check_moves(const Turn& turn) {
     hold(backend, turn.ablation->spheres);
     holding_.erase(&backend);
     for (int k = 0; k < moves_checked; ++k) step_of(*turn.ablation, on)(backend);
-    return backend.state();
+    return current_state(backend);
   };
   const Backend::State right = moved(*reference().backend, true);
   spending(spent.checking, [&] {

@@ -57,8 +57,8 @@ std::function<void(Backend&)> step_of(const Ablation& ablation, bool on) {
       return [reads, options = on ? ablation.on : ablation.off,
               moves = ablation.spheres == Spheres::windy](Backend& backend) {
         if (moves) backend.move();
+        if (reads == Reads::nothing) return backend.enqueue_collide(options);
         backend.collide(options);
-        if (reads == Reads::totals) backend.collisions();
         if (reads == Reads::counts) backend.counts();
       };
   }
@@ -92,6 +92,7 @@ json work_a_step(const Ablation& ablation, bool on, Backend& backend, const Scen
   const WorkCounts before = backend.work_counts();
   for (int k = 0; k < steps_counted; ++k) step(backend);
   json work = counts_json(before, backend.work_counts());
+  backend.collide(on ? ablation.on : ablation.off);
   work["left_to_exact_stages"] = backend.collisions().deferred;
   return work;
 }

@@ -129,7 +129,7 @@ void CrossoverSweep::time(const SphereKind& kind, const SceneOptions& scene, con
   std::vector<Contender> contenders;
   for (const Way& w : ways) {
     const std::string label = fmt::format("{} {} {} of {}", w.backend->info().name, w.name, kind.name, scene.n);
-    contenders.push_back({label, w.backend, [o = w.options](Backend& b) { b.collide(o); }, true});
+    contenders.push_back({label, w.backend, [o = w.options](Backend& b) { b.enqueue_collide(o); }, true});
   }
   const std::vector<Samples> samples = measure(contenders, sampling_, progress_);
   Timing timing{.backend = ways.front().backend->info().name, .kind = kind.name, .n = scene.n};

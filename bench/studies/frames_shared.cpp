@@ -22,7 +22,7 @@ json time_transfers(const SharedTask& task, SharedDrawing& shared, const TimeSte
   uint64_t turn = 0;
   const auto step = [&] {
     cuda.move();
-    cuda.collide(task.collide);
+    cuda.enqueue_collide(task.collide);
   };
   const double step_seconds = time("none", "step", step);
   for (const Transfer by : {Transfer::host, Transfer::registered, Transfer::imported}) {

@@ -31,7 +31,7 @@ RunResult run_for_set(Session& session, Backend& backend, const Scene& scene, ui
   backend.upload(scene);
   for (uint64_t step = 0; step < steps; ++step) backend.move();
   const Configuration configuration = {&backend, {.method = choose_method("", backend)}};
-  Backend::State state = backend.state();
+  Backend::State state = current_state(backend);
   require_finite(state, steps);
   return {&backend, std::move(state), run_step(session, configuration, true)};
 }
@@ -73,7 +73,7 @@ std::array<Samples, 2> time_predicates(Session& session, const SetPlan& plan, Co
     CollideOptions options = configuration.options;
     options.exact = exact;
     contenders.push_back({fmt::format("{} {}", label(configuration), exact ? "exact" : "naive"), configuration.backend,
-                          [options](Backend& backend) { backend.collide(options); }});
+                          [options](Backend& backend) { backend.enqueue_collide(options); }});
     session.collide(*configuration.backend, options);
   }
   std::vector<Samples> samples = measure(contenders, plan.sampling, progress);

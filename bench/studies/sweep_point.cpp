@@ -143,7 +143,7 @@ PointTimes time_point(Session& session, const SweepPoint& point, const PeakRates
     require_equal(session, {scene_of(point), 0}, reference, right, configuration, answer);
     totals.push_back(answer.totals);
     contenders.push_back({label(configuration), configuration.backend,
-                          [options = configuration.options](Backend& b) { b.collide(options); }});
+                          [options = configuration.options](Backend& b) { b.enqueue_collide(options); }});
   }
   expected.clear();
   session.comparisons.require_complete();

@@ -31,7 +31,7 @@ ErrorEntry run_for_errors(Backend& backend, const Scene& scene, int k, uint64_t 
   for (uint64_t step = 1; step <= steps; ++step) {
     backend.move();
     if (step != steps && step % std::max<uint64_t>(steps / looks, 1) != 0) continue;
-    const Backend::State state = backend.state();
+    const Backend::State state = current_state(backend);
     require_finite(state, step);
     const MotionErrors errors = errors_of(scene, step, state);
     entry.rms_over_time = std::max(entry.rms_over_time, errors.rms);
@@ -46,7 +46,7 @@ Scene settled_scene(const PrecisionPlan& plan, Backend& backend) {
   Scene scene = make_scene(scene_options(plan, {MotionMethod::anchored, Precision::float32}, 4, plan.time_n));
   backend.upload(scene);
   for (int step = 0; step < 64; ++step) backend.move();
-  Backend::State state = backend.state();
+  Backend::State state = current_state(backend);
   scene.positions = std::move(state.positions);
   scene.velocities = std::move(state.velocities);
   return scene;
@@ -58,7 +58,7 @@ double bouncing_share(Backend& backend, Scene scene, int k) {
   scene.dt = std::ldexp(1.0f, -k);
   backend.upload(scene);
   backend.move();
-  const Backend::State after = backend.state();
+  const Backend::State after = current_state(backend);
   uint64_t bounced = 0;
   for (uint64_t i = 0; i < scene.size(); ++i) bounced += after.velocities[i].y > scene.velocities[i].y;
   return double(bounced) / double(std::max<uint64_t>(scene.size(), 1));

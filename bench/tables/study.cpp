@@ -16,11 +16,11 @@ Contender contender_for(const Task& task) {
     case Work::move:
       return {label(task), task.configuration.backend, [](Backend& b) { b.move(); }};
     case Work::collide:
-      return {label(task), task.configuration.backend, [options](Backend& b) { b.collide(options); }};
+      return {label(task), task.configuration.backend, [options](Backend& b) { b.enqueue_collide(options); }};
     default:
       return {label(task), task.configuration.backend, [options](Backend& b) {
                 b.move();
-                b.collide(options);
+                b.enqueue_collide(options);
               }};
   }
 }

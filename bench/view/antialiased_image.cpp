@@ -39,7 +39,7 @@ std::array<double, 2> jitter(uint k, uint samples) {
 std::vector<uint> take(Backend& backend, const Shot& shot) {
   const auto draw = [&](uint k) {
     const View view = make_view(shot.camera, shot.look, shot.width, shot.height, jitter(k, shot.samples));
-    backend.draw(view, {.method = shot.method});
+    backend.draw(view, {.method = shot.method, .keep_visible = shot.box.has_value()});
     std::vector<uint> image = backend.image();
     if (shot.box) draw_edges(image, backend.visible(), view, *shot.box, shot.ground);
     return image;

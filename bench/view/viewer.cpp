@@ -58,7 +58,7 @@ void Viewer::list_choices() {
 // The run goes on there with the same bits; where that fails, here.
 void Viewer::go_on(size_t next) {
   Scene scene = start_.scene;
-  const Backend::State state = backend().state();
+  const Backend::State state = current_state(backend());
   require_finite(state, step_);
   const MotionState saved = backend().save();
   scene.positions = state.positions;

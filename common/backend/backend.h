@@ -67,7 +67,8 @@ struct DrawOptions {
   // Of fewer spheres, which then are large on the screen, each is drawn by LANES threads; without clusters only.
   uint64_t share_below = 1u << 17;
 
-  bool count = false;  // fill all of DrawStatistics, which costs an atomic operation a sphere
+  bool count = false;         // fill all of DrawStatistics, which costs an atomic operation a sphere
+  bool keep_visible = false;  // the sphere and the depth of each pixel, for visible()
   auto operator<=>(const DrawOptions&) const = default;
   uint lanes(uint64_t n) const { return n < share_below ? LANES : 1; }
 };
@@ -105,25 +106,33 @@ class Backend {
   // Checks the scene (check_scene), allocates every buffer and copies. Throws BackendError when it does not fit.
   virtual void upload(const Scene& scene) = 0;
 
-  // Each enqueues work and returns; results wait for it. `move` is one step of the motion, or std::invalid_argument.
+  // One step of the motion, or std::invalid_argument for a scene that cannot be moved. Enqueued: results wait for it.
   virtual void move() = 0;
-  // Of `anchored`: whether a step looks only at the spheres that are due, as it does unless told otherwise, or at all
-  // that may ever meet the plane again. Never changes a bit of the state.
+  // Of `anchored`: whether a step tests only the spheres whose next event is due, as it does unless told otherwise, or
+  // all that may ever reach the plane again. Never changes a bit of the state.
   virtual void set_event_driven(bool on) = 0;
-  // Makes the positions in memory those of this step where a method leaves that until they are asked for; collide and
-  // state do it by themselves.
-  virtual void evaluate_positions() = 0;
+
+  // Finds the colliding pairs of the spheres as they stand, and completes that: every list has room, every pair is
+  // decided, and what is asked for afterwards is only read.
   virtual void collide(const CollideOptions& options) = 0;
-  virtual void finish() = 0;
+  // For timing: enqueues the same search and returns. Left out are decisions that the last complete search of this kind
+  // did not need, lists that turn out too short, and the number of colliding spheres; so it has no results to ask for.
+  virtual void enqueue_collide(const CollideOptions& options) = 0;
+  virtual void finish() = 0;  // waits for all that was enqueued
   virtual MethodChoice choice(const CollideOptions& options) const = 0;
 
-  // Results of the last collide(). When a list was too short, the device's lists are grown and the collision step is
-  // repeated, never truncated; so ask before the next step.
+  // Results of the last collide(). BackendError where there was none since the last move, or it was only enqueued.
   virtual Collisions collisions() = 0;
   virtual std::vector<uint> counts() = 0;  // contacts of each sphere
   virtual std::vector<Pair> pairs() = 0;   // in canonical order; needs want_pairs
 
-  // The nearest float32 numbers, and the words of SLOT_WIDE where the precision has them: evaluated at this step.
+  // Methods that keep less than positions and velocities (`anchored`) evaluate them where they are needed: collide()
+  // and draw() the positions, this one all that state() reads.
+  virtual void evaluate_positions() = 0;
+  virtual void evaluate_state() = 0;
+
+  // The nearest float32 numbers, and the words of SLOT_WIDE where the precision has them. BackendError where they have
+  // not been evaluated since the last move.
   struct State {
     std::vector<vec4> positions, velocities;
     std::vector<uint> wide;
@@ -135,14 +144,17 @@ class Backend {
   // and velocities.
   virtual MotionState save() = 0;
   virtual void resume(const Scene& scene, const MotionState& saved) = 0;
-  // A picture of the spheres as they stand, coloured by the contacts that the last collide() found; none since the last
-  // move() or upload(): by 0 contacts. view.tile_capacity, counting and pass are the backend's own.
+
+  // Draws the spheres as they stand, coloured by the contacts that the last collide() found; none since the last move()
+  // or upload(): by 0 contacts. The image is complete when it returns. view.tile_capacity, counting and pass are the
+  // backend's own.
   virtual void draw(const View& view, const DrawOptions& options) = 0;
+  // For timing: enqueues the same and returns. Left out is a list of tiles that turns out too short.
+  virtual void enqueue_draw(const View& view, const DrawOptions& options) = 0;
   virtual std::vector<DrawMethod> draw_methods() const { return {DrawMethod::compute}; }
 
-  // Of the last draw(), which is repeated when a list was too short, and for visible(); so ask before the next step.
-  // Pixels as SLOT_IMAGE has them, row by row from the top; visible: of each pixel the sphere's number and the depth,
-  // as SLOT_VISIBLE has them.
+  // Of the last draw(). Pixels as SLOT_IMAGE has them, row by row from the top; visible: of each pixel the sphere's
+  // index and the depth, as SLOT_VISIBLE has them.
   virtual std::vector<uint> image() = 0;
   virtual std::vector<uvec2> visible() = 0;
   virtual DrawStatistics
@@ -172,6 +184,12 @@ class Backend {
   virtual void time_stages(bool on) = 0;
   virtual std::vector<StageTime> stage_times() = 0;
 };
+
+// As it stands: evaluated, then read.
+inline Backend::State current_state(Backend& backend) {
+  backend.evaluate_state();
+  return backend.state();
+}
 
 // The colliding flag of each sphere (the paper's colour) is that its count is not zero.
 inline bool colliding(uint count) { return count != 0; }

@@ -80,7 +80,8 @@ class CpuBackend final : public Backend {
   }
   void set_event_driven(bool on) override { motion_.set_event_driven(on); }
   void evaluate_positions() override { motion_.positions(threads_); }
-  State state() override { return motion_.state(threads_); }
+  void evaluate_state() override { motion_.evaluate_state(threads_); }
+  State state() override { return motion_.state(); }
   MotionState save() override { return motion_.save(threads_); }
 
   MethodChoice choice(const CollideOptions& options) const override { return search_.choice(options); }
@@ -88,6 +89,7 @@ class CpuBackend final : public Backend {
     const Method method = search_.prepare(options, motion_);
     clock_.time(method_name(method), [&] { search_.run(motion_); });
   }
+  void enqueue_collide(const CollideOptions& options) override { collide(options); }
   void finish() override {}
   Collisions collisions() override { return search_.totals(); }
   std::vector<uint> counts() override { return search_.counts(); }
@@ -106,12 +108,16 @@ class CpuBackend final : public Backend {
     View wanted = view;
     wanted.lanes = options.lanes(positions.size());
     clock_.time("draw", [&] { image_ = draw_image(positions, contacts, wanted, search_.dense_cells(), threads_); });
-    counted_ = options.count;
+    drawn_ = options;
   }
+  void enqueue_draw(const View& view, const DrawOptions& options) override { draw(view, options); }
   std::vector<uint> image() override { return last_image().image; }
-  std::vector<uvec2> visible() override { return last_image().visible; }
+  std::vector<uvec2> visible() override {
+    if (!drawn_.keep_visible) throw BackendError("cpu: visible spheres were not kept; set keep_visible");
+    return last_image().visible;
+  }
   DrawStatistics draw_statistics() override {
-    if (!counted_) throw BackendError("cpu: drawing was not counted; set count");
+    if (!drawn_.count) throw BackendError("cpu: drawing was not counted; set count");
     return last_image().counts;
   }
 
@@ -141,7 +147,7 @@ class CpuBackend final : public Backend {
   CpuMotion motion_;
   CpuSearch search_;
   CpuImage image_;
-  bool counted_ = false;
+  DrawOptions drawn_;
   StageClock clock_;
 };
 

@@ -25,6 +25,7 @@ void CpuMotion::upload(const Scene& scene) {
   velocities_ = scene.velocities;
   kept_ = initial_state(scene, params_);
   evaluated_ = true;
+  state_current_ = motion_.method != MotionMethod::anchored;
 }
 
 template <typename Real>
@@ -78,11 +79,11 @@ void CpuMotion::move(int threads) {
     check_steps("cpu", kept_.steps);
     params_.steps_done = ++kept_.steps;
     bounce_all<Real>(threads);
-    evaluated_ = false;
+    evaluated_ = state_current_ = false;
   });
 }
 
-void CpuMotion::place(int threads, bool whole) {
+void CpuMotion::evaluate(int threads, bool whole) {
   params_.steps_done = kept_.steps;
   with_real(motion_.precision, [&](auto kind) {
     using Real = decltype(kind);
@@ -90,28 +91,33 @@ void CpuMotion::place(int threads, bool whole) {
     for (uint64_t i = 0; i < positions_.size(); ++i) store(i, evaluate_sphere(load_anchor<Real>(i), params_), whole);
   });
   evaluated_ = true;
+  state_current_ = whole;
 }
 
 const std::vector<vec4>& CpuMotion::positions(int threads) {
-  if (!evaluated_) place(threads, false);
+  if (!evaluated_) evaluate(threads, false);
   return positions_;
 }
 
-Backend::State CpuMotion::state(int threads) {
-  if (motion_.method == MotionMethod::anchored) place(threads, true);
+void CpuMotion::evaluate_state(int threads) {
+  if (!state_current_) evaluate(threads, true);
+}
+
+Backend::State CpuMotion::state() const {
+  if (!state_current_) throw BackendError("cpu: the state is that of an earlier step; call evaluate_state");
   if (kept_.wide.empty()) return {positions_, velocities_, {}};
   return {positions_, rounded_velocities(kept_.wide, motion_.precision, positions_.size()), kept_.wide};
 }
 
 MotionState CpuMotion::save(int threads) {
-  state(threads);
+  evaluate_state(threads);
   return kept_;
 }
 
 void CpuMotion::resume(const Scene& scene, const MotionState& saved) {
   unmovable_ = why_unmovable(scene, std::numeric_limits<float>::max());
   kept_ = saved;
-  evaluated_ = motion_.method != MotionMethod::anchored;
+  evaluated_ = state_current_ = motion_.method != MotionMethod::anchored;
 }
 
 }  // namespace spherepair

@@ -27,7 +27,8 @@ class CpuMotion {
 
   // As they stand now; of `anchored` they are evaluated when they are asked for.
   const std::vector<vec4>& positions(int threads);
-  Backend::State state(int threads);
+  void evaluate_state(int threads);
+  Backend::State state() const;  // BackendError where it was not evaluated since the last move
 
   MotionState save(int threads);
   // After the upload of that scene.
@@ -46,14 +47,15 @@ class CpuMotion {
   void step_all(int threads);
   template <typename Real>
   void bounce_all(int threads);
-  void place(int threads, bool whole);
+  void evaluate(int threads, bool whole);
 
   MotionOptions motion_;
   std::string unmovable_;  // why
   Params params_{};
   std::vector<vec4> positions_, velocities_;
   MotionState kept_;
-  bool evaluated_ = true;  // positions are those of this step
+  bool evaluated_ = true;      // positions are those of this step ...
+  bool state_current_ = true;  // ... and so is all that state() reads
   bool event_driven_ = true;
 };
 

@@ -65,7 +65,8 @@ void CpuSearch::run(CpuMotion& motion) {
   work_.lists += options_.want_pairs;
   found_.reset();
   if (options_.swept) {
-    found_ = search_swept(input, motion.state(threads_).velocities);
+    motion.evaluate_state(threads_);
+    found_ = search_swept(input, motion.state().velocities);
   } else if (options_.method == Method::sequential) {
     found_ = search_sequential(input);
   } else if (options_.method == Method::collide_group) {

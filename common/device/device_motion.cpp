@@ -16,7 +16,8 @@ void DeviceMotion::upload(const Scene& scene, const MotionState* saved) {
   motion_ = scene.motion;
   unmovable_ = saved ? why_unmovable(scene, std::numeric_limits<float>::max()) : why_unmovable(scene);
   write_state(saved ? *saved : initial_state(scene, context_.params));
-  evaluated_ = !saved || motion_.method != MotionMethod::anchored;
+  current_ = motion_.method != MotionMethod::anchored;
+  evaluated_ = !saved || current_;
   moved_ = saved != nullptr;
 }
 
@@ -54,7 +55,7 @@ bool DeviceMotion::step(bool clear_results, std::optional<Kernel> overlaps) {
   }
   check_steps(context_.name(), steps_++);
   launch(Kernel::bounce, !event_driven_, clear_results, overlaps);
-  evaluated_ = false;
+  evaluated_ = current_ = false;
   return false;
 }
 
@@ -66,9 +67,9 @@ bool DeviceMotion::evaluate_positions() {
 }
 
 void DeviceMotion::evaluate_state() {
-  if (motion_.method != MotionMethod::anchored) return;
+  if (current_) return;
   launch(Kernel::evaluate_positions, true, false);
-  evaluated_ = true;
+  evaluated_ = current_ = true;
 }
 
 Backend::State DeviceMotion::state() {

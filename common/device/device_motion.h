@@ -25,8 +25,9 @@ class DeviceMotion {
   bool evaluate_positions();
   void evaluate_state();  // positions, velocities and the wide state
 
-  bool moved() const { return moved_; }  // since the upload of a scene at its start
-  Backend::State state();                // as evaluate_state left it
+  bool moved() const { return moved_; }            // since the upload of a scene at its start
+  bool state_current() const { return current_; }  // state() has something to read
+  Backend::State state();
   MotionState save();
 
  private:
@@ -37,7 +38,8 @@ class DeviceMotion {
   MotionOptions motion_;
   std::string unmovable_;  // why the scene cannot be moved
   uint steps_ = 0;         // of `anchored`
-  bool evaluated_ = true;  // positions are those of this step
+  bool evaluated_ = true;  // positions are those of this step ...
+  bool current_ = true;    // ... and so is all that state() reads
   bool event_driven_ = true;
   bool moved_ = false;
 };

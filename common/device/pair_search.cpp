@@ -98,7 +98,7 @@ void PairSearch::launch_search() {
   work.lists += variant_.listed;
   const bool grid = options_.method == Method::collide_grid && context_.n >= 2;
   search_decides_ = grid && sorter_.plans().plan(options_.grid.cells).cells == Cells::dense;
-  tallied_ = false;
+  complete_ = false;
   resolved_ = true;
   if (!grid) sorter_.forget_order();
   context_.device.begin_step(options_.api);
@@ -132,8 +132,8 @@ void PairSearch::launch_grid() {
   context_.launch(launching);
 }
 
-// Decides what was deferred, of which there is hardly ever anything: so finish() launches it only where a pair is left;
-// from then on it is part of every step of that kind of search.
+// Decides what was deferred, of which there is hardly ever anything: so a complete search launches it only where a pair
+// is left; from then on it is part of every step of that kind of search.
 void PairSearch::resolve_undecided() {
   if (resolved_) return;
   context_.launch({Kernel::resolve_undecided, SERVICE_BLOCK, variant_, {resolve_groups, 1, 1}, order_});
@@ -153,45 +153,59 @@ bool PairSearch::grow_lists(const std::vector<uint>& summary) {
   return short_deferred || short_pairs;
 }
 
-bool PairSearch::repeat_if_too_short() {
-  if (!searched_ || !grow_lists(read_summary())) return false;
-  launch_search();
-  return true;
+void PairSearch::run(const CollideOptions& options) {
+  enqueue(options);
+  complete_search();
 }
 
-Collisions PairSearch::finish() {
-  if (!searched_)
-    throw BackendError(
-        fmt::format("{}: no collision step to report since the last move; call collide first", context_.name()));
+void PairSearch::complete_search() {
   std::vector<uint> summary = read_summary();
   const bool left = summary[SUM_DEFERRED] != 0;
   if (options_.exact && !left) resolved_in_step_.erase(kind());
   if (options_.exact && left) resolved_in_step_.insert(kind());
-  bool changed = left && !resolved_;
-  if (changed) resolve_undecided();
-  while (repeat_if_too_short()) changed = true;
-  if (!tallied_) {
-    context_.launch({Kernel::tally, SERVICE_BLOCK, {}, {tally_groups, 1, 1}, order_});
-    changed = tallied_ = true;
+  if (left && !resolved_) {
+    resolve_undecided();
+    summary = read_summary();
   }
-  return totals(changed ? read_summary() : summary);
+  while (grow_lists(summary)) {
+    launch_search();
+    summary = read_summary();
+  }
+  context_.launch({Kernel::tally, SERVICE_BLOCK, {}, {tally_groups, 1, 1}, order_});
+  totals_ = sum(read_summary());
+  complete_ = true;
 }
 
-Collisions PairSearch::totals(const std::vector<uint>& summary) const {
+Collisions PairSearch::sum(const std::vector<uint>& summary) const {
   Collisions total;
   for (uint row = 0; row < SUMMARY_SLOTS; ++row) {
-    const uint* sum = &summary[row * SUMMARY_WORDS];
-    total.pairs += join(sum + SUM_PAIRS);
-    total.fingerprint.a += join(sum + SUM_MIX_A);
-    total.fingerprint.b += join(sum + SUM_MIX_B);
-    total.colliding_spheres += join(sum + SUM_COLLIDING);
-    for (uint stage = 0; stage < STAGES; ++stage) total.decided_by[stage] += sum[SUM_STAGE + stage];
-    total.deferred += sum[search_decides_ ? SUM_UNDECIDED : SUM_DEFERRED];
+    const uint* words = &summary[row * SUMMARY_WORDS];
+    total.pairs += join(words + SUM_PAIRS);
+    total.fingerprint.a += join(words + SUM_MIX_A);
+    total.fingerprint.b += join(words + SUM_MIX_B);
+    total.colliding_spheres += join(words + SUM_COLLIDING);
+    for (uint stage = 0; stage < STAGES; ++stage) total.decided_by[stage] += words[SUM_STAGE + stage];
+    total.deferred += words[search_decides_ ? SUM_UNDECIDED : SUM_DEFERRED];
   }
   return total;
 }
 
+void PairSearch::require_complete() const {
+  if (!searched_)
+    throw BackendError(
+        fmt::format("{}: no collision step to report since the last move; call collide first", context_.name()));
+  if (!complete_)
+    throw BackendError(
+        fmt::format("{}: the last collision step was only enqueued; call collide for its results", context_.name()));
+}
+
+const Collisions& PairSearch::totals() const {
+  require_complete();
+  return totals_;
+}
+
 std::vector<uint> PairSearch::counts() {
+  require_complete();
   const std::vector<uint> counts = context_.buffers.read<uint>(count_slot(order_), context_.n);
   if (order_ != Order::cells) return counts;
   const std::vector<uint> indices = sorter_.sphere_indices();
@@ -200,12 +214,10 @@ std::vector<uint> PairSearch::counts() {
   return by_index;
 }
 
-void PairSearch::require_list() const {
+std::vector<Pair> PairSearch::pairs() {
+  const uint64_t count = totals().pairs;
   if (!options_.want_pairs)
     throw BackendError(fmt::format("{}: no pair list was asked for; set want_pairs", context_.name()));
-}
-
-std::vector<Pair> PairSearch::pairs(uint64_t count) {
   if (count > std::numeric_limits<uint>::max())
     throw BackendError(
         fmt::format("{}: {} pairs collide, but a list holds 2^32 - 1 at most; ask for the numbers without the list",

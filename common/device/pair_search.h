@@ -22,27 +22,26 @@ class PairSearch {
 
   MethodChoice choice(const CollideOptions& options) const;
 
-  // Launches a search of these positions and returns. Left out until finish(): pairs that the filter left undecided
-  // (unless the last search of this kind had some, which makes their kernel part of the step), lists that are too short
-  // and the number of colliding spheres.
+  // Launches a search of these positions and returns. Left out: pairs that the filter left undecided (unless the last
+  // complete search of this kind had some, which makes their kernel part of the step), lists that are too short and the
+  // number of colliding spheres.
   void enqueue(const CollideOptions& options);
+  void run(const CollideOptions& options);  // the same, complete
 
-  // Waits for the search and completes it. Throws BackendError where there was none since the last move.
-  Collisions finish();
-  bool searched() const { return searched_; }
+  bool searched() const { return searched_; }  // these positions
+  bool complete() const { return searched_ && complete_; }
   const CollideOptions& options() const { return options_; }
 
-  std::vector<uint> counts();                            // of a search that was finished, by sphere index
-  void require_list() const;                             // throws BackendError where the last search kept no pairs
-  std::vector<Pair> pairs(uint64_t count);               // of a search that was finished and kept them, canonical order
+  // Of a complete search of these positions; BackendError where there is none.
+  const Collisions& totals() const;
+  std::vector<uint> counts();  // by sphere index
+  std::vector<Pair> pairs();   // in canonical order; BackendError where the search kept none
+
   bool counts_sorted() const { return counts_sorted_; }  // they stand in cell order
   bool results_clear() const { return results_clear_; }
 
   // For drawing: contact counts of these positions, by sphere index unless `sorted` will do; 0 without a search.
   void prepare_counts(bool sorted);
-
-  // Whether a list was too short for the search, which is repeated then.
-  bool repeat_if_too_short();
 
  private:
   void choose(const CollideOptions& options);
@@ -52,7 +51,9 @@ class PairSearch {
   void resolve_undecided();
   std::vector<uint> read_summary();
   bool grow_lists(const std::vector<uint>& summary);
-  Collisions totals(const std::vector<uint>& summary) const;
+  void complete_search();
+  Collisions sum(const std::vector<uint>& summary) const;
+  void require_complete() const;
   std::pair<Method, bool> kind() const { return {options_.method, search_decides_}; }
 
   DeviceContext& context_;
@@ -67,7 +68,8 @@ class PairSearch {
   bool counts_sorted_ = false;   // SLOT_COUNT lacks the counts that SLOT_SORTED_COUNT has
   bool search_decides_ = false;  // most pairs that the filter leaves undecided, and defers only what is left
   bool resolved_ = true;         // what was deferred
-  bool tallied_ = true;          // colliding spheres are counted
+  bool complete_ = false;
+  Collisions totals_;
   std::set<std::pair<Method, bool>> resolved_in_step_;  // kinds of search whose deferred pairs are decided in the step
 };
 

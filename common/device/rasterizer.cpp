@@ -37,12 +37,21 @@ void Rasterizer::enqueue(const View& view, const DrawOptions& options) {
     ++images_kept_;
     return;
   }
-  current_ = false;
+  current_ = complete_ = false;
   view_ = view;
   options_ = options;
   launch();
   current_ = true;
   version_ = context_.version;
+}
+
+void Rasterizer::run(const View& view, const DrawOptions& options) {
+  if (search_.searched() && !search_.complete())
+    throw BackendError(
+        fmt::format("{}: the last collision step was only enqueued; call collide before draw", context_.name()));
+  enqueue(view, options);
+  while (!complete_ && grow_tiles()) launch();
+  complete_ = true;
 }
 
 bool Rasterizer::current(const View& view, const DrawOptions& options) const {
@@ -52,11 +61,11 @@ bool Rasterizer::current(const View& view, const DrawOptions& options) const {
 
 void Rasterizer::launch() {
   search_.prepare_counts(draws_by_compute());
-  if (draws_by_compute()) return launch_compute(false);
+  if (draws_by_compute()) return launch_compute();
   context_.device.pipeline()->draw_spheres(options_.method, view_, uint(context_.n));
 }
 
-Frame Rasterizer::make_frame(bool keep) {
+Frame Rasterizer::make_frame() {
   Frame frame{.view = view_, .options = options_, .params = context_.params};
   frame.order = search_.searched() ? sorter_.order() : Order::scene;
   frame.params.in_cells = sorter_.indices(frame.order);
@@ -71,7 +80,7 @@ Frame Rasterizer::make_frame(bool keep) {
   view.occlusion = culls && options_.occlusion_culling;
   view.lanes = culls ? 1 : options_.lanes(context_.n);
   frame.may_have_tiles = may_be_large(view);
-  pixels_kept_ = keep || view.lighting;
+  pixels_kept_ = options_.keep_visible || view.lighting;
   choose_pixels(frame, culls || pixels_kept_ || frame.params.in_cells);
   return frame;
 }
@@ -93,12 +102,12 @@ void Rasterizer::make_pixels(uint slot, uint64_t bytes) {
   context_.buffers.resize(slot, bytes);
 }
 
-// `keep`: the visible spheres are to be read. Else their pixels, and the counts, are cleared for the next image.
-void Rasterizer::launch_compute(bool keep) {
+// Where the visible spheres are not kept, their pixels, and the counts, are cleared for the next image.
+void Rasterizer::launch_compute() {
   context_.buffers.grow(SLOT_IMAGE, pixels(view_) * sizeof(uint));
   context_.buffers.grow(SLOT_DRAWN, 2 * DRAWN_WORDS * sizeof(uint));
   context_.buffers.grow(SLOT_TILE, std::clamp(context_.n, least_tiles, most_tiles) * sizeof(uvec2));
-  frame_ = make_frame(keep);
+  frame_ = make_frame();
   View& view = frame_.view;
   const bool culls = (options_.frustum_culling || options_.occlusion_culling) && context_.n >= options_.clusters_from;
   const bool by_cells =
@@ -161,6 +170,8 @@ void Rasterizer::launch_per_pixel(const Frame& frame, Kernel kernel) {
 
 void Rasterizer::require_drawn(bool by_compute) const {
   if (view_.width == 0) throw BackendError(fmt::format("{}: nothing is drawn yet; call draw first", context_.name()));
+  if (!complete_)
+    throw BackendError(fmt::format("{}: the last image was only enqueued; call draw for it", context_.name()));
   if (by_compute && !draws_by_compute())
     throw BackendError(fmt::format("{}: the last image was drawn by {}, which keeps no indices of spheres",
                                    context_.name(), draw_method_name(options_.method)));
@@ -176,38 +187,22 @@ bool Rasterizer::grow_tiles() {
   return true;
 }
 
-// Lists of the search that were too short mean wrong colours, so they are looked at too.
-void Rasterizer::finish() {
-  for (;;) {
-    const bool tiles = grow_tiles(), pairs = search_.repeat_if_too_short();
-    if (!tiles && !pairs) break;
-    launch();
-  }
-  version_ = context_.version;
-  current_ = true;
-}
-
 std::vector<uint> Rasterizer::image() {
   require_drawn(false);
-  finish();
   if (!draws_by_compute()) return context_.device.pipeline()->read_image();
   return context_.buffers.read<uint>(SLOT_IMAGE, pixels(view_));
 }
 
 std::vector<uvec2> Rasterizer::visible() {
   require_drawn(true);
-  finish();
-  while (!pixels_kept_) {
-    launch_compute(true);
-    finish();  // which may have to draw it with longer lists
-  }
+  if (!options_.keep_visible)
+    throw BackendError(fmt::format("{}: visible spheres were not kept; set keep_visible", context_.name()));
   return context_.buffers.read<uvec2>(SLOT_VISIBLE, pixels(view_));
 }
 
 DrawStatistics Rasterizer::statistics() {
   require_drawn(true);
   if (!options_.count) throw BackendError(fmt::format("{}: drawing was not counted; set count", context_.name()));
-  finish();
   std::vector<uint> drawn(DRAWN_WORDS);
   context_.device.read(SLOT_DRAWN, drawn.data(), statistics_offset(), drawn.size() * sizeof(uint));
   return {.drawn = uint64_t(drawn[DRAWN_SMALL]) + drawn[DRAWN_LARGE],

@@ -15,12 +15,13 @@ class Rasterizer {
 
   void upload();
 
-  // Launches an image and returns; finish() waits, and draws it again where a list was too short.
+  // Launches an image and returns. Left out: what a list of tiles that was too short lacks.
   void enqueue(const View& view, const DrawOptions& options);
-  void finish();
+  void run(const View& view, const DrawOptions& options);  // the same, complete
 
+  // Of a complete image; BackendError where there is none.
   std::vector<uint> image();
-  std::vector<uvec2> visible();  // the image is drawn again where its pixels were not kept
+  std::vector<uvec2> visible();
   DrawStatistics statistics();
 
  private:
@@ -28,8 +29,8 @@ class Rasterizer {
   void require_drawn(bool by_compute) const;
   bool draws_by_compute() const { return options_.method == DrawMethod::compute; }
   void launch();
-  void launch_compute(bool keep);
-  Frame make_frame(bool keep);
+  void launch_compute();
+  Frame make_frame();
   void choose_pixels(Frame& frame, bool alone);
   void make_pixels(uint slot, uint64_t bytes);
   void draw_all(Frame& frame);
@@ -46,6 +47,7 @@ class Rasterizer {
   View view_{};  // of the last image, as it was asked for; a width of 0: there was none
   DrawOptions options_;
   Frame frame_{};                                    // of the last image
+  bool complete_ = false;                            // all of it is drawn
   bool current_ = false;                             // it shows ...
   uint64_t version_ = 0;                             // ... the spheres and contacts as they were then
   bool pixels_kept_ = false;                         // its visible spheres are still there

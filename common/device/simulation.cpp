@@ -53,15 +53,20 @@ void Simulation::evaluate_positions() {
   search_.evaluate_positions();
 }
 
+void Simulation::evaluate_state() {
+  require_scene("evaluate_state");
+  motion_.evaluate_state();
+}
+
 Backend::State Simulation::state() {
   require_scene("state");
-  motion_.evaluate_state();
+  if (!motion_.state_current())
+    throw BackendError(fmt::format("{}: the state is that of an earlier step; call evaluate_state", info().name));
   return motion_.state();
 }
 
 MotionState Simulation::save() {
-  require_scene("save");
-  motion_.evaluate_state();
+  evaluate_state();
   return motion_.save();
 }
 
@@ -72,17 +77,12 @@ MethodChoice Simulation::choice(const CollideOptions& options) const {
 
 void Simulation::collide(const CollideOptions& options) {
   require_scene("collide");
+  search_.run(options);
+}
+
+void Simulation::enqueue_collide(const CollideOptions& options) {
+  require_scene("collide");
   search_.enqueue(options);
-}
-
-std::vector<uint> Simulation::counts() {
-  search_.finish();
-  return search_.counts();
-}
-
-std::vector<Pair> Simulation::pairs() {
-  search_.require_list();
-  return search_.pairs(search_.finish().pairs);
 }
 
 std::vector<DrawMethod> Simulation::draw_methods() const {
@@ -90,11 +90,20 @@ std::vector<DrawMethod> Simulation::draw_methods() const {
   return {DrawMethod::compute};
 }
 
-void Simulation::draw(const View& view, const DrawOptions& options) {
+void Simulation::require_method(DrawMethod method) const {
   require_scene("draw");
-  if (std::ranges::count(draw_methods(), options.method) == 0)
+  if (std::ranges::count(draw_methods(), method) == 0)
     throw std::invalid_argument(
-        fmt::format("{}: the method of drawing {} runs on OpenGL only", info().name, draw_method_name(options.method)));
+        fmt::format("{}: the method of drawing {} runs on OpenGL only", info().name, draw_method_name(method)));
+}
+
+void Simulation::draw(const View& view, const DrawOptions& options) {
+  require_method(options.method);
+  rasterizer_.run(view, options);
+}
+
+void Simulation::enqueue_draw(const View& view, const DrawOptions& options) {
+  require_method(options.method);
   rasterizer_.enqueue(view, options);
 }
 

@@ -20,16 +20,19 @@ class Simulation final : public Backend {
   void move() override;
   void set_event_driven(bool on) override { motion_.set_event_driven(on); }
   void evaluate_positions() override;
+  void evaluate_state() override;
   State state() override;
   MotionState save() override;
 
   MethodChoice choice(const CollideOptions& options) const override;
   void collide(const CollideOptions& options) override;
-  Collisions collisions() override { return search_.finish(); }
-  std::vector<uint> counts() override;
-  std::vector<Pair> pairs() override;
+  void enqueue_collide(const CollideOptions& options) override;
+  Collisions collisions() override { return search_.totals(); }
+  std::vector<uint> counts() override { return search_.counts(); }
+  std::vector<Pair> pairs() override { return search_.pairs(); }
 
   void draw(const View& view, const DrawOptions& options) override;
+  void enqueue_draw(const View& view, const DrawOptions& options) override;
   std::vector<uint> image() override { return rasterizer_.image(); }
   std::vector<uvec2> visible() override { return rasterizer_.visible(); }
   DrawStatistics draw_statistics() override { return rasterizer_.statistics(); }
@@ -54,6 +57,7 @@ class Simulation final : public Backend {
  private:
   void begin(const Scene& scene, const MotionState* saved);
   void require_scene(const char* what) const;
+  void require_method(DrawMethod method) const;
 
   std::unique_ptr<Device> device_;
   DeviceContext context_;

@@ -141,7 +141,7 @@ TEST_P(Ablations, CellsFollowSpheresThatLeaveThem) {
     }
     options.want_pairs = true;
     const StepResult answer = run_step(backend(), options);
-    EXPECT_EQ(first_mismatch(answer, swept_pairs(backend().state().positions), scene.size()), "") << replan;
+    EXPECT_EQ(first_mismatch(answer, swept_pairs(current_state(backend()).positions), scene.size()), "") << replan;
     EXPECT_EQ(backend().work_counts().plans > 5, replan);
     EXPECT_EQ(backend().work_counts().plans > 1, replan);
     options.filter = false;  // counts who meets
@@ -160,7 +160,7 @@ TEST_P(Ablations, CellsFollowManySpheres) {
   const StepResult answer = run_step(backend(), options);
   EXPECT_EQ(backend().work_counts().plans, 2u);
   EXPECT_LT(backend().choice(options).others_in_cell, 1) << "the new cells are for a gas as well";
-  EXPECT_EQ(answer.totals.pairs, swept_pairs(backend().state().positions).size());
+  EXPECT_EQ(answer.totals.pairs, swept_pairs(current_state(backend()).positions).size());
 }
 
 TEST(AblationsOnTheHost, ASampleTellsWhetherToPlan) {

@@ -15,7 +15,7 @@ TEST_P(ApiOptionsOf, OnlyWithoutABatchTheHostWaitsForEveryDispatch) {
   backend().upload(make_scene({.name = "uniform", .n = 500}));
   for (const bool batch : {true, false}) {
     const WorkCounts before = backend().work_counts();
-    backend().collide(grid_step([=](CollideOptions& o) { o.api.batch = batch; }));
+    backend().enqueue_collide(grid_step([=](CollideOptions& o) { o.api.batch = batch; }));
     const WorkCounts after = backend().work_counts();
     EXPECT_EQ(after.waits - before.waits, batch ? 0 : after.launches - before.launches);
   }
@@ -35,7 +35,7 @@ TEST_P(ApiOptionsOf, AStepLaunchesNoMoreThanItNeeds) {
   };
   const auto launches = [&](const CollideOptions& options) {
     const uint64_t before = backend().work_counts().launches;
-    backend().collide(options);
+    backend().enqueue_collide(options);
     return backend().work_counts().launches - before;
   };
   for (const bool library_clear : {false, true, false})

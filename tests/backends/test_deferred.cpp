@@ -38,7 +38,7 @@ std::vector<CollideOptions> searches(const Backend& backend) {
   return all;
 }
 
-TEST_P(Deferred, AreDecidedWhenAskedFor) {
+TEST_P(Deferred, AreDecidedByACompleteSearch) {
   for (const CollideOptions& search : searches(backend()))
     for (const float distance : {touching, overlapping})
       for (const uint pairs : {1u, 10u, 500u}) {
@@ -46,8 +46,8 @@ TEST_P(Deferred, AreDecidedWhenAskedFor) {
         backend().upload(scene_of_pairs(pairs, distance));
         CollideOptions options = search;
         const std::vector<Pair> expected = pairs_of(pairs, distance);
-        for (const int steps_unasked : {3, 0, 1}) {
-          for (int step = 0; step < steps_unasked; ++step) backend().collide(options);
+        for (const int enqueued : {3, 0, 1}) {
+          for (int step = 0; step < enqueued; ++step) backend().enqueue_collide(options);
           backend().collide(options);
           for (const uint contacts : backend().counts()) ASSERT_EQ(contacts, distance < touching ? 1u : 0u);
           const Collisions totals = backend().collisions();
@@ -67,7 +67,7 @@ TEST_P(Deferred, TakeALaunchOnlyWhereThereAreAny) {
   if (backend().info().name == "cpu") GTEST_SKIP() << "the CPU launches nothing";
   const auto launches = [&](const CollideOptions& options) {
     const uint64_t before = backend().work_counts().launches;
-    backend().collide(options);
+    backend().enqueue_collide(options);
     return backend().work_counts().launches - before;
   };
   std::vector<CollideOptions> all = searches(backend());
@@ -77,21 +77,20 @@ TEST_P(Deferred, TakeALaunchOnlyWhereThereAreAny) {
       SCOPED_TRACE(fmt::format("{}, {} pairs", describe(search), pairs));
       const bool decides = search.grid.cells == Cells::dense && distance == overlapping;  // in float64, all of them
       backend().upload(scene_of_pairs(pairs, distance));
-      backend().collide(search);  // asks whether the spheres stand in cell order
-      const uint64_t unasked = launches(search);
-      EXPECT_EQ(launches(search), unasked);
-      backend().collisions();
-      EXPECT_EQ(launches(search), unasked + (decides ? 0 : 1)) << "settle";
+      backend().enqueue_collide(search);  // tests whether the spheres stand in cell order
+      const uint64_t alone = launches(search);
+      EXPECT_EQ(launches(search), alone);
+      backend().collide(search);
+      EXPECT_EQ(launches(search), alone + (decides ? 0 : 1)) << "resolve_undecided";
       CollideOptions naive = search;
       naive.exact = false;
       run_step(backend(), naive);
-      EXPECT_EQ(launches(search), unasked + (decides ? 0 : 1))
-          << "a naive step defers none, which says nothing of these";
+      EXPECT_EQ(launches(search), alone + (decides ? 0 : 1)) << "a naive step defers none, which says nothing of these";
       const CollideOptions other = all[search.method == Method::collide_square ? 0 : 2];
-      for (int step = 0; step < 2; ++step) backend().collide(other);
+      for (int step = 0; step < 2; ++step) backend().enqueue_collide(other);
       const uint64_t of_other = launches(other);
       EXPECT_EQ(launches(other), of_other);
-      backend().collisions();
+      backend().collide(other);
       EXPECT_EQ(launches(other), of_other + 1) << "what one search leaves says nothing of the other";
     }
 }

@@ -71,7 +71,7 @@ TEST_P(Draw, AnchoredSpheresWhereTheyAreNow) {
   backend().upload(scene);
   for (int step = 0; step < 20; ++step) backend().move();
   const Image seen = image_of(backend(), view);
-  const std::vector<vec4> now = backend().state().positions;
+  const std::vector<vec4> now = current_state(backend()).positions;
   EXPECT_EQ(first_mismatch(seen, brute_force_image(now, std::vector<uint>(now.size()), view), view), "");
 }
 
@@ -137,7 +137,7 @@ TEST_P(Draw, ColoursFollowTheSteps) {
   backend().upload(scene);
   for (int step = 0; step < 3; ++step) {
     backend().move();
-    const std::vector<vec4> positions = backend().state().positions;
+    const std::vector<vec4> positions = current_state(backend()).positions;
     Image expected = brute_force_image(positions, std::vector<uint>(scene.size()), view);
     EXPECT_EQ(first_mismatch(image_of(backend(), view), expected, view), "") << "moved, step " << step;
     backend().collide({.method = Method::collide_grid});

@@ -120,7 +120,8 @@ TEST_P(DrawCulling, ContactsOfAnImageDoNotStay) {
   }
   backend().move();
   std::vector<uint> expected(scene.size());
-  for (const Pair& pair : swept_pairs(backend().state().positions)) ++expected[pair.first], ++expected[pair.second];
+  for (const Pair& pair : swept_pairs(current_state(backend()).positions))
+    ++expected[pair.first], ++expected[pair.second];
   for (const Method method : {Method::collide_triangle, Method::collide_grid}) {
     backend().collide({.method = method});
     EXPECT_EQ(backend().counts(), expected) << method_name(method);

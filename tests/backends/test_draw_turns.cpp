@@ -57,6 +57,7 @@ TEST_P(DrawTurns, LeaveNothingToTheNext) {
     options.clusters_from = random() % 4 ? 0 : ~uint64_t(0);
     options.cull_from = random() % 3 ? 0 : ~uint64_t(0);
     options.defer_from = random() % 2 ? 0 : ~uint64_t(0);
+    options.keep_visible = random() % 4 == 0;
     backend().draw(shot.view, options);
     Image given{backend().image(), shot.expected.visible};
     if (options.count) {
@@ -65,7 +66,7 @@ TEST_P(DrawTurns, LeaveNothingToTheNext) {
       EXPECT_LE(counts.drawn + counts.unseen + counts.hidden, 2 * scene.size())
           << turn;  // seen, and then with a cluster
     }
-    if (random() % 4 == 0) given.visible = backend().visible();
+    if (options.keep_visible) given.visible = backend().visible();
     ASSERT_EQ(first_mismatch(given, shot.expected, shot.view), "") << turn;
   }
   backend().check_guards();
@@ -90,7 +91,7 @@ TEST_P(DrawTurns, ListNothingOfAnotherScene) {
       "");
 }
 
-// Nothing is asked in between, so that a device is free to draw one picture while it colours the one before.
+// Images are enqueued, so that a device is free to draw one while it resolves the one before.
 TEST_P(DrawTurns, MayOverlap) {
   const Scene scene = make_scene({.name = "uniform", .n = 3000});
   backend().upload(scene);
@@ -106,10 +107,11 @@ TEST_P(DrawTurns, MayOverlap) {
     const Shot& shot = all[random() % all.size()];
     const bool overlap = random() % 8 > 0;
     for (uint before = random() % 20; before-- > 0;)
-      backend().draw(all[random() % all.size()].view, {.reuse_unchanged = false, .overlap = overlap});
-    backend().draw(shot.view, {.reuse_unchanged = false});
+      backend().enqueue_draw(all[random() % all.size()].view, {.reuse_unchanged = false, .overlap = overlap});
+    const bool keep = random() % 4 == 0;
+    backend().draw(shot.view, {.reuse_unchanged = false, .keep_visible = keep});
     Image given{backend().image(), shot.expected.visible};
-    if (random() % 4 == 0) given.visible = backend().visible();
+    if (keep) given.visible = backend().visible();
     ASSERT_EQ(first_mismatch(given, shot.expected, shot.view), "") << turn;
   }
   backend().check_guards();

@@ -130,7 +130,7 @@ TEST_P(Methods, RightAfterEveryMove) {
     CollideOptions options = methods[step % methods.size()];
     options.want_pairs = step % 3 == 0;
     const StepResult answer = run_step(backend(), options);
-    const std::vector<Pair> expected = brute_force_pairs(backend().state().positions);
+    const std::vector<Pair> expected = brute_force_pairs(current_state(backend()).positions);
     const std::vector<Pair> wanted =
         options.method == Method::collide_group ? within_groups(expected, options.block) : expected;
     EXPECT_EQ(first_mismatch(answer, wanted, scene.size()), "") << describe(options) << ", step " << step;

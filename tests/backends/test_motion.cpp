@@ -116,7 +116,7 @@ TEST_P(MotionOf, Row24_ThePapersMethodSinks) {
     backend().move();
     step_all(scene, wanted);
   }
-  const Backend::State state = backend().state();
+  const Backend::State state = current_state(backend());
   const double depth = -4.5 - double(state.positions[0].y);
   note_figure(fmt::format("{:.1f} m below at e = 0.5", depth), "76.6 m, 1 %: it belongs to the method");
   EXPECT_NEAR(depth, sunk_after_1000_s, 0.01 * sunk_after_1000_s);
@@ -132,7 +132,7 @@ TEST_P(MotionOf, SameBitsForAnyTimeStep) {
     const auto run = [&](Backend& any) {
       any.upload(scene);
       for (int step = 0; step < 500; ++step) any.move();
-      return any.state();
+      return current_state(any);
     };
     const Backend::State wanted = run(*open_backend("cpu")), state = run(backend());
     EXPECT_EQ(state_hash(state.positions, state.velocities), state_hash(wanted.positions, wanted.velocities))
@@ -149,9 +149,9 @@ TEST_P(MotionOf, UndisturbedByCollisionSteps) {
     backend().move();
     step_all(scene, wanted);
     if (step % 10 == 0) run_step(backend(), {.method = fast_method(backend()).method, .want_pairs = step % 20 == 0});
-    if (step % 25 == 0) backend().state();
+    if (step % 25 == 0) current_state(backend());
   }
-  const Backend::State state = backend().state();
+  const Backend::State state = current_state(backend());
   EXPECT_EQ(state_hash(state.positions, state.velocities), state_hash(wanted.positions, wanted.velocities));
 }
 

@@ -48,9 +48,9 @@ TEST_P(MotionMethods, UndisturbedByCollisionStepsAndByAsking) {
     for (int step = 0; step < 120; ++step) {
       backend().move();
       if (step % 7 == 0) run_step(backend(), {.method = fast_method(backend()).method});
-      if (step % 11 == 0) backend().state();
+      if (step % 11 == 0) current_state(backend());
     }
-    expect_equal_states(backend().state(), run_steps(cpu_backend(), scene, 120), motion_label(motion));
+    expect_equal_states(current_state(backend()), run_steps(cpu_backend(), scene, 120), motion_label(motion));
   }
 }
 
@@ -62,7 +62,7 @@ TEST_P(MotionMethods, CollisionsAreThoseOfThePresentPositions) {
     for (int step = 0; step < 90; ++step) backend().move();
     const StepResult answer = run_step(backend(), {.method = fast_method(backend()).method, .want_pairs = true});
     Scene there = scene;
-    there.positions = backend().state().positions;
+    there.positions = current_state(backend()).positions;
     EXPECT_EQ(backend().counts(), answer.counts) << "asking for the state must not touch the results";
     EXPECT_EQ(backend().pairs(), *answer.pairs);
     Backend& cpu = cpu_backend();
@@ -140,7 +140,7 @@ TEST_P(MotionMethods, LookingAtSpheresThatAreNotDueChangesNothing) {
         backend().upload(scene);
         backend().set_event_driven(event_driven);
         for (int step = 0; step < 400; ++step) backend().move();
-        states[event_driven] = backend().state();
+        states[event_driven] = current_state(backend());
         kept[event_driven] = backend().save();
       }
       EXPECT_EQ(state_hash(states[0].positions, states[0].velocities, states[0].wide),

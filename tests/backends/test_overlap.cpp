@@ -35,19 +35,19 @@ class Overlap : public BackendTest {
     const auto oracle = open_backend("cpu");
     for (Backend* each : {oracle.get(), &backend()}) each->upload(scene);
     for (int turn = 0; turn < 6; ++turn) {
-      for (int k = 0; k < 3; ++k) backend().collide(step((turn + k) % 2 == 0));
+      for (int k = 0; k < 3; ++k) backend().enqueue_collide(step((turn + k) % 2 == 0));
       const StepResult given = run_step(backend(), step(turn % 2 != 0)), wanted = run_step(*oracle, step(false));
       EXPECT_EQ(given.totals.pairs, wanted.totals.pairs) << turn;
       EXPECT_EQ(given.totals.fingerprint, wanted.totals.fingerprint) << turn;
       EXPECT_EQ(given.totals.colliding_spheres, wanted.totals.colliding_spheres) << turn;
       EXPECT_EQ(given.counts, wanted.counts) << turn;
-      backend().collide(step(turn % 2 == 0));
+      backend().enqueue_collide(step(turn % 2 == 0));
       for (Backend* each : {oracle.get(), &backend()}) each->move();
     }
     if (overlaps_) {
       EXPECT_GE(overlapped(), 6u * 4u) << "three sorts and a move a turn";
     }
-    const Backend::State moved = backend().state(), expected = oracle->state();
+    const Backend::State moved = current_state(backend()), expected = current_state(*oracle);
     EXPECT_EQ(state_hash(moved.positions, moved.velocities, moved.wide),
               state_hash(expected.positions, expected.velocities, expected.wide));
     backend().check_guards();
@@ -75,7 +75,7 @@ TEST_P(Overlap, IsOfWhatNeedsNothingOfTheSearch) {
   };
   backend().upload(make_scene({.name = "uniform", .n = 5000}));
   CollideOptions options = grid_step([](CollideOptions& o) { o.grid.sort = Sort::buckets, o.api.graph = false; });
-  const auto collide = [&] { backend().collide(options); };
+  const auto collide = [&] { backend().enqueue_collide(options); };
   const auto move = [&] { backend().move(); };
   EXPECT_EQ(more(collide), 0u) << "nothing was there before";
   EXPECT_EQ(more(collide), 1u) << "split_tiles beside collide_grid";
@@ -106,9 +106,9 @@ TEST_P(Overlap, IsOfManySpheresWhereThereAreGraphs) {
     SCOPED_TRACE(n);
     backend().upload(make_scene({.name = "uniform", .n = n}));
     for (const auto& before : {std::optional<bool>(true), std::optional<bool>(false)}) {
-      for (int k = 0; k < 4; ++k) backend().collide(step(before));
+      for (int k = 0; k < 4; ++k) backend().enqueue_collide(step(before));
       const uint64_t graphs_before = graphs(), beside_before = overlapped();
-      for (int k = 0; k < 4; ++k) backend().collide(step(std::nullopt));
+      for (int k = 0; k < 4; ++k) backend().enqueue_collide(step(std::nullopt));
       EXPECT_EQ(overlapped() - beside_before, n < 20'000 ? 0u : 4u);
       EXPECT_GE(graphs() - graphs_before, n < 20'000 ? 2u : 0u);
       EXPECT_LE(graphs() - graphs_before, n < 20'000 ? 4u : 0u);

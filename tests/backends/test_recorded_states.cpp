@@ -31,7 +31,7 @@ Hashes hashes_of(Backend& backend) {
   for (int step = 1; step <= STEPS; ++step) {
     backend.move();
     if (step % EVERY != 0) continue;
-    const Backend::State state = backend.state();
+    const Backend::State state = current_state(backend);
     hashes.push_back(fmt::format("{:016x}", state_hash(state.positions, state.velocities)));
   }
   return hashes;

@@ -34,7 +34,7 @@ struct Look {
   StepResult answer;
 };
 Look look_at(Backend& backend) {
-  Look look{backend.state(), backend.save(), {}};
+  Look look{current_state(backend), backend.save(), {}};
   look.answer = run_step(backend, fast_method(backend));
   return look;
 }

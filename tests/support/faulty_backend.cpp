@@ -23,7 +23,9 @@ class ForwardingBackend : public Backend {
   void move() override { real_->move(); }
   void set_event_driven(bool on) override { real_->set_event_driven(on); }
   void evaluate_positions() override { real_->evaluate_positions(); }
+  void evaluate_state() override { real_->evaluate_state(); }
   void collide(const CollideOptions& options) override { real_->collide(options); }
+  void enqueue_collide(const CollideOptions& options) override { real_->enqueue_collide(options); }
   void finish() override { real_->finish(); }
   MethodChoice choice(const CollideOptions& options) const override { return real_->choice(options); }
   Collisions collisions() override { return real_->collisions(); }
@@ -33,6 +35,7 @@ class ForwardingBackend : public Backend {
   MotionState save() override { return real_->save(); }
   void resume(const Scene& scene, const MotionState& saved) override { real_->resume(scene, saved); }
   void draw(const View& view, const DrawOptions& options) override { real_->draw(view, options); }
+  void enqueue_draw(const View& view, const DrawOptions& options) override { real_->enqueue_draw(view, options); }
   std::vector<uint> image() override { return real_->image(); }
   std::vector<uvec2> visible() override { return real_->visible(); }
   DrawStatistics draw_statistics() override { return real_->draw_statistics(); }

@@ -35,7 +35,12 @@ void DeviceImages::SetUp() {
 
 Image image_of(Backend& backend, const View& view, const DrawOptions& options) {
   backend.draw(view, options);
-  Image image{backend.image(), backend.visible()};
+  Image image{backend.image(), {}};
+  DrawOptions keeping = options;  // draws it on another path
+  keeping.keep_visible = true;
+  backend.draw(view, keeping);
+  image.visible = backend.visible();
+  if (backend.image() != image.image) image.image.clear();  // equal to none
   backend.check_guards();
   return image;
 }

@@ -37,7 +37,7 @@ Scene awkward_scene(const BouncingOptions& o) {
 Backend::State run_steps(Backend& backend, const Scene& scene, uint64_t steps) {
   backend.upload(scene);
   for (uint64_t step = 0; step < steps; ++step) backend.move();
-  return backend.state();
+  return current_state(backend);
 }
 
 Backend& cpu_backend() {
