@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// A fixed number of threads shares out the deferred pairs: each is decided exactly, and recorded if it collides.
+// A fixed number of threads loops over the deferred pairs: each pair is decided exactly and recorded if it collides.
 #include "shaders/collide/collide.glsl"
 #include "common/shared/exact.h"
 
@@ -8,7 +8,8 @@ layout(local_size_x = BLOCK) in;
 
 void main() {
   uint k = group_index() * BLOCK + gl_LocalInvocationID.x;
-  uvec2 pair = deferred[min(k, p.deferred_capacity - 1u)];  // on its way before it is known to be one
+  uvec2 pair =
+      deferred[min(k, p.deferred_capacity - 1u)];  // loaded before it is known to exist, to overlap the two latencies
   uint pairs = min(summary[SUM_DEFERRED], p.deferred_capacity);
   if (group_index() * BLOCK >= pairs) return;
   start_totals();

@@ -51,16 +51,16 @@ def disassemble(text):
 def variants(stem, text):
     """The definitions of every program that is made from a shader."""
     if stem not in STATE_FEEDING:
-        plain = [("BLOCK 256", f"EQUAL_RADII {uniform}", "LISTED 1", "BUNDLES false", "BY_CELLS false",
-                  f"DENSE {str(bool(uniform)).lower()}", f"INDICES {2 if uniform else 4}u", f"LATER {uniform}u")
-                 for uniform in (0, 1)]
-        further = [("ATOMICS_64",), ("TEXTURE_TABLE",), ("FROM_TILES",), ("FOLDED",)]
+        plain = [("BLOCK 256", f"EQUAL_RADII {word}", "LISTED true", "BUNDLES false", "BY_CELLS false", f"DENSE {word}",
+                  "FROM_TILES false", f"INDICES {indices}u", f"LATER {later}u")
+                 for word, indices, later in (("false", 4, 0), ("true", 2, 1))]
+        further = [("ATOMICS_64",), ("TEXTURE_TABLE",), ("FOLDED",)]
         further += [("TEXTURE_TABLE", "WINDOWS")] * (stem == "collide_grid")
         chosen = [tuple(define.replace(f"{choice} false", f"{choice} true") for define in plain[0])
-                  for choice in ("BUNDLES", "BY_CELLS") if choice in text]
+                  for choice in ("BUNDLES", "BY_CELLS", "FROM_TILES") if choice in text]
         return plain + chosen + [(*plain[0], *defines) for defines in further if defines[-1] in text]
     methods = METHODS if stem == "move" else (6,)
-    return [("BLOCK 256", "INDICES 0u", f"METHOD {method}u", f"PRECISION {precision}", f"Real {real}")
+    return [("BLOCK 256", "INDICES 0u", "LATER 0u", f"METHOD {method}u", f"PRECISION {precision}", f"Real {real}")
             for method in methods for precision, real in enumerate(PRECISIONS)]
 
 
