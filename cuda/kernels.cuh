@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all kernel files share.
+// What every kernel sees: the buffers of layout.h, the index of its group, and the index of a sphere.
 #pragma once
 
 #include <type_traits>
@@ -8,6 +8,7 @@
 
 namespace spherepair {
 
+// CUDA only from here: finding the instance of a template; GLSL compiles the text for each variant
 template <auto value>
 using Constant = std::integral_constant<decltype(value), value>;
 
@@ -40,6 +41,7 @@ Entry pick_kernel(uint block, Variant variant, Pick pick) {
   return variant.equal_radii ? pick_listed(block, Constant<true>{}, variant.listed, pick)
                              : pick_listed(block, Constant<false>{}, variant.listed, pick);
 }
+// until here
 
 // The index of this group and the number of groups, however the dispatch is folded and sliced.
 __device__ inline uint group_index(const Params& p) { return p.first_group + blockIdx.x + gridDim.x * blockIdx.y; }

@@ -78,7 +78,7 @@ struct View {
   vec4 right, up, forward;  // the camera's axes in the world, of length 1
   vec4 light;               // towards the light in the camera's axes, of length 1; w: the share of ambient light
   vec4 sun;                 // the same in the world; w: the ground's brightness in full shadow, of the background's
-  float focal, centre_x, centre_y, pixel;  // pixels per unit of x/z; where forward meets the image, pixels; 1 / focal
+  float focal, centre_x, centre_y, pixel;  // pixels per unit of x/z; where forward hits the image, pixels; 1 / focal
   float half_x, half_y, norm_x, norm_y;    // the widest |x/z| and |y/z| seen, rounded up; sqrt(1 + half^2), rounded up
   uvec4 palette_0, palette_4;              // 0xRRGGBB of 0, 1, 2, 3 contacts; of 4, 5, 6, 7 and more
   uint background, width, height, pass;    // 0xRRGGBB; pixels; PASS_*

@@ -10,14 +10,14 @@ constexpr uint BLOCK = SERVICE_BLOCK;
 
 // The sphere's slot; past the last sphere, the end of the table.
 template <bool DENSE>
-__device__ inline uint slot_at(Params p, const KernelBuffers& buf, uint i) {
+__device__ inline uint slot_at(const Params& p, const KernelBuffers& buf, uint i) {
   uint own = slot_of(buf.position[min(i, p.n - 1u)], DENSE, p);
   return i < p.n ? own : p.cell_slots;
 }
 
 template <bool DENSE>
 __global__ void __launch_bounds__(BLOCK) grid_bounds(Params p, KernelBuffers buf) {
-  __shared__ uint slot[BOUNDS_TILE + 1];  // of the sphere before the first one, then of each
+  __shared__ uint slot[BOUNDS_TILE + 1u];  // of the sphere before the first one, then of each
   __shared__ uint begins[BOUNDS_WINDOW];  // the window of the table that is being filled
   __shared__ uint disorder;
   uint lane = threadIdx.x;

@@ -101,7 +101,7 @@ def shaders(root, build):
 
 
 def ptx_complaints(text):
-    """Without .rn the assembler behind PTX may still fuse, so a rounding is asked for everywhere."""
+    """Without .rn the assembler behind PTX may still fuse, so every operation must name its rounding."""
     return [f"{match[0].strip()}: is fused or may be" for match in LOOSE_PTX.finditer(text)]
 
 
