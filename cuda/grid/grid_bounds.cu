@@ -18,7 +18,7 @@ __device__ inline uint slot_at(const Params& p, const KernelBuffers& buf, uint i
 template <bool DENSE>
 __global__ void __launch_bounds__(BLOCK) grid_bounds(Params p, KernelBuffers buf) {
   __shared__ uint slot[BOUNDS_TILE + 1u];  // of the sphere before the first one, then of each
-  __shared__ uint begins[BOUNDS_WINDOW];  // the window of the table that is being filled
+  __shared__ uint begins[BOUNDS_WINDOW];   // the window of the table that is being filled
   __shared__ uint disorder;
   uint lane = threadIdx.x;
   uint first = group_index(p) * BOUNDS_TILE;
