@@ -108,9 +108,8 @@ struct Params {
   float dt, gravity, steps_per_second, restitution;  // seconds, <= 0 along y, 1 / dt, 0..1
   float plane, radius, apart_above, collide_below;   // y of the plane; for equal radii: squared-distance bounds
   float filter_scale, filter_offset;                 // K and T of filter_pair
-  uint
-      whole_state;  // not 0: evaluate_positions also writes velocities and SLOT_WIDE, bounce checks all that may bounce
-  float fade;       // of draw_light: 1 / (OCCLUSION_RADII * largest radius)^2
+  uint whole_state;  // not 0: evaluate_positions also writes velocities and SLOT_WIDE, bounce handles all that bounce
+  float fade;        // of draw_light: 1 / (OCCLUSION_RADII * largest radius)^2
   uint n, columns_per_group;  // spheres that a group of collide_triangle tests its rows against; consecutive spheres
                               // of a group of collide_grid, a power of two
   uint pair_capacity, deferred_capacity;

@@ -65,23 +65,20 @@ CUDA = (
 
 def without_marked(text, language):
     """The text without comments and without what is marked for this language; and complaints about the marks."""
-    kept, complaints, skipping, next_only = [], [], False, False
+    kept, complaints, in_block, in_statement = [], [], False, False
     for number, line in enumerate(text.splitlines(), 1):
         mark, code = MARK.search(line), re.sub(r"//.*", "", line).rstrip()
-        if mark and mark[1] and (mark[1] != language or not mark[3]):
-            complaints.append(f"{number}: the mark names the other language or gives no reason")
-        ends = bool(mark and mark[4])
-        if ends and not skipping:
-            complaints.append(f"{number}: `until here` without a beginning")
-        starts = bool(mark and mark[2])
-        alone = bool(mark and mark[1] and not starts)
-        drop = skipping or alone and code.strip() != "" or next_only and code.strip() != ""
-        next_only = (next_only and code.strip() == "") or (alone and code.strip() == "")
-        if next_only is False and drop and not skipping and not re.search(r"[;{}]\s*$", code) and not code.startswith("#"):
-            next_only = True  # the statement goes on in the next line
-        skipping = (skipping or starts) and not ends
-        kept.append("" if drop else code)
-    if skipping:
+        names, begins, reason, ends = mark.groups() if mark else (None, None, None, None)
+        if names and (names != language or not reason):
+            complaints.append(f"line {number}: the mark names the other language or gives no reason")
+        if ends and not in_block:
+            complaints.append(f"line {number}: `until here` without a beginning")
+        in_statement = in_statement or bool(names and not begins)
+        kept.append("" if in_block or in_statement else code)
+        if code.strip():  # a statement may go on in the next line
+            in_statement = in_statement and not re.search(r"[;{}]$|^\s*#", code)
+        in_block = (in_block or bool(begins)) and not ends
+    if in_block:
         complaints.append("`from here` without `until here`")
     return "\n".join(kept), complaints
 
