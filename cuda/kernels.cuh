@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all kernel files share.
+// What every kernel sees: the buffers of layout.h, the index of its group, and the index of a sphere.
 #pragma once
 
 #include <type_traits>
@@ -8,6 +8,7 @@
 
 namespace spherepair {
 
+// CUDA only from here: finding the instance of a template; GLSL compiles the text for each variant
 template <auto value>
 using Constant = std::integral_constant<decltype(value), value>;
 
@@ -40,39 +41,45 @@ Entry pick_kernel(uint block, Variant variant, Pick pick) {
   return variant.equal_radii ? pick_listed(block, Constant<true>{}, variant.listed, pick)
                              : pick_listed(block, Constant<false>{}, variant.listed, pick);
 }
+// until here
 
-__device__ inline uint group_index(Params p) { return p.first_group + blockIdx.x + gridDim.x * blockIdx.y; }
-
+// The index of this group and the number of groups, however the dispatch is folded and sliced.
+__device__ inline uint group_index(const Params& p) { return p.first_group + blockIdx.x + gridDim.x * blockIdx.y; }
 __device__ inline uint group_count() { return gridDim.x * gridDim.y; }
 
-// Of whoever was found at a place of the launch's order: the number, and the sphere with its radius.
-__device__ inline uint sphere_index(const Params& p, const KernelBuffers& w, vec4 found, uint sorted_index) {
-  if (p.in_cells == INDEX_IN_W) return float_bits(found.w);
-  return p.in_cells == INDEX_IN_ID ? w.id[sorted_index] : sorted_index;
+__device__ inline uint index_source(const Params& p) { return p.in_cells; }  // CUDA only: known at run time
+
+// The index and the radius of a sphere found at index k of the launch's order. Where INDEX_IN_W, w holds the index in
+// place of the radius, whichever variant of a kernel reads it.
+__device__ inline uint sphere_index(const Params& p, const KernelBuffers& buf, vec4 found, uint k) {
+  if (index_source(p) == INDEX_IN_W) return float_bits(found.w);
+  return index_source(p) == INDEX_IN_ID ? buf.id[k] : k;
 }
 __device__ inline vec4 with_radius(const Params& p, vec4 found) {
-  if (p.in_cells == INDEX_IN_W) found.w = p.radius;
+  if (index_source(p) == INDEX_IN_W) found.w = p.radius;
   return found;
 }
 
-// Of a launch that may begin before the one before it is done (KernelCall::early): waits until it is, and sees what it
-// has written. What needs nothing of that waits in the end, so that what comes next need only wait for this one; what
-// it reads was written before the launch before began to work.
+__device__ inline void clear_results(const Params& p, const KernelBuffers& buf, uint i) {
+  if (i < p.n) buf.count[i] = 0u;
+  if (i < SUMMARY_SLOTS * SUMMARY_WORDS) buf.summary[i] = 0u;
+}
+
+// CUDA only from here: OpenGL has no programmatic dependent launch
+// Of a launch that may begin before the previous one has ended (KernelCall::early): waits for that, and sees what it
+// has written. A kernel that needs nothing of the previous launch waits at its end, so that the next launch need only
+// wait for this one; what it reads was written before the previous launch began.
 __device__ inline void grid_dependency_sync() {
 #if __CUDA_ARCH__ >= 900
   cudaGridDependencySynchronize();
 #endif
 }
-// Once every group has come here, the next launch may begin.
+// Once every group has called it, the next launch may begin.
 __device__ inline void trigger_dependent_launch() {
 #if __CUDA_ARCH__ >= 900
   cudaTriggerProgrammaticLaunchCompletion();
 #endif
 }
-
-__device__ inline void clear_results(Params p, KernelBuffers w, uint i) {
-  if (i < p.n) w.count[i] = 0u;
-  if (i < SUMMARY_SLOTS * SUMMARY_WORDS) w.summary[i] = 0u;
-}
+// until here
 
 }  // namespace spherepair

@@ -41,7 +41,7 @@ struct KernelBuffers {
   uint* seen_list;
 };
 
-// Every kernel is void (Params p, KernelBuffers w), those that draw take a View v beside. A null entry means a group
+// Every kernel is void (Params p, KernelBuffers buf); those that draw also take a View v. A null entry means a group
 // size or a variant that was not compiled; a kernel of one form ignores both.
 using Entry = const void*;
 #define DECLARE(name) Entry name##_kernel(uint block, Variant variant);

@@ -20,13 +20,13 @@ std::string source_of(const std::string& kernel, unsigned block, const Variant& 
   const size_t after_version = text.find('\n') + 1;
   const uint method = uint(variant.motion.method), precision = uint(variant.motion.precision);
   return text.substr(0, after_version) +
-         fmt::format("#define BLOCK {}\n#define EQUAL_RADII {}\n#define LISTED {}\n", block, int(variant.equal_radii),
-                     int(variant.listed)) +
+         fmt::format("#define BLOCK {}\n#define EQUAL_RADII {}\n#define LISTED {}\n#define DENSE {}\n", block,
+                     variant.equal_radii, variant.listed, variant.dense) +
+         fmt::format("#define FROM_TILES {}\n#define BUNDLES {}\n#define BY_CELLS {}\n", variant.from_tiles,
+                     variant.bundles, variant.by_cells) +
+         fmt::format("#define INDICES {}u\n", variant.indices) +
          (variant.texture_table ? "#define TEXTURE_TABLE\n" : "") + (variant.windows ? "#define WINDOWS\n" : "") +
-         (variant.from_tiles ? "#define FROM_TILES\n" : "") + (variant.folded ? "#define FOLDED\n" : "") +
-         fmt::format(
-             "#define BUNDLES {}\n#define BY_CELLS {}\n#define DENSE {}\n#define INDICES {}u\n#define LATER 0u\n",
-             variant.bundles, variant.by_cells, variant.dense, variant.indices) +
+         (variant.folded ? "#define FOLDED\n" : "") +
          fmt::format("#define METHOD {}u\n#define PRECISION {}\n#define Real {}\n", method, precision,
                      real_names[precision]) +
          (features.atomics_64 ? "#extension GL_NV_shader_atomic_int64 : require\n#define ATOMICS_64\n" : "") +

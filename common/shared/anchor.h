@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The method `anchored`: a sphere is its last bounce (at first, its start) and the number of steps since, so that its
-// place at any step is one evaluation of the parabola and nothing is written or rounded between bounces. Horizontally
-// it never needs another anchor than its start.
+// The method `anchored`, event-driven: the state of a sphere is its last bounce (at first, its start) and the number of
+// steps since, so that its position at any step is one evaluation of the parabola, and nothing is written or rounded
+// between bounces. Horizontally its start remains the anchor.
 #ifndef SPHEREPAIR_ANCHOR_H
 #define SPHEREPAIR_ANCHOR_H
 
@@ -14,7 +14,7 @@ ANY_REAL struct Anchor {
   uint since;       // with ANCHOR_ON_PLANE once it has bounced
 };
 
-// Seconds that so many steps take: both halves of the count are exact floats.
+// The duration of `steps` steps, in seconds: both halves of the count are exact floats.
 ANY_REAL FN Real seconds_of(uint steps, Real kind, Params p) {
   EXACT float high = float(steps >> 16) * 65536.0f;
   return times(plus(widened(high, kind), widened(float(steps & 0xFFFFu), kind)), widened(p.dt, kind));
@@ -26,7 +26,7 @@ ANY_REAL FN Real seconds_since(Anchor OF_REAL a, Params p) {
   return plus(seconds_of(p.steps_done - (a.since & ~ANCHOR_ON_PLANE), a.age, p), a.age);
 }
 
-// From the anchor until the sphere meets the plane. Without gravity it may never: see `leaves`.
+// The flight from the anchor to the plane. Without gravity the sphere may never reach it: see `leaves`.
 ANY_REAL FN Fall OF_REAL flight_of(Anchor OF_REAL a, Params p) {
   Real zero = widened(0.0f, a.age);
   if (on_plane(a.since)) {
@@ -38,14 +38,14 @@ ANY_REAL FN Fall OF_REAL flight_of(Anchor OF_REAL a, Params p) {
   return fall(height, a.speed, p);
 }
 
-// Whether the sphere stays where it is or rises for ever.
+// Whether the sphere rests or rises for ever.
 ANY_REAL FN bool leaves(Anchor OF_REAL a, Params p) {
   Real zero = widened(0.0f, a.age);
   if (on_plane(a.since) && !below(zero, a.speed)) return true;
   return p.gravity == 0.0f && !below(a.speed, zero);
 }
 
-// The first step after which the sphere may have met the plane: float32 with a margin for its rounding.
+// The first step after which the sphere may have reached the plane: float32 with a margin for its rounding.
 ANY_REAL FN uint next_event_step(Anchor OF_REAL a, Params p) {
   if (leaves(a, p)) return NO_EVENT;
   float seconds = nearest(minus(flight_of(a, p).time, a.age));
@@ -53,7 +53,7 @@ ANY_REAL FN uint next_event_step(Anchor OF_REAL a, Params p) {
   return (a.since & ~ANCHOR_ON_PLANE) + 1u + uint(smaller(larger(steps, 0.0f), 1073741824.0f));
 }
 
-// The anchor after the bounces of the step that is done now; the same one when there was none.
+// The anchor after the bounces of the current step; unchanged when there was none.
 ANY_REAL FN Anchor OF_REAL anchor_anew(Anchor OF_REAL a, Params p) {
   Fall OF_REAL end = flight_of(a, p);
   Real left = minus(seconds_since(a, p), end.time);
@@ -65,7 +65,7 @@ ANY_REAL FN Anchor OF_REAL anchor_anew(Anchor OF_REAL a, Params p) {
   return a;
 }
 
-// Where the sphere is now.
+// Position and velocity at the current step.
 ANY_REAL FN Moving OF_REAL evaluate_sphere(Anchor OF_REAL a, Params p) {
   Real time = seconds_since(a, p);
   Real total = seconds_of(p.steps_done, a.age, p);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The cells of the uniform grid. A coordinate's cell number is a chain of one subtraction, one multiplication, a clamp
 // and a truncation, each of which is monotonic however it rounds. So x <= y gives cell(x) <= cell(y) for all floats,
-// and a sphere that reaches down to x - reach can only meet spheres of the cells from cell(x - reach) on: no margin is
-// needed, at any distance from the origin. A cell belongs to a level, that of its spheres' radii; the cells of level k
-// are 2^k as large as those of level 0.
+// and a sphere that reaches down to x - reach can only collide with spheres of the cells from cell(x - reach) on: no
+// margin is needed, at any distance from the origin. A cell belongs to a level, chosen by the radii of its spheres; the
+// cells of level k are 2^k times as wide as those of level 0.
 #ifndef SPHEREPAIR_CELL_H
 #define SPHEREPAIR_CELL_H
 
@@ -13,50 +13,50 @@ struct Cell {
   int x, y, z;
 };
 
-// A dense grid in the units of its cells, from 0 to below their number; spheres outside belong to the border.
+// In units of the cells of a dense grid, from 0 to the number of cells - 1; spheres outside belong to the border.
 struct GridPosition {
   float x, y, z;
 };
 FN float grid_coordinate(float x, float origin, float scale, uint cells) {
   EXACT float offset = x - origin;
-  EXACT float place = offset * scale;
-  return smaller(larger(place, 0.0f), float(cells - 1u));
+  EXACT float coordinate = offset * scale;
+  return smaller(larger(coordinate, 0.0f), float(cells - 1u));
 }
 FN GridPosition grid_position(vec4 sphere, Params p) {
-  GridPosition place = {grid_coordinate(sphere.x, p.origin_x, p.cells_per_metre, p.cells_x),
-                        grid_coordinate(sphere.y, p.origin_y, p.cells_per_metre, p.cells_y),
-                        grid_coordinate(sphere.z, p.origin_z, p.cells_per_metre, p.cells_z)};
-  return place;
+  GridPosition position = {grid_coordinate(sphere.x, p.origin_x, p.cells_per_metre, p.cells_x),
+                           grid_coordinate(sphere.y, p.origin_y, p.cells_per_metre, p.cells_y),
+                           grid_coordinate(sphere.z, p.origin_z, p.cells_per_metre, p.cells_z)};
+  return position;
 }
-// In a dense grid: at least r + (the largest radius) in units of cells, with a margin for the rounding of two places,
-// and less than 1, so that a neighbourhood is three cells wide at most.
+// In a dense grid: at least r + (the largest radius) in units of cells, with a margin for the rounding of two
+// coordinates, and less than 1, so that a neighbourhood is at most three cells wide.
 FN float reach_in_cells(float radius, Params p) {
   EXACT float reach = multiply_add(radius, p.reach_scale, p.reach_offset);
   return reach;
 }
-FN uint cell_below(float place, float reach) {
-  EXACT float low = place - reach;
+FN uint cell_below(float coordinate, float reach) {
+  EXACT float low = coordinate - reach;
   return uint(larger(low, 0.0f));
 }
-FN uint cell_above(float place, float reach, uint cells) {
-  EXACT float high = place + reach;
+FN uint cell_above(float coordinate, float reach, uint cells) {
+  EXACT float high = coordinate + reach;
   return uint(smaller(high, float(cells - 1u)));
 }
 FN uint dense_slot(uint x, uint y, uint z, Params p) { return (z * p.cells_y + y) * p.cells_x + x; }
 
-// The level of a radius: its octave above the smallest; everything is in level 0 when there is only one.
+// The level of a radius: its octave above the smallest; 0 for all when there is only one level.
 FN uint level_of(float radius, Params p) {
   uint octave = (float_bits(radius) >> 23) & 0xFFu;
   uint above = octave > p.first_octave ? octave - p.first_octave : 0u;
   return above < p.top_level ? above : p.top_level;
 }
 
-const int MOST_CELLS = 1073741824;  // numbered up to this one in each direction
+const int MOST_CELLS = 1073741824;  // the largest cell number, in each direction
 
 FN int cell_number(float x, float origin, float scale) {
   EXACT float offset = x - origin;
-  EXACT float place = offset * scale;
-  return int(smaller(larger(place, -float(MOST_CELLS)), float(MOST_CELLS)));
+  EXACT float coordinate = offset * scale;
+  return int(smaller(larger(coordinate, -float(MOST_CELLS)), float(MOST_CELLS)));
 }
 
 FN float cells_per_metre(uint level, Params p) {
@@ -70,7 +70,7 @@ FN Cell cell_at(float x, float y, float z, uint level, Params p) {
   return cell;
 }
 
-// Where the row of cells y, z begins in the table, hashed; its cells have consecutive slots, modulo the table's size.
+// The hashed slot at which the row of cells y, z begins; its cells have consecutive slots, modulo the table's size.
 // Rows may share slots.
 FN uint row_slot(uint level, int y, int z) {
   uint h = uint(y) * 0x9E3779B1u + uint(z) * 0x85EBCA77u + level * 0xC2B2AE3Du;
@@ -81,7 +81,7 @@ FN uint row_slot(uint level, int y, int z) {
 
 FN uint slot_in_row(uint row, int x, Params p) { return (row + uint(x)) & p.hash_mask; }
 
-// The cells of a level in which a sphere can meet others lie between these two.
+// The cells of a level whose spheres a sphere can collide with lie between these two.
 FN Cell lowest_cell(vec4 sphere, float reach, uint level, Params p) {
   EXACT float x = sphere.x - reach;
   EXACT float y = sphere.y - reach;
@@ -96,15 +96,15 @@ FN Cell highest_cell(vec4 sphere, float reach, uint level, Params p) {
 }
 
 FN uint dense_slot_of(vec4 sphere, Params p) {
-  GridPosition place = grid_position(sphere, p);
-  return dense_slot(uint(place.x), uint(place.y), uint(place.z), p);
+  GridPosition position = grid_position(sphere, p);
+  return dense_slot(uint(position.x), uint(position.y), uint(position.z), p);
 }
 FN uint hashed_slot_of(vec4 sphere, Params p) {
   uint level = level_of(sphere.w, p);
   Cell cell = cell_at(sphere.x, sphere.y, sphere.z, level, p);
   return slot_in_row(row_slot(level, cell.y, cell.z), cell.x, p);
 }
-// `dense`: known beforehand, as a constant, so that there is no code for the other.
+// `dense`: a compile-time constant, so that no code for the other grid is made.
 FN uint slot_of(vec4 sphere, bool dense, Params p) {
   return dense || p.hash_mask == 0u ? dense_slot_of(sphere, p) : hashed_slot_of(sphere, p);
 }
@@ -125,13 +125,13 @@ FN float reach_of(float radius, uint level, Params p) {
   return reach;
 }
 
-// Where the spheres of a bucket stand in a tile, from its first sphere on: the upper half is where they end.
+// The range of a bucket's spheres within a sorted tile, in one word: begin, and end in the upper half.
 FN uint run_in_tile(uint begin, uint end) { return begin | end << 16; }
 FN uint begin_in_tile(uint run) { return run & 0xFFFFu; }
 FN uint end_in_tile(uint run) { return run >> 16; }
 
-// Buckets are ranges of slots. A sphere of this slot and those between it and others of its parent, a larger range, are
-// in the buckets from the one below to the one above.
+// Buckets are ranges of slots, and their parents larger ranges. The spheres of this slot's parent are in the buckets
+// from bucket_below to bucket_above.
 FN uint bucket_below(uint slot, Params p) { return (slot >> p.parent_shift) << (p.parent_shift - p.bucket_shift); }
 FN uint bucket_above(uint slot, Params p) {
   uint behind = ((slot >> p.parent_shift) + 1u) << (p.parent_shift - p.bucket_shift);

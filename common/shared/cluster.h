@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Whether a cluster of spheres can be left out of a picture. All is conservative, with room for every rounding, so that
-// leaving out changes no bit of the picture.
+// Culling of clusters of spheres. All tests are conservative, with margins for every rounding, so that culling changes
+// no bit of the image.
 #ifndef SPHEREPAIR_CLUSTER_H
 #define SPHEREPAIR_CLUSTER_H
 
 #include "common/shared/cell.h"
 #include "common/shared/draw.h"
 
-// A box in the camera's axes that holds all of a cluster: its middle, and how far it reaches along each axis.
+// A cluster's bounding box in the camera's axes: centre and half extents.
 struct Solid {
   float x, y, z, across, above, ahead;
 };
 
-// No cluster has spheres that no view can draw (in_camera); they do not stretch its corners.
+// Spheres that no view can draw (in_camera) do not enlarge a cluster's box.
 FN bool ever_drawable(vec4 sphere) {
   float most = bits_float(0x59800000u);  // 2^52
   return sphere.w >= bits_float(0x30800000u) && sphere.w <= most && magnitude(sphere.x) <= most &&
@@ -34,14 +34,14 @@ FN vec4 highest_corner(vec4 sphere) {
   return corner;
 }
 
-// Whether spheres of places from a to b of a cell order are in one row of cells, none of which is at the grid's border,
-// where cells have no end.
+// Whether all spheres from a to b in cell order are in one row of cells, none of which is at the grid's border, where
+// cells are unbounded.
 FN bool within_row(GridPosition a, GridPosition b, Params p) {
   return uint(a.y) == uint(b.y) && uint(a.z) == uint(b.z) && a.x >= 1.0f && b.x < float(p.cells_x - 1u) &&
          a.y >= 1.0f && a.y < float(p.cells_y - 1u) && a.z >= 1.0f && a.z < float(p.cells_z - 1u);
 }
-// Where spheres that belong to cells from this one on, or to those before it, may begin and end along an axis; 2^-20 is
-// more than rounding took from a place.
+// Lower bound along an axis of the spheres in cells from this one on; upper bound of those in cells before it. 2^-20
+// covers the rounding of a coordinate.
 FN float least_from(uint cell, float origin, Params p) {
   EXACT float offset = float(cell) / p.cells_per_metre;
   EXACT float room = (magnitude(origin) + offset) * bits_float(0x35800000u);
@@ -65,7 +65,7 @@ FN vec4 highest_in_row(GridPosition b, Params p) {
   return corner;
 }
 
-// 2^-19 of all that went into a coordinate is more than rounding took from it, here and in in_camera.
+// 2^-19 of the sum of a coordinate's terms covers its rounding, here and in in_camera.
 FN Solid solid_of(vec4 low, vec4 high, View v) {
   EXACT float x = 0.5f * (low.x + high.x) - v.eye.x;
   EXACT float y = 0.5f * (low.y + high.y) - v.eye.y;
@@ -119,8 +119,8 @@ FN uint least_depth(Solid solid, Box box, View v) {
   return least_depth_between(close, far, 0.0f, box, v);
 }
 
-// The same box nearer to the eye by NEAR_LAYERS times the thinnest half of what the corners hold. What is even then
-// behind all that is seen where it would show is put off.
+// The same box moved towards the eye by NEAR_LAYERS times the smallest half extent of its corners. A cluster that is
+// still behind the visible depths is deferred.
 FN Solid brought_nearer(Solid solid, vec4 low, vec4 high) {
   EXACT float width = high.x - low.x;
   EXACT float height = high.y - low.y;
@@ -131,11 +131,11 @@ FN Solid brought_nearer(Solid solid, vec4 low, vec4 high) {
   return nearer;
 }
 
-// A bundle's corners stand behind those of all clusters.
+// The corners of the bundles follow those of all clusters.
 FN uint bundles_of(View v) { return (v.clusters + BUNDLE - 1u) / BUNDLE; }
 FN uint corners_of_bundle(uint bundle, View v) { return 2u * (v.clusters + bundle); }
 
-// In one word: a bundle and, a bit each, which of its clusters are meant.
+// An entry for a bundle, in one word: its index, and a bit for each of its clusters.
 FN uint all_of_bundle(uint bundle, View v) {
   uint clusters = v.clusters - bundle * BUNDLE;
   uint bits = clusters < BUNDLE ? (1u << clusters) - 1u : (1u << BUNDLE) - 1u;
@@ -147,7 +147,7 @@ FN uint bits_in(uint entry) { return entry & ((1u << BUNDLE) - 1u); }
 // The list that a phase draws.
 FN uint list_of(uint phase) { return phase == uint(PHASE_FAR) ? LIST_FAR : LIST_DRAWN; }
 
-// The pyramid's levels: texels of LEVEL_0, LEVEL_1 and LEVEL_2 pixels along both axes.
+// The levels of the hierarchical Z: texels of LEVEL_0, LEVEL_1 and LEVEL_2 pixels along both axes.
 FN uint texel_shift(uint level) { return 3u + 2u * level; }
 FN uint texels_along(uint pixels, uint level) {
   return (pixels + (1u << texel_shift(level)) - 1u) >> texel_shift(level);
@@ -157,7 +157,7 @@ FN uint first_texel(uint level, View v) {
   for (uint k = 0u; k < level; ++k) first += texels_along(v.width, k) * texels_along(v.height, k);
   return first;
 }
-// A texel: x is the greatest depth of its pixels, infinite where nothing is seen, and y the greatest that is seen.
+// A texel: x is the greatest depth of its pixels, infinite for background, and y the greatest without the background.
 FN uvec2 texel_of_pixel(uint depth) {
   uvec2 texel = {depth, depth == 0xFFFFFFFFu ? 0u : depth};
   return texel;
@@ -167,7 +167,7 @@ FN uvec2 texel_of_both(uvec2 a, uvec2 b) {
   return texel;
 }
 
-// In how many texels a box is looked up, beside those that its borders touch; rows of spheres make long and low boxes.
+// Texels that a box covers, without those that its borders only touch; rows of spheres have long and low boxes.
 FN uint texels_of(Box box, uint level) {
   uint shift = texel_shift(level);
   return ((box.width >> shift) + 1u) * ((box.height >> shift) + 1u);

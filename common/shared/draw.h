@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The geometry and the light of a picture, once for three compilers. A pixel's ray is t * (x, y, 1) in the camera's
+// Geometry and shading of an image, written once for three compilers. A pixel's ray is t * (x, y, 1) in the camera's
 // axes. Within a pixel, b - sqrt(disc) orders the hits as t does, so it is the depth: a positive float, whose bits
 // order as it does. Everything that decides a pixel is rounded the same way everywhere. Denormals may be flushed:
 // nothing here is so small that it shows.
@@ -10,7 +10,7 @@
 #include "common/shared/view.h"
 
 // The sphere in the camera's axes, radius in w; w = 0 when it cannot be drawn: a radius outside 2^-30..2^50 m, a centre
-// further than 2^50 m from the eye, or no number.
+// farther than 2^50 m from the eye, or a NaN.
 FN vec4 in_camera(vec4 sphere, View v) {
   EXACT float x = sphere.x - v.eye.x;
   EXACT float y = sphere.y - v.eye.y;
@@ -27,7 +27,7 @@ FN vec4 in_camera(vec4 sphere, View v) {
 
 FN float magnitude(float x) { return bits_float(float_bits(x) & 0x7FFFFFFFu); }
 
-// Whether any of it may be in view. The borders are a pixel wider than the image, which is more than rounding.
+// Frustum culling. The borders are a pixel wider than the image, which covers the rounding.
 FN bool in_frustum(vec4 seen, View v) {
   EXACT float far = seen.z + seen.w;
   EXACT float sideways = magnitude(seen.x) - v.half_x * seen.z;
@@ -42,8 +42,8 @@ struct Box {
   uint x, y, width, height;
 };
 
-// Pixel centres from low to high along an axis. The margin of 1/64 pixel covers the rounding of low and high, by
-// division of any driver, up to 16,384 pixels; being wide costs time only.
+// Pixel centres from low to high along an axis. The margin of 1/64 pixel covers the rounding of low and high, with any
+// driver's division, up to 16,384 pixels; a wider range only costs time.
 FN uint first_pixel(float low) {
   EXACT float margin = low - 0.015625f;
   EXACT float before = larger(margin, -1.0f) + 1.0f;
@@ -52,10 +52,10 @@ FN uint first_pixel(float low) {
 FN uint last_pixel(float high, uint size) {
   EXACT float margin = high + 0.015625f;
   EXACT float inside = smaller(margin, float(size - 1u)) + 1.0f;
-  return uint(larger(inside, 0.0f));  // one behind the last
+  return uint(larger(inside, 0.0f));  // one past the last
 }
 
-// Of what lies between these limits in the camera's axes: all pixels when it reaches the plane of the eye.
+// The bounding box in pixels of what lies between these limits in the camera's axes.
 FN Box box_between(float left, float right, float bottom, float top, float close, float far, View v) {
   EXACT float per_close = v.focal / close;
   EXACT float per_far = v.focal / far;
@@ -84,7 +84,7 @@ FN Box box_of(vec4 seen, View v) {
   return box_between(left, right, bottom, top, close, far, v);
 }
 
-// In two words.
+// Packed into two words.
 FN uvec2 words_of(Box box) {
   uvec2 words = {box.x | (box.y << 16), box.width | (box.height << 16)};
   return words;
@@ -100,12 +100,11 @@ FN bool is_large(Box box, View v) {
   return box.width > most || box.height > most;
 }
 
-// Of the threads that share a sphere, so many are in a row.
+// How many of the threads that share a sphere are in one row of its box.
 FN uint lanes_across(View v) { return v.lanes == 1u ? 1u : uint(LANES_ACROSS); }
 
-// The place in the order in which spheres, or clusters, are gone through: the near ones first, as far as a cell order
-// by z and then y and x has them.
-FN uint place_in_turn(uint k, uint count, View v) { return v.forward.z < 0.0f ? count - 1u - k : k; }
+// Index of the k-th sphere or cluster in approximate front-to-back order: cell order is by z, then y, then x.
+FN uint front_to_back(uint k, uint count, View v) { return v.forward.z < 0.0f ? count - 1u - k : k; }
 
 FN uint tiles_along(uint pixels) { return (pixels + TILE - 1u) / TILE; }
 FN Box tile_of(Box box, uint column, uint row) {
@@ -129,7 +128,7 @@ FN Ray ray_through(uint px, uint py, View v) {
 }
 
 // The depth at which the ray enters the sphere; 0 when it does not, or does before v.eye.w. The distance of the centre
-// from the ray comes from the cross product: no difference of large squares.
+// from the ray comes from the cross product, which avoids a difference of large squares.
 FN float depth_of_hit(vec4 seen, Ray ray, View v) {
   EXACT float up = seen.y - ray.y * seen.z;
   EXACT float across = seen.x - ray.x * seen.z;
@@ -146,7 +145,7 @@ FN float depth_of_hit(vec4 seen, Ray ray, View v) {
 struct Range {
   float least, most;
 };
-// Of |x| from low to high.
+// The range of |x| for x from low to high.
 FN Range magnitudes(float low, float high) {
   float a = magnitude(low);
   float b = magnitude(high);
@@ -155,7 +154,7 @@ FN Range magnitudes(float low, float high) {
   return range;
 }
 
-// Of the squares of the lengths of the rays through a box.
+// The range of the squared lengths of the rays through a box.
 FN Range squares_of_rays(Box box, View v) {
   EXACT float left = (float(box.x) - v.centre_x) * v.pixel;
   EXACT float right = (float(box.x + box.width) - v.centre_x) * v.pixel;
@@ -169,8 +168,8 @@ FN Range squares_of_rays(Box box, View v) {
   return squares;
 }
 
-// The bits of a depth that nothing between these limits along forward is nearer than, at any pixel of the box. A depth
-// is the distance along forward times the square of the ray's length; 2^-16 of the greatest covers its rounding.
+// The bits of a lower bound of the depth of anything between these limits along forward, at any pixel of the box. A
+// depth is the distance along forward times the square of the ray's length; 2^-16 of the greatest covers its rounding.
 FN uint least_depth_between(float close, float far, float more_slack, Box box, View v) {
   Range squares = squares_of_rays(box, v);
   EXACT float slack = (far * bits_float(0x37800000u) + more_slack) * squares.most;
@@ -178,7 +177,7 @@ FN uint least_depth_between(float close, float far, float more_slack, Box box, V
   return least > 0.0f ? float_bits(least) : 0u;
 }
 
-// Of a sphere: 2^-10 of the radius covers the rounding of the root where the ray all but misses.
+// The same for a sphere: 2^-10 of the radius covers the rounding of the root where the ray is almost tangent.
 FN uint least_depth_of(vec4 seen, Box box, View v) {
   EXACT float close = seen.z - seen.w;
   EXACT float far = seen.z + seen.w;
@@ -202,7 +201,7 @@ FN uint lit(uint colour, float light) {
   return uint(red) | (uint(green) << 8) | (uint(blue) << 16) | 0xFF000000u;
 }
 
-// Where the ray meets the sphere at this depth: the outward normal in the camera's axes.
+// The outward normal, in the camera's axes, where the ray hits the sphere at this depth.
 struct Normal {
   float x, y, z;
 };
@@ -216,7 +215,7 @@ FN Normal normal_at(vec4 seen, Ray ray, float depth) {
   return normal;
 }
 
-// The light on it: from all around, of which `around` arrives, and from the sun, of which `sun` does.
+// Ambient light, of which the share `around` arrives, and light of the sun, of which the share `sun` arrives.
 FN float light_on_normal(Normal normal, float around, float sun, View v) {
   EXACT float facing = (normal.x * v.light.x + normal.y * v.light.y) + normal.z * v.light.z;
   EXACT float light = v.light.w * around + ((1.0f - v.light.w) * sun) * smaller(larger(facing, 0.0f), 1.0f);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The exact stages of the collision predicate, for the few pairs that the filter leaves: float64 with the same
-// two-sided test, then integers. Floats are taken apart by their bits, so flushed denormals cannot change an answer.
+// two-sided test, then integers. Floats are taken apart by their bits, so flushed denormals cannot change a result.
 #ifndef SPHEREPAIR_EXACT_H
 #define SPHEREPAIR_EXACT_H
 

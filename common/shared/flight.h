@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A moving sphere, its free flight, and the methods that turn it round at the plane where a step finds it below: the
+// A moving sphere, its free flight, and the methods that reverse its velocity when a step ends below the plane: the
 // paper's and its relatives. Written once for state in float, Two and double.
 #ifndef SPHEREPAIR_FLIGHT_H
 #define SPHEREPAIR_FLIGHT_H
@@ -47,8 +47,8 @@ ANY_REAL FN Real turned(Real velocity, Params p) {
   return snapped(negated(times(velocity, widened(p.restitution, velocity))));
 }
 
-// Code 1 of the paper, to the letter: on contact the old velocity is turned round, times the restitution, and the step
-// is taken again from the old position. It sinks for restitution < 1 and gains energy at 1; both belong to the method.
+// Code 1 of the paper, to the letter: on contact the old velocity is reversed, times the restitution, and the step is
+// repeated from the old position. It sinks for restitution < 1 and gains energy at 1; both belong to the method.
 ANY_REAL FN Moving OF_REAL move_paper(Moving OF_REAL from, Params p) {
   Moving OF_REAL next = fly(from, p);
   if (below_plane(next.y, from.radius, p.plane)) {
@@ -74,14 +74,14 @@ FN double ground(float r, float plane, double kind) {
   return kind;
 }
 
-// The same, but a sphere that is below the plane after all is put on it.
+// The same, but a sphere that still ends below the plane is moved onto it.
 ANY_REAL FN Moving OF_REAL move_clamped(Moving OF_REAL from, Params p) {
   Moving OF_REAL next = move_paper(from, p);
   if (below_plane(next.y, from.radius, p.plane)) next.y = ground(from.radius, p.plane, from.y);
   return next;
 }
 
-// A step straight along y at this velocity, the same turn.
+// A step along y at constant velocity, with the same reversal on contact.
 ANY_REAL FN Moving OF_REAL move_straight(Moving OF_REAL from, Real velocity, Moving OF_REAL next, Params p) {
   Real dt = widened(p.dt, from.y);
   next.y = drift(from.y, velocity, dt);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Methods that find when a sphere meets the plane within a step. Gravity is constant, so between bounces a step is
-// exact but for rounding: the time of impact is all that there is to find. Gravity must not point upwards. A sphere
-// that starts below the plane is put on it.
+// Methods that find the time of impact on the plane within a step. Gravity is constant, so between bounces a step is
+// exact but for rounding: only the time of impact is unknown. Gravity must not point upwards. A sphere that starts
+// below the plane is moved onto it.
 #ifndef SPHEREPAIR_IMPACT_H
 #define SPHEREPAIR_IMPACT_H
 
 #include "common/shared/flight.h"
 
-// The step without a plane: its length is rounded before it is added to the position, which is far coarser, so that
-// the same small terms are not rounded the same way again and again (in float32 that is 30 times more accurate).
+// The step without a plane: the displacement is rounded before it is added to the position, whose ulp is far larger, so
+// that the same small terms are not rounded the same way in every step (in float32 30 times more accurate).
 ANY_REAL FN Moving OF_REAL glide(Moving OF_REAL from, Params p) {
   Moving OF_REAL next = fly(from, p);
   Real climbed = times(from.vy, widened(p.dt, from.y));
@@ -16,10 +16,10 @@ ANY_REAL FN Moving OF_REAL glide(Moving OF_REAL from, Params p) {
   return next;
 }
 
-// Until a sphere meets the plane, and how fast it then is, downwards.
+// The time until a sphere reaches the plane, and its downward speed then.
 ANY_REAL struct Fall { Real time, speed; };
 
-// From this height (>= 0) above the plane: the root of height + velocity*t + g*t*t/2 that has no cancellation.
+// From this height (>= 0) above the plane: the root of height + velocity*t + g*t*t/2, without cancellation.
 ANY_REAL FN Fall OF_REAL fall(Real height, Real velocity, Params p) {
   Real zero = widened(0.0f, height);
   EXACT float twice_gravity = -2.0f * p.gravity;
@@ -34,13 +34,14 @@ ANY_REAL FN Fall OF_REAL fall(Real height, Real velocity, Params p) {
   return end;
 }
 
-// The last of the bounces that are over by now: when it was, and the speed after it. Speed 0: at rest.
+// The last bounce so far: the time since, and the speed after it. Speed 0: at rest.
 ANY_REAL struct Rebound { Real time, speed; };
 
 // A sphere that leaves the plane upwards at `speed` and moves for `time`: any number of bounces. A flight takes
 // 2*speed/|g|; 2^k flights take s(k) times as long as the first, s(k+1) = s(k) * (1 + e^(2^k)), and leave e^(2^k) of
-// the speed, so doubling finds the last bounce in a few turns at every restitution. What would bounce 2^32 times more
-// is at rest: for e < 1 that is Zeno's time, 2*speed/(|g|(1-e)), and for e = 1 it is lower than any float can show.
+// the speed, so doubling finds the last bounce in a few iterations at every restitution. What would bounce 2^32 times
+// more is at rest: for e < 1 that is Zeno's time, 2*speed/(|g|(1-e)), and for e = 1 it is lower than any float can
+// show.
 ANY_REAL FN Rebound OF_REAL rebound(Real time, Real speed, Params p) {
   Rebound OF_REAL last = {time, speed};
   if (p.gravity == 0.0f) return last;
@@ -68,7 +69,7 @@ ANY_REAL FN Rebound OF_REAL rebound(Real time, Real speed, Params p) {
   return last;
 }
 
-// Where a sphere is that left the plane so long ago, and its velocity.
+// Position and velocity of a sphere that left the plane `since` ago.
 ANY_REAL FN Moving OF_REAL risen(Moving OF_REAL sphere, Rebound OF_REAL since, Params p) {
   Real zero = widened(0.0f, sphere.y);
   Real slowed = times(widened(p.gravity, sphere.y), since.time);
@@ -93,7 +94,7 @@ ANY_REAL FN Moving OF_REAL move_impact(Moving OF_REAL from, Params p) {
   return risen(next, rebound(left, times(end.speed, widened(p.restitution, from.y)), p), p);
 }
 
-// The time of impact as if the step's path were straight, and one bounce: what ends below the plane even so rests.
+// The time of impact on a straight path, and one bounce: a sphere that still ends below the plane comes to rest.
 ANY_REAL FN Moving OF_REAL move_impact_linear(Moving OF_REAL from, Params p) {
   Moving OF_REAL next = glide(from, p);
   if (!below_plane(next.y, from.radius, p.plane)) return next;

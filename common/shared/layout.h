@@ -10,85 +10,84 @@
 #define SLOT_VELOCITY 1  // vec4[n]: metres per second, w unused
 #define SLOT_COUNT 2     // uint[n]: contacts of each sphere; a sphere is coloured as colliding when its count is not 0
 #define SLOT_SUMMARY 3   // uint[SUMMARY_SLOTS * SUMMARY_WORDS]: partial totals, see SUM_*
-#define SLOT_DEFERRED 4  // uvec2[]: pairs, by place, that are left to `settle`; their number is SUM_DEFERRED
-#define SLOT_PAIR 5      // uvec2[]: colliding pairs (i<j) in any order, when asked for; their number is SUM_LISTED
-#define SLOT_SPHERES 6   // vec4[2m]: the m pairs of spheres that `decide` is asked about
-#define SLOT_VERDICT 7   // uint[m]: what `decide` answers, verdict_code()
-#define SLOT_CELL 8      // uint[cell_slots + 2]: where each cell's spheres begin in cell order
-#define SLOT_SPLIT_ID 9  // uint[n]: which sphere stands at each place of SLOT_SPLIT, unless INDEX_IN_W
-#define SLOT_SORTED 10   // vec4[n]: spheres in cell order; the number in w where INDEX_IN_W
-#define SLOT_ID 11       // uint[n]: which sphere stands at each place of the cell order, where INDEX_IN_ID
-#define SLOT_SORTED_COUNT 12  // uint[n]: contacts, in cell order
-#define SLOT_SCAN 13     // uint[scan_tiles]: sums of the tiles of grid_scan; of grid_bounds: [0] is 1 when out of order
-#define SLOT_SPLIT 14    // vec4[n]: spheres in the order of buckets of cells, all of them or those of each tile
-#define SLOT_BUCKET 15   // uint[]: where the next sphere of each bucket goes; of each tile: see run_in_tile
-#define SLOT_VISIBLE 16  // uint[2 * pixels]: the number of the sphere seen, then its depth; both ~0 where there is none
-#define SLOT_IMAGE 17    // uint[pixels]: red, green, blue, 255 from the lowest byte up; rows from the top
-#define SLOT_TILE 18     // uvec2[]: large spheres cut into tiles: the sphere's number, that of the tile in its box
-#define SLOT_DRAWN 19    // uint[2 * DRAWN_WORDS]: see view.h
-#define SLOT_CLUSTER 20  // vec4[2 * (clusters + bundles)]: corners of what holds each one; w: list_for_bundle
-#define SLOT_SEEN_LEFT 21     // uint[]: four bits for each sphere, not 0 while in the list of those seen
+#define SLOT_DEFERRED 4  // uvec2[]: SUM_DEFERRED undecided pairs of indices into the positions, for resolve_undecided
+#define SLOT_PAIR 5      // uvec2[]: colliding pairs (i<j) in any order, if requested; SUM_LISTED of them
+#define SLOT_SPHERES 6   // vec4[2m]: the m pairs of spheres that `decide` tests
+#define SLOT_VERDICT 7   // uint[m]: results of `decide`, see verdict_code()
+#define SLOT_CELL 8      // uint[cell_slots + 2]: sorted index at which each cell's spheres begin
+#define SLOT_SPLIT_ID 9  // uint[n]: sphere index of each entry of SLOT_SPLIT, unless INDEX_IN_W
+#define SLOT_SORTED 10   // vec4[n]: spheres in cell order; sphere index in w where INDEX_IN_W
+#define SLOT_ID 11       // uint[n]: sphere index by sorted index, where INDEX_IN_ID
+#define SLOT_SORTED_COUNT 12  // uint[n]: contacts by sorted index
+#define SLOT_SCAN 13          // uint[scan_tiles]: tile sums for grid_scan; of grid_bounds: [0] is 1 when out of order
+#define SLOT_SPLIT 14         // vec4[n]: spheres sorted by bucket, globally or within each tile
+#define SLOT_BUCKET 15        // uint[]: write cursor of each bucket; of each tile: see run_in_tile
+#define SLOT_VISIBLE 16    // uint[2 * pixels], the visibility buffer: sphere index, then depth; both ~0 for background
+#define SLOT_IMAGE 17      // uint[pixels]: red, green, blue, 255 from the lowest byte up; rows from the top
+#define SLOT_TILE 18       // uvec2[]: large spheres cut into tiles: sphere index, index of the tile in its box
+#define SLOT_DRAWN 19      // uint[2 * DRAWN_WORDS]: see view.h
+#define SLOT_CLUSTER 20    // vec4[2 * (clusters + bundles)]: corners of the bounding boxes; w: list_for_bundle
+#define SLOT_SEEN_LEFT 21  // uint[]: four bits a sphere, not 0 while it is in SLOT_SEEN_LIST
 #define SLOT_CLUSTER_LIST 22  // uint[3 * clusters], by LIST_*, each in any order
-#define SLOT_PYRAMID 23       // uvec2[]: of the depths in each texel, level by level; see draw_hiz_pyramid
+#define SLOT_PYRAMID 23       // uvec2[], the hierarchical Z: two depths a texel, level by level; see texel_of_pixel
 #define SLOT_WIDE 24          // Real[6n], of compensated and float64: all x, all y, all z, then the velocities
 #define SLOT_ANCHOR 25        // vec4[n], of anchored: where the spheres started, radius in w
 #define SLOT_FLIGHT 26  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
 #define SLOT_SINCE 27   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
-#define SLOT_NEXT_EVENT 28   // uint[n], of anchored: no sphere meets the plane before its step of this number
-#define SLOT_SEEN_LIST 29    // uint[], two by View::turn: numbers of spheres that the last pictures showed
-#define SLOT_VISIBLE_ODD 30  // as SLOT_VISIBLE, for every other picture where two overlap
+#define SLOT_NEXT_EVENT 28   // uint[n], of anchored: first step in which the sphere may reach the plane
+#define SLOT_SEEN_LIST 29    // uint[], two by View::turn: indices of the spheres visible in recent frames
+#define SLOT_VISIBLE_ODD 30  // as SLOT_VISIBLE, for every other frame where two are in flight
 #define SLOT_TOTAL 31
 #define SLOT_PARAMS 0   // the uniform block's own binding
-#define CELL_TEXTURE 0  // texture units of GLSL, one for each use, so that they seldom change
-#define SPHERE_TEXTURE 1
-#define PYRAMID_TEXTURE 2
-#define TEXTURE_UNITS 3
+#define CELL_TEXTURE 0  // texture units of GLSL, one per use, so that bindings seldom change
+#define PYRAMID_TEXTURE 1
+#define TEXTURE_UNITS 2
 
-// Totals are spread over SUMMARY_SLOTS rows so that thousands of groups do not queue on one address; the host adds the
-// rows. 64-bit totals take two words, low first.
+// Totals are spread over SUMMARY_SLOTS rows, so that thousands of groups do not contend for one address; the host adds
+// the rows. 64-bit totals take two words, low first.
 #define SUMMARY_SLOTS 64
 #define SUMMARY_WORDS 16
 #define SUM_PAIRS 0       // uint64: colliding pairs
 #define SUM_MIX_A 2       // uint64: fingerprint, sum of pair_mix_a
 #define SUM_MIX_B 4       // uint64: fingerprint, sum of pair_mix_b
 #define SUM_COLLIDING 6   // uint64: spheres whose count is not 0, of `tally`
-#define SUM_DEFERRED 8    // uint, row 0 only: pairs left to `settle`, also beyond the list's capacity
-#define SUM_LISTED 9      // uint, row 0 only: pairs wanted by the list, also beyond its capacity
+#define SUM_DEFERRED 8    // uint, row 0 only: pairs left to resolve_undecided, also those beyond the list's capacity
+#define SUM_LISTED 9      // uint, row 0 only: pairs listed, also those beyond the list's capacity
 #define SUM_STAGE 10      // uint[5]: undecided pairs by the stage that decided them, STAGE_*
-#define SUM_UNDECIDED 15  // uint: pairs the filter left undecided in a search that decides most of them itself
-#define TOTAL_ROWS 16     // a group adds up in shared memory in so many rows, so that its threads do not queue either
-#define TOTAL_STRIDE 9    // words from row to row: rows begin in different banks
+#define SUM_UNDECIDED 15  // uint: pairs that the filter left undecided, in a search that decides most of them itself
+#define TOTAL_ROWS 16  // a group's partial totals in shared memory have as many rows, against contention of its threads
+#define TOTAL_STRIDE 9  // words from row to row: rows begin in different banks
 
-#define SPHERES_PER_THREAD 8  // rows that one thread of collide_triangle holds
-#define COLUMNS_AT_ONCE 2     // columns that a thread of collide_triangle meets between two branches
-#define NEVER_NEAR 3.0e38f    // hardly any product with a column reaches it, in place of what that of a row must
-#define NEAR_PER_THREAD 2     // near meetings of a tile that a group of collide_triangle can queue, per thread
-#define SERVICE_BLOCK 128     // group size of the kernels whose size is no subject of the study
-#define MAX_GROUPS 65535      // of one dispatch along each axis, on every device; more are folded into the next axis
+#define SPHERES_PER_THREAD 8  // rows that one thread of collide_triangle holds in registers
+#define COLUMNS_AT_ONCE 2     // columns that a thread of collide_triangle tests between two branches
+#define NEVER_NEAR 3.0e38f    // threshold of a row beyond the last sphere: hardly any gram_product reaches it
+#define NEAR_PER_THREAD 2     // candidates of a tile that a group of collide_triangle can queue, per thread
+#define SERVICE_BLOCK 128     // group size of kernels whose group size is not studied
+#define MAX_GROUPS 65535      // along one axis of a dispatch, on every device; more are folded into the next axis
 
 #define SPHERES_PER_SORTER 4       // spheres that one thread of grid_count and grid_scatter handles
-#define SPHERES_PER_BOUNCER 8      // spheres that one thread of bounce looks at
+#define SPHERES_PER_BOUNCER 8      // spheres that one thread of bounce checks
 #define SPLIT_BLOCK 1024           // group size of split_tiles, split_count and grid_split
 #define SORT_BLOCK 512             // group size of grid_sort
-#define SPLIT_TILE 4096u           // spheres that one group of these takes
-#define SPLIT_EACH 4u              // and that one of its threads takes
+#define SPLIT_TILE 4096u           // spheres that one group of these processes
+#define SPLIT_EACH 4u              // and that one of its threads processes
 #define SORT_EACH 3u               // spheres that one thread of grid_sort holds
-#define BUCKETS_AT_MOST 1024u      // that one group of grid_split tells apart at a time
-#define CELLS_PER_BUCKET 2048u     // that grid_sort puts into order, at most
+#define BUCKETS_AT_MOST 1024u      // that one group of grid_split handles in one pass
+#define CELLS_PER_BUCKET 2048u     // at most; grid_sort has a counter for each
 #define ROWS_AHEAD 5               // rows of cells in the later half of a neighbourhood
-#define BOUNDS_TILE 512u           // spheres that one group of grid_bounds takes
-#define BOUNDS_WINDOW 1024u        // cells whose begins it holds at a time
-#define ONE_PARENT 31u             // as parent_shift: all buckets have the same
-#define INDEX_GIVEN 1u             // the spheres come from a split before, with their numbers
-#define INDEX_IN_W 2u              // these travel in place of the radii, since these are all equal; also of in_cells
-#define INDEX_IN_ID 4u             // of in_cells: they are in SLOT_ID
-#define EMPTY_CELLS_AT_MOST 4096u  // between two spheres that stand in cell order
+#define BOUNDS_TILE 512u           // spheres that one group of grid_bounds processes
+#define BOUNDS_WINDOW 1024u        // cells whose begins it keeps in shared memory at a time
+#define ONE_PARENT 31u             // as parent_shift: all buckets have one parent
+#define INDEX_GIVEN 1u             // the spheres come from an earlier split, with their indices
+#define INDEX_IN_W 2u              // sphere indices replace the radii, which are all equal; also of in_cells
+#define INDEX_IN_ID 4u             // of in_cells: sphere indices are in SLOT_ID
+#define EMPTY_CELLS_AT_MOST 4096u  // between two consecutive spheres in cell order
 #define SCAN_BLOCK 256             // group size of grid_scan
-#define SCAN_VECTORS 4             // uvec4 that one thread of grid_scan handles
-#define SCAN_TILE 4096u            // entries of the table that one group of grid_scan handles
-#define PEAK_CHAINS 8              // independent chains of multiply-adds of one thread of peak_issue, ...
-#define PEAK_TURNS 64              // ... so often round the loop, ...
-#define PEAK_STEPS 16              // ... with so many steps of each chain a time
+#define SCAN_VECTORS 4             // uvec4 that one thread of grid_scan processes
+#define SCAN_TILE 4096u            // entries of the table that one group of grid_scan processes
+#define PEAK_CHAINS 8              // independent chains of multiply-adds in one thread of peak_issue, ...
+#define PEAK_TURNS 64              // ... iterations of its loop, ...
+#define PEAK_STEPS 16              // ... and steps of each chain in one iteration
 
 #define MOTION_EULER 0u  // MotionMethod of motion_options.h
 #define MOTION_SYMPLECTIC 1u
@@ -108,21 +107,20 @@ struct Params {
   float dt, gravity, steps_per_second, restitution;  // seconds, <= 0 along y, 1 / dt, 0..1
   float plane, radius, apart_above, collide_below;   // y of the plane; for equal radii: squared-distance bounds
   float filter_scale, filter_offset;                 // K and T of filter_pair
-  uint whole_state;  // not 0: place also writes velocities and SLOT_WIDE, bounce looks at all that may ever bounce
+  uint whole_state;  // not 0: evaluate_positions also writes velocities and SLOT_WIDE, bounce handles all that bounce
   float fade;        // of draw_light: 1 / (OCCLUSION_RADII * largest radius)^2
-  uint n, columns_per_group, pair_capacity,
-      deferred_capacity;  // stretch: spheres that a group of collide_triangle meets, or
-                          // one of collide_grid takes in a row, a power of two
-  uint defer_undecided, pairs_to_decide, first_group, in_cells;  // 0: naive; of decide; of this slice; see number_of
+  uint n, columns_per_group;  // spheres that a group of collide_triangle tests its rows against; consecutive spheres
+                              // of a group of collide_grid, a power of two
+  uint pair_capacity, deferred_capacity;
+  uint defer_undecided, pairs_to_decide, first_group, in_cells;  // 0: naive; of decide; of this slice; see sphere_index
   float origin_x, origin_y, origin_z, cells_per_metre;           // of the grid's cells, at level 0
   float largest_radius, reach_scale, reach_offset;  // of level 0, doubles with each level; see reach_in_cells
   uint scan_tiles;                                  // of grid_scan
   uint cells_x, cells_y, cells_z, cell_slots;       // dense grid; cell_slots: length of the table in either case
   uint hash_mask, first_octave, top_level, levels;  // 0: dense; see level_of; levels: bit k set when k has spheres
-  uint totals_later;                                // not 0: the step is done again for them, if anybody asks
   uint steps_done;                                  // of anchored: after this move
-  uint buckets, bucket_shift;                       // 0: not split; the bucket of a slot is slot >> bucket_shift
-  uint parent_shift, first_bucket, bucket_words, indices;  // see bucket_below; in SLOT_BUCKET; of a split: its bits
+  uint buckets, bucket_shift;                       // 0: no buckets; the bucket of a slot is slot >> bucket_shift
+  uint parent_shift, first_bucket, bucket_words, indices;  // see bucket_below; in SLOT_BUCKET; of a split: INDEX_*
   vec4 gravity_dt, half_gravity_dt2;                       // g*dt, g*dt*dt/2, both <= 0
   vec4 seconds_per_speed, zeno_flights;  // 2 / |g|, or 0 without gravity; flights until rest, see rebound
 };

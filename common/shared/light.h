@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Ambient occlusion and shadows from the spheres themselves, found through the dense cells of the grid. What many
-// spheres add up to is added in integers, so that their order shows in no bit.
+// spheres contribute is summed in integers, so that their order changes no bit.
 #ifndef SPHEREPAIR_LIGHT_H
 #define SPHEREPAIR_LIGHT_H
 
 #include "common/shared/cell.h"
 #include "common/shared/draw.h"
 
-#define ON_GROUND 0xFFFFFFFFu  // in place of a sphere's number
+#define ON_GROUND 0xFFFFFFFFu  // in place of a sphere index
 
 // A point in the world, metres, and the normal there.
 struct Surface {
@@ -20,22 +20,22 @@ FN float to_world(float across, float above, float ahead, float right, float up,
   return sum;
 }
 
-FN Surface surface_of(vec4 sphere, uint number, Normal normal, View v) {
+FN Surface surface_of(vec4 sphere, uint index, Normal normal, View v) {
   EXACT float x = to_world(normal.x, normal.y, normal.z, v.right.x, v.up.x, v.forward.x);
   EXACT float y = to_world(normal.x, normal.y, normal.z, v.right.y, v.up.y, v.forward.y);
   EXACT float z = to_world(normal.x, normal.y, normal.z, v.right.z, v.up.z, v.forward.z);
   EXACT float at_x = sphere.x + sphere.w * x;
   EXACT float at_y = sphere.y + sphere.w * y;
   EXACT float at_z = sphere.z + sphere.w * z;
-  Surface surface = {at_x, at_y, at_z, x, y, z, number};
+  Surface surface = {at_x, at_y, at_z, x, y, z, index};
   return surface;
 }
 
-// How far along the ray the ground is, as depth_of_hit measures; 0 when it is not below.
+// The depth of the ground along the ray, as in depth_of_hit; 0 when the ray does not hit it.
 FN float depth_of_ground(Ray ray, float plane, View v) {
   EXACT float down = 0.0f - to_world(ray.x, ray.y, 1.0f, v.right.y, v.up.y, v.forward.y);
   EXACT float height = v.eye.y - plane;
-  if (down < bits_float(0x3A800000u) || height <= 0.0f) return 0.0f;  // 2^-10: all but level
+  if (down < bits_float(0x3A800000u) || height <= 0.0f) return 0.0f;  // 2^-10: almost level
   EXACT float depth = (height * same_reciprocal(down)) * ray.a;
   EXACT float least = v.eye.w * ray.a;
   return depth >= least ? depth : 0.0f;
@@ -49,8 +49,8 @@ FN Surface ground_at(Ray ray, float depth, float plane, View v) {
   return surface;
 }
 
-// The share of the light from all around that a sphere takes away, in 2^-16: its solid angle times the cosine, fading
-// out towards OCCLUSION_RADII, whatever the cells.
+// The share of the ambient light that a sphere occludes, in 2^-16: its solid angle times the cosine, fading out towards
+// OCCLUSION_RADII, whatever the cells.
 FN uint taken_by(vec4 sphere, Surface s, Params p) {
   EXACT float x = sphere.x - s.x;
   EXACT float y = sphere.y - s.y;
@@ -74,27 +74,29 @@ struct CellRange {
   uint low, high;
 };
 // Spheres beyond the border belong to its cells.
-FN uint clamped_cell(float place, uint cells) { return uint(smaller(larger(place, 0.0f), float(cells - 1u))); }
+FN uint clamped_cell(float coordinate, uint cells) {
+  return uint(smaller(larger(coordinate, 0.0f), float(cells - 1u)));
+}
 
 FN float grid_coordinate_unclamped(float x, float origin, Params p) {
   EXACT float offset = x - origin;
-  EXACT float place = offset * p.cells_per_metre;
-  return place;
+  EXACT float coordinate = offset * p.cells_per_metre;
+  return coordinate;
 }
 
-// Along an axis: the cells that may hold spheres that take light away; the first layer with spheres that may shade.
-FN CellRange cells_around(float place, uint cells) {
-  EXACT float low = place - 2.0f;
-  EXACT float high = place + 2.0f;
+// Along an axis: the cells that may hold occluders of ambient light; the first layer that may cast shadows.
+FN CellRange cells_around(float coordinate, uint cells) {
+  EXACT float low = coordinate - 2.0f;
+  EXACT float high = coordinate + 2.0f;
   CellRange range = {clamped_cell(low, cells), clamped_cell(high, cells)};
   return range;
 }
-FN uint first_layer(float place, uint cells) {
-  EXACT float below = place - 1.0f;
+FN uint first_layer(float coordinate, uint cells) {
+  EXACT float below = coordinate - 1.0f;
   return clamped_cell(below, cells);
 }
 
-// Whether the way from the point to the sun passes through the sphere.
+// Whether the ray from the point to the sun hits the sphere.
 FN bool shades(vec4 sphere, Surface s, View v) {
   EXACT float x = sphere.x - s.x;
   EXACT float y = sphere.y - s.y;
@@ -108,12 +110,12 @@ FN bool shades(vec4 sphere, Surface s, View v) {
   return along > 0.0f && off < reach;
 }
 
-// Cells of one layer that may hold spheres on the way to the sun: along one other axis.
-FN CellRange cells_on_way(float place, float start, float slope, float layer, uint cells) {
+// Cells of one layer that the ray to the sun passes through, along another axis.
+FN CellRange cells_on_way(float coordinate, float start, float slope, float layer, uint cells) {
   EXACT float first = larger((layer - start) - 1.0f, 0.0f);
   EXACT float last = larger((layer - start) + 2.0f, 0.0f);
-  EXACT float from = place + slope * first;
-  EXACT float to = place + slope * last;
+  EXACT float from = coordinate + slope * first;
+  EXACT float to = coordinate + slope * last;
   EXACT float low = smaller(from, to) - 1.0f;
   EXACT float high = larger(from, to) + 1.0f;
   CellRange range = {clamped_cell(low, cells), clamped_cell(high, cells)};
@@ -124,7 +126,7 @@ FN float slope_of(float along, View v) {
   return slope;
 }
 
-// A pixel of the ground: the background, darker by what is taken away and by shadow.
+// A pixel of the ground: the background, darkened by occlusion and shadow.
 FN uint ground_colour(float around, float sun, View v) {
   EXACT float light = (0.5f + 0.5f * around) * (v.sun.w + (1.0f - v.sun.w) * sun);
   return lit(v.background, light);

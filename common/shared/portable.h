@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words in which C++20, CUDA and GLSL 4.50 differ. What a shader includes from this folder is written in the subset
+// What C++20, CUDA and GLSL 4.50 spell differently. What a shader includes from this folder is written in the subset
 // that all three share: by-value parameters, struct returns, component arithmetic into EXACT locals. EXACT forbids the
 // compiler to contract or reorder; C++ and CUDA get the same from -ffp-contract=off and --fmad=false.
 #ifndef SPHEREPAIR_PORTABLE_H
@@ -16,8 +16,8 @@ double bits_double(uint high, uint low) { return packDouble2x32(uvec2(low, high)
 uint double_high(double x) { return unpackDouble2x32(x).y; }
 uint double_low(double x) { return unpackDouble2x32(x).x; }
 
-// Code for any of the number types float, Two and double: a template, or in GLSL text in which the program that is
-// compiled has defined Real as one of them.
+// Code for any of the number types float, Two and double: a template; in GLSL, plain text for which the compiled
+// program defines Real as one of them.
 #define ANY_REAL
 #define OF_REAL
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The float32 filter of the exact collision predicate. Spheres a and b collide when S < Q, S = |a - b|^2 and
 // Q = (a.w + b.w)^2, in real arithmetic on the float32 inputs (the paper's equation 2); tangent spheres do not. The
-// filter answers APART or COLLIDE only when rounding cannot have changed the answer, else UNDECIDED: exact.h settles
+// filter returns APART or COLLIDE only when rounding cannot have changed the result, else UNDECIDED: exact.h decides
 // those. Nothing here relies on how often a compiler fuses or in which direction it rounds.
 #ifndef SPHEREPAIR_PREDICATE_H
 #define SPHEREPAIR_PREDICATE_H

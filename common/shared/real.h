@@ -2,7 +2,7 @@
 // Arithmetic of float state, with the same bits on every machine: the first of the three number types (real.h, two.h,
 // wide.h) for which motion is written once. Functions have the same names for all three. No float here is ever
 // denormal: products below 2^-100 become +0, so every value is a multiple of 2^-123 and sums are too. Quotients and
-// square roots are built from integers, one bit a turn, and correctly rounded: GLSL's own are not.
+// square roots are built from integers, one bit an iteration, and correctly rounded: GLSL's own are not.
 #ifndef SPHEREPAIR_REAL_H
 #define SPHEREPAIR_REAL_H
 
@@ -20,7 +20,7 @@ FN float widened(float x, float kind) {
 }
 FN float nearest(float x) { return x; }
 
-// Components below 2^-64 and -0 become +0, so that a backend that flushes denormals cannot show it.
+// Components below 2^-64 and -0 become +0, so that flushing denormals makes no difference.
 FN float snap(float x) { return (float_bits(x) & 0x7FFFFFFFu) < 0x1F800000u ? 0.0f : x; }
 FN float snapped(float x) { return snap(x); }
 
@@ -78,7 +78,7 @@ FN float quotient(float a, float b) {
 FN float square_root(float x) {
   if (!(x > 0.0f) || exponent_field(x) == 0u) return 0.0f;
   uint even = (exponent_field(x) & 1u) ^ 1u;
-  uint next = significand(x) << (7u + even);  // read two bits a turn
+  uint next = significand(x) << (7u + even);  // read two bits an iteration
   uint rest = 0u;
   uint digits = 0u;
   for (uint turn = 0u; turn < 25u; ++turn) {

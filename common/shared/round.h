@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reciprocal and square root that have the same bits everywhere, for pictures: GLSL's own differ by driver. Newton's
-// iteration from a guess made of the argument's bits, in correctly rounded products and differences only; the results
+// Reciprocal and square root that have the same bits everywhere, for images: GLSL's own differ by driver. Newton's
+// iteration from a guess made from the argument's bits, in correctly rounded products and differences only; the results
 // are within 2^-21 of the right ones. Arguments lie between 2^-120 and 2^120.
 #ifndef SPHEREPAIR_ROUND_H
 #define SPHEREPAIR_ROUND_H

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Contacts between steps: whether two spheres touch at any time within the next dt while both fall freely. The same
-// gravity pulls both, so their relative path is straight. At its start the answer is exact; for the rest it is float64
-// with a margin of 2^-44 of the squares compared, on the side of a contact: none is missed, and the bits of every
-// operation are fixed, so that every backend answers the same.
+// Continuous collision detection: whether two spheres touch at any time within the next dt while both fall freely. The
+// same gravity accelerates both, so their relative path is straight. At its start the test is exact; for the rest it is
+// float64 with a margin of 2^-44 of the squares compared, on the side of a contact: no contact is missed, and the bits
+// of every operation are fixed, so that every backend finds the same pairs.
 #ifndef SPHEREPAIR_SWEPT_H
 #define SPHEREPAIR_SWEPT_H
 
 #include "common/shared/exact.h"
 
-// False when they are certainly too far from each other: (r + w)^2 <= 2(r^2 + w^2), w being the way that they move
-// relative to each other. 1 + 64u covers the rounding of both sides, 2^-100 underflow.
+// False when they are certainly too far from each other: (r + w)^2 <= 2(r^2 + w^2), w being the length of their
+// relative path. 1 + 64u covers the rounding of both sides, 2^-100 underflow.
 FN bool in_swept_reach(vec4 a, vec4 va, vec4 b, vec4 vb, float dt) {
   EXACT float s = squared_distance(a, b);
   EXACT float way = (squared_distance(va, vb) * dt) * dt;

@@ -1,58 +1,58 @@
 // SPDX-License-Identifier: MIT
-// What a picture is taken of and how: the parameters of the kernels draw_*.
+// Camera, image and shading: the parameters of the kernels draw_*.
 #ifndef SPHEREPAIR_VIEW_H
 #define SPHEREPAIR_VIEW_H
 
 #include "common/shared/portable.h"
 
-#define VIEW_LOCATION 1  // of the uniforms that hold it, in fours of its words ...
-#define VIEW_FOURS 13    // ... so many
+#define VIEW_LOCATION 1  // of its uniforms, which are uvec4 ...
+#define VIEW_FOURS 13    // ... of this number
 
-#define WALK_AT_MOST 16   // pixels: a box no wider and no higher is walked by one thread, a larger one cut into tiles
-#define LANES 32          // threads that share a sphere where spheres are few ...
-#define LANES_ACROSS 8    // ... so many in a row of the sphere's box ...
-#define SHARE_AT_MOST 64  // ... and then pixels, in place of WALK_AT_MOST
+#define WALK_AT_MOST 16   // pixels: side of the largest box that one thread draws; larger ones are cut into tiles
+#define LANES 32          // threads that share a sphere when spheres are few ...
+#define LANES_ACROSS 8    // ... with this number in a row of the sphere's box ...
+#define SHARE_AT_MOST 64  // ... and this limit in pixels, in place of WALK_AT_MOST
 #define TILE 32u          // pixels: side of a tile of a large sphere's box
-#define PASS_DEPTH 0      // two passes where there are no 64-bit atomics: first the depth ...
-#define PASS_ID 1         // ... then, of the spheres at that depth, the lowest number
-#define PASS_KEEP 2       // of draw_resolve: what the pixels show stays there for who asks
+#define PASS_DEPTH 0      // two passes without 64-bit atomics: first the depth ...
+#define PASS_ID 1         // ... then, of the spheres at that depth, the lowest index
+#define PASS_KEEP 2       // of draw_resolve: keeps the visibility buffer, for read-back
 
-#define LIGHT_OCCLUSION 1u  // bits of View::lighting: spheres near the point take light from all around away,
-#define LIGHT_SHADOW 2u     // any sphere on the way takes the sun's,
-#define LIGHT_GROUND 4u     // and both show on the plane too
-#define OCCLUSION_RADII 4   // so far, in largest radii, a sphere takes light away: less than two dense cells
+#define LIGHT_OCCLUSION 1u  // bits of View::lighting: ambient occlusion by near spheres,
+#define LIGHT_SHADOW 2u     // shadows of the sun,
+#define LIGHT_GROUND 4u     // and both on the plane too
+#define OCCLUSION_RADII 4   // range of ambient occlusion, in largest radii: less than two dense cells
 
-#define CLUSTER 16           // spheres, in consecutive places, that are culled together
-#define BUNDLE 4u            // clusters, one after the other, that are culled together first: a bundle
-#define BOUNDS_LANES 4u      // threads that share a cluster when its box is made
-#define SEEN_BLOCK 128       // threads, and spheres at a time, of a group that goes through a list of spheres ...
-#define CLUSTERS_BLOCK 256   // ... or of clusters ...
-#define WALKERS 8            // ... and the threads that then share a sphere ...
-#define WALKERS_ACROSS 4     // ... so many in a row of its box
-#define SEEN_FADES 1u        // in each picture, of the 15 that a sphere gets in the one that shows it
-#define WALK_ALONE 8u        // pixels that a thread that finds them tries itself ...
-#define WALK_UNTESTED 4u     // ... and so many that are as soon tried as looked up in the pyramid
-#define PIXELS_EACH 4        // pixels of one thread that goes through the picture ...
-#define PIXELS_BLOCK 256     // ... in groups of so many
-#define PHASE_SEEN 0         // draws the spheres that the last pictures showed ...
-#define PHASE_REST 1         // ... and then those of the others that what is drawn already does not hide, or first ...
-#define PHASE_NEAR 2         // ... of these the ones that are not far behind what is drawn, and then ...
-#define PHASE_FAR 3          // ... the others, which by then are hidden but for a few
-#define PHASE_ALL 4          // in place of PHASE_REST: clusters are not tested before their spheres
-#define NEAR_LAYERS 2.0f     // so far behind, in a cluster's thinnest half, is near
-#define LEVEL_0 8            // pixels: side of what a texel of the pyramid's level 0 covers ...
-#define LEVEL_1 32           // ... of its level 1 ...
-#define LEVEL_2 128          // ... and of its level 2
-#define PYRAMID_BLOCK 1024   // threads that make a texel of level 2 and those in it
-#define TEXELS_AT_MOST 36    // in which a box is looked up at level 0, beside those that its borders touch
-#define TEXELS_FEW 6         // the same for clusters where there are no bundles, of pictures ...
-#define LARGE_IMAGE 262144u  // ... of so many pixels or more
-#define TEXELS_TO_SEARCH 64  // at levels 1 and 2; a box of more is taken for seen
+#define CLUSTER 16            // consecutive spheres in cell order that are culled together
+#define BUNDLE 4u             // consecutive clusters that are culled together first: a bundle
+#define BOUNDS_LANES 4u       // threads that share a cluster when its box is computed
+#define SEEN_BLOCK 128        // threads, and spheres at a time, of a group that draws a list of spheres ...
+#define CLUSTERS_BLOCK 256    // ... or of clusters ...
+#define BOX_THREADS 8         // ... and the threads that then share the box of a sphere ...
+#define BOX_THREADS_ACROSS 4  // ... with this number in a row of it
+#define SEEN_FADES 1u         // each frame takes this from the 15 that a sphere gets when it is visible
+#define PIXELS_ALONE 8u       // a box of no more pixels is drawn by the thread that sets it up ...
+#define PIXELS_UNTESTED 4u    // ... and one of no more without a look into the hierarchical Z
+#define PIXELS_EACH 4         // pixels of one thread of a pass over the image ...
+#define PIXELS_BLOCK 256      // ... and the size of its groups
+#define PHASE_SEEN 0          // draws the spheres that were visible in recent frames ...
+#define PHASE_REST 1          // ... then the others that are not hidden by these, or first ...
+#define PHASE_NEAR 2          // ... those that are not far behind the visible depths, and then ...
+#define PHASE_FAR 3           // ... the deferred ones, most of which are hidden by then
+#define PHASE_ALL 4           // in place of PHASE_REST: clusters are not tested before their spheres
+#define NEAR_LAYERS 2.0f      // in smallest half extents of a cluster: how far behind is near
+#define LEVEL_0 8             // pixels: side of a texel of level 0 of the hierarchical Z ...
+#define LEVEL_1 32            // ... of its level 1 ...
+#define LEVEL_2 128           // ... and of its level 2
+#define PYRAMID_BLOCK 1024    // threads that compute a texel of level 2 and those in it
+#define TEXELS_AT_MOST 36     // texels of a box that is tested at level 0, see texels_of
+#define TEXELS_FEW 6          // the same for clusters without bundles, of images ...
+#define LARGE_IMAGE 262144u   // ... of at least this number of pixels
+#define TEXELS_TO_SEARCH 64   // at levels 1 and 2; a box of more texels counts as visible
 
 // The lists in SLOT_CLUSTER_LIST, each with room for all clusters.
 #define LIST_DRAWN 0u     // clusters to draw at once
-#define LIST_DEFERRED 1u  // those far behind what is drawn already, or parts of bundles: all_of_bundle
-#define LIST_FAR 2u       // clusters of the latter that are to be drawn after all
+#define LIST_DEFERRED 1u  // those far behind the visible depths, or parts of bundles: all_of_bundle
+#define LIST_FAR 2u       // clusters of the latter that turn out to be visible
 #define HIDDEN 3u         // in none ...
 #define OUT_OF_VIEW 4u    // ... of them
 
@@ -60,31 +60,31 @@
 #define DRAWN_TILES 0               // entries that the list of tiles needs
 #define DRAWN_TILES_DONE 1          // of those, the ones of the first phase
 #define DRAWN_CLUSTERS 2            // and 3, 4, by LIST_*: entries of the lists of clusters
-#define DRAWN_SEEN 5                // and 6, by View::turn: entries of the two lists of spheres seen
+#define DRAWN_SEEN 5                // and 6, by View::turn: entries of the two lists of visible spheres
 #define DRAWN_LARGE 7               // spheres cut into tiles
-#define DRAWN_SMALL 8               // spheres walked at once, with at least one pixel's centre in their box
-#define DRAWN_UNSEEN 9              // spheres out of view, or between the centres of the pixels
-#define DRAWN_UNDRAWABLE 10         // spheres whose numbers are beyond those that can be drawn, see in_camera
-#define DRAWN_CLUSTERS_OUTSIDE 11   // clusters out of view
-#define DRAWN_CLUSTERS_HIDDEN 12    // clusters behind what is drawn already
-#define DRAWN_HIDDEN 13             // spheres behind what is drawn already, of clusters that are not
-#define DRAWN_CLUSTERS_DEFERRED 14  // clusters that waited for others to be drawn
-#define DRAWN_BUNDLES 15            // bundles left out or put off as a whole
+#define DRAWN_SMALL 8               // spheres drawn at once, with at least one pixel centre in their box
+#define DRAWN_UNSEEN 9              // spheres outside the frustum, or between pixel centres
+#define DRAWN_UNDRAWABLE 10         // spheres whose coordinates or radius cannot be drawn, see in_camera
+#define DRAWN_CLUSTERS_OUTSIDE 11   // clusters outside the frustum
+#define DRAWN_CLUSTERS_HIDDEN 12    // clusters culled by the hierarchical Z
+#define DRAWN_HIDDEN 13             // spheres culled by the hierarchical Z, of clusters that were not
+#define DRAWN_CLUSTERS_DEFERRED 14  // clusters deferred by occlusion culling
+#define DRAWN_BUNDLES 15            // bundles culled or deferred as a whole
 #define DRAWN_WORDS 16
-// Behind them the same of the picture before, once its pixels are cleared.
+// These words are followed by the same of the previous frame, once its pixels are cleared.
 
 struct View {
-  vec4 eye;                 // metres; w: least depth that is drawn
+  vec4 eye;                 // metres; w: near plane
   vec4 right, up, forward;  // the camera's axes in the world, of length 1
-  vec4 light;  // towards the light in the camera's axes, of length 1; w: the share of light from all around
-  vec4 sun;    // the same in the world; w: the ground's brightness in full shadow, of the background's
-  float focal, centre_x, centre_y, pixel;  // pixels per unit of x/z; where forward meets the image, pixels; 1 / focal
+  vec4 light;               // towards the light in the camera's axes, of length 1; w: the share of ambient light
+  vec4 sun;                 // the same in the world; w: the ground's brightness in full shadow, of the background's
+  float focal, centre_x, centre_y, pixel;  // pixels per unit of x/z; where forward hits the image, pixels; 1 / focal
   float half_x, half_y, norm_x, norm_y;    // the widest |x/z| and |y/z| seen, rounded up; sqrt(1 + half^2), rounded up
   uvec4 palette_0, palette_4;              // 0xRRGGBB of 0, 1, 2, 3 contacts; of 4, 5, 6, 7 and more
   uint background, width, height, pass;    // 0xRRGGBB; pixels; PASS_*
   uint tile_capacity, counting, phase;     // entries; not 0: DRAWN_* are counted; PHASE_*
-  uint occlusion;                          // not 0: what is hidden is passed over
-  uint clusters, turn, lanes, lighting;    // their number; see DRAWN_SEEN; threads a sphere: 1 or LANES; LIGHT_*
+  uint occlusion;                          // not 0: occlusion culling
+  uint clusters, turn, lanes, lighting;    // number of clusters; see DRAWN_SEEN; threads a sphere: 1 or LANES; LIGHT_*
 };
 
 #endif

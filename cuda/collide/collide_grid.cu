@@ -1,54 +1,59 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere in cell order; groups take chunks of spheres until none is left. The later half of a sphere's
-// neighbourhood is five rows of cells, each a contiguous range of spheres. A thread walks through all of them in one
-// loop, four spheres at a time, and marks in a word whoever is in reach; then it queues them, and its team settles the
-// queue, a thread per pair, in full rounds: the rest waits for the next chunk. Where a word or the queue is full, the
-// team walks on after that. What the filter leaves undecided is decided at the group's end, in float64; only what that
-// leaves, or has no room, is deferred.
-#include "common/shared/cell.h"
+// One thread per sphere in cell order; each group tests chunks of spheres until none is left. The later half of a
+// sphere's neighbourhood is five rows of cells, each a contiguous range of spheres. A thread tests all of them in one
+// loop, four spheres at a time, and marks the candidates in a bit mask. It queues them, and its cooperating threads
+// test the queue, a thread per pair, in full rounds; the remainder waits for the next chunk. When a mask or the queue
+// is full, the loop resumes after the queue has been tested. Pairs that the filter leaves undecided are decided at the
+// group's end, in float64; only pairs that float64 cannot decide, or for which there is no room, are deferred.
 #include "common/shared/exact.h"
 #include "cuda/collide/collide.cuh"
-#include "cuda/collide/team.cuh"
+#include "cuda/collide/cooperative_group.cuh"
+#include "cuda/grid/grid.cuh"
 
 namespace spherepair {
 
-// The k-th sphere of a walk is sphere k + shift in the first row with k < bound.
+constexpr uint QUEUE_ROOM = 3u * COOPERATING;
+constexpr uint UNDECIDED_ROOM = 16u;
+__shared__ uvec2 undecided[UNDECIDED_ROOM];  // the group's first pairs that the filter leaves undecided
+__shared__ uint undecided_pairs;             // the number of all of them
+
+// The k-th sphere of a neighbourhood is sphere k + shift in the first row with k < bound.
 struct Row {
   uint bound, shift;
 };
 __device__ inline Row row_after(Row last, uint begin, uint end) {
   return Row{last.bound + end - begin, begin - last.bound};
 }
-__device__ inline Row row_at(Params p, const KernelBuffers& w, Row last, bool exists, uint slot, uint x, uint last_x) {
-  return row_after(last, exists ? w.cell[slot + x] : 0u, exists ? w.cell[slot + last_x + 1u] : 0u);
+__device__ inline Row row_at(const KernelBuffers& buf, Row last, bool exists, uint slot, uint x, uint last_x) {
+  return row_after(last, exists ? begin_at(buf, slot + x) : 0u, exists ? begin_at(buf, slot + last_x + 1u) : 0u);
 }
 
-// The rows of the neighbourhood: the rest of the sphere's own, the one above it, and three of the layer ahead.
+// The rows of the neighbourhood: the rest of the sphere's own, the one above it, and three of the next layer.
 struct Rows {
   Row own, above, ahead_below, ahead, ahead_above;
 };
-__device__ inline Rows find_rows(Params p, const KernelBuffers& w, vec4 mine, uint i, bool exists) {
-  GridPosition sorted_index = grid_position(mine, p);
+__device__ inline Rows find_rows(const Params& p, const KernelBuffers& buf, vec4 mine, uint i, bool exists) {
+  GridPosition at = grid_position(mine, p);
   float reach = reach_in_cells(mine.w, p);
-  uint x = cell_below(sorted_index.x, reach);
-  uint last_x = cell_above(sorted_index.x, reach, p.cells_x);
-  uint y = uint(sorted_index.y);
-  uint z = uint(sorted_index.z);
-  bool below = cell_below(sorted_index.y, reach) != y;
-  bool above = cell_above(sorted_index.y, reach, p.cells_y) != y && exists;
-  bool ahead = cell_above(sorted_index.z, reach, p.cells_z) != z && exists;
-  uint slot = dense_slot(0u, y, z, p);
+  uint x = cell_below(at.x, reach);
+  uint last_x = cell_above(at.x, reach, p.cells_x);
+  uint y = uint(at.y);
+  uint z = uint(at.z);
+  bool below = cell_below(at.y, reach) != y;
+  bool above = cell_above(at.y, reach, p.cells_y) != y && exists;
+  bool ahead = cell_above(at.z, reach, p.cells_z) != z && exists;
+  uint slot = dense_slot(0u, y, z, p) - table_begin();
   uint next = slot + p.cells_x * p.cells_y;
   Rows rows;
-  rows.own = row_after(Row{0u, 0u}, exists ? i + 1u : 0u, exists ? w.cell[slot + last_x + 1u] : 0u);
-  rows.above = row_at(p, w, rows.own, above, slot + p.cells_x, x, last_x);
-  rows.ahead_below = row_at(p, w, rows.above, ahead && below, next - p.cells_x, x, last_x);
-  rows.ahead = row_at(p, w, rows.ahead_below, ahead, next, x, last_x);
-  rows.ahead_above = row_at(p, w, rows.ahead, ahead && above, next + p.cells_x, x, last_x);
+  rows.own = row_after(Row{0u, 0u}, exists ? i + 1u : 0u, exists ? begin_at(buf, slot + last_x + 1u) : 0u);
+  rows.above = row_at(buf, rows.own, above, slot + p.cells_x, x, last_x);
+  rows.ahead_below = row_at(buf, rows.above, ahead && below, next - p.cells_x, x, last_x);
+  rows.ahead = row_at(buf, rows.ahead_below, ahead, next, x, last_x);
+  rows.ahead_above = row_at(buf, rows.ahead, ahead && above, next + p.cells_x, x, last_x);
   return rows;
 }
 
-__device__ inline uint walked(const Rows& rows, uint k) {
+__device__ inline uint neighbour_index(const Rows& rows, uint k) {
   uint shift = rows.ahead_above.shift;
   shift = k < rows.ahead.bound ? rows.ahead.shift : shift;
   shift = k < rows.ahead_below.bound ? rows.ahead_below.shift : shift;
@@ -57,102 +62,92 @@ __device__ inline uint walked(const Rows& rows, uint k) {
   return k + shift;
 }
 
-// Whether the k-th sphere of the walk is in reach. Behind the last sphere of all, a guard may be read.
+// Whether the k-th sphere of the neighbourhood is a candidate. Past the last sphere a guard may be read.
 template <bool EQUAL_RADII, bool LISTED>
-__device__ bool near(const Collider<EQUAL_RADII, LISTED>& collider, vec4 mine, const Rows& rows, uint k) {
-  return collider.in_reach(mine, collider.w.position[walked(rows, k)]);
+__device__ bool is_candidate(const Collider<EQUAL_RADII, LISTED>& collider, vec4 mine, const Rows& rows, uint k) {
+  return collider.in_reach(mine, collider.buf.position[neighbour_index(rows, k)]);
 }
 
-// Marks who is in reach among 32 spheres of the walk.
+// The candidates among 32 spheres of the neighbourhood, as a bit mask.
 template <bool EQUAL_RADII, bool LISTED>
-__device__ uint walk(const Collider<EQUAL_RADII, LISTED>& collider, vec4 mine, const Rows& rows, uint first) {
+__device__ uint mark_candidates(const Collider<EQUAL_RADII, LISTED>& collider, vec4 mine, const Rows& rows,
+                                uint first) {
   uint marked = 0u;
   uint end = min(rows.ahead_above.bound, first + 32u);
-#pragma unroll 1
   for (uint k = first; k < end; k += 4u) {
-    uint four = uint(near(collider, mine, rows, k)) | uint(near(collider, mine, rows, k + 1u)) << 1 |
-                uint(near(collider, mine, rows, k + 2u)) << 2 | uint(near(collider, mine, rows, k + 3u)) << 3;
+    uint four = uint(is_candidate(collider, mine, rows, k)) | uint(is_candidate(collider, mine, rows, k + 1u)) << 1 |
+                uint(is_candidate(collider, mine, rows, k + 2u)) << 2 |
+                uint(is_candidate(collider, mine, rows, k + 3u)) << 3;
     marked |= four << (k - first);
   }
   return end - first < 32u ? marked & ((1u << (end - first)) - 1u) : marked;
 }
 
-constexpr uint QUEUE_ROOM = 3u * TEAM;
-constexpr uint UNDECIDED_ROOM = 16u;
-
-struct Undecided {
-  uvec2 pair[UNDECIDED_ROOM];  // the group's first pairs that the filter leaves so
-  uint pairs;                  // and all of them
-};
 template <bool EQUAL_RADII, bool LISTED>
-__device__ void leave_undecided(Collider<EQUAL_RADII, LISTED>& collider, Undecided& undecided, uint i, uint j) {
-  uint k = atomicAdd(&undecided.pairs, 1u);
+__device__ void queue_undecided(Collider<EQUAL_RADII, LISTED>& collider, uint i, uint j) {
+  uint k = atomicAdd(&undecided_pairs, 1u);
   if (k < UNDECIDED_ROOM) {
-    undecided.pair[k] = uvec2{i, j};
+    undecided[k] = uvec2{i, j};
   } else {
     collider.defer(i, j);
   }
 }
 
-// A thread for each pair that there was room for.
+// One thread per queued undecided pair.
 template <bool EQUAL_RADII, bool LISTED>
-__device__ void decide_undecided(Collider<EQUAL_RADII, LISTED>& collider, const Undecided& undecided) {
-  const KernelBuffers& w = collider.w;
-  uint row = (group_index(collider.p) % SUMMARY_SLOTS) * SUMMARY_WORDS;
+__device__ void decide_undecided(const Params& p, const KernelBuffers& buf, Collider<EQUAL_RADII, LISTED>& collider) {
+  uint row = (group_index(p) % SUMMARY_SLOTS) * SUMMARY_WORDS;
   uint lane = threadIdx.x;
-  if (lane == 0u) atomicAdd(&w.summary[row + SUM_UNDECIDED], undecided.pairs);
-  if (lane >= min(undecided.pairs, UNDECIDED_ROOM)) return;
-  uint i = undecided.pair[lane].x;
-  uint j = undecided.pair[lane].y;
-  vec4 a = with_radius(collider.p, w.position[i]);
-  vec4 b = with_radius(collider.p, w.position[j]);
+  if (lane == 0u) atomicAdd(&buf.summary[row + SUM_UNDECIDED], undecided_pairs);
+  if (lane >= min(undecided_pairs, UNDECIDED_ROOM)) return;
+  uint i = undecided[lane].x;
+  uint j = undecided[lane].y;
+  vec4 a = with_radius(p, buf.position[i]);
+  vec4 b = with_radius(p, buf.position[j]);
   uint verdict = finite_sphere(a) && finite_sphere(b) ? decide_double(a, b) : UNDECIDED;
   if (verdict == UNDECIDED) {
     collider.defer(i, j);
     return;
   }
-  atomicAdd(&w.summary[row + SUM_STAGE + STAGE_DOUBLE], 1u);
+  atomicAdd(&buf.summary[row + SUM_STAGE + STAGE_DOUBLE], 1u);
   if (verdict == APART) return;
-  if (!collider.totals_later())
-    collider.record(collider.sphere_index(w.position[i], i), collider.sphere_index(w.position[j], j));
+  collider.record(sphere_index(p, buf, buf.position[i], i), sphere_index(p, buf, buf.position[j], j));
   collider.add_contact(i, 1u);
   collider.add_contact(j, 1u);
 }
 
-// A group's next spheres: behind these, or those of its next stretch, as far on as all groups take.
+// The group's next chunk: the rest of its columns_per_group spheres, then those that lie as far on as all groups take.
 template <uint BLOCK>
 __device__ uint next_chunk(const Params& p, uint first) {
   uint behind = first + BLOCK;
   return (behind & (p.columns_per_group - 1u)) != 0u ? behind : behind + (group_count() - 1u) * p.columns_per_group;
 }
 
-// On a multiprocessor, whose registers are then shared by so many threads.
-constexpr int groups_at_work(int block) { return block < 64 ? 32 : 1280 / block; }
+// CUDA only: the resident groups of a multiprocessor, for which the compiler limits registers
+constexpr int resident_groups(int block) { return block < 64 ? 32 : 1280 / block; }
 
 template <int BLOCK, bool EQUAL_RADII, bool LISTED>
-__global__ void __launch_bounds__(BLOCK, groups_at_work(BLOCK)) collide_grid(Params p, KernelBuffers w) {
-  constexpr uint TEAMS = BLOCK / TEAM;
-  __shared__ uvec2 queue[TEAMS * QUEUE_ROOM];  // of each team: two spheres that may meet
-  __shared__ uint queued[TEAMS];
-  __shared__ uint unfinished[TEAMS];
-  __shared__ Undecided undecided;
-  __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
-  Collider<EQUAL_RADII, LISTED> collider(p, w, total);
-  uint lane = team_lane();
-  uint team = team_index();
-  uint room = team * QUEUE_ROOM;
-  if (lane == 0u) queued[team] = unfinished[team] = 0u;
-  if (threadIdx.x == 0u) undecided.pairs = 0u;
-  grid_dependency_sync();
-  trigger_dependent_launch();
+__global__ void __launch_bounds__(BLOCK, resident_groups(BLOCK)) collide_grid(Params p, KernelBuffers buf) {
+  constexpr uint QUEUES = BLOCK / COOPERATING;
+  __shared__ uvec2 queue[QUEUES * QUEUE_ROOM];  // candidate pairs of each set of cooperating threads
+  __shared__ uint queued[QUEUES];
+  __shared__ uint unfinished[QUEUES];
+  Collider<EQUAL_RADII, LISTED> collider(p, buf);
+  uint lane = cooperating_lane();
+  uint own = cooperating_index();
+  if (lane == 0u) queued[own] = unfinished[own] = 0u;
+  if (threadIdx.x == 0u) undecided_pairs = 0u;
+  grid_dependency_sync();      // CUDA only: the sort has written what follows reads
+  trigger_dependent_launch();  // CUDA only: the next step's split_tiles writes nothing that this kernel reads
   collider.start_totals();
-  uint end = p.n;  // GLSL may have a part of them only: sorted_begin()
+  uint end = sorted_end(p) - sorted_begin();
   for (uint first = group_index(p) * p.columns_per_group; first < end;) {
-    uint i = first + team * TEAM + lane;
+    uint k = first + own * COOPERATING + lane;
+    uint i = sorted_begin() + k;
     first = next_chunk<BLOCK>(p, first);
-    vec4 mine = w.position[min(i, p.n - 1u)];
+    vec4 mine = buf.position[min(i, p.n - 1u)];
     if (EQUAL_RADII) mine.w = p.radius;
-    Rows rows = find_rows(p, w, mine, i, i < end);
+    Rows rows = find_rows(p, buf, mine, i, k < end);
     uint marked = 0u;
     uint next = 0u;
     uint base = 0u;
@@ -161,38 +156,36 @@ __global__ void __launch_bounds__(BLOCK, groups_at_work(BLOCK)) collide_grid(Par
       if (marked == 0u && next < rows.ahead_above.bound) {
         base = next;
         next = base + 32u;
-        marked = walk(collider, mine, rows, base);
+        marked = mark_candidates(collider, mine, rows, base);
       }
-      uint at = marked != 0u ? atomicAdd(&queued[team], uint(__popc(marked))) : 0u;
-#pragma unroll 1
+      uint at = marked != 0u ? atomicAdd(&queued[own], count_bits(marked)) : 0u;
       for (; marked != 0u && at < QUEUE_ROOM; ++at) {
-        queue[room + at] = uvec2{i, walked(rows, base + uint(__ffs(int(marked))) - 1u)};
+        queue[own * QUEUE_ROOM + at] = uvec2{i, neighbour_index(rows, base + lowest_bit(marked))};
         marked &= marked - 1u;
       }
-      if (marked != 0u || next < rows.ahead_above.bound) unfinished[team] = 1u;
-      team_barrier();
-      again = unfinished[team] != 0u;
-      uint held = min(queued[team], QUEUE_ROOM);
-      uint left = first < end || again ? held % TEAM : 0u;
-#pragma unroll 1
-      for (uint q = left + lane; q < held; q += TEAM) {
-        uint a = queue[room + q].x;
-        uint b = queue[room + q].y;
-        uint verdict = collider.test_pair(a, w.position[a], b, w.position[b]);
+      if (marked != 0u || next < rows.ahead_above.bound) unfinished[own] = 1u;
+      cooperating_barrier();
+      again = unfinished[own] != 0u;
+      uint held = min(queued[own], QUEUE_ROOM);
+      uint left = first < end || again ? held % COOPERATING : 0u;
+      for (uint q = left + lane; q < held; q += COOPERATING) {
+        uint a = queue[own * QUEUE_ROOM + q].x;
+        uint b = queue[own * QUEUE_ROOM + q].y;
+        uint verdict = collider.test_pair(a, buf.position[a], b, buf.position[b]);
         if (verdict == COLLIDE) {
-          atomicAdd(&w.count[a], 1u);
-          atomicAdd(&w.count[b], 1u);
+          collider.add_contact(a, 1u);
+          collider.add_contact(b, 1u);
         }
-        if (verdict == UNDECIDED && p.defer_undecided != 0u) leave_undecided(collider, undecided, a, b);
+        if (verdict == UNDECIDED && p.defer_undecided != 0u) queue_undecided(collider, a, b);
       }
-      team_barrier();
-      if (lane == 0u) queued[team] = left;
-      if (lane == 0u) unfinished[team] = 0u;
-      team_barrier();
+      cooperating_barrier();
+      if (lane == 0u) queued[own] = left;
+      if (lane == 0u) unfinished[own] = 0u;
+      cooperating_barrier();
     }
   }
-  if (TEAMS > 1u) __syncthreads();
-  if (undecided.pairs != 0u) decide_undecided(collider, undecided);
+  if (QUEUES > 1u) __syncthreads();
+  if (undecided_pairs != 0u) decide_undecided(p, buf, collider);
   collider.finish_totals();
 }
 

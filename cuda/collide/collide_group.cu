@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere: it meets the spheres of its own group, which stand in shared memory (the paper's code 4).
+// One thread per sphere: it is tested against the spheres of its own group, in shared memory (the paper's code 4).
+// Pairs across groups are not found.
 #include "cuda/collide/collide.cuh"
 
 namespace spherepair {
 
 template <int BLOCK, bool EQUAL_RADII, bool LISTED>
-__global__ void __launch_bounds__(BLOCK) collide_group(Params p, KernelBuffers w) {
+__global__ void __launch_bounds__(BLOCK) collide_group(Params p, KernelBuffers buf) {
   __shared__ vec4 tile[BLOCK];
-  __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
-  Collider<EQUAL_RADII, LISTED> c(p, w, total);
+  Collider<EQUAL_RADII, LISTED> collider(p, buf);
   uint lane = threadIdx.x;
   uint first = group_index(p) * BLOCK;
   uint i = first + lane;
-  vec4 mine = w.position[min(i, p.n - 1u)];
+  vec4 mine = buf.position[min(i, p.n - 1u)];
   tile[lane] = mine;
-  c.start_totals();
+  collider.start_totals();
   uint contacts = 0u;
   uint others = first < p.n ? min(uint(BLOCK), p.n - first) : 0u;
   for (uint k = 0u; k < others; ++k) {
-    if (c.in_reach(mine, tile[k])) contacts += c.test_ordered_pair(i, mine, first + k, tile[k]);
+    if (collider.in_reach(mine, tile[k])) contacts += collider.test_ordered_pair(i, mine, first + k, tile[k]);
   }
-  if (contacts != 0u) c.add_contact(i, contacts);
-  c.finish_totals();
+  if (contacts != 0u) collider.add_contact(i, contacts);
+  collider.finish_totals();
 }
 
 Entry collide_group_kernel(uint block, Variant variant) {

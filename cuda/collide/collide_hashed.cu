@@ -1,27 +1,26 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere in the order of hashed cells: it looks through the later half of its neighbourhood on its own
-// level and through its whole neighbourhood on every coarser level. Rows of cells may share slots, so whoever is in
-// reach is also asked for its cell. Pairs are queued and worked off by the whole group.
-#include "common/shared/cell.h"
+// One thread per sphere in the order of hashed cells: it is tested against the later half of its neighbourhood on its
+// own level and against its whole neighbourhood on every coarser level. Rows of cells may share slots, so the cell of a
+// candidate is compared too. Candidate pairs are queued and decided by the whole group.
 #include "cuda/collide/collide.cuh"
+#include "cuda/grid/grid.cuh"
 
 namespace spherepair {
 
 template <int BLOCK, bool EQUAL_RADII, bool LISTED>
-__global__ void __launch_bounds__(BLOCK) collide_hashed(Params p, KernelBuffers w) {
+__global__ void __launch_bounds__(BLOCK) collide_hashed(Params p, KernelBuffers buf) {
   constexpr uint QUEUE = BLOCK <= 256 ? BLOCK * 6 : 2048;
   __shared__ uint queue_mine[QUEUE];
   __shared__ uint queue_other[QUEUE];
   __shared__ uint queued;
-  __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
-  Collider<EQUAL_RADII, LISTED> collider(p, w, total);
+  Collider<EQUAL_RADII, LISTED> collider(p, buf);
   uint lane = threadIdx.x;
   collider.start_totals();
   for (uint first = group_index(p) * BLOCK; first < p.n; first += group_count() * BLOCK) {
     uint i = first + lane;
     if (lane == 0u) queued = 0u;
     __syncthreads();
-    vec4 mine = with_radius(p, w.position[min(i, p.n - 1u)]);
+    vec4 mine = with_radius(p, buf.position[min(i, p.n - 1u)]);
     uint own_level = level_of(mine.w, p);
     Cell own = cell_at(mine.x, mine.y, mine.z, own_level, p);
     for (uint level = i < p.n ? own_level : p.top_level + 1u; level <= p.top_level; ++level) {
@@ -37,16 +36,16 @@ __global__ void __launch_bounds__(BLOCK) collide_hashed(Params p, KernelBuffers 
           bool own_row = later_half && y == own.y && z == own.z;
           uint slot = slot_in_row(row, own_row ? own.x : low.x, p);
           uint last = slot_in_row(row, high.x, p);
-          uint j = own_row ? i + 1u : w.cell[slot];
-          uint end = w.cell[last + 1u] + (last < slot ? p.n : 0u);
+          uint j = own_row ? i + 1u : buf.cell[slot];
+          uint end = buf.cell[last + 1u] + (last < slot ? p.n : 0u);
           for (; j < end; ++j) {
             uint other = j < p.n ? j : j - p.n;
-            vec4 sphere = with_radius(p, w.position[other]);
+            vec4 sphere = with_radius(p, buf.position[other]);
             if (collider.in_reach(mine, sphere) && stands_in_row(sphere, level, y, z, p)) {
-              uint sorted_index = atomicAdd(&queued, 1u);
-              if (sorted_index < QUEUE) {
-                queue_mine[sorted_index] = i;
-                queue_other[sorted_index] = other;
+              uint at = atomicAdd(&queued, 1u);
+              if (at < QUEUE) {
+                queue_mine[at] = i;
+                queue_other[at] = other;
               } else {
                 collider.test_stored_pair(i, other);
               }

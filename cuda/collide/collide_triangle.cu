@@ -1,53 +1,52 @@
 // SPDX-License-Identifier: MIT
-// Each unordered pair once: a group holds SPHERES_PER_THREAD spheres a thread in registers, its rows, and meets
-// p.stretch spheres of its row or later, its columns, which pass through shared memory in Gram form. Where a column
-// comes near a thread's rows the meeting is only queued; after the tile the whole group works the queue off, a thread
-// per pair. The fewer columns some rows still have to meet, the more have those mirrored at the middle: the groups of
-// both stand in one line of the launch, so that hardly any is idle but in the middle.
+// Each unordered pair once: a group keeps SPHERES_PER_THREAD spheres a thread in registers, its rows, and tests them
+// against p.columns_per_group later spheres, its columns, which pass through shared memory in Gram form. Candidates are
+// only queued; after each tile the whole group decides the queued pairs, a thread per pair. Row groups near the end
+// have few columns left, and those mirrored at the middle many: one line of the launch holds both, so that few groups
+// are idle.
 #include "cuda/collide/collide.cuh"
 
 namespace spherepair {
 
 constexpr uint PAIRS_PER_ENTRY = SPHERES_PER_THREAD * COLUMNS_AT_ONCE;
 
-// Pair number `pair` of the meeting between a thread's rows and the columns from j on.
+// Pair number `pair` of a queue entry, which stands for the rows of one thread and COLUMNS_AT_ONCE columns from j on.
 template <int BLOCK, bool EQUAL_RADII, bool LISTED>
-__device__ void test_pair(Collider<EQUAL_RADII, LISTED>& collider, uint first_row, uint pair, uint lane, uint j,
-                          uint end) {
+__device__ void test_queued_pair(Collider<EQUAL_RADII, LISTED>& collider, uint first_row, uint pair, uint lane, uint j,
+                                 uint end) {
   uint i = first_row + (pair % SPHERES_PER_THREAD) * BLOCK + lane;
   j += pair / SPHERES_PER_THREAD;
   if (i < j && j < end) collider.test_stored_pair(i, j);
 }
 
 template <int BLOCK, bool EQUAL_RADII, bool LISTED>
-__global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, KernelBuffers w) {
+__global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, KernelBuffers buf) {
   constexpr uint ROWS = BLOCK * SPHERES_PER_THREAD;
   constexpr float SHARE = EQUAL_RADII ? 1.0f : 0.5f;
   __shared__ vec4 tile[BLOCK];
   __shared__ float tile_radius[EQUAL_RADII ? 1 : BLOCK];
   __shared__ uint near_queue[NEAR_PER_THREAD * BLOCK];
   __shared__ uint near_length[2];  // of this tile and of the next
-  __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
-  Collider<EQUAL_RADII, LISTED> collider(p, w, total);
+  Collider<EQUAL_RADII, LISTED> collider(p, buf);
   uint lane = threadIdx.x;
-  uint columns_per_group = blockIdx.x;
+  uint part = blockIdx.x;
   uint first_row = (p.first_group + blockIdx.y) * ROWS;
-  uint stretches = (p.n - first_row + p.columns_per_group - 1u) / p.columns_per_group;
-  if (columns_per_group >= stretches) {
+  uint parts = (p.n - first_row + p.columns_per_group - 1u) / p.columns_per_group;
+  if (part >= parts) {
     uint mirrored = (p.n - 1u) / ROWS * ROWS - first_row;
     if (mirrored == first_row) return;  // the line in the middle
     first_row = mirrored;
-    columns_per_group -= stretches;
+    part -= parts;
   }
-  uint first_column = first_row + columns_per_group * p.columns_per_group;
+  uint first_column = first_row + part * p.columns_per_group;
   if (first_column >= p.n) return;
   if (lane < 2u) near_length[lane] = 0u;
   collider.start_totals();
-  vec4 origin = w.position[first_row];
+  vec4 origin = buf.position[first_row];
   vec4 row[SPHERES_PER_THREAD];
   float row_radius[SPHERES_PER_THREAD];
   for (uint k = 0u; k < SPHERES_PER_THREAD; ++k) {
-    vec4 sphere = w.position[min(first_row + k * BLOCK + lane, p.n - 1u)];
+    vec4 sphere = buf.position[min(first_row + k * BLOCK + lane, p.n - 1u)];
     row[k] = gram_form(sphere, origin, SHARE);
     row_radius[k] = sphere.w;
     if (first_row + k * BLOCK + lane >= p.n) row[k].w = NEVER_NEAR;
@@ -55,7 +54,7 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, KernelBuffer
   uint end = min(first_column + p.columns_per_group, p.n);
   uint turn = 0u;
   for (uint start = first_column; start < end; start += BLOCK) {
-    vec4 sphere = w.position[min(start + lane, p.n - 1u)];
+    vec4 sphere = buf.position[min(start + lane, p.n - 1u)];
     vec4 form = gram_form(sphere, origin, SHARE);
     tile[lane] = vec4{form.x, form.y, form.z, -form.w};
     if constexpr (!EQUAL_RADII) tile_radius[lane] = sphere.w;
@@ -74,13 +73,13 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, KernelBuffer
         }
       }
       if (near) {
-        uint sorted_index = atomicAdd(&near_length[turn], 1u);
-        if (sorted_index < NEAR_PER_THREAD * BLOCK) {
-          near_queue[sorted_index] = c * BLOCK + lane;
+        uint at = atomicAdd(&near_length[turn], 1u);
+        if (at < NEAR_PER_THREAD * BLOCK) {
+          near_queue[at] = c * BLOCK + lane;
         } else {
-#pragma unroll 1
+#pragma unroll 1  // CUDA only: unrolled, this rare path takes 91 registers and slows the loop above
           for (uint pair = 0u; pair < PAIRS_PER_ENTRY; ++pair)
-            test_pair<BLOCK>(collider, first_row, pair, lane, start + c, end);
+            test_queued_pair<BLOCK>(collider, first_row, pair, lane, start + c, end);
         }
       }
     }
@@ -88,7 +87,8 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, KernelBuffer
     uint queued = min(near_length[turn], uint(NEAR_PER_THREAD * BLOCK)) * PAIRS_PER_ENTRY;
     for (uint q = lane; q < queued; q += BLOCK) {
       uint candidate = near_queue[q / PAIRS_PER_ENTRY];
-      test_pair<BLOCK>(collider, first_row, q % PAIRS_PER_ENTRY, candidate % BLOCK, start + candidate / BLOCK, end);
+      test_queued_pair<BLOCK>(collider, first_row, q % PAIRS_PER_ENTRY, candidate % BLOCK, start + candidate / BLOCK,
+                              end);
     }
     turn ^= 1u;
   }

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// One thread per pair of spheres: all stages of the predicate, and which of them decided.
+// One thread per pair of spheres: all stages of the predicate; reports the verdict and the stage that decided.
 #include "common/shared/exact.h"
 #include "cuda/kernels.cuh"
 
 namespace spherepair {
 
-__global__ void __launch_bounds__(SERVICE_BLOCK) decide(Params p, KernelBuffers w) {
-  uint k = group_index(p) * SERVICE_BLOCK + threadIdx.x;
+constexpr uint BLOCK = SERVICE_BLOCK;
+
+__global__ void __launch_bounds__(BLOCK) decide(Params p, KernelBuffers buf) {
+  uint k = group_index(p) * BLOCK + threadIdx.x;
   if (k >= p.pairs_to_decide) return;
-  w.verdict[k] = verdict_code(decide_pair(w.spheres[2u * k], w.spheres[2u * k + 1u], p.filter_scale, p.filter_offset));
+  buf.verdict[k] =
+      verdict_code(decide_pair(buf.spheres[2u * k], buf.spheres[2u * k + 1u], p.filter_scale, p.filter_offset));
 }
 
 Entry decide_kernel(uint, Variant) { return reinterpret_cast<Entry>(&decide); }

@@ -1,33 +1,35 @@
 // SPDX-License-Identifier: MIT
-// A fixed number of threads shares out the deferred pairs: each is decided exactly, and recorded if it collides.
+// A fixed number of threads loops over the deferred pairs: each pair is decided exactly and recorded if it collides.
 #include "common/shared/exact.h"
 #include "cuda/collide/collide.cuh"
 
 namespace spherepair {
 
+constexpr uint BLOCK = SERVICE_BLOCK;
+
 template <bool LISTED>
-__global__ void __launch_bounds__(SERVICE_BLOCK) resolve_undecided(Params p, KernelBuffers w) {
-  __shared__ uint total[TOTAL_ROWS * TOTAL_STRIDE];
-  uint k = group_index(p) * SERVICE_BLOCK + threadIdx.x;
-  uvec2 pair = w.deferred[min(k, p.deferred_capacity - 1u)];  // on its way before it is known to be one
-  uint pairs = min(w.summary[SUM_DEFERRED], p.deferred_capacity);
-  if (group_index(p) * SERVICE_BLOCK >= pairs) return;
-  Collider<false, LISTED> c(p, w, total);
-  c.start_totals();
+__global__ void __launch_bounds__(BLOCK) resolve_undecided(Params p, KernelBuffers buf) {
+  uint k = group_index(p) * BLOCK + threadIdx.x;
+  uvec2 pair = buf.deferred[min(
+      k, p.deferred_capacity - 1u)];  // loaded before it is known to exist, to overlap the two latencies
+  uint pairs = min(buf.summary[SUM_DEFERRED], p.deferred_capacity);
+  if (group_index(p) * BLOCK >= pairs) return;
+  Collider<false, LISTED> collider(p, buf);
+  collider.start_totals();
   uint row = (group_index(p) % SUMMARY_SLOTS) * SUMMARY_WORDS;
-  for (; k < pairs; k += SERVICE_BLOCK * gridDim.x) {
-    vec4 a = w.position[pair.x];
-    vec4 b = w.position[pair.y];
+  for (; k < pairs; k += BLOCK * gridDim.x) {
+    vec4 a = buf.position[pair.x];
+    vec4 b = buf.position[pair.y];
     Verdict verdict = decide_exact(with_radius(p, a), with_radius(p, b));
-    atomicAdd(&w.summary[row + SUM_STAGE + verdict.stage], 1u);
+    atomicAdd(&buf.summary[row + SUM_STAGE + verdict.stage], 1u);
     if (verdict.collide) {
-      if (!c.totals_later()) c.record(sphere_index(p, w, a, pair.x), sphere_index(p, w, b, pair.y));
-      c.add_contact(pair.x, 1u);
-      c.add_contact(pair.y, 1u);
+      collider.record(sphere_index(p, buf, a, pair.x), sphere_index(p, buf, b, pair.y));
+      collider.add_contact(pair.x, 1u);
+      collider.add_contact(pair.y, 1u);
     }
-    pair = w.deferred[min(k + SERVICE_BLOCK * gridDim.x, p.deferred_capacity - 1u)];
+    pair = buf.deferred[min(k + BLOCK * gridDim.x, p.deferred_capacity - 1u)];
   }
-  c.finish_totals();
+  collider.finish_totals();
 }
 
 Entry resolve_undecided_kernel(uint, Variant variant) {

@@ -1,39 +1,38 @@
 // SPDX-License-Identifier: MIT
-// A group draws as many spheres at a time as it has threads: one thread finds out where each is to be tried, and as few
-// of them are, WALKERS threads then try each of those.
+// A group draws as many spheres at a time as it has threads: one thread computes the footprint of each; since few are
+// visible, BOX_THREADS threads then share the pixels of each of those.
 #pragma once
 
-#include "cuda/draw/visible.cuh"
+#include "cuda/draw/visibility_buffer.cuh"
 
 namespace spherepair {
 
-// All threads of the group call it; `exists`: there is a sphere at this one's place.
-template <uint block>
-__device__ inline void draw_batch(const Params& p, const KernelBuffers& w, const View& v, uint sorted_index,
-                                  bool exists) {
-  // Box, nearest and place: many groups are to have room, so the rest is looked up again.
-  __shared__ uvec4 walks[block];
-  __shared__ uint walk_count;
+// All threads of the group call it; `exists`: this thread has a sphere.
+template <uint BLOCK>
+__device__ inline void draw_batch(const Params& p, const KernelBuffers& buf, const View& v, uint k, bool exists) {
+  // Box, nearest and index: 16 bytes, for occupancy; the rest is looked up again.
+  __shared__ uvec4 queue[BLOCK];
+  __shared__ uint queued;
   uint lane = threadIdx.x;
-  if (lane == 0u) walk_count = 0u;
+  if (lane == 0u) queued = 0u;
   __syncthreads();
   if (exists) {
-    Walk walk = walk_of(p, w, v, sorted_index, true);
-    if (walk.box.width * walk.box.height > WALK_ALONE) {
-      uint entry = atomicAdd(&walk_count, 1u);
-      uvec2 box = words_of(walk.box);
-      walks[entry] = uvec4{box.x, box.y, walk.nearest, sorted_index};
+    Footprint footprint = footprint_of(p, buf, v, k, true);
+    if (footprint.box.width * footprint.box.height > PIXELS_ALONE) {
+      uint entry = atomicAdd(&queued, 1u);
+      uvec2 box = words_of(footprint.box);
+      queue[entry] = uvec4{box.x, box.y, footprint.nearest, k};
     } else {
-      draw_walk(w, v, walk, 0u, 1u, 1u);
+      draw_footprint(buf, v, footprint, 0u, 1u, 1u);
     }
   }
   __syncthreads();
-  for (uint k = lane / WALKERS; k < walk_count; k += block / WALKERS) {
-    uvec4 found = walks[k];
-    vec4 sphere = w.position[found.w];
-    Walk walk = {in_camera(with_radius(p, sphere), v), box_from(uvec2{found.x, found.y}), found.z,
-                 sphere_index(p, w, sphere, found.w)};
-    draw_walk(w, v, walk, lane % WALKERS, WALKERS, WALKERS_ACROSS);
+  for (uint q = lane / BOX_THREADS; q < queued; q += BLOCK / BOX_THREADS) {
+    uvec4 found = queue[q];
+    vec4 sphere = buf.position[found.w];
+    Footprint footprint = {in_camera(with_radius(p, sphere), v), box_from(uvec2{found.x, found.y}), found.z,
+                           sphere_index(p, buf, sphere, found.w)};
+    draw_footprint(buf, v, footprint, lane % BOX_THREADS, BOX_THREADS, BOX_THREADS_ACROSS);
   }
   __syncthreads();  // before the next batch
 }

@@ -1,21 +1,29 @@
 // SPDX-License-Identifier: MIT
-// BOUNDS_LANES threads per cluster, each of which goes through as large a share of its spheres: the box that holds
-// them; and then the box that holds a bundle. By cells one thread per cluster, which looks at where it and the next one
-// begin, and at all spheres only when that is not in one row of cells.
+// BOUNDS_LANES threads per cluster, which share its spheres: the bounding box of each cluster, and then of each bundle.
+// By cells, one thread per cluster: it derives the box from the cells in which this cluster and the next one begin, and
+// reads all spheres only when these are not in one row of cells.
 #include "common/shared/cluster.h"
 #include "cuda/kernels.cuh"
 
 namespace spherepair {
 
+constexpr uint BLOCK = SERVICE_BLOCK;
+
+// CUDA only from here: GLSL has them
 __device__ inline vec4 min(vec4 a, vec4 b) {
   return {smaller(a.x, b.x), smaller(a.y, b.y), smaller(a.z, b.z), smaller(a.w, b.w)};
 }
 __device__ inline vec4 max(vec4 a, vec4 b) {
   return {larger(a.x, b.x), larger(a.y, b.y), larger(a.z, b.z), larger(a.w, b.w)};
 }
+// until here
 
-// All threads of the group call it: every second of what stands `stride` apart takes in its neighbour.
-__device__ inline void join(vec4* low, vec4* high, uint stride) {
+__shared__ vec4 low[BLOCK];
+__shared__ vec4 high[BLOCK];
+
+// A step of the reduction, which all threads of the group call: every second box `stride` apart is joined with its
+// neighbour.
+__device__ inline void join(uint stride) {
   uint lane = threadIdx.x;
   __syncthreads();
   if (lane % (2u * stride) != 0u) return;
@@ -24,30 +32,28 @@ __device__ inline void join(vec4* low, vec4* high, uint stride) {
 }
 
 template <bool BY_CELLS>
-__global__ void __launch_bounds__(SERVICE_BLOCK) draw_bounds(Params p, KernelBuffers w, View v) {
-  __shared__ vec4 low[SERVICE_BLOCK];
-  __shared__ vec4 high[SERVICE_BLOCK];
+__global__ void __launch_bounds__(BLOCK) draw_bounds(Params p, KernelBuffers buf, View v) {
   constexpr uint lanes = BY_CELLS ? 1u : BOUNDS_LANES;
   uint lane = threadIdx.x;
-  uint own_lane = lane % lanes;  // of the cluster's
-  uint c = group_index(p) * (SERVICE_BLOCK / lanes) + lane / lanes;
+  uint own_lane = lane % lanes;  // within the cluster
+  uint c = group_index(p) * (BLOCK / lanes) + lane / lanes;
   float most = bits_float(0x7F7FFFFFu);
   low[lane] = vec4{most, most, most, most};
   high[lane] = vec4{-most, -most, -most, -most};
   bool in_row = false;
   if (BY_CELLS && c < v.clusters) {
-    GridPosition begin = grid_position(w.position[c * CLUSTER], p);
+    GridPosition begin = grid_position(buf.position[c * CLUSTER], p);
     uint next = (c + 1u) * CLUSTER;
-    GridPosition end = grid_position(w.position[next < p.n ? next : p.n - 1u], p);
+    GridPosition end = grid_position(buf.position[next < p.n ? next : p.n - 1u], p);
     in_row = within_row(begin, end, p);
     if (in_row) low[lane] = lowest_in_row(begin, p);
     if (in_row) high[lane] = highest_in_row(end, p);
   }
   for (uint k = own_lane; !in_row && k < CLUSTER; k += 4u * lanes) {
-    vec4 four[4];  // all on their way before the first is asked; behind the last sphere that one again
+    vec4 four[4];  // all loads are issued before the first is used; past the last sphere, that one again
     for (uint j = 0u; j < 4u; ++j) {
-      uint sorted_index = c * CLUSTER + k + j * lanes;
-      four[j] = with_radius(p, w.position[sorted_index < p.n ? sorted_index : p.n - 1u]);
+      uint i = c * CLUSTER + k + j * lanes;
+      four[j] = with_radius(p, buf.position[i < p.n ? i : p.n - 1u]);
     }
     for (uint j = 0u; j < 4u; ++j) {
       if (!ever_drawable(four[j])) continue;
@@ -55,15 +61,15 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) draw_bounds(Params p, KernelBuf
       high[lane] = max(high[lane], highest_corner(four[j]));
     }
   }
-  for (uint stride = 1u; stride < lanes; stride *= 2u) join(low, high, stride);
+  for (uint stride = 1u; stride < lanes; stride *= 2u) join(stride);
   if (own_lane == 0u && c < v.clusters) {
-    w.cluster[2u * c] = low[lane];
-    w.cluster[2u * c + 1u] = high[lane];
+    buf.cluster[2u * c] = low[lane];
+    buf.cluster[2u * c + 1u] = high[lane];
   }
-  for (uint stride = lanes; stride < BUNDLE * lanes; stride *= 2u) join(low, high, stride);
+  for (uint stride = lanes; stride < BUNDLE * lanes; stride *= 2u) join(stride);
   if (own_lane != 0u || c % BUNDLE != 0u || c >= v.clusters) return;
-  w.cluster[corners_of_bundle(c / BUNDLE, v)] = low[lane];
-  w.cluster[corners_of_bundle(c / BUNDLE, v) + 1u] = high[lane];
+  buf.cluster[corners_of_bundle(c / BUNDLE, v)] = low[lane];
+  buf.cluster[corners_of_bundle(c / BUNDLE, v) + 1u] = high[lane];
 }
 
 Entry draw_bounds_kernel(uint, Variant variant) {

@@ -1,114 +1,117 @@
 // SPDX-License-Identifier: MIT
-// One thread per cluster, or per one that was put off: it is listed to be drawn, or put off, unless it is out of view
-// or hidden by what is drawn already. Where spheres are many, one thread per bundle comes before.
-#include "cuda/draw/listing.cuh"
+// One thread per cluster, or per deferred one: frustum and occlusion culling. A cluster that passes is listed to be
+// drawn, or deferred. With many spheres, one thread per bundle of clusters comes first.
+#include "cuda/draw/append.cuh"
 
 namespace spherepair {
 
-// The list for what is in such a box, or why it is in none. A bundle is looked up in coarser texels than a cluster, and
-// one that was put off in the coarsest first.
+constexpr uint BLOCK = SERVICE_BLOCK;
+
+// The list for the contents of a box, or why it is culled. A bundle is tested at a coarser level than a cluster, a
+// deferred one at the coarsest first.
 template <bool BUNDLES>
-__device__ inline uint list_for(const KernelBuffers& w, const View& v, vec4 low, vec4 high, bool bundled) {
-  if (low.x > high.x) return OUT_OF_VIEW;  // there is nothing in it
+__device__ inline uint list_for(const KernelBuffers& buf, const View& v, vec4 low, vec4 high, bool bundled) {
+  if (low.x > high.x) return OUT_OF_VIEW;  // empty
   Solid solid = solid_of(low, high, v);
   if (outside(solid, v)) return OUT_OF_VIEW;
   if (v.occlusion == 0u || reaches_eye_plane(solid)) return list_of(v.phase);
   Box box = box_of_solid(solid, v);
   if (box.width == 0u || box.height == 0u) return HIDDEN;
   uint nearest = least_depth(solid, box, v);
-  if (bundled && v.phase == PHASE_FAR && texel_of_box(w, v, box, nearest, 2u).x < nearest) return HIDDEN;
+  if (bundled && v.phase == PHASE_FAR && texel_of_box(buf, v, box, nearest, 2u).x < nearest) return HIDDEN;
   bool large = !BUNDLES && v.width * v.height >= LARGE_IMAGE;
   uint level = bundled || (large && texels_of(box, 0u) > uint(TEXELS_FEW)) ? 1u : level_for(box);
   if (texels_of(box, level) > uint(TEXELS_TO_SEARCH)) level = 2u;
-  uvec2 texel = texel_of_box(w, v, box, nearest, level);
+  uvec2 texel = texel_of_box(buf, v, box, nearest, level);
   if (texel.x < nearest) return HIDDEN;
   if (v.phase != PHASE_NEAR || texel.y >= nearest) return list_of(v.phase);
   return texel.y < least_depth(brought_nearer(solid, low, high), box, v) ? LIST_DEFERRED : LIST_DRAWN;
 }
 
-// A bundle that was hidden when it was tested last, as the w of its lowest corner tells, most likely is again: it is
-// put off untested.
-__device__ inline uint list_for_bundle(const KernelBuffers& w, const View& v, uint bundle) {
+// A bundle that was hidden at its last test, as the w of its lowest corner says, most likely is again: it is deferred
+// untested.
+__device__ inline uint list_for_bundle(const KernelBuffers& buf, const View& v, uint bundle) {
   uint at = corners_of_bundle(bundle, v);
-  vec4 low = w.cluster[at];
+  vec4 low = buf.cluster[at];
   bool was_hidden = low.w != 0.0f;
   if (was_hidden && v.phase == PHASE_NEAR) return LIST_DEFERRED;
-  uint list = list_for<true>(w, v, low, w.cluster[at + 1u], true);
-  if (was_hidden != (list == HIDDEN)) w.cluster[at].w = list == HIDDEN ? 1.0f : 0.0f;
+  uint list = list_for<true>(buf, v, low, buf.cluster[at + 1u], true);
+  if (was_hidden != (list == HIDDEN)) buf.cluster[at].w = list == HIDDEN ? 1.0f : 0.0f;
   return list;
 }
 
-// All threads of the group call it; `enters`: its entry does.
-__device__ inline void enter(const KernelBuffers& w, const View& v, uint list, bool enters, uint entry) {
-  uint sorted_index = index_in_list(w, DRAWN_CLUSTERS + list, enters);
-  if (enters) w.cluster_list[list * v.clusters + sorted_index] = entry;
+// All threads of the group call it; those with `appends` append their entry.
+__device__ inline void append(const KernelBuffers& buf, const View& v, uint list, bool appends, uint entry) {
+  uint at = append_index(buf, DRAWN_CLUSTERS + list, appends);
+  if (appends) buf.cluster_list[list * v.clusters + at] = entry;
 }
 
-__device__ inline void count_in(const KernelBuffers& w, const View& v, uint word, uint more) {
-  if (v.counting != 0u && more != 0u) atomicAdd(&w.drawn[word], more);
+__device__ inline void count_in(const KernelBuffers& buf, const View& v, uint word, uint more) {
+  if (v.counting != 0u && more != 0u) atomicAdd(&buf.drawn[word], more);
 }
-__device__ inline void count_left_out(const KernelBuffers& w, const View& v, uint list, uint clusters) {
-  if (list == OUT_OF_VIEW) count_in(w, v, DRAWN_CLUSTERS_OUTSIDE, clusters);
-  if (list == HIDDEN) count_in(w, v, DRAWN_CLUSTERS_HIDDEN, clusters);
+__device__ inline void count_left_out(const KernelBuffers& buf, const View& v, uint list, uint clusters) {
+  if (list == OUT_OF_VIEW) count_in(buf, v, DRAWN_CLUSTERS_OUTSIDE, clusters);
+  if (list == HIDDEN) count_in(buf, v, DRAWN_CLUSTERS_HIDDEN, clusters);
 }
 
-// All threads of the group call it; `meant`: its cluster c is tested. Whether that is put off.
+// All threads of the group call it; `selected`: this thread's cluster c is tested. Returns whether it is deferred.
 template <bool BUNDLES>
-__device__ inline bool cull_cluster(const KernelBuffers& w, const View& v, uint c, bool meant) {
+__device__ inline bool cull_cluster(const KernelBuffers& buf, const View& v, uint c, bool selected) {
   uint list = OUT_OF_VIEW;
-  if (meant) list = list_for<BUNDLES>(w, v, w.cluster[2u * c], w.cluster[2u * c + 1u], false);
-  count_left_out(w, v, list, meant ? 1u : 0u);
-  count_in(w, v, DRAWN_CLUSTERS_DEFERRED, list == LIST_DEFERRED ? 1u : 0u);
-  enter(w, v, list_of(v.phase), list == list_of(v.phase), c);
+  if (selected) list = list_for<BUNDLES>(buf, v, buf.cluster[2u * c], buf.cluster[2u * c + 1u], false);
+  count_left_out(buf, v, list, selected ? 1u : 0u);
+  count_in(buf, v, DRAWN_CLUSTERS_DEFERRED, list == LIST_DEFERRED ? 1u : 0u);
+  append(buf, v, list_of(v.phase), list == list_of(v.phase), c);
   return list == LIST_DEFERRED;
 }
 
-// All threads of the group call it; `exists`: it has an entry, a bundle and which of its clusters are meant. Those of
-// them that are put off.
-__device__ inline uint cull_bundle(const KernelBuffers& w, const View& v, uint entry, bool exists) {
-  __shared__ uint apart[SERVICE_BLOCK];        // the bundles that are taken apart ...
-  __shared__ uint deferred_of[SERVICE_BLOCK];  // ... and which of their clusters are put off
-  __shared__ uint count_apart;
+// All threads of the group call it; `exists`: this thread has an entry, a bundle and which of its clusters are
+// selected. Returns which of them are deferred.
+__device__ inline uint cull_bundle(const KernelBuffers& buf, const View& v, uint entry, bool exists) {
+  __shared__ uint bundle_entries[BLOCK];  // the bundles whose clusters are tested ...
+  __shared__ uint deferred_of[BLOCK];     // ... and which of these are deferred
+  __shared__ uint bundles_listed;
   uint lane = threadIdx.x;
   uint own = list_of(v.phase);
-  bool whole = entry == all_of_bundle(bundle_in(entry), v);  // else its near end was drawn, and the rest put off
+  bool whole = entry == all_of_bundle(bundle_in(entry), v);  // else its near clusters were drawn, and the rest deferred
   uint list = exists ? own : OUT_OF_VIEW;
-  if (exists && whole) list = list_for_bundle(w, v, bundle_in(entry));
-  if (exists && list != own) count_in(w, v, DRAWN_BUNDLES, 1u);
-  count_left_out(w, v, list, __popc(bits_in(entry)));
-  count_in(w, v, DRAWN_CLUSTERS_DEFERRED, list == LIST_DEFERRED ? __popc(bits_in(entry)) : 0u);
-  if (lane == 0u) count_apart = 0u;
+  if (exists && whole) list = list_for_bundle(buf, v, bundle_in(entry));
+  if (exists && list != own) count_in(buf, v, DRAWN_BUNDLES, 1u);
+  count_left_out(buf, v, list, count_bits(bits_in(entry)));
+  count_in(buf, v, DRAWN_CLUSTERS_DEFERRED, list == LIST_DEFERRED ? count_bits(bits_in(entry)) : 0u);
+  if (lane == 0u) bundles_listed = 0u;
   __syncthreads();
-  uint sorted_index = list == own ? atomicAdd(&count_apart, 1u) : 0u;
-  if (list == own) apart[sorted_index] = entry;
-  if (list == own) deferred_of[sorted_index] = 0u;
+  uint slot = list == own ? atomicAdd(&bundles_listed, 1u) : 0u;
+  if (list == own) bundle_entries[slot] = entry;
+  if (list == own) deferred_of[slot] = 0u;
   __syncthreads();
-  for (uint from = 0u; from < count_apart * BUNDLE; from += SERVICE_BLOCK) {
+  for (uint from = 0u; from < bundles_listed * BUNDLE; from += BLOCK) {
     uint of = (from + lane) / BUNDLE;
     uint bit = lane % BUNDLE;
-    bool meant = of < count_apart && (bits_in(apart[of]) >> bit & 1u) != 0u;
-    uint c = meant ? bundle_in(apart[of]) * BUNDLE + bit : 0u;
-    if (cull_cluster<true>(w, v, c, meant)) atomicOr(&deferred_of[of], 1u << bit);
+    bool selected = of < bundles_listed && (bits_in(bundle_entries[of]) >> bit & 1u) != 0u;
+    uint c = selected ? bundle_in(bundle_entries[of]) * BUNDLE + bit : 0u;
+    if (cull_cluster<true>(buf, v, c, selected)) atomicOr(&deferred_of[of], 1u << bit);
   }
   __syncthreads();
-  return list == own ? deferred_of[sorted_index] : list == LIST_DEFERRED ? bits_in(entry) : 0u;
+  return list == own ? deferred_of[slot] : list == LIST_DEFERRED ? bits_in(entry) : 0u;
 }
 
 template <bool BUNDLES>
-__global__ void __launch_bounds__(SERVICE_BLOCK) draw_cull(Params p, KernelBuffers w, View v) {
+__global__ void __launch_bounds__(BLOCK) draw_cull(Params p, KernelBuffers buf, View v) {
   bool again = v.phase == PHASE_FAR;
   uint all = BUNDLES ? bundles_of(v) : v.clusters;
-  uint total = again ? w.drawn[DRAWN_CLUSTERS + LIST_DEFERRED] : all;
-  uint at_once = min(uint(SERVICE_BLOCK), total / group_count() + 1u);  // no group is left without
+  uint total = again ? buf.drawn[DRAWN_CLUSTERS + LIST_DEFERRED] : all;
+  uint at_once = min(uint(BLOCK), total / group_count() + 1u);  // few clusters are spread over all groups
   for (uint first = group_index(p) * at_once; first < total; first += group_count() * at_once) {
     uint k = first + threadIdx.x;
     bool exists = threadIdx.x < at_once && k < total;
     uint entry = 0u;
-    if (exists && again) entry = w.cluster_list[LIST_DEFERRED * v.clusters + k];
-    if (exists && !again) entry = BUNDLES ? all_of_bundle(place_in_turn(k, all, v), v) : place_in_turn(k, all, v);
-    uint deferred_count = BUNDLES ? cull_bundle(w, v, entry, exists) : uint(cull_cluster<false>(w, v, entry, exists));
+    if (exists && again) entry = buf.cluster_list[LIST_DEFERRED * v.clusters + k];
+    if (exists && !again) entry = BUNDLES ? all_of_bundle(front_to_back(k, all, v), v) : front_to_back(k, all, v);
+    uint deferred_count =
+        BUNDLES ? cull_bundle(buf, v, entry, exists) : uint(cull_cluster<false>(buf, v, entry, exists));
     uint rest = BUNDLES ? entry - bits_in(entry) + deferred_count : entry;
-    if (v.phase == PHASE_NEAR) enter(w, v, LIST_DEFERRED, deferred_count != 0u, rest);
+    if (v.phase == PHASE_NEAR) append(buf, v, LIST_DEFERRED, deferred_count != 0u, rest);
   }
 }
 

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// One thread, or LANES threads, per sphere: it is drawn, unless it is large, which draw_tiles then does.
-#include "cuda/draw/visible.cuh"
+// One thread, or LANES threads, per sphere: draws it, or leaves it to draw_tiles if it is large.
+#include "cuda/draw/visibility_buffer.cuh"
 
 namespace spherepair {
 
-__global__ void __launch_bounds__(SERVICE_BLOCK) draw_spheres(Params p, KernelBuffers w, View v) {
-  uint k = group_index(p) * (SERVICE_BLOCK / v.lanes) + threadIdx.x / v.lanes;
+constexpr uint BLOCK = SERVICE_BLOCK;
+
+__global__ void __launch_bounds__(BLOCK) draw_spheres(Params p, KernelBuffers buf, View v) {
+  uint k = group_index(p) * (BLOCK / v.lanes) + threadIdx.x / v.lanes;
   if (k >= p.n) return;
   uint lane = threadIdx.x % v.lanes;
-  Walk walk = walk_of(p, w, v, place_in_turn(k, p.n, v), lane == 0u);
-  draw_walk(w, v, walk, lane, v.lanes, lanes_across(v));
+  Footprint footprint = footprint_of(p, buf, v, front_to_back(k, p.n, v), lane == 0u);
+  draw_footprint(buf, v, footprint, lane, v.lanes, lanes_across(v));
 }
 
 Entry draw_spheres_kernel(uint, Variant) { return reinterpret_cast<Entry>(&draw_spheres); }

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Each thread takes SPHERES_PER_SORTER spheres and counts each in its cell, one slot ahead of the cell's own, and in
-// the cell's tile of the scan.
-#include "common/shared/cell.h"
-#include "cuda/kernels.cuh"
+// One thread per SPHERES_PER_SORTER spheres: counts each in its cell, one slot after the cell's own.
+#include "cuda/grid/grid.cuh"
 
 namespace spherepair {
 
+constexpr uint BLOCK = SERVICE_BLOCK;
+
 template <bool DENSE>
-__global__ void __launch_bounds__(SERVICE_BLOCK) grid_count(Params p, KernelBuffers w) {
-  uint first = group_index(p) * SERVICE_BLOCK * SPHERES_PER_SORTER + threadIdx.x;
+__global__ void __launch_bounds__(BLOCK) grid_count(Params p, KernelBuffers buf) {
+  uint first = group_index(p) * BLOCK * SPHERES_PER_SORTER + threadIdx.x;
   uint slot[SPHERES_PER_SORTER];
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k)
-    slot[k] = slot_of(w.position[min(first + k * SERVICE_BLOCK, p.n - 1u)], DENSE, p);
+    slot[k] = slot_of(buf.position[min(first + k * BLOCK, p.n - 1u)], DENSE, p);
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k)
-    if (first + k * SERVICE_BLOCK < p.n) atomicAdd(&w.cell[slot[k] + 1u], 1u);
+    if (first + k * BLOCK < p.n) atomicAdd(&buf.cell[slot[k] + 1u], 1u);
 }
 
 Entry grid_count_kernel(uint, Variant variant) {

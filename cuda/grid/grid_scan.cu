@@ -1,32 +1,36 @@
 // SPDX-License-Identifier: MIT
-// Counts become starts: a group takes a tile of the table, adds it up, and adds the sums of the tiles before it.
+// One group per tile of the table: counts become begins by an exclusive prefix sum of the tile, plus the sums of the
+// tiles before it.
 #include "cuda/kernels.cuh"
 
 namespace spherepair {
 
+constexpr uint BLOCK = SCAN_BLOCK;
+
+// CUDA only: GLSL has it
 __device__ uvec4 operator+(uvec4 a, uvec4 b) { return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w}; }
 
-__global__ void __launch_bounds__(SCAN_BLOCK) grid_scan(Params p, KernelBuffers w) {
-  __shared__ uvec4 sums[SCAN_BLOCK];
+__global__ void __launch_bounds__(BLOCK) grid_scan(Params p, KernelBuffers buf) {
+  __shared__ uvec4 sums[BLOCK];
   __shared__ uint before;
-  uvec4* cell = reinterpret_cast<uvec4*>(w.cell);
+  uvec4* cell = reinterpret_cast<uvec4*>(buf.cell);
   uint lane = threadIdx.x;
   uint first_tile = p.first_bucket / SCAN_TILE;
   uint tile = group_index(p);
   if (tile >= p.scan_tiles) return;
   uint first = (first_tile + tile) * (SCAN_TILE / 4u) + lane;
   uvec4 counts[SCAN_VECTORS];
-  for (uint v = 0u; v < SCAN_VECTORS; ++v) counts[v] = cell[first + v * SCAN_BLOCK];
+  for (uint v = 0u; v < SCAN_VECTORS; ++v) counts[v] = cell[first + v * BLOCK];
   uvec4 own = {
       counts[0].x + counts[0].y + counts[0].z + counts[0].w, counts[1].x + counts[1].y + counts[1].z + counts[1].w,
       counts[2].x + counts[2].y + counts[2].z + counts[2].w, counts[3].x + counts[3].y + counts[3].z + counts[3].w};
   if (lane == 0u) before = 0u;
   __syncthreads();
   uint share = 0u;
-  for (uint t = lane; t < tile; t += SCAN_BLOCK) share += w.tile_sum[first_tile + t];
+  for (uint t = lane; t < tile; t += BLOCK) share += buf.tile_sum[first_tile + t];
   if (share != 0u) atomicAdd(&before, share);
   uvec4 upto = own;
-  for (uint step = 1u; step < SCAN_BLOCK; step *= 2u) {
+  for (uint step = 1u; step < BLOCK; step *= 2u) {
     sums[lane] = upto;
     __syncthreads();
     if (lane >= step) upto = upto + sums[lane - step];
@@ -34,7 +38,7 @@ __global__ void __launch_bounds__(SCAN_BLOCK) grid_scan(Params p, KernelBuffers 
   }
   sums[lane] = upto;
   __syncthreads();
-  uvec4 total = sums[SCAN_BLOCK - 1u];
+  uvec4 total = sums[BLOCK - 1u];
   uint start[SCAN_VECTORS] = {before + upto.x - own.x, before + total.x + upto.y - own.y,
                               before + total.x + total.y + upto.z - own.z,
                               before + total.x + total.y + total.z + upto.w - own.w};
@@ -42,7 +46,7 @@ __global__ void __launch_bounds__(SCAN_BLOCK) grid_scan(Params p, KernelBuffers 
     uint x = start[v];
     uint y = x + counts[v].x;
     uint z = y + counts[v].y;
-    cell[first + v * SCAN_BLOCK] = uvec4{x, y, z, z + counts[v].z};
+    cell[first + v * BLOCK] = uvec4{x, y, z, z + counts[v].z};
   }
 }
 

@@ -1,57 +1,57 @@
 // SPDX-License-Identifier: MIT
-// A group takes SPLIT_TILE spheres, counts them by bucket, reserves a place for all of them in each bucket, puts their
-// numbers into the order of the buckets, and copies them in that order, so that neighbours are written by neighbours.
-// The spheres stand in the order of the parents of these buckets, so that a tile meets few of them.
-#include "common/shared/cell.h"
+// One group per SPLIT_TILE spheres: counts them by bucket, reserves a range of each bucket, sorts their indices by
+// bucket in shared memory, and copies the spheres in that order, so that writes are coalesced. The spheres are sorted
+// by the parents of these buckets, so that a tile has few buckets.
+#include "cuda/grid/grid.cuh"
 #include "cuda/grid/group_sum.cuh"
-#include "cuda/kernels.cuh"
 
 namespace spherepair {
 
+constexpr uint BLOCK = SPLIT_BLOCK;
+
 template <bool DENSE>
-__global__ void __launch_bounds__(SPLIT_BLOCK, 2) grid_split(Params p, KernelBuffers w) {
+__global__ void __launch_bounds__(BLOCK, 2) grid_split(Params p, KernelBuffers buf) {
   __shared__ uint
-      sorted_index[BUCKETS_AT_MOST];  // of the next sphere of each bucket; then from there to its place among all
-  __shared__ uint order[SPLIT_TILE];  // the spheres of the tile by bucket: bucket, number in the tile
-  __shared__ uint taken;              // spheres of this turn
+      cursor[BUCKETS_AT_MOST];        // of each bucket in `order`; then the offset from there to the bucket's range
+  __shared__ uint order[SPLIT_TILE];  // the spheres of the tile by bucket: bucket, index in the tile
+  __shared__ uint taken;              // spheres of this pass
   uint lane = threadIdx.x;
   uint first = group_index(p) * SPLIT_TILE;
   if (first >= p.n) return;
   uint end = min(first + SPLIT_TILE, p.n);
   uint bucket[SPLIT_EACH];
   for (uint k = 0u; k < SPLIT_EACH; ++k)
-    bucket[k] = slot_of(w.position[min(first + k * SPLIT_BLOCK + lane, end - 1u)], DENSE, p) >> p.bucket_shift;
+    bucket[k] = slot_of(buf.position[min(first + k * BLOCK + lane, end - 1u)], DENSE, p) >> p.bucket_shift;
   bool parents = p.parent_shift < ONE_PARENT;
-  uint last_bucket = bucket_above(parents ? slot_of(w.position[end - 1u], DENSE, p) : 0u, p);
-  uint low = parents ? bucket_below(slot_of(w.position[first], DENSE, p), p) : 0u;
+  uint last_bucket = bucket_above(parents ? slot_of(buf.position[end - 1u], DENSE, p) : 0u, p);
+  uint low = parents ? bucket_below(slot_of(buf.position[first], DENSE, p), p) : 0u;
   for (; low <= last_bucket; low += BUCKETS_AT_MOST) {
-    sorted_index[lane] = 0u;
+    cursor[lane] = 0u;
     __syncthreads();
     for (uint k = 0u; k < SPLIT_EACH; ++k)
-      if (first + k * SPLIT_BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST)
-        atomicAdd(&sorted_index[bucket[k] - low], 1u);
+      if (first + k * BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST) atomicAdd(&cursor[bucket[k] - low], 1u);
     __syncthreads();
-    uint own = sorted_index[lane];
-    uint upto = sum_up_to<SPLIT_BLOCK>(own);
-    if (lane == SPLIT_BLOCK - 1u) taken = upto;
-    sorted_index[lane] = upto - own;
-    uint shift = own != 0u ? atomicAdd(&w.bucket_cursor[p.first_bucket + low + lane], own) - (upto - own) : 0u;
+    uint own = cursor[lane];
+    uint upto = sum_up_to<BLOCK>(own);
+    if (lane == BLOCK - 1u) taken = upto;
+    cursor[lane] = upto - own;
+    uint shift = own != 0u ? atomicAdd(&buf.bucket_cursor[p.first_bucket + low + lane], own) - (upto - own) : 0u;
     __syncthreads();
     for (uint k = 0u; k < SPLIT_EACH; ++k)
-      if (first + k * SPLIT_BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST)
-        order[atomicAdd(&sorted_index[bucket[k] - low], 1u)] = (bucket[k] - low) * SPLIT_TILE + k * SPLIT_BLOCK + lane;
+      if (first + k * BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST)
+        order[atomicAdd(&cursor[bucket[k] - low], 1u)] = (bucket[k] - low) * SPLIT_TILE + k * BLOCK + lane;
     __syncthreads();
-    sorted_index[lane] = shift;
+    cursor[lane] = shift;
     __syncthreads();
-    for (uint q = lane; q < taken; q += SPLIT_BLOCK) {
+    for (uint q = lane; q < taken; q += BLOCK) {
       uint i = first + order[q] % SPLIT_TILE;
-      uint at = q + sorted_index[order[q] / SPLIT_TILE];
-      vec4 sphere = w.position[i];
-      bool in_radii = (p.indices & INDEX_IN_W) != 0u;
-      uint name = (p.indices & INDEX_GIVEN) == 0u ? i : in_radii ? float_bits(sphere.w) : w.from_id[i];
-      if (in_radii) sphere.w = bits_float(name);
-      if (!in_radii) w.id[at] = name;
-      w.sorted[at] = sphere;
+      uint at = q + cursor[order[q] / SPLIT_TILE];
+      vec4 sphere = buf.position[i];
+      bool in_w = (p.indices & INDEX_IN_W) != 0u;
+      uint index = (p.indices & INDEX_GIVEN) == 0u ? i : in_w ? float_bits(sphere.w) : buf.from_id[i];
+      if (in_w) sphere.w = bits_float(index);
+      if (!in_w) buf.id[at] = index;
+      buf.sorted[at] = sphere;
     }
     __syncthreads();
   }

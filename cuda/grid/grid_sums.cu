@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A group adds up a tile of the table, for grid_scan.
+// One group per tile of the table: its sum, for grid_scan.
 #include "cuda/kernels.cuh"
 
 namespace spherepair {
 
-__global__ void __launch_bounds__(SCAN_BLOCK) grid_sums(Params p, KernelBuffers w) {
+constexpr uint BLOCK = SCAN_BLOCK;
+
+__global__ void __launch_bounds__(BLOCK) grid_sums(Params p, KernelBuffers buf) {
   __shared__ uint sum;
+  const uvec4* cell = reinterpret_cast<const uvec4*>(buf.cell);
   uint lane = threadIdx.x;
   uint tile = p.first_bucket / SCAN_TILE + group_index(p);
   if (group_index(p) >= p.scan_tiles) return;
@@ -13,12 +16,12 @@ __global__ void __launch_bounds__(SCAN_BLOCK) grid_sums(Params p, KernelBuffers 
   __syncthreads();
   uint own = 0u;
   for (uint v = 0u; v < SCAN_VECTORS; ++v) {
-    uvec4 counts = reinterpret_cast<const uvec4*>(w.cell)[tile * (SCAN_TILE / 4u) + v * SCAN_BLOCK + lane];
+    uvec4 counts = cell[tile * (SCAN_TILE / 4u) + v * BLOCK + lane];
     own += counts.x + counts.y + counts.z + counts.w;
   }
   atomicAdd(&sum, own);
   __syncthreads();
-  if (lane == 0u) w.tile_sum[tile] = sum;
+  if (lane == 0u) buf.tile_sum[tile] = sum;
 }
 
 Entry grid_sums_kernel(uint, Variant) { return reinterpret_cast<Entry>(&grid_sums); }

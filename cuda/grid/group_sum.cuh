@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Sums over the threads of a block, through the registers of its warps.
+// Prefix sums over the threads of a group, through registers within each subgroup.
 #pragma once
 
 #include "common/shared/layout.h"
 
 namespace spherepair {
 
-// The sum of `own` over this thread and those before it. Every thread of the block must call it, and a barrier must
-// stand between two calls.
+// Inclusive prefix sum of `own`. Every thread of the group must call it, with a barrier between two calls.
+// CUDA only from here: shuffles within a warp, which has 32 threads
 template <uint BLOCK>
 __device__ inline uint sum_up_to(uint own) {
   __shared__ uint warp_sums[BLOCK / 32u];
@@ -28,5 +28,6 @@ __device__ inline uint sum_up_to(uint own) {
 #endif
   return before + upto;
 }
+// until here
 
 }  // namespace spherepair

@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: MIT
-// One thread per eight spheres: one step of the method `anchored`, which touches only the spheres that may meet the
-// plane. A group lists these first, so that the few that bounce share subgroups instead of delaying one each.
+// One thread per SPHERES_PER_BOUNCER spheres: one step of the method `anchored`, which handles only the spheres that
+// may reach the plane. A group compacts these into a list first, so that the few that bounce share subgroups instead of
+// delaying one each.
 #include "cuda/motion/motion_state.cuh"
 
 namespace spherepair {
 
+constexpr uint BLOCK = SERVICE_BLOCK;
+
 template <typename Real>
-__global__ void __launch_bounds__(SERVICE_BLOCK) bounce(Params p, KernelBuffers w) {
+__global__ void __launch_bounds__(BLOCK) bounce(Params p, KernelBuffers buf) {
   __shared__ uint found;
-  __shared__ uint bouncing[SPHERES_PER_BOUNCER * SERVICE_BLOCK];
-  const uvec4* next_event_vector = reinterpret_cast<const uvec4*>(w.next_event);
+  __shared__ uint bouncing[SPHERES_PER_BOUNCER * BLOCK];
+  Real* flight = static_cast<Real*>(buf.flight);
+  const uvec4* next_event_vector = reinterpret_cast<const uvec4*>(buf.next_event);
   uint lane = threadIdx.x;
-  uint first = group_index(p) * (SPHERES_PER_BOUNCER / 4) * SERVICE_BLOCK + lane;
+  uint first = group_index(p) * (SPHERES_PER_BOUNCER / 4) * BLOCK + lane;
   uint now = p.whole_state == 0u ? p.steps_done : NO_EVENT - 1u;
   if (lane == 0u) found = 0u;
   __syncthreads();
   for (uint v = 0u; v < SPHERES_PER_BOUNCER / 4; ++v) {
-    uint i = 4u * (first + v * SERVICE_BLOCK);
+    uint i = 4u * (first + v * BLOCK);
     if (i >= p.n) break;
     uvec4 event_step = next_event_vector[i / 4u];
     if (now >= event_step.x) bouncing[atomicAdd(&found, 1u)] = i;
@@ -25,16 +29,15 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) bounce(Params p, KernelBuffers 
     if (now >= event_step.w && i + 3u < p.n) bouncing[atomicAdd(&found, 1u)] = i + 3u;
   }
   __syncthreads();
-  Real* flight = static_cast<Real*>(w.flight);
-  for (uint k = lane; k < found; k += SERVICE_BLOCK) {
+  for (uint k = lane; k < found; k += BLOCK) {
     uint i = bouncing[k];
-    Anchor<Real> a = anchor_anew(load_anchor<Real>(p, w, i), p);
+    Anchor<Real> a = anchor_anew(load_anchor<Real>(p, buf, i), p);
     flight[i] = a.speed;
     flight[size_t(p.n) + i] = a.age;
-    w.since[i] = a.since;
-    w.next_event[i] = next_event_step(a, p);
+    buf.since[i] = a.since;
+    buf.next_event[i] = next_event_step(a, p);
   }
-  grid_dependency_sync();
+  grid_dependency_sync();  // CUDA only: the next launch needs the previous search done too
 }
 
 Entry bounce_kernel(uint, Variant variant) {

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere: where the method `anchored` has it at this step; without the whole state, for a collision
-// step, whose results are cleared.
+// One thread per sphere: its position at this step by the method `anchored`. Without the whole state, this prepares a
+// collision step, whose results are cleared.
 #include "cuda/motion/motion_state.cuh"
 
 namespace spherepair {
 
+constexpr uint BLOCK = SERVICE_BLOCK;
+
 template <typename Real>
-__global__ void __launch_bounds__(SERVICE_BLOCK) evaluate_positions(Params p, KernelBuffers w) {
-  uint i = group_index(p) * SERVICE_BLOCK + threadIdx.x;
-  if (p.whole_state == 0u) clear_results(p, w, i);
+__global__ void __launch_bounds__(BLOCK) evaluate_positions(Params p, KernelBuffers buf) {
+  uint i = group_index(p) * BLOCK + threadIdx.x;
+  if (p.whole_state == 0u) clear_results(p, buf, i);
   if (i >= p.n) return;
-  Moving<Real> s = evaluate_sphere(load_anchor<Real>(p, w, i), p);
+  Moving<Real> s = evaluate_sphere(load_anchor<Real>(p, buf, i), p);
   if (p.whole_state != 0u) {
-    store_sphere(p, w, i, s);
+    store_sphere(p, buf, i, s);
   } else {
-    w.position[i] = {nearest(s.x), nearest(s.y), nearest(s.z), s.radius};
+    buf.position[i] = vec4{nearest(s.x), nearest(s.y), nearest(s.z), s.radius};
   }
 }
 

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere: one step of motion and the plane, and the results of the last step cleared where they are by
-// the number of the sphere.
+// One thread per sphere: one step of motion with the plane; clears the results of the last collision step, where these
+// are by sphere index.
 #include "cuda/motion/motion_state.cuh"
 
 namespace spherepair {
 
+constexpr uint BLOCK = SERVICE_BLOCK;
+
 template <uint METHOD, typename Real>
-__global__ void __launch_bounds__(SERVICE_BLOCK) move(Params p, KernelBuffers w) {
-  uint i = group_index(p) * SERVICE_BLOCK + threadIdx.x;
-  if (p.in_cells == 0u) clear_results(p, w, i);
+__global__ void __launch_bounds__(BLOCK) move(Params p, KernelBuffers buf) {
+  uint i = group_index(p) * BLOCK + threadIdx.x;
+  if (p.in_cells == 0u) clear_results(p, buf, i);
   if (i >= p.n) return;
-  store_sphere(p, w, i, take_step(METHOD, load_sphere<Real>(p, w, i), p));
-  grid_dependency_sync();
+  store_sphere(p, buf, i, take_step(METHOD, load_sphere<Real>(p, buf, i), p));
+  grid_dependency_sync();  // CUDA only: the next launch needs the previous search done too
 }
 
 template <uint METHOD>

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere copies 16 bytes: what remains is the memory's bandwidth.
+// One thread per sphere copies 16 bytes: measures the memory bandwidth.
 #include "cuda/kernels.cuh"
 
 namespace spherepair {
 
-__global__ void __launch_bounds__(SERVICE_BLOCK) peak_copy(Params p, KernelBuffers w) {
-  uint i = group_index(p) * SERVICE_BLOCK + threadIdx.x;
+constexpr uint BLOCK = SERVICE_BLOCK;
+
+__global__ void __launch_bounds__(BLOCK) peak_copy(Params p, KernelBuffers buf) {
+  uint i = group_index(p) * BLOCK + threadIdx.x;
   if (i >= p.n) return;
-  w.velocity[i] = w.position[i];
+  buf.velocity[i] = buf.position[i];
 }
 
 Entry peak_copy_kernel(uint, Variant) { return reinterpret_cast<Entry>(&peak_copy); }

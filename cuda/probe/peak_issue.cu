@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere runs independent chains of multiply-adds in registers: what remains is the issue rate.
+// One thread per sphere runs independent chains of multiply-adds in registers: measures the issue rate.
 #include "common/shared/peak_rate.h"
 #include "cuda/kernels.cuh"
 
 namespace spherepair {
 
-__global__ void __launch_bounds__(SERVICE_BLOCK) peak_issue(Params p, KernelBuffers w) {
-  uint i = group_index(p) * SERVICE_BLOCK + threadIdx.x;
+constexpr uint BLOCK = SERVICE_BLOCK;
+
+__global__ void __launch_bounds__(BLOCK) peak_issue(Params p, KernelBuffers buf) {
+  uint i = group_index(p) * BLOCK + threadIdx.x;
   if (i >= p.n) return;
-  vec4 start = w.position[i];
+  vec4 start = buf.position[i];
   float chain[PEAK_CHAINS];
   for (uint k = 0u; k < PEAK_CHAINS; ++k) chain[k] = k % 2u == 0u ? start.x : start.y;
   for (uint turn = 0u; turn < PEAK_TURNS; ++turn) {
@@ -22,7 +24,7 @@ __global__ void __launch_bounds__(SERVICE_BLOCK) peak_issue(Params p, KernelBuff
     least = smaller(least, chain[k]);
     most = larger(most, chain[k]);
   }
-  w.velocity[i] = {least, most, chain[0], chain[1]};
+  buf.velocity[i] = vec4{least, most, chain[0], chain[1]};
 }
 
 Entry peak_issue_kernel(uint, Variant) { return reinterpret_cast<Entry>(&peak_issue); }

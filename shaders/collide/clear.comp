@@ -1,8 +1,8 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Each thread takes SPHERES_PER_SORTER spheres: the results of the last collision step cleared, for a scene that did
-// not move.
-#include "shaders/buffers.glsl"
+// One thread per SPHERES_PER_SORTER spheres: clears the results of the last collision step, for a scene that did not
+// move.
+#include "shaders/kernels.glsl"
 
 layout(local_size_x = BLOCK) in;
 

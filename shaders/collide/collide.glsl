@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: MIT
-// What a thread does with the pairs that reach it: decide, record, defer; and the totals of its group.
-#include "shaders/buffers.glsl"
+// What a thread does with a candidate pair: decide it, record it, defer it; and the totals of its group.
+#include "shaders/kernels.glsl"
 #include "common/shared/hash.h"
 #include "common/shared/predicate.h"
 
 shared uint total[TOTAL_ROWS * TOTAL_STRIDE];
+
 uint pairs_found = 0u;
 uint64_t mix_a = 0ul;
 uint64_t mix_b = 0ul;
 
-// 64-bit sums by two 32-bit atomics: each wrap of the low word is seen by exactly one addition.
+// 64-bit sums by two 32-bit atomics: exactly one addition sees each wrap of the low word.
 void add_to_total(uint word, uint64_t value) {
+  uint at = (gl_LocalInvocationID.x % TOTAL_ROWS) * TOTAL_STRIDE + word;
   uint low = uint(value & 0xFFFFFFFFul);
-  uint sorted_index = (gl_LocalInvocationID.x % TOTAL_ROWS) * TOTAL_STRIDE + word;
-  uint before = atomicAdd(total[sorted_index], low);
-  atomicAdd(total[sorted_index + 1u], uint(value >> 32) + (before + low < before ? 1u : 0u));
+  uint before = atomicAdd(total[at], low);
+  atomicAdd(total[at + 1u], uint(value >> 32) + (before + low < before ? 1u : 0u));
 }
 
-void add_to_summary(uint word, uint low, uint high) {
+void add_to_summary(uint word, uint64_t value) {
+  uint low = uint(value & 0xFFFFFFFFul);
   uint before = atomicAdd(summary[word], low);
-  atomicAdd(summary[word + 1u], high + (before + low < before ? 1u : 0u));
+  atomicAdd(summary[word + 1u], uint(value >> 32) + (before + low < before ? 1u : 0u));
 }
 
 void start_totals() {
@@ -40,25 +42,23 @@ void finish_totals() {
   for (uint k = 0u; k < TOTAL_ROWS; ++k)
     sum += uint64_t(total[k * TOTAL_STRIDE + word]) + (uint64_t(total[k * TOTAL_STRIDE + word + 1u]) << 32);
   uint row = (group_index() % SUMMARY_SLOTS) * SUMMARY_WORDS;
-  if (sum != 0ul) add_to_summary(row + word, uint(sum & 0xFFFFFFFFul), uint(sum >> 32));
+  if (sum != 0ul) add_to_summary(row + word, sum);
 }
 
-// More contacts for sphere i; what was counted before is not asked for, so nothing waits for it.
+// Contacts of the sphere at index i. The atomic's result is unused, so that no thread waits for it.
 void add_contact(uint i, uint contacts) { atomicAdd(count[i], contacts); }
 
-bool totals_later() { return LATER != 0u; }
-
-// Numbers of spheres, in any order.
+// A colliding pair, by sphere index, in either order.
 void record(uint a, uint b) {
   uint i = min(a, b);
   uint j = max(a, b);
   pairs_found += 1u;
   mix_a += pair_mix_a(i, j);
   mix_b += pair_mix_b(i, j);
-#if LISTED
-  uint k = atomicAdd(summary[SUM_LISTED], 1u);
-  if (k < p.pair_capacity) listed[k] = uvec2(i, j);
-#endif
+  if (LISTED) {
+    uint k = atomicAdd(summary[SUM_LISTED], 1u);
+    if (k < p.pair_capacity) listed[k] = uvec2(i, j);
+  }
 }
 
 void defer(uint i, uint j) {
@@ -67,24 +67,18 @@ void defer(uint i, uint j) {
   if (k < p.deferred_capacity) deferred[k] = uvec2(i, j);
 }
 
-// Whether the filter must look closer at this pair: the one test of the hot loops.
+// Whether this is a candidate pair: the only test in the hot loops.
 bool in_reach(vec4 a, vec4 b) {
-#if EQUAL_RADII
-  return !(squared_distance(a, b) > p.apart_above);
-#else
+  if (EQUAL_RADII) return !(squared_distance(a, b) > p.apart_above);
   return filter_pair(a, b, p.filter_scale, p.filter_offset) != APART;
-#endif
 }
 
 uint filter_spheres(vec4 a, vec4 b) {
-#if EQUAL_RADII
-  return filter_equal(squared_distance(a, b), p.apart_above, p.collide_below);
-#else
+  if (EQUAL_RADII) return filter_equal(squared_distance(a, b), p.apart_above, p.collide_below);
   return filter_pair(a, b, p.filter_scale, p.filter_offset);
-#endif
 }
 
-// For kernels that meet every ordered pair: sphere i counts its own contacts, and i<j records the pair.
+// For kernels that test every ordered pair: returns the contacts of sphere i, and i<j records the pair.
 uint test_ordered_pair(uint i, vec4 a, uint j, vec4 b) {
   if (i == j || i >= p.n) return 0u;
   uint verdict = filter_spheres(a, b);
@@ -93,13 +87,13 @@ uint test_ordered_pair(uint i, vec4 a, uint j, vec4 b) {
   return verdict == COLLIDE ? 1u : 0u;
 }
 
-// For kernels that meet every unordered pair once, at places i and j: what the filter says of it. The caller counts the
-// contact, or has an undecided pair decided. Most that come here collide, so numbers are loaded beside the spheres.
+// For kernels that test every unordered pair once: the filter's verdict on the spheres at indices i and j. The caller
+// counts the contacts and handles an undecided pair. Most candidates collide, so sphere indices are loaded early.
 uint test_pair(uint i, vec4 a, uint j, vec4 b) {
-  uint first = totals_later() ? i : sphere_index(a, i);
-  uint second = totals_later() ? j : sphere_index(b, j);
+  uint first = sphere_index(a, i);
+  uint second = sphere_index(b, j);
   uint verdict = filter_spheres(a, b);
-  if (verdict == COLLIDE && !totals_later()) record(first, second);
+  if (verdict == COLLIDE) record(first, second);
   return verdict;
 }
 

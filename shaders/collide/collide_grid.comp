@@ -1,27 +1,27 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere in cell order; groups take chunks of spheres until none is left. The later half of a sphere's
-// neighbourhood is five rows of cells, each a contiguous range of spheres. A thread walks through all of them in one
-// loop, four spheres at a time, and marks in a word whoever is in reach; then it queues them, and its team settles the
-// queue, a thread per pair, in full rounds: the rest waits for the next chunk. Where a word or the queue is full, the
-// team walks on after that. What the filter leaves undecided is decided at the group's end, in float64; only what that
-// leaves, or has no room, is deferred.
+// One thread per sphere in cell order; each group tests chunks of spheres until none is left. The later half of a
+// sphere's neighbourhood is five rows of cells, each a contiguous range of spheres. A thread tests all of them in one
+// loop, four spheres at a time, and marks the candidates in a bit mask. It queues them, and its cooperating threads
+// test the queue, a thread per pair, in full rounds; the remainder waits for the next chunk. When a mask or the queue
+// is full, the loop resumes after the queue has been tested. Pairs that the filter leaves undecided are decided at the
+// group's end, in float64; only pairs that float64 cannot decide, or for which there is no room, are deferred.
 #include "shaders/collide/collide.glsl"
-#include "shaders/collide/team.glsl"
+#include "shaders/collide/cooperative_group.glsl"
 #include "shaders/grid/grid.glsl"
 #include "common/shared/exact.h"
 
 layout(local_size_x = BLOCK) in;
-const uint TEAMS = BLOCK / TEAM;
-const uint QUEUE_ROOM = 3u * TEAM;
-shared uvec2 queue[TEAMS * QUEUE_ROOM];  // of each team: two spheres that may meet
-shared uint queued[TEAMS];
-shared uint unfinished[TEAMS];
+const uint QUEUES = BLOCK / COOPERATING;
+const uint QUEUE_ROOM = 3u * COOPERATING;
 const uint UNDECIDED_ROOM = 16u;
-shared uvec2 undecided[UNDECIDED_ROOM];  // the group's first pairs that the filter leaves so
-shared uint undecided_pairs;             // and all of them
+shared uvec2 queue[QUEUES * QUEUE_ROOM];  // candidate pairs of each set of cooperating threads
+shared uint queued[QUEUES];
+shared uint unfinished[QUEUES];
+shared uvec2 undecided[UNDECIDED_ROOM];  // the group's first pairs that the filter leaves undecided
+shared uint undecided_pairs;             // the number of all of them
 
-// The k-th sphere of a walk is sphere k + shift in the first row with k < bound.
+// The k-th sphere of a neighbourhood is sphere k + shift in the first row with k < bound.
 struct Row {
   uint bound, shift;
 };
@@ -30,20 +30,20 @@ Row row_at(Row last, bool exists, uint slot, uint x, uint last_x) {
   return row_after(last, exists ? begin_at(slot + x) : 0u, exists ? begin_at(slot + last_x + 1u) : 0u);
 }
 
-// The rows of the neighbourhood: the rest of the sphere's own, the one above it, and three of the layer ahead.
+// The rows of the neighbourhood: the rest of the sphere's own, the one above it, and three of the next layer.
 struct Rows {
   Row own, above, ahead_below, ahead, ahead_above;
 };
 Rows find_rows(vec4 mine, uint i, bool exists) {
-  GridPosition sorted_index = grid_position(mine, p);
+  GridPosition at = grid_position(mine, p);
   float reach = reach_in_cells(mine.w, p);
-  uint x = cell_below(sorted_index.x, reach);
-  uint last_x = cell_above(sorted_index.x, reach, p.cells_x);
-  uint y = uint(sorted_index.y);
-  uint z = uint(sorted_index.z);
-  bool below = cell_below(sorted_index.y, reach) != y;
-  bool above = cell_above(sorted_index.y, reach, p.cells_y) != y && exists;
-  bool ahead = cell_above(sorted_index.z, reach, p.cells_z) != z && exists;
+  uint x = cell_below(at.x, reach);
+  uint last_x = cell_above(at.x, reach, p.cells_x);
+  uint y = uint(at.y);
+  uint z = uint(at.z);
+  bool below = cell_below(at.y, reach) != y;
+  bool above = cell_above(at.y, reach, p.cells_y) != y && exists;
+  bool ahead = cell_above(at.z, reach, p.cells_z) != z && exists;
   uint slot = dense_slot(0u, y, z, p) - table_begin();
   uint next = slot + p.cells_x * p.cells_y;
   Rows rows;
@@ -55,7 +55,7 @@ Rows find_rows(vec4 mine, uint i, bool exists) {
   return rows;
 }
 
-uint walked(Rows rows, uint k) {
+uint neighbour_index(Rows rows, uint k) {
   uint shift = rows.ahead_above.shift;
   shift = k < rows.ahead.bound ? rows.ahead.shift : shift;
   shift = k < rows.ahead_below.bound ? rows.ahead_below.shift : shift;
@@ -64,23 +64,22 @@ uint walked(Rows rows, uint k) {
   return k + shift;
 }
 
-// Whether the k-th sphere of the walk is in reach. Behind the last sphere of all, a guard may be read.
-bool near(vec4 mine, Rows rows, uint k) { return in_reach(mine, position[walked(rows, k)]); }
+// Whether the k-th sphere of the neighbourhood is a candidate. Past the last sphere a guard may be read.
+bool is_candidate(vec4 mine, Rows rows, uint k) { return in_reach(mine, position[neighbour_index(rows, k)]); }
 
-// Marks who is in reach among 32 spheres of the walk.
-uint walk(vec4 mine, Rows rows, uint first) {
+// The candidates among 32 spheres of the neighbourhood, as a bit mask.
+uint mark_candidates(vec4 mine, Rows rows, uint first) {
   uint marked = 0u;
   uint end = min(rows.ahead_above.bound, first + 32u);
-
   for (uint k = first; k < end; k += 4u) {
-    uint four = uint(near(mine, rows, k)) | uint(near(mine, rows, k + 1u)) << 1 | uint(near(mine, rows, k + 2u)) << 2 |
-                uint(near(mine, rows, k + 3u)) << 3;
+    uint four = uint(is_candidate(mine, rows, k)) | uint(is_candidate(mine, rows, k + 1u)) << 1 |
+                uint(is_candidate(mine, rows, k + 2u)) << 2 | uint(is_candidate(mine, rows, k + 3u)) << 3;
     marked |= four << (k - first);
   }
   return end - first < 32u ? marked & ((1u << (end - first)) - 1u) : marked;
 }
 
-void leave_undecided(uint i, uint j) {
+void queue_undecided(uint i, uint j) {
   uint k = atomicAdd(undecided_pairs, 1u);
   if (k < UNDECIDED_ROOM) {
     undecided[k] = uvec2(i, j);
@@ -89,7 +88,7 @@ void leave_undecided(uint i, uint j) {
   }
 }
 
-// A thread for each pair that there was room for.
+// One thread per queued undecided pair.
 void decide_undecided() {
   uint row = (group_index() % SUMMARY_SLOTS) * SUMMARY_WORDS;
   uint lane = gl_LocalInvocationID.x;
@@ -106,31 +105,30 @@ void decide_undecided() {
   }
   atomicAdd(summary[row + SUM_STAGE + STAGE_DOUBLE], 1u);
   if (verdict == APART) return;
-  if (!totals_later()) record(sphere_index(position[i], i), sphere_index(position[j], j));
+  record(sphere_index(position[i], i), sphere_index(position[j], j));
   add_contact(i, 1u);
   add_contact(j, 1u);
 }
 
-// A group's next spheres: behind these, or those of its next stretch, as far on as all groups take.
+// The group's next chunk: the rest of its columns_per_group spheres, then those that lie as far on as all groups take.
 uint next_chunk(uint first) {
   uint behind = first + BLOCK;
   return (behind & (p.columns_per_group - 1u)) != 0u ? behind : behind + (group_count() - 1u) * p.columns_per_group;
 }
 
 void main() {
-  uint lane = team_lane();
-  uint team = team_index();
-  uint room = team * QUEUE_ROOM;
-  if (lane == 0u) queued[team] = unfinished[team] = 0u;
+  uint lane = cooperating_lane();
+  uint own = cooperating_index();
+  if (lane == 0u) queued[own] = unfinished[own] = 0u;
   if (gl_LocalInvocationID.x == 0u) undecided_pairs = 0u;
   start_totals();
   uint end = sorted_end() - sorted_begin();
   for (uint first = group_index() * p.columns_per_group; first < end;) {
-    uint k = first + team * TEAM + lane;
+    uint k = first + own * COOPERATING + lane;
     uint i = sorted_begin() + k;
     first = next_chunk(first);
     vec4 mine = position[min(i, p.n - 1u)];
-    if (bool(EQUAL_RADII)) mine.w = p.radius;
+    if (EQUAL_RADII) mine.w = p.radius;
     Rows rows = find_rows(mine, i, k < end);
     uint marked = 0u;
     uint next = 0u;
@@ -140,35 +138,35 @@ void main() {
       if (marked == 0u && next < rows.ahead_above.bound) {
         base = next;
         next = base + 32u;
-        marked = walk(mine, rows, base);
+        marked = mark_candidates(mine, rows, base);
       }
-      uint at = marked != 0u ? atomicAdd(queued[team], uint(bitCount(marked))) : 0u;
+      uint at = marked != 0u ? atomicAdd(queued[own], count_bits(marked)) : 0u;
       for (; marked != 0u && at < QUEUE_ROOM; ++at) {
-        queue[room + at] = uvec2(i, walked(rows, base + uint(findLSB(marked))));
+        queue[own * QUEUE_ROOM + at] = uvec2(i, neighbour_index(rows, base + lowest_bit(marked)));
         marked &= marked - 1u;
       }
-      if (marked != 0u || next < rows.ahead_above.bound) unfinished[team] = 1u;
-      team_barrier();
-      again = unfinished[team] != 0u;
-      uint held = min(queued[team], QUEUE_ROOM);
-      uint left = first < end || again ? held % TEAM : 0u;
-      for (uint q = left + lane; q < held; q += TEAM) {
-        uint a = queue[room + q].x;
-        uint b = queue[room + q].y;
+      if (marked != 0u || next < rows.ahead_above.bound) unfinished[own] = 1u;
+      cooperating_barrier();
+      again = unfinished[own] != 0u;
+      uint held = min(queued[own], QUEUE_ROOM);
+      uint left = first < end || again ? held % COOPERATING : 0u;
+      for (uint q = left + lane; q < held; q += COOPERATING) {
+        uint a = queue[own * QUEUE_ROOM + q].x;
+        uint b = queue[own * QUEUE_ROOM + q].y;
         uint verdict = test_pair(a, position[a], b, position[b]);
         if (verdict == COLLIDE) {
-          atomicAdd(count[a], 1u);
-          atomicAdd(count[b], 1u);
+          add_contact(a, 1u);
+          add_contact(b, 1u);
         }
-        if (verdict == UNDECIDED && p.defer_undecided != 0u) leave_undecided(a, b);
+        if (verdict == UNDECIDED && p.defer_undecided != 0u) queue_undecided(a, b);
       }
-      team_barrier();
-      if (lane == 0u) queued[team] = left;
-      if (lane == 0u) unfinished[team] = 0u;
-      team_barrier();
+      cooperating_barrier();
+      if (lane == 0u) queued[own] = left;
+      if (lane == 0u) unfinished[own] = 0u;
+      cooperating_barrier();
     }
   }
-  if (TEAMS > 1u) barrier();
+  if (QUEUES > 1u) barrier();
   if (undecided_pairs != 0u) decide_undecided();
   finish_totals();
 }

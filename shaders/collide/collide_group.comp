@@ -1,6 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere: it meets the spheres of its own group, which stand in shared memory (the paper's code 4).
+// One thread per sphere: it is tested against the spheres of its own group, in shared memory (the paper's code 4).
+// Pairs across groups are not found.
 #include "shaders/collide/collide.glsl"
 
 layout(local_size_x = BLOCK) in;

@@ -1,14 +1,13 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere in the order of hashed cells: it looks through the later half of its neighbourhood on its own
-// level and through its whole neighbourhood on every coarser level. Rows of cells may share slots, so whoever is in
-// reach is also asked for its cell. Pairs are queued and worked off by the whole group.
+// One thread per sphere in the order of hashed cells: it is tested against the later half of its neighbourhood on its
+// own level and against its whole neighbourhood on every coarser level. Rows of cells may share slots, so the cell of a
+// candidate is compared too. Candidate pairs are queued and decided by the whole group.
 #include "shaders/collide/collide.glsl"
 #include "shaders/grid/grid.glsl"
 
-#define QUEUE (BLOCK <= 256 ? BLOCK * 6 : 2048)
-
 layout(local_size_x = BLOCK) in;
+const uint QUEUE = BLOCK <= 256 ? BLOCK * 6 : 2048;
 shared uint queue_mine[QUEUE];
 shared uint queue_other[QUEUE];
 shared uint queued;
@@ -42,10 +41,10 @@ void main() {
             uint other = j < p.n ? j : j - p.n;
             vec4 sphere = with_radius(position[other]);
             if (in_reach(mine, sphere) && stands_in_row(sphere, level, y, z, p)) {
-              uint sorted_index = atomicAdd(queued, 1u);
-              if (sorted_index < QUEUE) {
-                queue_mine[sorted_index] = i;
-                queue_other[sorted_index] = other;
+              uint at = atomicAdd(queued, 1u);
+              if (at < QUEUE) {
+                queue_mine[at] = i;
+                queue_other[at] = other;
               } else {
                 test_stored_pair(i, other);
               }

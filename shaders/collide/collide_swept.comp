@@ -1,9 +1,8 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere: every group of spheres passes through shared memory, and it meets them all on the way that
-// both take in the next step.
+// One thread per sphere: it is tested against all others, which pass through shared memory a tile at a time, for
+// contact at any time within the next step.
 #include "shaders/collide/collide.glsl"
-
 #include "common/shared/swept.h"
 
 layout(local_size_x = BLOCK) in;

@@ -1,30 +1,23 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Each unordered pair once: a group holds SPHERES_PER_THREAD spheres a thread in registers, its rows, and meets
-// p.stretch spheres of its row or later, its columns, which pass through shared memory in Gram form. Where a column
-// comes near a thread's rows the meeting is only queued; after the tile the whole group works the queue off, a thread
-// per pair. The fewer columns some rows still have to meet, the more have those mirrored at the middle: the groups of
-// both stand in one line of the launch, so that hardly any is idle but in the middle.
+// Each unordered pair once: a group keeps SPHERES_PER_THREAD spheres a thread in registers, its rows, and tests them
+// against p.columns_per_group later spheres, its columns, which pass through shared memory in Gram form. Candidates are
+// only queued; after each tile the whole group decides the queued pairs, a thread per pair. Row groups near the end
+// have few columns left, and those mirrored at the middle many: one line of the launch holds both, so that few groups
+// are idle.
 #include "shaders/collide/collide.glsl"
 
-#define ROWS (BLOCK * SPHERES_PER_THREAD)
-#define PAIRS_PER_ENTRY (SPHERES_PER_THREAD * COLUMNS_AT_ONCE)
-#if EQUAL_RADII
-#define SHARE 1.0f
-#else
-#define SHARE 0.5f
-#endif
-
 layout(local_size_x = BLOCK) in;
+const uint PAIRS_PER_ENTRY = SPHERES_PER_THREAD * COLUMNS_AT_ONCE;
+const uint ROWS = BLOCK * SPHERES_PER_THREAD;
+const float SHARE = EQUAL_RADII ? 1.0f : 0.5f;
 shared vec4 tile[BLOCK];
-#if !EQUAL_RADII
-shared float tile_radius[BLOCK];
-#endif
+shared float tile_radius[EQUAL_RADII ? 1 : BLOCK];
 shared uint near_queue[NEAR_PER_THREAD * BLOCK];
 shared uint near_length[2];  // of this tile and of the next
 
-// Pair number `pair` of the meeting between a thread's rows and the columns from j on.
-void test_pair(uint first_row, uint pair, uint lane, uint j, uint end) {
+// Pair number `pair` of a queue entry, which stands for the rows of one thread and COLUMNS_AT_ONCE columns from j on.
+void test_queued_pair(uint first_row, uint pair, uint lane, uint j, uint end) {
   uint i = first_row + (pair % SPHERES_PER_THREAD) * BLOCK + lane;
   j += pair / SPHERES_PER_THREAD;
   if (i < j && j < end) test_stored_pair(i, j);
@@ -32,16 +25,16 @@ void test_pair(uint first_row, uint pair, uint lane, uint j, uint end) {
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
-  uint columns_per_group = gl_WorkGroupID.x;
+  uint part = gl_WorkGroupID.x;
   uint first_row = (p.first_group + gl_WorkGroupID.y) * ROWS;
-  uint stretches = (p.n - first_row + p.columns_per_group - 1u) / p.columns_per_group;
-  if (columns_per_group >= stretches) {
+  uint parts = (p.n - first_row + p.columns_per_group - 1u) / p.columns_per_group;
+  if (part >= parts) {
     uint mirrored = (p.n - 1u) / ROWS * ROWS - first_row;
     if (mirrored == first_row) return;  // the line in the middle
     first_row = mirrored;
-    columns_per_group -= stretches;
+    part -= parts;
   }
-  uint first_column = first_row + columns_per_group * p.columns_per_group;
+  uint first_column = first_row + part * p.columns_per_group;
   if (first_column >= p.n) return;
   if (lane < 2u) near_length[lane] = 0u;
   start_totals();
@@ -60,9 +53,7 @@ void main() {
     vec4 sphere = position[min(start + lane, p.n - 1u)];
     vec4 form = gram_form(sphere, origin, SHARE);
     tile[lane] = vec4(form.x, form.y, form.z, -form.w);
-#if !EQUAL_RADII
-    tile_radius[lane] = sphere.w;
-#endif
+    if (!EQUAL_RADII) tile_radius[lane] = sphere.w;
     barrier();
     if (lane == 0u) near_length[turn ^ 1u] = 0u;
     uint others = min(uint(BLOCK), end - start);
@@ -72,19 +63,17 @@ void main() {
         vec4 column = tile[c + u];
         for (uint k = 0u; k < SPHERES_PER_THREAD; ++k) {
           float product = gram_product(row[k], column.x, column.y, column.z, column.w);
-#if !EQUAL_RADII
-          product = multiply_add(row_radius[k], tile_radius[c + u], product);
-#endif
+          if (!EQUAL_RADII) product = multiply_add(row_radius[k], tile_radius[c + u], product);
           bool apart = product < row[k].w;
           near = near || !apart;
         }
       }
       if (near) {
-        uint sorted_index = atomicAdd(near_length[turn], 1u);
-        if (sorted_index < NEAR_PER_THREAD * BLOCK) {
-          near_queue[sorted_index] = c * BLOCK + lane;
+        uint at = atomicAdd(near_length[turn], 1u);
+        if (at < NEAR_PER_THREAD * BLOCK) {
+          near_queue[at] = c * BLOCK + lane;
         } else {
-          for (uint pair = 0u; pair < PAIRS_PER_ENTRY; ++pair) test_pair(first_row, pair, lane, start + c, end);
+          for (uint pair = 0u; pair < PAIRS_PER_ENTRY; ++pair) test_queued_pair(first_row, pair, lane, start + c, end);
         }
       }
     }
@@ -92,7 +81,7 @@ void main() {
     uint queued = min(near_length[turn], uint(NEAR_PER_THREAD * BLOCK)) * PAIRS_PER_ENTRY;
     for (uint q = lane; q < queued; q += BLOCK) {
       uint candidate = near_queue[q / PAIRS_PER_ENTRY];
-      test_pair(first_row, q % PAIRS_PER_ENTRY, candidate % BLOCK, start + candidate / BLOCK, end);
+      test_queued_pair(first_row, q % PAIRS_PER_ENTRY, candidate % BLOCK, start + candidate / BLOCK, end);
     }
     turn ^= 1u;
   }

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per pair of spheres: all stages of the predicate, and which of them decided.
-#include "shaders/buffers.glsl"
+// One thread per pair of spheres: all stages of the predicate; reports the verdict and the stage that decided.
+#include "shaders/kernels.glsl"
 #include "common/shared/exact.h"
 
 layout(std430, binding = SLOT_SPHERES) restrict readonly buffer SpheresBuffer { vec4 spheres[]; };

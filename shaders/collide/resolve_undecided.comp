@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// A fixed number of threads shares out the deferred pairs: each is decided exactly, and recorded if it collides.
+// A fixed number of threads loops over the deferred pairs: each pair is decided exactly and recorded if it collides.
 #include "shaders/collide/collide.glsl"
 #include "common/shared/exact.h"
 
@@ -8,7 +8,8 @@ layout(local_size_x = BLOCK) in;
 
 void main() {
   uint k = group_index() * BLOCK + gl_LocalInvocationID.x;
-  uvec2 pair = deferred[min(k, p.deferred_capacity - 1u)];  // on its way before it is known to be one
+  uvec2 pair =
+      deferred[min(k, p.deferred_capacity - 1u)];  // loaded before it is known to exist, to overlap the two latencies
   uint pairs = min(summary[SUM_DEFERRED], p.deferred_capacity);
   if (group_index() * BLOCK >= pairs) return;
   start_totals();
@@ -19,7 +20,7 @@ void main() {
     Verdict verdict = decide_exact(with_radius(a), with_radius(b));
     atomicAdd(summary[row + SUM_STAGE + verdict.stage], 1u);
     if (verdict.collide) {
-      if (!totals_later()) record(sphere_index(a, pair.x), sphere_index(b, pair.y));
+      record(sphere_index(a, pair.x), sphere_index(b, pair.y));
       add_contact(pair.x, 1u);
       add_contact(pair.y, 1u);
     }

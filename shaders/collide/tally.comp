@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// A fixed number of threads shares out the spheres: how many have a contact.
+// A fixed number of threads loops over the spheres: counts those with a contact.
 #include "shaders/collide/collide.glsl"
 
 layout(local_size_x = BLOCK) in;

@@ -1,32 +1,34 @@
 // SPDX-License-Identifier: MIT
-// A group draws as many spheres at a time as it has threads: one thread finds out where each is to be tried, and as few
-// of them are, WALKERS threads then try each of those.
-#include "shaders/draw/visible.glsl"
+// A group draws as many spheres at a time as it has threads: one thread computes the footprint of each; since few are
+// visible, BOX_THREADS threads then share the pixels of each of those.
+#include "shaders/draw/visibility_buffer.glsl"
 
-// Box, nearest and place: many groups are to have room, so the rest is looked up again.
-shared uvec4 walks[BLOCK];
-shared uint walk_count;
+// Box, nearest and index: 16 bytes, for occupancy; the rest is looked up again.
+shared uvec4 queue[BLOCK];
+shared uint queued;
 
-// All threads of the group call it; `exists`: there is a sphere at this one's place.
-void draw_batch(uint sorted_index, bool exists) {
+// All threads of the group call it; `exists`: this thread has a sphere.
+void draw_batch(uint k, bool exists) {
   uint lane = gl_LocalInvocationID.x;
-  if (lane == 0u) walk_count = 0u;
+  if (lane == 0u) queued = 0u;
   barrier();
   if (exists) {
-    Walk walk = walk_of(sorted_index, true);
-    if (walk.box.width * walk.box.height > WALK_ALONE) {
-      uint entry = atomicAdd(walk_count, 1u);
-      walks[entry] = uvec4(words_of(walk.box), walk.nearest, sorted_index);
+    Footprint footprint = footprint_of(k, true);
+    if (footprint.box.width * footprint.box.height > PIXELS_ALONE) {
+      uint entry = atomicAdd(queued, 1u);
+      uvec2 box = words_of(footprint.box);
+      queue[entry] = uvec4(box.x, box.y, footprint.nearest, k);
     } else {
-      draw_walk(walk, 0u, 1u, 1u);
+      draw_footprint(footprint, 0u, 1u, 1u);
     }
   }
   barrier();
-  for (uint k = lane / WALKERS; k < walk_count; k += BLOCK / WALKERS) {
-    uvec4 found = walks[k];
+  for (uint q = lane / BOX_THREADS; q < queued; q += BLOCK / BOX_THREADS) {
+    uvec4 found = queue[q];
     vec4 sphere = position[found.w];
-    Walk walk = {in_camera(with_radius(sphere), v), box_from(found.xy), found.z, sphere_index(sphere, found.w)};
-    draw_walk(walk, lane % WALKERS, WALKERS, WALKERS_ACROSS);
+    Footprint footprint = {in_camera(with_radius(sphere), v), box_from(uvec2(found.x, found.y)), found.z,
+                           sphere_index(sphere, found.w)};
+    draw_footprint(footprint, lane % BOX_THREADS, BOX_THREADS, BOX_THREADS_ACROSS);
   }
   barrier();  // before the next batch
 }

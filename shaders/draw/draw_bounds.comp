@@ -1,19 +1,20 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// BOUNDS_LANES threads per cluster, each of which goes through as large a share of its spheres: the box that holds
-// them; and then the box that holds a bundle. By cells one thread per cluster, which looks at where it and the next one
-// begin, and at all spheres only when that is not in one row of cells.
-#include "shaders/buffers.glsl"
+// BOUNDS_LANES threads per cluster, which share its spheres: the bounding box of each cluster, and then of each bundle.
+// By cells, one thread per cluster: it derives the box from the cells in which this cluster and the next one begin, and
+// reads all spheres only when these are not in one row of cells.
 #include "shaders/draw/view.glsl"
+#include "shaders/kernels.glsl"
 #include "common/shared/cluster.h"
 
 layout(std430, binding = SLOT_CLUSTER) restrict writeonly buffer ClusterBuffer { vec4 cluster[]; };
 layout(local_size_x = BLOCK) in;
-const uint lanes = bool(BY_CELLS) ? 1u : BOUNDS_LANES;
+const uint lanes = BY_CELLS ? 1u : BOUNDS_LANES;
 shared vec4 low[BLOCK];
 shared vec4 high[BLOCK];
 
-// All threads of the group call it: every second of what stands `stride` apart takes in its neighbour.
+// A step of the reduction, which all threads of the group call: every second box `stride` apart is joined with its
+// neighbour.
 void join(uint stride) {
   uint lane = gl_LocalInvocationID.x;
   barrier();
@@ -24,13 +25,13 @@ void join(uint stride) {
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
-  uint own_lane = lane % lanes;  // of the cluster's
+  uint own_lane = lane % lanes;  // within the cluster
   uint c = group_index() * (BLOCK / lanes) + lane / lanes;
   float most = bits_float(0x7F7FFFFFu);
   low[lane] = vec4(most, most, most, most);
   high[lane] = vec4(-most, -most, -most, -most);
   bool in_row = false;
-  if (bool(BY_CELLS) && c < v.clusters) {
+  if (BY_CELLS && c < v.clusters) {
     GridPosition begin = grid_position(position[c * CLUSTER], p);
     uint next = (c + 1u) * CLUSTER;
     GridPosition end = grid_position(position[next < p.n ? next : p.n - 1u], p);
@@ -39,10 +40,10 @@ void main() {
     if (in_row) high[lane] = highest_in_row(end, p);
   }
   for (uint k = own_lane; !in_row && k < CLUSTER; k += 4u * lanes) {
-    vec4 four[4];  // all on their way before the first is asked; behind the last sphere that one again
+    vec4 four[4];  // all loads are issued before the first is used; past the last sphere, that one again
     for (uint j = 0u; j < 4u; ++j) {
-      uint sorted_index = c * CLUSTER + k + j * lanes;
-      four[j] = with_radius(position[sorted_index < p.n ? sorted_index : p.n - 1u]);
+      uint i = c * CLUSTER + k + j * lanes;
+      four[j] = with_radius(position[i < p.n ? i : p.n - 1u]);
     }
     for (uint j = 0u; j < 4u; ++j) {
       if (!ever_drawable(four[j])) continue;

@@ -1,8 +1,8 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per PIXELS_EACH pixels: no sphere is seen there yet. Those that the last picture showed are listed. Done
-// by draw_resolve of the picture before, unless that kept its pixels or had fewer.
-#include "shaders/draw/shown.glsl"
+// One thread per PIXELS_EACH pixels: clears the visibility buffer and lists the spheres that were visible in it. Not
+// needed when draw_resolve of the previous frame has done it, which did not keep its pixels and had as many.
+#include "shaders/draw/visible_list.glsl"
 
 layout(local_size_x = BLOCK) in;
 

@@ -1,21 +1,21 @@
 #version 450
 // SPDX-License-Identifier: MIT
-#pragma optionNV(unroll none)  // a tenth faster; slower in other kernels
-// One thread per cluster, or per one that was put off: it is listed to be drawn, or put off, unless it is out of view
-// or hidden by what is drawn already. Where spheres are many, one thread per bundle comes before.
-#include "shaders/draw/listing.glsl"
+#pragma optionNV(unroll none)  // GLSL only: a tenth faster; slower in other kernels
+// One thread per cluster, or per deferred one: frustum and occlusion culling. A cluster that passes is listed to be
+// drawn, or deferred. With many spheres, one thread per bundle of clusters comes first.
+#include "shaders/draw/append.glsl"
 
 layout(std430, binding = SLOT_CLUSTER) restrict buffer ClusterBuffer { vec4 cluster[]; };
 layout(std430, binding = SLOT_CLUSTER_LIST) restrict buffer ClusterListBuffer { uint cluster_list[]; };
 layout(local_size_x = BLOCK) in;
-shared uint apart[BLOCK];        // the bundles that are taken apart ...
-shared uint deferred_of[BLOCK];  // ... and which of their clusters are put off
-shared uint count_apart;
+shared uint bundle_entries[BLOCK];  // the bundles whose clusters are tested ...
+shared uint deferred_of[BLOCK];     // ... and which of these are deferred
+shared uint bundles_listed;
 
-// The list for what is in such a box, or why it is in none. A bundle is looked up in coarser texels than a cluster, and
-// one that was put off in the coarsest first.
+// The list for the contents of a box, or why it is culled. A bundle is tested at a coarser level than a cluster, a
+// deferred one at the coarsest first.
 uint list_for(vec4 low, vec4 high, bool bundled) {
-  if (low.x > high.x) return OUT_OF_VIEW;  // there is nothing in it
+  if (low.x > high.x) return OUT_OF_VIEW;  // empty
   Solid solid = solid_of(low, high, v);
   if (outside(solid, v)) return OUT_OF_VIEW;
   if (v.occlusion == 0u || reaches_eye_plane(solid)) return list_of(v.phase);
@@ -32,8 +32,8 @@ uint list_for(vec4 low, vec4 high, bool bundled) {
   return texel.y < least_depth(brought_nearer(solid, low, high), box, v) ? LIST_DEFERRED : LIST_DRAWN;
 }
 
-// A bundle that was hidden when it was tested last, as the w of its lowest corner tells, most likely is again: it is
-// put off untested.
+// A bundle that was hidden at its last test, as the w of its lowest corner says, most likely is again: it is deferred
+// untested.
 uint list_for_bundle(uint bundle) {
   uint at = corners_of_bundle(bundle, v);
   vec4 low = cluster[at];
@@ -44,10 +44,10 @@ uint list_for_bundle(uint bundle) {
   return list;
 }
 
-// All threads of the group call it; `enters`: its entry does.
-void enter(uint list, bool enters, uint entry) {
-  uint sorted_index = index_in_list(DRAWN_CLUSTERS + list, enters);
-  if (enters) cluster_list[list * v.clusters + sorted_index] = entry;
+// All threads of the group call it; those with `appends` append their entry.
+void append(uint list, bool appends, uint entry) {
+  uint at = append_index(DRAWN_CLUSTERS + list, appends);
+  if (appends) cluster_list[list * v.clusters + at] = entry;
 }
 
 void count_in(uint word, uint more) {
@@ -58,57 +58,57 @@ void count_left_out(uint list, uint clusters) {
   if (list == HIDDEN) count_in(DRAWN_CLUSTERS_HIDDEN, clusters);
 }
 
-// All threads of the group call it; `meant`: its cluster c is tested. Whether that is put off.
-bool cull_cluster(uint c, bool meant) {
+// All threads of the group call it; `selected`: this thread's cluster c is tested. Returns whether it is deferred.
+bool cull_cluster(uint c, bool selected) {
   uint list = OUT_OF_VIEW;
-  if (meant) list = list_for(cluster[2u * c], cluster[2u * c + 1u], false);
-  count_left_out(list, meant ? 1u : 0u);
+  if (selected) list = list_for(cluster[2u * c], cluster[2u * c + 1u], false);
+  count_left_out(list, selected ? 1u : 0u);
   count_in(DRAWN_CLUSTERS_DEFERRED, list == LIST_DEFERRED ? 1u : 0u);
-  enter(list_of(v.phase), list == list_of(v.phase), c);
+  append(list_of(v.phase), list == list_of(v.phase), c);
   return list == LIST_DEFERRED;
 }
 
-// All threads of the group call it; `exists`: it has an entry, a bundle and which of its clusters are meant. Those of
-// them that are put off.
+// All threads of the group call it; `exists`: this thread has an entry, a bundle and which of its clusters are
+// selected. Returns which of them are deferred.
 uint cull_bundle(uint entry, bool exists) {
   uint lane = gl_LocalInvocationID.x;
   uint own = list_of(v.phase);
-  bool whole = entry == all_of_bundle(bundle_in(entry), v);  // else its near end was drawn, and the rest put off
+  bool whole = entry == all_of_bundle(bundle_in(entry), v);  // else its near clusters were drawn, and the rest deferred
   uint list = exists ? own : OUT_OF_VIEW;
   if (exists && whole) list = list_for_bundle(bundle_in(entry));
   if (exists && list != own) count_in(DRAWN_BUNDLES, 1u);
-  count_left_out(list, uint(bitCount(bits_in(entry))));
-  count_in(DRAWN_CLUSTERS_DEFERRED, list == LIST_DEFERRED ? uint(bitCount(bits_in(entry))) : 0u);
-  if (lane == 0u) count_apart = 0u;
+  count_left_out(list, count_bits(bits_in(entry)));
+  count_in(DRAWN_CLUSTERS_DEFERRED, list == LIST_DEFERRED ? count_bits(bits_in(entry)) : 0u);
+  if (lane == 0u) bundles_listed = 0u;
   barrier();
-  uint sorted_index = list == own ? atomicAdd(count_apart, 1u) : 0u;
-  if (list == own) apart[sorted_index] = entry;
-  if (list == own) deferred_of[sorted_index] = 0u;
+  uint slot = list == own ? atomicAdd(bundles_listed, 1u) : 0u;
+  if (list == own) bundle_entries[slot] = entry;
+  if (list == own) deferred_of[slot] = 0u;
   barrier();
-  for (uint from = 0u; from < count_apart * BUNDLE; from += BLOCK) {
+  for (uint from = 0u; from < bundles_listed * BUNDLE; from += BLOCK) {
     uint of = (from + lane) / BUNDLE;
     uint bit = lane % BUNDLE;
-    bool meant = of < count_apart && (bits_in(apart[of]) >> bit & 1u) != 0u;
-    uint c = meant ? bundle_in(apart[of]) * BUNDLE + bit : 0u;
-    if (cull_cluster(c, meant)) atomicOr(deferred_of[of], 1u << bit);
+    bool selected = of < bundles_listed && (bits_in(bundle_entries[of]) >> bit & 1u) != 0u;
+    uint c = selected ? bundle_in(bundle_entries[of]) * BUNDLE + bit : 0u;
+    if (cull_cluster(c, selected)) atomicOr(deferred_of[of], 1u << bit);
   }
   barrier();
-  return list == own ? deferred_of[sorted_index] : list == LIST_DEFERRED ? bits_in(entry) : 0u;
+  return list == own ? deferred_of[slot] : list == LIST_DEFERRED ? bits_in(entry) : 0u;
 }
 
 void main() {
   bool again = v.phase == PHASE_FAR;
   uint all = BUNDLES ? bundles_of(v) : v.clusters;
   uint total = again ? drawn[DRAWN_CLUSTERS + LIST_DEFERRED] : all;
-  uint at_once = min(uint(BLOCK), total / group_count() + 1u);  // no group is left without
+  uint at_once = min(uint(BLOCK), total / group_count() + 1u);  // few clusters are spread over all groups
   for (uint first = group_index() * at_once; first < total; first += group_count() * at_once) {
     uint k = first + gl_LocalInvocationID.x;
     bool exists = gl_LocalInvocationID.x < at_once && k < total;
     uint entry = 0u;
     if (exists && again) entry = cluster_list[LIST_DEFERRED * v.clusters + k];
-    if (exists && !again) entry = BUNDLES ? all_of_bundle(place_in_turn(k, all, v), v) : place_in_turn(k, all, v);
+    if (exists && !again) entry = BUNDLES ? all_of_bundle(front_to_back(k, all, v), v) : front_to_back(k, all, v);
     uint deferred_count = BUNDLES ? cull_bundle(entry, exists) : uint(cull_cluster(entry, exists));
     uint rest = BUNDLES ? entry - bits_in(entry) + deferred_count : entry;
-    if (v.phase == PHASE_NEAR) enter(LIST_DEFERRED, deferred_count != 0u, rest);
+    if (v.phase == PHASE_NEAR) append(LIST_DEFERRED, deferred_count != 0u, rest);
   }
 }

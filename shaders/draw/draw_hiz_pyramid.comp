@@ -1,8 +1,9 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One group per texel of level 2: the depths of what it and each of those within it cover.
-#include "shaders/buffers.glsl"
+// One group per texel of level 2 of the hierarchical Z: reduces the depths of its pixels to texels of levels 0, 1
+// and 2.
 #include "shaders/draw/view.glsl"
+#include "shaders/kernels.glsl"
 #include "common/shared/cluster.h"
 
 layout(std430, binding = SLOT_VISIBLE) restrict readonly buffer VisibleBuffer { uvec2 visible[]; };
@@ -11,8 +12,8 @@ layout(std430, binding = SLOT_DRAWN) restrict buffer DrawnBuffer { uint drawn[];
 layout(local_size_x = BLOCK) in;
 const uint side = LEVEL_1 / LEVEL_0;  // texels of level 0 along one of level 1, and of that along one of level 2
 const uint texels = side * side;      // of level 0 along one of level 2
-const uint pixels_each = LEVEL_2 * LEVEL_2 / BLOCK;  // one below the other, that a thread reads
-shared uvec2 columns[texels][LEVEL_2 + 1u];          // of pixels; the one left over keeps threads from the same bank
+const uint pixels_each = LEVEL_2 * LEVEL_2 / BLOCK;  // in a column, that one thread reads
+shared uvec2 columns[texels][LEVEL_2 + 1u];          // of pixels; the padding avoids bank conflicts
 shared uvec2 texel_0[texels * texels];
 shared uvec2 texel_1[side * side];
 
@@ -29,7 +30,7 @@ void main() {
   uint y = group_index() / width;
   uint column = lane % LEVEL_2;
   uint row = lane / LEVEL_2 * pixels_each;
-  uint left = min(x * LEVEL_2 + column, v.width - 1u);  // the picture's last pixels stand for those behind it
+  uint left = min(x * LEVEL_2 + column, v.width - 1u);  // clamped to the image's last pixels
   uint depths[pixels_each];
   for (uint k = 0u; k < pixels_each; ++k)
     depths[k] = visible[min(y * LEVEL_2 + row + k, v.height - 1u) * v.width + left].y;

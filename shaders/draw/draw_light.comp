@@ -1,9 +1,10 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per pixel, in place of draw_resolve: light that the spheres around take away, shadows, and the ground.
-#include "shaders/buffers.glsl"
+// One thread per pixel, in place of draw_resolve: shading with ambient occlusion and shadows by other spheres, and the
+// ground.
 #include "shaders/draw/view.glsl"
 #include "shaders/grid/grid.glsl"
+#include "shaders/kernels.glsl"
 #include "common/shared/light.h"
 
 layout(std430, binding = SLOT_SORTED) restrict readonly buffer SortedBuffer { vec4 sorted[]; };
@@ -11,9 +12,9 @@ layout(std430, binding = SLOT_VISIBLE) restrict readonly buffer VisibleBuffer { 
 layout(std430, binding = SLOT_IMAGE) restrict writeonly buffer ImageBuffer { uint image[]; };
 layout(local_size_x = BLOCK) in;
 
-// The sphere that stands at a place of the cell order; the surface's own takes nothing away.
-vec4 found_at(uint sorted_index) { return p.in_cells != 0u ? sorted[sorted_index] : position[sorted_index]; }
-bool is_own(vec4 found, uint sorted_index, Surface s) { return sphere_index(found, sorted_index) == s.sphere; }
+// The sphere at index k in cell order; the surface's own sphere does not occlude it.
+vec4 found_at(uint k) { return p.in_cells != 0u ? sorted[k] : position[k]; }
+bool is_own(vec4 found, uint k, Surface s) { return sphere_index(found, k) == s.sphere; }
 
 float light_around(Surface s) {
   float x = grid_coordinate_unclamped(s.x, p.origin_x, p);
@@ -26,9 +27,9 @@ float light_around(Surface s) {
   for (uint z_cell = row_z.low; z_cell <= row_z.high; ++z_cell)
     for (uint y_cell = row_y.low; y_cell <= row_y.high; ++y_cell) {
       uint row = dense_slot(0u, y_cell, z_cell, p);
-      for (uint sorted_index = cell[row + row_x.low]; sorted_index < cell[row + row_x.high + 1u]; ++sorted_index) {
-        vec4 found = found_at(sorted_index);
-        if (!is_own(found, sorted_index, s)) taken += taken_by(with_radius(found), s, p);
+      for (uint k = cell[row + row_x.low]; k < cell[row + row_x.high + 1u]; ++k) {
+        vec4 found = found_at(k);
+        if (!is_own(found, k, s)) taken += taken_by(with_radius(found), s, p);
       }
     }
   return light_left(taken);
@@ -43,9 +44,9 @@ bool in_shadow(Surface s) {
     CellRange row_z = cells_on_way(z, y, slope_of(v.sun.z, v), float(layer), p.cells_z);
     for (uint z_cell = row_z.low; z_cell <= row_z.high; ++z_cell) {
       uint row = dense_slot(0u, layer, z_cell, p);
-      for (uint sorted_index = cell[row + row_x.low]; sorted_index < cell[row + row_x.high + 1u]; ++sorted_index) {
-        vec4 found = found_at(sorted_index);
-        if (shades(with_radius(found), s, v) && !is_own(found, sorted_index, s)) return true;
+      for (uint k = cell[row + row_x.low]; k < cell[row + row_x.high + 1u]; ++k) {
+        vec4 found = found_at(k);
+        if (shades(with_radius(found), s, v) && !is_own(found, k, s)) return true;
       }
     }
   }

@@ -1,13 +1,13 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per PIXELS_EACH pixels: the light on the sphere that is seen there, or the background. The pixels are
-// cleared for the next picture, unless they are to be kept.
-#include "shaders/draw/shown.glsl"
+// One thread per PIXELS_EACH pixels: shades the visible sphere or the background. Clears the visibility buffer for the
+// next frame, unless it is to be kept.
+#include "shaders/draw/visible_list.glsl"
 
 layout(std430, binding = SLOT_IMAGE) restrict writeonly buffer ImageBuffer { uint image[]; };
 layout(local_size_x = BLOCK) in;
 
-// Counts begin anew, but of the list of spheres seen that the next picture draws.
+// Resets the counts, except that of the list of visible spheres that the next frame draws.
 void move_counts(uint word) {
   uint stays = DRAWN_SEEN + (v.occlusion != 0u ? 1u - v.turn : v.turn);
   if (word >= DRAWN_WORDS || word == stays) return;

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread, or LANES threads, per sphere: it is drawn, unless it is large, which draw_tiles then does.
-#include "shaders/draw/visible.glsl"
+// One thread, or LANES threads, per sphere: draws it, or leaves it to draw_tiles if it is large.
+#include "shaders/draw/visibility_buffer.glsl"
 
 layout(local_size_x = BLOCK) in;
 
@@ -9,6 +9,6 @@ void main() {
   uint k = group_index() * (BLOCK / v.lanes) + gl_LocalInvocationID.x / v.lanes;
   if (k >= p.n) return;
   uint lane = gl_LocalInvocationID.x % v.lanes;
-  Walk walk = walk_of(place_in_turn(k, p.n, v), lane == 0u);
-  draw_walk(walk, lane, v.lanes, lanes_across(v));
+  Footprint footprint = footprint_of(front_to_back(k, p.n, v), lane == 0u);
+  draw_footprint(footprint, lane, v.lanes, lanes_across(v));
 }

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// A fixed number of groups shares out the tiles of large spheres; a group's threads share the pixels of its tile.
-#include "shaders/draw/visible.glsl"
+// One group per tile of a large sphere; a fixed number of groups loops over the tiles, whose pixels its threads share.
+#include "shaders/draw/visibility_buffer.glsl"
 
 layout(local_size_x = BLOCK) in;
 

@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// The exact meeting of ray and sphere, as draw_spheres and draw_resolve find it; never nearer than its triangles.
+// The exact intersection of ray and sphere, as in draw_spheres and draw_resolve; never nearer than its triangles.
 #include "shaders/draw/scene.glsl"
 
 flat in vec4 seen;

@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Two triangles per sphere that cover the box of its pixels, at the depth of the sphere's foremost point.
+// Two triangles per sphere that cover its bounding box in pixels, at the depth of the sphere's foremost point.
 #include "shaders/draw/scene.glsl"
 
 flat out vec4 seen;

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// The paper's code 9: a corner of the mesh, moved to its sphere, lit by the angle of its normal to the light, in the
-// colour of its sphere's contacts. An instance is a sphere; for one draw per sphere `first` says which.
+// The paper's code 9: a vertex of the mesh, moved to its sphere, lit by the angle of its normal to the light, coloured by
+// its sphere's contacts. An instance is a sphere; with one draw call per sphere, `first` is its index.
 #include "shaders/draw/scene.glsl"
 
 layout(location = 0) uniform uint first;

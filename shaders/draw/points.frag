@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// A disc, lit as the half sphere that it stands for; the point's own y grows upwards in an image that grows downwards.
+// A disc, lit as a half sphere; the point's own y grows upwards, the image's downwards.
 #include "shaders/draw/scene.glsl"
 
 in vec3 colour;

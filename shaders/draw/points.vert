@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One point per sphere, as wide as the sphere where it stands; wrong close to the camera, where spheres look oval.
+// One point per sphere, as wide as the sphere at its depth; wrong close to the camera, where spheres look oval.
 #include "shaders/draw/scene.glsl"
 
 out vec3 colour;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the shaders of the graphics pipeline read: the simulation's own buffers, by the number of the sphere. Images
-// have their first row at the top, so y grows downwards.
+// GLSL only: what the shaders of the graphics pipeline read, the simulation's own buffers by sphere index. Images have
+// their first row at the top, so y grows downwards.
 #include "shaders/draw/view.glsl"
 #include "common/shared/draw.h"
 #include "common/shared/layout.h"

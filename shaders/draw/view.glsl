@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The view as plain uniforms, which come along with the commands. A uniform block that changes with every picture and
-// phase would be fetched from the host's memory.
+// GLSL only: the view as plain uniforms, which are sent with the commands; a uniform block that changes with every
+// frame and phase would be fetched from the host's memory. CUDA passes a kernel argument.
 #include "common/shared/view.h"
 
 layout(location = VIEW_LOCATION) uniform uvec4 view_words[VIEW_FOURS];

@@ -1,18 +1,18 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// A group takes spheres that stand in cell order and writes where the cells begin that lie between each of them and its
-// predecessor, through shared memory, so that neighbours are written by neighbours; and clears their results. A sphere
-// out of order, or behind too many empty cells, is reported.
+// One group per BOUNDS_TILE spheres that are in cell order: it writes where the cells between each sphere and its
+// predecessor begin, through shared memory, so that writes are coalesced, and clears the spheres' results. A sphere
+// that is out of order, or follows too many empty cells, is reported.
 #define CELL_ACCESS
 #include "shaders/grid/grid.glsl"
 
 layout(std430, binding = SLOT_SCAN) restrict writeonly buffer ScanBuffer { uint tile_sum[]; };
 layout(local_size_x = BLOCK) in;
 shared uint slot[BOUNDS_TILE + 1u];  // of the sphere before the first one, then of each
-shared uint begins[BOUNDS_WINDOW];   // the part of the table that is being filled in
+shared uint begins[BOUNDS_WINDOW];   // the window of the table that is being filled
 shared uint disorder;
 
-// The sphere's slot; behind the last sphere, the end of the table.
+// The sphere's slot; past the last sphere, the end of the table.
 uint slot_at(uint i) {
   uint own = slot_of(position[min(i, p.n - 1u)], DENSE, p);
   return i < p.n ? own : p.cell_slots;

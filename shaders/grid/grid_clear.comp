@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per four cells or one bucket: no sphere is counted yet, no result is found.
-#include "shaders/buffers.glsl"
+// One thread per four cells or one bucket: clears the counts, and the totals.
+#include "shaders/kernels.glsl"
 
 layout(std430, binding = SLOT_CELL) restrict writeonly buffer CellBuffer { uvec4 cell[]; };
 layout(std430, binding = SLOT_BUCKET) restrict writeonly buffer BucketBuffer { uint bucket_cursor[]; };

@@ -1,7 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Each thread takes SPHERES_PER_SORTER spheres and counts each in its cell, one slot ahead of the cell's own, and in
-// the cell's tile of the scan.
+// One thread per SPHERES_PER_SORTER spheres: counts each in its cell, one slot after the cell's own.
 #define CELL_ACCESS
 #include "shaders/grid/grid.glsl"
 

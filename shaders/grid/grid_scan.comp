@@ -1,7 +1,8 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Counts become starts: a group takes a tile of the table, adds it up, and adds the sums of the tiles before it.
-#include "shaders/buffers.glsl"
+// One group per tile of the table: counts become begins by an exclusive prefix sum of the tile, plus the sums of the
+// tiles before it.
+#include "shaders/kernels.glsl"
 
 layout(std430, binding = SLOT_CELL) restrict buffer CellBuffer { uvec4 cell[]; };
 layout(std430, binding = SLOT_SCAN) restrict readonly buffer ScanBuffer { uint tile_sum[]; };
@@ -17,9 +18,9 @@ void main() {
   uint first = (first_tile + tile) * (SCAN_TILE / 4u) + lane;
   uvec4 counts[SCAN_VECTORS];
   for (uint v = 0u; v < SCAN_VECTORS; ++v) counts[v] = cell[first + v * BLOCK];
-  uvec4 own = uvec4(
+  uvec4 own = {
       counts[0].x + counts[0].y + counts[0].z + counts[0].w, counts[1].x + counts[1].y + counts[1].z + counts[1].w,
-      counts[2].x + counts[2].y + counts[2].z + counts[2].w, counts[3].x + counts[3].y + counts[3].z + counts[3].w);
+      counts[2].x + counts[2].y + counts[2].z + counts[2].w, counts[3].x + counts[3].y + counts[3].z + counts[3].w};
   if (lane == 0u) before = 0u;
   barrier();
   uint share = 0u;
@@ -35,9 +36,9 @@ void main() {
   sums[lane] = upto;
   barrier();
   uvec4 total = sums[BLOCK - 1u];
-  uint start[SCAN_VECTORS] =
-      uint[](before + upto.x - own.x, before + total.x + upto.y - own.y, before + total.x + total.y + upto.z - own.z,
-             before + total.x + total.y + total.z + upto.w - own.w);
+  uint start[SCAN_VECTORS] = {before + upto.x - own.x, before + total.x + upto.y - own.y,
+                              before + total.x + total.y + upto.z - own.z,
+                              before + total.x + total.y + total.z + upto.w - own.w};
   for (uint v = 0u; v < SCAN_VECTORS; ++v) {
     uint x = start[v];
     uint y = x + counts[v].x;

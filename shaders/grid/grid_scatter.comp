@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Each thread takes SPHERES_PER_SORTER spheres and puts each at the next place of its cell. The slot ahead of a cell's
-// own holds that place, and so, in the end, the beginning of the cell ahead.
+// One thread per SPHERES_PER_SORTER spheres: writes each to the next sorted index of its cell. The slot after a cell's
+// own is the write cursor, and so, in the end, the begin of the next cell.
 #define CELL_ACCESS
 #define ID_ACCESS
 #include "shaders/grid/grid.glsl"

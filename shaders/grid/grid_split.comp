@@ -1,10 +1,9 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// A group takes SPLIT_TILE spheres, counts them by bucket, reserves a place for all of them in each bucket, puts their
-// numbers into the order of the buckets, and copies them in that order, so that neighbours are written by neighbours.
-// The spheres stand in the order of the parents of these buckets, so that a tile meets few of them.
+// One group per SPLIT_TILE spheres: counts them by bucket, reserves a range of each bucket, sorts their indices by
+// bucket in shared memory, and copies the spheres in that order, so that writes are coalesced. The spheres are sorted
+// by the parents of these buckets, so that a tile has few buckets.
 #define ID_ACCESS
-#define SORTS_SPHERES
 #include "shaders/grid/grid.glsl"
 #include "shaders/grid/group_sum.glsl"
 
@@ -12,9 +11,9 @@ layout(std430, binding = SLOT_SPLIT_ID) restrict readonly buffer FromIdBuffer { 
 layout(std430, binding = SLOT_SORTED) restrict writeonly buffer SortedBuffer { vec4 sorted[]; };
 layout(std430, binding = SLOT_BUCKET) restrict buffer BucketBuffer { uint bucket_cursor[]; };
 layout(local_size_x = BLOCK) in;
-shared uint sorted_index[BUCKETS_AT_MOST];  // of the next sphere of each bucket; then from there to its place among all
-shared uint order[SPLIT_TILE];              // the spheres of the tile by bucket: bucket, number in the tile
-shared uint taken;                          // spheres of this turn
+shared uint cursor[BUCKETS_AT_MOST];  // of each bucket in `order`; then the offset from there to the bucket's range
+shared uint order[SPLIT_TILE];        // the spheres of the tile by bucket: bucket, index in the tile
+shared uint taken;                    // spheres of this pass
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
@@ -23,37 +22,36 @@ void main() {
   uint end = min(first + SPLIT_TILE, p.n);
   uint bucket[SPLIT_EACH];
   for (uint k = 0u; k < SPLIT_EACH; ++k)
-    bucket[k] = slot_of(sphere_of(min(first + k * BLOCK + lane, end - 1u)), DENSE, p) >> p.bucket_shift;
+    bucket[k] = slot_of(position[min(first + k * BLOCK + lane, end - 1u)], DENSE, p) >> p.bucket_shift;
   bool parents = p.parent_shift < ONE_PARENT;
-  uint last_bucket = bucket_above(parents ? slot_of(sphere_of(end - 1u), DENSE, p) : 0u, p);
-  uint low = parents ? bucket_below(slot_of(sphere_of(first), DENSE, p), p) : 0u;
+  uint last_bucket = bucket_above(parents ? slot_of(position[end - 1u], DENSE, p) : 0u, p);
+  uint low = parents ? bucket_below(slot_of(position[first], DENSE, p), p) : 0u;
   for (; low <= last_bucket; low += BUCKETS_AT_MOST) {
-    sorted_index[lane] = 0u;
+    cursor[lane] = 0u;
     barrier();
     for (uint k = 0u; k < SPLIT_EACH; ++k)
-      if (first + k * BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST)
-        atomicAdd(sorted_index[bucket[k] - low], 1u);
+      if (first + k * BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST) atomicAdd(cursor[bucket[k] - low], 1u);
     barrier();
-    uint own = sorted_index[lane];
+    uint own = cursor[lane];
     uint upto = sum_up_to(own);
     if (lane == BLOCK - 1u) taken = upto;
-    sorted_index[lane] = upto - own;
+    cursor[lane] = upto - own;
     uint shift = own != 0u ? atomicAdd(bucket_cursor[p.first_bucket + low + lane], own) - (upto - own) : 0u;
     barrier();
     for (uint k = 0u; k < SPLIT_EACH; ++k)
       if (first + k * BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST)
-        order[atomicAdd(sorted_index[bucket[k] - low], 1u)] = (bucket[k] - low) * SPLIT_TILE + k * BLOCK + lane;
+        order[atomicAdd(cursor[bucket[k] - low], 1u)] = (bucket[k] - low) * SPLIT_TILE + k * BLOCK + lane;
     barrier();
-    sorted_index[lane] = shift;
+    cursor[lane] = shift;
     barrier();
     for (uint q = lane; q < taken; q += BLOCK) {
       uint i = first + order[q] % SPLIT_TILE;
-      uint at = q + sorted_index[order[q] / SPLIT_TILE];
-      vec4 sphere = sphere_of(i);
-      bool in_radii = (p.indices & INDEX_IN_W) != 0u;
-      uint name = (p.indices & INDEX_GIVEN) == 0u ? i : in_radii ? float_bits(sphere.w) : from_id[i];
-      if (in_radii) sphere.w = bits_float(name);
-      if (!in_radii) id[at] = name;
+      uint at = q + cursor[order[q] / SPLIT_TILE];
+      vec4 sphere = position[i];
+      bool in_w = (p.indices & INDEX_IN_W) != 0u;
+      uint index = (p.indices & INDEX_GIVEN) == 0u ? i : in_w ? float_bits(sphere.w) : from_id[i];
+      if (in_w) sphere.w = bits_float(index);
+      if (!in_w) id[at] = index;
       sorted[at] = sphere;
     }
     barrier();

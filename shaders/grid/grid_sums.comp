@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// A group adds up a tile of the table, for grid_scan.
-#include "shaders/buffers.glsl"
+// One group per tile of the table: its sum, for grid_scan.
+#include "shaders/kernels.glsl"
 
 layout(std430, binding = SLOT_CELL) restrict readonly buffer CellBuffer { uvec4 cell[]; };
 layout(std430, binding = SLOT_SCAN) restrict writeonly buffer ScanBuffer { uint tile_sum[]; };

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Sums over the threads of a group. With subgroups they go through registers, without through shared memory.
-#ifdef SUBGROUPS
-shared uint group_sums[(BLOCK + 31) / 32];  // of each subgroup; a word a thread would cost grid_split one of the
-                                            // two groups that share a multiprocessor's 48 KiB
-#else
-shared uint group_sums[BLOCK];
-#endif
+// Prefix sums over the threads of a group, through registers within each subgroup.
 
-// The sum of `own` over this thread and those before it. Every thread of the group must call it, and a barrier must
-// stand between two calls. The language leaves open which invocations form a subgroup; here they must be consecutive,
-// the first ones subgroup 0, so that SUBGROUPS is defined only where that is known (glsl/device_limits.cpp).
+// Inclusive prefix sum of `own`. Every thread of the group must call it, with a barrier between two calls.
+// GLSL only from here: sums of subgroups where the extension exists, else shared memory. The language leaves open which
+// invocations form a subgroup; here they must be consecutive, the first ones subgroup 0, so SUBGROUPS is defined only
+// where that is known (glsl/device_limits.cpp).
 #ifdef SUBGROUPS
+// Of each subgroup: a word a thread would cost grid_split one of the two groups that share a multiprocessor's 48 KiB.
+shared uint group_sums[(BLOCK + 31) / 32];
 uint sum_up_to(uint own) {
   uint upto = subgroupInclusiveAdd(own);
   if (gl_SubgroupInvocationID == gl_SubgroupSize - 1u) group_sums[gl_SubgroupID] = upto;
@@ -20,6 +17,7 @@ uint sum_up_to(uint own) {
   return before + upto;
 }
 #else
+shared uint group_sums[BLOCK];
 uint sum_up_to(uint own) {
   uint lane = gl_LocalInvocationID.x;
   uint upto = own;
@@ -32,3 +30,4 @@ uint sum_up_to(uint own) {
   return upto;
 }
 #endif
+// until here

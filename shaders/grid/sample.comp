@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere of a sample, which is taken at equal distances from all spheres as they are numbered.
-#include "shaders/buffers.glsl"
+// One thread per sphere of a sample, at equal strides of the sphere index.
+#include "shaders/kernels.glsl"
 
 layout(std430, binding = SLOT_SORTED) restrict writeonly buffer SortedBuffer { vec4 sorted[]; };
 layout(local_size_x = BLOCK) in;

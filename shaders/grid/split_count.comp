@@ -1,8 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// A group takes SPLIT_TILE spheres and counts how many go into each bucket. The spheres stand in the order of the
-// parents of these buckets, so that a tile meets few of them.
-#define SORTS_SPHERES
+// One group per SPLIT_TILE spheres: counts them by bucket. The spheres are sorted by the parents of these buckets, so
+// that a tile has few buckets.
 #include "shaders/grid/grid.glsl"
 
 layout(std430, binding = SLOT_BUCKET) restrict buffer BucketBuffer { uint bucket_cursor[]; };
@@ -15,12 +14,12 @@ void main() {
   if (first >= p.n) return;
   uint end = min(first + SPLIT_TILE, p.n);
   bool parents = p.parent_shift < ONE_PARENT;
-  uint last_bucket = bucket_above(parents ? slot_of(sphere_of(end - 1u), DENSE, p) : 0u, p);
-  vec4 sphere[SPLIT_EACH];  // all on their way before the first is asked for its cell
-  for (uint k = 0u; k < SPLIT_EACH; ++k) sphere[k] = sphere_of(min(first + k * BLOCK + lane, end - 1u));
+  uint last_bucket = bucket_above(parents ? slot_of(position[end - 1u], DENSE, p) : 0u, p);
+  vec4 sphere[SPLIT_EACH];  // all loads are issued before the first cell is computed
+  for (uint k = 0u; k < SPLIT_EACH; ++k) sphere[k] = position[min(first + k * BLOCK + lane, end - 1u)];
   uint bucket[SPLIT_EACH];
   for (uint k = 0u; k < SPLIT_EACH; ++k) bucket[k] = slot_of(sphere[k], DENSE, p) >> p.bucket_shift;
-  uint low = parents ? bucket_below(slot_of(sphere_of(first), DENSE, p), p) : 0u;
+  uint low = parents ? bucket_below(slot_of(position[first], DENSE, p), p) : 0u;
   for (; low <= last_bucket; low += BUCKETS_AT_MOST) {
     for (uint b = lane; b < BUCKETS_AT_MOST; b += BLOCK) counted[b] = 0u;
     barrier();

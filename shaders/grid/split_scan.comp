@@ -1,8 +1,8 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One group: the numbers of spheres in the buckets become the places where these begin, a bucket a thread.
-#include "shaders/buffers.glsl"
+// One group, one thread per bucket: counts of spheres become begins, by an exclusive prefix sum.
 #include "shaders/grid/group_sum.glsl"
+#include "shaders/kernels.glsl"
 
 layout(std430, binding = SLOT_BUCKET) restrict buffer BucketBuffer { uint bucket_cursor[]; };
 layout(local_size_x = BLOCK) in;

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere: where the method `anchored` has it at this step; without the whole state, for a collision
-// step, whose results are cleared.
+// One thread per sphere: its position at this step by the method `anchored`. Without the whole state, this prepares a
+// collision step, whose results are cleared.
 #include "shaders/motion/motion_state.glsl"
 
 layout(local_size_x = BLOCK) in;

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere: one step of motion and the plane, and the results of the last step cleared where they are by
-// the number of the sphere.
+// One thread per sphere: one step of motion with the plane; clears the results of the last collision step, where these
+// are by sphere index.
 #include "shaders/motion/motion_state.glsl"
 
 layout(local_size_x = BLOCK) in;

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// No thread does anything: what remains is the cost of a launch.
-#include "shaders/buffers.glsl"
+// No thread does anything: measures the cost of a launch.
+#include "shaders/kernels.glsl"
 
 layout(local_size_x = BLOCK) in;
 

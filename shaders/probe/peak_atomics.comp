@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere adds to the count of a scattered other: what remains is the rate of atomics without a result.
-#include "shaders/buffers.glsl"
+// One thread per sphere adds to the count of a scattered other one: measures the rate of atomics without a result.
+#include "shaders/kernels.glsl"
 #include "common/shared/peak_rate.h"
 
 layout(local_size_x = BLOCK) in;

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere copies 16 bytes: what remains is the memory's bandwidth.
-#include "shaders/buffers.glsl"
+// One thread per sphere copies 16 bytes: measures the memory bandwidth.
+#include "shaders/kernels.glsl"
 
 layout(local_size_x = BLOCK) in;
 

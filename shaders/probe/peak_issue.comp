@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere runs independent chains of multiply-adds in registers: what remains is the issue rate.
-#include "shaders/buffers.glsl"
+// One thread per sphere runs independent chains of multiply-adds in registers: measures the issue rate.
+#include "shaders/kernels.glsl"
 #include "common/shared/peak_rate.h"
 
 layout(local_size_x = BLOCK) in;

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere copies 16 bytes a word at a time: what loads and stores of whole vectors save.
-#include "shaders/buffers.glsl"
+// One thread per sphere copies 16 bytes a word at a time: measures what loads and stores of whole vectors save.
+#include "shaders/kernels.glsl"
 
 layout(std430, binding = SLOT_POSITION) restrict readonly buffer PositionWords { uint position_word[]; };
 layout(std430, binding = SLOT_VELOCITY) restrict writeonly buffer VelocityWords { uint velocity_word[]; };

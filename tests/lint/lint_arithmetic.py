@@ -51,13 +51,13 @@ def disassemble(text):
 def variants(stem, text):
     """The definitions of every program that is made from a shader."""
     if stem not in STATE_FEEDING:
-        plain = [("BLOCK 256", f"EQUAL_RADII {uniform}", "LISTED 1", "BUNDLES false", "BY_CELLS false",
-                  f"DENSE {str(bool(uniform)).lower()}", f"INDICES {2 if uniform else 4}u", f"LATER {uniform}u")
-                 for uniform in (0, 1)]
-        further = [("ATOMICS_64",), ("TEXTURE_TABLE",), ("FROM_TILES",), ("FOLDED",)]
+        plain = [("BLOCK 256", f"EQUAL_RADII {word}", "LISTED true", "BUNDLES false", "BY_CELLS false", f"DENSE {word}",
+                  "FROM_TILES false", f"INDICES {indices}u")
+                 for word, indices in (("false", 4), ("true", 2))]
+        further = [("ATOMICS_64",), ("TEXTURE_TABLE",), ("FOLDED",)]
         further += [("TEXTURE_TABLE", "WINDOWS")] * (stem == "collide_grid")
         chosen = [tuple(define.replace(f"{choice} false", f"{choice} true") for define in plain[0])
-                  for choice in ("BUNDLES", "BY_CELLS") if choice in text]
+                  for choice in ("BUNDLES", "BY_CELLS", "FROM_TILES") if choice in text]
         return plain + chosen + [(*plain[0], *defines) for defines in further if defines[-1] in text]
     methods = METHODS if stem == "move" else (6,)
     return [("BLOCK 256", "INDICES 0u", f"METHOD {method}u", f"PRECISION {precision}", f"Real {real}")
@@ -101,7 +101,7 @@ def shaders(root, build):
 
 
 def ptx_complaints(text):
-    """Without .rn the assembler behind PTX may still fuse, so a rounding is asked for everywhere."""
+    """Without .rn the assembler behind PTX may still fuse, so every operation must name its rounding."""
     return [f"{match[0].strip()}: is fused or may be" for match in LOOSE_PTX.finditer(text)]
 
 

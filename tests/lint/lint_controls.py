@@ -11,36 +11,17 @@ import unittest
 import lint_arithmetic
 import lint_rooms
 import lint_sources
+from lint_controls_text import Twins, Words, tree  # noqa: F401 - unittest finds them here
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = pathlib.Path(sys.argv.pop(1)) if len(sys.argv) > 1 else ROOT / "build"
 HEAD = "#version 450\nlayout(local_size_x = 64) in;\nlayout(std430, binding = 0) buffer Data { float x[]; };\n"
 
 
-def tree(folder, **texts):
-    """Files named by their path with __ for / and _DOT_ for a dot."""
-    for name, text in texts.items():
-        path = pathlib.Path(folder, name.replace("__", "/").replace("_DOT_", "."))
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
-    return pathlib.Path(folder)
-
-
 class Sources(unittest.TestCase):
     def complaints(self, rule, **texts):
         with tempfile.TemporaryDirectory() as folder:
             return rule(tree(folder, **texts), None)[0]
-
-    def test_twins(self):
-        comp = "// SPDX-License-Identifier: MIT\n// One invocation a sphere. More.\nvoid main() {}\n"
-        kernel = "// SPDX-License-Identifier: MIT\n// One invocation a\n// sphere. Other.\n__global__ void a() {}\n"
-        self.assertEqual([], self.complaints(lint_sources.twins, shaders__a_DOT_comp=comp, cuda__a_DOT_cu=kernel))
-        other = kernel.replace("One invocation", "Two invocations")
-        self.assertEqual(1, len(self.complaints(lint_sources.twins, shaders__a_DOT_comp=comp, cuda__a_DOT_cu=other)))
-        self.assertEqual(2, len(self.complaints(lint_sources.twins, shaders__a_DOT_comp=comp, cuda__b_DOT_cu=kernel)))
-        host = kernel.replace("__global__ ", "")
-        self.assertEqual(1, len(self.complaints(lint_sources.twins, shaders__a_DOT_comp=comp, cuda__a_DOT_cu=host)))
-        self.assertTrue(self.complaints(lint_sources.twins))
 
     def test_files(self):
         spdx = "// SPDX-License-Identifier: MIT\n"
@@ -64,17 +45,17 @@ class Sources(unittest.TestCase):
         self.assertEqual([], self.complaints(lint_sources.borders, api__open_DOT_cpp=asking))
 
     def test_rooms(self):
-        def check(picture="bench -> glsl\nglsl\n", links="add_room(glsl fmt::fmt)", **texts):
+        def check(arrows="bench -> glsl\nglsl\n", links="add_room(glsl fmt::fmt)", **texts):
             texts = {"bench__b_DOT_h": "", "glsl__g_DOT_h": "", **texts}
-            return self.complaints(lint_rooms.rooms, docs__ARCHITECTURE_DOT_md=f"```rooms\n{picture}```\n",
+            return self.complaints(lint_rooms.rooms, docs__ARCHITECTURE_DOT_md=f"```rooms\n{arrows}```\n",
                                    CMakeLists_DOT_txt=links, **texts)
         self.assertEqual([], check(bench__c_DOT_h='#include "glsl/g.h"\n'))
         self.assertEqual(1, len(check(glsl__h_DOT_h='#include "bench/b.h"\n')))
         self.assertEqual(1, len(check(bench__c_DOT_h='#include "b.h"\n')))
         self.assertEqual(1, len(check(links="add_room(glsl bench)")))
-        self.assertEqual(1, len(check(picture="bench -> glsl\nglsl -> bench\n")))
+        self.assertEqual(1, len(check(arrows="bench -> glsl\nglsl -> bench\n")))
         self.assertEqual(1, len(check(bench__more__b_DOT_h="")))
-        self.assertEqual(1, len(check(picture="bench\nglsl\ncuda\n")))
+        self.assertEqual(1, len(check(arrows="bench\nglsl\ncuda\n")))
         many = {f"glsl__g{k}_DOT_h": "" for k in range(lint_rooms.MOST_FILES)}
         self.assertEqual(1, len(check(**many)))
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rooms and arrows: who may include and link whom, as the picture in docs/ARCHITECTURE.md has it."""
+"""Rooms and arrows: who may include and link whom, as the block in docs/ARCHITECTURE.md has them."""
 
 import re
 
@@ -8,7 +8,7 @@ INCLUDING = (".h", ".cpp", ".cu", ".cuh", ".comp", ".vert", ".frag", ".glsl")
 
 
 def arrows(root):
-    """From each room to those that it may include directly: the lines `room <- room room` of the picture's block."""
+    """From each room to those that it may include directly: the lines `room <- room room` of the block `rooms`."""
     block = re.search(r"^```rooms\n(.*?)^```", (root / "docs/ARCHITECTURE.md").read_text(), re.M | re.S)
     lines = [line.split("#")[0].split("->") for line in block[1].splitlines() if line.split("#")[0].strip()]
     return {line[0].strip(): line[1].split() if len(line) > 1 else [] for line in lines}

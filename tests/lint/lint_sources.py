@@ -31,33 +31,6 @@ def strip_comments(text):
     return re.sub(r"//[^\n]*|/\*.*?\*/", " ", text, flags=re.S)
 
 
-def first_sentence(text):
-    """Of the first comment after the SPDX line: how threads map to work."""
-    comment = []
-    for line in text.splitlines():
-        if line.startswith("//") and "SPDX" not in line:
-            comment.append(line.lstrip("/ ").rstrip())
-        elif comment:
-            break
-    return re.split(r"(?<=\.)\s", " ".join(comment), maxsplit=1)[0]
-
-
-def twins(root, build):
-    """The same stems in the same folders of shaders/ and cuda/, but for cuda/host."""
-    shaders = {p.relative_to(root / "shaders").with_suffix(""): p.read_text() for p in (root / "shaders").rglob("*.comp")}
-    kernels = {p.relative_to(root / "cuda").with_suffix(""): p.read_text() for p in (root / "cuda").rglob("*.cu")}
-    kernels = {stem: text for stem, text in kernels.items() if "__global__" in strip_comments(text)}
-    complaints = [f"shaders/{stem}.comp: has no kernel cuda/{stem}.cu" for stem in sorted(shaders.keys() - kernels)]
-    complaints += [f"cuda/{stem}.cu: has no twin shaders/{stem}.comp" for stem in sorted(kernels.keys() - shaders)]
-    for stem in sorted(shaders.keys() & kernels):
-        left, right = first_sentence(shaders[stem]), first_sentence(kernels[stem])
-        if left != right or not left:
-            complaints.append(f'{stem}: the first sentences differ\n  .comp: "{left}"\n  .cu:   "{right}"')
-    if not shaders and not kernels:
-        complaints.append("no kernels found")
-    return complaints, f"{len(shaders)} shaders and {len(kernels)} kernels"
-
-
 def files(root, build):
     names = ("check", "reproduce", "CMakeLists.txt", ".ci/run", ".ci/sanitize", ".ci/setup.sh")
     scripts = [root / name for name in names]

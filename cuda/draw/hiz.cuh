@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the pyramid of depths says of a box.
+// Lookups in the hierarchical Z: texels that hold the greatest depth of their pixels.
 #pragma once
 
 #include "common/shared/cluster.h"
@@ -7,21 +7,23 @@
 
 namespace spherepair {
 
-// Whether something nearer than `nearest` is seen already at every pixel of the box, as far as this level tells.
-__device__ inline bool is_hidden(const KernelBuffers& w, const View& v, Box box, uint nearest, uint level) {
+__device__ inline uvec2 texel_at(const KernelBuffers& buf, uint k) { return buf.pyramid[k]; }
+
+// Whether every pixel of the box already shows something nearer than `nearest`, as far as this level can tell.
+__device__ inline bool is_hidden(const KernelBuffers& buf, const View& v, Box box, uint nearest, uint level) {
   if (texels_of(box, level) > uint(TEXELS_TO_SEARCH)) return false;
   uint shift = texel_shift(level);
   uint first = first_texel(level, v);
   uint width = texels_along(v.width, level);
   for (uint y = box.y >> shift; y <= (box.y + box.height - 1u) >> shift; ++y)
     for (uint x = box.x >> shift; x <= (box.x + box.width - 1u) >> shift; ++x)
-      if (w.pyramid[first + y * width + x].x >= nearest) return false;
+      if (texel_at(buf, first + y * width + x).x >= nearest) return false;
   return true;
 }
 
-// What the texels of a box say together; infinite when they are too many to look up. Those that are left are not asked
-// for once something seen, or in phases that put nothing off anything, is no nearer than `nearest`.
-__device__ inline uvec2 texel_of_box(const KernelBuffers& w, const View& v, Box box, uint nearest, uint level) {
+// The maximum over the texels of a box; infinite when these are too many. The remaining texels are not loaded once the
+// depth that decides in this phase is no nearer than `nearest`.
+__device__ inline uvec2 texel_of_box(const KernelBuffers& buf, const View& v, Box box, uint nearest, uint level) {
   uvec2 all = {0xFFFFFFFFu, 0xFFFFFFFFu};
   if (texels_of(box, level) > uint(TEXELS_TO_SEARCH)) return all;
   all = texel_of_pixel(0u);
@@ -32,10 +34,10 @@ __device__ inline uvec2 texel_of_box(const KernelBuffers& w, const View& v, Box 
   for (uint y = box.y >> shift; y <= (box.y + box.height - 1u) >> shift; ++y) {
     uint row = first + y * width;
     for (uint x = box.x >> shift; x <= right; x += 4u) {
-      uvec2 a = w.pyramid[row + x];  // all four on their way before the first is asked
-      uvec2 b = w.pyramid[row + min(x + 1u, right)];
-      uvec2 c = w.pyramid[row + min(x + 2u, right)];
-      uvec2 d = w.pyramid[row + min(x + 3u, right)];
+      uvec2 a = texel_at(buf, row + x);  // all four loads are issued before the first is used
+      uvec2 b = texel_at(buf, row + min(x + 1u, right));
+      uvec2 c = texel_at(buf, row + min(x + 2u, right));
+      uvec2 d = texel_at(buf, row + min(x + 3u, right));
       all = texel_of_both(texel_of_both(all, a), texel_of_both(b, texel_of_both(c, d)));
       if ((v.phase == uint(PHASE_NEAR) ? all.y : all.x) >= nearest) return all;
     }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The buffers of every kernel (layout.h says what they hold), and the index of a group whatever the fold and slice of
-// its dispatch.
+// What every kernel sees: the buffers of layout.h, the index of its group, and the index of a sphere.
 #extension GL_ARB_gpu_shader_int64 : require
 #include "common/shared/layout.h"
 
@@ -19,21 +18,27 @@ layout(std430, binding = SLOT_DEFERRED) restrict buffer DeferredBuffer { uvec2 d
 layout(std430, binding = SLOT_PAIR) restrict buffer PairBuffer { uvec2 listed[]; };
 layout(std430, binding = SLOT_ID) restrict ID_ACCESS buffer IdBuffer { uint id[]; };
 
-#ifdef FOLDED
+// The index of this group and the number of groups, however the dispatch is folded and sliced.
+#ifdef FOLDED  // GLSL only: the plain form saves the multiplication where the dispatch is neither folded nor sliced
 uint group_index() { return p.first_group + gl_WorkGroupID.x + gl_NumWorkGroups.x * gl_WorkGroupID.y; }
 uint group_count() { return gl_NumWorkGroups.x * gl_NumWorkGroups.y; }
+// GLSL only from here: the plain form
 #else
 uint group_index() { return gl_WorkGroupID.x; }
 uint group_count() { return gl_NumWorkGroups.x; }
 #endif
+// until here
 
-// Of whoever was found at a place of the launch's order: the number, and the sphere with its radius.
-uint sphere_index(vec4 found, uint sorted_index) {
-  if (INDICES == INDEX_IN_W) return float_bits(found.w);
-  return INDICES == INDEX_IN_ID ? id[sorted_index] : sorted_index;
+uint index_source() { return INDICES; }  // GLSL only: known to the compiler
+
+// The index and the radius of a sphere found at index k of the launch's order. Where INDEX_IN_W, w holds the index in
+// place of the radius, whichever variant of a kernel reads it.
+uint sphere_index(vec4 found, uint k) {
+  if (index_source() == INDEX_IN_W) return float_bits(found.w);
+  return index_source() == INDEX_IN_ID ? id[k] : k;
 }
 vec4 with_radius(vec4 found) {
-  if (INDICES == INDEX_IN_W) found.w = p.radius;
+  if (index_source() == INDEX_IN_W) found.w = p.radius;
   return found;
 }
 

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The picture's buffers, and how a sphere is put at a pixel: of all that the pixel's ray meets, the least depth stays,
-// and of equal ones the least number, whatever the order of the threads.
-#include "shaders/draw/pyramid.glsl"
+// Rasterisation of a sphere into the visibility buffer: each pixel keeps the least depth of all spheres that its ray
+// hits, and of equal depths the least sphere index, in whatever order threads run.
+#include "shaders/draw/hiz.glsl"
 
 #ifndef VISIBLE_ACCESS
 #define VISIBLE_ACCESS coherent
 #endif
 
+// GLSL only from here: a word a pixel for 64-bit atomics, else two
 #ifdef ATOMICS_64
 layout(std430, binding = SLOT_VISIBLE) restrict VISIBLE_ACCESS buffer VisibleBuffer { uint64_t visible[]; };
 #else
 layout(std430, binding = SLOT_VISIBLE) restrict VISIBLE_ACCESS buffer VisibleBuffer { uint visible[]; };
 #endif
+// until here
 layout(std430, binding = SLOT_SORTED_COUNT) restrict readonly buffer SortedCountBuffer { uint sorted_count[]; };
 layout(std430, binding = SLOT_TILE) restrict buffer TileBuffer { uvec2 tile[]; };
 layout(std430, binding = SLOT_DRAWN) restrict buffer DrawnBuffer { uint drawn[]; };
@@ -22,27 +24,31 @@ void count_drawn(uint word) {
   if (v.counting != 0u && v.pass == PASS_DEPTH) atomicAdd(drawn[word], 1u);
 }
 
-// `nearest`: least_depth_of the sphere; where something nearer is seen already, the ray's meeting is not asked for.
+// GLSL only from here: without 64-bit atomics two passes write depth and index
+#ifndef ATOMICS_64
 void draw_at(uint px, uint py, vec4 seen, uint nearest, uint sphere) {
   uint pixel = py * v.width + px;
-#ifdef ATOMICS_64
-  uint64_t there = visible[pixel];
-  if (uint(there >> 32) < nearest) return;
-#else
   uint there = visible[2u * pixel + 1u];
   if (there < nearest) return;
-#endif
   float depth = depth_of_hit(seen, ray_through(px, py, v), v);
   if (depth == 0.0f) return;
-#ifdef ATOMICS_64
-  uint64_t mine = (uint64_t(float_bits(depth)) << 32) | uint64_t(sphere);
-  if (mine < there) atomicMin(visible[pixel], mine);
-#else
   uint bits = float_bits(depth);
   if (v.pass == PASS_DEPTH && bits < there) atomicMin(visible[2u * pixel + 1u], bits);
   if (v.pass == PASS_ID && bits == there) atomicMin(visible[2u * pixel], sphere);
-#endif
 }
+#else
+// until here
+// `nearest`: least_depth_of the sphere; where the pixel already shows something nearer, the ray is not intersected.
+void draw_at(uint px, uint py, vec4 seen, uint nearest, uint sphere) {
+  uint pixel = py * v.width + px;
+  uint64_t there = visible[pixel];
+  if (uint(there >> 32) < nearest) return;
+  float depth = depth_of_hit(seen, ray_through(px, py, v), v);
+  if (depth == 0.0f) return;
+  uint64_t mine = (uint64_t(float_bits(depth)) << 32) | uint64_t(sphere);
+  if (mine < there) atomicMin(visible[pixel], mine);
+}
+#endif  // GLSL only: ends the choice above
 
 void cut_into_tiles(uint sphere, Box box) {
   uint tiles = tiles_along(box.width) * tiles_along(box.height);
@@ -50,49 +56,49 @@ void cut_into_tiles(uint sphere, Box box) {
   for (uint k = 0u; k < tiles && first + k < v.tile_capacity; ++k) tile[first + k] = uvec2(sphere, k);
 }
 
-// The list of those seen and, in four bits, for how long each still stands there.
+// SLOT_SEEN_LIST, and the four bits that say for how many frames a sphere remains in it.
 uint first_seen(uint turn) { return turn * (p.n + 1u); }
 uint shift_in_word(uint seen) { return 4u * (seen % 8u); }
 uint left_of(uint seen) { return seen_left[seen / 8u] >> shift_in_word(seen) & 15u; }
 
-// Where a sphere is to be tried: an empty box where that is nowhere, or draw_tiles does it.
-struct Walk {
+// The pixels that a sphere may cover: an empty box if it is culled or left to draw_tiles.
+struct Footprint {
   vec4 seen;
   Box box;
   uint nearest, sphere;
 };
 
-// It is passed over when it is out of view, between the pixels' centres, hidden or drawn before, and cut into tiles
-// when it is large. One of its threads leads. The contacts of whatever may be seen come along from the cell order.
-Walk walk_of(uint sorted_index, bool leads) {
-  vec4 found = position[sorted_index];
+// A sphere is skipped when it is outside the frustum, between pixel centres, hidden or drawn before, and cut into tiles
+// when it is large; one of its threads, which `leads`, does that and copies its contacts from cell order.
+Footprint footprint_of(uint k, bool leads) {
+  vec4 found = position[k];
   vec4 seen = in_camera(with_radius(found), v);
-  Walk walk = {seen, {0u, 0u, 0u, 0u}, 0u, 0u};
-  Box box = walk.box;
+  Footprint footprint = {seen, {0u, 0u, 0u, 0u}, 0u, 0u};
+  Box box = footprint.box;
   if (in_frustum(seen, v)) box = box_of(seen, v);
   bool none = box.width == 0u || box.height == 0u;
   if (none && leads) count_drawn(seen.w == 0.0f ? DRAWN_UNDRAWABLE : DRAWN_UNSEEN);
-  if (none) return walk;
+  if (none) return footprint;
   bool rest = v.occlusion != 0u && v.phase != PHASE_SEEN;
-  walk.nearest = least_depth_of(seen, box, v);
-  bool asks = rest && box.width * box.height > WALK_UNTESTED;
-  bool hidden = asks && is_hidden(box, walk.nearest, level_for(box));
+  footprint.nearest = least_depth_of(seen, box, v);
+  bool testable = rest && box.width * box.height > PIXELS_UNTESTED;
+  bool hidden = testable && is_hidden(box, footprint.nearest, level_for(box));
   if (hidden) count_drawn(DRAWN_HIDDEN);
-  if (hidden) return walk;
-  walk.sphere = sphere_index(found, sorted_index);
-  if (leads && p.in_cells != 0u) count[walk.sphere] = sorted_count[sorted_index];
-  if (rest && left_of(walk.sphere) != 0u) return walk;
+  if (hidden) return footprint;
+  footprint.sphere = sphere_index(found, k);
+  if (leads && p.in_cells != 0u) count[footprint.sphere] = sorted_count[k];
+  if (rest && left_of(footprint.sphere) != 0u) return footprint;
   bool large = is_large(box, v);
   if (leads) count_drawn(large ? DRAWN_LARGE : DRAWN_SMALL);
-  if (!large) walk.box = box;
-  if (large && leads) cut_into_tiles(walk.sphere, box);
-  return walk;
+  if (!large) footprint.box = box;
+  if (large && leads) cut_into_tiles(footprint.sphere, box);
+  return footprint;
 }
 
-// The work of one of the threads that share the pixels of a walk.
-void draw_walk(Walk walk, uint lane, uint lanes, uint across) {
-  Box box = walk.box;
+// The share of one of the threads that draw a footprint.
+void draw_footprint(Footprint footprint, uint lane, uint lanes, uint across) {
+  Box box = footprint.box;
   for (uint y = box.y + lane / across; y < box.y + box.height; y += lanes / across)
     for (uint x = box.x + lane % across; x < box.x + box.width; x += across)
-      draw_at(x, y, walk.seen, walk.nearest, walk.sphere);
+      draw_at(x, y, footprint.seen, footprint.nearest, footprint.sphere);
 }

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
-// What the pyramid of depths says of a box.
-#include "shaders/buffers.glsl"
+// Lookups in the hierarchical Z: texels that hold the greatest depth of their pixels.
 #include "shaders/draw/view.glsl"
+#include "shaders/kernels.glsl"
 #include "common/shared/cluster.h"
 
+// GLSL only from here: faster through a texture buffer
 #ifdef TEXTURE_TABLE
 layout(binding = PYRAMID_TEXTURE) uniform usamplerBuffer pyramid_texture;
 uvec2 texel_at(uint k) { return texelFetch(pyramid_texture, int(k)).xy; }
 #else
+// until here
 layout(std430, binding = SLOT_PYRAMID) restrict readonly buffer PyramidBuffer { uvec2 pyramid[]; };
 uvec2 texel_at(uint k) { return pyramid[k]; }
-#endif
+#endif  // GLSL only: ends the choice above
 
-// Whether something nearer than `nearest` is seen already at every pixel of the box, as far as this level tells.
+// Whether every pixel of the box already shows something nearer than `nearest`, as far as this level can tell.
 bool is_hidden(Box box, uint nearest, uint level) {
   if (texels_of(box, level) > uint(TEXELS_TO_SEARCH)) return false;
   uint shift = texel_shift(level);
@@ -24,8 +26,8 @@ bool is_hidden(Box box, uint nearest, uint level) {
   return true;
 }
 
-// What the texels of a box say together; infinite when they are too many to look up. Those that are left are not asked
-// for once something seen, or in phases that put nothing off anything, is no nearer than `nearest`.
+// The maximum over the texels of a box; infinite when these are too many. The remaining texels are not loaded once the
+// depth that decides in this phase is no nearer than `nearest`.
 uvec2 texel_of_box(Box box, uint nearest, uint level) {
   uvec2 all = {0xFFFFFFFFu, 0xFFFFFFFFu};
   if (texels_of(box, level) > uint(TEXELS_TO_SEARCH)) return all;
@@ -37,7 +39,7 @@ uvec2 texel_of_box(Box box, uint nearest, uint level) {
   for (uint y = box.y >> shift; y <= (box.y + box.height - 1u) >> shift; ++y) {
     uint row = first + y * width;
     for (uint x = box.x >> shift; x <= right; x += 4u) {
-      uvec2 a = texel_at(row + x);  // all four on their way before the first is asked
+      uvec2 a = texel_at(row + x);  // all four loads are issued before the first is used
       uvec2 b = texel_at(row + min(x + 1u, right));
       uvec2 c = texel_at(row + min(x + 2u, right));
       uvec2 d = texel_at(row + min(x + 3u, right));

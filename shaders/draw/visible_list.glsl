@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Pixels are cleared for the next picture, PIXELS_EACH a thread, and the spheres that they showed are listed for it.
-#define VISIBLE_ACCESS  // nobody draws meanwhile
-#include "shaders/draw/visible.glsl"
+// Clears pixels for the next frame, PIXELS_EACH a thread, and lists the spheres that were visible in them.
+#define VISIBLE_ACCESS  // nothing is drawn meanwhile
+#include "shaders/draw/visibility_buffer.glsl"
 
 shared uint found[BLOCK * PIXELS_EACH];
 shared uint entries;  // of the group
 shared uint first_entry;
 
+// GLSL only from here: a word a pixel for 64-bit atomics, else two
 #ifdef ATOMICS_64
 uvec2 seen_at(uint pixel) { return uvec2(uint(visible[pixel]), uint(visible[pixel] >> 32)); }
 void clear_at(uint pixel) { visible[pixel] = 0xFFFFFFFFFFFFFFFFul; }
@@ -17,8 +18,10 @@ void clear_at(uint pixel) {
   visible[2u * pixel + 1u] = 0xFFFFFFFFu;
 }
 #endif
+// until here
 
-// Only the first of a sphere's pixels need to ask: one whose neighbours, unless they are cleared already, show another.
+// Whether the pixel's sphere is to be listed. Only pixels whose left and upper neighbours show another sphere, or are
+// cleared already, test the bits of the sphere.
 bool is_new(uint pixel) {
   uint sphere = seen_at(pixel).x;
   uint left = seen_at(max(pixel, 1u) - 1u).x;
@@ -29,7 +32,7 @@ bool is_new(uint pixel) {
   return (atomicOr(seen_left[sphere / 8u], all) & all) == 0u;
 }
 
-// All threads of the group call it before and after their pixels; the list is that of a View::turn.
+// All threads of the group call begin_list before and end_list after their pixels; the list is that of a View::turn.
 void begin_list() {
   if (gl_LocalInvocationID.x == 0u) entries = 0u;
   barrier();
