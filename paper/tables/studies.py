@@ -1,101 +1,27 @@
 # SPDX-License-Identifier: MIT
-"""Tables of the studies that have runs of their own: the stress catalogue, peers, crossovers, hand-overs."""
-import re
-from dataclasses import dataclass
-
-from crossovers import crossovers_by_kind
-from ranks import verdict
-from records import Missing
-from records import peers as measured_peers
-from tabular import Table, interval, ms
+"""Tables of the studies with their own runs: grid sizes, peers, crossovers, transfers, loops."""
+from paper.numbers.crossovers import crossovers_by_kind
+from paper.numbers.ranks import verdict
+from paper.numbers.transfers import hidden, overlaps
+from paper.records import Missing
+from paper.records import peers as measured_peers
+from paper.tables.tabular import Table
+from paper.text import interval, ms
 
 DEVICES = ("cuda", "glsl")
 GRID = {"table": "grid", "scene": "uniform", "method": "collide_grid"}
-ROWS = range(1, 34)  # of the catalogue
-STRESS = ("The stress catalogue: what each row sets up, what was found, what had to hold, and on which backends "
-          "it did. A figure without a name is that of every backend.")
-PEERS = ("Milliseconds from so many centres on the GPU, in random order and of the packing fraction below, to the"
-         " number of colliding pairs, or to what else a system offers: ours beside other systems on the same "
-         "centres. The others were timed in one run of their own ({run}), on an H200 too, as medians without "
-         "intervals; wrong pairs are of the last column. Ours:")
-CROSSOVERS = ("The least $n$ up to {most:,} from which the grid stays ahead of all pairs, as intervals or the rank test tell, by the"
-              " kind of spheres, and how many times the best fixed choice the program's own (auto) took at worst;"
-              " 1 where no difference is seen, or where it took the same.")
-HAND_OVERS = ("CUDA steps, OpenGL draws {draw}: a picture with its hand-over, a step, both in a loop that waits for "
-              "nothing but the hand-over, and what that hides of the sum of the two; medians, in brackets what their "
-              "intervals allow.")
-MOST_HANDED_OVER = 10**6  # spheres of the prose; with more, GL's points take longer than all else
-HAND_OVERS_ALONE = {"none": ("host", "registered", "imported")}  # beside them stand those with a picture
-LOOPS = ("A whole loop, the first 20 steps of a fall: move, collide through the grid, draw; and the pictures a second "
-         "that this makes. From CUDA to GL: CUDA steps and OpenGL draws {draw}, by the fastest hand-over, pipelined.")
-
-
-@dataclass
-class Stressed:
-    """One test of a row of the catalogue, on every backend that it ran on."""
-    row: int
-    scene: str
-    what: str
-    bound: str
-    verdicts: dict  # backend, or all -> verdict
-    figures: dict
-
-
-def in_thousands(text):
-    """10000000 -> 10,000,000, where it is a number of its own."""
-    return re.sub(r"(?<![\w.,^+-])\d{5,}(?![\w.])", lambda number: f"{int(number[0]):,}", text)
-
-
-def stressed(machine):
-    tests = {}
-    for entry in machine.source("stress.json")["rows"]:
-        test = tests.setdefault((entry["row"], entry["what"]), Stressed(
-            entry["row"], entry["scene"], entry["what"], entry["bound"], {}, {}))
-        test.verdicts[entry["backend"]] = entry["verdict"]
-        if entry["verdict"] != "skipped":
-            test.figures[entry["backend"]] = in_thousands(entry["figure"])
-    found = list(tests.values())
-    failed = [f"{test.row}: {test.what}" for test in found if "FAIL" in test.verdicts.values()]
-    if failed:
-        raise Missing(f"{machine.name}: rows of the stress catalogue failed, {', '.join(failed)}")
-    absent = [str(row) for row in ROWS if not any(test.row == row and test.figures for test in found)]
-    if absent:
-        raise Missing(f"{machine.name}: rows {', '.join(absent)} of the stress catalogue were not run")
-    return found
-
-
-def recorded_stress(machines):
-    """The first machine that has a record of the catalogue."""
-    found = [machine for machine in machines if "stress.json" in machine.sources]
-    if not found:
-        raise Missing("no machine has a stress.json")
-    return found[0]
-
-
-def figure_text(figures):
-    """One for all backends that found the same, else each with who found it."""
-    owners = {}
-    for backend, figure in figures.items():
-        owners.setdefault(figure, []).append(backend)
-    if len(owners) == 1:
-        return next(iter(owners)) or "-"
-    return "; ".join(f"{', '.join(name.upper() for name in names)}: {figure}" for figure, names in owners.items())
-
-
-def stress(machine):
-    rows, last = [], None
-    for test in stressed(machine):
-        verdicts = [test.verdicts.get(name, test.verdicts.get("all", "-") if machine.has(name) else "-")
-                    for name in ("cpu", "glsl", "cuda")]
-        verdicts = ["-" if verdict == "skipped" else verdict for verdict in verdicts]
-        first = test.row != last
-        rows.append([str(test.row) if first else "", test.scene if first else "", test.what,
-                     figure_text(test.figures), test.bound, *verdicts])
-        last = test.row
-    columns = ("r", *(f">{{\\raggedright\\arraybackslash}}p{{{width}mm}}" for width in (29, 25, 49, 25)), "l", "l", "l")
-    heads = [[("", 1)] * 8, ["row", "scene", "what is tested", "figure", "bound", "CPU", "GLSL", "CUDA"]]
-    return Table("stress", STRESS, heads, rows, left=8, columns=columns, source=machine.source("stress.json")["id"],
-                 long=True)
+PEERS = ("Milliseconds from centres on the GPU, in random order and of the packing fraction below, to the number of"
+         " colliding pairs, or to the output that a system offers: ours and other systems on the same "
+         "centres. The others were timed in a separate run ({run}), also on an H200, as medians without "
+         "intervals; wrong pairs are those of the last column. Ours:")
+CROSSOVERS = ("The least $n$ up to {most:,} from which the grid stays faster than all pairs, by intervals or the rank test, per"
+              " kind of spheres; and the greatest ratio of the automatic choice's time to the best fixed choice's (auto),"
+              " 1 if no difference is seen or both are the same.")
+TRANSFERS = ("CUDA steps, OpenGL draws {draw}: a frame with its transfer, a step, and both in a loop that waits only for the "
+             "transfer; hidden: what that loop saves of the sum of the two. Medians, in brackets the bounds from their "
+             "intervals.")
+LOOPS = ("A whole loop, the first 20 steps of a fall: move, collide through the grid, draw; and its frames per second. "
+         "CUDA to GL: CUDA steps and OpenGL draws {draw}, by the fastest transfer, pipelined.")
 
 
 def ours(machine, name, sizes):
@@ -161,56 +87,37 @@ def grid_sizes(machine):
                  source=", ".join(dict.fromkeys(sources)))
 
 
-def overlaps(machine):
-    """Of all records of hand-overs, as if they were one."""
-    roots = [root for root in machine.sources.values() if root.get("overlaps")]
-    if not roots:
-        raise Missing(f"{machine.name} has no record of `spherepair frames --hand-over`")
-    whole = {key: [entry for root in roots for entry in root[key]] for key in ("overlaps", "frames")}
-    return whole | {"id": ", ".join(root["id"] for root in roots)}
-
-
-def hidden(root, entry):
-    """What pipelining saves, ms, and what the intervals of the three medians allow; negative where it costs."""
-    rows = {row["work"]: row for row in root["frames"] if row["n"] == entry["n"] and
-            row["draw"] in (entry["draw"], "none") and row["work"] not in HAND_OVERS_ALONE.get(row["draw"], ())}
-    (least, most), (step_least, step_most), (both_least, both_most) = (
-        rows[work]["interval_ms"] for work in (entry["hand_over"], "step", f"{entry['hand_over']}_pipelined"))
-    return (entry["picture_ms"] + entry["step_ms"] - entry["pipelined_ms"], least + step_least - both_most,
-            most + step_most - both_least)
-
-
-def hand_over(machine):
+def transfer(machine):
     rows, root = [], overlaps(machine)
     for entry in root["overlaps"]:
-        times = [entry[f"{what}_ms"] for what in ("picture", "step", "pipelined")]
+        times = [entry[f"{what}_ms"] for what in ("frame", "step", "pipelined")]
         middle, least, most = hidden(root, entry)
-        rows.append([entry["hand_over"], size_text(entry["n"]), *map(ms, times),
+        rows.append([entry["transfer"], size_text(entry["n"]), *map(ms, times),
                      f"{ms(middle)} [{ms(least)}, {ms(most)}]"])
-    heads = [[("", 2), ("milliseconds", 4)], ["way", "spheres", "picture", "step", "both", "hidden"]]
-    caption = HAND_OVERS.format(draw=root["overlaps"][0]["draw"])
-    return Table("hand-over", caption, heads, rows, left=1, source=root["id"])
+    heads = [[("", 2), ("milliseconds", 4)], ["transfer", "spheres", "frame", "step", "both", "hidden"]]
+    caption = TRANSFERS.format(draw=root["overlaps"][0]["draw"])
+    return Table("transfer", caption, heads, rows, left=1, source=root["id"])
 
 
 def loop(machine):
-    handed = overlaps(machine)
-    rows, sources = [], [handed["id"]]
+    transfers = overlaps(machine)
+    rows, sources = [], [transfers["id"]]
     for place in ("outside", "inside"):
         for n in sorted({row.n for row in machine.need(table="draw", work="loop") if row.place == place}):
             glsl, cuda = (machine.select(table="draw", work="loop", place=place, n=n, backend=name)
                           for name in ("glsl", "cuda"))
             cells = [f"{interval(found[0])}" if found else "-" for found in (glsl, cuda)]
             rates = [f"{1e3 / found[0].median:,.0f}" if found else "-" for found in (glsl, cuda)]
-            across = min((entry["pipelined_ms"] for entry in handed["overlaps"] if entry["n"] == n), default=None)
+            across = min((entry["pipelined_ms"] for entry in transfers["overlaps"] if entry["n"] == n), default=None)
             known = across is not None and place == "outside"
             rows.append([place, size_text(n), *cells, ms(across) if known else "-", *rates,
                          f"{1e3 / across:,.0f}" if known else "-",
                          verdict(glsl[0], cuda[0]).removesuffix(" faster") if glsl and cuda else "-"])
             sources += [found[0].source for found in (glsl, cuda) if found]
-    heads = [[("", 2), ("median [interval], ms", 3), ("pictures a second", 3), ("", 1)],
+    heads = [[("", 2), ("median [interval], ms", 3), ("frames per second", 3), ("", 1)],
              ["camera", "spheres", *["GLSL", "CUDA", "to GL"] * 2, "faster"]]
-    caption = LOOPS.format(draw=handed["overlaps"][0]["draw"])
+    caption = LOOPS.format(draw=transfers["overlaps"][0]["draw"])
     return Table("loop", caption, heads, rows, left=1, source=", ".join(dict.fromkeys(sources)))
 
 
-STUDIED = (stress, grid_sizes, peers, crossover, hand_over, loop)
+STUDIED = (grid_sizes, peers, crossover, transfer, loop)
