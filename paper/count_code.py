@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What each API asks of the programmer: lines of every twin kernel and of the host code, and nvcc's time per kernel.
+"""The code of each API: lines of every kernel in both languages and of the host code, and nvcc's time per kernel.
 
   paper/count_code.py --output paper/data/code.json [--build build/check]
 
-Lines are counted without blank ones and comments. nvcc's time is processor time, so that a busy machine does not
-change it much: the least of several compilations by the command in BUILD/compile_commands.json. Without such a build
-or without nvcc the times are left out.
+Lines are counted without blank lines and comments. nvcc's time is processor time, which a busy machine hardly changes:
+the minimum of several compilations by the command in BUILD/compile_commands.json. Without such a build or without nvcc
+the times are left out.
 """
 import argparse
 import datetime
@@ -34,7 +34,7 @@ def total(*patterns):
 
 
 def same_lines(left, right):
-    """Lines that stand in both, in the same order."""
+    """Number of common lines, in the same order."""
     return sum(block.size for block in difflib.SequenceMatcher(None, left, right, False).get_matching_blocks())
 
 
@@ -46,7 +46,7 @@ def processor_seconds(command, folder):
 
 
 def compile_seconds(build, rounds):
-    """Kernel -> processor seconds of its nvcc command, with the object thrown away."""
+    """Kernel -> processor seconds of its nvcc command; the object is discarded."""
     commands = build / "compile_commands.json"
     if not commands.exists():
         return {}
@@ -63,8 +63,9 @@ def compile_seconds(build, rounds):
 
 
 def twins(seconds):
-    for shader in sorted((ROOT / "shaders").glob("*.comp")):
-        glsl, cuda = code_lines(shader), code_lines(ROOT / "cuda" / f"{shader.stem}.cu")
+    for shader in sorted((ROOT / "shaders").rglob("*.comp"), key=lambda path: path.stem):
+        folder = shader.parent.relative_to(ROOT / "shaders")
+        glsl, cuda = code_lines(shader), code_lines(ROOT / "cuda" / folder / f"{shader.stem}.cu")
         row = {"kernel": shader.stem, "glsl_lines": len(glsl), "cuda_lines": len(cuda),
                "same_lines": same_lines(glsl, cuda)}
         if shader.stem in seconds:
@@ -91,10 +92,10 @@ def main():
     options = parser.parse_args()
     seconds = compile_seconds(options.build, options.rounds)
     result = {"format": "spherepair code 1", "context": context(), "twins": list(twins(seconds)),
-              "support": {"glsl": total("shaders/*.glsl"), "cuda": total("cuda/*.cuh")},
-              "host": {"glsl": total("glsl/*.cpp", "glsl/*.h"), "cuda": total("cuda/*.cpp", "cuda/*.h")},
-              "shared": {"arithmetic": total(*(f"common/{name}.h" for name in SHARED_ARITHMETIC)),
-                         "host": total("common/device_*.cpp", "common/device_*.h")}}
+              "support": {"glsl": total("shaders/**/*.glsl"), "cuda": total("cuda/**/*.cuh")},
+              "host": {"glsl": total("glsl/*.cpp", "glsl/*.h"), "cuda": total("cuda/**/*.cpp", "cuda/**/*.h")},
+              "shared": {"arithmetic": total(*(f"common/shared/{name}.h" for name in SHARED_ARITHMETIC)),
+                         "host": total("common/device/*.cpp", "common/device/*.h")}}
     options.output.write_text(json.dumps(result, indent=1) + "\n")
     print(f"{len(result['twins'])} twins, {len(seconds)} of them compiled: {options.output}")
 

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 """Draws every figure and table that recorded runs allow.
 
-  paper/figures.py                          of paper/data/h200 into build/paper, with the numbers of paper.tex
-  paper/figures.py --headline    the picture and table of the README, from paper/data/h200
-  paper/figures.py --data FOLDER... --output F    of those folders, each into a folder of its own, and side by side
+  paper/figures.py                                from paper/data/h200 to build/paper, with the numbers of paper.tex
+  paper/figures.py --headline                     the README's image and table, from paper/data/h200
+  paper/figures.py --data FOLDER... --output F    from those folders, each to its own folder, and side by side
 """
 import argparse
 import importlib
@@ -12,25 +12,24 @@ import pkgutil
 import sys
 from pathlib import Path
 
-import beside
-import headline
-import macros
-import plots
-import plots.ratio
-import style
-import tables
-from records import DATA, Machine, Missing
-from tabular import escape
-
 ROOT = Path(__file__).resolve().parent.parent
+sys.path[0] = str(ROOT)  # in place of paper/, whose numbers/ would hide Python's module of that name
+
+from paper import headline, plots, side_by_side, style  # noqa: E402  (the path must be set first)
+from paper.numbers import macros  # noqa: E402
+from paper.plots import ratio  # noqa: E402
+from paper.records import DATA, Machine, Missing  # noqa: E402
+from paper.tables import all_tables  # noqa: E402
+from paper.tables.stress import stress  # noqa: E402
+from paper.text import escape  # noqa: E402
 
 
 def modules():
-    return [importlib.import_module(f"plots.{found.name}") for found in pkgutil.iter_modules(plots.__path__)]
+    return [importlib.import_module(f"paper.plots.{found.name}") for found in pkgutil.iter_modules(plots.__path__)]
 
 
 def source_of(module, machine, otherwise):
-    """What stands under a figure: the machine and run, or where else its records come from."""
+    """The line under a figure: the machine and run, or the other source of its records."""
     if hasattr(module, "source"):
         return module.source(machine)
     if hasattr(module, "TABLE"):
@@ -40,7 +39,7 @@ def source_of(module, machine, otherwise):
 
 
 def draw_all(machine, folder):
-    """Returns (what was drawn, what was left out and why); a figure without its data is never drawn in part."""
+    """Returns (names drawn, names left out with reasons); a figure without all of its data is not drawn."""
     drawn, left_out = [], []
     style.name_devices(machine)
     for module in modules():
@@ -57,9 +56,9 @@ def draw_all(machine, folder):
 
 
 def report(machine, folder):
-    """Draws and writes what there is, says what there is not; returns (figures, tables, reasons by name)."""
+    """Draws and writes what the records allow and reports the rest; returns (figures, tables, reasons by name)."""
     drawn, left_out = draw_all(machine, folder)
-    written, unwritten = tables.write_all(machine, folder)
+    written, unwritten = all_tables.write_all(machine, folder)
     print(f"{machine.title}\n  figures: {', '.join(drawn)}\n  tables: {', '.join(written)}")
     for name, reason in left_out + unwritten:
         print(f"  {name} is left out: {reason}")
@@ -67,7 +66,7 @@ def report(machine, folder):
 
 
 def write_captions(machine, path):
-    """The text under each figure and table that there is, with the machine and the run."""
+    """The captions of the figures and tables that were made, with the machine and the run."""
     lines = []
     for module in modules():
         try:
@@ -76,17 +75,17 @@ def write_captions(machine, path):
         except Missing:
             continue
         lines.append(f"\\definecaption{{{module.NAME}}}{{{text} {source}.}}")
-    for table in tables.all_tables(machine):
+    for table in all_tables.all_tables(machine):
         source = machine.short.replace(machine.id, table.source or machine.id)
         lines.append(f"\\definecaption{{{table.name}}}{{{table.caption} {escape(source)}.}}")
     path.write_text("\n".join(lines) + "\n")
 
 
 def write_stress(machine, output):
-    """The catalogue of a machine without a GPU, under its own name, where the main one has none."""
-    table = tables.of_one(tables.stress, machine)
-    tables.write(table, machine, output / "recorded")
-    text = f"{table.caption} {escape(tables.table_title(table, machine))}."
+    """The stress catalogue of a machine without a GPU, if the main machine has none."""
+    table = all_tables.of_one(stress, machine)
+    all_tables.write(table, machine, output / "recorded")
+    text = f"{table.caption} {escape(all_tables.table_title(table, machine))}."
     with (output / "captions.tex").open("a") as captions:
         captions.write(f"\\definecaption{{{table.name}}}{{{text}}}\n")
     return table.name
@@ -106,13 +105,13 @@ def write_paper_inputs(output):
 
 
 def write_headline(machine):
-    style.save_png(plots.ratio.draw(machine), ROOT / "paper/headline.png", machine.title)
+    style.save_png(ratio.draw(machine), ROOT / "paper/headline.png", machine.title)
     readme = ROOT / "README.md"
     readme.write_text(headline.updated(readme.read_text(), machine))
 
 
-def side_by_side(machines, output):
-    """What no machine has stands at the end, with the reasons."""
+def draw_side_by_side(machines, output):
+    """Figures that no machine has are listed last, with the reasons."""
     figures, tables_made, reasons = {}, {}, {}
     for machine in machines:
         drawn, written, left_out = report(machine, output / machine.name)
@@ -120,19 +119,19 @@ def side_by_side(machines, output):
         tables_made.update(dict.fromkeys(written))
         reasons.update({(machine.name, name): reason for name, reason in left_out.items()})
     figures.update(dict.fromkeys(module.NAME for module in modules()))
-    print(f"Side by side: {beside.write(output, machines, figures, tables_made, reasons)}")
+    print(f"Side by side: {side_by_side.write(output, machines, figures, tables_made, reasons)}")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--data", type=Path, nargs="+", help="folders of recorded runs")
-    parser.add_argument("--headline", action="store_true", help="the README's picture and table, and nothing else")
+    parser.add_argument("--headline", action="store_true", help="only the README's image and table")
     parser.add_argument("--output", type=Path, default=ROOT / "build/paper", help="where the files go")
     options = parser.parse_args()
     if options.headline:
         write_headline(Machine(DATA / "h200"))
     elif options.data:
-        side_by_side([Machine(folder) for folder in options.data], options.output)
+        draw_side_by_side([Machine(folder) for folder in options.data], options.output)
     else:
         write_paper_inputs(options.output)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What each program writes, as rows of one form: parameters, and samples, median and interval in milliseconds."""
+"""The records of each program as rows of one form: parameters, samples, median and interval in milliseconds."""
 
 
 def rows_of(root):
@@ -11,31 +11,31 @@ def rows_of(root):
     return root.get("measurements", root.get("records", []))
 
 
-HAND_OVERS = {"host": "through the host's memory", "registered": "GL's buffer, registered with CUDA",
+TRANSFERS = {"host": "through the host's memory", "registered": "GL's buffer, registered with CUDA",
               "imported": "CUDA's memory, imported by GL"}
 
 
 def frames(root):
-    """Of `spherepair frames`; a picture with and without its skips is also a row of the table `skips`, a hand-over
-    without a picture one of the table `interop`."""
+    """Of `spherepair frames`; `frame` and `frame_all` are also rows of the table `ablation`, a transfer without an image
+    is a row of the table `interop`."""
     rows, with_all = [], any(entry["work"] == "frame_all" for entry in root["frames"])
     for entry in root["frames"]:
         if "overlaps" in root and entry["work"] == "frame":
-            continue  # of a run of hand-overs, beside which it stands; drawing has runs of its own
-        if entry["draw"] == "none" and entry["work"] in HAND_OVERS:
-            rows.append({**entry, "table": "interop", "way": HAND_OVERS[entry["work"]], "scene": {"name": "uniform"}})
+            continue  # timed along with the transfers; drawing has its own runs
+        if entry["draw"] == "none" and entry["work"] in TRANSFERS:
+            rows.append({**entry, "table": "interop", "way": TRANSFERS[entry["work"]], "scene": {"name": "uniform"}})
             continue
         row = {**entry, "table": "draw", "scene": {"name": "uniform"}}
         rows.append(row)
         if with_all and entry["draw"] == "compute" and entry["work"] in ("frame", "frame_all"):
-            rows.append({**row, "table": "skips", "skip": f"drawing, camera {entry['place']}",
+            rows.append({**row, "table": "ablation", "option": f"drawing, camera {entry['place']}",
                          "on": entry["work"] == "frame"})
     return rows
 
 
 def precision(root):
-    """Of `spherepair precision`: each time of a step with the error at the same time step, whose bits are the same
-    everywhere, so that any backend's will do."""
+    """Of `spherepair precision`: each time of a step with the error at the same time step, which is the same on every
+    backend."""
     errors = {(entry["method"], entry["precision"], entry["k"]): entry["rms"] for entry in root["errors"]}
     rows = []
     for entry in root["times"]:
@@ -48,7 +48,7 @@ def precision(root):
 
 
 def benchmarks(root):
-    """Of spherepair_bench, one row for all repetitions: parameters stand in the label and in the counters."""
+    """Of spherepair_bench, one row for all repetitions: the parameters are in the label and in the counters."""
     rows = {}
     for entry in root["benchmarks"]:
         if entry["run_type"] != "iteration" or entry.get("error_occurred"):

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""The README's headline from recorded runs: the rows of its table, found by their first words, and who leads."""
+"""The README's headline from recorded runs: the rows of its table, found by their first words, and the comparison of
+the APIs."""
 import re
 import textwrap
 
-import leads
-from derived import cost, matched, pairs_of
-from ranks import differ
-from records import original_paper
+from paper.numbers import leads
+from paper.numbers.derived import cost, matched, pairs_of
+from paper.numbers.ranks import differ
+from paper.records import original_paper
 
 SIZE = 16384
 MANY = 10**7  # through the grid
@@ -23,7 +24,7 @@ def medians(machine, **wanted):
 
 
 def with_doubt(record):
-    """Milliseconds, with the interval where it is wide: the CPU's cores are shared with other hosts."""
+    """Milliseconds, with the interval if it is wide: the CPU's cores are shared with other hosts."""
     wide = record.high - record.low > 0.1 * record.median
     return f"{short(record.median)} ms" + (f" [{short(record.low)}, {short(record.high)}]" if wide else "")
 
@@ -35,7 +36,7 @@ def through_the_grid(machine, order):
     return cells + [f"{short(cpu)} ms" if cpu else "-"]
 
 
-def pictures(machine):
+def frames(machine):
     wanted = {"table": "draw", "n": MANY, "draw": "compute", "work": "frame", "place": "outside"}
     return [f"{short(machine.one(backend=name, **wanted).median)} ms" for name in DEVICES]
 
@@ -60,17 +61,17 @@ def rows(machine):
             ("pairs of 10,000,000 spheres through the grid", ", packing fraction 0.3, in cell order",
              *through_the_grid(machine, "warm")),
             ("the same in random order", ", sorted first", *through_the_grid(machine, "cold")),
-            ("a picture of 10,000,000 spheres", ", 1920×1080, compute rasteriser, camera outside", *pictures(machine),
+            ("a frame of 10,000,000 spheres", ", 1920×1080, compute rasteriser, camera outside", *frames(machine),
              "-"),
-            ("pairs tested a second", ", n = 2²⁰, packing fraction 0.3", *rates, "-"),
+            ("pairs tested per second", ", n = 2²⁰, packing fraction 0.3", *rates, "-"),
             ("the paper's own tile", ", 16,384 spheres", *medians(machine, table="table1", method="collide_tiled"),
              "-"),
-            ("what exactness costs", " at 16,384 spheres", *(costs[name, "collide_triangle"] for name in DEVICES),
+            ("cost of exactness", " at 16,384 spheres", *(costs[name, "collide_triangle"] for name in DEVICES),
              costs["cpu", "parallel"])]
     return [(words, f"| {words}{rest} | {' | '.join(cells)} |") for words, rest, *cells in made]
 
 
-def who_leads(machine):
+def comparison(machine):
     """The paragraph under the table."""
     found = leads.contests(machine)
     wanted = {"table": "grid", "scene": "uniform", "method": "collide_grid"}
@@ -78,19 +79,18 @@ def who_leads(machine):
     grid = [leads.contest(*pair) for fraction in fractions for order in ("warm", "cold")
             for pair in matched(machine, **wanted, packing_fraction=fraction, order=order)]
     cuda = leads.won(grid, "cuda")
-    text = (f"Where all pairs meet, {leads.headline(found)}: {leads.wins(found)}. Through the grid, whose steps are "
-            f"short kernels, CUDA takes {leads.span(cuda)} % less time in {len(cuda)} of {len(grid)} contests. "
-            "Medians of recorded runs with their intervals: [paper/data/h200](paper/data/h200). What was tried on the "
-            "way: [docs/NOTES](docs/NOTES/README.md).")
-    whole = text.replace(" %", "\u00a0%")  # a number and its unit stay on one line
-    return textwrap.fill(whole, 120, break_long_words=False, break_on_hyphens=False).replace("\u00a0", " ")
+    text = (f"For all pairs, {leads.headline(found)}: {leads.ratios_by_size(found)}. Through the grid, whose steps are "
+            f"short kernels, GLSL takes {leads.ratios(cuda)} CUDA's time in {len(cuda)} of {len(grid)} comparisons. "
+            "Medians of recorded runs with their intervals: [paper/data/h200](paper/data/h200). Design decisions and "
+            "rejected alternatives: [docs/NOTES](docs/NOTES/README.md).")
+    return textwrap.fill(text, 120, break_long_words=False, break_on_hyphens=False)
 
 
 def updated(readme, machine):
     """The README with these rows and this paragraph replaced; each must be there."""
-    places = [(rf"^\| {re.escape(words)}.*$", row) for words, row in rows(machine)]
-    for pattern, text in (*places, (r"^Where all pairs meet,.*(\n.+)*", who_leads(machine))):
+    parts = [(rf"^\| {re.escape(words)}.*$", row) for words, row in rows(machine)]
+    for pattern, text in (*parts, (r"^For all pairs,.*(\n.+)*", comparison(machine))):
         readme, count = re.subn(pattern, lambda _: text, readme, flags=re.MULTILINE)
         if count != 1:
-            raise ValueError(f"the README has {count} places that match: {pattern}")
+            raise ValueError(f"the README has {count} matches of: {pattern}")
     return readme

@@ -4,7 +4,7 @@
 A folder under paper/data is one machine. Every JSON file in it is a source, and so is every folder of JSON files (of a
 sweep); its id is the machine's name and the first 8 hexadecimal digits of the SHA-256 of its bytes. One record is one
 measurement: what was run (any parameters the writer chose), its samples, median and interval in milliseconds, and the
-source it came from; formats.py knows how each program writes them.
+source it came from; formats.py reads the files of each program, old_names.py renames what earlier versions wrote.
 """
 import hashlib
 import json
@@ -13,7 +13,7 @@ import statistics
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import formats
+from paper import formats, old_names
 
 DATA = Path(__file__).resolve().parent / "data"
 
@@ -23,7 +23,7 @@ class Missing(Exception):
 
 
 def said(machine, holds, what):
-    """The prose says so; where the records do not, its numbers are refused, and with them the paper."""
+    """Refuses the numbers, and with them the paper, if the records contradict what the prose states."""
     if not holds:
         raise Missing(f"{machine.name}: the text says that {what}, and the records do not")
 
@@ -36,7 +36,7 @@ class Record:
     high: float
     source: str
     date: str = ""  # of the run
-    swept: bool = False  # by `spherepair sweep`, where the group size is the one that is chosen for n
+    swept: bool = False  # by `spherepair sweep`, which uses the group size that is chosen for n
 
     def __getattr__(self, name):
         if name in self.parameters:
@@ -50,7 +50,7 @@ class Record:
 
 
 def median_interval(samples, confidence=0.95):
-    """The narrowest symmetric pair of order statistics that holds the median so often; the whole range if none does."""
+    """The narrowest symmetric pair of order statistics with this coverage of the median; the whole range if none has it."""
     values, n = sorted(samples), len(samples)
     left_out = 0  # on each side
     while 2 * sum(math.comb(n, k) for k in range(left_out + 2)) <= (1 - confidence) * 2**n and 2 * left_out + 2 < n:
@@ -59,7 +59,7 @@ def median_interval(samples, confidence=0.95):
 
 
 def summary(row):
-    """(median, low, high) in milliseconds, as the writer left them or from its samples."""
+    """(median, low, high) in milliseconds, as recorded or from the samples."""
     samples = row.get("samples_ms")
     median = row["median_ms"] if "median_ms" in row else statistics.median(samples)
     low, high = row["interval_ms"] if "interval_ms" in row else median_interval(samples)
@@ -75,7 +75,7 @@ def digest(raw):
 
 
 def work_of(record):
-    """What a step of the grid or a picture is timed of; None for others, whose runs stand side by side."""
+    """The parameters that identify a timing of the grid or of drawing; None for others, whose runs are all kept."""
     names = ("table", "backend", "method", "draw", "work", "place", "n", "order")
     if record.parameters.get("table") not in ("grid", "draw"):
         return None
@@ -84,7 +84,7 @@ def work_of(record):
 
 
 def latest(records):
-    """Where several runs timed the same work, that of the latest; of the grid, sweeps alone if there is one."""
+    """The latest record of each work; of the grid only those of sweeps if there is one."""
     swept = any(record.swept for record in records)
     records = [record for record in records
                if record.swept or not (swept and record.parameters.get("table") == "grid")]
@@ -122,7 +122,8 @@ class Machine:
         for root in map(json.loads, raws):
             if not isinstance(root, dict):
                 continue
-            self.sources[name] = {**root, "id": source}
+            root = old_names.renamed(root)
+            self.sources[old_names.FILES.get(name, name)] = {**root, "id": source}
             for row in formats.rows_of(root):
                 median, low, high = summary(row)
                 date = root.get("context", {}).get("date", "")
@@ -160,7 +161,7 @@ class Machine:
         return any(backend["name"] == name and backend["open"] for backend in self.main["backends"])
 
     def seen(self, field):
-        """What the GPU's own tool said about itself around every table, each value once."""
+        """The values that nvidia-smi reported around every table, each once."""
         gpus = [gpu for moment in self.main["clocks"] for gpu in moment["gpus"] or []]
         return ", ".join(dict.fromkeys(gpu[field] for gpu in gpus))
 
@@ -170,18 +171,18 @@ class Machine:
 
     @property
     def software(self):
-        """GLSL runs on the CPU there, so its times say nothing about a GPU."""
+        """GLSL runs on the CPU, so its times say nothing about a GPU."""
         return self.has("glsl") and self.backend("glsl")["software"]
 
     @property
     def short(self):
-        """What a caption says: the appendix and the recorded file have the rest."""
+        """Device and run, for captions."""
         name = "cuda" if self.has("cuda") else "glsl" if self.has("glsl") else "cpu"
         return f"{self.backend(name)['device']}, run {self.id}"
 
     @property
     def title(self):
-        """One line that names the hardware and the run."""
+        """One line with the hardware and the run."""
         context = self.main["context"]
         cpu = f"{context['machine']['cpu'].replace('(R)', '')}, {context['machine']['hardware_threads']} threads"
         if self.has("cuda"):
@@ -194,24 +195,24 @@ class Machine:
 
 
 def named(machine, records):
-    """What stands under a figure of these records: the machine with their runs in place of its main one."""
+    """The line under a figure of these records: the machine and their runs."""
     return machine.title.replace(machine.id, ", ".join(dict.fromkeys(record.source for record in records)))
 
 
 def original_paper():
-    """What the original paper printed, row by row."""
+    """The original paper's printed times, row by row."""
     return json.loads((DATA / "original-paper.json").read_text())
 
 
 def recorded_code():
-    """Lines and compile times of the twins, as count_code.py left them."""
+    """Lines and compile times of the kernels, from count_code.py."""
     path = DATA / "code.json"
     if not path.exists():
         raise Missing(f"{path} is not there: paper/count_code.py writes it")
-    return {**json.loads(path.read_text()), "id": f"code:{digest(path.read_bytes())}"}
+    return {**old_names.renamed(json.loads(path.read_text())), "id": f"code:{digest(path.read_bytes())}"}
 
 
 def peers():
-    """Times of other systems on the same centres, which are in a file of their own."""
+    """Times of other systems on the same centres."""
     path = DATA / "peers.json"
     return {**json.loads(path.read_text()), "id": f"peers:{digest(path.read_bytes())}"}

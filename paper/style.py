@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""One look for every figure: a series keeps its marker, line and grey level, so that grey print still reads."""
+"""The style of all figures: each series has its marker, line and grey level, readable in grey print."""
 import matplotlib
 
 matplotlib.use("Agg")
@@ -28,14 +28,14 @@ plt.rcParams.update({
 
 
 def series_of(record):
-    """The series that a record belongs to: on the CPU, every method but `sequential` takes all threads."""
+    """The series of a record: on the CPU, every method except `sequential` uses all threads."""
     if record.backend != "cpu":
         return record.backend
     return "cpu sequential" if record.parameters.get("method") == "sequential" else "cpu parallel"
 
 
 def name_devices(machine):
-    """GL in software is never called GLSL alone."""
+    """Software GL is labelled as such."""
     SERIES["glsl"]["label"] = "GLSL in software" if machine.software else "GLSL"
 
 
@@ -54,7 +54,7 @@ def spheres_axis(axis, label="number of spheres $n$"):
 
 
 def spheres_in_decades(axis, sizes, label="number of spheres $n$"):
-    """For sizes over many orders of magnitude; fewer are put as in the other figures."""
+    """For sizes over many orders of magnitude; otherwise spheres_axis()."""
     if max(sizes) < 1e5 * min(sizes):
         return spheres_axis(axis, label)
     axis.set_xscale("log")
@@ -64,7 +64,7 @@ def spheres_in_decades(axis, sizes, label="number of spheres $n$"):
 
 
 def time_text(milliseconds):
-    """Three significant digits, in the unit that suits."""
+    """Three significant digits, in a suitable unit."""
     for unit, least in (("s", 1e3), ("ms", 1.0), ("µs", 1e-3)):
         if milliseconds >= least:
             return f"{milliseconds / least:.3g} {unit}"
@@ -80,7 +80,7 @@ def plain_ticks(axis):
 
 
 def plot(axis, records, series, x=lambda record: record.n, scale=1.0, **options):
-    """Medians joined by a line, with the intervals of the medians as bars; hidden where they are below a marker."""
+    """Medians joined by a line, with their intervals as bars, which may be hidden by the markers."""
     look = {**SERIES[series], **options}
     middle = [record.median * scale for record in records]
     below = [(record.median - record.low) * scale for record in records]
@@ -90,7 +90,7 @@ def plot(axis, records, series, x=lambda record: record.n, scale=1.0, **options)
 
 
 def save(figure, folder, name, source):
-    """A PDF for the paper, whose caption names the machine, and a PNG that says it in the picture."""
+    """A PDF for the paper, whose caption names the machine, and a PNG that names it in the image."""
     folder.mkdir(parents=True, exist_ok=True)
     figure.savefig(folder / f"{name}.pdf", metadata={"CreationDate": None, "ModDate": None, "Producer": None})
     save_png(figure, folder / f"{name}.png", source)

@@ -13,7 +13,7 @@ struct Vertical {
   Quad height, speed;  // above the plane, upwards
 };
 
-// Left the plane upwards at `speed` and moved for `time`.
+// Of a sphere that left the plane upwards with `speed`, after `time`.
 Vertical bounced(Quad time, Quad speed, const Quad& gravity, const Quad& e) {
   if (gravity == 0) return {speed * time, speed};
   if (e == 1) {
@@ -30,7 +30,7 @@ Vertical bounced(Quad time, Quad speed, const Quad& gravity, const Quad& e) {
   return {time * (speed - gravity * time / 2), speed - gravity * time};
 }
 
-// A sphere that starts below the plane starts on it; gravity > 0 pulls downwards.
+// A sphere below the plane starts on it; gravity > 0 points downwards.
 Vertical vertical(Quad height, const Quad& speed, const Quad& time, const Quad& gravity, const Quad& e) {
   if (height < 0) height = 0;
   const Quad impact = sqrt(speed * speed + 2 * gravity * height);
@@ -63,7 +63,7 @@ ExactState exact_state(const Backend::State& state, MotionOptions motion, uint64
   return exact;
 }
 
-Point closed_form_place(const Scene& scene, uint64_t i, uint64_t steps) {
+Point closed_form_position(const Scene& scene, uint64_t i, uint64_t steps) {
   const vec4 &start = scene.positions[i], &velocity = scene.velocities[i];
   const Quad ground = ground_of(scene, i), time = Quad(scene.dt) * Quad(steps);
   const Vertical now =
@@ -72,7 +72,7 @@ Point closed_form_place(const Scene& scene, uint64_t i, uint64_t steps) {
 }
 
 MotionError error_of(const Scene& scene, uint64_t i, uint64_t steps, const ExactState& state) {
-  const Point wanted = closed_form_place(scene, i, steps);
+  const Point wanted = closed_form_position(scene, i, steps);
   Quad square = 0;
   for (size_t axis = 0; axis < 3; ++axis) square += (wanted[axis] - state[axis]) * (wanted[axis] - state[axis]);
   const Quad gravity = -Quad(scene.gravity), ground = ground_of(scene, i), start = scene.velocities[i].y;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a bouncing sphere really is: the closed form in quadruple precision from the scene's float32 numbers. Flights
-// last 2v/|g|, each bounce leaves e times the speed, and after Zeno's time the sphere rests.
+// The closed form of a bouncing sphere's motion, in quadruple precision from the scene's float32 numbers. A flight
+// lasts 2v/|g|, a bounce multiplies the speed by e, and after infinitely many bounces (Zeno's time) the sphere rests.
 #pragma once
 
 #include <array>
@@ -12,17 +12,17 @@ namespace spherepair {
 // Metres and metres per second: x, y, z, then the velocity.
 using ExactState = std::array<long double, 6>;
 
-// Sphere i of a backend's state with all the bits that the motion keeps.
+// Sphere i of a backend's state in the motion's full precision.
 ExactState exact_state(const Backend::State& state, MotionOptions motion, uint64_t i);
 
-// How far sphere i is from its place in the closed form after so many steps of scene.dt: metres; and the share of its
-// energy at the start (of speed and height above the plane, along y) that it has gained.
+// Distance of sphere i from the closed form after so many steps of scene.dt, in metres, and its relative gain of energy
+// (of vertical speed and height above the plane) since the start.
 struct MotionError {
   double position, energy;
 };
 MotionError error_of(const Scene& scene, uint64_t i, uint64_t steps, const ExactState& state);
 
-// Over all spheres: root mean square and largest error of position, largest gain or loss of energy.
+// Over all spheres: root mean square and maximum of the position error, largest change of energy.
 struct MotionErrors {
   double rms = 0, largest = 0, energy = 0;
 };

@@ -9,7 +9,7 @@
 namespace spherepair {
 namespace {
 
-constexpr uint kSingle = 16;  // degrees below it have a row each
+constexpr uint kSingle = 16;  // degrees below have a bin each
 
 // Spheres by degree.
 std::vector<uint64_t> histogram(std::span<const uint> counts) {
@@ -18,10 +18,10 @@ std::vector<uint64_t> histogram(std::span<const uint> counts) {
   return spheres;
 }
 
-// The degree of the sphere at this place, were they sorted by it.
-uint degree_at(const std::vector<uint64_t>& spheres, uint64_t place) {
+// The degree at this rank when the spheres are sorted by degree.
+uint degree_at(const std::vector<uint64_t>& spheres, uint64_t rank) {
   uint degree = 0;
-  for (uint64_t passed = spheres[0]; passed <= place; passed += spheres[degree]) ++degree;
+  for (uint64_t passed = spheres[0]; passed <= rank; passed += spheres[degree]) ++degree;
   return degree;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many contacts the spheres have.
+// The numbers of contacts per sphere.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace spherepair {
 
-// Spheres with `from` to `to` contacts: each degree by itself up to 15, then grouped from a power of two to the next.
+// Spheres with `from` to `to` contacts: one bin per degree up to 15, then one per power of two.
 struct DegreeBin {
   uint from, to;
   uint64_t spheres;
@@ -19,7 +19,7 @@ struct Degrees {
   uint64_t spheres = 0;
   uint least = 0, most = 0;
   double median = 0, mean = 0;
-  std::vector<DegreeBin> bins;  // from that of `least` to that of `most`, without a gap
+  std::vector<DegreeBin> bins;  // contiguous, from `least` to `most`
 };
 
 Degrees degrees_of(std::span<const uint> counts);

@@ -11,7 +11,7 @@ namespace {
 
 std::string hex(const Fingerprint& fingerprint) { return hex64(fingerprint.a) + hex64(fingerprint.b); }
 
-// What stands at `path` in the file, such as equality/3/scene, with its meaning checked.
+// The value at `path` in the file, such as equality/3/scene; its accessors check its type.
 class Node {
  public:
   Node(const json& value, std::string path) : value_(value), path_(std::move(path)) {}
@@ -33,7 +33,7 @@ class Node {
     return all;
   }
   std::string text() const {
-    if (!value_.is_string()) fail("a text");
+    if (!value_.is_string()) fail("a string");
     return value_.get<std::string>();
   }
   uint64_t count() const {
@@ -63,45 +63,46 @@ class Node {
   std::string path_;
 };
 
-// A run that ended early or found a difference shows nothing, and neither does one that compared less than it planned.
-void require_shown(const Node& results) {
+// A run that was interrupted, found a difference or compared less than it planned shows no equality.
+void require_equality(const Node& results) {
   results.at("format").require(results_format);
   results.at("verdict").require("equal");
-  if (!results.has("comparisons")) return;  // records from before they were counted
-  for (const Node& who : results.at("comparisons").members())
-    for (const Node& counts : who.members())
+  if (!results.has("comparisons")) return;  // records of versions that did not count them
+  for (const Node& backend : results.at("comparisons").members())
+    for (const Node& counts : backend.members())
       if (counts.at("made").count() != counts.at("planned").count()) counts.fail("as many made as planned");
 }
 
-// What was found for a configuration: a scene with all that decides its sets, a set and a step.
-std::string found_at(const Node& point) {
+// The result at one compared step, as text.
+std::string result_at(const Node& point) {
   return fmt::format("{} pairs, {} colliding spheres, fingerprint {}, state {}", point.at("pairs").count(),
                      point.at("colliding_spheres").count(), point.at("fingerprint").hex(32), point.at("state").hex(16));
 }
 
-// One configuration may be recorded several times within a run: by the lockstep and before each timing.
+// A configuration may be recorded several times in a run: by the lockstep check and before each timing.
 std::map<std::string, std::string> records(const json& file) {
   const Node results(file, "");
-  require_shown(results);
+  require_equality(results);
   std::map<std::string, std::string> found;
   for (const Node& entry : results.at("equality").elements()) {
     entry.at("verdict").require("equal");
-    entry.at("answers").elements();
+    // Runs recorded in paper/data name the list "answers"; this goes when they are recorded again.
+    entry.at(entry.has("answers") ? "answers" : "configurations").elements();
     entry.at("scene").at("name").text();
     entry.at("scene").at("n").count();
     entry.at("scene").at("seed").count();
     for (const Node& point : entry.at("checkpoints").elements()) {
       const std::string key =
           fmt::format("{} | {} | step {}", entry.at("scene").dump(), entry.at("set").text(), point.at("step").count());
-      const auto [at, is_new] = found.try_emplace(key, found_at(point));
-      if (!is_new && at->second != found_at(point))
+      const auto [at, is_new] = found.try_emplace(key, result_at(point));
+      if (!is_new && at->second != result_at(point))
         point.fail(fmt::format("what the same run recorded before for {}: {}", key, at->second));
     }
   }
   return found;
 }
 
-// A record is a few levels deep. What is read deeper than that would use up the stack when it is taken apart.
+// A record is a few levels deep; destroying a very deep value would overflow the stack.
 bool require_flat(int depth, json::parse_event_t, json&) {
   if (depth > 32) throw std::invalid_argument("expected values at most 32 levels deep, found deeper ones");
   return true;
@@ -119,7 +120,7 @@ json to_json(const EqualityEntry& entry) {
                       {"state", hex64(point.state)}});
   return {{"scene", scene_json(entry.scene)},
           {"set", entry.set},
-          {"answers", entry.answers},
+          {"configurations", entry.configurations},
           {"verdict", "equal"},
           {"checkpoints", points}};
 }
@@ -148,7 +149,7 @@ json read_results(const std::string& path) {
   try {
     results = json::parse(file.bytes(), require_flat);
     records(results);
-  } catch (const std::exception& error) {  // no JSON, or not what records() wants
+  } catch (const std::exception& error) {  // not JSON, or refused by records()
     throw std::invalid_argument(
         fmt::format("{} is not the results.json of a compare run that found equality: {}", path, error.what()));
   }

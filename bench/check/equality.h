@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The record of what was found equal, and the comparison of two machines' records.
+// The record of results that were found equal, and the comparison of two machines' records.
 #pragma once
 
 #include <map>
@@ -16,26 +16,26 @@ struct ComparedStep {
   uint64_t state;  // state_hash()
 };
 
-// All who answered alike for one set of pairs of one scene, and what they said at each compared step.
+// The configurations that found the same set of pairs of one scene, and that set at each compared step.
 struct EqualityEntry {
   SceneOptions scene;
   std::string set;
-  std::vector<std::string> answers;
+  std::vector<std::string> configurations;  // labels
   std::vector<ComparedStep> checkpoints;
 };
 json to_json(const EqualityEntry& entry);
 
 struct RecordComparison {
   uint64_t compared = 0;
-  std::vector<std::string> differences, only_left, only_right;  // configurations
+  std::vector<std::string> differences, only_left, only_right;  // scene, set and step
 };
 
-// Compares the configurations (scene with all its options, set, step) that two results.json hold both. Throws
-// std::invalid_argument that says where one is no record of equality: another format or verdict, fewer comparisons than
-// planned, something missing or of the wrong kind, one configuration recorded with two answers.
+// Compares every (scene with all its options, set, step) that both results.json contain. Throws std::invalid_argument
+// with the position at which one is not a record of equality: another format or verdict, fewer comparisons than
+// planned, a missing or malformed value, two different results for the same configuration.
 RecordComparison compare_records(const json& left, const json& right);
 
-// Throws std::invalid_argument for a file that cannot be read or is no results.json.
+// Throws std::invalid_argument for a file that cannot be read or is not a results.json.
 json read_results(const std::string& path);
 
 }  // namespace spherepair

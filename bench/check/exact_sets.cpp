@@ -12,15 +12,15 @@
 namespace spherepair {
 namespace {
 
-// Pairs that may collide: those of the places rounded to float32, with radii that make up for the rounding. Half an ulp
-// along three axes for both spheres is less than 4 * 2^-24 of the largest coordinate. Counted from the first sphere, so
-// that a scene far from the origin does not make every pair a candidate.
-std::vector<Pair> candidates(const Scene& scene, const std::vector<Point>& places) {
+// Candidate pairs: those of the positions rounded to float32, with radii enlarged by a bound of the rounding error.
+// Half an ulp along three axes for both spheres is less than 4 * 2^-24 of the largest coordinate. Positions are
+// relative to the first sphere, so that a scene far from the origin does not make every pair a candidate.
+std::vector<Pair> candidates(const Scene& scene, const std::vector<Point>& positions) {
   Scene rounded = scene;
   float largest = 1;
-  for (size_t i = 0; i < places.size(); ++i) {
+  for (size_t i = 0; i < positions.size(); ++i) {
     vec4& at = rounded.positions[i];
-    const auto along = [&](size_t axis) { return float(Quad(places[i][axis] - places[0][axis])); };
+    const auto along = [&](size_t axis) { return float(Quad(positions[i][axis] - positions[0][axis])); };
     at = {along(0), along(1), along(2), at.w};
     largest = std::max({largest, std::abs(at.x), std::abs(at.y), std::abs(at.z), at.w});
   }
@@ -31,7 +31,7 @@ std::vector<Pair> candidates(const Scene& scene, const std::vector<Point>& place
   return cpu->pairs();
 }
 
-bool touch(const Point& a, const Point& b, const Quad& reach) {
+bool collide(const Point& a, const Point& b, const Quad& reach) {
   Quad square = 0;
   for (size_t axis = 0; axis < 3; ++axis) {
     const Quad difference = a[axis] - b[axis];
@@ -40,27 +40,27 @@ bool touch(const Point& a, const Point& b, const Quad& reach) {
   return square < reach * reach;
 }
 
-std::vector<Pair> pairs_at(const Scene& scene, const std::vector<Point>& places) {
-  std::vector<Pair> pairs = candidates(scene, places);
-  std::vector<char> touching(pairs.size());
+std::vector<Pair> pairs_at(const Scene& scene, const std::vector<Point>& positions) {
+  std::vector<Pair> pairs = candidates(scene, positions);
+  std::vector<char> colliding(pairs.size());
 #pragma omp parallel for schedule(static)
   for (size_t k = 0; k < pairs.size(); ++k) {
     const auto [i, j] = pairs[k];
-    touching[k] = touch(places[i], places[j], Quad(scene.positions[i].w) + Quad(scene.positions[j].w));
+    colliding[k] = collide(positions[i], positions[j], Quad(scene.positions[i].w) + Quad(scene.positions[j].w));
   }
   size_t kept = 0;
   for (size_t k = 0; k < pairs.size(); ++k)
-    if (touching[k]) pairs[kept++] = pairs[k];
+    if (colliding[k]) pairs[kept++] = pairs[k];
   pairs.resize(kept);
   return pairs;
 }
 
-template <typename PlaceOf>
-std::vector<Pair> pairs_of(const Scene& scene, PlaceOf place_of) {
-  std::vector<Point> places(scene.size());
+template <typename PositionOf>
+std::vector<Pair> pairs_of(const Scene& scene, PositionOf position_of) {
+  std::vector<Point> positions(scene.size());
 #pragma omp parallel for schedule(static)
-  for (uint64_t i = 0; i < scene.size(); ++i) places[i] = place_of(i);
-  return pairs_at(scene, places);
+  for (uint64_t i = 0; i < scene.size(); ++i) positions[i] = position_of(i);
+  return pairs_at(scene, positions);
 }
 
 Quad stored(double value, double moved, Precision precision) {
@@ -73,7 +73,7 @@ Quad stored(double value, double moved, Precision precision) {
 }  // namespace
 
 std::vector<Pair> closed_form_pairs(const Scene& scene, uint64_t steps) {
-  return pairs_of(scene, [&](uint64_t i) { return closed_form_place(scene, i, steps); });
+  return pairs_of(scene, [&](uint64_t i) { return closed_form_position(scene, i, steps); });
 }
 
 std::vector<Pair> state_pairs(const Scene& scene, const Backend::State& state) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+
 #include "bench/io/scene_text.h"
 
 namespace spherepair {
@@ -13,17 +14,17 @@ bool chosen(const std::vector<Method>& methods, Method method) {
   return std::ranges::find(methods, method) != methods.end();
 }
 
-// Arrangements of threads: on the CPU all of them are the search of `parallel`.
+// Arrangements of threads; on the CPU all of them run the search of `parallel`.
 bool is_all_pairs_of_devices(Method method) {
   return method == Method::collide_tiled || method == Method::collide_square || method == Method::collide_triangle;
 }
 
-// One set that several find: who they are and what the reference said.
+// A set, its reference and the other configurations that must find it.
 struct SetCheck {
   Configuration reference;
   std::vector<Configuration> others;
   EqualityEntry entry;
-  uint64_t last_pairs = UINT64_MAX;  // at the last comparison: decides whether lists are worth asking for
+  uint64_t last_pairs = UINT64_MAX;  // at the last comparison: decides whether lists are compared
 };
 
 std::vector<SetCheck> group_by_set(Session& session, const LockstepPlan& plan, const std::vector<Configuration>& all) {
@@ -38,29 +39,29 @@ std::vector<SetCheck> group_by_set(Session& session, const LockstepPlan& plan, c
     }
     if (label(configuration) == label(found->reference)) continue;
     found->others.push_back(configuration);
-    found->entry.answers.push_back(label(configuration));
+    found->entry.configurations.push_back(label(configuration));
   }
   return sets;
 }
 
 bool is_compared(const LockstepPlan& plan, uint64_t step) { return step % plan.every == 0 || step == plan.steps; }
 
-// From the list of all configurations and the steps alone, and not from what is then done about them.
+// Derived from the configurations and steps alone, independently of the comparing code.
 void plan_comparisons(Session& session, const LockstepPlan& plan, const std::vector<Configuration>& all) {
   const uint64_t steps = plan.steps / plan.every + 1 + (plan.steps % plan.every != 0);
   uint64_t planned = 0;
   for (const auto& backend : session.backends()) {
-    const auto takes_part = [&](const Configuration& configuration) {
+    const auto is_compared = [&](const Configuration& configuration) {
       return configuration.backend == backend.get() &&
              label(configuration) != label(reference_for(session, configuration.options, plan.scene.n));
     };
-    const uint64_t configurations = uint64_t(std::ranges::count_if(all, takes_part));
+    const uint64_t configurations = uint64_t(std::ranges::count_if(all, is_compared));
     const bool other = backend.get() != &session.reference();
     if (other && configurations == 0)
-      throw std::invalid_argument(
-          fmt::format("nothing that {} finds would be compared: it has none of the chosen methods; choose another with "
-                      "--methods, or leave {} out with --backends",
-                      backend->info().name, backend->info().name));
+      throw std::invalid_argument(fmt::format(
+          "no result of {} would be compared: it has none of the chosen methods; choose another with --methods, or "
+          "omit {} with --backends",
+          backend->info().name, backend->info().name));
     session.comparisons.plan(backend->info().name, Comparisons::sets, configurations * steps);
     session.comparisons.plan(backend->info().name, Comparisons::states, other ? steps : 0);
     planned += configurations;
@@ -69,15 +70,15 @@ void plan_comparisons(Session& session, const LockstepPlan& plan, const std::vec
     throw std::invalid_argument("nothing would be compared: the only method chosen is the reference itself");
 }
 
-void check_set(Session& session, const Place& place, SetCheck& set, uint64_t state, uint64_t largest_list) {
+void check_set(Session& session, const ComparisonPoint& point, SetCheck& set, uint64_t state, uint64_t largest_list) {
   StepResult expected = run_step(session, set.reference, set.last_pairs <= largest_list);
   if (!expected.pairs && expected.totals.pairs <= largest_list) expected = run_step(session, set.reference, true);
   const bool list = expected.pairs.has_value();
   for (const Configuration& configuration : set.others)
-    require_equal(session, place, set.reference, expected, configuration, run_step(session, configuration, list));
+    require_equal(session, point, set.reference, expected, configuration, run_step(session, configuration, list));
   set.last_pairs = expected.totals.pairs;
   set.entry.checkpoints.push_back(
-      {place.step, expected.totals.pairs, expected.totals.colliding_spheres, expected.totals.fingerprint, state});
+      {point.step, expected.totals.pairs, expected.totals.colliding_spheres, expected.totals.fingerprint, state});
 }
 
 }  // namespace
@@ -113,9 +114,9 @@ std::vector<EqualityEntry> check_lockstep(Session& session, const LockstepPlan& 
     if (!is_compared(plan, step)) continue;
     progress.say(
         fmt::format("checking {} n = {}: step {} of {}", scene_label(plan.scene), plan.scene.n, step, plan.steps));
-    const Place place{plan.scene, step};
-    const uint64_t state = require_same_states(session, place);
-    for (SetCheck& set : sets) check_set(session, place, set, state, plan.largest_list);
+    const ComparisonPoint point{plan.scene, step};
+    const uint64_t state = require_same_states(session, point);
+    for (SetCheck& set : sets) check_set(session, point, set, state, plan.largest_list);
     for (const auto& backend : session.backends()) backend->check_guards();
   }
   session.comparisons.require_complete();

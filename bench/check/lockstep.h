@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All backends step one scene together; after every step their states and collision sets are compared.
+// All backends move one scene in lockstep; their states and collision sets are compared after every step.
 #pragma once
 
 #include "bench/check/equality.h"
@@ -13,15 +13,15 @@ struct LockstepPlan {
   uint64_t every = 1;  // steps between comparisons
   std::vector<Method> methods;
   std::vector<uint> blocks;
-  uint64_t largest_list = 1'000'000;  // pairs; larger sets are compared by counts, totals and fingerprint
+  uint64_t largest_list = 1'000'000;  // pairs; larger sets are compared by counts, totals and fingerprint only
 };
 
-// What agreed, one entry for each set. Throws DifferenceFound at the first difference, std::invalid_argument where
-// nothing of an open backend would be compared, std::logic_error where fewer comparisons were made than planned.
+// Returns one entry per set. Throws DifferenceFound at the first difference, std::invalid_argument if nothing of an
+// open backend would be compared, std::logic_error if fewer comparisons were made than planned.
 std::vector<EqualityEntry> check_lockstep(Session& session, const LockstepPlan& plan, Progress& progress);
 
-// Everyone who runs these methods, at these group sizes where a method has one. On the CPU the devices' arrangements of
-// all pairs are left out: they are the search of `parallel`.
+// Every backend with each of these methods, at each of these group sizes if the method uses one. On the CPU without the
+// devices' arrangements of all pairs, which run the search of `parallel` there.
 std::vector<Configuration> all_configurations(Session& session, const std::vector<Method>& methods,
                                               const std::vector<uint>& blocks);
 

@@ -16,12 +16,12 @@ Margin margin_of(vec4 a, vec4 b) {
 }
 
 std::string describe(const Margin& margin) {
-  if (!margin.finite) return "an input is not finite, so the exact answer is: apart";
+  if (!margin.finite) return "an input is not finite, so the exact result is: apart";
   const std::string size =
       std::isfinite(margin.ulps)
           ? fmt::format("margin |S-Q|/Q = {:.6g} ulp of 2^-24, in long double", double(std::abs(margin.ulps)))
-          : std::string("both radii are 0, so a margin relative to Q does not exist");
-  return size + "; the exact integer stages say: " + (margin.collide ? "collide" : "apart");
+          : std::string("both radii are 0, so there is no margin relative to Q");
+  return size + "; the exact integer stages: " + (margin.collide ? "collide" : "apart");
 }
 
 }  // namespace spherepair

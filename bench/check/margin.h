@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How close a pair of spheres is to touching: what a report of a difference needs to be judged.
+// How close a pair of spheres is to touching, for the report of a difference.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace spherepair {
 
 struct Margin {
   bool collide;      // by the exact integer stages
-  bool finite;       // no NaN or infinity among the inputs
+  bool finite;       // all inputs are finite
   long double ulps;  // (S - Q) / Q in units of 2^-24, evaluated in long double
 };
 Margin margin_of(vec4 a, vec4 b);

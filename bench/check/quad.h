@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Quadruple precision for references; apart, since this header takes long to compile.
+// Quadruple precision for references; separate, because this header takes long to compile.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@ namespace spherepair {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
 
-// A centre, or what is added to it: x, y, z in metres.
+// A centre or a displacement: x, y, z in metres.
 using Point = std::array<Quad, 3>;
 
 // Centre of sphere i in the closed form (closed_form.h) after so many steps of scene.dt.
-Point closed_form_place(const Scene& scene, uint64_t i, uint64_t steps);
+Point closed_form_position(const Scene& scene, uint64_t i, uint64_t steps);
 
 }  // namespace spherepair

@@ -12,51 +12,51 @@
 namespace spherepair {
 namespace {
 
-std::string place_text(const Place& place) {
-  return fmt::format("scene {}, n = {}, seed {}, step {} of {}", scene_label(place.scene), place.scene.n,
-                     place.scene.seed, place.step, motion_label(place.scene.motion));
+std::string point_text(const ComparisonPoint& point) {
+  return fmt::format("scene {}, n = {}, seed {}, step {} of {}", scene_label(point.scene), point.scene.n,
+                     point.scene.seed, point.step, motion_label(point.scene.motion));
 }
 
-json place_json(const Place& place, const std::string& left, const std::string& right) {
-  return {{"scene", scene_json(place.scene)}, {"step", place.step}, {"between", {left, right}}};
+json point_json(const ComparisonPoint& point, const std::string& left, const std::string& right) {
+  return {{"scene", scene_json(point.scene)}, {"step", point.step}, {"between", {left, right}}};
 }
 
-const char* answer_word(bool collide) { return collide ? "collide" : "apart"; }
+const char* decision_text(bool collide) { return collide ? "collide" : "apart"; }
 
-[[noreturn]] void report_pair(const Place& place, const Configuration& reference, const Configuration& configuration,
-                              const Difference& difference) {
+[[noreturn]] void report_pair(const ComparisonPoint& point, const Configuration& reference,
+                              const Configuration& configuration, const Difference& difference) {
   const Backend::State state = current_state(*reference.backend);
   const auto [i, j] = difference.pair;
   const Margin margin = margin_of(state.positions.at(i), state.positions.at(j));
   const std::string left = label(reference), right = label(configuration);
-  json details = place_json(place, left, right);
+  json details = point_json(point, left, right);
   details["pair"] = {i, j};
-  details["answers"] = {answer_word(difference.in_left), answer_word(!difference.in_left)};
-  details["exact"] = answer_word(margin.collide);
+  details["values"] = {decision_text(difference.in_left), decision_text(!difference.in_left)};
+  details["exact"] = decision_text(margin.collide);
   details["margin"] = describe(margin);
-  throw DifferenceFound(fmt::format("{}: {} and {} differ, first in pair ({}, {}): {} says {}, {} says {}; {}",
-                                    place_text(place), left, right, i, j, left, answer_word(difference.in_left), right,
-                                    answer_word(!difference.in_left), describe(margin)),
+  throw DifferenceFound(fmt::format("{}: {} and {} differ, first in pair ({}, {}): {} finds {}, {} finds {}; {}",
+                                    point_text(point), left, right, i, j, left, decision_text(difference.in_left),
+                                    right, decision_text(!difference.in_left), describe(margin)),
                         details);
 }
 
-[[noreturn]] void report_part(const Place& place, const std::string& left, const std::string& right,
+[[noreturn]] void report_part(const ComparisonPoint& point, const std::string& left, const std::string& right,
                               const std::string& part, const std::string& of_left, const std::string& of_right) {
-  json details = place_json(place, left, right);
+  json details = point_json(point, left, right);
   details["part"] = part;
-  details["answers"] = {of_left, of_right};
+  details["values"] = {of_left, of_right};
   throw DifferenceFound(
-      fmt::format("{}: {} and {} differ in {}: {} against {}", place_text(place), left, right, part, of_left, of_right),
+      fmt::format("{}: {} and {} differ in {}: {} against {}", point_text(point), left, right, part, of_left, of_right),
       details);
 }
 
 std::string hex(const Fingerprint& fingerprint) { return hex64(fingerprint.a) + hex64(fingerprint.b); }
 
-// Reports the first part in which these differ, most telling first.
-void require_same_parts(const Place& place, const std::string& left, const StepResult& l, const std::string& right,
-                        const StepResult& r) {
+// Reports the first difference, most specific parts first.
+void require_same_parts(const ComparisonPoint& point, const std::string& left, const StepResult& l,
+                        const std::string& right, const StepResult& r) {
   const auto require = [&](const std::string& part, const auto& of_left, const auto& of_right) {
-    if (of_left != of_right) report_part(place, left, right, part, fmt::to_string(of_left), fmt::to_string(of_right));
+    if (of_left != of_right) report_part(point, left, right, part, fmt::to_string(of_left), fmt::to_string(of_right));
   };
   require("how many spheres have a count", l.counts.size(), r.counts.size());
   const auto [at, other] = std::ranges::mismatch(l.counts, r.counts);
@@ -66,21 +66,22 @@ void require_same_parts(const Place& place, const std::string& left, const StepR
   require("the fingerprint", hex(l.totals.fingerprint), hex(r.totals.fingerprint));
 }
 
-// Totals, counts and list of one answer must agree with each other.
-void require_consistent(const Place& place, const Configuration& configuration, const StepResult& answer) {
+// Totals, counts and list of a result must agree with each other.
+void require_consistent(const ComparisonPoint& point, const Configuration& configuration, const StepResult& result) {
   uint64_t contacts = 0;
-  for (const uint count : answer.counts) contacts += count;
-  StepResult told = answer;
-  told.totals.pairs = contacts / 2;
-  told.totals.colliding_spheres = uint64_t(std::ranges::count_if(answer.counts, colliding));
-  const std::string who = label(configuration);
+  for (const uint count : result.counts) contacts += count;
+  StepResult derived = result;
+  derived.totals.pairs = contacts / 2;
+  derived.totals.colliding_spheres = uint64_t(std::ranges::count_if(result.counts, colliding));
+  const std::string name = label(configuration);
   if (contacts % 2 != 0)
-    report_part(place, who + " (counts)", who + " (pairs)", "the sum of all counts", fmt::to_string(contacts), "even");
-  require_same_parts(place, who + " (totals)", answer, who + " (counts)", told);
-  if (!answer.pairs) return;
-  told.totals.pairs = answer.pairs->size();
-  told.totals.fingerprint = fingerprint(*answer.pairs);
-  require_same_parts(place, who + " (totals)", answer, who + " (list)", told);
+    report_part(point, name + " (counts)", name + " (pairs)", "the sum of all counts", fmt::to_string(contacts),
+                "even");
+  require_same_parts(point, name + " (totals)", result, name + " (counts)", derived);
+  if (!result.pairs) return;
+  derived.totals.pairs = result.pairs->size();
+  derived.totals.fingerprint = fingerprint(*result.pairs);
+  require_same_parts(point, name + " (totals)", result, name + " (list)", derived);
 }
 
 }  // namespace
@@ -91,17 +92,17 @@ bool uses_blocks(const Configuration& configuration) {
 
 std::string label(const Configuration& configuration) {
   const std::string text = configuration.backend->info().name + " " + method_name(configuration.options.method);
-  const bool left_open =
+  const bool automatic_block =
       configuration.options.method == Method::automatic && configuration.options.block == CollideOptions{}.block;
-  return uses_blocks(configuration) && !left_open ? fmt::format("{} {}", text, configuration.options.block) : text;
+  return uses_blocks(configuration) && !automatic_block ? fmt::format("{} {}", text, configuration.options.block)
+                                                        : text;
 }
 
 std::string set_name(const CollideOptions& options) {
   return options.method == Method::collide_group ? fmt::format("within groups of {}", options.block) : "all pairs";
 }
 
-// One thread and a double loop is the plainest reference; it gives way to all cores where it would take seconds, and
-// they to the grid.
+// The simplest reference is a double loop on one thread; where it would take seconds, all cores, then the grid.
 Configuration reference_for(Session& session, const CollideOptions& options, uint64_t n) {
   Configuration configuration{&session.reference(), {}};
   const bool cpu = configuration.backend->info().name == "cpu";
@@ -123,9 +124,9 @@ bool same_result(const StepResult& left, const StepResult& right) {
 }
 
 StepResult result_of(Backend& backend, bool want_pairs) {
-  StepResult answer{backend.collisions(), backend.counts(), std::nullopt};
-  if (want_pairs) answer.pairs = backend.pairs();
-  return answer;
+  StepResult result{backend.collisions(), backend.counts(), std::nullopt};
+  if (want_pairs) result.pairs = backend.pairs();
+  return result;
 }
 
 StepResult run_step(Session& session, Configuration configuration, bool want_pairs) {
@@ -134,26 +135,26 @@ StepResult run_step(Session& session, Configuration configuration, bool want_pai
   return result_of(*configuration.backend, want_pairs);
 }
 
-void require_equal(Session& session, const Place& place, const Configuration& reference, const StepResult& expected,
-                   const Configuration& configuration, const StepResult& found) {
-  require_consistent(place, reference, expected);
+void require_equal(Session& session, const ComparisonPoint& point, const Configuration& reference,
+                   const StepResult& expected, const Configuration& configuration, const StepResult& found) {
+  require_consistent(point, reference, expected);
   if (!same_result(expected, found)) {
-    // Sets too large to be kept are listed now, once, to name the pair.
+    // Large sets were compared without lists; list them now to name the pair.
     const std::vector<Pair> left = expected.pairs ? *expected.pairs : *run_step(session, reference, true).pairs;
     const std::vector<Pair> right = found.pairs ? *found.pairs : *run_step(session, configuration, true).pairs;
     if (const auto difference = first_difference(left, right))
-      report_pair(place, reference, configuration, *difference);
-    require_same_parts(place, label(reference), expected, label(configuration), found);
+      report_pair(point, reference, configuration, *difference);
+    require_same_parts(point, label(reference), expected, label(configuration), found);
   }
   session.comparisons.made(configuration.backend->info().name, Comparisons::sets);
 }
 
-void require_same_state(Session& session, const Place& place, const Backend& reference, const Backend::State& expected,
-                        const Backend& backend, const Backend::State& found) {
+void require_same_state(Session& session, const ComparisonPoint& point, const Backend& reference,
+                        const Backend::State& expected, const Backend& backend, const Backend::State& found) {
   const std::string left = reference.info().name, right = backend.info().name;
   const auto compare = [&](const std::vector<vec4>& l, const std::vector<vec4>& r, const char* what) {
     if (l.size() != r.size())
-      report_part(place, left, right, fmt::format("how many spheres have a {}", what), fmt::to_string(l.size()),
+      report_part(point, left, right, fmt::format("how many spheres have a {}", what), fmt::to_string(l.size()),
                   fmt::to_string(r.size()));
     for (size_t i = 0; i < l.size(); ++i) {
       constexpr std::pair<const char*, float vec4::*> components[] = {
@@ -161,7 +162,7 @@ void require_same_state(Session& session, const Place& place, const Backend& ref
       for (const auto& [name, component] : components) {
         const float a = l[i].*component, b = r[i].*component;
         if (float_bits(a) == float_bits(b)) continue;
-        report_part(place, left, right, fmt::format("state, first in {} {} of sphere {}", what, name, i),
+        report_part(point, left, right, fmt::format("state, first in {} {} of sphere {}", what, name, i),
                     fmt::format("0x{:08x} ({})", float_bits(a), a), fmt::format("0x{:08x} ({})", float_bits(b), b));
       }
     }
@@ -173,18 +174,18 @@ void require_same_state(Session& session, const Place& place, const Backend& ref
     return at == words.end() ? "no word" : fmt::format("0x{:08x}", *at);
   };
   if (l != expected.wide.end() || r != found.wide.end())
-    report_part(place, left, right,
+    report_part(point, left, right,
                 fmt::format("the low bits of their state, first in word {}", l - expected.wide.begin()),
                 word(expected.wide, l), word(found.wide, r));
   session.comparisons.made(right, Comparisons::states);
 }
 
-uint64_t require_same_states(Session& session, const Place& place) {
+uint64_t require_same_states(Session& session, const ComparisonPoint& point) {
   const Backend::State expected = current_state(session.reference());
-  require_finite(expected, place.step);
+  require_finite(expected, point.step);
   for (const auto& backend : session.backends())
     if (backend.get() != &session.reference())
-      require_same_state(session, place, session.reference(), expected, *backend, current_state(*backend));
+      require_same_state(session, point, session.reference(), expected, *backend, current_state(*backend));
   return state_hash(expected.positions, expected.velocities, expected.wide);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a backend answers to "which spheres collide", and how two answers are compared.
+// The result of a collision step, and the comparison of two results.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace spherepair {
 
-// Two backends disagree, or one contradicts itself: exit code 1. `details` is the message in fields, for JSON.
+// The results of two backends differ, or one is inconsistent: exit code 1. `details`: the message as JSON fields.
 class DifferenceFound : public std::runtime_error {
  public:
   DifferenceFound(const std::string& message, json details)
@@ -17,7 +17,7 @@ class DifferenceFound : public std::runtime_error {
   json details;
 };
 
-// Who is asked: a backend and a method, at a group size where the method has one.
+// A backend and the options of its collision step.
 struct Configuration {
   Backend* backend;
   CollideOptions options;
@@ -26,34 +26,34 @@ bool uses_blocks(const Configuration& configuration);
 std::string label(const Configuration& configuration);  // glsl collide_tiled 256
 std::string set_name(const CollideOptions& options);    // "all pairs" or "within groups of 64"
 
-// Who the others are compared with for this set.
+// The configuration that the others are compared with for this set.
 Configuration reference_for(Session& session, const CollideOptions& options, uint64_t n);
 
-// All that one collision step answers.
+// Everything that a collision step returns.
 struct StepResult {
   Collisions totals;
   std::vector<uint> counts;
-  std::optional<std::vector<Pair>> pairs;  // when they were wanted
+  std::optional<std::vector<Pair>> pairs;  // if they were requested
 };
-bool same_result(const StepResult& left, const StepResult& right);  // lists only where both have one
+bool same_result(const StepResult& left, const StepResult& right);  // compares lists only if both have one
 StepResult result_of(Backend& backend, bool want_pairs);            // of its last collide()
 StepResult run_step(Session& session, Configuration configuration, bool want_pairs);
 
-// Where a comparison stands: for the message.
-struct Place {
+// The scene and step of a comparison, for messages.
+struct ComparisonPoint {
   const SceneOptions& scene;
   uint64_t step;
 };
 
-// Both throw DifferenceFound that names the first difference, and count the comparison in session.comparisons.
-// Counts, totals and fingerprints are compared always, pairs when both answers have them; an answer that contradicts
-// itself is a difference too.
-void require_equal(Session& session, const Place& place, const Configuration& reference, const StepResult& expected,
-                   const Configuration& configuration, const StepResult& found);
-void require_same_state(Session& session, const Place& place, const Backend& reference, const Backend::State& expected,
-                        const Backend& backend, const Backend::State& found);
+// Both throw DifferenceFound naming the first difference, and count the comparison in session.comparisons. Counts,
+// totals and fingerprints are always compared, lists if both results have one. An inconsistent result is a difference,
+// too.
+void require_equal(Session& session, const ComparisonPoint& point, const Configuration& reference,
+                   const StepResult& expected, const Configuration& configuration, const StepResult& found);
+void require_same_state(Session& session, const ComparisonPoint& point, const Backend& reference,
+                        const Backend::State& expected, const Backend& backend, const Backend::State& found);
 
 // Compares the state of every backend with the reference's, which must be finite; returns its hash.
-uint64_t require_same_states(Session& session, const Place& place);
+uint64_t require_same_states(Session& session, const ComparisonPoint& point);
 
 }  // namespace spherepair

@@ -17,14 +17,14 @@ namespace spherepair {
 namespace {
 
 Table table_of(const AblationStudy& study) {
-  return {"What is saved: one collision step with each skip or trick, and without",
+  return {"Ablation: time of one step with each optimisation or API feature on and off",
           {{"", "backend", "", true},
-           {"", "skip or trick", "", true},
+           {"", "option", "", true},
            {"", "n", ""},
            {"", "on", "ms"},
            {"", "off", "ms"},
-           {"", "off costs", "%"},
-           {"", "what", "", true}},
+           {"", "off/on", "times"},
+           {"", "when on", "", true}},
           study.rows,
           study.left_out};
 }
@@ -37,7 +37,7 @@ json to_json(const AblationSeconds& spent) {
 }
 
 std::string spent_text(const AblationSeconds& spent) {
-  return fmt::format("Took {:.1f} s to time, {:.1f} to check, {:.1f} for scenes and uploads, {:.1f} to open backends",
+  return fmt::format("Timing took {:.1f} s, checking {:.1f} s, scenes and uploads {:.1f} s, opening backends {:.1f} s",
                      spent.timing, spent.checking, spent.uploading, spent.opening);
 }
 
@@ -45,7 +45,7 @@ void check_names(const std::vector<std::string>& names) {
   std::vector<std::string> known;
   for (const Ablation& ablation : ablation_list())
     if (!std::ranges::count(known, ablation.name)) known.push_back(ablation.name);
-  for (const std::string& name : names) require_known("skip", name, known);
+  for (const std::string& name : names) require_known("ablation", name, known);
 }
 
 }  // namespace
@@ -87,17 +87,17 @@ std::shared_ptr<AblateOptions> add_ablate_options(CLI::App& command) {
                         *ablation.backend ? fmt::format(" ({})", ablation.backend) : "");
   command.add_option("--backends", options->backends, "Only these, and each must open: cpu,glsl,cuda")->delimiter(',');
   command.add_option("--names", options->names, help)->delimiter(',');
-  command.add_option("--n", options->sizes, "Numbers of spheres (default 16384, with a GPU 1000000 too)")
+  command.add_option("--n", options->sizes, "Numbers of spheres (default 16384, with a GPU also 1000000)")
       ->delimiter(',')
       ->check(positive_range);
-  command.add_option("--packing-fraction", options->packing_fraction, "Of the spheres")
+  command.add_option("--packing-fraction", options->packing_fraction, "Packing fraction of the spheres")
       ->check(fraction_range)
       ->capture_default_str();
   command.add_option("--rounds", options->rounds, "Rounds of each timing")
       ->check(whole_number(1, 1000))
       ->capture_default_str();
-  command.add_option("--json", options->json_file, "The record")->capture_default_str();
-  command.footer("Example:\n  spherepair skips --backends glsl,cuda --n 16384,1000000,10000000");
+  command.add_option("--json", options->json_file, "Output file")->capture_default_str();
+  command.footer("Example:\n  spherepair ablate --backends glsl,cuda --n 16384,1000000,10000000");
   return options;
 }
 

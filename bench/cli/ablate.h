@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// spherepair skips: what is saved by leaving out what a scene does not need, and by what one API alone offers. Each is
-// timed on and off, in turns, after both have given the same set.
+// spherepair ablate: what each optimisation and each API feature saves. Each is timed on and off, in interleaved
+// rounds, after a check that both give the same results.
 #pragma once
 
 #include <CLI/App.hpp>

@@ -9,10 +9,10 @@
 #include "bench/cli/commands.h"
 #include "bench/cli/crossover.h"
 #include "bench/cli/options.h"
-#include "bench/cli/precision_command.h"
-#include "bench/cli/sets_command.h"
+#include "bench/cli/precision.h"
+#include "bench/cli/sets.h"
 #include "bench/cli/sweep.h"
-#include "bench/cli/view_command.h"
+#include "bench/cli/view.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "common/backend/cpu_team.h"
@@ -22,10 +22,10 @@ namespace {
 
 void add_devices(CLI::App& app, CommandLine& line, Action& action) {
   auto* command =
-      app.add_subcommand("devices", "Show every backend: its device, versions and limits, or why it is missing");
+      app.add_subcommand("devices", "List every backend: its device, versions and limits, or why it is missing");
   auto options = std::make_shared<DevicesOptions>();
   command->add_option("--backends", options->backends, "Only these, e.g. cpu,glsl")->delimiter(',');
-  command->add_flag("--compile", options->compile, "Time how long the driver takes to compile each shader");
+  command->add_flag("--compile", options->compile, "Time the driver's compilation of each shader");
   command->add_option("--json", options->json_file, "Write the same as JSON to this file");
   add_open_options(*command, line.open);
   command->footer("Example:\n  spherepair devices");
@@ -37,21 +37,21 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
   auto options = std::make_shared<RunOptions>();
   command->add_option("--backend", options->backend, "cpu, glsl or cuda")->capture_default_str();
   add_start_options(*command, options->start);
-  command->add_option("--steps", options->steps, "Steps before the pairs are found; 0: the scene as it is")
+  command->add_option("--steps", options->steps, "Steps to move before the pairs are found; 0: none")
       ->check(steps_range)
       ->capture_default_str();
   command->add_option(
       "--method", options->method,
       "sequential, parallel (cpu); collide_group, collide_tiled, collide_square, collide_triangle, collide_grid; "
-      "default: auto, whichever of all pairs and the grid should be faster");
-  command->add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024; 128 leaves it to auto")
+      "default: auto, all pairs or the grid, whichever is expected to be faster");
+  command->add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024; with 128, auto chooses")
       ->capture_default_str();
   command->add_flag("--naive", options->naive, "Use the naive float32 test in place of the exact predicate");
   command->add_flag("--swept", options->swept,
-                    "Find the pairs that touch at any time within the next step, not only those that touch now");
+                    "Find the pairs that touch at any time within the next step, not only now");
   command->add_flag("--per-step", options->per_step, "Print and record every step, not only the last");
   command->add_option("--pairs", options->pairs_file,
-                      "Write the last step's colliding pairs to this file, a line `i j` each, i < j, in order");
+                      "Write the last step's colliding pairs to this file, a line `i j` each, i < j, sorted");
   command->add_option("--json", options->json_file, "Write totals and context as JSON to this file");
   add_save_options(*command, *options);
   add_open_options(*command, line.open);
@@ -65,8 +65,7 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
 }
 
 void add_pairs(CLI::App& app, CommandLine& line, Action& action) {
-  auto* command =
-      app.add_subcommand("pairs", "Bring your own spheres: read them from a file, write the colliding pairs");
+  auto* command = app.add_subcommand("pairs", "Read spheres from a file and write the colliding pairs");
   auto options = std::make_shared<PairsOptions>();
   command
       ->add_option(
@@ -74,16 +73,17 @@ void add_pairs(CLI::App& app, CommandLine& line, Action& action) {
           "Extended XYZ (.xyz, .extxyz; columns pos and radius by Properties=, else `[species] x y z [radius]`) "
           "or NPY (.npy; n x 3, or n x 4 with the radius; float32 or float64)")
       ->required();
-  command->add_option("--radius", options->radius, "Radius of all spheres, where the file has none");
+  command->add_option("--radius", options->radius, "Radius of all spheres if the file has none");
   command
       ->add_option("--output", options->output_file,
-                   "Pairs i < j in order, by extension: .npy (m x 2, uint32), .txt (a line `i j` each), or - for "
-                   "text on standard output")
+                   "Pairs i < j, sorted; format by extension: .npy (m x 2, uint32), .txt (a line `i j` each), or - "
+                   "for text on standard output")
       ->required();
-  command->add_option("--frame", options->frame, "Of an XYZ file with several, counted from 0")->check(count_range);
-  command->add_option("--backend", options->backend, "cpu, glsl or cuda; default: a GPU where there is one, else cpu");
+  command->add_option("--frame", options->frame, "Frame of an XYZ file with several, counted from 0")
+      ->check(count_range);
+  command->add_option("--backend", options->backend, "cpu, glsl or cuda; default: a GPU if there is one, else cpu");
   command->add_option("--method", options->method, "See run --help; default: auto");
-  command->add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024; 128 leaves it to auto")
+  command->add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024; with 128, auto chooses")
       ->capture_default_str();
   command->add_option("--json", options->json_file, "Write the summary and context as JSON to this file");
   add_open_options(*command, line.open);
@@ -96,52 +96,52 @@ void add_pairs(CLI::App& app, CommandLine& line, Action& action) {
 void add_selection(CLI::App& command, CompareOptions& options) {
   PlanOptions& plan = options.plan;
   command.add_option("--backends", options.backends, "Only these, and each must open: cpu,glsl,cuda")->delimiter(',');
-  command.add_option("--scenes", plan.scenes, "Scenes of the check, e.g. random,aligned:8x16,grazing (see run --help)")
+  command.add_option("--scenes", plan.scenes, "Scenes to check, e.g. random,aligned:8x16,grazing (see run --help)")
       ->delimiter(',');
   command.add_option("--methods", plan.methods, "Only these methods (see run --help)")->delimiter(',');
   command.add_option("--blocks", plan.blocks, "Only these group sizes: 32,64,128,256,512,1024")->delimiter(',');
-  command.add_option("--n", plan.sizes, "Numbers of spheres, of the check and of every table but `counts`")
+  command.add_option("--n", plan.sizes, "Numbers of spheres for the check and for every table but `counts`")
       ->delimiter(',')
       ->check(positive_range);
   command
       .add_option(
           "--tables", plan.tables,
-          "Only these tables: table1, counts, methods, ceilings, overhead, exactness, scale, step, grid, equality; "
-          "`none` only checks")
+          "Only these tables: table1, counts, methods, peak_rates, overhead, exactness, scale, step, grid, equality; "
+          "`none`: check only")
       ->delimiter(',');
 }
 
 void add_compare(CLI::App& app, CommandLine& line, Action& action) {
-  auto* command =
-      app.add_subcommand("compare", "Prove that all backends find the same pairs, then time them against each other");
+  auto* command = app.add_subcommand("compare", "Check that all backends find the same pairs, then time them");
   auto options = std::make_shared<CompareOptions>();
   PlanOptions& plan = options->plan;
   add_selection(*command, *options);
-  command->add_option("--steps", plan.steps, "Steps of the check")->check(steps_range);
+  command->add_option("--steps", plan.steps, "Steps to check")->check(steps_range);
   add_motion_options(*command, plan.motion);
-  command->add_option("--every", plan.every, "Compare after every so many steps")
+  command->add_option("--every", plan.every, "Steps between two comparisons")
       ->check(positive_range)
       ->capture_default_str();
-  command->add_option("--seed", plan.seed, "Seed of the scenes and of the order of the rounds")
+  command->add_option("--seed", plan.seed, "Seed of the scenes and of the order within the rounds")
       ->check(steps_range)
       ->capture_default_str();
   command->add_option("--rounds", plan.rounds, "Rounds of each timing (default 11)")->check(whole_number(1, 100000));
-  command->add_option("--min-seconds", plan.min_seconds, "Least time of one sample (default 0.002 on a GPU, 0.05 else)")
+  command
+      ->add_option("--min-seconds", plan.min_seconds, "Minimum time of one sample (default 0.002 on a GPU, else 0.05)")
       ->check(sample_range);
-  command->add_flag("--quick", plan.quick, "A first look: small sizes, few rounds");
-  command->add_flag("--full", plan.full, "The long sweep: all sizes, more steps and rounds");
+  command->add_flag("--quick", plan.quick, "Small sizes, few rounds");
+  command->add_flag("--full", plan.full, "All sizes, more steps and rounds");
   command->add_option("--results", options->results,
                       "Folder for results.json and the tables (default results/<host>-<date>)");
   add_open_options(*command, line.open);
   command->footer(
-      "Every timed configuration is checked first; a wrong one is never timed.\n"
+      "Every configuration is checked before it is timed.\n"
       "Examples:\n  spherepair compare\n  spherepair compare --quick --backends cpu,glsl\n"
       "  spherepair compare --tables none --scenes random --n 4096 --steps 100000 --every 1000");
   command->callback([=, &line, &action] { action = [=, &line] { return compare_command(line, *options); }; });
 }
 
 void add_equal(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("equal", "Compare the collision sets and states that two compare runs recorded");
+  auto* command = app.add_subcommand("equal", "Compare the collision sets and states recorded by two compare runs");
   auto options = std::make_shared<EqualOptions>();
   command->add_option("left", options->left, "results.json of one run")->required();
   command->add_option("right", options->right, "results.json of another run, on another machine")->required();
@@ -149,7 +149,7 @@ void add_equal(CLI::App& app, Action& action) {
   command->callback([=, &action] { action = [=] { return equal_command(*options); }; });
 }
 
-// A study: options of its own, those of opening backends, and what it then does.
+// A study has its own options, the options for opening backends, and a function that runs it.
 template <typename AddOptions, typename Study>
 void add_study(CLI::App& app, CommandLine& line, Action& action, const char* name, const char* what,
                AddOptions add_options, Study study) {
@@ -160,30 +160,30 @@ void add_study(CLI::App& app, CommandLine& line, Action& action, const char* nam
 }
 
 void add_studies(CLI::App& app, CommandLine& line, Action& action) {
-  add_study(app, line, action, "precision", "Measure error against run time of every motion method and precision",
+  add_study(app, line, action, "precision", "Measure error and run time of every motion method and precision",
             add_precision_options, precision_command);
   add_study(app, line, action, "sets",
-            "Measure how many pairs are wrong by motion, storage, a naive predicate, and testing once a step",
+            "Measure how many pairs motion, storage, a naive predicate and testing once per step get wrong",
             add_sets_options, sets_command);
-  add_study(app, line, action, "sweep", "Record the cost of a collision step from few spheres to 10^9",
-            add_sweep_options, sweep_command);
-  add_study(app, line, action, "crossover", "Time all pairs against the grid, and the automatic choice with both",
+  add_study(app, line, action, "sweep", "Time a collision step from few spheres to 10^9", add_sweep_options,
+            sweep_command);
+  add_study(app, line, action, "crossover", "Time all pairs, the grid and the automatic choice between them",
             add_crossover_options, crossover_command);
-  add_study(app, line, action, "skips", "Time what is left out where a scene does not need it, and each API's api",
-            add_ablate_options, ablate_command);
+  add_study(app, line, action, "ablate", "Time each optimisation and API feature on and off", add_ablate_options,
+            ablate_command);
 }
 
 }  // namespace
 
 int run_program(int argc, const char* const* argv, const Opener& opener, Runner run) {
   CLI::App app(
-      "spherepair finds the colliding pairs of spheres, exactly, on the CPU, through GLSL compute shaders and through "
-      "CUDA; shows that all find the same pairs; and times them.");
+      "spherepair finds the colliding pairs of spheres exactly, on the CPU, with GLSL compute shaders and with CUDA; "
+      "checks that all backends find the same pairs; and times them.");
   app.set_version_flag("--version", fmt::format("spherepair {} ({})", build_info.version, build_info.commit));
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 all is well; 1 a difference was found; 2 bad usage or input, or output that cannot be written; "
-      "3 a backend, device, memory or threads are missing or fail.\n"
+      "Exit codes: 0 success; 1 a difference was found; 2 bad usage or input, or output that cannot be written; "
+      "3 a backend or device is missing or failed, or memory or threads ran out.\n"
       "Start with:\n  spherepair devices\n  spherepair compare --quick\nHelp on a subcommand: spherepair compare "
       "--help");
   CommandLine line;

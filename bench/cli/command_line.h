@@ -8,12 +8,11 @@
 
 namespace spherepair {
 
-// Runs a subcommand whose words were understood, or what a test puts in its place.
+// Runs a subcommand whose arguments were parsed; a test can replace it.
 using Runner = int (*)(const std::function<int()>& action);
-inline int run_it(const std::function<int()>& action) { return action(); }
+inline int run_directly(const std::function<int()>& action) { return action(); }
 
-// Parses the words, of which the first is the program's name, runs the subcommand and returns the exit code
-// (commands.h).
-int run_program(int argc, const char* const* argv, const Opener& opener = open_backend, Runner run = run_it);
+// Parses the arguments, runs the subcommand and returns the exit code (commands.h).
+int run_program(int argc, const char* const* argv, const Opener& opener = open_backend, Runner run = run_directly);
 
 }  // namespace spherepair

@@ -12,18 +12,18 @@
 
 namespace spherepair {
 
-// Documented in --help; scripts rely on them.
-enum ExitCode { kOk = 0, kDifference = 1, kUsage = 2, kDeviceTrouble = 3 };
+// Documented in --help: scripts rely on them.
+enum ExitCode { kOk = 0, kDifference = 1, kUsage = 2, kDeviceFailure = 3 };
 
 struct CommandLine {
-  std::vector<std::string> words;  // for the record
+  std::vector<std::string> words;  // argv, for the record
   OpenOptions open;
   Opener opener = open_backend;
 };
 
 struct DevicesOptions {
   std::vector<std::string> backends;
-  bool compile = false;  // time each kernel's compilation by the driver
+  bool compile = false;  // time the driver's compilation of each kernel
   std::string json_file;
 };
 int devices_command(const CommandLine& line, const DevicesOptions& options);
@@ -53,13 +53,13 @@ struct RenderOptions {
   std::string backend, method;
   StartOptions start;
   std::string output_file, video_file;  // .png, .mp4: at least one
-  uint pictures_per_second = 30;        // of the video
-  uint64_t steps = 0;                   // before the first picture
-  uint64_t images = 1, every = 1;       // steps from each picture to the next
+  uint images_per_second = 30;          // of the video
+  uint64_t steps = 0;                   // before the first image
+  uint64_t images = 1, every = 1;       // steps between two images
   uint width = 1280, height = 720, samples = 16;
   CameraOptions camera;
   std::string draw = "compute";    // DrawMethod
-  bool legend = true, box = true;  // box: the edges of what holds the spheres of the first picture
+  bool legend = true, box = true;  // box: the edges of the first image's bounding box
   bool plain = false;              // no occlusion, shadow or ground
 };
 int render_command(const CommandLine& line, const RenderOptions& options);

@@ -13,7 +13,7 @@
 namespace spherepair {
 namespace {
 
-// Everything that results.json holds, written anew after every table so that a stopped run leaves what it had.
+// Everything in results.json. It is rewritten after every table, so that an interrupted run keeps what it measured.
 class Record {
  public:
   Record(std::filesystem::path folder, const CommandLine& line, const Session& session, const Plan& plan)
@@ -57,7 +57,7 @@ class Record {
   json root_;
 };
 
-// What the record will write.
+// The files that the record will write.
 std::vector<std::string> files_of(const Plan& plan) {
   std::vector<std::string> files = {"results.json"};
   for (const std::string& table : plan.tables) files.push_back(table + ".txt");
@@ -68,7 +68,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void check_everything(Study& study) {
+void check_all(Study& study) {
   for (const CheckSize& check : study.plan.checks) {
     const auto start = std::chrono::steady_clock::now();
     for (const SceneOptions& scene : study.plan.scenes) {
@@ -102,8 +102,10 @@ void make_tables(Study& study, Record& record) {
 
 void print_heading(const Session& session) {
   fmt::print("spherepair {} ({})\n{}", build_info.version, build_info.commit, session.summary());
-  if (!session.find("cpu")) fmt::print("The CPU is left out: {} is the reference.\n", session.reference().info().name);
-  if (session.devices().size() < 2) fmt::print("GLSL and CUDA are not both open: their comparison is skipped.\n");
+  if (!session.find("cpu"))
+    fmt::print("The CPU is not among the backends: {} is the reference.\n", session.reference().info().name);
+  if (session.devices().size() < 2)
+    fmt::print("GLSL and CUDA are not both open: the comparison between them is skipped.\n");
   for (const std::string& warning : session.warnings()) fmt::print("\n{}\n", wrap(warning, 118, "  "));
   fmt::print("\n");
   std::fflush(stdout);
@@ -115,7 +117,7 @@ int compare_command(const CommandLine& line, const CompareOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   require_known_backends(options.backends);
   const std::filesystem::path folder = options.results.empty() ? default_results() : options.results;
-  prepare_folder(folder, files_of(make_plan(options.plan, false)));  // bad values end here, before any work
+  prepare_folder(folder, files_of(make_plan(options.plan, false)));  // throws for bad values before any work
   Session session(options.backends, line.open, line.opener);
   const bool hardware =
       std::ranges::any_of(session.backends(), [](const auto& backend) { return on_hardware(*backend); });
@@ -125,7 +127,7 @@ int compare_command(const CommandLine& line, const CompareOptions& options) {
   Study study(session, plan, progress);
   Record record(folder, line, session, plan);
   try {
-    check_everything(study);
+    check_all(study);
     make_tables(study, record);
     session.comparisons.require_complete();
   } catch (const DifferenceFound& difference) {

@@ -22,7 +22,7 @@ std::string ms_of(const std::map<std::string, double>& seconds, const std::strin
 }
 
 Table table_of(const CrossoverSweep& sweep) {
-  Table table{"One collision step of all pairs, of the grid and of auto; every step sorts the spheres anew",
+  Table table{"One collision step of all pairs, the grid and auto; every step sorts the spheres",
               {{"", "backend", "", true},
                {"", "spheres", "", true},
                {"", "n", ""},
@@ -34,56 +34,56 @@ Table table_of(const CrossoverSweep& sweep) {
                {"grid", "dense", "ms"},
                {"grid", "hashed", "ms"},
                {"", "auto", "ms"},
-               {"", "loses", "%"},
-               {"", "auto took", "", true},
+               {"", "loss", "%"},
+               {"", "auto chose", "", true},
                {"", "best", "", true}},
               {},
-              sweep.given_up};
+              sweep.stopped};
   for (const Timing& t : sweep.timings) {
     std::vector<std::string> row = {t.backend, t.kind, std::to_string(t.n), ms_of(t.all_pairs, "parallel")};
     for (const uint block : square_groups) row.push_back(ms_of(t.all_pairs, square_way(block)));
     row.insert(row.end(), {ms_of(t.all_pairs, "collide_triangle"), ms_of(t.grid, "dense"), ms_of(t.grid, "hashed"),
-                           format_ms(t.automatic), format_percent(t.over_best - 1), t.took, t.best});
+                           format_ms(t.automatic), format_percent(t.over_best - 1), t.chosen, t.best});
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
-// From which size on one stays ahead of the other; null: it is not ahead at the end.
-template <typename Ahead>
-json ahead_from(const std::vector<Timing>& timings, Ahead ahead) {
+// The size from which one of the two stays the faster; null if it is not the faster at the largest size.
+template <typename Faster>
+json faster_from(const std::vector<Timing>& timings, Faster faster) {
   json found = json::object();
   for (const Timing& t : timings) {
     json& from = found[t.backend][t.kind];
-    if (!ahead(t)) from = nullptr;
-    if (ahead(t) && from.is_null()) from = t.n;
+    if (!faster(t)) from = nullptr;
+    if (faster(t) && from.is_null()) from = t.n;
   }
   return found;
 }
 
-bool triangle_ahead(const Timing& t) {
+bool triangle_fastest(const Timing& t) {
   const auto triangle = t.all_pairs.find(method_name(Method::collide_triangle));
   if (triangle == t.all_pairs.end()) return false;
   return std::ranges::all_of(t.all_pairs, [&](const auto& way) { return triangle->second <= way.second; });
 }
 
-std::vector<std::string> slower_than_auto(const std::vector<Timing>& timings) {
+std::vector<std::string> slow_choices(const std::vector<Timing>& timings) {
   std::vector<std::string> found;
   for (const Timing& t : timings)
     if (t.slower)
-      found.push_back(fmt::format("{} {} of {}: {} takes {:.0f} % more than {}", t.backend, t.kind, t.n, t.took,
-                                  100 * (t.over_best - 1), t.best));
+      found.push_back(fmt::format("{} {}, n = {}: {} takes {:.2f}x the time of {}", t.backend, t.kind, t.n, t.chosen,
+                                  t.over_best, t.best));
   return found;
 }
 
 std::string verdict(const std::vector<Timing>& timings) {
-  const std::vector<std::string> slower = slower_than_auto(timings);
+  const std::vector<std::string> slower = slow_choices(timings);
   if (slower.empty())
-    return fmt::format("In all {} rows auto is within 10 % of the best fixed choice\n", timings.size());
+    return fmt::format("In all {} rows auto takes at most 1.1x the time of the best fixed choice\n", timings.size());
   std::string text =
-      fmt::format("WARNING: in {} of {} rows auto is slower than the best fixed choice by more than 10 %:\n",
+      fmt::format("WARNING: in {} of {} rows auto takes more than 1.1x the time of the best fixed choice:\n",
                   slower.size(), timings.size());
-  for (const std::string& first_mismatch : slower) text += "  " + first_mismatch + "\n";
+  for (const std::string& row : slower) text += "  " + row + "\n";
   return text;
 }
 
@@ -114,10 +114,10 @@ int crossover_command(const CommandLine& line, const CrossoverOptions& options) 
                  {"clocks", json::array({query_clocks()})}};
   std::optional<CrossoverSweep> sweep;
   const auto write = [&] {
-    record["grid_from"] = ahead_from(sweep->timings, [](const Timing& t) { return t.grid_ahead(); });
-    record["triangle_from"] = ahead_from(sweep->timings, triangle_ahead);
+    record["grid_from"] = faster_from(sweep->timings, [](const Timing& t) { return t.grid_faster(); });
+    record["triangle_from"] = faster_from(sweep->timings, triangle_fastest);
     record["auto"] = list_of(sweep->timings);
-    record["given_up"] = sweep->given_up;
+    record["stopped"] = sweep->stopped;
     record["measurements"] = sweep->measurements;
     write_file(options.json_file, json_text(record));
   };
@@ -144,10 +144,10 @@ std::shared_ptr<CrossoverOptions> add_crossover_options(CLI::App& command) {
   command.add_option("--rounds", options->rounds, "Rounds of each timing")
       ->check(whole_number(1, 1000))
       ->capture_default_str();
-  command.add_option("--most-ms", options->most_ms, "What takes longer a step is not tried at more spheres")
+  command.add_option("--most-ms", options->most_ms, "A method whose step takes longer is not timed with more spheres")
       ->check(real_number(1e-3, 1e9))
       ->capture_default_str();
-  command.add_option("--json", options->json_file, "The record")->capture_default_str();
+  command.add_option("--json", options->json_file, "Output file")->capture_default_str();
   command.footer("Example:\n  spherepair crossover --backends cpu,glsl --n 64,1024,16384");
   return options;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// spherepair crossover: where the grid overtakes all pairs, and whether Method::automatic takes the faster one.
+// spherepair crossover: from how many spheres on the grid is faster than all pairs, and whether Method::automatic
+// chooses the faster one.
 #pragma once
 
 #include <CLI/App.hpp>

@@ -12,7 +12,7 @@
 namespace spherepair {
 namespace {
 
-// Kernel -> milliseconds; null where they were compiled with the program.
+// Kernel -> milliseconds; null if the kernels were compiled when the program was built.
 json compile_all(Backend& backend) {
   json times;
   for (const StageTime& time : backend.compile_kernels()) {

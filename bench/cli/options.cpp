@@ -5,7 +5,7 @@
 
 namespace spherepair {
 
-// CLI11 would call "abc" a value out of range, and read 010 as 8.
+// CLI11 reports "abc" as out of range and reads 010 as 8.
 CLI::Validator whole_number(uint64_t low, uint64_t high) {
   const auto check = [=](std::string& text) -> std::string {
     const bool padded = text.size() > 1 && text.starts_with('0');
@@ -26,7 +26,7 @@ CLI::Validator real_number(double low, double high) {
 
 void refuse_empty_values(CLI::App& command) {
   const auto check = [](const std::string& text) {
-    return text.empty() ? "no value was given: leave the option out, or give one" : std::string();
+    return text.empty() ? "no value was given: omit the option or give one" : std::string();
   };
   for (CLI::Option* option : command.get_options())
     if (option->get_expected_max() > 0) option->check(check);
@@ -35,7 +35,7 @@ void refuse_empty_values(CLI::App& command) {
 namespace {
 
 std::string scene_help() {
-  std::string text = "Scene to start from. Known scenes:\n";
+  std::string text = "Scene at the start. Known scenes:\n";
   for (const SceneKind& kind : scene_kinds()) text += fmt::format("    {:<11} {}\n", kind.name, kind.summary);
   return text;
 }
@@ -46,10 +46,10 @@ void add_open_options(CLI::App& command, OpenOptions& open) {
   command.add_option("--cuda-device", open.cuda_device, "CUDA device to use, counted from 0")
       ->check(count_range)
       ->capture_default_str();
-  command.add_flag("--require-hardware", open.require_hardware, "Refuse OpenGL in software");
+  command.add_flag("--require-hardware", open.require_hardware, "Refuse software OpenGL");
   command.add_flag_callback(
-      "--no-gpu", [&open] { open.allow_gpu = false; }, "Use OpenGL in software even where a GPU is");
-  command.add_option("--threads", open.threads, "Threads of the CPU backend; 0 takes all cores")
+      "--no-gpu", [&open] { open.allow_gpu = false; }, "Use software OpenGL even if there is a GPU");
+  command.add_option("--threads", open.threads, "Threads of the CPU backend; 0: all cores")
       ->check(whole_number(0, 4096))
       ->capture_default_str();
 }
@@ -62,16 +62,14 @@ void add_scene_options(CLI::App& command, SceneOptions& scene) {
       ->capture_default_str();
   command.add_option("--radius", scene.radius, "Radius in metres")->capture_default_str();
   command.add_option("--radius-ratio", scene.radius_ratio, "Largest radius over smallest")->capture_default_str();
-  command.add_option("--packing-fraction", scene.packing_fraction, "Of the scene `uniform`")
+  command.add_option("--packing-fraction", scene.packing_fraction, "Packing fraction of the scene `uniform`")
       ->check(fraction_range)
       ->capture_default_str();
-  command
-      .add_option("--groups", scene.groups,
-                  "Of the scene `aligned`: m of the paper's m x n; n spheres = groups x group size")
+  command.add_option("--groups", scene.groups, "Scene `aligned`: m of the paper's m x n arrangement")
       ->check(count_range);
-  command.add_option("--group-size", scene.group_size, "Of the scene `aligned`: n of the paper's m x n")
+  command.add_option("--group-size", scene.group_size, "Scene `aligned`: n of the paper's m x n arrangement")
       ->check(count_range);
-  command.add_option("--offset", scene.offset, "Added to every coordinate of every centre, metres")
+  command.add_option("--offset", scene.offset, "Added to every coordinate of every centre, in metres")
       ->capture_default_str();
 }
 
@@ -79,12 +77,12 @@ void add_start_options(CLI::App& command, StartOptions& start) {
   add_scene_options(command, start.scene);
   auto* input = command.add_option(
       "--input", start.input_file,
-      "Take the spheres from a file instead: .xyz, .extxyz or .npy (see pairs --help; at rest), or any other name for "
-      "text, a line each, `x y z radius [vx vy vz]`; # starts a comment");
-  for (const char* of_scenes :
+      "Read the spheres from a file instead: .xyz, .extxyz or .npy (see pairs --help; at rest), or, with any other "
+      "extension, text lines `x y z radius [vx vy vz]`; # starts a comment");
+  for (const char* scene_option :
        {"--scene", "--n", "--seed", "--radius-ratio", "--packing-fraction", "--groups", "--group-size", "--offset"})
-    input->excludes(command.get_option(of_scenes));
-  command.add_option("--frame", start.frame, "Of an --input with several, counted from 0")
+    input->excludes(command.get_option(scene_option));
+  command.add_option("--frame", start.frame, "Frame of an --input with several, counted from 0")
       ->check(count_range)
       ->needs(input);
   add_motion_options(command, start.motion);
@@ -92,7 +90,7 @@ void add_start_options(CLI::App& command, StartOptions& start) {
 }
 
 void finish_start_options(const CLI::App& command, StartOptions& start) {
-  const bool given = command.count("--radius") > 0;  // a scene has a radius without being told, a file has not
+  const bool given = command.count("--radius") > 0;  // a scene has a default radius, a file has not
   if (given) start.radius = start.scene.radius;
 }
 
@@ -101,22 +99,22 @@ void add_motion_options(CLI::App& command, MotionChoice& motion) {
       .add_option("--motion", motion.method,
                   "euler, symplectic, paper, paper-clamp, impact-linear, impact or anchored: see README")
       ->capture_default_str();
-  command.add_option("--precision", motion.precision, "Of the motion's state: float32, compensated or float64")
+  command
+      .add_option("--precision", motion.precision, "Precision of the motion's state: float32, compensated or float64")
       ->capture_default_str();
-  command.add_option("--dt", motion.dt, "Seconds of a step, from 2^-60 to 2^20")->capture_default_str();
-  command.add_option("--restitution", motion.restitution, "Speed after a bounce over speed before, 0 to 1")
-      ->capture_default_str();
+  command.add_option("--dt", motion.dt, "Time step in seconds, from 2^-60 to 2^20")->capture_default_str();
+  command.add_option("--restitution", motion.restitution, "Coefficient of restitution, 0 to 1")->capture_default_str();
 }
 
 void add_save_options(CLI::App& command, RunOptions& options) {
   command.add_option("--save", options.save_file, "Write a checkpoint to this file after the last step");
-  command.add_option("--save-every", options.save_every, "Also after every so many steps")
+  command.add_option("--save-every", options.save_every, "Also write it every so many steps")
       ->check(whole_number(1, kMostSteps));
 }
 
 void add_resume_option(CLI::App& command, std::string& file) {
-  auto* resume = command.add_option("--resume", file,
-                                    "Go on from this checkpoint, to the same bits as if the run had not stopped");
+  auto* resume =
+      command.add_option("--resume", file, "Continue from this checkpoint, to the same bits as an uninterrupted run");
   for (const char* other :
        {"--input", "--frame", "--scene", "--n", "--seed", "--radius", "--radius-ratio", "--packing-fraction",
         "--groups", "--group-size", "--offset", "--motion", "--precision", "--dt", "--restitution"})

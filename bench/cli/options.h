@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Options that several subcommands share, and the subcommands that draw.
+// Options shared by several subcommands, and the subcommands that draw.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -20,16 +20,16 @@ const auto count_range = whole_number(0, kMostSpheres);
 const auto positive_range = whole_number(1, kMostSpheres);
 const auto steps_range = whole_number(0, kMostSteps);
 const auto block_range = whole_number(32, 1024);
-const auto fraction_range = real_number(1e-15, 0.74);  // as check_options has it
+const auto fraction_range = real_number(1e-15, 0.74);  // as in check_options
 const auto sample_range = real_number(1e-6, 60);       // seconds
 
-// The options that take a value refuse an empty one, which would pass for none.
+// Refuses an empty value for every option that takes one: it would be read as no value.
 void refuse_empty_values(CLI::App& command);
 
 void add_open_options(CLI::App& command, OpenOptions& open);
 void add_scene_options(CLI::App& command, SceneOptions& scene);
 
-// A scene, a file or a checkpoint, and the motion. The second goes into the command's callback.
+// A scene, a file or a checkpoint, and the motion. Call finish_start_options in the command's callback.
 void add_start_options(CLI::App& command, StartOptions& start);
 void finish_start_options(const CLI::App& command, StartOptions& start);
 
@@ -38,7 +38,7 @@ void add_motion_options(CLI::App& command, MotionChoice& motion);
 
 void add_save_options(CLI::App& command, RunOptions& options);  // --save and --save-every
 
-// --resume, which takes the place of every option of the scene and its motion; the command has these already.
+// --resume excludes every option of the scene and its motion; add those to the command first.
 void add_resume_option(CLI::App& command, std::string& file);
 
 void add_size_option(CLI::App& command, uint& width, uint& height);  // --size 1280x720

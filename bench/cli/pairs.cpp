@@ -28,7 +28,7 @@ struct Seconds {
   double load = 0, open = 0, collide = 0, write = 0;
 };
 
-// All that was asked for and found, for the summary and the JSON.
+// Options and results, for the summary and the JSON.
 struct PairsReport {
   const PairsOptions& options;
   SphereFile input;
@@ -38,11 +38,11 @@ struct PairsReport {
   Seconds seconds;
 };
 
-// All that can be wrong with the options, before hours are spent.
+// Throws for bad options before any work.
 void check_options(const PairsOptions& options) {
   if (!options.backend.empty()) require_known_backends({options.backend});
   if (!options.method.empty() && method_from_name(options.method) == Method::collide_group)
-    throw std::invalid_argument("the method collide_group finds pairs within groups only; choose another");
+    throw std::invalid_argument("the method collide_group finds only pairs within a group; choose another");
   parse_blocks({options.block});
   check_pair_file(options.output_file);
   OutputFiles files;

@@ -9,7 +9,7 @@
 
 #include "bench/cli/commands.h"
 #include "bench/cli/options.h"
-#include "bench/cli/precision_command.h"
+#include "bench/cli/precision.h"
 #include "bench/formats/files.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
@@ -31,9 +31,9 @@ PrecisionPlan make_precision_plan(const PrecisionOptions& options, bool hardware
   return plan;
 }
 
-// A row a method and precision, a column a time step; of the first backend that ran it.
+// A row per method and precision, a column per time step; errors of the first backend that ran it.
 Table error_table(const PrecisionPlan& plan, const std::vector<ErrorEntry>& errors) {
-  Table table{fmt::format("Error of position after {} s, rms, metres", plan.seconds),
+  Table table{fmt::format("Rms position error after {} s, metres", plan.seconds),
               {{"", "method", "", true}, {"", "precision", "", true}},
               {},
               {}};
@@ -49,7 +49,7 @@ Table error_table(const PrecisionPlan& plan, const std::vector<ErrorEntry>& erro
   }
   table.notes.push_back(
       fmt::format("{} spheres of the scene random, restitution 1, against the closed form in "
-                  "quadruple precision. The bits are the same on every backend that ran.",
+                  "quadruple precision. Every backend that ran gave the same bits.",
                   plan.error_n));
   return table;
 }
@@ -59,12 +59,12 @@ Table time_table(const PrecisionPlan& plan, const std::vector<TimeEntry>& times,
   for (const TimeEntry& entry : times)
     if (std::ranges::find(backends, entry.backend) == backends.end()) backends.push_back(entry.backend);
   const double bouncing = times.empty() ? 0 : std::ranges::find(times, k, &TimeEntry::k)->bouncing;
-  Table table{fmt::format("Time of a step at dt = 2^-{} s, {} spheres, {:.2f} % of which bounce in it", k, plan.time_n,
+  Table table{fmt::format("Time of a step at dt = 2^-{} s, {} spheres, of which {:.2f} % bounce", k, plan.time_n,
                           100 * bouncing),
               {{"", "method", "", true}, {"", "precision", "", true}, {"", "work", "", true}},
               {},
               {}};
-  for (const std::string& backend : backends) table.columns.push_back({backend, "a sphere", "ns"});
+  for (const std::string& backend : backends) table.columns.push_back({backend, "per sphere", "ns"});
   for (const TimeEntry& first : times) {
     if (first.k != k || first.backend != backends.front()) continue;
     std::vector<std::string> row = {motion_name(first.motion.method), precision_name(first.motion.precision),
@@ -99,7 +99,7 @@ struct Measured {
   std::vector<Target> targets;
 };
 
-// Writes the JSON and the tables, and prints these.
+// Writes the JSON and the tables, and prints the tables.
 void report(const std::filesystem::path& folder, json record, const PrecisionPlan& plan, const Measured& measured) {
   record["errors"] = list_of(measured.errors);
   record["times"] = list_of(measured.times);
@@ -109,8 +109,8 @@ void report(const std::filesystem::path& folder, json record, const PrecisionPla
   std::string text = error_table(plan, measured.errors).text();
   for (int k : plan.time_steps) text += "\n" + time_table(plan, measured.times, k).text();
   for (const CopyEntry& copy : measured.copies)
-    text += fmt::format("\nCopying {} spheres' positions on {}: {:.4g} GB/s read and written\n", copy.n, copy.backend,
-                        copy.bytes_per_second() / 1e9);
+    text += fmt::format("\nCopying the positions of {} spheres on {}: {:.4g} GB/s read and written\n", copy.n,
+                        copy.backend, copy.bytes_per_second() / 1e9);
   if (!measured.targets.empty()) text += "\n" + target_table(measured.targets).text();
   fmt::print("{}", text);
   write_file(folder / "precision.txt", text);
@@ -122,7 +122,7 @@ void report(const std::filesystem::path& folder, json record, const PrecisionPla
 int precision_command(const CommandLine& line, const PrecisionOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   require_known_backends(options.backends);
-  make_precision_plan(options, false);  // bad values end here, before any work
+  make_precision_plan(options, false);  // throws for bad values before any work
   const std::filesystem::path folder = options.results.empty() ? default_results() : options.results;
   prepare_folder(folder, {"precision.txt", "precision.json"});
   Session session(options.backends, line.open, line.opener);
@@ -151,7 +151,7 @@ std::shared_ptr<PrecisionOptions> add_precision_options(CLI::App& command) {
       ->delimiter(',');
   command.add_option("--precisions", options->precisions, "Only these of float32, compensated, float64")
       ->delimiter(',');
-  command.add_option("--n", options->n, "Spheres of the timings (default 4194304 on a GPU, 65536 else)")
+  command.add_option("--n", options->n, "Spheres of the timings (default 4194304 on a GPU, else 65536)")
       ->check(positive_range);
   command.add_option("--steps", options->steps, "Only these time steps: k of dt = 2^-k s, e.g. 4,6,10")
       ->delimiter(',')
@@ -159,7 +159,7 @@ std::shared_ptr<PrecisionOptions> add_precision_options(CLI::App& command) {
   command.add_option("--rounds", options->rounds, "Rounds of each timing")
       ->check(whole_number(6, 1000))
       ->capture_default_str();
-  command.add_flag("--quick", options->quick, "A first look: few time steps and spheres");
+  command.add_flag("--quick", options->quick, "Few time steps and spheres");
   command.add_option("--results", options->results, "Folder for precision.json and precision.txt");
   command.footer("Example:\n  spherepair precision --quick --motions paper,impact,anchored");
   return options;

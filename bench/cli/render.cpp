@@ -35,10 +35,10 @@ struct Series {
   const Start& start;
   const ChosenBackend& chosen;
   Method method;
-  Shot shot;
+  ImageOptions image;
 };
 
-// picture.png, or of several picture-007.png.
+// image.png, or image-007.png of several.
 fs::path name_of(const RenderOptions& options, uint64_t k) {
   fs::path path = options.output_file;
   if (options.images == 1) return path;
@@ -53,7 +53,7 @@ void check_extension(const std::string& file, const std::string& extension) {
     throw std::invalid_argument(fmt::format("the output {} does not end in {}", file, extension));
 }
 
-// Earlier versions gave their records no format.
+// Records of earlier versions have no format.
 bool is_record(const fs::path& path) {
   const json found = json::parse(FileBytes(path).bytes(), nullptr, false);
   if (!found.is_object()) return false;
@@ -61,7 +61,7 @@ bool is_record(const fs::path& path) {
   return found.contains("context") && found.contains("camera") && found.contains("samples");
 }
 
-// A picture was named by the user; its record was not, and takes no other file's place.
+// The user named the image but not its record, so the record must not replace another file.
 void add_image(OutputFiles& files, const std::string& option, const fs::path& image) {
   const fs::path path = record_of(image);
   files.write(option, image);
@@ -84,7 +84,7 @@ void check_files(const RenderOptions& options) {
 
 void check_options(const RenderOptions& options) {
   if (options.output_file.empty() && options.video_file.empty())
-    throw std::invalid_argument("nothing to write: give --output picture.png or --video film.mp4");
+    throw std::invalid_argument("nothing to write: give --output image.png or --video video.mp4");
   check_files(options);
   if (!options.backend.empty()) require_known_backends({options.backend});
   for (const auto& [name, value] : {std::pair{"--eye", options.camera.eye}, {"--target", options.camera.target}})
@@ -93,10 +93,10 @@ void check_options(const RenderOptions& options) {
 }
 
 json record(const Series& series, uint64_t step, const Collisions& totals) {
-  const Shot& shot = series.shot;
+  const ImageOptions& image = series.image;
   json views = json::array();
-  for (uint k = 0; k < shot.samples; ++k)
-    views.push_back(to_json(make_view(shot.camera, shot.look, shot.width, shot.height, jitter(k, shot.samples))));
+  for (uint k = 0; k < image.samples; ++k)
+    views.push_back(to_json(make_view(image.camera, image.look, image.width, image.height, jitter(k, image.samples))));
   const MethodChoice choice = series.chosen.backend->choice({.method = series.method});
   return {{"format", kFormat},
           {"context", capture_context(series.line.words)},
@@ -108,25 +108,25 @@ json record(const Series& series, uint64_t step, const Collisions& totals) {
           {"step", step},
           {"method", method_name(choice.method)},
           {"choice", to_json(choice)},
-          {"drawn_by", draw_method_name(shot.method)},
+          {"drawn_by", draw_method_name(image.method)},
           {"pairs", totals.pairs},
           {"colliding_spheres", totals.colliding_spheres},
           {"fingerprint", hex64(totals.fingerprint.a) + hex64(totals.fingerprint.b)},
-          {"width", shot.width},
-          {"height", shot.height},
-          {"box", shot.box ? json{{"low", shot.box->low}, {"high", shot.box->high}} : json()},
-          {"camera", to_json(shot.camera)},
+          {"width", image.width},
+          {"height", image.height},
+          {"box", image.box ? json{{"low", image.box->low}, {"high", image.box->high}} : json()},
+          {"camera", to_json(image.camera)},
           {"samples", views}};
 }
 
-// Pictures are encoded and written while the next are drawn, or when their turn comes where no thread can be started;
-// an error in one is thrown then.
+// Encodes and writes images while the next ones are drawn; without threads, when finish_one() waits for them. That is
+// also when their exceptions are thrown.
 class Writers {
  public:
-  void write(const fs::path& path, std::vector<uint> image, const Shot& shot, const json& record) {
+  void write(const fs::path& path, std::vector<uint> pixels, const ImageOptions& image, const json& record) {
     if (jobs_.size() >= std::max(1u, std::thread::hardware_concurrency())) finish_one();
-    jobs_.push_back(std::async([=, image = std::move(image), width = shot.width, height = shot.height] {
-      write_png(path, image, width, height);
+    jobs_.push_back(std::async([=, pixels = std::move(pixels), width = image.width, height = image.height] {
+      write_png(path, pixels, width, height);
       write_file(record_of(path), json_text(record));
     }));
   }
@@ -143,41 +143,41 @@ class Writers {
   std::deque<std::future<void>> jobs_;
 };
 
-std::vector<uint> take_image(const Series& series, uint64_t step, json& record_of_it) {
+std::vector<uint> draw_step(const Series& series, uint64_t step, json& image_record) {
   Backend& backend = *series.chosen.backend;
   CollideOptions collide = {.method = series.method};
-  if (series.shot.look.lighting) collide.grid.cells = Cells::dense;
+  if (series.image.look.lighting) collide.grid.cells = Cells::dense;
   require_finite(current_state(backend), step);
   backend.collide(collide);
-  record_of_it = record(series, step, backend.collisions());
-  std::vector<uint> image = take(backend, series.shot);
-  if (series.options.legend) draw_legend(image, series.shot.width, series.shot.height, series.shot.look);
+  image_record = record(series, step, backend.collisions());
+  std::vector<uint> image = draw_image(backend, series.image);
+  if (series.options.legend) draw_legend(image, series.image.width, series.image.height, series.image.look);
   return image;
 }
 
-void take_series(const Series& series) {
+void draw_series(const Series& series) {
   const RenderOptions& options = series.options;
   Progress progress;
   Writers writers;
   std::optional<Video> video;
-  const fs::path film = options.video_file;
-  if (!film.empty()) video.emplace(film, options.width, options.height, options.pictures_per_second);
+  const fs::path video_path = options.video_file;
+  if (!video_path.empty()) video.emplace(video_path, options.width, options.height, options.images_per_second);
   uint64_t step = series.start.step + options.steps;
-  json first, now;
+  json first, current;
   for (uint64_t k = 0; k < options.images; ++k) {
-    progress.say(fmt::format("picture {} of {}, step {}", k + 1, options.images, step));
-    std::vector<uint> image = take_image(series, step, now);
-    if (k == 0) first = now;
+    progress.say(fmt::format("image {} of {}, step {}", k + 1, options.images, step));
+    std::vector<uint> image = draw_step(series, step, current);
+    if (k == 0) first = current;
     if (video) video->add(image);
-    if (!options.output_file.empty()) writers.write(name_of(options, k), std::move(image), series.shot, now);
+    if (!options.output_file.empty()) writers.write(name_of(options, k), std::move(image), series.image, current);
     if (k + 1 == options.images) break;
     for (uint64_t i = 0; i < options.every; ++i, ++step) series.chosen.backend->move();
   }
   writers.finish();
   if (!video) return;
   video->commit();
-  first.update({{"pictures", options.images}, {"every", options.every}, {"rate", options.pictures_per_second}});
-  write_file(record_of(film), json_text(first));
+  first.update({{"images", options.images}, {"every", options.every}, {"rate", options.images_per_second}});
+  write_file(record_of(video_path), json_text(first));
 }
 
 }  // namespace
@@ -189,7 +189,7 @@ int render_command(const CommandLine& line, const RenderOptions& options) {
   const bool lights = !options.plain && options.draw == "compute" && start.scene.size() > 1;
   const Method method = lights ? Method::collide_grid : choose_method(options.method, *chosen.backend);
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
-  send(start, *chosen.backend);
+  upload_start(start, *chosen.backend);
   const double aspect = double(options.width) / options.height;
   for (uint64_t step = 0; step < options.steps; ++step) chosen.backend->move();
   const Backend::State state = current_state(*chosen.backend);
@@ -198,10 +198,10 @@ int render_command(const CommandLine& line, const RenderOptions& options) {
   const Camera camera = camera_of(options.camera, bounds, aspect);
   Look look = contact_look();
   if (lights) look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
-  Shot shot{camera, look, options.width, options.height, options.samples, draw_method_from_name(options.draw)};
-  if (options.box && shot.method == DrawMethod::compute && start.scene.size() > 0) shot.box = bounds;
-  if (lights) shot.ground = start.scene.plane;
-  take_series({line, options, start, chosen, method, shot});
+  ImageOptions image{camera, look, options.width, options.height, options.samples, draw_method_from_name(options.draw)};
+  if (options.box && image.method == DrawMethod::compute && start.scene.size() > 0) image.box = bounds;
+  if (lights) image.ground = start.scene.plane;
+  draw_series({line, options, start, chosen, method, image});
   fmt::print("{}{} on {}: scene {}, {} spheres\n", start.notes, chosen.backend->info().name,
              device_label(chosen.backend->info()), start.label, start.scene.size());
   if (!options.output_file.empty() && options.images > 1)

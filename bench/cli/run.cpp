@@ -15,7 +15,7 @@
 namespace spherepair {
 namespace {
 
-// A checkpoint is read whole before the next one replaces it.
+// --save may overwrite --resume: the checkpoint is read completely before it is replaced.
 void check_files(const RunOptions& options) {
   OutputFiles files;
   add_inputs(files, options.start);
@@ -80,22 +80,22 @@ void save(Backend& backend, const Start& start, uint64_t step, Backend::State st
   write_checkpoint(file, checkpoint);
 }
 
-// Steps, and the results of those that are asked for.
+// Moves to the last step; returns the results of the last step, or of every step with --per-step.
 std::vector<RunStep> simulate(Backend& backend, const RunOptions& options, const Start& start, CollideOptions collide) {
   std::vector<RunStep> results;
   Progress progress;
   const uint64_t end = start.step + options.steps;
   for (uint64_t step = start.step; step <= end; ++step) {
     if (step > start.step) backend.move();
-    const bool last = step == end, looks = last || options.per_step;
-    const bool on_the_way = options.save_every && step > start.step && step % options.save_every == 0;
-    const bool saves = !options.save_file.empty() && (last || on_the_way);
-    if (!looks && !saves) continue;
+    const bool last = step == end, collides = last || options.per_step;
+    const bool periodic = options.save_every && step > start.step && step % options.save_every == 0;
+    const bool saves = !options.save_file.empty() && (last || periodic);
+    if (!collides && !saves) continue;
     Backend::State state = current_state(backend);
     require_finite(state, step);
     const uint64_t hash = state_hash(state.positions, state.velocities, state.wide);
     if (saves) save(backend, start, step, std::move(state), options.save_file);
-    if (!looks) continue;
+    if (!collides) continue;
     progress.say(fmt::format("step {} of {}", step, end));
     collide.want_pairs = last && !options.pairs_file.empty();
     backend.collide(collide);
@@ -105,12 +105,39 @@ std::vector<RunStep> simulate(Backend& backend, const RunOptions& options, const
   return results;
 }
 
+void warn_of_stalled_spheres(const Scene& scene) {
+  const uint64_t stalled = stalled_spheres(scene);
+  if (stalled)
+    fmt::print(stderr,
+               "WARNING: {} spheres are too far from the origin for their speed: a step is less than half an ulp of "
+               "their float32 position, so they do not move. Use --precision compensated or --motion anchored.\n",
+               stalled);
+}
+
+json run_record(const CommandLine& line, const Session& session, const Start& start, const CollideOptions& collide,
+                const MethodChoice& choice, const std::vector<RunStep>& results) {
+  json steps = json::array();
+  for (const RunStep& result : results) steps.push_back(to_json(result));
+  return {{"context", capture_context(line.words)},
+          {"backends", session.to_json()},
+          {"scene", start.record},
+          {"motion", motion_label(start.scene.motion)},
+          {"dt", start.scene.dt},
+          {"restitution", start.scene.restitution},
+          {"method", method_name(choice.method)},
+          {"choice", to_json(choice)},
+          {"block", choice.block ? choice.block : collide.block},
+          {"exact", collide.exact},
+          {"swept", collide.swept},
+          {"steps", steps}};
+}
+
 }  // namespace
 
 int run_command(const CommandLine& line, const RunOptions& options) {
   require_known_backends({options.backend});
   if (options.save_every && options.save_file.empty())
-    throw std::invalid_argument("--save-every needs the name of a file: --save FILE");
+    throw std::invalid_argument("--save-every needs a file name: --save FILE");
   check_files(options);
   const Start start = start_of(options.start, line.open.threads);
   const Scene& scene = start.scene;
@@ -119,13 +146,8 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   Backend& backend = *session.find(options.backend);
   const CollideOptions collide = collide_options(options, backend);
   for (const std::string& warning : session.warnings()) fmt::print(stderr, "{}\n", warning);
-  if (const uint64_t stalled = options.steps ? stalled_spheres(scene) : 0)
-    fmt::print(stderr,
-               "WARNING: {} spheres are too far from the origin for their speed: a step is less than half of what "
-               "float32 can add to their position, so they stand still. Use --precision compensated or --motion "
-               "anchored.\n",
-               stalled);
-  send(start, backend);
+  if (options.steps) warn_of_stalled_spheres(scene);
+  upload_start(start, backend);
   const std::vector<RunStep> results = simulate(backend, options, start, collide);
   const MethodChoice choice = backend.choice(collide);
   fmt::print("{}{} on {}: {}{}, scene {}, {} spheres, {} steps of {}\n", start.notes, options.backend,
@@ -137,21 +159,8 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   if (collide.method == Method::automatic) fmt::print("auto: {}\n", describe(choice));
   print_steps(results);
   if (!options.pairs_file.empty()) write_file(options.pairs_file, pairs_text(backend.pairs()));
-  if (options.json_file.empty()) return kOk;
-  json steps = json::array();
-  for (const RunStep& result : results) steps.push_back(to_json(result));
-  write_file(options.json_file, json_text({{"context", capture_context(line.words)},
-                                           {"backends", session.to_json()},
-                                           {"scene", start.record},
-                                           {"motion", motion_label(scene.motion)},
-                                           {"dt", scene.dt},
-                                           {"restitution", scene.restitution},
-                                           {"method", method_name(choice.method)},
-                                           {"choice", to_json(choice)},
-                                           {"block", choice.block ? choice.block : collide.block},
-                                           {"exact", collide.exact},
-                                           {"swept", collide.swept},
-                                           {"steps", steps}}));
+  if (!options.json_file.empty())
+    write_file(options.json_file, json_text(run_record(line, session, start, collide, choice, results)));
   return kOk;
 }
 

@@ -14,7 +14,7 @@
 namespace spherepair {
 namespace {
 
-// Standard error may be full too.
+// std::fputs does not throw: standard error may be full too.
 int fail(ExitCode code, const std::string& message) {
   std::fputs(fmt::format("spherepair: {}\n", message).c_str(), stderr);
   return code;
@@ -28,9 +28,9 @@ int code_of(const std::function<int()>& action) {
   } catch (const std::invalid_argument& error) {
     return fail(kUsage, error.what());
   } catch (const std::bad_alloc&) {
-    return fail(kDeviceTrouble, "out of memory on the host; use fewer spheres");
+    return fail(kDeviceFailure, "out of memory on the host; use fewer spheres");
   } catch (const std::exception& error) {
-    return fail(kDeviceTrouble, error.what());
+    return fail(kDeviceFailure, error.what());
   }
 }
 

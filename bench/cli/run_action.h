@@ -5,7 +5,7 @@
 
 namespace spherepair {
 
-// Runs a subcommand; its errors, and output that could not be written, become messages on standard error and exit codes
+// Runs a subcommand. Exceptions and failed writes to standard output become messages on standard error and exit codes
 // (commands.h).
 int run_action(const std::function<int()>& action);
 

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 
-#include "bench/cli/sets_command.h"
+#include "bench/cli/sets.h"
 #include "bench/formats/files.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
@@ -32,7 +32,7 @@ SetPlan make_set_plan(const SetsOptions& options, bool hardware) {
   plan.n = plan.naive_n = 2048;
   plan.passing = 600;
   plan.offsets = {1e3f, 1e6f};
-  plan.ways = {0.5, 1.0, 5.0};
+  plan.distances = {0.5, 1.0, 5.0};
   plan.sampling.software_seconds = 0.005;
   return plan;
 }
@@ -42,17 +42,18 @@ std::string share(uint64_t wrong, const SetError& error) {
 }
 
 Table motion_table(const SetPlan& plan, const std::vector<MotionSetEntry>& entries) {
-  Table table{fmt::format("Pairs after {} s against the closed form's: missed + extra, and as a share", plan.seconds),
-              {{"", "method", "", true},
-               {"", "precision", "", true},
-               {"", "dt", "s"},
-               {"", "away", "m"},
-               {"", "right", "pairs"},
-               {"as collided", "(float32)", "wrong"},
-               {"with all bits", "kept", "wrong"},
-               {"", "position", "m rms"}},
-              {},
-              {}};
+  Table table{
+      fmt::format("Wrong pairs (missed + extra) after {} s against the closed form: number and share", plan.seconds),
+      {{"", "method", "", true},
+       {"", "precision", "", true},
+       {"", "dt", "s"},
+       {"", "offset", "m"},
+       {"", "right", "pairs"},
+       {"positions in", "float32", "wrong"},
+       {"positions in", "full precision", "wrong"},
+       {"", "rms error", "m"}},
+      {},
+      {}};
   for (const MotionSetEntry& entry : entries)
     table.rows.push_back({motion_name(entry.motion.method), precision_name(entry.motion.precision),
                           fmt::format("2^-{}", entry.k), fmt::format("{:g}", entry.offset),
@@ -64,8 +65,8 @@ Table motion_table(const SetPlan& plan, const std::vector<MotionSetEntry>& entri
 
 Table storage_table(const std::vector<StorageEntry>& entries) {
   Table table{
-      "Pairs of spheres that are only stored, away from the origin",
-      {{"", "precision", "", true}, {"", "away", "m"}, {"", "right", "pairs"}, {"", "missed", ""}, {"", "extra", ""}},
+      "Wrong pairs from storing positions away from the origin, without motion",
+      {{"", "precision", "", true}, {"", "offset", "m"}, {"", "right", "pairs"}, {"", "missed", ""}, {"", "extra", ""}},
       {},
       {}};
   for (const StorageEntry& entry : entries)
@@ -76,39 +77,39 @@ Table storage_table(const std::vector<StorageEntry>& entries) {
 }
 
 Table naive_table(const std::vector<NaiveEntry>& entries) {
-  Table table{"What exactness corrects and what it costs",
+  Table table{"Pairs that the naive predicate gets wrong, and the time of the exact one",
               {{"", "scene", "", true},
                {"", "spheres", ""},
-               {"", "who", "", true},
+               {"", "backend, method", "", true},
                {"", "right", "pairs"},
                {"naive", "missed", ""},
                {"naive", "extra", ""},
                {"naive", "time", "ms"},
                {"exact", "time", "ms"},
-               {"exact", "verdict", "", true}},
+               {"exact", "time/naive", "", true}},
               {},
               {}};
   for (const NaiveEntry& entry : entries)
     table.rows.push_back({entry.scene, std::to_string(entry.n), entry.exact.backend + " " + entry.method,
                           std::to_string(entry.error.right), std::to_string(entry.error.missed),
                           std::to_string(entry.error.extra), format_ms(entry.naive.median_seconds()),
-                          format_ms(entry.exact.median_seconds()), contest(entry.naive, entry.exact).text});
+                          format_ms(entry.exact.median_seconds()), ratio_text(contest(entry.exact, entry.naive))});
   return table;
 }
 
 Table contact_table(const std::vector<ContactEntry>& entries) {
-  Table table{"Pairs that pass through each other and are never seen to touch",
-              {{"", "way a step", "radii sums"},
+  Table table{"Contacts missed between steps, of pairs that pass through each other",
+              {{"", "distance/step", "radius sums"},
                {"", "backend", "", true},
                {"", "pairs", ""},
-               {"once a step", "missed", ""},
-               {"once a step", "expected", ""},
-               {"once a step", "off", "sigma"},
+               {"tested once per step", "missed", ""},
+               {"tested once per step", "expected", ""},
+               {"tested once per step", "deviation", "sigma"},
                {"swept", "missed", ""}},
               {},
               {}};
   for (const ContactEntry& entry : entries)
-    table.rows.push_back({fmt::format("{:g}", entry.way), entry.backend, std::to_string(entry.pairs),
+    table.rows.push_back({fmt::format("{:g}", entry.distance), entry.backend, std::to_string(entry.pairs),
                           std::to_string(entry.missed), fmt::format("{:.1f}", entry.expected()),
                           fmt::format("{:+.1f}", (double(entry.missed) - entry.expected()) / entry.deviation()),
                           std::to_string(entry.swept_missed)});
@@ -120,7 +121,7 @@ Table contact_table(const std::vector<ContactEntry>& entries) {
 int sets_command(const CommandLine& line, const SetsOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   require_known_backends(options.backends);
-  make_set_plan(options, false);  // bad values end here, before any work
+  make_set_plan(options, false);  // throws for bad values before any work
   const std::filesystem::path folder = options.results.empty() ? default_results() : options.results;
   prepare_folder(folder, {"sets.txt", "sets.json"});
   Session session(options.backends, line.open, line.opener);
@@ -164,7 +165,7 @@ std::shared_ptr<SetsOptions> add_sets_options(CLI::App& command) {
       ->delimiter(',');
   command.add_option("--precisions", options->precisions, "Only these of float32, compensated, float64")
       ->delimiter(',');
-  command.add_flag("--quick", options->quick, "A first look: few time steps, distances and spheres");
+  command.add_flag("--quick", options->quick, "Few time steps, distances and spheres");
   command.add_option("--results", options->results, "Folder for sets.json and sets.txt");
   command.footer("Example:\n  spherepair sets --quick --motions paper,impact,anchored");
   return options;

@@ -22,7 +22,7 @@ struct Shard {
 Shard parse_shard(const std::string& text) {
   const auto shard = two_numbers_of(text, '/', kMostSpheres);
   if (!shard || (*shard)[0] > (*shard)[1])
-    throw std::invalid_argument(fmt::format("shard '{}' is not understood; the second of four reads 2/4", text));
+    throw std::invalid_argument(fmt::format("shard '{}' is not i/n with i from 1 to n, such as 2/4", text));
   return {(*shard)[0], (*shard)[1]};
 }
 
@@ -32,24 +32,25 @@ std::vector<SweepTask> part_of(const std::vector<SweepTask>& all, const Shard& s
   return part;
 }
 
-std::vector<std::string> files_of(const std::vector<SweepTask>& configurations) {
+std::vector<std::string> files_of(const std::vector<SweepTask>& tasks) {
   std::vector<std::string> files;
-  for (const SweepTask& configuration : configurations) files.push_back(configuration.file);
+  for (const SweepTask& task : tasks) files.push_back(task.file);
   return files;
 }
 
 }  // namespace
 
 void add_shard_options(CLI::App& command, SweepOptions& options) {
-  command.add_option("--output", options.output, "Sweep: a JSON file for every configuration into this folder");
-  command.add_option("--shard", options.shard, "Of a sweep: only part i of n, e.g. 2/4")->capture_default_str();
-  command.add_flag("--resume", options.resume, "Of a sweep: leave out what this commit has already written there");
-  command.add_flag("--list", options.list, "Of a sweep: name the configurations and stop");
+  command.add_option("--output", options.output, "Sweep: write a JSON file per configuration to this folder");
+  command.add_option("--shard", options.shard, "Sweep: only part i of n, e.g. 2/4")->capture_default_str();
+  command.add_flag("--resume", options.resume,
+                   "Sweep: skip configurations that this commit has already written to the folder");
+  command.add_flag("--list", options.list, "Sweep: list the configurations and stop");
 }
 
-std::string hash_of(const json& what_decides) {
+std::string hash_of(const json& key) {
   uint64_t hash = 0;
-  for (const unsigned char letter : json_line(what_decides)) hash = splitmix64(hash ^ letter);
+  for (const unsigned char letter : json_line(key)) hash = splitmix64(hash ^ letter);
   return hex64(hash);
 }
 
@@ -58,20 +59,20 @@ int run_sweep(const std::vector<SweepTask>& all, const SweepOptions& options, bo
   const std::filesystem::path folder = options.output;
   if (!options.list) prepare_folder(folder, files_of(ours));
   size_t done = 0, skipped = 0;
-  for (const SweepTask& configuration : ours) {
-    const std::filesystem::path path = folder / configuration.file;
-    const bool there = options.resume && std::filesystem::exists(path) &&
-                       is_record(json::parse(FileBytes(path).bytes(), nullptr, false));
-    fmt::print("{} {}{}\n", configuration.file, configuration.title, there ? ": there already" : "");
+  for (const SweepTask& task : ours) {
+    const std::filesystem::path path = folder / task.file;
+    const bool written = options.resume && std::filesystem::exists(path) &&
+                         is_record(json::parse(FileBytes(path).bytes(), nullptr, false));
+    fmt::print("{} {}{}\n", task.file, task.title, written ? ": already written" : "");
     std::fflush(stdout);
-    if (!there && !options.list) {
-      const std::optional<std::string> text = configuration.run();
+    if (!written && !options.list) {
+      const std::optional<std::string> text = task.run();
       if (!text) return kDifference;
       write_file(path, *text);
     }
-    ++(there ? skipped : done);
+    ++(written ? skipped : done);
   }
-  fmt::print("{} of {} configurations {}, {} were there already\n", done, all.size(),
+  fmt::print("{} of {} configurations {}, {} already written\n", done, all.size(),
              options.list ? "to be timed" : "timed", skipped);
   return kOk;
 }

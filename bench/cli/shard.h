@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A sweep that several machines share out and that can be taken up again: one file a configuration, named by what
-// decides its numbers.
+// A sweep that several machines can share and that can be resumed: one file per configuration, named by a hash of
+// everything that determines its results.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -17,14 +17,14 @@ namespace spherepair {
 struct SweepOptions {
   std::string output;         // folder
   std::string shard = "1/1";  // part i of n, counted from 1
-  bool resume = false;        // leave out configurations whose record is there
-  bool list = false;          // only name them
+  bool resume = false;        // skip configurations whose record exists
+  bool list = false;          // only list them
 };
 
 struct SweepTask {
   std::string file;   // within the folder
   std::string title;  // one line for the reader
-  // Returns the file's text, or nothing when a wrong answer was found and reported.
+  // Returns the file's text, or nothing when a wrong result was found and reported.
   std::function<std::optional<std::string>()> run;
 };
 
@@ -32,10 +32,10 @@ struct SweepTask {
 void add_shard_options(CLI::App& command, SweepOptions& options);
 
 // 16 hexadecimal digits.
-std::string hash_of(const json& what_decides);
+std::string hash_of(const json& key);
 
-// Runs this shard's configurations. `resume` leaves those out whose file is JSON that is_record knows as whole. Returns
-// an exit code; throws std::invalid_argument when the shard is not understood or the folder cannot be written.
+// Runs this shard's configurations; with `resume`, skips those whose file is_record accepts as complete. Returns an
+// exit code; throws std::invalid_argument for a malformed shard or a folder that cannot be written.
 int run_sweep(const std::vector<SweepTask>& all, const SweepOptions& options, bool (*is_record)(const json&));
 
 }  // namespace spherepair

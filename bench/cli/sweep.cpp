@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// spherepair sweep: the cost of a collision step against the number of spheres, as one JSON file a configuration:
+// spherepair sweep: the time of a collision step against the number of spheres, one JSON file per configuration:
 //   format         "spherepair sweep 1"
 //   context, backends, clocks, seed   as in results.json of compare
-//   ceilings       bytes a second that each GPU copies, lane-instructions a second
-//   measurements   one entry for each backend and method: n, scene, order (cold: random; warm: that of the cells),
+//   peak_rates     bytes per second that each GPU copies, lane-instructions per second
+//   measurements   one entry for each backend and method: n, scene, order (cold: random; warm: cell order),
 //                  method, block, the set's pairs, colliding_spheres and fingerprint, checked_against, floor (bytes or
-//                  instructions), floor_ms and share_of_floor where the ceiling is known, and the timing core's fields:
-//                  median_ms, interval_ms, samples_ms, device_stages_ms ...
-//   left_out       backend, method and the reason, of all that was asked for and not timed
+//                  instructions), floor_ms and share_of_floor where the peak rate is known, and the timing core's
+//                  fields: median_ms, interval_ms, samples_ms, device_stages_ms ...
+//   left_out       backend, method and reason of whatever was requested but not timed
 #include "bench/cli/sweep.h"
 
 #include <fmt/format.h>
@@ -52,7 +52,7 @@ std::vector<SweepPoint> points_of(const Session& session, const SweepCommandOpti
   return points;
 }
 
-// A time is also a share of what the device can do at best, measured in the same run.
+// Measured in the same run, so that each time can be stated as a share of the floor.
 PeakRates measure_peak_rates(Session& session, const Sampling& sampling, Progress& progress) {
   PeakRates peak_rates{.issue = issue_rate(session), .copy = {}};
   for (Backend* device : session.devices())
@@ -106,7 +106,7 @@ class Sweep {
                       {"context", capture_context(line_.words)},
                       {"backends", session_.to_json()},
                       {"seed", point.seed},
-                      {"ceilings", to_json(*peak_rates_)},
+                      {"peak_rates", to_json(*peak_rates_)},
                       {"clocks", clocks},
                       {"measurements", times.measurements},
                       {"left_out", times.left_out}});
@@ -116,7 +116,7 @@ class Sweep {
   const SweepCommandOptions& options_;
   Session session_;
   Sampling sampling_;
-  std::optional<PeakRates> peak_rates_;  // once they are needed
+  std::optional<PeakRates> peak_rates_;  // measured when first needed
   Progress progress_;
 };
 
@@ -129,26 +129,25 @@ std::shared_ptr<SweepCommandOptions> add_sweep_options(CLI::App& command) {
   command.add_option("--n", options->sizes, "Numbers of spheres (default: 64 to 10^6, with a GPU to 10^9)")
       ->delimiter(',')
       ->check(positive_range);
-  command.add_option("--packing-fractions", options->packing_fractions, "Of the scene `uniform`")
+  command.add_option("--packing-fractions", options->packing_fractions, "Packing fractions of the scene `uniform`")
       ->delimiter(',')
       ->check(fraction_range)
       ->capture_default_str();
   command
       .add_option("--orders", options->orders,
-                  "Of the spheres: cold is random, so that each step sorts; warm is that of the cells")
+                  "Order of the spheres: cold (random, so that each step sorts) or warm (cell order)")
       ->delimiter(',')
       ->capture_default_str();
   command
-      .add_option("--block", options->block,
-                  "Group size: 32, 64, 128, 256, 512 or 1024; without it, the one that auto takes")
+      .add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024; default: as auto chooses it")
       ->check(block_range);
-  command.add_option("--rounds", options->rounds, "Samples of each time")
+  command.add_option("--rounds", options->rounds, "Samples of each timing")
       ->check(whole_number(1, 100000))
       ->capture_default_str();
   add_shard_options(command, options->sweep);
   command.get_option("--output")->required();
   command.footer(
-      "Each file holds every backend and method of one configuration, checked against each other, then timed.\n"
+      "Each file holds one configuration: every backend and method, checked against each other, then timed.\n"
       "Example:\n  spherepair sweep --output sweep --shard 2/8 --resume");
   return options;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// spherepair sweep: its options and itself.
+// spherepair sweep
 #pragma once
 
 #include <CLI/App.hpp>
@@ -15,7 +15,7 @@ struct SweepCommandOptions {
   std::vector<uint64_t> sizes;                 // empty: by machine
   std::vector<double> packing_fractions = {0.3, 0.05};
   std::vector<std::string> orders = {"cold", "warm"};
-  uint block = 0;  // as auto takes it
+  uint block = 0;  // 0: as auto chooses it
   int rounds = 11;
   SweepOptions sweep;
 };

@@ -31,7 +31,7 @@ std::string_view bytes_of(const T* values, size_t count = 1) {
   return {reinterpret_cast<const char*>(values), count * sizeof(T)};
 }
 
-// The parts in the order of the file. For writing and for reading, with what its size must be.
+// Visits the parts in the order of the file, for writing and for reading.
 template <typename Any, typename Visit>
 void visit_all(Any& checkpoint, Visit visit) {
   visit("positions", checkpoint.scene.positions);
@@ -55,7 +55,7 @@ class Reader {
     std::memcpy(&value, take(sizeof(T), what).data(), sizeof(T));
     return value;
   }
-  // What was read is as it was written.
+  // Throws unless the bytes read have the checksum that was written.
   void verify(std::string_view bytes, const std::string& what) {
     const uint64_t given = number<uint64_t>("the checksum of the " + what), wanted = checksum(bytes);
     if (given != wanted)
@@ -86,7 +86,7 @@ Header read_header(Reader& reader) {
   return header;
 }
 
-// How many words a part of this checkpoint has; vec4 count as one.
+// Number of elements of a part of this checkpoint.
 uint64_t wanted_size(const Checkpoint& c, const void* part) {
   const MotionOptions& motion = c.scene.motion;
   const uint64_t n = c.scene.size(), anchored = motion.method == MotionMethod::anchored;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A run on disk, to be gone on with later, on any backend, to the same bits.
+// The state of a run on disk, from which any backend continues to the same bits.
 //
 // The file is little-endian. First 8 bytes "SPHCHECK", then as 32-bit numbers the version (1), the motion method, the
 // precision, the steps that `anchored` counts, whether all radii are equal, and the length of the scene's name; as
 // float32 dt, gravity, plane and restitution; as 64-bit numbers n and the steps done. Then the name, and a 64-bit
 // checksum of all that. Then seven parts, each a 64-bit length in bytes, the bytes, and a 64-bit checksum of the bytes:
 // positions, velocities (vec4[n] each), wide state, anchors, flights, steps of the anchors, due steps (as layout.h
-// describes SLOT_WIDE to SLOT_NEXT_EVENT; empty where the method has none).
+// describes SLOT_WIDE to SLOT_NEXT_EVENT; empty if the method has none).
 #pragma once
 
 #include <filesystem>
@@ -17,17 +17,17 @@
 namespace spherepair {
 
 struct Checkpoint {
-  Scene scene;         // parameters, and positions and velocities as they stand
+  Scene scene;         // parameters and current positions and velocities
   MotionState motion;  // Backend::save()
   uint64_t step = 0;   // steps done
 };
 
-// Replaces the file whole or not at all. Both throw std::invalid_argument that names the file and what is wrong with
-// it: no checkpoint, another version, cut off in which part, which part is damaged, what does not fit together.
+// Atomically replaces the file. Both throw std::invalid_argument naming the file and the error: not a checkpoint,
+// another version, truncated or damaged in which part, inconsistent contents.
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
-// What stands behind the header and behind each part.
+// The checksum after the header and after each part.
 uint64_t checksum(std::string_view bytes);
 
 }  // namespace spherepair

@@ -15,7 +15,7 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t many = 1 << 16;                  // spheres from which on several threads share the work
+constexpr uint64_t many = 1 << 16;                  // spheres from which several threads are used
 constexpr uint64_t most_steps = uint64_t(1) << 53;  // of --steps
 
 bool is_finite(float x) { return std::isfinite(x); }
@@ -57,7 +57,7 @@ class Checker {
     throw std::invalid_argument(fmt::format("{}, {}: expected {}, found {}", file_, where, expected, found));
   }
 
-  // fail_at(i) says what is wrong with the first of so many for which this holds.
+  // Calls fail_at(i) for the first i < count with wrong(i).
   template <typename Wrong, typename Fail>
   void refuse(uint64_t count, Wrong wrong, Fail fail_at) const {
     uint64_t first = count;
@@ -103,7 +103,7 @@ class Checker {
     });
   }
 
-  // A sphere starts with its anchor at step 0 and gets another one with a bounce.
+  // The anchor of a sphere is at step 0 until a bounce sets a new one.
   template <typename Real>
   void check_anchors() const {
     const Params params = scene_params(scene_, true);
@@ -117,24 +117,24 @@ class Checker {
           fail(fmt::format("steps of the anchors, sphere {}", i),
                fmt::format("a bounce by step {}, or none", motion_.steps), fmt::format("{:#x}", motion_.since[i]));
         });
-    const auto due = [&](uint64_t i) {
+    const auto expected = [&](uint64_t i) {
       return next_event_step(anchor_of<Real>(motion_, scene_.velocities[i], i), params);
     };
     refuse(
-        n_, [&](uint64_t i) { return motion_.next_event[i] != due(i); },
+        n_, [&](uint64_t i) { return motion_.next_event[i] != expected(i); },
         [&](uint64_t i) {
-          fail(fmt::format("due steps, sphere {}", i), fmt::format("{}, by its anchor", due(i)),
+          fail(fmt::format("due steps, sphere {}", i), fmt::format("{}, by its anchor", expected(i)),
                fmt::format("{}", motion_.next_event[i]));
         });
   }
 
-  // Positions and velocities are the float32 numbers nearest to what the motion keeps.
+  // Positions and velocities are the float32 numbers nearest to the motion's full-precision state.
   template <typename Real>
   void check_state() const {
     Params params = scene_params(scene_, true);
     params.steps_done = motion_.steps;
     const auto wide = [&](uint64_t k, uint64_t i) { return load_real<Real>(motion_.wide, k * n_ + i); };
-    const auto told = [&](uint64_t i) -> Moving<Real> {
+    const auto evaluated = [&](uint64_t i) -> Moving<Real> {
       if (anchored()) return evaluate_sphere(anchor_of<Real>(motion_, scene_.velocities[i], i), params);
       return {wide(0, i), wide(1, i), wide(2, i), wide(3, i), wide(4, i), wide(5, i), scene_.positions[i].w};
     };
@@ -148,10 +148,10 @@ class Checker {
           n_,
           [&](uint64_t i) {
             const vec4& v = given[i];
-            return !same({snap(v.x), snap(v.y), snap(v.z), v.w}, of(told(i)));
+            return !same({snap(v.x), snap(v.y), snap(v.z), v.w}, of(evaluated(i)));
           },
           [&](uint64_t i) {
-            fail(fmt::format("{}, sphere {}", part, i), fmt::format("{} by the {}", text(of(told(i))), by),
+            fail(fmt::format("{}, sphere {}", part, i), fmt::format("{} by the {}", text(of(evaluated(i))), by),
                  text(given[i]));
           });
     };
@@ -161,14 +161,14 @@ class Checker {
     refuse(
         n_,
         [&](uint64_t i) {
-          const Moving<Real> s = told(i);
+          const Moving<Real> s = evaluated(i);
           const std::array<Real, 6> parts = {s.x, s.y, s.z, s.vx, s.vy, s.vz};
           for (uint64_t k = 0; k < 6; ++k)
             if (!same(wide(k, i), parts[k])) return true;
           return false;
         },
         [&](uint64_t i) {
-          fail(fmt::format("wide state, sphere {}", i), fmt::format("what the {} say", by), "another");
+          fail(fmt::format("wide state, sphere {}", i), fmt::format("the value of the {}", by), "another");
         });
   }
 

@@ -5,8 +5,8 @@
 
 namespace spherepair {
 
-// Whether what a checkpoint holds is what a run can have saved: its checksums say only that nobody damaged it. Throws
-// std::invalid_argument that names the file, the part, the sphere, what was expected and what was found.
+// Checks that a run can have saved this checkpoint; checksums detect only damage. Throws std::invalid_argument naming
+// the file, the part, the sphere, the expected and the actual value.
 void check_contents(const Checkpoint& checkpoint, const std::string& file);
 
 }  // namespace spherepair

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Nothing for a line that is empty or a comment.
+// Empty for an empty or comment line.
 std::vector<float> read_line(const FileBytes& file, uint64_t line, std::string_view text) {
   constexpr std::array columns = {"x", "y", "z", "radius", "vx", "vy", "vz"};
   std::vector<std::string_view> fields;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reading spheres from an NPY array: n x 3 centres, or n x 4 with the radius behind them.
+// Reads spheres from an NPY array: n x 3 centres, or n x 4 with the radius.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -57,7 +57,7 @@ void convert_row(const Array& array, uint64_t row, vec4& sphere, Converted& done
   }
 }
 
-// Integer sums and a minimum: the same on any number of threads.
+// Integer sums and a minimum do not depend on the number of threads.
 template <typename Real>
 Converted convert(const Array& array, std::vector<vec4>& spheres, int threads) {
   uint64_t changed = 0, wrong = 0, first_wrong = Converted{}.first_wrong;
@@ -115,7 +115,7 @@ Array array_of(const FileBytes& file, const NpyHeader& header) {
     file.fail_at_byte(file.bytes().size(), fmt::format("{} bytes of data from byte {} on", wanted, header.data_at),
                       fmt::format("the end of the file after {}: it is truncated", found));
   if (found > wanted)
-    file.fail_at_byte(header.data_at + wanted, "the end of the file behind the data",
+    file.fail_at_byte(header.data_at + wanted, "the end of the file after the data",
                       fmt::format("{} trailing bytes", found - wanted));
   const char foreign = std::endian::native == std::endian::little ? '>' : '<';
   return {file,

@@ -42,7 +42,8 @@ class HeaderText {
   uint64_t number();
 
   const FileBytes& file_;
-  std::string_view text_;  // up to the header's end, so that places in it are places in the file
+  std::string_view
+      text_;  // from the file's first byte to the header's end, so that offsets in it are offsets in the file
   uint64_t at_;
   NpyHeader header_;
   bool has_dtype_ = false, has_order_ = false, has_shape_ = false;
@@ -57,7 +58,7 @@ NpyHeader HeaderText::parse() {
     require(",", "',' or '}' in the header");
   }
   skip_space();
-  if (at_ < text_.size()) fail("nothing but spaces behind the header's '}'");
+  if (at_ < text_.size()) fail("nothing but spaces after the header's '}'");
   for (const auto& [found, key] :
        {std::pair(has_dtype_, "descr"), {has_order_, "fortran_order"}, {has_shape_, "shape"}})
     if (!found) file_.fail_at_byte(first, fmt::format("a header with the key '{}'", key), "none");
@@ -69,7 +70,7 @@ void HeaderText::entry() {
   skip_space();
   const uint64_t key_at = at_;
   const std::string key = string("a key of the header in quotes");
-  require(":", "':' behind the header's key");
+  require(":", "':' after the header's key");
   skip_space();
   if (key == "descr") {
     header_.dtype_at = at_;
@@ -120,7 +121,7 @@ uint64_t HeaderText::number() {
   const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
   if (error != std::errc()) fail("a whole number in the shape");
   at_ = uint64_t(end - text_.data());
-  take("L");  // Python 2 wrote it behind long integers
+  take("L");  // suffix of Python 2's long integers
   return value;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The header of an NPY file, versions 1 to 3: how the array behind it is laid out.
+// The header of an NPY file, versions 1 to 3: the layout of its array.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 namespace spherepair {
 
 struct NpyHeader {
-  std::string dtype;  // as it stands there: <f4
+  std::string dtype;  // as in the file: <f4
   bool fortran_order = false;
   std::vector<uint64_t> shape;
-  uint64_t dtype_at = 0, shape_at = 0;  // bytes where they stand, for errors
-  uint64_t data_at = 0;                 // byte where the array begins
+  uint64_t dtype_at = 0, shape_at = 0;  // their byte offsets, for errors
+  uint64_t data_at = 0;                 // byte offset of the array
 };
 
 NpyHeader read_npy_header(const FileBytes& file);

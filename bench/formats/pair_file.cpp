@@ -26,11 +26,11 @@ std::string extension_of(const std::string& file) {
 }
 
 void write_text(std::span<const Pair> pairs, const Sink& sink) {
-  constexpr size_t at_once = 65536;
+  constexpr size_t chunk = 65536;
   fmt::memory_buffer text;
-  for (size_t start = 0; start < pairs.size(); start += at_once) {
+  for (size_t start = 0; start < pairs.size(); start += chunk) {
     text.clear();
-    for (const Pair& pair : pairs.subspan(start, std::min(at_once, pairs.size() - start))) {
+    for (const Pair& pair : pairs.subspan(start, std::min(chunk, pairs.size() - start))) {
       text.append(fmt::format_int(pair.first));
       text.push_back(' ');
       text.append(fmt::format_int(pair.second));
@@ -40,7 +40,7 @@ void write_text(std::span<const Pair> pairs, const Sink& sink) {
   }
 }
 
-// NPY version 1.0: the header is padded with spaces so that the data begin at a multiple of 64 bytes.
+// NPY version 1.0: the header is padded with spaces so that the data start at a multiple of 64 bytes.
 void write_npy(std::span<const Pair> pairs, const Sink& sink) {
   const char order = std::endian::native == std::endian::little ? '<' : '>';
   std::string header =

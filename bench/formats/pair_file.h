@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Colliding pairs as a file: NPY (m x 2, uint32, C order) or text, a line `i j` each, by the file's extension.
+// Writes colliding pairs as NPY (m x 2, uint32, C order) or text (lines `i j`), by the file's extension.
 #pragma once
 
 #include <span>
@@ -9,12 +9,12 @@
 
 namespace spherepair {
 
-inline constexpr const char* kStandardOutput = "-";  // as text
+inline constexpr const char* kStandardOutput = "-";  // written as text
 
-// Throws std::invalid_argument for an extension that is not known.
+// Throws std::invalid_argument for an unknown extension.
 void check_pair_file(const std::string& file);
 
-// The file appears whole or not at all.
+// Replaces the file atomically.
 void write_pairs(const std::string& file, std::span<const Pair> pairs);
 
 }  // namespace spherepair

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures as PNG files.
+// Writes images as PNG files.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace spherepair {
 
-// Pixels as Backend::image() gives them. Throws std::invalid_argument when the file cannot be written.
+// Pixels in the format of Backend::image(). Throws std::invalid_argument if the file cannot be written.
 void write_png(const std::filesystem::path& path, std::span<const uint> pixels, uint width, uint height);
 
 }  // namespace spherepair

@@ -77,7 +77,7 @@ std::string describe(const SphereFile& input) {
   if (!input.own_radii) text += " by --radius";
   if (input.changed)
     return text + fmt::format("\n{} of {} numbers changed when rounded to float32\n", input.changed, input.values);
-  return text + fmt::format("\nfloat32 holds all {} numbers as they stand\n", input.values);
+  return text + fmt::format("\nfloat32 represents all {} numbers of the file\n", input.values);
 }
 
 json to_json(const SphereFile& input) {

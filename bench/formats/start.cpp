@@ -37,7 +37,7 @@ Start start_of(const StartOptions& options, int threads) {
     return {std::move(input.scene), label, notes, record};
   }
   if (options.radius || options.frame)
-    throw std::invalid_argument(fmt::format("{} has a radius on each line and no frames: leave {} out", file,
+    throw std::invalid_argument(fmt::format("{} has a radius on each line and no frames: omit {}", file,
                                             options.radius ? "--radius" : "--frame"));
   Scene scene = read_spheres(file);
   choose_motion(scene, options.motion);
@@ -51,7 +51,7 @@ void add_inputs(OutputFiles& files, const StartOptions& options) {
   files.read("--resume", options.resume_file);
 }
 
-void send(const Start& start, Backend& backend) {
+void upload_start(const Start& start, Backend& backend) {
   start.motion ? backend.resume(start.scene, *start.motion) : backend.upload(start.scene);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a run starts: a scene by name, spheres from a file, or the checkpoint of another run; and how it moves.
+// The start of a run: a named scene, spheres from a file, or a checkpoint; and its motion.
 #pragma once
 
 #include <optional>
@@ -15,29 +15,28 @@ namespace spherepair {
 
 struct StartOptions {
   SceneOptions scene;
-  std::string input_file;                                                 // spheres from a file, in place of a scene
+  std::string input_file;                                                 // spheres from a file, instead of a scene
   std::optional<float> radius;                                            // of the spheres of that file
   std::optional<uint64_t> frame;                                          // of that file
-  MotionChoice motion = {.method = motion_name(MotionMethod::anchored)};  // what the measurements favour
-  std::string resume_file;                                                // a checkpoint, in place of all that
+  MotionChoice motion = {.method = motion_name(MotionMethod::anchored)};  // the best by error and time
+  std::string resume_file;                                                // a checkpoint, instead of all of the above
 };
 
 struct Start {
   Scene scene;
   std::string label, notes;
   json record;
-  std::optional<MotionState> motion = {};  // of a run that goes on
+  std::optional<MotionState> motion = {};  // of a resumed run
   uint64_t step = 0;                       // steps done
 };
 
-// A scene, a file of another program, or one of our own text files, in which every sphere has its radius. threads: 0
-// takes all cores.
+// Makes the scene or reads the file or checkpoint. threads: 0: all cores.
 Start start_of(const StartOptions& options, int threads);
 
-// Says that --input and --resume are read.
+// Declares --input and --resume as inputs.
 void add_inputs(OutputFiles& files, const StartOptions& options);
 
-// Uploads the start, or goes on from the checkpoint.
-void send(const Start& start, Backend& backend);
+// Uploads the scene, or resumes from the checkpoint.
+void upload_start(const Start& start, Backend& backend);
 
 }  // namespace spherepair

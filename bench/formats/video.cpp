@@ -9,17 +9,17 @@
 
 namespace spherepair {
 
-Video::Video(const std::filesystem::path& path, uint width, uint height, uint pictures_per_second)
+Video::Video(const std::filesystem::path& path, uint width, uint height, uint images_per_second)
     : path_(path), file_(path) {
   if (std::system("ffmpeg -version >/dev/null 2>&1") != 0)
-    throw std::invalid_argument("a video needs ffmpeg: install the package ffmpeg, or write pictures with --output");
+    throw std::invalid_argument("a video needs ffmpeg: install the package ffmpeg, or write images with --output");
   if (width % 2 || height % 2)
     throw std::invalid_argument(fmt::format("a video of {}x{} pixels: both must be even", width, height));
-  std::signal(SIGPIPE, SIG_IGN);  // a failing ffmpeg is reported, not died of
+  std::signal(SIGPIPE, SIG_IGN);  // a failing ffmpeg is reported instead of ending this process
   const std::string command = fmt::format(
       "ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgba -s {}x{} -r {} -i - -c:v libx264 -crf 18 -pix_fmt yuv420p "
       "-f mp4 {}",
-      width, height, pictures_per_second, file_.name_for_children());
+      width, height, images_per_second, file_.name_for_children());
   pipe_ = popen(command.c_str(), "w");
   if (!pipe_) fail("ffmpeg could not be started");
 }
@@ -40,7 +40,7 @@ void Video::commit() {
 }
 
 void Video::fail(const char* what) const {
-  throw std::runtime_error(fmt::format("{}: {}; its own message stands above", path_.string(), what));
+  throw std::runtime_error(fmt::format("{}: {}; see its message above", path_.string(), what));
 }
 
 }  // namespace spherepair

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A film, encoded by ffmpeg in a process of its own.
+// A video, encoded by an ffmpeg process.
 #pragma once
 
 #include <cstdio>
@@ -11,16 +11,16 @@
 
 namespace spherepair {
 
-// Appears under its name with commit(); without a commit nothing is left.
+// commit() gives the file its name; without it nothing remains.
 class Video {
  public:
-  // Throws std::invalid_argument when ffmpeg is not there. width and height must be even.
-  Video(const std::filesystem::path& path, uint width, uint height, uint pictures_per_second);
+  // Throws std::invalid_argument without ffmpeg. width and height must be even.
+  Video(const std::filesystem::path& path, uint width, uint height, uint images_per_second);
   ~Video();
   Video(const Video&) = delete;
   Video& operator=(const Video&) = delete;
 
-  void add(const std::vector<uint>& image);  // as Backend::image() gives it
+  void add(const std::vector<uint>& image);  // in the format of Backend::image()
   void commit();
 
  private:

@@ -59,7 +59,7 @@ std::optional<Property> property_of(const std::string& name, const std::string& 
   return Property{name, type, *count};
 }
 
-// Half a unit of the last digit that stands there: 0.005 of 1.25, 50 of 12e2.
+// Half a unit of the last given digit: 0.005 for 1.25, 50 for 12e2.
 double half_unit(std::string_view text) {
   const size_t mark = std::min(text.find_first_of("eE"), text.size()), point = text.substr(0, mark).find('.');
   double exponent = point == text.npos ? 0 : -double(mark - point - 1);
@@ -71,7 +71,7 @@ template <typename Real>
 bool parse_real(std::string_view text, Real& value) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc::invalid_argument || end != text.data() + text.size()) return false;
-  if (error == std::errc::result_out_of_range)  // which leaves the value as it was
+  if (error == std::errc::result_out_of_range)  // from_chars leaves the value unchanged
     value = Real(std::is_same_v<Real, float> ? std::strtof(std::string(text).c_str(), nullptr)
                                              : std::strtod(std::string(text).c_str(), nullptr));
   return true;
@@ -138,7 +138,7 @@ std::optional<Decimal> parse_decimal(std::string_view text) {
   const double off = std::abs(double(decimal.rounded) - decimal.value);
   const bool vanished =
       decimal.value == 0 && text.substr(0, text.find_first_of("eE")).find_first_of("123456789") != text.npos;
-  decimal.changed = vanished || (off > 0 && off > 1.00001 * half_unit(text));  // float64 may place a tie just above it
+  decimal.changed = vanished || (off > 0 && off > 1.00001 * half_unit(text));  // float64 may round a tie just above it
   return decimal;
 }
 
@@ -147,8 +147,8 @@ Decimal read_number(const FileBytes& file, uint64_t line, std::span<const std::s
   const std::string_view text = fields[column];
   const auto decimal = parse_decimal(text);
   if (!decimal) file.fail_at_line(line, fmt::format("a number for {} in column {}", name, column + 1), in_quotes(text));
-  const char* first_mismatch = why_invalid(decimal->value, is_radius);
-  if (first_mismatch) file.fail_at_line(line, fmt::format("{} for {}", first_mismatch, name), in_quotes(text));
+  const char* expected = why_invalid(decimal->value, is_radius);
+  if (expected) file.fail_at_line(line, fmt::format("{} for {}", expected, name), in_quotes(text));
   return *decimal;
 }
 

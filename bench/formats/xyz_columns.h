@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which columns of an XYZ file are what.
+// The columns of an XYZ file.
 #pragma once
 
 #include <optional>
@@ -18,24 +18,24 @@ struct XyzColumns {
   std::string text;    // for the summary
 };
 
-// From Properties= of extended XYZ's comment line; none when it has no such key.
+// From Properties= in the comment line of extended XYZ; none without that key.
 std::optional<XyzColumns> named_columns(const FileBytes& file, uint64_t line, std::string_view comment);
 
 // Classic XYZ, `[species] x y z [radius]`, from the first sphere's line.
 XyzColumns classic_columns(const FileBytes& file, uint64_t line, std::string_view text);
 
-// What stands between blanks, the first `most` of it; `fields` is written over.
+// Splits at blanks into at most `most` fields; overwrites `fields`.
 void split_fields(std::string_view text, size_t most, std::vector<std::string_view>& fields);
 
-// A decimal as the nearest float32. `changed` when that is off by more than half a unit of the last digit given.
+// A decimal and the nearest float32. `changed`: they differ by more than half a unit of the last given digit.
 struct Decimal {
   double value;   // may be infinite or NaN
-  float rounded;  // from the text itself, not by way of float64
+  float rounded;  // from the text, not from the float64 value
   bool changed;
 };
-std::optional<Decimal> parse_decimal(std::string_view text);  // none when it is not a number
+std::optional<Decimal> parse_decimal(std::string_view text);  // none if it is not a number
 
-// The number in a column that is named so; throws where it is none that a sphere can have.
+// The number in a column called `name`; throws if it is invalid.
 Decimal read_number(const FileBytes& file, uint64_t line, std::span<const std::string_view> fields, size_t column,
                     const char* name, bool is_radius);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reading spheres from XYZ and extended XYZ: a line with their number, a comment, a line for each; then the next frame.
+// Reads spheres from XYZ and extended XYZ: a line with their number, a comment line, a line per sphere; then the next
+// frame.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,9 +15,9 @@
 namespace spherepair {
 namespace {
 
-// A stretch of spheres' lines, of which threads take one after the other.
-constexpr uint64_t lines_at_once = 16384;
-struct Stretch {
+// A chunk of sphere lines, read by one thread.
+constexpr uint64_t lines_per_chunk = 16384;
+struct Chunk {
   FileLines start;
   uint64_t first_sphere, spheres;
 };
@@ -24,7 +25,7 @@ struct Stretch {
 struct Frame {
   uint64_t spheres = 0, comment_line = 0;
   std::string_view comment;
-  std::vector<Stretch> stretches;
+  std::vector<Chunk> chunks;
 };
 
 uint64_t read_count(const FileBytes& file, FileLines& cursor, bool first) {
@@ -41,7 +42,7 @@ uint64_t read_count(const FileBytes& file, FileLines& cursor, bool first) {
   return *count;
 }
 
-// Finds where the frame's lines are and looks at none but the first two.
+// Finds the lines of a frame; parses only the first two.
 Frame read_frame(const FileBytes& file, FileLines& cursor, bool first) {
   Frame frame;
   const uint64_t count_line = cursor.line;
@@ -50,8 +51,8 @@ Frame read_frame(const FileBytes& file, FileLines& cursor, bool first) {
   if (cursor.at_end()) file.fail_at_line(cursor.line, "the comment line", "the end of the file");
   frame.comment = cursor.next();
   for (uint64_t sphere = 0; sphere < frame.spheres; ++sphere) {
-    if (sphere % lines_at_once == 0)
-      frame.stretches.push_back({cursor, sphere, std::min(lines_at_once, frame.spheres - sphere)});
+    if (sphere % lines_per_chunk == 0)
+      frame.chunks.push_back({cursor, sphere, std::min(lines_per_chunk, frame.spheres - sphere)});
     if (cursor.at_end())
       file.fail_at_line(cursor.line, fmt::format("{} spheres as line {} says", frame.spheres, count_line),
                         fmt::format("the end of the file after {}", sphere));
@@ -90,36 +91,36 @@ class LineReader {
   uint64_t changed_ = 0;
 };
 
-uint64_t read_stretch(const FileBytes& file, const XyzColumns& columns, Stretch stretch, std::vector<vec4>& spheres) {
+uint64_t read_chunk(const FileBytes& file, const XyzColumns& columns, Chunk chunk, std::vector<vec4>& spheres) {
   LineReader reader(file, columns);
-  for (uint64_t k = 0; k < stretch.spheres; ++k) {
-    const uint64_t line = stretch.start.line;
-    reader.read(stretch.start.next(), line, spheres[stretch.first_sphere + k]);
+  for (uint64_t k = 0; k < chunk.spheres; ++k) {
+    const uint64_t line = chunk.start.line;
+    reader.read(chunk.start.next(), line, spheres[chunk.first_sphere + k]);
   }
   return reader.changed();
 }
 
-// The error that stands first in the file is thrown, whichever thread met one first.
+// Throws the first error in the file, whichever thread finds one first.
 uint64_t read_spheres(const FileBytes& file, const XyzColumns& columns, const Frame& frame, int threads,
                       std::vector<vec4>& spheres) {
   TeamErrors errors;
   uint64_t changed = 0;
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1) reduction(+ : changed)
-  for (size_t k = 0; k < frame.stretches.size(); ++k)
-    errors.run(k, [&] { changed += read_stretch(file, columns, frame.stretches[k], spheres); });
+  for (size_t k = 0; k < frame.chunks.size(); ++k)
+    errors.run(k, [&] { changed += read_chunk(file, columns, frame.chunks[k], spheres); });
   errors.rethrow();
   return changed;
 }
 
 XyzColumns columns_of(const FileBytes& file, const Frame& frame) {
   if (const auto named = named_columns(file, frame.comment_line, frame.comment)) return *named;
-  if (frame.stretches.empty()) return {.text = "no spheres"};
-  FileLines first = frame.stretches.front().start;
+  if (frame.chunks.empty()) return {.text = "no spheres"};
+  FileLines first = frame.chunks.front().start;
   const uint64_t line = first.line;
   return classic_columns(file, line, first.next());
 }
 
-// Counts the frames, of which all must be whole, and keeps one.
+// Counts the frames, all of which must be complete, and returns one.
 Frame find_frame(const FileBytes& file, uint64_t wanted, uint64_t& frames) {
   Frame found;
   FileLines cursor{file.bytes()};

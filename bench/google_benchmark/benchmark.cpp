@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Google Benchmark's view of the same timing core, for its compare.py. A repetition is one sample of K steps; its time
-// is that of one step. With --output every configuration gets a JSON file of its own, so that a sweep can be shared out
-// and taken up again.
+// Google Benchmark's interface to the timing core, for its compare.py. A repetition is a sample of K steps; its time is
+// that of one step. --output writes a JSON file per configuration, so that a sweep can be sharded and resumed.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -24,7 +23,7 @@ namespace {
 
 struct BenchOptions {
   std::vector<std::string> backends, scenes = {"random"};
-  std::vector<uint64_t> sizes;  // empty: one that suits the machine
+  std::vector<uint64_t> sizes;  // empty: by machine
   std::vector<uint> blocks;
   int rounds = 0;
   SweepOptions sweep;
@@ -41,7 +40,7 @@ std::vector<SceneOptions> chosen_scenes(const BenchOptions& options, const Sessi
       if (!scene.groups) scene.n = n;
       check_options(scene);
       scenes.push_back(scene);
-      if (scene.groups) break;  // an arrangement has its own number
+      if (scene.groups) break;  // an arrangement defines n
     }
   return scenes;
 }
@@ -90,18 +89,18 @@ void add_context(const Session& session) {
   }
 }
 
-// What decides a configuration's numbers: its scene, its row on every backend, the rounds, the devices, the commit.
+// Identified by everything that determines the results: scene, rows, rounds, devices, commit.
 std::string file_name(const SceneOptions& scene, const std::vector<BenchRow>& rows, const Sampling& sampling) {
   json key = {{"scene", scene_json(scene)}, {"rounds", sampling.rounds}, {"commit", build_info.commit}};
   for (const BenchRow& row : rows) key["rows"].push_back({row.name, row.backend->info().device});
   return hash_of(key) + ".json";
 }
 
-std::optional<std::string> run_configuration(Session& session, const SceneOptions& of,
+std::optional<std::string> run_configuration(Session& session, const SceneOptions& options,
                                              const std::vector<BenchRow>& rows, const Sampling& sampling) {
   OnBackend on_backend;
   bool wrong = false;
-  BenchScene scene(session, of, on_backend);
+  BenchScene scene(session, options, on_backend);
   benchmark::ClearRegisteredBenchmarks();
   for (const BenchRow& row : rows) register_row(scene, row, sampling, wrong);
   std::ostringstream text;
@@ -113,15 +112,15 @@ std::optional<std::string> run_configuration(Session& session, const SceneOption
   return text.str();
 }
 
-// The same work on every backend that has it, timed against each other: cuda/collide_tiled/128 and
-// glsl/collide_tiled/128 belong together.
+// One task per kind of work, on every backend that has it: cuda/collide_tiled/128 and glsl/collide_tiled/128 are timed
+// together.
 std::vector<SweepTask> configurations(Session& session, const std::vector<SceneOptions>& scenes,
                                       const std::vector<BenchRow>& rows, const Sampling& sampling) {
-  std::map<std::string, std::vector<BenchRow>> together;
-  for (const BenchRow& row : rows) together[row.name.substr(row.name.find('/') + 1)].push_back(row);
+  std::map<std::string, std::vector<BenchRow>> rows_by_work;
+  for (const BenchRow& row : rows) rows_by_work[row.name.substr(row.name.find('/') + 1)].push_back(row);
   std::vector<SweepTask> all;
   for (const SceneOptions& scene : scenes)
-    for (const auto& [name, members] : together)
+    for (const auto& [name, members] : rows_by_work)
       all.push_back(
           {file_name(scene, members, sampling), fmt::format("{} {}, n = {}", name, scene_label(scene), scene.n),
            [&session, scene, members, &sampling] { return run_configuration(session, scene, members, sampling); }});
@@ -149,16 +148,15 @@ void add_options(CLI::App& app, BenchOptions& options, OpenOptions& open) {
       ->check(positive_range);
   app.add_option("--blocks", options.blocks, "Only these group sizes: 32,64,128,256,512,1024")->delimiter(',');
   app.add_option("--rounds", options.rounds, "Samples of each row (default 11)")->check(whole_number(1, 100000));
-  app.add_option("--threads", open.threads, "Threads of the CPU backend; 0 takes all cores")
-      ->check(whole_number(0, 4096));
+  app.add_option("--threads", open.threads, "Threads of the CPU backend; 0: all cores")->check(whole_number(0, 4096));
   add_shard_options(app, options.sweep);
   app.footer(
-      "Everything else goes to Google Benchmark, e.g. --benchmark_filter=triangle --benchmark_out=times.json\n"
+      "All other options go to Google Benchmark, e.g. --benchmark_filter=triangle --benchmark_out=times.json\n"
       "--benchmark_enable_random_interleaving=true");
 }
 
 int bench_command(int argc, char** argv) {
-  CLI::App app("Times every backend's motion, steps, launches and methods with Google Benchmark, each checked first.");
+  CLI::App app("Checks, then times every backend's motion, steps, launches and methods with Google Benchmark.");
   BenchOptions options;
   OpenOptions open;
   add_options(app, options, open);

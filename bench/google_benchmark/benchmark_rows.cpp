@@ -63,7 +63,7 @@ void BenchScene::check_result(const BenchRow& row) {
   require_equal(session_, {options_, 0}, reference, expected, configuration, run_step(session_, configuration, false));
 }
 
-// One step from the start, compared bit by bit. Both then stand somewhere else than the scene as it was made.
+// Compares one step from the start bit by bit. Both backends have then moved their spheres.
 void BenchScene::check_motion(const BenchRow& row) {
   Backend& reference = session_.reference();
   for (Backend* backend : {&reference, row.backend}) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rows of Google Benchmark: what every open backend can do, from the comparison's own list; each checked, then
-// timed.
+// The rows of Google Benchmark: everything that the open backends can do; each is checked, then timed.
 #pragma once
 
 #include <map>
@@ -9,7 +8,7 @@
 
 namespace spherepair {
 
-// One thing that one backend is timed at.
+// One benchmark of one backend.
 struct BenchRow {
   std::string name;  // glsl/collide_tiled/128, cuda/move, cpu/step, glsl/empty
   Backend* backend;
@@ -17,26 +16,24 @@ struct BenchRow {
   CollideOptions options;
 };
 
-// Every backend's motion, whole step and empty kernel, and all_configurations whom `compare` asks, at these group
-// sizes.
+// Every backend's motion, whole step and empty kernel, and all_configurations() at these group sizes.
 std::vector<BenchRow> bench_rows(Session& session, const std::vector<uint>& blocks);
 
-// The row's parameters that are no numbers and so no counters, as `name=value` words: readers need not take names
-// apart.
+// The parameters of a row that are not numbers, and so not counters, as `name=value` words.
 std::string parameters_of(const BenchRow& row, const SceneOptions& scene);
 
 class BenchScene;
-using OnBackend = std::map<const Backend*, const BenchScene*>;  // whose spheres stand there as they were made
+using OnBackend = std::map<const Backend*, const BenchScene*>;  // the scene that each backend holds unmoved
 
-// The scene that the rows are timed on, uploaded anew wherever a row has moved it or another scene has taken its place.
+// The scene of the rows; uploaded again if a row has moved it or another scene has replaced it.
 class BenchScene {
  public:
   BenchScene(Session& session, const SceneOptions& options, OnBackend& on_backend);
 
-  // Compares the row's answer with the reference's, once; throws DifferenceFound. Returns K, the steps of a sample.
+  // Compares the row's result with the reference's, once; throws DifferenceFound. Returns K, the steps of a sample.
   uint64_t check(const BenchRow& row, const Sampling& sampling);
 
-  // Seconds of one of K back-to-back steps.
+  // Seconds per step of K back-to-back steps.
   double sample(const BenchRow& row, uint64_t batch);
 
   const SceneOptions& options() const { return options_; }
@@ -50,7 +47,7 @@ class BenchScene {
   SceneOptions options_;
   Scene scene_;
   OnBackend& on_backend_;
-  std::map<std::string, uint64_t> batches_;  // of the rows that were checked
+  std::map<std::string, uint64_t> batches_;  // of the checked rows
 };
 
 }  // namespace spherepair

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Option values as text, checked against what is known. Each throws std::invalid_argument with the known values.
+// Checks and parses option values. Each throws std::invalid_argument with the known values.
 #pragma once
 
 #include <string>

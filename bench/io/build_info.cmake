@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Writes OUTPUT, a C++ file that says what was built from what. It is touched only when its text changes.
+# Writes OUTPUT, a C++ file with commit, compiler and flags. It is touched only when its text changes.
 find_program(GIT git)
 set(COMMIT "unknown")
 if(GIT)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a result needs beside it to be understood later: machine, versions, build, environment, clocks.
+// The context recorded with every result: machine, versions, build, environment, clocks.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ struct BuildInfo {
 };
 extern const BuildInfo build_info;  // written at build time
 
-// Machine, build, environment and command line; the backends add theirs (Session::to_json).
+// Machine, build, environment and command line; Session::to_json adds the backends.
 json capture_context(const std::vector<std::string>& command_line);
 
-// Clocks, throttle reasons, temperature and power of every GPU as nvidia-smi reports them; null without nvidia-smi.
+// Clocks, throttle reasons, temperature and power of every GPU from nvidia-smi; null without nvidia-smi.
 json query_clocks();
 
 bool gpu_seems_present();       // the kernel driver's control node exists

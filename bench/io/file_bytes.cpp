@@ -17,7 +17,7 @@
 namespace spherepair {
 namespace {
 
-constexpr size_t at_once = 1 << 16;  // bytes that a file may turn out to be longer
+constexpr size_t reserve = 1 << 16;  // bytes by which a file may be longer than its reported size
 
 [[noreturn]] void fail_to_read(const std::string& name, int error) {
   throw std::invalid_argument(fmt::format("cannot read {}: {}", name, std::strerror(error)));
@@ -40,12 +40,12 @@ FileBytes::FileBytes(const std::filesystem::path& path) : name_(path.string()) {
   struct stat status {};
   if (::fstat(file.value, &status) != 0) fail_to_read(name_, errno);
   if (S_ISDIR(status.st_mode)) fail_to_read(name_, EISDIR);
-  const size_t size = size_t(status.st_size);  // 0 of a pipe
+  const size_t size = size_t(status.st_size);  // 0 for a pipe
   if (!fits_in_memory(size))
-    throw BackendError(fmt::format("{} has {} bytes, more than memory has room for", name_, size));
-  bytes_.reserve(size + at_once);
+    throw BackendError(fmt::format("{} has {} bytes, which do not fit in memory", name_, size));
+  bytes_.reserve(size + reserve);
   advise_large_pages(bytes_.data(), bytes_.capacity());
-  bytes_.resize(size + at_once);
+  bytes_.resize(size + reserve);
   size_t done = 0;
   while (const ssize_t count = ::read(file.value, bytes_.data() + done, bytes_.size() - done)) {
     if (count < 0 && errno != EINTR) fail_to_read(name_, errno);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A file's bytes to read from, and errors that say where in it what was found.
+// The bytes of a file, and errors that name the position in it.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace spherepair {
 
-// Read whole and not mapped into memory, since a process that reads a mapped file which another shortens is ended.
-// Throws std::invalid_argument, or BackendError where memory has no room for the file.
+// Read completely, not mapped: if another process truncates a mapped file, reading it kills this one. Throws
+// std::invalid_argument, or BackendError if the file does not fit in memory.
 class FileBytes {
  public:
   explicit FileBytes(const std::filesystem::path& path);
@@ -26,7 +26,7 @@ class FileBytes {
   std::string name_, bytes_;
 };
 
-// In quotes, with unprintable bytes as \x.. and the end left out when it is long.
+// In quotes, with unprintable bytes as \x.., truncated if long.
 std::string in_quotes(std::string_view text);
 
 }  // namespace spherepair

@@ -8,10 +8,10 @@
 
 namespace spherepair {
 
-// Where the reading stands.
+// The unread rest of a file.
 struct FileLines {
   std::string_view rest;
-  uint64_t line = 1;  // of the rest's first
+  uint64_t line = 1;  // number of its first line
 
   bool at_end() const { return rest.empty(); }
 
@@ -29,7 +29,7 @@ struct FileLines {
   }
 };
 
-// Throws std::invalid_argument at the line of the first NUL byte: such a file is damaged, or no text.
+// Throws std::invalid_argument at the line of the first NUL byte: the file is damaged or not text.
 inline void require_text(const FileBytes& file) {
   const std::string_view bytes = file.bytes();
   const size_t nul = bytes.find('\0');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How spheres move, as the command line says it.
+// The motion options of the command line.
 #pragma once
 
 #include <string>
@@ -13,11 +13,11 @@ struct MotionChoice {
   float dt = SceneOptions{}.dt, restitution = SceneOptions{}.restitution;
 };
 
-// Both throw std::invalid_argument that names the value and what it may be.
+// Both throw std::invalid_argument with the value and its valid range.
 void choose_motion(SceneOptions& scene, const MotionChoice& choice);
 void choose_motion(Scene& scene, const MotionChoice& choice);
 
-// Every motion of these methods and precisions; all of what is empty.
+// Every motion of these methods and precisions; an empty list: all.
 std::vector<MotionOptions> chosen_motions(const std::vector<std::string>& methods,
                                           const std::vector<std::string>& precisions);
 

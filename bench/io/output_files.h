@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a command reads and writes, told before its work: nothing that is read is written over, no file is written
-// twice.
+// Checks the files of a command before its work: no input is overwritten, no output is written twice.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +8,14 @@
 
 namespace spherepair {
 
-// Files are named with the option that they come from, for the reader; an empty path stands for an option that was not
-// given. Throws std::invalid_argument. What is no regular file (a pipe, /dev/null) may have several uses.
+// `option` names the file in messages; an empty path stands for an option that was not given. Throws
+// std::invalid_argument. Other than regular files (a pipe, /dev/null) may have several uses.
 class OutputFiles {
  public:
   void read(const std::string& option, const std::filesystem::path& path);
 
-  // Also checks that the file can be written. in_place: the option of an input that is read whole before this output
-  // replaces it.
+  // Also checks that the file can be written. in_place: the option of an input that is read completely before this
+  // output replaces it.
   void write(const std::string& option, const std::filesystem::path& path, const std::string& in_place = "");
 
  private:
@@ -25,7 +24,7 @@ class OutputFiles {
     std::filesystem::path path;
     bool output;
   };
-  std::map<std::string, Use> uses_;  // by what is equal for two names of one file
+  std::map<std::string, Use> uses_;  // by identity()
 };
 
 }  // namespace spherepair

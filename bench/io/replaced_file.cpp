@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// /dev/stdout may lead to a regular file, but that one is open already: renaming would take it away from its writers.
+// /dev/stdout may link to a regular file that is already open: replacing it would detach its writers.
 bool names_open_file(const fs::path& path) {
   const std::string text = path.string();
   return fs::is_symlink(path) && (text.starts_with("/dev/") || text.starts_with("/proc/"));
@@ -38,7 +38,7 @@ fs::path follow_links(const fs::path& path) try {
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : "."; }
 
-// The file is there already: a folder that cannot be read is no reason to fail.
+// The file exists already: an unreadable folder is not an error.
 void sync_folder(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -55,28 +55,28 @@ ReplacedFile::ReplacedFile(const fs::path& path) : path_(path), target_(follow_l
   } else {
     descriptor_ = ::open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
     nameless_ = descriptor_ >= 0;
-    if (!nameless_) open_beside();
+    if (!nameless_) open_temporary();
   }
   if (descriptor_ < 0) fail(errno);
 }
 
 ReplacedFile::~ReplacedFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
-  if (!beside_.empty()) ::unlink(beside_.c_str());
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
-// Never the name of a file that exists already: it may be another's.
-bool ReplacedFile::take_name_beside(const std::function<bool(const std::string&)>& take) {
+// Never the name of an existing file: it may belong to another process.
+bool ReplacedFile::take_temporary_name(const std::function<bool(const std::string&)>& take) {
   for (int attempt = 0; attempt < 1000; ++attempt) {
     const std::string name = target_.string() + ".new" + (attempt ? std::to_string(attempt) : "");
-    if (take(name)) return beside_ = name, true;
+    if (take(name)) return temporary_ = name, true;
     if (errno != EEXIST) return false;
   }
   return false;
 }
 
-bool ReplacedFile::open_beside() {
-  return take_name_beside([&](const std::string& name) {
+bool ReplacedFile::open_temporary() {
+  return take_temporary_name([&](const std::string& name) {
     descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     return descriptor_ >= 0;
   });
@@ -93,23 +93,23 @@ void ReplacedFile::write(std::string_view bytes) {
 }
 
 std::string ReplacedFile::name_for_children() {
-  ::fcntl(descriptor_, F_SETFD, 0);  // no longer closed when they start
+  ::fcntl(descriptor_, F_SETFD, 0);  // keeps it open in child processes
   return fmt::format("/proc/self/fd/{}", descriptor_);
 }
 
-// A link cannot take the place of a file, only a rename can; so the file has a name beside it for that moment. The
-// bytes are on the disk before they get the name, so that a loss of power leaves the old file or the new one.
+// linkat cannot replace a file, but rename can: the file is linked under a temporary name first. Its bytes are synced
+// before that, so that a loss of power leaves either the old file or the new one.
 void ReplacedFile::commit() {
   const std::string open_file = fmt::format("/proc/self/fd/{}", descriptor_);
   const auto link = [&](const std::string& name) {
     return ::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
   };
-  if ((nameless_ || !beside_.empty()) && ::fsync(descriptor_) != 0) fail(errno);
-  if (nameless_ && !take_name_beside(link)) fail(errno);
+  if ((nameless_ || !temporary_.empty()) && ::fsync(descriptor_) != 0) fail(errno);
+  if (nameless_ && !take_temporary_name(link)) fail(errno);
   if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
-  if (beside_.empty()) return;
-  if (::rename(beside_.c_str(), target_.c_str()) != 0) fail(errno);
-  beside_.clear();
+  if (temporary_.empty()) return;
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+  temporary_.clear();
   sync_folder(folder_of(target_));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writing a file so that a failure loses nothing.
+// Atomic replacement of files.
 #pragma once
 
 #include <filesystem>
@@ -9,10 +9,10 @@
 
 namespace spherepair {
 
-// Written without a name and given its name by commit(), once it is on the disk; until then whatever has the name stays
-// as it is, and without a commit nothing is left, even when the program is killed (where the file system knows no files
-// without a name, that is one beside it, which a kill leaves). What is no regular file (a pipe, a device) is written
-// directly. Throws std::invalid_argument.
+// Writes an unnamed file; commit() syncs it and gives it its name. Until then an existing file of that name is
+// unchanged, and without commit() nothing remains, even if the program is killed. (On file systems without unnamed
+// files it is a temporary file in the same folder, which a kill leaves behind.) Pipes and devices are written directly.
+// Throws std::invalid_argument.
 class ReplacedFile {
  public:
   explicit ReplacedFile(const std::filesystem::path& path);
@@ -21,20 +21,20 @@ class ReplacedFile {
   ReplacedFile& operator=(const ReplacedFile&) = delete;
 
   void write(std::string_view bytes);
-  std::string name_for_children();  // under which programs that are started from now on can write before the commit
+  std::string name_for_children();  // for child processes started from now on, which may write before commit()
   void commit();
 
  private:
   [[noreturn]] void fail(int error) const;
-  bool take_name_beside(const std::function<bool(const std::string&)>& take);
-  bool open_beside();
+  bool take_temporary_name(const std::function<bool(const std::string&)>& take);
+  bool open_temporary();
 
-  std::filesystem::path path_, target_, beside_;  // as given; with links followed; empty while there is no such file
+  std::filesystem::path path_, target_, temporary_;  // as given; links followed; empty without such a file
   bool nameless_ = false;
   int descriptor_ = -1;
 };
 
-// Throws when a file of that name could not be written; leaves nothing and touches no pipe or device.
+// Throws if a file of that name cannot be written. Creates nothing and does not open pipes or devices.
 void check_writable(const std::filesystem::path& path);
 
 }  // namespace spherepair

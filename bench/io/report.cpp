@@ -28,7 +28,7 @@ std::vector<size_t> column_widths(const Table& table) {
   return widths;
 }
 
-// Columns [first, last) share a group heading; they are widened when it needs the room.
+// Columns [first, last) share a group heading and are widened to fit it.
 size_t group_end(const Table& table, size_t first) {
   size_t last = first + 1;
   const std::string& group = table.columns[first].group;

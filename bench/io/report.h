@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Readable text tables, numbers with their units, and progress for a terminal.
+// Text tables, formatted numbers, and progress for a terminal.
 #pragma once
 
 #include <chrono>
@@ -12,11 +12,11 @@ namespace spherepair {
 
 using json = nlohmann::ordered_json;
 
-// For a file, and on one line; bytes that are no UTF-8 get replacement characters.
+// Indented, and on one line. Bytes that are not UTF-8 become replacement characters.
 std::string json_text(const json& value);
 std::string json_line(const json& value);
 
-// Each by its own to_json.
+// Converts each entry by its to_json.
 template <typename Entry>
 json list_of(const std::vector<Entry>& entries) {
   json list = json::array();
@@ -25,12 +25,12 @@ json list_of(const std::vector<Entry>& entries) {
 }
 
 struct Column {
-  std::string group;  // a heading over neighbouring columns of the same group; may be empty
+  std::string group;  // heading over neighbouring columns of the same group; may be empty
   std::string name, unit;
   bool left = false;
 };
 
-// Cells are text, so that a figure and "skipped" can stand in one column.
+// Cells are text, so that a column can hold numbers and "skipped".
 struct Table {
   std::string title;
   std::vector<Column> columns;
@@ -51,7 +51,7 @@ std::string format_percent(double share);    // +4.2
 std::string hex64(uint64_t value);
 std::string wrap(const std::string& text, size_t width, const std::string& indent);
 
-// One line on standard error that overwrites itself; nothing at all when that is not a terminal.
+// One line on standard error that overwrites itself; silent if that is not a terminal.
 class Progress {
  public:
   Progress();
@@ -59,7 +59,7 @@ class Progress {
   void say(const std::string& what);
   void clear();
 
-  // In front of what is said from now on: so many parts of a study are done, and so long may the others take.
+  // Prefix of the following lines: parts done and the estimated time of the others.
   void reach(uint64_t done, uint64_t total);
 
  private:

@@ -18,7 +18,7 @@ SceneOptions parse_scene(const std::string& text, uint64_t seed) {
   if (options.name == text) return options;
   const auto shape = two_numbers_of(text.substr(options.name.size() + 1), 'x', kMostSpheres);
   if (options.name != "aligned" || !shape)
-    throw std::invalid_argument(fmt::format("scene '{}' is not understood; an arrangement reads aligned:8x16", text));
+    throw std::invalid_argument(fmt::format("scene '{}' is not an arrangement such as aligned:8x16", text));
   options.groups = uint((*shape)[0]);
   options.group_size = uint((*shape)[1]);
   options.n = uint64_t(options.groups) * options.group_size;
@@ -43,7 +43,7 @@ json scene_json(const SceneOptions& o) {
                 {"groups", o.groups},
                 {"group_size", o.group_size},
                 {"offset", o.offset}};
-  // Only what differs, so that records from before there was a choice compare with those made since.
+  // Only if not the default, so that records of versions without these options can be compared with new ones.
   const SceneOptions plain;
   if (o.motion != plain.motion) scene["motion"] = motion_label(o.motion);
   if (o.dt != plain.dt) scene["dt"] = o.dt;

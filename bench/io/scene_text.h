@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene as text: on the command line, in messages and in records.
+// Scenes on the command line, in messages and in records.
 #pragma once
 
 #include "bench/io/report.h"

@@ -19,7 +19,7 @@ ChosenBackend choose_backend(const std::string& name, const OpenOptions& options
   if (!name.empty()) return open_one(name, options);
   std::vector<std::string> passed_over;
   OpenOptions hardware = options;
-  hardware.require_hardware = true;  // OpenGL in software is slower than the CPU backend
+  hardware.require_hardware = true;  // software OpenGL is slower than the CPU backend
   for (const char* device : {"cuda", "glsl"}) {
     if (!options.allow_gpu) break;
     try {

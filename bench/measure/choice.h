@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is taken where the user names no backend or no method.
+// The backend and method used when the user names none.
 #pragma once
 
 #include "bench/measure/session.h"
@@ -9,16 +9,16 @@ namespace spherepair {
 struct ChosenBackend {
   std::unique_ptr<Session> session;
   Backend* backend = nullptr;
-  std::vector<std::string> passed_over;  // why the faster ones were not taken
+  std::vector<std::string> passed_over;  // reasons why faster backends were not chosen
 };
 
-// The named one, or without a name the fastest that opens: a GPU through CUDA, one through OpenGL, the CPU.
+// The named backend, or without a name the fastest that opens: CUDA, OpenGL on a GPU, the CPU.
 ChosenBackend choose_backend(const std::string& name, const OpenOptions& options);
 
-// What was taken, for the record: the method, the kind of cells, the reason.
+// For the record: method, kind of cells, reason.
 json to_json(const MethodChoice& choice);
 
-// The named method, which the backend must have; without a name Method::automatic.
+// The named method, which the backend must have; Method::automatic without a name.
 Method choose_method(const std::string& name, const Backend& backend);
 
 }  // namespace spherepair

@@ -13,18 +13,18 @@ constexpr const char* kind_names[] = {"sets", "states"};
 }  // namespace
 
 void Comparisons::require_complete() const {
-  for (const auto& [who, counts] : of_)
+  for (const auto& [backend, counts] : counts_)
     for (const Kind kind : {sets, states})
       if (counts.made[kind] != counts.planned[kind])
-        throw std::logic_error(
-            fmt::format("{} comparisons of {} of {} were planned, but {} were made: the harness is at fault, and the "
-                        "equality of this run is not shown",
-                        counts.planned[kind], kind_names[kind], who, counts.made[kind]));
+        throw std::logic_error(fmt::format(
+            "{} comparisons of {} of {} were planned, but {} were made: an error of the harness; this run does not "
+            "show equality",
+            counts.planned[kind], kind_names[kind], backend, counts.made[kind]));
 }
 
 uint64_t Comparisons::made(Kind kind) const {
   uint64_t sum = 0;
-  for (const auto& [who, counts] : of_) sum += counts.made[kind];
+  for (const auto& [backend, counts] : counts_) sum += counts.made[kind];
   return sum;
 }
 
@@ -34,9 +34,9 @@ std::string Comparisons::text() const {
 
 json Comparisons::to_json() const {
   json all = json::object();
-  for (const auto& [who, counts] : of_)
+  for (const auto& [backend, counts] : counts_)
     for (const Kind kind : {sets, states})
-      all[who][kind_names[kind]] = {{"planned", counts.planned[kind]}, {"made", counts.made[kind]}};
+      all[backend][kind_names[kind]] = {{"planned", counts.planned[kind]}, {"made", counts.made[kind]}};
   return all;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How many comparisons a run planned and how many it made, backend by backend: equality that was not looked at is not
-// shown.
+// The number of comparisons that a run planned and made, by backend: a run that compared less than planned shows no
+// equality.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@ class Comparisons {
  public:
   enum Kind { sets, states };
 
-  // `who`: the name of the backend that is compared with the reference. Plans are made before any of it is done.
-  void plan(const std::string& who, Kind kind, uint64_t count) { of_[who].planned[kind] += count; }
-  void made(const std::string& who, Kind kind) { ++of_[who].made[kind]; }
+  // `backend`: the one that is compared with the reference. Plan before the first comparison is made.
+  void plan(const std::string& backend, Kind kind, uint64_t count) { counts_[backend].planned[kind] += count; }
+  void made(const std::string& backend, Kind kind) { ++counts_[backend].made[kind]; }
 
-  // Throws std::logic_error that names the backend where the numbers made are not those planned.
+  // Throws std::logic_error that names a backend for which made and planned differ.
   void require_complete() const;
 
   uint64_t made(Kind kind) const;
@@ -30,7 +30,7 @@ class Comparisons {
   struct Counts {
     uint64_t planned[2] = {}, made[2] = {};
   };
-  std::map<std::string, Counts> of_;
+  std::map<std::string, Counts> counts_;
 };
 
 }  // namespace spherepair

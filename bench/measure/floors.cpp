@@ -19,7 +19,7 @@ double copy_rate(Backend& device, const Sampling& sampling, Progress& progress) 
   constexpr uint64_t beyond_caches = uint64_t(1) << 25;  // spheres: 0.5 GB read, 0.5 GB written
   device.upload(make_scene({.name = "uniform", .n = beyond_caches}));
   device.check_peak_rate(PeakRate::copy);
-  const Contender copy{device.info().name + " ceiling copy", &device,
+  const Contender copy{device.info().name + " peak copy", &device,
                        [](Backend& b) { b.launch_peak_rate(PeakRate::copy); }};
   const std::vector<Samples> samples = measure({&copy, 1}, sampling, progress);
   return 2 * sizeof(vec4) * double(beyond_caches) / samples.front().median_seconds();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The least time that a collision step can take on a GPU: what its time is a share of.
+// Lower bounds of a collision step's time on a GPU, from its peak rates (roofline).
 #pragma once
 
 #include <optional>
@@ -9,35 +9,35 @@
 
 namespace spherepair {
 
-// Three fused multiply-adds and a comparison: the least for a pair in the Gram form.
+// Three fused multiply-adds and a comparison: the minimum for a pair in the Gram form.
 constexpr int instructions_per_pair = 4;
 
-// Bytes a sphere that the grid must move, packing fraction 0.3 (7 bytes of table a sphere, which need be written only:
-// they may be read in the cache), equal radii. In cell order: the position read for the table and again for the search,
-// the table, a count. In random order: the position read to split and to sort it and for the search, and written by the
-// split and the sort, its number in the place of its radius; the table, a count. Where one split does not do, above 1.2
-// million spheres, what is done takes 64 more.
+// Minimum memory traffic of the grid in bytes per sphere, packing fraction 0.3, equal radii. The cell table takes 7
+// bytes per sphere and counts as written only, since it may be read from the cache. In cell order: the position, read
+// for the table and for the search; the table; the count. In random order: the position, read by the split, the sort
+// and the search and written by the split and the sort, with the sphere's index in place of its radius; the table; the
+// count. Above 1.2 million spheres, which need a second split, the actual traffic is 64 bytes more.
 constexpr double grid_bytes_in_cell_order = 2 * 16 + 7 + 4, grid_bytes_in_random_order = 5 * 16 + 7 + 4;
 
-// Lane-instructions a second of the GPU as CUDA describes it: multiprocessors x 128 lanes x highest clock. NaN when
-// CUDA is not open.
+// Lane-instructions per second of the GPU, from CUDA's device properties: multiprocessors x 128 lanes x highest clock.
+// NaN if CUDA is not open.
 double issue_rate(const Session& session);
 
-// Bytes a second, read and written, that a device copies beyond its caches. The device holds another scene after it.
+// Bytes per second, read and written, that a device copies beyond its caches. Replaces the uploaded scene.
 double copy_rate(Backend& device, const Sampling& sampling, Progress& progress);
 
 struct PeakRates {
-  double issue = 0;                       // lane-instructions a second, NaN or 0: unknown
-  std::map<const Backend*, double> copy;  // bytes a second
+  double issue = 0;                       // lane-instructions per second; NaN or 0: unknown
+  std::map<const Backend*, double> copy;  // bytes per second
 };
 
 struct Floor {
   const char* what;   // bytes or instructions
-  double per_second;  // at best
+  double per_second;  // peak rate
   double seconds;
 };
 
-// None where no ceiling is known: in software, or for a method that has none here.
+// None if no peak rate is known: in software, or for other methods.
 std::optional<Floor> floor_of(const PeakRates& peak_rates, const Backend& backend, Method method, uint64_t n,
                               bool in_cell_order);
 

@@ -12,7 +12,7 @@
 namespace spherepair {
 namespace {
 
-// The set of a collision kernel's variants: one of them is compiled by its first use.
+// Identifies a kernel: its variants share the time of its first use.
 std::string first_key(const Backend& backend, const CollideOptions& options) {
   return fmt::format("{} {} {}", backend.info().name, method_name(options.method), options.block);
 }

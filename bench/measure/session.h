@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The backends of this process: which are open, which are missing and why, and what their first steps took.
+// The backends of this process: which are open, which are missing and why, and the times of their first steps.
 #pragma once
 
 #include <functional>
@@ -14,30 +14,30 @@
 
 namespace spherepair {
 
-// open_backend, or what a test puts in its place to have backends that answer wrongly.
+// open_backend; a test replaces it to open backends that return wrong results.
 using Opener = std::function<std::unique_ptr<Backend>(const std::string& name, const OpenOptions& options)>;
 
 class Session {
  public:
-  // With an empty list every backend is tried and a missing one is only noted; a backend asked for by name must open.
+  // With an empty list, opens every available backend and notes the missing ones; a named backend must open.
   Session(const std::vector<std::string>& names, const OpenOptions& options, const Opener& opener = open_backend);
 
   const std::vector<std::unique_ptr<Backend>>& backends() const { return backends_; }
   std::vector<Backend*> devices() const;  // all but the CPU
   Backend* find(const std::string& name) const;
 
-  // The CPU, or the first backend that opened: what the others are compared with.
+  // The CPU, or the first open backend: the others are compared with it.
   Backend& reference() const { return *backends_.front(); }
 
-  // Of the whole run: every check plans what it will compare, and every comparison that found equality counts itself.
+  // Of the whole run: every check plans its comparisons, and every comparison that finds equality is counted.
   Comparisons comparisons;
 
-  // A complete search; keeps the time of a kernel's first use in this process, which compiles it.
+  // A complete search. Keeps the time of a kernel's first use in this process, which compiles it.
   void collide(Backend& backend, const CollideOptions& options);
   double first_seconds(const Backend& backend, const CollideOptions& options) const;
 
   std::string summary() const;                // one line per backend, missing ones with the reason
-  std::vector<std::string> warnings() const;  // what a reader of the results must not overlook
+  std::vector<std::string> warnings() const;  // about the validity of the results
   json to_json() const;
 
  private:

@@ -16,13 +16,13 @@ std::vector<double> sorted(std::span<const double> sample) {
   return values;
 }
 
-// P(k of n fair coins show heads), in logarithms so that large n do not overflow.
+// P(k heads of n fair coins), in logarithms against overflow.
 double coin_probability(double n, double k) {
   return std::exp(std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1) - n * std::log(2.0));
 }
 
 struct Ranks {
-  double left_sum = 0;  // of the left sample's ranks, ties sharing their mean
+  double left_sum = 0;  // of the left sample's ranks; ties have their mean rank
   double ties = 0;      // sum of t^3 - t over groups of equal values
 };
 
@@ -71,7 +71,7 @@ double quantile(std::span<const double> sample, double fraction) {
   return values[below] + (at - double(below)) * (values[above] - values[below]);
 }
 
-// The k-th smallest and k-th largest miss the median when fewer than k values lie on one side of it.
+// The k-th smallest and k-th largest value exclude the median if fewer than k values lie on one side of it.
 Interval median_interval(std::span<const double> sample, double confidence) {
   const std::vector<double> values = sorted(sample);
   const size_t n = values.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Order statistics of timing samples: nothing here assumes a normal distribution.
+// Order statistics of timing samples; no normal distribution is assumed.
 #pragma once
 
 #include <span>
@@ -11,8 +11,8 @@ double median(std::span<const double> sample);
 double minimum(std::span<const double> sample);
 double quantile(std::span<const double> sample, double fraction);  // linear between order statistics
 
-// An interval between two order statistics that holds the true median with probability `coverage`. `coverage` is below
-// the confidence asked for when even the whole sample is too small (fewer than 6 values at 95 %).
+// An interval between two order statistics that contains the true median with probability `coverage`, which is below
+// `confidence` if even the whole range of a small sample is (fewer than 6 values at 95 %).
 struct Interval {
   double low, high, coverage;
 };
@@ -23,7 +23,7 @@ inline bool overlap(const Interval& left, const Interval& right) {
 }
 
 // Two-sided p of the Mann-Whitney rank test that both samples come from one distribution: exact without ties up to 40
-// values a side, else the normal approximation with corrections for ties and continuity.
+// values each, otherwise the normal approximation with corrections for ties and continuity.
 double rank_test(std::span<const double> left, std::span<const double> right);
 
 }  // namespace spherepair

@@ -15,7 +15,7 @@
 namespace spherepair {
 namespace {
 
-// Fisher and Yates, from an integer hash: the same order on every machine.
+// Fisher-Yates with an integer hash: the same order on every machine.
 void shuffle(std::vector<size_t>& order, uint64_t& state) {
   for (size_t left = order.size(); left > 1; --left) {
     state = splitmix64(state);
@@ -36,7 +36,7 @@ bool all_narrow(std::span<const Samples> all, const Sampling& sampling) {
   });
 }
 
-// The device's own clock, in a run apart: its queries would disturb the host's times.
+// Device timers, in a separate run: their queries would disturb the host's times.
 void time_on_device(const Contender& contender, uint64_t batch, Samples& samples) {
   if (!contender.backend->info().device_timers) return;
   const uint64_t steps = std::min<uint64_t>(batch, 20);
@@ -91,9 +91,9 @@ json to_json(const Samples& samples) {
 
 double time_batch(const Contender& contender, uint64_t batch) {
   Backend& backend = *contender.backend;
-  const bool after_others = batch > 1 && on_hardware(backend);  // a GPU comes back from them once, then has many steps
-  const int ahead = after_others && !contender.restart ? 3 : contender.alternates ? 1 : 0;
-  for (int k = 0; k < ahead; ++k) contender.step(backend);  // of a graph, the second step makes it
+  const bool warm_up = batch > 1 && on_hardware(backend);
+  const int ahead = warm_up && !contender.restart ? 3 : contender.alternates ? 1 : 0;
+  for (int k = 0; k < ahead; ++k) contender.step(backend);  // the second equal step captures a graph
   if (contender.restart) contender.restart(backend);
   backend.finish();
   const auto start = std::chrono::steady_clock::now();
@@ -106,10 +106,10 @@ uint64_t choose_batch(const Contender& contender, const Sampling& sampling) {
   if (contender.batch) return contender.batch;
   const bool hardware = on_hardware(*contender.backend);
   const double wanted = hardware ? sampling.hardware_seconds : sampling.software_seconds;
-  uint64_t tried = 1;
-  double taken = time_batch(contender, tried);
-  while (taken < wanted / 4 && tried < (1u << 24)) taken = time_batch(contender, tried *= 4);
-  const double step = std::max(taken / double(tried), 1e-9);
+  uint64_t steps = 1;
+  double taken = time_batch(contender, steps);
+  while (taken < wanted / 4 && steps < (1u << 24)) taken = time_batch(contender, steps *= 4);
+  const double step = std::max(taken / double(steps), 1e-9);
   const uint64_t batch = std::max<uint64_t>(1, uint64_t(std::ceil(wanted / step)));
   if (!hardware) return batch;
   const auto most = uint64_t(std::ceil(sampling.hardware_peak / step));
@@ -143,7 +143,7 @@ std::vector<Samples> measure(std::span<const Contender> contenders, const Sampli
   return all;
 }
 
-// Choosing K and warming up take about as long as three samples.
+// Choosing K and the warm-up take about as long as three samples.
 double predict_seconds(std::span<const Samples> samples, double growth, const Sampling& sampling) {
   double sum = 0;
   for (const Samples& one : samples) {
@@ -156,12 +156,19 @@ double predict_seconds(std::span<const Samples> samples, double growth, const Sa
 }
 
 Contest contest(const Samples& left, const Samples& right) {
-  const double ratio = right.median_seconds() / left.median_seconds();
+  const double ratio = left.median_seconds() / right.median_seconds();
   const double p = rank_test(left.seconds, right.seconds);
   const bool differ = !overlap(left.interval(), right.interval()) || p < 0.01;
-  if (!differ) return {false, ratio, p, "no difference seen"};
-  return {true, ratio, p,
-          fmt::format("{} {:.1f} % {}", right.backend, 100 * std::abs(ratio - 1), ratio > 1 ? "slower" : "faster")};
+  return {differ, ratio, p, left.backend, right.backend};
+}
+
+std::string ratio_text(const Contest& contest) {
+  return contest.differ ? fmt::format("{:.3g}x", contest.ratio) : "no difference seen";
+}
+
+std::string verdict(const Contest& contest) {
+  if (!contest.differ) return ratio_text(contest);
+  return fmt::format("{} takes {} {}'s time", contest.left, ratio_text(contest), contest.right);
 }
 
 }  // namespace spherepair

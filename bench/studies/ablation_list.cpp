@@ -4,7 +4,7 @@
 namespace spherepair {
 namespace {
 
-// A step of the grid that sorts anew, as after a move.
+// A grid step that sorts and builds its cells, as after a move.
 CollideOptions grid_step() {
   return {.method = Method::collide_grid, .grid = {.keep_order = false, .keep_cells = false, .sort = Sort::counting}};
 }
@@ -16,92 +16,104 @@ CollideOptions changed(CollideOptions options, Change change) {
 }
 
 template <typename Change>
-CollideOptions but(Change change) {
+CollideOptions grid_step_with(Change change) {
   return changed(grid_step(), change);
 }
 
-std::vector<Ablation> ablations() {
-  const CollideOptions step = grid_step(), pairs = {.method = Method::automatic};
-  const auto keeping = [](bool order, bool cells) {
-    return but([=](CollideOptions& o) { o.grid.keep_order = order, o.grid.keep_cells = cells; });
-  };
-  return {{"exact_stages", "exact arithmetic for pairs that the float32 filter decides", "", step,
-           but([](CollideOptions& o) { o.filter = false; })},
-          {"radius_load", "loading radii that are all equal", "", step,
-           but([](CollideOptions& o) { o.load_radii = true; })},
-          {"radius_load_all_pairs", "the same without a grid", "", pairs,
-           changed(pairs, [](CollideOptions& o) { o.load_radii = true; })},
-          {"order", "sorting spheres that stand in cell order", "", keeping(true, false), keeping(false, false),
-           Spheres::in_cell_order},
-          {"cells", "cells of spheres that have not moved", "", keeping(false, true), keeping(false, false)},
-          {"pair_list", "a list of pairs that nobody asked for", "", step,
-           but([](CollideOptions& o) { o.want_pairs = true; })},
-          {"read_back", "totals that nobody asked for, counted and read after the step", "", step, step,
-           Spheres::random, Reads::totals},
-          {"counts_read", "counts that nobody asked for, put in the spheres' own order and read after the step", "",
-           step, step, Spheres::random, Reads::counts},
-          {"new_cells", "off: staying in cells that the spheres have left; steps that move", "",
-           but([](CollideOptions& o) { o.grid.cells = Cells::dense; }),
-           but([](CollideOptions& o) { o.grid.cells = Cells::dense, o.grid.replan = false; }), Spheres::windy},
-          {.name = "plane_test",
-           .summary = "testing spheres that cannot meet the plane in this step; moves of anchored",
-           .backend = "",
-           .spheres = Spheres::falling,
-           .work = Work::bounce}};
+CollideOptions bucket_sort_step() {
+  return grid_step_with([](CollideOptions& o) { o.grid.sort = Sort::buckets; });
 }
 
-std::vector<Ablation> api() {
-  const CollideOptions step = grid_step(), buckets = but([](CollideOptions&o) { o.grid.sort = Sort::buckets; });
-  const auto trick = [](std::optional<bool> ApiOptions::*which, bool on = true) {
-    return but([=](CollideOptions& o) { o.api.*which = on; });
+CollideOptions radix_sort_step() {
+  return grid_step_with([](CollideOptions& o) { o.grid.sort = Sort::radix; });
+}
+
+CollideOptions with_api(const CollideOptions& step, std::optional<bool> ApiOptions::*option, bool on = true) {
+  return changed(step, [=](CollideOptions& o) { o.api.*option = on; });
+}
+
+// Work that a scene may not need.
+std::vector<Ablation> optimisations() {
+  const CollideOptions step = grid_step(), pairs = {.method = Method::automatic};
+  const auto keeping = [](bool order, bool cells) {
+    return grid_step_with([=](CollideOptions& o) { o.grid.keep_order = order, o.grid.keep_cells = cells; });
   };
-  return {{"own_clear", "the table cleared by a kernel; off: by the API's own function", "glsl", step,
-           trick(&ApiOptions::library_clear)},
-          {"own_clear", "the table cleared by a kernel; off: by the API's own function", "cuda", step,
-           trick(&ApiOptions::library_clear)},
-          {"sparse_buffers", "buffers in sparse storage, of large pages", "glsl", step, step, Spheres::random,
+  const auto dense = grid_step_with([](CollideOptions& o) { o.grid.cells = Cells::dense; });
+  return {
+      {"exact_stages", "a float32 filter decides most pairs; off: exact arithmetic for all", "", step,
+       grid_step_with([](CollideOptions& o) { o.filter = false; })},
+      {"radius_load", "equal radii are not loaded", "", step,
+       grid_step_with([](CollideOptions& o) { o.load_radii = true; })},
+      {"radius_load_all_pairs", "the same without a grid", "", pairs,
+       changed(pairs, [](CollideOptions& o) { o.load_radii = true; })},
+      {"order", "spheres already in cell order are not sorted", "", keeping(true, false), keeping(false, false),
+       Spheres::in_cell_order},
+      {"cells", "spheres that have not moved keep their cells", "", keeping(false, true), keeping(false, false)},
+      {"pair_list", "no list of pairs unless it is requested", "", step,
+       grid_step_with([](CollideOptions& o) { o.want_pairs = true; })},
+      {"read_back", "totals are not read back; off: after every step", "", step, step, Spheres::random, Reads::totals},
+      {"counts_read", "counts are not unsorted and read back; off: after every step", "", step, step, Spheres::random,
+       Reads::counts},
+      {"new_cells", "cells are planned again once spheres have left them; steps that move", "", dense,
+       changed(dense, [](CollideOptions& o) { o.grid.replan = false; }), Spheres::drifting},
+      {.name = "plane_test",
+       .summary = "only spheres with an event in this step are tested against the plane; anchored motion",
+       .backend = "",
+       .spheres = Spheres::falling,
+       .work = AblationWork::bounce}};
+}
+
+std::vector<Ablation> glsl_features() {
+  const CollideOptions step = grid_step(), buckets = bucket_sort_step();
+  return {{"own_clear", "a kernel clears the cell table; off: the API's function", "glsl", step,
+           with_api(step, &ApiOptions::library_clear)},
+          {"sparse_buffers", "buffers in sparse storage with large pages", "glsl", step, step, Spheres::random,
            Reads::nothing, &OpenOptions::sparse_buffers},
-          {"subgroups", "sums of a group through subgroups, not shared memory", "glsl", buckets, buckets,
+          {"subgroups", "reductions through subgroups; off: through shared memory", "glsl", buckets, buckets,
            Spheres::random, Reads::nothing, &OpenOptions::subgroups},
-          {"texture_table", "the table of cells read through a texture buffer", "glsl",
-           trick(&ApiOptions::texture_table), trick(&ApiOptions::texture_table, false)},
-          {"buckets", "the sort by buckets of cells; off: by counting", "", buckets, step},
-          {"batch", "dispatches that go out together; off: each behind all barriers and waited for", "glsl", step,
-           trick(&ApiOptions::batch, false)},
-          {"overlap", "the sort begins while the search before is under way; off: when it is done", "glsl", buckets,
-           changed(buckets, [](CollideOptions& o) { o.api.overlap = false; })},
-          {"overlap", "the sort begins while the search before is under way; off: when it is done", "cuda",
-           changed(buckets, [](CollideOptions& o) { o.api.graph = false; }),
-           changed(buckets, [](CollideOptions& o) { o.api.graph = o.api.overlap = false; })},
+          {"texture_table", "the cell table is read through a texture buffer", "glsl",
+           with_api(step, &ApiOptions::texture_table), with_api(step, &ApiOptions::texture_table, false)},
+          {"batch", "dispatches are submitted together; off: all barriers and a host wait after each", "glsl", step,
+           with_api(step, &ApiOptions::batch, false)},
+          {"overlap", "the sort overlaps the previous search; off: it waits for it", "glsl", buckets,
+           with_api(buckets, &ApiOptions::overlap, false)},
           {.name = "vector_loads",
-           .summary = "16 bytes loaded and stored at once; off: a word at a time",
+           .summary = "16-byte loads and stores; off: 4-byte ones",
            .backend = "glsl",
-           .work = Work::copy},
+           .work = AblationWork::copy}};
+}
+
+std::vector<Ablation> cuda_features() {
+  const CollideOptions step = grid_step(), buckets = bucket_sort_step();
+  const CollideOptions stream = with_api(buckets, &ApiOptions::graph, false),
+                       graph = with_api(buckets, &ApiOptions::graph);
+  const CollideOptions all_pairs = {.method = Method::collide_triangle};
+  return {{"own_clear", "a kernel clears the cell table; off: the API's function", "cuda", step,
+           with_api(step, &ApiOptions::library_clear)},
+          {"overlap", "the sort overlaps the previous search; off: it waits for it", "cuda", stream,
+           with_api(stream, &ApiOptions::overlap, false)},
           {.name = "vector_loads",
-           .summary = "16 bytes loaded and stored at once; off: a word at a time",
+           .summary = "16-byte loads and stores; off: 4-byte ones",
            .backend = "cuda",
-           .work = Work::copy},
-          {"graph", "a step's launches replayed as a graph", "cuda", trick(&ApiOptions::graph),
-           trick(&ApiOptions::graph, false)},
-          {"graph_all_pairs",
-           "the same without a grid",
-           "cuda",
-           {.method = Method::collide_triangle, .api = {.graph = true}},
-           {.method = Method::collide_triangle, .api = {.graph = false}}},
+           .work = AblationWork::copy},
+          {"graph", "a step's launches are replayed as a graph", "cuda", with_api(step, &ApiOptions::graph),
+           with_api(step, &ApiOptions::graph, false)},
+          {"graph_all_pairs", "the same without a grid", "cuda", with_api(all_pairs, &ApiOptions::graph),
+           with_api(all_pairs, &ApiOptions::graph, false)},
           {"own_scan", "our scan; off: Thrust's", "cuda", step,
-           but([](CollideOptions& o) { o.grid.scan = Scan::library; })},
-          {"own_sort", "our sort by counting; off: Thrust's radix sort", "cuda", step,
-           but([](CollideOptions& o) { o.grid.sort = Sort::radix; })},
-          {"own_buckets", "our sort by buckets; off: Thrust's radix sort", "cuda", buckets,
-           but([](CollideOptions& o) { o.grid.sort = Sort::radix; })}};
+           grid_step_with([](CollideOptions& o) { o.grid.scan = Scan::library; })},
+          {"own_sort", "our counting sort; off: Thrust's radix sort", "cuda", step, radix_sort_step()},
+          {"own_buckets", "our bucket sort; off: Thrust's radix sort", "cuda", buckets, radix_sort_step()}};
 }
 
 }  // namespace
 
 const std::vector<Ablation>& ablation_list() {
   static const std::vector<Ablation> all = [] {
-    std::vector<Ablation> list = ablations();
-    for (const Ablation& trick : api()) list.push_back(trick);
+    std::vector<Ablation> list = optimisations();
+    list.push_back({"buckets", "bucket sort; off: counting sort", "", bucket_sort_step(), grid_step()});
+    for (const auto& features : {glsl_features(), cuda_features()})
+      for (const Ablation& feature : features) list.push_back(feature);
     return list;
   }();
   return all;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything that `spherepair skips` turns on and off.
+// Everything that `spherepair ablate` turns on and off.
 #pragma once
 
 #include <functional>
@@ -8,33 +8,33 @@
 
 namespace spherepair {
 
-// What a skip is timed with, n spheres of the scene `uniform` where nothing else is said.
+// The spheres of a timing: n spheres of the scene `uniform` unless stated otherwise.
 enum class Spheres {
   random,         // in random order
-  in_cell_order,  // in that of the cells
-  windy,          // every step moves all of them sideways, by their diameter or so; all have left their first cells
-  falling         // n spheres of the scene `random` instead, that fall and bounce by the method anchored
+  in_cell_order,  // sorted into cell order
+  drifting,       // every step moves them sideways by about a diameter; all have left their first cells
+  falling         // n spheres of the scene `random`, which fall and bounce by the method anchored
 };
 
-// What a step is.
-enum class Work {
-  collide,  // a collision step, after a move where spheres are windy
-  bounce,   // a move of `anchored`, looking at spheres that are due or at all
-  copy      // of 16 bytes a sphere, whole or a word at a time
+// What a timed step does.
+enum class AblationWork {
+  collide,  // a collision step, after a move if the spheres drift
+  bounce,   // a move of `anchored`, event-driven or testing every sphere
+  copy      // copies 16 bytes per sphere, in 16-byte or 4-byte accesses
 };
 
 // What the host reads after every step.
 enum class Reads { nothing, totals, counts };
 
-// One thing, as the options of a collision step with it and without.
+// One optimisation or API feature: the options of a collision step with it and without it.
 struct Ablation {
-  const char *name, *summary;
-  const char* backend;  // the only one that has it; empty: all
+  const char *name, *summary;  // summary: what it does when on
+  const char* backend;         // the only backend that has it; empty: all
   CollideOptions on = {}, off = {};
   Spheres spheres = Spheres::random;
-  Reads reads_off = Reads::nothing;       // without it
-  bool OpenOptions::*open_off = nullptr;  // without it, another backend is opened with this false
-  Work work = Work::collide;
+  Reads reads_off = Reads::nothing;       // read after every step when off
+  bool OpenOptions::*open_off = nullptr;  // when off, another backend is opened with this option false
+  AblationWork work = AblationWork::collide;
 };
 
 const std::vector<Ablation>& ablation_list();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The measurements of spherepair skips.
+// The measurements of spherepair ablate.
 #pragma once
 
 #include "bench/check/step_result.h"
@@ -9,22 +9,22 @@
 namespace spherepair {
 
 struct AblateOptions {
-  std::vector<std::string> backends, names;  // empty: all that open, all skips and api
-  std::vector<uint64_t> sizes;               // empty: one that suits the machine
+  std::vector<std::string> backends, names;  // empty: all that open; all ablations
+  std::vector<uint64_t> sizes;               // empty: by machine
   double packing_fraction = 0.3;
   int rounds = 11;
-  std::string json_file = "skips.json";
+  std::string json_file = "ablation.json";
 };
 
-// Seconds of the host, by what for.
+// Host seconds by purpose.
 struct AblationSeconds {
   double opening = 0, uploading = 0, checking = 0, timing = 0;
 };
 
 class AblationStudy {
  public:
-  // `written` is called after every row, so that nothing timed is lost.
-  AblationStudy(Session& session, const OpenOptions& open, const AblateOptions& options, std::function<void()> written);
+  // Calls `write` after every row, so that an interrupted run keeps its measurements.
+  AblationStudy(Session& session, const OpenOptions& open, const AblateOptions& options, std::function<void()> write);
 
   void run(const std::vector<uint64_t>& sizes);
 
@@ -34,33 +34,33 @@ class AblationStudy {
   AblationSeconds spent;
 
  private:
-  struct Turn {  // both ways of one skip on one backend
+  struct Case {  // one ablation on one backend, on and off
     const Ablation* ablation;
     Backend *on, *off;
   };
 
-  std::vector<Turn> turns();
+  std::vector<Case> cases();
   const Scene& scene(Spheres kind);
   void hold(Backend& backend, Spheres kind);
   const StepResult& expected(Spheres kind);
   Configuration reference();
-  void check(const Turn& turn);
-  void check_sets(const Turn& turn);
-  void check_moves(const Turn& turn);
-  void take(Turn turn);
-  void time(const Turn& turn);
-  void record(const Turn& turn, const Contender& contender, const Samples& samples, bool on);
+  void check(const Case& which);
+  void check_sets(const Case& which);
+  void check_moves(const Case& which);
+  void run(Case which);
+  void time(const Case& which);
+  void record(const Case& which, const Contender& contender, const Samples& samples, bool on);
 
   Session& session_;
   OpenOptions open_;
   const AblateOptions& options_;
-  std::function<void()> written_;
+  std::function<void()> write_;
   Sampling sampling_;
   Progress progress_;
   SceneOptions scene_options_;
-  std::map<Spheres, Scene> scenes_;            // of this size, made when first asked for
+  std::map<Spheres, Scene> scenes_;            // of this size, made on first use
   std::map<Spheres, StepResult> expected_;     // of the reference
-  std::map<const Backend*, Spheres> holding_;  // what each backend was given and has not moved on from
+  std::map<const Backend*, Spheres> holding_;  // the unmoved spheres that each backend holds
 };
 
 }  // namespace spherepair

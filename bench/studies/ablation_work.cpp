@@ -14,7 +14,7 @@ namespace {
 
 constexpr int steps_counted = 4;
 
-Scene in_the_wind(Scene scene) {
+Scene drifting(Scene scene) {
   for (vec4& velocity : scene.velocities) velocity = {64, 0, 0, 0};
   scene.gravity = 0;
   return scene;
@@ -26,10 +26,11 @@ json counts_json(const WorkCounts& before, const WorkCounts& after) {
   return {{"launches", each(&WorkCounts::launches)},     {"sorts", each(&WorkCounts::sorts)},
           {"plans", each(&WorkCounts::plans)},           {"orders_kept", each(&WorkCounts::orders_kept)},
           {"cells_kept", each(&WorkCounts::cells_kept)}, {"graphs_replayed", each(&WorkCounts::graphs_replayed)},
-          {"waits", each(&WorkCounts::waits)},           {"beside", each(&WorkCounts::overlapped)},
+          {"waits", each(&WorkCounts::waits)},           {"overlapped", each(&WorkCounts::overlapped)},
           {"lists", each(&WorkCounts::lists)},           {"without_radii", each(&WorkCounts::without_radii)}};
 }
 
+// Mean number of cells of a dense grid in a sphere's reach, its own included: at most 27, of which the search tests
 json plane_json(bool event_driven, Backend& backend, const Scene& scene) {
   uint64_t tested = 0, bounced = 0;
   for (int k = 0; k < steps_counted; ++k) {
@@ -49,13 +50,13 @@ json plane_json(bool event_driven, Backend& backend, const Scene& scene) {
 std::function<void(Backend&)> step_of(const Ablation& ablation, bool on) {
   const Reads reads = on ? Reads::nothing : ablation.reads_off;
   switch (ablation.work) {
-    case Work::copy:
+    case AblationWork::copy:
       return [kind = on ? PeakRate::copy : PeakRate::words](Backend& backend) { backend.launch_peak_rate(kind); };
-    case Work::bounce:
+    case AblationWork::bounce:
       return [on](Backend& backend) { backend.set_event_driven(on), backend.move(); };
     default:
       return [reads, options = on ? ablation.on : ablation.off,
-              moves = ablation.spheres == Spheres::windy](Backend& backend) {
+              moves = ablation.spheres == Spheres::drifting](Backend& backend) {
         if (moves) backend.move();
         if (reads == Reads::nothing) return backend.enqueue_collide(options);
         backend.collide(options);
@@ -76,19 +77,19 @@ SceneOptions options_of(Spheres kind, const SceneOptions& uniform) {
 Scene scene_of(Spheres kind, const SceneOptions& uniform) {
   Scene made = make_scene(options_of(kind, uniform));
   if (kind == Spheres::in_cell_order) return in_cell_order(std::move(made));
-  return kind == Spheres::windy ? in_the_wind(std::move(made)) : made;
+  return kind == Spheres::drifting ? drifting(std::move(made)) : made;
 }
 
 uint64_t moves_ahead(Spheres kind, const Scene& scene) {
-  if (kind != Spheres::windy) return 0;
+  if (kind != Spheres::drifting) return 0;
   const Bounds bounds = bounds_of(scene.positions);
   return uint64_t(std::ceil((bounds.high[0] - bounds.low[0]) / (64 * scene.dt)));
 }
 
-json work_a_step(const Ablation& ablation, bool on, Backend& backend, const Scene& scene) {
+json work_per_step(const Ablation& ablation, bool on, Backend& backend, const Scene& scene) {
   const auto step = step_of(ablation, on);
-  if (ablation.work == Work::copy) return json::object();
-  if (ablation.work == Work::bounce) return plane_json(on, backend, scene);
+  if (ablation.work == AblationWork::copy) return json::object();
+  if (ablation.work == AblationWork::bounce) return plane_json(on, backend, scene);
   const WorkCounts before = backend.work_counts();
   for (int k = 0; k < steps_counted; ++k) step(backend);
   json work = counts_json(before, backend.work_counts());

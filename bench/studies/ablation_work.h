@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a step of spherepair skips does, and what of its work can be counted.
+// What a timed step of spherepair ablate does, and counts of its work.
 #pragma once
 
 #include "bench/io/report.h"
@@ -9,15 +9,16 @@ namespace spherepair {
 
 std::function<void(Backend&)> step_of(const Ablation& ablation, bool on);
 
-// The spheres that a skip is timed with, made from n spheres in random order.
+// The spheres of a timing, made from n spheres in random order.
 SceneOptions options_of(Spheres kind, const SceneOptions& uniform);
 Scene scene_of(Spheres kind, const SceneOptions& uniform);
 
-// Moves after which the times of a step no longer change: of windy spheres those until all have left their cells.
+// Moves before the timing, after which the time of a step no longer changes: until all drifting spheres have left their
+// cells.
 uint64_t moves_ahead(Spheres kind, const Scene& scene);
 
-// Means over a few more steps, which are taken: launches, sorts, ... and, by the kind of work, the pairs left to the
-// exact stages, the cells in a sphere's reach, the spheres that were tested against the plane and those that bounced.
-json work_a_step(const Ablation& ablation, bool on, Backend& backend, const Scene& scene);
+// Runs a few more steps and returns means per step: launches, sorts, ...; depending on the work also the pairs left to
+// the exact stages, the cells in a sphere's reach, the spheres tested against the plane and those that bounced.
+json work_per_step(const Ablation& ablation, bool on, Backend& backend, const Scene& scene);
 
 }  // namespace spherepair

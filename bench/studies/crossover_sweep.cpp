@@ -12,15 +12,15 @@
 namespace spherepair {
 namespace {
 
-constexpr double tolerated = 1.1;  // auto against the best fixed choice
-constexpr double hopeless = 8;     // all pairs that take so many times the best do not catch up with more spheres ...
-constexpr double long_ms = 0.25;   // ... once a step is so long that it is pairs, not waiting
+constexpr double tolerated = 1.1;  // auto's time over the best fixed choice's
+constexpr double hopeless = 8;     // a method of all pairs that takes this many times the best time is stopped ...
+constexpr double long_ms = 0.25;   // ... if its step takes longer than this, so that launches do not dominate
 constexpr SphereKind kinds[] = {{"gas", "packing fraction 0.3", "uniform"},
                                 {"thin", "packing fraction 0.05", "uniform", 0.05},
-                                {"box", "the paper's box, fuller with every sphere", "random"},
-                                {"clusters", "crowds far apart", "clustered"},
+                                {"box", "the paper's box of constant size", "random"},
+                                {"clusters", "dense clusters far apart", "clustered"},
                                 {"radii", "radii 1 to 16, packing fraction of the smallest 0.01", "uniform", 0.01, 16},
-                                {"one_cell", "all spheres in one place", "one_cell"}};
+                                {"one_cell", "all spheres in one cell", "one_cell"}};
 
 SceneOptions scene_of(const SphereKind& kind, uint64_t n) {
   SceneOptions scene;
@@ -31,7 +31,7 @@ SceneOptions scene_of(const SphereKind& kind, uint64_t n) {
   return scene;
 }
 
-// Every step sorts anew, as one after spheres have moved does.
+// Every step sorts, as after a move.
 CollideOptions step(Method method, Cells cells = Cells::automatic, uint block = CollideOptions{}.block) {
   return {.method = method, .block = block, .grid = {.cells = cells, .keep_order = false, .keep_cells = false}};
 }
@@ -67,10 +67,11 @@ std::string square_way(uint block) { return fmt::format("{}/{}", method_name(Met
 
 std::span<const SphereKind> sphere_kinds() { return kinds; }
 
-bool Timing::grid_ahead() const { return least(grid) < least(all_pairs); }
+bool Timing::grid_faster() const { return least(grid) < least(all_pairs); }
 
 json to_json(const Timing& t) {
-  json row = {{"backend", t.backend}, {"kind", t.kind}, {"n", t.n}, {"took", t.took}, {"auto_ms", t.automatic * 1e3}};
+  json row = {
+      {"backend", t.backend}, {"kind", t.kind}, {"n", t.n}, {"chosen", t.chosen}, {"auto_ms", t.automatic * 1e3}};
   if (t.best.empty()) return row;
   row["best"] = t.best;
   row["best_ms"] = std::min(least(t.all_pairs), least(t.grid)) * 1e3;
@@ -79,8 +80,8 @@ json to_json(const Timing& t) {
   return row;
 }
 
-CrossoverSweep::CrossoverSweep(Session& session, const CrossoverOptions& options, std::function<void()> written)
-    : session_(session), options_(options), written_(std::move(written)) {
+CrossoverSweep::CrossoverSweep(Session& session, const CrossoverOptions& options, std::function<void()> write)
+    : session_(session), options_(options), write_(std::move(write)) {
   sampling_.rounds = options.rounds;
   sampling_.fewest_rounds = std::min(sampling_.fewest_rounds, options.rounds);
   sampling_.software_seconds = 0.003;
@@ -96,7 +97,7 @@ void CrossoverSweep::run(std::span<const SphereKind> chosen, const std::vector<u
     for (const uint64_t n : sizes) {
       progress_.reach(done++, chosen.size() * sizes.size());
       measure_scene(kind, scene_of(kind, n));
-      written_();
+      write_();
     }
   }
 }
@@ -143,25 +144,25 @@ void CrossoverSweep::time(const SphereKind& kind, const SceneOptions& scene, con
   }
   timing.automatic = samples.back().median_seconds();
   const MethodChoice choice = ways.back().backend->choice(ways.back().options);
-  timing.took = way_name(choice.method, choice.cells, choice.block);
+  timing.chosen = way_name(choice.method, choice.cells, choice.block);
   timing.over_best = best ? timing.automatic / best->median_seconds() : 1;
-  timing.slower = timing.took != timing.best && timing.over_best > tolerated && contest(*best, samples.back()).differ;
+  timing.slower = timing.chosen != timing.best && timing.over_best > tolerated && contest(*best, samples.back()).differ;
   for (size_t k = 0; k < ways.size(); ++k) record(kind, scene, ways[k], samples[k]);
   timings.push_back(timing);
   const double fastest = std::min(best ? best->median_seconds() : INFINITY, timing.automatic);
-  for (size_t k = 0; k < ways.size(); ++k) give_up_if_slow(ways[k], timing, minimum(samples[k].seconds), fastest);
+  for (size_t k = 0; k < ways.size(); ++k) stop_if_slow(ways[k], timing, minimum(samples[k].seconds), fastest);
 }
 
-// All pairs take four times as long with twice the spheres, so those that are far behind stay behind. The least of the
-// samples decides, which a disturbance does not lengthen.
-void CrossoverSweep::give_up_if_slow(const Way& way, const Timing& at, double seconds, double fastest) {
+// The time of all pairs quadruples when n doubles, so a method that is far behind stays behind. `seconds` is the
+// minimum of the samples, which disturbances do not affect.
+void CrossoverSweep::stop_if_slow(const Way& way, const Timing& at, double seconds, double fastest) {
   const double ms = seconds * 1e3;
   const bool too_long = ms > options_.most_ms, behind = seconds > hopeless * fastest && ms > long_ms;
   if (!too_long && !(behind && at.all_pairs.contains(way.name))) return;
   slow_.insert(at.backend + " " + way.name);
-  given_up.push_back(fmt::format("{} {} {}: not beyond {} spheres, {} ms a step is more than {}", at.backend, at.kind,
-                                 way.name, at.n, format_ms(seconds),
-                                 too_long ? "--most-ms" : fmt::format("{} times the best", hopeless)));
+  stopped.push_back(fmt::format("{} {} {}: stopped after {} spheres, {} ms per step is more than {}", at.backend,
+                                at.kind, way.name, at.n, format_ms(seconds),
+                                too_long ? "--most-ms" : fmt::format("{} times the best time", hopeless)));
 }
 
 void CrossoverSweep::record(const SphereKind& kind, const SceneOptions& scene, const Way& way, const Samples& samples) {

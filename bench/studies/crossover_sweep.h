@@ -15,7 +15,7 @@ struct CrossoverOptions {
   std::vector<uint64_t> sizes;        // empty: 64 to 2^15
   std::vector<std::string> kinds;     // of spheres, see sphere_kinds(); empty: all
   int rounds = 11;
-  double most_ms = 50;  // of a step: slower contenders are not tried at more spheres
+  double most_ms = 50;  // of a step: slower methods are not timed with more spheres
   std::string json_file = "crossover.json";
 };
 
@@ -26,57 +26,57 @@ struct SphereKind {
 };
 std::span<const SphereKind> sphere_kinds();
 
-// Groups in which collide_square is timed, and its name among the ways.
+// Group sizes of collide_square, and its name among the ways.
 constexpr uint square_groups[] = {32, 64, 128};
 std::string square_way(uint block);
 
-// A way to find all pairs that is timed.
+// A timed way to find all pairs.
 struct Way {
   Backend* backend;
-  std::string name;  // square_way, another method of all pairs, dense, hashed, or auto
+  std::string name;  // square_way(), another method of all pairs, dense, hashed or auto
   bool grid;
   CollideOptions options;
 };
 
-// What one backend needs for n spheres of a kind.
+// Times of one backend for n spheres of one kind.
 struct Timing {
   std::string backend, kind;
   uint64_t n;
-  std::map<std::string, double> all_pairs = {}, grid = {};  // seconds by way; those not tried are missing
+  std::map<std::string, double> all_pairs = {}, grid = {};  // seconds by way; without those that were stopped
   double automatic = 0;                                     // seconds
-  std::string took = {}, best = {};  // what auto stood for; the fastest of the others, empty without any
-  double over_best = 1;              // auto's time over that of the best fixed choice
-  bool slower = false;               // another choice, by more than 10 % and more than the samples' own spread explains
+  std::string chosen = {}, best = {};  // what auto chose; the fastest of the others, empty if there is none
+  double over_best = 1;                // auto's time over the best fixed choice's
+  bool slower = false;                 // auto takes more than 1.1x the time of another way, beyond the samples' spread
 
-  bool grid_ahead() const;
+  bool grid_faster() const;
 };
 json to_json(const Timing& timing);
 
 class CrossoverSweep {
  public:
-  // `written` is called after every scene, so that nothing timed is lost.
-  CrossoverSweep(Session& session, const CrossoverOptions& options, std::function<void()> written);
+  // Calls `write` after every scene, so that an interrupted run keeps its measurements.
+  CrossoverSweep(Session& session, const CrossoverOptions& options, std::function<void()> write);
 
-  // Larger and larger scenes of each kind, as long as auto is not too slow.
+  // Scenes of increasing size for each kind, until auto is too slow.
   void run(std::span<const SphereKind> kinds, const std::vector<uint64_t>& sizes);
 
   std::vector<Timing> timings;
   json measurements = json::array();
-  std::vector<std::string> given_up;  // what was not tried at more spheres, and why
+  std::vector<std::string> stopped;  // ways that were not timed with more spheres, and why
 
  private:
   void measure_scene(const SphereKind& kind, const SceneOptions& options);
   void check(const SceneOptions& options, const StepResult& expected, const std::vector<Way>& ways);
   void time(const SphereKind& kind, const SceneOptions& scene, const std::vector<Way>& ways);
-  void give_up_if_slow(const Way& way, const Timing& at, double seconds, double fastest);
+  void stop_if_slow(const Way& way, const Timing& at, double seconds, double fastest);
   void record(const SphereKind& kind, const SceneOptions& scene, const Way& way, const Samples& samples);
 
   Session& session_;
   const CrossoverOptions& options_;
-  std::function<void()> written_;
+  std::function<void()> write_;
   Sampling sampling_;
   Progress progress_;
-  std::set<std::string> slow_;  // "backend way", of the kind at hand
+  std::set<std::string> slow_;  // "backend way" that were stopped, of the current kind
 };
 
 }  // namespace spherepair

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Timing of pictures: the tasks of spherepair frames, and its record.
+// Options and tasks of spherepair frames; cell order and camera paths, which other studies use too.
 #pragma once
 
 #include <functional>
@@ -15,46 +15,46 @@ struct FramesOptions {
   std::vector<std::string> backends;  // empty: all that open
   std::vector<uint64_t> sizes = {16384, 1000000};
   std::vector<std::string> draws = {"compute", "mesh_each", "mesh", "points", "impostor"};
-  std::vector<std::string> places = {"outside", "inside"};  // of the camera
+  std::vector<std::string> places = {"outside", "inside"};  // camera positions
   std::vector<std::string> works = {"frame", "frame_all", "lit", "loop"};
   uint width = 1920, height = 1080;
   double packing_fraction = 0.3;
-  bool transfer = false;  // CUDA's spheres through OpenGL too
+  bool transfer = false;  // also time OpenGL drawing of CUDA's spheres
   int rounds = 11;
-  double min_seconds = 0;         // of a sample; 0: the timing core's own
-  std::vector<std::string> most;  // METHOD:n, spheres that a method of drawing is timed with
+  double min_seconds = 0;         // of a sample; 0: the timing core's default
+  std::vector<std::string> most;  // METHOD:n, most spheres that a drawing method is timed with
   std::string json_file = "frames.json";
 };
 
-// What is timed: one picture from a new place each time.
+// One drawing method on one backend: each image from a new camera.
 struct FrameTask {
   Backend* backend;
   DrawMethod draw;
-  std::string place, work;  // as FramesOptions has them
+  std::string place, work;  // as in FramesOptions
 };
 std::string label(const FrameTask& task);
 
-// Steps through the grid, in the groups that `auto` takes; light needs the dense cells.
+// A step through the grid with the group size that `auto` chooses. Dense, since lighting needs dense cells.
 CollideOptions in_dense_cells(const Backend& backend, uint64_t n);
 
-// CUDA's spheres drawn by OpenGL, from one camera after the other.
-struct SharedTask {
+// OpenGL drawing of CUDA's spheres.
+struct TransferTask {
   Backend* cuda;
-  CollideOptions collide;  // of a step
-  std::vector<View> views;
+  CollideOptions collide;   // of a step
+  std::vector<View> views;  // one per image
   std::vector<DrawMethod> draws;
 };
-// Measures a step named by draw and work; seconds.
+// Times a step and records it under draw and work; returns seconds.
 using TimeStep =
     std::function<double(const std::string& draw, const std::string& work, const std::function<void()>& step)>;
-// Every way to hand over, alone, with a picture, and with picture and next step pipelined: how much of it overlaps, as
-// frames.cpp says. The spheres have moved afterwards.
-json time_transfers(const SharedTask& task, SharedDrawing& shared, const TimeStep& time);
+// Times every transfer alone, with an image, and with image and next step pipelined; returns `overlaps` of the record
+// (frames_study.h). Moves the spheres.
+json time_transfers(const TransferTask& task, SharedDrawing& shared, const TimeStep& time);
 
-// The spheres put into the order of the grid's cells, in which a simulation that sorts would keep them.
+// Sorts the spheres into cell order, in which a sorting simulation would keep them.
 Scene in_cell_order(Scene scene);
 
-// Cameras on a short way around the spheres, or through their middle.
-std::vector<View> way(const Bounds& bounds, const std::string& place, uint width, uint height, uint lighting);
+// Cameras on a short path around the spheres ("outside") or through their middle ("inside").
+std::vector<View> camera_path(const Bounds& bounds, const std::string& place, uint width, uint height, uint lighting);
 
 }  // namespace spherepair

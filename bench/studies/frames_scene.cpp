@@ -12,9 +12,9 @@
 namespace spherepair {
 namespace {
 
-constexpr uint places_on_way = 64;
+constexpr uint cameras_on_path = 64;
 
-std::vector<vec4> taken(const std::vector<vec4>& values, std::span<const uint> order) {
+std::vector<vec4> reordered(const std::vector<vec4>& values, std::span<const uint> order) {
   std::vector<vec4> sorted(values.size());
 #pragma omp parallel for schedule(static)
   for (size_t k = 0; k < sorted.size(); ++k) sorted[k] = values[order[k]];
@@ -34,17 +34,17 @@ Scene in_cell_order(Scene scene) {
     cells.sort(scene.positions, p, false, omp_get_max_threads());
     order.assign(cells.order().id, cells.order().id + scene.size());
   }
-  scene.positions = taken(scene.positions, order);
-  scene.velocities = taken(scene.velocities, order);
+  scene.positions = reordered(scene.positions, order);
+  scene.velocities = reordered(scene.velocities, order);
   return scene;
 }
 
-std::vector<View> way(const Bounds& bounds, const std::string& place, uint width, uint height, uint lighting) {
+std::vector<View> camera_path(const Bounds& bounds, const std::string& place, uint width, uint height, uint lighting) {
   Look look = contact_look();
   look.lighting = lighting;
   std::vector<View> views;
-  for (uint k = 0; k < places_on_way; ++k) {
-    const double turn = 0.05 * std::min(k, places_on_way - k);  // degrees, there and back
+  for (uint k = 0; k < cameras_on_path; ++k) {
+    const double turn = 0.05 * std::min(k, cameras_on_path - k);  // degrees, there and back
     Camera camera = frame(bounds, 30 + turn, 20, 40, double(width) / height);
     if (place == "inside") {
       for (int a = 0; a < 3; ++a) camera.eye[a] = camera.target[a] + 0.1 * (camera.eye[a] - camera.target[a]);

@@ -23,7 +23,7 @@ const ErrorEntry* error_of(const std::vector<ErrorEntry>& errors, MotionMethod m
   return found == errors.end() ? nullptr : &*found;
 }
 
-// Of `paper` against copying, at the first time step: its traffic is the same at all.
+// At the first time step: the memory traffic of `paper` does not depend on it.
 void add_bandwidth(std::vector<Target>& targets, const std::vector<TimeEntry>& times, const CopyEntry& copy) {
   if (times.empty()) return;
   const TimeEntry* paper = time_of(times, copy.backend, MotionMethod::paper, times.front().k);

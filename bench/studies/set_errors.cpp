@@ -25,7 +25,7 @@ SceneOptions scene_options(const SetPlan& plan, MotionOptions motion, int k) {
 struct RunResult {
   Backend* backend;
   Backend::State state;
-  StepResult answer;
+  StepResult result;
 };
 RunResult run_for_set(Session& session, Backend& backend, const Scene& scene, uint64_t steps) {
   backend.upload(scene);
@@ -36,9 +36,9 @@ RunResult run_for_set(Session& session, Backend& backend, const Scene& scene, ui
   return {&backend, std::move(state), run_step(session, configuration, true)};
 }
 
-// The set of the first backend, which the others must find too. Where a GPU is, long runs are left to it.
-MotionSetEntry run_everywhere(Session& session, const SetPlan& plan, const Scene& scene, MotionSetEntry entry,
-                              const std::vector<Pair>& right) {
+// Runs every backend and compares its set with the first one's. If there is a GPU, only it makes long runs.
+MotionSetEntry run_on_all(Session& session, const SetPlan& plan, const Scene& scene, MotionSetEntry entry,
+                          const std::vector<Pair>& right) {
   const uint64_t steps = uint64_t(std::ldexp(plan.seconds, entry.k));
   const SceneOptions options = scene_options(plan, entry.motion, entry.k);
   const bool gpu = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
@@ -55,17 +55,17 @@ MotionSetEntry run_everywhere(Session& session, const SetPlan& plan, const Scene
     session.comparisons.plan(backend->info().name, Comparisons::states, 1);
     const auto configuration = [&](Backend& b) { return Configuration{&b, {.method = choose_method("", b)}}; };
     require_same_state(session, {options, steps}, *first->backend, first->state, *backend, run.state);
-    require_equal(session, {options, steps}, configuration(*first->backend), first->answer, configuration(*backend),
-                  run.answer);
+    require_equal(session, {options, steps}, configuration(*first->backend), first->result, configuration(*backend),
+                  run.result);
   }
   session.comparisons.require_complete();
-  entry.found = set_error(*first->answer.pairs, right);
+  entry.found = set_error(*first->result.pairs, right);
   entry.whole = set_error(state_pairs(scene, first->state), right);
   entry.rms = errors_of(scene, steps, first->state).rms;
   return entry;
 }
 
-// With the exact predicate and without.
+// With the exact predicate, then with the naive one.
 std::array<Samples, 2> time_predicates(Session& session, const SetPlan& plan, Configuration configuration,
                                        Progress& progress) {
   std::vector<Contender> contenders;
@@ -101,17 +101,17 @@ Scene drifting_scene(const SetPlan& plan, MotionOptions motion, int k, float off
 }
 
 std::vector<MotionSetEntry> measure_motion_sets(Session& session, const SetPlan& plan, Progress& progress) {
-  std::vector<std::pair<int, float>> places;  // k, offset
-  for (int k : plan.steps) places.push_back({k, 0});
-  for (float offset : plan.offsets) places.push_back({plan.far_step, offset});
+  std::vector<std::pair<int, float>> cases;  // k, offset
+  for (int k : plan.steps) cases.push_back({k, 0});
+  for (float offset : plan.offsets) cases.push_back({plan.far_step, offset});
   std::vector<MotionSetEntry> entries;
-  for (const auto& [k, offset] : places) {
+  for (const auto& [k, offset] : cases) {
     const uint64_t steps = uint64_t(std::ldexp(plan.seconds, k));
     const std::vector<Pair> right = closed_form_pairs(drifting_scene(plan, {}, k, offset), steps);
     for (const MotionOptions& motion : plan.motions) {
-      progress.say(fmt::format("sets: {} at dt = 2^-{}, {} m away", motion_label(motion), k, offset));
+      progress.say(fmt::format("sets: {} at dt = 2^-{}, offset {} m", motion_label(motion), k, offset));
       const Scene scene = drifting_scene(plan, motion, k, offset);
-      entries.push_back(run_everywhere(session, plan, scene, {motion, k, offset, {}, {}, {}, 0}, right));
+      entries.push_back(run_on_all(session, plan, scene, {motion, k, offset, {}, {}, {}, 0}, right));
     }
   }
   return entries;
@@ -123,7 +123,7 @@ std::vector<StorageEntry> measure_storage(const SetPlan& plan, Progress& progres
   std::vector<StorageEntry> entries;
   for (float offset : plan.offsets)
     for (Precision precision : {Precision::float32, Precision::compensated, Precision::float64}) {
-      progress.say(fmt::format("sets: stored as {}, {} m away", precision_name(precision), offset));
+      progress.say(fmt::format("sets: stored as {}, offset {} m", precision_name(precision), offset));
       entries.push_back({precision, offset, set_error(stored_pairs(scene, double(offset), precision), right)});
     }
   return entries;
@@ -150,19 +150,19 @@ std::vector<NaiveEntry> measure_naive(Session& session, const SetPlan& plan, Pro
 
 std::vector<ContactEntry> measure_contacts(Session& session, const SetPlan& plan, Progress& progress) {
   std::vector<ContactEntry> entries;
-  for (double way : plan.ways) {
-    const Scene scene = passing_scene(plan.passing, way, plan.seed);
+  for (double distance : plan.distances) {
+    const Scene scene = passing_scene(plan.passing, distance, plan.seed);
     for (const auto& backend : session.backends()) {
-      progress.say(fmt::format("contacts: {} radii sums a step on {}", way, backend->info().name));
-      entries.push_back({backend->info().name, way, plan.passing, missed_pairs(*backend, scene, way, false),
-                         missed_pairs(*backend, scene, way, true)});
+      progress.say(fmt::format("contacts: {} radius sums per step on {}", distance, backend->info().name));
+      entries.push_back({backend->info().name, distance, plan.passing, missed_pairs(*backend, scene, distance, false),
+                         missed_pairs(*backend, scene, distance, true)});
     }
   }
   return entries;
 }
 
-double ContactEntry::expected() const { return expected_miss_share(way) * double(pairs); }
-double ContactEntry::deviation() const { return std::sqrt(expected() * (1 - expected_miss_share(way))); }
+double ContactEntry::expected() const { return expected_miss_share(distance) * double(pairs); }
+double ContactEntry::deviation() const { return std::sqrt(expected() * (1 - expected_miss_share(distance))); }
 
 json to_json(const MotionSetEntry& entry) {
   json out = {{"method", motion_name(entry.motion.method)},
@@ -191,7 +191,7 @@ json to_json(const NaiveEntry& entry) {
 
 json to_json(const ContactEntry& entry) {
   return {{"backend", entry.backend},
-          {"way", entry.way},
+          {"distance", entry.distance},
           {"pairs", entry.pairs},
           {"missed", entry.missed},
           {"expected", entry.expected()},

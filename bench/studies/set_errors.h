@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: MIT
-// How many pairs are wrong, and what makes them so: what `spherepair sets` measures.
+// How many pairs are wrong, and why: the measurements of `spherepair sets`.
 //
 // sets.json, "format": "spherepair sets 1":
 //   context, backends, warnings, clocks   as in results.json (report.h, context.h)
-//   settings   {n, seconds: T, seed, restitution, speed: horizontal, up to so many m/s along x and z}
-//   motion     the set at T against that of the closed form at T, one entry for each method, precision, k (dt = 2^-k s)
-//              and offset (metres from the origin along x and z, at the start):
-//     {method, precision, k, dt, offset, backends: that found this same set,
+//   settings   {n, seconds: T, seed, restitution, speed: greatest horizontal speed along x and along z, m/s}
+//   motion     the set at T against the closed form's at T, one entry per method, precision, k (dt = 2^-k s) and offset
+//              (metres from the origin along x and z, at the start):
+//     {method, precision, k, dt, offset, backends: all found the same set,
 //      right                     pairs of the closed form
-//      missed, extra             of the collision step, which takes the nearest float32 positions
-//      whole_missed, whole_extra if it took positions with all bits of the precision
+//      missed, extra             of the collision step, which uses the nearest float32 positions
+//      whole_missed, whole_extra with positions in the full precision
 //      rms                       position error, metres}
 //   storage    the set of centres moved by `offset` along x, y and z and stored in a precision, against that of the
 //              centres moved without rounding:
 //     {precision, offset, right, missed, extra}
-//   exactness  the naive float32 predicate against the exact one, one entry for each backend and scene:
+//   exactness  the naive float32 predicate against the exact one, one entry per backend and scene:
 //     {backend, method, scene, n, right, missed, extra, exact, naive: times of a step, as to_json(Samples)}
-//   contacts   pairs that pass through each other, `way` radii sums a step, tested once a step; one for each backend:
-//     {backend, way, pairs, missed, expected, deviation: one sigma, swept_missed: by the swept test}
+//   contacts   pairs that pass through each other, tested once per step; one entry per backend and distance:
+//     {backend, distance: moved per step, in sums of radii, pairs, missed, expected, deviation: one sigma,
+//     swept_missed: by the swept test}
 #pragma once
 
 #include "bench/check/exact_sets.h"
@@ -29,13 +30,13 @@ namespace spherepair {
 struct SetPlan {
   std::vector<MotionOptions> motions = all_motions();
   std::vector<int> steps = {};      // k of dt = 2^-k, at the origin
-  int far_step = 6;                 // k away from it
+  int far_step = 6;                 // k at an offset
   std::vector<float> offsets = {};  // metres
-  std::vector<double> ways = {0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 5.0};
+  std::vector<double> distances = {0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 5.0};
   double seconds = 10;  // T
   uint64_t n = 16384, naive_n = 16384, passing = 8192;
   uint64_t seed = SceneOptions{}.seed;
-  uint64_t most_software_steps = 1300;  // where OpenGL is software; longer runs are left to the others
+  uint64_t most_software_steps = 1300;  // of software OpenGL; longer runs are left to the others
   Sampling sampling = {};
 };
 
@@ -60,7 +61,7 @@ struct NaiveEntry {
 };
 struct ContactEntry {
   std::string backend;
-  double way;
+  double distance;
   uint64_t pairs, missed, swept_missed;
   double expected() const;
   double deviation() const;
@@ -69,7 +70,7 @@ struct ContactEntry {
 // The scene `random` with horizontal velocities of up to 1 m/s, centres moved by `offset` along x and z.
 Scene drifting_scene(const SetPlan& plan, MotionOptions motion, int k, float offset);
 
-// Every backend runs all of it, but for OpenGL in software. Throws DifferenceFound when two answer differently.
+// Every backend runs all of it, except software OpenGL. Throws DifferenceFound when two results differ.
 std::vector<MotionSetEntry> measure_motion_sets(Session& session, const SetPlan& plan, Progress& progress);
 std::vector<StorageEntry> measure_storage(const SetPlan& plan, Progress& progress);
 std::vector<NaiveEntry> measure_naive(Session& session, const SetPlan& plan, Progress& progress);

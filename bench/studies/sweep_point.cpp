@@ -13,10 +13,10 @@
 namespace spherepair {
 namespace {
 
-// The devices' methods keep nothing from the step before, so that every step is the whole work.
-Configuration asked_of(Backend& backend, Method method, const SweepPoint& point) {
-  const CollideOptions open = {.method = Method::automatic};
-  const uint block = point.block ? point.block : chosen_block(backend.info(), point.n, method, open);
+// Nothing is kept from the previous step, so that every step does all the work.
+Configuration configuration_for(Backend& backend, Method method, const SweepPoint& point) {
+  const CollideOptions automatic = {.method = Method::automatic};
+  const uint block = point.block ? point.block : chosen_block(backend.info(), point.n, method, automatic);
   return {&backend, {.method = method, .block = block, .grid = {.keep_cells = false}}};
 }
 
@@ -28,7 +28,7 @@ json left_out(const Backend& backend, const std::string& methods, const std::str
   return {{"backend", backend.info().name}, {"method", methods}, {"reason", reason}};
 }
 
-// Of the methods asked for, those whose time depends on what is new here: the order matters to the grid alone.
+// The requested methods that are fast enough. Cell order matters to the grid only, so all pairs are timed cold only.
 std::vector<Configuration> affordable(Backend& backend, const SweepPoint& point, json& omitted) {
   std::vector<Configuration> all;
   for (const Method method : backend.methods()) {
@@ -36,7 +36,7 @@ std::vector<Configuration> affordable(Backend& backend, const SweepPoint& point,
     if (point.in_cell_order && method != Method::collide_grid) continue;
     if (backend.info().name == "cpu" && is_device_arrangement(method)) continue;
     if (point.n <= most_spheres(backend, method)) {
-      all.push_back(asked_of(backend, method, point));
+      all.push_back(configuration_for(backend, method, point));
     } else {
       omitted.push_back(left_out(backend, method_name(method), "a step would take too long"));
     }
@@ -44,15 +44,15 @@ std::vector<Configuration> affordable(Backend& backend, const SweepPoint& point,
   return all;
 }
 
-// Uploads to whoever has something to do; who cannot hold the scene is left out with the reason.
+// Uploads the scene to every backend that has a method to time; leaves out a backend that cannot hold it.
 std::vector<Configuration> prepare(Session& session, const SweepPoint& point, const Scene& scene, json& omitted) {
   std::vector<Configuration> all;
   for (const auto& backend : session.backends()) {
-    const std::vector<Configuration> configuration = affordable(*backend, point, omitted);
-    if (configuration.empty()) continue;
+    const std::vector<Configuration> own = affordable(*backend, point, omitted);
+    if (own.empty()) continue;
     try {
       backend->upload(scene);
-      all.insert(all.end(), configuration.begin(), configuration.end());
+      all.insert(all.end(), own.begin(), own.end());
     } catch (const BackendError& error) {
       omitted.push_back(left_out(*backend, "all", error.what()));
     }
@@ -60,14 +60,14 @@ std::vector<Configuration> prepare(Session& session, const SweepPoint& point, co
   return all;
 }
 
-// The first who answers this set at all: the CPU where it takes part.
-const Configuration& referee(const std::vector<Configuration>& all, const Configuration& configuration) {
+// The first configuration that finds this set: one of the CPU if it is among the backends.
+const Configuration& reference_of(const std::vector<Configuration>& all, const Configuration& configuration) {
   return *std::ranges::find_if(
       all, [&](const Configuration& one) { return set_name(one.options) == set_name(configuration.options); });
 }
 
 json row_of(Session& session, const SweepPoint& point, const Configuration& configuration,
-            const Configuration& checked_by, const Collisions& totals, const PeakRates& peak_rates,
+            const Configuration& reference, const Collisions& totals, const PeakRates& peak_rates,
             const Samples& samples) {
   const Method method = configuration.options.method;
   json row = {{"table", "grid"},
@@ -78,7 +78,7 @@ json row_of(Session& session, const SweepPoint& point, const Configuration& conf
               {"method", method_name(method)},
               {"block", uses_blocks(configuration) ? json(configuration.options.block) : json(nullptr)},
               {"first_step_ms", session.first_seconds(*configuration.backend, configuration.options) * 1e3},
-              {"checked_against", label(checked_by)},
+              {"checked_against", label(reference)},
               {"pairs", totals.pairs},
               {"colliding_spheres", totals.colliding_spheres},
               {"fingerprint", hex64(totals.fingerprint.a) + hex64(totals.fingerprint.b)}};
@@ -137,11 +137,11 @@ PointTimes time_point(Session& session, const SweepPoint& point, const PeakRates
   std::vector<Contender> contenders;
   std::vector<Collisions> totals;
   for (const Configuration& configuration : all) {
-    const Configuration& reference = referee(all, configuration);
-    StepResult answer = run_step(session, configuration, false);
-    const StepResult& right = expected.try_emplace(set_name(configuration.options), answer).first->second;
-    require_equal(session, {scene_of(point), 0}, reference, right, configuration, answer);
-    totals.push_back(answer.totals);
+    const Configuration& reference = reference_of(all, configuration);
+    StepResult result = run_step(session, configuration, false);
+    const StepResult& right = expected.try_emplace(set_name(configuration.options), result).first->second;
+    require_equal(session, {scene_of(point), 0}, reference, right, configuration, result);
+    totals.push_back(result.totals);
     contenders.push_back({label(configuration), configuration.backend,
                           [options = configuration.options](Backend& b) { b.enqueue_collide(options); }});
   }
@@ -150,7 +150,7 @@ PointTimes time_point(Session& session, const SweepPoint& point, const PeakRates
   const std::vector<Samples> samples = measure(contenders, sampling, progress);
   for (size_t k = 0; k < all.size(); ++k)
     times.measurements.push_back(
-        row_of(session, point, all[k], referee(all, all[k]), totals[k], peak_rates, samples[k]));
+        row_of(session, point, all[k], reference_of(all, all[k]), totals[k], peak_rates, samples[k]));
   return times;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One configuration of the sweep: a number of spheres at a packing fraction, in random or in cell order, and
-// all_configurations who finds its pairs in affordable time, checked and then timed against each other.
+// One point of the sweep: a number of spheres at a packing fraction, in random or in cell order. Every method that is
+// fast enough finds its pairs; all are checked, then timed in interleaved rounds.
 #pragma once
 
 #include "bench/check/step_result.h"
@@ -11,15 +11,15 @@ namespace spherepair {
 struct SweepPoint {
   uint64_t n = 16384;
   double packing_fraction = 0.3;
-  bool in_cell_order = false;  // "warm"; else "cold": random order, so that each step sorts
+  bool in_cell_order = false;  // "warm"; otherwise "cold": random order, so that each step sorts
   uint64_t seed = SceneOptions{}.seed;
   std::vector<Method> methods;
-  uint block = 0;  // 0: as Method::automatic has it
+  uint block = 0;  // 0: as Method::automatic chooses it
 };
 SceneOptions scene_of(const SweepPoint& point);
 std::string label(const SweepPoint& point);  // packing fraction 0.3, n = 1000, cold
 
-// The most spheres that this backend is timed with by this method: a step then takes at most about a quarter of a
+// The most spheres that this backend and method are timed with, so that a step takes at most about a quarter of a
 // second on a GPU and on many cores.
 uint64_t most_spheres(const Backend& backend, Method method);
 
@@ -29,7 +29,7 @@ struct PointTimes {
   json left_out = json::array();  // backend, method, reason
 };
 
-// Throws DifferenceFound rather than time a wrong answer. A backend that cannot hold the scene is left out.
+// Checks all results before timing; throws DifferenceFound. A backend that cannot hold the scene is left out.
 PointTimes time_point(Session& session, const SweepPoint& point, const PeakRates& peak_rates, const Sampling& sampling,
                       Progress& progress);
 

@@ -25,12 +25,12 @@ void compare_states(Session& session, const SceneOptions& scene, uint64_t step) 
 }
 
 ErrorEntry run_for_errors(Backend& backend, const Scene& scene, int k, uint64_t steps) {
-  constexpr uint64_t looks = 16;
+  constexpr uint64_t samples = 16;
   ErrorEntry entry{scene.motion, k, backend.info().name, 0, 0, 0, 0, 0};
   backend.upload(scene);
   for (uint64_t step = 1; step <= steps; ++step) {
     backend.move();
-    if (step != steps && step % std::max<uint64_t>(steps / looks, 1) != 0) continue;
+    if (step != steps && step % std::max<uint64_t>(steps / samples, 1) != 0) continue;
     const Backend::State state = current_state(backend);
     require_finite(state, step);
     const MotionErrors errors = errors_of(scene, step, state);
@@ -41,8 +41,8 @@ ErrorEntry run_for_errors(Backend& backend, const Scene& scene, int k, uint64_t 
   return entry;
 }
 
-// Two seconds of steps as long as any, so that as many spheres bounce at any time as ever will.
-Scene settled_scene(const PrecisionPlan& plan, Backend& backend) {
+// After four seconds at the longest time step, the share of bouncing spheres is stationary.
+Scene stationary_scene(const PrecisionPlan& plan, Backend& backend) {
   Scene scene = make_scene(scene_options(plan, {MotionMethod::anchored, Precision::float32}, 4, plan.time_n));
   backend.upload(scene);
   for (int step = 0; step < 64; ++step) backend.move();
@@ -52,7 +52,7 @@ Scene settled_scene(const PrecisionPlan& plan, Backend& backend) {
   return scene;
 }
 
-// Only a bounce makes a sphere rise faster than before.
+// Only a bounce increases the upward velocity.
 double bouncing_share(Backend& backend, Scene scene, int k) {
   scene.motion = {MotionMethod::anchored, Precision::float32};
   scene.dt = std::ldexp(1.0f, -k);
@@ -71,7 +71,7 @@ struct Work {
 std::vector<Work> works_of(MotionOptions motion) {
   std::vector<Work> works = {{"move", [](Backend& backend) { backend.move(); }}};
   if (motion.method == MotionMethod::anchored)
-    works.push_back({"move and place", [](Backend& backend) { backend.move(), backend.evaluate_positions(); }});
+    works.push_back({"move and evaluate", [](Backend& backend) { backend.move(), backend.evaluate_positions(); }});
   return works;
 }
 
@@ -84,8 +84,9 @@ json motion_json(MotionOptions motion, int k) {
 
 }  // namespace
 
-// The count that is cleared; then position and velocity in and out, or the wide state, and the position's image; or
-// anchor, velocity, flight and the step of the anchor in, the position out, and the due step.
+// The count, which is cleared; then position and velocity, read and written, or the wide state with the float32
+// position and velocity written; for `anchored` anchor, velocity, flight, anchor step and next event, read, and the
+// position, written.
 std::optional<uint64_t> bytes_per_sphere_step(const TimeEntry& entry) {
   const uint64_t wide = entry.motion.precision == Precision::float32 ? 0 : 1;
   if (entry.motion.method != MotionMethod::anchored) return 4 + (wide ? 2 * 48 + 32 : 64);
@@ -101,10 +102,10 @@ std::vector<ErrorEntry> measure_errors(Session& session, const PrecisionPlan& pl
       const Scene scene = make_scene(options);
       const uint64_t steps = uint64_t(std::ldexp(plan.seconds, k));
       progress.say(fmt::format("errors: {} at dt = 2^-{}", motion_label(motion), k));
-      const bool everywhere = steps <= plan.most_software_steps;
+      const bool in_software = steps <= plan.most_software_steps;
       bool all = true;
       for (const auto& backend : session.backends()) {
-        if (backend->info().software && !everywhere) {
+        if (backend->info().software && !in_software) {
           all = false;
           continue;
         }
@@ -117,7 +118,7 @@ std::vector<ErrorEntry> measure_errors(Session& session, const PrecisionPlan& pl
 
 std::vector<TimeEntry> measure_times(Session& session, const PrecisionPlan& plan, Progress& progress) {
   std::vector<TimeEntry> entries;
-  Scene scene = settled_scene(plan, session.reference());
+  Scene scene = stationary_scene(plan, session.reference());
   for (int k : plan.time_steps) {
     const double bouncing = bouncing_share(session.reference(), scene, k);
     for (const MotionOptions& motion : plan.motions) {

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Error against run time of every motion method: what `spherepair precision` measures.
+// Error and run time of every motion method: the measurements of `spherepair precision`.
 //
 // precision.json, "format": "spherepair precision 1":
 //   context, backends, warnings, clocks   as in results.json (report.h, context.h)
 //   settings   {seconds: T, error_n, time_n, seed, restitution}
-//   errors     one entry for each method, precision, k (dt = 2^-k s) and backend:
+//   errors     one entry per method, precision, k (dt = 2^-k s) and backend:
 //     {method, precision, k, dt, backend,
 //      rms, largest                position error at T against the closed form, metres
-//      rms_over_time, largest_over_time   the largest of either at T/16, 2T/16 ... T
-//      energy                      largest relative gain (or loss, negative) of a sphere's energy at T}
-//   times      one entry for each method, precision, k, work and backend; works are "move", for `anchored` also
-//              "move and place" (its positions evaluated at every step, as a collision step needs them):
+//      rms_over_time, largest_over_time   their maxima over T/16, 2T/16 ... T
+//      energy                      largest relative change of a sphere's energy at T}
+//   times      one entry per method, precision, k, work and backend; work is "move", for `anchored` also
+//              "move and evaluate" (positions evaluated at every step, as a collision step needs them):
 //     {method, precision, k, dt, work, backend, n, bouncing: share of the spheres that bounce in a step,
-//      seconds_per_sphere_step, low, high   median and the 95 % interval of its median, seconds
-//      bytes_per_sphere_step       that the kernel must read and write; null where that depends on the bounces
-//      sample                      all of it, as to_json(Samples)}
-//   copies     what copying positions to velocities takes on each device, the ceiling of every step:
+//      seconds_per_sphere_step, low, high   median and its 95 % interval, seconds
+//      bytes_per_sphere_step       minimum memory traffic of the kernel; null if it depends on the bounces
+//      sample                      as to_json(Samples)}
+//   copies     copying positions to velocities on each device, the peak rate of every step:
 //     {backend, n, bytes_per_second, sample}
-//   targets    what is asked of a GPU (motion_targets.h): {what, value, bound, met}
+//   targets    of a GPU (motion_targets.h): {what, value, bound, met}
 #pragma once
 
 #include "bench/measure/session.h"
@@ -31,7 +31,7 @@ struct PrecisionPlan {
   double seconds = 10;                       // T
   uint64_t error_n = 100, time_n = 1 << 22;
   uint64_t seed = SceneOptions{}.seed;
-  uint64_t most_software_steps = 3000;  // of an error run where OpenGL is software; longer ones are left out
+  uint64_t most_software_steps = 3000;  // of an error run of software OpenGL; longer ones are left out
   Sampling sampling;
 };
 
@@ -59,16 +59,16 @@ struct CopyEntry {
   double bytes_per_second() const { return 2 * sizeof(vec4) * double(n) / samples.median_seconds(); }
 };
 
-// Bytes that the kernels of one step must read and write for a sphere; none where that depends on the bounces.
+// Minimum memory traffic per sphere of the kernels of one step; none if it depends on the bounces.
 std::optional<uint64_t> bytes_per_sphere_step(const TimeEntry& entry);
 
-// Every backend; throws DifferenceFound when two end in different bits.
+// On every backend; throws DifferenceFound if the final states differ in any bit.
 std::vector<ErrorEntry> measure_errors(Session& session, const PrecisionPlan& plan, Progress& progress);
-// Backends in interleaved rounds, on spheres that have bounced for some time. Throws DifferenceFound before timing
-// anything whose state after some steps is not the same everywhere.
+// Backends in interleaved rounds, on spheres that have bounced for some time. Compares the states after some steps
+// before timing; throws DifferenceFound.
 std::vector<TimeEntry> measure_times(Session& session, const PrecisionPlan& plan, Progress& progress);
 
-// On every device that has the kernel, at the size of the timings.
+// On every device, at the size of the timings.
 std::vector<CopyEntry> measure_copies(Session& session, const PrecisionPlan& plan, Progress& progress);
 
 json to_json(const ErrorEntry& entry);

@@ -22,7 +22,7 @@ SceneOptions scene_of(const std::string& name, uint64_t seed, float radius_ratio
   return options;
 }
 
-// Every scene, and one whose radii differ, which takes another variant of each kernel.
+// Every scene, and one with unequal radii, which uses another variant of each kernel.
 std::vector<SceneOptions> all_scenes(uint64_t seed) {
   std::vector<SceneOptions> scenes;
   for (const SceneKind& kind : scene_kinds()) scenes.push_back(scene_of(kind.name, seed));
@@ -30,7 +30,7 @@ std::vector<SceneOptions> all_scenes(uint64_t seed) {
   return scenes;
 }
 
-// What a machine without a GPU checks is checked with one too, so that `equal` can set their results side by side.
+// A machine with a GPU also checks the sizes of one without, so that `equal` can compare their results.
 void fill_sizes(Plan& plan) {
   const std::vector<uint> all(block_sizes().begin(), block_sizes().end());
   plan.paper_sizes = plan.step_sizes = {64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768};

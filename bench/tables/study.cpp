@@ -25,18 +25,18 @@ Contender contender_for(const Task& task) {
   }
 }
 
-// A naive variant may answer wrongly by design, so its exact twin is what gets checked.
+// The naive predicate may be wrong by design, so the same configuration with the exact one is checked.
 std::vector<Configuration> to_check(const std::vector<Task>& tasks) {
-  std::vector<Configuration> configuration;
+  std::vector<Configuration> configurations;
   for (const Task& task : tasks) {
     if (task.work == Work::move) continue;
     Configuration exact = task.configuration;
     exact.options.exact = true;
     const bool known =
-        std::ranges::any_of(configuration, [&](const Configuration& a) { return label(a) == label(exact); });
-    if (!known) configuration.push_back(exact);
+        std::ranges::any_of(configurations, [&](const Configuration& one) { return label(one) == label(exact); });
+    if (!known) configurations.push_back(exact);
   }
-  return configuration;
+  return configurations;
 }
 
 json number_or_null(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
@@ -68,54 +68,54 @@ void Study::upload(const SceneOptions& options) {
   for (const auto& backend : session.backends()) backend->upload(scene);
 }
 
-// Of all_configurations but the references, and of the states of all backends but one.
-void Study::plan_comparisons(const SceneOptions& scene, const std::vector<Configuration>& configuration,
+// Every configuration except the references, and the states of every backend except the reference.
+void Study::plan_comparisons(const SceneOptions& scene, const std::vector<Configuration>& configurations,
                              uint64_t steps) {
   for (const auto& backend : session.backends())
     if (backend.get() != &session.reference())
       session.comparisons.plan(backend->info().name, Comparisons::states, steps);
-  for (const Configuration& one : configuration)
+  for (const Configuration& one : configurations)
     if (label(one) != label(reference_for(session, one.options, scene.n)))
       session.comparisons.plan(one.backend->info().name, Comparisons::sets, steps);
 }
 
-// Compares all answers at the present state, set by set.
-void Study::check_step(const SceneOptions& scene, const std::vector<Configuration>& configuration, uint64_t step) {
-  const Place place{scene, step};
-  const uint64_t state = require_same_states(session, place);
+// Compares all results in the current state, set by set.
+void Study::check_step(const SceneOptions& scene, const std::vector<Configuration>& configurations, uint64_t step) {
+  const ComparisonPoint point{scene, step};
+  const uint64_t state = require_same_states(session, point);
   std::map<std::string, std::vector<Configuration>> sets;
-  for (const Configuration& one : configuration) sets[set_name(one.options)].push_back(one);
+  for (const Configuration& one : configurations) sets[set_name(one.options)].push_back(one);
   for (const auto& [name, members] : sets) {
     const Configuration reference = reference_for(session, members.front().options, scene.n);
-    const StepResult answer = run_step(session, reference, false);
-    referees_[name] = label(reference);
+    const StepResult expected = run_step(session, reference, false);
+    references_[name] = label(reference);
     EqualityEntry entry{scene, name, {label(reference)}, {}};
     for (const Configuration& one : members) {
       if (label(one) == label(reference)) continue;
-      require_equal(session, place, reference, answer, one, run_step(session, one, false));
-      entry.answers.push_back(label(one));
+      require_equal(session, point, reference, expected, one, run_step(session, one, false));
+      entry.configurations.push_back(label(one));
     }
     entry.checkpoints.push_back(
-        {step, answer.totals.pairs, answer.totals.colliding_spheres, answer.totals.fingerprint, state});
+        {step, expected.totals.pairs, expected.totals.colliding_spheres, expected.totals.fingerprint, state});
     equality.push_back(std::move(entry));
   }
 }
 
-// At the start, and where it will be moved after a step too.
-void Study::check_steps(const SceneOptions& scene, const std::vector<Configuration>& configuration, uint64_t steps) {
-  plan_comparisons(scene, configuration, steps);
+// At the start, and after each of the following steps.
+void Study::check_steps(const SceneOptions& scene, const std::vector<Configuration>& configurations, uint64_t steps) {
+  plan_comparisons(scene, configurations, steps);
   upload(scene);
   for (uint64_t step = 0; step < steps; ++step) {
     if (step > 0)
       for (const auto& backend : session.backends()) backend->move();
-    check_step(scene, configuration, step);
+    check_step(scene, configurations, step);
   }
   session.comparisons.require_complete();
 }
 
-StepResult Study::check(const SceneOptions& scene, const std::vector<Configuration>& configuration) {
-  check_steps(scene, configuration, 1);
-  return run_step(session, configuration.front(), false);
+StepResult Study::check(const SceneOptions& scene, const std::vector<Configuration>& configurations) {
+  check_steps(scene, configurations, 1);
+  return run_step(session, configurations.front(), false);
 }
 
 std::vector<Samples> Study::time(const std::string& table, const SceneOptions& scene, const std::vector<Task>& tasks) {
@@ -150,13 +150,13 @@ void Study::record(const std::string& table, const SceneOptions& scene, const Ta
     row["block"] = uses_blocks(task.configuration) ? json(options.block) : json(nullptr);
     row["exact"] = options.exact;
     row["first_step_ms"] = number_or_null(session.first_seconds(*task.configuration.backend, options) * 1e3);
-    row["checked_against"] = referees_.at(set_name(options));
+    row["checked_against"] = references_.at(set_name(options));
   }
   row.update(to_json(samples));
   measurements.push_back(std::move(row));
 }
 
-bool SizeWalk::next() {
+bool SizeSequence::next() {
   while (at_ < sizes_.size()) {
     const uint64_t n = sizes_[at_++];
     if (study_.plan.hardware || last_.empty()) return true;
@@ -171,12 +171,12 @@ bool SizeWalk::next() {
 
 const std::vector<TableKind>& table_kinds() {
   static const std::vector<TableKind> kinds = {
-      {"table1", "the paper's Table 1 beside ours", make_table1},
-      {"counts", "colliding spheres beside the paper's ranges", make_counts},
+      {"table1", "the paper's Table 1 and our times", make_table1},
+      {"counts", "numbers of colliding spheres and the paper's ranges", make_counts},
       {"methods", "GLSL against CUDA per method and group size", make_methods},
-      {"ceilings", "what each device can do at best: copying, atomics, multiply-adds", make_peak_rates},
-      {"overhead", "what an empty dispatch or launch costs", make_overhead},
-      {"exactness", "what the exact predicate costs, and what it saves", make_exactness},
+      {"peak_rates", "peak rates of each device: copying, atomics, multiply-adds", make_peak_rates},
+      {"overhead", "the cost of an empty dispatch or launch", make_overhead},
+      {"exactness", "the cost of the exact predicate, and what it corrects", make_exactness},
       {"scale", "collide_triangle from small to large n", make_scale},
       {"step", "a whole step: motion, plane, all pairs", make_step},
       {"grid", "the uniform grid against all pairs", make_grid},

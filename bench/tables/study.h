@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Validate, then time: what every table is made with.
+// Validate, then time: the basis of every table.
 #pragma once
 
 #include "bench/check/lockstep.h"
@@ -19,15 +19,15 @@ class Study {
  public:
   Study(Session& session, const Plan& plan, Progress& progress) : session(session), plan(plan), progress(progress) {}
 
-  // Uploads the scene, checks every task's answer in this very configuration, throws DifferenceFound rather than time a
-  // wrong one, then times all tasks against each other. Samples come in the tasks' order and are kept for the record.
+  // Uploads the scene, checks the result of every task in the configuration to be timed (throws DifferenceFound), then
+  // times all tasks in interleaved rounds. Returns samples in the order of the tasks and keeps them for the record.
   std::vector<Samples> time(const std::string& table, const SceneOptions& scene, const std::vector<Task>& tasks);
 
-  // The same record for contenders that have no answer to check.
+  // Times and records contenders that have no result to check.
   std::vector<Samples> time_unchecked(const std::string& table, const std::vector<Contender>& contenders, json meta);
 
-  // Uploads the scene everywhere, compares the answers of `asked` and keeps what agreed.
-  StepResult check(const SceneOptions& scene, const std::vector<Configuration>& configuration);
+  // Uploads the scene to every backend, compares the configurations' results and records that they are equal.
+  StepResult check(const SceneOptions& scene, const std::vector<Configuration>& configurations);
 
   std::vector<Task> collide_tasks(Method method, uint block, bool exact = true) const;  // on every device
   SceneOptions paper_scene(uint64_t n) const;
@@ -40,22 +40,22 @@ class Study {
 
  private:
   void upload(const SceneOptions& options);
-  void plan_comparisons(const SceneOptions& scene, const std::vector<Configuration>& configuration, uint64_t steps);
-  void check_step(const SceneOptions& scene, const std::vector<Configuration>& configuration, uint64_t step);
-  void check_steps(const SceneOptions& scene, const std::vector<Configuration>& configuration, uint64_t steps);
+  void plan_comparisons(const SceneOptions& scene, const std::vector<Configuration>& configurations, uint64_t steps);
+  void check_step(const SceneOptions& scene, const std::vector<Configuration>& configurations, uint64_t step);
+  void check_steps(const SceneOptions& scene, const std::vector<Configuration>& configurations, uint64_t steps);
   void record(const std::string& table, const SceneOptions& scene, const Task& task, const Samples& samples);
 
-  std::map<std::string, std::string> referees_;  // by set: who the last check trusted
+  std::map<std::string, std::string> references_;  // by set: label of the last check's reference
 };
 
-// Walks a table's sizes in order and leaves out those that would take too long without a GPU.
-class SizeWalk {
+// Iterates over a table's sizes and leaves out those that would take too long without a GPU.
+class SizeSequence {
  public:
-  SizeWalk(const Study& study, std::vector<uint64_t> sizes) : study_(study), sizes_(std::move(sizes)) {}
+  SizeSequence(const Study& study, std::vector<uint64_t> sizes) : study_(study), sizes_(std::move(sizes)) {}
   bool next();  // false at the end
   uint64_t n() const { return sizes_[at_ - 1]; }
   void measured(std::span<const Samples> samples) { last_.assign(samples.begin(), samples.end()), last_n_ = n(); }
-  std::vector<std::string> notes() const { return notes_; }  // what was left out
+  std::vector<std::string> notes() const { return notes_; }  // the sizes that were left out
 
  private:
   const Study& study_;
@@ -83,7 +83,7 @@ std::vector<Table> make_step(Study& study);
 std::vector<Table> make_grid(Study& study);
 std::vector<Table> make_equality(Study& study);
 
-// Every measurement behind a table: K, rounds, median, interval, minimum, first step, device timer.
+// All measurements of a table: K, rounds, median, interval, minimum, first step, device timer.
 Table measurement_table(const Study& study, const std::string& table);
 
 }  // namespace spherepair

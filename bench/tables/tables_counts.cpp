@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers of colliding spheres that the seed paper gives, beside ours: evidence that the scene is the paper's.
+// The numbers of colliding spheres given by the seed paper and ours: evidence that the scene is the paper's.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,25 +26,25 @@ const PaperCounts paper_counts[] = {{64, Range{0, 4}, Range{0, 4}},
                                     {512, Range{100, 159}, Range{93, 139}},
                                     {32768, std::nullopt, Range{32000, 32000}}};
 
-const char* place_in(const PaperCounts& paper, uint64_t count) {
+const char* columns_containing(const PaperCounts& paper, uint64_t count) {
   if (paper.n == 32768) return count >= 31000 && count <= 32768 ? "about" : "no";
   const bool in_sequential = paper.sequential && count >= paper.sequential->low && count <= paper.sequential->high;
   const bool in_parallel = paper.parallel && count >= paper.parallel->low && count <= paper.parallel->high;
   return in_sequential && in_parallel ? "both" : in_sequential ? "sequential" : in_parallel ? "parallel" : "no";
 }
 
-// Colliding spheres over the animation, counted by the fastest backend after all have agreed on frame 0.
+// Colliding spheres over the animation, counted by the fastest backend after all backends agreed on frame 0.
 std::vector<std::string> count_row(Study& study, const SceneOptions& scene, const PaperCounts* paper) {
   const uint64_t steps = scene.n > 16384 ? study.plan.count_steps_large : study.plan.count_steps;
-  std::vector<Configuration> configuration;
+  std::vector<Configuration> configurations;
   for (const auto& backend : study.session.backends())
-    configuration.push_back(
+    configurations.push_back(
         {backend.get(), {.method = backend->info().name == "cpu" ? Method::parallel : Method::collide_triangle}});
-  const uint64_t first = study.check(scene, configuration).totals.colliding_spheres;
+  const uint64_t first = study.check(scene, configurations).totals.colliding_spheres;
   Range range{first, first};
   const auto hardware =
-      std::ranges::find_if(configuration, [](const Configuration& a) { return on_hardware(*a.backend); });
-  const Configuration counter = hardware == configuration.end() ? configuration.front() : *hardware;
+      std::ranges::find_if(configurations, [](const Configuration& one) { return on_hardware(*one.backend); });
+  const Configuration counter = hardware == configurations.end() ? configurations.front() : *hardware;
   for (uint64_t step = 1; step <= steps; ++step) {
     study.progress.say(fmt::format("counts: {} n = {}, step {} of {}", scene_label(scene), scene.n, step, steps));
     counter.backend->move();
@@ -60,14 +60,14 @@ std::vector<std::string> count_row(Study& study, const SceneOptions& scene, cons
           std::to_string(steps),
           known && paper->sequential ? paper->sequential->text() : "-",
           known && paper->parallel ? (scene.n == 32768 ? "32000" : paper->parallel->text()) : "-",
-          known ? place_in(*paper, first) : "-"};
+          known ? columns_containing(*paper, first) : "-"};
 }
 
 }  // namespace
 
 std::vector<Table> make_counts(Study& study) {
   Table table{
-      "Colliding spheres: ours beside the paper's",
+      "Colliding spheres: ours and the paper's",
       {{"", "scene", "", true},
        {"", "n", ""},
        {"ours", "frame 0", "spheres"},
@@ -77,8 +77,8 @@ std::vector<Table> make_counts(Study& study) {
        {"the paper's range", "parallel", "spheres"},
        {"", "frame 0 in range", "", true}},
       {},
-      {"A step is 1/64 s. The paper does not say over which time its ranges were taken; it says \"32,000\" for 32768. "
-       "For its aligned animation it gives arrangements but no counts."}};
+      {"A step is 1/64 s. The paper does not say over how many steps its ranges were taken; it says \"32,000\" for "
+       "32768. For its aligned animation it gives arrangements but no counts."}};
   for (const PaperCounts& paper : paper_counts)
     if (std::ranges::find(study.plan.count_sizes, paper.n) != study.plan.count_sizes.end())
       table.rows.push_back(count_row(study, study.paper_scene(paper.n), &paper));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was compared, in rows that a reader can take in: methods with their group sizes and backends.
+// What was compared and found equal: methods with their group sizes and backends.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace spherepair {
 namespace {
 
-// All answers to one set of one scene, gathered over the lockstep and the checks before each timing.
+// All comparisons of one set of one scene, from the lockstep check and the checks before each timing.
 struct Gathered {
   SceneOptions scene;
   std::string set;
@@ -22,9 +22,9 @@ struct Gathered {
   std::map<std::string, std::pair<std::set<uint>, std::set<std::string>>> methods;  // group sizes and backends
 };
 
-void add_answers(Gathered& row, const std::vector<std::string>& answers) {
-  for (const std::string& answer : answers) {
-    std::istringstream words(answer);
+void add_configurations(Gathered& row, const std::vector<std::string>& labels) {
+  for (const std::string& label : labels) {
+    std::istringstream words(label);
     std::string backend, method;
     uint block = 0;
     words >> backend >> method;
@@ -34,20 +34,20 @@ void add_answers(Gathered& row, const std::vector<std::string>& answers) {
   }
 }
 
-// Ordered by scene and size, the whole set before groups, small groups before large.
+// Ordered by scene and size, all pairs before groups, small groups before large.
 using Key = std::tuple<std::string, uint64_t, std::string, size_t, std::string>;
 
 std::map<Key, Gathered> gather(const std::vector<EqualityEntry>& entries) {
   std::map<Key, Gathered> rows;
   for (const EqualityEntry& entry : entries) {
-    if (entry.answers.size() < 2) continue;
+    if (entry.configurations.size() < 2) continue;
     const SceneOptions& scene = entry.scene;
     Gathered& row = rows[{scene_label(scene), scene.n, json_line(scene_json(scene)), entry.set.size(), entry.set}];
     row.scene = scene;
     row.set = entry.set;
-    row.comparisons += entry.checkpoints.size() * (entry.answers.size() - 1);
+    row.comparisons += entry.checkpoints.size() * (entry.configurations.size() - 1);
     if (entry.checkpoints.back().step >= row.last.step) row.last = entry.checkpoints.back();
-    add_answers(row, entry.answers);
+    add_configurations(row, entry.configurations);
   }
   return rows;
 }
@@ -59,13 +59,13 @@ std::string blocks_text(const std::set<uint>& blocks) {
 }
 
 const char* reference_text(const Session& session) {
-  return session.find("cpu") ? "the CPU" : "the first open backend, for the CPU was left out";
+  return session.find("cpu") ? "the CPU" : "the first open backend, since the CPU is not among them";
 }
 
 std::string hex(const Fingerprint& fingerprint) { return hex64(fingerprint.a) + hex64(fingerprint.b); }
 
 Table every_method(const std::map<Key, Gathered>& rows) {
-  Table table{"Every method and group size that was found equal",
+  Table table{"Every method and group size found equal",
               {{"", "scene", "", true},
                {"", "n", ""},
                {"", "seed", ""},
@@ -78,18 +78,18 @@ Table every_method(const std::map<Key, Gathered>& rows) {
                {"", "fingerprint", "last step", true},
                {"", "verdict", "", true}},
               {},
-              {"Rows of one scene, n and set share one fingerprint: they are the same set of pairs."},
+              {"Rows of the same scene, n and set have the same fingerprint: it is the same set of pairs."},
               true};
   for (const auto& [key, row] : rows)
-    for (const auto& [method, who] : row.methods)
+    for (const auto& [method, found] : row.methods)
       table.rows.push_back({scene_label(row.scene), std::to_string(row.scene.n), std::to_string(row.scene.seed),
-                            std::to_string(row.last.step), row.set, method, blocks_text(who.first),
-                            fmt::format("{}", fmt::join(who.second, " ")), std::to_string(row.last.pairs),
+                            std::to_string(row.last.step), row.set, method, blocks_text(found.first),
+                            fmt::format("{}", fmt::join(found.second, " ")), std::to_string(row.last.pairs),
                             hex(row.last.fingerprint), "equal"});
   return table;
 }
 
-// Of a scene and size: how many sets were compared how often, and the set of all pairs after the last step.
+// Per scene and size: the number of comparisons, and the set of all pairs after the last step.
 Table summary(const std::map<Key, Gathered>& rows, const Session& session) {
   Table table{"What was compared and found equal: states bit by bit, collision sets pair by pair",
               {{"", "scene", "", true},
@@ -118,9 +118,9 @@ Table summary(const std::map<Key, Gathered>& rows, const Session& session) {
     last_n = row.scene.n;
   }
   table.notes = {fmt::format(
-      "{} answers were compared with a reference, all equal: number of pairs and of colliding spheres, each "
-      "sphere's count, fingerprint, and in the lockstep, up to 10^6 pairs, the whole list. The reference "
-      "is {}. Methods and group sizes one by one: equality.txt.",
+      "{} results were compared with a reference, all equal: number of pairs and of colliding spheres, the count of "
+      "each sphere, the fingerprint, and in the lockstep check, up to 10^6 pairs, the list of pairs. The reference is "
+      "{}. Every method and group size: equality.txt.",
       total, reference_text(session))};
   return table;
 }

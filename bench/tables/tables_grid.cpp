@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The uniform grid against all pairs: the sweep's configurations in short form.
+// The uniform grid and all pairs: a short form of the sweep.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 bool is_all_pairs(const std::string& method) { return method == "parallel" || method == "collide_triangle"; }
 
-// The time of a backend's grid or all pairs in these measurements; 0 where it was not timed.
+// The time of a backend's grid or all pairs; 0 if it was not timed.
 double median_ms(const json& measurements, const std::string& backend, bool grid) {
   for (const json& row : measurements)
     if (row.at("backend") == backend && (grid ? row.at("method") == "collide_grid" : is_all_pairs(row.at("method"))))
@@ -37,11 +37,11 @@ std::vector<std::string> row_of(const Study& study, const SweepPoint& point, con
 }  // namespace
 
 std::vector<Table> make_grid(Study& study) {
-  Table table{"The grid against all pairs: one collision step, packing fraction 0.3",
+  Table table{"The grid and all pairs: one collision step, packing fraction 0.3",
               {{"", "n", ""}, {"", "order", "", true}},
               {},
-              {"cold: random order, so that each step sorts; warm: in the order of the cells. All pairs do not depend "
-               "on it. all/grid below 1: all pairs are faster. `spherepair sweep` goes on to 10^9 spheres."}};
+              {"cold: random order, so that each step sorts; warm: cell order. All pairs do not depend on the order. "
+               "all/grid below 1: all pairs are faster. `spherepair sweep` goes up to 10^9 spheres."}};
   for (const auto& backend : study.session.backends()) {
     const BackendInfo& info = backend->info();
     const std::string group = info.name + (info.software ? " in SOFTWARE" : "");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GLSL against CUDA per method and group size, the cost of a dispatch or launch, the cost of exactness.
+// GLSL and CUDA per method and group size, the cost of a dispatch or launch, the cost of exactness.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ Table skipped(const std::string& title) {
   return {title, {{"", "skipped", "", true}}, {{"no device backend is open, so there is nothing to compare"}}, {}};
 }
 
-// Unordered pairs that a method has to meet.
+// Unordered pairs that a method has to test.
 double candidate_pairs(Method method, uint block, uint64_t n) {
   const auto all = [](double k) { return k * (k - 1) / 2; };
   if (method != Method::collide_group) return all(double(n));
@@ -27,7 +27,7 @@ std::string interval_text(const Samples& samples) {
 
 void add_contest_columns(Table& table, const std::vector<Backend*>& devices) {
   if (devices.size() < 2) return;
-  const std::string over = devices[1]->info().name + "/" + devices[0]->info().name;
+  const std::string over = devices[0]->info().name + "/" + devices[1]->info().name;
   table.columns.push_back({"", over, "times"});
   table.columns.push_back({"", "verdict", "", true});
 }
@@ -36,7 +36,7 @@ void add_contest(std::vector<std::string>& row, const std::vector<Samples>& samp
   if (samples.size() < 2) return;
   const Contest result = contest(samples[0], samples[1]);
   row.push_back(format_number(result.ratio));
-  row.push_back(result.text);
+  row.push_back(verdict(result));
 }
 
 void methods_rows(Study& study, Table& table, uint64_t n, Method method) {
@@ -59,49 +59,50 @@ void methods_rows(Study& study, Table& table, uint64_t n, Method method) {
   }
 }
 
-struct Naive {
-  uint64_t right = 0, missed = 0, added = 0;
+struct NaiveErrors {
+  uint64_t right = 0, missed = 0, extra = 0;
 };
 
-// What the naive float32 test gets wrong where it is hardest. The exact answer is checked against the reference first.
-Naive naive_errors(Study& study, Configuration configuration, const SceneOptions& place) {
-  study.progress.say(fmt::format("exactness: {} on {}", label(configuration), place.name));
-  const Configuration reference = reference_for(study.session, configuration.options, place.n);
+// Pairs that the naive float32 test gets wrong in the hardest scene. The exact result is checked against the reference
+// first.
+NaiveErrors naive_errors(Study& study, Configuration configuration, const SceneOptions& scene) {
+  study.progress.say(fmt::format("exactness: {} on {}", label(configuration), scene.name));
+  const Configuration reference = reference_for(study.session, configuration.options, scene.n);
   const StepResult expected = run_step(study.session, reference, true),
                    right = run_step(study.session, configuration, true);
-  require_equal(study.session, {place, 0}, reference, expected, configuration, right);
+  require_equal(study.session, {scene, 0}, reference, expected, configuration, right);
   configuration.options.exact = false;
   const StepResult naive = run_step(study.session, configuration, true);
-  std::vector<Pair> missed, added;
+  std::vector<Pair> missed, extra;
   std::ranges::set_difference(*right.pairs, *naive.pairs, std::back_inserter(missed));
-  std::ranges::set_difference(*naive.pairs, *right.pairs, std::back_inserter(added));
-  return {right.pairs->size(), missed.size(), added.size()};
+  std::ranges::set_difference(*naive.pairs, *right.pairs, std::back_inserter(extra));
+  return {right.pairs->size(), missed.size(), extra.size()};
 }
 
-std::vector<Naive> all_naive_errors(Study& study, const std::vector<Configuration>& all) {
-  SceneOptions place = study.paper_scene(2 * study.plan.grazing_pairs);
-  place.name = "grazing";
-  const Scene scene = make_scene(place);
+std::vector<NaiveErrors> all_naive_errors(Study& study, const std::vector<Configuration>& all) {
+  SceneOptions options = study.paper_scene(2 * study.plan.grazing_pairs);
+  options.name = "grazing";
+  const Scene scene = make_scene(options);
   for (const auto& backend : study.session.backends()) backend->upload(scene);
   for (const Configuration& configuration : all)
     study.session.comparisons.plan(configuration.backend->info().name, Comparisons::sets, 1);
-  std::vector<Naive> errors;
-  for (const Configuration& configuration : all) errors.push_back(naive_errors(study, configuration, place));
+  std::vector<NaiveErrors> errors;
+  for (const Configuration& configuration : all) errors.push_back(naive_errors(study, configuration, options));
   return errors;
 }
 
-std::vector<Configuration> exactness_asked(const Study& study) {
-  std::vector<Configuration> configuration;
+std::vector<Configuration> exactness_configurations(const Study& study) {
+  std::vector<Configuration> configurations;
   for (const Configuration& one : all_configurations(study.session, study.plan.methods, {study.plan.table_block}))
-    if (one.backend->info().name != "cpu" || one.options.method != Method::collide_group) configuration.push_back(one);
-  return configuration;
+    if (one.backend->info().name != "cpu" || one.options.method != Method::collide_group) configurations.push_back(one);
+  return configurations;
 }
 
 }  // namespace
 
 std::vector<Table> make_methods(Study& study) {
   const std::vector<Backend*> devices = study.session.devices();
-  const std::string title = "GLSL against CUDA per method and group size, random scene, one collision step";
+  const std::string title = "GLSL and CUDA per method and group size, random scene, one collision step";
   if (devices.empty()) return {skipped(title)};
   Table table{title, {{"", "n", ""}, {"", "method", "", true}, {"", "group", "size"}}, {}, {}};
   for (Backend* device : devices) {
@@ -114,10 +115,8 @@ std::vector<Table> make_methods(Study& study) {
   for (uint64_t n : study.plan.method_sizes)
     for (Method method : device_methods())
       if (is_wanted(study.plan, method)) methods_rows(study, table, n, method);
-  table.notes = {
-      "pairs: unordered pairs that the method has to decide, per second; collide_group only meets pairs within a "
-      "group.",
-      "A difference is claimed only when the 95 % intervals are apart or the rank test says p < 0.01."};
+  table.notes = {"pairs: unordered pairs tested per second; collide_group tests only pairs within a group.",
+                 "A difference is stated only if the 95 % intervals do not overlap or the rank test gives p < 0.01."};
   return {table};
 }
 
@@ -150,45 +149,43 @@ std::vector<Table> make_overhead(Study& study) {
     table.rows.push_back(row);
   }
   table.notes = {
-      "After so many launches the host waits for the device: the first row is a round trip, the last the rate."};
+      "The host waits for the device after this many launches: the first row is a round trip, the last the rate."};
   return {table};
 }
 
 std::vector<Table> make_exactness(Study& study) {
-  Table table{"What the exact predicate costs and saves",
+  Table table{"Cost of the exact predicate, and the pairs that it corrects",
               {{"", "n", ""},
-               {"", "answered by", "", true},
+               {"", "configuration", "", true},
                {"random scene", "naive", "ms"},
                {"random scene", "exact", "ms"},
                {"random scene", "cost", "%"},
                {"random scene", "verdict", "", true},
                {"grazing scene", "pairs", "right"},
                {"grazing scene", "naive", "missed"},
-               {"grazing scene", "naive", "added"}},
+               {"grazing scene", "naive", "extra"}},
               {},
               {}};
-  const std::vector<Configuration> all = exactness_asked(study);
-  const std::vector<Naive> errors = all_naive_errors(study, all);
+  const std::vector<Configuration> all = exactness_configurations(study);
+  const std::vector<NaiveErrors> errors = all_naive_errors(study, all);
   for (uint64_t n : study.plan.exactness_sizes) {
     for (size_t k = 0; k < all.size(); ++k) {
       Configuration naive = all[k];
       naive.options.exact = false;
       const auto samples =
           study.time("exactness", study.paper_scene(n), {{Work::collide, naive}, {Work::collide, all[k]}});
-      const Contest result = contest(samples[0], samples[1]);
-      table.rows.push_back({std::to_string(n), label(all[k]), format_ms(samples[0].median_seconds()),
-                            format_ms(samples[1].median_seconds()), format_percent(result.ratio - 1),
-                            !result.differ     ? result.text
-                            : result.ratio > 1 ? "exact slower"
-                                               : "exact faster",
-                            std::to_string(errors[k].right), std::to_string(errors[k].missed),
-                            std::to_string(errors[k].added)});
+      const Contest result = contest(samples[1], samples[0]);
+      table.rows.push_back(
+          {std::to_string(n), label(all[k]), format_ms(samples[0].median_seconds()),
+           format_ms(samples[1].median_seconds()), format_percent(result.ratio - 1),
+           result.differ ? fmt::format("exact takes {} naive's time", ratio_text(result)) : ratio_text(result),
+           std::to_string(errors[k].right), std::to_string(errors[k].missed), std::to_string(errors[k].extra)});
     }
   }
-  table.notes = {
-      fmt::format("grazing: {} pairs of spheres within 8 ulp of touching. `missed` and `added`: pairs that the naive "
-                  "float32 test gets wrong there; the exact one was checked against the reference.",
-                  study.plan.grazing_pairs)};
+  table.notes = {fmt::format(
+      "grazing: {} pairs of spheres within 8 ulp of touching. missed, extra: pairs that the naive float32 test "
+      "gets wrong there; the exact one was checked against the reference.",
+      study.plan.grazing_pairs)};
   return {table};
 }
 

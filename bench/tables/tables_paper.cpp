@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The seed paper's own Table 1, beside ours.
+// The seed paper's Table 1 and our times.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 namespace spherepair {
 namespace {
 
-// Milliseconds on a GeForce GTX 590 and its host, from the paper's Table 1 and section 6; it prints 0 for what its
-// clock could not resolve, and no sequential row for 32,768 spheres.
+// Milliseconds on a GeForce GTX 590 and its host, from the paper's Table 1 and section 6. It prints 0 below the
+// resolution of its clock and has no sequential row for 32,768 spheres.
 struct PaperRow {
   uint64_t n;
   const char *fps, *sequential_drawing, *parallel_drawing, *plane, *sequential_pairs, *parallel_pairs;
@@ -32,7 +32,7 @@ PaperRow paper_row(uint64_t n) {
 struct Table1Row {
   uint64_t n;
   std::vector<Samples> moves;
-  std::vector<std::optional<Samples>> pairs;  // by task; none where it would have taken too long
+  std::vector<std::optional<Samples>> pairs;  // by task; none if it would have taken too long
 };
 
 bool complete(const Table1Row& row) {
@@ -61,7 +61,7 @@ std::vector<Task> table1_pairs(const Study& study) {
   return tasks;
 }
 
-// Without a GPU, whoever would take too long at this size by the last row's times.
+// Without a GPU, drops tasks that would take too long at this size, extrapolated from the last row.
 std::vector<Task> leave_out_slow(const Study& study, const std::vector<Task>& tasks, const std::vector<Table1Row>& rows,
                                  uint64_t n) {
   if (study.plan.hardware || rows.empty()) return tasks;
@@ -77,7 +77,7 @@ std::vector<Task> leave_out_slow(const Study& study, const std::vector<Task>& ta
 }
 
 Table absolute_times(const std::vector<Table1Row>& rows) {
-  Table table{"Table 1: times of one step's parts, random scene, medians", {{"", "n", ""}}, {}, {}};
+  Table table{"Table 1: times of the parts of a step, random scene, medians", {{"", "n", ""}}, {}, {}};
   for (const char* name : {"plane seq", "pairs seq", "pairs par"})
     table.columns.push_back({"paper, GTX 590", name, "ms"});
   for (const Samples& move : rows.front().moves) table.columns.push_back({"ours: motion + plane", move.backend, "ms"});
@@ -94,20 +94,20 @@ Table absolute_times(const std::vector<Table1Row>& rows) {
   }
   table.notes = {
       "The paper's 16 ms is one refresh interval of a 60 Hz display: an upper bound, not a measurement. "
-      "Its 0 is what its clock could not resolve.",
-      "The paper's `pairs par` is its GLSL shader: our collide_tiled is that shader, collide_triangle the fast one. "
-      "Ours finds the exact set and each sphere's count, flag and totals.",
-      "left out: without a GPU it would take too long for this run; --full or --n includes it."};
+      "Its 0 is below the resolution of its clock.",
+      "The paper's `pairs par` is its GLSL shader: our collide_tiled is that shader, collide_triangle the fastest one. "
+      "Ours find the exact set, the count and flag of each sphere, and totals.",
+      "left out: it would take too long without a GPU; --full or --n includes it."};
   if (std::ranges::all_of(rows, complete)) table.notes.pop_back();
   return table;
 }
 
-std::string speed_up(const std::optional<Samples>& base, const std::optional<Samples>& other) {
+std::string speedup(const std::optional<Samples>& base, const std::optional<Samples>& other) {
   return base && other ? format_number(base->median_seconds() / other->median_seconds()) : "-";
 }
 
-Table speed_ups(const std::vector<Table1Row>& rows) {
-  Table table{"Speed-ups, each beside the absolute time of its base", {{"", "n", ""}}, {}, {}};
+Table speedups(const std::vector<Table1Row>& rows) {
+  Table table{"Speedups, and the absolute time of each base", {{"", "n", ""}}, {}, {}};
   std::vector<Samples> first;
   for (const auto& one : rows.front().pairs) first.push_back(*one);
   std::vector<size_t> bases;
@@ -133,12 +133,11 @@ Table speed_ups(const std::vector<Table1Row>& rows) {
     for (size_t base : bases) {
       cells.push_back(ms_cell(row.pairs[base]));
       for (size_t k = 0; k < row.pairs.size(); ++k)
-        if (fastest(base, k)) cells.push_back(speed_up(row.pairs[base], row.pairs[k]));
+        if (fastest(base, k)) cells.push_back(speedup(row.pairs[base], row.pairs[k]));
     }
     table.rows.push_back(cells);
   }
-  table.notes = {
-      "glsl and cuda stand for collide_triangle there. Below 1 the column's program is slower than the base."};
+  table.notes = {"glsl and cuda: collide_triangle. Below 1: slower than the base."};
   return table;
 }
 
@@ -176,7 +175,7 @@ std::vector<Table> make_table1(Study& study) {
         if (one.label == label(pairs[k])) row.pairs[k] = one;
     rows.push_back(std::move(row));
   }
-  return {absolute_times(rows), speed_ups(rows), paper_table(rows)};
+  return {absolute_times(rows), speedups(rows), paper_table(rows)};
 }
 
 }  // namespace spherepair

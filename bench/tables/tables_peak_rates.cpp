@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each device can do at best, through each API: what every other time can be a share of.
+// Peak rates of each device through each API: the reference for every other time.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,27 +22,28 @@ constexpr PeakRateKind kinds[] = {
 std::vector<std::string> peak_row(Study& study, const PeakRateKind& kind, const SceneOptions& scene) {
   std::vector<Contender> contenders;
   for (Backend* device : study.session.devices()) {
-    study.progress.say(fmt::format("ceilings: checking {} on {}, n = {}", kind.name, device->info().name, scene.n));
+    study.progress.say(fmt::format("peak rates: checking {} on {}, n = {}", kind.name, device->info().name, scene.n));
     device->check_peak_rate(kind.peak);
-    contenders.push_back({fmt::format("{} ceiling {}", device->info().name, kind.name), device,
+    contenders.push_back({fmt::format("{} peak {}", device->info().name, kind.name), device,
                           [&kind](Backend& b) { b.launch_peak_rate(kind.peak); }});
   }
   const double amount = kind.per_sphere * double(scene.n);
-  const auto samples = study.time_unchecked(
-      "ceilings", contenders, {{"work", kind.name}, {"n", scene.n}, {"unit", kind.unit}, {"amount_per_step", amount}});
+  const auto samples =
+      study.time_unchecked("peak_rates", contenders,
+                           {{"work", kind.name}, {"n", scene.n}, {"unit", kind.unit}, {"amount_per_step", amount}});
   std::vector<std::string> row = {kind.name, std::to_string(scene.n), kind.unit};
   for (const Samples& one : samples) {
     row.push_back(format_ms(one.median_seconds()));
     row.push_back(format_number(amount / one.median_seconds()));
   }
-  if (samples.size() > 1) row.push_back(contest(samples[0], samples[1]).text);
+  if (samples.size() > 1) row.push_back(verdict(contest(samples[0], samples[1])));
   return row;
 }
 
 }  // namespace
 
 std::vector<Table> make_peak_rates(Study& study) {
-  Table table{"PeakRates: copying, adding atomically at scattered places, multiply-adds in registers",
+  Table table{"Peak rates: copying, scattered atomic additions, multiply-adds in registers",
               {{"", "what", "", true}, {"", "spheres", ""}, {"", "unit", "", true}},
               {},
               {}};
@@ -53,7 +54,7 @@ std::vector<Table> make_peak_rates(Study& study) {
   }
   if (study.session.devices().empty()) return {};
   if (study.session.devices().size() > 1) table.columns.push_back({"", "verdict", "", true});
-  // In turn within and beyond the caches of a GPU.
+  // One size within and one beyond the caches of a GPU.
   const std::vector<uint64_t> sizes =
       study.plan.hardware ? std::vector<uint64_t>{1u << 20, 1u << 25} : std::vector<uint64_t>{1u << 16};
   for (uint64_t n : sizes) {
@@ -63,7 +64,7 @@ std::vector<Table> make_peak_rates(Study& study) {
     for (Backend* device : study.session.devices()) device->upload(made);
     for (const PeakRateKind& kind : kinds) table.rows.push_back(peak_row(study, kind, scene));
   }
-  table.notes = {"copy: read and written bytes. The small size stays in a GPU's cache, the large one does not."};
+  table.notes = {"copy: bytes read and written. The small size fits a GPU's cache, the large one does not."};
   return {table};
 }
 

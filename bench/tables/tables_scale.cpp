@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From small to large n, whole steps, and every measurement behind a table.
+// All pairs from small to large n, whole steps, and all measurements of a table.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -29,7 +29,7 @@ std::vector<std::string> scale_row(const SceneOptions& scene, const std::vector<
     if (!on_hardware(*tasks[k].configuration.backend) || std::isnan(rate)) continue;
     row.push_back(format_number(100 * per_second * instructions_per_pair / rate));
   }
-  if (samples.size() > 1) row.push_back(contest(samples[0], samples[1]).text);
+  if (samples.size() > 1) row.push_back(verdict(contest(samples[0], samples[1])));
   return row;
 }
 
@@ -39,7 +39,7 @@ std::string ms_cell(const json& value) { return value.is_number() ? format_ms(va
 }  // namespace
 
 std::vector<Table> make_scale(Study& study) {
-  Table table{"All pairs from small to large n: one collision step, each unordered pair decided once",
+  Table table{"All pairs from small to large n: one collision step, each unordered pair tested once",
               {{"", "scene", "", true}, {"", "n", ""}},
               {},
               {}};
@@ -56,7 +56,7 @@ std::vector<Table> make_scale(Study& study) {
   if (tasks.size() > 1) table.columns.push_back({"", "verdict", "", true});
   std::vector<std::string> left_out;
   for (const char* name : {"random", "uniform"}) {
-    SizeWalk sizes(study, study.plan.scale_sizes);
+    SizeSequence sizes(study, study.plan.scale_sizes);
     while (sizes.next()) {
       SceneOptions scene = study.paper_scene(sizes.n());
       scene.name = name;
@@ -66,13 +66,12 @@ std::vector<Table> make_scale(Study& study) {
     }
     for (const std::string& note : sizes.notes()) left_out.push_back(fmt::format("{}: {}", name, note));
   }
-  table.notes = {
-      "random: the paper's fixed 20x20x20 box, so the spheres crowd as n grows; uniform: packing fraction 0.3."};
+  table.notes = {"random: the paper's fixed 20x20x20 box, so the density grows with n; uniform: packing fraction 0.3."};
   if (!std::isnan(rate))
-    table.notes.push_back(
-        fmt::format("of floor: share of the rate at which {:.3g} lane-instructions/s (multiprocessors x 128 lanes x "
-                    "highest clock) would decide pairs at {} instructions each.",
-                    rate, instructions_per_pair));
+    table.notes.push_back(fmt::format(
+        "of floor: share of the issue rate, {:.3g} lane-instructions/s (multiprocessors x 128 lanes x highest "
+        "clock), that the pairs take at {} instructions each.",
+        rate, instructions_per_pair));
   table.notes.insert(table.notes.end(), left_out.begin(), left_out.end());
   return {table};
 }
@@ -89,7 +88,7 @@ std::vector<Table> make_step(Study& study) {
   }
   const size_t devices = study.session.devices().size();
   if (devices > 1) table.columns.push_back({"", "verdict", "", true});
-  SizeWalk sizes(study, study.plan.step_sizes);
+  SizeSequence sizes(study, study.plan.step_sizes);
   while (sizes.next()) {
     const std::vector<Samples> samples = study.time("step", study.paper_scene(sizes.n()), tasks);
     sizes.measured(samples);
@@ -98,19 +97,19 @@ std::vector<Table> make_step(Study& study) {
       row.push_back(format_ms(one.median_seconds()));
       row.push_back(format_number(16e-3 / one.median_seconds()));
     }
-    if (devices > 1) row.push_back(contest(samples[samples.size() - 2], samples.back()).text);
+    if (devices > 1) row.push_back(verdict(contest(samples[samples.size() - 2], samples.back())));
     table.rows.push_back(row);
   }
   table.notes = {
-      "16 ms is what the paper reports for its parallel version up to 16384 spheres: one refresh interval of a 60 Hz "
-      "display, an upper bound. The spheres keep moving while they are timed."};
+      "The paper reports 16 ms for its parallel version up to 16384 spheres: one refresh interval of a 60 Hz display, "
+      "an upper bound. The spheres keep moving during the timing."};
   for (const std::string& note : sizes.notes()) table.notes.push_back(note);
   return {table};
 }
 
 Table measurement_table(const Study& study, const std::string& name) {
   Table table{
-      "Every measurement behind " + name,
+      "Every measurement of " + name,
       {{"", "what", "", true},
        {"", "scene", "", true},
        {"", "n", ""},
@@ -124,11 +123,11 @@ Table measurement_table(const Study& study, const std::string& name) {
        {"", "device", "ms"},
        {"", "host-device", "ms"}},
       {},
-      {"K steps back to back between two synchronisations make a sample; a round is a sample of each contender, in "
-       "random "
-       "order. first: the kernel's first use in the run, with its compilation. device: sum of the kernels on the "
-       "device's own timer, from a run apart; no entry where there is no trustworthy timer.",
-       "The interval is between order statistics; with fewer than 6 rounds it covers less than 95 %."}};
+      {"A sample is K back-to-back steps between two synchronisations; a round takes a sample of each contender, in "
+       "random order. first: the kernel's first use in the run, with its compilation. device: sum of the kernels on "
+       "the "
+       "device's timer, from a separate run; no entry without a reliable timer.",
+       "The interval lies between order statistics; with fewer than 6 rounds it covers less than 95 %."}};
   for (const json& row : study.measurements) {
     if (row.at("table") != name) continue;
     const json n = value_of(row, "n");

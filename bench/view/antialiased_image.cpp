@@ -29,29 +29,31 @@ Camera camera_of(const CameraOptions& options, const Bounds& bounds, double aspe
   return camera;
 }
 
-// A lattice of rank 1: equal steps along one axis, the golden ratio's along the other.
+// A rank-1 lattice with the golden ratio.
 std::array<double, 2> jitter(uint k, uint samples) {
   if (samples == 1) return {0, 0};
   const double golden = (k + 0.5) * 0.6180339887498949;
   return {(k + 0.5) / samples - 0.5, golden - std::floor(golden) - 0.5};
 }
 
-std::vector<uint> take(Backend& backend, const Shot& shot) {
+std::vector<uint> draw_image(Backend& backend, const ImageOptions& options) {
   const auto draw = [&](uint k) {
-    const View view = make_view(shot.camera, shot.look, shot.width, shot.height, jitter(k, shot.samples));
-    backend.draw(view, {.method = shot.method, .keep_visible = shot.box.has_value()});
+    const View view =
+        make_view(options.camera, options.look, options.width, options.height, jitter(k, options.samples));
+    backend.draw(view, {.method = options.method, .keep_visible = options.box.has_value()});
     std::vector<uint> image = backend.image();
-    if (shot.box) draw_edges(image, backend.visible(), view, *shot.box, shot.ground);
+    if (options.box) draw_edges(image, backend.visible(), view, *options.box, options.ground);
     return image;
   };
-  if (shot.samples == 1) return draw(0);
-  std::vector<uint> sums(size_t(shot.width) * shot.height * 3);
-  for (uint k = 0; k < shot.samples; ++k) {
+  if (options.samples == 1) return draw(0);
+  std::vector<uint> sums(size_t(options.width) * options.height * 3);
+  for (uint k = 0; k < options.samples; ++k) {
     const std::vector<uint> image = draw(k);
     for (size_t i = 0; i < sums.size(); ++i) sums[i] += image[i / 3] >> (i % 3 * 8) & 255;
   }
   std::vector<uint> mean(sums.size() / 3, 0xFF000000u);
-  for (size_t i = 0; i < sums.size(); ++i) mean[i / 3] |= (sums[i] + shot.samples / 2) / shot.samples << (i % 3 * 8);
+  for (size_t i = 0; i < sums.size(); ++i)
+    mean[i / 3] |= (sums[i] + options.samples / 2) / options.samples << (i % 3 * 8);
   return mean;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Photographs: a camera from its options, and the mean of pictures each moved by part of a pixel.
+// Antialiased images: the mean of images with subpixel offsets; and cameras from their options.
 #pragma once
 
 #include <optional>
@@ -10,31 +10,31 @@
 
 namespace spherepair {
 
-struct Shot {
+struct ImageOptions {
   Camera camera;
   Look look;
   uint width, height, samples;
   DrawMethod method = DrawMethod::compute;
-  std::optional<Bounds> box = {};    // its edges are drawn; of the method compute only
-  std::optional<float> ground = {};  // height of the plane where that is drawn, metres
+  std::optional<Bounds> box = {};    // its edges are drawn, by the method compute only
+  std::optional<float> ground = {};  // height of the plane, if it is drawn, metres
 };
 
-// A camera where it is given, else the frame of the spheres at the start from a direction.
+// With `eye`, that camera; otherwise one from a direction with all spheres in view.
 struct CameraOptions {
-  std::vector<double> eye, target, up = {0, 1, 0};  // metres; no eye: framed; no target: the middle of the spheres
+  std::vector<double> eye, target, up = {0, 1, 0};  // metres; no target: the centre of the spheres
   double azimuth = 30, elevation = 15, field = 30;  // degrees
   double near = 0;
 };
 
 Camera camera_of(const CameraOptions& options, const Bounds& bounds, double aspect);
 
-// By how much sample k of so many moves the image, in pixels: evenly spread over one pixel; not at all for one.
+// The offset of sample k in pixels: evenly distributed over a pixel; 0 for a single sample.
 std::array<double, 2> jitter(uint k, uint samples);
 
-// Draws into an image, as Backend::image() gives it; the backend holds the spheres and has found their contacts.
-std::vector<uint> take(Backend& backend, const Shot& shot);
+// Draws the uploaded spheres, coloured by the contacts of the last collide(), in the format of Backend::image().
+std::vector<uint> draw_image(Backend& backend, const ImageOptions& options);
 
 json to_json(const Camera& camera);
-json to_json(const View& view);  // every number that a backend was given
+json to_json(const View& view);  // all parameters of the draw
 
 }  // namespace spherepair

@@ -8,9 +8,9 @@ namespace spherepair {
 namespace {
 
 constexpr uint ink = 0x707070;
-constexpr double in_front = 1 - 1e-3;  // what touches an edge does not hide it
+constexpr double in_front = 1 - 1e-3;  // spheres that touch an edge do not hide it
 
-// Along right, up and forward of the camera, metres.
+// Camera coordinates: right, up and forward, metres.
 Vector in_axes(const Vector& at, const View& v) {
   const double x = at[0] - v.eye.x, y = at[1] - v.eye.y, z = at[2] - v.eye.z;
   const auto along = [&](const vec4& axis) { return x * axis.x + y * axis.y + z * axis.z; };
@@ -27,7 +27,7 @@ Vector between(const Vector& a, const Vector& b, double share) {
   return at;
 }
 
-// How far forward the picture's own surface is at a pixel; a depth is that times the square of the ray's length.
+// Forward distance of the visible surface at a pixel; a depth is that times the squared length of the ray.
 double surface_ahead(uint x, uint y, uvec2 seen, const View& v, std::optional<float> ground) {
   const Ray ray = ray_through(x, y, v);
   double nearest = seen.y == ~0u ? 1e30 : double(bits_float(seen.y)) / double(ray.a);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The edges of a box in a picture: drawn here, from numbers that are the same on every backend.
+// Draws the edges of a box into an image on the host, so that they are the same for every backend.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace spherepair {
 
-// The twelve edges as antialiased lines, behind what the picture shows nearer: `visible` is that of the same picture,
-// of the view; `ground` the height of the plane that hides too, metres.
+// Draws the twelve edges as antialiased lines, hidden by nearer spheres (`visible` of the same image and view) and by
+// the ground plane at height `ground`, metres.
 void draw_edges(std::vector<uint>& image, const std::vector<uvec2>& visible, const View& view, const Bounds& box,
                 std::optional<float> ground);
 

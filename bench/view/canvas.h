@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Drawing over a picture: legends and edges, blended pixel by pixel.
+// Draws legends and edges over an image, blended per pixel.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +11,10 @@
 namespace spherepair {
 
 struct Point {
-  double x, y;  // pixels, from the middle of the upper left one
+  double x, y;  // pixels, from the centre of the upper left one
 };
 
-// Over an image as Backend::image() gives it.
+// Draws over an image in the format of Backend::image().
 class Canvas {
  public:
   Canvas(std::vector<uint>& image, uint width, uint height) : image_(image), width_(width), height_(height) {}
@@ -22,7 +22,7 @@ class Canvas {
   void blend(int x, int y, uint colour, double share);  // 0xRRGGBB over a pixel, covering a share of it
   void square(Point corner, double side, uint colour);
 
-  // A line with round ends; shows(x, y, along) says whether it may be seen at a pixel, so far from a (0) to b (1).
+  // A line with round ends; shows(x, y, along): whether it is visible at a pixel, `along` from a (0) to b (1).
   template <typename Shows>
   void stroke(Point a, Point b, double thickness, uint colour, Shows shows);
   void stroke(Point a, Point b, double thickness, uint colour) {

@@ -9,7 +9,7 @@
 namespace spherepair {
 namespace {
 
-// Strokes from point to point, each a digit for x (0 to 4) and one for y (0 at the foot, 6 at a capital's top).
+// Polylines of points, each a digit for x (0 to 4) and one for y (0 at the baseline, 6 at cap height).
 const std::map<char, std::string> glyphs = {{'0', "10 30 41 45 36 16 05 01 10"},
                                             {'1', "14 26 20"},
                                             {'2', "05 16 36 45 44 00 40"},
@@ -26,7 +26,7 @@ const std::map<char, std::string> glyphs = {{'0', "10 30 41 45 36 16 05 01 10"},
                                             {'s', "44 14 03 12 32 41 30 00"},
                                             {'t', "16 11 20 30/04 34"}};
 
-// From its left foot; unit: pixels of a sixth of a capital's height.
+// From the left end of the baseline; unit: a sixth of the cap height, pixels.
 void write(Canvas& canvas, const std::string& words, Point foot, double unit, uint colour) {
   for (const char letter : words) {
     const std::string& strokes = glyphs.at(letter);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The key to the colours of a picture.
+// The colour legend of an image.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace spherepair {
 
-// Into the lower left corner of an image as Backend::image() gives it; nothing where the image is too small for it.
+// Draws it into the lower left corner, in the format of Backend::image(); nothing if the image is too small.
 void draw_legend(std::vector<uint>& image, uint width, uint height, const Look& look);
 
 }  // namespace spherepair

@@ -17,7 +17,7 @@ void Viewer::Choice::pick(const std::string& name) {
   chosen = found == names.end() ? 0 : size_t(found - names.begin());
 }
 
-// A mean over the last ten or so, so that it can be read.
+// Exponential moving average over about ten frames, so that the number is readable.
 template <typename Work>
 void Viewer::timed(double& seconds, Work work) {
   const auto start = std::chrono::steady_clock::now();
@@ -39,7 +39,7 @@ Viewer::Viewer(const Session& session, const Start& start, const std::string& ba
 }
 
 void Viewer::restart() {
-  send(start_, backend());
+  upload_start(start_, backend());
   step_ = start_.step;
   found_ = false;
 }
@@ -55,8 +55,8 @@ void Viewer::list_choices() {
   draws_.pick(draw);
 }
 
-// The run goes on there with the same bits; where that fails, here.
-void Viewer::go_on(size_t next) {
+// Continues the run on another backend with the same bits; if that fails, stays on this one.
+void Viewer::change_backend(size_t next) {
   Scene scene = start_.scene;
   const Backend::State state = current_state(backend());
   require_finite(state, step_);
@@ -67,9 +67,9 @@ void Viewer::go_on(size_t next) {
   try {
     running_ = next;
     backend().resume(scene, saved);
-    trouble_.clear();
+    error_.clear();
   } catch (const BackendError& error) {
-    trouble_ = error.what();
+    error_ = error.what();
     running_ = backends_.chosen = before;
   }
   move_seconds_ = collide_seconds_ = draw_seconds_ = read_seconds_ = 0;
@@ -94,15 +94,15 @@ void Viewer::fill_panel(Window& window) {
   window.choose("drawing (d)", draws_.names, draws_.chosen);
   window.check("paused (space)", paused_);
   if (window.button("one step (n)")) single_step_ = paused_ = true;
-  if (window.button("start again (r)")) restart();
+  if (window.button("restart (r)")) restart();
   window.check("light and shadows (l)", light_);
   window.text(fmt::format("{}, {} spheres", start_.label, start_.scene.size()));
   window.text(device_label(backend().info()));
   window.text(fmt::format("step {}: {} pairs, {} spheres in contact", step_, totals_.pairs, totals_.colliding_spheres));
   window.text(fmt::format("move {} ms, collide {} ms", format_ms(move_seconds_), format_ms(collide_seconds_)));
   window.text(fmt::format("draw {} ms, read back {} ms", format_ms(draw_seconds_), format_ms(read_seconds_)));
-  window.text("drag to turn, scroll to come nearer");
-  if (!trouble_.empty()) window.text(wrap(trouble_, 50, ""));
+  window.text("drag to rotate, scroll to zoom");
+  if (!error_.empty()) window.text(wrap(error_, 50, ""));
 }
 
 void Viewer::turn_camera(const Window& window) {
@@ -136,7 +136,7 @@ std::vector<uint> Viewer::image(uint width, uint height) {
   Camera camera = spherepair::frame(bounds_, azimuth_, elevation_, 30, double(width) / height);
   for (int a = 0; a < 3; ++a) camera.eye[a] = camera.target[a] + distance_ * (camera.eye[a] - camera.target[a]);
   Look look = contact_look();
-  look.light = {-0.3, 0.9, -0.3};  // from above even where the camera looks down
+  look.light = {-0.3, 0.9, -0.3};  // from above even if the camera looks down
   if (lit_) look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
   const View view = make_view(camera, look, width, height);
   timed(draw_seconds_, [&] { backend().draw(view, {.method = draw_method_from_name(draws_.name())}); });
@@ -145,11 +145,11 @@ std::vector<uint> Viewer::image(uint width, uint height) {
   return image;
 }
 
-// What is chosen in the panel is done in the next frame.
+// Choices in the panel take effect in the next frame.
 void Viewer::frame(Window& window, char key) {
   take_keys(window, key);
   turn_camera(window);
-  if (backends_.chosen != running_) go_on(backends_.chosen);
+  if (backends_.chosen != running_) change_backend(backends_.chosen);
   advance();
   collide();
   const auto [width, height] = window.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The state behind `spherepair view`: one run of spheres that goes on from backend to backend, and how it is looked at.
+// The state of `spherepair view`: a run that can continue on another backend, and its camera.
 #pragma once
 
 #include "bench/formats/start.h"
@@ -11,10 +11,10 @@ namespace spherepair {
 
 class Viewer {
  public:
-  // The session's backends are those to choose from.
+  // The session's backends can be chosen.
   Viewer(const Session& session, const Start& start, const std::string& backend, const std::string& method);
 
-  // One frame: what the user did, a step unless paused, and the picture. key: pressed too; 0: none.
+  // One frame: user input, a step unless paused, and the image. key: an additional key press; 0: none.
   void frame(Window& window, char key);
   std::string summary() const;
 
@@ -24,11 +24,11 @@ class Viewer {
     size_t chosen = 0;
     const std::string& name() const { return names[chosen]; }
     void next() { chosen = (chosen + 1) % names.size(); }
-    void pick(const std::string& name);  // the first where there is none of this name
+    void pick(const std::string& name);  // the first if there is none of this name
   };
 
   Backend& backend() const { return *session_.backends()[running_]; }
-  void go_on(size_t backend);
+  void change_backend(size_t next);
   void restart();
   void list_choices();
   void take_keys(Window& window, char key);
@@ -46,12 +46,12 @@ class Viewer {
   Choice backends_, methods_, draws_;
   size_t running_ = 0;  // the backend that holds the spheres
   bool paused_ = false, single_step_ = false, light_ = true, found_ = false;
-  bool lit_ = false;                                     // of the last collide: it built the cells that light needs
-  Method method_ = Method::collide_grid;                 // of the last collide
-  double azimuth_ = 30, elevation_ = 20, distance_ = 1;  // degrees; of that at which all is in view
+  bool lit_ = false;                      // of the last collide: it built the dense cells that lighting needs
+  Method method_ = Method::collide_grid;  // of the last collide
+  double azimuth_ = 30, elevation_ = 20, distance_ = 1;  // degrees; relative to that with all spheres in view
   uint64_t step_ = 0;
   Collisions totals_;
-  std::string trouble_;  // of the last choice
+  std::string error_;  // of the last change of backend
   double move_seconds_ = 0, collide_seconds_ = 0, draw_seconds_ = 0, read_seconds_ = 0;
 };
 

@@ -16,7 +16,7 @@ namespace {
 [[noreturn]] void fail(const char* what) {
   const char* reason = nullptr;
   glfwGetError(&reason);
-  throw BackendError(fmt::format("{}: {}; without a display, `spherepair render` draws into files", what,
+  throw BackendError(fmt::format("{}: {}; without a display, `spherepair render` draws to files", what,
                                  reason ? reason : "no reason given"));
 }
 
@@ -24,7 +24,7 @@ class GlfwWindow final : public Window {
  public:
   GlfwWindow(const std::string& title, uint width, uint height) {
     if (!glfwInit()) fail("no window can be opened");
-    // EGL, as the backends' own contexts: GLX beside it would take them away.
+    // EGL like the backends' contexts: GLX would conflict with them.
     glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_EGL_CONTEXT_API);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// In place of window_glfw.cpp in a build without GLFW or Dear ImGui, or with static tools.
+// Replaces window_glfw.cpp in a build without GLFW or Dear ImGui, or with static tools.
 #include "bench/view/window.h"
 #include "common/backend/backend.h"
 
@@ -8,7 +8,7 @@ namespace spherepair {
 std::unique_ptr<Window> open_window(const std::string&, uint, uint) {
   throw BackendError(
       "this program was built without windows: install libglfw3-dev and libimgui-dev, configure without "
-      "SPHEREPAIR_STATIC_TOOLS and build again; `spherepair render` draws into files");
+      "SPHEREPAIR_STATIC_TOOLS and build again; `spherepair render` draws to files");
 }
 
 }  // namespace spherepair

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The original paper's figure 6 again: a frame of each of its animations, as `spherepair render` left them with a JSON:
+"""The original paper's figure 6: a frame of each of its animations, from `spherepair render`:
 
   spherepair render --backend cpu --scene random --n 512 --steps 96 --size 640x480 --no-legend --output random.png
   spherepair render --backend cpu --scene aligned --groups 8 --group-size 64 --n 512 --steps 96 ... --output aligned.png
@@ -9,12 +9,12 @@ import json
 import matplotlib.pyplot as plt
 import numpy
 
-from records import DATA, Missing
-from style import COLUMN, panels
+from paper.records import DATA, Missing
+from paper.style import COLUMN, panels
 
 NAME = "animations"
-CAPTION = ("The original paper's figure 6 again: {frames}. Spheres that touch others are yellow, the more the "
-           "redder. The CPU and GLSL in software draw the same bytes.")
+CAPTION = ("The original paper's figure 6: {frames}. Colour: number of contacts, from yellow to "
+           "red. The CPU and software GLSL draw the same bytes.")
 FOLDER = DATA / "animations"
 FRAMES = ("random", "aligned")
 
@@ -36,7 +36,7 @@ def caption(machine):
 
 
 def context_of(name):
-    """A picture is no machine's measurement: who drew it, with which commit."""
+    """The device and commit that drew the image, which is not a measurement."""
     context = record(name)["context"]
     return f"Drawn on {context['machine']['cpu']}, commit {context['build']['commit'][:12]}"
 
@@ -45,17 +45,17 @@ def source(machine):
     return context_of(FRAMES[0])
 
 
-def cropped(*pictures):
-    """Without the white around all of them."""
-    darkest = numpy.min([picture[..., :3].min(axis=2) for picture in pictures], axis=0)
+def cropped(*images):
+    """Without the white border that all of them have."""
+    darkest = numpy.min([image[..., :3].min(axis=2) for image in images], axis=0)
     inside = numpy.argwhere(darkest < 0.98)
     (top, left), (bottom, right) = inside.min(axis=0), inside.max(axis=0)
-    return [picture[top:bottom + 1, left:right + 1] for picture in pictures]
+    return [image[top:bottom + 1, left:right + 1] for image in images]
 
 
 def draw(machine):
     if not all((FOLDER / f"{name}.png").exists() for name in FRAMES):
-        raise Missing("the pictures of the animations were not recorded")
+        raise Missing("the images of the animations were not recorded")
     figure, axes = panels(COLUMN, 1.4, 2)
     for letter, axis, name in zip("ab", axes, FRAMES):
         record(name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The mesh of the original paper beside exact spheres, close up:
+"""The mesh of the original paper and exact spheres, close up:
 
   spherepair render --backend glsl --scene random --n 512 --steps 96 --size 640x480 --no-legend --draw mesh \\
     --eye 13,1,17 --target 3,-2,5 --field 24 --samples 9 --output closeup-mesh.png
@@ -7,13 +7,13 @@
 """
 import matplotlib.pyplot as plt
 
-from plots.animations import FOLDER, context_of
-from records import Missing
-from style import COLUMN, panels
+from paper.plots.animations import FOLDER, context_of
+from paper.records import Missing
+from paper.style import COLUMN, panels
 
 NAME = "closeup"
 CAPTION = ("(a) The original paper's sphere of 80 triangles; (b) the exact sphere on two triangles. The mesh lies "
-           "inside its sphere, so that spheres that touch are drawn apart.")
+           "inside its sphere, so touching spheres are drawn apart.")
 FRAMES = ("closeup-mesh", "closeup-impostor")
 
 
@@ -23,7 +23,7 @@ def source(machine):
 
 def draw(machine):
     if not all((FOLDER / f"{name}.png").exists() for name in FRAMES):
-        raise Missing("the pictures close up were not recorded")
+        raise Missing("the close-up images were not recorded")
     figure, axes = panels(COLUMN, 1.4, 2)
     for letter, axis, name in zip("ab", axes, FRAMES):
         axis.imshow(plt.imread(FOLDER / f"{name}.png"))

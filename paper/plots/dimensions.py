@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""The original paper's question about one and two dimensions: a double loop or a single one."""
-from derived import best
-from records import Missing
-from style import COLUMN, panels, plain_ticks, plot
+"""The original paper's arrangements in one and two dimensions: a double or a single loop."""
+from paper.numbers.derived import best
+from paper.records import Missing
+from paper.style import COLUMN, panels, plain_ticks, plot
 
 NAME = "dimensions"
-CAPTION = ("What the arrangement is worth: best group size of each method, all groups against all groups. "
+CAPTION = ("Time of each arrangement at its best group size, all groups against all groups. "
            "\\texttt{tiled} is the original paper's one-dimensional double loop, \\texttt{square} its "
-           "two-dimensional single loop, \\texttt{triangle} meets each pair once.")
+           "two-dimensional single loop, \\texttt{triangle} tests each pair once.")
 METHODS = ("collide_tiled", "collide_square", "collide_triangle")
 
 
@@ -18,10 +18,10 @@ def draw(machine):
     figure, (axis,) = panels(COLUMN, 2.0)
     for k, name in enumerate(devices):
         rows = [best(machine, name, method) for method in METHODS]
-        places = [place + 0.16 * (2 * k - 1) for place in range(len(METHODS))]
-        plot(axis, rows, name, x=lambda row: places[METHODS.index(row.method)], linestyle="")
-        for place, row in zip(places, rows):
-            axis.annotate(f"{row.median:.3g} ({row.block})", (place, row.median), xytext=(0, -5 if k else 5),
+        positions = [index + 0.16 * (2 * k - 1) for index in range(len(METHODS))]
+        plot(axis, rows, name, x=lambda row: positions[METHODS.index(row.method)], linestyle="")
+        for position, row in zip(positions, rows):
+            axis.annotate(f"{row.median:.3g} ({row.block})", (position, row.median), xytext=(0, -5 if k else 5),
                           textcoords="offset points", ha="center", va="top" if k else "bottom", fontsize=6)
     axis.set_yscale("log")
     axis.set_xlim(-0.5, len(METHODS) - 0.5)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""What it costs to decide every pair exactly instead of by rounded float32 numbers."""
-from derived import cost, pairs_of
-from style import COLUMN, SERIES, panels, series_of
+"""The cost of the exact predicate over the naive float32 one."""
+from paper.numbers.derived import cost, pairs_of
+from paper.style import COLUMN, SERIES, panels, series_of
 
 NAME = "exactness"
-CAPTION = ("What exactness costs: time with the exact predicate over time with the naive float32 comparison, less "
-           "1. Bars: the least and greatest cost that the intervals of both medians allow.")
+CAPTION = ("Cost of exactness: time with the exact predicate over time with the naive float32 one, minus "
+           "1. Bars: the bounds of the cost from the intervals of both medians.")
 
 
 def name(record):

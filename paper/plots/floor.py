@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""How close to the machine: each time as a share of the least that the device's own ceilings allow."""
-from derived import GRID_BYTES, grid_share_of_floor, needed_devices
-from records import Missing
-from style import PAGE, SERIES, panels, spheres_in_decades
+"""Roofline: the floor from the device's peak rates over each time."""
+from paper.numbers.derived import GRID_BYTES, grid_share_of_floor, needed_devices
+from paper.records import Missing
+from paper.style import PAGE, SERIES, panels, spheres_in_decades
 
 NAME, TABLE = "floor", "grid"
-CAPTION = ("Share of the floor: the least time that the ceilings of the same run allow, over the measured time. "
-           "(a) The grid, whose floor is the bytes it must move (per sphere {warm} in cell order, {cold} in "
-           "random order) over the rate at which the device copies; small sizes stay in the caches, which copy "
-           "faster. (b) All pairs by the upper triangle, whose floor is four instructions a pair over the rate of "
-           "issue. Packing fraction 0.3.")
+CAPTION = ("Share of the floor: the least time by the peak rates of the same run, over the measured time. "
+           "(a) The grid, whose floor is its minimum memory traffic (per sphere {warm} bytes in cell order, {cold} in "
+           "random order) over the copy rate of the device; small sizes fit the caches, which copy "
+           "faster. (b) All pairs by the upper triangle, whose floor is four instructions per pair over the issue "
+           "rate. Packing fraction 0.3.")
 LINES = {"warm": "-", "cold": "--"}
 
 
@@ -19,8 +19,8 @@ def with_floor(machine, **wanted):
 
 
 def bytes_per_sphere(row):
-    """As the run itself reckoned: the floor's time and the device's rate of copying."""
-    return round(1e-3 * row.floor_ms * row.ceiling_per_second / row.n)
+    """As counted by the run: the floor's time and the copy rate."""
+    return round(1e-3 * row.floor_ms * row.peak_per_second / row.n)
 
 
 def caption(machine):

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""The grid against all pairs from few spheres to as many as fit: time a sphere against the number of spheres."""
-from derived import crossover, needed_devices, slope
-from records import Missing
-from style import PAGE, SERIES, panels, plain_ticks, plot, spheres_in_decades
+"""The grid and all pairs up to the largest size that fits: time per sphere against the number of spheres."""
+from paper.numbers.derived import crossover, needed_devices, slope
+from paper.records import Missing
+from paper.style import PAGE, SERIES, panels, plain_ticks, plot, spheres_in_decades
 
 NAME = TABLE = "grid"
-CAPTION = ("The uniform grid against all pairs in a gas: time of one collision step divided by the number of spheres, "
-           "with the intervals of the medians. Warm: the spheres stand in cell order; cold: in random order, so that "
+CAPTION = ("The uniform grid and all pairs in a gas: time of one collision step divided by the number of spheres, "
+           "with the intervals of the medians. Warm: the spheres are in cell order; cold: in random order, so that "
            "each step sorts. A rising line is quadratic in $n$, a level one linear. The numbers at the end of the "
            "cold lines are the slope of the time itself between the two largest sizes (1 is linear). {crossovers}")
 LINES = {"warm": "-", "cold": "--"}
@@ -26,22 +26,22 @@ def sets(machine, backend, fraction):
 
 
 def cpu_line(machine, fraction):
-    """The base: the same grid on all cores."""
+    """The grid on all cores."""
     return machine.select(table=TABLE, scene="uniform", packing_fraction=fraction, backend="cpu",
                           method="collide_grid", order="cold")
 
 
 def caption(machine):
-    said = []
+    found = []
     for name in needed_devices(machine, table=TABLE):
         n = crossover(machine, name, 0.3)
-        said.append(f"{SERIES[name]['label']}: {n:,}" if n else f"{SERIES[name]['label']}: nowhere")
-    return CAPTION.format(crossovers="Least $n$ from which the cold grid is the faster at packing fraction 0.3, "
-                          "intervals apart: " + "; ".join(said) + ".")
+        found.append(f"{SERIES[name]['label']}: {n:,}" if n else f"{SERIES[name]['label']}: nowhere")
+    return CAPTION.format(crossovers="Least $n$ from which the cold grid is faster at packing fraction 0.3, "
+                          "intervals apart: " + "; ".join(found) + ".")
 
 
 def per_sphere(axis, rows, series, **look):
-    """Nanoseconds a sphere."""
+    """Nanoseconds per sphere."""
     if len({row.n for row in rows}) != len(rows):
         raise Missing(f"there are several records of {rows[0].label} for one number of spheres")
     for record in rows:
@@ -50,7 +50,7 @@ def per_sphere(axis, rows, series, **look):
 
 
 def note_slope(axis, rows, below):
-    """The slope of the time itself between the two largest sizes: 1 is linear. Two APIs' stand above and below."""
+    """The slope of the time between the two largest sizes: 1 is linear. The two APIs' are above and below."""
     small, large = rows[-2:]
     axis.annotate(f"{slope(small, large):.2f}", (large.n, 1e6 * large.median / large.n),
                   xytext=(5, -6 if below else 1), textcoords="offset points", fontsize=6,

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Where the time of the grid goes, from a size that stays in the caches to one that does not."""
-from derived import needed_devices
-from plots.phases import draw_bars
-from records import Missing
-from style import PAGE, SERIES, panels
+"""The grid's time by kernel, from a size within the caches to sizes beyond."""
+from paper.numbers.derived import needed_devices
+from paper.plots.phases import draw_bars
+from paper.records import Missing
+from paper.style import PAGE, SERIES, panels
 
 NAME, TABLE = "grid-phases", "grid"
-CAPTION = ("Where the grid's time goes: its kernels by the device's own timer, time per sphere, packing fraction 0.3. "
-           "Warm: the spheres stand in cell order; cold: in random order. The black mark is the host's time of "
+CAPTION = ("The grid's time by kernel, from device timers, per sphere, packing fraction 0.3. "
+           "Warm: the spheres are in cell order; cold: in random order. Black mark: the host's time of "
            "back-to-back steps.")
 SIZES = (1_000_000, 10_000_000, 100_000_000)
 

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Every method and group size: the arrangements of threads that the original paper varied."""
+"""Every method and group size: the thread arrangements that the original paper varied."""
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
-from records import Missing
-from style import PAGE, panels, plain_ticks, plot
+from paper.records import Missing
+from paper.style import PAGE, panels, plain_ticks, plot
 
 NAME = "group-sizes"
 CAPTION = ("Time of one collision step against the group size (work-group in GLSL, block in CUDA) for the four "
-           "ways to arrange the threads; the original paper's box. \\texttt{group} only meets pairs within a "
+           "ways to arrange the threads; the original paper's box. \\texttt{group} only tests pairs within a "
            "group.")
 TITLES = {"collide_group": "group (within groups)", "collide_tiled": "tiled (one dimension)",
           "collide_square": "square (two dimensions)", "collide_triangle": "upper triangle"}

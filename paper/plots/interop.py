@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What it costs to hand spheres from one API to the other."""
-from style import COLUMN, panels
+"""The cost of transferring spheres from CUDA to OpenGL."""
+from paper.style import COLUMN, panels
 
 NAME = TABLE = "interop"
-CAPTION = ("Handing the spheres from CUDA to OpenGL, each time waited for: time for each way to share their memory, "
+CAPTION = ("Transferring the spheres from CUDA to OpenGL, with a wait after each: time of each way to share their memory, "
            "with the interval of the median.")
 
 
@@ -16,6 +16,6 @@ def draw(machine):
     axis.set_yticks(range(len(rows)), [f"{row.way}, $n$ = {row.n:,}" for row in reversed(rows)])
     axis.set_xscale("log")
     axis.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
-    axis.set_xlabel("time of one hand-over (µs)")
+    axis.set_xlabel("time of one transfer (µs)")
     axis.grid(axis="y", visible=False)
     return figure

@@ -1,23 +1,22 @@
 # SPDX-License-Identifier: MIT
-"""Each kernel against its twin, by the device's own timers."""
-from derived import stage_ratios
-from records import Missing
-from style import PAGE, panels, time_text
+"""Each kernel's time ratio GLSL/CUDA, by device timers."""
+from paper.numbers.derived import stage_ratios
+from paper.records import Missing
+from paper.style import PAGE, panels, time_text
 
 NAME = "kernel-pairs"
-CAPTION = ("Each kernel against its twin by the device's own timers (GL timer queries, CUDA events), at the largest "
-           "size that was recorded of it; where several records have that size, in the latest run, there in "
-           "the one that tells most exactly. "
-           "GLSL's time over CUDA's: right of 1 CUDA leads. Bars: the least and greatest ratio that the intervals of "
-           "both medians allow; an arrow where one goes on. Beside each: CUDA's time.")
-TASKS = {"motion": ("move", "bounce", "place"), "the grid": ("grid_", "split_", "collide_grid", "collide_hashed"),
-         "drawing": ("draw_",), "ceilings": ("ceiling_",)}
-REST = "all pairs, and what every step needs"
-COLUMNS = ((REST, "drawing"), ("motion", "the grid", "ceilings"))
+CAPTION = ("Each kernel's time in GLSL over its time in CUDA by device timers (GL timer queries, CUDA events), at the "
+           "largest recorded size; of several such records in the latest run, the one with the tightest bounds. "
+           "Right of 1 CUDA is faster. Bars: the bounds of the ratio from the intervals of both medians; an arrow "
+           "where a bar is cut off. Right: CUDA's time.")
+TASKS = {"motion": ("move", "bounce", "evaluate_"), "the grid": ("grid_", "split_", "collide_grid", "collide_hashed"),
+         "drawing": ("draw_",), "peak rates": ("peak_",)}
+REST = "all pairs, and common to all steps"
+COLUMNS = ((REST, "drawing"), ("motion", "the grid", "peak rates"))
 
 
 def source(machine):
-    """Kernels may come from several runs."""
+    """The kernels may come from several runs."""
     return machine.short.replace(machine.id, ", ".join(dict.fromkeys(row.source for row in stage_ratios(machine))))
 
 
@@ -40,11 +39,11 @@ def draw_ratio(axis, place, row, limit):
 
 
 def draw_column(axis, lines, height, limit):
-    places = [height - 1 - k for k in range(len(lines))]
-    for place, line in zip(places, lines):
+    rows = [height - 1 - k for k in range(len(lines))]
+    for place, line in zip(rows, lines):
         if not isinstance(line, str):
             draw_ratio(axis, place, line, limit)
-    axis.set_yticks(places, [line if isinstance(line, str) else f"{line.kernel}, {line.where}" for line in lines])
+    axis.set_yticks(rows, [line if isinstance(line, str) else f"{line.kernel}, {line.where}" for line in lines])
     for tick, line in zip(axis.get_yticklabels(), lines):
         tick.set_fontweight("bold" if isinstance(line, str) else "normal")
     axis.axvline(1, color="black", linewidth=0.7)
@@ -62,7 +61,7 @@ def draw(machine):
         raise Missing(f"{machine.name} has no kernel with device times and their intervals through both APIs")
     columns = [column_rows(rows, tasks) for tasks in COLUMNS]
     height = max(len(lines) for lines in columns)
-    limit = 1.15 * max(2.0, *(max(row.ratio[0], 1 / row.ratio[0]) for row in rows))  # holds every ratio itself
+    limit = 1.15 * max(2.0, *(max(row.ratio[0], 1 / row.ratio[0]) for row in rows))  # includes every ratio
     figure, axes = panels(PAGE, 0.6 + 0.125 * height, 2)
     for axis, lines in zip(axes, columns):
         draw_column(axis, lines, height, limit)

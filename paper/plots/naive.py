@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: MIT
-"""What exactness corrects beside what it costs: pairs that the naive predicate gets wrong, and the times of both."""
+"""Pairs that the naive predicate gets wrong, and the time of the exact one over the naive one."""
 import math
 
-from plots.set_errors import source  # noqa: F401  (what stands under the figure)
-from records import Missing
-from sets import sets
-from style import PAGE, SERIES, panels
+from paper.plots.set_errors import source  # noqa: F401  (used by figures.py)
+from paper.numbers.sets import sets
+from paper.records import Missing
+from paper.style import PAGE, SERIES, panels
 
 NAME = "naive"
-CAPTION = ("What the naive float32 predicate gets wrong (left, missed and extra pairs of the right ones) and how many "
-           "times as long the exact one takes (right; bars: the least and greatest ratio that the intervals of both "
-           "medians allow), by scene, through the grid.")
+CAPTION = ("Pairs that the naive float32 predicate gets wrong (left, missed and extra pairs of the right ones) and the "
+           "time of the exact one over the naive one (right; bars: the bounds from the intervals of both "
+           "medians), by scene, through the grid.")
 NAMES = {"cpu": "CPU", "glsl": "GLSL", "cuda": "CUDA"}
 
 
 def ratio(entry):
-    """Exact over naive: middle, and how far the bars reach below and above."""
+    """Exact over naive: value, distance to the lower and to the upper bound."""
     exact, naive = entry["exact"], entry["naive"]
     (low, high), (naive_low, naive_high) = exact["interval_ms"], naive["interval_ms"]
     middle = exact["median_ms"] / naive["median_ms"]

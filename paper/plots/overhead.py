@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""What a dispatch or a launch costs when the kernel does nothing."""
-from records import Missing
-from style import COLUMN, panels, plain_ticks, plot
+"""The cost of a dispatch or launch of an empty kernel."""
+from paper.records import Missing
+from paper.style import COLUMN, panels, plain_ticks, plot
 
 NAME = "overhead"
-CAPTION = ("An empty kernel of one group: time per dispatch or launch against how many go out before the host "
+CAPTION = ("An empty kernel of one group: time per dispatch or launch against their number before the host "
            "waits. The first point is a round trip, the last the rate.")
 
 

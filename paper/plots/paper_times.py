@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""The original paper's figure 5 again: its printed times beside ours."""
-from records import Missing, original_paper
-from style import PAGE, SERIES, panels, plain_ticks, plot, spheres_axis
+"""The original paper's figure 5: its printed times and ours."""
+from paper.records import Missing, original_paper
+from paper.style import PAGE, SERIES, panels, plain_ticks, plot, spheres_axis
 
 NAME = "paper-times"
-CAPTION = ("The original paper's figure 5 again. (a) Finding the colliding pairs; (b) motion and plane. Black: as "
-           "printed there (GeForce GTX 590; its zeros cannot be shown on this axis). Ours are exact and give each "
-           "sphere its count.")
+CAPTION = ("The original paper's figure 5. (a) Finding the colliding pairs; (b) motion and plane. Black: as "
+           "printed there (GeForce GTX 590; its zeros cannot be shown on this axis). Ours are exact and count the contacts of "
+           "each sphere.")
 
 
 def printed(axis, column, series):

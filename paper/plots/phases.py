@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Where the time of all pairs goes: the kernels of one collision step by the device's own timer."""
+"""The time of all pairs by kernel: one collision step by device timers."""
 from itertools import cycle
 
-from derived import in_order, stage_bars
-from records import Missing
-from style import COLUMN, panels
+from paper.numbers.derived import in_order, stage_bars
+from paper.records import Missing
+from paper.style import COLUMN, panels
 
 NAME = "phases"
-CAPTION = ("Where a collision step's time goes: its kernels by the device's own timer (GL timer queries, CUDA "
+CAPTION = ("A collision step's time by kernel, from device timers (GL timer queries, CUDA "
            "events), groups of 128. The timers serialise the kernels, so the sum exceeds the host's time of "
            "back-to-back steps (black mark).")
 LOOKS = [("#d9d9d9", ""), ("#4f6d9e", ""), ("#e0b080", "///"), ("#9dbf8d", "..."), ("#777777", "xxx"), ("#ffffff", ""),
@@ -16,7 +16,7 @@ LOOKS = [("#d9d9d9", ""), ("#4f6d9e", ""), ("#e0b080", "///"), ("#9dbf8d", "..."
 
 
 def draw_bars(axis, rows, names, scale):
-    """A bar a record, cut into its kernels; `scale` makes a record's milliseconds those of the axis."""
+    """One bar per record, divided into its kernels; `scale` converts milliseconds to the unit of the axis."""
     stages = in_order(stage for record in rows for stage in stage_bars(record))
     for place, record in enumerate(reversed(rows)):
         left = 0.0

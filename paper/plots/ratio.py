@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: MIT
-"""GLSL against CUDA: who leads, by how much, and at which number of spheres."""
-from derived import matched, ratio
-from style import PAGE, panels, spheres_axis
+"""Time ratio GLSL/CUDA against the number of spheres and per method."""
+from paper.numbers.derived import matched, ratio
+from paper.style import PAGE, panels, spheres_axis
 
 NAME = "glsl-against-cuda"
-CAPTION = ("GLSL's time over CUDA's for the same work: above 1 CUDA leads, below 1 GLSL. (a) Against the number of "
+CAPTION = ("GLSL's time over CUDA's for the same work: above 1 CUDA is faster, below 1 GLSL. (a) Against the number of "
            "spheres: all pairs by the upper triangle, alone and as part of a whole step. (b) Per method at one "
-           "size, groups of 128. Bars: the least and greatest ratio that the intervals of both medians allow.")
+           "size, groups of 128. Bars: the bounds of the ratio from the intervals of both medians.")
 SETS = (("pairs, original box", "o", "#15396b", {"table": "scale", "scene": "random"}),
         ("pairs, gas of packing fraction 0.3", "s", "#e0812b", {"table": "scale", "scene": "uniform"}),
         ("whole step, original box", "^", "#5b8c5a", {"table": "step"}))
 METHODS = ("collide_group", "collide_tiled", "collide_square", "collide_triangle")
 
 
-def bars(axis, places, ratios, **look):
+def bars(axis, positions, ratios, **look):
     middle, below, above = zip(*ratios)
-    axis.errorbar(places, middle, yerr=[below, above], capsize=1.5, elinewidth=0.7, capthick=0.5, **look)
+    axis.errorbar(positions, middle, yerr=[below, above], capsize=1.5, elinewidth=0.7, capthick=0.5, **look)
 
 
 def draw(machine):
@@ -27,9 +27,9 @@ def draw(machine):
              color=color, markerfacecolor=fill, linestyle="-" if marker == "o" else "--" if marker == "s" else ":")
     spheres_axis(sizes)
     sizes.legend(loc="upper right")
-    for place, method in enumerate(METHODS):
+    for k, method in enumerate(METHODS):
         pair = [machine.one(table="methods", method=method, backend=name, block=128) for name in ("glsl", "cuda")]
-        bars(methods, [place], [ratio(*pair)], marker="o", color="#15396b")
+        bars(methods, [k], [ratio(*pair)], marker="o", color="#15396b")
         n = pair[0].n
     methods.set_xticks(range(len(METHODS)), [name.removeprefix("collide_") for name in METHODS])
     methods.set_xlim(-0.5, len(METHODS) - 0.5)
@@ -41,6 +41,6 @@ def draw(machine):
         low, high = axis.get_ylim()
         axis.set_ylim(min(low, 1 - 0.14 * (high - 1)), high)
         for name, offset, side in (("CUDA", 1.5, "bottom"), ("GLSL", -2, "top")):
-            axis.annotate(f" {name} leads", (0.01, 1.0), xycoords=axis.get_yaxis_transform(), xytext=(0, offset),
+            axis.annotate(f" {name} faster", (0.01, 1.0), xycoords=axis.get_yaxis_transform(), xytext=(0, offset),
                           textcoords="offset points", va=side, fontsize=6.5)
     return figure

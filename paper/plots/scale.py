@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""All pairs from small to large n: time with its slope, and the share of the instruction floor that is reached."""
+"""All pairs from small to large n: time with its slope, and the share of the instruction floor."""
 import math
 
-from derived import INSTRUCTIONS, issue_rate, share_of_floor, slope
-from records import Missing
-from style import PAGE, SERIES, panels, plain_ticks, plot, spheres_axis
+from paper.numbers.derived import INSTRUCTIONS, issue_rate, share_of_floor, slope
+from paper.records import Missing
+from paper.style import PAGE, SERIES, panels, plain_ticks, plot, spheres_axis
 
 NAME = "scale"
 CAPTION = ("All pairs by the upper triangle, groups of 128, from {first:,} to {last:,} spheres. (a) Time of one "
-           "collision step; the numbers are the slope between neighbouring sizes on these axes (2 is quadratic). "
-           "(b) The rate at which pairs are decided, as a share of the issue floor: ${rate:.2f} \\cdot 10^{{13}}$ "
-           "lane-instructions per second over {per_pair} instructions a pair.")
+           "collision step; the numbers are the slope between neighbouring sizes (2 is quadratic). "
+           "(b) The rate of tested pairs, as a share of the issue floor: ${rate:.2f} \\cdot 10^{{13}}$ "
+           "lane-instructions per second over {per_pair} instructions per pair.")
 SCENES = {"random": ("the original paper's box", "-", 1.0), "uniform": ("gas of packing fraction 0.3", ":", 0.6)}
 
 
@@ -20,7 +20,7 @@ def caption(machine):
 
 
 def note_slopes(axis, rows):
-    for small, large in zip(rows[1:], rows[2:]):  # below, launches weigh and a slope says nothing
+    for small, large in zip(rows[1:], rows[2:]):  # at smaller sizes launches dominate
         middle = math.sqrt(small.n * large.n), math.sqrt(small.median * large.median)
         axis.annotate(f"{slope(small, large):.2f}", middle, xytext=(5, -7), textcoords="offset points", fontsize=6)
 

@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""Spheres falling on the plane, as one run of `spherepair render` left them with their JSONs:
+"""Spheres falling on the plane, from one run of `spherepair render`:
 
   spherepair render --backend cpu --scene random --n 4096 --restitution 0.3 --pictures 4 --every 56 --size 640x640 \\
     --samples 9 --no-legend --output settling.png
 """
 import matplotlib.pyplot as plt
 
-from plots.animations import FOLDER, context_of, cropped, record
-from records import Missing
-from style import PAGE, panels
+from paper.plots.animations import FOLDER, context_of, cropped, record
+from paper.records import Missing
+from paper.style import PAGE, panels
 
 NAME = "settling"
 CAPTION = ("Spheres falling on the plane, restitution {restitution}, coloured by their contacts: blue none, then from "
-           "pale yellow to dark red for seven and more. {frames}. Ambient occlusion and shadows are found through the "
-           "cells that found the contacts.")
+           "pale yellow to dark red for seven and more. {frames}. Ambient occlusion and shadows use the same cells "
+           "as the contacts.")
 FRAMES = tuple(f"settling-{k}" for k in range(4))
 
 
@@ -30,11 +30,11 @@ def source(machine):
 
 def draw(machine):
     if not all((FOLDER / f"{name}.png").exists() for name in FRAMES):
-        raise Missing("the pictures of the settling spheres were not recorded")
+        raise Missing("the images of the falling spheres were not recorded")
     figure, axes = panels(PAGE, 1.9, len(FRAMES))
     shown = cropped(*(plt.imread(FOLDER / f"{name}.png") for name in FRAMES))
-    for letter, axis, picture in zip("abcd", axes, shown):
-        axis.imshow(picture)
+    for letter, axis, image in zip("abcd", axes, shown):
+        axis.imshow(image)
         axis.set_title(f"({letter})", loc="left")
         axis.axis("off")
     return figure

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""A whole step on every backend, beside the refresh interval that the original paper reports."""
-from style import COLUMN, panels, plain_ticks, plot, spheres_axis
+"""A whole step on every backend, and the refresh interval that the original paper reports."""
+from paper.style import COLUMN, panels, plain_ticks, plot, spheres_axis
 
 NAME = "step"
 CAPTION = ("A whole step (motion, plane, all pairs, counts) against the number of spheres, the original paper's "

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""Error of the motion against its run time, a panel a backend: what each method and precision buys."""
+"""Work-precision diagram of the motion methods, one panel per backend."""
 from matplotlib.lines import Line2D
 
-from pareto import devices, draw_front, kind, mark_paper, same_time, seconds, study
-from records import Missing, named
-from style import PAGE, panels
+from paper.numbers.pareto import devices, draw_front, kind, mark_paper, same_time, seconds, study
+from paper.records import Missing, named
+from paper.style import PAGE, panels
 
 NAME = "work-precision"
-CAPTION = ("Rms error of the position against run time, a point a time step; every method (line) in every "
-           "precision (marker) it has. Below and to the left is better: no point lies below the grey line, the Pareto "
+CAPTION = ("Work-precision diagram: rms position error against run time, one point per time step; every method (line) in "
+           "each of its precisions (marker). Below and to the left is better; grey line: Pareto "
            "front. Star: the original paper's method at a step of 1/64 s.")
 MARKERS = {"float32": "o", "compensated": "s", "float64": "^"}
 LINES = ("-", "--", ":", "-.")
@@ -20,8 +20,8 @@ def source(machine):
 
 
 def look(methods, method):
-    place = methods.index(method)
-    return {"color": f"C{place}", "linestyle": LINES[place % len(LINES)]}
+    k = methods.index(method)
+    return {"color": f"C{k}", "linestyle": LINES[k % len(LINES)]}
 
 
 def draw_device(axis, rows, methods):
@@ -56,7 +56,7 @@ def draw(machine):
     for axis, device in zip(axes, names):
         draw_device(axis, [row for row in rows if row.backend == device], methods)
         axis.set_title(device.upper(), loc="left")
-    axes[len(axes) // 2].set_xlabel("run time of a simulated second (ns a sphere)")
+    axes[len(axes) // 2].set_xlabel("run time of a simulated second (ns per sphere)")
     axes[0].set_ylabel(f"rms error after {time:g} s (m)")
     axes[-1].legend(handles=keys(methods), loc="upper left", bbox_to_anchor=(1.0, 1.0), handlelength=2.6)
     return figure

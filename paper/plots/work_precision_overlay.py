@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""The backends' diagrams of error against run time over each other: what is left of each when only the best counts."""
-from pareto import devices, draw_front, mark_paper, same_time, seconds, study
-from records import Missing, named
-from style import COLUMN, SERIES, panels
+"""The backends' work-precision diagrams overlaid, with their Pareto fronts."""
+from paper.numbers.pareto import devices, draw_front, mark_paper, same_time, seconds, study
+from paper.records import Missing, named
+from paper.style import COLUMN, SERIES, panels
 
 NAME = "work-precision-overlay"
-CAPTION = ("Rms error of the position against run time, all backends: a point a method, precision and time step, and "
-           "the line of those that none on the same backend beats in both. Stars: the original paper's method at a "
+CAPTION = ("Work-precision diagram of all backends: one point per method, precision and time step, and "
+           "the Pareto front of each backend. Stars: the original paper's method at a "
            "step of 1/64 s.")
 
 
@@ -30,7 +30,7 @@ def draw(machine):
                   **{**look(name), "label": None, "linestyle": ""})
         draw_front(axis, own, **look(name))
         mark_paper(axis, own)
-    axis.set(xscale="log", yscale="log", xlabel="run time of a simulated second (ns a sphere)",
+    axis.set(xscale="log", yscale="log", xlabel="run time of a simulated second (ns per sphere)",
              ylabel=f"rms error after {same_time(rows):g} s (m)")
     axis.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3)
     return figure

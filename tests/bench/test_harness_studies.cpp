@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The studies fed wrong answers: what is recorded was compared first, in drawing, precision, sets and ablation too.
+// The studies with wrong results: what is recorded was compared first, in drawing, precision, sets and ablation too.
 #include <gtest/gtest.h>
 
 #include "bench/check/step_result.h"
@@ -80,8 +80,8 @@ TEST_F(StudyProgram, FramesTimesNoWrongImage) {
   EXPECT_NE(wrong.errors.find("differs from that of"), std::string::npos) << wrong.errors;
 }
 
-TEST_F(StudyProgram, AblateTimesNoWrongAnswer) {
-  const std::string words = "skips --n 300 --names radius_load,plane_test";
+TEST_F(StudyProgram, AblateTimesNoWrongResult) {
+  const std::string words = "ablate --n 300 --names radius_load,plane_test";
   const Outcome right = study("none", words);
   EXPECT_EQ(right.code, 0) << right.errors;
   for (const auto* faults : {&set_faults(), &state_faults()})

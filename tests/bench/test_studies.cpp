@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// spherepair crossover and spherepair skips as a user runs them: their records, and what they refuse; and samples of
+// spherepair crossover and spherepair ablate as a user runs them: their records and what they refuse; and samples of
 // the timing core.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -51,7 +51,7 @@ TEST_F(Studies, CrossoverNamesTheChoiceAndItsReason) {
   const json found = record("crossover.json");
   expect_measurements(found.at("measurements"), "crossover");
   EXPECT_LE(found.at("measurements").size(), 16u) << "two kinds, two sizes, four ways";
-  EXPECT_GE(found.at("measurements").size(), 14u) << "all pairs may be given up";
+  EXPECT_GE(found.at("measurements").size(), 14u) << "all pairs may be stopped";
   EXPECT_TRUE(found.at("complete"));
   EXPECT_TRUE(found.at("grid_from").at("cpu").contains("gas"));
   EXPECT_EQ(found.at("auto").size(), 4u);
@@ -63,18 +63,18 @@ TEST_F(Studies, CrossoverNamesTheChoiceAndItsReason) {
 }
 
 TEST_F(Studies, AblationsAreRecordedOnAndOff) {
-  const std::string words = "skips --backends cpu --n 300 --rounds 1 --json ";
-  ASSERT_EQ(run(words + folder_.path("skips.json")), 0) << said();
-  const json rows = record("skips.json").at("measurements");
-  expect_measurements(rows, "skips");
+  const std::string words = "ablate --backends cpu --n 300 --rounds 1 --json ";
+  ASSERT_EQ(run(words + folder_.path("ablation.json")), 0) << said();
+  const json rows = record("ablation.json").at("measurements");
+  expect_measurements(rows, "ablation");
   int on = 0;
   for (const json& row : rows) {
     on += row.at("on").get<bool>();
-    if (row.at("skip") == "cells") {
-      EXPECT_EQ(row.at("work_a_step").at("cells_kept"), row.at("on").get<bool>() ? 1.0 : 0.0);
+    if (row.at("option") == "cells") {
+      EXPECT_EQ(row.at("work_per_step").at("cells_kept"), row.at("on").get<bool>() ? 1.0 : 0.0);
     }
-    if (row.at("skip") == "plane_test") {
-      const json& work = row.at("work_a_step");
+    if (row.at("option") == "plane_test") {
+      const json& work = row.at("work_per_step");
       EXPECT_LE(work.at("bounces"), work.at("plane_tests"));
       if (!row.at("on").get<bool>()) {
         EXPECT_EQ(work.at("plane_tests"), 300);
@@ -85,13 +85,13 @@ TEST_F(Studies, AblationsAreRecordedOnAndOff) {
 }
 
 TEST_F(Studies, WhatIsUnknownIsRefused) {
-  EXPECT_EQ(run("skips --backends cpu --names nothing"), 2);
+  EXPECT_EQ(run("ablate --backends cpu --names nothing"), 2);
   EXPECT_NE(said().find("exact_stages"), std::string::npos) << said();
   EXPECT_EQ(run("crossover --backends cpu --kinds nothing"), 2);
   EXPECT_EQ(run("run --n 100 --method nothing"), 2);
 }
 
-TEST_F(Studies, RunSaysWhatAutoTook) {
+TEST_F(Studies, RunNamesTheMethodThatAutoChose) {
   ASSERT_EQ(run("run --n 100 --scene uniform --json " + folder_.path("run.json")), 0) << said();
   EXPECT_NE(said().find("auto: parallel"), std::string::npos) << said();
   EXPECT_EQ(record("run.json").at("choice").at("name"), "parallel");

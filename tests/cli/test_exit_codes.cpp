@@ -24,7 +24,7 @@ class ExitCodes : public ProgramTest {
   void expect_too_many_threads(const std::string& arguments) const {
     SCOPED_TRACE(arguments);
     const Outcome outcome = run(arguments + " --threads 4096", "ulimit -v 2000000;");
-    EXPECT_EQ(outcome.code, kDeviceTrouble);
+    EXPECT_EQ(outcome.code, kDeviceFailure);
     EXPECT_NE(outcome.errors.find("of 4096 threads could be started"), std::string::npos) << outcome.errors;
     EXPECT_NE(outcome.errors.find("--threads"), std::string::npos) << outcome.errors;
   }
@@ -44,7 +44,7 @@ TEST_F(ExitCodes, OutputToAFullDeviceIsAnErrorOfEveryCommand) {
   expect_lost_output("pairs --backend cpu --output " + path("pairs.txt") + spheres);
   expect_lost_output("render --backend cpu --size 8x8 --samples 1 --output " + path("two.png") + spheres);
   expect_lost_output("sweep --list --n 64 --output " + path("sweep") + cpu);
-  expect_lost_output("skips --n 64 --rounds 1 --json " + path("skips.json") + cpu);
+  expect_lost_output("ablate --n 64 --rounds 1 --json " + path("ablation.json") + cpu);
   expect_lost_output("compare --tables none --scenes grazing --n 64 --methods parallel --results " + path("one") + cpu);
   expect_lost_output(fmt::format("equal {0}/results.json {0}/results.json", path("one")));
 }

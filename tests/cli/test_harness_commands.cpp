@@ -135,7 +135,8 @@ TEST_F(EqualProgram, RefusesWhatIsNoRecordOfEquality) {
       {"no configuration", [](ordered_json& r) { r["equality"] = ordered_json::array(); },
        "/equality: expected a list"},
       {"no step", [](ordered_json& r) { r["equality"][0]["checkpoints"] = ordered_json::array(); }, "at least one"},
-      {"nobody who answered", [](ordered_json& r) { r["equality"][0]["answers"] = ordered_json::array(); }, "answers"},
+      {"no label", [](ordered_json& r) { r["equality"][0]["configurations"] = ordered_json::array(); },
+       "configurations"},
       {"no scene", [](ordered_json& r) { r["equality"][0].erase("scene"); }, "the key 'scene'"},
       {"no size", [](ordered_json& r) { r["equality"][0]["scene"].erase("n"); }, "the key 'n'"},
       {"no set", [](ordered_json& r) { r["equality"][0].erase("set"); }, "the key 'set'"},
@@ -144,7 +145,7 @@ TEST_F(EqualProgram, RefusesWhatIsNoRecordOfEquality) {
       {"a negative count", [](ordered_json& r) { point(r)["colliding_spheres"] = -1; }, "expected a whole number"},
       {"a fractional step", [](ordered_json& r) { point(r)["step"] = 0.5; }, "step: expected a whole number"},
       {"a short fingerprint", [](ordered_json& r) { point(r)["fingerprint"] = "0f"; }, "32 hexadecimal digits"},
-      {"two answers",
+      {"two results",
        [](ordered_json& r) {
          r["equality"].push_back(r["equality"][0]);
          r["equality"].back()["checkpoints"][1]["pairs"] = 7;

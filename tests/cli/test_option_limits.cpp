@@ -62,7 +62,7 @@ TEST_F(OptionLimits, RealNumbersAreFiniteAndMakeSense) {
   expect_refused("run --n 64 --offset=", {"nan", "inf", "-inf", "1e39", "1e400", ""});
   expect_refused("run --n 64 --scene uniform --packing-fraction=", {"0", "1e-38", "1e-300", "0.75"});
   expect_refused("run --n 64 --motion paper --radius 1e30 --radius-ratio=", {"1e20"});
-  expect_refused("skips --backends cpu --n 64 --rounds 1 --json " + path("out") + " --packing-fraction=", no_numbers);
+  expect_refused("ablate --backends cpu --n 64 --rounds 1 --json " + path("out") + " --packing-fraction=", no_numbers);
   expect_refused("frames --backends cpu --n 64 --json " + path("out") + " --packing-fraction=", no_numbers);
   expect_refused(sweep_ + " --packing-fractions=", no_numbers);
   expect_refused("compare --tables none --results " + path("out") + " --min-seconds=", no_numbers);

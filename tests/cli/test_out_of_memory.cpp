@@ -28,7 +28,7 @@ class OutOfMemory : public ProgramTest {
       const Outcome outcome = run_within(least_ + more, arguments);
       if (outcome.code == kOk) continue;
       ++failed;
-      EXPECT_EQ(outcome.code, kDeviceTrouble) << more << " KiB more: " << outcome.errors;
+      EXPECT_EQ(outcome.code, kDeviceFailure) << more << " KiB more: " << outcome.errors;
       const auto said = [&](const char* text) { return outcome.errors.find(text) != std::string::npos; };
       EXPECT_TRUE(said("out of memory") || said("more than is free") || said("threads could be started"))
           << more << " KiB more: " << outcome.errors;

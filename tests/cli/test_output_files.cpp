@@ -106,7 +106,7 @@ TEST_F(Outputs, RenderReplacesNoRecordButItsOwn) {
 TEST_F(Outputs, PlacesThatCannotBeWrittenAreFoundBeforeTheWork) {
   const std::string nowhere = path("no/such/folder/a");
   for (const char* command : {"devices --backends cpu --json {}", "run --n 10 --json {}", "run --n 10 --pairs {}",
-                              "crossover --backends cpu --n 64 --json {}", "skips --backends cpu --n 64 --json {}",
+                              "crossover --backends cpu --n 64 --json {}", "ablate --backends cpu --n 64 --json {}",
                               "frames --backends cpu --n 64 --json {}"})
     expect_refused(fmt::format(fmt::runtime(command), nowhere), "cannot write " + nowhere);
   const std::string long_name = path(std::string(300, 'a'));

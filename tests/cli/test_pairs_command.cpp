@@ -189,7 +189,7 @@ TEST_F(PairsCommand, AListBeyondMemoryIsRefusedWithItsSize) {
   const std::string pairs = "pairs --radius 1 --backend cpu --threads 1 --input " + folder_.write("one.xyz", text);
   for (const char* method : {"parallel", "collide_grid"}) {
     const std::string all = fmt::format("{} --output {} --method {}", pairs, folder_.path("one.npy"), method);
-    EXPECT_EQ(run_program(all, "ulimit -v 200000;"), kDeviceTrouble);
+    EXPECT_EQ(run_program(all, "ulimit -v 200000;"), kDeviceFailure);
     EXPECT_NE(errors_.find("12497500 pairs collide, and a list of them takes about 0.3 GB"), std::string::npos)
         << errors_;
     EXPECT_FALSE(fs::exists(folder_.path("one.npy")));

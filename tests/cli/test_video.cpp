@@ -52,7 +52,7 @@ TEST_F(Film, ItsNameIsNeverAnOptionOfFfmpeg) {
 TEST_F(Film, OfWhichFfmpegFailedReplacesNothing) {
   folder_.write("a.mp4", "old");
   const Outcome outcome = film("a.mp4", "head -c 1000 >\"$film\"; exit 1");
-  EXPECT_EQ(outcome.code, kDeviceTrouble) << outcome.errors;
+  EXPECT_EQ(outcome.code, kDeviceFailure) << outcome.errors;
   EXPECT_EQ(read_bytes(path("a.mp4")), "old");
   EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.mp4", "arguments", "bin"}));
 }

@@ -80,7 +80,7 @@ TEST_F(ViewCommand, GoesOnWithTheSameBits) {
 
 TEST_F(ViewCommand, NamesRenderWhereNoDisplayIs) {
   const Ended ended = run(fmt::format("env -u DISPLAY -u WAYLAND_DISPLAY {} view --n 10", SPHEREPAIR_PROGRAM), folder_);
-  EXPECT_EQ(ended.code, kDeviceTrouble);
+  EXPECT_EQ(ended.code, kDeviceFailure);
   EXPECT_NE(ended.said.find("spherepair render"), std::string::npos) << ended.said;
 }
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Every figure can be drawn: from recorded runs, or from made-up records where none are recorded yet."""
+"""Every figure can be drawn: from recorded runs, or from made-up records if none are recorded yet."""
 import contextlib
 import importlib.util
 import io
@@ -9,15 +9,15 @@ import tempfile
 import unittest
 
 PAPER = pathlib.Path(__file__).resolve().parents[2] / "paper"
-sys.path.insert(0, str(PAPER))
+sys.path.insert(0, str(PAPER.parent))
 if importlib.util.find_spec("matplotlib") is None:
     print("SKIPPED: figures need matplotlib (python3-matplotlib)")
     sys.exit(77)
 
-import figures  # noqa: E402  (the path must be set first)
-import tables_studies  # noqa: E402
-from derived import GRID_BYTES  # noqa: E402
-from records import DATA, Machine, Missing, Record, latest  # noqa: E402
+from paper import figures  # noqa: E402  (the path must be set first)
+from paper.numbers.derived import GRID_BYTES  # noqa: E402
+from paper.records import DATA, Machine, Missing, Record, latest  # noqa: E402
+from paper.tables import studies  # noqa: E402
 
 SCENE = {"name": "uniform", "packing_fraction": 0.3}
 
@@ -27,7 +27,7 @@ def made_up(table, times, **parameters):
                    0.9e-6 * n * t, 1.1e-6 * n * t, "made up") for t in times for n in (1024, 1000000)]
 
 
-def of_tables_to_come():
+def made_up_records():
     rows = made_up("grid", [9], backend="cpu", method="collide_grid", order="cold")
     for backend in ("glsl", "cuda"):
         for method, order, time in (("grid", "cold", 2), ("grid", "warm", 1), ("triangle", "cold", 3)):
@@ -39,29 +39,29 @@ def of_tables_to_come():
         rows += made_up("draw", [1], backend=backend, draw="compute", place="outside", work="frame")
         rows += made_up("interop", [1], backend=backend, way=f"map from {backend}")
         for on in (True, False):
-            rows += made_up("skips", [1 if on else 2], backend=backend, skip="kept order", on=on)
+            rows += made_up("ablation", [1 if on else 2], backend=backend, option="kept order", on=on)
         for precision in ("float32", "float64"):
             rows += made_up("precision", [1, 2], backend=backend, method="paper", precision=precision, dt=0.0625,
                             error_m=1e-3, simulated_s=10, work="move")
     return rows
 
 
-def sets_to_come():
-    """A run of `spherepair sets`, as short as it can be."""
+def made_up_sets():
+    """A minimal record of `spherepair sets`."""
     error = {"right": 100, "missed": 3, "extra": 2}
     motion = [{"method": "paper", "precision": "float32", "k": 6, "dt": 1 / 64, "offset": offset, "whole_missed": 0,
                "whole_extra": 0, **error} for offset in (0, 1e5)]
     times = {"median_ms": 1.0, "interval_ms": [0.9, 1.1]}
     exactness = [{"backend": name, "scene": "far", "n": 1024, "exact": times, "naive": times, **error}
                  for name in ("cpu", "glsl")]
-    contacts = [{"backend": "glsl", "way": way, "pairs": 100, "missed": 8, "deviation": 2.8, "swept_missed": 0}
-                for way in (1.0, 3.0)]
+    contacts = [{"backend": "glsl", "distance": distance, "pairs": 100, "missed": 8, "deviation": 2.8,
+                 "swept_missed": 0} for distance in (1.0, 3.0)]
     return {"format": "spherepair sets 1", "id": "made up", "settings": {"seconds": 10}, "motion": motion,
             "storage": [{"precision": "float32", "offset": 1e5, **error}], "exactness": exactness,
             "contacts": contacts}
 
 
-def crossovers_to_come(cells, time_of_auto):
+def made_up_crossovers(cells, time_of_auto):
     square, grid = {"name": "collide_square", "block": 32}, {"name": "collide_grid", "cells": cells}
     return [record for n, times, taken in ((64, (1, 3, 3, 1), square), (1024, (9, 2, 4, time_of_auto), grid))
             for way, time in zip(("collide_square/32", "dense", "hashed", "auto"), times)
@@ -81,26 +81,26 @@ class Figures(unittest.TestCase):
                 left_out.append(module.NAME)
         return left_out
 
-    def test_each_is_drawn_once_its_records_are_there(self):
+    def test_each_is_drawn_if_its_records_exist(self):
         machine = Machine(DATA / "h200")
-        kept = [r for r in machine.records if r.table not in ("grid", "draw", "interop", "skips", "precision")]
-        machine.records = kept + of_tables_to_come()
-        machine.sources["sets.json"] = sets_to_come()
+        kept = [r for r in machine.records if r.table not in ("grid", "draw", "interop", "ablation", "precision")]
+        machine.records = kept + made_up_records()
+        machine.sources["sets.json"] = made_up_sets()
         self.assertEqual([], self.draw(machine))
 
     def test_none_is_drawn_without_its_records(self):
         machine = Machine(DATA / "h200")
         machine.records, machine.sources = [], {}
         drawn = {module.NAME for module in figures.modules()} - set(self.draw(machine))
-        self.assertLessEqual(drawn, {"animations", "closeup", "same-frame", "settling"})  # pictures
+        self.assertLessEqual(drawn, {"animations", "closeup", "same-frame", "settling"})  # images
 
 
 class Tables(unittest.TestCase):
     def test_crossovers_by_kind(self):
         machine = Machine(DATA / "h200")
         for cells, time_of_auto, loss in (("dense", 2, "1"), ("dense", 2.5, "1"), ("hashed", 4, "2")):
-            machine.records = crossovers_to_come(cells, time_of_auto)
-            self.assertEqual([["gas", "1,024", loss]], tables_studies.crossover(machine).rows)
+            machine.records = made_up_crossovers(cells, time_of_auto)
+            self.assertEqual([["gas", "1,024", loss]], studies.crossover(machine).rows)
 
     def test_of_the_grid_sweeps_alone_count(self):
         def record(n, date, swept, table="grid"):
@@ -111,31 +111,31 @@ class Tables(unittest.TestCase):
         self.assertEqual([new, other], latest([old, compared, new, other]))
         self.assertEqual([compared, other], latest([compared, other]))
 
-    def test_hand_overs(self):
+    def test_transfers(self):
         machine = Machine(DATA / "h200")
         timed = {"imported": (1.9, 2.2), "step": (0.9, 1.1), "imported_pipelined": (2.4, 2.6)}
 
         def record(n):
             frames = [{"work": work, "draw": "none" if work == "step" else "points", "n": n, "interval_ms": interval}
                       for work, interval in timed.items()]
-            frames.append({"work": "imported", "draw": "none", "n": n, "interval_ms": (9, 9)})  # alone, not meant
+            frames.append({"work": "imported", "draw": "none", "n": n, "interval_ms": (9, 9)})  # alone: not in the table
             return {"id": "made up", "frames": frames, "overlaps": [
-                {"transfer": "imported", "draw": "points", "n": n, "picture_ms": 2.0, "step_ms": 1.0,
+                {"transfer": "imported", "draw": "points", "n": n, "frame_ms": 2.0, "step_ms": 1.0,
                  "pipelined_ms": 2.5, "overlap": 0.5}]}
 
         machine.sources = {"frames.json": record(1000), "more_frames.json": record(10**8)}
         figures_of_each = ["2.00", "1.00", "2.50", "0.500 [0.200, 0.900]"]
         self.assertEqual([["imported", size, *figures_of_each] for size in ("10^3", "10^8")],
-                         tables_studies.transfer(machine).rows)
+                         studies.transfer(machine).rows)
 
 
 class Paper(unittest.TestCase):
-    def test_all_that_it_includes_is_made(self):
-        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()) as said:
+    def test_everything_that_it_includes_is_made(self):
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()) as output:
             figures.write_paper_inputs(pathlib.Path(folder))
             made = {path.name for path in pathlib.Path(folder).rglob("*")}
         self.assertLessEqual({"numbers.tex", "captions.tex", "trace.tex", "table1.tex", "scale.pdf", "scale.png"}, made)
-        self.assertRegex(said.getvalue(), "each from a recorded run")
+        self.assertRegex(output.getvalue(), "each from a recorded run")
 
 
 if __name__ == "__main__":

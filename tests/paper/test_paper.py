@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The paper's numbers come from recorded runs, and what guards that can fail. Needs no matplotlib and no LaTeX."""
+"""The paper's numbers come from recorded runs, and the checks of that can fail. Needs no matplotlib and no LaTeX."""
 import contextlib
 import io
+import json
 import pathlib
 import sys
 import tempfile
@@ -9,15 +10,13 @@ import unittest
 from dataclasses import replace
 
 PAPER = pathlib.Path(__file__).resolve().parents[2] / "paper"
-sys.path.insert(0, str(PAPER))
+sys.path.insert(0, str(PAPER.parent))
 
-import headline  # noqa: E402  (the path must be set first)
-import leads  # noqa: E402
-import macros  # noqa: E402
-import ranks  # noqa: E402
-import tables_studies  # noqa: E402
-import tabular  # noqa: E402
-from records import DATA, Machine, Missing, median_interval  # noqa: E402
+from paper import headline, old_names  # noqa: E402  (the path must be set first)
+from paper.numbers import leads, macros, ranks  # noqa: E402
+from paper.records import DATA, Machine, Missing, median_interval  # noqa: E402
+from paper.tables import stress as stress_table  # noqa: E402
+from paper.tables import tabular  # noqa: E402
 
 FRAME = "\\begin{abstract}%s\\begin{thebibliography}"
 
@@ -35,17 +34,17 @@ class Prose(unittest.TestCase):
     def test_every_number_of_the_paper_is_recorded(self):
         macros.check((PAPER / "paper.tex").read_text(), self.numbers)
 
-    def test_what_awaits_a_figure_asks_for_no_number(self):
+    def test_text_without_its_figure_needs_no_number(self):
         prose = "A. \\ifrecorded{abacus}{It takes \\Nr{step/abacus}\\,ms {at} 5.} B."
         check(prose, self.numbers)
         with self.assertRaises(Missing):
             check(prose, self.numbers, ["abacus"])
 
-    def test_a_number_without_a_run_is_found_out(self):
+    def test_a_number_without_a_run_is_found(self):
         with self.assertRaises(Missing):
             check("It takes \\Nr{step/abacus}\\,ms.", self.numbers)
 
-    def test_a_digit_in_the_prose_is_found_out(self):
+    def test_a_digit_in_the_prose_is_found(self):
         check("A step on an H200 takes \\Nr{step/glsl}\\,ms of $2^{20}$, see GTX~\\given{590}.", self.numbers)
         for prose in ("It takes 0.068\\,ms.", "GLSL is 8\\,\\% faster.", "In 2 of \\Nr{step/glsl} cases."):
             with self.assertRaises(Missing, msg=prose):
@@ -62,7 +61,7 @@ class Readme(unittest.TestCase):
         readme, machine = (PAPER.parent / "README.md").read_text(), Machine(DATA / "h200")
         self.assertEqual(headline.updated(readme, machine), readme, "paper/figures.py --headline brings it up to date")
 
-    def test_a_stale_row_is_found_out(self):
+    def test_a_stale_row_is_found(self):
         readme, machine = (PAPER.parent / "README.md").read_text(), Machine(DATA / "h200")
         row = "| the paper's own tile, 16,384 spheres | "
         stale = readme.replace(row, row + "9")
@@ -89,7 +88,7 @@ def all_pairs(backend):
 
 
 class WhoLeads(unittest.TestCase):
-    """What the prose says of leads follows the records, or the paper is refused."""
+    """The statements of the prose about leads follow the records, or the paper is refused."""
 
     def sentences(self, factor):
         found = leads.contests(changed(all_pairs("glsl"), factor))
@@ -102,18 +101,18 @@ class WhoLeads(unittest.TestCase):
             self.assertRegex(wins, rf"^{winner} takes \d+ to \d+ % less time at every size$")
             self.assertRegex(large, rf"^in 6 of 6 contests of 65,536 spheres and more {winner}'s compiler")
 
-    def test_a_number_of_spheres_parts_them(self):
+    def test_a_number_of_spheres_separates_them(self):
         head, wins, _ = self.sentences(lambda record: 10 if record.n < 4096 else 0.1)
         self.assertEqual("neither API wins throughout", head)
         self.assertRegex(wins, "^CUDA takes .* up to 2,048 spheres and GLSL .* from 4,096 on$")
         self.assertRegex(self.sentences(lambda record: 0.1 if record.n < 4096 else 10)[1], "^GLSL .* and CUDA .* on$")
 
-    def test_no_order_of_sizes_is_told_where_there_is_none(self):
+    def test_no_order_of_sizes_is_stated_if_there_is_none(self):
         _, wins, large = self.sentences(lambda record: 0.1 if record.n in (1024, 65536) else 10)
         self.assertRegex(wins, "^of 22 contests, CUDA .* less time in 17 and GLSL .* less time in 5$")
         self.assertRegex(large, "^in 4 of 6 .* CUDA's compiler .*, and GLSL's in 2, by ")
 
-    def test_kinds_of_work_that_differ_are_told_apart(self):
+    def test_kinds_of_work_that_differ_are_separated(self):
         gas = {"table": "scale", "scene": "uniform"}
         _, wins, _ = self.sentences(lambda record: 0.1 if record.matches(gas) and record.n > 16384 else 10)
         self.assertRegex(wins, "^in all pairs of the original's box and in whole steps CUDA .* at every size; in all "
@@ -145,8 +144,8 @@ class WhoLeads(unittest.TestCase):
                 ("whole_steps", {"table": "step", "backend": "cpu"}, 0.01),
                 ("keeping_order", {"table": "grid", "backend": "cuda", "order": "warm"}, 3),
                 ("grid_leads", {"table": "grid", "backend": "glsl"}, 0.5),
-                ("beside_peers", {"table": "grid", "backend": "cuda"}, 9),
-                ("pictures", {"table": "draw", "backend": "glsl", "n": 10**8}, 999),
+                ("against_peers", {"table": "grid", "backend": "cuda"}, 9),
+                ("drawing", {"table": "draw", "backend": "glsl", "n": 10**8}, 999),
                 ("transfers", {"table": "interop", "way": "through the host's memory"}, 1e-3),
                 ("kinds_of_spheres", {"table": "crossover", "kind": "one_cell", "way": "dense"}, 1e-3),
                 ("exactness", {"table": "exactness", "method": "collide_triangle", "exact": True}, 2),
@@ -154,10 +153,10 @@ class WhoLeads(unittest.TestCase):
             self.assertIn(maker, self.refused(lambda record: record.matches(wanted), lambda _: factor), wanted)
         self.assertEqual([], self.refused(lambda record: False, None))
 
-    def test_a_skip_that_turns_refuses(self):
-        for skip in ("graph", "exact_stages", "l2_aside"):
-            wanted = lambda record: record.table == "skips" and record.skip == skip and record.on
-            self.assertIn("what_skips_save", self.refused(wanted, lambda _: 0.2 if skip == "l2_aside" else 20))
+    def test_an_ablation_that_turns_refuses(self):
+        for option in ("graph", "exact_stages", "l2_aside"):
+            wanted = lambda record: record.table == "ablation" and record.option == option and record.on
+            self.assertIn("ablations", self.refused(wanted, lambda _: 0.2 if option == "l2_aside" else 20))
 
 
 class Stress(unittest.TestCase):
@@ -170,7 +169,7 @@ class Stress(unittest.TestCase):
                   "bound": "1e-04 m", "verdict": verdict if row == 7 else "pass"}
                  for row in range(1, rows + 1) for name in ("cpu", "glsl", "cuda")]
         machine.sources["stress.json"] = {"rows": found, "id": "made up"}
-        return tables_studies.stress(machine)
+        return stress_table.stress(machine)
 
     def test_a_row_a_test_and_a_verdict_a_backend(self):
         rows = self.table().rows
@@ -184,7 +183,7 @@ class Stress(unittest.TestCase):
 
     def test_backends_that_found_different_figures_are_named(self):
         self.assertEqual("CPU, GLSL: 1 m; CUDA: 2 m",
-                         tables_studies.figure_text({"cpu": "1 m", "glsl": "1 m", "cuda": "2 m"}))
+                         stress_table.figure_text({"cpu": "1 m", "glsl": "1 m", "cuda": "2 m"}))
 
     def test_numbers_are_set_as_mathematics(self):
         self.assertEqual("0 wrong of 100000, $\\pm$ $10^{-4}$, $5.8\\cdot10^{-5}$ m, 0, $2^{-149}$, 4096",
@@ -192,7 +191,7 @@ class Stress(unittest.TestCase):
 
 
 class Records(unittest.TestCase):
-    def test_none_or_many_are_no_answer(self):
+    def test_none_or_several_are_refused(self):
         machine = Machine(DATA / "h200")
         for wanted in ({"table": "step", "backend": "abacus"}, {"table": "step", "backend": "glsl"}):
             with self.assertRaises(Missing):
@@ -203,6 +202,27 @@ class Records(unittest.TestCase):
         self.assertLess(100, len(rows))
         for record in rows:
             self.assertEqual((record.low, record.high), median_interval(record.samples_ms))
+
+    def test_no_old_name_remains(self):
+        """Neither keys nor tables nor stages of the recorded runs; each old name occurs in some of them."""
+        def keys_of(value):
+            if isinstance(value, dict):
+                for key, inner in value.items():
+                    yield key
+                    yield from keys_of(inner)
+            elif isinstance(value, list):
+                for inner in value:
+                    yield from keys_of(inner)
+
+        old = old_names.KEYS.keys()
+        recorded = {key for path in DATA.rglob("*.json") for key in keys_of(json.loads(path.read_text()))}
+        self.assertLessEqual(old, recorded)
+        for name in ("h200", "llvmpipe"):
+            machine = Machine(DATA / name)
+            self.assertEqual(set(), set(keys_of(machine.sources)) & old)
+            stages = {stage for record in machine.records for stage in record.parameters.get("device_stages_ms", ())}
+            self.assertEqual(set(), stages & old_names.STAGES.keys())
+            self.assertEqual(set(), {record.table for record in machine.records} & old_names.VALUES["table"].keys())
 
     def test_a_folder_without_results_is_refused(self):
         with tempfile.TemporaryDirectory() as folder, self.assertRaises(Missing):

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // spherepair view
-#include "bench/cli/view_command.h"
+#include "bench/cli/view.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ int view_command(const CommandLine& line, const ViewOptions& options) {
   std::string first = options.backend;
   if (first.empty()) first = choose_backend("", line.open).backend->info().name;
   Backend* backend = session.find(first);
-  if (!backend) throw BackendError(fmt::format("the backend {} does not open here, see above", first));
+  if (!backend) throw BackendError(fmt::format("the backend {} could not be opened, see above", first));
   const Method method = choose_method(options.method, *backend);
   Viewer viewer(session, start, first, options.method.empty() ? "collide_grid" : method_name(method));
   for (uint64_t frame = 0; window->next(); ++frame) {
@@ -40,20 +40,20 @@ int view_command(const CommandLine& line, const ViewOptions& options) {
 }
 
 void add_view(CLI::App& app, CommandLine& line, std::function<int()>& action) {
-  auto* command = app.add_subcommand("view", "Watch spheres move in a window: turn, pause, change backend and method");
+  auto* command = app.add_subcommand("view", "Show moving spheres in a window; backend and method can be changed");
   auto options = std::make_shared<ViewOptions>();
   add_start_options(*command, options->start);
-  command->add_option("--backend", options->backend,
-                      "The first one shown; default: a GPU where there is one, else cpu");
-  command->add_option("--method", options->method, "The first method of collision; default: collide_grid");
+  command->add_option("--backend", options->backend, "Backend at the start; default: a GPU if there is one, else cpu");
+  command->add_option("--method", options->method, "Collision method at the start; default: collide_grid");
   add_size_option(*command, options->width, options->height);
   command->add_option("--frames", options->frames, "Close after so many frames")->group("");
   command->add_option("--screenshot", options->screenshot_file, "PNG of the last frame")->group("");
-  command->add_option("--keys", options->keys, "Pressed one a frame")->group("");
+  command->add_option("--keys", options->keys, "Key presses, one per frame")->group("");
   add_open_options(*command, line.open);
   command->footer(
-      "Keys: space pauses, n takes one step, b, m and d change backend, method and drawing, l turns light and shadows\n"
-      "on and off, r starts again. The mouse turns and comes nearer. Without a display, use render.\n"
+      "Keys: space pauses, n takes one step, b, m and d change backend, method and drawing, l toggles light and "
+      "shadows,\n"
+      "r restarts. Drag the mouse to rotate, scroll to zoom. Without a display, use render.\n"
       "Example:\n  spherepair view --scene random --n 16384");
   command->callback([=, &line, &action] {
     finish_start_options(*command, options->start);

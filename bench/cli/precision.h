@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// spherepair precision: its options and itself.
+// spherepair precision
 #pragma once
 
 #include <CLI/App.hpp>

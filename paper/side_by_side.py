@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""One page with every figure and table of several machines beside each other, to be opened in a browser."""
+"""One HTML page with the figures and tables of several machines side by side."""
 import html
 
 STYLE = ("body{font-family:sans-serif;margin:2em;max-width:110em}table{border-collapse:collapse}"
@@ -17,7 +17,7 @@ def cell(folder, machine, name, kind, reason):
 
 
 def write(folder, machines, figures, tables, reasons):
-    """reasons: (machine, name) -> why it is left out there."""
+    """reasons: (machine, name) -> why it is left out."""
     rows = ["<tr>" + "".join(f"<th>{html.escape(machine.title)}</th>" for machine in machines) + "</tr>"]
     for kind, names in (("png", figures), ("txt", tables)):
         for name in names:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""How each number of the prose is made from recorded runs. A maker puts (key, text, run, how) for one section."""
-from derived import cost, issue_rate, pairs_of, share_of_floor, slope
-from ranks import differ
-from records import original_paper, said
-from tabular import ms
+"""Measured times of the prose. Each function puts (key, text, run, description) for one section."""
+from paper.numbers.derived import cost, issue_rate, pairs_of, share_of_floor, slope
+from paper.numbers.ranks import differ
+from paper.records import original_paper, said
+from paper.text import ms
 
 PRINTED = "original paper"
 SIZE = 16384
@@ -38,7 +38,7 @@ def whole_steps(put, machine, others):
         rows = machine.need(table="step", backend=name)
         behind = [row.n for row in rows if not (differ(row, cpu[row.n]) and row.median < cpu[row.n].median)]
         ahead = [row for row in rows if row.n > max(behind, default=0)]
-        said(machine, behind and ahead and ahead[0].n <= 4096, "the CPU is faster for a few hundred spheres alone")
+        said(machine, behind and ahead and ahead[0].n <= 4096, "the CPU is faster only for a few hundred spheres")
         put(f"step/ahead-of-cpu/{name}", f"{ahead[0].n:,}", ahead[0].source,
             f"least n from which on {name}'s whole step is faster than the CPU's")
     put("cpu/threads", str(machine.main["context"]["machine"]["hardware_threads"]), machine.id, "hardware threads")
@@ -75,10 +75,10 @@ def exactness(put, machine, others):
     micro = {key: 1e3 * (exact.median - naive.median) for key, (exact, naive) in found.items()}
     percent = {key: cost(naive, exact)[0] for key, (exact, naive) in found.items()}
     said(machine, all(micro[key] < 1 or percent[key] < 1 for key in micro if key[0] != "cpu"),
-         "exactness costs a GPU's methods less than a microsecond or a percent where no pair is left undecided")
+         "exactness costs a GPU's methods less than a microsecond or a percent if no pair is left undecided")
     source = found["cuda", "triangle"][0].source
     put("exact/most", f"{max(value for (name, _), value in percent.items() if name != 'cpu'):.1f}", source,
-        "cost in %, the most of a GPU's methods")
+        "cost in %, the highest of a GPU's methods")
     seen = [f"{value:.0f}\\,\\% for \\kernel{{{method}}}" for (name, method), value in percent.items()
             if name == "cpu" and differ(*found[name, method])]
     put("exact/cpu", f"it costs {' and '.join(seen)}" if seen else "no difference is seen", source,

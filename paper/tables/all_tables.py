@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""The paper's tables, each as LaTeX and as text, from recorded runs alone."""
+"""All tables of the paper, made from recorded runs alone and written as LaTeX and as text."""
 import re
 
-from ranks import verdict
-from records import Missing, original_paper, recorded_code
-from tables_claims import claims
-from tables_studies import STUDIED, stress  # noqa: F401
-from tabular import Table, as_tex, as_text, interval, ms, without_empty_columns
+from paper.numbers.compilers import driver_milliseconds
+from paper.numbers.ranks import verdict
+from paper.records import Missing, original_paper, recorded_code
+from paper.tables.claims import claims
+from paper.tables.stress import stress
+from paper.tables.studies import STUDIED
+from paper.tables.tabular import Table, as_tex, as_text, without_empty_columns
+from paper.text import interval, ms
 
 
 def median_or_dash(machine, **wanted):
@@ -29,8 +32,8 @@ def table1(machine):
     heads = [[("", 1), ("original paper", 3), ("motion + plane", 3), ("pairs, CPU", 2), ("pairs, tile", 2),
               ("pairs, triangle", 2)],
              ["n", "plane", "1 thread", "GLSL", "CPU", "GLSL", "CUDA", "1 thread", "all", *["GLSL", "CUDA"] * 2]]
-    return Table("table1", "The original paper's Table 1 (GeForce GTX 590, as printed; 32,768 from its text) beside "
-                 "ours: medians in milliseconds. Its 0 is what its clock could not resolve, its 16 one refresh.",
+    return Table("table1", "The original paper's Table 1 (GeForce GTX 590, as printed; 32,768 from its text) and "
+                 "ours: medians in milliseconds. Its 0 is below the resolution of its clock, its 16 one refresh.",
                  heads, rows, left=0)
 
 
@@ -42,7 +45,7 @@ def counts(machine):
                                           for cell in (start, span, steps, sequential, parallel))])
     heads = [[("", 1), ("ours", 3), ("original paper", 2)],
              ["n", "first frame", "range", "steps", "sequential", "parallel"]]
-    return Table("counts", "Colliding spheres in a box of 20 by 20 by 20 with radius 0.5, ours beside the original "
+    return Table("counts", "Colliding spheres in a box of 20 by 20 by 20 with radius 0.5, ours and the original "
                  "paper's ranges: evidence that the scene is the same.", heads, rows, left=0)
 
 
@@ -56,21 +59,15 @@ def methods(machine):
                  "least 95\\,\\% between order statistics.", heads, rows)
 
 
-def ceilings(machine):
+def peak_rates(machine):
     rows = []
-    for record in machine.need(table="ceilings"):
+    for record in machine.need(table="peak_rates"):
         rate = record.amount_per_step / (1e-3 * record.median)
         rows.append([record.work, f"{record.n:,}", record.backend.upper(), interval(record, 1e3),
                      f"{ms(rate)} {record.unit}"])
     heads = [[("", 1)] * 5, ["what", "spheres", "API", "median [interval], µs", "rate"]]
-    return Table("ceilings", "What the GPU does at best through each API: 16 bytes copied, a scattered atomic without "
-                 "a result, and chains of multiply-adds, each per sphere.", heads, rows, left=1)
-
-
-def driver_milliseconds(machine):
-    """Kernel -> time that the GL driver took, of `spherepair devices --compile`; empty without a record."""
-    return next((backend["compile_ms"] for root in machine.sources.values() for backend in root.get("backends", [])
-                 if isinstance(backend, dict) and backend.get("compile_ms")), {})
+    return Table("peak-rates", "Peak rates of the GPU through each API: 16 bytes copied, a scattered atomic without a result, "
+                 "and chains of multiply-adds, each per sphere.", heads, rows, left=1)
 
 
 def code(machine):
@@ -83,9 +80,9 @@ def code(machine):
         rows.append([name, str(record[what]["glsl"]), str(record[what]["cuda"]), "-", "-", "-"])
     heads = [[("", 1), ("lines of code", 3), ("compiling", 2)],
              ["kernel", "GLSL", "CUDA", "same", "nvcc, s", "GLSL, ms"]]
-    return Table("code", "What each API asks for. Lines without blanks and comments; same: lines in both. nvcc: "
+    return Table("code", "Code and compile time of each API. Lines without blanks and comments; same: lines in both. nvcc: "
                  f"processor seconds on {record['context']['cpu']}, once, when the program is built ({record['id']})." +
-                 (" GLSL: the driver's, in each program that uses it." if driver else ""), heads, rows)
+                 (" GLSL: the driver, in each program that uses it." if driver else ""), heads, rows)
 
 
 def machine_and_run(machine):
@@ -104,7 +101,7 @@ def machine_and_run(machine):
     return Table("machine", "The recorded machine and run.", heads, rows, left=2)
 
 
-MAKERS = (claims, table1, counts, methods, ceilings, code, machine_and_run, *STUDIED)
+MAKERS = (claims, table1, counts, methods, peak_rates, code, machine_and_run, stress, *STUDIED)
 
 
 def of_one(maker, machine):

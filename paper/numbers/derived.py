@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""What figures and numbers derive from records: ratios, costs, slopes, shares of the instruction floor."""
+"""Ratios, costs, slopes and shares of the floor, derived from records."""
 import math
 from dataclasses import dataclass
 
-from ranks import apart
-from records import Missing
+from paper.numbers.ranks import apart
+from paper.records import Missing
 
 ORDER = ("clear", "grid_clear", "grid_bounds", "split_tiles", "split_count", "split_scan", "grid_split", "grid_sort", "grid_count",
-         "grid_sums", "grid_scan", "grid_scatter", "collide", "settle", "tally")  # of the kernels of a collision step
-INSTRUCTIONS = 4  # three fused multiply-adds and a comparison a pair, the least for the form that is used
-# A sphere, as bench/measure/floors.h reckons them; records before there was split_tiles counted 111 or 128.
+         "grid_sums", "grid_scan", "grid_scatter", "collide", "resolve_undecided", "tally")  # of the kernels of a collision step
+INSTRUCTIONS = 4  # three fused multiply-adds and a comparison per pair, the minimum for the Gram form
+# Per sphere, as in bench/measure/floors.h; records from before split_tiles counted 111 or 128.
 GRID_BYTES = {"warm": 43, "cold": 91}
 
 
@@ -26,8 +26,8 @@ def share_of_floor(machine, record):
 
 
 def grid_share_of_floor(row):
-    """Percent: the bytes of GRID_BYTES at the rate at which the run saw its device copy, over the time."""
-    return 100 * GRID_BYTES[row.order] * row.n / row.ceiling_per_second / (1e-3 * row.median)
+    """Percent: the time of moving GRID_BYTES at the copy rate measured in the run, over the measured time."""
+    return 100 * GRID_BYTES[row.order] * row.n / row.peak_per_second / (1e-3 * row.median)
 
 
 def slope(small, large):
@@ -42,7 +42,7 @@ def ratio(glsl, cuda):
 def matched(machine, **wanted):
     """(parameter record of GLSL, of CUDA) for every size both have."""
     if not (machine.has("glsl") and machine.has("cuda")):
-        raise Missing(f"{machine.name} has no GLSL beside CUDA")
+        raise Missing(f"{machine.name} was not run with both GLSL and CUDA")
     glsl, cuda = (machine.need(backend=name, **wanted) for name in ("glsl", "cuda"))
     by_n = {record.n: record for record in cuda}
     return [(record, by_n[record.n]) for record in glsl if record.n in by_n]
@@ -68,7 +68,7 @@ def pairs_of(machine):
 
 
 def needed_devices(machine, **wanted):
-    """The APIs that such records are there of; Missing when there are none."""
+    """The APIs that have such records; Missing if none has."""
     machine.need(**wanted)
     devices = [name for name in ("glsl", "cuda") if machine.select(backend=name, **wanted)]
     if not devices:
@@ -77,8 +77,8 @@ def needed_devices(machine, **wanted):
 
 
 def crossover(machine, backend, fraction):
-    """The least n from which on the grid in random order beats all pairs at every size that both have, intervals
-    apart; None where it does at none."""
+    """The least n from which the grid in random order is faster than all pairs at every size that both have, with
+    intervals that do not overlap; None if there is none."""
     wanted = {"table": "grid", "scene": "uniform", "packing_fraction": fraction, "backend": backend, "order": "cold"}
     grid = {record.n: record for record in machine.select(**wanted, method="collide_grid")}
     found = None
@@ -94,7 +94,7 @@ def crossover(machine, backend, fraction):
 class StageRatio:
     kernel: str
     where: str
-    ratio: tuple  # GLSL over CUDA: middle, room below, room above
+    ratio: tuple  # GLSL over CUDA: value, distance to the lower and to the upper bound
     cuda_ms: float
     source: str
 
@@ -110,12 +110,11 @@ def stage_ratio(kernel, glsl, cuda):
 
 
 def stage_ratios(machine):
-    """Each kernel that device timers saw in both APIs in the same work of one run, where n is largest; of several such
-    records the latest, and of its the one whose intervals leave the least room: a kernel may have a cheap and a dear
-    part in one picture."""
+    """Each kernel timed by device timers in both APIs in the same work of one run, at the largest n; of several such
+    records the latest, and of that run the one with the tightest bounds: a kernel may run several times per frame."""
     found = {}
     timed = [record for record in machine.records if {"device_stages_interval_ms", "n"} <= record.parameters.keys() and
-             record.parameters.get("work") != "loop"]  # in which the spheres have moved on, not to the same places
+             record.parameters.get("work") != "loop"]  # its spheres have moved
     by_work = {(record.source, work_of(record), record.backend): record for record in timed}
     for (run, work, backend), glsl in by_work.items():
         cuda = by_work.get((run, work, "cuda"))
@@ -123,29 +122,29 @@ def stage_ratios(machine):
             for kernel in glsl.device_stages_ms.keys() & cuda.device_stages_ms.keys():
                 row = stage_ratio(kernel, glsl, cuda)
                 if row:
-                    found.setdefault(kernel, []).append((glsl.n, glsl.date, -room(row), row))
+                    found.setdefault(kernel, []).append((glsl.n, glsl.date, -spread(row), row))
     for kernel in sorted(found):
         yield max(found[kernel], key=lambda entry: entry[:3])[-1]
 
 
-def room(row):
-    """Greatest over least ratio that the intervals allow."""
+def spread(row):
+    """Upper over lower bound of the ratio."""
     middle, below, above = row.ratio
     return (middle + above) / (middle - below)
 
 
 def work_of(record):
-    """What makes two records of different APIs the same work; in the grid each takes the groups that suit it."""
+    """The parameters that two records of different APIs must share; in the grid each API uses its own group size."""
     names = ("table", "work", "n", "method", "exact", "order", "dt", "precision", "draw", "place",
              *(() if record.parameters.get("table") == "grid" else ("block",)))
     return (*(str(record.parameters.get(name)) for name in names), str(record.parameters.get("scene")))
 
 
 def in_order(stages):
-    """Each once, in the order in which they run; those that are not known come first."""
+    """Each once, in the order of execution; unknown ones first."""
     return sorted(dict.fromkeys(stages), key=lambda name: ORDER.index(name) if name in ORDER else -1)
 
 
 def stage_bars(record):
-    """Kernel -> milliseconds a step; the search is `collide`, whichever its kernel."""
+    """Kernel -> milliseconds per step; every search kernel as `collide`."""
     return {"collide" if name.startswith("collide") else name: time for name, time in record.device_stages_ms.items()}

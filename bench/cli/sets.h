@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// spherepair sets: its options and itself.
+// spherepair sets
 #pragma once
 
 #include <CLI/App.hpp>

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Numbers of the prose that come from runs of their own: the sweep, frames, hand-over."""
-import leads
-from derived import crossover, grid_share_of_floor, matched, slope, stage_ratios
-from ranks import apart
-from records import Missing, said
-from tables_studies import MOST_HANDED_OVER
-from tabular import ms
+"""Numbers of the prose from the studies: the sweep, frames, transfers."""
+from paper.numbers import leads
+from paper.numbers.derived import crossover, grid_share_of_floor, matched, slope, stage_ratios
+from paper.numbers.ranks import apart
+from paper.numbers.transfers import MOST_TRANSFERRED
+from paper.records import Missing, said
+from paper.text import ms
 
 DEVICES = ("glsl", "cuda")
 GRID = {"table": "grid", "scene": "uniform", "method": "collide_grid"}
@@ -13,7 +13,7 @@ SIZE = 16384
 
 
 def pairs_of_the_sweep(put, machine, others):
-    """The sweep timed all pairs too, in a run of its own."""
+    """All pairs in the sweep, which is a separate run."""
     wanted = {"table": "grid", "method": "collide_triangle", "order": "cold", "scene": "uniform"}
     found = [leads.contest(*pair) for fraction in fractions(machine)
              for pair in matched(machine, **wanted, packing_fraction=fraction) if pair[0].n >= leads.LARGE]
@@ -27,8 +27,8 @@ def pairs_of_the_sweep(put, machine, others):
         "sentence made from all pairs in the sweep")
 
 
-def twin_kernels(put, machine, others):
-    """How many kernels are the faster through either API by the device's timers, their whole bar beyond 1."""
+def kernel_pairs(put, machine, others):
+    """How many kernels are faster in either API by device timers, with both bounds of the ratio beyond 1."""
     rows = list(stage_ratios(machine))
     if not rows:
         raise Missing(f"{machine.name} has no kernel with device times through both APIs")
@@ -78,8 +78,7 @@ def largest_grids(put, machine, others):
 
 
 def grid_leads(put, machine, others):
-    """Who is the faster in the grid, over every order and packing fraction, intervals apart; CUDA leads by most where
-    launches are the time."""
+    """Which API is faster in the grid, over every order and packing fraction, by intervals that do not overlap."""
     contests = [pair for order in ("cold", "warm") for fraction in fractions(machine)
                 for pair in matched(machine, **GRID, packing_fraction=fraction, order=order)]
     wins = {name: [pair for pair in contests if apart(*pair) and pair[k].median < pair[1 - k].median]
@@ -98,7 +97,7 @@ def grid_leads(put, machine, others):
     put("grid/lead/cold", f"{max(lead for lead, cuda in leads_of_cuda if cuda.order == 'cold'):.0f}", source,
         "greatest lead of CUDA in %, cold")
     warm = [lead for lead, cuda in leads_of_cuda if cuda.order == "warm" and cuda.scene["packing_fraction"] == 0.3]
-    said(machine, warm == sorted(warm, reverse=True), "in cell order CUDA leads by the more the fewer the spheres")
+    said(machine, warm == sorted(warm, reverse=True), "in cell order CUDA's lead decreases with the number of spheres")
     for order in ("cold", "warm"):
         glsl, cuda = matched(machine, **GRID, packing_fraction=0.3, order=order)[-1]
         put(f"grid/last/{order}", lead_text(glsl, cuda), source, f"n = {cuda.n}, {order}")
@@ -115,7 +114,7 @@ def fractions(machine):
     return sorted({row.scene["packing_fraction"] for row in machine.need(**GRID)})
 
 
-def pictures(put, machine, others):
+def drawing(put, machine, others):
     rows = {name: machine.need(table="draw", work="frame", place="outside", backend=name) for name in DEVICES}
     pipeline = [row for row in rows["glsl"] if row.n == SIZE and row.draw != "compute"]
     for row in pipeline:
@@ -128,7 +127,7 @@ def pictures(put, machine, others):
         put(f"draw/share/{name}", f"{100 * share:.0f}", rows[name][0].source, f"% of a step in cell order, n = {both}")
         drawn = [row for row in rows[name] if row.draw == "compute"]
         said(machine, drawn[-1].n / drawn[0].n > 4 * drawn[-1].median / drawn[0].median,
-             f"a picture's time grows far more slowly than the number of spheres in {name}")
+             f"a frame's time grows far more slowly than the number of spheres in {name}")
         for n, key in ((both, "both"), (rows[name][-1].n, "most")):
             best_way = min((row for row in rows[name] if row.n == n), key=lambda row: row.median)
             put(f"draw/{key}/{name}", ms(best_way.median), best_way.source, f"{best_way.label}, n = {n}")
@@ -137,7 +136,7 @@ def pictures(put, machine, others):
     ways = {name: {row.n: row for row in rows[name] if row.draw == "compute"} for name in DEVICES}
     behind = {n: ways["glsl"][n].median / ways["cuda"][n].median - 1 for n in ways["glsl"].keys() & ways["cuda"].keys()}
     n = max(behind, key=behind.get)
-    put("draw/behind", f"{100 * behind[n]:.0f}", ways["glsl"][n].source, f"%, most that GLSL's picture is behind, n = {n}")
+    put("draw/behind", f"{100 * behind[n]:.0f}", ways["glsl"][n].source, f"%, most that GLSL's frame is behind, n = {n}")
 
 
 def loops(put, machine, others):
@@ -147,20 +146,20 @@ def loops(put, machine, others):
     put("loop/n", f"{n:,}", rows["cuda"][n].source, "least spheres of the loop in both APIs")
     for name in DEVICES:
         row = rows[name][n]
-        put(f"loop/rate/{name}", f"{1e3 / row.median:,.0f}", row.source, f"pictures a second, {row.label}, n = {n}")
+        put(f"loop/rate/{name}", f"{1e3 / row.median:,.0f}", row.source, f"frames per second, {row.label}, n = {n}")
 
 
-def hand_overs(put, machine, others):
-    rows = [row for row in machine.need(table="interop") if row.n <= MOST_HANDED_OVER]
+def transfers(put, machine, others):
+    rows = [row for row in machine.need(table="interop") if row.n <= MOST_TRANSFERRED]
     most = max(row.n for row in rows)
     rows = sorted((row for row in rows if row.n == most), key=lambda row: row.median)
-    put("interop/n", f"{rows[0].n:,}", rows[0].source, "most spheres handed over")
+    put("interop/n", f"{rows[0].n:,}", rows[0].source, "most spheres transferred")
     order = [row.way.split("'")[0] for row in rows]
     said(machine, order == ["CUDA", "GL", "through the host"],
-         "imported memory is handed over fastest, through the host slowest")
+         "imported memory is transferred fastest, through the host slowest")
     for key, row in (("fast", rows[0]), ("middle", rows[1]), ("slow", rows[-1])):
         put(f"interop/{key}", ms(row.median), row.source, f"ms, {row.way}, n = {row.n}")
-        put(f"interop/{key}/way", row.way, row.source, f"the {key}est way to hand over, n = {row.n}")
+        put(f"interop/{key}/way", row.way, row.source, f"the {key}est transfer, n = {row.n}")
 
 
-STUDIED = (pairs_of_the_sweep, twin_kernels, grid, largest_grids, grid_leads, pictures, loops, hand_overs)
+STUDIED = (pairs_of_the_sweep, kernel_pairs, grid, largest_grids, grid_leads, drawing, loops, transfers)

@@ -1,24 +1,24 @@
 # SPDX-License-Identifier: MIT
-"""Numbers about equality (what was compared and tested, what two machines have in common) and about the code."""
+"""Numbers of the prose about equality (comparisons, tests, common configurations of two machines) and about the code."""
 import json
 import re
 
-from records import Missing, digest, recorded_code, said
-from tables import driver_milliseconds
+from paper.numbers.compilers import driver_milliseconds
+from paper.records import Missing, digest, recorded_code, said
 
 
-def answers(put, machine, others):
-    if machine.main["verdict"] not in ("equal", "unfinished"):  # what stands in a file that was cut off was found equal
+def comparisons(put, machine, others):
+    if machine.main["verdict"] not in ("equal", "unfinished"):  # everything in a truncated file was found equal
         raise Missing(f"{machine.name}: the run ended with the verdict {machine.main['verdict']}")
-    compared = sum((len(entry["answers"]) - 1) * len(entry["checkpoints"]) for entry in machine.main["equality"])
-    said(machine, all(entry["verdict"] == "equal" for entry in machine.main["equality"]), "all answers are equal")
-    put("equal/answers", f"{compared:,}", machine.id, "answers compared with a reference, all equal")
+    compared = sum((len(entry["configurations"]) - 1) * len(entry["checkpoints"]) for entry in machine.main["equality"])
+    said(machine, all(entry["verdict"] == "equal" for entry in machine.main["equality"]), "all results are equal")
+    put("equal/results", f"{compared:,}", machine.id, "results compared with a reference, all equal")
     scenes = {json.dumps(entry["scene"]) for entry in machine.main["equality"]}
     put("equal/scenes", f"{len(scenes):,}", machine.id, "scenes, sizes and radii among them")
 
 
 def checkpoints(machine):
-    """What decides a set -> what was found, as `spherepair equal` compares two machines."""
+    """Configuration -> result, as `spherepair equal` compares two machines."""
     return {json.dumps([entry["scene"], entry["set"], point["step"]]): json.dumps(point)
             for entry in machine.main["equality"] for point in entry["checkpoints"]}
 
@@ -29,16 +29,16 @@ def across_machines(put, machine, others):
         theirs = checkpoints(other)
         common = ours.keys() & theirs.keys()
         if any(ours[key] != theirs[key] for key in common):
-            raise Missing(f"{machine.name} and {other.name} differ, which the text denies")
+            raise Missing(f"{machine.name} and {other.name} differ, which contradicts the text")
         put(f"equal/common/{other.name}", f"{len(common):,}", f"{machine.id}, {other.id}",
-            "configurations both recorded: equal pairs, counts, fingerprints and state hashes")
+            "common configurations: equal pairs, counts, fingerprints and state hashes")
 
 
 def long_run(put, machine, others):
     record = machine.source("state_hashes.json")
     hashes = {tuple(run["hashes"]) for found in (machine, *others) for run in found.source("state_hashes.json")["runs"]}
     if len(hashes) != 1:
-        raise Missing("the recorded long runs differ, which the text denies")
+        raise Missing("the recorded long runs differ, which contradicts the text")
     steps = record["every"] * len(record["runs"][0]["hashes"])
     put("long/spheres", f"{record['n']:,}", record["id"], "spheres of the long run")
     put("long/steps", f"{steps:,}", record["id"], "steps of the long run")
@@ -69,7 +69,7 @@ def code(put, machine, others):
         lines = sum(twin[f"{name}_lines"] for twin in record["twins"])
         put(f"code/kernels/{name}", f"{lines:,}", record["id"], f"lines of all kernels in {name}")
         put(f"code/host/{name}", f"{record['host'][name]:,}", record["id"], f"lines of host code of {name} alone")
-    put("code/same", f"{sum(twin['same_lines'] for twin in record['twins']):,}", record["id"], "lines in both twins")
+    put("code/same", f"{sum(twin['same_lines'] for twin in record['twins']):,}", record["id"], "lines common to both")
     seconds = [twin["nvcc_seconds"] for twin in record["twins"] if "nvcc_seconds" in twin]
     if len(seconds) != len(record["twins"]):
         raise Missing("not every kernel was compiled when the code was counted")
@@ -89,4 +89,4 @@ def drivers_compiler(put, machine, others):
     put("compile/most/kernel", slowest, source, "the slowest to compile")
 
 
-PROVED = (answers, across_machines, long_run, tests, code, drivers_compiler)
+EQUALITY = (comparisons, across_machines, long_run, tests, code, drivers_compiler)

@@ -1,27 +1,27 @@
 # SPDX-License-Identifier: MIT
 """The numbers of the paper's prose: each a LaTeX macro with the run it comes from.
 
-paper.tex says \\Nr{key}. Every key it uses must be made here from a recorded run, or the build ends; so must every
-digit of its prose that is not given by design, which \\given{...} and mathematics mark.
+paper.tex uses \\Nr{key}. The build fails if a key is not made here from a recorded run, and for any other digit in the
+prose except in mathematics and in \\given{...}.
 """
 import re
 import sys
 
-from numbers_accuracy import ACCURATE
-from numbers_compared import COMPARED
-from numbers_leads import LEADING
-from numbers_measured import MEASURED
-from numbers_proved import PROVED
-from numbers_studies import STUDIED
-from records import Missing
-from tabular import escape
+from paper.numbers.prose_accuracy import ACCURATE
+from paper.numbers.prose_compared import COMPARED
+from paper.numbers.prose_equality import EQUALITY
+from paper.numbers.prose_leads import LEADING
+from paper.numbers.prose_measured import MEASURED
+from paper.numbers.prose_studies import STUDIED
+from paper.records import Missing
+from paper.text import escape
 
 
-SENTENCE = 60  # characters and more: the appendix names it without repeating it
+SENTENCE = 60  # characters from which the appendix lists the key without the text
 
 
 class Numbers:
-    """key -> (text, id of the run, how it was made)."""
+    """key -> (text, id of the run, description)."""
 
     def __init__(self):
         self.entries, self.left_out = {}, []
@@ -35,7 +35,7 @@ class Numbers:
 
 def collect(machine, others):
     numbers = Numbers()
-    for make in (*MEASURED, *LEADING, *PROVED, *STUDIED, *ACCURATE, *COMPARED):
+    for make in (*MEASURED, *LEADING, *EQUALITY, *STUDIED, *ACCURATE, *COMPARED):
         try:
             make(numbers.put, machine, others)
         except Missing as reason:
@@ -44,7 +44,7 @@ def collect(machine, others):
 
 
 def without_unrecorded(tex, recorded):
-    """Drops \\ifrecorded{name}{text} where the figure or table `name` was not made; LaTeX does the same."""
+    """Drops \\ifrecorded{name}{text} if the figure or table `name` was not made, as LaTeX does."""
     start = re.compile(r"\\ifrecorded\{([\w-]+)\}\{")
     found = start.search(tex)
     while found:
@@ -70,7 +70,7 @@ def used_keys(tex, recorded=()):
 
 
 def stray_digits(tex, recorded=()):
-    """Lines whose digits are neither a generated number nor marked as given."""
+    """Lines with digits that are neither generated nor marked as given."""
     prose = body_of(tex, recorded)
     commands = r"\\(Nr|given|cite|ref|label|url|texttt|recorded\w+|ifrecorded|begin|end)(\[[^]]*\])?\{[^{}]*\}"
     for pattern in (r"\\begin\{equation\}.*?\\end\{equation\}", r"\$[^$]*\$", commands):
@@ -92,7 +92,7 @@ def check(tex, numbers, recorded=()):
 
 
 def write(numbers, tex, path, recorded=()):
-    lines = ["% Made by paper/macros.py from recorded runs; one line a number: key, text, run, how."]
+    lines = ["% Made by paper/numbers/macros.py from recorded runs; one line per number: key, text, run, description."]
     for key, (text, source, how) in numbers.entries.items():
         lines.append(f"\\definenumber{{{key}}}{{{text}}}{{{source}}}{{{escape(how)}}}")
     path.write_text("\n".join(lines) + "\n")

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Whether two timed programs differ: the rule of the program's own tables, so that text and tables agree."""
+"""Whether two timings differ: the same rule as in the program's tables."""
 import math
 from functools import lru_cache
 
 
 @lru_cache(maxsize=None)
 def orders(left, right, u):
-    """In how many orders of left and right distinct values the statistic of Mann and Whitney is u."""
+    """The number of orders of left and right distinct values with the Mann-Whitney statistic u."""
     if u < 0:
         return 0
     if left == 0 or right == 0:
@@ -40,7 +40,7 @@ def rank_test(left, right):
 
 
 def apart(left, right):
-    """The intervals of the medians do not overlap: what the main claims ask for."""
+    """The intervals of the medians do not overlap: required by the main claims."""
     return left.high < right.low or right.high < left.low
 
 

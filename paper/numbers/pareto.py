@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Error against run time: where a row stands, which rows no other beats in both, and which is the paper's."""
-from records import Missing
+"""Work-precision: the position of a record, the Pareto front, and the paper's method."""
+from paper.records import Missing
 
 PAPER = {"method": "paper", "precision": "float32", "dt": 1 / 64}  # equation 1 and code 1 at the step of this study
 
 
 def study(machine, **wanted):
-    """The rows of the study of methods and steps: of several numbers of spheres the one with the most rows."""
+    """The records of the work-precision study: those with the most frequent n."""
     rows = machine.need(table="precision", **wanted)
     sizes = [row.n for row in machine.need(table="precision")]
     return [row for row in rows if row.n == max(sorted(set(sizes)), key=sizes.count)]
@@ -27,7 +27,7 @@ def front(rows):
 
 
 def kind(row):
-    """Anchored positions are evaluated only when they are asked for: with that, it is a method of its own."""
+    """Anchored motion with positions evaluated in every step counts as a method of its own."""
     return row.method if row.work == "move" else f"{row.method} {row.work.replace('move and', '+')}"
 
 

@@ -2,35 +2,35 @@
 """Numbers of the prose about errors: of the motion, of the sets that follow from it, and of the stress catalogue."""
 import re
 
-from pareto import paper_setting, seconds, study
-from records import Missing, said
-from sets import sets, wrong
-from tables_studies import recorded_stress, stressed
-from tabular import ms
+from paper.numbers.pareto import paper_setting, seconds, study
+from paper.numbers.sets import sets, wrong
+from paper.numbers.stress import recorded_stress, stressed
+from paper.records import Missing, said
+from paper.text import ms
 
 DEVICES = ("glsl", "cuda")
 
 
 def errors_of_motion(put, machine, others):
-    """The original's method beside anchored flights: alone, and with the position evaluated in every step."""
+    """The original's method and anchored flights: alone, and with positions evaluated in every step."""
     for name in DEVICES:
         rows = study(machine, backend=name)
         paper, = paper_setting(rows)
         anchored = {(row.precision, row.work, row.dt): row for row in rows if row.method == "anchored"}
         same, longest = paper.dt, max(row.dt for row in rows)
         for key, row in (("paper", paper), ("anchored", anchored["float32", "move", same]),
-                         ("placed", anchored["float32", "move and place", same]),
-                         ("longer", anchored["float32", "move and place", longest]),
+                         ("evaluated", anchored["float32", "move and evaluate", same]),
+                         ("longer", anchored["float32", "move and evaluate", longest]),
                          ("exact", anchored["float64", "move", same])):
             better = seconds(row) < seconds(paper) and row.error_m < paper.error_m
-            said(machine, better or key in ("paper", "placed"), f"{row.label} is faster and more accurate on {name}")
+            said(machine, better or key in ("paper", "evaluated"), f"{row.label} is faster and more accurate on {name}")
             what = f"{row.method}, {row.precision}, {row.work}, step {row.dt:g} s"
-            put(f"motion/{key}/ns/{name}", f"{seconds(row):.2f}", row.source, f"ns a sphere and second, {name}, {what}")
+            put(f"motion/{key}/ns/{name}", f"{seconds(row):.2f}", row.source, f"ns per sphere and simulated second, {name}, {what}")
             put(f"motion/{key}/error/{name}", scientific(row.error_m), row.source, f"rms error in m, {name}, {what}")
 
 
 def scientific(value):
-    """In mathematics where a decimal would be long."""
+    """As mathematics if a decimal would be long."""
     if value >= 0.01:
         return f"{value:.2f}"
     digits, exponent = f"{value:.1e}".split("e")
@@ -38,7 +38,7 @@ def scientific(value):
 
 
 def motion_at_scale(put, machine, others):
-    """A step of more spheres than any cache holds, and the share of the bandwidth of copying that it has."""
+    """A step of more spheres than fit any cache, and its share of the copy bandwidth."""
     record = machine.source("precision_1e8.json")
     put("motion/large/n", f"{record['settings']['time_n']:,}", record["id"], "spheres of the largest timed motion")
     for name in DEVICES:
@@ -47,7 +47,7 @@ def motion_at_scale(put, machine, others):
         paper, anchored = rows["paper", "move"], rows["anchored", "move"]
         share = next(target for target in record["targets"] if target["what"].startswith(f"{name}: bandwidth of paper"))
         for row in (paper, anchored):
-            put(f"motion/large/{row.method}/{name}", ms(row.median), row.source, f"ms a step, {name}, {row.method}")
+            put(f"motion/large/{row.method}/{name}", ms(row.median), row.source, f"ms per step, {name}, {row.method}")
         said(machine, share["value"] > 0.9, f"memory bounds the original's motion on {name}")
         gain = paper.median / anchored.median
         put(f"motion/large/gain/{name}", f"{gain:.1f}", paper.source, f"{name}, the ratio of both")
@@ -65,7 +65,7 @@ def wrong_sets(put, machine, others):
         for method in ("paper", "anchored"):
             entry = near[method, "float32", k]
             put(f"sets/{method}/{k}", f"{entry['missed'] + entry['extra']:,}", source,
-                f"pairs missed or found too much, {method}, float32, step 2^-{k} s")
+                f"pairs missed or extra, {method}, float32, step 2^-{k} s")
             put(f"sets/{method}/{k}/percent", percent(wrong(entry)), source, "the same in % of the right pairs")
     put("sets/right", f"{near['paper', 'float32', k]['right']:,}", source, "right pairs")
     farthest = max(e["offset"] for e in root["storage"])
@@ -74,12 +74,12 @@ def wrong_sets(put, machine, others):
         entry, = (e for e in root["storage"] if (e["precision"], e["offset"]) == (precision, farthest))
         put(f"sets/far/{precision}", percent(wrong(entry)), source, f"% of pairs wrong, stored in {precision} there")
     said(machine, not any(entry["swept_missed"] for entry in root["contacts"]), "the swept test misses no contact")
-    fast = max(root["contacts"], key=lambda entry: entry["way"])
-    for key, way in (("one", 1), ("most", fast["way"])):
-        entry = next(e for e in root["contacts"] if e["way"] == way and e["backend"] == fast["backend"])
+    fast = max(root["contacts"], key=lambda entry: entry["distance"])
+    for key, distance in (("one", 1), ("most", fast["distance"])):
+        entry = next(e for e in root["contacts"] if e["distance"] == distance and e["backend"] == fast["backend"])
         put(f"sets/missed/{key}", f"{100 * entry['missed'] / entry['pairs']:.0f}", source,
-            f"% of contacts that a test once a step misses, {way:g} radii sums a step")
-    put("sets/missed/way", f"{fast['way']:g}", source, "the greatest way in a step, sums of radii")
+            f"% of contacts that a test once per step misses, {distance:g} sums of radii per step")
+    put("sets/missed/distance", f"{fast['distance']:g}", source, "greatest distance per step, sums of radii")
 
 
 def naive_sets(put, machine, others):
@@ -94,7 +94,7 @@ def naive_sets(put, machine, others):
             what = f"{entry['backend']}, {scene}, exact predicate over naive"
             put(f"naive/{scene}/cost/{entry['backend']}", f"{100 * (times - 1):.0f}", root["id"], f"cost in %, {what}")
             said(machine, scene != "grazing" or entry["backend"] == "cpu" or times > 2,
-                 "exactness is dear among grazing pairs")
+                 "exactness is expensive among grazing pairs")
             put(f"naive/{scene}/times/{entry['backend']}", f"{times:.1f}", root["id"], f"time, {what}")
     gas = [entry for entry in root["exactness"] if entry["scene"] == "uniform"]
     said(machine, all(entry["missed"] + entry["extra"] <= 1e-4 * entry["right"] for entry in gas),

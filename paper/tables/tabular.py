@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""A table of the paper, and how it is written: as LaTeX and as text."""
+"""A table of the paper, written as LaTeX and as text."""
 import re
 import textwrap
 from dataclasses import dataclass, replace
+
+from paper.text import escape
 
 WIDEST = 60  # characters of a cell in the text form
 
@@ -13,30 +15,10 @@ class Table:
     caption: str
     heads: list  # two rows: groups as (text, columns), then one text a column
     rows: list
-    left: int = 1  # so many first columns are text and stand left
-    columns: tuple = ()  # of LaTeX, one a column, where not l and r
-    source: str = ""  # id of the records, where they are not of the machine's main run
-    long: bool = False  # goes on over pages
-
-
-def ms(value):
-    """Three significant digits, never an exponent."""
-    if value is None:
-        return "-"
-    digits = max(0, 2 - int(f"{value:e}".split("e")[1]))
-    return f"{value:.{digits}f}" if value else "0"
-
-
-def interval(record, scale=1):
-    """Median and the interval of the median, in milliseconds times `scale`."""
-    return f"{ms(scale * record.median)} [{ms(scale * record.low)}, {ms(scale * record.high)}]"
-
-
-def escape(text):
-    for plain, safe in (("\\,", "\0"), ("\\%", "\1"), ("\\", ""), ("%", "\\%"), ("_", "\\_"), ("&", "\\&"),
-                        ("#", "\\#"), ("^", "\\textasciicircum{}")):
-        text = text.replace(plain, safe)
-    return text.replace("\0", "\\,").replace("\1", "\\%")
+    left: int = 1  # number of first columns that are text, aligned left
+    columns: tuple = ()  # of LaTeX, one per column, if not l and r
+    source: str = ""  # id of the records, if not of the machine's main run
+    long: bool = False  # may span pages
 
 
 def power(mantissa, exponent):
@@ -45,7 +27,7 @@ def power(mantissa, exponent):
     return f"$10^{{{int(exponent)}}}$" if mantissa == "1" else f"${mantissa}\\cdot10^{{{int(exponent)}}}$"
 
 
-MATHEMATICS = {  # what is not typed as it is set
+MATHEMATICS = {  # what is set otherwise than typed
     r"(?<![\w.])(\d+)\^(-?\d+)": lambda m: f"${m[1]}^{{{m[2]}}}$",
     r"(?<![\w.])(-?\d[\d.]*)e([+-]?\d+)\b": lambda m: power(m[1], m[2]),
     r"(?<![\w.,-])\d[\d,]*-\d[\d,]*(?![\w.-])": lambda m: m[0].replace("-", "--"),
@@ -55,7 +37,7 @@ MATHEMATICS = {  # what is not typed as it is set
 
 
 def typeset(cell):
-    """Powers, floats and what stands for a sign as mathematics: 10^6, 5.8e-05, +-."""
+    """Powers, floats and signs as mathematics: 10^6, 5.8e-05, +-."""
     found = [(m.start(), m.end(), made(m)) for pattern, made in MATHEMATICS.items() for m in re.finditer(pattern, cell)]
     text, at = "", 0
     for start, end, mathematics in sorted(found):
@@ -91,7 +73,7 @@ def aligned(cells, widths, left):
 
 
 def broken(row):
-    """A row as the lines it takes when long cells are broken."""
+    """A row as lines, with long cells wrapped."""
     parts = [textwrap.wrap(cell, WIDEST) or [""] for cell in row]
     height = max(map(len, parts))
     return [list(line) for line in zip(*(part + [""] * (height - len(part)) for part in parts))]
@@ -103,9 +85,9 @@ def as_text(table, title):
     widths = [max(len(row[k]) for row in names) for k in range(len(table.heads[1]))]
     groups, at = [], 0
     for text, count in table.heads[0]:
-        place = sum(widths[at:at + count]) + 2 * (count - 1)
-        widths[at + count - 1] += max(0, len(text) - place)
-        groups.append(text.center(max(place, len(text)), "-" if text else " "))
+        room = sum(widths[at:at + count]) + 2 * (count - 1)
+        widths[at + count - 1] += max(0, len(text) - room)
+        groups.append(text.center(max(room, len(text)), "-" if text else " "))
         at += count
     lines = [aligned(row, widths, table.left) for row in names]
     plain = re.sub(r"\$|\\[a-z]+\{([^}]*)\}", r"\1", table.caption.replace("\\,", " ").replace("\\%", "%"))
@@ -114,7 +96,7 @@ def as_text(table, title):
 
 
 def without_empty_columns(table):
-    """A machine without a GPU leaves whole columns open; they are dropped."""
+    """Drops columns without values, as of a machine without a GPU."""
     keep = [any(row[k] != "-" for row in table.rows) for k in range(len(table.heads[1]))]
     groups, at = [], 0
     for text, count in table.heads[0]:

@@ -9,12 +9,12 @@
 namespace spherepair {
 
 struct ViewOptions {
-  std::string backend, method;  // at first
+  std::string backend, method;  // at the start
   StartOptions start;
   uint width = 1280, height = 720;  // of the window, pixels
-  uint64_t frames = 0;              // then it closes by itself; 0: never
+  uint64_t frames = 0;              // after which the window closes; 0: never
   std::string screenshot_file;      // of the last frame
-  std::string keys;                 // pressed one a frame, as if the user had
+  std::string keys;                 // one key press per frame, as if by the user
 };
 int view_command(const CommandLine& line, const ViewOptions& options);
 

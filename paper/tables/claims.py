@@ -1,18 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""The main claims in one table: both APIs on the same work, with intervals, and who is faster where these are apart."""
-from ranks import apart
-from records import Missing
-from tabular import Table, interval, ms
+"""The main claims in one table: both APIs on the same work, with intervals, and the faster one if these do not overlap."""
+from paper.numbers.ranks import apart
+from paper.records import Missing
+from paper.tables.tabular import Table
+from paper.text import interval, ms
 
 LARGEST = 2**20  # of all pairs
 GAS = {"scene": "uniform", "packing_fraction": 0.3}
 CAPTION = ("The main claims: medians in milliseconds with their intervals of at least 95\\,\\%. The faster API is "
-           "named only where the intervals are apart; its lead is in percent of the slower one's time. CPU: all "
-           "threads. Of:")
+           "named only if the intervals do not overlap; its lead is in percent of the slower one's time. CPU: all "
+           "threads. From:")
 
 
 def rows_wanted():
-    """(what, its size, what is wanted of a record, CPU's where it is wanted otherwise)."""
+    """(what, its size, parameters of the records, other parameters of the CPU's)."""
     parallel = {"method": "parallel"}
     yield "a whole step, all pairs, original box", "16,384", {"table": "step", "n": 16384}, {}
     for n, text in ((16384, "16,384"), (LARGEST, "2^20")):
@@ -26,9 +27,9 @@ def rows_wanted():
         yield (text, "10^8",
                {"table": "precision", "precision": "float32", "method": method, "work": "move", "n": 10**8}, {})
     for k in (6, 7):
-        yield ("a picture by the rasteriser", f"10^{k}",
+        yield ("a frame by the rasteriser", f"10^{k}",
                {"table": "draw", "draw": "compute", "work": "frame", "place": "outside", "n": 10**k}, {})
-    yield "one launch, waited for", "-", {"table": "overhead", "launches_per_step": 1}, {}
+    yield "one launch and a wait", "-", {"table": "overhead", "launches_per_step": 1}, {}
 
 
 def faster(glsl, cuda):

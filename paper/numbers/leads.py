@@ -1,31 +1,32 @@
 # SPDX-License-Identifier: MIT
-"""Who is the faster where all pairs meet, as sentences that follow the records: their form too, not only numbers."""
+"""Which API is faster at all pairs, as sentences whose form and numbers follow from the records."""
 from dataclasses import dataclass
 
-from derived import matched
-from ranks import apart
-from records import Missing
+from paper.numbers.derived import matched
+from paper.numbers.ranks import apart
+from paper.records import Missing
 
 CONTESTS = {"all pairs of the original's box": {"table": "scale", "scene": "random"},
             "all pairs of a gas": {"table": "scale", "scene": "uniform"},
             "whole steps": {"table": "step"}}
 NAMES = {"glsl": "GLSL", "cuda": "CUDA"}
-LARGE = 65536  # spheres from which on a step is work and not launches
+LARGE = 65536  # spheres from which launches are negligible
 
 
 @dataclass(frozen=True)
 class Contest:
     n: int
-    winner: str  # glsl or cuda; empty where the intervals overlap
-    lead: float  # %, of the winner, or of the lesser median
+    winner: str  # glsl or cuda; empty if the intervals overlap
+    lead: float  # of the winner or of the lesser median, %
     source: str
     where: str = ""
+    ratio: float = 1.0  # GLSL's time over CUDA's
 
 
 def contest(glsl, cuda, where=""):
     (fast, name), (slow, _) = sorted(((glsl, "glsl"), (cuda, "cuda")), key=lambda entry: entry[0].median)
     return Contest(glsl.n, name if apart(glsl, cuda) else "", 100 * (1 - fast.median / slow.median), glsl.source,
-                   where)
+                   where, glsl.median / cuda.median)
 
 
 def contests(machine):
@@ -40,9 +41,26 @@ def won(found, name):
 
 
 def span(found):
-    """3 to 26, or 3 alone."""
+    """3 to 26, or only 3."""
     least, most = (f"{bound(entry.lead for entry in found):.0f}" for bound in (min, max))
     return least if least == most else f"{least} to {most}"
+
+
+def ratios(found):
+    """GLSL's time over CUDA's: 1.05x to 1.8x, or only 1.05x."""
+    least, most = (f"{bound(entry.ratio for entry in found):.2f}x" for bound in (min, max))
+    return least if least == most else f"{least} to {most}"
+
+
+def ratios_by_size(found):
+    """The ratios as a sentence, in two parts if a number of spheres separates the winners."""
+    sides, open_ones = in_order(found), won(found, "")
+    rest = f"; at {sizes(open_ones)} spheres the intervals overlap" if 0 < len(open_ones) < len(found) else ""
+    if not sides:
+        return f"GLSL takes {ratios(found)} CUDA's time{rest}"
+    low, high = (won(found, name) for name in sides)
+    return (f"GLSL takes {ratios(low)} CUDA's time up to {max(e.n for e in low):,} spheres and {ratios(high)} from "
+            f"{min(e.n for e in high):,} on{rest}")
 
 
 def sizes(found):
@@ -51,7 +69,7 @@ def sizes(found):
 
 
 def in_order(found):
-    """(who wins below, who above) where one number of spheres parts them; None where it does not."""
+    """(winner below, winner above) if a number of spheres separates them, otherwise None."""
     for low, high in (("cuda", "glsl"), ("glsl", "cuda")):
         below, above = won(found, low), won(found, high)
         if below and above and max(entry.n for entry in below) < min(entry.n for entry in above):
@@ -60,7 +78,7 @@ def in_order(found):
 
 
 def by_size(found):
-    """Who takes less time, by how much, and up to or from where; None where no order of sizes tells it."""
+    """Winner, lead and range of sizes; None if no order of sizes separates the winners."""
     sides = in_order(found)
     if sides:
         low, high = (won(found, name) for name in sides)
@@ -77,7 +95,7 @@ def by_size(found):
 
 
 def by_scene(found):
-    """The same for each kind of work, those in which one API alone wins together; None where that tells nothing."""
+    """The same per kind of work, grouped where only one API wins; None if that does not separate the winners."""
     kinds = {}
     for entry in found:
         kinds.setdefault(entry.where, []).append(entry)
@@ -99,7 +117,7 @@ def by_count(found):
 
 
 def wins(found):
-    """Who takes less time, by how much, and where: in the shortest form that the records allow."""
+    """Winner, lead and sizes, in the shortest form that the records allow."""
     open_ones = won(found, "")
     rest = f"; at {sizes(open_ones)} spheres intervals overlap" if 0 < len(open_ones) < len(found) else ""
     return (by_size(found) or by_scene(found) or by_count(found)) + rest
@@ -117,7 +135,7 @@ def headline(found):
 
 
 def at_large_sizes(found):
-    """Where launches no longer weigh."""
+    """At sizes at which launches are negligible."""
     large = [entry for entry in found if entry.n >= LARGE]
     mine = sorted(((NAMES[name], won(large, name)) for name in NAMES if won(large, name)),
                   key=lambda item: -len(item[1]))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What `spherepair sets` left: how many pairs are wrong, and why."""
-from records import Missing
+"""Records of `spherepair sets`: how many pairs are wrong, and why."""
+from paper.records import Missing
 
 
 def sets(machine):
@@ -16,5 +16,5 @@ def wrong(entry, prefix=""):
 
 
 def least(entries):
-    """Half a pair: where none is drawn on a logarithmic axis."""
+    """Half a pair: the position of zero on a logarithmic axis."""
     return 0.5 / max(max(entry["right"], 1) for entry in entries)

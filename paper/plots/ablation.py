@@ -1,22 +1,22 @@
 # SPDX-License-Identifier: MIT
-"""What each skip, each trick of one API and each library is worth: the same work with it and without."""
+"""What each optimisation, each API feature and each kernel of our own saves: the same work on and off."""
 from matplotlib.lines import Line2D
 from matplotlib.ticker import LogLocator, NullFormatter
 
-from derived import ratio
-from records import named
-from skips import pairs_of
-from style import PAGE, SERIES, panels, series_of, time_text
+from paper.numbers.ablations import pairs_of
+from paper.numbers.derived import ratio
+from paper.records import named
+from paper.style import PAGE, SERIES, panels, series_of, time_text
 
-NAME = "skips"
-CAPTION = ("What each skip, each trick of one API and each kernel of our own saves: time without it over time with it, "
-           "the results being equal; left of 1 it costs. Bars: the least and greatest ratio that the intervals of both "
-           "medians allow. Beside them: the time with it{counted}.")
-COUNTED = ", and what of a step's work is counted otherwise with it than (in brackets) without"
-KINDS = {"skip": "skips: work that the scene does not need", "trick": "tricks: what one API offers",
-         "library": "our own kernel in place of another's"}
-TRICKS = ({"glsl"}, {"cuda"})  # who has them, alone
-OF_BOTH = {"vector_loads", "overlap"}  # tricks that both have
+NAME = "ablation"
+CAPTION = ("Ablation of each optimisation, API feature and kernel of our own: time without it over time with it, at equal "
+           "results; left of 1 it costs. Bars: the bounds of the ratio from the intervals of both medians. "
+           "Right: the time with it{counted}.")
+COUNTED = ", and the counts of a step's work that differ, with it and (in brackets) without"
+KINDS = {"work": "optimisations: work that the scene does not need", "api": "API features",
+         "library": "our own kernel instead of a library's"}
+ONE_API = ({"glsl"}, {"cuda"})
+OF_BOTH = {"vector_loads", "overlap"}  # API features that both have
 MOST_SIZES = 2
 NAMES = {"cpu": "CPU", "glsl": "GLSL", "cuda": "CUDA"}
 
@@ -26,22 +26,22 @@ def source(machine):
 
 
 def sizes_of(pairs):
-    """The largest numbers of spheres; of GPUs where there are any."""
+    """The largest numbers of spheres; of GPUs if there are any."""
     shown = [on.n for on, _ in pairs if on.backend != "cpu"] or [on.n for on, _ in pairs]
     return sorted(set(shown))[-MOST_SIZES:]
 
 
 def lines_of(pairs):
-    """Headings, and (skip, scene) below them. What one API alone has is a trick of it; what is named our own stands
-    against a library or the API's function."""
+    """Headings, and (option, scene) below them. An option of a single API is an API feature; one named own_... replaces a
+    library or the API's function."""
     owners = {}
     for on, _ in pairs:
-        owners.setdefault(on.skip, set()).add(on.backend)
+        owners.setdefault(on.option, set()).add(on.backend)
     found = {kind: {} for kind in KINDS}
     for on, _ in pairs:
-        trick = owners[on.skip] in TRICKS or on.skip in OF_BOTH
-        kind = "library" if on.skip.startswith("own_") else "trick" if trick else "skip"
-        found[kind][on.skip, scene_of(on)] = None
+        api = owners[on.option] in ONE_API or on.option in OF_BOTH
+        kind = "library" if on.option.startswith("own_") else "api" if api else "work"
+        found[kind][on.option, scene_of(on)] = None
     return [line for kind, lines in found.items() if lines for line in (KINDS[kind], *lines)]
 
 
@@ -52,13 +52,13 @@ def scene_of(record):
 
 
 def counts(on, off):
-    """E.g. sorts 0 (1). Launches say something of graphs alone: elsewhere they depend on what a graph can hold; and
-    what is launched beside others is the overlap's."""
-    with_it, without = (record.parameters.get("work_a_step", {}) for record in (on, off))
-    told = [name for name in with_it if "graph" in on.skip or name not in ("launches", "graphs_replayed")
-            if on.skip == "overlap" or name != "beside"]
+    """E.g. sorts 0 (1). Launches are shown for graphs only: otherwise they depend on what a graph can hold; overlapped
+    launches are shown for the option overlap only."""
+    with_it, without = (record.parameters.get("work_per_step", {}) for record in (on, off))
+    shown = [name for name in with_it if "graph" in on.option or name not in ("launches", "graphs_replayed")
+            if on.option == "overlap" or name != "overlapped"]
     return ", ".join(f"{name.replace('_', ' ')} {in_short(with_it[name])} ({in_short(without.get(name, 0))})"
-                     for name in told if with_it[name] != without.get(name))
+                     for name in shown if with_it[name] != without.get(name))
 
 
 def in_short(count):
@@ -70,14 +70,14 @@ def in_short(count):
 
 
 def draw_line(axis, place, pairs, last):
-    times, said = [], []
+    times, counted = [], []
     for k, (on, off) in enumerate(pairs):
         middle, below, above = ratio(off, on)
         axis.errorbar(middle, place + 0.17 * (len(pairs) - 1 - 2 * k), xerr=[[below], [above]], capsize=1.2,
                       elinewidth=0.7, **{**SERIES[series_of(on)], "label": None, "linestyle": "", "markersize": 3})
         times.append(f"{NAMES[on.backend]} {time_text(on.median)}")
-        said.append(counts(on, off))
-    texts = ["; ".join(times), *(said[-1:] if last and said[-1] else [])]
+        counted.append(counts(on, off))
+    texts = ["; ".join(times), *(counted[-1:] if last and counted[-1] else [])]
     axis.text(1.02, place, ". ".join(texts), transform=axis.get_yaxis_transform(), fontsize=5.8, va="center")
 
 
@@ -117,7 +117,7 @@ def draw(machine):
     figure, axes = panels(PAGE, 0.6 + 0.15 * len(lines), len(sizes), sharey=True)
     for n, axis in zip(sizes, axes):
         for place, line in enumerate(reversed(lines)):
-            own = [pair for pair in pairs if pair[0].n == n and (pair[0].skip, scene_of(pair[0])) == line]
+            own = [pair for pair in pairs if pair[0].n == n and (pair[0].option, scene_of(pair[0])) == line]
             if own:
                 draw_line(axis, place, own, last=n == sizes[-1])
         set_axis(axis, lines, common)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Numbers and sentences of the prose about who leads: GLSL or CUDA, one launch or many, one arrangement or another."""
-import leads
-from derived import best, matched
-from ranks import apart
-from records import said
-from tabular import ms
+"""Numbers and sentences of the prose about leads: of an API, of many launches, of an arrangement."""
+from paper.numbers import leads
+from paper.numbers.derived import best, matched
+from paper.numbers.ranks import apart
+from paper.records import said
+from paper.text import ms
 
 DEVICES = ("glsl", "cuda")
 GROUP = 128
@@ -16,11 +16,11 @@ def who_leads(put, machine, others):
     for key, text in (("wins", leads.wins(found)), ("headline", leads.headline(found)),
                       ("large", leads.at_large_sizes(found))):
         put(f"lead/{key}", text.replace(" %", "\\,\\%"), machine.id, f"sentence made from all contests: lead/{key}")
-    put("lead/contests", str(len(found)), machine.id, "sizes and scenes where both were timed, whole steps among them")
+    put("lead/contests", str(len(found)), machine.id, "sizes and scenes in which both were timed, with whole steps")
     put("lead/most", f"{max(entry.lead for entry in found):.0f}", machine.id, "greatest lead of either in %")
     large = [entry.lead for entry in found if entry.n >= leads.LARGE]
-    said(machine, max(large) <= 15, "at large sizes the APIs are within a few percent where all pairs meet")
-    put("lead/large/from", f"{leads.LARGE:,}", machine.id, "least n where launches no longer weigh")
+    said(machine, max(large) <= 15, "at large sizes the APIs are within a few percent of each other for all pairs")
+    put("lead/large/from", f"{leads.LARGE:,}", machine.id, "least n at which launches are negligible")
     put("lead/large/most", f"{max(large):.0f}", machine.id, f"greatest lead of either in % from {leads.LARGE} on")
 
 
@@ -58,7 +58,7 @@ def first_uses(put, machine, others):
 def arrangements(put, machine, others):
     for name in DEVICES:
         tiled, square, triangle = (best(machine, name, f"collide_{m}") for m in ("tiled", "square", "triangle"))
-        said(machine, tiled.median > 8 * triangle.median, "the arrangement is worth an order of magnitude")
+        said(machine, tiled.median > 8 * triangle.median, "the arrangement gains an order of magnitude")
         put(f"gain/square/{name}", f"{tiled.median / square.median:.1f}", square.source, f"{name}, tiled/square")
         put(f"gain/triangle/{name}", f"{square.median / triangle.median:.1f}", square.source,
             f"{name}, square/triangle")
@@ -66,7 +66,7 @@ def arrangements(put, machine, others):
 
 
 def group_sizes(put, machine, others):
-    """What the worst size costs, and what the same one everywhere."""
+    """The cost of the worst size, and of the same size everywhere."""
     behind = []
     for name in DEVICES:
         for method in ("tiled", "square", "triangle"):
@@ -77,21 +77,21 @@ def group_sizes(put, machine, others):
             put(f"groups/{method}/{name}", f"{worst.median / least.median:.2f}", worst.source,
                 f"{name}, slowest group size ({worst.block}) over fastest ({least.block}), {method}")
             put(f"groups/{method}/{name}/worst", f"{worst.block}", worst.source, f"{name}, slowest, {method}")
-    said(machine, max(behind) <= 10, f"groups of {GROUP} are good for every method that meets all groups")
+    said(machine, max(behind) <= 10, f"groups of {GROUP} are good for every method of all pairs")
     put("groups/same", str(GROUP), machine.id, "the group size that serves every method")
     put("groups/same/behind", f"{max(behind):.0f}", machine.id, f"most in % that groups of {GROUP} are behind the best")
 
 
 def keeping_order(put, machine, others):
-    """Advice that compares what an order is worth with what the API is."""
+    """Compares the gain of cell order with that of the API."""
     wanted = {"table": "grid", "scene": "uniform", "method": "collide_grid", "packing_fraction": 0.3}
     warm, cold = ({pair[0].n: pair for pair in matched(machine, **wanted, order=order)} for order in ("warm", "cold"))
     n = max(warm.keys() & cold.keys())
     gain = min(slow.median / fast.median for slow, fast in zip(cold[n], warm[n]))
     api = max(glsl.median / cuda.median for glsl, cuda in (warm[n], cold[n]))
     said(machine, gain > api and all(apart(*pair) for pair in zip(cold[n], warm[n])),
-         "spheres kept in cell order are worth more than the API")
-    put("order/gain", f"{gain:.1f}", warm[n][0].source, f"random over cell order at n = {n}, the lesser of both APIs")
+         "cell order gains more than the API")
+    put("order/gain", f"{gain:.1f}", warm[n][0].source, f"random over cell order at n = {n}, the smaller of both APIs")
 
 
 LEADING = (who_leads, methods, launches, first_uses, arrangements, group_sizes, keeping_order)

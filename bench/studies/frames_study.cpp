@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "bench/studies/frames_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "api/open.h"
+#include "bench/check/step_result.h"
+#include "bench/io/numbers.h"
+#include "common/shared/hash.h"
+
+namespace spherepair {
+namespace {
+
+DrawOptions draw_options(const FrameTask& task, bool count = false) {
+  const bool optimised = task.work != "frame_all";
+  DrawOptions options = {.method = task.draw, .reuse_unchanged = false, .count = count};
+  options.frustum_culling = options.occlusion_culling = options.skip_tile_launches = options.overlap = optimised;
+  return options;
+}
+
+uint64_t image_hash(const std::vector<uint>& image) {
+  uint64_t hash = 0;
+  for (const uint pixel : image) hash = splitmix64(hash ^ pixel);
+  return hash;
+}
+
+json to_json(const DrawStatistics& counts) {
+  return {{"drawn", counts.drawn},
+          {"unseen", counts.unseen},
+          {"large", counts.large},
+          {"tiles", counts.tiles},
+          {"hidden", counts.hidden},
+          {"undrawable", counts.undrawable},
+          {"clusters", counts.clusters},
+          {"clusters_outside", counts.clusters_outside},
+          {"clusters_hidden", counts.clusters_hidden},
+          {"clusters_deferred", counts.clusters_deferred},
+          {"bundles_left_out", counts.bundles_left_out}};
+}
+
+// Falling spheres become denser, so every sample on every backend takes the same steps from the start.
+constexpr uint64_t steps_of_loop = 20;
+
+}  // namespace
+
+std::string label(const FrameTask& task) {
+  return fmt::format("{} {} {} {}", task.backend->info().name, draw_method_name(task.draw), task.place, task.work);
+}
+
+FramesStudy::FramesStudy(Session& session, const FramesOptions& options, const OpenOptions& open)
+    : session_(session), options_(options), open_(open) {
+  sampling_.rounds = options.rounds;
+  for (const std::string& text : options.most) {
+    const size_t colon = text.find(':');
+    const auto n = whole_number_of(text.substr(std::min(colon, text.size() - 1) + 1), 1, kMostSpheres);
+    if (!n) throw std::invalid_argument(fmt::format("--most {} is not METHOD:NUMBER, such as mesh:1000", text));
+    most_[draw_method_name(draw_method_from_name(text.substr(0, colon)))] = *n;
+  }
+  if (options.min_seconds > 0) sampling_.hardware_seconds = sampling_.software_seconds = options.min_seconds;
+}
+
+void FramesStudy::measure_size(uint64_t n) {
+  SceneOptions uniform = {.name = "uniform", .n = n};
+  uniform.packing_fraction = options_.packing_fraction;
+  const Scene scene = in_cell_order(make_scene(uniform));
+  const Bounds bounds = bounds_of(scene.positions);
+  for (const auto& backend : session_.backends()) {
+    try {
+      backend->upload(scene);
+      backend->collide(in_dense_cells(*backend, n));
+    } catch (const BackendError& error) {
+      leave_out(n, *backend, "all", error.what());
+      continue;
+    }
+    for (const std::string& place : options_.places) measure_place(n, *backend, scene, bounds, place);
+    if (options_.transfer && backend->info().name == "cuda") measure_transfers(n, *backend, scene, bounds);
+    backend->upload(make_scene({.n = 0}));  // frees its memory for the next backend
+  }
+}
+
+void FramesStudy::leave_out(uint64_t n, const Backend& backend, const std::string& draw, const std::string& reason) {
+  left_out.push_back({{"n", n}, {"backend", backend.info().name}, {"draw", draw}, {"reason", reason}});
+}
+
+bool FramesStudy::beyond_most(uint64_t n, const std::string& draw) const {
+  const auto most = most_.find(draw);
+  return most != most_.end() && n > most->second;
+}
+
+void FramesStudy::measure_place(uint64_t n, Backend& backend, const Scene& scene, const Bounds& bounds,
+                                const std::string& place) {
+  for (const std::string& draw : options_.draws)
+    for (const std::string& work : options_.works) {
+      const FrameTask task{&backend, draw_method_from_name(draw), place, work};
+      const bool lit = work == "lit";
+      if ((lit || work == "frame_all") && task.draw != DrawMethod::compute) continue;
+      if (std::ranges::count(backend.draw_methods(), task.draw) == 0) {
+        leave_out(n, backend, draw, "this backend does not have it");
+      } else if (beyond_most(n, draw)) {
+        leave_out(n, backend, draw, "beyond --most");
+      } else {
+        const uint light = lit ? LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND : 0;
+        measure_task(n, task, scene, camera_path(bounds, place, options_.width, options_.height, light));
+      }
+    }
+}
+
+void FramesStudy::measure_task(uint64_t n, const FrameTask& task, const Scene& scene, const std::vector<View>& views) {
+  progress_.say(fmt::format("{} spheres, {}", n, label(task)));
+  json entry = {{"n", n},
+                {"backend", task.backend->info().name},
+                {"draw", draw_method_name(task.draw)},
+                {"place", task.place},
+                {"work", task.work}};
+  check(task, views, entry);
+  uint64_t turn = 0;
+  const auto draw = [&](Backend& backend) { backend.enqueue_draw(views[turn++ % views.size()], draw_options(task)); };
+  Contender contender{label(task), task.backend, draw};
+  if (task.work != "loop") {
+    record(entry, contender);
+    return;
+  }
+  contender.step = [&](Backend& backend) {
+    backend.move();
+    backend.enqueue_collide(in_dense_cells(backend, n));
+    draw(backend);
+  };
+  contender.restart = [&](Backend& backend) {
+    turn = 0;
+    backend.upload(scene);
+    contender.step(backend);
+  };
+  contender.batch = steps_of_loop;
+  record(entry, contender);
+  task.backend->upload(scene);  // restores the positions
+  task.backend->collide(in_dense_cells(*task.backend, n));
+}
+
+void FramesStudy::measure_transfers(uint64_t n, Backend& cuda, const Scene& scene, const Bounds& bounds) {
+  TransferTask task{
+      &cuda, in_dense_cells(cuda, n), camera_path(bounds, "outside", options_.width, options_.height, 0), {}};
+  for (const std::string& draw : options_.draws)
+    if (draw != draw_method_name(DrawMethod::compute) && !beyond_most(n, draw))
+      task.draws.push_back(draw_method_from_name(draw));
+  const auto time = [&](const std::string& draw, const std::string& work, const std::function<void()>& step) {
+    json entry = {{"n", n}, {"backend", "cuda to glsl"}, {"draw", draw}, {"place", "outside"}, {"work", work}};
+    const Contender contender{fmt::format("cuda to glsl {} {}", draw, work), &cuda, [&](Backend&) { step(); }};
+    progress_.say(contender.label);
+    return record(entry, contender).median_seconds();
+  };
+  const std::unique_ptr<SharedDrawing> shared = open_shared_drawing(cuda, open_);
+  for (json& overlap : time_transfers(task, *shared, time)) {
+    overlap["n"] = n;
+    overlaps.push_back(overlap);
+  }
+  cuda.upload(scene);
+  cuda.collide(in_dense_cells(cuda, n));
+}
+
+// The images of the exact methods must be equal on all backends, with and without culling. The statistics are those of
+// the third image from one camera, when all culling is active; the image compared is the second of two drawn with the
+// timed options.
+void FramesStudy::check(const FrameTask& task, const std::vector<View>& views, json& entry) {
+  const bool exact = task.draw == DrawMethod::compute;
+  for (int time = 0; exact && time < 3; ++time) task.backend->draw(views.front(), draw_options(task, true));
+  if (exact && task.backend->info().name != "cpu") entry["counts"] = to_json(task.backend->draw_statistics());
+  for (int time = 0; time < 2; ++time) task.backend->draw(views.front(), draw_options(task));
+  const json image = entry["image"] = hex64(image_hash(task.backend->image()));
+  for (const json& other : frames)
+    if (other.at("n") == entry.at("n") && other.at("place") == task.place && other.at("draw") == "compute" && exact &&
+        (other.at("work") == "lit") == (task.work == "lit") && other.at("image") != image)
+      throw DifferenceFound(
+          fmt::format("{}: the image differs from that of {}", label(task), other.at("label").get<std::string>()),
+          entry);
+}
+
+// Times the contender, adds the entry to the record and prints it.
+Samples FramesStudy::record(json& entry, const Contender& contender) {
+  const Samples samples = measure({&contender, 1}, sampling_, progress_).front();
+  entry.update(to_json(samples));
+  frames.push_back(entry);
+  progress_.clear();
+  fmt::print("{:>11}  {:<38} {:>10} ms\n", entry.at("n").get<uint64_t>(), entry.at("label").get<std::string>(),
+             format_number(entry.at("median_ms")));
+  std::fflush(stdout);
+  return samples;
+}
+
+}  // namespace spherepair

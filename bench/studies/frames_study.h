@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The measurements of spherepair frames: times of drawing, as JSON of the format "spherepair frames 1":
+//   context, backends, clocks   as in results.json of compare; width, height, packing_fraction
+//   frames     one entry per measurement:
+//     n, backend, draw (DrawMethod), place (camera outside | inside the spheres), work, and the timing core's fields:
+//     median_ms, interval_ms, samples_ms, batch, device_stages_ms ...; image: hash of a check image, equal for all
+//     exact methods; counts: DrawStatistics of that image. Works:
+//       frame      one image, each from a new camera
+//       frame_all  the same without culling or reuse
+//       lit        the same with ambient occlusion, shadows and the ground plane
+//       loop       move, collide_grid and frame, the first 20 steps
+//     With --transfer, also OpenGL drawing of CUDA's spheres: draw is none for a transfer alone and for `step` (move
+//     and collide_grid alone); work is host, registered or imported (Transfer), with a wait after each image, or the
+//     same with _pipelined: transfer, image and step, where only the transfer waits
+//   overlaps   with --transfer: n, draw, transfer, frame_ms, step_ms, pipelined_ms, and overlap: the share of the
+//   shorter
+//              of image and step that the pipelined loop hides
+//   left_out   n, backend, draw and reason of whatever was requested but not timed
+#pragma once
+
+#include <map>
+
+#include "bench/studies/frames.h"
+
+namespace spherepair {
+
+class FramesStudy {
+ public:
+  FramesStudy(Session& session, const FramesOptions& options, const OpenOptions& open);
+
+  // Checks, then times, every requested drawing method on every backend with n spheres.
+  void measure_size(uint64_t n);
+
+  json frames = json::array(), left_out = json::array(), overlaps = json::array();
+
+ private:
+  void leave_out(uint64_t n, const Backend& backend, const std::string& draw, const std::string& reason);
+  bool beyond_most(uint64_t n, const std::string& draw) const;
+  void measure_place(uint64_t n, Backend& backend, const Scene& scene, const Bounds& bounds, const std::string& place);
+  void measure_task(uint64_t n, const FrameTask& task, const Scene& scene, const std::vector<View>& views);
+  void measure_transfers(uint64_t n, Backend& cuda, const Scene& scene, const Bounds& bounds);
+  void check(const FrameTask& task, const std::vector<View>& views, json& entry);
+  Samples record(json& entry, const Contender& contender);
+
+  Session& session_;
+  const FramesOptions& options_;
+  const OpenOptions& open_;
+  std::map<std::string, uint64_t> most_;  // spheres by drawing method
+  Sampling sampling_;
+  Progress progress_;
+};
+
+}  // namespace spherepair
