@@ -59,6 +59,13 @@ class Sources(unittest.TestCase):
         many = {f"glsl__g{k}_DOT_h": "" for k in range(lint_rooms.MOST_FILES)}
         self.assertEqual(1, len(check(**many)))
 
+    def test_mutants(self):
+        def check(text):
+            listed = f'MUTANTS = [{{"name": "n", "file": "common/a.h", "old": {text!r}}}]\n'
+            return len(self.complaints(lint_sources.mutants, common__a_DOT_h="int a;\nint b;\n",
+                                       tests__mutants__mutant_list_DOT_py=listed))
+        self.assertEqual([0, 1, 1], [check("int a"), check("int "), check("float")])
+
     def test_builtins(self):
         def check(text):
             return len(self.complaints(lint_sources.builtins, shaders__a_DOT_comp=text))

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Rules on the text of the sources. Each takes (root, build) and returns (complaints, what was checked)."""
 
+import importlib.util
 import re
 import shutil
 import subprocess
@@ -116,3 +117,17 @@ def formatting(root, build):
     if result.returncode and not complaints:
         complaints = [result.stderr.strip()]
     return complaints, f"{len(checked)} files"
+
+
+def mutants(root, build):
+    """Every deliberate fault of tests/mutants names text that stands exactly once in its file."""
+    spec = importlib.util.spec_from_file_location("mutant_list", root / "tests/mutants/mutant_list.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    complaints = []
+    for mutant in module.MUTANTS:
+        path = root / mutant["file"]
+        count = path.read_text().count(mutant["old"]) if path.is_file() else 0
+        if count != 1:
+            complaints.append(f"{mutant['file']}: the text of the mutant '{mutant['name']}' stands there {count} times")
+    return complaints, f"{len(module.MUTANTS)} mutants"
