@@ -84,7 +84,7 @@ std::vector<Table> make_step(Study& study) {
     const Method method = cpu ? Method::parallel : Method::collide_triangle;
     tasks.push_back({Work::step, {backend.get(), {.method = method, .block = study.plan.table_block}}});
     table.columns.push_back({label(tasks.back().configuration), "median", "ms"});
-    table.columns.push_back({label(tasks.back().configuration), "of 16 ms", "times faster"});
+    table.columns.push_back({label(tasks.back().configuration), "16 ms / ours", "times"});
   }
   const size_t devices = study.session.devices().size();
   if (devices > 1) table.columns.push_back({"", "verdict", "", true});

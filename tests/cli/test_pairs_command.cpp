@@ -172,7 +172,7 @@ TEST_F(PairsCommand, FailureLosesNothing) {
     EXPECT_NE(run(options(output)), "") << output;
   PairsOptions groups = options("pairs.txt");
   groups.method = "collide_group";
-  EXPECT_NE(run(groups).find("within groups only"), std::string::npos);
+  EXPECT_NE(run(groups).find("only pairs within a group"), std::string::npos);
   EXPECT_EQ(read_bytes(old), "old");
   EXPECT_EQ(run(options("pairs.txt")), "");
   EXPECT_EQ(read_bytes(old), text_of(expected_));
