@@ -79,10 +79,13 @@ std::vector<std::string> slow_choices(const std::vector<Timing>& timings) {
 std::string verdict(const std::vector<Timing>& timings) {
   const std::vector<std::string> slower = slow_choices(timings);
   if (slower.empty())
-    return fmt::format("In all {} rows auto takes at most 1.1x the time of the best fixed choice\n", timings.size());
-  std::string text =
-      fmt::format("WARNING: in {} of {} rows auto takes more than 1.1x the time of the best fixed choice:\n",
-                  slower.size(), timings.size());
+    return fmt::format(
+        "In all {} rows auto takes at most 1.1x the time of the best fixed choice, within the samples' spread\n",
+        timings.size());
+  std::string text = fmt::format(
+      "WARNING: in {} of {} rows auto takes more than 1.1x the time of the best fixed choice, beyond the samples' "
+      "spread:\n",
+      slower.size(), timings.size());
   for (const std::string& row : slower) text += "  " + row + "\n";
   return text;
 }

@@ -163,7 +163,8 @@ Contest contest(const Samples& left, const Samples& right) {
 }
 
 std::string ratio_text(const Contest& contest) {
-  return contest.differ ? fmt::format("{:.3g}x", contest.ratio) : "no difference seen";
+  if (!contest.differ) return "no difference seen";
+  return fmt::format("{:.{}f}x", contest.ratio, contest.ratio < 10 ? 2 : contest.ratio < 100 ? 1 : 0);
 }
 
 std::string verdict(const Contest& contest) {

@@ -9,12 +9,11 @@ from paper.records import named
 from paper.style import PAGE, SERIES, panels, series_of, time_text
 
 NAME = "ablation"
-CAPTION = ("Ablation of each optimisation, API feature and kernel of our own: time without it over time with it, at equal "
+CAPTION = ("Ablation of each optimisation, API feature and own kernel (in place of a library's): time without over time with it, at equal "
            "results; left of 1 it costs. Bars: the bounds of the ratio from the intervals of both medians. "
            "Right: the time with it{counted}.")
 COUNTED = ", and the counts of a step's work that differ, with it and (in brackets) without"
-KINDS = {"work": "optimisations: work that the scene does not need", "api": "API features",
-         "library": "our own kernel instead of a library's"}
+KINDS = {"work": "optimisations", "api": "API features", "library": "own kernels"}
 ONE_API = ({"glsl"}, {"cuda"})
 OF_BOTH = {"vector_loads", "overlap"}  # API features that both have
 MOST_SIZES = 2

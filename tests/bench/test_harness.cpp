@@ -153,8 +153,7 @@ TEST(Harness, StepsBetweenComparisonsAreCountedWithTheLast) {
 TEST(Harness, ABackendThatNothingIsAskedOfIsAnError) {
   Session session = session_with(Fault::no_methods);
   LockstepPlan plan = lockstep_plan();
-  EXPECT_NE(error_of([&] { lockstep(session, plan); }).find("no result of glsl would be compared"),
-            std::string::npos);
+  EXPECT_NE(error_of([&] { lockstep(session, plan); }).find("no result of glsl would be compared"), std::string::npos);
   Session alone({"cpu"}, {}, faulty_opener(Fault::none));
   plan.methods = {Method::sequential};
   EXPECT_NE(error_of([&] { lockstep(alone, plan); }).find("nothing would be compared"), std::string::npos);
