@@ -21,7 +21,7 @@ struct TexelRange {
   auto operator<=>(const TexelRange&) const = default;
 };
 
-// The textures that were asked for, in the current context. Each is made once: to make one over costs as much as a
+// The textures that were requested, in the current context. Each is made once: to make one over costs as much as a
 // small dispatch.
 class BufferTextures {
  public:

@@ -56,7 +56,7 @@ Context::Context(const OpenOptions& options) {
   }
   if (context_ != EGL_NO_CONTEXT) {
     throw BackendError(
-        fmt::format("glsl: hardware was asked for, but the renderer is {}; check that the vendor's EGL file is in "
+        fmt::format("glsl: hardware was requested, but the renderer is {}; check that the vendor's EGL file is in "
                     "/usr/share/glvnd/egl_vendor.d",
                     reinterpret_cast<const char*>(glGetString(GL_RENDERER))));
   }

@@ -184,7 +184,7 @@ void GlDevice::dispatch(const Launch& launch) {
   glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);
 }
 
-// GL keeps an error until it is asked for, so dispatches are checked where their results are waited for.
+// GL keeps an error until it is requested, so dispatches are checked where their results are waited for.
 void GlDevice::launch(const Launch& launch, const Params& params) {
   context_.make_current();
   const TableWindows windows(params, limits_.largest_texture);

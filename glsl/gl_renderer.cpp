@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "common/scene/sphere_mesh.h"
 #include "glsl/context.h"
-#include "glsl/sphere_mesh.h"
 
 namespace spherepair {
 namespace {

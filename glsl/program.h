@@ -42,7 +42,7 @@ class Program {
   mutable View view_{};  // that it has
 };
 
-// Those that were asked for, each compiled when it was first.
+// Those that were requested, each compiled when it was first.
 class Programs {
  public:
   const Program& get(const std::string& kernel, unsigned block, const Variant& variant, Features features) {

@@ -11,7 +11,7 @@
 namespace spherepair {
 namespace {
 
-// The driver's functions are asked for at run time: the program must start where there is no driver.
+// The driver's functions are requested at run time: the program must start where there is no driver.
 template <typename Function>
 Function driver_function(const char* name) {
   void* function = nullptr;

@@ -20,11 +20,13 @@ bool is_all_pairs_of_devices(Method method) {
 }
 
 // A set, its reference and the other configurations that must find it.
+constexpr uint64_t few_spheres = 100'000;
+
 struct SetCheck {
   Configuration reference;
   std::vector<Configuration> others;
   EqualityEntry entry;
-  uint64_t last_pairs = UINT64_MAX;  // at the last comparison: decides whether lists are compared
+  uint64_t last_pairs;  // at the last comparison: decides whether lists are compared
 };
 
 std::vector<SetCheck> group_by_set(Session& session, const LockstepPlan& plan, const std::vector<Configuration>& all) {
@@ -34,7 +36,9 @@ std::vector<SetCheck> group_by_set(Session& session, const LockstepPlan& plan, c
     auto found = std::ranges::find_if(sets, [&](const SetCheck& set) { return set.entry.set == name; });
     if (found == sets.end()) {
       const Configuration reference = reference_for(session, configuration.options, plan.scene.n);
-      sets.push_back({reference, {}, {plan.scene, name, {label(reference)}, {}}});
+      // Before the first comparison few spheres are taken to have few pairs, so that the reference searches once.
+      const uint64_t guess = plan.scene.n <= few_spheres ? 0 : UINT64_MAX;
+      sets.push_back({reference, {}, {plan.scene, name, {label(reference)}, {}}, guess});
       found = sets.end() - 1;
     }
     if (label(configuration) == label(found->reference)) continue;
@@ -87,7 +91,7 @@ std::vector<Configuration> all_configurations(Session& session, const std::vecto
                                               const std::vector<uint>& blocks) {
   std::vector<Configuration> all;
   for (const auto& backend : session.backends()) {
-    const bool cpu = backend->info().name == "cpu";
+    const bool cpu = backend->info().on_host;
     std::vector<Method> known = backend->methods();
     known.push_back(Method::automatic);
     for (Method method : known) {

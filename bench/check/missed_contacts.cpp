@@ -31,7 +31,7 @@ double expected_miss_share(double step_length) {
 }
 
 Method swept_method(const Backend& backend) {
-  return backend.info().name == "cpu" ? Method::parallel : Method::collide_tiled;
+  return backend.info().on_host ? Method::parallel : Method::collide_tiled;
 }
 
 uint64_t missed_pairs(Backend& backend, const Scene& scene, double step_length, bool swept) {

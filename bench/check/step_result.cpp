@@ -87,7 +87,7 @@ void require_consistent(const ComparisonPoint& point, const Configuration& confi
 }  // namespace
 
 bool uses_blocks(const Configuration& configuration) {
-  return configuration.backend->info().name != "cpu" || configuration.options.method == Method::collide_group;
+  return !configuration.backend->info().on_host || configuration.options.method == Method::collide_group;
 }
 
 std::string label(const Configuration& configuration) {
@@ -105,7 +105,7 @@ std::string set_name(const CollideOptions& options) {
 // The simplest reference is a double loop on one thread; where it would take seconds, all cores, then the grid.
 Configuration reference_for(Session& session, const CollideOptions& options, uint64_t n) {
   Configuration configuration{&session.reference(), {}};
-  const bool cpu = configuration.backend->info().name == "cpu";
+  const bool cpu = configuration.backend->info().on_host;
   if (options.method == Method::collide_group) {
     configuration.options.method = options.method;
     configuration.options.block = options.block;

@@ -45,7 +45,7 @@ void add_image_options(CLI::App& command, RenderOptions& options) {
   command.add_option("--steps", options.steps, "Steps before the first image")
       ->check(steps_range)
       ->capture_default_str();
-  command.add_option("--pictures", options.images, "Number of images")->check(positive_range)->capture_default_str();
+  command.add_option("--images", options.images, "Number of images")->check(positive_range)->capture_default_str();
   command.add_option("--every", options.every, "Steps between two images")
       ->check(positive_range)
       ->capture_default_str();
@@ -89,7 +89,7 @@ void add_render(CLI::App& app, CommandLine& line, Action& action) {
   command->footer(
       "Examples:\n  spherepair render --scene random --n 16384 --steps 120 --output spheres.png\n"
       "  spherepair render --input atoms.extxyz --azimuth 60 --elevation 30 --size 1920x1080 --output atoms.png\n"
-      "  spherepair render --scene aligned --n 512 --pictures 240 --every 2 --video aligned.mp4");
+      "  spherepair render --scene aligned --n 512 --images 240 --every 2 --video aligned.mp4");
   command->callback([=, &line, &action] {
     finish_start_options(*command, options->start);
     action = [=, &line] { return render_command(line, *options); };

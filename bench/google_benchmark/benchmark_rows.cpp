@@ -26,10 +26,11 @@ std::vector<BenchRow> bench_rows(Session& session, const std::vector<uint>& bloc
   std::vector<BenchRow> rows;
   for (const auto& backend : session.backends()) {
     const std::string& name = backend->info().name;
-    const Method method = name == "cpu" ? Method::parallel : Method::collide_triangle;
+    const bool on_host = backend->info().on_host;
+    const Method method = on_host ? Method::parallel : Method::collide_triangle;
     rows.push_back({name + "/move", backend.get(), Work::move, {}});
     rows.push_back({name + "/step", backend.get(), Work::step, {.method = method}});
-    if (name != "cpu") rows.push_back({name + "/empty", backend.get(), std::nullopt, {}});
+    if (!on_host) rows.push_back({name + "/empty", backend.get(), std::nullopt, {}});
   }
   for (const Configuration& configuration : all_configurations(session, all_methods(), blocks)) {
     std::string name = label(configuration);

@@ -8,7 +8,7 @@ namespace spherepair {
 namespace {
 
 template <typename Number>
-std::optional<Number> number_of(std::string_view text, Number low, Number high) {
+std::optional<Number> parse_number(std::string_view text, Number low, Number high) {
   Number value = 0;
   const char* last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, value);
@@ -19,11 +19,11 @@ std::optional<Number> number_of(std::string_view text, Number low, Number high) 
 }  // namespace
 
 std::optional<uint64_t> whole_number_of(std::string_view text, uint64_t low, uint64_t high) {
-  return number_of(text, low, high);
+  return parse_number(text, low, high);
 }
 
 std::optional<double> real_number_of(std::string_view text, double low, double high) {
-  return number_of(text, low, high);
+  return parse_number(text, low, high);
 }
 
 std::optional<TwoNumbers> two_numbers_of(std::string_view text, char mark, uint64_t high) {

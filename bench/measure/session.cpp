@@ -19,7 +19,7 @@ std::string first_key(const Backend& backend, const CollideOptions& options) {
 
 }  // namespace
 
-bool on_hardware(const Backend& backend) { return backend.info().name != "cpu" && !backend.info().software; }
+bool on_hardware(const Backend& backend) { return !backend.info().on_host && !backend.info().software; }
 
 std::string device_label(const BackendInfo& info) {
   return info.device + (info.software ? " (SOFTWARE: OpenGL on the CPU)" : "");
@@ -36,7 +36,7 @@ Session::Session(const std::vector<std::string>& names, const OpenOptions& optio
     }
   }
   if (backends_.empty()) throw BackendError("no backend could be opened:\n" + summary());
-  std::stable_partition(backends_.begin(), backends_.end(), [](const auto& b) { return b->info().name == "cpu"; });
+  std::stable_partition(backends_.begin(), backends_.end(), [](const auto& b) { return b->info().on_host; });
   for (Backend* left : devices())
     for (Backend* right : devices())
       if (left < right && on_hardware(*left) && on_hardware(*right)) check_same_gpu(*left, *right);
@@ -45,7 +45,7 @@ Session::Session(const std::vector<std::string>& names, const OpenOptions& optio
 std::vector<Backend*> Session::devices() const {
   std::vector<Backend*> found;
   for (const auto& backend : backends_)
-    if (backend->info().name != "cpu") found.push_back(backend.get());
+    if (!backend->info().on_host) found.push_back(backend.get());
   return found;
 }
 

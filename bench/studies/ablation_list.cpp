@@ -85,8 +85,7 @@ std::vector<Ablation> glsl_features() {
 
 std::vector<Ablation> cuda_features() {
   const CollideOptions step = grid_step(), buckets = bucket_sort_step();
-  const CollideOptions stream = with_api(buckets, &ApiOptions::graph, false),
-                       graph = with_api(buckets, &ApiOptions::graph);
+  const CollideOptions stream = with_api(buckets, &ApiOptions::graph, false);
   const CollideOptions all_pairs = {.method = Method::collide_triangle};
   return {{"own_clear", "a kernel clears the cell table; off: the API's function", "cuda", step,
            with_api(step, &ApiOptions::library_clear)},

@@ -44,7 +44,7 @@ std::string way_name(Method method, Cells cells, uint block) {
 // The fixed choices first, auto last.
 std::vector<Way> ways_of(Backend& backend) {
   std::vector<Way> ways;
-  const bool cpu = backend.info().name == "cpu";
+  const bool cpu = backend.info().on_host;
   for (const uint block : square_groups)
     if (!cpu) ways.push_back({&backend, square_way(block), false, step(Method::collide_square, {}, block)});
   const Method other = cpu ? Method::parallel : Method::collide_triangle;

@@ -11,9 +11,9 @@
 namespace spherepair {
 
 struct CrossoverOptions {
-  std::vector<std::string> backends;  // empty: all that open
-  std::vector<uint64_t> sizes;        // empty: 64 to 2^15
-  std::vector<std::string> kinds;     // of spheres, see sphere_kinds(); empty: all
+  std::vector<std::string> backends = {};  // empty: all that open
+  std::vector<uint64_t> sizes = {};        // empty: 64 to 2^15
+  std::vector<std::string> kinds = {};     // of spheres, see sphere_kinds(); empty: all
   int rounds = 11;
   double most_ms = 50;  // of a step: slower methods are not timed with more spheres
   std::string json_file = "crossover.json";

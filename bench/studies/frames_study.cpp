@@ -76,7 +76,7 @@ void FramesStudy::measure_size(uint64_t n) {
       continue;
     }
     for (const std::string& place : options_.places) measure_place(n, *backend, scene, bounds, place);
-    if (options_.transfer && backend->info().name == "cuda") measure_transfers(n, *backend, scene, bounds);
+    if (options_.transfer && backend->info().interop) measure_transfers(n, *backend, scene, bounds);
     backend->upload(make_scene({.n = 0}));  // frees its memory for the next backend
   }
 }
@@ -166,7 +166,7 @@ void FramesStudy::measure_transfers(uint64_t n, Backend& cuda, const Scene& scen
 void FramesStudy::check(const FrameTask& task, const std::vector<View>& views, json& entry) {
   const bool exact = task.draw == DrawMethod::compute;
   for (int time = 0; exact && time < 3; ++time) task.backend->draw(views.front(), draw_options(task, true));
-  if (exact && task.backend->info().name != "cpu") entry["counts"] = to_json(task.backend->draw_statistics());
+  if (exact && !task.backend->info().on_host) entry["counts"] = to_json(task.backend->draw_statistics());
   for (int time = 0; time < 2; ++time) task.backend->draw(views.front(), draw_options(task));
   const json image = entry["image"] = hex64(image_hash(task.backend->image()));
   for (const json& other : frames)

@@ -34,7 +34,7 @@ std::vector<Configuration> affordable(Backend& backend, const SweepPoint& point,
   for (const Method method : backend.methods()) {
     if (std::ranges::find(point.methods, method) == point.methods.end()) continue;
     if (point.in_cell_order && method != Method::collide_grid) continue;
-    if (backend.info().name == "cpu" && is_device_arrangement(method)) continue;
+    if (backend.info().on_host && is_device_arrangement(method)) continue;
     if (point.n <= most_spheres(backend, method)) {
       all.push_back(configuration_for(backend, method, point));
     } else {
@@ -106,7 +106,7 @@ std::string label(const SweepPoint& point) {
 }
 
 uint64_t most_spheres(const Backend& backend, Method method) {
-  const bool gpu = on_hardware(backend), cpu = backend.info().name == "cpu";
+  const bool gpu = on_hardware(backend), cpu = backend.info().on_host;
   switch (method) {
     case Method::sequential:
       return uint64_t(1) << 14;

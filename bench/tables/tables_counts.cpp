@@ -39,7 +39,7 @@ std::vector<std::string> count_row(Study& study, const SceneOptions& scene, cons
   std::vector<Configuration> configurations;
   for (const auto& backend : study.session.backends())
     configurations.push_back(
-        {backend.get(), {.method = backend->info().name == "cpu" ? Method::parallel : Method::collide_triangle}});
+        {backend.get(), {.method = backend->info().on_host ? Method::parallel : Method::collide_triangle}});
   const uint64_t first = study.check(scene, configurations).totals.colliding_spheres;
   Range range{first, first};
   const auto hardware =

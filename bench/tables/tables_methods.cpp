@@ -94,7 +94,7 @@ std::vector<NaiveErrors> all_naive_errors(Study& study, const std::vector<Config
 std::vector<Configuration> exactness_configurations(const Study& study) {
   std::vector<Configuration> configurations;
   for (const Configuration& one : all_configurations(study.session, study.plan.methods, {study.plan.table_block}))
-    if (one.backend->info().name != "cpu" || one.options.method != Method::collide_group) configurations.push_back(one);
+    if (!one.backend->info().on_host || one.options.method != Method::collide_group) configurations.push_back(one);
   return configurations;
 }
 

@@ -52,7 +52,7 @@ std::vector<Task> table1_moves(const Study& study) {
 std::vector<Task> table1_pairs(const Study& study) {
   std::vector<Task> tasks;
   for (const auto& backend : study.session.backends()) {
-    const bool cpu = backend->info().name == "cpu";
+    const bool cpu = backend->info().on_host;
     for (Method method : cpu ? std::vector{Method::sequential, Method::parallel}
                              : std::vector{Method::collide_tiled, Method::collide_triangle})
       if (is_wanted(study.plan, method))

@@ -80,7 +80,7 @@ std::vector<Table> make_step(Study& study) {
   Table table{"A whole step: motion, plane, all pairs, counts and flags; random scene", {{"", "n", ""}}, {}, {}};
   std::vector<Task> tasks;
   for (const auto& backend : study.session.backends()) {
-    const bool cpu = backend->info().name == "cpu";
+    const bool cpu = backend->info().on_host;
     const Method method = cpu ? Method::parallel : Method::collide_triangle;
     tasks.push_back({Work::step, {backend.get(), {.method = method, .block = study.plan.table_block}}});
     table.columns.push_back({label(tasks.back().configuration), "median", "ms"});

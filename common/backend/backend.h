@@ -46,19 +46,19 @@ std::span<const DrawMethod> all_draw_methods();
 struct DrawOptions {
   DrawMethod method = DrawMethod::compute;
 
-  // What the rasteriser may leave out; never changes a bit of the picture. Spheres in consecutive places of the cell
-  // order (as they stand, without one) form clusters, which are tested as a whole.
+  // What the rasteriser may leave out; never changes a bit of the image. Consecutive spheres of the cell order (of
+  // the scene's, without one) form clusters, which are culled as a whole.
   bool frustum_culling = true;        // clusters out of view
   bool occlusion_culling = true;      // clusters behind what is drawn already; implies the above
-  bool reuse_unchanged = true;        // the whole picture, when nothing has changed since the last
+  bool reuse_unchanged = true;        // the whole image, when nothing has changed since the last
   bool skip_tile_launches = true;     // the launches for large spheres, where none as uploaded can look large
-  bool overlap = true;                // GLSL: few spheres are drawn while the last picture is coloured still
+  bool overlap = true;                // GLSL: few spheres are drawn while the last image is still resolved
   uint64_t clusters_from = 1u << 17;  // clusters are made of so many spheres or more
 
   // Of so many spheres or more, clusters are tested before their spheres; of fewer that costs more than it saves.
   uint64_t cull_from = 1u << 21;
 
-  // Of so many spheres or more, clusters far behind what the last pictures showed wait until the near ones are drawn.
+  // Of so many spheres or more, clusters far behind what the last images showed wait until the near ones are drawn.
   uint64_t defer_from = 1u << 22;
 
   // Of so many spheres or more, BUNDLE clusters in a row are tested as a whole first.
@@ -73,7 +73,7 @@ struct DrawOptions {
   uint lanes(uint64_t n) const { return n < share_below ? LANES : 1; }
 };
 
-// Of one draw(), numbers of spheres; `drawn` are those with a pixel's centre in their box, whether seen in the end or
+// Of one draw(), in spheres; `drawn` are those with a pixel's centre in their box, whether seen in the end or
 // not.
 struct DrawStatistics {
   uint64_t drawn = 0, unseen = 0;  // out of view, or between the centres of the pixels
@@ -82,7 +82,7 @@ struct DrawStatistics {
   uint64_t undrawable = 0;         // numbers beyond those that can be drawn (draw.h, in_camera)
   uint64_t clusters = 0, clusters_outside = 0, clusters_hidden = 0;  // their spheres are in none of the above
   uint64_t clusters_deferred = 0;  // that waited for others to be drawn, whatever became of them then
-  uint64_t bundles_left_out = 0;   // of clusters that are hidden, out of view or put off together
+  uint64_t bundles_left_out = 0;   // of clusters that are hidden, out of view or deferred together
   uint64_t images_kept = 0;        // calls of draw() since upload() that had nothing to do
 };
 
@@ -90,7 +90,9 @@ struct BackendInfo {
   std::string name;       // cpu, glsl, cuda
   std::string device;     // as the driver names it
   std::string uuid;       // of the GPU, 32 hex digits; empty for software
+  bool on_host = false;   // loops of host threads: no kernels to launch in groups
   bool software = false;  // GL on the CPU
+  bool interop = false;   // its spheres can be transferred to OpenGL (shared_drawing.h)
   bool device_timers = false;
   std::map<std::string, std::string> details;  // versions, extensions, limits
 };
@@ -113,7 +115,7 @@ class Backend {
   virtual void set_event_driven(bool on) = 0;
 
   // Finds the colliding pairs of the spheres as they stand, and completes that: every list has room, every pair is
-  // decided, and what is asked for afterwards is only read.
+  // decided, and asking for its results afterwards only reads them.
   virtual void collide(const CollideOptions& options) = 0;
   // For timing: enqueues the same search and returns. Left out are decisions that the last complete search of this kind
   // did not need, lists that turn out too short, and the number of colliding spheres; so it has no results to ask for.
@@ -166,10 +168,10 @@ class Backend {
   // An empty kernel, to measure what a dispatch or launch costs by itself.
   virtual void launch_empty(uint groups) = 0;
 
-  // A kernel that does nothing else, to measure that ceiling; it writes over velocities and counts. Only devices have
+  // A kernel that does nothing else, to measure that peak rate; it writes over velocities and counts. Only devices have
   // them. `check_peak_rate` runs it once and throws BackendError when its result is wrong.
-  virtual void launch_peak_rate(PeakRate) { throw BackendError(info().name + ": has no kernels for ceilings"); }
-  virtual void check_peak_rate(PeakRate) { throw BackendError(info().name + ": has no kernels for ceilings"); }
+  virtual void launch_peak_rate(PeakRate) { throw BackendError(info().name + ": has no kernels for peak rates"); }
+  virtual void check_peak_rate(PeakRate) { throw BackendError(info().name + ": has no kernels for peak rates"); }
 
   // Throws BackendError naming the buffer when a kernel wrote behind the end of one: guard words stand there.
   virtual void check_guards() = 0;

@@ -30,7 +30,7 @@ void refuse_missing(const std::string& backend, const CollideOptions& options, c
   need(options.api.graph, offered.graph, "a graph of launches", "the backend cuda");
   need(options.api.texture_table, offered.texture_table, "a table in a texture buffer", "the backend glsl");
   need(options.api.batch, offered.batch, "a batch of dispatches", "the backend glsl");
-  need(options.api.overlap, offered.overlap, "a launch beside the search before",
+  need(options.api.overlap, offered.overlap, "a launch that overlaps the previous search",
        "the backend glsl and, compiled for compute capability 9.0 or later, cuda");
   need(options.api.library_clear, offered.library_clear, "a clear by the API", "the backends glsl and cuda");
 }

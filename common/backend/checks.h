@@ -9,11 +9,11 @@ namespace spherepair {
 // Throws std::invalid_argument for options that exclude each other.
 void check_collide(const CollideOptions& options);
 
-// Throws std::invalid_argument naming what is asked for and not among the api offered; Thrust stands for the sort
+// Throws std::invalid_argument naming what is wanted and not among the api offered; Thrust stands for the sort
 // and the scan of a library.
 void refuse_missing(const std::string& backend, const CollideOptions& options, const ApiOptions& offered, bool thrust);
 
-// Throws std::invalid_argument when swept contacts are asked for of a method or state that has none.
+// Throws std::invalid_argument when swept contacts are requested of a method or state that has none.
 void check_swept(const std::string& backend, const CollideOptions& options, MotionOptions motion);
 
 // Throws BackendError when `anchored` has done so many steps that their count would be lost.

@@ -27,7 +27,7 @@ enum class Method {
 
 const char* method_name(Method method);
 Method method_from_name(const std::string& name);  // throws std::invalid_argument with the known names
-std::vector<Method> device_methods();              // the four that GLSL and CUDA mirror
+std::vector<Method> device_methods();              // those that GLSL and CUDA mirror
 std::span<const uint> block_sizes();               // 32, 64 ... 1024
 
 // How spheres are put into cell order: by counting them by cell, by splitting them into buckets of cells first, or by
@@ -49,7 +49,7 @@ struct GridOptions {
 };
 
 // What one API offers and the other lacks, each to be measured against going without. Absent: what was measured to be
-// faster; a backend that lacks one refuses it by name when it is asked for, std::invalid_argument.
+// faster; a backend that lacks one refuses it by name when it is requested, std::invalid_argument.
 struct ApiOptions {
   // CUDA: a step's launches are captured once, replayed while none changes. Absent: on, but for steps that overlap the
   // one before
@@ -64,7 +64,7 @@ struct ApiOptions {
   std::optional<bool> batch = {};
   // both, CUDA where kernels are compiled for 9.0 or later: what needs nothing of the search right before it begins
   // while that is under way, and CUDA's later launches of a step get ready early; a graph can do neither. Absent: on
-  // where no graph is asked for or pays more, of few spheres
+  // where no graph is requested or pays more, of few spheres
   std::optional<bool> overlap = {};
   bool overlaps(bool graph_pays) const { return overlap.value_or(!graph.value_or(graph_pays)); }
   auto operator<=>(const ApiOptions&) const = default;
@@ -76,13 +76,13 @@ struct CollideOptions {
                             // leaves it to crossover.h
   bool exact = true;        // false: the naive float32 predicate, to measure what exactness costs
   bool want_pairs = false;  // keep the pairs for pairs()
-  uint columns = 0;         // of collide_triangle: spheres that one group meets; 0: chosen by n. Never changes the set
+  uint columns = 0;         // of collide_triangle: columns that one group tests; 0: chosen by n. Never changes the set
   GridOptions grid = {};    // of collide_grid. Never changes the set
   // Pairs that touch at any time within the next step, in free flight (swept.h): of collide_tiled, and on the CPU of
   // `parallel`, with float32 state; anything else throws std::invalid_argument.
   bool swept = false;
   bool load_radii = false;  // takes the variant for unequal radii even where all are equal. Never changes the set
-  bool filter = true;       // false: collide_grid leaves every pair that it meets to the exact stages
+  bool filter = true;       // false: collide_grid leaves every candidate pair to the exact stages
   ApiOptions api = {};      // never change the set
 };
 

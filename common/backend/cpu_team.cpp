@@ -15,7 +15,7 @@ namespace spherepair {
 
 // As many threads of our own, all there at once, show whether OpenMP's can start. Theirs then stay until the end.
 void start_team(int threads) {
-  const size_t wanted = size_t(threads > 0 ? threads : omp_get_num_procs()) - 1;  // beside this one
+  const size_t wanted = size_t(threads > 0 ? threads : omp_get_num_procs()) - 1;  // with this one
   std::vector<std::thread> trial;
   std::latch all_tried(1);
   std::string trouble;

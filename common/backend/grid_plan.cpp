@@ -88,7 +88,7 @@ GridPlan dense_plan(const Extent& extent, uint64_t n) {
 
 uint octave(float radius) { return std::bit_cast<uint>(radius) >> 23; }
 
-// The median coordinate of a sample: cells are fine where the crowd is, however far away a few spheres are, since
+// The median coordinate of a sample: cells are fine where most spheres are, however far away a few spheres are, since
 // float32 places are finest near the origin.
 float middle_of(const std::vector<vec4>& spheres, float vec4::*axis) {
   const uint64_t m = std::min<uint64_t>(spheres.size(), 1023);

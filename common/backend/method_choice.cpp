@@ -14,7 +14,7 @@ namespace {
 uint hashed_levels(const GridPlan& plan) { return plan.cells == Cells::hashed ? uint(std::popcount(plan.levels)) : 0; }
 
 Method all_pairs(const BackendInfo& info, uint64_t n, const GridPlans& plans, bool swept) {
-  if (info.name == "cpu") return Method::parallel;
+  if (info.on_host) return Method::parallel;
   if (swept) return Method::collide_tiled;
   return square_pays(crossover_of(info), n, plans.hashed_occupancy) ? Method::collide_square : Method::collide_triangle;
 }
@@ -32,7 +32,7 @@ std::string reason_of(const Crossover& row, uint64_t n, double occupancy, uint l
   if (most_pairs_near(row, n, occupancy))
     return text + "; with so many of all in one cell the grid leaves out too little";
   if (!grid && n < least_crowded && levels == 0 && occupancy >= row.occupancy_from)
-    return text + fmt::format("; in such a crowd the grid is ahead from {} on", least_crowded);
+    return text + fmt::format("; at such an occupancy the grid is ahead from {} on", least_crowded);
   const double from = std::ceil(grid_from(row, occupancy, levels));
   const char* cells = levels ? "in hashed cells" : "with so many others";
   return text + fmt::format("; {} the grid is ahead {}from {:.0f} on", cells, grid ? "" : "only ", from);
@@ -41,7 +41,7 @@ std::string reason_of(const Crossover& row, uint64_t n, double occupancy, uint l
 }  // namespace
 
 const Crossover& crossover_of(const BackendInfo& info) {
-  const bool many = info.name == "cpu" && std::stoi(info.details.at("threads")) > few_threads;
+  const bool many = info.on_host && std::stoi(info.details.at("threads")) > few_threads;
   const std::string device = info.software ? info.name + " in software" : many ? "cpu of many threads" : info.name;
   for (const Crossover& row : crossovers)
     if (device == row.device) return row;
@@ -71,7 +71,7 @@ MethodChoice explain_choice(const BackendInfo& info, uint64_t n, const GridPlans
                             const CollideOptions& options) {
   const Cells wanted = options.grid.cells;
   const Method method = chosen_method(info, n, plans, options);
-  const uint block = info.name == "cpu" ? 0 : chosen_block(info, n, method, options);
+  const uint block = info.on_host ? 0 : chosen_block(info, n, method, options);
   MethodChoice choice{method, block, plans.plan(wanted).cells, plans.occupancy(wanted), "asked for"};
   if (options.method != Method::automatic) return choice;
   choice.reason = options.swept ? "the method that finds pairs within the next step"

@@ -12,7 +12,7 @@ const Crossover& crossover_of(const BackendInfo& info);
 // Parameters with which the filter decides no pair.
 void leave_all_undecided(Params& params);
 
-// The method itself where one is asked for; else all pairs or the grid, by the rule of crossover.h for n spheres.
+// The method itself where one is requested; else all pairs or the grid, by the rule of crossover.h for n spheres.
 Method chosen_method(const BackendInfo& info, uint64_t n, const GridPlans& plans, const CollideOptions& options);
 
 // The group size for it: the one asked for; where all is left to Method::automatic, the fastest one measured.

@@ -19,11 +19,11 @@ class SharedDrawing {
  public:
   virtual ~SharedDrawing() = default;
 
-  // What the CUDA backend holds, positions and contacts by the number of the sphere, is OpenGL's when this returns, and
+  // What the CUDA backend holds, positions and contacts by sphere index, is OpenGL's when this returns, and
   // OpenGL is done with what it had before.
   virtual void transfer(Transfer way) = 0;
 
-  virtual void draw(DrawMethod method, const View& view) = 0;  // of what was handed over last; not compute
+  virtual void draw(DrawMethod method, const View& view) = 0;  // of what was transferred last; not compute
   virtual std::vector<uint> image() = 0;
   virtual void finish() = 0;  // waits for both APIs
 };

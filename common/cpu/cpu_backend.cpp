@@ -28,7 +28,11 @@ std::string cpu_model() {
 BackendInfo describe_cpu(int threads) {
   if (threads < 1)
     throw std::invalid_argument(fmt::format("the number of threads is {}, but must be at least 1", threads));
-  return {.name = "cpu", .device = cpu_model(), .uuid = {}, .details = {{"threads", std::to_string(threads)}}};
+  return {.name = "cpu",
+          .device = cpu_model(),
+          .uuid = {},
+          .on_host = true,
+          .details = {{"threads", std::to_string(threads)}}};
 }
 
 // The host's clock around each stage, while it is on.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The light of a picture on the CPU: the reference of the kernel draw_light.
+// The light of a image on the CPU: the reference of the kernel draw_light.
 #pragma once
 
 #include <span>
@@ -20,7 +20,7 @@ class CpuLight {
  private:
   std::span<const vec4> spheres_;
   Params p_;
-  std::vector<uint> begin_, id_;  // of each cell; at each place of the cell order
+  std::vector<uint> begin_, id_;  // of each cell; by sorted index
 };
 
 }  // namespace spherepair

@@ -25,7 +25,7 @@ class CpuMotion {
   void move(int threads);
   void set_event_driven(bool on) { event_driven_ = on; }
 
-  // As they stand now; of `anchored` they are evaluated when they are asked for.
+  // As they stand now; of `anchored` they are evaluated when they are requested.
   const std::vector<vec4>& positions(int threads);
   void evaluate_state(int threads);
   Backend::State state() const;  // BackendError where it was not evaluated since the last move

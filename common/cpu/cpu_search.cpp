@@ -90,7 +90,7 @@ std::vector<uint> CpuSearch::counts() const {
 
 const std::vector<Pair>& CpuSearch::pairs() const {
   const std::vector<Pair>& list = found().list;
-  if (!options_.want_pairs) throw BackendError("cpu: no pair list was asked for; set want_pairs");
+  if (!options_.want_pairs) throw BackendError("cpu: no pair list was requested; set want_pairs");
   return list;
 }
 

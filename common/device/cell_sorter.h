@@ -29,7 +29,7 @@ class CellSorter {
   bool dense() const { return planned_ == Cells::dense; }
   Order order() const { return built_ ? order_ : Order::scene; }  // in which the search finds the spheres
   uint indices(Order order) const;     // INDEX_IN_* of a launch that reads them in this order
-  std::vector<uint> sphere_indices();  // at each place of the cell order
+  std::vector<uint> sphere_indices();  // by sorted index
 
  private:
   void plan_cells(const GridOptions& options);

@@ -15,7 +15,7 @@ struct DeviceCapabilities {
   uint64_t graph_pays_below = 0;  // spheres: of fewer, replaying a captured step is faster than overlapping launches
 };
 
-// A library's sort and scan beside our kernels (CUDA: Thrust).
+// A library's sort and scan with our kernels (CUDA: Thrust).
 class DeviceLibrary {
  public:
   virtual ~DeviceLibrary() = default;

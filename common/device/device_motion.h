@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The motion of the spheres on a device: positions, velocities and what the method keeps beside them.
+// The motion of the spheres on a device: positions, velocities and what the method keeps with them.
 #pragma once
 
 #include "common/device/context.h"

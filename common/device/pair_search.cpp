@@ -173,7 +173,9 @@ void PairSearch::complete_search() {
   }
   context_.launch({Kernel::tally, SERVICE_BLOCK, {}, {tally_groups, 1, 1}, order_});
   totals_ = sum(read_summary());
-  complete_ = true;
+  if (options_.want_pairs && context_.device.library())
+    context_.device.library()->sort_pairs(std::min<uint64_t>(totals_.pairs, std::numeric_limits<uint>::max()));
+  resolved_ = complete_ = true;
 }
 
 Collisions PairSearch::sum(const std::vector<uint>& summary) const {
@@ -217,15 +219,13 @@ std::vector<uint> PairSearch::counts() {
 std::vector<Pair> PairSearch::pairs() {
   const uint64_t count = totals().pairs;
   if (!options_.want_pairs)
-    throw BackendError(fmt::format("{}: no pair list was asked for; set want_pairs", context_.name()));
+    throw BackendError(fmt::format("{}: no pair list was requested; set want_pairs", context_.name()));
   if (count > std::numeric_limits<uint>::max())
     throw BackendError(
         fmt::format("{}: {} pairs collide, but a list holds 2^32 - 1 at most; ask for the numbers without the list",
                     context_.name(), count));
-  DeviceLibrary* library = context_.device.library();
-  if (library) library->sort_pairs(count);
   std::vector<Pair> pairs = context_.buffers.read<Pair>(SLOT_PAIR, count);
-  if (!library) std::ranges::sort(pairs);
+  if (!context_.device.library()) std::ranges::sort(pairs);
   return pairs;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Kernels beside the simulation: the predicate alone, an empty launch, and the device's peak rates.
+// Kernels with the simulation: the predicate alone, an empty launch, and the device's peak rates.
 #pragma once
 
 #include "common/device/context.h"

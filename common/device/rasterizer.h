@@ -44,7 +44,7 @@ class Rasterizer {
   CellSorter& sorter_;
   PairSearch& search_;
   ClusterCulling culling_;
-  View view_{};  // of the last image, as it was asked for; a width of 0: there was none
+  View view_{};  // of the last image, as it was requested; a width of 0: there was none
   DrawOptions options_;
   Frame frame_{};                                    // of the last image
   bool complete_ = false;                            // all of it is drawn

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a picture is taken from. All is computed in float64 and rounded once; the View that comes of it decides every
-// bit of the picture.
+// Where a image is taken from. All is computed in float64 and rounded once; the View that comes of it decides every
+// bit of the image.
 #pragma once
 
 #include <array>

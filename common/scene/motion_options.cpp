@@ -21,7 +21,7 @@ static_assert(uint(Precision::float32) == PRECISION_FLOAT32 && uint(Precision::f
               uint(Precision::compensated) == PRECISION_COMPENSATED);
 
 template <size_t count>
-uint place_of_name(const std::array<const char*, count>& indices, const std::string& name, const char* what) {
+uint index_of_name(const std::array<const char*, count>& indices, const std::string& name, const char* what) {
   const auto found = std::ranges::find(indices, name);
   if (found == indices.end())
     throw std::invalid_argument(fmt::format("unknown {} '{}'; known are {}", what, name, fmt::join(indices, ", ")));
@@ -48,10 +48,10 @@ std::string motion_label(MotionOptions motion) {
 }
 
 MotionMethod motion_from_name(const std::string& name) {
-  return MotionMethod(place_of_name(motion_names, name, "motion method"));
+  return MotionMethod(index_of_name(motion_names, name, "motion method"));
 }
 Precision precision_from_name(const std::string& name) {
-  return Precision(place_of_name(precision_names, name, "precision"));
+  return Precision(index_of_name(precision_names, name, "precision"));
 }
 
 }  // namespace spherepair

@@ -68,13 +68,13 @@ uint64_t lattice_side(uint64_t n) {
 vec4 sphere(const SceneOptions& o, float x, float y, float z) {
   return {x + o.offset, y + o.offset, z + o.offset, o.radius};
 }
-void place(Scene& to, const SceneOptions& o, float x, float y, float z) { to.positions.push_back(sphere(o, x, y, z)); }
+void add(Scene& to, const SceneOptions& o, float x, float y, float z) { to.positions.push_back(sphere(o, x, y, z)); }
 
 void make_random(Scene& scene, const SceneOptions& o) {
   for (uint64_t i = 0; i < o.n; ++i) {
     const float x = between(o, Stream::x, i, -box_side / 2, box_side / 2);
     const float z = between(o, Stream::z, i, -box_side / 2, box_side / 2);
-    place(scene, o, x, between(o, Stream::y, i, scene.plane + o.radius, scene.plane + o.radius + box_side), z);
+    add(scene, o, x, between(o, Stream::y, i, scene.plane + o.radius, scene.plane + o.radius + box_side), z);
     scene.velocities.push_back({0, between(o, Stream::speed, i, -5, 5), 0, 0});
   }
 }
@@ -91,7 +91,7 @@ void make_aligned(Scene& scene, const SceneOptions& o) {
     const float x0 = -box_side / 2 + room(std::min<uint64_t>(size, 16)) * unit(hash(o, Stream::x, group));
     const float y0 = scene.plane + o.radius + room(layers) * unit(hash(o, Stream::y, group));
     const float z0 = -box_side / 2 + room(rows) * unit(hash(o, Stream::z, group));
-    place(scene, o, x0 + float(member % 16) * gap, y0 + float(member / 256) * gap, z0 + float(member / 16 % 16) * gap);
+    add(scene, o, x0 + float(member % 16) * gap, y0 + float(member / 256) * gap, z0 + float(member / 16 % 16) * gap);
     scene.velocities.push_back({0, between(o, Stream::speed, group, -5, 5), 0, 0});
   }
 }
@@ -119,7 +119,7 @@ void make_lattice(Scene& scene, const SceneOptions& o) {
   const uint64_t side = lattice_side(o.n);
   const float gap = 2 * o.radius;
   for (uint64_t i = 0; i < o.n; ++i) {
-    place(scene, o, float(i % side) * gap, float(i / side % side) * gap, float(i / (side * side)) * gap);
+    add(scene, o, float(i % side) * gap, float(i / side % side) * gap, float(i / (side * side)) * gap);
   }
 }
 
@@ -143,7 +143,7 @@ void make_grazing(Scene& scene, const SceneOptions& o) {
       y += dy;
       z += dz;
     }
-    place(scene, o, x, y, z);
+    add(scene, o, x, y, z);
   }
 }
 
@@ -157,20 +157,20 @@ void make_clustered(Scene& scene, const SceneOptions& o) {
     return side * unit(hash(o, cluster, i % clusters)) + spread * 4 * o.radius;
   };
   for (uint64_t i = 0; i < o.n; ++i) {
-    place(scene, o, coordinate(Stream::cluster_x, Stream::x, i), coordinate(Stream::cluster_y, Stream::y, i),
-          coordinate(Stream::cluster_z, Stream::z, i));
+    add(scene, o, coordinate(Stream::cluster_x, Stream::x, i), coordinate(Stream::cluster_y, Stream::y, i),
+        coordinate(Stream::cluster_z, Stream::z, i));
   }
 }
 
 void make_coincident(Scene& scene, const SceneOptions& o) {
-  for (uint64_t i = 0; i < o.n; ++i) place(scene, o, 1, 2, 3);
+  for (uint64_t i = 0; i < o.n; ++i) add(scene, o, 1, 2, 3);
 }
 
 void make_one_cell(Scene& scene, const SceneOptions& o) {
   const float side = 2 * o.radius;
   for (uint64_t i = 0; i < o.n; ++i) {
-    place(scene, o, side * unit(hash(o, Stream::x, i)), side * unit(hash(o, Stream::y, i)),
-          side * unit(hash(o, Stream::z, i)));
+    add(scene, o, side * unit(hash(o, Stream::x, i)), side * unit(hash(o, Stream::y, i)),
+        side * unit(hash(o, Stream::z, i)));
   }
 }
 

@@ -43,6 +43,7 @@ BackendInfo describe_device(int device) {
   cudaRuntimeGetVersion(&runtime);
   cudaDeviceGetAttribute(&clock_khz, cudaDevAttrClockRate, device);
   info.name = "cuda";
+  info.interop = true;
   info.device = properties.name;
   for (const char byte : properties.uuid.bytes) info.uuid += fmt::format("{:02x}", uint(uint8_t(byte)));
   info.device_timers = true;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Spheres falling on the plane, from one run of `spherepair render`:
 
-  spherepair render --backend cpu --scene random --n 4096 --restitution 0.3 --pictures 4 --every 56 --size 640x640 \\
+  spherepair render --backend cpu --scene random --n 4096 --restitution 0.3 --images 4 --every 56 --size 640x640 \\
     --samples 9 --no-legend --output settling.png
 """
 import matplotlib.pyplot as plt

@@ -67,7 +67,7 @@ TEST_P(Ablations, NoneChangesTheSet) {
 
 TEST_P(Ablations, WhatABackendLacksIsRefused) {
   const size_t there = offered(backend(), special_options()).size();
-  if (backend().info().name == "cpu") {
+  if (backend().info().on_host) {
     EXPECT_EQ(there, 0u);
   } else if (backend().info().name == "glsl") {
     EXPECT_EQ(there, 8u) << "the texture, library_clear, batch and overlap with both sorts";
@@ -130,8 +130,8 @@ Scene in_the_wind(uint64_t n) {
 }
 
 TEST_P(Ablations, CellsFollowSpheresThatLeaveThem) {
-  const Scene scene = in_the_wind(backend().info().name == "cpu" ? 20000 : 2000);  // the CPU meets rows whole
-  std::array<uint64_t, 2> meetings{};
+  const Scene scene = in_the_wind(backend().info().on_host ? 20000 : 2000);  // the CPU tests whole rows
+  std::array<uint64_t, 2> candidates{};
   for (const bool replan : {false, true}) {
     backend().upload(scene);
     CollideOptions options = grid_step([=](CollideOptions& o) { o.grid.cells = Cells::dense, o.grid.replan = replan; });
@@ -144,15 +144,15 @@ TEST_P(Ablations, CellsFollowSpheresThatLeaveThem) {
     EXPECT_EQ(first_mismatch(answer, swept_pairs(current_state(backend()).positions), scene.size()), "") << replan;
     EXPECT_EQ(backend().work_counts().plans > 5, replan);
     EXPECT_EQ(backend().work_counts().plans > 1, replan);
-    options.filter = false;  // counts who meets
-    meetings[replan] = run_step(backend(), options).totals.deferred;
+    options.filter = false;  // counts the candidate pairs
+    candidates[replan] = run_step(backend(), options).totals.deferred;
   }
-  EXPECT_GT(meetings[false], 2 * meetings[true]) << "without new cells those at the border fill up";
+  EXPECT_GT(candidates[false], 2 * candidates[true]) << "without new cells those at the border fill up";
 }
 
 // So many that a device looks at some of them first.
 TEST_P(Ablations, CellsFollowManySpheres) {
-  if (backend().info().name == "cpu") GTEST_SKIP() << "the CPU has all positions at hand";
+  if (backend().info().on_host) GTEST_SKIP() << "the CPU has all positions at hand";
   const Scene scene = in_the_wind(70000);
   backend().upload(scene);
   const CollideOptions options = grid_step([](CollideOptions& o) { o.grid.cells = Cells::dense; });
@@ -196,15 +196,15 @@ TEST(AblationsOnTheHost, PlansAreKeptWhereNothingLeaves) {
   Scene scene = make_scene({.name = "random", .n = 3000});
   GridPlans plans = plan_grids(scene.positions);
   PlanWatch watch(scene, plans);
-  uint64_t moves = 0, configuration = 0;
+  uint64_t moves = 0, checks = 0;
   for (; moves < 5000; ++moves) {
     watch.moved();
     if (!watch.needed()) continue;
-    ++configuration;
+    ++checks;
     EXPECT_FALSE(watch.replan(scene.positions, scene.size(), plans));
   }
-  EXPECT_GE(configuration, 3u);
-  EXPECT_LE(configuration, 20u) << "a question without an answer is asked more and more rarely";
+  EXPECT_GE(checks, 3u);
+  EXPECT_LE(checks, 20u) << "the re-check interval grows while the plans are kept";
 }
 
 INSTANTIATE_BACKENDS(Ablations);

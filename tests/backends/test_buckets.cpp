@@ -81,16 +81,16 @@ uint most_in_a_cell(const Scene& scene) {
 }
 
 // Most spheres lie on the floor of a box, so that a bucket has more than a group holds where buckets are few; in a
-// small box all buckets would, were they of as many cells. In one place a bucket of a single cell has.
+// small box all buckets would, were they of as many cells. At one point a bucket of a single cell has.
 TEST_P(MethodsByBuckets, OfManySpheres) {
   Scene scene = make_scene({.name = "uniform", .n = 7000});
   std::minstd_rand random(5);
-  std::uniform_real_distribution<float> place_within_a_cell(0, 0.25f);
+  std::uniform_real_distribution<float> within_a_cell(0, 0.25f);
   for (const float side : {24.0f, 12.0f}) {
-    std::uniform_real_distribution<float> place(0, side);
+    std::uniform_real_distribution<float> coordinate(0, side);
     for (size_t i = 0; i < scene.size(); ++i) {
       const bool on_the_floor = side > 12 && i % 4 != 0;
-      scene.positions[i] = {place(random), place(random), place(random) / (on_the_floor ? 12 : 1), 0.5f};
+      scene.positions[i] = {coordinate(random), coordinate(random), coordinate(random) / (on_the_floor ? 12 : 1), 0.5f};
     }
     for (const bool equal_radii : {true, false}) {
       scene.positions[0].w = equal_radii ? 0.5f : 0.375f;
@@ -99,14 +99,14 @@ TEST_P(MethodsByBuckets, OfManySpheres) {
     }
   }
   for (size_t i = 0; i < SORT_EACH * SORT_BLOCK + 100; ++i)
-    scene.positions[i] = {6.3f + place_within_a_cell(random), 6.3f, 6.3f + place_within_a_cell(random), 0.5f};
+    scene.positions[i] = {6.3f + within_a_cell(random), 6.3f, 6.3f + within_a_cell(random), 0.5f};
   EXPECT_GT(most_in_a_cell(scene), SORT_EACH * SORT_BLOCK);
   expect_right(backend(), scene);
 }
 
-// In cell order equal radii give their place to numbers, so that who loads radii must not read cells that were kept.
+// In cell order `w` holds the sphere index where radii are equal: a step that loads radii must not read kept cells.
 TEST_P(MethodsByBuckets, WhetherRadiiAreLoadedOrNot) {
-  if (std::string_view(GetParam()) == "cpu") GTEST_SKIP() << "it keeps no cells by place";
+  if (std::string_view(GetParam()) == "cpu") GTEST_SKIP() << "it keeps no cells by sorted index";
   const Scene scene = make_scene({.name = "uniform", .n = 5000});
   backend().upload(scene);
   CollideOptions options = {.method = Method::collide_grid,
@@ -123,13 +123,13 @@ TEST_P(MethodsByBuckets, WhetherRadiiAreLoadedOrNot) {
   }
 }
 
-// A crowd of many more tiles than are walked through at a time.
+// Oversized buckets from many more tiles than one pass loops over.
 TEST_P(MethodsByBuckets, OfOversizedBucketsFromManyTiles) {
   Scene scene = make_scene({.name = "uniform", .n = 40 * SPLIT_TILE});
   std::minstd_rand random(7);
-  std::uniform_real_distribution<float> place(0, 120);
+  std::uniform_real_distribution<float> coordinate(0, 120);
   for (size_t i = 0; i < scene.size(); ++i)
-    scene.positions[i] = {place(random), place(random), place(random) / (i % 8 != 0 ? 16 : 1), 0.5f};
+    scene.positions[i] = {coordinate(random), coordinate(random), coordinate(random) / (i % 8 != 0 ? 16 : 1), 0.5f};
   expect_right(backend(), scene);
 }
 

@@ -70,7 +70,7 @@ float next_to(float x, uint64_t choice) {
   return std::nextafter(x, choice % 3 == 1 ? -INFINITY : INFINITY);
 }
 
-// Centres on and beside the borders of cells, whose sides are near the diameter: signed zeros among them.
+// Centres on and next to the borders of cells, whose sides are near the diameter: signed zeros among them.
 TEST(CpuGrid, CentresOnBordersOfCells) {
   std::mt19937_64 random(20251121);
   for (float side : {1.0f, 1.00390625f, 0.3f})

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Pairs that a search leaves to settle: of the grid's through dense cells those beyond a group's room and those that
-// float64 leaves undecided, of any other all that its filter does. They are decided ahead of a picture and once results
-// are asked for, and with every step after one that left some.
+// Pairs that a search leaves undecided: of the grid's through dense cells those beyond a group's room and those that
+// float64 leaves undecided, of any other all that its filter does. They are decided before an image is drawn and once
+// results are requested, and with every step after one that left some.
 #include <fmt/format.h>
 
 #include "api/open.h"
@@ -15,7 +15,7 @@ class Deferred : public BackendTest {};
 
 constexpr float touching = 1, overlapping = 1 - 0x1p-24f;  // of spheres of radius 1/2: the filter decides neither
 
-// Pairs of spheres far from all others. So that a picture shows each, they stand in a plane.
+// Pairs of spheres far from all others. So that an image shows each, they stand in a plane.
 Scene scene_of_pairs(uint pairs, float distance) {
   std::vector<vec4> spheres;
   for (uint k = 0; k < pairs; ++k)
@@ -64,7 +64,7 @@ TEST_P(Deferred, AreDecidedByACompleteSearch) {
 
 // With every step after that, of the search that left some: none of what another one leaves.
 TEST_P(Deferred, TakeALaunchOnlyWhereThereAreAny) {
-  if (backend().info().name == "cpu") GTEST_SKIP() << "the CPU launches nothing";
+  if (backend().info().on_host) GTEST_SKIP() << "the CPU launches nothing";
   const auto launches = [&](const CollideOptions& options) {
     const uint64_t before = backend().work_counts().launches;
     backend().enqueue_collide(options);
@@ -95,9 +95,9 @@ TEST_P(Deferred, TakeALaunchOnlyWhereThereAreAny) {
     }
 }
 
-// The colours are those of contacts, which nobody has asked for.
+// The colours are those of contacts, which no call has requested.
 TEST_P(Deferred, AreDecidedBeforeTheyAreDrawn) {
-  if (backend().info().name == "cpu") GTEST_SKIP() << "the others are compared with it";
+  if (backend().info().on_host) GTEST_SKIP() << "the others are compared with it";
   const Scene scene = scene_of_pairs(200, overlapping);
   const View view = make_view(frame(bounds_of(scene.positions), 70, 10, 50, 1.5), contact_look(), 300, 200);
   const auto reference = open_backend("cpu");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rasteriser: every backend's picture equals, to the bit, that of every sphere tried at every pixel.
+// The rasteriser: every backend's image equals, to the bit, that of every sphere tested at every pixel.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -88,7 +88,7 @@ TEST_P(Draw, EverySizeOnTheScreen) {
   }
 }
 
-// Spheres that the eye's plane cuts: in front, beside, around the eye.
+// Spheres that the eye's plane cuts: in front of, next to and around the eye.
 TEST_P(Draw, AcrossThePlaneOfTheEye) {
   std::vector<vec4> spheres;
   for (int i = 0; i < 300; ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What drawing leaves out: with each skip on or off, in pictures one after the other, not a bit differs from drawing
+// What drawing leaves out: with each skip on or off, in images one after the other, not a bit differs from drawing
 // all.
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ const DrawOptions everything = {
     .frustum_culling = false, .occlusion_culling = false, .reuse_unchanged = false, .skip_tile_launches = false};
 
 // Of all_culling().
-enum : size_t { outside_only, hidden_only, both, putting_off, bundled };
+enum : size_t { outside_only, hidden_only, both, deferring, bundled };
 
 std::vector<DrawOptions> all_culling() {
   std::vector<DrawOptions> all;
@@ -32,7 +32,7 @@ std::vector<DrawOptions> all_culling() {
   all.push_back(all.back());
   all.back().defer_from = 0;
   for (const uint64_t defer_from : {uint64_t(0), ~uint64_t(0)}) {
-    all.push_back(all[putting_off]);
+    all.push_back(all[deferring]);
     all.back().defer_from = defer_from;
     all.back().bundles_from = 0;
   }
@@ -62,7 +62,7 @@ TEST_P(DrawCulling, NoImageChanges) {
       for (const DrawOptions& options : all_culling())
         EXPECT_EQ(first_mismatch(image_of(backend(), view, options), expected, view), "")
             << kind << ", ratio " << ratio << ", step " << step << ", outside " << options.frustum_culling
-            << ", hidden " << options.occlusion_culling << ", put off from " << options.defer_from << ", bundles from "
+            << ", hidden " << options.occlusion_culling << ", deferred from " << options.defer_from << ", bundles from "
             << options.bundles_from;
     }
   }
@@ -71,7 +71,7 @@ TEST_P(DrawCulling, NoImageChanges) {
 // Spheres move while the camera does; those in no cell order form poor clusters, but clusters.
 TEST_P(DrawCulling, WhileSpheresMove) {
   const Scene scene = make_scene({.n = 5000});
-  for (const size_t ablation : {both, putting_off, bundled})
+  for (const size_t ablation : {both, deferring, bundled})
     for (const bool collide : {false, true}) {
       backend().upload(scene);
       for (int step = 0; step < 4; ++step) {
@@ -86,7 +86,7 @@ TEST_P(DrawCulling, WhileSpheresMove) {
 }
 
 // Rows so long that most clusters are in one of them and are held by the borders of its cells; the camera goes along
-// them, so that its picture's edges cut through clusters.
+// them, so that its image's edges cut through clusters.
 TEST_P(DrawCulling, WhileLongRowsMove) {
   constexpr uint along = 200, across = 9;
   Scene scene = make_scene({.name = "uniform", .n = along * across * across, .radius = 0.5f});
@@ -109,7 +109,7 @@ TEST_P(DrawCulling, WhileLongRowsMove) {
   }
 }
 
-// Pictures bring contacts along from the cell order; a step in another order, after a move, starts from none.
+// Images bring contacts along from the cell order; a step in another order, after a move, starts from none.
 TEST_P(DrawCulling, ContactsOfAnImageDoNotStay) {
   const Scene scene = make_scene({.n = 3000});
   backend().upload(scene);
@@ -128,8 +128,8 @@ TEST_P(DrawCulling, ContactsOfAnImageDoNotStay) {
   }
 }
 
-// A wall of spheres hides what is behind it, but for what shows through a hole. The third picture from one place draws
-// first only what the second one found not hidden, the first one from there what was hidden until then.
+// A wall of spheres hides what is behind it, but for what shows through a hole. The third image from one position
+// draws first only what the second one found not hidden, the first one from there what was hidden until then.
 TEST_P(DrawCulling, ThroughAHole) {
   std::vector<vec4> spheres;
   for (int k = 0; k < 40 * 64; ++k) spheres.push_back({float(k % 64) * 0.5f - 16, float(k / 64) * 0.5f - 10, 0, 0.5f});
@@ -156,7 +156,7 @@ TEST_P(DrawCulling, ThroughAHole) {
     EXPECT_GT(counts.clusters_hidden, 10u) << "skip " << ablation;
     EXPECT_EQ(counts.bundles_left_out > 2, ablation > 3) << "skip " << ablation;
     EXPECT_EQ(counts.clusters_deferred > 10, ablation == 4)
-        << "bundles that were hidden are put off untested: skip " << ablation;
+        << "bundles that were hidden are deferred untested: skip " << ablation;
   }
 }
 
@@ -165,7 +165,7 @@ TEST_P(DrawCulling, OverManyImages) {
   const Scene scene = make_scene({.name = "uniform", .n = 8000});
   backend().upload(scene);
   backend().collide({.method = Method::collide_grid});
-  for (const size_t ablation : {2, 3, 4, 5}) {  // the far ones at once, put off, by bundles
+  for (const size_t ablation : {2, 3, 4, 5}) {  // the far ones at once, deferred, by bundles
     uint64_t hidden = 0;
     for (int image = 0; image < 19; ++image) {
       const double azimuth = image < 17 ? 2 * image : 0;
@@ -191,17 +191,17 @@ TEST_P(DrawCulling, AreCounted) {
   EXPECT_EQ(counts.clusters, (scene.size() + CLUSTER - 1) / CLUSTER);
   EXPECT_GT(counts.clusters_outside, counts.clusters / 4);
   EXPECT_EQ(counts.clusters_hidden, 0u);
-  // Clusters are rows along x: a view along z sees no ends of rows. The second picture still draws all.
+  // Clusters are rows along x: a view along z sees no ends of rows. The second image still draws all.
   const Camera front = frame(bounds_of(scene.positions), 0, 0, 40, double(width) / height);
   for (int time = 0; time < 3; ++time) backend().draw(make_view(front, contact_look(), width, height), hidden);
   counts = backend().draw_statistics();
   EXPECT_GT(counts.clusters_hidden, counts.clusters / 4);
   EXPECT_LT(counts.drawn + counts.unseen, scene.size() * 3 / 4);
   EXPECT_EQ(counts.clusters_deferred, 0u);
-  backend().draw(make_view(front, contact_look(), width, height), all_culling()[putting_off]);
+  backend().draw(make_view(front, contact_look(), width, height), all_culling()[deferring]);
   const DrawStatistics after = backend().draw_statistics();
   EXPECT_GT(after.clusters_deferred, 0u);
-  EXPECT_GT(after.clusters_hidden, counts.clusters / 4) << "those put off are hidden in the end";
+  EXPECT_GT(after.clusters_hidden, counts.clusters / 4) << "the deferred clusters are hidden in the end";
   EXPECT_EQ(after.bundles_left_out, 0u);
   backend().draw(make_view(front, contact_look(), width, height), all_culling()[bundled]);
   const DrawStatistics in_bundles = backend().draw_statistics();

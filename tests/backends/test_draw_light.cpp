@@ -74,7 +74,7 @@ TEST_P(DrawLight, EqualsEverySphereTried) {
   }
 }
 
-// A run that goes on has its cells planned from other places; its picture is of the spheres alone.
+// A run that goes on has its cells planned from other positions; its image depends on the spheres alone.
 TEST_P(DrawLight, IsTheSameAfterAPause) {
   Scene scene = make_scene({.n = 300, .restitution = 0.25f});
   const View view = view_of(scene, LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND, 30);

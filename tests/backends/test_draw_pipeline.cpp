@@ -2,7 +2,7 @@
 // The graphics pipeline: the three ways to draw the mesh give one image, impostors that of the rasteriser.
 #include <fmt/format.h>
 
-#include "glsl/sphere_mesh.h"
+#include "common/scene/sphere_mesh.h"
 #include "tests/support/images.h"
 
 namespace spherepair {

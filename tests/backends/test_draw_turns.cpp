@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures one after the other: a picture clears its pixels for the next, whatever that one's size and options are, and
+// Images one after the other: an image clears its pixels for the next, whatever that one's size and options are, and
 // the launches for large spheres are left out only where no sphere is large.
 #include <algorithm>
 #include <random>
@@ -44,7 +44,7 @@ TEST_P(DrawTurns, LeaveNothingToTheNext) {
   const std::vector<Shot> all = shots(backend(), scene);
   std::minstd_rand random(7);
   for (int turn = 0; turn < 120; ++turn) {
-    if (turn % 40 == 20) {  // another scene, then this one: nothing of the last picture is listed
+    if (turn % 40 == 20) {  // another scene, then this one: nothing of the last image is listed
       backend().upload(make_scene({.name = "uniform", .n = 50}));
       backend().draw(all[0].view, {.clusters_from = 0});
       backend().upload(scene);
@@ -72,14 +72,14 @@ TEST_P(DrawTurns, LeaveNothingToTheNext) {
   backend().check_guards();
 }
 
-// The numbers of a larger scene, left where a small picture of a smaller one clears nothing, are no spheres of that.
+// Sphere indices of a larger scene, left where a small image of a smaller scene clears nothing, are not listed.
 TEST_P(DrawTurns, ListNothingOfAnotherScene) {
   const auto view_of = [](const Scene& scene, uint width) {
     return make_view(frame(bounds_of(scene.positions), 30, 20, 50, 1.5), contact_look(), width, width * 2 / 3);
   };
   const Scene large = make_scene({.name = "uniform", .n = 700}), small = make_scene({.name = "uniform", .n = 500});
   backend().upload(large);
-  image_of(backend(), view_of(large, 300));  // asks for the numbers, which stay
+  image_of(backend(), view_of(large, 300));  // requests the sphere indices, which stay
   backend().upload(small);
   for (const uint width : {60u, 300u, 300u})
     backend().draw(view_of(small, width), {.reuse_unchanged = false, .clusters_from = 0});
@@ -117,7 +117,7 @@ TEST_P(DrawTurns, MayOverlap) {
   backend().check_guards();
 }
 
-// Spheres at the corners of their box, with cameras all around, so that the picture's edge cuts through the nearest.
+// Spheres at the corners of their box, with cameras all around, so that the image's edge cuts through the nearest.
 TEST_P(DrawTurns, TilesAreLeftOutWhereNoneCanBe) {
   Scene scene = make_scene({.name = "uniform", .n = 8, .radius = 0.5f});
   for (uint i = 0; i < 8; ++i)
@@ -154,7 +154,7 @@ TEST_P(DrawTurns, TilesAreLeftOutWhereNoneCanBe) {
   }
   EXPECT_GT(left_out, 20);
   EXPECT_GT(large, 20);
-  EXPECT_GT(close_call, 0) << "no picture would tell a bound that is a little too low";
+  EXPECT_GT(close_call, 0) << "no image would show a bound that is a little too low";
   backend().move();
   View far = make_view({.eye = {5, 5, 100}, .target = {5, 5, 5}}, contact_look(), 203, 117);
   EXPECT_EQ(launches_of(far, true), launches_of(far, false)) << "spheres that have moved may be anywhere";

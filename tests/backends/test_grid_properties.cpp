@@ -27,7 +27,7 @@ rc::Gen<std::vector<vec4>> lattice_spheres() {
 class GridProperties : public BackendTest {
  protected:
   // On the CPU RapidCheck tries all of its cases; elsewhere, where each takes 50 ms in software, some.
-  bool tried_enough() { return backend().info().name != "cpu" && ++tried_ > (full_stress() ? 1000 : 100); }
+  bool tried_enough() { return !backend().info().on_host && ++tried_ > (full_stress() ? 1000 : 100); }
 
   std::vector<Pair> grid_pairs(const std::vector<vec4>& spheres, Cells cells) {
     backend().upload(scene_of(spheres));

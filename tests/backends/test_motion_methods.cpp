@@ -54,7 +54,7 @@ TEST_P(MotionMethods, UndisturbedByCollisionStepsAndByAsking) {
   }
 }
 
-// The pairs are those of the spheres where they are now, also where a method evaluates that only when it is asked.
+// The pairs are those of the present positions, also where a method evaluates these only on request.
 TEST_P(MotionMethods, CollisionsAreThoseOfThePresentPositions) {
   for (const MotionOptions& motion : all_motions()) {
     const Scene scene = bouncing_scene({.motion = motion, .n = 1500});

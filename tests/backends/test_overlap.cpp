@@ -23,8 +23,8 @@ class Overlap : public BackendTest {
   }
 
   // By turns with radii and without, so that each sort has other words to write than the one before, of the same and of
-  // other positions. Nothing waits between steps but where a result is asked for, and that is of a sort beside a
-  // search.
+  // other positions. Nothing waits between steps except where a result is requested, and that is of a sort that
+  // overlaps a search.
   void expect_right(const Scene& scene) {
     const auto step = [](bool load_radii) {
       return grid_step([=](CollideOptions& o) {
@@ -56,7 +56,7 @@ class Overlap : public BackendTest {
 };
 
 TEST_P(Overlap, NeverChangesTheSet) {
-  if (backend().info().name == "cpu") GTEST_SKIP() << "the others are compared with it";
+  if (backend().info().on_host) GTEST_SKIP() << "the others are compared with it";
   overlaps_ = overlaps();
   for (const uint64_t n : {3000, 100'000}) {
     SceneOptions scene = {.name = "uniform", .n = n};
@@ -78,7 +78,7 @@ TEST_P(Overlap, IsOfWhatNeedsNothingOfTheSearch) {
   const auto collide = [&] { backend().enqueue_collide(options); };
   const auto move = [&] { backend().move(); };
   EXPECT_EQ(more(collide), 0u) << "nothing was there before";
-  EXPECT_EQ(more(collide), 1u) << "split_tiles beside collide_grid";
+  EXPECT_EQ(more(collide), 1u) << "split_tiles overlaps collide_grid";
   EXPECT_EQ(more(move), 1u);
   EXPECT_EQ(more(move), 0u) << "a move needs the move before";
   EXPECT_EQ(more(collide), 0u) << "spheres that move are not sorted";
@@ -107,9 +107,9 @@ TEST_P(Overlap, IsOfManySpheresWhereThereAreGraphs) {
     backend().upload(make_scene({.name = "uniform", .n = n}));
     for (const auto& before : {std::optional<bool>(true), std::optional<bool>(false)}) {
       for (int k = 0; k < 4; ++k) backend().enqueue_collide(step(before));
-      const uint64_t graphs_before = graphs(), beside_before = overlapped();
+      const uint64_t graphs_before = graphs(), overlapped_before = overlapped();
       for (int k = 0; k < 4; ++k) backend().enqueue_collide(step(std::nullopt));
-      EXPECT_EQ(overlapped() - beside_before, n < 20'000 ? 0u : 4u);
+      EXPECT_EQ(overlapped() - overlapped_before, n < 20'000 ? 0u : 4u);
       EXPECT_GE(graphs() - graphs_before, n < 20'000 ? 2u : 0u);
       EXPECT_LE(graphs() - graphs_before, n < 20'000 ? 4u : 0u);
     }

@@ -77,14 +77,14 @@ TEST_F(Outputs, RenderNeverWritesOverItsInput) {
   for (const char* name : {"a.png", "a.json", "a-1.png", "a-2.json"}) {
     const std::string in = folder_.write(name, spheres);
     const bool series = std::string(name).size() > 6;
-    expect_refused(render_of(fmt::format("--input {} --output {} --pictures {}", in, path("a.png"), series ? 3 : 1)),
+    expect_refused(render_of(fmt::format("--input {} --output {} --images {}", in, path("a.png"), series ? 3 : 1)),
                    "is the input");
     fs::remove(in);
   }
 }
 
 TEST_F(Outputs, RenderReplacesNoRecordButItsOwn) {
-  const std::string one = render_of("--output " + path("a.png")), series = one + " --pictures 3";
+  const std::string one = render_of("--output " + path("a.png")), series = one + " --images 3";
   for (const char* name : {"a.json", "a-2.json"})
     for (const char* text : {"{\"title\": \"a scene\", \"camera\": 1}\n", "no JSON", "[]"}) {
       folder_.write(name, text);
@@ -114,7 +114,7 @@ TEST_F(Outputs, PlacesThatCannotBeWrittenAreFoundBeforeTheWork) {
     expect_refused(fmt::format("run --n 10 {} {}", option, long_name), "File name too long");
   expect_refused(render_of("--output " + nowhere + ".png"), "cannot write " + nowhere + ".png");
   fs::create_directories(path("a-1.json"));
-  expect_refused(render_of("--pictures 3 --output " + path("a.png")), "a-1.json: Is a directory");
+  expect_refused(render_of("--images 3 --output " + path("a.png")), "a-1.json: Is a directory");
 }
 
 TEST_F(Outputs, ResultsFoldersAreFoundBeforeTheWork) {

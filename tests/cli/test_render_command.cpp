@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// spherepair render as a whole: pictures and their records, the same on every backend, and nothing lost when it fails.
+// spherepair render as a whole: images and their records, the same on every backend, and nothing lost when it fails.
 #include <gtest/gtest.h>
 #include <png.h>
 
@@ -71,11 +71,11 @@ TEST_F(RenderCommand, WritesASeriesAndItsRecords) {
 TEST_F(RenderCommand, IsTheSameOnEveryBackend) {
   std::string first;
   for (const Backend* backend : open_backends()) {
-    RenderOptions one = options("picture.png");
+    RenderOptions one = options("image.png");
     one.backend = backend->info().name;
     one.steps = 20;
     EXPECT_EQ(run(one), "") << one.backend;
-    const std::string bytes = read_bytes(folder_.path("picture.png"));
+    const std::string bytes = read_bytes(folder_.path("image.png"));
     if (first.empty()) first = bytes;
     EXPECT_EQ(bytes, first) << one.backend;
   }

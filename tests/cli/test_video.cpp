@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Films, through a stand-in for ffmpeg: it keeps its arguments and copies the pictures into the file that it is told.
+// Films, through a stand-in for ffmpeg: it keeps its arguments and copies the images into the file named by the caller.
 #include <fmt/format.h>
 
 #include "bench/cli/commands.h"
@@ -14,14 +14,14 @@ constexpr size_t bytes_of_film = 3 * 64 * 48 * 4;
 
 class Film : public ProgramTest {
  protected:
-  // What ffmpeg does with the pictures: "cat > \"$film\"".
+  // What ffmpeg does with the images: "cat > \"$film\"".
   Outcome film(const std::string& name, const std::string& encode) const {
     fs::create_directories(path("bin"));
     folder_.write("bin/ffmpeg", fmt::format("#!/bin/sh\n[ \"$1\" = -version ] && exit 0\necho \"$*\" >>'{}'\n"
                                             "for film; do :; done\n{}\n",
                                             path("arguments"), encode));
     fs::permissions(path("bin/ffmpeg"), fs::perms::owner_all);
-    return run(fmt::format("render --backend cpu --n 20 --size 64x48 --samples 1 --pictures 3 --video={}", name),
+    return run(fmt::format("render --backend cpu --n 20 --size 64x48 --samples 1 --images 3 --video={}", name),
                fmt::format("cd '{}'; PATH='{}':$PATH", path(""), path("bin")));
   }
 };

@@ -22,6 +22,7 @@ RULES = {
     "headers": lint_sources.headers,
     "borders": lint_sources.borders,
     "builtins": lint_sources.builtins,
+    "functions": lint_sources.functions,
     "mutants": lint_sources.mutants,
     "format": lint_sources.formatting,
     "shaders": lint_arithmetic.shaders,

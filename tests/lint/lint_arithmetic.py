@@ -148,7 +148,7 @@ def warp_functions(root, source):
     """Whether a kernel, or a header of its own folder, calls one of CUDA's functions on warps: not all GPUs have all."""
     text = source.read_text()
     headers = [root / name for name in re.findall(r'#include "(cuda/[\w/]+\.cuh)"', text)]
-    return "_sync(" in text or any(warp_functions(root, header) for header in headers)
+    return bool(re.search(r"\b__\w+_sync\(", text)) or any(warp_functions(root, header) for header in headers)
 
 
 def compiles_for(entry, architecture, **options):

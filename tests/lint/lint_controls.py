@@ -59,6 +59,12 @@ class Sources(unittest.TestCase):
         many = {f"glsl__g{k}_DOT_h": "" for k in range(lint_rooms.MOST_FILES)}
         self.assertEqual(1, len(check(**many)))
 
+    def test_functions(self):
+        def check(lines):
+            body = "  a = 1;\n" * (lines - 2)
+            return len(self.complaints(lint_sources.functions, bench__a_DOT_cpp=f"int f(int a) {{\n{body}}}\n"))
+        self.assertEqual([0, 1], [check(lint_sources.MAX_FUNCTION), check(lint_sources.MAX_FUNCTION + 1)])
+
     def test_mutants(self):
         def check(text):
             listed = f'MUTANTS = [{{"name": "n", "file": "common/a.h", "old": {text!r}}}]\n'

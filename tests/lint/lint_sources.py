@@ -7,6 +7,7 @@ import shutil
 import subprocess
 
 MAX_LINES = 250
+MAX_FUNCTION = 60  # lines, of host code
 CLANG_FORMAT = 14  # other versions lay out some lines differently
 CODE = (".h", ".cpp", ".cu", ".cuh", ".comp", ".glsl")
 FOLDERS = ("common", "shaders", "glsl", "cuda", "interop", "api", "bench", "tests", "paper")
@@ -116,6 +117,24 @@ def formatting(root, build):
     complaints = [f"{path}:{line}: run {tool} -i {path}" for path, line in first_places.items()]
     if result.returncode and not complaints:
         complaints = [result.stderr.strip()]
+    return complaints, f"{len(checked)} files"
+
+
+def function_lengths(text):
+    """(number of the first line, lines) of every function: clang-format has braces where this looks for them."""
+    lines = text.splitlines()
+    for first, line in enumerate(lines):
+        indent = re.match(r"( {0,2})(?!(?:namespace|class|struct|enum|union|extern|if|for|while|switch|else|do)\b)\S.*\{$", line)
+        if not indent or "(" not in line and not re.search(r"\)[^;]*$", lines[first - 1]):
+            continue
+        close = next((k for k in range(first + 1, len(lines)) if re.match(indent[1] + r"\}", lines[k])), first)
+        yield first + 1, close - first + 1
+
+
+def functions(root, build):
+    checked = [p for p in sources(root, (".h", ".cpp")) if p.relative_to(root).parts[0] not in ("shaders", "tests")]
+    complaints = [f"{path.relative_to(root)}:{first}: a function of {length} lines, more than {MAX_FUNCTION}"
+                  for path in checked for first, length in function_lengths(path.read_text()) if length > MAX_FUNCTION]
     return complaints, f"{len(checked)} files"
 
 

@@ -2,18 +2,16 @@
 # SPDX-License-Identifier: MIT
 """Retired words: names and phrases of our own for what the field has a word for. A line that must name one says `retired:`.
 
-The rule `words` of lint.py holds in CLEAN. To see what is left elsewhere: lint_words.py [FOLDER or file ...]"""
+To see those of a folder or file alone: lint_words.py [FOLDER or file ...]"""
 
 import pathlib
 import re
 import sys
 
-# Folders and files in which no retired word is left; a room that has been cleaned is added here.
-CLEAN = ("common/shared", "shaders", "cuda/collide", "cuda/draw", "cuda/grid", "cuda/motion", "cuda/probe",
-         "cuda/kernels.h", "cuda/kernels.cuh", "tests/lint")
-ALL = ("common", "shaders", "cuda", "glsl", "interop", "api", "bench", "tests", "docs", "README.md", "ARTIFACT.md", "paper")
+# Folders and files in which no retired word stands.
+CHECKED = ("common", "shaders", "cuda", "glsl", "interop", "api", "bench", "tests", "docs", "README.md", "ARTIFACT.md", "paper")
 SUFFIXES = (".h", ".cpp", ".cu", ".cuh", ".comp", ".vert", ".frag", ".glsl", ".py", ".cmake", ".md", ".txt")
-OWN = ("lint_words.py", "lint_controls_text.py")  # the table, and the tests that it finds them
+OWN = ("lint_words.py", "lint_controls_text.py", "old_names.py")  # the tables, and the tests of this one
 
 # (what is retired, what takes its place); upper and lower case are told apart in names only.
 NAMES = (
@@ -30,7 +28,6 @@ NAMES = (
     (r"\bdraw_(?:pyramid|seen|counts)\b", "draw_hiz_pyramid, draw_previously_visible, draw_statistics"),
     (r"\bwait_for_launch_before\b|\blet_launch_behind_begin\b", "grid_dependency_sync, trigger_dependent_launch"),
     (r"\bhand_?over\w*|\bHandOver\w*", "transfer (copied, registered, imported)"),
-    (r"\bbox_edges\b", "bounds"),
     (r"\bmeasure_skips\b|\bskips\.(?:json|csv|txt)\b", "ablate"),
 )
 PROSE = (
@@ -38,7 +35,7 @@ PROSE = (
     (r"\bceilings?\b", "peak rate, roofline"),
     (r"\bmeet(?:s|ing|ings)?\b(?! the (?:plane|ground))", "test, collide, intersect, candidate pair"),
     (r"\bsettles? (?:the|what|that|those|these|it|pairs)\b", "decide, resolve"),
-    (r"\bnumbers of (?:the )?spheres\b|\bnumber of (?:the|that|this) sphere\b|\bsphere'?s'? numbers?\b", "sphere index"),
+    (r"\bnumbers of the spheres\b|\bnumber of (?:the|that|this) sphere\b|\bsphere'?s'? numbers?\b", "sphere index"),
     (r"\bplaces? (?:in|of) (?:the |a )?(?:cell )?order\b|\b(?:at|by) places?\b", "sorted index"),
     (r"\b(?:put|puts|putting) (?:\w+ )?off\b", "defer"),
     (r"\bcrowd(?:s|ed)?\b", "oversized bucket"),
@@ -78,7 +75,7 @@ def breaches(text):
             yield (number, *found[start])
 
 
-def words(root, build, names=CLEAN):
+def words(root, build, names=CHECKED):
     checked = files(root, names)
     complaints = [f"{path.relative_to(root)}:{number}: `{word}` is retired: {instead}"
                   for path in checked for number, word, instead in breaches(path.read_text())]
@@ -89,7 +86,7 @@ def words(root, build, names=CLEAN):
 
 def main():
     root = pathlib.Path(__file__).resolve().parents[2]
-    complaints, checked = words(root, None, sys.argv[1:] or ALL)
+    complaints, checked = words(root, None, sys.argv[1:] or CHECKED)
     print("\n".join(complaints))
     rooms = [str(pathlib.PurePath(complaint.split(":")[0]).parent) for complaint in complaints]
     for room in sorted(set(rooms)):

@@ -37,7 +37,7 @@ class Dice {
 struct Places {
   float side, step;  // of the box; coordinates are multiples of the step, 0: any
   vec4 offset;
-  bool crowded;
+  bool dense_centre;
 };
 
 Places random_places(Dice& dice, uint64_t n, float radius) {
@@ -50,14 +50,14 @@ Places random_places(Dice& dice, uint64_t n, float radius) {
 vec4 random_sphere(Dice& dice, const Places& places, float radius) {
   const auto coordinate = [&](float offset) {
     float x = dice.between(-places.side, places.side) * 0.5f;
-    if (places.crowded) x = x * x * x / (places.side * places.side);
+    if (places.dense_centre) x = x * x * x / (places.side * places.side);
     if (places.step > 0) x = std::round(x / places.step) * places.step;
     return x + offset;
   };
   return {coordinate(places.offset.x), coordinate(places.offset.y), coordinate(places.offset.z), radius};
 }
 
-// Spheres as dice fall: equal or unequal radii, ties, crowds, strays far away; at rest or moving.
+// Random spheres: equal or unequal radii, ties, dense centres, strays far away; at rest or moving.
 Scene random_scene(Dice& dice) {
   const uint64_t n = dice.one_in(8) ? dice.below(3) : dice.one_in(4) ? dice.below(3000) : dice.below(700);
   const float radius = std::ldexp(dice.between(0.5f, 1), int(dice.below(41)) - 20);
@@ -84,7 +84,7 @@ CollideOptions random_options(Dice& dice, const Backend& backend) {
   methods.push_back(Method::automatic);
   const std::vector<uint> blocks(block_sizes().begin(), block_sizes().end());
   CollideOptions options = {.method = dice.of(methods), .block = dice.of(blocks), .want_pairs = !dice.one_in(3)};
-  const bool gpu_api = backend.info().name != "cpu", cuda = backend.info().name == "cuda";
+  const bool gpu_api = !backend.info().on_host, cuda = backend.info().name == "cuda";
   options.grid.cells = dice.of<Cells>({Cells::automatic, Cells::dense, Cells::hashed});
   options.grid.keep_order = dice.one_in(2);
   options.grid.keep_cells = dice.one_in(2);

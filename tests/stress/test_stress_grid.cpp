@@ -60,9 +60,9 @@ TEST_P(StressCatalogue, Row31_OneSphereFarAway) {
 TEST_P(StressCatalogue, Row32_CentresOnCellBorders) {
   std::vector<vec4> spheres;
   for (int i = 0; i < 2000; ++i) {
-    const auto place = [&](int k) { return float(int(unsigned(i) * 2654435761u >> (3 * k)) % 13 - 6); };
-    spheres.push_back({place(1), place(2) * 0.5f, place(3), 0.5f});
-    spheres.push_back({-0.0f, std::nextafter(place(4), 100.0f), place(5) * 0.25f, 0.5f});
+    const auto coordinate = [&](int k) { return float(int(unsigned(i) * 2654435761u >> (3 * k)) % 13 - 6); };
+    spheres.push_back({coordinate(1), coordinate(2) * 0.5f, coordinate(3), 0.5f});
+    spheres.push_back({-0.0f, std::nextafter(coordinate(4), 100.0f), coordinate(5) * 0.25f, 0.5f});
   }
   expect_right(backend(), spheres);
 }

@@ -134,8 +134,9 @@ Inputs extreme(Random& random) {
   return inputs;
 }
 
-// The offset turns the tie into a miss (beside the axis), a hit (along it, or in a radius) or, twice, a tie again. Half
-// the pairs have it around 2^-140; in the others both sizes vary, so that integers of every width are needed.
+// The offset turns the tie into a miss (perpendicular to the axis), a hit (along it, or in a radius) or, twice, a tie
+// again. Half the pairs have it around 2^-140; in the others both sizes vary, so that integers of every width are
+// needed.
 Inputs axis_offset(Random& random) {
   const bool varied = random.next() >> 63;
   const int scale = varied ? random.between(-20, 120) : 0;
@@ -166,7 +167,7 @@ void set_difference(Inputs& inputs, int c, uint64_t value, float sign) {
   inputs[4 + c] = sign * float(value & 0xFFFFFFu);
 }
 
-// x^2 + y^2 beside r^2, where y is the root of r^2 - x^2 rounded down or up: so close that float64 sees no difference.
+// x^2 + y^2 next to r^2, where y is the root of r^2 - x^2 rounded down or up: so close that float64 sees no difference.
 Inputs beyond_double(Random& random) {
   const uint64_t x = (1ul << 46) + random.below(1ul << 46), more = 1 + random.below(1 << 12);
   const uint64_t square = more * (2 * x + more);  // r^2 - x^2 for r = x + more

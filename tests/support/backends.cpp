@@ -47,19 +47,19 @@ bool full_stress() {
   return form && std::strcmp(form, "full") == 0;
 }
 
-bool is_gpu(const Backend& backend) { return backend.info().name != "cpu" && !backend.info().software; }
+bool is_gpu(const Backend& backend) { return !backend.info().on_host && !backend.info().software; }
 
 std::vector<CollideOptions> every_method(const Backend& backend, std::span<const uint> blocks) {
   std::vector<CollideOptions> all;
   for (Method method : backend.methods()) {
-    const bool blocked = backend.info().name != "cpu" || method == Method::collide_group;
+    const bool blocked = !backend.info().on_host || method == Method::collide_group;
     for (uint block : blocked ? blocks : blocks.first(1)) all.push_back({.method = method, .block = block});
   }
   return all;
 }
 
 CollideOptions fast_method(const Backend& backend) {
-  return {.method = backend.info().name == "cpu" ? Method::parallel : Method::collide_triangle};
+  return {.method = backend.info().on_host ? Method::parallel : Method::collide_triangle};
 }
 
 std::string describe(const CollideOptions& options) {

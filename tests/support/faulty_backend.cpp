@@ -15,7 +15,8 @@ class ForwardingBackend : public Backend {
   ForwardingBackend(const std::string& name, std::unique_ptr<Backend> real)
       : real_(std::move(real)), info_(real_->info()) {
     info_.name = name;
-    info_.software = name != "cpu";
+    info_.on_host = name == "cpu";
+    info_.software = !info_.on_host;
   }
   const BackendInfo& info() const override { return info_; }
   std::vector<Method> methods() const override { return real_->methods(); }

@@ -31,7 +31,7 @@ enum class Fault {
   velocity_missing,   // velocities of one sphere fewer
   infinite_position,  // x of sphere 3
   image_pixel,
-  // What a kernel must not do, and a backend that nothing is asked of.
+  // What a kernel must not do, and a backend without methods.
   guard_overwritten,
   no_methods
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a picture should be: every sphere tried at every pixel, with nothing skipped.
+// The expected image: every sphere tested at every pixel, with nothing skipped.
 #pragma once
 
 #include "common/scene/camera.h"
@@ -13,13 +13,13 @@ struct Image {
 };
 Image brute_force_image(const std::vector<vec4>& spheres, const std::vector<uint>& contacts, const View& view);
 
-// Suites of what a device keeps from one picture to the next, or leaves out; the CPU draws every sphere anew.
+// Suites of what a device keeps from one image to the next, or leaves out; the CPU draws every sphere anew.
 class DeviceImages : public BackendTest {
  protected:
   void SetUp() override;
 };
 
-// Draws what the backend holds. The first difference from the expected picture as one sentence; empty when there is
+// Draws what the backend holds. The first difference from the expected image as one sentence; empty when there is
 // none.
 Image image_of(Backend& backend, const View& view, const DrawOptions& options = {});
 std::string first_mismatch(const Image& given, const Image& expected, const View& view);

@@ -70,7 +70,7 @@ bool boxes_may_overlap(const vec4& a, const vec4& b) {
          std::abs(double(a.x) - double(b.x)) <= reach;
 }
 
-// Spheres by slabs of y as wide as the largest diameter, in each of them by x: those that meet are in one slab or in
+// Spheres by slabs of y as wide as the largest diameter, in each of them by x: colliding spheres are in one slab or in
 // neighbours. All in float64 with slacks far above its rounding errors.
 class Slabs {
  public:
@@ -84,24 +84,23 @@ class Slabs {
     for (size_t i = 0; i < spheres.size(); ++i)
       slab_[i] = reach_ > 0 ? long(std::floor(double(spheres[i].y) / reach_)) : 0;
     std::iota(order_.begin(), order_.end(), 0u);
-    std::sort(order_.begin(), order_.end(), [this](uint i, uint j) { return place(i) < place(j); });
+    std::sort(order_.begin(), order_.end(), [this](uint i, uint j) { return key(i) < key(j); });
   }
 
-  // Calls with each sphere that may meet the one at this place of the order, every pair once in all.
+  // Calls with each sphere that may collide with the one at this sorted index, every pair once in all.
   template <typename Visit>
   void for_candidates(size_t row, const Visit& visit) const {
     const uint i = order_[row];
-    const auto [slab, x] = place(i);
-    for (size_t k = row + 1; k < order_.size() && place(order_[k]) <= std::pair(slab, x + reach_); ++k)
+    const auto [slab, x] = key(i);
+    for (size_t k = row + 1; k < order_.size() && key(order_[k]) <= std::pair(slab, x + reach_); ++k)
       visit(i, order_[k]);
     const std::pair above = {slab + 1, x - reach_};
-    auto next =
-        std::lower_bound(order_.begin(), order_.end(), above, [this](uint j, auto to) { return place(j) < to; });
-    for (; next != order_.end() && place(*next) <= std::pair(slab + 1, x + reach_); ++next) visit(i, *next);
+    auto next = std::lower_bound(order_.begin(), order_.end(), above, [this](uint j, auto to) { return key(j) < to; });
+    for (; next != order_.end() && key(*next) <= std::pair(slab + 1, x + reach_); ++next) visit(i, *next);
   }
 
  private:
-  std::pair<long, double> place(uint i) const { return {slab_[i], double(spheres_[i].x)}; }
+  std::pair<long, double> key(uint i) const { return {slab_[i], double(spheres_[i].x)}; }
 
   std::span<const vec4> spheres_;
   std::vector<uint> order_;

@@ -20,7 +20,7 @@ std::vector<Relation> relations(std::span<const vec4> spheres);
 // The colliding pairs in canonical order: every pair decided by relation().
 std::vector<Pair> brute_force_pairs(std::span<const vec4> spheres);
 
-// The same set for large scenes: only pairs whose bounding boxes, a little enlarged, meet go to relation().
+// The same set for large scenes: only pairs whose bounding boxes, a little enlarged, intersect go to relation().
 std::vector<Pair> swept_pairs(std::span<const vec4> spheres);
 
 // Those pairs whose spheres share a group of `block` consecutive indices.

@@ -28,7 +28,7 @@ constexpr uint FILTER_SCALE_BITS = 0x3F80000Cu, FILTER_OFFSET_BITS = 0x0D800000u
 std::vector<uint> decide_directly(std::span<const vec4> spheres);  // decide_pair, on all cores
 Decider decider_of(bool (*collide)(vec4 a, vec4 b));
 
-// How many pairs of each family a backend is asked about: over 10^7 in all, a tenth and more exactly tangent.
+// How many pairs of each family a backend decides: over 10^7 in all, a tenth and more exactly tangent.
 struct Plan {
   Family family;
   uint64_t pairs;

@@ -13,6 +13,7 @@ namespace {
 Method taken(const char* device, const std::vector<vec4>& spheres, CollideOptions options = {}) {
   BackendInfo info;
   info.name = device;
+  info.on_host = info.name == "cpu";
   info.details["threads"] = "16";
   options.method = Method::automatic;
   return chosen_method(info, spheres.size(), plan_grids(spheres), options);
@@ -61,6 +62,7 @@ TEST(MethodsOnTheHost, AutoTakesHashedCellsLater) {
 TEST(MethodsOnTheHost, AutoOnTheCpuGoesByItsThreads) {
   BackendInfo info;
   info.name = "cpu";
+  info.on_host = true;
   info.details["threads"] = "16";
   const uint64_t from_of_many = crossover_of(info).grid_from;
   info.details["threads"] = "2";

@@ -18,7 +18,7 @@
 namespace spherepair {
 namespace {
 
-// The backends are asked about all of them.
+// The tests of the backends decide all of them.
 uint64_t some_of(const Plan& plan) { return std::min<uint64_t>(plan.pairs, full_stress() ? plan.pairs : 400'000); }
 
 TEST(Predicate, RightOnEveryFamily) {

@@ -41,6 +41,7 @@ std::map<std::string, Recorded> recorded_crossovers() {
         one.scene.radius_ratio = scene.at("radius_ratio");
         one.scene.packing_fraction = scene.at("packing_fraction");
         one.info.name = backend;
+        one.info.on_host = backend == "cpu";
         for (const json& opened : record.at("backends")) {
           if (opened.at("name") != backend) continue;
           one.info.software = opened.at("software");
@@ -87,7 +88,7 @@ TEST(MethodsRecorded, AutoIsNeverFarBehindTheBestFixedChoice) {
 TEST(MethodsRecorded, AutoTakesHashedCellsWhereTheyAreAhead) {
   int met = 0;
   for (const auto& [name, one] : recorded_crossovers()) {
-    if (one.info.name == "cpu" || one.info.software || !one.ways.contains("hashed")) continue;
+    if (one.info.on_host || one.info.software || !one.ways.contains("hashed")) continue;
     const GridPlans plans = plan_grids(make_scene(one.scene).positions);
     const CollideOptions options = {.method = Method::automatic, .grid = {.cells = Cells::hashed}};
     const MethodChoice choice = explain_choice(one.info, one.scene.n, plans, options);

@@ -16,8 +16,8 @@ constexpr uint64_t alone = 32768;  // spheres up to which passing over them is n
 
 }  // namespace
 
-// What one thread has found. Within its stretch of places it counts alone; contacts of other places are counted apart,
-// where several threads may meet.
+// What one thread has found. Within its chunk of places it counts alone; contacts of other places are counted apart,
+// which several threads may write.
 class CpuGrid::Finder final : public CandidateSink {
  public:
   Finder(CpuGrid& grid, const SearchInput& search, const Params& p, GrowingList<uint64_t>& list)
@@ -28,8 +28,8 @@ class CpuGrid::Finder final : public CandidateSink {
         far_counts_(grid.far_counts_.data()),
         list_(search.options.want_pairs ? &list : nullptr) {}
 
-  void search(Stretch columns_per_group) {
-    stretch_ = columns_per_group;
+  void search(Chunk columns_per_group) {
+    chunk_ = columns_per_group;
     std::fill(near_counts_ + columns_per_group.first, near_counts_ + columns_per_group.last, 0u);
     simd_.find_candidates(order_, p_, columns_per_group.first, columns_per_group.last, candidates_, *this);
     take(candidates_);
@@ -59,14 +59,14 @@ class CpuGrid::Finder final : public CandidateSink {
 
  private:
   void add_contact(uint place) {
-    if (place - stretch_.first < stretch_.last - stretch_.first) {
+    if (place - chunk_.first < chunk_.last - chunk_.first) {
       ++near_counts_[place];
     } else {
       std::atomic_ref(far_counts_[place]).fetch_add(1, std::memory_order_relaxed);
     }
   }
 
-  // Drops the undecided meetings that are no collisions.
+  // Drops the undecided candidate pairs that are no collisions.
   void resolve_undecided(Candidates& candidates) {
     uint flags = 0;
     for (uint k = 0; k < candidates.size; ++k) flags |= candidates.other[k];
@@ -98,7 +98,7 @@ class CpuGrid::Finder final : public CandidateSink {
   const Params& p_;
   uint *near_counts_, *far_counts_;
   GrowingList<uint64_t>* list_;
-  Stretch stretch_{};
+  Chunk chunk_{};
   Collisions totals_;
   Candidates candidates_;
   uint64_t keys_[candidates_at_once];
@@ -123,8 +123,8 @@ PairsFound CpuGrid::search(const SearchInput& search, const GridPlan& plan, bool
 
 Collisions CpuGrid::find(const SearchInput& search, const Params& p) {
   Collisions totals;
-  const std::vector<Stretch> stretches = cells_.stretches(search.threads);
-  const int threads = team_of(stretches.size(), search.threads);
+  const std::vector<Chunk> chunks = cells_.chunks(search.threads);
+  const int threads = team_of(chunks.size(), search.threads);
   lists_.resize(size_t(threads));
   for (GrowingList<uint64_t>& list : lists_) list.clear();
 #pragma omp parallel num_threads(threads)
@@ -133,7 +133,7 @@ Collisions CpuGrid::find(const SearchInput& search, const Params& p) {
     for (uint64_t k = 0; k < n_; ++k) far_counts_[k] = 0;
     Finder finder(*this, search, p, lists_[size_t(omp_get_thread_num())]);
 #pragma omp for schedule(dynamic, 1)
-    for (size_t s = 0; s < stretches.size(); ++s) finder.search(stretches[s]);
+    for (size_t s = 0; s < chunks.size(); ++s) finder.search(chunks[s]);
 #pragma omp critical
     finder.add_to(totals);
   }

@@ -12,7 +12,7 @@ class CpuGrid {
  public:
   explicit CpuGrid(const GridSimd& simd = grid_simds().front()) : simd_(simd), cells_(simd) {}
 
-  // All but the counts, which are put into the order of the spheres when they are asked for. With keep_cells the
+  // All but the counts, which are put into the order of the spheres when they are requested. With keep_cells the
   // spheres are those of the last search, in the same cells.
   PairsFound search(const SearchInput& search, const GridPlan& plan, bool keep_cells);
   std::vector<uint> counts(int threads) const;  // of the last search
@@ -26,7 +26,7 @@ class CpuGrid {
   const GridSimd& simd_;
   CellSort cells_;
   uint64_t n_ = 0;
-  Buffer<uint> near_counts_, far_counts_;  // contacts by place: within a sphere's own stretch, and beyond
+  Buffer<uint> near_counts_, far_counts_;  // contacts by sorted index: within a sphere's own chunk, and beyond
   std::vector<GrowingList<uint64_t>> lists_;
   PairSort list_sort_;
 };

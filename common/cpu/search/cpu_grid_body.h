@@ -2,8 +2,8 @@
 // The grid's search on vectors. cpu_grid_simd.cpp includes this once for each instruction set, inside a namespace that
 // says what Floats, lanes, load, spread, fused, not_above, below and append are there: hence no include guard.
 
-// A few groups of consecutive spheres of one row of cells, which meet the same rows of cells.
-constexpr uint groups_at_once = 16, row_stretch = 64;
+// A few groups of consecutive spheres of one row of cells, which are tested against the same rows of cells.
+constexpr uint groups_at_once = 16, row_chunk = 64;
 struct Run {
   uint first, count, level;
   Cell cell;                                                    // of the first sphere
@@ -57,7 +57,7 @@ class Searcher {
     return {order_.x[place], order_.y[place], order_.z[place], equal_radii ? p_.radius : order_.radius[place]};
   }
 
-  // All beyond the largest cell number is one cell, whose spheres may be too far apart to meet rows of cells together.
+  // All beyond the largest cell number is one cell, whose spheres may be too far apart to test rows of cells together.
   static bool is_last(int cell) { return cell <= -MOST_CELLS || cell >= MOST_CELLS; }
 
   // A run of hashed cells ends with its row, and before the row comes back to its own slots.
@@ -66,7 +66,7 @@ class Searcher {
     if (is_last(run.cell.x) || is_last(run.cell.y) || is_last(run.cell.z)) return false;
     const vec4 s = sphere(place);
     return stands_in_row(s, run.level, run.cell.y, run.cell.z, p_) &&
-           uint(cells_.own(s, run.level).x) - uint(run.cell.x) < row_stretch;
+           uint(cells_.own(s, run.level).x) - uint(run.cell.x) < row_chunk;
   }
 
   Run take_run(uint first, uint last) const {
@@ -173,7 +173,7 @@ class Searcher {
     }
   }
 
-  // Of the meetings of a few spheres from i on with a vector from `at` on: those that are wanted.
+  // Of the candidate pairs of a few spheres from i on with a vector from `at` on: those that are wanted.
   template <bool half>
   static uint64_t meant(uint i, uint count, uint at, uint others) {
     constexpr uint64_t every = lanes == 16 ? 0x0001000100010001u : lanes == 8 ? 0x01010101u : 0x1111u;
@@ -185,7 +185,7 @@ class Searcher {
     return bits;
   }
 
-  // Rows may share slots: of the meetings, those with spheres of this row.
+  // Rows may share slots: of the candidate pairs, those with spheres of this row.
   uint64_t in_row(uint64_t near, uint at, uint level, int y, int z) const {
     uint64_t kept = 0;
     for (uint64_t rest = near; rest; rest &= rest - 1) {

@@ -2,7 +2,7 @@
 // The grid's shorter loops on vectors. cpu_grid_simd.cpp includes this once for each instruction set, inside a
 // namespace that says what lanes is there: hence no include guard.
 
-// Lists the meetings of a quad one by one.
+// Lists the candidate pairs of a quad one by one.
 inline void append_each(Candidates& found, uint first, uint at, uint64_t near, uint64_t open) {
   for (; near; near &= near - 1) {
     const uint bit = uint(std::countr_zero(near));

@@ -21,8 +21,8 @@ struct CellOrder {
 // Pairs of places that are in reach of each other; UNDECIDED_BIT is set in `other` where the filter leaves it open.
 constexpr uint UNDECIDED_BIT = 0x80000000u;
 constexpr uint candidates_at_once = 2048;
-constexpr uint spheres_at_once = 8;  // of a row of cells, that meet the same vector of others
-constexpr uint quad = 4;             // of these, whose meetings are one mask
+constexpr uint spheres_at_once = 8;  // of a row of cells, that are tested against the same vector of others
+constexpr uint quad = 4;             // of these, whose candidate pairs are one mask
 constexpr uint widest_vector = 16;
 struct Candidates {
   alignas(64) uint mine[candidates_at_once + widest_vector], other[candidates_at_once + widest_vector];
@@ -41,7 +41,7 @@ struct GridSimd {
   const char* name;
   // slot_of every sphere; radii of records stand apart, since w has their index.
   void (*find_slots)(const vec4* spheres, const float* radii, uint count, const Params& p, uint* slots);
-  // Every pair that a sphere at the places from first to last meets in its half neighbourhood.
+  // Every pair that a sphere from sorted index first to last has in its half neighbourhood.
   void (*find_candidates)(const CellOrder& order, const Params& p, uint first, uint last, Candidates& found,
                           CandidateSink& sink);
   // first << 32 | second of the pairs of spheres at these places, and the sum of their fingerprints.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr uint64_t spheres_per_bucket = 4096, most_buckets = 4096, spheres_per_block = 32768, most_blocks = 256;
 constexpr uint batch = 1024;  // slots computed at once
-constexpr uint64_t stretches_per_thread = 16, least_work = 16384;
+constexpr uint64_t chunks_per_thread = 16, least_work = 16384;
 constexpr uint64_t own_work = 8, cell_work = 1;  // of a sphere by itself, and with each of its cell
 
 }  // namespace
@@ -117,11 +117,11 @@ void CellSort::order_bucket(uint number, const Params& p) {
   });
 }
 
-std::vector<Stretch> CellSort::stretches(int threads) const {
+std::vector<Chunk> CellSort::chunks(int threads) const {
   uint64_t work = 0;
   for (const Bucket& bucket : buckets_) work += bucket.work;
-  const uint64_t share = std::max<uint64_t>(work / (stretches_per_thread * uint64_t(threads)), least_work);
-  std::vector<Stretch> all;
+  const uint64_t share = std::max<uint64_t>(work / (chunks_per_thread * uint64_t(threads)), least_work);
+  std::vector<Chunk> all;
   uint64_t gathered = 0;
   uint first = 0;
   const auto close = [&](uint last) {

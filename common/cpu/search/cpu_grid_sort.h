@@ -11,7 +11,7 @@
 namespace spherepair {
 
 // Consecutive places that make one task of the search.
-struct Stretch {
+struct Chunk {
   uint first, last;
 };
 
@@ -26,8 +26,8 @@ class CellSort {
   CellOrder order() const {
     return {x_.data(), y_.data(), z_.data(), radii_ ? radius_.data() : nullptr, id_.data(), begin_.data()};
   }
-  // All places in stretches of about the same work, several for each thread.
-  std::vector<Stretch> stretches(int threads) const;
+  // All places in chunks of about the same work, several for each thread.
+  std::vector<Chunk> chunks(int threads) const;
 
  private:
   struct Bucket {

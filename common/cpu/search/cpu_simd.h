@@ -20,7 +20,7 @@ struct RowTile {
   uint count;
 };
 
-// The columns that one row may meet: bit b stands for column first_column + b of the tile.
+// The columns that may collide with one row: bit b stands for column first_column + b of the tile.
 struct NearColumns {
   uint16_t row, first_column;
   uint64_t bits;
@@ -38,7 +38,7 @@ struct Simd {
   const char* name;
   // Spheres in the tile become Gram forms about the origin, in place; w becomes -w of the form.
   void (*form_columns)(ColumnTile& tile, vec4 origin, float share);
-  // Lists all columns before `columns` that a row may meet.
+  // Lists all columns before `columns` that may collide with a row.
   void (*find_near)(const ColumnTile& tile, uint columns, const RowTile& rows, bool equal_radii, NearList& list);
 };
 

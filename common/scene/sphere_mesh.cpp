@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "glsl/sphere_mesh.h"
+#include "common/scene/sphere_mesh.h"
 
 #include <algorithm>
 #include <cmath>
