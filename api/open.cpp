@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "common/cpu/cpu_backend.h"
-#include "common/device/simulation.h"
+#include "common/simulation/simulation.h"
 #ifdef SPHEREPAIR_WITH_GLSL
 #include "glsl/gl_device.h"
 #endif

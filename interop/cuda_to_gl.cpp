@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <array>
 
-#include "common/device/simulation.h"
 #include "common/scene/camera.h"
+#include "common/simulation/simulation.h"
 #include "cuda/host/check.h"
 #include "cuda/host/cuda_device.h"
 #include "glsl/context.h"

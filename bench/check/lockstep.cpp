@@ -19,9 +19,9 @@ bool is_all_pairs_of_devices(Method method) {
   return method == Method::collide_tiled || method == Method::collide_square || method == Method::collide_triangle;
 }
 
-// A set, its reference and the other configurations that must find it.
 constexpr uint64_t few_spheres = 100'000;
 
+// A set, its reference and the other configurations that must find it.
 struct SetCheck {
   Configuration reference;
   std::vector<Configuration> others;

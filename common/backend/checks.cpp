@@ -10,7 +10,7 @@ void check_collide(const CollideOptions& options) {
   if (!options.filter && (!options.exact || options.method != Method::collide_grid))
     throw std::invalid_argument("without its filter only collide_grid runs, and only with the exact predicate");
   if (!grid && options.api != ApiOptions{.graph = options.api.graph, .batch = options.api.batch})
-    throw std::invalid_argument("of the api, all but the graph and the batch are of the grid");
+    throw std::invalid_argument("of the API options, all but the graph and the batch need collide_grid");
   const bool counts = options.grid.sort == Sort::automatic || options.grid.sort == Sort::counting;
   if (options.grid.scan == Scan::library && !counts)
     throw std::invalid_argument(

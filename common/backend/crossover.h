@@ -40,7 +40,7 @@ struct Crossover {
   uint64_t square_block_to = 0;
   uint64_t wide_from = never;        // spheres from which on collide_grid is faster in groups of wide_block
   double occupancy_from = HUGE_VAL;  // others in a dense cell from which on the grid is ahead of least_crowded spheres
-                                     // or more: all pairs settles each near pair by itself
+                                     // or more: all pairs handles each near pair by itself
 };
 constexpr uint narrow_block = 32, square_block = 64, wide_block = 256;
 constexpr uint64_t least_crowded = 32;

@@ -12,7 +12,7 @@ namespace spherepair {
 struct Variant {
   bool equal_radii = true;     // loads no radius
   bool listed = false;         // keeps the pairs, not only their number
-  bool texture_table = false;  // GLSL: the cells, the spheres to sort or the pyramid come through a texture buffer
+  bool texture_table = false;  // GLSL: the table of cells or the pyramid is read through a buffer texture
   bool dense = false;          // grid_bounds and what sorts: the cells are
   bool from_tiles = false;     // grid_sort: the spheres come from split_tiles
   bool bundles = false;        // draw_cull, draw_clusters: bundles of clusters are tested first
@@ -20,7 +20,7 @@ struct Variant {
   uint indices = 0;            // GLSL: Params::in_cells, known to the compiler
   bool folded = false;         // GLSL: groups are numbered along two axes, or not from 0 on
   bool windows = false;        // GLSL: that table in several textures, of which a dispatch reads one
-  MotionOptions motion = {};   // of move, bounce and place
+  MotionOptions motion = {};   // of move, bounce and evaluate_positions
   auto operator<=>(const Variant&) const = default;
 };
 

@@ -57,6 +57,7 @@ TEST_P(MethodsByBuckets, AfterAStepThatFailed) {
   CollideOptions too_long = options;
   too_long.api.texture_table = true;
   EXPECT_THROW(glsl->collide(too_long), BackendError);
+  EXPECT_THROW(glsl->counts(), BackendError) << "the step that failed has results";
   EXPECT_EQ(run_step(*glsl, options).totals.fingerprint, wanted.totals.fingerprint);
 }
 

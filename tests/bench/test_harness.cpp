@@ -42,6 +42,16 @@ TEST(Harness, AcceptsRightAnswers) {
   }
 }
 
+// Once for each set of each step; the reference is the only configuration of its backend here.
+TEST(Harness, LockstepSearchesWithTheReferenceOnceAStep) {
+  Session session = session_with(Fault::none);
+  LockstepPlan plan = lockstep_plan();
+  plan.methods = {Method::collide_grid, Method::sequential};
+  lockstep(session, plan);
+  const uint64_t grid = session.reference().work_counts().sorts + session.reference().work_counts().cells_kept;
+  EXPECT_EQ(session.reference().work_counts().steps - grid, plan.steps + 1);
+}
+
 TEST(Harness, RequireEqualNamesEveryWrongSet) {
   for (const bool listed : {false, true})
     for (const NamedFault& fault : set_faults()) {

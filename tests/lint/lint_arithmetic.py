@@ -15,7 +15,7 @@ import tempfile
 from lint_sources import Skip
 
 STATE_FEEDING = ("move", "bounce", "evaluate_positions")  # kernels whose results are the next step's input: every bit counts, so nothing is fused
-METHODS, PRECISIONS = range(6), ("float", "Two", "double")  # of layout.h; bounce and place are of a method of their own
+METHODS, PRECISIONS = range(6), ("float", "Two", "double")  # of layout.h; bounce and evaluate_positions are of one method
 EXACT_FUNCTIONS = ("PackDouble2x32", "UnpackDouble2x32", "FAbs", "FMin", "FMax", "NMin", "NMax", "UMin", "UMax", "SMin",
                    "SMax", "FindUMsb", "FindSMsb", "FindILsb")
 ROUNDED = re.compile(r"(%\w+) = (OpF(?:Add|Sub|Mul|Div|Rem|Mod)|Op(?:Vector|Matrix)Times\w+|OpDot|OpOuterProduct) ")

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "common/backend/plan_watch.h"
-#include "common/device/context.h"
+#include "common/simulation/context.h"
 
 namespace spherepair {
 

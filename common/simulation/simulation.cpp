@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common/device/simulation.h"
+#include "common/simulation/simulation.h"
 
 #include <fmt/format.h>
 
@@ -109,14 +109,14 @@ void Simulation::enqueue_draw(const View& view, const DrawOptions& options) {
 
 void Simulation::launch_peak_rate(PeakRate rate) {
   require_scene("launch_peak_rate");
-  probe_.launch_peak_rate(rate);
   search_.moved(false);
+  probe_.launch_peak_rate(rate);
 }
 
 void Simulation::check_peak_rate(PeakRate rate) {
   require_scene("check_peak_rate");
-  probe_.check_peak_rate(rate);
   search_.moved(false);
+  probe_.check_peak_rate(rate);
 }
 
 void Simulation::prepare_to_share() {

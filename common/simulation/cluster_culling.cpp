@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common/device/cluster_culling.h"
+#include "common/simulation/cluster_culling.h"
 
 #include <algorithm>
 

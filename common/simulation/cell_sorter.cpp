@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "common/device/cell_sorter.h"
+#include "common/simulation/cell_sorter.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "common/device/sphere_sort.h"
+#include "common/simulation/sphere_sort.h"
 
 namespace spherepair {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common/device/probe.h"
+#include "common/simulation/probe.h"
 
 #include <fmt/format.h>
 

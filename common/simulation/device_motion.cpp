@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common/device/device_motion.h"
+#include "common/simulation/device_motion.h"
 
 #include <limits>
 

@@ -5,9 +5,9 @@
 #include <set>
 #include <utility>
 
-#include "common/device/cell_sorter.h"
-#include "common/device/device_motion.h"
 #include "common/scene/scene_params.h"
+#include "common/simulation/cell_sorter.h"
+#include "common/simulation/device_motion.h"
 
 namespace spherepair {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common/device/all_pairs.h"
+#include "common/simulation/all_pairs.h"
 
 #include <fmt/format.h>
 

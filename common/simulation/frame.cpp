@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common/device/frame.h"
+#include "common/simulation/frame.h"
 
 namespace spherepair {
 namespace {

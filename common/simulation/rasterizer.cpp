@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common/device/rasterizer.h"
+#include "common/simulation/rasterizer.h"
 
 #include <fmt/format.h>
 
@@ -69,7 +69,7 @@ Frame Rasterizer::make_frame() {
   Frame frame{.view = view_, .options = options_, .params = context_.params};
   frame.order = search_.searched() ? sorter_.order() : Order::scene;
   frame.params.in_cells = sorter_.indices(frame.order);
-  const bool culls = (options_.frustum_culling || options_.occlusion_culling) && context_.n >= options_.clusters_from;
+  frame.culls = (options_.frustum_culling || options_.occlusion_culling) && context_.n >= options_.clusters_from;
   View& view = frame.view;
   view.tile_capacity = uint(context_.buffers.bytes(SLOT_TILE) / sizeof(uvec2));
   view.counting = options_.count;
@@ -77,11 +77,11 @@ Frame Rasterizer::make_frame() {
   view.phase = PHASE_SEEN;
   view.turn = culling_.turn();
   view.clusters = 0;
-  view.occlusion = culls && options_.occlusion_culling;
-  view.lanes = culls ? 1 : options_.lanes(context_.n);
+  view.occlusion = frame.culls && options_.occlusion_culling;
+  view.lanes = frame.culls ? 1 : options_.lanes(context_.n);
   frame.may_have_tiles = may_be_large(view);
   pixels_kept_ = options_.keep_visible || view.lighting;
-  choose_pixels(frame, culls || pixels_kept_ || frame.params.in_cells);
+  choose_pixels(frame, frame.culls || pixels_kept_ || frame.params.in_cells);
   return frame;
 }
 
@@ -109,13 +109,12 @@ void Rasterizer::launch_compute() {
   context_.buffers.grow(SLOT_TILE, std::clamp(context_.n, least_tiles, most_tiles) * sizeof(uvec2));
   frame_ = make_frame();
   View& view = frame_.view;
-  const bool culls = (options_.frustum_culling || options_.occlusion_culling) && context_.n >= options_.clusters_from;
   const bool by_cells =
       motion_.moved() && context_.equal_radii && search_.searched() && sorter_.built() && sorter_.dense();
   const uint64_t clear = std::exchange(pixels_clear_[frame_.visible_slot], 0);
   if (view.occlusion) culling_.prepare_list();
   if (pixels(view) > clear) launch_per_pixel(frame_, Kernel::draw_clear);
-  if (context_.n > 0) culls ? culling_.draw(frame_, by_cells) : draw_all(frame_);
+  if (context_.n > 0) frame_.culls ? culling_.draw(frame_, by_cells) : draw_all(frame_);
   view.pass = pixels_kept_ ? PASS_KEEP : PASS_DEPTH;
   launch_per_pixel(frame_, view.lighting ? Kernel::draw_light : Kernel::draw_resolve);
   if (pixels_kept_) {

@@ -2,7 +2,7 @@
 // The searches without a grid: which groups of a kernel test which pairs.
 #pragma once
 
-#include "common/device/context.h"
+#include "common/simulation/context.h"
 
 namespace spherepair {
 

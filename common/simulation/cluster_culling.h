@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "common/device/cell_sorter.h"
-#include "common/device/frame.h"
+#include "common/simulation/cell_sorter.h"
+#include "common/simulation/frame.h"
 
 namespace spherepair {
 

@@ -2,7 +2,7 @@
 // One image on its way through the rasteriser: what every launch of it has in common.
 #pragma once
 
-#include "common/device/context.h"
+#include "common/simulation/context.h"
 
 namespace spherepair {
 
@@ -13,6 +13,7 @@ struct Frame {
   Order order = Order::scene;        // of the spheres
   uint visible_slot = SLOT_VISIBLE;  // its pixels
   bool overlaps_previous = false;    // its spheres are drawn while the last image is still resolved
+  bool culls = false;                // by clusters
   bool may_have_tiles = true;        // some sphere may look large
   uint tiles_of_depth_pass = 0;      // where depths and indices take a pass each
 };

@@ -3,8 +3,8 @@
 // device has one.
 #pragma once
 
-#include "common/device/cluster_culling.h"
-#include "common/device/pair_search.h"
+#include "common/simulation/cluster_culling.h"
+#include "common/simulation/pair_search.h"
 
 namespace spherepair {
 

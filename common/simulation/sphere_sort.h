@@ -3,7 +3,7 @@
 // begin, and clears counts and totals.
 #pragma once
 
-#include "common/device/context.h"
+#include "common/simulation/context.h"
 
 namespace spherepair {
 

@@ -2,8 +2,8 @@
 // The backend of a GPU API: a device, and the components that launch its kernels.
 #pragma once
 
-#include "common/device/probe.h"
-#include "common/device/rasterizer.h"
+#include "common/simulation/probe.h"
+#include "common/simulation/rasterizer.h"
 
 namespace spherepair {
 

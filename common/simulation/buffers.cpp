@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common/device/buffers.h"
+#include "common/simulation/buffers.h"
 
 #include <fmt/format.h>
 

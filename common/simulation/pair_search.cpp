@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common/device/pair_search.h"
+#include "common/simulation/pair_search.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "common/backend/checks.h"
 #include "common/backend/method_choice.h"
-#include "common/device/all_pairs.h"
+#include "common/simulation/all_pairs.h"
 
 namespace spherepair {
 namespace {
