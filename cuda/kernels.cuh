@@ -47,7 +47,7 @@ Entry pick_kernel(uint block, Variant variant, Pick pick) {
 __device__ inline uint group_index(const Params& p) { return p.first_group + blockIdx.x + gridDim.x * blockIdx.y; }
 __device__ inline uint group_count() { return gridDim.x * gridDim.y; }
 
-__device__ inline uint index_source(const Params& p) { return p.in_cells; }  // CUDA only: known at run time
+__device__ inline uint index_source(const Params& p) { return p.indices; }  // CUDA only: known at run time
 
 // The index and the radius of a sphere found at index k of the launch's order. Where INDEX_IN_W, w holds the index in
 // place of the radius, whichever variant of a kernel reads it.

@@ -191,7 +191,6 @@ void GlDevice::launch(const Launch& launch, const Params& params) {
   Variant variant = launch.variant;
   variant.windows = launch.kernel == Kernel::collide_grid && variant.texture_table && windows.count() > 1;
   variant.folded = launch.groups[1] > 1 || params.first_group != 0;
-  variant.indices = params.in_cells;
   const Program& program = programs_.get(kernel_name(launch.kernel), launch.block, variant, limits_.features);
   set_params(params);
   if (launch.view) program.set_view(*launch.view);

@@ -8,10 +8,10 @@
 namespace spherepair {
 
 TableWindows::TableWindows(const Params& p, uint64_t longest)
-    : words_(uint64_t(p.cell_slots) + 2), longest_(longest), step_(words_) {
+    : words_(uint64_t(p.grid.cell_slots) + 2), longest_(longest), step_(words_) {
   if (words_ <= longest) return;
   // A sphere reads where its rows of cells begin and end, up to a cell behind that right of it in the next layer's row.
-  const uint64_t ahead = uint64_t(p.cells_x) * p.cells_y + p.cells_x + 2;
+  const uint64_t ahead = uint64_t(p.grid.cells_x) * p.grid.cells_y + p.grid.cells_x + 2;
   // Parts begin at multiples of 256 bytes, the most that GL lets a driver ask for. None where most of each part would
   // be there for neighbours.
   constexpr uint64_t alignment = 256 / sizeof(uint);

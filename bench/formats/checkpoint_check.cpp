@@ -106,7 +106,7 @@ class Checker {
   // The anchor of a sphere is at step 0 until a bounce sets a new one.
   template <typename Real>
   void check_anchors() const {
-    const Params params = scene_params(scene_, true);
+    const MotionParams params = motion_params(scene_);
     refuse(
         n_,
         [&](uint64_t i) {
@@ -131,7 +131,7 @@ class Checker {
   // Positions and velocities are the float32 numbers nearest to the motion's full-precision state.
   template <typename Real>
   void check_state() const {
-    Params params = scene_params(scene_, true);
+    MotionParams params = motion_params(scene_);
     params.steps_done = motion_.steps;
     const auto wide = [&](uint64_t k, uint64_t i) { return load_real<Real>(motion_.wide, k * n_ + i); };
     const auto evaluated = [&](uint64_t i) -> Moving<Real> {

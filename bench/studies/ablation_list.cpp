@@ -4,9 +4,9 @@
 namespace spherepair {
 namespace {
 
-// A grid step that sorts and builds its cells, as after a move.
+// A grid step that sorts and builds its cells, as after a move, by the sort that is taken by default.
 CollideOptions grid_step() {
-  return {.method = Method::collide_grid, .grid = {.keep_order = false, .keep_cells = false, .sort = Sort::counting}};
+  return {.method = Method::collide_grid, .grid = {.keep_order = false, .keep_cells = false}};
 }
 
 template <typename Change>
@@ -20,12 +20,8 @@ CollideOptions grid_step_with(Change change) {
   return changed(grid_step(), change);
 }
 
-CollideOptions bucket_sort_step() {
-  return grid_step_with([](CollideOptions& o) { o.grid.sort = Sort::buckets; });
-}
-
-CollideOptions radix_sort_step() {
-  return grid_step_with([](CollideOptions& o) { o.grid.sort = Sort::radix; });
+CollideOptions grid_step_by(Sort sort) {
+  return grid_step_with([=](CollideOptions& o) { o.grid.sort = sort; });
 }
 
 CollideOptions with_api(const CollideOptions& step, std::optional<bool> ApiOptions::*option, bool on = true) {
@@ -64,19 +60,19 @@ std::vector<Ablation> optimisations() {
 }
 
 std::vector<Ablation> glsl_features() {
-  const CollideOptions step = grid_step(), buckets = bucket_sort_step();
-  return {{"own_clear", "a kernel clears the cell table; off: the API's function", "glsl", step,
-           with_api(step, &ApiOptions::library_clear)},
+  const CollideOptions step = grid_step(), counting = grid_step_by(Sort::counting);
+  return {{"own_clear", "a kernel clears the table of the counting sort; off: the API's function", "glsl", counting,
+           with_api(counting, &ApiOptions::library_clear)},
           {"sparse_buffers", "buffers in sparse storage with large pages", "glsl", step, step, Spheres::random,
            Reads::nothing, &OpenOptions::sparse_buffers},
-          {"subgroups", "reductions through subgroups; off: through shared memory", "glsl", buckets, buckets,
-           Spheres::random, Reads::nothing, &OpenOptions::subgroups},
+          {"subgroups", "reductions through subgroups; off: through shared memory", "glsl", step, step, Spheres::random,
+           Reads::nothing, &OpenOptions::subgroups},
           {"texture_table", "the cell table is read through a texture buffer", "glsl",
            with_api(step, &ApiOptions::texture_table), with_api(step, &ApiOptions::texture_table, false)},
           {"batch", "dispatches are submitted together; off: all barriers and a host wait after each", "glsl", step,
            with_api(step, &ApiOptions::batch, false)},
-          {"overlap", "the sort overlaps the previous search; off: it waits for it", "glsl", buckets,
-           with_api(buckets, &ApiOptions::overlap, false)},
+          {"overlap", "the sort overlaps the previous search; off: it waits for it", "glsl", step,
+           with_api(step, &ApiOptions::overlap, false)},
           {.name = "vector_loads",
            .summary = "16-byte loads and stores; off: 4-byte ones",
            .backend = "glsl",
@@ -84,11 +80,11 @@ std::vector<Ablation> glsl_features() {
 }
 
 std::vector<Ablation> cuda_features() {
-  const CollideOptions step = grid_step(), buckets = bucket_sort_step();
-  const CollideOptions stream = with_api(buckets, &ApiOptions::graph, false);
+  const CollideOptions step = grid_step(), counting = grid_step_by(Sort::counting);
+  const CollideOptions stream = with_api(step, &ApiOptions::graph, false);
   const CollideOptions all_pairs = {.method = Method::collide_triangle};
-  return {{"own_clear", "a kernel clears the cell table; off: the API's function", "cuda", step,
-           with_api(step, &ApiOptions::library_clear)},
+  return {{"own_clear", "a kernel clears the table of the counting sort; off: the API's function", "cuda", counting,
+           with_api(counting, &ApiOptions::library_clear)},
           {"overlap", "the sort overlaps the previous search; off: it waits for it", "cuda", stream,
            with_api(stream, &ApiOptions::overlap, false)},
           {.name = "vector_loads",
@@ -99,10 +95,7 @@ std::vector<Ablation> cuda_features() {
            with_api(step, &ApiOptions::graph, false)},
           {"graph_all_pairs", "the same without a grid", "cuda", with_api(all_pairs, &ApiOptions::graph),
            with_api(all_pairs, &ApiOptions::graph, false)},
-          {"own_scan", "our scan; off: Thrust's", "cuda", step,
-           grid_step_with([](CollideOptions& o) { o.grid.scan = Scan::library; })},
-          {"own_sort", "our counting sort; off: Thrust's radix sort", "cuda", step, radix_sort_step()},
-          {"own_buckets", "our bucket sort; off: Thrust's radix sort", "cuda", buckets, radix_sort_step()}};
+          {"own_buckets", "our bucket sort; off: Thrust's radix sort", "cuda", step, grid_step_by(Sort::radix)}};
 }
 
 }  // namespace
@@ -110,7 +103,8 @@ std::vector<Ablation> cuda_features() {
 const std::vector<Ablation>& ablation_list() {
   static const std::vector<Ablation> all = [] {
     std::vector<Ablation> list = optimisations();
-    list.push_back({"buckets", "bucket sort; off: counting sort", "", bucket_sort_step(), grid_step()});
+    list.push_back(
+        {"buckets", "bucket sort; off: counting sort", "", grid_step_by(Sort::buckets), grid_step_by(Sort::counting)});
     for (const auto& features : {glsl_features(), cuda_features()})
       for (const Ablation& feature : features) list.push_back(feature);
     return list;

@@ -25,13 +25,11 @@ std::vector<vec4> reordered(const std::vector<vec4>& values, std::span<const uin
 
 Scene in_cell_order(Scene scene) {
   if (scene.size() == 0) return scene;
-  Params p = scene_params(scene, true);
-  p.n = uint(scene.size());
-  set_grid(p, plan_grid(scene, Cells::automatic));
+  const GridParams grid = grid_params(plan_grid(scene, Cells::automatic));
   std::vector<uint> order;
   {
     CellSort cells(grid_simds().front());
-    cells.sort(scene.positions, p, false, omp_get_max_threads());
+    cells.sort(scene.positions, grid, false, omp_get_max_threads());
     order.assign(cells.order().id, cells.order().id + scene.size());
   }
   scene.positions = reordered(scene.positions, order);

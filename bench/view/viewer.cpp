@@ -41,7 +41,7 @@ Viewer::Viewer(const Session& session, const Start& start, const std::string& ba
 void Viewer::restart() {
   upload_start(start_, backend());
   step_ = start_.step;
-  found_ = false;
+  search_.reset();
 }
 
 void Viewer::list_choices() {
@@ -72,8 +72,8 @@ void Viewer::change_backend(size_t next) {
     error_ = error.what();
     running_ = backends_.chosen = before;
   }
-  move_seconds_ = collide_seconds_ = draw_seconds_ = read_seconds_ = 0;
-  found_ = false;
+  seconds_ = {};
+  search_.reset();
   list_choices();
 }
 
@@ -99,23 +99,24 @@ void Viewer::fill_panel(Window& window) {
   window.text(fmt::format("{}, {} spheres", start_.label, start_.scene.size()));
   window.text(device_label(backend().info()));
   window.text(fmt::format("step {}: {} pairs, {} spheres in contact", step_, totals_.pairs, totals_.colliding_spheres));
-  window.text(fmt::format("move {} ms, collide {} ms", format_ms(move_seconds_), format_ms(collide_seconds_)));
-  window.text(fmt::format("draw {} ms, read back {} ms", format_ms(draw_seconds_), format_ms(read_seconds_)));
+  window.text(fmt::format("move {} ms, collide {} ms", format_ms(seconds_.move), format_ms(seconds_.collide)));
+  window.text(fmt::format("draw {} ms, read back {} ms", format_ms(seconds_.draw), format_ms(seconds_.read)));
   window.text("drag to rotate, scroll to zoom");
   if (!error_.empty()) window.text(wrap(error_, 50, ""));
 }
 
 void Viewer::turn_camera(const Window& window) {
   const auto [right, down] = window.dragged();
-  azimuth_ -= 0.4 * right;
-  elevation_ = std::clamp(elevation_ + 0.4 * down, -5.0, 85.0);
-  distance_ = std::clamp(distance_ * std::pow(0.9, window.scrolled()), 0.05, 5.0);
+  orbit_.azimuth -= 0.4 * right;
+  orbit_.elevation = std::clamp(orbit_.elevation + 0.4 * down, -5.0, 85.0);
+  orbit_.distance = std::clamp(orbit_.distance * std::pow(0.9, window.scrolled()), 0.05, 5.0);
 }
 
 void Viewer::advance() {
   if (paused_ && !single_step_) return;
-  single_step_ = found_ = false;
-  timed(move_seconds_, [&] { backend().move(), backend().evaluate_positions(); });
+  single_step_ = false;
+  search_.reset();
+  timed(seconds_.move, [&] { backend().move(), backend().evaluate_positions(); });
   ++step_;
 }
 
@@ -124,24 +125,23 @@ void Viewer::collide() {
   const bool lit =
       light_ && options.method == Method::collide_grid && draws_.name() == "compute" && start_.scene.size() > 1;
   if (lit) options.grid.cells = Cells::dense;
-  if (found_ && lit == lit_ && options.method == method_) return;
-  timed(collide_seconds_, [&] { backend().collide(options); });
+  const Search wanted{options.method, lit};
+  if (search_ == wanted) return;
+  timed(seconds_.collide, [&] { backend().collide(options); });
   totals_ = backend().collisions();
-  found_ = true;
-  lit_ = lit;
-  method_ = options.method;
+  search_ = wanted;
 }
 
 std::vector<uint> Viewer::image(uint width, uint height) {
-  Camera camera = spherepair::frame(bounds_, azimuth_, elevation_, 30, double(width) / height);
-  for (int a = 0; a < 3; ++a) camera.eye[a] = camera.target[a] + distance_ * (camera.eye[a] - camera.target[a]);
+  Camera camera = spherepair::frame(bounds_, orbit_.azimuth, orbit_.elevation, 30, double(width) / height);
+  for (int a = 0; a < 3; ++a) camera.eye[a] = camera.target[a] + orbit_.distance * (camera.eye[a] - camera.target[a]);
   Look look = contact_look();
   look.light = {-0.3, 0.9, -0.3};  // from above even if the camera looks down
-  if (lit_) look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
+  if (search_->lit) look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
   const View view = make_view(camera, look, width, height);
-  timed(draw_seconds_, [&] { backend().draw(view, {.method = draw_method_from_name(draws_.name())}); });
+  timed(seconds_.draw, [&] { backend().draw(view, {.method = draw_method_from_name(draws_.name())}); });
   std::vector<uint> image;
-  timed(read_seconds_, [&] { image = backend().image(); });
+  timed(seconds_.read, [&] { image = backend().image(); });
   return image;
 }
 

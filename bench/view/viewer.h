@@ -27,6 +27,19 @@ class Viewer {
     void pick(const std::string& name);  // the first if there is none of this name
   };
 
+  // Of the camera: degrees, and the distance relative to that with all spheres in view.
+  struct Orbit {
+    double azimuth = 30, elevation = 20, distance = 1;
+  };
+  struct Search {
+    Method method;
+    bool lit;  // it built the dense cells that lighting needs
+    bool operator==(const Search&) const = default;
+  };
+  struct Seconds {
+    double move = 0, collide = 0, draw = 0, read = 0;
+  };
+
   Backend& backend() const { return *session_.backends()[running_]; }
   void change_backend(size_t next);
   void restart();
@@ -45,14 +58,13 @@ class Viewer {
   Bounds bounds_;
   Choice backends_, methods_, draws_;
   size_t running_ = 0;  // the backend that holds the spheres
-  bool paused_ = false, single_step_ = false, light_ = true, found_ = false;
-  bool lit_ = false;                      // of the last collide: it built the dense cells that lighting needs
-  Method method_ = Method::collide_grid;  // of the last collide
-  double azimuth_ = 30, elevation_ = 20, distance_ = 1;  // degrees; relative to that with all spheres in view
+  bool paused_ = false, single_step_ = false, light_ = true;
+  Orbit orbit_;
   uint64_t step_ = 0;
-  Collisions totals_;
-  std::string error_;  // of the last change of backend
-  double move_seconds_ = 0, collide_seconds_ = 0, draw_seconds_ = 0, read_seconds_ = 0;
+  std::optional<Search> search_;  // of the spheres as they stand
+  Collisions totals_;             // of the last search
+  std::string error_;             // of the last change of backend
+  Seconds seconds_;
 };
 
 }  // namespace spherepair

@@ -11,10 +11,6 @@ void check_collide(const CollideOptions& options) {
     throw std::invalid_argument("without its filter only collide_grid runs, and only with the exact predicate");
   if (!grid && options.api != ApiOptions{.graph = options.api.graph, .batch = options.api.batch})
     throw std::invalid_argument("of the API options, all but the graph and the batch need collide_grid");
-  const bool counts = options.grid.sort == Sort::automatic || options.grid.sort == Sort::counting;
-  if (options.grid.scan == Scan::library && !counts)
-    throw std::invalid_argument(
-        "the scan of a library is of the counting sort; leave the sort open or ask for that one");
   if (options.api.graph.value_or(false) && options.api.overlap.value_or(false))
     throw std::invalid_argument(
         "a step is one graph, or its launches overlap with the step before: ask for one of both");
@@ -26,7 +22,6 @@ void refuse_missing(const std::string& backend, const CollideOptions& options, c
       throw std::invalid_argument(fmt::format("{}: {} is to be had with {} only", backend, what, who));
   };
   need(options.grid.sort == Sort::radix, thrust, "the radix sort of Thrust", "the backend cuda");
-  need(options.grid.scan == Scan::library, thrust, "the scan of Thrust", "the backend cuda");
   need(options.api.graph, offered.graph, "a graph of launches", "the backend cuda");
   need(options.api.texture_table, offered.texture_table, "a table in a texture buffer", "the backend glsl");
   need(options.api.batch, offered.batch, "a batch of dispatches", "the backend glsl");

@@ -9,8 +9,8 @@ namespace spherepair {
 // Throws std::invalid_argument for options that exclude each other.
 void check_collide(const CollideOptions& options);
 
-// Throws std::invalid_argument naming the API option that is wanted and not offered; `thrust`: the sort and the scan
-// of a library are.
+// Throws std::invalid_argument naming the API option that is wanted and not offered; `thrust`: the sort of a
+// library is.
 void refuse_missing(const std::string& backend, const CollideOptions& options, const ApiOptions& offered, bool thrust);
 
 // Throws std::invalid_argument when swept contacts are requested of a method or state that has none.

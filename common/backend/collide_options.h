@@ -34,17 +34,13 @@ std::span<const uint> block_sizes();               // 32, 64 ... 1024
 // the radix sort of a library (CUDA: Thrust).
 enum class Sort { automatic, counting, buckets, radix };
 
-// Who adds up the counts of the cells: our kernels, or a library (CUDA: Thrust).
-enum class Scan { own, library };
-
 // What the grid may skip or do in another way, each to be measured against its opposite.
 struct GridOptions {
   Cells cells = Cells::automatic;
   bool keep_order = true;  // spheres that stand in cell order already are not sorted again
   bool keep_cells = true;  // spheres that have not moved keep the cells of the last step
   Sort sort = Sort::automatic;
-  Scan scan = Scan::own;  // of the counting sort, which Scan::library therefore asks for
-  bool replan = true;     // cells are planned anew when spheres may have left those of the last plan
+  bool replan = true;  // cells are planned anew when spheres may have left those of the last plan
   auto operator<=>(const GridOptions&) const = default;
 };
 
@@ -62,9 +58,9 @@ struct ApiOptions {
   // GLSL: a step's dispatches go out together, each behind the one barrier that it needs. Off: each behind all
   // barriers, and the host waits for it. Absent: on
   std::optional<bool> batch = {};
-  // both, CUDA where kernels are compiled for 9.0 or later: what needs nothing of the search right before it begins
-  // while that is under way, and CUDA's later launches of a step get ready early; a graph can do neither. Absent: on
-  // where no graph is requested or pays more, of few spheres
+  // both, CUDA 12.3 or later where kernels are compiled for 9.0 or later: what needs nothing of the search right before
+  // it begins while that is under way, which no graph can, and CUDA's later launches of a step get ready early. Absent:
+  // on where no graph is requested or pays more, of few spheres
   std::optional<bool> overlap = {};
   bool overlaps(bool graph_pays) const { return overlap.value_or(!graph.value_or(graph_pays)); }
   auto operator<=>(const ApiOptions&) const = default;

@@ -1,122 +1,46 @@
 // SPDX-License-Identifier: MIT
 // When Method::automatic takes the grid, and when which way of all pairs. Only speed depends on it, never the set. The
-// figures are those of `spherepair crossover`; docs/NOTES/crossover.md has them and their machines.
+// figures are fitted to those of `spherepair crossover`; docs/NOTES/crossover.md has them, their machines, and what the
+// rule loses to the best choice.
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
 #include "common/shared/layout.h"
 
 namespace spherepair {
 
-// Spheres from which on hashed cells are ahead: so many, and more for each other sphere in a sphere's cell and for each
-// level of cells after the first.
-struct HashedFrom {
-  double spheres, per_other, per_level;
-};
-
-// From so many others in a sphere's hashed cell on, which is made for radii like its own, collide_square is ahead of
-// collide_triangle: up to so many spheres for each of them.
-struct NearPairs {
-  double others = HUGE_VAL, spheres_per_other = 0;
-};
-
 constexpr uint64_t never = ~uint64_t(0);
 
 struct Crossover {
-  const char* device;                // a backend, OpenGL in software, or a CPU of more than few_threads
-  uint64_t grid_from;                // spheres from which on the grid of dense cells is ahead
-  double free_others = 0;            // in a sphere's cell, that cost nothing; of more than these ...
-  double per_other = 0, growth = 1;  // ... so many spheres more, times those above to this power
-  HashedFrom hashed;
-  NearPairs near = {};       // of few spheres, which collide_triangle queues one by one
-  uint64_t square_to = 0;    // up to so many spheres collide_square is ahead of it whatever is near
-  double occupancy_of;       // where others times this exceed the spheres, most pairs are near: the grid has
-                             // nothing to leave out ...
-  uint64_t one_cell_to = 0;  // ... which the grid can bear up to so many spheres
-  uint64_t narrow_to = 0;    // up to so many spheres collide_square is fastest in groups of narrow_block, up to
-                             // square_block_to of square_block
-  uint64_t square_block_to = 0;
-  uint64_t wide_from = never;        // spheres from which on collide_grid is faster in groups of wide_block
-  double occupancy_from = HUGE_VAL;  // others in a dense cell from which on the grid is ahead of least_crowded spheres
-                                     // or more: all pairs handles each near pair by itself
+  const char* device;             // a backend, OpenGL in software, or a CPU of more than few_threads
+  double grid_from, per_other;    // spheres from which on dense cells are faster: more for each other sphere in a
+                                  // sphere's cell, or on a CPU, whose vectors like full cells, fewer
+  double hashed_from, per_level;  // of hashed cells: more for each level after the first, and per_other where positive
+  uint64_t narrow_to = 0;         // up to so many spheres collide_square is faster in groups of narrow_block
+  uint64_t wide_from = never;     // from so many on collide_grid is in groups of wide_block
+};
+constexpr Crossover crossovers[] = {
+    {"cuda", 5600, 170, 12'000, 17'000, 2100, 4'000'000}, {"glsl", 5600, 340, 12'000, 17'000, 2100},
+    {"glsl in software", 200, 2, 300, 600, 100},          {"cpu", 2000, -900, 4000, 2500},
+    {"cpu of many threads", 7000, -3100, 20'000, 3000},
 };
 constexpr uint narrow_block = 32, square_block = 64, wide_block = 256;
-constexpr uint64_t least_crowded = 32;
+constexpr double least_spheres = 32;  // of a grid
 constexpr int few_threads = 4;
-constexpr Crossover crossovers[] = {{.device = "cuda",
-                                     .grid_from = 5600,
-                                     .free_others = 1.3,
-                                     .per_other = 2900,
-                                     .growth = 0.349,
-                                     .hashed = {8500, 2300, 17'700},
-                                     .near = {10, 120},
-                                     .occupancy_of = 22,
-                                     .narrow_to = 2100,
-                                     .square_block_to = 6500,
-                                     .wide_from = 4'000'000},
-                                    {.device = "glsl",
-                                     .grid_from = 5100,
-                                     .free_others = 1.3,
-                                     .per_other = 3340,
-                                     .growth = 0.479,
-                                     .hashed = {12'500, 1540, 14'800},
-                                     .near = {10, 120},
-                                     .occupancy_of = 26,
-                                     .narrow_to = 2100,
-                                     .square_block_to = 6500},
-                                    {.device = "glsl in software",
-                                     .grid_from = 200,
-                                     .hashed = {300, 0, 700},
-                                     .near = {10, 40},
-                                     .square_to = 500,
-                                     .occupancy_of = 4,
-                                     .one_cell_to = 200,
-                                     .narrow_to = 100,
-                                     .square_block_to = 1000},
-                                    {.device = "cpu",
-                                     .grid_from = 2000,
-                                     .per_other = 50,
-                                     .hashed = {4000, 0, 2500},
-                                     .occupancy_of = 4,
-                                     .one_cell_to = never,
-                                     .occupancy_from = 1.5},
-                                    {.device = "cpu of many threads",
-                                     .grid_from = 7000,
-                                     .per_other = 50,
-                                     .hashed = {20'000, 0, 3000},
-                                     .occupancy_of = 4,
-                                     .one_cell_to = 1024,
-                                     .occupancy_from = 2.2}};
 
-// Whatever the spheres' cells are like, in rows without occupancy_from.
-constexpr bool may_take_grid(const Crossover& row, uint64_t n) { return n >= row.grid_from; }
-
-// The spheres from which on the grid is ahead with so many others in a sphere's cell on average. Levels of hashed
-// cells; 0: cells are dense.
-inline double grid_from(const Crossover& row, double others_in_cell, uint hashed_levels) {
-  const HashedFrom& hashed = row.hashed;
-  if (hashed_levels != 0)
-    return hashed.spheres + hashed.per_other * others_in_cell + hashed.per_level * (hashed_levels - 1);
-  return double(row.grid_from) + row.per_other * std::pow(std::max(others_in_cell - row.free_others, 0.0), row.growth);
-}
-constexpr bool most_pairs_near(const Crossover& row, uint64_t n, double others_in_cell) {
-  return row.occupancy_of * others_in_cell > double(n) && n > row.one_cell_to;
-}
-constexpr bool occupancy_pays(const Crossover& row, uint64_t n, double others_in_cell, uint hashed_levels) {
-  return hashed_levels == 0 && n >= least_crowded && others_in_cell >= row.occupancy_from;
-}
-inline bool grid_pays(const Crossover& row, uint64_t n, double others_in_cell, uint hashed_levels) {
-  if (most_pairs_near(row, n, others_in_cell)) return false;
-  return occupancy_pays(row, n, others_in_cell, hashed_levels) ||
-         double(n) >= grid_from(row, others_in_cell, hashed_levels);
+// The spheres from which on the grid is ahead, with so many others in a sphere's cell on average. hashed_levels: levels
+// of hashed cells; 0: cells are dense.
+constexpr double grid_from(const Crossover& row, double others_in_cell, uint hashed_levels) {
+  if (hashed_levels == 0) return std::max(least_spheres, row.grid_from + row.per_other * others_in_cell);
+  return row.hashed_from + row.per_level * (hashed_levels - 1) + std::max(row.per_other, 0.0) * others_in_cell;
 }
 
-// Between the two ways of all pairs; others in a sphere's hashed cell.
-constexpr bool square_pays(const Crossover& row, uint64_t n, double others_like_it) {
-  return n <= row.square_to ||
-         (others_like_it >= row.near.others && double(n) <= row.near.spheres_per_other * others_like_it);
+// collide_triangle queues near pairs, collide_square tests them in its loop: it is ahead where most pairs are near. Of
+// that the hashed cells tell, which are made for radii like a sphere's own: so many others in a sphere's.
+constexpr bool most_pairs_near(uint64_t n, double others_like_it) {
+  constexpr double free_others = 10, spheres_per_other = 140;
+  return double(n) <= spheres_per_other * (others_like_it - free_others);
 }
 
 }  // namespace spherepair

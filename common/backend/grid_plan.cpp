@@ -120,10 +120,9 @@ GridPlan hashed_plan(const std::vector<vec4>& spheres, const Extent& extent) {
   plan.top_level = top - plan.first_octave;
   plan.largest_radius = std::bit_cast<float>((plan.first_octave + 1) << 23);
   plan.side = 2 * plan.largest_radius;
-  Params p{};
-  set_grid(p, plan);
+  const GridParams grid = grid_params(plan);
   plan.levels = 0;
-  for (const vec4& sphere : spheres) plan.levels |= 1u << level_of(sphere.w, p);
+  for (const vec4& sphere : spheres) plan.levels |= 1u << level_of(sphere.w, grid);
   return plan;
 }
 
@@ -131,10 +130,9 @@ GridPlan hashed_plan(const std::vector<vec4>& spheres, const Extent& extent) {
 double occupancy_of(const std::vector<vec4>& spheres, const GridPlan& plan, uint64_t n) {
   const uint64_t m = std::min<uint64_t>(spheres.size(), sample_size);
   if (m < 2) return 0;
-  Params p{};
-  set_grid(p, plan);
+  const GridParams grid = grid_params(plan);
   std::vector<uint> slots(m);
-  for (uint64_t k = 0; k < m; ++k) slots[k] = slot_of(spheres[k * spheres.size() / m], p);
+  for (uint64_t k = 0; k < m; ++k) slots[k] = slot_of(spheres[k * spheres.size() / m], grid);
   std::ranges::sort(slots);
   double pairs = 0;
   for (uint64_t first = 0, k = 0; k < m; ++k) {
@@ -190,22 +188,27 @@ BucketPlan plan_buckets(uint64_t spheres, uint slots, uint least_buckets) {
   return {shift, buckets, parent};
 }
 
-void set_grid(Params& p, const GridPlan& plan) {
-  p.origin_x = plan.origin[0], p.origin_y = plan.origin[1], p.origin_z = plan.origin[2];
-  p.cells_per_metre = 1 / plan.side;
-  p.largest_radius = plan.largest_radius;
+GridParams grid_params(const GridPlan& plan) {
   const double fades_within = OCCLUSION_RADII * std::max(double(plan.largest_radius), 0x1p-30);
-  p.fade = float(1 / (fades_within * fades_within));
-  const double scale = double(p.cells_per_metre) * (1 + 0x1p-19);
-  p.reach_scale = float(scale);
-  p.reach_offset = float(scale * double(plan.largest_radius) +
-                         coordinate_margin(std::max({plan.size[0], plan.size[1], plan.size[2]})));
-  p.cells_x = plan.size[0], p.cells_y = plan.size[1], p.cells_z = plan.size[2];
-  p.cell_slots = plan.slots;
-  p.hash_mask = plan.cells == Cells::hashed ? plan.slots - 1 : 0;
-  p.first_octave = plan.first_octave;
-  p.top_level = plan.top_level;
-  p.levels = plan.levels;
+  const float cells_per_metre = 1 / plan.side;
+  const double scale = double(cells_per_metre) * (1 + 0x1p-19);
+  const double margin = coordinate_margin(std::max({plan.size[0], plan.size[1], plan.size[2]}));
+  return {.origin_x = plan.origin[0],
+          .origin_y = plan.origin[1],
+          .origin_z = plan.origin[2],
+          .cells_per_metre = cells_per_metre,
+          .largest_radius = plan.largest_radius,
+          .reach_scale = float(scale),
+          .reach_offset = float(scale * double(plan.largest_radius) + margin),
+          .occlusion_fade = float(1 / (fades_within * fades_within)),
+          .cells_x = plan.size[0],
+          .cells_y = plan.size[1],
+          .cells_z = plan.size[2],
+          .cell_slots = plan.slots,
+          .hash_mask = plan.cells == Cells::hashed ? plan.slots - 1 : 0,
+          .first_octave = plan.first_octave,
+          .top_level = plan.top_level,
+          .levels = plan.levels};
 }
 
 }  // namespace spherepair

@@ -54,6 +54,6 @@ struct BucketPlan {
 };
 BucketPlan plan_buckets(uint64_t spheres, uint slots, uint least_buckets);
 
-void set_grid(Params& params, const GridPlan& plan);
+GridParams grid_params(const GridPlan& plan);
 
 }  // namespace spherepair

@@ -16,26 +16,21 @@ uint hashed_levels(const GridPlan& plan) { return plan.cells == Cells::hashed ? 
 Method all_pairs(const BackendInfo& info, uint64_t n, const GridPlans& plans, bool swept) {
   if (info.on_host) return Method::parallel;
   if (swept) return Method::collide_tiled;
-  return square_pays(crossover_of(info), n, plans.hashed_occupancy) ? Method::collide_square : Method::collide_triangle;
+  const bool square = info.software || most_pairs_near(n, plans.hashed_occupancy);
+  return square ? Method::collide_square : Method::collide_triangle;
 }
 
-bool takes_grid(const BackendInfo& info, uint64_t n, const GridPlans& plans, const CollideOptions& options) {
-  const Cells wanted = options.grid.cells;
-  return !options.swept && grid_pays(crossover_of(info), n, plans.occupancy(wanted), hashed_levels(plans.plan(wanted)));
+double grid_from(const BackendInfo& info, const GridPlans& plans, Cells wanted) {
+  return grid_from(crossover_of(info), plans.occupancy(wanted), hashed_levels(plans.plan(wanted)));
 }
 
-std::string reason_of(const Crossover& row, uint64_t n, double occupancy, uint levels, bool grid) {
-  std::string text = fmt::format("{} spheres, {:.3g} others in a sphere's cell", n, occupancy);
+std::string reason_of(const BackendInfo& info, uint64_t n, const GridPlans& plans, Cells wanted) {
+  const uint levels = hashed_levels(plans.plan(wanted));
+  std::string text = fmt::format("{} spheres, {:.3g} others in a sphere's cell", n, plans.occupancy(wanted));
   if (levels > 1) text += fmt::format(", {} levels of cells", levels);
-  if (grid && occupancy_pays(row, n, occupancy, levels))
-    return text + fmt::format("; the grid is ahead from {} others on", row.occupancy_from);
-  if (most_pairs_near(row, n, occupancy))
-    return text + "; with so many of all in one cell the grid leaves out too little";
-  if (!grid && n < least_crowded && levels == 0 && occupancy >= row.occupancy_from)
-    return text + fmt::format("; at such an occupancy the grid is ahead from {} on", least_crowded);
-  const double from = std::ceil(grid_from(row, occupancy, levels));
+  const double from = std::ceil(grid_from(info, plans, wanted));
   const char* cells = levels ? "in hashed cells" : "with so many others";
-  return text + fmt::format("; {} the grid is ahead {}from {:.0f} on", cells, grid ? "" : "only ", from);
+  return text + fmt::format("; {} the grid is ahead {}from {:.0f} on", cells, double(n) >= from ? "" : "only ", from);
 }
 
 }  // namespace
@@ -48,22 +43,21 @@ const Crossover& crossover_of(const BackendInfo& info) {
   throw BackendError(fmt::format("{}: no crossover of grid and all pairs is known; name a method", device));
 }
 
-void leave_all_undecided(Params& params) {
+void leave_all_undecided(SearchParams& params) {
   params.apart_above = params.filter_scale = std::numeric_limits<float>::infinity();
   params.collide_below = -1;
 }
 
 Method chosen_method(const BackendInfo& info, uint64_t n, const GridPlans& plans, const CollideOptions& options) {
   if (options.method != Method::automatic) return options.method;
-  if (takes_grid(info, n, plans, options)) return Method::collide_grid;
+  if (!options.swept && double(n) >= grid_from(info, plans, options.grid.cells)) return Method::collide_grid;
   return all_pairs(info, n, plans, options.swept);
 }
 
 uint chosen_block(const BackendInfo& info, uint64_t n, Method chosen, const CollideOptions& options) {
   if (options.method != Method::automatic || options.block != CollideOptions{}.block) return options.block;
   const Crossover& row = crossover_of(info);
-  if (chosen == Method::collide_square)
-    return n <= row.narrow_to ? narrow_block : n <= row.square_block_to ? square_block : options.block;
+  if (chosen == Method::collide_square) return n <= row.narrow_to ? narrow_block : square_block;
   return chosen == Method::collide_grid && n >= row.wide_from ? wide_block : options.block;
 }
 
@@ -74,9 +68,8 @@ MethodChoice explain_choice(const BackendInfo& info, uint64_t n, const GridPlans
   const uint block = info.on_host ? 0 : chosen_block(info, n, method, options);
   MethodChoice choice{method, block, plans.plan(wanted).cells, plans.occupancy(wanted), "asked for"};
   if (options.method != Method::automatic) return choice;
-  choice.reason = options.swept ? "the method that finds pairs within the next step"
-                                : reason_of(crossover_of(info), n, plans.occupancy(wanted),
-                                            hashed_levels(plans.plan(wanted)), choice.method == Method::collide_grid);
+  choice.reason =
+      options.swept ? "the method that finds pairs within the next step" : reason_of(info, n, plans, wanted);
   if (block) choice.reason += fmt::format("; groups of {}", block);
   return choice;
 }

@@ -10,7 +10,7 @@ namespace spherepair {
 const Crossover& crossover_of(const BackendInfo& info);
 
 // Parameters with which the filter decides no pair.
-void leave_all_undecided(Params& params);
+void leave_all_undecided(SearchParams& params);
 
 // The method itself where one is requested; else all pairs or the grid, by the rule of crossover.h for n spheres.
 Method chosen_method(const BackendInfo& info, uint64_t n, const GridPlans& plans, const CollideOptions& options);

@@ -126,7 +126,7 @@ class CpuBackend final : public Backend {
   }
 
   std::vector<uint> decide(std::span<const vec4> spheres) override {
-    const Params p = scene_params(Scene{}, true);
+    const SearchParams p = search_params(Scene{}, true);
     std::vector<uint> verdicts(spheres.size() / 2);
 #pragma omp parallel for num_threads(threads_) schedule(static)
     for (size_t k = 0; k < verdicts.size(); ++k) {

@@ -20,7 +20,7 @@ constexpr uint64_t few = 4096;  // spheres for which threads cost more than they
 void CpuMotion::upload(const Scene& scene) {
   motion_ = scene.motion;
   unmovable_ = why_unmovable(scene);
-  params_ = scene_params(scene, true);
+  params_ = motion_params(scene);
   positions_ = scene.positions;
   velocities_ = scene.velocities;
   kept_ = initial_state(scene, params_);

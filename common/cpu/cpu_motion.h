@@ -51,7 +51,7 @@ class CpuMotion {
 
   MotionOptions motion_;
   std::string unmovable_;  // why
-  Params params_{};
+  MotionParams params_{};
   std::vector<vec4> positions_, velocities_;
   MotionState kept_;
   bool evaluated_ = true;      // positions are those of this step ...

@@ -9,7 +9,11 @@ namespace spherepair {
 void CpuSearch::upload(const Scene& scene) {
   n_ = scene.size();
   equal_radii_ = scene.equal_radii;
-  constants_ = {scene_params(scene, false), scene_params(scene, true)};
+  params_ = {};
+  params_.motion = motion_params(scene);
+  params_.n = uint(scene.size());
+  params_.radius = common_radius(scene);
+  constants_ = {search_params(scene, false), search_params(scene, true)};
   plans_ = plan_grids(scene.positions);
   watch_ = PlanWatch(scene, plans_);
   work_ = {.plans = 1};
@@ -57,9 +61,10 @@ Method CpuSearch::prepare(const CollideOptions& options, CpuMotion& motion) {
 }
 
 void CpuSearch::run(CpuMotion& motion) {
-  Params params = constants_[options_.exact];
-  if (!options_.filter) leave_all_undecided(params);
-  const SearchInput input{motion.positions(threads_), params, equal_radii_ && !options_.load_radii, options_, threads_};
+  params_.search = constants_[options_.exact];
+  if (!options_.filter) leave_all_undecided(params_.search);
+  const SearchInput input{motion.positions(threads_), params_, equal_radii_ && !options_.load_radii, options_,
+                          threads_};
   ++work_.steps;
   work_.without_radii += input.equal_radii;
   work_.lists += options_.want_pairs;
@@ -99,8 +104,8 @@ bool CpuSearch::in_dense_cells() const {
 }
 
 Params CpuSearch::dense_cells() const {
-  Params params = constants_[true];
-  set_grid(params, plans_.dense);
+  Params params = params_;
+  params.grid = grid_params(plans_.dense);
   return params;
 }
 

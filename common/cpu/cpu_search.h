@@ -41,8 +41,9 @@ class CpuSearch {
   const BackendInfo& info_;
   int threads_;
   uint64_t n_ = 0;
-  bool equal_radii_ = true;            // of the scene
-  std::array<Params, 2> constants_{};  // of the scene: [exact]
+  bool equal_radii_ = true;  // of the scene
+  Params params_{};
+  std::array<SearchParams, 2> constants_{};  // of the scene: [exact]
   GridPlans plans_;
   PlanWatch watch_;
   WorkCounts work_;

@@ -15,11 +15,10 @@ struct DeviceCapabilities {
   uint64_t graph_pays_below = 0;  // spheres: of fewer, replaying a captured step is faster than overlapping launches
 };
 
-// A library's sort and scan with our kernels (CUDA: Thrust).
+// A library's sorts with our kernels (CUDA: Thrust).
 class DeviceLibrary {
  public:
   virtual ~DeviceLibrary() = default;
-  virtual void scan_cells(uint64_t entries) = 0;        // SLOT_CELL, exclusive, in place
   virtual void sort_spheres(const Params& params) = 0;  // SLOT_POSITION into cell order: SLOT_CELL, SLOT_SORTED,
                                                         // SLOT_ID; counts 0
   virtual void sort_pairs(uint64_t count) = 0;          // SLOT_PAIR into canonical order

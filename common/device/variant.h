@@ -17,7 +17,7 @@ struct Variant {
   bool from_tiles = false;     // grid_sort: the spheres come from split_tiles
   bool bundles = false;        // draw_cull, draw_clusters: bundles of clusters are tested first
   bool by_cells = false;       // draw_bounds: spheres stand in the order of dense cells, whose borders hold clusters
-  uint indices = 0;            // GLSL: Params::in_cells, known to the compiler
+  uint indices = 0;            // INDEX_*, where the spheres come in cell order; CUDA takes it at run time
   bool folded = false;         // GLSL: groups are numbered along two axes, or not from 0 on
   bool windows = false;        // GLSL: that table in several textures, of which a dispatch reads one
   MotionOptions motion = {};   // of move, bounce and evaluate_positions

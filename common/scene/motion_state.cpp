@@ -19,7 +19,7 @@ void widen(const Scene& scene, MotionState& state) {
 }
 
 template <typename Real>
-void anchor_at_start(const Scene& scene, const Params& params, MotionState& state) {
+void anchor_at_start(const Scene& scene, const MotionParams& params, MotionState& state) {
   const uint64_t n = scene.size();
   state.anchors = scene.positions;
   state.flights.resize(2 * n * sizeof(Real) / sizeof(uint));
@@ -39,7 +39,7 @@ void anchor_at_start(const Scene& scene, const Params& params, MotionState& stat
 
 }  // namespace
 
-MotionState initial_state(const Scene& scene, const Params& params) {
+MotionState initial_state(const Scene& scene, const MotionParams& params) {
   MotionState state;
   with_real(scene.motion.precision, [&](auto kind) {
     using Real = decltype(kind);

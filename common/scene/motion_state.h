@@ -32,7 +32,7 @@ void visit_parts(State& state, Visit visit) {
 inline uint real_words(Precision precision) { return precision == Precision::float32 ? 1 : 2; }
 
 // As a method starts from the scene's positions and velocities; params are the scene's.
-MotionState initial_state(const Scene& scene, const Params& params);
+MotionState initial_state(const Scene& scene, const MotionParams& params);
 
 template <typename Real>
 Real load_real(const std::vector<uint>& words, uint64_t i) {

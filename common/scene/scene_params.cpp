@@ -35,28 +35,36 @@ double flights_to_rest(double e) {
 
 }  // namespace
 
-Params scene_params(const Scene& scene, bool exact) {
-  Params p{};
+MotionParams motion_params(const Scene& scene) {
   const double dt = scene.dt, gravity = scene.gravity;
-  p.dt = scene.dt;
-  p.gravity = scene.gravity;
-  p.steps_per_second = float(1 / dt);
-  p.gravity_dt = split(gravity * dt);
-  p.half_gravity_dt2 = split(0.5 * gravity * dt * dt);
-  p.seconds_per_speed = split(gravity == 0 ? 0 : 2 / std::abs(gravity));
-  p.zeno_flights = split(flights_to_rest(double(scene.restitution)));
-  p.restitution = scene.restitution;
-  p.plane = scene.plane;
-  p.radius = scene.equal_radii && scene.size() ? scene.positions[0].w : 0.0f;
-  const double diameter = 2.0 * double(p.radius);
+  return {.gravity_dt = split(gravity * dt),
+          .half_gravity_dt2 = split(0.5 * gravity * dt * dt),
+          .seconds_per_speed = split(gravity == 0 ? 0 : 2 / std::abs(gravity)),
+          .zeno_flights = split(flights_to_rest(double(scene.restitution))),
+          .dt = scene.dt,
+          .gravity = scene.gravity,
+          .steps_per_second = float(1 / dt),
+          .restitution = scene.restitution,
+          .plane = scene.plane,
+          .steps_done = 0,
+          .whole_state = 0,
+          .clear_results = 0};
+}
+
+float common_radius(const Scene& scene) { return scene.equal_radii && scene.size() ? scene.positions[0].w : 0.0f; }
+
+SearchParams search_params(const Scene& scene, bool exact) {
+  const double diameter = 2.0 * double(common_radius(scene));
   const double q = diameter * diameter;  // exact: 24-bit factor
   const double margin = 12 * 0x1p-24, offset = 0x1p-100;
-  p.apart_above = exact ? round_up(q * (1 + margin) + offset) : float(q);
-  p.collide_below = exact ? round_down(q * (1 - margin) - offset) : float(q);
-  p.filter_scale = exact ? bits_float(0x3F80000Cu) : 1.0f;  // 1 + 24 * 2^-24
-  p.filter_offset = exact ? 0x1p-100f : 0.0f;
-  p.defer_undecided = exact;
-  return p;
+  return {.apart_above = exact ? round_up(q * (1 + margin) + offset) : float(q),
+          .collide_below = exact ? round_down(q * (1 - margin) - offset) : float(q),
+          .filter_scale = exact ? bits_float(0x3F80000Cu) : 1.0f,  // 1 + 24 * 2^-24
+          .filter_offset = exact ? 0x1p-100f : 0.0f,
+          .defer_undecided = exact,
+          .columns_per_group = 0,
+          .pair_capacity = 0,
+          .deferred_capacity = 0};
 }
 
 }  // namespace spherepair

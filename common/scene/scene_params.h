@@ -6,7 +6,9 @@
 
 namespace spherepair {
 
-// The parameters of every kernel for this scene. All constants are computed here once, in float64, and rounded.
-Params scene_params(const Scene& scene, bool exact);
+// Constants are computed here once, in float64, and rounded.
+MotionParams motion_params(const Scene& scene);              // at the start: no step is done
+SearchParams search_params(const Scene& scene, bool exact);  // of the predicate; a launch adds the rest
+float common_radius(const Scene& scene);                     // 0 where radii differ
 
 }  // namespace spherepair

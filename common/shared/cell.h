@@ -22,16 +22,16 @@ FN float grid_coordinate(float x, float origin, float scale, uint cells) {
   EXACT float coordinate = offset * scale;
   return smaller(larger(coordinate, 0.0f), float(cells - 1u));
 }
-FN GridPosition grid_position(vec4 sphere, Params p) {
-  GridPosition position = {grid_coordinate(sphere.x, p.origin_x, p.cells_per_metre, p.cells_x),
-                           grid_coordinate(sphere.y, p.origin_y, p.cells_per_metre, p.cells_y),
-                           grid_coordinate(sphere.z, p.origin_z, p.cells_per_metre, p.cells_z)};
+FN GridPosition grid_position(vec4 sphere, GridParams g) {
+  GridPosition position = {grid_coordinate(sphere.x, g.origin_x, g.cells_per_metre, g.cells_x),
+                           grid_coordinate(sphere.y, g.origin_y, g.cells_per_metre, g.cells_y),
+                           grid_coordinate(sphere.z, g.origin_z, g.cells_per_metre, g.cells_z)};
   return position;
 }
 // In a dense grid: at least r + (the largest radius) in units of cells, with a margin for the rounding of two
 // coordinates, and less than 1, so that a neighbourhood is at most three cells wide.
-FN float reach_in_cells(float radius, Params p) {
-  EXACT float reach = multiply_add(radius, p.reach_scale, p.reach_offset);
+FN float reach_in_cells(float radius, GridParams g) {
+  EXACT float reach = multiply_add(radius, g.reach_scale, g.reach_offset);
   return reach;
 }
 FN uint cell_below(float coordinate, float reach) {
@@ -42,13 +42,13 @@ FN uint cell_above(float coordinate, float reach, uint cells) {
   EXACT float high = coordinate + reach;
   return uint(smaller(high, float(cells - 1u)));
 }
-FN uint dense_slot(uint x, uint y, uint z, Params p) { return (z * p.cells_y + y) * p.cells_x + x; }
+FN uint dense_slot(uint x, uint y, uint z, GridParams g) { return (z * g.cells_y + y) * g.cells_x + x; }
 
 // The level of a radius: its octave above the smallest; 0 for all when there is only one level.
-FN uint level_of(float radius, Params p) {
+FN uint level_of(float radius, GridParams g) {
   uint octave = (float_bits(radius) >> 23) & 0xFFu;
-  uint above = octave > p.first_octave ? octave - p.first_octave : 0u;
-  return above < p.top_level ? above : p.top_level;
+  uint above = octave > g.first_octave ? octave - g.first_octave : 0u;
+  return above < g.top_level ? above : g.top_level;
 }
 
 const int MOST_CELLS = 1073741824;  // the largest cell number, in each direction
@@ -59,14 +59,14 @@ FN int cell_number(float x, float origin, float scale) {
   return int(smaller(larger(coordinate, -float(MOST_CELLS)), float(MOST_CELLS)));
 }
 
-FN float cells_per_metre(uint level, Params p) {
-  EXACT float scaled = p.cells_per_metre * bits_float((127u - level) << 23);
+FN float cells_per_metre(uint level, GridParams g) {
+  EXACT float scaled = g.cells_per_metre * bits_float((127u - level) << 23);
   return scaled;
 }
 
-FN Cell cell_at(float x, float y, float z, uint level, Params p) {
-  float scale = cells_per_metre(level, p);
-  Cell cell = {cell_number(x, p.origin_x, scale), cell_number(y, p.origin_y, scale), cell_number(z, p.origin_z, scale)};
+FN Cell cell_at(float x, float y, float z, uint level, GridParams g) {
+  float scale = cells_per_metre(level, g);
+  Cell cell = {cell_number(x, g.origin_x, scale), cell_number(y, g.origin_y, scale), cell_number(z, g.origin_z, scale)};
   return cell;
 }
 
@@ -79,47 +79,47 @@ FN uint row_slot(uint level, int y, int z) {
   return h ^ (h >> 16);
 }
 
-FN uint slot_in_row(uint row, int x, Params p) { return (row + uint(x)) & p.hash_mask; }
+FN uint slot_in_row(uint row, int x, GridParams g) { return (row + uint(x)) & g.hash_mask; }
 
 // The cells of a level whose spheres a sphere can collide with lie between these two.
-FN Cell lowest_cell(vec4 sphere, float reach, uint level, Params p) {
+FN Cell lowest_cell(vec4 sphere, float reach, uint level, GridParams g) {
   EXACT float x = sphere.x - reach;
   EXACT float y = sphere.y - reach;
   EXACT float z = sphere.z - reach;
-  return cell_at(x, y, z, level, p);
+  return cell_at(x, y, z, level, g);
 }
-FN Cell highest_cell(vec4 sphere, float reach, uint level, Params p) {
+FN Cell highest_cell(vec4 sphere, float reach, uint level, GridParams g) {
   EXACT float x = sphere.x + reach;
   EXACT float y = sphere.y + reach;
   EXACT float z = sphere.z + reach;
-  return cell_at(x, y, z, level, p);
+  return cell_at(x, y, z, level, g);
 }
 
-FN uint dense_slot_of(vec4 sphere, Params p) {
-  GridPosition position = grid_position(sphere, p);
-  return dense_slot(uint(position.x), uint(position.y), uint(position.z), p);
+FN uint dense_slot_of(vec4 sphere, GridParams g) {
+  GridPosition position = grid_position(sphere, g);
+  return dense_slot(uint(position.x), uint(position.y), uint(position.z), g);
 }
-FN uint hashed_slot_of(vec4 sphere, Params p) {
-  uint level = level_of(sphere.w, p);
-  Cell cell = cell_at(sphere.x, sphere.y, sphere.z, level, p);
-  return slot_in_row(row_slot(level, cell.y, cell.z), cell.x, p);
+FN uint hashed_slot_of(vec4 sphere, GridParams g) {
+  uint level = level_of(sphere.w, g);
+  Cell cell = cell_at(sphere.x, sphere.y, sphere.z, level, g);
+  return slot_in_row(row_slot(level, cell.y, cell.z), cell.x, g);
 }
 // `dense`: a compile-time constant, so that no code for the other grid is made.
-FN uint slot_of(vec4 sphere, bool dense, Params p) {
-  return dense || p.hash_mask == 0u ? dense_slot_of(sphere, p) : hashed_slot_of(sphere, p);
+FN uint slot_of(vec4 sphere, bool dense, GridParams g) {
+  return dense || g.hash_mask == 0u ? dense_slot_of(sphere, g) : hashed_slot_of(sphere, g);
 }
-FN uint slot_of(vec4 sphere, Params p) { return slot_of(sphere, false, p); }
+FN uint slot_of(vec4 sphere, GridParams g) { return slot_of(sphere, false, g); }
 
 // Whether a sphere belongs to this level and to this row of its cells.
-FN bool stands_in_row(vec4 sphere, uint level, int y, int z, Params p) {
-  if (level_of(sphere.w, p) != level) return false;
-  Cell cell = cell_at(sphere.x, sphere.y, sphere.z, level, p);
+FN bool stands_in_row(vec4 sphere, uint level, int y, int z, GridParams g) {
+  if (level_of(sphere.w, g) != level) return false;
+  Cell cell = cell_at(sphere.x, sphere.y, sphere.z, level, g);
   return cell.y == y && cell.z == z;
 }
 
 // At least r + (the largest radius of a level), in real arithmetic.
-FN float reach_of(float radius, uint level, Params p) {
-  EXACT float largest = p.largest_radius * bits_float((127u + level) << 23);
+FN float reach_of(float radius, uint level, GridParams g) {
+  EXACT float largest = g.largest_radius * bits_float((127u + level) << 23);
   EXACT float sum = radius + largest;
   EXACT float reach = multiply_add(sum, bits_float(0x3F800010u), bits_float(0x0D800000u));  // 1 + 2^-19, 2^-100
   return reach;
@@ -132,10 +132,10 @@ FN uint end_in_tile(uint run) { return run >> 16; }
 
 // Buckets are ranges of slots, and their parents larger ranges. The spheres of this slot's parent are in the buckets
 // from bucket_below to bucket_above.
-FN uint bucket_below(uint slot, Params p) { return (slot >> p.parent_shift) << (p.parent_shift - p.bucket_shift); }
-FN uint bucket_above(uint slot, Params p) {
-  uint behind = ((slot >> p.parent_shift) + 1u) << (p.parent_shift - p.bucket_shift);
-  return (behind < p.buckets ? behind : p.buckets) - 1u;
+FN uint bucket_below(uint slot, SortParams s) { return (slot >> s.parent_shift) << (s.parent_shift - s.bucket_shift); }
+FN uint bucket_above(uint slot, SortParams s) {
+  uint behind = ((slot >> s.parent_shift) + 1u) << (s.parent_shift - s.bucket_shift);
+  return (behind < s.buckets ? behind : s.buckets) - 1u;
 }
 
 #endif

@@ -36,32 +36,32 @@ FN vec4 highest_corner(vec4 sphere) {
 
 // Whether all spheres from a to b in cell order are in one row of cells, none of which is at the grid's border, where
 // cells are unbounded.
-FN bool within_row(GridPosition a, GridPosition b, Params p) {
-  return uint(a.y) == uint(b.y) && uint(a.z) == uint(b.z) && a.x >= 1.0f && b.x < float(p.cells_x - 1u) &&
-         a.y >= 1.0f && a.y < float(p.cells_y - 1u) && a.z >= 1.0f && a.z < float(p.cells_z - 1u);
+FN bool within_row(GridPosition a, GridPosition b, GridParams g) {
+  return uint(a.y) == uint(b.y) && uint(a.z) == uint(b.z) && a.x >= 1.0f && b.x < float(g.cells_x - 1u) &&
+         a.y >= 1.0f && a.y < float(g.cells_y - 1u) && a.z >= 1.0f && a.z < float(g.cells_z - 1u);
 }
 // Lower bound along an axis of the spheres in cells from this one on; upper bound of those in cells before it. 2^-20
 // covers the rounding of a coordinate.
-FN float least_from(uint cell, float origin, Params p) {
-  EXACT float offset = float(cell) / p.cells_per_metre;
+FN float least_from(uint cell, float origin, GridParams g) {
+  EXACT float offset = float(cell) / g.cells_per_metre;
   EXACT float room = (magnitude(origin) + offset) * bits_float(0x35800000u);
-  EXACT float least = ((origin + offset) - room) - p.largest_radius;
+  EXACT float least = ((origin + offset) - room) - g.largest_radius;
   return least;
 }
-FN float most_before(uint cell, float origin, Params p) {
-  EXACT float offset = float(cell) / p.cells_per_metre;
+FN float most_before(uint cell, float origin, GridParams g) {
+  EXACT float offset = float(cell) / g.cells_per_metre;
   EXACT float room = (magnitude(origin) + offset) * bits_float(0x35800000u);
-  EXACT float most = ((origin + offset) + room) + p.largest_radius;
+  EXACT float most = ((origin + offset) + room) + g.largest_radius;
   return most;
 }
-FN vec4 lowest_in_row(GridPosition a, Params p) {
-  vec4 corner = {least_from(uint(a.x), p.origin_x, p), least_from(uint(a.y), p.origin_y, p),
-                 least_from(uint(a.z), p.origin_z, p), 0.0f};
+FN vec4 lowest_in_row(GridPosition a, GridParams g) {
+  vec4 corner = {least_from(uint(a.x), g.origin_x, g), least_from(uint(a.y), g.origin_y, g),
+                 least_from(uint(a.z), g.origin_z, g), 0.0f};
   return corner;
 }
-FN vec4 highest_in_row(GridPosition b, Params p) {
-  vec4 corner = {most_before(uint(b.x) + 1u, p.origin_x, p), most_before(uint(b.y) + 1u, p.origin_y, p),
-                 most_before(uint(b.z) + 1u, p.origin_z, p), 0.0f};
+FN vec4 highest_in_row(GridPosition b, GridParams g) {
+  vec4 corner = {most_before(uint(b.x) + 1u, g.origin_x, g), most_before(uint(b.y) + 1u, g.origin_y, g),
+                 most_before(uint(b.z) + 1u, g.origin_z, g), 0.0f};
   return corner;
 }
 

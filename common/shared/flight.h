@@ -31,29 +31,29 @@ ANY_REAL FN Real advance(Real position, Real velocity, Real dt, Real term) {
 ANY_REAL FN Real drift(Real position, Real velocity, Real dt) { return snapped(plus(position, times(velocity, dt))); }
 
 // One step without a plane.
-ANY_REAL FN Moving OF_REAL fly(Moving OF_REAL from, Params p) {
-  Real dt = widened(p.dt, from.y);
+ANY_REAL FN Moving OF_REAL fly(Moving OF_REAL from, MotionParams m) {
+  Real dt = widened(m.dt, from.y);
   Moving OF_REAL next = from;
   next.x = drift(from.x, from.vx, dt);
-  next.y = advance(from.y, from.vy, dt, constant(p.half_gravity_dt2, from.y));
+  next.y = advance(from.y, from.vy, dt, constant(m.half_gravity_dt2, from.y));
   next.z = drift(from.z, from.vz, dt);
   next.vx = snapped(from.vx);
-  next.vy = snapped(plus(from.vy, constant(p.gravity_dt, from.y)));
+  next.vy = snapped(plus(from.vy, constant(m.gravity_dt, from.y)));
   next.vz = snapped(from.vz);
   return next;
 }
 
-ANY_REAL FN Real turned(Real velocity, Params p) {
-  return snapped(negated(times(velocity, widened(p.restitution, velocity))));
+ANY_REAL FN Real turned(Real velocity, MotionParams m) {
+  return snapped(negated(times(velocity, widened(m.restitution, velocity))));
 }
 
 // Code 1 of the paper, to the letter: on contact the old velocity is reversed, times the restitution, and the step is
 // repeated from the old position. It sinks for restitution < 1 and gains energy at 1; both belong to the method.
-ANY_REAL FN Moving OF_REAL move_paper(Moving OF_REAL from, Params p) {
-  Moving OF_REAL next = fly(from, p);
-  if (below_plane(next.y, from.radius, p.plane)) {
-    next.vy = turned(from.vy, p);
-    next.y = advance(from.y, next.vy, widened(p.dt, from.y), constant(p.half_gravity_dt2, from.y));
+ANY_REAL FN Moving OF_REAL move_paper(Moving OF_REAL from, MotionParams m) {
+  Moving OF_REAL next = fly(from, m);
+  if (below_plane(next.y, from.radius, m.plane)) {
+    next.vy = turned(from.vy, m);
+    next.y = advance(from.y, next.vy, widened(m.dt, from.y), constant(m.half_gravity_dt2, from.y));
   }
   return next;
 }
@@ -75,32 +75,32 @@ FN double ground(float r, float plane, double kind) {
 }
 
 // The same, but a sphere that still ends below the plane is moved onto it.
-ANY_REAL FN Moving OF_REAL move_clamped(Moving OF_REAL from, Params p) {
-  Moving OF_REAL next = move_paper(from, p);
-  if (below_plane(next.y, from.radius, p.plane)) next.y = ground(from.radius, p.plane, from.y);
+ANY_REAL FN Moving OF_REAL move_clamped(Moving OF_REAL from, MotionParams m) {
+  Moving OF_REAL next = move_paper(from, m);
+  if (below_plane(next.y, from.radius, m.plane)) next.y = ground(from.radius, m.plane, from.y);
   return next;
 }
 
 // A step along y at constant velocity, with the same reversal on contact.
-ANY_REAL FN Moving OF_REAL move_straight(Moving OF_REAL from, Real velocity, Moving OF_REAL next, Params p) {
-  Real dt = widened(p.dt, from.y);
+ANY_REAL FN Moving OF_REAL move_straight(Moving OF_REAL from, Real velocity, Moving OF_REAL next, MotionParams m) {
+  Real dt = widened(m.dt, from.y);
   next.y = drift(from.y, velocity, dt);
-  if (below_plane(next.y, from.radius, p.plane)) {
-    next.vy = turned(from.vy, p);
+  if (below_plane(next.y, from.radius, m.plane)) {
+    next.vy = turned(from.vy, m);
     next.y = drift(from.y, next.vy, dt);
   }
   return next;
 }
 
 // The explicit Euler method: the position with the old velocity.
-ANY_REAL FN Moving OF_REAL move_euler(Moving OF_REAL from, Params p) {
-  return move_straight(from, from.vy, fly(from, p), p);
+ANY_REAL FN Moving OF_REAL move_euler(Moving OF_REAL from, MotionParams m) {
+  return move_straight(from, from.vy, fly(from, m), m);
 }
 
 // The semi-implicit Euler method, which is symplectic: the position with the new velocity.
-ANY_REAL FN Moving OF_REAL move_symplectic(Moving OF_REAL from, Params p) {
-  Moving OF_REAL next = fly(from, p);
-  return move_straight(from, next.vy, next, p);
+ANY_REAL FN Moving OF_REAL move_symplectic(Moving OF_REAL from, MotionParams m) {
+  Moving OF_REAL next = fly(from, m);
+  return move_straight(from, next.vy, next, m);
 }
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Buffer slots, block sizes and the parameter struct, as C++, CUDA and GLSL all see them.
+// Buffer slots, block sizes and the structs of parameters, as C++, CUDA and GLSL all see them.
 #ifndef SPHEREPAIR_LAYOUT_H
 #define SPHEREPAIR_LAYOUT_H
 
@@ -78,9 +78,8 @@
 #define BOUNDS_TILE 512u           // spheres that one group of grid_bounds processes
 #define BOUNDS_WINDOW 1024u        // cells whose begins it keeps in shared memory at a time
 #define ONE_PARENT 31u             // as parent_shift: all buckets have one parent
-#define INDEX_GIVEN 1u             // the spheres come from an earlier split, with their indices
-#define INDEX_IN_W 2u              // sphere indices replace the radii, which are all equal; also of in_cells
-#define INDEX_IN_ID 4u             // of in_cells: sphere indices are in SLOT_ID
+#define INDEX_IN_W 1u              // of a launch: sphere indices stand in w in place of the radii, all equal, ...
+#define INDEX_IN_ID 2u             // ... or in SLOT_ID; else they are those of the buffer
 #define EMPTY_CELLS_AT_MOST 4096u  // between two consecutive spheres in cell order
 #define SCAN_BLOCK 256             // group size of grid_scan
 #define SCAN_VECTORS 4             // uvec4 that one thread of grid_scan processes
@@ -102,32 +101,60 @@
 #define ANCHOR_ON_PLANE 0x80000000u  // bit of `since`: the anchor is a bounce, not the start
 #define NO_EVENT 0xFFFFFFFFu
 
+// What kernels are told, one struct a component. Aligned as std140 aligns them: their sizes are multiples of 16 bytes.
+
 // Constants of the motion are vec4 whose first three floats add up to the constant: see `constant` in real.h.
-struct Params {
+struct MotionParams {
+  vec4 gravity_dt, half_gravity_dt2;                 // g*dt, g*dt*dt/2, both <= 0
+  vec4 seconds_per_speed, zeno_flights;              // 2 / |g|, or 0 without gravity; flights until rest, see rebound
   float dt, gravity, steps_per_second, restitution;  // seconds, <= 0 along y, 1 / dt, 0..1
-  float plane, radius, apart_above, collide_below;   // y of the plane; for equal radii: squared-distance bounds
-  float filter_scale, filter_offset;                 // K and T of filter_pair
-  uint whole_state;  // not 0: evaluate_positions also writes velocities and SLOT_WIDE, bounce handles all that bounce
-  float fade;        // of draw_light: 1 / (OCCLUSION_RADII * largest radius)^2
-  uint n, columns_per_group;  // spheres that a group of collide_triangle tests its rows against; consecutive spheres
-                              // of a group of collide_grid, a power of two
-  uint pair_capacity, deferred_capacity;
-  uint defer_undecided, pairs_to_decide, first_group, in_cells;  // 0: naive; of decide; of this slice; see sphere_index
-  float origin_x, origin_y, origin_z, cells_per_metre;           // of the grid's cells, at level 0
-  float largest_radius, reach_scale, reach_offset;  // of level 0, doubles with each level; see reach_in_cells
-  uint scan_tiles;                                  // of grid_scan
-  uint cells_x, cells_y, cells_z, cell_slots;       // dense grid; cell_slots: length of the table in either case
-  uint hash_mask, first_octave, top_level, levels;  // 0: dense; see level_of; levels: bit k set when k has spheres
-  uint steps_done;                                  // of anchored: after this move
-  uint buckets, bucket_shift;                       // 0: no buckets; the bucket of a slot is slot >> bucket_shift
-  uint parent_shift, first_bucket, bucket_words, indices;  // see bucket_below; in SLOT_BUCKET; of a split: INDEX_*
-  vec4 gravity_dt, half_gravity_dt2;                       // g*dt, g*dt*dt/2, both <= 0
-  vec4 seconds_per_speed, zeno_flights;  // 2 / |g|, or 0 without gravity; flights until rest, see rebound
+  float plane;                                       // its y
+  uint steps_done;                                   // of anchored: after this move
+  uint whole_state;    // not 0: evaluate_positions also writes velocities and SLOT_WIDE, bounce handles all that bounce
+  uint clear_results;  // not 0: move and evaluate_positions clear contact counts and totals
+};
+
+struct UNIFORM_ALIGN SearchParams {
+  float apart_above, collide_below;       // for equal radii: squared-distance bounds
+  float filter_scale, filter_offset;      // K and T of filter_pair
+  uint defer_undecided;                   // 0: the naive predicate
+  uint columns_per_group;                 // spheres that a group of collide_triangle tests its rows against;
+                                          // consecutive spheres of a group of collide_grid, a power of two
+  uint pair_capacity, deferred_capacity;  // of SLOT_PAIR and SLOT_DEFERRED
+};
+
+struct UNIFORM_ALIGN GridParams {
+  float origin_x, origin_y, origin_z, cells_per_metre;  // of the cells at level 0
+  float largest_radius, reach_scale, reach_offset;      // of level 0, doubles with each level; see reach_in_cells
+  float occlusion_fade;                                 // of draw_light: 1 / (OCCLUSION_RADII * largest radius)^2
+  uint cells_x, cells_y, cells_z, cell_slots;           // dense grid; cell_slots: length of the table in either case
+  uint hash_mask, first_octave, top_level, levels;      // 0: dense; see level_of; levels: bit k set when k has spheres
+};
+
+struct UNIFORM_ALIGN SortParams {
+  uint buckets, bucket_shift;       // the bucket of a slot is slot >> bucket_shift; 0 buckets: none
+  uint parent_shift, first_bucket;  // see bucket_below; in SLOT_BUCKET
+  uint bucket_words;                // to clear, of SLOT_BUCKET
+  uint scan_tiles;                  // of grid_scan
+  uint index_in_w;                  // not 0: the sorted spheres have their indices in w in place of the radii
+  uint index_given;                 // not 0: of a split, the spheres come from an earlier one, with their indices
+};
+
+struct Params {
+  MotionParams motion;
+  SearchParams search;
+  GridParams grid;
+  SortParams sort;
+  uint n;            // spheres; of `decide`, pairs of them
+  float radius;      // of all, where all are equal
+  uint first_group;  // of this slice of the launch
+  uint indices;      // CUDA: INDEX_* of the launch, see sphere_index; GLSL compiles it in
 };
 
 #ifndef GL_core_profile
 static_assert(SPLIT_BLOCK == BUCKETS_AT_MOST && SPLIT_BLOCK * SPLIT_EACH == SPLIT_TILE);
-static_assert(sizeof(Params) == 240 && alignof(vec4) == 16 && sizeof(uvec2) == 8);
+static_assert(sizeof(MotionParams) == 96 && sizeof(SearchParams) == 32 && sizeof(GridParams) == 64 &&
+              sizeof(SortParams) == 32 && sizeof(Params) == 240 && sizeof(uvec2) == 8);
 #endif
 
 #endif

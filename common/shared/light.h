@@ -51,13 +51,13 @@ FN Surface ground_at(Ray ray, float depth, float plane, View v) {
 
 // The share of the ambient light that a sphere occludes, in 2^-16: its solid angle times the cosine, fading out towards
 // OCCLUSION_RADII, whatever the cells.
-FN uint taken_by(vec4 sphere, Surface s, Params p) {
+FN uint taken_by(vec4 sphere, Surface s, GridParams g) {
   EXACT float x = sphere.x - s.x;
   EXACT float y = sphere.y - s.y;
   EXACT float z = sphere.z - s.z;
   EXACT float square = (x * x + y * y) + z * z;
   EXACT float facing = (x * s.normal_x + y * s.normal_y) + z * s.normal_z;
-  EXACT float left = 1.0f - square * p.fade;
+  EXACT float left = 1.0f - square * g.occlusion_fade;
   if (facing <= 0.0f || left <= 0.0f || square < bits_float(0x0D800000u)) return 0u;
   EXACT float per_square = same_reciprocal(square);
   EXACT float cosine = (facing * same_root(square)) * per_square;
@@ -78,9 +78,9 @@ FN uint clamped_cell(float coordinate, uint cells) {
   return uint(smaller(larger(coordinate, 0.0f), float(cells - 1u)));
 }
 
-FN float grid_coordinate_unclamped(float x, float origin, Params p) {
+FN float grid_coordinate_unclamped(float x, float origin, GridParams g) {
   EXACT float offset = x - origin;
-  EXACT float coordinate = offset * p.cells_per_metre;
+  EXACT float coordinate = offset * g.cells_per_metre;
   return coordinate;
 }
 

@@ -6,13 +6,13 @@
 
 #include "common/shared/impact.h"
 
-ANY_REAL FN Moving OF_REAL take_step(uint method, Moving OF_REAL from, Params p) {
-  if (method == MOTION_EULER) return move_euler(from, p);
-  if (method == MOTION_SYMPLECTIC) return move_symplectic(from, p);
-  if (method == MOTION_PAPER_CLAMP) return move_clamped(from, p);
-  if (method == MOTION_IMPACT_LINEAR) return move_impact_linear(from, p);
-  if (method == MOTION_IMPACT) return move_impact(from, p);
-  return move_paper(from, p);
+ANY_REAL FN Moving OF_REAL take_step(uint method, Moving OF_REAL from, MotionParams m) {
+  if (method == MOTION_EULER) return move_euler(from, m);
+  if (method == MOTION_SYMPLECTIC) return move_symplectic(from, m);
+  if (method == MOTION_PAPER_CLAMP) return move_clamped(from, m);
+  if (method == MOTION_IMPACT_LINEAR) return move_impact_linear(from, m);
+  if (method == MOTION_IMPACT) return move_impact(from, m);
+  return move_paper(from, m);
 }
 
 #endif

@@ -9,6 +9,7 @@
 
 #define FN
 #define EXACT precise
+#define UNIFORM_ALIGN  // std140 aligns structs by itself
 
 uint float_bits(float x) { return floatBitsToUint(x); }
 float bits_float(uint bits) { return uintBitsToFloat(bits); }
@@ -42,6 +43,7 @@ float smaller(float a, float b) { return a < b ? a : b; }
 #define FN inline
 #endif
 #define EXACT
+#define UNIFORM_ALIGN alignas(16)
 #define ANY_REAL template <typename Real>
 #define OF_REAL <Real>
 

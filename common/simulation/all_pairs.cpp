@@ -64,8 +64,8 @@ void launch_all_pairs(DeviceContext& context, const CollideOptions& options, con
     } else if (mirrored) {
       const uint64_t columns = columns_of_line(context.n, row_groups, share.rows);
       const uint64_t least = ceil_div(columns, MAX_GROUPS - 1);
-      params.columns_per_group = uint(std::clamp<uint64_t>(params.columns_per_group, least, context.n));
-      launching.groups = {uint(ceil_div(columns, params.columns_per_group) + 1), part, 1};
+      params.search.columns_per_group = uint(std::clamp<uint64_t>(params.search.columns_per_group, least, context.n));
+      launching.groups = {uint(ceil_div(columns, params.search.columns_per_group) + 1), part, 1};
     }
     params.first_group = uint(first);
     context.launch(launching);

@@ -65,8 +65,8 @@ bool CellSorter::replan_if_needed() {
 // Parameters of the cells, and room for the table.
 void CellSorter::plan_cells(const GridOptions& options) {
   const GridPlan& plan = plans_.plan(options.cells);
-  set_grid(context_.params, plan);
   if (planned_ == plan.cells) return;
+  context_.params.grid = grid_params(plan);
   if (context_.n > most_spheres) {
     throw BackendError(fmt::format("{}: {} spheres, but the grid takes {} at most; use collide_triangle",
                                    context_.name(), context_.n, most_spheres));
@@ -80,7 +80,7 @@ void CellSorter::plan_cells(const GridOptions& options) {
 
 void CellSorter::launch_bounds() {
   const uint64_t threads = std::max<uint64_t>(context_.n + 1, SUMMARY_SLOTS * SUMMARY_WORDS);
-  const Variant variant{.dense = context_.params.hash_mask == 0};
+  const Variant variant{.dense = context_.params.grid.hash_mask == 0};
   context_.launch({Kernel::grid_bounds, context_.device.capabilities().bounds_block, variant,
                    folded(ceil_div(threads, BOUNDS_TILE))});
 }
@@ -112,7 +112,6 @@ void CellSorter::build(const CollideOptions& options, bool equal_radii, bool res
     if (order_ == Order::cells) index_in_w_ = equal_radii;
   }
   const bool sorted = order_ == Order::cells;
-  context_.params.in_cells = indices(order_);
   WorkCounts& work = context_.work();
   ++(kept ? work.cells_kept : sorted ? work.sorts : work.orders_kept);
   if (kept) {

@@ -64,17 +64,13 @@ void ClusterCulling::draw_phase(Frame& frame, uint phase) {
   const bool previous = phase == PHASE_SEEN;
   const uint block = previous ? SEEN_BLOCK : CLUSTERS_BLOCK;
   const bool bundles = !previous && phase != PHASE_ALL && context_.n >= frame.options.bundles_from;
-  Params params = frame.params;
-  if (previous) params.in_cells = false;
-  context_.launch(
-      drawing(frame,
-              {.kernel = previous ? Kernel::draw_previously_visible : Kernel::draw_clusters,
-               .block = block,
-               .variant = {.bundles = bundles},
-               .groups = folded(std::min(ceil_div(context_.n, block), previous ? visible_groups : clusters_groups)),
-               .order = previous ? Order::scene : frame.order,
-               .stage = stages_of(phase).clusters}),
-      params);
+  launch_drawing(context_, frame,
+                 {.kernel = previous ? Kernel::draw_previously_visible : Kernel::draw_clusters,
+                  .block = block,
+                  .variant = {.bundles = bundles},
+                  .groups = folded(std::min(ceil_div(context_.n, block), previous ? visible_groups : clusters_groups)),
+                  .order = previous ? Order::scene : frame.order,
+                  .stage = stages_of(phase).clusters});
   if (frame.view.pass == PASS_DEPTH && phase != PHASE_NEAR) launch_tiles(context_, frame);  // else with the next
 }
 
@@ -82,12 +78,13 @@ void ClusterCulling::draw_phase(Frame& frame, uint phase) {
 bool ClusterCulling::eye_among_cells(const Frame& frame) const {
   const Params& params = context_.params;
   const auto within = [&](float eye, float origin, uint cells) {
-    const float at = (eye - origin) * params.cells_per_metre;
+    const float at = (eye - origin) * params.grid.cells_per_metre;
     return at >= 0 && at <= float(cells);
   };
   const vec4& eye = frame.view.eye;
-  return sorter_.dense() && within(eye.x, params.origin_x, params.cells_x) &&
-         within(eye.y, params.origin_y, params.cells_y) && within(eye.z, params.origin_z, params.cells_z);
+  return sorter_.dense() && within(eye.x, params.grid.origin_x, params.grid.cells_x) &&
+         within(eye.y, params.grid.origin_y, params.grid.cells_y) &&
+         within(eye.z, params.grid.origin_z, params.grid.cells_z);
 }
 
 // Which clusters are to be drawn in this phase, by the depth pyramid of what is drawn already.
@@ -105,7 +102,7 @@ void ClusterCulling::cull(Frame& frame, uint phase) {
   culling.stage = stages_of(phase).cull;
   culling.texels = pyramid_texels(view);
   culling.variant.texture_table =
-      culling.variant.bundles && context_.device.reads_texture(culling.kernel, frame.params, culling.texels, {});
+      culling.variant.bundles && context_.device.reads_texture(culling.kernel, context_.params, culling.texels, {});
   launch_drawing(context_, frame, culling);
 }
 

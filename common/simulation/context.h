@@ -11,7 +11,7 @@ struct DeviceContext {
 
   Device& device;
   Buffers buffers;
-  Params params{};  // sent to the device only when they change, so components keep each other's part
+  Params params{};  // each component sets its own struct; sent to the device only when they change
   uint64_t n = 0;   // spheres
   bool equal_radii = true;
   uint64_t version = 0;  // of the spheres and their contacts: grows with every move and search
@@ -27,7 +27,6 @@ struct DeviceContext {
   }
 
   void launch(const Launch& launch) { device.launch(launch, params); }
-  void launch(const Launch& launch, const Params& other) { device.launch(launch, other); }
 };
 
 // A thread for every sphere, and at least one for every word of the summary, which the same kernels clear.

@@ -5,6 +5,7 @@
 
 #include "common/backend/checks.h"
 #include "common/scene/scene_bounds.h"
+#include "common/scene/scene_params.h"
 
 namespace spherepair {
 
@@ -13,9 +14,10 @@ void DeviceMotion::upload(const Scene& scene, const MotionState* saved) {
   context_.buffers.resize(SLOT_VELOCITY, scene.size() * sizeof(vec4));
   context_.buffers.write(SLOT_POSITION, scene.positions);
   context_.buffers.write(SLOT_VELOCITY, scene.velocities);
+  context_.params.motion = motion_params(scene);
   motion_ = scene.motion;
   unmovable_ = saved ? why_unmovable(scene, std::numeric_limits<float>::max()) : why_unmovable(scene);
-  write_state(saved ? *saved : initial_state(scene, context_.params));
+  write_state(saved ? *saved : initial_state(scene, context_.params.motion));
   current_ = motion_.method != MotionMethod::anchored;
   evaluated_ = !saved || current_;
   moved_ = saved != nullptr;
@@ -31,19 +33,17 @@ void DeviceMotion::write_state(const MotionState& state) {
 }
 
 void DeviceMotion::launch(Kernel kernel, bool whole_state, bool clear_results, std::optional<Kernel> overlaps) {
-  Params params = context_.params;
-  params.n = uint(context_.n);
+  MotionParams& params = context_.params.motion;
   params.steps_done = steps_;
   params.whole_state = whole_state;
-  params.in_cells = !clear_results;
+  params.clear_results = clear_results;
   const auto groups = kernel == Kernel::bounce ? folded(context_.n / (SERVICE_BLOCK * SPHERES_PER_BOUNCER) + 1)
                                                : groups_per_sphere(context_);
   context_.launch({.kernel = kernel,
                    .block = SERVICE_BLOCK,
                    .variant = {.motion = motion_},
                    .groups = groups,
-                   .overlaps = overlaps},
-                  params);
+                   .overlaps = overlaps});
 }
 
 bool DeviceMotion::step(bool clear_results, std::optional<Kernel> overlaps) {

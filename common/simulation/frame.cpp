@@ -16,11 +16,12 @@ const char* tiles_stage(uint phase) {
 Launch drawing(const Frame& frame, Launch launch) {
   launch.view = &frame.view;
   launch.visible_slot = frame.visible_slot;
+  launch.variant.indices = launch.order == frame.order ? frame.indices : 0;
   return launch;
 }
 
 void launch_drawing(DeviceContext& context, const Frame& frame, const Launch& launch) {
-  context.launch(drawing(frame, launch), frame.params);
+  context.launch(drawing(frame, launch));
 }
 
 void launch_tiles(DeviceContext& context, const Frame& frame) {

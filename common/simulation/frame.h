@@ -9,8 +9,8 @@ namespace spherepair {
 struct Frame {
   View view;  // phase and pass change from launch to launch
   DrawOptions options;
-  Params params;
   Order order = Order::scene;        // of the spheres
+  uint indices = 0;                  // Variant::indices of that
   uint visible_slot = SLOT_VISIBLE;  // its pixels
   bool overlaps_previous = false;    // its spheres are drawn while the last image is still resolved
   bool culls = false;                // by clusters

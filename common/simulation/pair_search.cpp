@@ -30,15 +30,16 @@ void PairSearch::upload(const Scene& scene) {
   context_.buffers.resize(SLOT_SUMMARY, SUMMARY_SLOTS * SUMMARY_WORDS * sizeof(uint));
   context_.buffers.resize(SLOT_DEFERRED, std::max<uint64_t>(n, 4096) * sizeof(uvec2));
   context_.buffers.resize(SLOT_PAIR, std::max<uint64_t>(n, 4096) * sizeof(uvec2));
-  constants_ = {scene_params(scene, false), scene_params(scene, true)};
+  constants_ = {search_params(scene, false), search_params(scene, true)};
   order_ = Order::scene;
-  searched_ = results_clear_ = counts_sorted_ = false;
+  results_ = Results::none;
+  results_clear_ = counts_sorted_ = false;
   resolved_in_step_.clear();
 }
 
 void PairSearch::moved(bool results_cleared) {
   results_clear_ = results_cleared;
-  searched_ = false;
+  results_ = Results::none;
 }
 
 MethodChoice PairSearch::choice(const CollideOptions& options) const {
@@ -50,7 +51,7 @@ void PairSearch::choose(const CollideOptions& options) {
   options_ = options;
   options_.method = chosen_method(info, context_.n, sorter_.plans(), options);
   const bool may_use_grid = options.method == Method::collide_grid ||
-                            (options.method == Method::automatic && may_take_grid(crossover_of(info), context_.n));
+                            (options.method == Method::automatic && double(context_.n) >= crossover_of(info).grid_from);
   if (options.grid.replan && may_use_grid && sorter_.replan_if_needed())
     options_.method = chosen_method(info, context_.n, sorter_.plans(), options);
   options_.block = chosen_block(info, context_.n, options_.method, options);
@@ -71,34 +72,32 @@ void PairSearch::enqueue(const CollideOptions& options) {
     evaluate_positions();
   }
   choose(options);
-  launch_search();
-  searched_ = true;
+  launch();
 }
 
-// The scene's constants, and what the options say. Grid and sort add theirs.
+// The scene's constants, and what the options say.
 void PairSearch::set_params() {
-  Params& params = context_.params;
+  SearchParams& params = context_.params.search;
   params = constants_[options_.exact];
   if (!options_.filter) leave_all_undecided(params);
-  params.n = uint(context_.n);
-  params.in_cells = 0;
   params.columns_per_group = options_.columns ? options_.columns : default_columns(context_.n, context_.software());
   params.pair_capacity = options_.want_pairs ? uint(context_.buffers.bytes(SLOT_PAIR) / sizeof(uvec2)) : 0;
   params.deferred_capacity = uint(context_.buffers.bytes(SLOT_DEFERRED) / sizeof(uvec2));
 }
 
-void PairSearch::launch_search() {
+void PairSearch::launch() {
   ++context_.version;
   set_params();
   variant_.equal_radii = context_.equal_radii && !options_.load_radii;
   variant_.listed = options_.want_pairs;
+  variant_.indices = 0;
   WorkCounts& work = context_.work();
   ++work.steps;
   work.without_radii += variant_.equal_radii;
   work.lists += variant_.listed;
   const bool grid = options_.method == Method::collide_grid && context_.n >= 2;
   search_decides_ = grid && sorter_.plans().plan(options_.grid.cells).cells == Cells::dense;
-  complete_ = false;
+  results_ = Results::none;  // until all is launched
   resolved_ = true;
   if (!grid) sorter_.forget_order();
   context_.device.begin_step(options_.api);
@@ -112,21 +111,24 @@ void PairSearch::launch_search() {
   counts_sorted_ = order_ == Order::cells;
   if (resolved_in_step_.contains(kind())) resolve_undecided();
   context_.device.end_step();
+  results_ = Results::enqueued;
 }
 
 void PairSearch::launch_grid() {
   Params& params = context_.params;
   const bool few = context_.n < cached_spheres;
   // Before the first launch: parameters that change within a step are sent again.
-  params.columns_per_group = options_.block * (few ? 1 : options_.block / threads_per_chunk);
+  params.search.columns_per_group = options_.block * (few ? 1 : options_.block / threads_per_chunk);
   sorter_.build(options_, variant_.equal_radii, results_clear_);
-  Launch launching{params.hash_mask != 0 ? Kernel::collide_hashed : Kernel::collide_grid, options_.block, variant_};
+  variant_.indices = sorter_.indices(sorter_.order());
+  Launch launching{params.grid.hash_mask != 0 ? Kernel::collide_hashed : Kernel::collide_grid, options_.block,
+                   variant_};
   if (launching.kernel == Kernel::collide_grid) {
-    launching.texels = uint64_t(params.cell_slots) + 2;
+    launching.texels = uint64_t(params.grid.cell_slots) + 2;
     launching.variant.texture_table =
         context_.device.reads_texture(launching.kernel, params, launching.texels, options_.api.texture_table);
   }
-  const uint64_t chunks = ceil_div(context_.n, params.columns_per_group);
+  const uint64_t chunks = ceil_div(context_.n, params.search.columns_per_group);
   launching.groups = folded(few ? std::min(chunks, most_groups) : chunks);
   launching.order = sorter_.order();
   context_.launch(launching);
@@ -146,19 +148,14 @@ std::vector<uint> PairSearch::read_summary() {
 
 bool PairSearch::grow_lists(const std::vector<uint>& summary) {
   const uint64_t deferred = summary[SUM_DEFERRED], listed = summary[SUM_LISTED];
-  const bool short_deferred = deferred > context_.params.deferred_capacity;
-  const bool short_pairs = options_.want_pairs && listed > context_.params.pair_capacity;
+  const bool short_deferred = deferred > context_.params.search.deferred_capacity;
+  const bool short_pairs = options_.want_pairs && listed > context_.params.search.pair_capacity;
   if (short_deferred) context_.buffers.resize(SLOT_DEFERRED, (deferred + deferred / 8) * sizeof(uvec2));
   if (short_pairs) context_.buffers.resize(SLOT_PAIR, (listed + listed / 8) * sizeof(uvec2));
   return short_deferred || short_pairs;
 }
 
-void PairSearch::run(const CollideOptions& options) {
-  enqueue(options);
-  complete_search();
-}
-
-void PairSearch::complete_search() {
+void PairSearch::complete() {
   std::vector<uint> summary = read_summary();
   const bool left = summary[SUM_DEFERRED] != 0;
   if (options_.exact && !left) resolved_in_step_.erase(kind());
@@ -168,14 +165,15 @@ void PairSearch::complete_search() {
     summary = read_summary();
   }
   while (grow_lists(summary)) {
-    launch_search();
+    launch();
     summary = read_summary();
   }
   context_.launch({Kernel::tally, SERVICE_BLOCK, {}, {tally_groups, 1, 1}, order_});
   totals_ = sum(read_summary());
   if (options_.want_pairs && context_.device.library())
     context_.device.library()->sort_pairs(std::min<uint64_t>(totals_.pairs, std::numeric_limits<uint>::max()));
-  resolved_ = complete_ = true;
+  resolved_ = true;
+  results_ = Results::complete;
 }
 
 Collisions PairSearch::sum(const std::vector<uint>& summary) const {
@@ -193,10 +191,10 @@ Collisions PairSearch::sum(const std::vector<uint>& summary) const {
 }
 
 void PairSearch::require_complete() const {
-  if (!searched_)
+  if (results_ == Results::none)
     throw BackendError(
         fmt::format("{}: no collision step to report since the last move; call collide first", context_.name()));
-  if (!complete_)
+  if (results_ != Results::complete)
     throw BackendError(
         fmt::format("{}: the last collision step was only enqueued; call collide for its results", context_.name()));
 }
@@ -231,14 +229,17 @@ std::vector<Pair> PairSearch::pairs() {
 
 void PairSearch::prepare_counts(bool sorted) {
   evaluate_positions();
-  if (!searched_) {
+  if (results_ == Results::none) {
     if (!results_clear_) clear_results(context_, Order::scene);
     results_clear_ = true;
     return;
   }
   resolve_undecided();
   if (!counts_sorted_ || sorted) return;
-  context_.launch({Kernel::draw_unsort_counts, SERVICE_BLOCK, {}, folded(ceil_div(context_.n, SERVICE_BLOCK))});
+  context_.launch({Kernel::draw_unsort_counts,
+                   SERVICE_BLOCK,
+                   {.indices = sorter_.indices(Order::cells)},
+                   folded(ceil_div(context_.n, SERVICE_BLOCK))});
   counts_sorted_ = false;
 }
 

@@ -26,10 +26,12 @@ class PairSearch {
   // complete search of this kind had some, which makes their kernel part of the step), lists that are too short and the
   // number of colliding spheres.
   void enqueue(const CollideOptions& options);
-  void run(const CollideOptions& options);  // the same, complete
 
-  bool searched() const { return searched_; }  // these positions
-  bool complete() const { return searched_ && complete_; }
+  // Completes the search that was enqueued: every pair is decided, every list has room, totals are read.
+  void complete();
+
+  bool searched() const { return results_ != Results::none; }  // these positions
+  bool is_complete() const { return results_ == Results::complete; }
   const CollideOptions& options() const { return options_; }
 
   // Of a complete search of these positions; BackendError where there is none.
@@ -44,14 +46,15 @@ class PairSearch {
   void prepare_counts(bool sorted);
 
  private:
+  enum class Results { none, enqueued, complete };  // of these positions
+
   void choose(const CollideOptions& options);
-  void launch_search();
+  void launch();
   void launch_grid();
   void set_params();
   void resolve_undecided();
   std::vector<uint> read_summary();
   bool grow_lists(const std::vector<uint>& summary);
-  void complete_search();
   Collisions sum(const std::vector<uint>& summary) const;
   void require_complete() const;
   std::pair<Method, bool> kind() const { return {options_.method, search_decides_}; }
@@ -59,16 +62,15 @@ class PairSearch {
   DeviceContext& context_;
   DeviceMotion& motion_;
   CellSorter& sorter_;
-  std::array<Params, 2> constants_{};  // of the scene: [exact]
-  CollideOptions options_;             // of the last search, method and group size as chosen
+  std::array<SearchParams, 2> constants_{};  // of the scene: [exact]
+  CollideOptions options_;                   // of the last search, method and group size as chosen
   Variant variant_;
-  Order order_ = Order::scene;   // of its results
-  bool searched_ = false;        // these positions
+  Order order_ = Order::scene;  // of its results
+  Results results_ = Results::none;
   bool results_clear_ = false;   // counts and totals are 0
   bool counts_sorted_ = false;   // SLOT_COUNT lacks the counts that SLOT_SORTED_COUNT has
   bool search_decides_ = false;  // most pairs that the filter leaves undecided, and defers only what is left
   bool resolved_ = true;         // what was deferred
-  bool complete_ = false;
   Collisions totals_;
   std::set<std::pair<Method, bool>> resolved_in_step_;  // kinds of search whose deferred pairs are decided in the step
 };

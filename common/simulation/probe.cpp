@@ -31,12 +31,13 @@ std::vector<uint> Probe::decide(std::span<const vec4> spheres) {
   std::vector<uint> verdicts(total);
   context_.buffers.resize(SLOT_SPHERES, std::min(total, decide_batch) * 2 * sizeof(vec4));
   context_.buffers.resize(SLOT_VERDICT, std::min(total, decide_batch) * sizeof(uint));
-  Params params = scene_params(Scene{}, true);
+  Params params{};
+  params.search = search_params(Scene{}, true);
   for (uint64_t first = 0; first < total; first += decide_batch) {
     const uint64_t count = std::min(decide_batch, total - first);
-    params.pairs_to_decide = uint(count);
+    params.n = uint(count);
     context_.device.write(SLOT_SPHERES, &spheres[2 * first], 0, count * 2 * sizeof(vec4));
-    context_.launch({Kernel::decide, SERVICE_BLOCK, {}, folded(ceil_div(count, SERVICE_BLOCK))}, params);
+    context_.device.launch({Kernel::decide, SERVICE_BLOCK, {}, folded(ceil_div(count, SERVICE_BLOCK))}, params);
     context_.device.read(SLOT_VERDICT, &verdicts[first], 0, count * sizeof(uint));
   }
   return verdicts;

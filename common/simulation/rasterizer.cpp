@@ -46,7 +46,7 @@ void Rasterizer::enqueue(const View& view, const DrawOptions& options) {
 }
 
 void Rasterizer::run(const View& view, const DrawOptions& options) {
-  if (search_.searched() && !search_.complete())
+  if (search_.searched() && !search_.is_complete())
     throw BackendError(
         fmt::format("{}: the last collision step was only enqueued; call collide before draw", context_.name()));
   enqueue(view, options);
@@ -66,9 +66,9 @@ void Rasterizer::launch() {
 }
 
 Frame Rasterizer::make_frame() {
-  Frame frame{.view = view_, .options = options_, .params = context_.params};
+  Frame frame{.view = view_, .options = options_};
   frame.order = search_.searched() ? sorter_.order() : Order::scene;
-  frame.params.in_cells = sorter_.indices(frame.order);
+  frame.indices = sorter_.indices(frame.order);
   frame.culls = (options_.frustum_culling || options_.occlusion_culling) && context_.n >= options_.clusters_from;
   View& view = frame.view;
   view.tile_capacity = uint(context_.buffers.bytes(SLOT_TILE) / sizeof(uvec2));
@@ -81,7 +81,7 @@ Frame Rasterizer::make_frame() {
   view.lanes = frame.culls ? 1 : options_.lanes(context_.n);
   frame.may_have_tiles = may_be_large(view);
   pixels_kept_ = options_.keep_visible || view.lighting;
-  choose_pixels(frame, frame.culls || pixels_kept_ || frame.params.in_cells);
+  choose_pixels(frame, frame.culls || pixels_kept_ || frame.indices != 0);
   return frame;
 }
 

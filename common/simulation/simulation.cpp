@@ -29,8 +29,9 @@ void Simulation::begin(const Scene& scene, const MotionState* saved) {
   context_.equal_radii = scene.equal_radii;
   ++context_.version;
   device_->work = {.plans = 1};
-  context_.params = scene_params(scene, true);
+  context_.params = {};
   context_.params.n = uint(scene.size());
+  context_.params.radius = common_radius(scene);
   motion_.upload(scene, saved);
   search_.upload(scene);
   sorter_.upload(scene);
@@ -77,7 +78,8 @@ MethodChoice Simulation::choice(const CollideOptions& options) const {
 
 void Simulation::collide(const CollideOptions& options) {
   require_scene("collide");
-  search_.run(options);
+  search_.enqueue(options);
+  search_.complete();
 }
 
 void Simulation::enqueue_collide(const CollideOptions& options) {

@@ -17,7 +17,11 @@ constexpr uint64_t buckets_pay_from_in_software = 16384;  // spheres
 }  // namespace
 
 SphereSort::SphereSort(DeviceContext& context, const CollideOptions& options, bool index_in_w)
-    : context_(context), options_(options), index_in_w_(index_in_w), cells_{.dense = context.params.hash_mask == 0} {}
+    : context_(context),
+      options_(options),
+      index_in_w_(index_in_w),
+      slots_(context.params.grid.cell_slots),
+      cells_{.dense = context.params.grid.hash_mask == 0} {}
 
 void SphereSort::launch(Kernel kernel, uint block, uint64_t groups) {
   context_.launch({.kernel = kernel, .block = block, .variant = cells_, .groups = folded(groups)});
@@ -25,12 +29,13 @@ void SphereSort::launch(Kernel kernel, uint block, uint64_t groups) {
 
 void SphereSort::scan(uint table) {
   for (const Kernel kernel : {Kernel::grid_sums, Kernel::grid_scan})
-    context_.launch({kernel, SCAN_BLOCK, {}, folded(context_.params.scan_tiles), Order::scene, Order::cells, table});
+    context_.launch(
+        {kernel, SCAN_BLOCK, {}, folded(context_.params.sort.scan_tiles), Order::scene, Order::cells, table});
 }
 
 // The table or the buckets, and the totals.
 void SphereSort::clear(uint64_t bucket_words) {
-  const uint64_t table_words = bucket_words ? 0 : context_.params.cell_slots + 2;
+  const uint64_t table_words = bucket_words ? 0 : slots_ + 2;
   if (options_.api.library_clear.value_or(false)) {
     context_.device.clear(bucket_words ? SLOT_BUCKET : SLOT_CELL, (bucket_words + table_words) * sizeof(uint));
     return context_.device.clear(SLOT_SUMMARY, SUMMARY_SLOTS * SUMMARY_WORDS * sizeof(uint));
@@ -41,29 +46,24 @@ void SphereSort::clear(uint64_t bucket_words) {
 
 // A histogram of the cells, its prefix sums, a scatter: the least work, in the most launches.
 void SphereSort::by_counting() {
-  Params& params = context_.params;
+  SortParams& sort = context_.params.sort;
   const uint64_t groups = ceil_div(context_.n, SERVICE_BLOCK * SPHERES_PER_SORTER);
-  params.buckets = params.bucket_words = params.first_bucket = 0;
-  params.scan_tiles = uint(ceil_div(uint64_t(params.cell_slots) + 2, SCAN_TILE));
-  context_.buffers.resize(SLOT_SCAN, (params.scan_tiles + 1) * sizeof(uint));
+  sort.scan_tiles = uint(ceil_div(uint64_t(slots_) + 2, SCAN_TILE));
+  context_.buffers.resize(SLOT_SCAN, (sort.scan_tiles + 1) * sizeof(uint));
   clear(0);
   launch(Kernel::grid_count, SERVICE_BLOCK, groups);
-  if (options_.grid.scan == Scan::library) {
-    context_.device.library()->scan_cells(uint64_t(params.cell_slots) + 2);
-  } else {
-    scan(SLOT_CELL);
-  }
+  scan(SLOT_CELL);
   launch(Kernel::grid_scatter, SERVICE_BLOCK, groups);
 }
 
 void SphereSort::split(uint shift, uint parent_shift, uint first_bucket, Order from, Order to) {
-  Params& params = context_.params;
+  SortParams& sort = context_.params.sort;
   const auto tiles = folded(ceil_div(context_.n, SPLIT_TILE));
-  params.bucket_shift = shift;
-  params.parent_shift = parent_shift;
-  params.first_bucket = first_bucket;
-  params.buckets = (params.cell_slots >> shift) + 1;
-  if (from != Order::scene) params.indices |= INDEX_GIVEN;
+  sort.bucket_shift = shift;
+  sort.parent_shift = parent_shift;
+  sort.first_bucket = first_bucket;
+  sort.buckets = (slots_ >> shift) + 1;
+  sort.index_given = from != Order::scene;
   context_.launch(
       {.kernel = Kernel::split_count, .block = SPLIT_BLOCK, .variant = cells_, .groups = tiles, .order = from});
   if (first_bucket == 0) {  // at most BUCKETS_AT_MOST
@@ -82,8 +82,8 @@ void SphereSort::split(uint shift, uint parent_shift, uint first_bucket, Order f
 // One group tells all buckets apart: each tile of spheres is split by itself, and grid_sort collects from all tiles.
 void SphereSort::split_tiles(uint shift, uint buckets) {
   const uint64_t tiles = ceil_div(context_.n, SPLIT_TILE);
-  context_.params.bucket_shift = shift;
-  context_.params.buckets = buckets;
+  context_.params.sort.bucket_shift = shift;
+  context_.params.sort.buckets = buckets;
   context_.buffers.resize(SLOT_BUCKET, tiles * BUCKETS_AT_MOST * sizeof(uint));
   Launch launching{Kernel::split_tiles, SPLIT_BLOCK, cells_, folded(tiles), Order::scene, Order::buckets};
   launching.overlaps = context_.overlaps_search(options_.api);
@@ -91,13 +91,13 @@ void SphereSort::split_tiles(uint shift, uint buckets) {
 }
 
 void SphereSort::split_twice(uint shift, uint buckets, uint parent_shift) {
-  Params& params = context_.params;
-  params.scan_tiles = uint(ceil_div(buckets, SCAN_TILE));
-  params.bucket_words = (params.scan_tiles + 1) * SCAN_TILE;
-  params.buckets = buckets;
-  context_.buffers.resize(SLOT_BUCKET, params.bucket_words * sizeof(uint));
-  context_.buffers.resize(SLOT_SCAN, (params.scan_tiles + 1) * sizeof(uint));
-  clear(params.bucket_words);
+  SortParams& sort = context_.params.sort;
+  sort.scan_tiles = uint(ceil_div(buckets, SCAN_TILE));
+  sort.bucket_words = (sort.scan_tiles + 1) * SCAN_TILE;
+  sort.buckets = buckets;
+  context_.buffers.resize(SLOT_BUCKET, sort.bucket_words * sizeof(uint));
+  context_.buffers.resize(SLOT_SCAN, (sort.scan_tiles + 1) * sizeof(uint));
+  clear(sort.bucket_words);
   split(parent_shift, ONE_PARENT, 0, Order::scene, Order::cells);
   split(shift, parent_shift, SCAN_TILE, Order::cells, Order::buckets);
 }
@@ -106,8 +106,7 @@ void SphereSort::split_twice(uint shift, uint buckets, uint parent_shift) {
 // then contiguous.
 void SphereSort::by_buckets() {
   const bool few = context_.software() && options_.grid.sort == Sort::automatic;
-  const auto [shift, buckets, parent_shift] =
-      plan_buckets(context_.n, context_.params.cell_slots, few ? 1 : least_buckets);
+  const auto [shift, buckets, parent_shift] = plan_buckets(context_.n, slots_, few ? 1 : least_buckets);
   const bool tiles = parent_shift == ONE_PARENT;
   context_.buffers.resize(SLOT_SPLIT, context_.n * sizeof(vec4));
   if (!index_in_w_) context_.buffers.resize(SLOT_SPLIT_ID, context_.n * sizeof(uint));
@@ -124,13 +123,13 @@ void SphereSort::by_library() {
 
 void SphereSort::run() {
   const Sort wanted = options_.grid.sort;
-  context_.params.indices = index_in_w_ ? INDEX_IN_W : 0;
+  context_.params.sort = {};
+  context_.params.sort.index_in_w = index_in_w_;
   context_.buffers.resize(SLOT_SORTED, context_.n * sizeof(vec4));
   if (!index_in_w_ || wanted == Sort::radix) context_.buffers.resize(SLOT_ID, context_.n * sizeof(uint));
   context_.buffers.resize(SLOT_SORTED_COUNT, context_.n * sizeof(uint));
   if (wanted == Sort::radix) return by_library();
-  const bool pays =
-      options_.grid.scan == Scan::own && (!context_.software() || context_.n >= buckets_pay_from_in_software);
+  const bool pays = !context_.software() || context_.n >= buckets_pay_from_in_software;
   const bool buckets = wanted == Sort::automatic ? pays : wanted == Sort::buckets;
   buckets ? by_buckets() : by_counting();
 }

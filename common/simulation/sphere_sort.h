@@ -28,6 +28,7 @@ class SphereSort {
   DeviceContext& context_;
   const CollideOptions& options_;
   bool index_in_w_;
+  uint slots_;  // of the cells
   Variant cells_;
 };
 

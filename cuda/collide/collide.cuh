@@ -69,25 +69,26 @@ struct Collider {
     mix_b += pair_mix_b(i, j);
     if constexpr (LISTED) {
       uint k = atomicAdd(&buf.summary[SUM_LISTED], 1u);
-      if (k < p.pair_capacity) buf.listed[k] = uvec2{i, j};
+      if (k < p.search.pair_capacity) buf.listed[k] = uvec2{i, j};
     }
   }
 
   __device__ void defer(uint i, uint j) {
-    if (p.defer_undecided == 0u) return;
+    if (p.search.defer_undecided == 0u) return;
     uint k = atomicAdd(&buf.summary[SUM_DEFERRED], 1u);
-    if (k < p.deferred_capacity) buf.deferred[k] = uvec2{i, j};
+    if (k < p.search.deferred_capacity) buf.deferred[k] = uvec2{i, j};
   }
 
   // Whether this is a candidate pair: the only test in the hot loops.
   __device__ bool in_reach(vec4 a, vec4 b) const {
-    if constexpr (EQUAL_RADII) return !(squared_distance(a, b) > p.apart_above);
-    return filter_pair(a, b, p.filter_scale, p.filter_offset) != APART;
+    if constexpr (EQUAL_RADII) return !(squared_distance(a, b) > p.search.apart_above);
+    return filter_pair(a, b, p.search.filter_scale, p.search.filter_offset) != APART;
   }
 
   __device__ uint filter_spheres(vec4 a, vec4 b) {
-    if constexpr (EQUAL_RADII) return filter_equal(squared_distance(a, b), p.apart_above, p.collide_below);
-    return filter_pair(a, b, p.filter_scale, p.filter_offset);
+    if constexpr (EQUAL_RADII)
+      return filter_equal(squared_distance(a, b), p.search.apart_above, p.search.collide_below);
+    return filter_pair(a, b, p.search.filter_scale, p.search.filter_offset);
   }
 
   // For kernels that test every ordered pair: returns the contacts of sphere i, and i<j records the pair.

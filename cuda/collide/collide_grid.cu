@@ -33,23 +33,23 @@ struct Rows {
   Row own, above, ahead_below, ahead, ahead_above;
 };
 __device__ inline Rows find_rows(const Params& p, const KernelBuffers& buf, vec4 mine, uint i, bool exists) {
-  GridPosition at = grid_position(mine, p);
-  float reach = reach_in_cells(mine.w, p);
+  GridPosition at = grid_position(mine, p.grid);
+  float reach = reach_in_cells(mine.w, p.grid);
   uint x = cell_below(at.x, reach);
-  uint last_x = cell_above(at.x, reach, p.cells_x);
+  uint last_x = cell_above(at.x, reach, p.grid.cells_x);
   uint y = uint(at.y);
   uint z = uint(at.z);
   bool below = cell_below(at.y, reach) != y;
-  bool above = cell_above(at.y, reach, p.cells_y) != y && exists;
-  bool ahead = cell_above(at.z, reach, p.cells_z) != z && exists;
-  uint slot = dense_slot(0u, y, z, p) - table_begin();
-  uint next = slot + p.cells_x * p.cells_y;
+  bool above = cell_above(at.y, reach, p.grid.cells_y) != y && exists;
+  bool ahead = cell_above(at.z, reach, p.grid.cells_z) != z && exists;
+  uint slot = dense_slot(0u, y, z, p.grid) - table_begin();
+  uint next = slot + p.grid.cells_x * p.grid.cells_y;
   Rows rows;
   rows.own = row_after(Row{0u, 0u}, exists ? i + 1u : 0u, exists ? begin_at(buf, slot + last_x + 1u) : 0u);
-  rows.above = row_at(buf, rows.own, above, slot + p.cells_x, x, last_x);
-  rows.ahead_below = row_at(buf, rows.above, ahead && below, next - p.cells_x, x, last_x);
+  rows.above = row_at(buf, rows.own, above, slot + p.grid.cells_x, x, last_x);
+  rows.ahead_below = row_at(buf, rows.above, ahead && below, next - p.grid.cells_x, x, last_x);
   rows.ahead = row_at(buf, rows.ahead_below, ahead, next, x, last_x);
-  rows.ahead_above = row_at(buf, rows.ahead, ahead && above, next + p.cells_x, x, last_x);
+  rows.ahead_above = row_at(buf, rows.ahead, ahead && above, next + p.grid.cells_x, x, last_x);
   return rows;
 }
 
@@ -120,7 +120,9 @@ __device__ void decide_undecided(const Params& p, const KernelBuffers& buf, Coll
 template <uint BLOCK>
 __device__ uint next_chunk(const Params& p, uint first) {
   uint behind = first + BLOCK;
-  return (behind & (p.columns_per_group - 1u)) != 0u ? behind : behind + (group_count() - 1u) * p.columns_per_group;
+  return (behind & (p.search.columns_per_group - 1u)) != 0u
+             ? behind
+             : behind + (group_count() - 1u) * p.search.columns_per_group;
 }
 
 // CUDA only: the resident groups of a multiprocessor, for which the compiler limits registers
@@ -141,7 +143,7 @@ __global__ void __launch_bounds__(BLOCK, resident_groups(BLOCK)) collide_grid(Pa
   trigger_dependent_launch();  // CUDA only: the next step's split_tiles writes nothing that this kernel reads
   collider.start_totals();
   uint end = sorted_end(p) - sorted_begin();
-  for (uint first = group_index(p) * p.columns_per_group; first < end;) {
+  for (uint first = group_index(p) * p.search.columns_per_group; first < end;) {
     uint k = first + own * COOPERATING + lane;
     uint i = sorted_begin() + k;
     first = next_chunk<BLOCK>(p, first);
@@ -176,7 +178,7 @@ __global__ void __launch_bounds__(BLOCK, resident_groups(BLOCK)) collide_grid(Pa
           collider.add_contact(a, 1u);
           collider.add_contact(b, 1u);
         }
-        if (verdict == UNDECIDED && p.defer_undecided != 0u) queue_undecided(collider, a, b);
+        if (verdict == UNDECIDED && p.search.defer_undecided != 0u) queue_undecided(collider, a, b);
       }
       cooperating_barrier();
       if (lane == 0u) queued[own] = left;

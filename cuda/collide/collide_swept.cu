@@ -25,8 +25,10 @@ __global__ void __launch_bounds__(BLOCK) collide_swept(Params p, KernelBuffers b
     for (uint k = 0u; k < others; ++k) {
       uint j = first + k;
       if (i >= p.n || i == j) continue;
-      if (!in_swept_reach(mine, my_velocity, tile[k], tile_velocity[k], p.dt)) continue;
-      if (!touch_within(mine, my_velocity, tile[k], tile_velocity[k], p.dt, p.filter_scale, p.filter_offset)) continue;
+      if (!in_swept_reach(mine, my_velocity, tile[k], tile_velocity[k], p.motion.dt)) continue;
+      if (!touch_within(mine, my_velocity, tile[k], tile_velocity[k], p.motion.dt, p.search.filter_scale,
+                        p.search.filter_offset))
+        continue;
       contacts += 1u;
       if (i < j) collider.record(i, j);
     }

@@ -11,8 +11,8 @@ template <bool LISTED>
 __global__ void __launch_bounds__(BLOCK) resolve_undecided(Params p, KernelBuffers buf) {
   uint k = group_index(p) * BLOCK + threadIdx.x;
   uvec2 pair = buf.deferred[min(
-      k, p.deferred_capacity - 1u)];  // loaded before it is known to exist, to overlap the two latencies
-  uint pairs = min(buf.summary[SUM_DEFERRED], p.deferred_capacity);
+      k, p.search.deferred_capacity - 1u)];  // loaded before it is known to exist, to overlap the two latencies
+  uint pairs = min(buf.summary[SUM_DEFERRED], p.search.deferred_capacity);
   if (group_index(p) * BLOCK >= pairs) return;
   Collider<false, LISTED> collider(p, buf);
   collider.start_totals();
@@ -27,7 +27,7 @@ __global__ void __launch_bounds__(BLOCK) resolve_undecided(Params p, KernelBuffe
       collider.add_contact(pair.x, 1u);
       collider.add_contact(pair.y, 1u);
     }
-    pair = buf.deferred[min(k + BLOCK * gridDim.x, p.deferred_capacity - 1u)];
+    pair = buf.deferred[min(k + BLOCK * gridDim.x, p.search.deferred_capacity - 1u)];
   }
   collider.finish_totals();
 }

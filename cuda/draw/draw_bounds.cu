@@ -42,12 +42,12 @@ __global__ void __launch_bounds__(BLOCK) draw_bounds(Params p, KernelBuffers buf
   high[lane] = vec4{-most, -most, -most, -most};
   bool in_row = false;
   if (BY_CELLS && c < v.clusters) {
-    GridPosition begin = grid_position(buf.position[c * CLUSTER], p);
+    GridPosition begin = grid_position(buf.position[c * CLUSTER], p.grid);
     uint next = (c + 1u) * CLUSTER;
-    GridPosition end = grid_position(buf.position[next < p.n ? next : p.n - 1u], p);
-    in_row = within_row(begin, end, p);
-    if (in_row) low[lane] = lowest_in_row(begin, p);
-    if (in_row) high[lane] = highest_in_row(end, p);
+    GridPosition end = grid_position(buf.position[next < p.n ? next : p.n - 1u], p.grid);
+    in_row = within_row(begin, end, p.grid);
+    if (in_row) low[lane] = lowest_in_row(begin, p.grid);
+    if (in_row) high[lane] = highest_in_row(end, p.grid);
   }
   for (uint k = own_lane; !in_row && k < CLUSTER; k += 4u * lanes) {
     vec4 four[4];  // all loads are issued before the first is used; past the last sphere, that one again

@@ -15,9 +15,9 @@ __global__ void __launch_bounds__(BLOCK) grid_scan(Params p, KernelBuffers buf) 
   __shared__ uint before;
   uvec4* cell = reinterpret_cast<uvec4*>(buf.cell);
   uint lane = threadIdx.x;
-  uint first_tile = p.first_bucket / SCAN_TILE;
+  uint first_tile = p.sort.first_bucket / SCAN_TILE;
   uint tile = group_index(p);
-  if (tile >= p.scan_tiles) return;
+  if (tile >= p.sort.scan_tiles) return;
   uint first = (first_tile + tile) * (SCAN_TILE / 4u) + lane;
   uvec4 counts[SCAN_VECTORS];
   for (uint v = 0u; v < SCAN_VECTORS; ++v) counts[v] = cell[first + v * BLOCK];

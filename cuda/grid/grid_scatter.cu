@@ -14,11 +14,11 @@ __global__ void __launch_bounds__(BLOCK) grid_scatter(Params p, KernelBuffers bu
   uint sorted_index[SPHERES_PER_SORTER];
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k) sphere[k] = buf.position[min(first + k * BLOCK, p.n - 1u)];
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k)
-    if (first + k * BLOCK < p.n) sorted_index[k] = atomicAdd(&buf.cell[slot_of(sphere[k], DENSE, p) + 1u], 1u);
+    if (first + k * BLOCK < p.n) sorted_index[k] = atomicAdd(&buf.cell[slot_of(sphere[k], DENSE, p.grid) + 1u], 1u);
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k) {
     uint i = first + k * BLOCK;
     if (i < p.n) {
-      if ((p.indices & INDEX_IN_W) != 0u) {
+      if (p.sort.index_in_w != 0u) {
         sphere[k].w = bits_float(i);
       } else {
         buf.id[sorted_index[k]] = i;

@@ -32,8 +32,8 @@ __device__ inline Run run_of(const Params& p, const KernelBuffers& buf, uint buc
     uint run = buf.bucket_cursor[tile * BUCKETS_AT_MOST + bucket];
     return Run{tile * SPLIT_TILE + begin_in_tile(run), tile * SPLIT_TILE + end_in_tile(run)};
   } else {
-    uint begin = bucket == 0u ? 0u : buf.bucket_cursor[p.first_bucket + bucket - 1u];
-    return Run{begin, buf.bucket_cursor[p.first_bucket + bucket]};
+    uint begin = bucket == 0u ? 0u : buf.bucket_cursor[p.sort.first_bucket + bucket - 1u];
+    return Run{begin, buf.bucket_cursor[p.sort.first_bucket + bucket]};
   }
 }
 
@@ -68,7 +68,7 @@ __device__ inline uint source_index(Bucket b, uint k) {
 
 __device__ inline void store_sorted(const Params& p, const KernelBuffers& buf, vec4 sphere, uint i, uint at) {
   buf.sorted[at] = sphere;
-  if ((p.indices & INDEX_IN_W) == 0u) buf.id[at] = buf.from_id[i];
+  if (p.sort.index_in_w == 0u) buf.id[at] = buf.from_id[i];
   buf.sorted_count[at] = 0u;
 }
 
@@ -85,8 +85,8 @@ __device__ inline void begin_cells(const Params& p, const KernelBuffers& buf, Bu
     upto += counted;
   }
   __syncthreads();
-  for (uint k = lane; k < 1u << p.bucket_shift; k += BLOCK)
-    if (low + k <= p.cell_slots) buf.cell[low + k] = b.begin + scratch[k];
+  for (uint k = lane; k < 1u << p.sort.bucket_shift; k += BLOCK)
+    if (low + k <= p.grid.cell_slots) buf.cell[low + k] = b.begin + scratch[k];
 }
 
 template <bool FROM_TILES, bool DENSE>
@@ -97,7 +97,7 @@ __device__ inline void sort_bucket(const Params& p, const KernelBuffers& buf, Bu
   for (uint k = 0u; k < SORT_EACH; ++k) from[k] = source_index<FROM_TILES>(b, lane + k * BLOCK);
   __syncthreads();
   for (uint c = lane; c < CELLS_PER_BUCKET; c += BLOCK) scratch[c] = 0u;
-  for (uint k = 0u; k < SORT_EACH; ++k) cell_and_rank[k] = slot_of(buf.position[from[k]], DENSE, p) - low;
+  for (uint k = 0u; k < SORT_EACH; ++k) cell_and_rank[k] = slot_of(buf.position[from[k]], DENSE, p.grid) - low;
   __syncthreads();
   for (uint k = 0u; k < SORT_EACH; ++k)
     if (lane + k * BLOCK < b.size) cell_and_rank[k] |= atomicAdd(&scratch[cell_and_rank[k]], 1u) << 16;
@@ -120,7 +120,7 @@ __device__ inline void sort_oversized_bucket(const Params& p, const KernelBuffer
   for (uint r = lane / RUN_THREADS<FROM_TILES>; r < b.runs; r += BLOCK / RUN_THREADS<FROM_TILES>) {
     Run run = run_of<FROM_TILES>(p, buf, group_index(p), r);
     for (uint i = run.begin + lane % RUN_THREADS<FROM_TILES>; i < run.end; i += RUN_THREADS<FROM_TILES>)
-      atomicAdd(&scratch[slot_of(buf.position[i], DENSE, p) - low], 1u);
+      atomicAdd(&scratch[slot_of(buf.position[i], DENSE, p.grid) - low], 1u);
   }
   begin_cells(p, buf, b, low);
   __syncthreads();
@@ -128,7 +128,7 @@ __device__ inline void sort_oversized_bucket(const Params& p, const KernelBuffer
     Run run = run_of<FROM_TILES>(p, buf, group_index(p), r);
     for (uint i = run.begin + lane % RUN_THREADS<FROM_TILES>; i < run.end; i += RUN_THREADS<FROM_TILES>) {
       vec4 sphere = buf.position[i];
-      store_sorted(p, buf, sphere, i, b.begin + atomicAdd(&scratch[slot_of(sphere, DENSE, p) - low], 1u));
+      store_sorted(p, buf, sphere, i, b.begin + atomicAdd(&scratch[slot_of(sphere, DENSE, p.grid) - low], 1u));
     }
   }
 }
@@ -136,8 +136,8 @@ __device__ inline void sort_oversized_bucket(const Params& p, const KernelBuffer
 template <bool FROM_TILES, bool DENSE>
 __global__ void __launch_bounds__(BLOCK, 4) grid_sort(Params p, KernelBuffers buf) {
   grid_dependency_sync();  // CUDA only: the split has written the spheres, and the search of the last step has ended
-  if (group_index(p) >= p.buckets) return;
-  uint low = group_index(p) << p.bucket_shift;
+  if (group_index(p) >= p.sort.buckets) return;
+  uint low = group_index(p) << p.sort.bucket_shift;
   for (uint k = threadIdx.x; low == 0u && k < SUMMARY_SLOTS * SUMMARY_WORDS; k += BLOCK) buf.summary[k] = 0u;
   Bucket b = find_bucket<FROM_TILES>(p, buf, group_index(p));
   if (b.size <= MOST_HELD) {

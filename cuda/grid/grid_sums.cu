@@ -10,8 +10,8 @@ __global__ void __launch_bounds__(BLOCK) grid_sums(Params p, KernelBuffers buf) 
   __shared__ uint sum;
   const uvec4* cell = reinterpret_cast<const uvec4*>(buf.cell);
   uint lane = threadIdx.x;
-  uint tile = p.first_bucket / SCAN_TILE + group_index(p);
-  if (group_index(p) >= p.scan_tiles) return;
+  uint tile = p.sort.first_bucket / SCAN_TILE + group_index(p);
+  if (group_index(p) >= p.sort.scan_tiles) return;
   if (lane == 0u) sum = 0u;
   __syncthreads();
   uint own = 0u;

@@ -21,7 +21,7 @@ __global__ void __launch_bounds__(BLOCK, 2) split_tiles(Params p, KernelBuffers 
   cursor[lane] = 0u;
   uint bucket[SPLIT_EACH];
   for (uint k = 0u; k < SPLIT_EACH; ++k)
-    bucket[k] = slot_of(buf.position[min(first + k * BLOCK + lane, end - 1u)], DENSE, p) >> p.bucket_shift;
+    bucket[k] = slot_of(buf.position[min(first + k * BLOCK + lane, end - 1u)], DENSE, p.grid) >> p.sort.bucket_shift;
   __syncthreads();
   uint rank[SPLIT_EACH];  // among the spheres of its bucket in the tile
   for (uint k = 0u; k < SPLIT_EACH; ++k)
@@ -38,7 +38,7 @@ __global__ void __launch_bounds__(BLOCK, 2) split_tiles(Params p, KernelBuffers 
   for (uint at = first + lane; at < end; at += BLOCK) {
     uint i = first + order[at - first];
     vec4 sphere = buf.position[i];
-    if ((p.indices & INDEX_IN_W) != 0u) {
+    if (p.sort.index_in_w != 0u) {
       sphere.w = bits_float(i);
     } else {
       buf.id[at] = i;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "common/backend/checks.h"
@@ -46,7 +47,6 @@ class CudaDevice final : public Device, private DeviceLibrary {
   void* memory(uint slot) const { return memory_[slot].data; }
 
  private:
-  void scan_cells(uint64_t entries) override;
   void sort_spheres(const Params& params) override;
   void sort_pairs(uint64_t count) override;
 
@@ -82,7 +82,11 @@ CudaDevice::CudaDevice(int device)
 void CudaDevice::require_kernels(int device) {
   cudaFuncAttributes attributes;
   const cudaError_t error = cudaFuncGetAttributes(&attributes, empty_kernel(SERVICE_BLOCK, {}));
-  programmatic_ = error == cudaSuccess && attributes.ptxVersion >= 90;  // else kernels were compiled without waits
+  int runtime = 0, driver = 0;
+  cudaRuntimeGetVersion(&runtime);
+  cudaDriverGetVersion(&driver);
+  const bool captured = std::min(runtime, driver) >= 12030;                         // by graphs
+  programmatic_ = captured && error == cudaSuccess && attributes.ptxVersion >= 90;  // else compiled without waits
   if (error == cudaSuccess) return;
   const std::string capability = info_.details.at("compute capability");
   throw BackendError(
@@ -162,11 +166,12 @@ void CudaDevice::launch(const Launch& launch, const Params& params) {
   const dim3 groups(launch.groups[0], launch.groups[1], launch.groups[2]);
   const View view = launch.view ? *launch.view : View{};
   KernelCall call{stage_name(launch), entry_of(launch), groups, launch.block, params, buffers(launch), view, false};
+  call.p.indices = launch.variant.indices;
   const bool overlaps = programmatic_ && last_ && launch.overlaps == last_;
   const bool waits_first = launch.kernel == Kernel::grid_sort || launch.kernel == Kernel::collide_grid;
+  if (overlaps) graph_.flush();  // a graph would wait for all before it
   call.early = overlaps || (early_ && waits_first);
   work.early += call.early && !overlaps;
-  if (overlaps) graph_.flush();  // a graph would wait for all before it
   work.overlapped += overlaps;
   last_ = launch.kernel;
   ++work.launches;
@@ -180,7 +185,7 @@ void CudaDevice::check(const CollideOptions& options) const {
 
 void CudaDevice::begin_step(const ApiOptions& options) {
   if (options.graph.value_or(true) && !stages_.on()) graph_.begin();  // stages are timed one by one
-  early_ = programmatic_ && options.overlap.value_or(true) && !graph_.collecting();
+  early_ = programmatic_ && options.overlap.value_or(true);
 }
 
 void CudaDevice::end_step() {
@@ -195,12 +200,6 @@ void CudaDevice::clear(uint slot, uint64_t bytes) {
   graph_.flush();
   last_.reset();
   stages_.time("memset", [&] { cuda_check(cudaMemsetAsync(memory_[slot].data, 0, bytes), "clearing a buffer"); });
-}
-
-void CudaDevice::scan_cells(uint64_t entries) {
-  graph_.flush();
-  last_.reset();
-  stages_.time("thrust_scan", [&] { library_.scan(buffer<uint>(SLOT_CELL), entries); });
 }
 
 void CudaDevice::sort_spheres(const Params& params) {

@@ -6,7 +6,6 @@
 #include <thrust/execution_policy.h>
 #include <thrust/fill.h>
 #include <thrust/iterator/counting_iterator.h>
-#include <thrust/scan.h>
 #include <thrust/sequence.h>
 #include <thrust/sort.h>
 #include <thrust/transform.h>
@@ -20,11 +19,11 @@ namespace spherepair {
 namespace {
 
 struct SlotOf {
-  Params p;
-  __device__ uint operator()(vec4 sphere) const { return slot_of(sphere, p); }
+  GridParams grid;
+  __device__ uint operator()(vec4 sphere) const { return slot_of(sphere, grid); }
 };
 
-// The sphere of a number, with it in place of the radius where INDEX_IN_W.
+// The sphere of a number, with it in place of the radius where index_in_w.
 struct Named {
   const vec4* position;
   bool in_radii;
@@ -72,11 +71,6 @@ class LibrarySort::Memory {
 LibrarySort::LibrarySort() : memory_(std::make_unique<Memory>()) {}
 LibrarySort::~LibrarySort() = default;
 
-void LibrarySort::scan(uint* table, uint64_t entries) {
-  const thrust::device_ptr<uint> first(table);
-  thrust::exclusive_scan(thrust::cuda::par_nosync(*memory_), first, first + entries, first);
-}
-
 void LibrarySort::sort(const Params& p, const vec4* position, uint* table, vec4* sorted, uint* id, uint* sorted_count) {
   const auto policy = thrust::cuda::par_nosync(*memory_);
   const uint n = p.n;
@@ -84,13 +78,13 @@ void LibrarySort::sort(const Params& p, const vec4* position, uint* table, vec4*
   const thrust::device_ptr<uint> slots(reinterpret_cast<uint*>(block)), ids(id), counts(sorted_count), cells(table);
   const thrust::device_ptr<const vec4> spheres(position);
   const thrust::counting_iterator<uint> first_slot(0);
-  thrust::transform(policy, spheres, spheres + n, slots, SlotOf{p});
+  thrust::transform(policy, spheres, spheres + n, slots, SlotOf{p.grid});
   thrust::sequence(policy, ids, ids + n);
   thrust::sort_by_key(policy, slots, slots + n, ids);
-  const Named named{position, (p.indices & INDEX_IN_W) != 0u};
+  const Named named{position, p.sort.index_in_w != 0u};
   thrust::transform(policy, ids, ids + n, thrust::device_ptr<vec4>(sorted), named);
   thrust::fill(policy, counts, counts + n, 0u);
-  thrust::lower_bound(policy, slots, slots + n, first_slot, first_slot + p.cell_slots + 1, cells);
+  thrust::lower_bound(policy, slots, slots + n, first_slot, first_slot + p.grid.cell_slots + 1, cells);
   memory_->deallocate(block, n * sizeof(uint));
 }
 

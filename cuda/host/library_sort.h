@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Thrust's scan and radix sort in place of our kernels, to know what the library is worth. Its temporary memory is
+// Thrust's radix sort in place of our kernels, to know what the library is worth. Its temporary memory is
 // kept, so that a step allocates nothing once it has run before.
 #pragma once
 
@@ -14,11 +14,9 @@ class LibrarySort {
   LibrarySort();
   ~LibrarySort();
 
-  // Exclusive, in place, on the default stream; does not wait for it, nor does sort.
-  void scan(uint* table, uint64_t entries);
-
-  // The n spheres by the slots of their cells. table: uint[cell_slots + 1], where the spheres of each slot begin;
-  // sorted, id, sorted_count: as SLOT_SORTED, SLOT_ID and SLOT_SORTED_COUNT, the counts 0.
+  // The n spheres by the slots of their cells, on the default stream, which it does not wait for. table:
+  // uint[cell_slots + 1], where the spheres of each slot begin; sorted, id, sorted_count: as SLOT_SORTED, SLOT_ID and
+  // SLOT_SORTED_COUNT, the counts 0.
   void sort(const Params& p, const vec4* position, uint* table, vec4* sorted, uint* id, uint* sorted_count);
 
  private:

@@ -20,7 +20,8 @@ bool same_bytes(const T& a, const T& b) {
 
 bool same_call(const KernelCall& a, const KernelCall& b) {
   return a.entry == b.entry && a.groups.x == b.groups.x && a.groups.y == b.groups.y && a.groups.z == b.groups.z &&
-         a.block == b.block && same_bytes(a.p, b.p) && same_bytes(a.w, b.w) && same_bytes(a.v, b.v);
+         a.block == b.block && same_bytes(a.p, b.p) && same_bytes(a.w, b.w) && same_bytes(a.v, b.v) &&
+         a.early == b.early;
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere: its position at this step by the method `anchored`. Without the whole state, this prepares a
-// collision step, whose results are cleared.
+// One thread per sphere: its position at this step by the method `anchored`. Where this prepares a collision step, its
+// results are cleared.
 #include "cuda/motion/motion_state.cuh"
 
 namespace spherepair {
@@ -10,10 +10,10 @@ constexpr uint BLOCK = SERVICE_BLOCK;
 template <typename Real>
 __global__ void __launch_bounds__(BLOCK) evaluate_positions(Params p, KernelBuffers buf) {
   uint i = group_index(p) * BLOCK + threadIdx.x;
-  if (p.whole_state == 0u) clear_results(p, buf, i);
+  if (p.motion.clear_results != 0u) clear_results(p, buf, i);
   if (i >= p.n) return;
-  Moving<Real> s = evaluate_sphere(load_anchor<Real>(p, buf, i), p);
-  if (p.whole_state != 0u) {
+  Moving<Real> s = evaluate_sphere(load_anchor<Real>(p, buf, i), p.motion);
+  if (p.motion.whole_state != 0u) {
     store_sphere(p, buf, i, s);
   } else {
     buf.position[i] = vec4{nearest(s.x), nearest(s.y), nearest(s.z), s.radius};

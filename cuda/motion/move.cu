@@ -10,9 +10,9 @@ constexpr uint BLOCK = SERVICE_BLOCK;
 template <uint METHOD, typename Real>
 __global__ void __launch_bounds__(BLOCK) move(Params p, KernelBuffers buf) {
   uint i = group_index(p) * BLOCK + threadIdx.x;
-  if (p.in_cells == 0u) clear_results(p, buf, i);
+  if (p.motion.clear_results != 0u) clear_results(p, buf, i);
   if (i >= p.n) return;
-  store_sphere(p, buf, i, take_step(METHOD, load_sphere<Real>(p, buf, i), p));
+  store_sphere(p, buf, i, take_step(METHOD, load_sphere<Real>(p, buf, i), p.motion));
   grid_dependency_sync();  // CUDA only: the next launch needs the previous search done too
 }
 

@@ -57,25 +57,25 @@ void record(uint a, uint b) {
   mix_b += pair_mix_b(i, j);
   if (LISTED) {
     uint k = atomicAdd(summary[SUM_LISTED], 1u);
-    if (k < p.pair_capacity) listed[k] = uvec2(i, j);
+    if (k < p.search.pair_capacity) listed[k] = uvec2(i, j);
   }
 }
 
 void defer(uint i, uint j) {
-  if (p.defer_undecided == 0u) return;
+  if (p.search.defer_undecided == 0u) return;
   uint k = atomicAdd(summary[SUM_DEFERRED], 1u);
-  if (k < p.deferred_capacity) deferred[k] = uvec2(i, j);
+  if (k < p.search.deferred_capacity) deferred[k] = uvec2(i, j);
 }
 
 // Whether this is a candidate pair: the only test in the hot loops.
 bool in_reach(vec4 a, vec4 b) {
-  if (EQUAL_RADII) return !(squared_distance(a, b) > p.apart_above);
-  return filter_pair(a, b, p.filter_scale, p.filter_offset) != APART;
+  if (EQUAL_RADII) return !(squared_distance(a, b) > p.search.apart_above);
+  return filter_pair(a, b, p.search.filter_scale, p.search.filter_offset) != APART;
 }
 
 uint filter_spheres(vec4 a, vec4 b) {
-  if (EQUAL_RADII) return filter_equal(squared_distance(a, b), p.apart_above, p.collide_below);
-  return filter_pair(a, b, p.filter_scale, p.filter_offset);
+  if (EQUAL_RADII) return filter_equal(squared_distance(a, b), p.search.apart_above, p.search.collide_below);
+  return filter_pair(a, b, p.search.filter_scale, p.search.filter_offset);
 }
 
 // For kernels that test every ordered pair: returns the contacts of sphere i, and i<j records the pair.

@@ -1,10 +1,10 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // Each unordered pair once: a group keeps SPHERES_PER_THREAD spheres a thread in registers, its rows, and tests them
-// against p.columns_per_group later spheres, its columns, which pass through shared memory in Gram form. Candidates are
-// only queued; after each tile the whole group decides the queued pairs, a thread per pair. Row groups near the end
-// have few columns left, and those mirrored at the middle many: one line of the launch holds both, so that few groups
-// are idle.
+// against p.search.columns_per_group later spheres, its columns, which pass through shared memory in Gram form.
+// Candidates are only queued; after each tile the whole group decides the queued pairs, a thread per pair. Row groups
+// near the end have few columns left, and those mirrored at the middle many: one line of the launch holds both, so that
+// few groups are idle.
 #include "shaders/collide/collide.glsl"
 
 layout(local_size_x = BLOCK) in;
@@ -27,14 +27,14 @@ void main() {
   uint lane = gl_LocalInvocationID.x;
   uint part = gl_WorkGroupID.x;
   uint first_row = (p.first_group + gl_WorkGroupID.y) * ROWS;
-  uint parts = (p.n - first_row + p.columns_per_group - 1u) / p.columns_per_group;
+  uint parts = (p.n - first_row + p.search.columns_per_group - 1u) / p.search.columns_per_group;
   if (part >= parts) {
     uint mirrored = (p.n - 1u) / ROWS * ROWS - first_row;
     if (mirrored == first_row) return;  // the line in the middle
     first_row = mirrored;
     part -= parts;
   }
-  uint first_column = first_row + part * p.columns_per_group;
+  uint first_column = first_row + part * p.search.columns_per_group;
   if (first_column >= p.n) return;
   if (lane < 2u) near_length[lane] = 0u;
   start_totals();
@@ -47,7 +47,7 @@ void main() {
     row_radius[k] = sphere.w;
     if (first_row + k * BLOCK + lane >= p.n) row[k].w = NEVER_NEAR;
   }
-  uint end = min(first_column + p.columns_per_group, p.n);
+  uint end = min(first_column + p.search.columns_per_group, p.n);
   uint turn = 0u;
   for (uint start = first_column; start < end; start += BLOCK) {
     vec4 sphere = position[min(start + lane, p.n - 1u)];

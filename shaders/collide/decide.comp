@@ -10,6 +10,7 @@ layout(local_size_x = BLOCK) in;
 
 void main() {
   uint k = group_index() * BLOCK + gl_LocalInvocationID.x;
-  if (k >= p.pairs_to_decide) return;
-  verdict[k] = verdict_code(decide_pair(spheres[2u * k], spheres[2u * k + 1u], p.filter_scale, p.filter_offset));
+  if (k >= p.n) return;
+  verdict[k] =
+      verdict_code(decide_pair(spheres[2u * k], spheres[2u * k + 1u], p.search.filter_scale, p.search.filter_offset));
 }

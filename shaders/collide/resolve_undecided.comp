@@ -8,9 +8,9 @@ layout(local_size_x = BLOCK) in;
 
 void main() {
   uint k = group_index() * BLOCK + gl_LocalInvocationID.x;
-  uvec2 pair =
-      deferred[min(k, p.deferred_capacity - 1u)];  // loaded before it is known to exist, to overlap the two latencies
-  uint pairs = min(summary[SUM_DEFERRED], p.deferred_capacity);
+  uvec2 pair = deferred[min(
+      k, p.search.deferred_capacity - 1u)];  // loaded before it is known to exist, to overlap the two latencies
+  uint pairs = min(summary[SUM_DEFERRED], p.search.deferred_capacity);
   if (group_index() * BLOCK >= pairs) return;
   start_totals();
   uint row = (group_index() % SUMMARY_SLOTS) * SUMMARY_WORDS;
@@ -24,7 +24,7 @@ void main() {
       add_contact(pair.x, 1u);
       add_contact(pair.y, 1u);
     }
-    pair = deferred[min(k + BLOCK * gl_NumWorkGroups.x, p.deferred_capacity - 1u)];
+    pair = deferred[min(k + BLOCK * gl_NumWorkGroups.x, p.search.deferred_capacity - 1u)];
   }
   finish_totals();
 }

@@ -13,37 +13,37 @@ layout(std430, binding = SLOT_IMAGE) restrict writeonly buffer ImageBuffer { uin
 layout(local_size_x = BLOCK) in;
 
 // The sphere at index k in cell order; the surface's own sphere does not occlude it.
-vec4 found_at(uint k) { return p.in_cells != 0u ? sorted[k] : position[k]; }
+vec4 found_at(uint k) { return index_source() != 0u ? sorted[k] : position[k]; }
 bool is_own(vec4 found, uint k, Surface s) { return sphere_index(found, k) == s.sphere; }
 
 float light_around(Surface s) {
-  float x = grid_coordinate_unclamped(s.x, p.origin_x, p);
-  float y = grid_coordinate_unclamped(s.y, p.origin_y, p);
-  float z = grid_coordinate_unclamped(s.z, p.origin_z, p);
-  CellRange row_x = cells_around(x, p.cells_x);
-  CellRange row_y = cells_around(y, p.cells_y);
-  CellRange row_z = cells_around(z, p.cells_z);
+  float x = grid_coordinate_unclamped(s.x, p.grid.origin_x, p.grid);
+  float y = grid_coordinate_unclamped(s.y, p.grid.origin_y, p.grid);
+  float z = grid_coordinate_unclamped(s.z, p.grid.origin_z, p.grid);
+  CellRange row_x = cells_around(x, p.grid.cells_x);
+  CellRange row_y = cells_around(y, p.grid.cells_y);
+  CellRange row_z = cells_around(z, p.grid.cells_z);
   uint taken = 0u;
   for (uint z_cell = row_z.low; z_cell <= row_z.high; ++z_cell)
     for (uint y_cell = row_y.low; y_cell <= row_y.high; ++y_cell) {
-      uint row = dense_slot(0u, y_cell, z_cell, p);
+      uint row = dense_slot(0u, y_cell, z_cell, p.grid);
       for (uint k = cell[row + row_x.low]; k < cell[row + row_x.high + 1u]; ++k) {
         vec4 found = found_at(k);
-        if (!is_own(found, k, s)) taken += taken_by(with_radius(found), s, p);
+        if (!is_own(found, k, s)) taken += taken_by(with_radius(found), s, p.grid);
       }
     }
   return light_left(taken);
 }
 
 bool in_shadow(Surface s) {
-  float x = grid_coordinate_unclamped(s.x, p.origin_x, p);
-  float y = grid_coordinate_unclamped(s.y, p.origin_y, p);
-  float z = grid_coordinate_unclamped(s.z, p.origin_z, p);
-  for (uint layer = first_layer(y, p.cells_y); layer < p.cells_y; ++layer) {
-    CellRange row_x = cells_on_way(x, y, slope_of(v.sun.x, v), float(layer), p.cells_x);
-    CellRange row_z = cells_on_way(z, y, slope_of(v.sun.z, v), float(layer), p.cells_z);
+  float x = grid_coordinate_unclamped(s.x, p.grid.origin_x, p.grid);
+  float y = grid_coordinate_unclamped(s.y, p.grid.origin_y, p.grid);
+  float z = grid_coordinate_unclamped(s.z, p.grid.origin_z, p.grid);
+  for (uint layer = first_layer(y, p.grid.cells_y); layer < p.grid.cells_y; ++layer) {
+    CellRange row_x = cells_on_way(x, y, slope_of(v.sun.x, v), float(layer), p.grid.cells_x);
+    CellRange row_z = cells_on_way(z, y, slope_of(v.sun.z, v), float(layer), p.grid.cells_z);
     for (uint z_cell = row_z.low; z_cell <= row_z.high; ++z_cell) {
-      uint row = dense_slot(0u, layer, z_cell, p);
+      uint row = dense_slot(0u, layer, z_cell, p.grid);
       for (uint k = cell[row + row_x.low]; k < cell[row + row_x.high + 1u]; ++k) {
         vec4 found = found_at(k);
         if (shades(with_radius(found), s, v) && !is_own(found, k, s)) return true;
@@ -59,13 +59,13 @@ void main() {
   uvec2 seen = visible[pixel];
   Ray ray = ray_through(pixel % v.width, pixel / v.width, v);
   bool sphere = seen.y != 0xFFFFFFFFu;
-  float ground = (v.lighting & LIGHT_GROUND) != 0u ? depth_of_ground(ray, p.plane, v) : 0.0f;
+  float ground = (v.lighting & LIGHT_GROUND) != 0u ? depth_of_ground(ray, p.motion.plane, v) : 0.0f;
   image[pixel] = lit(v.background, 1.0f);
   if (!sphere && ground == 0.0f) return;
   bool on_ground = !sphere || (ground > 0.0f && ground < bits_float(seen.y));
   vec4 shown = in_camera(position[sphere ? seen.x : 0u], v);
   Normal normal = normal_at(shown, ray, bits_float(seen.y));
-  Surface s = on_ground ? ground_at(ray, ground, p.plane, v) : surface_of(position[seen.x], seen.x, normal, v);
+  Surface s = on_ground ? ground_at(ray, ground, p.motion.plane, v) : surface_of(position[seen.x], seen.x, normal, v);
   float around = (v.lighting & LIGHT_OCCLUSION) != 0u ? light_around(s) : 1.0f;
   float sun = (v.lighting & LIGHT_SHADOW) != 0u && in_shadow(s) ? 0.0f : 1.0f;
   image[pixel] = on_ground ? ground_colour(around, sun, v)

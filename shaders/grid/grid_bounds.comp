@@ -14,8 +14,8 @@ shared uint disorder;
 
 // The sphere's slot; past the last sphere, the end of the table.
 uint slot_at(uint i) {
-  uint own = slot_of(position[min(i, p.n - 1u)], DENSE, p);
-  return i < p.n ? own : p.cell_slots;
+  uint own = slot_of(position[min(i, p.n - 1u)], DENSE, p.grid);
+  return i < p.n ? own : p.grid.cell_slots;
 }
 
 void main() {

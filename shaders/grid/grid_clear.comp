@@ -9,7 +9,7 @@ layout(local_size_x = BLOCK) in;
 
 void main() {
   uint k = group_index() * BLOCK + gl_LocalInvocationID.x;
-  if (p.buckets == 0u && k <= (p.cell_slots + 1u) / 4u) cell[k] = uvec4(0u, 0u, 0u, 0u);
+  if (p.sort.buckets == 0u && k <= (p.grid.cell_slots + 1u) / 4u) cell[k] = uvec4(0u, 0u, 0u, 0u);
   if (k < SUMMARY_SLOTS * SUMMARY_WORDS) summary[k] = 0u;
-  if (k < p.bucket_words) bucket_cursor[k] = 0u;
+  if (k < p.sort.bucket_words) bucket_cursor[k] = 0u;
 }

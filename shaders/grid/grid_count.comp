@@ -10,7 +10,7 @@ void main() {
   uint first = group_index() * BLOCK * SPHERES_PER_SORTER + gl_LocalInvocationID.x;
   uint slot[SPHERES_PER_SORTER];
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k)
-    slot[k] = slot_of(position[min(first + k * BLOCK, p.n - 1u)], DENSE, p);
+    slot[k] = slot_of(position[min(first + k * BLOCK, p.n - 1u)], DENSE, p.grid);
   for (uint k = 0u; k < SPHERES_PER_SORTER; ++k)
     if (first + k * BLOCK < p.n) atomicAdd(cell[slot[k] + 1u], 1u);
 }

@@ -12,9 +12,9 @@ shared uint before;
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
-  uint first_tile = p.first_bucket / SCAN_TILE;
+  uint first_tile = p.sort.first_bucket / SCAN_TILE;
   uint tile = group_index();
-  if (tile >= p.scan_tiles) return;
+  if (tile >= p.sort.scan_tiles) return;
   uint first = (first_tile + tile) * (SCAN_TILE / 4u) + lane;
   uvec4 counts[SCAN_VECTORS];
   for (uint v = 0u; v < SCAN_VECTORS; ++v) counts[v] = cell[first + v * BLOCK];

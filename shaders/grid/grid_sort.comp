@@ -34,8 +34,8 @@ Run run_of(uint bucket, uint tile) {
     uint run = bucket_cursor[tile * BUCKETS_AT_MOST + bucket];
     return Run(tile * SPLIT_TILE + begin_in_tile(run), tile * SPLIT_TILE + end_in_tile(run));
   } else {
-    uint begin = bucket == 0u ? 0u : bucket_cursor[p.first_bucket + bucket - 1u];
-    return Run(begin, bucket_cursor[p.first_bucket + bucket]);
+    uint begin = bucket == 0u ? 0u : bucket_cursor[p.sort.first_bucket + bucket - 1u];
+    return Run(begin, bucket_cursor[p.sort.first_bucket + bucket]);
   }
 }
 
@@ -68,7 +68,7 @@ uint source_index(Bucket b, uint k) {
 
 void store_sorted(vec4 sphere, uint i, uint at) {
   sorted[at] = sphere;
-  if ((p.indices & INDEX_IN_W) == 0u) id[at] = from_id[i];
+  if (p.sort.index_in_w == 0u) id[at] = from_id[i];
   sorted_count[at] = 0u;
 }
 
@@ -85,8 +85,8 @@ void begin_cells(Bucket b, uint low) {
     upto += counted;
   }
   barrier();
-  for (uint k = lane; k < 1u << p.bucket_shift; k += BLOCK)
-    if (low + k <= p.cell_slots) cell[low + k] = b.begin + scratch[k];
+  for (uint k = lane; k < 1u << p.sort.bucket_shift; k += BLOCK)
+    if (low + k <= p.grid.cell_slots) cell[low + k] = b.begin + scratch[k];
 }
 
 void sort_bucket(Bucket b, uint low) {
@@ -96,7 +96,7 @@ void sort_bucket(Bucket b, uint low) {
   for (uint k = 0u; k < SORT_EACH; ++k) from[k] = source_index(b, lane + k * BLOCK);
   barrier();
   for (uint c = lane; c < CELLS_PER_BUCKET; c += BLOCK) scratch[c] = 0u;
-  for (uint k = 0u; k < SORT_EACH; ++k) cell_and_rank[k] = slot_of(position[from[k]], DENSE, p) - low;
+  for (uint k = 0u; k < SORT_EACH; ++k) cell_and_rank[k] = slot_of(position[from[k]], DENSE, p.grid) - low;
   barrier();
   for (uint k = 0u; k < SORT_EACH; ++k)
     if (lane + k * BLOCK < b.size) cell_and_rank[k] |= atomicAdd(scratch[cell_and_rank[k]], 1u) << 16;
@@ -118,7 +118,7 @@ void sort_oversized_bucket(Bucket b, uint low) {
   for (uint r = lane / RUN_THREADS; r < b.runs; r += BLOCK / RUN_THREADS) {
     Run run = run_of(group_index(), r);
     for (uint i = run.begin + lane % RUN_THREADS; i < run.end; i += RUN_THREADS)
-      atomicAdd(scratch[slot_of(position[i], DENSE, p) - low], 1u);
+      atomicAdd(scratch[slot_of(position[i], DENSE, p.grid) - low], 1u);
   }
   begin_cells(b, low);
   barrier();
@@ -126,14 +126,14 @@ void sort_oversized_bucket(Bucket b, uint low) {
     Run run = run_of(group_index(), r);
     for (uint i = run.begin + lane % RUN_THREADS; i < run.end; i += RUN_THREADS) {
       vec4 sphere = position[i];
-      store_sorted(sphere, i, b.begin + atomicAdd(scratch[slot_of(sphere, DENSE, p) - low], 1u));
+      store_sorted(sphere, i, b.begin + atomicAdd(scratch[slot_of(sphere, DENSE, p.grid) - low], 1u));
     }
   }
 }
 
 void main() {
-  if (group_index() >= p.buckets) return;
-  uint low = group_index() << p.bucket_shift;
+  if (group_index() >= p.sort.buckets) return;
+  uint low = group_index() << p.sort.bucket_shift;
   for (uint k = gl_LocalInvocationID.x; low == 0u && k < SUMMARY_SLOTS * SUMMARY_WORDS; k += BLOCK) summary[k] = 0u;
   Bucket b = find_bucket(group_index());
   if (b.size <= MOST_HELD) {

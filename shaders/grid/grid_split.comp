@@ -22,10 +22,10 @@ void main() {
   uint end = min(first + SPLIT_TILE, p.n);
   uint bucket[SPLIT_EACH];
   for (uint k = 0u; k < SPLIT_EACH; ++k)
-    bucket[k] = slot_of(position[min(first + k * BLOCK + lane, end - 1u)], DENSE, p) >> p.bucket_shift;
-  bool parents = p.parent_shift < ONE_PARENT;
-  uint last_bucket = bucket_above(parents ? slot_of(position[end - 1u], DENSE, p) : 0u, p);
-  uint low = parents ? bucket_below(slot_of(position[first], DENSE, p), p) : 0u;
+    bucket[k] = slot_of(position[min(first + k * BLOCK + lane, end - 1u)], DENSE, p.grid) >> p.sort.bucket_shift;
+  bool parents = p.sort.parent_shift < ONE_PARENT;
+  uint last_bucket = bucket_above(parents ? slot_of(position[end - 1u], DENSE, p.grid) : 0u, p.sort);
+  uint low = parents ? bucket_below(slot_of(position[first], DENSE, p.grid), p.sort) : 0u;
   for (; low <= last_bucket; low += BUCKETS_AT_MOST) {
     cursor[lane] = 0u;
     barrier();
@@ -36,7 +36,7 @@ void main() {
     uint upto = sum_up_to(own);
     if (lane == BLOCK - 1u) taken = upto;
     cursor[lane] = upto - own;
-    uint shift = own != 0u ? atomicAdd(bucket_cursor[p.first_bucket + low + lane], own) - (upto - own) : 0u;
+    uint shift = own != 0u ? atomicAdd(bucket_cursor[p.sort.first_bucket + low + lane], own) - (upto - own) : 0u;
     barrier();
     for (uint k = 0u; k < SPLIT_EACH; ++k)
       if (first + k * BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST)
@@ -48,8 +48,8 @@ void main() {
       uint i = first + order[q] % SPLIT_TILE;
       uint at = q + cursor[order[q] / SPLIT_TILE];
       vec4 sphere = position[i];
-      bool in_w = (p.indices & INDEX_IN_W) != 0u;
-      uint index = (p.indices & INDEX_GIVEN) == 0u ? i : in_w ? float_bits(sphere.w) : from_id[i];
+      bool in_w = p.sort.index_in_w != 0u;
+      uint index = p.sort.index_given == 0u ? i : in_w ? float_bits(sphere.w) : from_id[i];
       if (in_w) sphere.w = bits_float(index);
       if (!in_w) id[at] = index;
       sorted[at] = sphere;

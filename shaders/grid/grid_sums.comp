@@ -10,8 +10,8 @@ shared uint sum;
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
-  uint tile = p.first_bucket / SCAN_TILE + group_index();
-  if (group_index() >= p.scan_tiles) return;
+  uint tile = p.sort.first_bucket / SCAN_TILE + group_index();
+  if (group_index() >= p.sort.scan_tiles) return;
   if (lane == 0u) sum = 0u;
   barrier();
   uint own = 0u;

@@ -13,13 +13,13 @@ void main() {
   uint first = group_index() * SPLIT_TILE;
   if (first >= p.n) return;
   uint end = min(first + SPLIT_TILE, p.n);
-  bool parents = p.parent_shift < ONE_PARENT;
-  uint last_bucket = bucket_above(parents ? slot_of(position[end - 1u], DENSE, p) : 0u, p);
+  bool parents = p.sort.parent_shift < ONE_PARENT;
+  uint last_bucket = bucket_above(parents ? slot_of(position[end - 1u], DENSE, p.grid) : 0u, p.sort);
   vec4 sphere[SPLIT_EACH];  // all loads are issued before the first cell is computed
   for (uint k = 0u; k < SPLIT_EACH; ++k) sphere[k] = position[min(first + k * BLOCK + lane, end - 1u)];
   uint bucket[SPLIT_EACH];
-  for (uint k = 0u; k < SPLIT_EACH; ++k) bucket[k] = slot_of(sphere[k], DENSE, p) >> p.bucket_shift;
-  uint low = parents ? bucket_below(slot_of(position[first], DENSE, p), p) : 0u;
+  for (uint k = 0u; k < SPLIT_EACH; ++k) bucket[k] = slot_of(sphere[k], DENSE, p.grid) >> p.sort.bucket_shift;
+  uint low = parents ? bucket_below(slot_of(position[first], DENSE, p.grid), p.sort) : 0u;
   for (; low <= last_bucket; low += BUCKETS_AT_MOST) {
     for (uint b = lane; b < BUCKETS_AT_MOST; b += BLOCK) counted[b] = 0u;
     barrier();
@@ -27,7 +27,7 @@ void main() {
       if (first + k * BLOCK + lane < end && bucket[k] - low < BUCKETS_AT_MOST) atomicAdd(counted[bucket[k] - low], 1u);
     barrier();
     for (uint b = lane; b < BUCKETS_AT_MOST; b += BLOCK)
-      if (counted[b] != 0u) atomicAdd(bucket_cursor[p.first_bucket + low + b], counted[b]);
+      if (counted[b] != 0u) atomicAdd(bucket_cursor[p.sort.first_bucket + low + b], counted[b]);
     barrier();
   }
 }

@@ -22,7 +22,7 @@ void main() {
   cursor[lane] = 0u;
   uint bucket[SPLIT_EACH];
   for (uint k = 0u; k < SPLIT_EACH; ++k)
-    bucket[k] = slot_of(position[min(first + k * BLOCK + lane, end - 1u)], DENSE, p) >> p.bucket_shift;
+    bucket[k] = slot_of(position[min(first + k * BLOCK + lane, end - 1u)], DENSE, p.grid) >> p.sort.bucket_shift;
   barrier();
   uint rank[SPLIT_EACH];  // among the spheres of its bucket in the tile
   for (uint k = 0u; k < SPLIT_EACH; ++k)
@@ -39,7 +39,7 @@ void main() {
   for (uint at = first + lane; at < end; at += BLOCK) {
     uint i = first + order[at - first];
     vec4 sphere = position[i];
-    if ((p.indices & INDEX_IN_W) != 0u) {
+    if (p.sort.index_in_w != 0u) {
       sphere.w = bits_float(i);
     } else {
       id[at] = i;

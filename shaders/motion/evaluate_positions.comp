@@ -1,17 +1,17 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere: its position at this step by the method `anchored`. Without the whole state, this prepares a
-// collision step, whose results are cleared.
+// One thread per sphere: its position at this step by the method `anchored`. Where this prepares a collision step, its
+// results are cleared.
 #include "shaders/motion/motion_state.glsl"
 
 layout(local_size_x = BLOCK) in;
 
 void main() {
   uint i = group_index() * BLOCK + gl_LocalInvocationID.x;
-  if (p.whole_state == 0u) clear_results(i);
+  if (p.motion.clear_results != 0u) clear_results(i);
   if (i >= p.n) return;
-  Moving s = evaluate_sphere(load_anchor(i), p);
-  if (p.whole_state != 0u) {
+  Moving s = evaluate_sphere(load_anchor(i), p.motion);
+  if (p.motion.whole_state != 0u) {
     store_sphere(i, s);
   } else {
     position[i] = vec4(nearest(s.x), nearest(s.y), nearest(s.z), s.radius);

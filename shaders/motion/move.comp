@@ -8,7 +8,7 @@ layout(local_size_x = BLOCK) in;
 
 void main() {
   uint i = group_index() * BLOCK + gl_LocalInvocationID.x;
-  if (p.in_cells == 0u) clear_results(i);
+  if (p.motion.clear_results != 0u) clear_results(i);
   if (i >= p.n) return;
-  store_sphere(i, take_step(METHOD, load_sphere(i), p));
+  store_sphere(i, take_step(METHOD, load_sphere(i), p.motion));
 }

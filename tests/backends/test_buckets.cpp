@@ -75,9 +75,9 @@ TEST_P(MethodsByBuckets, SearchedInStretches) {
 
 uint most_in_a_cell(const Scene& scene) {
   Params p{};
-  set_grid(p, plan_grid(scene, Cells::dense));
-  std::vector<uint> held(p.cell_slots);
-  for (const vec4& sphere : scene.positions) ++held[slot_of(sphere, true, p)];
+  p.grid = grid_params(plan_grid(scene, Cells::dense));
+  std::vector<uint> held(p.grid.cell_slots);
+  for (const vec4& sphere : scene.positions) ++held[slot_of(sphere, true, p.grid)];
   return std::ranges::max(held);
 }
 

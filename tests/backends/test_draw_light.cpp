@@ -16,7 +16,7 @@ class DrawLight : public BackendTest {};
 float light_around(const Surface& s, const Scene& scene, const Params& p) {
   uint taken = 0;
   for (uint i = 0; i < scene.size(); ++i)
-    if (i != s.sphere) taken += taken_by(scene.positions[i], s, p);
+    if (i != s.sphere) taken += taken_by(scene.positions[i], s, p.grid);
   return light_left(taken);
 }
 
@@ -29,13 +29,13 @@ bool in_shadow(const Surface& s, const Scene& scene, const View& v) {
 uint colour_of(uvec2 seen, uint pixel, const Scene& scene, const std::vector<uint>& contacts, const Params& p,
                const View& v) {
   const Ray ray = ray_through(pixel % v.width, pixel / v.width, v);
-  const float ground = v.lighting & LIGHT_GROUND ? depth_of_ground(ray, p.plane, v) : 0;
+  const float ground = v.lighting & LIGHT_GROUND ? depth_of_ground(ray, p.motion.plane, v) : 0;
   const bool sphere = seen.y != ~0u && !(ground > 0 && ground < bits_float(seen.y));
   if (!sphere && ground == 0) return lit(v.background, 1);
   Normal normal = {};
   if (sphere) normal = normal_at(in_camera(scene.positions[seen.x], v), ray, bits_float(seen.y));
   const Surface s =
-      sphere ? surface_of(scene.positions[seen.x], seen.x, normal, v) : ground_at(ray, ground, p.plane, v);
+      sphere ? surface_of(scene.positions[seen.x], seen.x, normal, v) : ground_at(ray, ground, p.motion.plane, v);
   const float around = v.lighting & LIGHT_OCCLUSION ? light_around(s, scene, p) : 1;
   const float sun = v.lighting & LIGHT_SHADOW && in_shadow(s, scene, v) ? 0.0f : 1.0f;
   return sphere ? lit(palette(contacts[seen.x], v), light_on_normal(normal, around, sun, v))
@@ -44,8 +44,9 @@ uint colour_of(uvec2 seen, uint pixel, const Scene& scene, const std::vector<uin
 
 Image expected_image(const Scene& scene, const std::vector<uint>& contacts, const View& view) {
   Image image = brute_force_image(scene.positions, contacts, view);
-  Params p = scene_params(scene, true);
-  set_grid(p, plan_grid(scene, Cells::dense));
+  Params p{};
+  p.motion = motion_params(scene);
+  p.grid = grid_params(plan_grid(scene, Cells::dense));
   for (uint pixel = 0; pixel < image.image.size(); ++pixel)
     image.image[pixel] = colour_of(image.visible[pixel], pixel, scene, contacts, p, view);
   return image;

@@ -14,8 +14,8 @@
 namespace spherepair {
 namespace {
 
-Params params_of(float dt, float gravity, float restitution, float plane) {
-  Params params = {};
+MotionParams params_of(float dt, float gravity, float restitution, float plane) {
+  MotionParams params = {};
   params.dt = dt;
   params.gravity_dt.x = gravity * dt;
   params.half_gravity_dt2.x = gravity * dt * dt / 2;
@@ -28,7 +28,7 @@ float any_float(Random& random, int low, int high) {
   return std::ldexp(float(random.uniform(-1, 1)), random.between(low, high));
 }
 
-void expect_rational_step(vec4 position, vec4 velocity, const Params& params) {
+void expect_rational_step(vec4 position, vec4 velocity, const MotionParams& params) {
   const Moved given = step_paper(position, velocity, params), wanted = step_rational(position, velocity, params);
   const float left[7] = {given.position.x, given.position.y, given.position.z, given.position.w,
                          given.velocity.x, given.velocity.y, given.velocity.z};
@@ -53,7 +53,7 @@ TEST(Motion, EqualsRationalsRoundedStepByStep) {
 }
 
 TEST(Motion, SnapsTinyAndNegativeZero) {
-  const Params still = params_of(0x1p-6f, 0, 1, -5);
+  const MotionParams still = params_of(0x1p-6f, 0, 1, -5);
   const float tiny = nudged(0x1p-64f, -1), kept = 0x1p-64f;
   const Moved next = step_paper({-0.0f, tiny, -kept, 0.5f}, {-tiny, -0.0f, -0.0f, 0}, still);
   EXPECT_EQ(float_bits(next.position.x), 0u);
@@ -98,7 +98,7 @@ TEST(Motion, GroundIsTheLowestFloatAboveThePlane) {
 constexpr double sunk_after_1000_s = 0.5 * 9.81 / 64 * 1000;
 
 TEST(Motion, SinksThroughThePlane) {
-  const Params params = params_of(0x1p-6f, -9.81f, 0.5f, -5);
+  const MotionParams params = params_of(0x1p-6f, -9.81f, 0.5f, -5);
   Moved sphere = {{0, 0, 0, 0.5f}, {0, 0, 0, 0}};
   for (int step = 0; step < 64'000; ++step) sphere = step_paper(sphere.position, sphere.velocity, params);
   const double depth = -4.5 - double(sphere.position.y);

@@ -77,7 +77,7 @@ TEST_P(MotionMethods, CollisionsAreThoseOfThePresentPositions) {
 template <typename Real>
 void expect_no_bounce_before_due(float dt, float restitution) {
   const Scene scene = bouncing_scene({.motion = {MotionMethod::anchored, {}}, .dt = dt, .restitution = restitution});
-  Params params = scene_params(scene, true);
+  MotionParams params = motion_params(scene);
   uint64_t bounces = 0, looks = 0;
   for (uint64_t i = 0; i < scene.size(); ++i) {
     Anchor<Real> anchor = {scene.positions[i], 0, 0, widened(scene.velocities[i].y, Real{}), widened(0.0f, Real{}), 0};

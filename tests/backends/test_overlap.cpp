@@ -102,14 +102,16 @@ TEST_P(Overlap, IsOfManySpheresWhereThereAreGraphs) {
     return grid_step([=](CollideOptions& o) { o.grid.sort = Sort::buckets, o.api.graph = graph; });
   };
   const auto graphs = [&] { return backend().work_counts().graphs_replayed; };
+  const auto early = [&] { return backend().work_counts().early; };
   for (const uint64_t n : {5000, 50'000, 5000}) {
     SCOPED_TRACE(n);
     backend().upload(make_scene({.name = "uniform", .n = n}));
     for (const auto& before : {std::optional<bool>(true), std::optional<bool>(false)}) {
       for (int k = 0; k < 4; ++k) backend().enqueue_collide(step(before));
-      const uint64_t graphs_before = graphs(), overlapped_before = overlapped();
+      const uint64_t graphs_before = graphs(), overlapped_before = overlapped(), early_before = early();
       for (int k = 0; k < 4; ++k) backend().enqueue_collide(step(std::nullopt));
       EXPECT_EQ(overlapped() - overlapped_before, n < 20'000 ? 0u : 4u);
+      EXPECT_EQ(early() - early_before, 8u) << "grid_sort and collide_grid get ready early";
       EXPECT_GE(graphs() - graphs_before, n < 20'000 ? 2u : 0u);
       EXPECT_LE(graphs() - graphs_before, n < 20'000 ? 4u : 0u);
     }

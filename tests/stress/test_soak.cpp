@@ -92,8 +92,6 @@ CollideOptions random_options(Dice& dice, const Backend& backend) {
   std::vector<Sort> sorts = {Sort::automatic, Sort::counting, Sort::buckets};
   if (cuda) sorts.push_back(Sort::radix);
   options.grid.sort = dice.of(sorts);
-  const bool counts = options.grid.sort == Sort::automatic || options.grid.sort == Sort::counting;
-  if (cuda && counts && dice.one_in(3)) options.grid.scan = Scan::library;
   options.load_radii = dice.one_in(4);
   options.api.graph = cuda && dice.one_in(2);
   if (options.method != Method::collide_grid) return options;

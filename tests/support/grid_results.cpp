@@ -14,11 +14,11 @@ constexpr uint64_t longest_list = 300'000;  // beyond, fingerprint and counts ha
 }  // namespace
 
 SearchInput search_of(const Scene& scene, bool want_pairs, int threads) {
-  return {scene.positions,
-          scene_params(scene, true),
-          scene.equal_radii,
-          {.method = Method::collide_grid, .want_pairs = want_pairs},
-          threads};
+  Params params{};
+  params.search = search_params(scene, true);
+  params.radius = common_radius(scene);
+  return {
+      scene.positions, params, scene.equal_radii, {.method = Method::collide_grid, .want_pairs = want_pairs}, threads};
 }
 
 StepResult result_of(CpuGrid& grid, const Scene& scene, Cells cells, bool want_pairs, int threads) {

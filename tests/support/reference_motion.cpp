@@ -73,8 +73,8 @@ float advanced(float position, float velocity, float dt, float term) {
 
 }  // namespace
 
-Params motion_params(const Scene& scene) {
-  Params params = {};
+MotionParams reference_params(const Scene& scene) {
+  MotionParams params = {};
   params.dt = scene.dt;
   params.gravity_dt.x = scene.gravity * scene.dt;
   params.half_gravity_dt2.x = 0.5f * scene.gravity * scene.dt * scene.dt;
@@ -83,29 +83,29 @@ Params motion_params(const Scene& scene) {
   return params;
 }
 
-Moved step_rational(vec4 position, vec4 velocity, const Params& p) {
+Moved step_rational(vec4 position, vec4 velocity, const MotionParams& m) {
   Moved next = {position, velocity};
-  next.position.x = advanced(position.x, velocity.x, p.dt, 0);
-  next.position.y = advanced(position.y, velocity.y, p.dt, p.half_gravity_dt2.x);
-  next.position.z = advanced(position.z, velocity.z, p.dt, 0);
+  next.position.x = advanced(position.x, velocity.x, m.dt, 0);
+  next.position.y = advanced(position.y, velocity.y, m.dt, m.half_gravity_dt2.x);
+  next.position.z = advanced(position.z, velocity.z, m.dt, 0);
   next.velocity.x = snapped(velocity.x);
-  next.velocity.y = snapped((Rational(velocity.y) + p.gravity_dt.x).nearest());
+  next.velocity.y = snapped((Rational(velocity.y) + m.gravity_dt.x).nearest());
   next.velocity.z = snapped(velocity.z);
-  if ((Rational(next.position.y) - position.w - p.plane).sign() < 0) {
-    next.velocity.y = snapped(-(Rational(velocity.y) * p.restitution).nearest());
-    next.position.y = advanced(position.y, next.velocity.y, p.dt, p.half_gravity_dt2.x);
+  if ((Rational(next.position.y) - position.w - m.plane).sign() < 0) {
+    next.velocity.y = snapped(-(Rational(velocity.y) * m.restitution).nearest());
+    next.position.y = advanced(position.y, next.velocity.y, m.dt, m.half_gravity_dt2.x);
   }
   return next;
 }
 
-Moved step_paper(vec4 position, vec4 velocity, const Params& params) {
+Moved step_paper(vec4 position, vec4 velocity, const MotionParams& params) {
   const Moving<float> from = {position.x, position.y, position.z, velocity.x, velocity.y, velocity.z, position.w};
   const Moving<float> next = move_paper(from, params);
   return {{next.x, next.y, next.z, next.radius}, {next.vx, next.vy, next.vz, 0}};
 }
 
 void step_all(const Scene& scene, Backend::State& state) {
-  const Params params = motion_params(scene);
+  const MotionParams params = reference_params(scene);
   for (size_t i = 0; i < state.positions.size(); ++i) {
     const Moved next = step_paper(state.positions[i], state.velocities[i], params);
     state.positions[i] = next.position;

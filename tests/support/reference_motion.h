@@ -8,17 +8,17 @@
 namespace spherepair {
 
 // What motion.h takes, for a scene whose dt is a power of two: all its products are then exact.
-Params motion_params(const Scene& scene);
+MotionParams reference_params(const Scene& scene);
 
 struct Moved {
   vec4 position, velocity;
 };
 
 // One step in GMP rationals, each operation rounded to the nearest float32, ties to even.
-Moved step_rational(vec4 position, vec4 velocity, const Params& params);
+Moved step_rational(vec4 position, vec4 velocity, const MotionParams& params);
 
 // The same step with motion.h itself.
-Moved step_paper(vec4 position, vec4 velocity, const Params& params);
+Moved step_paper(vec4 position, vec4 velocity, const MotionParams& params);
 
 // One step of all spheres with motion.h itself, for long runs against the backends.
 void step_all(const Scene& scene, Backend::State& state);

@@ -17,15 +17,15 @@ TEST(DrawClusters, BordersOfCellsHoldThem) {
     Scene scene = make_scene({.name = "uniform", .n = 30000, .radius = 0.5f});
     for (vec4& sphere : scene.positions) sphere.x += offset, sphere.z -= offset;
     Params p{};
-    set_grid(p, plan_grids(scene.positions).dense);
-    std::ranges::sort(scene.positions, {}, [&](const vec4& sphere) { return slot_of(sphere, p); });
+    p.grid = grid_params(plan_grids(scene.positions).dense);
+    std::ranges::sort(scene.positions, {}, [&](const vec4& sphere) { return slot_of(sphere, p.grid); });
     uint64_t in_rows = 0, tight = 0;
     const size_t clusters = scene.size() / CLUSTER;
     for (size_t c = 0; c + 1 < clusters; ++c) {
-      const ::GridPosition begin = grid_position(scene.positions[c * CLUSTER], p);
-      const ::GridPosition end = grid_position(scene.positions[(c + 1) * CLUSTER], p);
-      if (!within_row(begin, end, p)) continue;
-      const vec4 low = lowest_in_row(begin, p), high = highest_in_row(end, p);
+      const ::GridPosition begin = grid_position(scene.positions[c * CLUSTER], p.grid);
+      const ::GridPosition end = grid_position(scene.positions[(c + 1) * CLUSTER], p.grid);
+      if (!within_row(begin, end, p.grid)) continue;
+      const vec4 low = lowest_in_row(begin, p.grid), high = highest_in_row(end, p.grid);
       ++in_rows;
       tight += high.y - low.y < 3 * 2 * 0.5f + 1e-5f * std::abs(offset);
       for (size_t i = c * CLUSTER; i < (c + 1) * CLUSTER; ++i) {

@@ -28,7 +28,7 @@ TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
     const auto takes = [&](const char* scene, uint64_t n) { return taken(device, {.name = scene, .n = n}); };
     for (const uint64_t n : {64, 1024, 5000}) EXPECT_EQ(takes("uniform", n), Method::collide_triangle) << n;
     EXPECT_EQ(takes("uniform", 5700), Method::collide_grid);
-    for (const uint64_t n : {64, 1024, 8192}) EXPECT_EQ(takes("clustered", n), Method::collide_triangle) << n;
+    for (const uint64_t n : {64, 1024, 5000}) EXPECT_EQ(takes("clustered", n), Method::collide_triangle) << n;
     EXPECT_EQ(takes("clustered", 16384), Method::collide_grid);
     EXPECT_EQ(taken(device, {.name = "uniform", .n = 4096}, {.swept = true}), Method::collide_tiled);
     for (const uint64_t n : {64, 128, 9000}) EXPECT_EQ(takes("one_cell", n), Method::collide_square) << n;
@@ -64,32 +64,23 @@ TEST(MethodsOnTheHost, AutoOnTheCpuGoesByItsThreads) {
   info.name = "cpu";
   info.on_host = true;
   info.details["threads"] = "16";
-  const uint64_t from_of_many = crossover_of(info).grid_from;
+  const Crossover many = crossover_of(info);
   info.details["threads"] = "2";
   const auto took = [&](const char* scene, uint64_t n) {
     const GridPlans plans = plan_grids(make_scene({.name = scene, .n = n}).positions);
     return chosen_method(info, n, plans, {.method = Method::automatic});
   };
-  const uint64_t from = crossover_of(info).grid_from;
-  EXPECT_EQ(took("one_cell", least_crowded - 1), Method::parallel);
-  EXPECT_EQ(took("one_cell", least_crowded), Method::collide_grid);
-  EXPECT_EQ(took("one_cell", 4 * from), Method::collide_grid);
-  EXPECT_EQ(took("uniform", from - 1), Method::parallel);
-  EXPECT_EQ(took("uniform", from + from / 10), Method::collide_grid);
-  EXPECT_GT(from_of_many, from);
+  const Crossover few = crossover_of(info);
+  EXPECT_EQ(took("one_cell", uint64_t(least_spheres) - 1), Method::parallel);
+  EXPECT_EQ(took("one_cell", uint64_t(least_spheres)), Method::collide_grid);
+  EXPECT_EQ(took("one_cell", 8000), Method::collide_grid);
+  EXPECT_EQ(took("uniform", uint64_t(few.grid_from * 0.6)), Method::parallel);  // 0.6 others in a cell
+  EXPECT_EQ(took("uniform", uint64_t(few.grid_from)), Method::collide_grid);
+  EXPECT_GT(many.grid_from, few.grid_from);
   info.details["threads"] = "16";
-  EXPECT_EQ(took("uniform", from_of_many - 1), Method::parallel);
-  EXPECT_EQ(took("uniform", from_of_many + from_of_many / 10), Method::collide_grid);
-  EXPECT_EQ(took("one_cell", least_crowded), Method::collide_grid);
-  EXPECT_EQ(took("one_cell", 2000), Method::parallel);
-}
-
-TEST(MethodsOnTheHost, ALibrarysScanIsOfTheCountingSort) {
-  const auto step = [](Sort sort) {
-    return CollideOptions{.method = Method::collide_grid, .grid = {.sort = sort, .scan = Scan::library}};
-  };
-  for (const Sort sort : {Sort::automatic, Sort::counting}) EXPECT_NO_THROW(check_collide(step(sort)));
-  for (const Sort sort : {Sort::buckets, Sort::radix}) EXPECT_THROW(check_collide(step(sort)), std::invalid_argument);
+  EXPECT_EQ(took("uniform", uint64_t(many.grid_from * 0.6)), Method::parallel);
+  EXPECT_EQ(took("uniform", uint64_t(many.grid_from)), Method::collide_grid);
+  EXPECT_EQ(took("one_cell", uint64_t(least_spheres)), Method::collide_grid);
 }
 
 TEST(MethodsOnTheHost, OnlyAutoChoosesItsGroups) {
@@ -108,8 +99,6 @@ TEST(MethodsOnTheHost, OnlyAutoChoosesItsGroups) {
   };
   EXPECT_EQ(square(few, {.method = Method::automatic}), narrow_block);
   EXPECT_EQ(square(few + 1, {.method = Method::automatic}), square_block);
-  EXPECT_EQ(square(crossover_of(info).square_block_to, {.method = Method::automatic}), square_block);
-  EXPECT_EQ(square(crossover_of(info).square_block_to + 1, {.method = Method::automatic}), CollideOptions{}.block);
   EXPECT_EQ(square(few, {.method = Method::automatic, .block = 256}), 256u);
   EXPECT_EQ(square(few, {.method = Method::collide_square}), CollideOptions{}.block);
   EXPECT_EQ(chosen_block(info, few, Method::collide_triangle, {.method = Method::automatic}), CollideOptions{}.block);

@@ -44,8 +44,8 @@ void expect_a_cell_for_each(const std::vector<vec4>& spheres, const GridPlans& p
       EXPECT_TRUE(std::isfinite(plan.origin[axis]));
     }
     Params p{};
-    set_grid(p, plan);
-    for (const vec4& sphere : spheres) ASSERT_LT(slot_of(sphere, p), plan.slots);
+    p.grid = grid_params(plan);
+    for (const vec4& sphere : spheres) ASSERT_LT(slot_of(sphere, p.grid), plan.slots);
   }
 }
 

@@ -16,7 +16,7 @@
 namespace spherepair {
 namespace {
 
-constexpr double tolerated = 1.1;
+constexpr double tolerated = 1.15;
 
 struct Recorded {
   SceneOptions scene;

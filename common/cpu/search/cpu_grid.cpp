@@ -82,7 +82,7 @@ class CpuGrid::Finder final : public CandidateSink {
   }
 
   bool decide(uint mine, uint other) {
-    if (!p_.defer_undecided) return false;
+    if (!p_.search.defer_undecided) return false;
     const Verdict verdict = decide_exact(sphere(mine), sphere(other));
     ++totals_.deferred;
     ++totals_.decided_by[verdict.stage];
@@ -108,8 +108,8 @@ PairsFound CpuGrid::search(const SearchInput& search, const GridPlan& plan, bool
   Params p = search.params;
   n_ = search.positions.size();
   p.n = uint(n_);
-  set_grid(p, plan);
-  if (!keep_cells) cells_.sort(search.positions, p, !search.equal_radii, search.threads);
+  p.grid = grid_params(plan);
+  if (!keep_cells) cells_.sort(search.positions, p.grid, !search.equal_radii, search.threads);
   near_counts_.resize(n_);
   far_counts_.resize(n_);
   PairsFound found;

@@ -20,7 +20,7 @@ struct Filter;
 template <>
 struct Filter<true> {
   Floats apart_above, collide_below;
-  explicit Filter(const Params& p) : apart_above(spread(p.apart_above)), collide_below(spread(p.collide_below)) {}
+  explicit Filter(const SearchParams& p) : apart_above(spread(p.apart_above)), collide_below(spread(p.collide_below)) {}
   uint near(Floats s, Floats) const { return not_above(s, apart_above); }
   uint sure(Floats s, Floats) const { return below(s, collide_below); }
 };
@@ -28,7 +28,7 @@ struct Filter<true> {
 template <>
 struct Filter<false> {
   Floats scale, offset, most;
-  explicit Filter(const Params& p)
+  explicit Filter(const SearchParams& p)
       : scale(spread(p.filter_scale)), offset(spread(p.filter_offset)), most(spread(bits_float(0x7F7FFFFFu))) {}
   uint near(Floats s, Floats r) const { return not_above(s, fused(r * r, scale, offset)); }
   uint sure(Floats s, Floats r) const {
@@ -41,13 +41,13 @@ template <bool hashed, bool equal_radii>
 class Searcher {
  public:
   Searcher(const CellOrder& order, const Params& p, Candidates& found, CandidateSink& sink)
-      : order_(order), p_(p), cells_{p}, filter_(p), found_(found), sink_(sink) {}
+      : order_(order), p_(p), cells_{p.grid}, filter_(p.search), found_(found), sink_(sink) {}
 
   void search(uint first, uint last) {
     while (first < last) {
       const Run run = take_run(first, last);
-      for (uint level = run.level; level <= p_.top_level; ++level)
-        if (p_.levels >> level & 1) test_level(run, level);
+      for (uint level = run.level; level <= p_.grid.top_level; ++level)
+        if (p_.grid.levels >> level & 1) test_level(run, level);
       first += run.count;
     }
   }
@@ -65,7 +65,7 @@ class Searcher {
     if (!hashed) return true;
     if (is_last(run.cell.x) || is_last(run.cell.y) || is_last(run.cell.z)) return false;
     const vec4 s = sphere(place);
-    return stands_in_row(s, run.level, run.cell.y, run.cell.z, p_) &&
+    return stands_in_row(s, run.level, run.cell.y, run.cell.z, p_.grid) &&
            uint(cells_.own(s, run.level).x) - uint(run.cell.x) < row_chunk;
   }
 
@@ -73,10 +73,10 @@ class Searcher {
     Run run;
     const vec4 s = sphere(first);
     run.first = first;
-    run.level = level_of(s.w, p_);
+    run.level = level_of(s.w, p_.grid);
     run.cell = cells_.own(s, run.level);
     uint end = std::min(last, first + groups_at_once * spheres_at_once);
-    if (!hashed) end = std::min(end, order_.begin[cells_.row(0, run.cell.y, run.cell.z) + p_.cells_x]);
+    if (!hashed) end = std::min(end, order_.begin[cells_.row(0, run.cell.y, run.cell.z) + p_.grid.cells_x]);
     run.count = 1;
     while (first + run.count < end && continues(run, first + run.count)) ++run.count;
     bound(run);
@@ -190,7 +190,7 @@ class Searcher {
     uint64_t kept = 0;
     for (uint64_t rest = near; rest; rest &= rest - 1) {
       const uint bit = uint(std::countr_zero(rest));
-      if (stands_in_row(sphere(at + bit % lanes), level, y, z, p_)) kept |= uint64_t(1) << bit;
+      if (stands_in_row(sphere(at + bit % lanes), level, y, z, p_.grid)) kept |= uint64_t(1) << bit;
     }
     return kept;
   }
@@ -205,7 +205,7 @@ class Searcher {
 
 inline void find_candidates(const CellOrder& order, const Params& p, uint first, uint last, Candidates& found,
                             CandidateSink& sink) {
-  const bool hashed = p.hash_mask != 0, equal_radii = order.radius == nullptr;
+  const bool hashed = p.grid.hash_mask != 0, equal_radii = order.radius == nullptr;
   if (hashed) {
     equal_radii ? Searcher<true, true>(order, p, found, sink).search(first, last)
                 : Searcher<true, false>(order, p, found, sink).search(first, last);

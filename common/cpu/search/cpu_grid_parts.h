@@ -12,14 +12,14 @@ inline void append_each(Candidates& found, uint first, uint at, uint64_t near, u
 }
 
 // slot_of in a dense grid, all three axes in one vector.
-inline void find_dense_slots(const vec4* spheres, uint count, const Params& p, uint* slots) {
+inline void find_dense_slots(const vec4* spheres, uint count, const GridParams& g, uint* slots) {
   typedef float Axes __attribute__((vector_size(16)));
   typedef int Cells __attribute__((vector_size(16)));
   typedef uint Strides __attribute__((vector_size(16)));
-  const float scale = cells_per_metre(0, p);
-  const Axes origin = {p.origin_x, p.origin_y, p.origin_z, 0}, lowest = {0, 0, 0, 0}, scales = {scale, scale, scale, 0};
-  const Axes highest = {float(int(p.cells_x) - 1), float(int(p.cells_y) - 1), float(int(p.cells_z) - 1), 0};
-  const Strides strides = {1, p.cells_x, p.cells_x * p.cells_y, 0};
+  const float scale = cells_per_metre(0, g);
+  const Axes origin = {g.origin_x, g.origin_y, g.origin_z, 0}, lowest = {0, 0, 0, 0}, scales = {scale, scale, scale, 0};
+  const Axes highest = {float(int(g.cells_x) - 1), float(int(g.cells_y) - 1), float(int(g.cells_z) - 1), 0};
+  const Strides strides = {1, g.cells_x, g.cells_x * g.cells_y, 0};
   for (uint k = 0; k < count; ++k) {
     Axes place = (Axes{spheres[k].x, spheres[k].y, spheres[k].z, 0} - origin) * scales;
     place = place > lowest ? place : lowest;  // not a number goes to the lowest cell
@@ -29,12 +29,12 @@ inline void find_dense_slots(const vec4* spheres, uint count, const Params& p, u
   }
 }
 
-inline void find_slots(const vec4* spheres, const float* radii, uint count, const Params& p, uint* slots) {
-  if (p.hash_mask == 0) return find_dense_slots(spheres, count, p, slots);
+inline void find_slots(const vec4* spheres, const float* radii, uint count, const GridParams& g, uint* slots) {
+  if (g.hash_mask == 0) return find_dense_slots(spheres, count, g, slots);
   for (uint k = 0; k < count; ++k) {
     vec4 sphere = spheres[k];
     if (radii) sphere.w = radii[k];
-    slots[k] = slot_of(sphere, p);
+    slots[k] = slot_of(sphere, g);
   }
 }
 

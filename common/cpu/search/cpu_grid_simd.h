@@ -40,7 +40,7 @@ class CandidateSink {
 struct GridSimd {
   const char* name;
   // slot_of every sphere; radii of records stand apart, since w has their index.
-  void (*find_slots)(const vec4* spheres, const float* radii, uint count, const Params& p, uint* slots);
+  void (*find_slots)(const vec4* spheres, const float* radii, uint count, const GridParams& g, uint* slots);
   // Every pair that a sphere from sorted index first to last has in its half neighbourhood.
   void (*find_candidates)(const CellOrder& order, const Params& p, uint first, uint last, Candidates& found,
                           CandidateSink& sink);

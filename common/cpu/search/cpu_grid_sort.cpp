@@ -17,30 +17,30 @@ constexpr uint64_t own_work = 8, cell_work = 1;  // of a sphere by itself, and w
 }  // namespace
 
 template <typename Act>
-void CellSort::for_slots(const vec4* spheres, const float* radii, uint64_t first, uint64_t last, const Params& p,
+void CellSort::for_slots(const vec4* spheres, const float* radii, uint64_t first, uint64_t last, const GridParams& g,
                          Act act) const {
   uint slots[batch];
   for (uint64_t at = first; at < last; at += batch) {
     const uint count = uint(std::min<uint64_t>(batch, last - at));
-    simd_.find_slots(spheres + at, radii ? radii + at : nullptr, count, p, slots);
+    simd_.find_slots(spheres + at, radii ? radii + at : nullptr, count, g, slots);
     for (uint k = 0; k < count; ++k) act(at + k, slots[k]);
   }
 }
 
-void CellSort::sort(std::span<const vec4> spheres, const Params& p, bool radii, int threads) {
+void CellSort::sort(std::span<const vec4> spheres, const GridParams& g, bool radii, int threads) {
   threads = team_of(spheres.size() / spheres_per_bucket, threads);
   radii_ = radii;
-  plan(spheres.size(), p);
-  count_buckets(spheres, p, threads);
+  plan(spheres.size(), g);
+  count_buckets(spheres, g, threads);
   place_buckets();
-  fill_buckets(spheres, p, threads);
+  fill_buckets(spheres, g, threads);
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
-  for (size_t bucket = 0; bucket < buckets_.size(); ++bucket) order_bucket(uint(bucket), p);
+  for (size_t bucket = 0; bucket < buckets_.size(); ++bucket) order_bucket(uint(bucket), g);
 }
 
-void CellSort::plan(uint64_t n, const Params& p) {
+void CellSort::plan(uint64_t n, const GridParams& g) {
   n_ = n;
-  slots_ = p.cell_slots;
+  slots_ = g.cell_slots;
   const uint64_t wanted = std::clamp<uint64_t>(n / spheres_per_bucket, 1, most_buckets);
   shift_ = uint(std::bit_width((slots_ - 1) / wanted));
   buckets_.assign(((slots_ - 1) >> shift_) + 1, {});
@@ -52,11 +52,11 @@ void CellSort::plan(uint64_t n, const Params& p) {
   begin_.resize(slots_ + 1);
 }
 
-void CellSort::count_buckets(std::span<const vec4> spheres, const Params& p, int threads) {
+void CellSort::count_buckets(std::span<const vec4> spheres, const GridParams& g, int threads) {
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
   for (uint64_t block = 0; block < blocks_; ++block) {
     uint* count = &cursor_[block * buckets_.size()];
-    for_slots(spheres.data(), nullptr, block * n_ / blocks_, (block + 1) * n_ / blocks_, p,
+    for_slots(spheres.data(), nullptr, block * n_ / blocks_, (block + 1) * n_ / blocks_, g,
               [&](uint64_t, uint slot) { ++count[slot >> shift_]; });
   }
 }
@@ -76,11 +76,11 @@ void CellSort::place_buckets() {
   }
 }
 
-void CellSort::fill_buckets(std::span<const vec4> spheres, const Params& p, int threads) {
+void CellSort::fill_buckets(std::span<const vec4> spheres, const GridParams& g, int threads) {
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
   for (uint64_t block = 0; block < blocks_; ++block) {
     uint* cursor = &cursor_[block * buckets_.size()];
-    for_slots(spheres.data(), nullptr, block * n_ / blocks_, (block + 1) * n_ / blocks_, p, [&](uint64_t i, uint slot) {
+    for_slots(spheres.data(), nullptr, block * n_ / blocks_, (block + 1) * n_ / blocks_, g, [&](uint64_t i, uint slot) {
       const vec4& s = spheres[i];
       const uint place = cursor[slot >> shift_]++;
       split_[place] = {s.x, s.y, s.z, bits_float(uint(i))};
@@ -91,7 +91,7 @@ void CellSort::fill_buckets(std::span<const vec4> spheres, const Params& p, int 
 
 // begin_[slot + 1] counts the slot's spheres, then is the place of its next sphere; after the last one, that is where
 // the next slot begins.
-void CellSort::order_bucket(uint number, const Params& p) {
+void CellSort::order_bucket(uint number, const GridParams& g) {
   Bucket& bucket = buckets_[number];
   const uint64_t first_slot = uint64_t(number) << shift_,
                  last_slot = std::min(first_slot + (uint64_t(1) << shift_), slots_);
@@ -99,7 +99,7 @@ void CellSort::order_bucket(uint number, const Params& p) {
   uint* next = begin_.data() + 1;
   if (number == 0) begin_[0] = 0;
   std::fill(next + first_slot, next + last_slot, 0u);
-  for_slots(split_.data(), radii, bucket.first, bucket.last, p, [&](uint64_t, uint slot) { ++next[slot]; });
+  for_slots(split_.data(), radii, bucket.first, bucket.last, g, [&](uint64_t, uint slot) { ++next[slot]; });
   uint place = bucket.first;
   bucket.work = 0;
   for (uint64_t slot = first_slot; slot < last_slot; ++slot) {
@@ -108,7 +108,7 @@ void CellSort::order_bucket(uint number, const Params& p) {
     place += count;
     bucket.work += count * (own_work + cell_work * count);
   }
-  for_slots(split_.data(), radii, bucket.first, bucket.last, p, [&](uint64_t k, uint slot) {
+  for_slots(split_.data(), radii, bucket.first, bucket.last, g, [&](uint64_t k, uint slot) {
     const uint to = next[slot]++;
     const vec4& s = split_[k];
     x_[to] = s.x, y_[to] = s.y, z_[to] = s.z;

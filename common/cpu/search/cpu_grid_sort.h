@@ -21,7 +21,7 @@ class CellSort {
 
   // A counting sort by slot_of, in two passes: into buckets of consecutive slots, so that the second pass stays in the
   // cache. `radii` says whether the order keeps them.
-  void sort(std::span<const vec4> spheres, const Params& p, bool radii, int threads);
+  void sort(std::span<const vec4> spheres, const GridParams& g, bool radii, int threads);
 
   CellOrder order() const {
     return {x_.data(), y_.data(), z_.data(), radii_ ? radius_.data() : nullptr, id_.data(), begin_.data()};
@@ -35,15 +35,15 @@ class CellSort {
     uint64_t work;     // estimated
   };
 
-  void plan(uint64_t n, const Params& p);
-  void count_buckets(std::span<const vec4> spheres, const Params& p, int threads);
+  void plan(uint64_t n, const GridParams& g);
+  void count_buckets(std::span<const vec4> spheres, const GridParams& g, int threads);
   void place_buckets();
-  void fill_buckets(std::span<const vec4> spheres, const Params& p, int threads);
-  void order_bucket(uint number, const Params& p);
+  void fill_buckets(std::span<const vec4> spheres, const GridParams& g, int threads);
+  void order_bucket(uint number, const GridParams& g);
 
   // Runs act(k, slot) for the spheres from first to last.
   template <typename Act>
-  void for_slots(const vec4* spheres, const float* radii, uint64_t first, uint64_t last, const Params& p,
+  void for_slots(const vec4* spheres, const float* radii, uint64_t first, uint64_t last, const GridParams& g,
                  Act act) const;
 
   const GridSimd& simd_;

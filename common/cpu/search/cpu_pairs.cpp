@@ -27,8 +27,9 @@ class Finder {
   template <bool equal_radii>
   void test_pair(vec4 a, vec4 b, uint i, uint j) {
     const Params& p = search_.params;
-    const uint verdict = equal_radii ? filter_equal(squared_distance(a, b), p.apart_above, p.collide_below)
-                                     : filter_pair(a, b, p.filter_scale, p.filter_offset);
+    const uint verdict = equal_radii
+                             ? filter_equal(squared_distance(a, b), p.search.apart_above, p.search.collide_below)
+                             : filter_pair(a, b, p.search.filter_scale, p.search.filter_offset);
     if (verdict != APART) [[unlikely]]
       close(a, b, i, j, verdict);
   }
@@ -50,7 +51,7 @@ class Finder {
  private:
   // Kept out of the loops over all pairs, whose registers it would take.
   [[gnu::noinline]] void close(vec4 a, vec4 b, uint i, uint j, uint verdict) {
-    if (verdict == UNDECIDED && !(search_.params.defer_undecided && resolve_undecided(a, b))) return;
+    if (verdict == UNDECIDED && !(search_.params.search.defer_undecided && resolve_undecided(a, b))) return;
     ++totals_.pairs;
     totals_.fingerprint.a += pair_mix_a(i, j);
     totals_.fingerprint.b += pair_mix_b(i, j);

@@ -8,7 +8,7 @@ namespace spherepair {
 
 struct SearchInput {
   std::span<const vec4> positions;
-  Params params;  // scene_params: filter constants
+  Params params;  // of the scene and the predicate
   bool equal_radii;
   CollideOptions options;
   int threads;

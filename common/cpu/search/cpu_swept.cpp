@@ -20,8 +20,10 @@ PairsFound search_swept(const SearchInput& search, std::span<const vec4> velocit
   for (uint i = 0; i < n; ++i) {
     GrowingList<Pair>& list = lists[size_t(omp_get_thread_num())];
     for (uint j = i + 1; j < n; ++j) {
-      if (!in_swept_reach(at[i], velocities[i], at[j], velocities[j], p.dt)) continue;
-      if (!touch_within(at[i], velocities[i], at[j], velocities[j], p.dt, p.filter_scale, p.filter_offset)) continue;
+      if (!in_swept_reach(at[i], velocities[i], at[j], velocities[j], p.motion.dt)) continue;
+      if (!touch_within(at[i], velocities[i], at[j], velocities[j], p.motion.dt, p.search.filter_scale,
+                        p.search.filter_offset))
+        continue;
       const Pair pair{i, j};
       list.append(&pair, 1);
       ++pairs;
