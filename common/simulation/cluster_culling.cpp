@@ -40,7 +40,7 @@ void ClusterCulling::make_boxes(const Frame& frame, bool by_cells) {
   launch_drawing(context_, frame,
                  {Kernel::draw_bounds,
                   SERVICE_BLOCK,
-                  {.by_cells = by_cells},
+                  {.by_cells = by_cells, .indices = frame.indices},
                   folded(ceil_div(view.clusters, in_group)),
                   frame.order});
   boxes_of_ = frame.order;
@@ -67,7 +67,7 @@ void ClusterCulling::draw_phase(Frame& frame, uint phase) {
   launch_drawing(context_, frame,
                  {.kernel = previous ? Kernel::draw_previously_visible : Kernel::draw_clusters,
                   .block = block,
-                  .variant = {.bundles = bundles},
+                  .variant = {.bundles = bundles, .indices = previous ? 0 : frame.indices},
                   .groups = folded(std::min(ceil_div(context_.n, block), previous ? visible_groups : clusters_groups)),
                   .order = previous ? Order::scene : frame.order,
                   .stage = stages_of(phase).clusters});

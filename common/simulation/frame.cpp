@@ -16,7 +16,6 @@ const char* tiles_stage(uint phase) {
 Launch drawing(const Frame& frame, Launch launch) {
   launch.view = &frame.view;
   launch.visible_slot = frame.visible_slot;
-  launch.variant.indices = launch.order == frame.order ? frame.indices : 0;
   return launch;
 }
 

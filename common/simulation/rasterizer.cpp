@@ -132,7 +132,7 @@ void Rasterizer::draw_all(Frame& frame) {
     frame.view.pass = pass;
     if (pass == PASS_ID) restart_tiles(context_, frame);
     const auto groups = folded(ceil_div(context_.n * frame.view.lanes, SERVICE_BLOCK));
-    Launch spheres{Kernel::draw_spheres, SERVICE_BLOCK, {}, groups, frame.order};
+    Launch spheres{Kernel::draw_spheres, SERVICE_BLOCK, {.indices = frame.indices}, groups, frame.order};
     if (frame.overlaps_previous) spheres.overlaps = Kernel::draw_resolve;
     launch_drawing(context_, frame, spheres);
     launch_tiles(context_, frame);
@@ -164,7 +164,9 @@ bool Rasterizer::may_be_large(const View& view) const {
 void Rasterizer::launch_per_pixel(const Frame& frame, Kernel kernel) {
   const bool one_each = kernel == Kernel::draw_light;
   const uint block = one_each ? SERVICE_BLOCK : PIXELS_BLOCK, each = one_each ? 1 : PIXELS_EACH;
-  launch_drawing(context_, frame, {kernel, block, {}, folded(ceil_div(pixels(frame.view), block * each))});
+  Launch launch{kernel, block, {}, folded(ceil_div(pixels(frame.view), block * each))};
+  if (kernel == Kernel::draw_light) launch.variant.indices = frame.indices;  // looks at the spheres around
+  launch_drawing(context_, frame, launch);
 }
 
 void Rasterizer::require_drawn(bool by_compute) const {

@@ -162,7 +162,7 @@ TEST_P(Methods, EveryLaunchIsTimedUnderItsKernelsName) {
 
 TEST_P(Methods, AutomaticIsRightWhateverItTakes) {
   const Crossover& row = crossover_of(backend().info());
-  const auto many = uint64_t(grid_from(row, 0.8, 0)) + 50;  // of a gas, with some room
+  const auto many = uint64_t(std::max(grid_from(row, 0.4, 0), grid_from(row, 0.8, 0))) + 50;  // of a gas, with room
   const auto took = [&](const SceneOptions& options) {
     const Scene scene = make_scene(options);
     expect_pairs(backend(), scene, swept_pairs(scene.positions), {{.method = Method::automatic}});
