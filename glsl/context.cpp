@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <set>
 
 namespace spherepair {
 namespace {
@@ -43,11 +44,18 @@ bool renders_in_software() {
   return renderer.find("llvmpipe") != std::string::npos || renderer.find("softpipe") != std::string::npos;
 }
 
+// Contexts that the driver has reset. It says so once, and what is read from them afterwards is wrong. Lives as long as
+// the process, since contexts may end with it.
+std::set<EGLContext>& lost_contexts() {
+  static auto* contexts = new std::set<EGLContext>;
+  return *contexts;
+}
+
 }  // namespace
 
 Context::Context(const OpenOptions& options) {
   std::vector<EGLDeviceEXT> devices = egl_devices();
-  std::ranges::stable_partition(devices, [](EGLDeviceEXT device) { return !is_software(device); });
+  std::stable_partition(devices.begin(), devices.end(), [](EGLDeviceEXT device) { return !is_software(device); });
   for (EGLDeviceEXT device : devices) {
     if (!options.allow_gpu && !is_software(device)) continue;
     if (!open_on(device)) continue;
@@ -95,6 +103,7 @@ bool Context::open_on(EGLDeviceEXT device) {
 
 Context::~Context() {
   if (context_ == EGL_NO_CONTEXT) return;
+  lost_contexts().erase(context_);
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);
 }
@@ -110,7 +119,10 @@ void Context::make_current() const {
 }
 
 void gl_check(const std::string& what) {
-  if (epoxy_has_gl_extension("GL_KHR_robustness") && glGetGraphicsResetStatus() != GL_NO_ERROR) {
+  const EGLContext current = eglGetCurrentContext();
+  if (epoxy_has_gl_extension("GL_KHR_robustness") && glGetGraphicsResetStatus() != GL_NO_ERROR)
+    lost_contexts().insert(current);
+  if (lost_contexts().contains(current)) {
     throw BackendError(
         fmt::format("glsl: {} failed: the driver reset the context, as it does when a dispatch runs too long; "
                     "use fewer spheres or another method",

@@ -121,9 +121,11 @@ std::vector<SweepTask> configurations(Session& session, const std::vector<SceneO
   std::vector<SweepTask> all;
   for (const SceneOptions& scene : scenes)
     for (const auto& [name, members] : rows_by_work)
-      all.push_back(
-          {file_name(scene, members, sampling), fmt::format("{} {}, n = {}", name, scene_label(scene), scene.n),
-           [&session, scene, members, &sampling] { return run_configuration(session, scene, members, sampling); }});
+      all.push_back({file_name(scene, members, sampling),
+                     fmt::format("{} {}, n = {}", name, scene_label(scene), scene.n),
+                     [&session, scene, members = members, &sampling] {
+                       return run_configuration(session, scene, members, sampling);
+                     }});
   return all;
 }
 

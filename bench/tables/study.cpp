@@ -130,7 +130,7 @@ std::vector<Samples> Study::time(const std::string& table, const SceneOptions& s
 }
 
 std::vector<Samples> Study::time_unchecked(const std::string& table, const std::vector<Contender>& contenders,
-                                           json meta) {
+                                           const json& meta) {
   std::vector<Samples> samples = measure(contenders, plan.sampling, progress);
   for (const Samples& one : samples) {
     json row = {{"table", table}};

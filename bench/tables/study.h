@@ -24,7 +24,8 @@ class Study {
   std::vector<Samples> time(const std::string& table, const SceneOptions& scene, const std::vector<Task>& tasks);
 
   // Times and records contenders that have no result to check.
-  std::vector<Samples> time_unchecked(const std::string& table, const std::vector<Contender>& contenders, json meta);
+  std::vector<Samples> time_unchecked(const std::string& table, const std::vector<Contender>& contenders,
+                                      const json& meta);
 
   // Uploads the scene to every backend, compares the configurations' results and records that they are equal.
   StepResult check(const SceneOptions& scene, const std::vector<Configuration>& configurations);

@@ -64,13 +64,13 @@ __device__ inline uint neighbour_index(const Rows& rows, uint k) {
 
 // Whether the k-th sphere of the neighbourhood is a candidate. Past the last sphere a guard may be read.
 template <bool EQUAL_RADII, bool LISTED>
-__device__ bool is_candidate(const Collider<EQUAL_RADII, LISTED>& collider, vec4 mine, const Rows& rows, uint k) {
+__device__ bool is_candidate(const Collider<EQUAL_RADII, LISTED, true>& collider, vec4 mine, const Rows& rows, uint k) {
   return collider.in_reach(mine, collider.buf.position[neighbour_index(rows, k)]);
 }
 
 // The candidates among 32 spheres of the neighbourhood, as a bit mask.
 template <bool EQUAL_RADII, bool LISTED>
-__device__ uint mark_candidates(const Collider<EQUAL_RADII, LISTED>& collider, vec4 mine, const Rows& rows,
+__device__ uint mark_candidates(const Collider<EQUAL_RADII, LISTED, true>& collider, vec4 mine, const Rows& rows,
                                 uint first) {
   uint marked = 0u;
   uint end = min(rows.ahead_above.bound, first + 32u);
@@ -84,7 +84,7 @@ __device__ uint mark_candidates(const Collider<EQUAL_RADII, LISTED>& collider, v
 }
 
 template <bool EQUAL_RADII, bool LISTED>
-__device__ void queue_undecided(Collider<EQUAL_RADII, LISTED>& collider, uint i, uint j) {
+__device__ void queue_undecided(Collider<EQUAL_RADII, LISTED, true>& collider, uint i, uint j) {
   uint k = atomicAdd(&undecided_pairs, 1u);
   if (k < UNDECIDED_ROOM) {
     undecided[k] = uvec2{i, j};
@@ -95,7 +95,8 @@ __device__ void queue_undecided(Collider<EQUAL_RADII, LISTED>& collider, uint i,
 
 // One thread per queued undecided pair.
 template <bool EQUAL_RADII, bool LISTED>
-__device__ void decide_undecided(const Params& p, const KernelBuffers& buf, Collider<EQUAL_RADII, LISTED>& collider) {
+__device__ void decide_undecided(const Params& p, const KernelBuffers& buf,
+                                 Collider<EQUAL_RADII, LISTED, true>& collider) {
   uint row = (group_index(p) % SUMMARY_SLOTS) * SUMMARY_WORDS;
   uint lane = threadIdx.x;
   if (lane == 0u) atomicAdd(&buf.summary[row + SUM_UNDECIDED], undecided_pairs);
@@ -134,7 +135,7 @@ __global__ void __launch_bounds__(BLOCK, resident_groups(BLOCK)) collide_grid(Pa
   __shared__ uvec2 queue[QUEUES * QUEUE_ROOM];  // candidate pairs of each set of cooperating threads
   __shared__ uint queued[QUEUES];
   __shared__ uint unfinished[QUEUES];
-  Collider<EQUAL_RADII, LISTED> collider(p, buf);
+  Collider<EQUAL_RADII, LISTED, true> collider(p, buf);
   uint lane = cooperating_lane();
   uint own = cooperating_index();
   if (lane == 0u) queued[own] = unfinished[own] = 0u;

@@ -13,7 +13,7 @@ __global__ void __launch_bounds__(BLOCK) collide_hashed(Params p, KernelBuffers 
   __shared__ uint queue_mine[QUEUE];
   __shared__ uint queue_other[QUEUE];
   __shared__ uint queued;
-  Collider<EQUAL_RADII, LISTED> collider(p, buf);
+  Collider<EQUAL_RADII, LISTED, true> collider(p, buf);
   uint lane = threadIdx.x;
   collider.start_totals();
   for (uint first = group_index(p) * BLOCK; first < p.n; first += group_count() * BLOCK) {

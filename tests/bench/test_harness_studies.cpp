@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The studies with wrong results: what is recorded was compared first, in drawing, precision, sets and ablation too.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "bench/check/step_result.h"
