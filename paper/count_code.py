@@ -95,7 +95,7 @@ def main():
               "support": {"glsl": total("shaders/**/*.glsl"), "cuda": total("cuda/**/*.cuh")},
               "host": {"glsl": total("glsl/*.cpp", "glsl/*.h"), "cuda": total("cuda/**/*.cpp", "cuda/**/*.h")},
               "shared": {"arithmetic": total(*(f"common/shared/{name}.h" for name in SHARED_ARITHMETIC)),
-                         "host": total("common/device/*.cpp", "common/device/*.h")}}
+                         "host": total(*(f"common/{room}/*.{kind}" for room in ("device", "simulation") for kind in ("cpp", "h")))}}
     options.output.write_text(json.dumps(result, indent=1) + "\n")
     print(f"{len(result['twins'])} twins, {len(seconds)} of them compiled: {options.output}")
 

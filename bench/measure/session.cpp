@@ -87,7 +87,8 @@ std::vector<std::string> Session::warnings() const {
                     "). Times of glsl say nothing about the GPU. Install the driver's EGL files (for NVIDIA: "
                     "libnvidia-gl and /usr/share/glvnd/egl_vendor.d/10_nvidia.json, in a container "
                     "NVIDIA_DRIVER_CAPABILITIES=all), or pass --require-hardware to fail instead.");
-  if (gpu_seems_present() && !cuda)
+  const bool missed = std::ranges::any_of(missing_, [](const Missing& each) { return each.name == "cuda"; });
+  if (gpu_seems_present() && missed)  // not where others were requested
     found.push_back("WARNING: this machine seems to have an NVIDIA GPU, but the backend cuda is not open.");
   return found;
 }

@@ -59,8 +59,8 @@ struct ApiOptions {
   // barriers, and the host waits for it. Absent: on
   std::optional<bool> batch = {};
   // both, CUDA 12.3 or later where kernels are compiled for 9.0 or later: what needs nothing of the search right before
-  // it begins while that is under way, which no graph can, and CUDA's later launches of a step get ready early. Absent:
-  // on where no graph is requested or pays more, of few spheres
+  // it begins while that is under way, which no graph can (absent: on where no graph is requested or pays more, of few
+  // spheres), and CUDA's later launches of a step get ready early (absent: on)
   std::optional<bool> overlap = {};
   bool overlaps(bool graph_pays) const { return overlap.value_or(!graph.value_or(graph_pays)); }
   auto operator<=>(const ApiOptions&) const = default;
@@ -91,7 +91,7 @@ struct WorkCounts {
   uint64_t graphs_replayed = 0;
   uint64_t waits = 0;                     // for a launch alone, within steps
   uint64_t overlapped = 0;                // launches that need not wait for the one before
-  uint64_t early = 0;                     // that get ready while the one before is under way; not of replays
+  uint64_t early = 0;                     // that get ready while the one before is under way, of replays too
   uint64_t without_radii = 0, lists = 0;  // steps that loaded no radius; that kept a list of pairs
 };
 

@@ -66,6 +66,9 @@ bool CellSorter::replan_if_needed() {
 void CellSorter::plan_cells(const GridOptions& options) {
   const GridPlan& plan = plans_.plan(options.cells);
   if (planned_ == plan.cells) return;
+  planned_.reset();  // until there is room, should that fail
+  built_ = false;
+  cell_order_.reset();
   context_.params.grid = grid_params(plan);
   if (context_.n > most_spheres) {
     throw BackendError(fmt::format("{}: {} spheres, but the grid takes {} at most; use collide_triangle",
@@ -74,8 +77,6 @@ void CellSorter::plan_cells(const GridOptions& options) {
   context_.buffers.resize(SLOT_CELL, ceil_div(uint64_t(plan.slots) + 2, SCAN_TILE) * SCAN_TILE * sizeof(uint));
   context_.buffers.resize(SLOT_SCAN, sizeof(uint));
   planned_ = plan.cells;
-  built_ = false;
-  cell_order_.reset();
 }
 
 void CellSorter::launch_bounds() {

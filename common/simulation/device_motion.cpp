@@ -33,17 +33,18 @@ void DeviceMotion::write_state(const MotionState& state) {
 }
 
 void DeviceMotion::launch(Kernel kernel, bool whole_state, bool clear_results, std::optional<Kernel> overlaps) {
-  MotionParams& params = context_.params.motion;
-  params.steps_done = steps_;
-  params.whole_state = whole_state;
-  params.clear_results = clear_results;
+  Params params = context_.params;  // a search's launches stay the same from step to step, so that a graph can be kept
+  params.motion.steps_done = steps_;
+  params.motion.whole_state = whole_state;
+  params.motion.clear_results = clear_results;
   const auto groups = kernel == Kernel::bounce ? folded(context_.n / (SERVICE_BLOCK * SPHERES_PER_BOUNCER) + 1)
                                                : groups_per_sphere(context_);
-  context_.launch({.kernel = kernel,
-                   .block = SERVICE_BLOCK,
-                   .variant = {.motion = motion_},
-                   .groups = groups,
-                   .overlaps = overlaps});
+  context_.device.launch({.kernel = kernel,
+                          .block = SERVICE_BLOCK,
+                          .variant = {.motion = motion_},
+                          .groups = groups,
+                          .overlaps = overlaps},
+                         params);
 }
 
 bool DeviceMotion::step(bool clear_results, std::optional<Kernel> overlaps) {

@@ -87,6 +87,7 @@ void PairSearch::set_params() {
 
 void PairSearch::launch() {
   ++context_.version;
+  context_.params.first_group = 0;
   set_params();
   variant_.equal_radii = context_.equal_radii && !options_.load_radii;
   variant_.listed = options_.want_pairs;

@@ -32,9 +32,9 @@ void Simulation::begin(const Scene& scene, const MotionState* saved) {
   context_.params = {};
   context_.params.n = uint(scene.size());
   context_.params.radius = common_radius(scene);
+  sorter_.upload(scene);
   motion_.upload(scene, saved);
   search_.upload(scene);
-  sorter_.upload(scene);
   rasterizer_.upload();
   probe_.upload();
 }

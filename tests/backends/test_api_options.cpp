@@ -102,6 +102,25 @@ TEST_P(ApiOptionsOf, AGraphIsReplayedWhileNothingChanges) {
   }
 }
 
+// The motion's own parameters change with every step; the search is launched with the same.
+TEST_P(ApiOptionsOf, AGraphIsReplayedWhileSpheresMove) {
+  if (backend().info().name != "cuda") GTEST_SKIP() << "graphs of launches are CUDA's";
+  for (const MotionMethod method : {MotionMethod::paper, MotionMethod::anchored}) {
+    SceneOptions options = {.name = "uniform", .n = 3000};
+    options.motion.method = method;
+    backend().upload(make_scene(options));
+    const CollideOptions step = grid_step([](CollideOptions& o) { o.api.graph = true, o.grid.replan = false; });
+    for (int k = 0; k < 8; ++k) {
+      backend().move();
+      const uint64_t replayed = backend().work_counts().graphs_replayed;
+      backend().collide(step);
+      if (k >= 3) {
+        EXPECT_EQ(backend().work_counts().graphs_replayed, replayed + 1) << motion_name(method) << " " << k;
+      }
+    }
+  }
+}
+
 // Another view is drawn after every step; the kernels of the step see none.
 TEST_P(ApiOptionsOf, AGraphIsReplayedWhileTheCameraMoves) {
   if (backend().info().name != "cuda") GTEST_SKIP() << "graphs of launches are CUDA's";

@@ -16,7 +16,7 @@
 namespace spherepair {
 namespace {
 
-constexpr double tolerated = 1.15;
+constexpr double tolerated = 1.15, tolerated_on_gpus = 1.1;
 
 struct Recorded {
   SceneOptions scene;
@@ -76,9 +76,10 @@ TEST(MethodsRecorded, AutoIsNeverFarBehindTheBestFixedChoice) {
       ADD_FAILURE() << name << ": " << describe(choice) << " was so slow that it was not timed";
       continue;
     }
+    const bool gpu = !one.info.on_host && !one.info.software;
     for (const auto& [way, interval] : one.ways)
       if (way != "auto") {
-        EXPECT_LE(taken->second.low, tolerated * interval.high)
+        EXPECT_LE(taken->second.low, (gpu ? tolerated_on_gpus : tolerated) * interval.high)
             << name << ": " << describe(choice) << " against " << way;
       }
   }
