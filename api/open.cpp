@@ -7,6 +7,7 @@
 #include "common/simulation/simulation.h"
 #ifdef SPHEREPAIR_WITH_GLSL
 #include "glsl/gl_device.h"
+#include "glsl/gl_drawing.h"
 #endif
 #ifdef SPHEREPAIR_WITH_CUDA
 #include "cuda/host/cuda_device.h"
@@ -19,18 +20,54 @@ namespace spherepair {
 
 std::vector<std::string> backend_names() { return {"cpu", "glsl", "cuda"}; }
 
+namespace {
+
+// OpenGL on the GPU that was chosen for CUDA, unless one was chosen for OpenGL.
+OpenOptions with_gl_device([[maybe_unused]] OpenOptions options) {
+  if (options.cuda_device.empty() || !options.gl_device.empty() || !options.allow_gpu) return options;
+#ifdef SPHEREPAIR_WITH_CUDA
+  options.gl_device = open_cuda_device(options)->info().uuid;
+  return options;
+#else
+  throw BackendError("glsl: a CUDA device was chosen, but this build lacks CUDA; use --gl-device");
+#endif
+}
+
+PipelineOpener pipeline_of_cpu([[maybe_unused]] const OpenOptions& options) {
+#ifdef SPHEREPAIR_WITH_GLSL
+  return [options] { return std::make_unique<GlDrawing>(with_gl_device(options)); };
+#else
+  return {};
+#endif
+}
+
+#ifdef SPHEREPAIR_WITH_CUDA
+PipelineOpener pipeline_of_cuda([[maybe_unused]] OpenOptions options, [[maybe_unused]] const Device& device) {
+#ifdef SPHEREPAIR_WITH_INTEROP
+  options.gl_device = device.info().uuid;
+  return [options] { return open_cuda_to_gl(options); };
+#else
+  return {};
+#endif
+}
+#endif
+
+}  // namespace
+
 std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions& options) {
-  if (name == "cpu") return open_cpu_backend(options);
+  if (name == "cpu") return open_cpu_backend(options, pipeline_of_cpu(options));
   if (name == "glsl") {
 #ifdef SPHEREPAIR_WITH_GLSL
-    return std::make_unique<Simulation>(open_gl_device(options));
+    return std::make_unique<Simulation>(open_gl_device(with_gl_device(options)));
 #else
     throw BackendError("glsl: not in this build; install libepoxy-dev and libegl-dev and configure again");
 #endif
   }
   if (name == "cuda") {
 #ifdef SPHEREPAIR_WITH_CUDA
-    return std::make_unique<Simulation>(open_cuda_device(options));
+    std::unique_ptr<Device> device = open_cuda_device(options);
+    const PipelineOpener pipeline = pipeline_of_cuda(options, *device);
+    return std::make_unique<Simulation>(std::move(device), pipeline);
 #else
     throw BackendError("cuda: not in this build; put nvcc on the PATH and configure again");
 #endif
@@ -39,21 +76,12 @@ std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions
       fmt::format("unknown backend '{}'; known are {}", name, fmt::join(backend_names(), ", ")));
 }
 
-std::unique_ptr<SharedDrawing> open_shared_drawing([[maybe_unused]] Backend& cuda,
-                                                   [[maybe_unused]] const OpenOptions& options) {
-#ifdef SPHEREPAIR_WITH_INTEROP
-  return open_cuda_to_gl(cuda, options);
-#else
-  throw BackendError("interop: this build lacks OpenGL or CUDA");
-#endif
-}
-
 void check_same_gpu(const Backend& left, const Backend& right) {
   const BackendInfo &a = left.info(), &b = right.info();
   if (a.uuid.empty() || b.uuid.empty() || a.uuid == b.uuid) return;
   throw BackendError(
       fmt::format("{} runs on {} ({}) but {} on {} ({}): times would compare two machines; choose one GPU with "
-                  "CUDA_VISIBLE_DEVICES or --cuda-device",
+                  "CUDA_VISIBLE_DEVICES, --cuda-device or --gl-device",
                   a.name, a.device, a.uuid, b.name, b.device, b.uuid));
 }
 

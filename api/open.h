@@ -3,7 +3,6 @@
 #pragma once
 
 #include "common/backend/backend.h"
-#include "common/backend/shared_drawing.h"
 
 namespace spherepair {
 
@@ -15,9 +14,5 @@ std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions
 
 // Throws BackendError when two backends sit on different GPUs.
 void check_same_gpu(const Backend& left, const Backend& right);
-
-// For a backend `cuda` that holds a scene; it must not upload another while this lives. Throws BackendError with the
-// reason: this build or machine lacks one of the two, or they are on different devices.
-std::unique_ptr<SharedDrawing> open_shared_drawing(Backend& cuda, const OpenOptions& options = {});
 
 }  // namespace spherepair

@@ -13,33 +13,39 @@ template <auto value>
 using Constant = std::integral_constant<decltype(value), value>;
 
 // Calls pick(block, equal_radii, listed) with all three as constants.
-template <typename Equal, typename Listed, typename Pick>
-Entry pick_block(uint block, Equal equal_radii, Listed listed, Pick pick) {
-  switch (block) {
-    case 32:
-      return pick(Constant<32>{}, equal_radii, listed);
-    case 64:
-      return pick(Constant<64>{}, equal_radii, listed);
-    case 128:
-      return pick(Constant<128>{}, equal_radii, listed);
-    case 256:
-      return pick(Constant<256>{}, equal_radii, listed);
-    case 512:
-      return pick(Constant<512>{}, equal_radii, listed);
-    case 1024:
-      return pick(Constant<1024>{}, equal_radii, listed);
-  }
-  return nullptr;
-}
-template <typename Equal, typename Pick>
-Entry pick_listed(uint block, Equal equal_radii, bool listed, Pick pick) {
-  return listed ? pick_block(block, equal_radii, Constant<true>{}, pick)
-                : pick_block(block, equal_radii, Constant<false>{}, pick);
+template <int block, typename Pick>
+Entry pick_variant(Variant variant, Pick pick) {
+  constexpr Constant<block> size;
+  constexpr Constant<true> yes;
+  constexpr Constant<false> no;
+  if (variant.equal_radii) return variant.listed ? pick(size, yes, yes) : pick(size, yes, no);
+  return variant.listed ? pick(size, no, yes) : pick(size, no, no);
 }
 template <typename Pick>
 Entry pick_kernel(uint block, Variant variant, Pick pick) {
-  return variant.equal_radii ? pick_listed(block, Constant<true>{}, variant.listed, pick)
-                             : pick_listed(block, Constant<false>{}, variant.listed, pick);
+  switch (block) {
+    case 32:
+      return pick_variant<32>(variant, pick);
+    case 64:
+      return pick_variant<64>(variant, pick);
+    case 128:
+      return pick_variant<128>(variant, pick);
+    case 256:
+      return pick_variant<256>(variant, pick);
+    case 512:
+      return pick_variant<512>(variant, pick);
+    case 1024:
+      return pick_variant<1024>(variant, pick);
+  }
+  return nullptr;
+}
+
+// The same with groups that are smaller than a warp.
+template <typename Pick>
+Entry pick_small_kernel(uint block, Variant variant, Pick pick) {
+  if (block == 8) return pick_variant<8>(variant, pick);
+  if (block == 16) return pick_variant<16>(variant, pick);
+  return pick_kernel(block, variant, pick);
 }
 // until here
 

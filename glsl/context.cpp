@@ -5,7 +5,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <set>
+
+#include "common/backend/device_name.h"
+#include "common/backend/window_context.h"
 
 namespace spherepair {
 namespace {
@@ -44,6 +48,23 @@ bool renders_in_software() {
   return renderer.find("llvmpipe") != std::string::npos || renderer.find("softpipe") != std::string::npos;
 }
 
+// NVIDIA's driver numbers its devices as CUDA does; others come last.
+EGLAttrib cuda_number(EGLDeviceEXT device) {
+  const auto query = egl_function<PFNEGLQUERYDEVICEATTRIBEXTPROC>("eglQueryDeviceAttribEXT");
+  EGLAttrib number = 0;
+  return query(device, EGL_CUDA_DEVICE_NV, &number) ? number : std::numeric_limits<EGLAttrib>::max();
+}
+
+std::vector<EGLDeviceEXT> egl_devices_in_order() {
+  std::vector<EGLDeviceEXT> devices = egl_devices();
+  std::ranges::stable_sort(devices, {}, [](EGLDeviceEXT device) {
+    return std::pair(is_software(device), is_software(device) ? 0 : cuda_number(device));
+  });
+  return devices;
+}
+
+const Context* current_context = nullptr;
+
 // Contexts that the driver has reset. It says so once, and what is read from them afterwards is wrong. Lives as long as
 // the process, since contexts may end with it.
 std::set<EGLContext>& lost_contexts() {
@@ -53,23 +74,46 @@ std::set<EGLContext>& lost_contexts() {
 
 }  // namespace
 
-Context::Context(const OpenOptions& options) {
-  std::vector<EGLDeviceEXT> devices = egl_devices();
-  std::stable_partition(devices.begin(), devices.end(), [](EGLDeviceEXT device) { return !is_software(device); });
-  for (EGLDeviceEXT device : devices) {
+Context::Context(const OpenOptions& options) : window_(options.window) {
+  window_ ? make_current() : open_on_a_device(options);
+  software_ = renders_in_software();
+  if (window_ && software_ && options.require_hardware)
+    throw BackendError("glsl: hardware was requested, but the window is drawn in software");
+}
+
+void Context::open_on_a_device(const OpenOptions& options) {
+  const DeviceName wanted(options.gl_device);
+  uint number = 0;
+  std::string found, software;
+  for (EGLDeviceEXT device : egl_devices_in_order()) {
     if (!options.allow_gpu && !is_software(device)) continue;
     if (!open_on(device)) continue;
     software_ = renders_in_software();
-    if (!software_ || !options.require_hardware) return;
+    const std::string renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER)), uuid = device_uuid();
+    const bool named = wanted.number ? number == *wanted.number : wanted.uuid == uuid;
+    if ((wanted.empty() || named) && !(software_ && options.require_hardware)) return;
+    if (software_) software = renderer;
+    found += fmt::format("{}{}: {} {}", number ? ", " : "", number, renderer, uuid);
+    ++number;
+    close();
   }
-  if (context_ != EGL_NO_CONTEXT) {
+  if (!wanted.empty() && !found.empty())
+    throw BackendError(fmt::format("glsl: there is no OpenGL device {}; there are {}", options.gl_device, found));
+  if (!software.empty())
     throw BackendError(
         fmt::format("glsl: hardware was requested, but the renderer is {}; check that the vendor's EGL file is in "
                     "/usr/share/glvnd/egl_vendor.d",
-                    reinterpret_cast<const char*>(glGetString(GL_RENDERER))));
-  }
-  throw BackendError(fmt::format("glsl: none of the {} EGL devices gives an OpenGL 4.5 core context; update the driver",
-                                 devices.size()));
+                    software));
+  throw BackendError("glsl: no EGL device gives an OpenGL 4.5 core context; update the driver");
+}
+
+void Context::close() {
+  if (current_context == this) current_context = nullptr;
+  if (context_ == EGL_NO_CONTEXT) return;
+  lost_contexts().erase(context_);
+  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglDestroyContext(display_, context_);
+  context_ = EGL_NO_CONTEXT;
 }
 
 bool Context::open_on(EGLDeviceEXT device) {
@@ -94,28 +138,37 @@ bool Context::open_on(EGLDeviceEXT device) {
                                EGL_NONE};
   const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
   if (context == EGL_NO_CONTEXT) return false;
-  if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
   display_ = display;
   context_ = context;
   make_current();
   return true;
 }
 
-Context::~Context() {
-  if (context_ == EGL_NO_CONTEXT) return;
-  lost_contexts().erase(context_);
-  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-  eglDestroyContext(display_, context_);
-}
+Context::~Context() { close(); }
 
 bool Context::try_make_current() const {
-  return eglGetCurrentContext() == context_ || eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
+  if (window_) window_->make_current();
+  const bool current = window_ || eglGetCurrentContext() == context_ ||
+                       eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
+  current_context = current ? this : nullptr;
+  return current;
 }
+
+bool context_is_current() { return current_context != nullptr; }
 
 void Context::make_current() const {
   if (!try_make_current()) {
     throw BackendError(fmt::format("glsl: eglMakeCurrent failed with error 0x{:x}", eglGetError()));
   }
+}
+
+std::string device_uuid() {
+  if (renders_in_software() || !epoxy_has_gl_extension("GL_EXT_memory_object")) return {};
+  GLubyte bytes[GL_UUID_SIZE_EXT] = {};
+  glGetUnsignedBytei_vEXT(GL_DEVICE_UUID_EXT, 0, bytes);
+  std::string uuid;
+  for (const GLubyte byte : bytes) uuid += fmt::format("{:02x}", byte);
+  return uuid;
 }
 
 void gl_check(const std::string& what) {

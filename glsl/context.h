@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A headless OpenGL 4.5 core context through EGL. The display is the process's; the context belongs to this object.
+// An OpenGL 4.5 core context: a headless one through EGL, which belongs to this object, or a window's.
 #pragma once
 
 #include <epoxy/egl.h>
@@ -11,7 +11,8 @@ namespace spherepair {
 
 class Context {
  public:
-  // Takes the first EGL device that gives GL 4.5, hardware before software.
+  // Takes the GPU that options.gl_device names, else the first: EGL's devices that give GL 4.5, hardware before
+  // software, GPUs in CUDA's order where the driver tells it.
   explicit Context(const OpenOptions& options);
   ~Context();
   Context(const Context&) = delete;
@@ -20,14 +21,24 @@ class Context {
   void make_current() const;
   bool try_make_current() const;  // false when the context is lost
   bool software() const { return software_; }
+  bool of_window() const { return window_ != nullptr; }
 
  private:
+  void open_on_a_device(const OpenOptions& options);
   bool open_on(EGLDeviceEXT device);
+  void close();
 
+  WindowContext* window_ = nullptr;
   EGLDisplay display_ = EGL_NO_DISPLAY;
   EGLContext context_ = EGL_NO_CONTEXT;
   bool software_ = false;
 };
+
+// Whether a context is current: else it was lost, and what was in it went with it.
+bool context_is_current();
+
+// Of the current context's GPU, 32 hex digits; empty for software.
+std::string device_uuid();
 
 // Throws BackendError with the name of GL's pending error, if there is one.
 void gl_check(const std::string& what);

@@ -6,19 +6,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
+
+#include "glsl/context.h"
 
 namespace spherepair {
 namespace {
 
 std::string gl_string(GLenum name) { return reinterpret_cast<const char*>(glGetString(name)); }
-
-std::string device_uuid() {
-  GLubyte bytes[GL_UUID_SIZE_EXT] = {};
-  glGetUnsignedBytei_vEXT(GL_DEVICE_UUID_EXT, 0, bytes);
-  std::string uuid;
-  for (const GLubyte byte : bytes) uuid += fmt::format("{:02x}", byte);
-  return uuid;
-}
 
 int gl_integer(GLenum name) {
   GLint value = 0;
@@ -57,6 +52,12 @@ std::string out_of_memory(uint64_t bytes_asked) {
   return fmt::format("glsl: out of memory: {} bytes asked, {}; use fewer spheres or no pair list", bytes_asked, free);
 }
 
+std::string storage_in_words(const DeviceLimits& limits) {
+  if (!limits.large_pages) return "plain storage";
+  if (DriverMemory::present()) return "memory of the driver, imported, from 2 MiB on";
+  return limits.sparse ? "sparse storage, committed whole, from 2 MiB on" : "plain storage";
+}
+
 }  // namespace
 
 DeviceLimits device_limits(const OpenOptions& options) {
@@ -67,24 +68,32 @@ DeviceLimits device_limits(const OpenOptions& options) {
   return {.largest_binding = uint64_t(binding),
           .largest_texture = std::min(texels, options.texels),
           .features = {epoxy_has_gl_extension("GL_NV_shader_atomic_int64"), options.subgroups && has_subgroups()},
-          .sparse = options.sparse_buffers && epoxy_has_gl_extension("GL_ARB_sparse_buffer")};
+          .sparse = epoxy_has_gl_extension("GL_ARB_sparse_buffer"),
+          .large_pages = options.large_pages};
 }
 
-unsigned new_buffer(uint64_t bytes, const DeviceLimits& limits) {
-  GLuint buffer = 0;
-  glCreateBuffers(1, &buffer);
-  // Sparse storage comes in large pages; plain buffers of some drivers in small ones, slow under random access. What
-  // is smaller than a large page has no use for one, and drivers have few addresses for so many.
+// Plain buffers have pages of 4 KiB in NVIDIA's driver, slow under random access. What is smaller than a large page has
+// no use for one. Opening the driver's memory takes a tenth of a second, which is spent when the first buffer needs it.
+BufferStorage BufferMemory::allocate(uint64_t bytes) {
   constexpr uint64_t large_page = 2 << 20;
-  const GLbitfield sparse = limits.sparse && bytes >= large_page ? GL_SPARSE_STORAGE_BIT_ARB : 0;
-  glNamedBufferStorage(buffer, GLsizeiptr(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT | sparse);
+  const bool large = limits_.large_pages && bytes >= large_page;
+  if (large && !std::exchange(opened_, true)) driver_ = DriverMemory::open();
+  if (large && driver_) {
+    if (const auto storage = driver_->allocate(bytes)) return *storage;
+    if (driver_->full()) throw BackendError(out_of_memory(bytes));
+    driver_.reset();  // it cannot be shared here
+  }
+  BufferStorage storage;
+  glCreateBuffers(1, &storage.buffer);
+  const GLbitfield sparse = large && limits_.sparse ? GL_SPARSE_STORAGE_BIT_ARB : 0;
+  glNamedBufferStorage(storage.buffer, GLsizeiptr(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT | sparse);
   if (sparse) {
-    glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, storage.buffer);
     glBufferPageCommitmentARB(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(bytes), GL_TRUE);
     glFinish();  // given work while gigabytes wait to be committed, a driver that serves CUDA too resets the context
   }
-  if (glGetError() == GL_NO_ERROR) return buffer;
-  glDeleteBuffers(1, &buffer);
+  if (glGetError() == GL_NO_ERROR) return storage;
+  delete_storage(storage);
   throw BackendError(out_of_memory(bytes));
 }
 
@@ -99,7 +108,7 @@ BackendInfo describe_device(bool software, const DeviceLimits& limits) {
   info.device = gl_string(GL_RENDERER);
   info.software = software;
   info.device_timers = !software;  // a software renderer's timers stop before its work does
-  if (!software && epoxy_has_gl_extension("GL_EXT_memory_object")) info.uuid = device_uuid();
+  info.uuid = device_uuid();
   info.details = {{"GL_RENDERER", gl_string(GL_RENDERER)},
                   {"GL_VENDOR", gl_string(GL_VENDOR)},
                   {"GL_VERSION", gl_string(GL_VERSION)},
@@ -109,7 +118,7 @@ BackendInfo describe_device(bool software, const DeviceLimits& limits) {
                   {"shared memory bytes", std::to_string(gl_integer(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE))},
                   {"64-bit atomics", limits.features.atomics_64 ? "yes" : "no: drawing takes two passes"},
                   {"subgroups", limits.features.subgroups ? "yes" : "no: sums go through shared memory"},
-                  {"buffers", limits.sparse ? "sparse storage, committed whole, from 2 MiB on" : "plain storage"}};
+                  {"buffers", storage_in_words(limits)}};
   if (software && std::filesystem::exists("/dev/nvidiactl"))
     info.details["warning"] = "a GPU is present, but OpenGL runs in software";
   return info;

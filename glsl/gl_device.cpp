@@ -4,20 +4,22 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <utility>
 
 #include "common/backend/checks.h"
 #include "glsl/buffer_texture.h"
 #include "glsl/context.h"
 #include "glsl/device_limits.h"
-#include "glsl/gl_renderer.h"
+#include "glsl/gl_pipeline.h"
 #include "glsl/program.h"
 #include "glsl/stage_timer.h"
+#include "glsl/staging.h"
 #include "glsl/table_windows.h"
 
 namespace spherepair {
 namespace {
 
-class GlDevice final : public Device, private GraphicsPipeline {
+class GlDevice final : public Device {
  public:
   explicit GlDevice(const OpenOptions& options);
   ~GlDevice() override;
@@ -42,12 +44,9 @@ class GlDevice final : public Device, private GraphicsPipeline {
     context_.make_current();
     return compile_times(limits_.features);
   }
-  GraphicsPipeline* pipeline() override { return this; }
+  GraphicsPipeline* pipeline() override { return &pipeline_; }
 
  private:
-  void draw_spheres(DrawMethod method, const View& view, uint spheres) override;
-  std::vector<uint> read_image() override;
-
   void set_params(const Params& params);
   void bind(const Launch& launch);
   GLbitfield barriers(const Launch& launch) const;
@@ -58,21 +57,26 @@ class GlDevice final : public Device, private GraphicsPipeline {
   DeviceLimits limits_;
   BackendInfo info_;
   DeviceCapabilities capabilities_;
-  std::array<GLuint, SLOT_TOTAL> buffers_{}, bound_{};  // and which of them kernels see now
+  BufferMemory memory_{limits_};
+  std::array<BufferStorage, SLOT_TOTAL> storage_{};
+  std::array<GLuint, SLOT_TOTAL> buffers_{}, bound_{};  // of the storage, and which of them kernels see now
+  Staging staging_;
   BufferTextures textures_;
   GLuint params_buffer_ = 0;
   std::optional<Params> params_on_device_;
   bool batched_ = true;
   std::optional<Kernel> last_;  // that was launched, with nothing else behind it
   Programs programs_;
-  std::unique_ptr<GlRenderer> renderer_;
   StageTimer timer_;
+  GlPipeline pipeline_{context_, buffers_, timer_};
+  uint64_t draws_seen_ = 0;  // by renderers, which bind buffers of their own
 };
 
 GlDevice::GlDevice(const OpenOptions& options) : context_(options) {
   context_.make_current();
   limits_ = device_limits(options);
   info_ = describe_device(context_.software(), limits_);
+  staging_.turn(!info_.software);
   capabilities_ = {.largest_buffer = limits_.largest_binding,
                    .atomics_64 = limits_.features.atomics_64,
                    .overlaps_images = true,
@@ -85,9 +89,10 @@ GlDevice::GlDevice(const OpenOptions& options) : context_(options) {
 
 GlDevice::~GlDevice() {
   if (!context_.try_make_current()) return;  // a lost context took everything with it
-  renderer_.reset();
+  pipeline_.forget();
   timer_.forget();
-  glDeleteBuffers(GLsizei(buffers_.size()), buffers_.data());
+  staging_.forget();
+  for (BufferStorage& storage : storage_) delete_storage(storage);
   glDeleteBuffers(1, &params_buffer_);
   textures_.forget();
 }
@@ -96,9 +101,10 @@ void GlDevice::allocate(uint slot, uint64_t bytes) {
   context_.make_current();
   bound_ = {};  // a new buffer may get the name of the one deleted
   textures_.forget();
-  glDeleteBuffers(1, &buffers_[slot]);
   buffers_[slot] = 0;
-  buffers_[slot] = new_buffer(bytes, limits_);
+  delete_storage(storage_[slot]);
+  storage_[slot] = memory_.allocate(bytes);
+  buffers_[slot] = storage_[slot].buffer;
 }
 
 void GlDevice::write(uint slot, const void* data, uint64_t offset, uint64_t bytes) {
@@ -106,7 +112,7 @@ void GlDevice::write(uint slot, const void* data, uint64_t offset, uint64_t byte
   context_.make_current();
   last_.reset();
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glNamedBufferSubData(buffers_[slot], GLintptr(offset), GLsizeiptr(bytes), data);
+  staging_.write(buffers_[slot], data, offset, bytes);
   gl_check(fmt::format("writing {} bytes", bytes));
 }
 
@@ -114,7 +120,7 @@ void GlDevice::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
   if (bytes == 0) return;
   context_.make_current();
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glGetNamedBufferSubData(buffers_[slot], GLintptr(offset), GLsizeiptr(bytes), data);
+  staging_.read(buffers_[slot], data, offset, bytes);
   gl_check(fmt::format("reading {} bytes", bytes));
 }
 
@@ -187,6 +193,7 @@ void GlDevice::dispatch(const Launch& launch) {
 // GL keeps an error until it is requested, so dispatches are checked where their results are waited for.
 void GlDevice::launch(const Launch& launch, const Params& params) {
   context_.make_current();
+  if (std::exchange(draws_seen_, GlRenderer::draws()) != GlRenderer::draws()) bound_ = {}, last_.reset();
   const TableWindows windows(params, limits_.largest_texture);
   Variant variant = launch.variant;
   variant.windows = launch.kernel == Kernel::collide_grid && variant.texture_table && windows.count() > 1;
@@ -205,21 +212,6 @@ void GlDevice::launch(const Launch& launch, const Params& params) {
   });
   last_ = launch.kernel;
   if (!batched_) wait(), ++work.waits;
-}
-
-void GlDevice::draw_spheres(DrawMethod method, const View& view, uint spheres) {
-  context_.make_current();
-  last_.reset();
-  if (!renderer_) renderer_ = std::make_unique<GlRenderer>();
-  bound_ = {};  // the renderer binds its own
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  timer_.time(draw_method_name(method),
-              [&] { renderer_->draw(method, view, buffers_[SLOT_POSITION], buffers_[SLOT_COUNT], spheres); });
-}
-
-std::vector<uint> GlDevice::read_image() {
-  context_.make_current();
-  return renderer_->image();
 }
 
 void GlDevice::wait() {

@@ -3,13 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "common/scene/sphere_mesh.h"
 #include "glsl/context.h"
 
 namespace spherepair {
 namespace {
-
-constexpr GLsizei corners_of_mesh = 240;
 
 const char* shaders_of(DrawMethod method) {
   if (method == DrawMethod::points) return "points";
@@ -39,28 +36,30 @@ void set_state(const View& view, GLuint frame) {
 }  // namespace
 
 GlRenderer::GlRenderer() {
-  make_mesh();
+  icosphere_ = make_mesh(sphere_mesh());
+  quadric_ = make_mesh(quadric_mesh());
+  glCreateVertexArrays(1, &vertices_);
+  glEnableVertexArrayAttrib(vertices_, 0);
+  glVertexArrayAttribFormat(vertices_, 0, 3, GL_FLOAT, GL_FALSE, 0);
+  glVertexArrayAttribBinding(vertices_, 0, 0);
   glCreateFramebuffers(1, &frame_);
   gl_check("making the renderer");
 }
 
 GlRenderer::~GlRenderer() {
-  if (eglGetCurrentContext() == EGL_NO_CONTEXT) return;  // a lost context took everything with it
-  glDeleteBuffers(1, &corners_);
+  if (!context_is_current()) return;  // a lost context took everything with it
+  for (const Mesh& mesh : {icosphere_, quadric_}) glDeleteBuffers(1, &mesh.corners);
   for (GLuint image : {colour_, depth_}) glDeleteRenderbuffers(1, &image);
   glDeleteVertexArrays(1, &vertices_);
   glDeleteFramebuffers(1, &frame_);
 }
 
-void GlRenderer::make_mesh() {
-  const std::vector<Corner> corners = sphere_mesh().unindexed();
-  glCreateBuffers(1, &corners_);
-  glNamedBufferStorage(corners_, GLsizeiptr(corners.size() * sizeof(Corner)), corners.data(), 0);
-  glCreateVertexArrays(1, &vertices_);
-  glVertexArrayVertexBuffer(vertices_, 0, corners_, 0, sizeof(Corner));
-  glEnableVertexArrayAttrib(vertices_, 0);
-  glVertexArrayAttribFormat(vertices_, 0, 3, GL_FLOAT, GL_FALSE, 0);
-  glVertexArrayAttribBinding(vertices_, 0, 0);
+GlRenderer::Mesh GlRenderer::make_mesh(const SphereMesh& sphere) {
+  const std::vector<Corner> corners = sphere.unindexed();
+  Mesh mesh{0, GLsizei(corners.size())};
+  glCreateBuffers(1, &mesh.corners);
+  glNamedBufferStorage(mesh.corners, GLsizeiptr(corners.size() * sizeof(Corner)), corners.data(), 0);
+  return mesh;
 }
 
 void GlRenderer::make_image(uint width, uint height) {
@@ -86,6 +85,7 @@ const Program& GlRenderer::program(DrawMethod method) {
 }
 
 void GlRenderer::draw(DrawMethod method, const View& view, GLuint positions, GLuint counts, uint n) {
+  ++draws_;
   if (n > most_in_one_draw(method))
     throw BackendError(
         fmt::format("glsl: {} draws at most {} spheres", draw_method_name(method), most_in_one_draw(method)));
@@ -96,19 +96,34 @@ void GlRenderer::draw(DrawMethod method, const View& view, GLuint positions, GLu
   glBindVertexArray(vertices_);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SLOT_POSITION, positions);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SLOT_COUNT, counts);
-  if (method == DrawMethod::mesh_each) {
+  const Mesh& mesh = method == DrawMethod::quadric ? quadric_ : icosphere_;
+  glVertexArrayVertexBuffer(vertices_, 0, mesh.corners, 0, sizeof(Corner));
+  if (method == DrawMethod::mesh_each || method == DrawMethod::quadric) {
     for (uint i = 0; i < n; ++i) {
       glUniform1ui(0, i);
-      glDrawArrays(GL_TRIANGLES, 0, corners_of_mesh);
+      glDrawArrays(GL_TRIANGLES, 0, mesh.size);
     }
   } else if (method == DrawMethod::mesh) {
     glUniform1ui(0, 0);
-    glDrawArraysInstanced(GL_TRIANGLES, 0, corners_of_mesh, GLsizei(n));
+    glDrawArraysInstanced(GL_TRIANGLES, 0, mesh.size, GLsizei(n));
   } else if (method == DrawMethod::points) {
     glDrawArrays(GL_POINTS, 0, GLsizei(n));
   } else {
     glDrawArrays(GL_TRIANGLES, 0, GLsizei(6 * n));
   }
+}
+
+void GlRenderer::copy_to(GLuint texture) const {
+  glCopyImageSubData(colour_, GL_RENDERBUFFER, 0, 0, 0, 0, texture, GL_TEXTURE_2D, 0, 0, 0, 0, GLsizei(width_),
+                     GLsizei(height_), 1);
+  gl_check("copying an image to the window");
+}
+
+void texture_from_buffer(GLuint texture, uvec2 size, GLuint buffer) {
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
+  glTextureSubImage2D(texture, 0, 0, 0, GLsizei(size.x), GLsizei(size.y), GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+  gl_check("copying an image to the window");
 }
 
 std::vector<uint> GlRenderer::image() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Spheres through the graphics pipeline: the paper's mesh, once with a draw a sphere and once instanced; points;
+// Spheres through the graphics pipeline: the paper's mesh, with a draw a sphere or instanced; GLUT's sphere; points;
 // impostors. It reads positions and contacts from the buffers that it is given: the simulation's own.
 #pragma once
 
@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "common/backend/backend.h"
+#include "common/scene/sphere_mesh.h"
 #include "glsl/program.h"
 
 namespace spherepair {
@@ -20,17 +21,30 @@ class GlRenderer {
 
   // positions: vec4[n], counts: uint[n].
   void draw(DrawMethod method, const View& view, GLuint positions, GLuint counts, uint n);
-  std::vector<uint> image();  // of the last draw
+  std::vector<uint> image();           // of the last draw
+  void copy_to(GLuint texture) const;  // the same, of its size
+
+  // By all renderers: each binds buffers of its own.
+  static uint64_t draws() { return draws_; }
 
  private:
-  void make_mesh();
+  struct Mesh {
+    GLuint corners = 0;  // buffer
+    GLsizei size = 0;    // vertices
+  };
+  static Mesh make_mesh(const SphereMesh& sphere);
   void make_image(uint width, uint height);
   const Program& program(DrawMethod method);
 
   std::map<std::string, std::unique_ptr<Program>> programs_;
-  GLuint vertices_ = 0, corners_ = 0;  // vertex array; buffer of the mesh
+  Mesh icosphere_, quadric_;
+  GLuint vertices_ = 0;  // vertex array
   GLuint frame_ = 0, colour_ = 0, depth_ = 0;
   uint width_ = 0, height_ = 0;
+  inline static uint64_t draws_ = 0;
 };
+
+// Copies pixels, row by row from the top, into a texture of this size.
+void texture_from_buffer(GLuint texture, uvec2 size, GLuint buffer);
 
 }  // namespace spherepair

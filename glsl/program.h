@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
 #include <map>
@@ -13,6 +12,7 @@
 #include "common/backend/backend.h"
 #include "common/device/variant.h"
 #include "common/shared/view.h"
+#include "glsl/context.h"
 
 namespace spherepair {
 
@@ -29,7 +29,7 @@ class Program {
   Program(const std::string& kernel, unsigned block, const Variant& variant, Features features);
   explicit Program(const std::string& stem);  // STEM.vert and STEM.frag: a program of the graphics pipeline
   ~Program() {
-    if (eglGetCurrentContext() != EGL_NO_CONTEXT) glDeleteProgram(id_);
+    if (context_is_current()) glDeleteProgram(id_);
   }
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;

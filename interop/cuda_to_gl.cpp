@@ -8,12 +8,8 @@
 #include <algorithm>
 #include <array>
 
-#include "common/scene/camera.h"
-#include "common/simulation/simulation.h"
 #include "cuda/host/check.h"
-#include "cuda/host/cuda_device.h"
-#include "glsl/context.h"
-#include "glsl/gl_renderer.h"
+#include "glsl/gl_drawing.h"
 #include "interop/interop.h"
 #include "interop/shared_memory.h"
 
@@ -36,31 +32,22 @@ void require_same_device() {
       reinterpret_cast<const char*>(glGetString(GL_RENDERER)), current));
 }
 
-Simulation& cuda_simulation(Backend& backend) {
-  if (auto* simulation = dynamic_cast<Simulation*>(&backend)) return *simulation;
-  throw BackendError(
-      fmt::format("{} is not the CUDA backend: only CUDA's spheres are transferred to OpenGL", backend.info().name));
-}
-
-// Memory of a buffer of the CUDA device.
-struct DeviceMemoryView {
-  void* data;
-  uint64_t bytes;
-};
-DeviceMemoryView shared(Simulation& cuda, uint slot, uint64_t bytes_per_sphere) {
-  cuda.prepare_to_share();
-  return {cuda_memory(cuda.device(), slot), cuda.spheres() * bytes_per_sphere};
+void copy_on_device(void* target, const void* source, uint64_t bytes) {
+  cuda_check(cudaMemcpyAsync(target, source, bytes, cudaMemcpyDeviceToDevice, nullptr), "copying what is transferred");
 }
 
 // Host memory that the device reaches directly.
 struct PinnedMemory {
-  explicit PinnedMemory(uint64_t bytes) { cuda_check(cudaMallocHost(&data, bytes), "allocating pinned memory"); }
+  explicit PinnedMemory(uint64_t bytes) : bytes(bytes) {
+    cuda_check(cudaMallocHost(&data, bytes), "allocating pinned memory");
+  }
   ~PinnedMemory() { cudaFreeHost(data); }
+  uint64_t bytes;
   void* data = nullptr;
 };
 
 struct RegisteredBuffer {
-  RegisteredBuffer(GLuint buffer) {
+  explicit RegisteredBuffer(GLuint buffer) {
     cuda_check(cudaGraphicsGLRegisterBuffer(&resource, buffer, cudaGraphicsRegisterFlagsWriteDiscard),
                "registering a buffer of OpenGL's");
   }
@@ -68,127 +55,119 @@ struct RegisteredBuffer {
   cudaGraphicsResource_t resource = nullptr;
 };
 
-// One of the two arrays that are transferred.
-struct Channel {
-  explicit Channel(DeviceMemoryView source) : source(source) {
-    glCreateBuffers(1, &buffer);
-    glNamedBufferStorage(buffer, GLsizeiptr(source.bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    gl_check("making a buffer to share");
+// OpenGL's buffers, mapped for CUDA as long as this lives.
+struct Mapping {
+  explicit Mapping(std::array<cudaGraphicsResource_t, 2>& resources) : resources(resources) {
+    cuda_check(cudaGraphicsMapResources(2, resources.data(), nullptr), "mapping OpenGL's buffers");
   }
-  ~Channel() {
-    registered.reset();
-    imported.reset();
-    if (eglGetCurrentContext() != EGL_NO_CONTEXT) glDeleteBuffers(1, &buffer);  // else it went with a lost context
-  }
-  Channel(const Channel&) = delete;
-
-  DeviceMemoryView source;
-  GLuint buffer = 0;
-  std::unique_ptr<PinnedMemory> pinned;
-  std::unique_ptr<RegisteredBuffer> registered;
-  std::unique_ptr<SharedMemory> imported;
+  ~Mapping() { cudaGraphicsUnmapResources(2, resources.data(), nullptr); }
+  Mapping(const Mapping&) = delete;
+  std::array<cudaGraphicsResource_t, 2>& resources;
 };
 
-class CudaToGl final : public SharedDrawing {
+class CudaToGl final : public GlDrawing {
  public:
-  CudaToGl(Simulation& cuda, const OpenOptions& options)
-      : cuda_(cuda),
-        context_(options),
-        spheres_(shared(cuda, SLOT_POSITION, sizeof(vec4))),
-        contacts_(shared(cuda, SLOT_COUNT, sizeof(uint))) {
-    require_same_device();
-    renderer_ = std::make_unique<GlRenderer>();
-  }
+  explicit CudaToGl(const OpenOptions& options) : GlDrawing(options) { require_same_device(); }
   ~CudaToGl() override {
-    if (!context_.try_make_current()) return;
-    renderer_.reset();
+    if (try_make_current()) forget(), image_.reset();
   }
 
-  void transfer(Transfer way) override {
-    context_.make_current();
-    cuda_.prepare_to_share();
-    way_ = way;
-    if (way == Transfer::host) return through_host();
-    if (way == Transfer::registered) return through_mapping();
-    for (Channel* channel : channels())
-      if (!channel->imported) channel->imported = std::make_unique<SharedMemory>(channel->source.bytes);
+  void transfer(const SphereArrays& spheres, std::optional<Transfer> way) override {
+    make_current();
+    if (spheres.size != size_) forget();
+    size_ = spheres.size;
+    if (size_ == 0) return through_host(nullptr, nullptr, 0);
+    if (way) return transfer_by(*way, spheres);
+    while (true) {
+      try {
+        return transfer_by(fastest_, spheres);
+      } catch (const BackendError&) {
+        if (fastest_ == Transfer::host) throw;
+        fastest_ = fastest_ == Transfer::imported ? Transfer::registered : Transfer::host;
+      }
+    }
+  }
+
+  // Through memory that both APIs share.
+  bool show_pixels(const uint* pixels, uvec2 size, uint texture) override {
+    if (!of_window()) return false;
+    make_current();
+    const uint64_t bytes = uint64_t(size.x) * size.y * sizeof(uint);
+    if (!image_ || image_->bytes() < bytes) image_ = std::make_unique<SharedMemory>(bytes);
     glFinish();  // the last image still reads what is written next
-    for (Channel* channel : channels()) copy_on_device(channel->imported->address(), *channel);
-    cuda_check(cudaStreamSynchronize(nullptr), "waiting for what is transferred");
-  }
-
-  void draw(DrawMethod method, const View& view) override {
-    context_.make_current();
-    check_view(view);
-    renderer_->draw(method, view, source_of(spheres_), source_of(contacts_),
-                    uint(spheres_.source.bytes / sizeof(vec4)));
-  }
-
-  std::vector<uint> image() override {
-    context_.make_current();
-    return renderer_->image();
-  }
-
-  void finish() override {
-    context_.make_current();
-    glFinish();
-    gl_check("drawing what CUDA transferred");
-    cuda_.finish();
+    copy_on_device(image_->address(), pixels, bytes);
+    cuda_check(cudaStreamSynchronize(nullptr), "waiting for the image");
+    texture_from_buffer(texture, size, image_->buffer());
+    return true;
   }
 
  private:
-  std::array<Channel*, 2> channels() { return {&spheres_, &contacts_}; }
-  GLuint source_of(const Channel& channel) const {
-    return way_ == Transfer::imported ? channel.imported->buffer() : channel.buffer;
-  }
-  static void copy_on_device(void* target, const Channel& channel) {
-    cuda_check(cudaMemcpyAsync(target, channel.source.data, channel.source.bytes, cudaMemcpyDeviceToDevice, nullptr),
-               "copying what is transferred");
+  struct Array {
+    const void* source;
+    uint64_t bytes;
+  };
+  static std::array<Array, 2> arrays(const SphereArrays& spheres) {
+    return {Array{spheres.positions, spheres.size * sizeof(vec4)}, {spheres.counts, spheres.size * sizeof(uint)}};
   }
 
-  void through_host() {
-    for (Channel* channel : channels()) {
-      const uint64_t bytes = channel->source.bytes;
-      if (!channel->pinned) channel->pinned = std::make_unique<PinnedMemory>(bytes);
-      cuda_check(cudaMemcpy(channel->pinned->data, channel->source.data, bytes, cudaMemcpyDeviceToHost),
+  void forget() {
+    for (int k = 0; k < 2; ++k) registered_[k].reset(), imported_[k].reset(), pinned_[k].reset();
+  }
+
+  void transfer_by(Transfer way, const SphereArrays& spheres) {
+    if (way == Transfer::host) return through_pinned(spheres);
+    if (way == Transfer::registered) return through_mapping(spheres);
+    for (int k = 0; k < 2; ++k)
+      if (!imported_[k]) imported_[k] = std::make_unique<SharedMemory>(arrays(spheres)[k].bytes);
+    glFinish();  // the last image still reads what is written next
+    for (int k = 0; k < 2; ++k)
+      copy_on_device(imported_[k]->address(), arrays(spheres)[k].source, arrays(spheres)[k].bytes);
+    cuda_check(cudaStreamSynchronize(nullptr), "waiting for what is transferred");
+    set_source(imported_[0]->buffer(), imported_[1]->buffer(), Transfer::imported);
+  }
+
+  void through_pinned(const SphereArrays& spheres) {
+    for (int k = 0; k < 2; ++k) {
+      const Array array = arrays(spheres)[k];
+      if (!pinned_[k]) pinned_[k] = std::make_unique<PinnedMemory>(array.bytes);
+      cuda_check(cudaMemcpy(pinned_[k]->data, array.source, array.bytes, cudaMemcpyDeviceToHost),
                  "reading what is transferred");
-      glFinish();  // the last image has read what is written next
-      glNamedBufferSubData(channel->buffer, 0, GLsizeiptr(bytes), channel->pinned->data);
     }
-    gl_check("writing what is transferred");
+    glFinish();  // the last image has read what is written next
+    through_host(static_cast<vec4*>(pinned_[0]->data), static_cast<uint*>(pinned_[1]->data), spheres.size);
   }
 
-  void through_mapping() {
+  void through_mapping(const SphereArrays& spheres) {
+    resize(spheres.size);
     std::array<cudaGraphicsResource_t, 2> resources{};
-    for (size_t k = 0; k < 2; ++k) {
-      Channel& channel = *channels()[k];
-      if (!channel.registered) channel.registered = std::make_unique<RegisteredBuffer>(channel.buffer);
-      resources[k] = channel.registered->resource;
+    for (int k = 0; k < 2; ++k) {
+      if (!registered_[k]) registered_[k] = std::make_unique<RegisteredBuffer>(k == 0 ? positions() : counts());
+      resources[k] = registered_[k]->resource;
     }
-    cuda_check(cudaGraphicsMapResources(2, resources.data(), nullptr), "mapping OpenGL's buffers");
-    for (size_t k = 0; k < 2; ++k) {
+    const Mapping mapping(resources);
+    for (int k = 0; k < 2; ++k) {
       void* target = nullptr;
       size_t bytes = 0;
       cuda_check(cudaGraphicsResourceGetMappedPointer(&target, &bytes, resources[k]), "asking for a mapped pointer");
-      copy_on_device(target, *channels()[k]);
+      copy_on_device(target, arrays(spheres)[k].source, arrays(spheres)[k].bytes);
     }
-    cuda_check(cudaGraphicsUnmapResources(2, resources.data(), nullptr), "unmapping OpenGL's buffers");
+    set_source(positions(), counts(), Transfer::registered);
   }
 
-  // The members below need the context until they are gone.
-  Simulation& cuda_;
-  Context context_;
-  Channel spheres_, contacts_;
-  std::unique_ptr<GlRenderer> renderer_;
-  Transfer way_ = Transfer::host;
+  uint64_t size_ = 0;  // spheres of the memory below
+  std::array<std::unique_ptr<PinnedMemory>, 2> pinned_;
+  std::array<std::unique_ptr<RegisteredBuffer>, 2> registered_;
+  std::array<std::unique_ptr<SharedMemory>, 2> imported_;
+  std::unique_ptr<SharedMemory> image_;
+  Transfer fastest_ = Transfer::imported;  // of those that the driver has
 };
 
 }  // namespace
 
-std::unique_ptr<SharedDrawing> open_cuda_to_gl(Backend& cuda, const OpenOptions& options) {
+std::unique_ptr<GraphicsPipeline> open_cuda_to_gl(const OpenOptions& options) {
   OpenOptions hardware = options;
   hardware.require_hardware = true;
-  return std::make_unique<CudaToGl>(cuda_simulation(cuda), hardware);
+  return std::make_unique<CudaToGl>(hardware);
 }
 
 }  // namespace spherepair

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "common/backend/shared_drawing.h"
+#include "common/backend/graphics_pipeline.h"
 
 namespace spherepair {
 
-std::unique_ptr<SharedDrawing> open_cuda_to_gl(Backend& cuda, const OpenOptions& options);
+// OpenGL draws the spheres of the current CUDA device. options.gl_device names the same GPU. Throws BackendError where
+// OpenGL is on another one, or in software.
+std::unique_ptr<GraphicsPipeline> open_cuda_to_gl(const OpenOptions& options);
 
 }  // namespace spherepair

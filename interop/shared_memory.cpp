@@ -3,10 +3,9 @@
 
 #include <cuda.h>
 #include <cuda_runtime.h>
-#include <epoxy/egl.h>
 #include <fmt/format.h>
 
-#include "common/backend/backend.h"
+#include "glsl/context.h"
 
 namespace spherepair {
 namespace {
@@ -37,7 +36,7 @@ CUmemAllocationProp exported_memory() {
 
 }  // namespace
 
-SharedMemory::SharedMemory(uint64_t bytes) {
+SharedMemory::SharedMemory(uint64_t bytes) : SharedMemory() {
   if (!epoxy_has_gl_extension("GL_EXT_memory_object_fd"))
     throw BackendError("interop: OpenGL here has no GL_EXT_memory_object_fd; update the driver");
   allocate(bytes);
@@ -65,27 +64,18 @@ void SharedMemory::allocate(uint64_t bytes) {
   check(driver_function<decltype(&cuMemSetAccess)>("cuMemSetAccess")(address, bytes_, &access, 1), "cuMemSetAccess");
 }
 
-// OpenGL takes the descriptor over.
 void SharedMemory::import() {
   int descriptor = -1;
   check(driver_function<decltype(&cuMemExportToShareableHandle)>("cuMemExportToShareableHandle")(
             &descriptor, handle_, CU_MEM_HANDLE_TYPE_POSIX_FILE_DESCRIPTOR, 0),
         "exporting memory");
-  glCreateMemoryObjectsEXT(1, &memory_);
-  const GLint dedicated = GL_TRUE;
-  glMemoryObjectParameterivEXT(memory_, GL_DEDICATED_MEMORY_OBJECT_EXT, &dedicated);
-  glImportMemoryFdEXT(memory_, bytes_, GL_HANDLE_TYPE_OPAQUE_FD_EXT, descriptor);
-  glCreateBuffers(1, &buffer_);
-  glNamedBufferStorageMemEXT(buffer_, GLsizeiptr(bytes_), memory_, 0);
-  if (glGetError() == GL_NO_ERROR) return;
-  throw BackendError(fmt::format("interop: OpenGL could not import {} bytes of CUDA's memory", bytes_));
+  const auto storage = import_memory(bytes_, descriptor);
+  if (!storage) throw BackendError(fmt::format("interop: OpenGL could not import {} bytes of CUDA's memory", bytes_));
+  storage_ = *storage;
 }
 
 SharedMemory::~SharedMemory() {
-  if (eglGetCurrentContext() != EGL_NO_CONTEXT) {
-    glDeleteBuffers(1, &buffer_);
-    glDeleteMemoryObjectsEXT(1, &memory_);
-  }
+  if (context_is_current()) delete_storage(storage_);
   if (address_) {
     driver_function<decltype(&cuMemUnmap)>("cuMemUnmap")(address_, bytes_);
     driver_function<decltype(&cuMemAddressFree)>("cuMemAddressFree")(address_, bytes_);

@@ -6,6 +6,8 @@
 
 #include <cstdint>
 
+#include "glsl/driver_memory.h"
+
 namespace spherepair {
 
 class SharedMemory {
@@ -17,14 +19,16 @@ class SharedMemory {
   SharedMemory& operator=(const SharedMemory&) = delete;
 
   void* address() const { return reinterpret_cast<void*>(address_); }  // CUDA's
-  GLuint buffer() const { return buffer_; }
+  GLuint buffer() const { return storage_.buffer; }
+  uint64_t bytes() const { return bytes_; }
 
  private:
+  SharedMemory() = default;  // so that a constructor that fails gives back what it has
   void allocate(uint64_t bytes);
   void import();
 
   uint64_t bytes_ = 0, address_ = 0, handle_ = 0;
-  GLuint memory_ = 0, buffer_ = 0;
+  BufferStorage storage_;
 };
 
 }  // namespace spherepair

@@ -17,6 +17,7 @@ STAGES = {"settle": "resolve_undecided", "place": "evaluate_positions", "draw_co
 KEYS_WITHIN = {"device_stages_ms": STAGES, "device_stages_interval_ms": STAGES, "compile_ms": STAGES,
                "contacts": {"way": "distance"}}  # enclosing key -> names of the keys within
 VALUES = {"table": {"skips": "ablation", "ceilings": "peak_rates"}, "work": {"move and place": "move and evaluate"},
+          "skip": {"sparse_buffers": "large_pages"},
           "kernel": STAGES}  # key -> names of its values
 LABELS = {" ceiling ": " peak ", "move and place": "move and evaluate"}  # parts of labels
 

@@ -8,13 +8,15 @@
 #include "bench/cli/ablate.h"
 #include "bench/cli/commands.h"
 #include "bench/cli/crossover.h"
-#include "bench/cli/options.h"
+#include "bench/cli/options_draw.h"
 #include "bench/cli/precision.h"
 #include "bench/cli/sets.h"
 #include "bench/cli/sweep.h"
 #include "bench/cli/view.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
+#include "bench/options/options.h"
+#include "bench/tables/study.h"
 #include "common/backend/cpu_team.h"
 
 namespace spherepair {
@@ -53,7 +55,7 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
   command->add_option("--pairs", options->pairs_file,
                       "Write the last step's colliding pairs to this file, a line `i j` each, i < j, sorted");
   command->add_option("--json", options->json_file, "Write totals and context as JSON to this file");
-  add_save_options(*command, *options);
+  add_save_options(*command, options->save_file, options->save_every);
   add_open_options(*command, line.open);
   command->footer(
       "Examples:\n  spherepair run --backend glsl --scene random --n 1024 --steps 100 --pairs pairs.txt\n"
@@ -100,14 +102,16 @@ void add_selection(CLI::App& command, CompareOptions& options) {
       ->delimiter(',');
   command.add_option("--methods", plan.methods, "Only these methods (see run --help)")->delimiter(',');
   command.add_option("--blocks", plan.blocks, "Only these group sizes: 32,64,128,256,512,1024")->delimiter(',');
-  command.add_option("--n", plan.sizes, "Numbers of spheres for the check and for every table but `counts`")
+  command
+      .add_option("--n", plan.sizes,
+                  "Numbers of spheres for the check and for every table but `counts` and `arrangements`")
       ->delimiter(',')
       ->check(positive_range);
+  std::vector<std::string> tables;
+  for (const TableKind& kind : table_kinds()) tables.push_back(kind.name);
   command
-      .add_option(
-          "--tables", plan.tables,
-          "Only these tables: table1, counts, methods, peak_rates, overhead, exactness, scale, step, grid, equality; "
-          "`none`: check only")
+      .add_option("--tables", plan.tables,
+                  fmt::format("Only these tables: {}; `none`: check only", fmt::join(tables, ", ")))
       ->delimiter(',');
 }
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "api/open.h"
-#include "bench/cli/run_action.h"
 #include "bench/measure/session.h"
+#include "bench/options/run_action.h"
 
 namespace spherepair {
 

@@ -4,22 +4,12 @@
 
 #include <optional>
 
-#include "api/open.h"
 #include "bench/formats/start.h"
-#include "bench/measure/session.h"
+#include "bench/options/command.h"
 #include "bench/tables/plan.h"
 #include "bench/view/antialiased_image.h"
 
 namespace spherepair {
-
-// Documented in --help: scripts rely on them.
-enum ExitCode { kOk = 0, kDifference = 1, kUsage = 2, kDeviceFailure = 3 };
-
-struct CommandLine {
-  std::vector<std::string> words;  // argv, for the record
-  OpenOptions open;
-  Opener opener = open_backend;
-};
 
 struct DevicesOptions {
   std::vector<std::string> backends;

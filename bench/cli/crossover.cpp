@@ -6,11 +6,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "bench/cli/options.h"
 #include "bench/formats/files.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/io/output_files.h"
+#include "bench/options/options.h"
 #include "bench/studies/crossover_sweep.h"
 
 namespace spherepair {

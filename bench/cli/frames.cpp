@@ -22,7 +22,7 @@ int frames_command(const CommandLine& line, const FramesOptions& options) {
   json record = {{"format", "spherepair frames 1"}, {"context", capture_context(line.words)},
                  {"backends", session.to_json()},   {"width", options.width},
                  {"height", options.height},        {"packing_fraction", options.packing_fraction}};
-  FramesStudy study(session, options, line.open);
+  FramesStudy study(session, options);
   for (const uint64_t n : options.sizes) {
     study.measure_size(n);
     record["clocks"].push_back(query_clocks());

@@ -1,25 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The options of the subcommands that draw.
-#include <fmt/format.h>
+#include "bench/cli/options_draw.h"
 
-#include "bench/cli/options.h"
 #include "bench/studies/frames.h"
 
 namespace spherepair {
-
-void add_size_option(CLI::App& command, uint& width, uint& height) {
-  const auto read = [&width, &height](const std::string& text) {
-    const auto size = two_numbers_of(text, 'x', widest_image);
-    if (!size)
-      throw CLI::ValidationError(
-          "--size", fmt::format("'{}' is not a size in pixels such as 1280x720, each at most {}", text, widest_image));
-    width = uint((*size)[0]);
-    height = uint((*size)[1]);
-  };
-  command.add_option_function<std::string>("--size", read,
-                                           fmt::format("Width x height in pixels (default {}x{})", width, height));
-}
-
 namespace {
 
 void add_camera_options(CLI::App& command, CameraOptions& camera) {
@@ -57,7 +41,9 @@ void add_image_options(CLI::App& command, RenderOptions& options) {
   command
       .add_option(
           "--draw", options.draw,
-          "compute (every backend); backend glsl only: mesh_each, mesh (the paper's 80 triangles), points, impostor")
+          "compute, the same bits on every backend; through OpenGL, to which CUDA's and the CPU's spheres are "
+          "transferred: mesh (the paper's 80 triangles, one instanced draw), mesh_each (the same, one draw a sphere), "
+          "quadric (glutSolidSphere's, one draw a sphere), points, impostor")
       ->capture_default_str();
   command.add_flag_callback(
       "--no-legend", [&options] { options.legend = false; }, "Omit the colour legend");

@@ -8,12 +8,12 @@
 #include <cmath>
 
 #include "bench/cli/commands.h"
-#include "bench/cli/options.h"
 #include "bench/cli/precision.h"
 #include "bench/formats/files.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/io/motion_choice.h"
+#include "bench/options/options.h"
 #include "bench/studies/motion_targets.h"
 
 namespace spherepair {

@@ -92,6 +92,12 @@ void check_options(const RenderOptions& options) {
   draw_method_from_name(options.draw);
 }
 
+// How the spheres came to OpenGL; null where they did not have to.
+json transfer_taken(const Backend& backend) {
+  const auto taken = backend.transfer_taken();
+  return taken ? json(transfer_name(*taken)) : json();
+}
+
 json record(const Series& series, uint64_t step, const Collisions& totals) {
   const ImageOptions& image = series.image;
   json views = json::array();
@@ -151,6 +157,7 @@ std::vector<uint> draw_step(const Series& series, uint64_t step, json& image_rec
   backend.collide(collide);
   image_record = record(series, step, backend.collisions());
   std::vector<uint> image = draw_image(backend, series.image);
+  image_record["transfer"] = transfer_taken(backend);
   if (series.options.legend) draw_legend(image, series.image.width, series.image.height, series.image.look);
   return image;
 }
@@ -204,6 +211,8 @@ int render_command(const CommandLine& line, const RenderOptions& options) {
   draw_series({line, options, start, chosen, method, image});
   fmt::print("{}{} on {}: scene {}, {} spheres\n", start.notes, chosen.backend->info().name,
              device_label(chosen.backend->info()), start.label, start.scene.size());
+  if (image.method != DrawMethod::compute)
+    fmt::print("drawn by {} in OpenGL{}\n", draw_method_name(image.method), transfer_in_words(*chosen.backend));
   if (!options.output_file.empty() && options.images > 1)
     fmt::print("{} to {}\n", name_of(options, 0).string(), name_of(options, options.images - 1).string());
   if (!options.output_file.empty() && options.images == 1) fmt::print("{}\n", options.output_file);

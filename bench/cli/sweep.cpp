@@ -16,10 +16,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/cli/options.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/io/scene_text.h"
+#include "bench/options/options.h"
 #include "bench/studies/sweep_point.h"
 
 namespace spherepair {

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "bench/cli/commands.h"
-#include "bench/cli/shard.h"
+#include "bench/options/shard.h"
 
 namespace spherepair {
 

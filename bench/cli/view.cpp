@@ -4,13 +4,44 @@
 
 #include <fmt/format.h>
 
-#include "bench/cli/options.h"
 #include "bench/formats/png_file.h"
 #include "bench/io/arguments.h"
 #include "bench/measure/choice.h"
+#include "bench/options/options.h"
 #include "bench/view/viewer.h"
 
 namespace spherepair {
+namespace {
+
+struct Display {
+  std::unique_ptr<Window> window;
+  bool shared;  // its context is for everything that draws
+};
+
+// The window's context is shared where OpenGL's backend would run on the same renderer: not where a window without the
+// GPU's driver, as through VNC, would take the backends to software, nor where the user names a GPU.
+Display open_display(const std::string& title, const ViewOptions& options, const OpenOptions& open) {
+  const auto window = [&](bool shared) { return open_window(title, options.width, options.height, shared); };
+  if (!open.gl_device.empty() || !open.cuda_device.empty()) return {window(false), false};
+  std::string renderer;
+  try {
+    renderer = open_backend("glsl", open)->info().device;
+    std::unique_ptr<Window> shared = window(true);
+    if (shared->renderer() == renderer) return {std::move(shared), true};
+  } catch (const BackendError&) {  // no OpenGL 4.5 here, or no display: said by what follows
+  }
+  return {window(false), false};
+}
+
+// A GPU if there is one, else the CPU.
+std::string preferred_backend(const Session& session, const OpenOptions& open) {
+  if (!open.allow_gpu) return "cpu";
+  for (const char* name : {"cuda", "glsl"})
+    if (const Backend* backend = session.find(name); backend && on_hardware(*backend)) return name;
+  return "cpu";
+}
+
+}  // namespace
 
 int view_command(const CommandLine& line, const ViewOptions& options) {
   if (!options.backend.empty()) require_known_backends({options.backend});
@@ -18,15 +49,20 @@ int view_command(const CommandLine& line, const ViewOptions& options) {
   add_inputs(files, options.start);
   files.write("--screenshot", options.screenshot_file);
   const Start start = start_of(options.start, line.open.threads);
-  const std::unique_ptr<Window> window = open_window("spherepair: " + start.label, options.width, options.height);
-  const Session session({}, line.open);
-  fmt::print("{}\n", session.summary());
+  const Display display = open_display("spherepair: " + start.label, options, line.open);
+  const auto& window = display.window;
+  OpenOptions open = line.open;
+  if (display.shared) open.window = &window->context();
+  const Session session({}, open);
+  fmt::print(
+      "{}{}\n", session.summary(),
+      display.shared ? "  images stay in the window's OpenGL context\n" : "  images are uploaded to the window\n");
   std::string first = options.backend;
-  if (first.empty()) first = choose_backend("", line.open).backend->info().name;
+  if (first.empty()) first = preferred_backend(session, open);
   Backend* backend = session.find(first);
   if (!backend) throw BackendError(fmt::format("the backend {} could not be opened, see above", first));
   const Method method = choose_method(options.method, *backend);
-  Viewer viewer(session, start, first, options.method.empty() ? "collide_grid" : method_name(method));
+  Viewer viewer(session, start, first, options.method.empty() ? "collide_grid" : method_name(method), display.shared);
   for (uint64_t frame = 0; window->next(); ++frame) {
     viewer.frame(*window, frame < options.keys.size() ? options.keys[frame] : '\0');
     if (options.frames && frame + 1 == options.frames) break;
@@ -53,7 +89,8 @@ void add_view(CLI::App& app, CommandLine& line, std::function<int()>& action) {
   command->footer(
       "Keys: space pauses, n takes one step, b, m and d change backend, method and drawing, l toggles light and "
       "shadows,\n"
-      "r restarts. Drag the mouse to rotate, scroll to zoom. Without a display, use render.\n"
+      "z goes one step back, h hides the panel, r restarts; the slider goes to any step. Click a sphere for its index "
+      "and contacts. Drag the mouse to rotate, scroll to zoom. Without a display, use render.\n"
       "Example:\n  spherepair view --scene random --n 16384");
   command->callback([=, &line, &action] {
     finish_start_options(*command, options->start);

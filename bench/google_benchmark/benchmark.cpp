@@ -8,14 +8,14 @@
 #include <iostream>
 #include <sstream>
 
-#include "bench/cli/commands.h"
-#include "bench/cli/options.h"
-#include "bench/cli/run_action.h"
-#include "bench/cli/shard.h"
 #include "bench/google_benchmark/benchmark_rows.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/io/scene_text.h"
+#include "bench/options/command.h"
+#include "bench/options/options.h"
+#include "bench/options/run_action.h"
+#include "bench/options/shard.h"
 #include "common/backend/cpu_team.h"
 
 namespace spherepair {

@@ -21,11 +21,20 @@ std::string first_key(const Backend& backend, const CollideOptions& options) {
 
 bool on_hardware(const Backend& backend) { return !backend.info().on_host && !backend.info().software; }
 
+std::string transfer_in_words(const Backend& backend) {
+  const auto taken = backend.transfer_taken();
+  if (!taken) return {};
+  if (*taken == Transfer::imported) return ", its spheres copied into memory that CUDA and OpenGL share";
+  if (*taken == Transfer::registered) return ", its spheres copied into OpenGL's buffers, which CUDA maps";
+  return ", its spheres transferred through the host";
+}
+
 std::string device_label(const BackendInfo& info) {
   return info.device + (info.software ? " (SOFTWARE: OpenGL on the CPU)" : "");
 }
 
-Session::Session(const std::vector<std::string>& names, const OpenOptions& options, const Opener& opener) {
+Session::Session(const std::vector<std::string>& names, const OpenOptions& options, const Opener& opener)
+    : options_(options) {
   for (const std::string& name : names.empty() ? backend_names() : names) {
     if (find(name)) continue;
     try {

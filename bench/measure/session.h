@@ -23,6 +23,7 @@ class Session {
   Session(const std::vector<std::string>& names, const OpenOptions& options, const Opener& opener = open_backend);
 
   const std::vector<std::unique_ptr<Backend>>& backends() const { return backends_; }
+  const OpenOptions& options() const { return options_; }
   std::vector<Backend*> devices() const;  // all but the CPU
   Backend* find(const std::string& name) const;
 
@@ -44,12 +45,16 @@ class Session {
   struct Missing {
     std::string name, reason;
   };
+  OpenOptions options_;
   std::vector<std::unique_ptr<Backend>> backends_;
   std::vector<Missing> missing_;
   std::map<std::string, double> first_;
 };
 
 bool on_hardware(const Backend& backend);  // a GPU: neither the CPU nor GL in software
+// ", " and how the spheres last came to OpenGL's pipeline; empty where they did not have to.
+std::string transfer_in_words(const Backend& backend);
+
 std::string device_label(const BackendInfo& info);
 
 }  // namespace spherepair

@@ -36,7 +36,8 @@ bool all_narrow(std::span<const Samples> all, const Sampling& sampling) {
   });
 }
 
-// Device timers, in a separate run: their queries would disturb the host's times.
+// Device timers, in a separate run: their queries would disturb the host's times. None has the part of spheres that
+// OpenGL draws for another API.
 void time_on_device(const Contender& contender, uint64_t batch, Samples& samples) {
   if (!contender.backend->info().device_timers) return;
   const uint64_t steps = std::min<uint64_t>(batch, 20);
@@ -44,9 +45,11 @@ void time_on_device(const Contender& contender, uint64_t batch, Samples& samples
   contender.backend->time_stages(true);
   for (uint64_t k = 0; k < steps; ++k) contender.step(*contender.backend);
   contender.backend->finish();
+  const bool complete = !contender.backend->transfer_taken();
   std::map<std::string, std::vector<double>> by_stage;
   for (const StageTime& time : contender.backend->stage_times()) by_stage[time.stage].push_back(time.seconds);
   contender.backend->time_stages(false);
+  if (!complete) return;
   for (const auto& [stage, times] : by_stage) {
     const double launches = double(times.size()) / double(steps);
     const Interval one = median_interval(times);

@@ -63,8 +63,8 @@ std::vector<Ablation> glsl_features() {
   const CollideOptions step = grid_step(), counting = grid_step_by(Sort::counting);
   return {{"own_clear", "a kernel clears the table of the counting sort; off: the API's function", "glsl", counting,
            with_api(counting, &ApiOptions::library_clear)},
-          {"sparse_buffers", "buffers in sparse storage with large pages", "glsl", step, step, Spheres::random,
-           Reads::nothing, &OpenOptions::sparse_buffers},
+          {"large_pages", "buffers in memory with large pages; off: plain storage", "glsl", step, step, Spheres::random,
+           Reads::nothing, &OpenOptions::large_pages},
           {"subgroups", "reductions through subgroups; off: through shared memory", "glsl", step, step, Spheres::random,
            Reads::nothing, &OpenOptions::subgroups},
           {"texture_table", "the cell table is read through a texture buffer", "glsl",

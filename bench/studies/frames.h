@@ -6,7 +6,6 @@
 
 #include "bench/measure/session.h"
 #include "bench/measure/timing.h"
-#include "common/backend/shared_drawing.h"
 #include "common/scene/camera.h"
 
 namespace spherepair {
@@ -14,7 +13,7 @@ namespace spherepair {
 struct FramesOptions {
   std::vector<std::string> backends;  // empty: all that open
   std::vector<uint64_t> sizes = {16384, 1000000};
-  std::vector<std::string> draws = {"compute", "mesh_each", "mesh", "points", "impostor"};
+  std::vector<std::string> draws = {"compute", "mesh_each", "mesh", "quadric", "points", "impostor"};
   std::vector<std::string> places = {"outside", "inside"};  // camera positions
   std::vector<std::string> works = {"frame", "frame_all", "lit", "loop"};
   uint width = 1920, height = 1080;
@@ -49,7 +48,7 @@ using TimeStep =
     std::function<double(const std::string& draw, const std::string& work, const std::function<void()>& step)>;
 // Times every transfer alone, with an image, and with image and next step pipelined; returns `overlaps` of the record
 // (frames_study.h). Moves the spheres.
-json time_transfers(const TransferTask& task, SharedDrawing& shared, const TimeStep& time);
+json time_transfers(const TransferTask& task, const TimeStep& time);
 
 // Sorts the spheres into cell order, in which a sorting simulation would keep them.
 Scene in_cell_order(Scene scene);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <memory>
 
-#include "api/open.h"
 #include "bench/check/step_result.h"
 #include "bench/io/numbers.h"
 #include "common/shared/hash.h"
@@ -50,8 +49,7 @@ std::string label(const FrameTask& task) {
   return fmt::format("{} {} {} {}", task.backend->info().name, draw_method_name(task.draw), task.place, task.work);
 }
 
-FramesStudy::FramesStudy(Session& session, const FramesOptions& options, const OpenOptions& open)
-    : session_(session), options_(options), open_(open) {
+FramesStudy::FramesStudy(Session& session, const FramesOptions& options) : session_(session), options_(options) {
   sampling_.rounds = options.rounds;
   for (const std::string& text : options.most) {
     const size_t colon = text.find(':');
@@ -76,7 +74,7 @@ void FramesStudy::measure_size(uint64_t n) {
       continue;
     }
     for (const std::string& place : options_.places) measure_place(n, *backend, scene, bounds, place);
-    if (options_.transfer && backend->info().interop) measure_transfers(n, *backend, scene, bounds);
+    if (options_.transfer && backend->transfers().size() > 1) measure_transfers(n, *backend, scene, bounds);
     backend->upload(make_scene({.n = 0}));  // frees its memory for the next backend
   }
 }
@@ -103,7 +101,12 @@ void FramesStudy::measure_place(uint64_t n, Backend& backend, const Scene& scene
         leave_out(n, backend, draw, "beyond --most");
       } else {
         const uint light = lit ? LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND : 0;
-        measure_task(n, task, scene, camera_path(bounds, place, options_.width, options_.height, light));
+        try {
+          measure_task(n, task, scene, camera_path(bounds, place, options_.width, options_.height, light));
+        } catch (const BackendError& error) {
+          if (task.draw == DrawMethod::compute) throw;
+          leave_out(n, backend, draw, error.what());  // no OpenGL to transfer the spheres to
+        }
       }
     }
 }
@@ -151,8 +154,7 @@ void FramesStudy::measure_transfers(uint64_t n, Backend& cuda, const Scene& scen
     progress_.say(contender.label);
     return record(entry, contender).median_seconds();
   };
-  const std::unique_ptr<SharedDrawing> shared = open_shared_drawing(cuda, open_);
-  for (json& overlap : time_transfers(task, *shared, time)) {
+  for (json& overlap : time_transfers(task, time)) {
     overlap["n"] = n;
     overlaps.push_back(overlap);
   }

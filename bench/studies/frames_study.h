@@ -26,7 +26,7 @@ namespace spherepair {
 
 class FramesStudy {
  public:
-  FramesStudy(Session& session, const FramesOptions& options, const OpenOptions& open);
+  FramesStudy(Session& session, const FramesOptions& options);
 
   // Checks, then times, every requested drawing method on every backend with n spheres.
   void measure_size(uint64_t n);
@@ -44,7 +44,6 @@ class FramesStudy {
 
   Session& session_;
   const FramesOptions& options_;
-  const OpenOptions& open_;
   std::map<std::string, uint64_t> most_;  // spheres by drawing method
   Sampling sampling_;
   Progress progress_;

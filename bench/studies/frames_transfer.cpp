@@ -16,7 +16,7 @@ json overlap_of(double frame, double step, double pipelined) {
 
 }  // namespace
 
-json time_transfers(const TransferTask& task, SharedDrawing& shared, const TimeStep& time) {
+json time_transfers(const TransferTask& task, const TimeStep& time) {
   json overlaps = json::array();
   Backend& cuda = *task.cuda;
   uint64_t turn = 0;
@@ -25,18 +25,18 @@ json time_transfers(const TransferTask& task, SharedDrawing& shared, const TimeS
     cuda.enqueue_collide(task.collide);
   };
   const double step_seconds = time("none", "step", step);
-  for (const Transfer transfer : {Transfer::host, Transfer::registered, Transfer::imported}) {
+  for (const Transfer transfer : cuda.transfers()) {
     const std::string name = transfer_name(transfer);
     const auto transfer_and_draw = [&](DrawMethod method) {
-      shared.transfer(transfer);
-      shared.draw(method, task.views[turn++ % task.views.size()]);
+      cuda.enqueue_draw(task.views[turn++ % task.views.size()],
+                        {.method = method, .transfer = transfer, .reuse_unchanged = false});
     };
-    time("none", name, [&] { shared.transfer(transfer), shared.finish(); });
+    time("none", name, [&] { cuda.transfer(transfer), cuda.finish(); });
     for (const DrawMethod method : task.draws) {
       const std::string draw = draw_method_name(method);
-      const double alone = time(draw, name, [&] { transfer_and_draw(method), shared.finish(); });
+      const double alone = time(draw, name, [&] { transfer_and_draw(method), cuda.finish(); });
       const double pipelined = time(draw, name + "_pipelined", [&] { transfer_and_draw(method), step(); });
-      shared.finish();
+      cuda.finish();
       json overlap = {{"draw", draw}, {"transfer", name}};
       overlap.update(overlap_of(alone, step_seconds, pipelined));
       overlaps.push_back(overlap);

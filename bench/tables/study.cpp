@@ -171,8 +171,10 @@ bool SizeSequence::next() {
 
 const std::vector<TableKind>& table_kinds() {
   static const std::vector<TableKind> kinds = {
-      {"table1", "the paper's Table 1 and our times", make_table1},
+      {"table1", "the paper's Table 1 and our times: plane and pairs", make_table1},
+      {"frame_rates", "the same: frames per second and drawing", make_frame_rates},
       {"counts", "numbers of colliding spheres and the paper's ranges", make_counts},
+      {"arrangements", "the paper's aligned arrangements of spheres, timed", make_arrangements},
       {"methods", "GLSL against CUDA per method and group size", make_methods},
       {"peak_rates", "peak rates of each device: copying, atomics, multiply-adds", make_peak_rates},
       {"overhead", "the cost of an empty dispatch or launch", make_overhead},

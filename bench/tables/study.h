@@ -74,8 +74,10 @@ struct TableKind {
 const std::vector<TableKind>& table_kinds();
 
 std::vector<Table> make_table1(Study& study);
+std::vector<Table> make_frame_rates(Study& study);
 std::vector<Table> make_peak_rates(Study& study);
 std::vector<Table> make_counts(Study& study);
+std::vector<Table> make_arrangements(Study& study);
 std::vector<Table> make_methods(Study& study);
 std::vector<Table> make_overhead(Study& study);
 std::vector<Table> make_exactness(Study& study);

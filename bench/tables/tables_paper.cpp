@@ -1,32 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The seed paper's Table 1 and our times.
+// The seed paper's Table 1, sphere-plane and sphere-sphere, and our times.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
+#include "bench/tables/paper_rows.h"
 #include "bench/tables/study.h"
 
 namespace spherepair {
 namespace {
-
-// Milliseconds on a GeForce GTX 590 and its host, from the paper's Table 1 and section 6. It prints 0 below the
-// resolution of its clock and has no sequential row for 32,768 spheres.
-struct PaperRow {
-  uint64_t n;
-  const char *fps, *sequential_drawing, *parallel_drawing, *plane, *sequential_pairs, *parallel_pairs;
-};
-constexpr PaperRow paper_rows[] = {
-    {64, "60", "0", "0", "0", "0", "16"},         {128, "60", "1", "0", "0", "0", "16"},
-    {256, "61", "2", "0", "0", "0", "16"},        {512, "62", "3", "0", "0.5", "5", "16"},
-    {1024, "36", "8", "0", "1", "23", "16"},      {2048, "12", "15", "0", "2", "87", "16"},
-    {4096, "4", "32", "0", "3", "340", "16"},     {8192, "4", "60", "0", "7", "1390", "16"},
-    {16384, "4", "120", "0", "13", "5560", "16"}, {32768, "-", "-", "-", "-", "-", "47"}};
-
-PaperRow paper_row(uint64_t n) {
-  const auto found = std::ranges::find(paper_rows, n, &PaperRow::n);
-  return found == std::end(paper_rows) ? PaperRow{n, "-", "-", "-", "-", "-", "-"} : *found;
-}
 
 // The measurements of one size: motion of every backend, then sphere-sphere.
 struct Table1Row {
@@ -141,25 +124,6 @@ Table speedups(const std::vector<Table1Row>& rows) {
   return table;
 }
 
-Table paper_table(const std::vector<Table1Row>& rows) {
-  Table table{"The paper's Table 1 as printed (GeForce GTX 590)",
-              {{"", "n", ""},
-               {"", "fps", "1/s"},
-               {"drawing", "sequential", "ms"},
-               {"drawing", "parallel", "ms"},
-               {"sphere-plane", "sequential", "ms"},
-               {"sphere-sphere", "sequential", "ms"},
-               {"sphere-sphere", "parallel", "ms"}},
-              {},
-              {"Drawing is not measured here. 32768: from the paper's text."}};
-  for (const Table1Row& row : rows) {
-    const PaperRow p = paper_row(row.n);
-    table.rows.push_back({std::to_string(row.n), p.fps, p.sequential_drawing, p.parallel_drawing, p.plane,
-                          p.sequential_pairs, p.parallel_pairs});
-  }
-  return table;
-}
-
 }  // namespace
 
 std::vector<Table> make_table1(Study& study) {
@@ -175,7 +139,7 @@ std::vector<Table> make_table1(Study& study) {
         if (one.label == label(pairs[k])) row.pairs[k] = one;
     rows.push_back(std::move(row));
   }
-  return {absolute_times(rows), speedups(rows), paper_table(rows)};
+  return {absolute_times(rows), speedups(rows)};
 }
 
 }  // namespace spherepair

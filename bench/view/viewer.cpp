@@ -27,21 +27,36 @@ void Viewer::timed(double& seconds, Work work) {
   seconds += (seconds == 0 ? 1 : 0.1) * (taken.count() - seconds);
 }
 
-Viewer::Viewer(const Session& session, const Start& start, const std::string& backend, const std::string& method)
-    : session_(session), start_(start), bounds_(bounds_of(start.scene.positions)) {
+Viewer::Viewer(const Session& session, const Start& start, const std::string& backend, const std::string& method,
+               bool shared)
+    : session_(session), start_(start), shared_(shared), bounds_(bounds_of(start.scene.positions)), history_(start) {
   bounds_.low[1] = std::min(bounds_.low[1], double(start.scene.plane));
   for (const auto& each : session.backends()) backends_.names.push_back(each->info().name);
   backends_.pick(backend);
   running_ = backends_.chosen;
-  restart();
+  go_to(start.step);
   list_choices();
   methods_.pick(method);
 }
 
-void Viewer::restart() {
-  upload_start(start_, backend());
-  step_ = start_.step;
+void Viewer::go_to(uint64_t step) {
+  history_.go_to(backend(), step);
+  step_ = step;
   search_.reset();
+}
+
+// Of the exact spheres, by whichever method the image is drawn.
+void Viewer::pick(std::array<uint, 2> pixel) {
+  picked_.clear();
+  if (pixel[0] >= view_.width || pixel[1] >= view_.height) return;
+  backend().draw(view_, {.keep_visible = true});
+  const uint sphere = backend().visible()[size_t(pixel[1]) * view_.width + pixel[0]].x;
+  if (sphere >= start_.scene.size()) return;
+  const Backend::State state = current_state(backend());
+  const vec4 &at = state.positions[sphere], &v = state.velocities[sphere];
+  picked_ = fmt::format("sphere {} at step {}: {} contacts\ncentre {:.4g}, {:.4g}, {:.4g}; radius {:.4g}; speed {:.4g}",
+                        sphere, step_, backend().counts()[sphere], at.x, at.y, at.z, at.w,
+                        std::hypot(double(v.x), double(v.y), double(v.z)));
 }
 
 void Viewer::list_choices() {
@@ -82,27 +97,37 @@ void Viewer::take_keys(Window& window, char key) {
   if (pressed(' ')) paused_ = !paused_;
   if (pressed('n')) single_step_ = paused_ = true;
   if (pressed('l')) light_ = !light_;
+  if (pressed('h')) panel_ = !panel_;
   if (pressed('b')) backends_.next();
   if (pressed('m')) methods_.next();
   if (pressed('d')) draws_.next();
-  if (pressed('r')) restart();
+  if (pressed('r')) go_to(start_.step);
+  if (pressed('z') && step_ > start_.step) paused_ = true, go_to(step_ - 1);
 }
 
 void Viewer::fill_panel(Window& window) {
+  window.begin_panel();
   window.choose("backend (b)", backends_.names, backends_.chosen);
   window.choose("method (m)", methods_.names, methods_.chosen);
   window.choose("drawing (d)", draws_.names, draws_.chosen);
   window.check("paused (space)", paused_);
   if (window.button("one step (n)")) single_step_ = paused_ = true;
-  if (window.button("restart (r)")) restart();
+  if (window.button("restart (r)")) go_to(start_.step);
+  uint64_t wanted = step_;
+  window.slide("step (z: back)", wanted, history_.first(), history_.last());
+  if (wanted != step_) paused_ = true, go_to(wanted);
   window.check("light and shadows (l)", light_);
   window.text(fmt::format("{}, {} spheres", start_.label, start_.scene.size()));
   window.text(device_label(backend().info()));
   window.text(fmt::format("step {}: {} pairs, {} spheres in contact", step_, totals_.pairs, totals_.colliding_spheres));
   window.text(fmt::format("move {} ms, collide {} ms", format_ms(seconds_.move), format_ms(seconds_.collide)));
-  window.text(fmt::format("draw {} ms, read back {} ms", format_ms(seconds_.draw), format_ms(seconds_.read)));
-  window.text("drag to rotate, scroll to zoom");
+  if (draws_.name() != draw_method_name(DrawMethod::compute) && backend().transfer_taken())
+    window.text(fmt::format("spheres to OpenGL: {}", transfer_name(*backend().transfer_taken())));
+  window.text(fmt::format("draw {} ms, to the window {} ms", format_ms(seconds_.draw), format_ms(seconds_.show)));
+  window.text("drag to rotate, scroll to zoom, click a sphere, h hides this");
+  if (!picked_.empty()) window.text(picked_);
   if (!error_.empty()) window.text(wrap(error_, 50, ""));
+  window.end_panel();
 }
 
 void Viewer::turn_camera(const Window& window) {
@@ -117,7 +142,7 @@ void Viewer::advance() {
   single_step_ = false;
   search_.reset();
   timed(seconds_.move, [&] { backend().move(), backend().evaluate_positions(); });
-  ++step_;
+  history_.record(backend(), ++step_);
 }
 
 void Viewer::collide() {
@@ -132,17 +157,30 @@ void Viewer::collide() {
   search_ = wanted;
 }
 
-std::vector<uint> Viewer::image(uint width, uint height) {
+// Whether the image could go to the window on the GPU; where it cannot, it is uploaded.
+bool Viewer::shown_without_host(uint texture) {
+  if (!shared_) return false;
+  try {
+    return backend().show(texture);
+  } catch (const BackendError& error) {
+    error_ = error.what();
+    return false;
+  }
+}
+
+void Viewer::draw(Window& window) {
+  const auto [width, height] = window.size();
   Camera camera = spherepair::frame(bounds_, orbit_.azimuth, orbit_.elevation, 30, double(width) / height);
   for (int a = 0; a < 3; ++a) camera.eye[a] = camera.target[a] + orbit_.distance * (camera.eye[a] - camera.target[a]);
   Look look = contact_look();
   look.light = {-0.3, 0.9, -0.3};  // from above even if the camera looks down
   if (search_->lit) look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
-  const View view = make_view(camera, look, width, height);
-  timed(seconds_.draw, [&] { backend().draw(view, {.method = draw_method_from_name(draws_.name())}); });
-  std::vector<uint> image;
-  timed(seconds_.read, [&] { image = backend().image(); });
-  return image;
+  view_ = make_view(camera, look, width, height);
+  timed(seconds_.draw, [&] { backend().draw(view_, {.method = draw_method_from_name(draws_.name())}); });
+  timed(seconds_.show, [&] {
+    const uint texture = window.texture(view_.width, view_.height);
+    if (!shown_without_host(texture)) window.upload(backend().image());
+  });
 }
 
 // Choices in the panel take effect in the next frame.
@@ -152,15 +190,23 @@ void Viewer::frame(Window& window, char key) {
   if (backends_.chosen != running_) change_backend(backends_.chosen);
   advance();
   collide();
-  const auto [width, height] = window.size();
-  const std::vector<uint> pixels = image(width, height);
-  fill_panel(window);
-  window.show(pixels, width, height);
+  draw(window);
+  if (const auto pixel = window.clicked()) pick(*pixel);
+  if (panel_) fill_panel(window);
+  window.show();
+  if (frames_++ == 0) first_frame_ = std::chrono::steady_clock::now();
 }
 
 std::string Viewer::summary() const {
-  return fmt::format("{} {}, drawn by {}: step {}, {} pairs, fingerprint {}", backends_.name(), methods_.name(),
-                     draws_.name(), step_, totals_.pairs, hex64(totals_.fingerprint.a) + hex64(totals_.fingerprint.b));
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - first_frame_;
+  const std::string rate =
+      frames_ < 2 ? "" : fmt::format("{} frames a second; ", format_number(double(frames_ - 1) / taken.count()));
+  const std::string times =
+      fmt::format("{}move {} ms, collide {} ms, draw {} ms, to the window {} ms\n", rate, format_ms(seconds_.move),
+                  format_ms(seconds_.collide), format_ms(seconds_.draw), format_ms(seconds_.show));
+  return times + fmt::format("{} {}, drawn by {}: step {}, {} pairs, fingerprint {}", backends_.name(), methods_.name(),
+                             draws_.name(), step_, totals_.pairs,
+                             hex64(totals_.fingerprint.a) + hex64(totals_.fingerprint.b));
 }
 
 }  // namespace spherepair

@@ -2,8 +2,11 @@
 // The state of `spherepair view`: a run that can continue on another backend, and its camera.
 #pragma once
 
+#include <chrono>
+
 #include "bench/formats/start.h"
 #include "bench/measure/session.h"
+#include "bench/view/history.h"
 #include "bench/view/window.h"
 #include "common/scene/camera.h"
 
@@ -11,8 +14,9 @@ namespace spherepair {
 
 class Viewer {
  public:
-  // The session's backends can be chosen.
-  Viewer(const Session& session, const Start& start, const std::string& backend, const std::string& method);
+  // The session's backends can be chosen. shared: they draw in the window's context.
+  Viewer(const Session& session, const Start& start, const std::string& backend, const std::string& method,
+         bool shared);
 
   // One frame: user input, a step unless paused, and the image. key: an additional key press; 0: none.
   void frame(Window& window, char key);
@@ -37,34 +41,42 @@ class Viewer {
     bool operator==(const Search&) const = default;
   };
   struct Seconds {
-    double move = 0, collide = 0, draw = 0, read = 0;
+    double move = 0, collide = 0, draw = 0, show = 0;
   };
 
   Backend& backend() const { return *session_.backends()[running_]; }
   void change_backend(size_t next);
-  void restart();
+  void go_to(uint64_t step);
+  void pick(std::array<uint, 2> pixel);
   void list_choices();
   void take_keys(Window& window, char key);
   void fill_panel(Window& window);
   void turn_camera(const Window& window);
   void advance();
   void collide();
-  std::vector<uint> image(uint width, uint height);
+  void draw(Window& window);
+  bool shown_without_host(uint texture);
   template <typename Work>
   void timed(double& seconds, Work work);
 
   const Session& session_;
   const Start& start_;
+  bool shared_;
   Bounds bounds_;
   Choice backends_, methods_, draws_;
   size_t running_ = 0;  // the backend that holds the spheres
-  bool paused_ = false, single_step_ = false, light_ = true;
+  bool paused_ = false, single_step_ = false, light_ = true, panel_ = true;
   Orbit orbit_;
   uint64_t step_ = 0;
   std::optional<Search> search_;  // of the spheres as they stand
   Collisions totals_;             // of the last search
   std::string error_;             // of the last change of backend
+  View view_{};                   // of the last image
+  std::string picked_;            // the sphere that was clicked
+  History history_;
   Seconds seconds_;
+  uint64_t frames_ = 0;
+  std::chrono::steady_clock::time_point first_frame_;  // its end
 };
 
 }  // namespace spherepair

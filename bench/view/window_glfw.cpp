@@ -20,14 +20,14 @@ namespace {
                                  reason ? reason : "no reason given"));
 }
 
-class GlfwWindow final : public Window {
+class GlfwWindow final : public Window, private WindowContext {
  public:
-  GlfwWindow(const std::string& title, uint width, uint height) {
+  GlfwWindow(const std::string& title, uint width, uint height, bool shared) : shared_(shared) {
     if (!glfwInit()) fail("no window can be opened");
-    // EGL like the backends' contexts: GLX would conflict with them.
-    glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_EGL_CONTEXT_API);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    // EGL like the backends' own contexts, where they have such: GLX would conflict with them.
+    glfwWindowHint(GLFW_CONTEXT_CREATION_API, shared ? GLFW_NATIVE_CONTEXT_API : GLFW_EGL_CONTEXT_API);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, shared ? 4 : 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, shared ? 5 : 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     window_ = glfwCreateWindow(int(width), int(height), title.c_str(), nullptr, nullptr);
     if (!window_) {
@@ -38,18 +38,17 @@ class GlfwWindow final : public Window {
         throw;
       }
     }
-    glfwMakeContextCurrent(window_);
+    make_current();
     glfwSwapInterval(0);
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
     ImGui::StyleColorsLight();
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
     ImGui_ImplOpenGL3_Init("#version 330");
-    make_texture();
   }
 
   ~GlfwWindow() override {
-    glfwMakeContextCurrent(window_);
+    make_current();
     glDeleteTextures(1, &texture_);
     ImGui_ImplOpenGL3_Shutdown();
     ImGui_ImplGlfw_Shutdown();
@@ -59,14 +58,12 @@ class GlfwWindow final : public Window {
   }
 
   bool next() override {
-    glfwMakeContextCurrent(window_);
+    make_current();
     if (drawn_) glfwSwapBuffers(window_);
     glfwPollEvents();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
-    ImGui::SetNextWindowPos({8, 8}, ImGuiCond_FirstUseEver);
-    ImGui::Begin("spherepair", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
     return !glfwWindowShouldClose(window_);
   }
 
@@ -81,13 +78,30 @@ class GlfwWindow final : public Window {
     return {io.MouseDelta.x, io.MouseDelta.y};
   }
   double scrolled() const override { return ImGui::GetIO().WantCaptureMouse ? 0 : ImGui::GetIO().MouseWheel; }
+  std::optional<std::array<uint, 2>> clicked() const override {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantCaptureMouse || !ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return {};
+    const ImVec2 at = io.MousePos, from = io.MouseClickedPos[ImGuiMouseButton_Left];
+    const bool dragged = std::abs(at.x - from.x) + std::abs(at.y - from.y) > 3;
+    if (dragged || at.x < 0 || at.y < 0 || at.x >= io.DisplaySize.x || at.y >= io.DisplaySize.y) return {};
+    return std::array{uint(at.x * io.DisplayFramebufferScale.x), uint(at.y * io.DisplayFramebufferScale.y)};
+  }
   bool pressed(char key) const override {  // GLFW numbers letters as capitals
     return ImGui::IsKeyPressed(key >= 'a' && key <= 'z' ? key - 'a' + GLFW_KEY_A : key, false);
   }
 
+  void begin_panel() override {
+    ImGui::SetNextWindowPos({8, 8}, ImGuiCond_FirstUseEver);
+    ImGui::Begin("spherepair", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
+  }
+  void end_panel() override { ImGui::End(); }
   void text(const std::string& line) override { ImGui::TextUnformatted(line.c_str()); }
   bool button(const char* label) override { return ImGui::Button(label); }
   void check(const char* label, bool& value) override { ImGui::Checkbox(label, &value); }
+  void slide(const char* label, uint64_t& value, uint64_t low, uint64_t high) override {
+    ImGui::SetNextItemWidth(170);
+    ImGui::SliderScalar(label, ImGuiDataType_U64, &value, &low, &high);
+  }
   void choose(const char* label, const std::vector<std::string>& names, size_t& chosen) override {
     ImGui::SetNextItemWidth(170);
     if (!ImGui::BeginCombo(label, names[chosen].c_str())) return;
@@ -96,16 +110,33 @@ class GlfwWindow final : public Window {
     ImGui::EndCombo();
   }
 
-  void show(std::span<const uint> image, uint width, uint height) override {
-    glfwMakeContextCurrent(window_);
-    ImGui::End();
+  uint texture(uint width, uint height) override {
+    if (texture_ && width == width_ && height == height_) return texture_;
+    make_current();
+    glDeleteTextures(1, &texture_);
+    glGenTextures(1, &texture_);
     glBindTexture(GL_TEXTURE_2D, texture_);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, GLsizei(width), GLsizei(height), 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                 image.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, GLsizei(width), GLsizei(height), 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    width_ = width;
+    height_ = height;
+    return texture_;
+  }
+
+  void upload(std::span<const uint> image) override {
+    make_current();
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, GLsizei(width_), GLsizei(height_), GL_RGBA, GL_UNSIGNED_BYTE, image.data());
+  }
+
+  void show() override {
+    make_current();
     const auto whole = ImGui::GetIO().DisplaySize;
     ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<ImTextureID>(uintptr_t(texture_)), {0, 0}, whole);
     ImGui::Render();
     const auto [window_width, window_height] = size();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);  // drawing through OpenGL has its own
     glViewport(0, 0, GLsizei(window_width), GLsizei(window_height));
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     drawn_ = true;  // next() swaps: until then the back buffer holds the frame for screenshot()
@@ -114,7 +145,8 @@ class GlfwWindow final : public Window {
   std::vector<uint> screenshot() override {
     const auto [width, height] = size();
     std::vector<uint> pixels(size_t(width) * height), turned(pixels.size());
-    glfwMakeContextCurrent(window_);
+    make_current();
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     glReadBuffer(GL_BACK);
     glReadPixels(0, 0, GLsizei(width), GLsizei(height), GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     for (size_t k = 0; k < pixels.size(); ++k)
@@ -122,23 +154,26 @@ class GlfwWindow final : public Window {
     return turned;
   }
 
+  WindowContext& context() override { return *this; }
+  std::string renderer() const override { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }
+
  private:
-  void make_texture() {
-    glGenTextures(1, &texture_);
-    glBindTexture(GL_TEXTURE_2D, texture_);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  void make_current() override {
+    // GLFW does not see that a context of EGL's was made current in place of its own.
+    if (!shared_ || glfwGetCurrentContext() != window_) glfwMakeContextCurrent(window_);
   }
 
   GLFWwindow* window_ = nullptr;
+  bool shared_;
   GLuint texture_ = 0;
+  uint width_ = 0, height_ = 0;  // of the texture
   bool drawn_ = false;
 };
 
 }  // namespace
 
-std::unique_ptr<Window> open_window(const std::string& title, uint width, uint height) {
-  return std::make_unique<GlfwWindow>(title, width, height);
+std::unique_ptr<Window> open_window(const std::string& title, uint width, uint height, bool shared) {
+  return std::make_unique<GlfwWindow>(title, width, height, shared);
 }
 
 }  // namespace spherepair

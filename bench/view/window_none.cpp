@@ -5,7 +5,7 @@
 
 namespace spherepair {
 
-std::unique_ptr<Window> open_window(const std::string&, uint, uint) {
+std::unique_ptr<Window> open_window(const std::string&, uint, uint, bool) {
   throw BackendError(
       "this program was built without windows: install libglfw3-dev and libimgui-dev, configure without "
       "SPHEREPAIR_STATIC_TOOLS and build again; `spherepair render` draws to files");

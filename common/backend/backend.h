@@ -5,6 +5,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -32,19 +33,30 @@ struct StageTime {
   double seconds;     // on the device's own timer
 };
 
+// compute: the rasteriser that CPU, GLSL and CUDA mirror: the exact sphere. The others go through OpenGL's pipeline.
 enum class DrawMethod {
-  compute,    // the rasteriser that CPU, GLSL and CUDA mirror: the exact sphere
-  mesh_each,  // OpenGL: the paper's sphere of 80 triangles, one draw a sphere
-  mesh,       // OpenGL: the same with one instanced draw for all
-  points,     // OpenGL: a disc a sphere
-  impostor    // OpenGL: the exact sphere on two triangles
+  compute,
+  mesh_each,  // the paper's sphere of 80 triangles, one draw a sphere
+  mesh,       // the same with one instanced draw for all
+  quadric,    // glutSolidSphere's sphere of 10 slices and 10 stacks, one draw a sphere: what the paper compares with
+  points,     // a disc a sphere
+  impostor    // the exact sphere on two triangles
 };
 const char* draw_method_name(DrawMethod method);
 DrawMethod draw_method_from_name(const std::string& name);  // throws std::invalid_argument with the known names
 std::span<const DrawMethod> all_draw_methods();
 
+// How spheres that are not OpenGL's own come to its pipeline.
+enum class Transfer {
+  host,        // read back, written again by OpenGL
+  registered,  // CUDA only: copied into OpenGL's buffers, which CUDA maps once a frame, both in one call
+  imported     // CUDA only: copied into memory of CUDA's that OpenGL has imported for good
+};
+const char* transfer_name(Transfer way);
+
 struct DrawOptions {
   DrawMethod method = DrawMethod::compute;
+  std::optional<Transfer> transfer = {};  // through OpenGL's pipeline; none: the fastest that the driver has
 
   // What the rasteriser may leave out; never changes a bit of the image. Consecutive spheres of the cell order (of
   // the scene's, without one) form clusters, which are culled as a whole.
@@ -92,7 +104,6 @@ struct BackendInfo {
   std::string uuid;       // of the GPU, 32 hex digits; empty for software
   bool on_host = false;   // loops of host threads: no kernels to launch in groups
   bool software = false;  // GL on the CPU
-  bool interop = false;   // its spheres can be transferred to OpenGL (shared_drawing.h)
   bool device_timers = false;
   std::map<std::string, std::string> details;  // versions, extensions, limits
 };
@@ -153,12 +164,23 @@ class Backend {
   virtual void draw(const View& view, const DrawOptions& options) = 0;
   // For timing: enqueues the same and returns. Left out is a list of tiles that turns out too short.
   virtual void enqueue_draw(const View& view, const DrawOptions& options) = 0;
+  // Those that this build has: OpenGL may turn out to be missing when it is first drawn with (BackendError).
   virtual std::vector<DrawMethod> draw_methods() const { return {DrawMethod::compute}; }
+
+  // The ways in which its spheres can come to OpenGL's pipeline; none where they are OpenGL's own, or it has none.
+  virtual std::vector<Transfer> transfers() const { return {}; }
+  // Of the last draw; none without a transfer.
+  virtual std::optional<Transfer> transfer_taken() const { return {}; }
+  // For timing: what such a draw begins with.
+  virtual void transfer(Transfer) { throw BackendError(info().name + ": its spheres are not transferred to OpenGL"); }
 
   // Of the last draw(). Pixels as SLOT_IMAGE has them, row by row from the top; visible: of each pixel the sphere's
   // index and the depth, as SLOT_VISIBLE has them.
   virtual std::vector<uint> image() = 0;
   virtual std::vector<uvec2> visible() = 0;
+  // Copies the image into an RGBA8 texture of its size in the context of OpenOptions::window, on the GPU if it is
+  // there. False without such a context: image() then has to be uploaded.
+  virtual bool show(uint /*texture*/) { return false; }
   virtual DrawStatistics
   draw_statistics() = 0;  // needs DrawOptions::count; this and visible(): of the method compute only
 
@@ -196,14 +218,18 @@ inline Backend::State current_state(Backend& backend) {
 // The colliding flag of each sphere (the paper's colour) is that its count is not zero.
 inline bool colliding(uint count) { return count != 0; }
 
+class WindowContext;  // window_context.h
+
 struct OpenOptions {
-  int cuda_device = 0;
-  bool require_hardware = false;  // refuse GL in software
-  bool allow_gpu = true;          // false: software GL even where a GPU is
-  bool sparse_buffers = true;     // GL: storage in large pages where the driver has it
-  bool subgroups = true;          // GL: sums through subgroups where the driver has them
-  uint64_t texels = ~0ull;        // GL: texels of a texture buffer at most, where the driver has more
-  int threads = 0;                // of the CPU backend; 0: all cores
+  std::string cuda_device = {};     // its number or UUID (device_name.h); empty: the first
+  std::string gl_device = {};       // the same; empty: that of cuda_device if it is given, else the first
+  WindowContext* window = nullptr;  // GL lives in this context; null: in one of its own. Outlives the backends
+  bool require_hardware = false;    // refuse GL in software
+  bool allow_gpu = true;            // false: software GL even where a GPU is
+  bool large_pages = true;          // GL: storage in large pages where the driver has it
+  bool subgroups = true;            // GL: sums through subgroups where the driver has them
+  uint64_t texels = ~0ull;          // GL: texels of a texture buffer at most, where the driver has more
+  int threads = 0;                  // of the CPU backend; 0: all cores
 };
 
 }  // namespace spherepair

@@ -29,6 +29,7 @@ const char* method_name(Method method);
 Method method_from_name(const std::string& name);  // throws std::invalid_argument with the known names
 std::vector<Method> device_methods();              // those that GLSL and CUDA mirror
 std::span<const uint> block_sizes();               // 32, 64 ... 1024
+std::span<const uint> small_block_sizes();         // 8, 16: of collide_tiled only, for the paper's arrangements
 
 // How spheres are put into cell order: by counting them by cell, by splitting them into buckets of cells first, or by
 // the radix sort of a library (CUDA: Thrust).

@@ -22,17 +22,19 @@ void start_team(int threads) {
   try {
     trial.reserve(wanted);
     while (trial.size() < wanted) trial.emplace_back([&] { all_tried.wait(); });
+    // What OpenMP allocates for its team besides the stacks: where that fails, it ends the program.
+    const std::vector<char> of_team((wanted + 64) * 1024);
   } catch (const std::exception& error) {
     trouble = error.what();
   }
   const size_t started = trial.size();
   all_tried.count_down();
   for (std::thread& thread : trial) thread.join();
-  if (started < wanted)
-    throw BackendError(fmt::format(
-        "only {} of {} threads could be started ({}): ask for fewer with --threads, or raise the limits on processes "
-        "and memory (ulimit -u, ulimit -v)",
-        started + 1, wanted + 1, trouble));
+  if (!trouble.empty())
+    throw BackendError(
+        fmt::format("{} of {} threads could be started before memory or threads ran out ({}): ask for fewer with "
+                    "--threads, or raise the limits on processes and memory (ulimit -u, ulimit -v)",
+                    started + 1, wanted + 1, trouble));
   omp_set_num_threads(int(wanted) + 1);
   int running = 0;
 #pragma omp parallel reduction(+ : running)

@@ -20,6 +20,7 @@ struct Crossover {
   uint64_t narrow_to = 0;         // up to so many spheres collide_square is faster in groups of narrow_block
   uint64_t wide_from = never;     // from so many on collide_grid is in groups of wide_block
 };
+// grid_from, per_other, hashed_from, per_level, narrow_to, wide_from
 constexpr Crossover crossovers[] = {
     {"cuda", 5600, 170, 12'000, 17'000, 2100, 4'000'000}, {"glsl", 5600, 340, 12'000, 17'000, 2100},
     {"glsl in software", 200, 2, 300, 600, 100},          {"cpu", 2000, -900, 4000, 2500},

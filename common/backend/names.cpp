@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "common/backend/backend.h"
-#include "common/backend/shared_drawing.h"
 
 namespace spherepair {
 namespace {
@@ -13,10 +12,12 @@ namespace {
 constexpr std::array<const char*, 8> method_names = {
     "sequential",     "parallel",         "collide_group", "collide_tiled",
     "collide_square", "collide_triangle", "collide_grid",  "auto"};
-constexpr std::array<const char*, 5> draw_method_names = {"compute", "mesh_each", "mesh", "points", "impostor"};
-constexpr std::array<DrawMethod, 5> draw_methods = {DrawMethod::compute, DrawMethod::mesh_each, DrawMethod::mesh,
-                                                    DrawMethod::points, DrawMethod::impostor};
+constexpr std::array<const char*, 6> draw_method_names = {"compute", "mesh_each", "mesh",
+                                                          "quadric", "points",    "impostor"};
+constexpr std::array<DrawMethod, 6> draw_methods = {DrawMethod::compute, DrawMethod::mesh_each, DrawMethod::mesh,
+                                                    DrawMethod::quadric, DrawMethod::points,    DrawMethod::impostor};
 constexpr std::array<uint, 6> blocks = {32, 64, 128, 256, 512, 1024};
+constexpr std::array<uint, 2> small_blocks = {8, 16};
 
 }  // namespace
 
@@ -49,6 +50,7 @@ std::vector<Method> device_methods() {
 }
 
 std::span<const uint> block_sizes() { return blocks; }
+std::span<const uint> small_block_sizes() { return small_blocks; }
 
 const char* transfer_name(Transfer way) {
   constexpr const char* indices[] = {"host", "registered", "imported"};

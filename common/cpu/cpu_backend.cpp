@@ -55,10 +55,11 @@ class StageClock {
 
 class CpuBackend final : public Backend {
  public:
-  explicit CpuBackend(const OpenOptions& options)
+  CpuBackend(const OpenOptions& options, PipelineOpener pipeline)
       : threads_(options.threads ? options.threads : omp_get_max_threads()),
         info_(describe_cpu(threads_)),
-        search_(info_, threads_) {}
+        search_(info_, threads_),
+        pipeline_(std::move(pipeline)) {}
 
   const BackendInfo& info() const override { return info_; }
   std::vector<Method> methods() const override {
@@ -72,6 +73,7 @@ class CpuBackend final : public Backend {
     motion_.upload(scene);
     search_.upload(scene);
     image_ = {};
+    drawn_ = {};
   }
   void resume(const Scene& scene, const MotionState& saved) override {
     upload(scene);
@@ -94,28 +96,55 @@ class CpuBackend final : public Backend {
     clock_.time(method_name(method), [&] { search_.run(motion_); });
   }
   void enqueue_collide(const CollideOptions& options) override { collide(options); }
-  void finish() override {}
+  void finish() override {
+    if (pipeline_.opened()) pipeline_.opened()->finish();
+  }
   Collisions collisions() override { return search_.totals(); }
   std::vector<uint> counts() override { return search_.counts(); }
   std::vector<Pair> pairs() override { return search_.pairs(); }
 
   void draw(const View& view, const DrawOptions& options) override {
     check_view(view);
-    if (options.method != DrawMethod::compute)
-      throw std::invalid_argument(
-          fmt::format("cpu: the method of drawing {} runs on OpenGL only", draw_method_name(options.method)));
+    if (options.transfer && options.method == DrawMethod::compute)
+      throw std::invalid_argument("cpu: drawing by compute transfers no spheres to OpenGL");
     if (view.lighting != 0 && !search_.in_dense_cells())
       throw std::invalid_argument(
           "cpu: occlusion and shadows need the dense cells of collide_grid; collide with them first");
+    if (options.method != DrawMethod::compute) return draw_by_pipeline(view, options);
     const auto& positions = motion_.positions(threads_);
-    const std::vector<uint> contacts = search_.searched() ? counts() : std::vector<uint>(positions.size());
+    const std::vector<uint> contacts = drawn_counts();
     View wanted = view;
     wanted.lanes = options.lanes(positions.size());
     clock_.time("draw", [&] { image_ = draw_image(positions, contacts, wanted, search_.dense_cells(), threads_); });
     drawn_ = options;
+    size_ = {view.width, view.height};
   }
   void enqueue_draw(const View& view, const DrawOptions& options) override { draw(view, options); }
-  std::vector<uint> image() override { return last_image().image; }
+  std::vector<DrawMethod> draw_methods() const override {
+    if (pipeline_) return {all_draw_methods().begin(), all_draw_methods().end()};
+    return {DrawMethod::compute};
+  }
+  std::vector<Transfer> transfers() const override {
+    if (!pipeline_) return {};
+    return {Transfer::host};
+  }
+  void transfer(Transfer way) override {
+    if (!pipeline_) return Backend::transfer(way);
+    const auto& positions = motion_.positions(threads_);
+    const std::vector<uint> contacts = drawn_counts();
+    pipeline_.get().transfer({positions.data(), contacts.data(), positions.size()}, way);
+  }
+  std::optional<Transfer> transfer_taken() const override {
+    return drawn_.method == DrawMethod::compute ? std::nullopt : pipeline_.opened()->taken();
+  }
+  std::vector<uint> image() override {
+    return drawn_.method == DrawMethod::compute ? last_image().image : pipeline_.get().image();
+  }
+  bool show(uint texture) override {
+    if (!pipeline_) return false;
+    if (drawn_.method != DrawMethod::compute) return pipeline_.get().show_drawn(texture);
+    return pipeline_.get().show_pixels(last_image().image.data(), size_, texture);
+  }
   std::vector<uvec2> visible() override {
     if (!drawn_.keep_visible) throw BackendError("cpu: visible spheres were not kept; set keep_visible");
     return last_image().visible;
@@ -141,7 +170,28 @@ class CpuBackend final : public Backend {
   std::vector<StageTime> stage_times() override { return clock_.take(); }
 
  private:
+  std::vector<uint> drawn_counts() {
+    return search_.searched() ? counts() : std::vector<uint>(motion_.positions(threads_).size());
+  }
+
+  void draw_by_pipeline(const View& view, const DrawOptions& options) {
+    if (!pipeline_)
+      throw std::invalid_argument(
+          fmt::format("cpu: drawing by {} needs OpenGL, which this build lacks", draw_method_name(options.method)));
+    const auto& positions = motion_.positions(threads_);
+    const std::vector<uint> contacts = drawn_counts();
+    clock_.time(draw_method_name(options.method), [&] {
+      pipeline_.get().draw(options.method, view, {positions.data(), contacts.data(), positions.size()},
+                           options.transfer);
+    });
+    image_ = {};
+    drawn_ = options;
+  }
+
   const CpuImage& last_image() const {
+    if (drawn_.method != DrawMethod::compute)
+      throw BackendError(fmt::format("cpu: the last image was drawn by {}, which keeps no indices of spheres",
+                                     draw_method_name(drawn_.method)));
     if (image_.image.empty()) throw BackendError("cpu: nothing is drawn yet; call draw first");
     return image_;
   }
@@ -152,11 +202,15 @@ class CpuBackend final : public Backend {
   CpuSearch search_;
   CpuImage image_;
   DrawOptions drawn_;
+  uvec2 size_{};  // of the image
+  LazyPipeline pipeline_;
   StageClock clock_;
 };
 
 }  // namespace
 
-std::unique_ptr<Backend> open_cpu_backend(const OpenOptions& options) { return std::make_unique<CpuBackend>(options); }
+std::unique_ptr<Backend> open_cpu_backend(const OpenOptions& options, PipelineOpener pipeline) {
+  return std::make_unique<CpuBackend>(options, std::move(pipeline));
+}
 
 }  // namespace spherepair

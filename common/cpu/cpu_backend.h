@@ -3,11 +3,11 @@
 
 #include <memory>
 
-#include "common/backend/backend.h"
+#include "common/backend/graphics_pipeline.h"
 
 namespace spherepair {
 
-// Throws std::invalid_argument for a negative number of threads.
-std::unique_ptr<Backend> open_cpu_backend(const OpenOptions& options);
+// pipeline: OpenGL's, to draw with; none: it cannot. Throws std::invalid_argument for a negative number of threads.
+std::unique_ptr<Backend> open_cpu_backend(const OpenOptions& options, PipelineOpener pipeline = {});
 
 }  // namespace spherepair

@@ -2,7 +2,7 @@
 // What the components need of a GPU API: memory by slot, launches, waiting, timers. GlDevice and CudaDevice are it.
 #pragma once
 
-#include "common/backend/backend.h"
+#include "common/backend/graphics_pipeline.h"
 #include "common/device/launch.h"
 
 namespace spherepair {
@@ -22,14 +22,6 @@ class DeviceLibrary {
   virtual void sort_spheres(const Params& params) = 0;  // SLOT_POSITION into cell order: SLOT_CELL, SLOT_SORTED,
                                                         // SLOT_ID; counts 0
   virtual void sort_pairs(uint64_t count) = 0;          // SLOT_PAIR into canonical order
-};
-
-// Drawing through the graphics pipeline (OpenGL). Reads SLOT_POSITION and SLOT_COUNT.
-class GraphicsPipeline {
- public:
-  virtual ~GraphicsPipeline() = default;
-  virtual void draw_spheres(DrawMethod method, const View& view, uint spheres) = 0;
-  virtual std::vector<uint> read_image() = 0;
 };
 
 class Device {
@@ -64,7 +56,10 @@ class Device {
   virtual std::vector<StageTime> compile_kernels() { return {}; }
 
   virtual DeviceLibrary* library() { return nullptr; }
-  virtual GraphicsPipeline* pipeline() { return nullptr; }
+  virtual GraphicsPipeline* pipeline() { return nullptr; }  // its own, which draws SLOT_POSITION and SLOT_COUNT
+
+  // The address of a buffer, until it is allocated again; null for an API without addresses.
+  virtual const void* address(uint) const { return nullptr; }
 
   WorkCounts work;  // launches are counted by the device, steps and sorts by the components
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace spherepair {
 namespace {
@@ -60,6 +61,35 @@ SphereMesh sphere_mesh() {
         build.cut(volume > 0 ? Triangle{i, j, k} : Triangle{i, k, j});
       }
   return build.mesh;
+}
+
+// Corner 0 and the last are the poles; between them stand rings of `slices` corners.
+SphereMesh quadric_mesh(unsigned slices, unsigned stacks) {
+  SphereMesh mesh;
+  mesh.corners.push_back({0, 0, 1});
+  for (unsigned ring = 1; ring < stacks; ++ring)
+    for (unsigned slice = 0; slice < slices; ++slice) {
+      const double polar = std::numbers::pi * ring / stacks, around = 2 * std::numbers::pi * slice / slices;
+      mesh.corners.push_back({float(std::sin(polar) * std::cos(around)), float(std::sin(polar) * std::sin(around)),
+                              float(std::cos(polar))});
+    }
+  mesh.corners.push_back({0, 0, -1});
+  const unsigned south = unsigned(mesh.corners.size() - 1);
+  const auto add = [&](unsigned a, unsigned b, unsigned c) {
+    for (const unsigned corner : {a, b, c}) mesh.indices.push_back(corner);
+  };
+  for (unsigned slice = 0; slice < slices; ++slice) {
+    const unsigned here = 1 + slice, next = 1 + (slice + 1) % slices;
+    add(0, here, next);
+    for (unsigned below = slices; below < (stacks - 1) * slices; below += slices) {
+      const unsigned above = below - slices;
+      add(here + above, here + below, next + below);
+      add(here + above, next + below, next + above);
+    }
+    const unsigned last = (stacks - 2) * slices;
+    add(south, next + last, here + last);
+  }
+  return mesh;
 }
 
 std::vector<Corner> SphereMesh::unindexed() const {

@@ -7,12 +7,14 @@
 namespace spherepair {
 
 struct DeviceContext {
-  explicit DeviceContext(Device& device) : device(device), buffers(device) {}
+  DeviceContext(Device& device, PipelineOpener open)
+      : device(device), buffers(device), other_pipeline(std::move(open)) {}
 
   Device& device;
   Buffers buffers;
-  Params params{};  // each component sets its own struct; sent to the device only when they change
-  uint64_t n = 0;   // spheres
+  LazyPipeline other_pipeline;  // of an API without its own
+  Params params{};              // each component sets its own struct; sent to the device only when they change
+  uint64_t n = 0;               // spheres
   bool equal_radii = true;
   uint64_t version = 0;  // of the spheres and their contacts: grows with every move and search
 
@@ -24,6 +26,12 @@ struct DeviceContext {
   std::optional<Kernel> overlaps_search(const ApiOptions& options) const {
     const bool graph_pays = n < device.capabilities().graph_pays_below;
     return options.overlaps(graph_pays) ? std::optional(Kernel::collide_grid) : std::nullopt;
+  }
+
+  GraphicsPipeline& pipeline() { return device.pipeline() ? *device.pipeline() : other_pipeline.get(); }
+  SphereArrays sphere_arrays() const {
+    return {static_cast<const vec4*>(device.address(SLOT_POSITION)),
+            static_cast<const uint*>(device.address(SLOT_COUNT)), n};
   }
 
   void launch(const Launch& launch) { device.launch(launch, params); }

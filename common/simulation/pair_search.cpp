@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "common/backend/checks.h"
 #include "common/backend/method_choice.h"
@@ -58,7 +59,8 @@ void PairSearch::choose(const CollideOptions& options) {
 }
 
 void PairSearch::enqueue(const CollideOptions& options) {
-  if (std::ranges::find(block_sizes(), options.block) == block_sizes().end())
+  const bool small = options.method == Method::collide_tiled && std::ranges::count(small_block_sizes(), options.block);
+  if (!small && std::ranges::count(block_sizes(), options.block) == 0)
     throw std::invalid_argument(
         fmt::format("group size {} is not one of {}", options.block, fmt::join(block_sizes(), ", ")));
   check_collide(options);
@@ -102,10 +104,10 @@ void PairSearch::launch() {
   resolved_ = true;
   if (!grid) sorter_.forget_order();
   context_.device.begin_step(options_.api);
-  if (!grid && !results_clear_) clear_results(context_, Order::scene);
+  const bool clear = std::exchange(results_clear_, false);
+  if (!grid && !clear) clear_results(context_, Order::scene);
   if (context_.n >= 2) {
-    grid ? launch_grid() : launch_all_pairs(context_, options_, variant_);
-    results_clear_ = false;
+    grid ? launch_grid(clear) : launch_all_pairs(context_, options_, variant_);
     resolved_ = !options_.exact;
   }
   order_ = sorter_.order();
@@ -115,12 +117,12 @@ void PairSearch::launch() {
   results_ = Results::enqueued;
 }
 
-void PairSearch::launch_grid() {
+void PairSearch::launch_grid(bool results_clear) {
   Params& params = context_.params;
   const bool few = context_.n < cached_spheres;
   // Before the first launch: parameters that change within a step are sent again.
   params.search.columns_per_group = options_.block * (few ? 1 : options_.block / threads_per_chunk);
-  sorter_.build(options_, variant_.equal_radii, results_clear_);
+  sorter_.build(options_, variant_.equal_radii, results_clear);
   variant_.indices = sorter_.indices(sorter_.order());
   Launch launching{params.grid.hash_mask != 0 ? Kernel::collide_hashed : Kernel::collide_grid, options_.block,
                    variant_};

@@ -50,7 +50,7 @@ class PairSearch {
 
   void choose(const CollideOptions& options);
   void launch();
-  void launch_grid();
+  void launch_grid(bool results_clear);
   void set_params();
   void resolve_undecided();
   std::vector<uint> read_summary();

@@ -62,7 +62,7 @@ bool Rasterizer::current(const View& view, const DrawOptions& options) const {
 void Rasterizer::launch() {
   search_.prepare_counts(draws_by_compute());
   if (draws_by_compute()) return launch_compute();
-  context_.device.pipeline()->draw_spheres(options_.method, view_, uint(context_.n));
+  context_.pipeline().draw(options_.method, view_, context_.sphere_arrays(), options_.transfer);
 }
 
 Frame Rasterizer::make_frame() {
@@ -190,8 +190,15 @@ bool Rasterizer::grow_tiles() {
 
 std::vector<uint> Rasterizer::image() {
   require_drawn(false);
-  if (!draws_by_compute()) return context_.device.pipeline()->read_image();
+  if (!draws_by_compute()) return context_.pipeline().image();
   return context_.buffers.read<uint>(SLOT_IMAGE, pixels(view_));
+}
+
+bool Rasterizer::show(uint texture) {
+  require_drawn(false);
+  if (!draws_by_compute()) return context_.pipeline().show_drawn(texture);
+  const auto* pixels = static_cast<const uint*>(context_.device.address(SLOT_IMAGE));
+  return context_.pipeline().show_pixels(pixels, {view_.width, view_.height}, texture);
 }
 
 std::vector<uvec2> Rasterizer::visible() {

@@ -22,6 +22,8 @@ class Rasterizer {
   // Of a complete image; BackendError where there is none.
   std::vector<uint> image();
   std::vector<uvec2> visible();
+  bool show(uint texture);
+  bool through_pipeline() const { return view_.width != 0 && !draws_by_compute(); }  // the last image
   DrawStatistics statistics();
 
  private:

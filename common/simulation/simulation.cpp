@@ -7,9 +7,9 @@
 
 namespace spherepair {
 
-Simulation::Simulation(std::unique_ptr<Device> device)
+Simulation::Simulation(std::unique_ptr<Device> device, PipelineOpener open)
     : device_(std::move(device)),
-      context_(*device_),
+      context_(*device_, std::move(open)),
       motion_(context_),
       sorter_(context_),
       search_(context_, motion_, sorter_),
@@ -88,24 +88,28 @@ void Simulation::enqueue_collide(const CollideOptions& options) {
 }
 
 std::vector<DrawMethod> Simulation::draw_methods() const {
-  if (device_->pipeline()) return {all_draw_methods().begin(), all_draw_methods().end()};
+  if (has_pipeline()) return {all_draw_methods().begin(), all_draw_methods().end()};
   return {DrawMethod::compute};
 }
 
-void Simulation::require_method(DrawMethod method) const {
+void Simulation::require_method(const DrawOptions& options) const {
+  const DrawMethod method = options.method;
   require_scene("draw");
+  if (options.transfer && (method == DrawMethod::compute || transfers().empty()))
+    throw std::invalid_argument(
+        fmt::format("{}: drawing by {} transfers no spheres to OpenGL", info().name, draw_method_name(method)));
   if (std::ranges::count(draw_methods(), method) == 0)
     throw std::invalid_argument(
-        fmt::format("{}: the method of drawing {} runs on OpenGL only", info().name, draw_method_name(method)));
+        fmt::format("{}: drawing by {} needs OpenGL, which this build lacks", info().name, draw_method_name(method)));
 }
 
 void Simulation::draw(const View& view, const DrawOptions& options) {
-  require_method(options.method);
+  require_method(options);
   rasterizer_.run(view, options);
 }
 
 void Simulation::enqueue_draw(const View& view, const DrawOptions& options) {
-  require_method(options.method);
+  require_method(options);
   rasterizer_.enqueue(view, options);
 }
 
@@ -121,9 +125,28 @@ void Simulation::check_peak_rate(PeakRate rate) {
   probe_.check_peak_rate(rate);
 }
 
-void Simulation::prepare_to_share() {
-  require_scene("draw");
+bool Simulation::show(uint texture) { return has_pipeline() && rasterizer_.show(texture); }
+
+void Simulation::finish() {
+  device_->wait();
+  if (GraphicsPipeline* pipeline = context_.other_pipeline.opened()) pipeline->finish();
+}
+
+std::vector<Transfer> Simulation::transfers() const {
+  if (!context_.other_pipeline) return {};
+  return {Transfer::host, Transfer::registered, Transfer::imported};
+}
+
+std::optional<Transfer> Simulation::transfer_taken() const {
+  const GraphicsPipeline* pipeline = context_.other_pipeline.opened();
+  return pipeline && rasterizer_.through_pipeline() ? pipeline->taken() : std::nullopt;
+}
+
+void Simulation::transfer(Transfer way) {
+  if (!context_.other_pipeline) return Backend::transfer(way);
+  require_scene("transfer");
   search_.prepare_counts(false);
+  context_.other_pipeline.get().transfer(context_.sphere_arrays(), way);
 }
 
 }  // namespace spherepair

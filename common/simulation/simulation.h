@@ -9,7 +9,8 @@ namespace spherepair {
 
 class Simulation final : public Backend {
  public:
-  explicit Simulation(std::unique_ptr<Device> device);
+  // open: OpenGL's pipeline, for a device without its own; none: it cannot be drawn with.
+  explicit Simulation(std::unique_ptr<Device> device, PipelineOpener open = {});
 
   const BackendInfo& info() const override { return device_->info(); }
   std::vector<Method> methods() const override { return device_methods(); }
@@ -33,8 +34,12 @@ class Simulation final : public Backend {
 
   void draw(const View& view, const DrawOptions& options) override;
   void enqueue_draw(const View& view, const DrawOptions& options) override;
+  std::vector<Transfer> transfers() const override;
+  std::optional<Transfer> transfer_taken() const override;
+  void transfer(Transfer way) override;
   std::vector<uint> image() override { return rasterizer_.image(); }
   std::vector<uvec2> visible() override { return rasterizer_.visible(); }
+  bool show(uint texture) override;
   DrawStatistics draw_statistics() override { return rasterizer_.statistics(); }
 
   std::vector<uint> decide(std::span<const vec4> spheres) override { return probe_.decide(spheres); }
@@ -42,22 +47,18 @@ class Simulation final : public Backend {
   void launch_peak_rate(PeakRate rate) override;
   void check_peak_rate(PeakRate rate) override;
 
-  void finish() override { device_->wait(); }
+  void finish() override;
   void check_guards() override { context_.buffers.check_guards(); }
   WorkCounts work_counts() const override { return device_->work; }
   std::vector<StageTime> compile_kernels() override { return device_->compile_kernels(); }
   void time_stages(bool on) override { device_->time_stages(on); }
   std::vector<StageTime> stage_times() override { return device_->stage_times(); }
 
-  // For interop: positions and contact counts by sphere index stand in SLOT_POSITION and SLOT_COUNT.
-  void prepare_to_share();
-  Device& device() { return *device_; }
-  uint64_t spheres() const { return context_.n; }
-
  private:
   void begin(const Scene& scene, const MotionState* saved);
+  bool has_pipeline() const { return device_->pipeline() || context_.other_pipeline; }
   void require_scene(const char* what) const;
-  void require_method(DrawMethod method) const;
+  void require_method(const DrawOptions& options) const;
 
   std::unique_ptr<Device> device_;
   DeviceContext context_;

@@ -28,7 +28,7 @@ __global__ void __launch_bounds__(BLOCK) collide_tiled(Params p, KernelBuffers b
 }
 
 Entry collide_tiled_kernel(uint block, Variant variant) {
-  return pick_kernel(block, variant, [](auto size, auto equal, auto listed) {
+  return pick_small_kernel(block, variant, [](auto size, auto equal, auto listed) {
     return reinterpret_cast<Entry>(&collide_tiled<size(), equal(), listed()>);
   });
 }

@@ -44,7 +44,7 @@ class CudaDevice final : public Device, private DeviceLibrary {
   void time_stages(bool on) override;
   std::vector<StageTime> stage_times() override;
   DeviceLibrary* library() override { return this; }
-  void* memory(uint slot) const { return memory_[slot].data; }
+  const void* address(uint slot) const override { return memory_[slot].data; }
 
  private:
   void sort_spheres(const Params& params) override;
@@ -225,14 +225,8 @@ std::vector<StageTime> CudaDevice::stage_times() {
 
 }  // namespace
 
-void* cuda_memory(Device& device, uint slot) {
-  if (auto* cuda = dynamic_cast<CudaDevice*>(&device)) return cuda->memory(slot);
-  throw BackendError(
-      fmt::format("{} is not the CUDA backend: only CUDA's spheres are transferred to OpenGL", device.info().name));
-}
-
 std::unique_ptr<Device> open_cuda_device(const OpenOptions& options) {
-  return std::make_unique<CudaDevice>(use_device(options.cuda_device));
+  return std::make_unique<CudaDevice>(use_device(DeviceName(options.cuda_device)));
 }
 
 }  // namespace spherepair

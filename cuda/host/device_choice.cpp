@@ -7,9 +7,39 @@
 
 namespace spherepair {
 
+namespace {
+
+cudaDeviceProp properties_of(int device) {
+  cudaDeviceProp properties;
+  cuda_check(cudaGetDeviceProperties(&properties, device), "reading the device's properties");
+  return properties;
+}
+
+std::string uuid_of(const cudaDeviceProp& properties) {
+  std::string uuid;
+  for (const char byte : properties.uuid.bytes) uuid += fmt::format("{:02x}", uint(uint8_t(byte)));
+  return uuid;
+}
+
+int device_number(const DeviceName& wanted, int count) {
+  if (wanted.empty()) return 0;
+  if (wanted.number && *wanted.number < uint(count)) return int(*wanted.number);
+  if (wanted.number)
+    throw BackendError(fmt::format("cuda: there is no device {}; devices are 0 to {}", *wanted.number, count - 1));
+  std::string found;
+  for (int device = 0; device < count; ++device) {
+    const std::string uuid = uuid_of(properties_of(device));
+    if (uuid == wanted.uuid) return device;
+    found += (device ? ", " : "") + uuid;
+  }
+  throw BackendError(fmt::format("cuda: no device has the UUID {}; there are {}", wanted.uuid, found));
+}
+
+}  // namespace
+
 std::string version_text(int number) { return fmt::format("{}.{}", number / 1000, number % 1000 / 10); }
 
-int use_device(int wanted) {
+int use_device(const DeviceName& wanted) {
   int count = 0;
   const cudaError_t error = cudaGetDeviceCount(&count);
   if (error == cudaErrorInsufficientDriver) {
@@ -27,25 +57,21 @@ int use_device(int wanted) {
     throw BackendError("cuda: the driver finds no device; check nvidia-smi and CUDA_VISIBLE_DEVICES");
   }
   cuda_check(error, "counting devices");
-  if (wanted < 0 || wanted >= count) {
-    throw BackendError(fmt::format("cuda: there is no device {}; devices are 0 to {}", wanted, count - 1));
-  }
-  cuda_check(cudaSetDevice(wanted), fmt::format("choosing device {}", wanted));
-  return wanted;
+  const int device = device_number(wanted, count);
+  cuda_check(cudaSetDevice(device), fmt::format("choosing device {}", device));
+  return device;
 }
 
 BackendInfo describe_device(int device) {
   BackendInfo info;
-  cudaDeviceProp properties;
-  cuda_check(cudaGetDeviceProperties(&properties, device), "reading the device's properties");
+  const cudaDeviceProp properties = properties_of(device);
   int driver = 0, runtime = 0, clock_khz = 0;
   cudaDriverGetVersion(&driver);
   cudaRuntimeGetVersion(&runtime);
   cudaDeviceGetAttribute(&clock_khz, cudaDevAttrClockRate, device);
   info.name = "cuda";
-  info.interop = true;
   info.device = properties.name;
-  for (const char byte : properties.uuid.bytes) info.uuid += fmt::format("{:02x}", uint(uint8_t(byte)));
+  info.uuid = uuid_of(properties);
   info.device_timers = true;
   info.details = {{"compute capability", fmt::format("{}.{}", properties.major, properties.minor)},
                   {"driver supports CUDA", version_text(driver)},

@@ -4,11 +4,13 @@
 #include <string>
 
 #include "common/backend/backend.h"
+#include "common/backend/device_name.h"
 
 namespace spherepair {
 
-// Takes the device of this number, counted from 0. Throws BackendError that says why there is none to use.
-int use_device(int wanted);
+// Takes the device of this number or UUID, else the first, and returns its number. Throws BackendError that says why
+// there is none to use.
+int use_device(const DeviceName& wanted);
 
 BackendInfo describe_device(int device);  // its name, versions and sizes
 

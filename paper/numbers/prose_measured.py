@@ -44,6 +44,46 @@ def whole_steps(put, machine, others):
     put("cpu/threads", str(machine.main["context"]["machine"]["hardware_threads"]), machine.id, "hardware threads")
 
 
+def frame_rates(put, machine, others):
+    def frames(name, n):
+        return machine.one(table="frame_rates", work="frame", label=f"{name} frame", n=n)
+
+    for name in ("sequential", *DEVICES):
+        for key, n in (("smallest", 64), ("large", SIZE)):
+            record = frames(name, n)
+            rate = 1e3 / record.median
+            put(f"fps/{name}/{key}", f"{rate:,.0f}" if rate >= 10 else f"{rate:.1f}", record.source,
+                f"1000 / median, whole frame, n = {n}, {record.label}")
+    small, large = ([frames(name, n).median for name in DEVICES] for n in (64, SIZE))
+    said(machine, small[1] > 2 * small[0] and large[1] < 1.1 * large[0],
+         "CUDA's frames cost the transfer to OpenGL, which shows where spheres are few")
+    put("fps/ahead", f"{small[1] / small[0]:.1f}", frames("glsl", 64).source, "CUDA's time over GLSL's, n = 64")
+
+    def drawing(label):
+        return machine.one(table="frame_rates", work="draw", label=label, n=SIZE)
+
+    quadric, mesh, once = map(drawing, ("sequential quadric", "sequential mesh_each", "glsl mesh"))
+    put("fps/quadric", f"{quadric.median / mesh.median:.1f}", mesh.source, f"{quadric.label} / {mesh.label}, n = {SIZE}")
+    said(machine, once.median < mesh.median, "one instanced draw takes less than one draw a sphere")
+    put("fps/instanced", f"{100 * (1 - once.median / mesh.median):.0f}", mesh.source,
+        f"in %, less time: {once.label} than {mesh.label}, n = {SIZE}")
+
+
+def arrangements(put, machine, others):
+    found = {(r.backend, r.scene["groups"], r.scene["group_size"], r.block): r
+             for r in machine.need(table="arrangements")}
+    percent = {name: [] for name in ("small", "large")}
+    for (name, m, n, block), record in found.items():
+        if block == n:
+            percent["small" if n < 32 else "large"].append(100 * (record.median / found[name, m, n, m * n].median - 1))
+    source = next(iter(found.values())).source
+    said(machine, max(map(abs, percent["large"])) < 10 and max(percent["small"]) > 10,
+         "arrangements take similar times in groups of 32 and more, not in smaller ones")
+    put("arranged/large", f"{max(map(abs, percent['large'])):.0f}", source,
+        "in %, greatest difference to one group of all, groups of 32 or 64")
+    put("arranged/small", f"{max(percent['small']):.0f}", source, "in %, the same, groups of 8 or 16")
+
+
 def pairs_alone(put, machine, others):
     for method, key in (("sequential", "one"), ("parallel", "all")):
         record = machine.one(table="table1", backend="cpu", method=method, n=SIZE)
@@ -88,4 +128,4 @@ def exactness(put, machine, others):
         put(f"grazing/{key}", f"{int(cell):,}", machine.id, f"grazing scene, {key}")
 
 
-MEASURED = (original, whole_steps, pairs_alone, floors, exactness)
+MEASURED = (original, whole_steps, frame_rates, arrangements, pairs_alone, floors, exactness)

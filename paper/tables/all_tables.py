@@ -37,6 +37,44 @@ def table1(machine):
                  heads, rows, left=0)
 
 
+def frame_rates(machine):
+    printed = {row[0]: row for row in original_paper()["table1"]}
+    frames = {name: machine.need(table="frame_rates", work="frame", label=f"{name} frame")
+              for name in ("sequential", "glsl", "cuda") if name == "sequential" or machine.has(name)}
+    rows = []
+    for n in [record.n for record in frames["sequential"]]:
+        seed = printed.get(n, [None] * 7)
+        rates = [f"{1e3 / record.median:,.0f}" if record.median < 100 else f"{1e3 / record.median:.1f}"
+                 for records in frames.values() for record in records if record.n == n]
+        drawn = [median_or_dash(machine, table="frame_rates", work="draw", n=n, label=f"{name} {method}")
+                 for name in frames for method in (("mesh_each", "quadric") if name == "sequential" else ("mesh",))]
+        rows.append([f"{n:,}", "-" if seed[1] is None else str(seed[1]), *rates,
+                     *("-" if seed[k] is None else str(seed[k]) for k in (2, 3)), *drawn])
+    names = [name.upper() for name in list(frames)[1:]]
+    heads = [[("", 1), ("frames per second", 2 + len(names)), ("drawing, ms: original", 2), ("1 thread", 2),
+              ("one instanced draw", len(names))],
+             ["n", "original", "1 thread", *names, "1 thread", "GLSL", "mesh", "GLUT's", *names]]
+    source = frames["sequential"][0].source
+    return Table("frame-rates", "The rest of the original paper's Table 1: frames per second of motion, pairs (its own "
+                 "tile) and drawing, and drawing alone, in milliseconds. Its 60 frames per second are its display's.",
+                 heads, rows, left=0, source=source)
+
+
+def arrangements(machine):
+    records = machine.need(table="arrangements")
+    shapes = dict.fromkeys((r.scene["groups"], r.scene["group_size"]) for r in sorted(records, key=lambda r: r.n))
+    names = [name for name in ("glsl", "cuda") if machine.has(name)]
+    rows = []
+    for m, n in shapes:
+        of_shape = {(r.backend, r.block): r for r in records if (r.scene["groups"], r.scene["group_size"]) == (m, n)}
+        rows.append([f"{m} by {n}", *(interval(of_shape[name, block], 1e3) for block in (n, m * n) for name in names)])
+    heads = [[("", 1), ("groups of $n$, µs", len(names)), ("one group of all, µs", len(names))],
+             ["$m$ by $n$", *(name.upper() for name in names), *(name.upper() for name in names)]]
+    return Table("arrangements", "The original paper's second animation: $m$ groups of $n$ spheres, searched by its own "
+                 "tile in groups of exactly $n$ threads, and in one group of all.", heads, rows,
+                 source=records[0].source)
+
+
 def counts(machine):
     rows = []
     for scene, n, start, span, steps, sequential, parallel, _ in machine.main["tables"]["counts"][0]["rows"]:
@@ -101,7 +139,7 @@ def machine_and_run(machine):
     return Table("machine", "The recorded machine and run.", heads, rows, left=2)
 
 
-MAKERS = (claims, table1, counts, methods, peak_rates, code, machine_and_run, stress, *STUDIED)
+MAKERS = (claims, table1, frame_rates, arrangements, counts, methods, peak_rates, code, machine_and_run, stress, *STUDIED)
 
 
 def of_one(maker, machine):

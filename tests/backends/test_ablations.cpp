@@ -4,9 +4,9 @@
 #include <array>
 
 #include "common/backend/plan_watch.h"
+#include "tests/oracle/oracle.h"
 #include "tests/support/backends.h"
 #include "tests/support/grid_results.h"
-#include "tests/support/oracle.h"
 
 namespace spherepair {
 namespace {

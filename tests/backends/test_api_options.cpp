@@ -2,8 +2,8 @@
 // How launches go out in each API, and what GLSL reads through textures.
 #include "api/open.h"
 #include "common/scene/camera.h"
+#include "tests/oracle/oracle.h"
 #include "tests/support/grid_results.h"
-#include "tests/support/oracle.h"
 
 namespace spherepair {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "common/scene/scene.h"
 #include "common/shared/motion.h"
+#include "tests/oracle/naive.h"
+#include "tests/oracle/oracle.h"
+#include "tests/oracle/tally.h"
 #include "tests/support/backends.h"
-#include "tests/support/naive.h"
-#include "tests/support/oracle.h"
-#include "tests/support/tally.h"
 
 namespace spherepair {
 namespace {

@@ -5,8 +5,8 @@
 #include <random>
 
 #include "common/shared/draw.h"
+#include "tests/oracle/oracle.h"
 #include "tests/support/images.h"
-#include "tests/support/oracle.h"
 
 namespace spherepair {
 namespace {

@@ -1,55 +1,106 @@
 // SPDX-License-Identifier: MIT
-// CUDA's spheres drawn through OpenGL: with every kind of transfer the image is that of OpenGL's own spheres.
-#include "api/open.h"
-#include "common/backend/shared_drawing.h"
+// Spheres of CUDA and of the CPU drawn through OpenGL: whichever way they come there, the image is that of OpenGL's
+// own.
 #include "tests/support/images.h"
 
 namespace spherepair {
 namespace {
 
 constexpr uint width = 320, height = 180;
+constexpr DrawMethod through_opengl[] = {DrawMethod::mesh, DrawMethod::mesh_each, DrawMethod::quadric,
+                                         DrawMethod::points, DrawMethod::impostor};
 
-Backend* open_one(const std::string& name) {
-  for (Backend* backend : open_backends())
-    if (backend->info().name == name) return backend;
-  return nullptr;
-}
-
-TEST(Interop, EveryWayGivesTheSameImage) {
-  Backend *cuda = open_one("cuda"), *glsl = open_one("glsl");
-  if (!cuda || !glsl || !is_gpu(*glsl)) GTEST_SKIP() << "needs a GPU through both CUDA and OpenGL";
-  const Scene scene = make_scene({.n = 3000});
-  for (Backend* backend : {cuda, glsl}) backend->upload(scene);
-  const std::unique_ptr<SharedDrawing> shared = open_shared_drawing(*cuda);
-  for (int step = 0; step < 3; ++step) {
-    for (Backend* backend : {cuda, glsl}) {
-      backend->move();
-      backend->collide({.method = Method::collide_grid});
+class Interop : public BackendTest {
+ protected:
+  void SetUp() override {
+    BackendTest::SetUp();
+    if (IsSkipped() || HasFatalFailure()) return;
+    for (Backend* each : open_backends())
+      if (each->info().name == "glsl") glsl_ = each;
+    if (const std::string why = why_no_pipeline(backend()); !why.empty()) GTEST_SKIP() << why;
+    if (backend().transfers().empty()) GTEST_SKIP() << "the spheres are OpenGL's own";
+  }
+  void show(const Scene& scene) {
+    for (Backend* each : {&backend(), glsl_}) {
+      each->upload(scene);
+      each->collide({.method = Method::collide_grid});
     }
-    const Camera camera = frame(bounds_of(scene.positions), 30, 20, 40, double(width) / height);
-    const View view = make_view(camera, contact_look(), width, height);
-    for (DrawMethod method : {DrawMethod::mesh, DrawMethod::points, DrawMethod::impostor}) {
-      glsl->draw(view, {.method = method});
-      const std::vector<uint> expected = glsl->image();
+  }
+  void move() {
+    for (Backend* each : {&backend(), glsl_}) {
+      each->move();
+      each->collide({.method = Method::collide_grid});
+    }
+  }
+  void expect_equal_images(const View& view, const std::string& what) {
+    for (const DrawMethod method : through_opengl) {
+      glsl_->draw(view, {.method = method});
+      const std::vector<uint> expected = glsl_->image();
       const auto covered = std::ranges::count_if(expected, [&](uint pixel) { return pixel != expected.front(); });
       EXPECT_GT(uint64_t(covered), width * height / 50) << "a blank image, " << draw_method_name(method);
-      for (Transfer way : {Transfer::host, Transfer::registered, Transfer::imported}) {
-        shared->transfer(way);
-        shared->draw(method, view);
-        EXPECT_EQ(shared->image(), expected) << transfer_name(way) << ", " << draw_method_name(method);
+      for (const Transfer way : backend().transfers()) {
+        backend().draw(view, {.method = method, .transfer = way});
+        EXPECT_EQ(backend().image(), expected)
+            << what << ", " << transfer_name(way) << ", " << draw_method_name(method);
+        EXPECT_EQ(backend().transfer_taken(), way);
       }
     }
   }
+
+  Backend* glsl_ = nullptr;
+};
+
+View view_of(const Scene& scene) {
+  return make_view(frame(bounds_of(scene.positions), 30, 20, 40, double(width) / height), contact_look(), width,
+                   height);
 }
 
-TEST(Interop, SaysWhatIsMissing) {
-  Backend* cpu = open_one("cpu");
-  cpu->upload(make_scene({.n = 10}));
-  try {
-    open_shared_drawing(*cpu);
-    FAIL() << "the CPU's spheres were transferred";
-  } catch (const BackendError& error) {
-    EXPECT_NE(std::string(error.what()).find("CUDA"), std::string::npos) << error.what();
+TEST_P(Interop, EveryWayGivesTheImageOfOpenGLsOwnSpheres) {
+  const Scene scene = make_scene({.n = 3000});
+  show(scene);
+  for (int step = 0; step < 3; ++step) {
+    move();
+    expect_equal_images(view_of(scene), "step " + std::to_string(step));
+  }
+}
+
+TEST_P(Interop, FollowsScenesOfOtherSizesAndAnchoredMotion) {
+  for (const uint64_t n : {200u, 5000u, 300u}) {
+    Scene scene = make_scene({.n = n});
+    scene.motion.method = MotionMethod::anchored;
+    show(scene);
+    move();
+    expect_equal_images(view_of(scene), std::to_string(n) + " anchored spheres");
+  }
+}
+
+TEST_P(Interop, TheFastestWayIsTakenUnlessAnotherIsNamed) {
+  const Scene scene = make_scene({.n = 100});
+  show(scene);
+  backend().draw(view_of(scene), {.method = DrawMethod::mesh});
+  EXPECT_EQ(backend().transfer_taken(), backend().transfers().back());
+  backend().draw(view_of(scene), {.method = DrawMethod::mesh, .transfer = Transfer::host});
+  EXPECT_EQ(backend().transfer_taken(), Transfer::host);
+}
+
+INSTANTIATE_BACKENDS(Interop);
+
+TEST(InteropErrors, OpenGLsOwnSpheresAreNotTransferred) {
+  for (Backend* backend : open_backends()) {
+    if (backend->info().name != "glsl") continue;
+    backend->upload(make_scene({.n = 10}));
+    EXPECT_THROW(backend->transfer(Transfer::host), BackendError);
+    const View view = view_of(make_scene({.n = 10}));
+    EXPECT_THROW(backend->draw(view, {.method = DrawMethod::mesh, .transfer = Transfer::host}), std::invalid_argument);
+  }
+}
+
+TEST(InteropErrors, OnlyCudasSpheresAreSharedWithOpenGL) {
+  for (Backend* backend : open_backends()) {
+    if (!backend->info().on_host) continue;
+    backend->upload(make_scene({.n = 10}));
+    const View view = view_of(make_scene({.n = 10}));
+    EXPECT_THROW(backend->draw(view, {.method = DrawMethod::mesh, .transfer = Transfer::imported}), BackendError);
   }
 }
 

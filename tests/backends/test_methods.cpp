@@ -7,8 +7,8 @@
 #include <iterator>
 
 #include "common/backend/method_choice.h"
+#include "tests/oracle/oracle.h"
 #include "tests/support/backends.h"
-#include "tests/support/oracle.h"
 
 namespace spherepair {
 namespace {
@@ -72,6 +72,19 @@ TEST_P(Methods, EverySceneEqualsTheOracle) {
     n += 37;
     for (const Scene& scene : scenes_of_kind(kind.name, n))
       expect_pairs(backend(), scene, brute_force_pairs(scene.positions), every_method(backend(), block_sizes()));
+  }
+}
+
+// The paper's arrangements of 8 or 16 spheres a group.
+TEST_P(Methods, SmallGroupsAreOfTheTiledKernelOnly) {
+  const Scene scene = make_scene({.name = "aligned", .n = 128, .groups = 8, .group_size = 16});
+  std::vector<CollideOptions> tiled;
+  for (const uint block : small_block_sizes()) tiled.push_back({.method = Method::collide_tiled, .block = block});
+  expect_pairs(backend(), scene, brute_force_pairs(scene.positions), tiled);
+  if (backend().info().on_host) return;  // takes every method and group size
+  for (const Method method : device_methods()) {
+    if (method == Method::collide_tiled) continue;
+    EXPECT_THROW(backend().collide({.method = method, .block = 8}), std::invalid_argument) << method_name(method);
   }
 }
 

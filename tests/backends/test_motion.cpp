@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "api/open.h"
-#include "tests/support/adversarial.h"
+#include "tests/oracle/adversarial.h"
+#include "tests/oracle/reference_motion.h"
 #include "tests/support/backends.h"
 #include "tests/support/catalogue.h"
-#include "tests/support/reference_motion.h"
 
 namespace spherepair {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "tests/support/adversarial.h"
+#include "tests/oracle/adversarial.h"
 #include "tests/support/motion_runs.h"
 
 namespace spherepair {

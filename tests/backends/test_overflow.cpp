@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lists that outgrow their first capacity: nothing may be lost, whichever of them overflows, nor when it happens twice.
+#include "tests/oracle/oracle.h"
 #include "tests/support/backends.h"
-#include "tests/support/oracle.h"
 
 namespace spherepair {
 namespace {

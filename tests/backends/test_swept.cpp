@@ -8,7 +8,7 @@
 #include "bench/check/missed_contacts.h"
 #include "bench/check/quad.h"
 #include "common/shared/swept.h"
-#include "tests/support/adversarial.h"
+#include "tests/oracle/adversarial.h"
 #include "tests/support/catalogue.h"
 #include "tests/support/motion_runs.h"
 

@@ -81,6 +81,22 @@ TEST_F(StudyProgram, FramesTimesNoWrongImage) {
   EXPECT_NE(wrong.errors.find("differs from that of"), std::string::npos) << wrong.errors;
 }
 
+TEST_F(StudyProgram, FrameRatesTimesNoWrongImage) {
+  const auto compare = [&](const char* fault) {
+    return run_shell(
+        fmt::format("SPHEREPAIR_FAULT={} '{}' compare --backends cpu,glsl --threads 1 --scenes random --n 64 "
+                    "--steps 1 --blocks 128 --tables frame_rates --rounds 1 --min-seconds 0.001 --results '{}'",
+                    fault, SPHEREPAIR_FAULTY_PROGRAM, path(fault)),
+        folder_);
+  };
+  const Outcome right = compare("none"), wrong = compare("image_pixel");
+  EXPECT_EQ(right.code, 0) << right.errors;
+  EXPECT_NE(right.output.find("quadric"), std::string::npos) << right.output;
+  EXPECT_EQ(right.output.find("Left out"), std::string::npos) << right.output;
+  EXPECT_EQ(wrong.code, 1) << wrong.output;
+  EXPECT_NE(wrong.errors.find("give different images"), std::string::npos) << wrong.errors;
+}
+
 TEST_F(StudyProgram, AblateTimesNoWrongResult) {
   const std::string words = "ablate --n 300 --names radius_load,plane_test";
   const Outcome right = study("none", words);

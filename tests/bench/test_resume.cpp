@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "bench/formats/checkpoint.h"
-#include "tests/support/adversarial.h"
+#include "tests/oracle/adversarial.h"
 #include "tests/support/motion_runs.h"
 #include "tests/support/program.h"
 

@@ -6,8 +6,8 @@
 
 #include "bench/studies/motion_targets.h"
 #include "bench/studies/set_errors.h"
+#include "tests/oracle/oracle.h"
 #include "tests/support/motion_runs.h"
-#include "tests/support/oracle.h"
 
 namespace spherepair {
 namespace {

@@ -7,8 +7,8 @@
 #include "bench/check/degrees.h"
 #include "bench/cli/commands.h"
 #include "bench/formats/pair_file.h"
+#include "tests/oracle/oracle.h"
 #include "tests/support/backends.h"
-#include "tests/support/oracle.h"
 #include "tests/support/program.h"
 #include "tests/support/sphere_files.h"
 

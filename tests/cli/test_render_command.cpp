@@ -6,9 +6,10 @@
 #include <fstream>
 
 #include "bench/cli/commands.h"
+#include "bench/io/file_bytes.h"
 #include "bench/view/box_edges.h"
 #include "common/shared/draw.h"
-#include "tests/support/backends.h"
+#include "tests/support/images.h"
 #include "tests/support/sphere_files.h"
 
 namespace spherepair {
@@ -106,6 +107,18 @@ TEST(BoxEdges, StandBehindWhatIsNearer) {
   EXPECT_GT(marked(20), marked(9.5f) + 50);
 }
 
+// Every backend's spheres through OpenGL: the record says how they came there.
+TEST_F(RenderCommand, DrawsTheCpusSpheresThroughOpenGL) {
+  if (const std::string why = why_no_pipeline(*open_backend("cpu")); !why.empty()) GTEST_SKIP() << why;
+  RenderOptions mesh = options("a.png");
+  mesh.draw = "mesh";
+  mesh.plain = true;
+  EXPECT_EQ(run(mesh), "");
+  const json record = json::parse(FileBytes(folder_.path("a.json")).bytes());
+  EXPECT_EQ(record.at("drawn_by"), "mesh");
+  EXPECT_EQ(record.at("transfer"), "host");
+}
+
 TEST_F(RenderCommand, RefusesAndLeavesNothing) {
   RenderOptions none = options("a.png");
   none.output_file.clear();
@@ -116,9 +129,9 @@ TEST_F(RenderCommand, RefusesAndLeavesNothing) {
   tilted.camera.eye = {1, 2, 3};
   tilted.camera.target = {1, 2, 3};
   EXPECT_NE(run(tilted).find("direction"), std::string::npos);
-  RenderOptions mesh = options("a.png");
-  mesh.draw = "mesh";
-  EXPECT_NE(run(mesh).find("OpenGL"), std::string::npos);
+  RenderOptions unknown = options("a.png");
+  unknown.draw = "cubes";
+  EXPECT_NE(run(unknown).find("quadric"), std::string::npos);
   EXPECT_FALSE(fs::exists(folder_.path("a.png")));
 }
 

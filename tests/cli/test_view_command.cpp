@@ -65,6 +65,30 @@ TEST_F(ViewCommand, ShowsSpheresAndThePanel) {
   EXPECT_GT(colours(400, 640), 100u) << "the spheres";
 }
 
+// Also where they never leave OpenGL: the pixels of the window itself, without its panel.
+TEST_F(ViewCommand, ShowsTheSamePixelsOnEveryBackend) {
+  if (!finds("xvfb-run")) GTEST_SKIP() << "xvfb-run is not installed (Debian: xvfb, xauth)";
+  const Ended first = view("--backend cpu --frames 1");
+  if (first.said.find("built without windows") != std::string::npos) GTEST_SKIP() << first.said;
+  for (const std::string draw : {"", "d", "dddd", "ddddd"}) {
+    const auto pixels_of = [&](const std::string& backend) {
+      const std::string file = folder_.path(backend + ".png");
+      const Ended ended = view(fmt::format("--backend {} --frames 8 --keys h{} --screenshot {}", backend, draw, file));
+      EXPECT_EQ(ended.code, kOk) << ended.said;
+      EXPECT_NE(ended.said.find("images stay in the window's OpenGL context"), std::string::npos) << ended.said;
+      return read_bytes(file);
+    };
+    const std::string cpu = pixels_of("cpu"), glsl = pixels_of("glsl");
+    EXPECT_EQ(cpu, glsl) << "drawing method " << draw.size();
+    EXPECT_GT(cpu.size(), 20000u) << "a blank window";
+    if (!draw.empty()) continue;
+    const std::string own = folder_.path("own.png");
+    const Ended ended = view("--backend glsl --gl-device 0 --frames 8 --keys h --screenshot " + own);
+    EXPECT_NE(ended.said.find("images are uploaded to the window"), std::string::npos) << ended.said;
+    EXPECT_EQ(read_bytes(own), cpu) << "in a context of its own";
+  }
+}
+
 TEST_F(ViewCommand, GoesOnWithTheSameBits) {
   if (!finds("xvfb-run")) GTEST_SKIP() << "xvfb-run is not installed (Debian: xvfb, xauth)";
   const Ended plain = view("--backend cpu --frames 9");

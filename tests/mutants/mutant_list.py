@@ -40,7 +40,7 @@ HARNESS = [
            "for (const Way& way : ways.empty() ? ways : std::vector<Way>()) {\n    const Configuration configuration", "Timed"),
     mutant("a difference is recorded as equal", "bench/cli/compare.cpp", 'record.set("verdict", "difference");',
            'record.set("verdict", "equal");', "CompareProgram"),
-    mutant("a difference exits with 0", "bench/cli/run_action.cpp", "return fail(kDifference,", "return fail(kOk,",
+    mutant("a difference exits with 0", "bench/options/run_action.cpp", "return fail(kDifference,", "return fail(kOk,",
            "CompareProgram"),
     mutant("equal ignores states", "bench/check/equality.cpp", 'point.at("state").hex(16)', 'std::string("state")', "EqualProgram"),
     mutant("equal ignores fingerprints", "bench/check/equality.cpp", 'point.at("fingerprint").hex(32)',
@@ -139,7 +139,7 @@ COMMANDS = [
            "if ((nameless_ || !temporary_.empty()) && ::fsync(descriptor_) != 0) fail(errno);", "", "ReplacedFile"),
     mutant("NUL bytes are taken", "bench/io/file_lines.h", 'file.fail_at_line(uint64_t(lines_before) + 1, "text", "a NUL byte");',
            "", "ReadErrors"),
-    mutant("a full device is no error", "bench/cli/run_action.cpp", "if (std::fflush(stdout) == 0 && !std::ferror(stdout))",
+    mutant("a full device is no error", "bench/options/run_action.cpp", "if (std::fflush(stdout) == 0 && !std::ferror(stdout))",
            "if (true)", "ExitCodes"),
     mutant("equal radii as the header says", "bench/formats/checkpoint_check.cpp",
            "(scene_.equal_radii && radius(i) != radius(0))", "false", "Checkpoint"),
@@ -152,4 +152,19 @@ EXACT = [
            "uint words = (top - base + 25u) >> 5;", "Predicate", "StressCatalogue.Row0"),
 ]
 
-MUTANTS = HARNESS + SHADERS + CPU + FILES + CHECKPOINT + COMMANDS + EXACT
+DRAWING = [
+    mutant("images of frame rates are not compared", "bench/tables/tables_frame_rates.cpp", "if (image != expected)",
+           "if (false)", "StudyProgram"),
+    mutant("contacts are not transferred", "glsl/gl_drawing.cpp",
+           "  glNamedBufferSubData(counts_, 0, GLsizeiptr(size * sizeof(uint)), counts);\n", "", "Interop"),
+    mutant("the OpenGL device that is named is ignored", "glsl/context.cpp", "(wanted.empty() || named)", "(true || named)",
+           "DeviceNames"),
+    mutant("going back stops a step too early", "bench/view/history.cpp", "for (; at < step; ++at)", "for (; at + 1 < step; ++at)",
+           "History", "ViewerInput"),
+    mutant("history keeps all states", "bench/view/history.cpp", "while (kept_.size() > most)", "while (false && kept_.size() > most)",
+           "History"),
+    mutant("a click picks the pixel of another row", "bench/view/viewer.cpp", "size_t(pixel[1]) * view_.width",
+           "size_t(view_.height - 1 - pixel[1]) * view_.width", "ViewerInput"),
+]
+
+MUTANTS = HARNESS + SHADERS + CPU + FILES + CHECKPOINT + COMMANDS + EXACT + DRAWING

@@ -8,8 +8,8 @@
 #include <cstdlib>
 
 #include "common/shared/hash.h"
+#include "tests/oracle/oracle.h"
 #include "tests/support/backends.h"
-#include "tests/support/oracle.h"
 
 namespace spherepair {
 namespace {

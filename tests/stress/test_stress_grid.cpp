@@ -2,8 +2,8 @@
 // Rows 12 to 14, 31 and 32 of the stress catalogue: scenes that a grid could get wrong, through every kind of cells.
 #include <cmath>
 
+#include "tests/oracle/oracle.h"
 #include "tests/support/backends.h"
-#include "tests/support/oracle.h"
 
 namespace spherepair {
 namespace {

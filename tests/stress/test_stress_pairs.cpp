@@ -2,9 +2,9 @@
 // Rows 1 to 8 of the stress catalogue: single pairs through every backend's own predicate code.
 #include <fmt/format.h>
 
+#include "tests/oracle/tally.h"
 #include "tests/support/backends.h"
 #include "tests/support/catalogue.h"
-#include "tests/support/tally.h"
 
 namespace spherepair {
 namespace {

@@ -9,10 +9,10 @@
 #include <thread>
 
 #include "api/open.h"
-#include "tests/support/adversarial.h"
+#include "tests/oracle/adversarial.h"
+#include "tests/oracle/oracle.h"
 #include "tests/support/backends.h"
 #include "tests/support/catalogue.h"
-#include "tests/support/oracle.h"
 
 namespace spherepair {
 namespace {

@@ -5,12 +5,12 @@
 #include <chrono>
 #include <cmath>
 
-#include "tests/support/adversarial.h"
+#include "tests/oracle/adversarial.h"
+#include "tests/oracle/oracle.h"
+#include "tests/oracle/reference_motion.h"
 #include "tests/support/backends.h"
 #include "tests/support/catalogue.h"
 #include "tests/support/motion_runs.h"
-#include "tests/support/oracle.h"
-#include "tests/support/reference_motion.h"
 
 namespace spherepair {
 namespace {

@@ -8,8 +8,8 @@
 #include <cstring>
 
 #include "api/open.h"
+#include "tests/oracle/oracle.h"
 #include "tests/support/catalogue.h"
-#include "tests/support/oracle.h"
 
 namespace spherepair {
 

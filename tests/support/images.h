@@ -19,6 +19,9 @@ class DeviceImages : public BackendTest {
   void SetUp() override;
 };
 
+// Why OpenGL's pipeline cannot draw its spheres here; empty where it can.
+std::string why_no_pipeline(const Backend& backend);
+
 // Draws what the backend holds. The first difference from the expected image as one sentence; empty when there is
 // none.
 Image image_of(Backend& backend, const View& view, const DrawOptions& options = {});

@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "api/open.h"
-#include "tests/support/adversarial.h"
+#include "tests/oracle/adversarial.h"
 #include "tests/support/catalogue.h"
 
 namespace spherepair {

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "common/shared/wide.h"
-#include "tests/support/adversarial.h"
+#include "tests/oracle/adversarial.h"
 #include "tests/support/backends.h"
 
 namespace spherepair {

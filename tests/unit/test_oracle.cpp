@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/support/oracle.h"
-#include "tests/support/tally.h"
+#include "tests/oracle/oracle.h"
+#include "tests/oracle/tally.h"
 
 namespace spherepair {
 namespace {

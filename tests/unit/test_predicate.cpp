@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/oracle/oracle.h"
+#include "tests/oracle/tally.h"
 #include "tests/support/backends.h"
-#include "tests/support/oracle.h"
-#include "tests/support/tally.h"
 
 namespace spherepair {
 namespace {

@@ -11,8 +11,8 @@
 #include <set>
 
 #include "api/open.h"
+#include "tests/oracle/oracle.h"
 #include "tests/support/backends.h"
-#include "tests/support/oracle.h"
 
 namespace spherepair {
 namespace {

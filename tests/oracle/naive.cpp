@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Compiled with different flags, so nothing inline from a shared header may be called here: the linker keeps one copy.
-#include "tests/support/naive.h"
+#include "tests/oracle/naive.h"
 
 namespace spherepair {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "bench/cli/shard.h"
+#include "bench/options/shard.h"
 
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <stdexcept>
 
-#include "bench/cli/commands.h"
 #include "bench/formats/files.h"
 #include "bench/io/file_bytes.h"
 #include "bench/io/numbers.h"
+#include "bench/options/command.h"
 #include "common/shared/hash.h"
 
 namespace spherepair {

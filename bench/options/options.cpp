@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "bench/cli/options.h"
+#include "bench/options/options.h"
 
 #include <fmt/format.h>
+
+#include "common/backend/device_name.h"
+#include "common/scene/camera.h"
 
 namespace spherepair {
 
@@ -43,12 +46,27 @@ std::string scene_help() {
 }  // namespace
 
 void add_open_options(CLI::App& command, OpenOptions& open) {
-  command.add_option("--cuda-device", open.cuda_device, "CUDA device to use, counted from 0")
-      ->check(count_range)
-      ->capture_default_str();
+  const auto device = [&](const char* name, std::string& value, const char* text) {
+    command.add_option(name, value, text)->check([](const std::string& given) -> std::string {
+      try {
+        DeviceName{given};
+        return {};
+      } catch (const std::invalid_argument& error) {
+        return error.what();
+      }
+    });
+  };
+  device("--cuda-device", open.cuda_device,
+         "GPU for CUDA, and for OpenGL unless --gl-device names another: a number counted from 0 as CUDA does, or a "
+         "UUID as nvidia-smi -L prints it; default: the first");
+  device("--gl-device", open.gl_device,
+         "GPU for OpenGL: a number or UUID; default: that of --cuda-device, or the first");
   command.add_flag("--require-hardware", open.require_hardware, "Refuse software OpenGL");
-  command.add_flag_callback(
-      "--no-gpu", [&open] { open.allow_gpu = false; }, "Use software OpenGL even if there is a GPU");
+  command
+      .add_flag_callback(
+          "--no-gpu", [&open] { open.allow_gpu = false; }, "Use software OpenGL even if there is a GPU")
+      ->excludes(command.get_option("--cuda-device"))
+      ->excludes(command.get_option("--gl-device"));
   command.add_option("--threads", open.threads, "Threads of the CPU backend; 0: all cores")
       ->check(whole_number(0, 4096))
       ->capture_default_str();
@@ -106,10 +124,9 @@ void add_motion_options(CLI::App& command, MotionChoice& motion) {
   command.add_option("--restitution", motion.restitution, "Coefficient of restitution, 0 to 1")->capture_default_str();
 }
 
-void add_save_options(CLI::App& command, RunOptions& options) {
-  command.add_option("--save", options.save_file, "Write a checkpoint to this file after the last step");
-  command.add_option("--save-every", options.save_every, "Also write it every so many steps")
-      ->check(whole_number(1, kMostSteps));
+void add_save_options(CLI::App& command, std::string& file, uint64_t& every) {
+  command.add_option("--save", file, "Write a checkpoint to this file after the last step");
+  command.add_option("--save-every", every, "Also write it every so many steps")->check(whole_number(1, kMostSteps));
 }
 
 void add_resume_option(CLI::App& command, std::string& file) {
@@ -119,6 +136,19 @@ void add_resume_option(CLI::App& command, std::string& file) {
        {"--input", "--frame", "--scene", "--n", "--seed", "--radius", "--radius-ratio", "--packing-fraction",
         "--groups", "--group-size", "--offset", "--motion", "--precision", "--dt", "--restitution"})
     resume->excludes(command.get_option(other));
+}
+
+void add_size_option(CLI::App& command, uint& width, uint& height) {
+  const auto read = [&width, &height](const std::string& text) {
+    const auto size = two_numbers_of(text, 'x', widest_image);
+    if (!size)
+      throw CLI::ValidationError(
+          "--size", fmt::format("'{}' is not a size in pixels such as 1280x720, each at most {}", text, widest_image));
+    width = uint((*size)[0]);
+    height = uint((*size)[1]);
+  };
+  command.add_option_function<std::string>("--size", read,
+                                           fmt::format("Width x height in pixels (default {}x{})", width, height));
 }
 
 }  // namespace spherepair

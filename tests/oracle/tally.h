@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "common/shared/exact.h"
-#include "tests/support/adversarial.h"
+#include "tests/oracle/adversarial.h"
 
 namespace spherepair {
 

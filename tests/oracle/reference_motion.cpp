@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/reference_motion.h"
+#include "tests/oracle/reference_motion.h"
 
 #include <gmp.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/tally.h"
+#include "tests/oracle/tally.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "common/backend/backend.h"
-#include "tests/support/oracle.h"
+#include "tests/oracle/oracle.h"
 
 namespace spherepair {
 namespace {

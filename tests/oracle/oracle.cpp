@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/oracle.h"
+#include "tests/oracle/oracle.h"
 
 #include <gmp.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/cli/run_action.h"
+#include "bench/options/run_action.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <new>
 
 #include "bench/check/step_result.h"
-#include "bench/cli/commands.h"
+#include "bench/options/command.h"
 
 namespace spherepair {
 namespace {

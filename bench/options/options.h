@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Options shared by several subcommands, and the subcommands that draw.
+// Options shared by several subcommands.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <functional>
 
-#include "bench/cli/commands.h"
+#include "bench/formats/start.h"
+#include "bench/io/motion_choice.h"
 #include "bench/io/numbers.h"
+#include "common/backend/backend.h"
 
 namespace spherepair {
 
@@ -36,14 +38,12 @@ void finish_start_options(const CLI::App& command, StartOptions& start);
 // --motion, --precision, --dt and --restitution.
 void add_motion_options(CLI::App& command, MotionChoice& motion);
 
-void add_save_options(CLI::App& command, RunOptions& options);  // --save and --save-every
+// --save and --save-every.
+void add_save_options(CLI::App& command, std::string& file, uint64_t& every);
 
 // --resume excludes every option of the scene and its motion; add those to the command first.
 void add_resume_option(CLI::App& command, std::string& file);
 
 void add_size_option(CLI::App& command, uint& width, uint& height);  // --size 1280x720
-
-void add_render(CLI::App& app, CommandLine& line, Action& action);
-void add_frames(CLI::App& app, CommandLine& line, Action& action);
 
 }  // namespace spherepair

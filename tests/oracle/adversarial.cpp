@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/adversarial.h"
+#include "tests/oracle/adversarial.h"
 
 #include <algorithm>
 #include <array>

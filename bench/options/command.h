@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What every subcommand is given, and what it returns.
+#pragma once
+
+#include "api/open.h"
+#include "bench/measure/session.h"
+
+namespace spherepair {
+
+// Documented in --help: scripts rely on them.
+enum ExitCode { kOk = 0, kDifference = 1, kUsage = 2, kDeviceFailure = 3 };
+
+struct CommandLine {
+  std::vector<std::string> words;  // argv, for the record
+  OpenOptions open;
+  Opener opener = open_backend;
+};
+
+}  // namespace spherepair

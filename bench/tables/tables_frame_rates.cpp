@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// The seed paper's Table 1, frames per second and drawing: move, find the pairs, draw, without a display's limit.
+// Sequential: one thread of the CPU, one draw a sphere. Parallel: a GPU API, one instanced draw.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "api/open.h"
+#include "bench/tables/paper_rows.h"
+#include "bench/tables/study.h"
+#include "common/scene/camera.h"
+
+namespace spherepair {
+namespace {
+
+constexpr uint width = 1280, height = 720;  // the paper does not say its own
+
+// A version of the paper's program. Each draws by the first of its methods.
+struct Version {
+  std::string name;
+  Backend* backend;
+  Method pairs;
+  std::vector<DrawMethod> draws;
+};
+
+std::vector<Version> versions_of(const Study& study, Backend& one_thread) {
+  std::vector<Version> versions = {
+      {"sequential", &one_thread, Method::sequential, {DrawMethod::mesh_each, DrawMethod::quadric}}};
+  for (Backend* device : study.session.devices())
+    versions.push_back({device->info().name, device, Method::collide_tiled, {DrawMethod::mesh}});
+  return versions;
+}
+
+// Fewer of more spheres; the same for every version, and each sample has the same ones, since falling spheres become
+// denser.
+uint64_t frames_per_sample(uint64_t n) { return std::clamp<uint64_t>(65536 / n, 2, 64); }
+
+View view_of(const Scene& scene) {
+  return make_view(frame(bounds_of(scene.positions), 30, 20, 40, double(width) / height), contact_look(), width,
+                   height);
+}
+
+void draw(Backend& backend, DrawMethod method, const View& view) {
+  backend.enqueue_draw(view, {.method = method, .reuse_unchanged = false});
+}
+
+// The mesh is the same on every backend, in one draw or many.
+void require_equal_images(const std::vector<Version>& versions, const Scene& scene, const View& view) {
+  std::vector<uint> expected;
+  for (const Version& version : versions) {
+    version.backend->upload(scene);
+    version.backend->collide({.method = version.pairs});
+    version.backend->draw(view, {.method = version.draws.front()});
+    const std::vector<uint> image = version.backend->image();
+    if (expected.empty()) expected = image;
+    if (image != expected)
+      throw DifferenceFound(
+          fmt::format("frame_rates: {} spheres drawn by {} {} and by {} {} give different images", scene.size(),
+                      versions.front().name, draw_method_name(versions.front().draws.front()), version.name,
+                      draw_method_name(version.draws.front())),
+          {{"n", scene.size()}});
+  }
+}
+
+std::vector<Contender> contenders_of(const std::vector<Version>& versions, const Scene& scene, const View& view) {
+  std::vector<Contender> contenders;
+  for (const Version& version : versions) {
+    for (const DrawMethod method : version.draws)
+      contenders.push_back({fmt::format("{} {}", version.name, draw_method_name(method)), version.backend,
+                            [=](Backend& backend) { draw(backend, method, view); }});
+    Contender loop{version.name + " frame", version.backend, [=](Backend& backend) {
+                     backend.move();
+                     backend.enqueue_collide({.method = version.pairs});
+                     draw(backend, version.draws.front(), view);
+                   }};
+    loop.restart = [&scene, step = loop.step](Backend& backend) {
+      backend.upload(scene);
+      step(backend);
+    };
+    loop.batch = frames_per_sample(scene.size());
+    contenders.push_back(std::move(loop));
+  }
+  return contenders;
+}
+
+const Samples& find(const std::vector<Samples>& samples, const std::string& label) {
+  return *std::ranges::find(samples, label, &Samples::label);
+}
+
+Table empty_table(const std::vector<Version>& versions) {
+  Table table{"Table 1: frames per second and drawing, random scene, medians",
+              {{"", "n", ""}, {"frames per second", "paper", "1/s"}},
+              {},
+              {}};
+  for (const Version& version : versions) table.columns.push_back({"frames per second", version.name, "1/s"});
+  for (const char* name : {"sequential", "parallel"}) table.columns.push_back({"drawing, the paper's", name, "ms"});
+  for (const Version& version : versions)
+    for (const DrawMethod method : version.draws)
+      table.columns.push_back({"drawing, " + version.name, draw_method_name(method), "ms"});
+  table.notes = {fmt::format(
+      "A frame: motion, pairs and an image of {} x {} pixels, with no display to wait for. sequential: one thread of "
+      "the CPU, one draw a sphere, its spheres transferred to OpenGL for each image. The others: collide_tiled and one "
+      "instanced draw; CUDA's spheres are transferred for each image too.",
+      width, height)};
+  table.notes.push_back(
+      "mesh_each and mesh: the paper's 80 triangles; quadric: glutSolidSphere's 180. The paper's 60 frames per second "
+      "and 0 ms are the limits of its display and of its clock.");
+  return table;
+}
+
+// Checks the images, then times drawing and whole frames.
+std::vector<Samples> time_frames(Study& study, const std::vector<Version>& versions, uint64_t n) {
+  const Scene scene = make_scene(study.paper_scene(n));
+  const View view = view_of(scene);
+  require_equal_images(versions, scene, view);
+  const size_t first = study.measurements.size();
+  const std::vector<Contender> contenders = contenders_of(versions, scene, view);
+  const std::vector<Samples> samples = study.time_unchecked(
+      "frame_rates", contenders, {{"work", "frame"}, {"n", n}, {"width", width}, {"height", height}});
+  for (size_t k = 0; k < samples.size(); ++k)
+    if (!contenders[k].restart) study.measurements[first + k]["work"] = "draw";
+  return samples;
+}
+
+std::vector<std::string> cells_of(const std::vector<Version>& versions, uint64_t n,
+                                  const std::vector<Samples>& samples) {
+  const PaperRow paper = paper_row(n);
+  std::vector<std::string> cells = {std::to_string(n), paper.fps};
+  for (const Version& version : versions)
+    cells.push_back(format_number(1 / find(samples, version.name + " frame").median_seconds()));
+  for (const char* printed : {paper.sequential_drawing, paper.parallel_drawing}) cells.push_back(printed);
+  for (const Version& version : versions)
+    for (const DrawMethod method : version.draws)
+      cells.push_back(
+          format_ms(find(samples, fmt::format("{} {}", version.name, draw_method_name(method))).median_seconds()));
+  return cells;
+}
+
+}  // namespace
+
+std::vector<Table> make_frame_rates(Study& study) {
+  OpenOptions open = study.session.options();
+  open.threads = 1;
+  const auto one_thread = open_backend("cpu", open);
+  const std::vector<Version> versions = versions_of(study, *one_thread);
+  Table table = empty_table(versions);
+  SizeSequence sizes(study, study.plan.paper_sizes);
+  try {
+    while (sizes.next()) {
+      const std::vector<Samples> samples = time_frames(study, versions, sizes.n());
+      sizes.measured(samples);
+      table.rows.push_back(cells_of(versions, sizes.n(), samples));
+    }
+  } catch (const BackendError& error) {
+    table.notes.push_back(fmt::format("Left out: {}", error.what()));
+  }
+  for (const std::string& note : sizes.notes()) table.notes.push_back(note);
+  return {table};
+}
+
+}  // namespace spherepair

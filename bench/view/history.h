@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The steps of a run that can be gone back to: states kept now and then, from which the steps between are made again,
+// to the same bits.
+#pragma once
+
+#include <map>
+
+#include "bench/formats/start.h"
+#include "common/backend/backend.h"
+
+namespace spherepair {
+
+class History {
+ public:
+  // most_bytes: of host memory for states; where it holds few of them, going back takes more steps.
+  explicit History(const Start& start, uint64_t most_bytes = uint64_t(1) << 30);
+
+  void record(Backend& backend, uint64_t step);  // that it has just reached
+  void go_to(Backend& backend, uint64_t step);   // from the first step of the run to the last that was reached
+  uint64_t first() const { return start_.step; }
+  uint64_t last() const { return last_; }
+  size_t states() const { return kept_.size(); }
+
+ private:
+  struct Kept {
+    Backend::State state;
+    MotionState motion;
+    uint64_t bytes() const;
+  };
+
+  const Start& start_;
+  uint64_t most_bytes_, last_;
+  uint64_t every_;  // steps between two kept states
+  std::map<uint64_t, Kept> kept_;
+};
+
+}  // namespace spherepair

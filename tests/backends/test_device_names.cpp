@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Which GPU is meant, and what is said where it is not there.
+#include "common/backend/device_name.h"
+#include "tests/support/backends.h"
+
+namespace spherepair {
+namespace {
+
+OpenOptions named(const Backend& backend, const std::string& device) {
+  OpenOptions options;
+  (backend.info().name == "cuda" ? options.cuda_device : options.gl_device) = device;
+  return options;
+}
+
+TEST(DeviceNames, AreNumbersOrUuids) {
+  EXPECT_TRUE(DeviceName("").empty());
+  EXPECT_EQ(DeviceName("12").number, 12u);
+  const std::string digits = "80dd8ca93fdcafbcb92a7f7f8132cecf";
+  EXPECT_EQ(DeviceName("GPU-80DD8CA9-3fdc-afbc-b92a-7f7f8132cecf").uuid, digits);
+  EXPECT_EQ(DeviceName(digits).uuid, digits);
+  for (const char* wrong : {"-1", "1.5", "first", "GPU-12", "80dd8ca93fdcafbcb92a7f7f8132cecg"})
+    EXPECT_THROW(DeviceName{wrong}, std::invalid_argument) << wrong;
+}
+
+TEST(DeviceNames, OneThatIsNotThereIsNamedWithThoseThatAre) {
+  for (Backend* backend : open_backends()) {
+    if (backend->info().on_host) continue;
+    for (const std::string wrong : {"63", "00000000000000000000000000000000"}) {
+      try {
+        open_backend(backend->info().name, named(*backend, wrong));
+        FAIL() << backend->info().name << " opened device " << wrong;
+      } catch (const BackendError& error) {
+        EXPECT_NE(std::string(error.what()).find(wrong), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("there "), std::string::npos) << error.what();
+      }
+    }
+  }
+}
+
+TEST(DeviceNames, TheGpuThatIsNamedIsOpened) {
+  for (Backend* backend : open_backends()) {
+    if (!is_gpu(*backend)) continue;
+    const std::string uuid = backend->info().uuid;
+    EXPECT_EQ(open_backend(backend->info().name, named(*backend, uuid))->info().uuid, uuid);
+  }
+}
+
+}  // namespace
+}  // namespace spherepair

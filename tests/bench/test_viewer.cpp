@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// What `spherepair view` does with its user's input, in a window that exists in memory only; and its history.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "bench/check/step_result.h"
+#include "bench/view/history.h"
+#include "bench/view/viewer.h"
+
+namespace spherepair {
+namespace {
+
+Start start_at(uint64_t step, MotionMethod method) {
+  Start start;
+  start.scene = make_scene({.name = "random", .n = 200});
+  start.scene.motion.method = method;
+  start.label = "random";
+  start.step = step;
+  return start;
+}
+
+uint64_t hash_of(Backend& backend) {
+  const Backend::State state = current_state(backend);
+  return state_hash(state.positions, state.velocities, state.wide);
+}
+
+TEST(History, GoesBackToTheSameBits) {
+  for (const MotionMethod method : {MotionMethod::paper, MotionMethod::anchored}) {
+    const Start start = start_at(5, method);
+    const auto backend = open_backend("cpu", {.threads = 1});
+    History history(start);
+    history.go_to(*backend, 5);
+    std::map<uint64_t, uint64_t> hashes = {{5, hash_of(*backend)}};
+    for (uint64_t step = 6; step <= 205; ++step) {
+      backend->move();
+      history.record(*backend, step);
+      hashes[step] = hash_of(*backend);
+    }
+    EXPECT_EQ(history.last(), 205u);
+    EXPECT_GT(history.states(), 3u);
+    for (const uint64_t step : {5u, 6u, 36u, 37u, 101u, 205u, 69u}) {
+      history.go_to(*backend, step);
+      EXPECT_EQ(hash_of(*backend), hashes.at(step)) << "step " << step;
+    }
+  }
+}
+
+TEST(History, KeepsNoMoreThanItMay) {
+  const Start start = start_at(0, MotionMethod::paper);
+  const auto backend = open_backend("cpu", {.threads = 1});
+  const uint64_t bytes = start.scene.size() * 2 * sizeof(vec4);
+  for (const uint64_t most : {uint64_t(0), uint64_t(1), uint64_t(5), uint64_t(1000)}) {
+    History history(start, most * bytes);
+    history.go_to(*backend, 0);
+    for (uint64_t step = 1; step <= 5000; ++step) {
+      backend->move();
+      history.record(*backend, step);
+      ASSERT_LE(history.states(), std::min<uint64_t>(most, 64)) << "step " << step;
+    }
+    const uint64_t last = hash_of(*backend);
+    history.go_to(*backend, 4321);
+    EXPECT_NE(hash_of(*backend), last);
+    history.go_to(*backend, 5000);
+    EXPECT_EQ(hash_of(*backend), last) << most << " states";
+  }
+}
+
+// Shows nothing, and answers what the test has set.
+class ScriptedWindow final : public Window, private WindowContext {
+ public:
+  bool next() override { return true; }
+  std::array<uint, 2> size() const override { return {160, 120}; }
+  std::array<double, 2> dragged() const override { return drag; }
+  double scrolled() const override { return scroll; }
+  std::optional<std::array<uint, 2>> clicked() const override { return click; }
+  bool pressed(char) const override { return false; }
+  void begin_panel() override { texts.clear(); }
+  void end_panel() override {}
+  void text(const std::string& line) override { texts += line + "\n"; }
+  bool button(const char*) override { return false; }
+  void check(const char*, bool&) override {}
+  void slide(const char*, uint64_t& value, uint64_t low, uint64_t high) override {
+    range = {low, high};
+    if (slid) value = *std::exchange(slid, {});
+  }
+  void choose(const char*, const std::vector<std::string>&, size_t&) override {}
+  uint texture(uint, uint) override { return 0; }
+  void upload(std::span<const uint> image) override { shown.assign(image.begin(), image.end()); }
+  void show() override {}
+  std::vector<uint> screenshot() override { return shown; }
+  WindowContext& context() override { return *this; }
+  std::string renderer() const override { return "none"; }
+
+  std::array<double, 2> drag{};
+  double scroll = 0;
+  std::optional<std::array<uint, 2>> click;
+  std::optional<uint64_t> slid;
+  std::array<uint64_t, 2> range{};
+  std::string texts;
+  std::vector<uint> shown;
+
+ private:
+  void make_current() override {}
+};
+
+class ViewerInput : public testing::Test {
+ protected:
+  std::vector<uint> after(const std::string& keys) {
+    for (const char key : keys) viewer_.frame(window_, key == '.' ? '\0' : key);
+    return window_.shown;
+  }
+  bool says(const std::string& text) const { return window_.texts.find(text) != std::string::npos; }
+
+  const Start start_ = start_at(0, MotionMethod::paper);
+  const Session session_{{"cpu"}, {.threads = 1}};
+  Viewer viewer_{session_, start_, "cpu", "collide_grid", false};
+  ScriptedWindow window_;
+};
+
+TEST_F(ViewerInput, StepsBackAndForthShowTheSameImages) {
+  const std::vector<uint> fifth = after("....."), sixth = after(".");
+  EXPECT_NE(fifth, sixth);
+  EXPECT_EQ(after("z"), fifth);
+  EXPECT_EQ(after("."), fifth) << "it is paused";
+  EXPECT_EQ(after("n"), sixth);
+  after(" ....");
+  EXPECT_TRUE(says("step 11:")) << window_.texts;
+  window_.slid = 5;
+  after(".");
+  EXPECT_EQ(after("."), fifth);
+  EXPECT_EQ(window_.range, (std::array<uint64_t, 2>{0, 12}));
+}
+
+TEST_F(ViewerInput, AClickTellsTheSphereOfThatPixel) {
+  after(" .");
+  const auto backend = open_backend("cpu", {.threads = 1});
+  backend->upload(start_.scene);
+  backend->collide({});
+  const std::vector<uint> contacts = backend->counts();
+  std::set<size_t> found;
+  for (uint y = 0; y < 120; y += 8)
+    for (uint x = 0; x < 160; x += 8) {
+      window_.click = {{x, y}};
+      after(".");
+      const bool background = window_.shown[y * 160 + x] == ~0u;
+      EXPECT_FALSE(background && says("contacts\ncentre")) << x << ", " << y;
+      if (!says("contacts\ncentre")) continue;
+      const size_t sphere = std::stoul(window_.texts.substr(window_.texts.find("\nsphere ") + 8));
+      EXPECT_TRUE(says(fmt::format("sphere {} at step 0: {} contacts", sphere, contacts.at(sphere)))) << window_.texts;
+      found.insert(sphere);
+    }
+  EXPECT_GT(found.size(), 20u);
+  window_.click = {{159, 0}};
+  after(".");
+  EXPECT_FALSE(says("contacts\ncentre")) << window_.texts;
+}
+
+TEST_F(ViewerInput, TheMouseTurnsAndZooms) {
+  const std::vector<uint> before = after(" .");
+  EXPECT_EQ(after("."), before);
+  window_.drag = {30, 10};
+  const std::vector<uint> turned = after(".");
+  EXPECT_NE(turned, before);
+  window_.drag = {};
+  EXPECT_EQ(after("."), turned);
+  window_.scroll = 2;
+  EXPECT_NE(after("."), turned);
+}
+
+}  // namespace
+}  // namespace spherepair
