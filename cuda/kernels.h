@@ -39,6 +39,7 @@ struct KernelBuffers {
   uint* since;
   uint* next_event;
   uint* seen_list;
+  uint* colour;
 };
 
 // Every kernel is void (Params p, KernelBuffers buf); those that draw also take a View v. A null entry means a group

@@ -8,7 +8,7 @@ void GlPipeline::draw(DrawMethod method, const View& view, const SphereArrays& s
   if (!renderer_) renderer_ = std::make_unique<GlRenderer>();
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   timer_.time(draw_method_name(method), [&] {
-    renderer_->draw(method, view, buffers_[SLOT_POSITION], buffers_[SLOT_COUNT], uint(spheres.size));
+    renderer_->draw(method, view, buffers_[SLOT_POSITION], buffers_[colour_slot(view)], uint(spheres.size));
   });
 }
 

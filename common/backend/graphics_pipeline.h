@@ -12,7 +12,7 @@ namespace spherepair {
 // Where a backend has its spheres, by index: in the host's memory, or in CUDA's.
 struct SphereArrays {
   const vec4* positions;
-  const uint* counts;  // of contacts
+  const uint* counts;  // what chooses the colours, of contacts unless View::colour_by asks for others
   uint64_t size;
 };
 

@@ -12,6 +12,7 @@
 #include "common/cpu/cpu_draw.h"
 #include "common/cpu/cpu_search.h"
 #include "common/scene/camera.h"
+#include "common/shared/draw.h"
 #include "common/shared/exact.h"
 
 namespace spherepair {
@@ -112,10 +113,10 @@ class CpuBackend final : public Backend {
           "cpu: occlusion and shadows need the dense cells of collide_grid; collide with them first");
     if (options.method != DrawMethod::compute) return draw_by_pipeline(view, options);
     const auto& positions = motion_.positions(threads_);
-    const std::vector<uint> contacts = drawn_counts();
+    const std::vector<uint> entries = colours(view);
     View wanted = view;
     wanted.lanes = options.lanes(positions.size());
-    clock_.time("draw", [&] { image_ = draw_image(positions, contacts, wanted, search_.dense_cells(), threads_); });
+    clock_.time("draw", [&] { image_ = draw_image(positions, entries, wanted, search_.dense_cells(), threads_); });
     drawn_ = options;
     size_ = {view.width, view.height};
   }
@@ -131,7 +132,7 @@ class CpuBackend final : public Backend {
   void transfer(Transfer way) override {
     if (!pipeline_) return Backend::transfer(way);
     const auto& positions = motion_.positions(threads_);
-    const std::vector<uint> contacts = drawn_counts();
+    const std::vector<uint> contacts = colours({});
     pipeline_.get().transfer({positions.data(), contacts.data(), positions.size()}, way);
   }
   std::optional<Transfer> transfer_taken() const override {
@@ -170,8 +171,16 @@ class CpuBackend final : public Backend {
   std::vector<StageTime> stage_times() override { return clock_.take(); }
 
  private:
-  std::vector<uint> drawn_counts() {
-    return search_.searched() ? counts() : std::vector<uint>(motion_.positions(threads_).size());
+  // What chooses the spheres' colours.
+  std::vector<uint> colours(const View& view) {
+    const auto& positions = motion_.positions(threads_);
+    std::vector<uint> entries(positions.size());
+    if (view.colour_by == COLOUR_BY_CONTACTS) return search_.searched() ? counts() : entries;
+    if (view.colour_by == COLOUR_BY_SPEED) motion_.evaluate_state(threads_);
+    const std::vector<vec4>& velocities = motion_.velocities();
+#pragma omp parallel for num_threads(threads_) schedule(static)
+    for (size_t i = 0; i < entries.size(); ++i) entries[i] = palette_entry(positions[i], velocities[i], view);
+    return entries;
   }
 
   void draw_by_pipeline(const View& view, const DrawOptions& options) {
@@ -179,9 +188,9 @@ class CpuBackend final : public Backend {
       throw std::invalid_argument(
           fmt::format("cpu: drawing by {} needs OpenGL, which this build lacks", draw_method_name(options.method)));
     const auto& positions = motion_.positions(threads_);
-    const std::vector<uint> contacts = drawn_counts();
+    const std::vector<uint> entries = colours(view);
     clock_.time(draw_method_name(options.method), [&] {
-      pipeline_.get().draw(options.method, view, {positions.data(), contacts.data(), positions.size()},
+      pipeline_.get().draw(options.method, view, {positions.data(), entries.data(), positions.size()},
                            options.transfer);
     });
     image_ = {};

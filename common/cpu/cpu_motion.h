@@ -28,6 +28,7 @@ class CpuMotion {
   // As they stand now; of `anchored` they are evaluated when they are requested.
   const std::vector<vec4>& positions(int threads);
   void evaluate_state(int threads);
+  const std::vector<vec4>& velocities() const { return velocities_; }  // as they were evaluated last
   Backend::State state() const;  // BackendError where it was not evaluated since the last move
 
   MotionState save(int threads);

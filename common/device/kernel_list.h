@@ -12,7 +12,7 @@
   each(grid_sort)                                                                               \
   each(collide_grid) each(collide_hashed) each(collide_group) each(collide_tiled)               \
   each(collide_swept) each(collide_square) each(collide_triangle)                               \
-  each(draw_clear) each(draw_unsort_counts) each(draw_bounds) each(draw_cull) each(draw_hiz_pyramid)       \
+  each(draw_clear) each(draw_unsort_counts) each(draw_colours) each(draw_bounds) each(draw_cull) each(draw_hiz_pyramid)       \
   each(draw_previously_visible) each(draw_clusters) each(draw_spheres) each(draw_tiles) each(draw_resolve)    \
   each(draw_light)
 // clang-format on

@@ -28,6 +28,7 @@ inline uint position_slot(Order order) {
   return order == Order::cells ? SLOT_SORTED : order == Order::buckets ? SLOT_SPLIT : SLOT_POSITION;
 }
 inline uint id_slot(Order order) { return order == Order::buckets ? SLOT_SPLIT_ID : SLOT_ID; }
+inline uint colour_slot(const View& view) { return view.colour_by == COLOUR_BY_CONTACTS ? SLOT_COUNT : SLOT_COLOUR; }
 inline uint count_slot(Order order) { return order == Order::cells ? SLOT_SORTED_COUNT : SLOT_COUNT; }
 
 struct Launch {
@@ -41,12 +42,14 @@ struct Launch {
   const char* stage = nullptr;          // name of its time, where not the kernel's
   std::optional<Kernel> overlaps = {};  // right behind this kernel it may begin while that one still runs: neither
                                         // writes what the other uses
-  const View* view = nullptr;           // of kernels that draw, which see contact counts by sphere index
-  uint visible_slot = SLOT_VISIBLE;     // of kernels that draw
-  uint64_t texels = 0;                  // GLSL, where variant.texture_table is set: elements of the buffer texture
+  const View* view = nullptr;  // of kernels that draw, which see as counts what chooses the colours, by sphere index
+  uint visible_slot = SLOT_VISIBLE;  // of kernels that draw
+  uint64_t texels = 0;               // GLSL, where variant.texture_table is set: elements of the buffer texture
 };
 
-inline uint count_slot(const Launch& launch) { return launch.view ? SLOT_COUNT : count_slot(launch.order); }
+inline uint count_slot(const Launch& launch) {
+  return launch.view ? colour_slot(*launch.view) : count_slot(launch.order);
+}
 inline const char* stage_name(const Launch& launch) { return launch.stage ? launch.stage : kernel_name(launch.kernel); }
 
 }  // namespace spherepair

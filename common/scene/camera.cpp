@@ -87,6 +87,13 @@ Camera frame(const Bounds& bounds, double azimuth, double elevation, double fiel
   return camera;
 }
 
+Look range_look(uint colour_by, double lowest, double highest) {
+  Look look{.palette = {0x440154, 0x46327E, 0x365C8D, 0x277F8E, 0x1FA187, 0x4AC16D, 0xA0DA39, 0xFDE725}};
+  look.colour_by = colour_by;
+  for (int k = 0; k < COLOURS - 1; ++k) look.limits[k] = lowest + (highest - lowest) * (k + 1) / COLOURS;
+  return look;
+}
+
 Look contact_look() {
   return {.palette = {0x9FB4CC, 0xFFEDA0, 0xFED976, 0xFEB24C, 0xFD8D3C, 0xFC4E2A, 0xE31A1C, 0xB10026}};
 }
@@ -123,6 +130,12 @@ View make_view(const Camera& camera, const Look& look, uint width, uint height, 
   v.palette_0 = {look.palette[0], look.palette[1], look.palette[2], look.palette[3]};
   v.palette_4 = {look.palette[4], look.palette[5], look.palette[6], look.palette[7]};
   v.background = look.background;
+  v.colour_by = look.colour_by;
+  const auto limit = [&](int k) {
+    return float(look.colour_by == COLOUR_BY_SPEED ? look.limits[k] * look.limits[k] : look.limits[k]);
+  };
+  v.limits_0 = {limit(0), limit(1), limit(2), limit(3)};
+  v.limit_4 = limit(4), v.limit_5 = limit(5), v.limit_6 = limit(6);
   return v;
 }
 

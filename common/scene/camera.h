@@ -31,13 +31,17 @@ Bounds bounds_of(std::span<const vec4> spheres);
 Camera frame(const Bounds& bounds, double azimuth, double elevation, double field, double aspect);
 
 struct Look {
-  std::array<uint, 8> palette;  // 0xRRGGBB of 0, 1 ... 6, 7 and more contacts
+  std::array<uint, COLOURS> palette;  // 0xRRGGBB of 0, 1 ... 6, 7 and more contacts, or limits that are reached
+  uint colour_by = COLOUR_BY_CONTACTS;
+  std::array<double, COLOURS - 1> limits = {};  // ascending; metres a second, or metres
   uint background = 0xFFFFFF;
   Vector light = {-0.35, 0.75, -0.56};  // towards the light: right, up, forward of the camera
   double ambient = 0.38;                // the share of light from all around
   uint lighting = 0;                    // LIGHT_*: they need the dense cells of collide_grid, and light from above
   double shadow = 0.72;                 // the ground's brightness in full shadow, of the background's
 };
+// By speed or radius: equal intervals from the lowest to the highest, from dark violet over green to yellow.
+Look range_look(uint colour_by, double lowest, double highest);
 Look contact_look();  // blue without contacts, then from pale yellow to dark red: told apart also by the colour-blind
 
 constexpr uint widest_image = 16384;  // pixels, along either axis

@@ -185,6 +185,19 @@ FN uint least_depth_of(vec4 seen, Box box, View v) {
   return least_depth_between(close, far, root, box, v);
 }
 
+// The entry of the palette that a sphere gets by its radius or speed.
+FN uint palette_entry(vec4 position, vec4 velocity, View v) {
+  EXACT float square = (velocity.x * velocity.x + velocity.y * velocity.y) + velocity.z * velocity.z;
+  float value = v.colour_by == COLOUR_BY_RADIUS ? position.w : square;
+  uint entry = value >= v.limits_0.x ? 1u : 0u;
+  entry += value >= v.limits_0.y ? 1u : 0u;
+  entry += value >= v.limits_0.z ? 1u : 0u;
+  entry += value >= v.limits_0.w ? 1u : 0u;
+  entry += value >= v.limit_4 ? 1u : 0u;
+  entry += value >= v.limit_5 ? 1u : 0u;
+  return entry + (value >= v.limit_6 ? 1u : 0u);
+}
+
 FN uint palette(uint contacts, View v) {
   uint first = contacts < 2u ? (contacts == 0u ? v.palette_0.x : v.palette_0.y)
                              : (contacts == 2u ? v.palette_0.z : v.palette_0.w);

@@ -37,7 +37,8 @@
 #define SLOT_NEXT_EVENT 28   // uint[n], of anchored: first step in which the sphere may reach the plane
 #define SLOT_SEEN_LIST 29    // uint[], two by View::turn: indices of the spheres visible in recent frames
 #define SLOT_VISIBLE_ODD 30  // as SLOT_VISIBLE, for every other frame where two are in flight
-#define SLOT_TOTAL 31
+#define SLOT_COLOUR 31       // uint[n]: entry of the palette, unless it is the number of contacts; see View::colour_by
+#define SLOT_TOTAL 32
 #define SLOT_PARAMS 0   // the uniform block's own binding
 #define CELL_TEXTURE 0  // texture units of GLSL, one per use, so that bindings seldom change
 #define PYRAMID_TEXTURE 1

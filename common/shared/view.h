@@ -6,7 +6,7 @@
 #include "common/shared/portable.h"
 
 #define VIEW_LOCATION 1  // of its uniforms, which are uvec4 ...
-#define VIEW_FOURS 13    // ... of this number
+#define VIEW_FOURS 15    // ... of this number
 
 #define WALK_AT_MOST 16   // pixels: side of the largest box that one thread draws; larger ones are cut into tiles
 #define LANES 32          // threads that share a sphere when spheres are few ...
@@ -16,6 +16,11 @@
 #define PASS_DEPTH 0      // two passes without 64-bit atomics: first the depth ...
 #define PASS_ID 1         // ... then, of the spheres at that depth, the lowest index
 #define PASS_KEEP 2       // of draw_resolve: keeps the visibility buffer, for read-back
+
+#define COLOUR_BY_CONTACTS 0u  // what chooses a sphere's colour: the number of its contacts,
+#define COLOUR_BY_SPEED 1u     // how many of the limits its speed has reached,
+#define COLOUR_BY_RADIUS 2u    // or its radius
+#define COLOURS 8              // of the palette
 
 #define LIGHT_OCCLUSION 1u  // bits of View::lighting: ambient occlusion by near spheres,
 #define LIGHT_SHADOW 2u     // shadows of the sun,
@@ -80,11 +85,14 @@ struct View {
   vec4 sun;                 // the same in the world; w: the ground's brightness in full shadow, of the background's
   float focal, centre_x, centre_y, pixel;  // pixels per unit of x/z; where forward hits the image, pixels; 1 / focal
   float half_x, half_y, norm_x, norm_y;    // the widest |x/z| and |y/z| seen, rounded up; sqrt(1 + half^2), rounded up
-  uvec4 palette_0, palette_4;              // 0xRRGGBB of 0, 1, 2, 3 contacts; of 4, 5, 6, 7 and more
+  uvec4 palette_0, palette_4;              // 0xRRGGBB of 0, 1, 2, 3 contacts or limits; of 4, 5, 6, 7 and more
   uint background, width, height, pass;    // 0xRRGGBB; pixels; PASS_*
   uint tile_capacity, counting, phase;     // entries; not 0: DRAWN_* are counted; PHASE_*
   uint occlusion;                          // not 0: occlusion culling
   uint clusters, turn, lanes, lighting;    // number of clusters; see DRAWN_SEEN; threads a sphere: 1 or LANES; LIGHT_*
+  vec4 limits_0;                           // ascending, in metres, or in m^2/s^2: squares of speeds ...
+  float limit_4, limit_5, limit_6;         // ... of which the sphere's value reaches none to all
+  uint colour_by;                          // COLOUR_BY_*
 };
 
 #endif

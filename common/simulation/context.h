@@ -29,9 +29,9 @@ struct DeviceContext {
   }
 
   GraphicsPipeline& pipeline() { return device.pipeline() ? *device.pipeline() : other_pipeline.get(); }
-  SphereArrays sphere_arrays() const {
-    return {static_cast<const vec4*>(device.address(SLOT_POSITION)),
-            static_cast<const uint*>(device.address(SLOT_COUNT)), n};
+  SphereArrays sphere_arrays(uint colours) const {
+    return {static_cast<const vec4*>(device.address(SLOT_POSITION)), static_cast<const uint*>(device.address(colours)),
+            n};
   }
 
   void launch(const Launch& launch) { device.launch(launch, params); }

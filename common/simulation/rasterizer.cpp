@@ -15,7 +15,7 @@ namespace {
 
 constexpr uint64_t least_tiles = 1 << 16, most_tiles = 1 << 22;  // that the list has room for at first
 
-static_assert(sizeof(View) == 208);
+static_assert(sizeof(View) == 240);
 
 }  // namespace
 
@@ -61,8 +61,17 @@ bool Rasterizer::current(const View& view, const DrawOptions& options) const {
 
 void Rasterizer::launch() {
   search_.prepare_counts(draws_by_compute());
+  if (view_.colour_by != COLOUR_BY_CONTACTS) launch_colours();
   if (draws_by_compute()) return launch_compute();
-  context_.pipeline().draw(options_.method, view_, context_.sphere_arrays(), options_.transfer);
+  context_.pipeline().draw(options_.method, view_, context_.sphere_arrays(colour_slot(view_)), options_.transfer);
+}
+
+void Rasterizer::launch_colours() {
+  if (view_.colour_by == COLOUR_BY_SPEED) motion_.evaluate_state();
+  context_.buffers.grow(SLOT_COLOUR, context_.n * sizeof(uint));
+  Launch launch{Kernel::draw_colours, SERVICE_BLOCK, {}, folded(ceil_div(context_.n, SERVICE_BLOCK))};
+  launch.view = &view_;
+  if (context_.n > 0) context_.launch(launch);
 }
 
 Frame Rasterizer::make_frame() {

@@ -31,6 +31,7 @@ class Rasterizer {
   void require_drawn(bool by_compute) const;
   bool draws_by_compute() const { return options_.method == DrawMethod::compute; }
   void launch();
+  void launch_colours();
   void launch_compute();
   Frame make_frame();
   void choose_pixels(Frame& frame, bool alone);

@@ -146,7 +146,7 @@ void Simulation::transfer(Transfer way) {
   if (!context_.other_pipeline) return Backend::transfer(way);
   require_scene("transfer");
   search_.prepare_counts(false);
-  context_.other_pipeline.get().transfer(context_.sphere_arrays(), way);
+  context_.other_pipeline.get().transfer(context_.sphere_arrays(SLOT_COUNT), way);
 }
 
 }  // namespace spherepair

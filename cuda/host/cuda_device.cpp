@@ -159,7 +159,8 @@ KernelBuffers CudaDevice::buffers(const Launch& launch) const {
           .flight = buffer<void>(SLOT_FLIGHT),
           .since = buffer<uint>(SLOT_SINCE),
           .next_event = buffer<uint>(SLOT_NEXT_EVENT),
-          .seen_list = buffer<uint>(SLOT_SEEN_LIST)};
+          .seen_list = buffer<uint>(SLOT_SEEN_LIST),
+          .colour = buffer<uint>(SLOT_COLOUR)};
 }
 
 void CudaDevice::launch(const Launch& launch, const Params& params) {
