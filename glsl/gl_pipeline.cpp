@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "glsl/gl_pipeline.h"
 
+#include "common/device/launch.h"
+
 namespace spherepair {
 
 void GlPipeline::draw(DrawMethod method, const View& view, const SphereArrays& spheres, std::optional<Transfer>) {
