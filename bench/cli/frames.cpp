@@ -8,6 +8,7 @@
 #include "bench/io/context.h"
 #include "bench/io/output_files.h"
 #include "bench/studies/frames_study.h"
+#include "bench/view/window.h"
 
 namespace spherepair {
 
@@ -15,14 +16,28 @@ int frames_command(const CommandLine& line, const FramesOptions& options) {
   require_known_backends(options.backends);
   for (const std::string& draw : options.draws) draw_method_from_name(draw);
   for (const std::string& place : options.places) require_known("camera position", place, {"outside", "inside"});
-  for (const std::string& work : options.works) require_known("work", work, {"frame", "frame_all", "lit", "loop"});
+  for (const std::string& work : options.works)
+    require_known("work", work, {"frame", "frame_all", "lit", "loop", "view"});
   OutputFiles().write("--json", options.json_file);
-  Session session(options.backends, line.open, line.opener);
+  std::unique_ptr<Window> window;
+  OpenOptions open = line.open;
+  if (options.window) {
+    window = open_window("spherepair frames", options.width, options.height, true);
+    open.window = &window->context();
+  }
+  Session session(options.backends, open, line.opener);
   fmt::print("{}\n", session.summary());
   json record = {{"format", "spherepair frames 1"}, {"context", capture_context(line.words)},
                  {"backends", session.to_json()},   {"width", options.width},
-                 {"height", options.height},        {"packing_fraction", options.packing_fraction}};
-  FramesStudy study(session, options);
+                 {"height", options.height},        {"packing_fraction", options.packing_fraction},
+                 {"window", options.window}};
+  const auto show = [&](Backend& backend) {
+    if (!window) return;
+    window->next(false);
+    if (!backend.show(window->texture(options.width, options.height))) window->upload(backend.image());
+    window->show();
+  };
+  FramesStudy study(session, options, show);
   for (const uint64_t n : options.sizes) {
     study.measure_size(n);
     record["clocks"].push_back(query_clocks());

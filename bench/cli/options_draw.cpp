@@ -93,7 +93,10 @@ void add_frames(CLI::App& app, CommandLine& line, Action& action) {
   list("--places", options->places, "Camera positions: outside, inside");
   list("--works", options->works,
        "frame: an image, each from a new camera; frame_all: the same without culling or reuse; lit: with ambient "
-       "occlusion, shadows and the ground plane; loop: move, collide_grid and frame");
+       "occlusion, shadows and the ground plane; loop: move, collide_grid and frame; view: the same, each complete, as "
+       "`view` has them");
+  command->add_flag("--window", options->window,
+                    "Draw in the context of a window; of the work `view`, each image goes into it");
   command->add_flag("--transfer", options->transfer,
                     "Also time OpenGL drawing of CUDA's spheres, transferred in three ways");
   command->add_option("--n", options->sizes, "Numbers of spheres, sorted into cell order")

@@ -87,8 +87,9 @@ void add_view(CLI::App& app, CommandLine& line, std::function<int()>& action) {
   command->add_option("--keys", options->keys, "Key presses, one per frame")->group("");
   add_open_options(*command, line.open);
   command->footer(
-      "Keys: space pauses, n takes one step, b, m and d change backend, method and drawing, l toggles light and "
-      "shadows,\n"
+      "Keys: space pauses, n takes one step, b, m, d and c change backend, method, drawing and colours, l toggles "
+      "light "
+      "and shadows,\n"
       "z goes one step back, h hides the panel, r restarts; the slider goes to any step. Click a sphere for its index "
       "and contacts. Drag the mouse to rotate, scroll to zoom. Without a display, use render.\n"
       "Example:\n  spherepair view --scene random --n 16384");

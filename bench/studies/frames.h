@@ -15,10 +15,11 @@ struct FramesOptions {
   std::vector<uint64_t> sizes = {16384, 1000000};
   std::vector<std::string> draws = {"compute", "mesh_each", "mesh", "quadric", "points", "impostor"};
   std::vector<std::string> places = {"outside", "inside"};  // camera positions
-  std::vector<std::string> works = {"frame", "frame_all", "lit", "loop"};
+  std::vector<std::string> works = {"frame", "frame_all", "lit", "loop", "view"};
   uint width = 1920, height = 1080;
   double packing_fraction = 0.3;
   bool transfer = false;  // also time OpenGL drawing of CUDA's spheres
+  bool window = false;    // draw in the context of a window, and what `view` does with each image
   int rounds = 11;
   double min_seconds = 0;         // of a sample; 0: the timing core's default
   std::vector<std::string> most;  // METHOD:n, most spheres that a drawing method is timed with

@@ -49,7 +49,8 @@ std::string label(const FrameTask& task) {
   return fmt::format("{} {} {} {}", task.backend->info().name, draw_method_name(task.draw), task.place, task.work);
 }
 
-FramesStudy::FramesStudy(Session& session, const FramesOptions& options) : session_(session), options_(options) {
+FramesStudy::FramesStudy(Session& session, const FramesOptions& options, std::function<void(Backend&)> show)
+    : session_(session), options_(options), show_(std::move(show)) {
   sampling_.rounds = options.rounds;
   for (const std::string& text : options.most) {
     const size_t colon = text.find(':');
@@ -122,15 +123,23 @@ void FramesStudy::measure_task(uint64_t n, const FrameTask& task, const Scene& s
   uint64_t turn = 0;
   const auto draw = [&](Backend& backend) { backend.enqueue_draw(views[turn++ % views.size()], draw_options(task)); };
   Contender contender{label(task), task.backend, draw};
-  if (task.work != "loop") {
+  if (task.work == "view") {
+    contender.step = [&](Backend& backend) {
+      backend.move();
+      backend.collide(in_dense_cells(backend, n));
+      backend.draw(views[turn++ % views.size()], draw_options(task));
+      show_(backend);
+    };
+  } else if (task.work == "loop") {
+    contender.step = [&](Backend& backend) {
+      backend.move();
+      backend.enqueue_collide(in_dense_cells(backend, n));
+      draw(backend);
+    };
+  } else {
     record(entry, contender);
     return;
   }
-  contender.step = [&](Backend& backend) {
-    backend.move();
-    backend.enqueue_collide(in_dense_cells(backend, n));
-    draw(backend);
-  };
   contender.restart = [&](Backend& backend) {
     turn = 0;
     backend.upload(scene);

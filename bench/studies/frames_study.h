@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The measurements of spherepair frames: times of drawing, as JSON of the format "spherepair frames 1":
-//   context, backends, clocks   as in results.json of compare; width, height, packing_fraction
+//   context, backends, clocks   as in results.json of compare; width, height, packing_fraction; window: whether all
+//   draw in the context of one
 //   frames     one entry per measurement:
 //     n, backend, draw (DrawMethod), place (camera outside | inside the spheres), work, and the timing core's fields:
 //     median_ms, interval_ms, samples_ms, batch, device_stages_ms ...; image: hash of a check image, equal for all
@@ -9,6 +10,8 @@
 //       frame_all  the same without culling or reuse
 //       lit        the same with ambient occlusion, shadows and the ground plane
 //       loop       move, collide_grid and frame, the first 20 steps
+//       view       the same with every search and every image complete, as `view` has them; in a window, each image
+//                  also goes into it, but is not presented: that is up to the display system
 //     With --transfer, also OpenGL drawing of CUDA's spheres: draw is none for a transfer alone and for `step` (move
 //     and collide_grid alone); work is host, registered or imported (Transfer), with a wait after each image, or the
 //     same with _pipelined: transfer, image and step, where only the transfer waits
@@ -26,7 +29,8 @@ namespace spherepair {
 
 class FramesStudy {
  public:
-  FramesStudy(Session& session, const FramesOptions& options);
+  // show: puts a backend's image into the window.
+  FramesStudy(Session& session, const FramesOptions& options, std::function<void(Backend&)> show);
 
   // Checks, then times, every requested drawing method on every backend with n spheres.
   void measure_size(uint64_t n);
@@ -44,6 +48,7 @@ class FramesStudy {
 
   Session& session_;
   const FramesOptions& options_;
+  std::function<void(Backend&)> show_;
   std::map<std::string, uint64_t> most_;  // spheres by drawing method
   Sampling sampling_;
   Progress progress_;

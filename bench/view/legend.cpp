@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "bench/view/legend.h"
 
+#include <fmt/format.h>
+
 #include <map>
-#include <string>
 
 #include "bench/view/canvas.h"
 
@@ -43,6 +44,19 @@ void write(Canvas& canvas, const std::string& words, Point foot, double unit, ui
 
 }  // namespace
 
+std::vector<std::string> legend_labels(const Look& look) {
+  std::vector<std::string> labels;
+  for (size_t k = 0; k < look.palette.size(); ++k) {
+    if (look.colour_by == COLOUR_BY_CONTACTS) {
+      labels.push_back(std::to_string(k));
+    } else {
+      labels.push_back(fmt::format("{}{:.3g}", k == 0 ? "< " : "", look.limits[k == 0 ? 0 : k - 1]));
+    }
+  }
+  labels.back() += "+";
+  return labels;
+}
+
 void draw_legend(std::vector<uint>& image, uint width, uint height, const Look& look) {
   const double unit = std::max(1.5, height / 360.0), side = 12 * unit;
   if (width < 11 * 1.5 * side || height < 6 * side) return;
@@ -50,10 +64,11 @@ void draw_legend(std::vector<uint>& image, uint width, uint height, const Look& 
   Canvas canvas(image, width, height);
   Point at = {side, height - 2.2 * side};
   write(canvas, "contacts", {at.x, at.y - 0.7 * side}, unit, ink);
-  for (size_t k = 0; k < look.palette.size(); ++k) {
-    const bool last = k + 1 == look.palette.size();
+  const std::vector<std::string> labels = legend_labels(look);
+  for (size_t k = 0; k < labels.size(); ++k) {
+    const bool last = k + 1 == labels.size();
     canvas.square(at, side, look.palette[k]);
-    write(canvas, std::to_string(k) + (last ? "+" : ""), {at.x + (last ? 1 : 4) * unit, at.y + 1.8 * side}, unit, ink);
+    write(canvas, labels[k], {at.x + (last ? 1 : 4) * unit, at.y + 1.8 * side}, unit, ink);
     at.x += 1.25 * side;
   }
 }

@@ -9,6 +9,7 @@
 
 #include "bench/check/finite_state.h"
 #include "bench/measure/choice.h"
+#include "bench/view/legend.h"
 
 namespace spherepair {
 
@@ -17,9 +18,11 @@ void Viewer::Choice::pick(const std::string& name) {
   chosen = found == names.end() ? 0 : size_t(found - names.begin());
 }
 
-// Exponential moving average over about ten frames, so that the number is readable.
+// Exponential moving average over about ten timed frames, so that the number is readable. The others need not wait
+// after each stage.
 template <typename Work>
 void Viewer::timed(double& seconds, Work work) {
+  if (frames_ % 16 != 0 && seconds != 0) return work();
   const auto start = std::chrono::steady_clock::now();
   work();
   backend().finish();
@@ -101,6 +104,7 @@ void Viewer::take_keys(Window& window, char key) {
   if (pressed('b')) backends_.next();
   if (pressed('m')) methods_.next();
   if (pressed('d')) draws_.next();
+  if (pressed('c')) colours_.next();
   if (pressed('r')) go_to(start_.step);
   if (pressed('z') && step_ > start_.step) paused_ = true, go_to(step_ - 1);
 }
@@ -110,6 +114,9 @@ void Viewer::fill_panel(Window& window) {
   window.choose("backend (b)", backends_.names, backends_.chosen);
   window.choose("method (m)", methods_.names, methods_.chosen);
   window.choose("drawing (d)", draws_.names, draws_.chosen);
+  window.choose("colours (c)", colours_.names, colours_.chosen);
+  window.text(std::array{"contacts:", "speed in m/s, at least:", "radius in m, at least:"}[coloured_by_]);
+  window.legend(palette_.palette, legend_labels(palette_));
   window.check("paused (space)", paused_);
   if (window.button("one step (n)")) single_step_ = paused_ = true;
   if (window.button("restart (r)")) go_to(start_.step);
@@ -135,6 +142,23 @@ void Viewer::turn_camera(const Window& window) {
   orbit_.azimuth -= 0.4 * right;
   orbit_.elevation = std::clamp(orbit_.elevation + 0.4 * down, -5.0, 85.0);
   orbit_.distance = std::clamp(orbit_.distance * std::pow(0.9, window.scrolled()), 0.05, 5.0);
+}
+
+// Of the spheres as they stand: the limits then stay as they are, so that colours can be compared from step to step.
+void Viewer::choose_colours() {
+  coloured_by_ = colours_.chosen;
+  palette_ = contact_look();
+  if (coloured_by_ == COLOUR_BY_CONTACTS) return;
+  const Backend::State state = current_state(backend());
+  const bool speed = coloured_by_ == COLOUR_BY_SPEED;
+  double lowest = speed ? 0 : INFINITY, highest = 0;
+  for (size_t i = 0; i < start_.scene.size(); ++i) {
+    const vec4& v = state.velocities[i];
+    const double value = speed ? std::hypot(double(v.x), double(v.y), double(v.z)) : double(state.positions[i].w);
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+  }
+  palette_ = range_look(uint(coloured_by_), std::min(lowest, highest), highest);
 }
 
 void Viewer::advance() {
@@ -172,7 +196,7 @@ void Viewer::draw(Window& window) {
   const auto [width, height] = window.size();
   Camera camera = spherepair::frame(bounds_, orbit_.azimuth, orbit_.elevation, 30, double(width) / height);
   for (int a = 0; a < 3; ++a) camera.eye[a] = camera.target[a] + orbit_.distance * (camera.eye[a] - camera.target[a]);
-  Look look = contact_look();
+  Look look = palette_;
   look.light = {-0.3, 0.9, -0.3};  // from above even if the camera looks down
   if (search_->lit) look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
   view_ = make_view(camera, look, width, height);
@@ -190,6 +214,7 @@ void Viewer::frame(Window& window, char key) {
   if (backends_.chosen != running_) change_backend(backends_.chosen);
   advance();
   collide();
+  if (colours_.chosen != coloured_by_) choose_colours();
   draw(window);
   if (const auto pixel = window.clicked()) pick(*pixel);
   if (panel_) fill_panel(window);

@@ -40,7 +40,7 @@ class Viewer {
     bool lit;  // it built the dense cells that lighting needs
     bool operator==(const Search&) const = default;
   };
-  struct Seconds {
+  struct Seconds {  // of the frames that are timed
     double move = 0, collide = 0, draw = 0, show = 0;
   };
 
@@ -52,6 +52,7 @@ class Viewer {
   void take_keys(Window& window, char key);
   void fill_panel(Window& window);
   void turn_camera(const Window& window);
+  void choose_colours();
   void advance();
   void collide();
   void draw(Window& window);
@@ -63,7 +64,9 @@ class Viewer {
   const Start& start_;
   bool shared_;
   Bounds bounds_;
-  Choice backends_, methods_, draws_;
+  Choice backends_, methods_, draws_, colours_{{"contacts", "speed", "radius"}};
+  Look palette_ = contact_look();  // of the chosen colours
+  size_t coloured_by_ = 0;
   size_t running_ = 0;  // the backend that holds the spheres
   bool paused_ = false, single_step_ = false, light_ = true, panel_ = true;
   Orbit orbit_;

@@ -18,7 +18,9 @@ class Window {
  public:
   virtual ~Window() = default;
 
-  virtual bool next() = 0;  // processes input since the last frame; false if the user closed the window
+  // Presents what show() has drawn, as often as the display refreshes, and processes the input since; false if the user
+  // has closed the window. present: false: for timing without what the display system takes.
+  virtual bool next(bool present = true) = 0;
   virtual std::array<uint, 2> size() const = 0;                    // pixels
   virtual std::array<double, 2> dragged() const = 0;               // by the left button since the last frame, pixels
   virtual double scrolled() const = 0;                             // notches, away from the user
@@ -32,6 +34,8 @@ class Window {
   virtual bool button(const char* label) = 0;
   virtual void check(const char* label, bool& value) = 0;
   virtual void slide(const char* label, uint64_t& value, uint64_t low, uint64_t high) = 0;
+  // Squares of these colours, 0xRRGGBB, each with its label.
+  virtual void legend(std::span<const uint> colours, const std::vector<std::string>& labels) = 0;
   virtual void choose(const char* label, const std::vector<std::string>& names, size_t& chosen) = 0;
 
   // The image that the next show() shows: a texture of this size for Backend::show(), or uploaded, in the format of

@@ -40,6 +40,8 @@ class GlfwWindow final : public Window, private WindowContext {
     }
     make_current();
     glfwSwapInterval(0);
+    const GLFWvidmode* mode = glfwGetPrimaryMonitor() ? glfwGetVideoMode(glfwGetPrimaryMonitor()) : nullptr;
+    if (mode && mode->refreshRate > 0) refresh_seconds_ = 1.0 / mode->refreshRate;
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
     ImGui::StyleColorsLight();
@@ -57,9 +59,12 @@ class GlfwWindow final : public Window, private WindowContext {
     glfwTerminate();
   }
 
-  bool next() override {
+  bool next(bool present) override {
     make_current();
-    if (drawn_) glfwSwapBuffers(window_);
+    if (drawn_ && present && glfwGetTime() >= next_refresh_) {
+      glfwSwapBuffers(window_);
+      next_refresh_ = glfwGetTime() + refresh_seconds_;
+    }
     glfwPollEvents();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
@@ -101,6 +106,16 @@ class GlfwWindow final : public Window, private WindowContext {
   void slide(const char* label, uint64_t& value, uint64_t low, uint64_t high) override {
     ImGui::SetNextItemWidth(170);
     ImGui::SliderScalar(label, ImGuiDataType_U64, &value, &low, &high);
+  }
+  void legend(std::span<const uint> colours, const std::vector<std::string>& labels) override {
+    for (size_t k = 0; k < labels.size(); ++k) {
+      const float part = 1 / 255.0f;
+      const ImVec4 colour(part * (colours[k] >> 16), part * (colours[k] >> 8 & 255), part * (colours[k] & 255), 1);
+      if (k % 4) ImGui::SameLine(float(k % 4) * 90 + 8);
+      ImGui::ColorButton(labels[k].c_str(), colour, ImGuiColorEditFlags_NoBorder, {14, 14});
+      ImGui::SameLine();
+      text(labels[k]);
+    }
   }
   void choose(const char* label, const std::vector<std::string>& names, size_t& chosen) override {
     ImGui::SetNextItemWidth(170);
@@ -168,6 +183,7 @@ class GlfwWindow final : public Window, private WindowContext {
   GLuint texture_ = 0;
   uint width_ = 0, height_ = 0;  // of the texture
   bool drawn_ = false;
+  double refresh_seconds_ = 1.0 / 60, next_refresh_ = 0;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 
 #include "common/shared/draw.h"
 #include "tests/oracle/oracle.h"
@@ -143,6 +144,40 @@ TEST_P(Draw, ColoursFollowTheSteps) {
     backend().collide({.method = Method::collide_grid});
     expected = brute_force_image(positions, backend().counts(), view);
     EXPECT_EQ(first_mismatch(image_of(backend(), view), expected, view), "") << "collided, step " << step;
+  }
+}
+
+// How many limits each sphere's value has reached.
+std::vector<uint> entries_of(const Backend::State& state, const Look& look) {
+  std::vector<uint> entries;
+  for (size_t i = 0; i < state.positions.size(); ++i) {
+    const vec4& v = state.velocities[i];
+    const double speed = std::sqrt(double(v.x) * v.x + double(v.y) * v.y + double(v.z) * v.z);
+    const double value = look.colour_by == COLOUR_BY_SPEED ? speed : double(state.positions[i].w);
+    entries.push_back(uint(std::ranges::count_if(look.limits, [&](double limit) { return value >= limit; })));
+  }
+  return entries;
+}
+
+TEST_P(Draw, ColoursShowSpeedOrRadius) {
+  for (const MotionMethod method : {MotionMethod::paper, MotionMethod::anchored}) {
+    Scene scene = make_scene({.name = "random", .n = 2000, .radius_ratio = 4});
+    scene.motion.method = method;
+    backend().upload(scene);
+    for (int step = 0; step < 2; ++step) {
+      backend().move();
+      backend().collide({.method = Method::collide_grid});
+      const float least = std::ranges::min(scene.positions, {}, &vec4::w).w;
+      for (const Look& look : {range_look(COLOUR_BY_SPEED, 0, 3), range_look(COLOUR_BY_RADIUS, least, 4 * least)}) {
+        const View view = make_view(framed(scene), look, width, height);
+        const Image given = image_of(backend(), view);
+        const Backend::State state = current_state(backend());
+        const std::vector<uint> entries = entries_of(state, look);
+        EXPECT_EQ(std::set<uint>(entries.begin(), entries.end()).size(), size_t(COLOURS));
+        EXPECT_EQ(first_mismatch(given, brute_force_image(state.positions, entries, view), view), "")
+            << "step " << step << ", by " << look.colour_by;
+      }
+    }
   }
 }
 

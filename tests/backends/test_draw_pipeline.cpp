@@ -66,6 +66,12 @@ TEST_P(DrawPipeline, ImpostorsAreTheRasterisersSpheres) {
       EXPECT_GT(covered(exact), 100u) << kind;
       EXPECT_LE(differences(exact, image(DrawMethod::impostor, view)), exact.size() / 1000) << kind << ", " << nearer;
     }
+    const Look by_radius = range_look(COLOUR_BY_RADIUS, 0, 2 * double(scene.positions.front().w));
+    const View view =
+        make_view(frame(bounds_of(scene.positions), 30, 20, 40, double(width) / height), by_radius, width, height);
+    const std::vector<uint> exact = image(DrawMethod::compute, view);
+    EXPECT_NE(exact, image(DrawMethod::compute, view_of(scene)));
+    EXPECT_LE(differences(exact, image(DrawMethod::impostor, view)), exact.size() / 1000) << kind << " by radius";
   }
 }
 

@@ -50,9 +50,8 @@ class Interop : public BackendTest {
   Backend* glsl_ = nullptr;
 };
 
-View view_of(const Scene& scene) {
-  return make_view(frame(bounds_of(scene.positions), 30, 20, 40, double(width) / height), contact_look(), width,
-                   height);
+View view_of(const Scene& scene, const Look& look = contact_look()) {
+  return make_view(frame(bounds_of(scene.positions), 30, 20, 40, double(width) / height), look, width, height);
 }
 
 TEST_P(Interop, EveryWayGivesTheImageOfOpenGLsOwnSpheres) {
@@ -71,6 +70,7 @@ TEST_P(Interop, FollowsScenesOfOtherSizesAndAnchoredMotion) {
     show(scene);
     move();
     expect_equal_images(view_of(scene), std::to_string(n) + " anchored spheres");
+    expect_equal_images(view_of(scene, range_look(COLOUR_BY_SPEED, 0, 3)), "by speed");
   }
 }
 

@@ -71,7 +71,7 @@ TEST(History, KeepsNoMoreThanItMay) {
 // Shows nothing, and answers what the test has set.
 class ScriptedWindow final : public Window, private WindowContext {
  public:
-  bool next() override { return true; }
+  bool next(bool) override { return true; }
   std::array<uint, 2> size() const override { return {160, 120}; }
   std::array<double, 2> dragged() const override { return drag; }
   double scrolled() const override { return scroll; }
@@ -87,6 +87,10 @@ class ScriptedWindow final : public Window, private WindowContext {
     if (slid) value = *std::exchange(slid, {});
   }
   void choose(const char*, const std::vector<std::string>&, size_t&) override {}
+  void legend(std::span<const uint> colours, const std::vector<std::string>& labels) override {
+    EXPECT_EQ(colours.size(), labels.size());
+    for (const std::string& label : labels) texts += label + "\n";
+  }
   uint texture(uint, uint) override { return 0; }
   void upload(std::span<const uint> image) override { shown.assign(image.begin(), image.end()); }
   void show() override {}
@@ -156,6 +160,28 @@ TEST_F(ViewerInput, AClickTellsTheSphereOfThatPixel) {
   window_.click = {{159, 0}};
   after(".");
   EXPECT_FALSE(says("contacts\ncentre")) << window_.texts;
+}
+
+// The hues of lit spheres: a colour is told by the order of its channels.
+bool has_violet_or_green(const std::vector<uint>& image) {
+  return std::ranges::any_of(image, [](uint pixel) {
+    const uint red = pixel & 255, green = pixel >> 8 & 255, blue = pixel >> 16 & 255;
+    return (green > red + 20 && green > blue + 20) || (blue > green + 40 && red > green + 20);
+  });
+}
+
+TEST_F(ViewerInput, ColoursFollowContactsSpeedOrRadius) {
+  const std::vector<uint> contacts = after(" l.");
+  EXPECT_TRUE(says("contacts:\n0\n1\n2\n")) << window_.texts;
+  EXPECT_FALSE(has_violet_or_green(contacts));
+  after(" ..........");
+  const std::vector<uint> speed = after(" c.");
+  EXPECT_TRUE(says("speed in m/s, at least:\n< ")) << window_.texts;
+  EXPECT_TRUE(has_violet_or_green(speed));
+  const std::vector<uint> radius = after("c.");
+  EXPECT_NE(radius, speed);
+  EXPECT_TRUE(says("radius in m, at least:\n< ")) << window_.texts;
+  EXPECT_EQ(after("cz........."), after(".")) << "it is paused";
 }
 
 TEST_F(ViewerInput, TheMouseTurnsAndZooms) {
