@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // One thread per sphere: writes the entry of the palette that its radius or speed chooses.
 #include "shaders/draw/view.glsl"
-#include "common/shared/draw.h"
 #include "shaders/kernels.glsl"
+#include "common/shared/draw.h"
 
 layout(std430, binding = SLOT_COLOUR) restrict writeonly buffer ColourBuffer { uint colour[]; };
 layout(local_size_x = BLOCK) in;

@@ -98,6 +98,7 @@ TEST(InteropErrors, OpenGLsOwnSpheresAreNotTransferred) {
 TEST(InteropErrors, OnlyCudasSpheresAreSharedWithOpenGL) {
   for (Backend* backend : open_backends()) {
     if (!backend->info().on_host) continue;
+    if (const std::string why = why_no_pipeline(*backend); !why.empty()) GTEST_SKIP() << why;
     backend->upload(make_scene({.n = 10}));
     const View view = view_of(make_scene({.n = 10}));
     EXPECT_THROW(backend->draw(view, {.method = DrawMethod::mesh, .transfer = Transfer::imported}), BackendError);

@@ -7,6 +7,7 @@
 #include "bench/studies/set_errors.h"
 #include "bench/studies/work_precision.h"
 #include "tests/support/faulty_backend.h"
+#include "tests/support/images.h"
 #include "tests/support/program.h"
 
 namespace spherepair {
@@ -82,6 +83,7 @@ TEST_F(StudyProgram, FramesTimesNoWrongImage) {
 }
 
 TEST_F(StudyProgram, FrameRatesTimesNoWrongImage) {
+  if (const std::string why = why_no_pipeline(*open_backend("cpu")); !why.empty()) GTEST_SKIP() << why;
   const auto compare = [&](const char* fault) {
     return run_shell(
         fmt::format("SPHEREPAIR_FAULT={} '{}' compare --backends cpu,glsl --threads 1 --scenes random --n 64 "
