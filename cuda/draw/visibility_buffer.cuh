@@ -66,7 +66,8 @@ __device__ inline Footprint footprint_of(const Params& p, const KernelBuffers& b
   if (hidden) count_drawn(buf, v, DRAWN_HIDDEN);
   if (hidden) return footprint;
   footprint.sphere = sphere_index(p, buf, found, k);
-  if (leads && index_source(p) != 0u) buf.count[footprint.sphere] = buf.sorted_count[k];
+  bool unsorts = index_source(p) != 0u && v.colour_by == COLOUR_BY_CONTACTS;
+  if (leads && unsorts) buf.count[footprint.sphere] = buf.sorted_count[k];
   if (rest && left_of(buf, footprint.sphere) != 0u) return footprint;
   bool large = is_large(box, v);
   if (leads) count_drawn(buf, v, large ? DRAWN_LARGE : DRAWN_SMALL);

@@ -86,7 +86,8 @@ Footprint footprint_of(uint k, bool leads) {
   if (hidden) count_drawn(DRAWN_HIDDEN);
   if (hidden) return footprint;
   footprint.sphere = sphere_index(found, k);
-  if (leads && index_source() != 0u) count[footprint.sphere] = sorted_count[k];
+  bool unsorts = index_source() != 0u && v.colour_by == COLOUR_BY_CONTACTS;
+  if (leads && unsorts) count[footprint.sphere] = sorted_count[k];
   if (rest && left_of(footprint.sphere) != 0u) return footprint;
   bool large = is_large(box, v);
   if (leads) count_drawn(large ? DRAWN_LARGE : DRAWN_SMALL);

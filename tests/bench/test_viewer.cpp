@@ -181,7 +181,10 @@ TEST_F(ViewerInput, ColoursFollowContactsSpeedOrRadius) {
   const std::vector<uint> radius = after("c.");
   EXPECT_NE(radius, speed);
   EXPECT_TRUE(says("radius in m, at least:\n< ")) << window_.texts;
-  EXPECT_EQ(after("cz........."), after(".")) << "it is paused";
+  const std::vector<uint> back = after("cz");
+  EXPECT_TRUE(says("contacts:\n0\n1\n2\n")) << window_.texts;
+  EXPECT_FALSE(has_violet_or_green(back));
+  EXPECT_EQ(after("."), back) << "it is paused";
 }
 
 TEST_F(ViewerInput, TheMouseTurnsAndZooms) {
