@@ -165,6 +165,15 @@ DRAWING = [
            "History"),
     mutant("a click picks the pixel of another row", "bench/view/viewer.cpp", "size_t(pixel[1]) * view_.width",
            "size_t(view_.height - 1 - pixel[1]) * view_.width", "ViewerInput"),
+    mutant("colours are written over by counts", "shaders/draw/visibility_buffer.glsl",
+           "index_source() != 0u && v.colour_by == COLOUR_BY_CONTACTS", "index_source() != 0u", "Draw"),
+    mutant("the second limit of colours is left out", "common/shared/draw.h", "entry += value >= v.limits_0.y ? 1u : 0u;",
+           "entry += 0u;", "Draw"),
+    mutant("a triangle of the quadric is turned inside out", "common/scene/sphere_mesh.cpp", "add(south, next + last, here + last)",
+           "add(south, here + last, next + last)", "SphereMesh"),
+    mutant("the transfer is not recorded", "bench/cli/render.cpp", "taken ? json(transfer_name(*taken)) : json()", "json()",
+           "RenderCommand"),
+    mutant("scrolling does not zoom", "bench/view/viewer.cpp", "std::pow(0.9, window.scrolled())", "1.0", "ViewerInput"),
 ]
 
 MUTANTS = HARNESS + SHADERS + CPU + FILES + CHECKPOINT + COMMANDS + EXACT + DRAWING
