@@ -53,7 +53,10 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
                     "Find the pairs that touch at any time within the next step, not only now");
   command->add_flag("--per-step", options->per_step, "Print and record every step, not only the last");
   command->add_option("--pairs", options->pairs_file,
-                      "Write the last step's colliding pairs to this file, a line `i j` each, i < j, sorted");
+                      "Write the last step's colliding pairs i < j, sorted, to this file: .npy (m x 2, uint32), .txt "
+                      "(a line `i j` each), or - for text on standard output");
+  command->add_option("--contacts", options->contacts_file,
+                      "Write the number of contacts of each sphere to this file: .npy (uint32) or .txt");
   command->add_option("--json", options->json_file, "Write totals and context as JSON to this file");
   add_save_options(*command, options->save_file, options->save_every);
   add_open_options(*command, line.open);
@@ -72,15 +75,23 @@ void add_pairs(CLI::App& app, CommandLine& line, Action& action) {
   command
       ->add_option(
           "--input", options->input_file,
-          "Extended XYZ (.xyz, .extxyz; columns pos and radius by Properties=, else `[species] x y z [radius]`) "
-          "or NPY (.npy; n x 3, or n x 4 with the radius; float32 or float64)")
+          "Extended XYZ (.xyz, .extxyz; columns pos and radius by Properties=, else `[species] x y z [radius]`), "
+          "NPY (.npy; n x 3, n x 4 with the radius, or structured with fields x y z or pos, and radius; any real "
+          "numbers), text (.txt, .csv, .tsv, .dat; see --columns), or - for any of these on standard input")
       ->required();
+  add_file_options(*command, options->columns, options->ignore_periodic);
   command->add_option("--radius", options->radius, "Radius of all spheres if the file has none");
   command
       ->add_option("--output", options->output_file,
                    "Pairs i < j, sorted; format by extension: .npy (m x 2, uint32), .txt (a line `i j` each), or - "
                    "for text on standard output")
       ->required();
+  command->add_flag(
+      "--geometry", options->geometry,
+      "Also write the overlap, the unit normal from i to j and the contact point of each pair, in float64: "
+      "`i j overlap nx ny nz px py pz`, or a structured NPY array");
+  command->add_option("--contacts", options->contacts_file,
+                      "Write the number of contacts of each sphere to this file: .npy (uint32) or .txt");
   command->add_option("--frame", options->frame, "Frame of an XYZ file with several, counted from 0")
       ->check(count_range);
   command->add_option("--backend", options->backend, "cpu, glsl or cuda; default: a GPU if there is one, else cpu");

@@ -24,7 +24,7 @@ struct RunOptions {
   uint block = CollideOptions{}.block;
   uint64_t steps = 0;
   bool per_step = false, naive = false, swept = false;
-  std::string pairs_file, json_file;
+  std::string pairs_file, contacts_file, json_file;
   std::string save_file;    // a checkpoint
   uint64_t save_every = 0;  // steps; 0: only at the end
 };
@@ -33,8 +33,12 @@ int run_command(const CommandLine& line, const RunOptions& options);
 struct PairsOptions {
   std::string backend, method;  // no backend: the fastest that opens; no method: auto
   std::string input_file, output_file, json_file;
+  std::string contacts_file;  // the number of contacts of each sphere
+  bool geometry = false;      // overlap, normal and point of each pair as well
   std::optional<float> radius;
   std::optional<uint64_t> frame;
+  std::vector<std::string> columns;
+  bool ignore_periodic = false;
   uint block = CollideOptions{}.block;
 };
 int pairs_command(const CommandLine& line, const PairsOptions& options);

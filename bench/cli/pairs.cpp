@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "bench/check/degrees.h"
+#include "bench/check/rounding_reach.h"
 #include "bench/cli/commands.h"
 #include "bench/formats/files.h"
 #include "bench/formats/pair_file.h"
@@ -21,7 +22,9 @@ namespace {
 struct Found {
   Collisions totals;
   Degrees degrees;
+  std::vector<uint> counts;
   std::vector<Pair> pairs;
+  uint64_t within_reach = 0;  // of rounding to float32
 };
 
 struct Seconds {
@@ -44,11 +47,13 @@ void check_options(const PairsOptions& options) {
   if (!options.method.empty() && method_from_name(options.method) == Method::collide_group)
     throw std::invalid_argument("the method collide_group finds only pairs within a group; choose another");
   parse_blocks({options.block});
-  check_pair_file(options.output_file);
   OutputFiles files;
   files.read("--input", options.input_file);
   if (options.output_file != kStandardOutput) files.write("--output", options.output_file);
   files.write("--json", options.json_file);
+  files.write("--contacts", options.contacts_file);
+  check_pair_file("--output", options.output_file);
+  check_pair_file("--contacts", options.contacts_file);
 }
 
 template <typename Work>
@@ -58,14 +63,24 @@ double seconds_of(Work work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Found find_pairs(Backend& backend, const Scene& scene, const CollideOptions& options) {
-  backend.upload(scene);
-  backend.collide(options);
+Found find_pairs(Backend& backend, const SphereFile& input, const CollideOptions& options) {
   Found found;
+  found.within_reach = pairs_within_reach(backend, input.scene, input.rounding, options);
+  backend.upload(input.scene);
+  backend.collide(options);
   found.totals = backend.collisions();
-  found.degrees = degrees_of(backend.counts());
+  found.counts = backend.counts();
+  found.degrees = degrees_of(found.counts);
   found.pairs = backend.pairs();
   return found;
+}
+
+void write_found(const PairsOptions& options, const SphereFile& input, const Found& found) {
+  if (options.geometry)
+    write_contacts(options.output_file, found.pairs, input.scene.positions, input.rounding.shift);
+  else
+    write_pairs(options.output_file, found.pairs);
+  if (!options.contacts_file.empty()) write_contact_numbers(options.contacts_file, found.counts);
 }
 
 std::string summary(const PairsReport& report) {
@@ -93,6 +108,7 @@ json to_json(const PairsReport& report, const CommandLine& line) {
           {"block", method.block ? method.block : options.block},
           {"output", options.output_file},
           {"pairs", found.totals.pairs},
+          {"pairs_within_rounding", found.within_reach},
           {"colliding_spheres", found.totals.colliding_spheres},
           {"fingerprint", hex64(found.totals.fingerprint.a) + hex64(found.totals.fingerprint.b)},
           {"deferred", found.totals.deferred},
@@ -113,20 +129,26 @@ int pairs_command(const CommandLine& line, const PairsOptions& options) {
   Progress progress;
   progress.say("reading " + options.input_file);
   seconds.load = seconds_of([&] {
-    input = read_sphere_file(options.input_file,
-                             {.radius = options.radius, .frame = options.frame, .threads = line.open.threads});
+    input = read_sphere_file(options.input_file, {.radius = options.radius,
+                                                  .frame = options.frame,
+                                                  .columns = options.columns,
+                                                  .ignore_periodic = options.ignore_periodic,
+                                                  .may_shift = true,
+                                                  .threads = line.open.threads});
   });
   progress.say("opening a backend");
   seconds.open = seconds_of([&] { chosen = choose_backend(options.backend, line.open); });
   progress.say(fmt::format("{} spheres on {}", input.scene.size(), chosen.backend->info().name));
   const CollideOptions collide = {
       .method = choose_method(options.method, *chosen.backend), .block = options.block, .want_pairs = true};
-  seconds.collide = seconds_of([&] { report.found = find_pairs(*chosen.backend, input.scene, collide); });
+  seconds.collide = seconds_of([&] { report.found = find_pairs(*chosen.backend, input, collide); });
   report.method = chosen.backend->choice(collide);
   progress.say("writing " + options.output_file);
-  seconds.write = seconds_of([&] { write_pairs(options.output_file, report.found.pairs); });
+  seconds.write = seconds_of([&] { write_found(options, input, report.found); });
   progress.clear();
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
+  const std::string warning = reach_warning(report.found.within_reach, input.rounding);
+  if (!warning.empty()) fmt::print(stderr, "{}\n", wrap(warning, 100, "  "));
   fmt::print(options.output_file == kStandardOutput ? stderr : stdout, "{}", summary(report));
   if (!options.json_file.empty()) write_file(options.json_file, json_text(to_json(report, line)));
   return kOk;

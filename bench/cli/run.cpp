@@ -4,10 +4,12 @@
 
 #include "bench/check/finite_state.h"
 #include "bench/check/missed_contacts.h"
+#include "bench/check/rounding_reach.h"
 #include "bench/check/step_result.h"
 #include "bench/cli/commands.h"
 #include "bench/formats/checkpoint.h"
 #include "bench/formats/files.h"
+#include "bench/formats/pair_file.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/measure/choice.h"
@@ -21,7 +23,10 @@ void check_files(const RunOptions& options) {
   add_inputs(files, options.start);
   files.write("--save", options.save_file, "--resume");
   files.write("--pairs", options.pairs_file);
+  files.write("--contacts", options.contacts_file);
   files.write("--json", options.json_file);
+  check_pair_file("--pairs", options.pairs_file);
+  check_pair_file("--contacts", options.contacts_file);
 }
 
 struct RunStep {
@@ -37,12 +42,6 @@ CollideOptions collide_options(const RunOptions& options, const Backend& backend
   collide.block = parse_blocks({options.block}).front();
   collide.exact = !options.naive;
   return collide;
-}
-
-std::string pairs_text(const std::vector<Pair>& pairs) {
-  fmt::memory_buffer text;
-  for (const Pair& pair : pairs) fmt::format_to(std::back_inserter(text), "{} {}\n", pair.first, pair.second);
-  return fmt::to_string(text);
 }
 
 json to_json(const RunStep& result) {
@@ -147,6 +146,9 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   const CollideOptions collide = collide_options(options, backend);
   for (const std::string& warning : session.warnings()) fmt::print(stderr, "{}\n", warning);
   if (options.steps) warn_of_stalled_spheres(scene);
+  const std::string rounded =
+      reach_warning(pairs_within_reach(backend, scene, start.rounding, collide), start.rounding);
+  if (!rounded.empty()) fmt::print(stderr, "{}\n", wrap("At the start: " + rounded, 100, "  "));
   upload_start(start, backend);
   const std::vector<RunStep> results = simulate(backend, options, start, collide);
   const MethodChoice choice = backend.choice(collide);
@@ -158,7 +160,8 @@ int run_command(const CommandLine& line, const RunOptions& options) {
              start.label, scene.size(), options.steps, motion_label(scene.motion));
   if (collide.method == Method::automatic) fmt::print("auto: {}\n", describe(choice));
   print_steps(results);
-  if (!options.pairs_file.empty()) write_file(options.pairs_file, pairs_text(backend.pairs()));
+  if (!options.pairs_file.empty()) write_pairs(options.pairs_file, backend.pairs());
+  if (!options.contacts_file.empty()) write_contact_numbers(options.contacts_file, backend.counts());
   if (!options.json_file.empty())
     write_file(options.json_file, json_text(run_record(line, session, start, collide, choice, results)));
   return kOk;

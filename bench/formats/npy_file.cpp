@@ -1,71 +1,96 @@
 // SPDX-License-Identifier: MIT
-// Reads spheres from an NPY array: n x 3 centres, or n x 4 with the radius.
+// Reads spheres from an NPY array: n x 3 centres, n x 4 with the radius, or a structured array with fields of these
+// names.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <type_traits>
 
-#include "bench/formats/npy_header.h"
+#include "bench/formats/npy_array.h"
 #include "bench/formats/sphere_file.h"
 
 namespace spherepair {
 namespace {
 
-struct Array {
-  const FileBytes& file;
-  uint64_t data_at, rows, columns;
-  uint64_t row_stride, column_stride;  // bytes
-  bool swap;                           // the file's byte order is not this machine's
-
-  uint64_t byte_of(uint64_t row, uint64_t column) const { return data_at + row * row_stride + column * column_stride; }
+struct Half {
+  uint16_t bits;
+  operator float() const {
+    const int exponent = bits >> 10 & 31, fraction = bits & 1023;
+    const float size = exponent == 31  ? (fraction ? NAN : INFINITY)
+                       : exponent == 0 ? std::ldexp(float(fraction), -24)
+                                       : std::ldexp(float(fraction + 1024), exponent - 25);
+    return bits >> 15 ? -size : size;
+  }
 };
 
-template <typename Real>
-Real load(const Array& array, uint64_t row, uint64_t column) {
-  using Bits = std::conditional_t<sizeof(Real) == 4, uint32_t, uint64_t>;
-  Bits bits;
-  std::memcpy(&bits, array.file.bytes().data() + array.byte_of(row, column), sizeof bits);
-  if (array.swap) {
-    if constexpr (sizeof(Real) == 4)
-      bits = __builtin_bswap32(bits);
-    else
-      bits = __builtin_bswap64(bits);
-  }
-  return std::bit_cast<Real>(bits);
+template <typename Number>
+Number load(const NpyArray& array, uint64_t row, const NpyColumn& column) {
+  std::array<char, sizeof(Number)> bytes;
+  std::memcpy(bytes.data(), array.file.bytes().data() + array.byte_of(row, column), sizeof bytes);
+  const char foreign = std::endian::native == std::endian::little ? '>' : '<';
+  if (column.dtype[0] == foreign) std::ranges::reverse(bytes);
+  return std::bit_cast<Number>(bytes);
 }
+
+// Float32 holds every number of the shorter types.
+template <typename Number>
+Decimal converted(Number number) {
+  if constexpr (std::is_same_v<Number, Half> || sizeof(Number) < 4 || std::is_same_v<Number, float>) {
+    const float value = float(number);
+    return {double(value), value, false};
+  } else {
+    const float value = float(number);
+    return {double(number), value, static_cast<long double>(value) != static_cast<long double>(number)};
+  }
+}
+
+// Calls work with a value of the dtype's type.
+template <typename Work>
+void with_type(std::string_view dtype, Work work) {
+  const auto is = [&](const char* wanted, auto value) { return dtype.substr(1) == wanted && (work(value), true); };
+  const bool known = is("f4", float()) || is("f8", double()) || is("f2", Half()) || is("i1", int8_t()) ||
+                     is("i2", int16_t()) || is("i4", int32_t()) || is("i8", int64_t()) || is("u1", uint8_t()) ||
+                     is("u2", uint16_t()) || is("u4", uint32_t()) || is("u8", uint64_t());
+  if (!known) throw std::logic_error("a dtype that array_of refuses");
+}
+
+bool float32_holds(std::string_view dtype) { return dtype.ends_with("f4") || dtype[2] == '2' || dtype[2] == '1'; }
 
 struct Converted {
   uint64_t changed = 0, wrong = 0;
   uint64_t first_wrong = std::numeric_limits<uint64_t>::max();  // row * columns + column
 };
 
-template <typename Real>
-void convert_row(const Array& array, uint64_t row, vec4& sphere, Converted& done) {
-  float* fields[] = {&sphere.x, &sphere.y, &sphere.z, &sphere.w};
-  for (uint64_t column = 0; column < array.columns; ++column) {
-    const Real value = load<Real>(array, row, column);
-    if (why_invalid(double(value), column == 3)) [[unlikely]] {
+template <typename Number>
+void convert_column(const NpyArray& array, size_t k, uint64_t start, uint64_t end, SphereRows& rows, Converted& done) {
+  const NpyColumn& column = array.columns[k];
+  const bool is_radius = column.quantity == QUANTITY_RADIUS;
+  for (uint64_t row = start; row < end; ++row) {
+    const Decimal number = converted(load<Number>(array, row, column));
+    if (why_invalid(number.value, is_radius)) [[unlikely]] {
       ++done.wrong;
-      done.first_wrong = std::min(done.first_wrong, row * array.columns + column);
+      done.first_wrong = std::min(done.first_wrong, row * array.columns.size() + k);
       continue;
     }
-    *fields[column] = float(value);
-    done.changed += Real(*fields[column]) != value;
+    rows.set(row, column.quantity, number);
+    done.changed += number.changed;
   }
 }
 
 // Integer sums and a minimum do not depend on the number of threads.
-template <typename Real>
-Converted convert(const Array& array, std::vector<vec4>& spheres, int threads) {
+Converted convert(const NpyArray& array, SphereRows& rows, int threads) {
   uint64_t changed = 0, wrong = 0, first_wrong = Converted{}.first_wrong;
 #pragma omp parallel for num_threads(threads) schedule(static) reduction(+ : changed, wrong) reduction(min : first_wrong)
-  for (uint64_t start = 0; start < array.rows; start += 65536) {
+  for (uint64_t start = 0; start < array.rows; start += 4096) {
     Converted done;
-    const uint64_t end = std::min(start + 65536, array.rows);
-    for (uint64_t row = start; row < end; ++row) convert_row<Real>(array, row, spheres[row], done);
+    const uint64_t end = std::min(start + 4096, array.rows);
+    for (size_t k = 0; k < array.columns.size(); ++k)
+      with_type(array.columns[k].dtype,
+                [&](auto number) { convert_column<decltype(number)>(array, k, start, end, rows, done); });
     changed += done.changed;
     wrong += done.wrong;
     first_wrong = std::min(first_wrong, done.first_wrong);
@@ -73,79 +98,36 @@ Converted convert(const Array& array, std::vector<vec4>& spheres, int threads) {
   return {changed, wrong, first_wrong};
 }
 
-template <typename Real>
-[[noreturn]] void refuse(const Array& array, const Converted& done) {
-  const uint64_t row = done.first_wrong / array.columns, column = done.first_wrong % array.columns;
-  const double value = double(load<Real>(array, row, column));
-  constexpr const char* names[] = {"x", "y", "z", "radius"};
-  array.file.fail_at_byte(array.byte_of(row, column), why_invalid(value, column == 3),
-                          fmt::format("{} ({} of sphere {}; the first of {} such numbers of {})", value, names[column],
-                                      row, done.wrong, array.rows * array.columns));
-}
-
-template <typename Real>
-uint64_t fill(const Array& array, std::vector<vec4>& spheres, int threads) {
-  const Converted done = convert<Real>(array, spheres, threads);
-  if (done.wrong) refuse<Real>(array, done);
-  return done.changed;
-}
-
-std::string shape_text(const NpyHeader& header) {
-  return fmt::format("({}{})", fmt::join(header.shape, ", "), header.shape.size() == 1 ? "," : "");
-}
-
-void check_header(const FileBytes& file, const NpyHeader& header) {
-  const std::string& dtype = header.dtype;
-  const bool known = dtype.size() == 3 && std::string_view("<>=").find(dtype[0]) != std::string_view::npos &&
-                     (dtype.ends_with("f4") || dtype.ends_with("f8"));
-  if (!known)
-    file.fail_at_byte(header.dtype_at, "dtype float32 ('<f4' or '>f4') or float64 ('<f8' or '>f8')", in_quotes(dtype));
-  if (header.shape.size() != 2 || header.shape[1] < 3 || header.shape[1] > 4)
-    file.fail_at_byte(header.shape_at, "shape (n, 3): x y z, or (n, 4): x y z radius", shape_text(header));
-  constexpr uint64_t most = std::numeric_limits<int32_t>::max();
-  if (header.shape[0] > most)
-    file.fail_at_byte(header.shape_at, fmt::format("at most {} spheres", most), shape_text(header));
-}
-
-Array array_of(const FileBytes& file, const NpyHeader& header) {
-  check_header(file, header);
-  const uint64_t rows = header.shape[0], columns = header.shape[1], size = header.dtype.ends_with("f4") ? 4 : 8;
-  const uint64_t wanted = rows * columns * size, found = file.bytes().size() - header.data_at;
-  if (found < wanted)
-    file.fail_at_byte(file.bytes().size(), fmt::format("{} bytes of data from byte {} on", wanted, header.data_at),
-                      fmt::format("the end of the file after {}: it is truncated", found));
-  if (found > wanted)
-    file.fail_at_byte(header.data_at + wanted, "the end of the file after the data",
-                      fmt::format("{} trailing bytes", found - wanted));
-  const char foreign = std::endian::native == std::endian::little ? '>' : '<';
-  return {file,
-          header.data_at,
-          rows,
-          columns,
-          header.fortran_order ? size : columns * size,
-          header.fortran_order ? rows * size : size,
-          header.dtype[0] == foreign};
+[[noreturn]] void refuse(const NpyArray& array, const Converted& done) {
+  const uint64_t row = done.first_wrong / array.columns.size();
+  const NpyColumn& column = array.columns[done.first_wrong % array.columns.size()];
+  double value = 0;
+  with_type(column.dtype, [&](auto number) { value = converted(load<decltype(number)>(array, row, column)).value; });
+  array.file.fail_at_byte(
+      array.byte_of(row, column), why_invalid(value, column.quantity == QUANTITY_RADIUS),
+      fmt::format("{} ({} of sphere {}; the first of {} such numbers of {})", value, quantity_names[column.quantity],
+                  row, done.wrong, array.rows * array.columns.size()));
 }
 
 }  // namespace
 
-SphereFile read_npy(const FileBytes& file, const SphereFileOptions& options) {
+SphereFile read_npy(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows) {
   const NpyHeader header = read_npy_header(file);
-  const Array array = array_of(file, header);
+  const NpyArray array = array_of(file, header);
   if (options.frame)
     throw std::invalid_argument(fmt::format("{} is an NPY file, and --frame is for XYZ files only", file.name()));
+  const auto any = [&](auto wanted) { return std::ranges::any_of(array.columns, wanted); };
   SphereFile input;
-  input.own_radii = array.columns == 4;
+  input.own_radii = any([](const NpyColumn& column) { return column.quantity == QUANTITY_RADIUS; });
   check_radius(file, input.own_radii, options);
-  input.scene.positions.resize(array.rows, vec4{0, 0, 0, options.radius.value_or(0)});
-  input.values = array.rows * array.columns;
-  const bool single = header.dtype.ends_with("f4");
-  const int threads = reading_threads(options);
-  input.changed =
-      single ? fill<float>(array, input.scene.positions, threads) : fill<double>(array, input.scene.positions, threads);
-  input.format =
-      fmt::format("NPY, {} x {} {} {}-endian in {} order", array.rows, array.columns, single ? "float32" : "float64",
-                  header.dtype[0] == '>' ? "big" : "little", header.fortran_order ? "Fortran" : "C");
+  rows.resize(array.rows, options.radius.value_or(0),
+              any([](const NpyColumn& column) { return column.quantity >= QUANTITY_VX; }),
+              any([](const NpyColumn& column) { return !float32_holds(column.dtype); }));
+  input.values = array.rows * array.columns.size();
+  const Converted done = convert(array, rows, reading_threads(options));
+  if (done.wrong) refuse(array, done);
+  input.changed = done.changed;
+  input.format = describe(array, header);
   return input;
 }
 

@@ -36,6 +36,8 @@ class HeaderText {
   }
 
   void entry();
+  NpyField dtype();
+  void fields();
   std::string string(std::string_view expected);
   bool boolean();
   std::vector<uint64_t> tuple();
@@ -73,8 +75,8 @@ void HeaderText::entry() {
   require(":", "':' after the header's key");
   skip_space();
   if (key == "descr") {
-    header_.dtype_at = at_;
-    header_.dtype = string("a dtype in quotes such as '<f4' (no structured array)");
+    header_.structured = at_ < text_.size() && text_[at_] == '[';
+    header_.structured ? fields() : header_.fields.push_back(dtype());
     has_dtype_ = true;
   } else if (key == "fortran_order") {
     header_.fortran_order = boolean();
@@ -85,6 +87,38 @@ void HeaderText::entry() {
     has_shape_ = true;
   } else {
     file_.fail_at_byte(key_at, "the key 'descr', 'fortran_order' or 'shape'", in_quotes(key));
+  }
+}
+
+NpyField HeaderText::dtype() {
+  skip_space();
+  const uint64_t at = at_;
+  return {.name = "", .dtype = string("a dtype in quotes such as '<f4'"), .dtype_at = at};
+}
+
+// [('x', '<f4'), ('velocity', '<f8', (3,))]
+void HeaderText::fields() {
+  require("[", "a list of fields");
+  while (!take("]")) {
+    require("(", "a field in parentheses such as ('x', '<f4')");
+    skip_space();
+    const std::string name = string("a field's name in quotes");
+    require(",", "',' after the field's name");
+    NpyField field = dtype();
+    field.name = name;
+    if (take(",") && !take(")")) {
+      const uint64_t shape_at = at_;
+      const std::vector<uint64_t> shape = tuple();
+      if (shape.size() != 1 || shape[0] == 0 || shape[0] > 1000000)
+        file_.fail_at_byte(shape_at, "a field of one axis such as (3,)", fmt::format("({})", fmt::join(shape, ", ")));
+      field.count = shape[0];
+      require(")", "')' after the field");
+    } else if (text_[at_ - 1] != ')') {
+      require(")", "')' after the field");
+    }
+    header_.fields.push_back(field);
+    if (take("]")) break;
+    require(",", "',' or ']' after the field");
   }
 }
 
@@ -133,11 +167,21 @@ uint64_t little_endian(std::string_view bytes) {
 
 }  // namespace
 
+uint64_t NpyField::item_bytes() const {
+  if (dtype.size() < 3) return 0;
+  uint64_t size = 0;
+  const auto [end, error] = std::from_chars(dtype.data() + 2, dtype.data() + dtype.size(), size);
+  if (error != std::errc() || end != dtype.data() + dtype.size() || size > 1000000) return 0;
+  return dtype[1] == 'U' ? 4 * size : dtype[1] == 'O' ? 0 : size;
+}
+
 NpyHeader read_npy_header(const FileBytes& file) {
   const std::string_view bytes = file.bytes();
   if (!bytes.starts_with(magic))
     file.fail_at_byte(0, "the magic string '\\x93NUMPY' of an NPY file",
-                      bytes.empty() ? "an empty file" : in_quotes(bytes.substr(0, magic.size())));
+                      bytes.empty()            ? "an empty file"
+                      : kind_of(bytes).empty() ? in_quotes(bytes.substr(0, magic.size()))
+                                               : std::string(kind_of(bytes)));
   if (bytes.size() < 8) file.fail_at_byte(bytes.size(), "the version's two bytes", "the end of the file");
   const int major = static_cast<unsigned char>(bytes[6]), minor = static_cast<unsigned char>(bytes[7]);
   if (major < 1 || major > 3 || minor != 0)

@@ -8,12 +8,21 @@
 
 namespace spherepair {
 
+struct NpyField {
+  std::string name;       // empty in a plain array
+  std::string dtype;      // as in the file: <f4
+  uint64_t dtype_at = 0;  // byte offset, for errors
+  uint64_t count = 1;     // of a field such as ('pos', '<f4', (3,))
+
+  uint64_t item_bytes() const;  // 0: of a dtype without a fixed size
+};
+
 struct NpyHeader {
-  std::string dtype;  // as in the file: <f4
-  bool fortran_order = false;
+  std::vector<NpyField> fields;  // of a structured array; one without a name of a plain one
+  bool structured = false, fortran_order = false;
   std::vector<uint64_t> shape;
-  uint64_t dtype_at = 0, shape_at = 0;  // their byte offsets, for errors
-  uint64_t data_at = 0;                 // byte offset of the array
+  uint64_t shape_at = 0;  // byte offset, for errors
+  uint64_t data_at = 0;   // byte offset of the array
 };
 
 NpyHeader read_npy_header(const FileBytes& file);

@@ -8,20 +8,39 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "bench/io/numbers.h"
+
 namespace spherepair {
 namespace {
 
+using Reader = SphereFile (*)(const FileBytes&, const SphereFileOptions&, SphereRows&);
 struct Format {
   const char* extension;
-  SphereFile (*read)(const FileBytes&, const SphereFileOptions&);
+  Reader read;
 };
-constexpr Format formats[] = {{".xyz", read_xyz}, {".extxyz", read_xyz}, {".npy", read_npy}};
+constexpr Format formats[] = {{".xyz", read_xyz},  {".extxyz", read_xyz}, {".npy", read_npy}, {".txt", read_text},
+                              {".csv", read_text}, {".tsv", read_text},   {".dat", read_text}};
 
-const Format* format_of(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
+// Of a stream: NPY by its magic string, XYZ by its first line, which is a number alone.
+Reader reader_by_contents(const FileBytes& file) {
+  const std::string_view bytes = file.bytes();
+  if (bytes.starts_with("\x93NUMPY")) return read_npy;
+  std::vector<std::string_view> fields;
+  split_fields(bytes.substr(0, bytes.find_first_of("\r\n")), 2, fields);
+  return fields.size() == 1 && whole_number_of(fields[0], 0, UINT64_MAX) ? read_xyz : read_text;
+}
+
+Reader reader_of(const FileBytes& file, const SphereFileOptions& options) {
+  if (file.is_standard_input()) return options.columns.empty() ? reader_by_contents(file) : read_text;
+  std::string extension = std::filesystem::path(file.name()).extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
   const auto found = std::ranges::find_if(formats, [&](const Format& format) { return extension == format.extension; });
-  return found == std::end(formats) ? nullptr : found;
+  if (found != std::end(formats)) return found->read;
+  if (!options.columns.empty()) return read_text;
+  throw std::invalid_argument(
+      fmt::format("cannot tell the format of {} by its extension; known are .xyz and .extxyz (XYZ, extended XYZ), .npy "
+                  "(NPY) and .txt, .csv, .tsv, .dat (columns of text); other text needs --columns x,y,z,radius",
+                  file.name()));
 }
 
 std::pair<float, float> radius_range(const Scene& scene) {
@@ -30,23 +49,35 @@ std::pair<float, float> radius_range(const Scene& scene) {
   return {low->w, high->w};
 }
 
+std::string describe(const Rounding& rounding) {
+  std::string text;
+  const auto& [x, y, z] = rounding.shift;
+  if (x != 0 || y != 0 || z != 0)
+    text += fmt::format("centres shifted by ({}, {}, {}), which changes no distance\n", 0 - x, 0 - y, 0 - z);
+  if (rounding.largest > 0)
+    text += fmt::format("rounding to float32 moves a surface by {:.2g} at most\n", rounding.largest);
+  return text;
+}
+
 }  // namespace
 
-bool is_sphere_file(const std::string& file) { return format_of(file) != nullptr; }
-
 SphereFile read_sphere_file(const std::string& file, const SphereFileOptions& options) {
-  const Format* format = format_of(file);
-  if (!format)
-    throw std::invalid_argument(fmt::format(
-        "cannot tell the format of {} by its extension; known are .xyz and .extxyz (XYZ, extended XYZ) and .npy (NPY)",
-        file));
   if (options.radius && why_invalid(*options.radius, true))
     throw std::invalid_argument(
         fmt::format("--radius is {}, but must be finite and not negative", double(*options.radius)));
-  SphereFile input = format->read(FileBytes(file), options);
-  input.file = file;
+  const FileBytes bytes(file);
+  const Reader read = reader_of(bytes, options);
+  if (!options.columns.empty() && read != read_text)
+    throw std::invalid_argument(fmt::format(
+        "--columns names the columns of text, but {} has names or an order of its own: omit it", bytes.name()));
+  SphereRows rows;
+  SphereFile input = read(bytes, options, rows);
+  input.file = bytes.name();
+  input.rounding = round_rows(rows, options.may_shift);
   Scene& scene = input.scene;
-  scene.name = std::filesystem::path(file).filename().string();
+  scene.name = std::filesystem::path(bytes.name()).filename().string();
+  scene.positions = std::move(rows.positions);
+  scene.velocities = std::move(rows.velocities);
   scene.velocities.resize(scene.size(), vec4{0, 0, 0, 0});
   scene.equal_radii = std::ranges::all_of(
       scene.positions, [&](const vec4& p) { return float_bits(p.w) == float_bits(scene.positions.front().w); });
@@ -71,22 +102,33 @@ std::string describe(const SphereFile& input) {
   std::string text = fmt::format("{}: {}", input.file, input.format);
   if (input.frames > 1)
     text += fmt::format(", frame {} of {} (counted from 0; --frame takes another)", input.frame, input.frames);
+  if (!input.ignored.empty()) text += fmt::format("\nnot periodic, as asked for: {} is ignored", input.ignored);
   const auto [low, high] = radius_range(input.scene);
   text += fmt::format("\n{} spheres, radius {}", input.scene.size(),
                       low == high ? fmt::format("{}", low) : fmt::format("{} to {}", low, high));
   if (!input.own_radii) text += " by --radius";
   if (input.changed)
-    return text + fmt::format("\n{} of {} numbers changed when rounded to float32\n", input.changed, input.values);
-  return text + fmt::format("\nfloat32 represents all {} numbers of the file\n", input.values);
+    text += fmt::format("\n{} of {} numbers changed when rounded to float32\n", input.changed, input.values);
+  else
+    text += fmt::format("\nfloat32 represents all {} numbers of the file\n", input.values);
+  return text + describe(input.rounding);
 }
 
 json to_json(const SphereFile& input) {
   const auto [low, high] = radius_range(input.scene);
-  return {{"file", input.file},      {"format", input.format},
-          {"frame", input.frame},    {"frames", input.frames},
-          {"n", input.scene.size()}, {"radius_from", input.own_radii ? "file" : "option"},
-          {"smallest_radius", low},  {"largest_radius", high},
-          {"numbers", input.values}, {"numbers_changed", input.changed}};
+  return {{"file", input.file},
+          {"format", input.format},
+          {"frame", input.frame},
+          {"frames", input.frames},
+          {"n", input.scene.size()},
+          {"radius_from", input.own_radii ? "file" : "option"},
+          {"smallest_radius", low},
+          {"largest_radius", high},
+          {"numbers", input.values},
+          {"numbers_changed", input.changed},
+          {"ignored", input.ignored},
+          {"shift", input.rounding.shift},
+          {"largest_rounding", input.rounding.largest}};
 }
 
 }  // namespace spherepair

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Reads spheres from files of other programs: extended XYZ and NPY. Errors name the line or byte, what was expected and
-// what was found.
+// Reads spheres from files of other programs: extended XYZ, NPY and columns of text. Errors name the line or byte, what
+// was expected and what was found.
 #pragma once
 
 #include <optional>
 #include <string>
 
+#include "bench/formats/rounding.h"
 #include "bench/io/file_bytes.h"
 #include "bench/io/report.h"
 #include "common/scene/scene.h"
@@ -13,30 +14,36 @@
 namespace spherepair {
 
 struct SphereFileOptions {
-  std::optional<float> radius = {};    // of all spheres: required if the file has none, otherwise an error
-  std::optional<uint64_t> frame = {};  // of an XYZ file, counted from 0; default: the first
-  int threads = 0;                     // 0: all cores
+  std::optional<float> radius = {};       // of all spheres: required if the file has none, otherwise an error
+  std::optional<uint64_t> frame = {};     // of an XYZ file, counted from 0; default: the first
+  std::vector<std::string> columns = {};  // of text: names of quantities (columns.h), and _ for what is not read
+  bool ignore_periodic = false;           // a periodic box is an error otherwise
+  bool may_shift = false;                 // by a vector, where that changes no difference of two numbers
+  int threads = 0;                        // 0: all cores
 };
 
 struct SphereFile {
-  Scene scene;  // at rest
+  Scene scene;  // at rest where the file has no velocities
   std::string file, format;
   bool own_radii = false;            // otherwise --radius
   uint64_t values = 0, changed = 0;  // numbers read; those changed by rounding to float32
   uint64_t frame = 0, frames = 1;
+  std::string ignored;  // the periodic box
+  Rounding rounding;
 };
 
-bool is_sphere_file(const std::string& file);  // by its extension
-
-// Throws std::invalid_argument, also for an unknown extension.
+// By the file's extension; standard input (-) and files for which columns are named by their contents. Throws
+// std::invalid_argument, also for an unknown extension.
 SphereFile read_sphere_file(const std::string& file, const SphereFileOptions& options);
 
 std::string describe(const SphereFile& input);
 json to_json(const SphereFile& input);
 
-// The readers of the formats: they fill everything but file, scene name and velocities.
-SphereFile read_npy(const FileBytes& file, const SphereFileOptions& options);
-SphereFile read_xyz(const FileBytes& file, const SphereFileOptions& options);
+// The readers of the formats: they fill the format's fields and the rows.
+struct SphereRows;
+SphereFile read_npy(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
+SphereFile read_xyz(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
+SphereFile read_text(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
 
 // For the readers. Throws unless there is a radius either in the file or in the options.
 void check_radius(const FileBytes& file, bool own_radii, const SphereFileOptions& options);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "bench/formats/checkpoint.h"
-#include "bench/formats/files.h"
 #include "bench/formats/sphere_file.h"
 #include "bench/io/scene_text.h"
 
@@ -29,21 +28,15 @@ Start start_of(const StartOptions& options, int threads) {
     choose_motion(scene, options.motion);
     return {make_scene(scene), scene_label(scene), "", scene_json(scene)};
   }
-  if (is_sphere_file(file)) {
-    SphereFile input = read_sphere_file(file, {.radius = options.radius, .frame = options.frame, .threads = threads});
-    choose_motion(input.scene, options.motion);
-    const std::string notes = describe(input), label = input.scene.name;
-    const json record = to_json(input);
-    return {std::move(input.scene), label, notes, record};
-  }
-  if (options.radius || options.frame)
-    throw std::invalid_argument(fmt::format("{} has a radius on each line and no frames: omit {}", file,
-                                            options.radius ? "--radius" : "--frame"));
-  Scene scene = read_spheres(file);
-  choose_motion(scene, options.motion);
-  const json record = {{"file", file}, {"n", scene.size()}};
-  const std::string label = scene.name;
-  return {std::move(scene), label, "", record};
+  SphereFile input = read_sphere_file(file, {.radius = options.radius,
+                                             .frame = options.frame,
+                                             .columns = options.columns,
+                                             .ignore_periodic = options.ignore_periodic,
+                                             .threads = threads});
+  choose_motion(input.scene, options.motion);
+  const std::string notes = describe(input), label = input.scene.name;
+  const json record = to_json(input);
+  return {std::move(input.scene), label, notes, record, std::nullopt, 0, std::move(input.rounding)};
 }
 
 void add_inputs(OutputFiles& files, const StartOptions& options) {

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "bench/formats/rounding.h"
 #include "bench/io/motion_choice.h"
 #include "bench/io/output_files.h"
 #include "bench/io/report.h"
@@ -18,6 +19,8 @@ struct StartOptions {
   std::string input_file;                                                 // spheres from a file, instead of a scene
   std::optional<float> radius;                                            // of the spheres of that file
   std::optional<uint64_t> frame;                                          // of that file
+  std::vector<std::string> columns;                                       // of that file, if it is text
+  bool ignore_periodic = false;                                           // of that file
   MotionChoice motion = {.method = motion_name(MotionMethod::anchored)};  // the best by error and time
   std::string resume_file;                                                // a checkpoint, instead of all of the above
 };
@@ -28,6 +31,7 @@ struct Start {
   json record;
   std::optional<MotionState> motion = {};  // of a resumed run
   uint64_t step = 0;                       // steps done
+  Rounding rounding = {};                  // of a file's numbers to float32
 };
 
 // Makes the scene or reads the file or checkpoint. threads: 0: all cores.

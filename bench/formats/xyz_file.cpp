@@ -63,67 +63,79 @@ Frame read_frame(const FileBytes& file, FileLines& cursor, bool first) {
 
 class LineReader {
  public:
-  LineReader(const FileBytes& file, const XyzColumns& columns) : file_(file), columns_(columns) {}
+  LineReader(const FileBytes& file, const Columns& columns) : file_(file), columns_(columns) {}
 
-  void read(std::string_view text, uint64_t line, vec4& sphere) {
+  void read(std::string_view text, uint64_t line, uint64_t sphere, SphereRows& rows) {
     split_fields(text, columns_.count + 1, fields_);
     if (fields_.size() != columns_.count)
       file_.fail_at_line(line, fmt::format("{} columns ({})", columns_.count, columns_.text),
                          fmt::format("{}{}: {}", fields_.size() > columns_.count ? "more than " : "",
                                      std::min(fields_.size(), columns_.count), in_quotes(text)));
-    sphere.x = number(columns_.position, line, "x");
-    sphere.y = number(columns_.position + 1, line, "y");
-    sphere.z = number(columns_.position + 2, line, "z");
-    if (columns_.radius) sphere.w = number(*columns_.radius, line, "radius");
+    for (size_t quantity = 0; quantity < quantity_names.size(); ++quantity) {
+      if (!columns_.has(Quantity(quantity))) continue;
+      const Decimal number = read_number(file_, line, fields_, columns_, Quantity(quantity));
+      changed_ += number.changed;
+      rows.set(sphere, Quantity(quantity), number);
+    }
   }
   uint64_t changed() const { return changed_; }
 
  private:
-  float number(size_t column, uint64_t line, const char* what) {
-    const Decimal decimal = read_number(file_, line, fields_, column, what, columns_.radius == column);
-    changed_ += decimal.changed;
-    return decimal.rounded;
-  }
-
   const FileBytes& file_;
-  const XyzColumns& columns_;
+  const Columns& columns_;
   std::vector<std::string_view> fields_;
   uint64_t changed_ = 0;
 };
 
-uint64_t read_chunk(const FileBytes& file, const XyzColumns& columns, Chunk chunk, std::vector<vec4>& spheres) {
+uint64_t read_chunk(const FileBytes& file, const Columns& columns, Chunk chunk, SphereRows& rows) {
   LineReader reader(file, columns);
   for (uint64_t k = 0; k < chunk.spheres; ++k) {
     const uint64_t line = chunk.start.line;
-    reader.read(chunk.start.next(), line, spheres[chunk.first_sphere + k]);
+    reader.read(chunk.start.next(), line, chunk.first_sphere + k, rows);
   }
   return reader.changed();
 }
 
 // Throws the first error in the file, whichever thread finds one first.
-uint64_t read_spheres(const FileBytes& file, const XyzColumns& columns, const Frame& frame, int threads,
-                      std::vector<vec4>& spheres) {
+uint64_t read_spheres(const FileBytes& file, const Columns& columns, const Frame& frame, int threads,
+                      SphereRows& rows) {
   TeamErrors errors;
   uint64_t changed = 0;
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1) reduction(+ : changed)
   for (size_t k = 0; k < frame.chunks.size(); ++k)
-    errors.run(k, [&] { changed += read_chunk(file, columns, frame.chunks[k], spheres); });
+    errors.run(k, [&] { changed += read_chunk(file, columns, frame.chunks[k], rows); });
   errors.rethrow();
   return changed;
 }
 
-XyzColumns columns_of(const FileBytes& file, const Frame& frame) {
-  if (const auto named = named_columns(file, frame.comment_line, frame.comment)) return *named;
-  if (frame.chunks.empty()) return {.text = "no spheres"};
+struct FrameColumns {
+  Columns columns;
+  bool named = false;  // by Properties=
+};
+
+FrameColumns columns_of(const FileBytes& file, const Frame& frame) {
+  if (const auto named = named_columns(file, frame.comment_line, frame.comment)) return {*named, true};
+  if (frame.chunks.empty()) return {{.text = "no spheres"}};
   FileLines first = frame.chunks.front().start;
   const uint64_t line = first.line;
-  return classic_columns(file, line, first.next());
+  return {classic_columns(file, line, first.next())};
+}
+
+// Pairs across a periodic boundary are not found: such a file would lose them in silence.
+std::string ignored_box(const FileBytes& file, const Frame& frame, const SphereFileOptions& options) {
+  const std::string box = periodic_box(file, frame.comment_line, frame.comment);
+  if (!box.empty() && !options.ignore_periodic)
+    file.fail_at_line(frame.comment_line,
+                      "spheres without a periodic box, since pairs across its boundary are not found yet (take only "
+                      "those inside it with --ignore-periodic)",
+                      box);
+  return box;
 }
 
 // Counts the frames, all of which must be complete, and returns one.
 Frame find_frame(const FileBytes& file, uint64_t wanted, uint64_t& frames) {
   Frame found;
-  FileLines cursor{file.bytes()};
+  FileLines cursor = lines_of(file);
   for (frames = 0; frames == 0 || !cursor.at_end(); ++frames) {
     Frame frame = read_frame(file, cursor, frames == 0);
     if (frames == wanted) found = std::move(frame);
@@ -137,18 +149,19 @@ Frame find_frame(const FileBytes& file, uint64_t wanted, uint64_t& frames) {
 
 }  // namespace
 
-SphereFile read_xyz(const FileBytes& file, const SphereFileOptions& options) {
+SphereFile read_xyz(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows) {
   require_text(file);
   SphereFile input;
   input.frame = options.frame.value_or(0);
   const Frame frame = find_frame(file, input.frame, input.frames);
-  const XyzColumns columns = columns_of(file, frame);
-  input.own_radii = columns.radius.has_value();
+  input.ignored = ignored_box(file, frame, options);
+  const auto [columns, named] = columns_of(file, frame);
+  input.own_radii = columns.has(QUANTITY_RADIUS);
   if (frame.spheres > 0) check_radius(file, input.own_radii, options);
-  input.scene.positions.resize(frame.spheres, vec4{0, 0, 0, options.radius.value_or(0)});
-  input.values = frame.spheres * (input.own_radii ? 4 : 3);
-  input.changed = read_spheres(file, columns, frame, reading_threads(options), input.scene.positions);
-  input.format = fmt::format("{}XYZ ({})", columns.named ? "extended " : "", columns.text);
+  rows.resize(frame.spheres, options.radius.value_or(0), columns.has(QUANTITY_VX), true);
+  input.values = frame.spheres * columns.quantities();
+  input.changed = read_spheres(file, columns, frame, reading_threads(options), rows);
+  input.format = fmt::format("{}XYZ ({})", named ? "extended " : "", columns.text);
   return input;
 }
 

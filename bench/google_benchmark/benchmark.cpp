@@ -194,5 +194,6 @@ int bench_command(int argc, char** argv) {
 }  // namespace spherepair
 
 int main(int argc, char** argv) {
+  spherepair::wait_passively(argv);
   return spherepair::run_action([&] { return spherepair::bench_command(argc, argv); });
 }

@@ -24,7 +24,8 @@ constexpr size_t reserve = 1 << 16;  // bytes by which a file may be longer than
 }
 
 struct Descriptor {
-  explicit Descriptor(const std::string& name) : value(::open(name.c_str(), O_RDONLY | O_CLOEXEC)) {
+  Descriptor(const std::string& name, bool standard_input)
+      : value(standard_input ? ::dup(STDIN_FILENO) : ::open(name.c_str(), O_RDONLY | O_CLOEXEC)) {
     if (value < 0) fail_to_read(name, errno);
   }
   ~Descriptor() { ::close(value); }
@@ -35,12 +36,13 @@ struct Descriptor {
 
 }  // namespace
 
-FileBytes::FileBytes(const std::filesystem::path& path) : name_(path.string()) {
-  const Descriptor file(name_);
+FileBytes::FileBytes(const std::filesystem::path& path)
+    : standard_input_(path == "-"), name_(standard_input_ ? "standard input" : path.string()) {
+  const Descriptor file(name_, standard_input_);
   struct stat status {};
   if (::fstat(file.value, &status) != 0) fail_to_read(name_, errno);
   if (S_ISDIR(status.st_mode)) fail_to_read(name_, EISDIR);
-  const size_t size = size_t(status.st_size);  // 0 for a pipe
+  const size_t size = S_ISREG(status.st_mode) ? size_t(status.st_size) : 0;
   if (!fits_in_memory(size))
     throw BackendError(fmt::format("{} has {} bytes, which do not fit in memory", name_, size));
   bytes_.reserve(size + reserve);
@@ -61,6 +63,30 @@ void FileBytes::fail_at_line(uint64_t line, std::string_view expected, std::stri
 
 void FileBytes::fail_at_byte(uint64_t offset, std::string_view expected, std::string_view found) const {
   throw std::invalid_argument(fmt::format("{}, byte {}: expected {}, found {}", name_, offset, expected, found));
+}
+
+std::string_view kind_of(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  static constexpr std::pair<std::string_view, std::string_view> kinds[] = {
+      {"\x93NUMPY"sv, "an NPY file"},
+      {"PK\x03\x04"sv, "a zip archive (.npz, .zip)"},
+      {"\x1f\x8b"sv, "a gzip file"},
+      {"BZh"sv, "a bzip2 file"},
+      {"\xfd"
+       "7zXZ"sv,
+       "an xz file"},
+      {"\x28\xb5\x2f\xfd"sv, "a Zstandard file"},
+      {"\x89HDF"sv, "an HDF5 file"},
+      {"\x89PNG"sv, "a PNG image"},
+      {"%PDF"sv, "a PDF document"},
+      {"\x7f"
+       "ELF"sv,
+       "a program"},
+      {"\xff\xfe"sv, "UTF-16 text"},
+      {"\xfe\xff"sv, "UTF-16 text"}};
+  for (const auto& [magic, name] : kinds)
+    if (bytes.starts_with(magic)) return name;
+  return {};
 }
 
 std::string in_quotes(std::string_view text) {

@@ -13,9 +13,10 @@ namespace spherepair {
 // std::invalid_argument, or BackendError if the file does not fit in memory.
 class FileBytes {
  public:
-  explicit FileBytes(const std::filesystem::path& path);
+  explicit FileBytes(const std::filesystem::path& path);  // -: standard input
 
   const std::string& name() const { return name_; }
+  bool is_standard_input() const { return standard_input_; }
   std::string_view bytes() const { return bytes_; }
 
   // Throw std::invalid_argument: FILE, line 7: expected ..., found ...
@@ -23,8 +24,12 @@ class FileBytes {
   [[noreturn]] void fail_at_byte(uint64_t offset, std::string_view expected, std::string_view found) const;
 
  private:
+  bool standard_input_;
   std::string name_, bytes_;
 };
+
+// "a gzip archive", "UTF-16 text" ...: what bytes begin with that are no text of ours; empty for anything else.
+std::string_view kind_of(std::string_view bytes);
 
 // In quotes, with unprintable bytes as \x.., truncated if long.
 std::string in_quotes(std::string_view text);

@@ -29,9 +29,18 @@ struct FileLines {
   }
 };
 
-// Throws std::invalid_argument at the line of the first NUL byte: the file is damaged or not text.
+// Of a whole file, behind its byte order mark (UTF-8) if it has one.
+inline FileLines lines_of(const FileBytes& file) {
+  std::string_view bytes = file.bytes();
+  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+  return {bytes};
+}
+
+// Throws std::invalid_argument for a file that is of another kind, and at the line of the first NUL byte: the file is
+// damaged or not text.
 inline void require_text(const FileBytes& file) {
-  const std::string_view bytes = file.bytes();
+  const std::string_view bytes = file.bytes(), kind = kind_of(bytes);
+  if (!kind.empty()) file.fail_at_line(1, "text (ASCII or UTF-8)", kind);
   const size_t nul = bytes.find('\0');
   if (nul == bytes.npos) return;
   const auto lines_before = std::ranges::count(bytes.substr(0, nul), '\n');

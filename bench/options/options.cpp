@@ -91,18 +91,33 @@ void add_scene_options(CLI::App& command, SceneOptions& scene) {
       ->capture_default_str();
 }
 
+void add_file_options(CLI::App& command, std::vector<std::string>& columns, bool& ignore_periodic) {
+  command
+      .add_option(
+          "--columns", columns,
+          "Columns of a text file: x,y,z, radius and vx,vy,vz in its order, _ for one that is not read; default: "
+          "by a first line of names, else x y z [radius [vx vy vz]]")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"x", "y", "z", "radius", "vx", "vy", "vz", "_"}));
+  command.add_flag("--ignore-periodic", ignore_periodic,
+                   "Read an XYZ file with a periodic box (Lattice, pbc) as if it had none: pairs across its boundary "
+                   "are not found");
+}
+
 void add_start_options(CLI::App& command, StartOptions& start) {
   add_scene_options(command, start.scene);
   auto* input = command.add_option(
       "--input", start.input_file,
-      "Read the spheres from a file instead: .xyz, .extxyz or .npy (see pairs --help; at rest), or, with any other "
-      "extension, text lines `x y z radius [vx vy vz]`; # starts a comment");
+      "Read the spheres from a file instead: .xyz, .extxyz, .npy, or text lines `x y z radius [vx vy vz]`, # starts a "
+      "comment (see pairs --help); without velocities they start at rest");
   for (const char* scene_option :
        {"--scene", "--n", "--seed", "--radius-ratio", "--packing-fraction", "--groups", "--group-size", "--offset"})
     input->excludes(command.get_option(scene_option));
   command.add_option("--frame", start.frame, "Frame of an --input with several, counted from 0")
       ->check(count_range)
       ->needs(input);
+  add_file_options(command, start.columns, start.ignore_periodic);
+  for (const char* file_option : {"--columns", "--ignore-periodic"}) command.get_option(file_option)->needs(input);
   add_motion_options(command, start.motion);
   add_resume_option(command, start.resume_file);
 }
@@ -132,9 +147,9 @@ void add_save_options(CLI::App& command, std::string& file, uint64_t& every) {
 void add_resume_option(CLI::App& command, std::string& file) {
   auto* resume =
       command.add_option("--resume", file, "Continue from this checkpoint, to the same bits as an uninterrupted run");
-  for (const char* other :
-       {"--input", "--frame", "--scene", "--n", "--seed", "--radius", "--radius-ratio", "--packing-fraction",
-        "--groups", "--group-size", "--offset", "--motion", "--precision", "--dt", "--restitution"})
+  for (const char* other : {"--input", "--frame", "--columns", "--ignore-periodic", "--scene", "--n", "--seed",
+                            "--radius", "--radius-ratio", "--packing-fraction", "--groups", "--group-size", "--offset",
+                            "--motion", "--precision", "--dt", "--restitution"})
     resume->excludes(command.get_option(other));
 }
 

@@ -31,6 +31,9 @@ void refuse_empty_values(CLI::App& command);
 void add_open_options(CLI::App& command, OpenOptions& open);
 void add_scene_options(CLI::App& command, SceneOptions& scene);
 
+// --columns and --ignore-periodic, of files of spheres.
+void add_file_options(CLI::App& command, std::vector<std::string>& columns, bool& ignore_periodic);
+
 // A scene, a file or a checkpoint, and the motion. Call finish_start_options in the command's callback.
 void add_start_options(CLI::App& command, StartOptions& start);
 void finish_start_options(const CLI::App& command, StartOptions& start);

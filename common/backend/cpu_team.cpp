@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 #include <omp.h>
+#include <unistd.h>
 
+#include <cstdlib>
 #include <latch>
 #include <string>
 #include <thread>
@@ -12,6 +14,13 @@
 #include "common/backend/backend.h"
 
 namespace spherepair {
+
+void wait_passively(char** argv) {
+  for (const char* name : {"OMP_WAIT_POLICY", "GOMP_SPINCOUNT", "KMP_BLOCKTIME"})
+    if (std::getenv(name)) return;
+  ::setenv("OMP_WAIT_POLICY", "passive", 1);
+  ::execv("/proc/self/exe", argv);  // returns only where that is not possible: then threads spin
+}
 
 // As many threads of our own, all there at once, show whether OpenMP's can start. Theirs then stay until the end.
 void start_team(int threads) {

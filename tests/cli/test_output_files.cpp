@@ -2,6 +2,7 @@
 // No command writes over what it reads, over another of its outputs, or over what is not its own; that is found out
 // before the work, of which nothing is printed then.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "bench/cli/commands.h"
 #include "tests/support/program.h"
@@ -66,6 +67,33 @@ TEST_F(Outputs, TwoOutputsHaveTwoNames) {
                              folder_.write("b.xyz", "1\n\n1 2 3\n"), path("a.txt"), path("a.txt")),
                  "is the output");
   expect_refused(render_of(fmt::format("--output {} --video {}", path("a.png"), path("a.mp4"))), "is the output");
+}
+
+TEST_F(Outputs, RunWritesPairsInTheFormatOfTheirExtension) {
+  const std::string scene = fmt::format("run --backend cpu --input {} ", input());
+  ASSERT_EQ(run(scene + "--pairs " + path("p.npy") + " --contacts " + path("c.txt")).code, kOk);
+  const std::string bytes = read_bytes(path("p.npy"));
+  EXPECT_TRUE(bytes.starts_with("\x93NUMPY")) << bytes;
+  EXPECT_TRUE(bytes.ends_with(std::string("\0\0\0\0\1\0\0\0", 8)));
+  EXPECT_EQ(read_bytes(path("c.txt")), "1\n1\n0\n");
+  expect_refused(scene + "--pairs " + path("p.csv"), "the format of --pairs");
+  expect_refused(scene + "--contacts " + path("c"), "the format of --contacts");
+}
+
+TEST_F(Outputs, InputsWithoutSpheresAreRefused) {
+  fs::create_directory(path("folder.txt"));
+  expect_refused("run --input " + path("folder.txt"), "Is a directory");
+  for (const char* command : {"run --input ", "pairs --output o.txt --input ", "render --output o.png --input "})
+    expect_refused(command + folder_.write("empty.txt", ""), "holds no sphere");
+  expect_refused("run --input " + folder_.write("a.log", spheres), "needs --columns");
+}
+
+// Replacing a file needs no right to write into it, but who took that right away wants it kept.
+TEST_F(Outputs, AFileThatMayNotBeWrittenIsKept) {
+  if (::geteuid() == 0) GTEST_SKIP() << "the superuser may write into every file";
+  folder_.write("pairs.txt", "mine");
+  fs::permissions(path("pairs.txt"), fs::perms::owner_read);
+  expect_refused("run --n 10 --pairs " + path("pairs.txt"), "Permission denied");
 }
 
 TEST_F(Outputs, WhatIsNoFileTakesSeveral) {

@@ -2,11 +2,13 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "common/backend/cpu_team.h"
 #include "tests/support/backends.h"
 #include "tests/support/catalogue.h"
 
 // Properties are tried on the same cases in every run, unless RC_PARAMS says otherwise.
 int main(int argc, char** argv) {
+  spherepair::wait_passively(argv);
   testing::InitGoogleTest(&argc, argv);
   setenv("RC_PARAMS", "seed=20251121 max_success=5000", 0);
   if (!testing::GTEST_FLAG(list_tests)) {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "bench/check/rounding_reach.h"
+
+#include <fmt/format.h>
+
+namespace spherepair {
+namespace {
+
+uint64_t pairs_of(Backend& backend, const Scene& scene, std::vector<vec4> spheres, CollideOptions options) {
+  Scene other{.name = scene.name, .velocities = std::vector<vec4>(spheres.size(), vec4{0, 0, 0, 0})};
+  other.positions = std::move(spheres);
+  other.equal_radii = false;
+  options.want_pairs = false;
+  backend.upload(other);
+  backend.collide(options);
+  return backend.collisions().pairs;
+}
+
+}  // namespace
+
+uint64_t pairs_within_reach(Backend& backend, const Scene& scene, const Rounding& rounding,
+                            const CollideOptions& options) {
+  if (rounding.reach.empty()) return 0;
+  const uint64_t possible = pairs_of(backend, scene, grown(scene.positions, rounding.reach), options);
+  return possible - pairs_of(backend, scene, shrunk(scene.positions, rounding.reach), options);
+}
+
+std::string reach_warning(uint64_t pairs, const Rounding& rounding) {
+  if (pairs == 0) return "";
+  return fmt::format(
+      "WARNING: {} pairs are so close to touching that rounding the file's numbers to float32, which moves a surface "
+      "by up to {:.2g}, can decide them. Their float32 spheres are decided exactly. To have fewer such pairs, write "
+      "positions relative to a point near the spheres, or in numbers that float32 represents.",
+      pairs, rounding.largest);
+}
+
+}  // namespace spherepair

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Which pairs the rounding of a file's numbers to float32 can have decided.
+#pragma once
+
+#include <string>
+
+#include "bench/formats/rounding.h"
+#include "common/backend/backend.h"
+
+namespace spherepair {
+
+// The pairs whose spheres overlap by the file's numbers and not by the rounded ones, or the other way round, are among
+// these: how many there are. Two searches, with radii larger and smaller by the reach; the backend then holds other
+// spheres.
+uint64_t pairs_within_reach(Backend& backend, const Scene& scene, const Rounding& rounding,
+                            const CollideOptions& options);
+
+// What to tell the user; empty if there are none.
+std::string reach_warning(uint64_t pairs, const Rounding& rounding);
+
+}  // namespace spherepair

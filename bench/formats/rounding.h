@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// From a file's numbers to float32: what that changes, and how far from the file's spheres it can take a surface.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "bench/formats/columns.h"
+#include "common/shared/layout.h"
+
+namespace spherepair {
+
+// The numbers of a file's spheres, filled by its reader: different spheres may be set by different threads.
+struct SphereRows {
+  std::vector<vec4> positions, velocities;   // velocities: empty if the file has none
+  std::vector<std::array<double, 4>> exact;  // x y z radius in float64; empty if all numbers are float32 or shorter
+
+  void resize(uint64_t n, float radius, bool with_velocities, bool with_exact);
+  void add(float radius);  // one more, with a velocity and exact numbers
+  void set(uint64_t sphere, Quantity quantity, const Decimal& number);
+};
+
+struct Rounding {
+  std::array<double, 3> shift = {};  // subtracted from every centre before it is rounded; no number loses a bit by it
+  std::vector<float> reach = {};     // of each sphere: an upper bound of how far rounding moved its surface, metres;
+                                     // empty if it moved none
+  float largest = 0;                 // of them
+};
+
+// Rounds the exact rows into the positions. may_shift: first subtracts the middle of the spheres, rounded to a power of
+// two of their extent, along every axis on which all differences are exact in float64.
+Rounding round_rows(SphereRows& rows, bool may_shift);
+
+// The spheres with all radii larger, or smaller, by their reach: two that do not overlap in the first overlap nowhere
+// within it, two that overlap in the second do so everywhere.
+std::vector<vec4> grown(std::span<const vec4> spheres, std::span<const float> reach);
+std::vector<vec4> shrunk(std::span<const vec4> spheres, std::span<const float> reach);
+
+}  // namespace spherepair

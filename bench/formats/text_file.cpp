@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Reads spheres from lines of text, a sphere each: columns separated by blanks, or all by commas or semicolons. The
+// columns are those of --columns; or of a first line of names; or x y z, x y z radius, or these with vx vy vz.
+#include <fmt/format.h>
+
+#include "bench/formats/sphere_file.h"
+#include "bench/io/file_lines.h"
+#include "bench/io/numbers.h"
+
+namespace spherepair {
+namespace {
+
+constexpr size_t most_columns = 1000;
+
+class TextReader {
+ public:
+  TextReader(const FileBytes& file, const SphereFileOptions& options) : file_(file), options_(options) {
+    if (!options.columns.empty()) columns_ = columns_of_names("--columns", options.columns);
+  }
+
+  // Takes a line; false for one without a sphere: empty, a comment, or names.
+  bool take(uint64_t line, std::string_view text) {
+    split_separated_fields(text.substr(0, text.find('#')), most_columns, fields_);
+    if (fields_.empty()) return false;
+    if (columns_.count == 0 && !choose_columns(line)) return false;
+    if (by_place_ && columns_.count != 3 && (fields_.size() == 4 || fields_.size() == 7)) columns_by_place();
+    if (fields_.size() != columns_.count)
+      file_.fail_at_line(line, fmt::format("{} columns ({})", columns_.count, columns_.text),
+                         fmt::format("{}: {}", fields_.size(), in_quotes(text)));
+    return true;
+  }
+  Decimal number(uint64_t line, Quantity quantity) const {
+    return read_number(file_, line, fields_, columns_, quantity);
+  }
+  const Columns& columns() const { return columns_; }
+
+ private:
+  // False if the line holds their names.
+  bool choose_columns(uint64_t line) {
+    if (!parse_decimal(fields_[0])) {
+      const std::vector<std::string> names(fields_.begin(), fields_.end());
+      columns_ = columns_of_names(fmt::format("{}, line {}", file_.name(), line), names);
+      return false;
+    }
+    const size_t count = fields_.size();
+    if (count != 3 && count != 4 && count != 7)
+      file_.fail_at_line(line, "3 columns (x y z), 4 (and radius) or 7 (and vx vy vz); others need --columns",
+                         fmt::to_string(count));
+    by_place_ = true;
+    columns_by_place();
+    return true;
+  }
+  // Lines with and without a velocity may stand in one file.
+  void columns_by_place() {
+    if (columns_.count == fields_.size()) return;
+    const auto names = std::span(quantity_names).first(fields_.size());
+    columns_ = columns_of_names("", std::vector<std::string>(names.begin(), names.end()));
+  }
+
+  const FileBytes& file_;
+  const SphereFileOptions& options_;
+  Columns columns_;
+  bool by_place_ = false;
+  std::vector<std::string_view> fields_;
+};
+
+}  // namespace
+
+SphereFile read_text(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows) {
+  require_text(file);
+  if (options.frame)
+    throw std::invalid_argument(
+        fmt::format("{} is text with one frame, and --frame is for XYZ files only", file.name()));
+  SphereFile input;
+  TextReader reader(file, options);
+  for (FileLines lines = lines_of(file); !lines.at_end();) {
+    const uint64_t line = lines.line, sphere = rows.positions.size();
+    if (!reader.take(line, lines.next())) continue;
+    if (sphere == kMostSpheres) file.fail_at_line(line, fmt::format("at most {} spheres", kMostSpheres), "another");
+    rows.add(options.radius.value_or(0));
+    for (size_t quantity = 0; quantity < quantity_names.size(); ++quantity) {
+      if (!reader.columns().has(Quantity(quantity))) continue;
+      const Decimal number = reader.number(line, Quantity(quantity));
+      ++input.values;
+      input.changed += number.changed;
+      rows.set(sphere, Quantity(quantity), number);
+    }
+  }
+  if (rows.positions.empty())
+    throw std::invalid_argument(fmt::format("{} holds no sphere: expected lines of x y z radius", file.name()));
+  input.own_radii = reader.columns().has(QUANTITY_RADIUS);
+  check_radius(file, input.own_radii, options);
+  input.format = fmt::format("text ({})", reader.columns().text);
+  return input;
+}
+
+}  // namespace spherepair
