@@ -30,11 +30,8 @@ std::pair<float, float> radius_range(const Scene& scene) {
   return {low->w, high->w};
 }
 
-}  // namespace
-
-bool is_sphere_file(const std::string& file) { return format_of(file) != nullptr; }
-
-SphereFile read_sphere_file(const std::string& file, const SphereFileOptions& options) {
+// Throws for another extension, and for options that no format takes.
+const Format& known_format(const std::string& file, const SphereFileOptions& options) {
   const Format* format = format_of(file);
   if (!format)
     throw std::invalid_argument(fmt::format(
@@ -43,14 +40,38 @@ SphereFile read_sphere_file(const std::string& file, const SphereFileOptions& op
   if (options.radius && why_invalid(*options.radius, true))
     throw std::invalid_argument(
         fmt::format("--radius is {}, but must be finite and not negative", double(*options.radius)));
-  SphereFile input = format->read(FileBytes(file), options);
+  if (options.species && format->read != read_xyz)
+    throw std::invalid_argument(fmt::format("{} has no species: only XYZ files have", file));
+  return *format;
+}
+
+void complete(SphereFile& input, const std::string& file) {
   input.file = file;
   Scene& scene = input.scene;
   scene.name = std::filesystem::path(file).filename().string();
   scene.velocities.resize(scene.size(), vec4{0, 0, 0, 0});
   scene.equal_radii = std::ranges::all_of(
       scene.positions, [&](const vec4& p) { return float_bits(p.w) == float_bits(scene.positions.front().w); });
+}
+
+}  // namespace
+
+bool is_sphere_file(const std::string& file) { return format_of(file) != nullptr; }
+
+SphereFile read_sphere_file(const std::string& file, const SphereFileOptions& options) {
+  const Format& format = known_format(file, options);
+  SphereFile input = format.read(FileBytes(file), options);
+  complete(input, file);
   return input;
+}
+
+std::vector<SphereFile> read_sphere_frames(const std::string& file, const SphereFileOptions& options) {
+  const Format& format = known_format(file, options);
+  if (format.read != read_xyz)
+    throw std::invalid_argument(fmt::format("{} has no frames: --frames draws those of an XYZ file", file));
+  std::vector<SphereFile> frames = read_xyz_frames(FileBytes(file), options);
+  for (SphereFile& each : frames) complete(each, file);
+  return frames;
 }
 
 void check_radius(const FileBytes& file, bool own_radii, const SphereFileOptions& options) {

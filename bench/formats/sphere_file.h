@@ -15,6 +15,7 @@ namespace spherepair {
 struct SphereFileOptions {
   std::optional<float> radius = {};    // of all spheres: required if the file has none, otherwise an error
   std::optional<uint64_t> frame = {};  // of an XYZ file, counted from 0; default: the first
+  bool species = false;                // required if asked for: a column of text, by XYZ files only
   int threads = 0;                     // 0: all cores
 };
 
@@ -24,6 +25,8 @@ struct SphereFile {
   bool own_radii = false;            // otherwise --radius
   uint64_t values = 0, changed = 0;  // numbers read; those changed by rounding to float32
   uint64_t frame = 0, frames = 1;
+  std::vector<std::string> species;  // ascending, each once; empty unless asked for ...
+  std::vector<uint> species_index;   // ... of each sphere
 };
 
 bool is_sphere_file(const std::string& file);  // by its extension
@@ -31,12 +34,16 @@ bool is_sphere_file(const std::string& file);  // by its extension
 // Throws std::invalid_argument, also for an unknown extension.
 SphereFile read_sphere_file(const std::string& file, const SphereFileOptions& options);
 
+// All frames of an XYZ file, which is read once; one of another file. Species are those of all frames.
+std::vector<SphereFile> read_sphere_frames(const std::string& file, const SphereFileOptions& options);
+
 std::string describe(const SphereFile& input);
 json to_json(const SphereFile& input);
 
 // The readers of the formats: they fill everything but file, scene name and velocities.
 SphereFile read_npy(const FileBytes& file, const SphereFileOptions& options);
 SphereFile read_xyz(const FileBytes& file, const SphereFileOptions& options);
+std::vector<SphereFile> read_xyz_frames(const FileBytes& file, const SphereFileOptions& options);
 
 // For the readers. Throws unless there is a radius either in the file or in the options.
 void check_radius(const FileBytes& file, bool own_radii, const SphereFileOptions& options);

@@ -19,7 +19,27 @@ Start start_from_checkpoint(const std::string& file) {
   return {std::move(saved.scene), label, "", record, std::move(saved.motion), saved.step};
 }
 
+Start start_from(SphereFile input, const MotionChoice& motion) {
+  choose_motion(input.scene, motion);
+  Start start{.label = input.scene.name, .notes = describe(input), .record = to_json(input), .at_rest = true};
+  start.scene = std::move(input.scene);
+  start.species = std::move(input.species);
+  start.species_index = std::move(input.species_index);
+  return start;
+}
+
+SphereFileOptions file_options(const StartOptions& options, int threads) {
+  return {.radius = options.radius, .frame = options.frame, .species = options.species, .threads = threads};
+}
+
 }  // namespace
+
+std::vector<Start> start_of_frames(const StartOptions& options, int threads) {
+  std::vector<Start> starts;
+  for (SphereFile& frame : read_sphere_frames(options.input_file, file_options(options, threads)))
+    starts.push_back(start_from(std::move(frame), options.motion));
+  return starts;
+}
 
 Start start_of(const StartOptions& options, int threads) {
   if (!options.resume_file.empty()) return start_from_checkpoint(options.resume_file);
@@ -29,13 +49,7 @@ Start start_of(const StartOptions& options, int threads) {
     choose_motion(scene, options.motion);
     return {make_scene(scene), scene_label(scene), "", scene_json(scene)};
   }
-  if (is_sphere_file(file)) {
-    SphereFile input = read_sphere_file(file, {.radius = options.radius, .frame = options.frame, .threads = threads});
-    choose_motion(input.scene, options.motion);
-    const std::string notes = describe(input), label = input.scene.name;
-    const json record = to_json(input);
-    return {std::move(input.scene), label, notes, record};
-  }
+  if (is_sphere_file(file)) return start_from(read_sphere_file(file, file_options(options, threads)), options.motion);
   if (options.radius || options.frame)
     throw std::invalid_argument(fmt::format("{} has a radius on each line and no frames: omit {}", file,
                                             options.radius ? "--radius" : "--frame"));

@@ -18,6 +18,7 @@ struct StartOptions {
   std::string input_file;                                                 // spheres from a file, instead of a scene
   std::optional<float> radius;                                            // of the spheres of that file
   std::optional<uint64_t> frame;                                          // of that file
+  bool species = false;                                                   // of that file are kept
   MotionChoice motion = {.method = motion_name(MotionMethod::anchored)};  // the best by error and time
   std::string resume_file;                                                // a checkpoint, instead of all of the above
 };
@@ -28,10 +29,16 @@ struct Start {
   json record;
   std::optional<MotionState> motion = {};  // of a resumed run
   uint64_t step = 0;                       // steps done
+  bool at_rest = false;                    // spheres of a file without velocities
+  std::vector<std::string> species;        // that were kept ...
+  std::vector<uint> species_index;         // ... of each sphere
 };
 
 // Makes the scene or reads the file or checkpoint. threads: 0: all cores.
 Start start_of(const StartOptions& options, int threads);
+
+// All frames of an XYZ file, each at rest.
+std::vector<Start> start_of_frames(const StartOptions& options, int threads);
 
 // Declares --input and --resume as inputs.
 void add_inputs(OutputFiles& files, const StartOptions& options);

@@ -95,6 +95,7 @@ std::optional<XyzColumns> named_columns(const FileBytes& file, uint64_t line, st
     if (found && (*found || !number || property->columns != (found == &position ? 3 : 1)))
       fail("Properties with pos:R:3 once and radius:R:1 once at most");
     if (found) *found = columns.count;
+    if (property->name == "species" && property->columns == 1 && !columns.species) columns.species = columns.count;
     columns.count += property->columns;
   }
   if (!position) fail("Properties with pos:R:3");
@@ -112,6 +113,7 @@ XyzColumns classic_columns(const FileBytes& file, uint64_t line, std::string_vie
                               : "3 columns, x y z, or 4 with a radius; others need Properties= in line 2",
                       fmt::format("{}: {}", fields.size(), in_quotes(text)));
   XyzColumns columns{.count = fields.size(), .position = species, .text = species ? "species x y z" : "x y z"};
+  if (species) columns.species = 0;
   if (fields.size() == species + 4) {
     columns.radius = species + 3;
     columns.text += " radius";

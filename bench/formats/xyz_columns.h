@@ -13,7 +13,7 @@ namespace spherepair {
 struct XyzColumns {
   size_t count = 0;     // on a line
   size_t position = 0;  // x; y and z follow
-  std::optional<size_t> radius = {};
+  std::optional<size_t> radius = {}, species = {};
   bool named = false;  // by Properties=
   std::string text;    // for the summary
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "bench/formats/sphere_file.h"
 #include "bench/formats/xyz_columns.h"
@@ -65,7 +66,7 @@ class LineReader {
  public:
   LineReader(const FileBytes& file, const XyzColumns& columns) : file_(file), columns_(columns) {}
 
-  void read(std::string_view text, uint64_t line, vec4& sphere) {
+  void read(std::string_view text, uint64_t line, vec4& sphere, std::string_view* species) {
     split_fields(text, columns_.count + 1, fields_);
     if (fields_.size() != columns_.count)
       file_.fail_at_line(line, fmt::format("{} columns ({})", columns_.count, columns_.text),
@@ -75,6 +76,7 @@ class LineReader {
     sphere.y = number(columns_.position + 1, line, "y");
     sphere.z = number(columns_.position + 2, line, "z");
     if (columns_.radius) sphere.w = number(*columns_.radius, line, "radius");
+    if (species) *species = fields_[*columns_.species];
   }
   uint64_t changed() const { return changed_; }
 
@@ -91,23 +93,26 @@ class LineReader {
   uint64_t changed_ = 0;
 };
 
-uint64_t read_chunk(const FileBytes& file, const XyzColumns& columns, Chunk chunk, std::vector<vec4>& spheres) {
+// Species are kept where there is room for them.
+uint64_t read_chunk(const FileBytes& file, const XyzColumns& columns, Chunk chunk, std::vector<vec4>& spheres,
+                    std::vector<std::string_view>& species) {
   LineReader reader(file, columns);
   for (uint64_t k = 0; k < chunk.spheres; ++k) {
     const uint64_t line = chunk.start.line;
-    reader.read(chunk.start.next(), line, spheres[chunk.first_sphere + k]);
+    const uint64_t sphere = chunk.first_sphere + k;
+    reader.read(chunk.start.next(), line, spheres[sphere], species.empty() ? nullptr : &species[sphere]);
   }
   return reader.changed();
 }
 
 // Throws the first error in the file, whichever thread finds one first.
 uint64_t read_spheres(const FileBytes& file, const XyzColumns& columns, const Frame& frame, int threads,
-                      std::vector<vec4>& spheres) {
+                      std::vector<vec4>& spheres, std::vector<std::string_view>& species) {
   TeamErrors errors;
   uint64_t changed = 0;
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1) reduction(+ : changed)
   for (size_t k = 0; k < frame.chunks.size(); ++k)
-    errors.run(k, [&] { changed += read_chunk(file, columns, frame.chunks[k], spheres); });
+    errors.run(k, [&] { changed += read_chunk(file, columns, frame.chunks[k], spheres, species); });
   errors.rethrow();
   return changed;
 }
@@ -120,36 +125,76 @@ XyzColumns columns_of(const FileBytes& file, const Frame& frame) {
   return classic_columns(file, line, first.next());
 }
 
-// Counts the frames, all of which must be complete, and returns one.
-Frame find_frame(const FileBytes& file, uint64_t wanted, uint64_t& frames) {
-  Frame found;
+// All of which must be complete.
+std::vector<Frame> find_frames(const FileBytes& file) {
+  std::vector<Frame> frames;
   FileLines cursor{file.bytes()};
-  for (frames = 0; frames == 0 || !cursor.at_end(); ++frames) {
-    Frame frame = read_frame(file, cursor, frames == 0);
-    if (frames == wanted) found = std::move(frame);
+  while (frames.empty() || !cursor.at_end()) {
+    frames.push_back(read_frame(file, cursor, frames.empty()));
     cursor.skip_blank_lines();
   }
-  if (wanted >= frames)
-    throw std::invalid_argument(fmt::format("{} has {} frame{}, counted from 0, so --frame {} is not among them",
-                                            file.name(), frames, frames == 1 ? "" : "s", wanted));
-  return found;
+  return frames;
+}
+
+SphereFile read_one(const FileBytes& file, const Frame& frame, const SphereFileOptions& options,
+                    std::vector<std::string_view>& species) {
+  const XyzColumns columns = columns_of(file, frame);
+  if (options.species && frame.spheres > 0 && !columns.species)
+    file.fail_at_line(frame.comment_line,
+                      "a column of species, by Properties= with species:S:1 or as the first of four", columns.text);
+  SphereFile input;
+  input.own_radii = columns.radius.has_value();
+  if (frame.spheres > 0) check_radius(file, input.own_radii, options);
+  input.scene.positions.resize(frame.spheres, vec4{0, 0, 0, options.radius.value_or(0)});
+  if (options.species) species.resize(frame.spheres);
+  input.values = frame.spheres * (input.own_radii ? 4 : 3);
+  input.changed = read_spheres(file, columns, frame, reading_threads(options), input.scene.positions, species);
+  input.format = fmt::format("{}XYZ ({})", columns.named ? "extended " : "", columns.text);
+  return input;
+}
+
+// The same names for all frames.
+void index_species(std::vector<SphereFile>& frames, const std::vector<std::vector<std::string_view>>& species) {
+  std::map<std::string_view, uint> index;
+  for (const auto& each : species)
+    for (const std::string_view name : each) index.emplace(name, 0);
+  std::vector<std::string> names;
+  for (auto& [name, k] : index) k = uint(names.size()), names.emplace_back(name);
+  for (size_t k = 0; k < frames.size(); ++k) {
+    frames[k].species = names;
+    for (const std::string_view name : species[k]) frames[k].species_index.push_back(index.at(name));
+  }
+}
+
+std::vector<SphereFile> read_frames(const FileBytes& file, const std::vector<Frame>& frames, uint64_t first,
+                                    uint64_t count, const SphereFileOptions& options) {
+  std::vector<SphereFile> read;
+  std::vector<std::vector<std::string_view>> species(count);
+  for (uint64_t k = 0; k < count; ++k) {
+    read.push_back(read_one(file, frames[first + k], options, species[k]));
+    read.back().frame = first + k;
+    read.back().frames = frames.size();
+  }
+  if (options.species) index_species(read, species);
+  return read;
 }
 
 }  // namespace
 
 SphereFile read_xyz(const FileBytes& file, const SphereFileOptions& options) {
   require_text(file);
-  SphereFile input;
-  input.frame = options.frame.value_or(0);
-  const Frame frame = find_frame(file, input.frame, input.frames);
-  const XyzColumns columns = columns_of(file, frame);
-  input.own_radii = columns.radius.has_value();
-  if (frame.spheres > 0) check_radius(file, input.own_radii, options);
-  input.scene.positions.resize(frame.spheres, vec4{0, 0, 0, options.radius.value_or(0)});
-  input.values = frame.spheres * (input.own_radii ? 4 : 3);
-  input.changed = read_spheres(file, columns, frame, reading_threads(options), input.scene.positions);
-  input.format = fmt::format("{}XYZ ({})", columns.named ? "extended " : "", columns.text);
-  return input;
+  const uint64_t wanted = options.frame.value_or(0);
+  const std::vector<Frame> frames = find_frames(file);
+  if (wanted >= frames.size())
+    throw std::invalid_argument(fmt::format("{} has {} frame{}, counted from 0, so --frame {} is not among them",
+                                            file.name(), frames.size(), frames.size() == 1 ? "" : "s", wanted));
+  return std::move(read_frames(file, frames, wanted, 1, options).front());
+}
+
+std::vector<SphereFile> read_xyz_frames(const FileBytes& file, const SphereFileOptions& options) {
+  require_text(file);
+  const std::vector<Frame> frames = find_frames(file);
+  return read_frames(file, frames, 0, frames.size(), options);
 }
 
 }  // namespace spherepair
