@@ -71,6 +71,11 @@ std::vector<uint> GlDrawing::image() {
   return renderer_.image();
 }
 
+std::vector<float> GlDrawing::depths() {
+  make_current();
+  return renderer_.depths();
+}
+
 bool GlDrawing::show_drawn(uint texture) {
   if (!of_window()) return false;
   make_current();

@@ -16,6 +16,7 @@ class GlDrawing : public GraphicsPipeline {
 
   void draw(DrawMethod method, const View& view, const SphereArrays& spheres, std::optional<Transfer> way) override;
   std::vector<uint> image() override;
+  std::vector<float> depths() override;
   void finish() override;
   void transfer(const SphereArrays& spheres, std::optional<Transfer> way) override;
   std::optional<Transfer> taken() const override { return taken_; }

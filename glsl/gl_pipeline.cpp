@@ -19,6 +19,11 @@ std::vector<uint> GlPipeline::image() {
   return renderer_->image();
 }
 
+std::vector<float> GlPipeline::depths() {
+  context_.make_current();
+  return renderer_->depths();
+}
+
 void GlPipeline::finish() {
   context_.make_current();
   glFinish();

@@ -21,6 +21,7 @@ class GlPipeline final : public GraphicsPipeline {
   void draw(DrawMethod method, const View& view, const SphereArrays& spheres, std::optional<Transfer> way) override;
   void transfer(const SphereArrays&, std::optional<Transfer>) override {}  // they are here
   std::vector<uint> image() override;
+  std::vector<float> depths() override;
   void finish() override;
   bool show_drawn(uint texture) override;
   bool show_pixels(const uint* pixels, uvec2 size, uint texture) override;  // of SLOT_IMAGE

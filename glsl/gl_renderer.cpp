@@ -135,4 +135,13 @@ std::vector<uint> GlRenderer::image() {
   return pixels;
 }
 
+std::vector<float> GlRenderer::depths() {
+  std::vector<float> pixels(size_t(width_) * height_);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_);
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(0, 0, GLsizei(width_), GLsizei(height_), GL_DEPTH_COMPONENT, GL_FLOAT, pixels.data());
+  gl_check("reading the depths of an image");
+  return pixels;
+}
+
 }  // namespace spherepair

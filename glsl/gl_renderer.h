@@ -22,6 +22,7 @@ class GlRenderer {
   // positions: vec4[n], counts: uint[n].
   void draw(DrawMethod method, const View& view, GLuint positions, GLuint counts, uint n);
   std::vector<uint> image();           // of the last draw
+  std::vector<float> depths();         // of its pixels: near / z, 0 for the background
   void copy_to(GLuint texture) const;  // the same, of its size
 
   // By all renderers: each binds buffers of its own.

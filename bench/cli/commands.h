@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "bench/formats/start.h"
+#include "bench/image/antialiased_image.h"
 #include "bench/options/command.h"
 #include "bench/tables/plan.h"
-#include "bench/view/antialiased_image.h"
 
 namespace spherepair {
 
@@ -52,9 +52,12 @@ struct RenderOptions {
   uint64_t images = 1, every = 1;       // steps between two images
   uint width = 1280, height = 720, samples = 16;
   CameraOptions camera;
-  std::string draw = "compute";    // DrawMethod
-  bool legend = true, box = true;  // box: the edges of the first image's bounding box
-  bool plain = false;              // no occlusion, shadow or ground
+  std::string draw = "compute";     // DrawMethod
+  std::string colour = "contacts";  // ColourBy
+  std::string ground;               // see place_ground
+  bool frames = false;              // all of an XYZ file: an image each, in place of steps
+  bool legend = true, box = true;   // box: the edges of the first image's bounding box, or of all frames'
+  bool plain = false;               // no occlusion, shadow or ground
 };
 int render_command(const CommandLine& line, const RenderOptions& options);
 

@@ -11,7 +11,9 @@ void add_camera_options(CLI::App& command, CameraOptions& camera) {
     command.add_option(name, value, text)->expected(3)->delimiter(',');
   };
   command
-      .add_option("--azimuth", camera.azimuth, "Azimuth of the camera around the vertical axis, degrees from +z to +x")
+      .add_option(
+          "--azimuth", camera.azimuth,
+          "Azimuth of the camera around --up, degrees: for y from +z to +x, for z from +x to +y, for x from +y to +z")
       ->check(real_number(-360, 360))
       ->capture_default_str();
   command.add_option("--elevation", camera.elevation, "Elevation of the camera above the horizon, degrees")
@@ -20,19 +22,23 @@ void add_camera_options(CLI::App& command, CameraOptions& camera) {
   command.add_option("--field", camera.field, "Vertical field of view, degrees")->capture_default_str();
   vector("--eye", camera.eye, "Position of the camera, x,y,z in metres; default: all spheres in view");
   vector("--target", camera.target, "Point that the camera looks at, x,y,z; default: the centre of the spheres");
-  vector("--up", camera.up, "Up direction (default 0,1,0)");
+  vector("--up", camera.up, "Up direction of camera, light and ground, such as 0,0,1 (default 0,1,0)");
   command.add_option("--near", camera.near, "Near plane in metres; 0: a thousandth of the distance to --target")
       ->capture_default_str();
 }
 
 void add_image_options(CLI::App& command, RenderOptions& options) {
-  command.add_option("--steps", options.steps, "Steps before the first image")
-      ->check(steps_range)
-      ->capture_default_str();
-  command.add_option("--images", options.images, "Number of images")->check(positive_range)->capture_default_str();
-  command.add_option("--every", options.every, "Steps between two images")
-      ->check(positive_range)
-      ->capture_default_str();
+  auto* steps = command.add_option("--steps", options.steps, "Steps before the first image")
+                    ->check(steps_range)
+                    ->capture_default_str();
+  auto* images =
+      command.add_option("--images", options.images, "Number of images")->check(positive_range)->capture_default_str();
+  auto* every = command.add_option("--every", options.every, "Steps between two images")
+                    ->check(positive_range)
+                    ->capture_default_str();
+  auto* frames = command.add_flag("--frames", options.frames,
+                                  "All frames of the XYZ file given by --input: an image each, from one camera");
+  for (CLI::Option* other : {steps, images, every, command.get_option("--frame")}) frames->excludes(other);
   add_size_option(command, options.width, options.height);
   command.add_option("--samples", options.samples, "Samples per pixel")
       ->check(whole_number(1, 1024))
@@ -43,20 +49,34 @@ void add_image_options(CLI::App& command, RenderOptions& options) {
           "--draw", options.draw,
           "compute, the same bits on every backend; through OpenGL, to which CUDA's and the CPU's spheres are "
           "transferred: mesh (the paper's 80 triangles, one instanced draw), mesh_each (the same, one draw a sphere), "
-          "quadric (glutSolidSphere's, one draw a sphere), points, impostor")
+          "quadric (glutSolidSphere's, one draw a sphere), points, impostor. Occlusion and shadows on the spheres are "
+          "compute's alone")
       ->capture_default_str();
   command.add_flag_callback(
-      "--no-legend", [&options] { options.legend = false; }, "Omit the colour legend");
+      "--no-legend", [&options] { options.legend = false; },
+      "Omit the strip below the image that explains the colours and counts spheres and pairs");
   command.add_flag_callback(
       "--no-box", [&options] { options.box = false; },
-      "Omit the edges of the first image's bounding box (drawn by --draw compute only)");
-  command.add_flag("--plain", options.plain, "Omit ambient occlusion, shadows and the ground plane");
+      "Omit the edges of the bounding box of the first image's spheres, or of all --frames'");
+  auto* plain = command.add_flag("--plain", options.plain, "Omit ambient occlusion, shadows and the ground");
+  command
+      .add_option(
+          "--ground", options.ground,
+          "none; plane, the scene's (default for spheres that move); lowest, below the lowest sphere along --up "
+          "(default for spheres at rest); or a height along --up in metres")
+      ->excludes(plain);
+  command
+      .add_option("--color", options.colour,
+                  "What colours the spheres: contacts, radius, speed, or species, the text column of an XYZ file. The "
+                  "colours fit the range of the first image, radii and species that of all --frames")
+      ->capture_default_str();
 }
 
 }  // namespace
 
 void add_render(CLI::App& app, CommandLine& line, Action& action) {
-  auto* command = app.add_subcommand("render", "Draw spheres, coloured by their contacts, to PNG images or a video");
+  auto* command = app.add_subcommand(
+      "render", "Draw spheres, coloured by contacts, radius, speed or species, to PNG images or a video");
   auto options = std::make_shared<RenderOptions>();
   command->add_option(
       "--output", options->output_file,
@@ -75,6 +95,7 @@ void add_render(CLI::App& app, CommandLine& line, Action& action) {
   command->footer(
       "Examples:\n  spherepair render --scene random --n 16384 --steps 120 --output spheres.png\n"
       "  spherepair render --input atoms.extxyz --azimuth 60 --elevation 30 --size 1920x1080 --output atoms.png\n"
+      "  spherepair render --input atoms.extxyz --up 0,0,1 --color species --frames --video atoms.mp4\n"
       "  spherepair render --scene aligned --n 512 --images 240 --every 2 --video aligned.mp4");
   command->callback([=, &line, &action] {
     finish_start_options(*command, options->start);

@@ -3,220 +3,246 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <deque>
-#include <future>
 #include <optional>
-#include <thread>
 
 #include "bench/check/finite_state.h"
 #include "bench/check/step_result.h"
 #include "bench/cli/commands.h"
 #include "bench/formats/files.h"
-#include "bench/formats/png_file.h"
 #include "bench/formats/video.h"
+#include "bench/image/colour_values.h"
+#include "bench/image/ground.h"
+#include "bench/image/image_files.h"
+#include "bench/image/image_record.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
-#include "bench/io/file_bytes.h"
 #include "bench/io/output_files.h"
 #include "bench/measure/choice.h"
-#include "bench/view/antialiased_image.h"
-#include "bench/view/legend.h"
 
 namespace spherepair {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFormat = "spherepair render 1";
-
+// Steps of a run, or frames of a file: each image by its number.
 struct Series {
   const CommandLine& line;
   const RenderOptions& options;
-  const Start& start;
+  const std::vector<Start>& starts;  // one, or one a frame
   const ChosenBackend& chosen;
   Method method;
-  ImageOptions image;
+  bool lights;
+  ImageOptions image = {};
+  std::optional<Colouring> colouring = {};
+  std::optional<LegendStrip> strip = {};
+
+  Backend& backend() const { return *chosen.backend; }
+  uint64_t images() const { return options.frames ? starts.size() : options.images; }
+  const Start& start(uint64_t k) const { return starts[options.frames ? k : 0]; }
+  uint64_t step(uint64_t k) const { return start(k).step + options.steps + (options.frames ? 0 : k * options.every); }
+  fs::path file(uint64_t k) const { return numbered(options.output_file, k, images()); }
 };
-
-// image.png, or image-007.png of several.
-fs::path name_of(const RenderOptions& options, uint64_t k) {
-  fs::path path = options.output_file;
-  if (options.images == 1) return path;
-  const size_t digits = std::to_string(options.images - 1).size();
-  return path.replace_filename(fmt::format("{}-{:0{}}.png", path.stem().string(), k, digits));
-}
-
-fs::path record_of(fs::path image) { return image.replace_extension(".json"); }
 
 void check_extension(const std::string& file, const std::string& extension) {
   if (!file.empty() && fs::path(file).extension() != extension)
     throw std::invalid_argument(fmt::format("the output {} does not end in {}", file, extension));
 }
 
-// Records of earlier versions have no format.
-bool is_record(const fs::path& path) {
-  const json found = json::parse(FileBytes(path).bytes(), nullptr, false);
-  if (!found.is_object()) return false;
-  if (found.contains("format")) return found["format"] == kFormat;
-  return found.contains("context") && found.contains("camera") && found.contains("samples");
-}
-
-// The user named the image but not its record, so the record must not replace another file.
-void add_image(OutputFiles& files, const std::string& option, const fs::path& image) {
-  const fs::path path = record_of(image);
-  files.write(option, image);
-  files.write("the record of " + option, path);
-  if (fs::is_regular_file(path) && !is_record(path))
-    throw std::invalid_argument(
-        fmt::format("{}, where the record of {} goes, was not written by render: choose another {}", path.string(),
-                    option, option));
-}
-
-void check_files(const RenderOptions& options) {
+void check_files(const RenderOptions& options, uint64_t images) {
   check_extension(options.output_file, ".png");
   check_extension(options.video_file, ".mp4");
   OutputFiles files;
   add_inputs(files, options.start);
-  for (uint64_t k = 0; !options.output_file.empty() && k < options.images; ++k)
-    add_image(files, "--output", name_of(options, k));
+  for (uint64_t k = 0; !options.output_file.empty() && k < images; ++k)
+    add_image(files, "--output", numbered(options.output_file, k, images));
   if (!options.video_file.empty()) add_image(files, "--video", options.video_file);
 }
 
 void check_options(const RenderOptions& options) {
   if (options.output_file.empty() && options.video_file.empty())
     throw std::invalid_argument("nothing to write: give --output image.png or --video video.mp4");
-  check_files(options);
+  check_files(options, options.images);
   if (!options.backend.empty()) require_known_backends({options.backend});
   for (const auto& [name, value] : {std::pair{"--eye", options.camera.eye}, {"--target", options.camera.target}})
     if (!value.empty() && value.size() != 3) throw std::invalid_argument(fmt::format("{} needs x,y,z", name));
   draw_method_from_name(options.draw);
+  const ColourBy by = colour_by_name(options.colour);
+  if (options.frames && options.start.input_file.empty())
+    throw std::invalid_argument("--frames draws the frames of an XYZ file: give it with --input");
+  if (options.frames && by == ColourBy::speed)
+    throw std::invalid_argument("--color speed: the spheres of a file's frames have no speeds");
 }
 
-// How the spheres came to OpenGL; null where they did not have to.
-json transfer_taken(const Backend& backend) {
-  const auto taken = backend.transfer_taken();
-  return taken ? json(transfer_name(*taken)) : json();
+json record(const Series& series, uint64_t k, const Legend& legend) {
+  json all = {{"format", record_format},
+              {"context", capture_context(series.line.words)},
+              {"backends", series.chosen.session->to_json()},
+              {"step", series.step(k)},
+              {"width", series.options.width},
+              {"height", series.options.height}};
+  all.update(image_record(series.start(k), series.backend(), series.method, series.image, legend));
+  return all;
 }
 
-json record(const Series& series, uint64_t step, const Collisions& totals) {
-  const ImageOptions& image = series.image;
-  json views = json::array();
-  for (uint k = 0; k < image.samples; ++k)
-    views.push_back(to_json(make_view(image.camera, image.look, image.width, image.height, jitter(k, image.samples))));
-  const MethodChoice choice = series.chosen.backend->choice({.method = series.method});
-  return {{"format", kFormat},
-          {"context", capture_context(series.line.words)},
-          {"backends", series.chosen.session->to_json()},
-          {"scene", series.start.record},
-          {"motion", motion_label(series.start.scene.motion)},
-          {"dt", series.start.scene.dt},
-          {"restitution", series.start.scene.restitution},
-          {"step", step},
-          {"method", method_name(choice.method)},
-          {"choice", to_json(choice)},
-          {"drawn_by", draw_method_name(image.method)},
-          {"pairs", totals.pairs},
-          {"colliding_spheres", totals.colliding_spheres},
-          {"fingerprint", hex64(totals.fingerprint.a) + hex64(totals.fingerprint.b)},
-          {"width", image.width},
-          {"height", image.height},
-          {"box", image.box ? json{{"low", image.box->low}, {"high", image.box->high}} : json()},
-          {"camera", to_json(image.camera)},
-          {"samples", views}};
+// Brings the backend to an image's spheres, the next after the last, and finds their pairs.
+Backend::State advance(const Series& series, uint64_t k) {
+  Backend& backend = series.backend();
+  if (series.options.frames || k == 0) upload_start(series.start(k), backend);
+  const uint64_t steps = series.options.frames ? 0 : k == 0 ? series.options.steps : series.options.every;
+  for (uint64_t step = 0; step < steps; ++step) backend.move();
+  Backend::State state = current_state(backend);
+  require_finite(state, series.step(k));
+  backend.collide({.method = series.method});
+  return state;
 }
 
-// Encodes and writes images while the next ones are drawn; without threads, when finish_one() waits for them. That is
-// also when their exceptions are thrown.
-class Writers {
- public:
-  void write(const fs::path& path, std::vector<uint> pixels, const ImageOptions& image, const json& record) {
-    if (jobs_.size() >= std::max(1u, std::thread::hardware_concurrency())) finish_one();
-    jobs_.push_back(std::async([=, pixels = std::move(pixels), width = image.width, height = image.height] {
-      write_png(path, pixels, width, height);
-      write_file(record_of(path), json_text(record));
-    }));
-  }
-  void finish() {
-    while (!jobs_.empty()) finish_one();
-  }
+// pairs: as many as there are, or as there may be.
+std::vector<std::string> facts_of(const Series& series, uint64_t k, uint64_t pairs) {
+  const Start& start = series.start(k);
+  std::vector<std::string> facts = {fmt::format("{} spheres", start.scene.size()), fmt::format("{} pairs", pairs)};
+  if (series.options.frames) facts.push_back(fmt::format("frame {} (0 to {})", k, series.images() - 1));
+  if (start.at_rest) return facts;
+  facts.push_back(fmt::format("step {}", series.step(k)));
+  facts.push_back(fmt::format("{:.4g} s", double(series.step(k)) * double(start.scene.dt)));
+  return facts;
+}
 
- private:
-  void finish_one() {
-    std::future<void> job = std::move(jobs_.front());
-    jobs_.pop_front();
-    job.get();
-  }
-  std::deque<std::future<void>> jobs_;
+// At its widest, so that all images have room for it.
+Legend widest_legend(const Series& series) {
+  Legend legend = series.colouring->legend();
+  const uint64_t last = series.images() - 1;
+  uint64_t most = 0;
+  for (const Start& start : series.starts) most = std::max<uint64_t>(most, start.scene.size());
+  legend.facts = facts_of(series, last, std::max(series.backend().collisions().pairs, 8 * most));
+  legend.facts[0] = fmt::format("{} spheres", most);
+  return legend;
+}
+
+// By the first image's spheres, and by all frames of a film: colours, legend, camera, box and ground are the same for
+// all images.
+void compose(Series& series, const Backend::State& first, const std::vector<double>& values) {
+  const RenderOptions& options = series.options;
+  const ColourBy by = colour_by_name(options.colour);
+  series.colouring = colouring_of(by, series.starts, values);
+  if (options.legend) series.strip = LegendStrip::within(widest_legend(series), options.width, options.height);
+  ImageOptions& image = series.image;
+  image.width = options.width;
+  image.height = options.height - (series.strip ? series.strip->height() : 0);
+  image.samples = options.samples;
+  image.method = draw_method_from_name(options.draw);
+  const Bounds bounds = bounds_of_all(series.starts, first.positions);
+  image.camera = camera_of(options.camera, bounds, double(image.width) / image.height);
+  image.look = series.colouring->look();
+  if (options.box) image.box = bounds;
+  if (!series.lights) return;
+  image.look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW;
+  place_ground(image.look, options.ground, series.starts, first.positions, image.camera.up);
+}
+
+void require_spheres(const Series& series, uint64_t k, bool some) {
+  if (some || k > 0) return;
+  if (series.start(0).scene.size() == 0)
+    throw std::invalid_argument(fmt::format("{} has no spheres, so the image would be blank", series.start(0).label));
+  throw std::invalid_argument(
+      "no sphere is in the image: leave out --eye and --target to have all in view, or turn the camera, or give a "
+      "larger --size if they are smaller than a pixel");
+}
+
+// Also of later images: those without a sphere, and values beyond the colours' range.
+struct Remarks {
+  uint64_t blank = 0, beyond = 0;
+  double highest = 0;
 };
 
-std::vector<uint> draw_step(const Series& series, uint64_t step, json& image_record) {
-  Backend& backend = *series.chosen.backend;
-  CollideOptions collide = {.method = series.method};
-  if (series.image.look.lighting) collide.grid.cells = Cells::dense;
-  require_finite(current_state(backend), step);
-  backend.collide(collide);
-  image_record = record(series, step, backend.collisions());
-  std::vector<uint> image = draw_image(backend, series.image);
-  image_record["transfer"] = transfer_taken(backend);
-  if (series.options.legend) draw_legend(image, series.image.width, series.image.height, series.image.look);
-  return image;
+std::vector<uint> draw_one(const Series& series, uint64_t k, const std::vector<double>& values, json& image_record,
+                           Remarks& remarks) {
+  series.backend().set_classes(series.colouring->classes(values));
+  DrawnImage drawn = draw_image(series.backend(), series.image);
+  require_spheres(series, k, !drawn.blank);
+  remarks.blank += drawn.blank;
+  const double highest = values.empty() ? 0 : std::ranges::max(values);
+  remarks.beyond += highest > series.colouring->highest();
+  remarks.highest = std::max(remarks.highest, highest);
+  Legend legend = series.colouring->legend();
+  legend.facts = facts_of(series, k, series.backend().collisions().pairs);
+  image_record = record(series, k, legend);
+  if (series.strip) series.strip->append_to(drawn.pixels, legend);
+  return std::move(drawn.pixels);
 }
 
-void draw_series(const Series& series) {
+Remarks draw_series(Series& series) {
   const RenderOptions& options = series.options;
   Progress progress;
-  Writers writers;
+  ImageWriters writers;
   std::optional<Video> video;
-  const fs::path video_path = options.video_file;
-  if (!video_path.empty()) video.emplace(video_path, options.width, options.height, options.images_per_second);
-  uint64_t step = series.start.step + options.steps;
+  Remarks remarks;
   json first, current;
-  for (uint64_t k = 0; k < options.images; ++k) {
-    progress.say(fmt::format("image {} of {}, step {}", k + 1, options.images, step));
-    std::vector<uint> image = draw_step(series, step, current);
+  for (uint64_t k = 0; k < series.images(); ++k) {
+    progress.say(fmt::format("image {} of {}{}", k + 1, series.images(),
+                             options.frames ? "" : fmt::format(", step {}", series.step(k))));
+    const Backend::State state = advance(series, k);
+    const std::vector<double> values =
+        values_of(colour_by_name(options.colour), series.start(k), series.backend(), state);
+    if (k == 0) require_spheres(series, k, !values.empty());
+    if (k == 0) compose(series, state, values);
+    std::vector<uint> image = draw_one(series, k, values, current, remarks);
     if (k == 0) first = current;
+    if (k == 0 && !options.video_file.empty())
+      video.emplace(options.video_file, options.width, options.height, options.images_per_second);
     if (video) video->add(image);
-    if (!options.output_file.empty()) writers.write(name_of(options, k), std::move(image), series.image, current);
-    if (k + 1 == options.images) break;
-    for (uint64_t i = 0; i < options.every; ++i, ++step) series.chosen.backend->move();
+    if (!options.output_file.empty()) writers.write(series.file(k), std::move(image), options.width, current);
   }
   writers.finish();
-  if (!video) return;
+  if (!video) return remarks;
   video->commit();
-  first.update({{"images", options.images}, {"every", options.every}, {"rate", options.images_per_second}});
-  write_file(record_of(video_path), json_text(first));
+  first.update({{"images", series.images()}, {"every", options.every}, {"rate", options.images_per_second}});
+  write_file(record_of(options.video_file), json_text(first));
+  return remarks;
+}
+
+void print_summary(const Series& series, const Remarks& remarks) {
+  const RenderOptions& options = series.options;
+  const BackendInfo& info = series.backend().info();
+  const Start& first = series.start(0);
+  fmt::print("{}{} on {}: scene {}, {} spheres\n", first.notes, info.name, device_label(info), first.label,
+             first.scene.size());
+  if (series.image.method != DrawMethod::compute)
+    fmt::print("drawn by {} in OpenGL{}{}\n", options.draw, transfer_in_words(series.backend()),
+               series.lights ? ", without ambient occlusion and shadows on the spheres: --draw compute has both" : "");
+  if (!series.colouring->grouping().empty()) fmt::print("{}\n", series.colouring->grouping());
+  if (remarks.beyond)
+    fmt::print("{} in {} of {} images are beyond those of the first, up to {:.4g}: they have its last colour\n",
+               options.colour, remarks.beyond, series.images(), remarks.highest);
+  if (options.legend && !series.strip)
+    fmt::print("{}x{} pixels have no room for the legend: it is left out\n", options.width, options.height);
+  if (remarks.blank) fmt::print("{} of {} images show no sphere\n", remarks.blank, series.images());
+  if (!options.output_file.empty())
+    fmt::print("{}{}\n", series.file(0).string(),
+               series.images() > 1 ? " to " + series.file(series.images() - 1).string() : "");
+  if (!options.video_file.empty()) fmt::print("{}\n", options.video_file);
 }
 
 }  // namespace
 
-int render_command(const CommandLine& line, const RenderOptions& options) {
-  check_options(options);
-  const Start start = start_of(options.start, line.open.threads);
+int render_command(const CommandLine& line, const RenderOptions& given) {
+  check_options(given);
+  RenderOptions options = given;
+  options.start.species = colour_by_name(options.colour) == ColourBy::species;
+  std::vector<Start> starts;
+  if (options.frames) {
+    starts = start_of_frames(options.start, line.open.threads);
+    check_files(options, starts.size());
+  } else {
+    starts.push_back(start_of(options.start, line.open.threads));
+  }
   const ChosenBackend chosen = choose_backend(options.backend, line.open);
-  const bool lights = !options.plain && options.draw == "compute" && start.scene.size() > 1;
-  const Method method = lights ? Method::collide_grid : choose_method(options.method, *chosen.backend);
+  const bool lights = !options.plain;
+  const bool by_grid = lights && options.method.empty();  // its cells are those of the light
+  const Method method = by_grid ? Method::collide_grid : choose_method(options.method, *chosen.backend);
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
-  upload_start(start, *chosen.backend);
-  const double aspect = double(options.width) / options.height;
-  for (uint64_t step = 0; step < options.steps; ++step) chosen.backend->move();
-  const Backend::State state = current_state(*chosen.backend);
-  require_finite(state, start.step + options.steps);
-  const Bounds bounds = bounds_of(state.positions);
-  const Camera camera = camera_of(options.camera, bounds, aspect);
-  Look look = contact_look();
-  if (lights) look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
-  ImageOptions image{camera, look, options.width, options.height, options.samples, draw_method_from_name(options.draw)};
-  if (options.box && image.method == DrawMethod::compute && start.scene.size() > 0) image.box = bounds;
-  if (lights) image.ground = start.scene.plane;
-  draw_series({line, options, start, chosen, method, image});
-  fmt::print("{}{} on {}: scene {}, {} spheres\n", start.notes, chosen.backend->info().name,
-             device_label(chosen.backend->info()), start.label, start.scene.size());
-  if (image.method != DrawMethod::compute)
-    fmt::print("drawn by {} in OpenGL{}\n", draw_method_name(image.method), transfer_in_words(*chosen.backend));
-  if (!options.output_file.empty() && options.images > 1)
-    fmt::print("{} to {}\n", name_of(options, 0).string(), name_of(options, options.images - 1).string());
-  if (!options.output_file.empty() && options.images == 1) fmt::print("{}\n", options.output_file);
-  if (!options.video_file.empty()) fmt::print("{}\n", options.video_file);
+  Series series{line, options, starts, chosen, method, lights};
+  const Remarks remarks = draw_series(series);
+  print_summary(series, remarks);
   return kOk;
 }
 

@@ -17,6 +17,7 @@ inline constexpr std::array<const char*, 7> quantity_names = {"x", "y", "z", "ra
 struct Columns {
   size_t count = 0;                                                       // on a line
   std::array<std::optional<size_t>, quantity_names.size()> columns = {};  // where each quantity stands
+  std::optional<size_t> species = {};                                     // a column of text
   std::string text;                                                       // for the summary
 
   bool has(Quantity quantity) const { return columns[quantity].has_value(); }

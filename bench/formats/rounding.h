@@ -15,6 +15,7 @@ namespace spherepair {
 struct SphereRows {
   std::vector<vec4> positions, velocities;   // velocities: empty if the file has none
   std::vector<std::array<double, 4>> exact;  // x y z radius in float64; empty if all numbers are float32 or shorter
+  std::vector<std::string_view> species;     // in the file's bytes; empty unless asked for
 
   void resize(uint64_t n, float radius, bool with_velocities, bool with_exact);
   void add(float radius);  // one more, with a velocity and exact numbers

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 
 #include "bench/io/numbers.h"
@@ -59,20 +60,23 @@ std::string describe(const Rounding& rounding) {
   return text;
 }
 
-}  // namespace
-
-SphereFile read_sphere_file(const std::string& file, const SphereFileOptions& options) {
+// Throws for options that the format does not take.
+Reader checked_reader(const FileBytes& bytes, const SphereFileOptions& options) {
   if (options.radius && why_invalid(*options.radius, true))
     throw std::invalid_argument(
         fmt::format("--radius is {}, but must be finite and not negative", double(*options.radius)));
-  const FileBytes bytes(file);
   const Reader read = reader_of(bytes, options);
   if (!options.columns.empty() && read != read_text)
     throw std::invalid_argument(fmt::format(
         "--columns names the columns of text, but {} has names or an order of its own: omit it", bytes.name()));
-  SphereRows rows;
-  SphereFile input = read(bytes, options, rows);
+  if (options.species && read != read_xyz)
+    throw std::invalid_argument(fmt::format("{} has no species: only XYZ files have", bytes.name()));
+  return read;
+}
+
+void complete(SphereFile& input, SphereRows& rows, const FileBytes& bytes, const SphereFileOptions& options) {
   input.file = bytes.name();
+  input.at_rest = rows.velocities.empty();
   input.rounding = round_rows(rows, options.may_shift);
   Scene& scene = input.scene;
   scene.name = std::filesystem::path(bytes.name()).filename().string();
@@ -81,7 +85,42 @@ SphereFile read_sphere_file(const std::string& file, const SphereFileOptions& op
   scene.velocities.resize(scene.size(), vec4{0, 0, 0, 0});
   scene.equal_radii = std::ranges::all_of(
       scene.positions, [&](const vec4& p) { return float_bits(p.w) == float_bits(scene.positions.front().w); });
+}
+
+// The same names for all frames.
+void index_species(std::span<SphereFile> frames, std::span<const SphereRows> rows) {
+  std::map<std::string_view, uint> index;
+  for (const SphereRows& each : rows)
+    for (const std::string_view name : each.species) index.emplace(name, 0);
+  std::vector<std::string> names;
+  for (auto& [name, k] : index) k = uint(names.size()), names.emplace_back(name);
+  for (size_t k = 0; k < frames.size(); ++k) {
+    frames[k].species = names;
+    for (const std::string_view name : rows[k].species) frames[k].species_index.push_back(index.at(name));
+  }
+}
+
+}  // namespace
+
+SphereFile read_sphere_file(const std::string& file, const SphereFileOptions& options) {
+  const FileBytes bytes(file);
+  const Reader read = checked_reader(bytes, options);
+  SphereRows rows;
+  SphereFile input = read(bytes, options, rows);
+  index_species({&input, 1}, {&rows, 1});
+  complete(input, rows, bytes, options);
   return input;
+}
+
+std::vector<SphereFile> read_sphere_frames(const std::string& file, const SphereFileOptions& options) {
+  const FileBytes bytes(file);
+  if (checked_reader(bytes, options) != read_xyz)
+    throw std::invalid_argument(fmt::format("{} has no frames: --frames draws those of an XYZ file", bytes.name()));
+  std::vector<SphereRows> rows;
+  std::vector<SphereFile> frames = read_xyz_frames(bytes, options, rows);
+  index_species(frames, rows);
+  for (size_t k = 0; k < frames.size(); ++k) complete(frames[k], rows[k], bytes, options);
+  return frames;
 }
 
 void check_radius(const FileBytes& file, bool own_radii, const SphereFileOptions& options) {

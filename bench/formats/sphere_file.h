@@ -17,6 +17,7 @@ struct SphereFileOptions {
   std::optional<float> radius = {};       // of all spheres: required if the file has none, otherwise an error
   std::optional<uint64_t> frame = {};     // of an XYZ file, counted from 0; default: the first
   std::vector<std::string> columns = {};  // of text: names of quantities (columns.h), and _ for what is not read
+  bool species = false;                   // required if asked for: a column of text, by XYZ files only
   bool ignore_periodic = false;           // a periodic box is an error otherwise
   bool may_shift = false;                 // by a vector, where that changes no difference of two numbers
   int threads = 0;                        // 0: all cores
@@ -29,12 +30,18 @@ struct SphereFile {
   uint64_t values = 0, changed = 0;  // numbers read; those changed by rounding to float32
   uint64_t frame = 0, frames = 1;
   std::string ignored;  // the periodic box
+  bool at_rest = true;  // the file has no velocities
   Rounding rounding;
+  std::vector<std::string> species;  // ascending, each once; empty unless asked for ...
+  std::vector<uint> species_index;   // ... of each sphere
 };
 
 // By the file's extension; standard input (-) and files for which columns are named by their contents. Throws
 // std::invalid_argument, also for an unknown extension.
 SphereFile read_sphere_file(const std::string& file, const SphereFileOptions& options);
+
+// All frames of an XYZ file, which is read once. Species are those of all frames.
+std::vector<SphereFile> read_sphere_frames(const std::string& file, const SphereFileOptions& options);
 
 std::string describe(const SphereFile& input);
 json to_json(const SphereFile& input);
@@ -43,6 +50,8 @@ json to_json(const SphereFile& input);
 struct SphereRows;
 SphereFile read_npy(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
 SphereFile read_xyz(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
+std::vector<SphereFile> read_xyz_frames(const FileBytes& file, const SphereFileOptions& options,
+                                        std::vector<SphereRows>& rows);
 SphereFile read_text(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
 
 // For the readers. Throws unless there is a radius either in the file or in the options.

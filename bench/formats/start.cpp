@@ -18,25 +18,41 @@ Start start_from_checkpoint(const std::string& file) {
   return {std::move(saved.scene), label, "", record, std::move(saved.motion), saved.step};
 }
 
+Start start_from(SphereFile input, const MotionChoice& motion) {
+  choose_motion(input.scene, motion);
+  Start start{.label = input.scene.name, .notes = describe(input), .record = to_json(input), .at_rest = input.at_rest};
+  start.scene = std::move(input.scene);
+  start.rounding = std::move(input.rounding);
+  start.species = std::move(input.species);
+  start.species_index = std::move(input.species_index);
+  return start;
+}
+
+SphereFileOptions file_options(const StartOptions& options, int threads) {
+  return {.radius = options.radius,
+          .frame = options.frame,
+          .columns = options.columns,
+          .species = options.species,
+          .ignore_periodic = options.ignore_periodic,
+          .threads = threads};
+}
+
 }  // namespace
+
+std::vector<Start> start_of_frames(const StartOptions& options, int threads) {
+  std::vector<Start> starts;
+  for (SphereFile& frame : read_sphere_frames(options.input_file, file_options(options, threads)))
+    starts.push_back(start_from(std::move(frame), options.motion));
+  return starts;
+}
 
 Start start_of(const StartOptions& options, int threads) {
   if (!options.resume_file.empty()) return start_from_checkpoint(options.resume_file);
-  const std::string& file = options.input_file;
-  if (file.empty()) {
-    SceneOptions scene = options.scene;
-    choose_motion(scene, options.motion);
-    return {make_scene(scene), scene_label(scene), "", scene_json(scene)};
-  }
-  SphereFile input = read_sphere_file(file, {.radius = options.radius,
-                                             .frame = options.frame,
-                                             .columns = options.columns,
-                                             .ignore_periodic = options.ignore_periodic,
-                                             .threads = threads});
-  choose_motion(input.scene, options.motion);
-  const std::string notes = describe(input), label = input.scene.name;
-  const json record = to_json(input);
-  return {std::move(input.scene), label, notes, record, std::nullopt, 0, std::move(input.rounding)};
+  if (!options.input_file.empty())
+    return start_from(read_sphere_file(options.input_file, file_options(options, threads)), options.motion);
+  SceneOptions scene = options.scene;
+  choose_motion(scene, options.motion);
+  return {make_scene(scene), scene_label(scene), "", scene_json(scene)};
 }
 
 void add_inputs(OutputFiles& files, const StartOptions& options) {

@@ -21,6 +21,7 @@ struct StartOptions {
   std::optional<uint64_t> frame;                                          // of that file
   std::vector<std::string> columns;                                       // of that file, if it is text
   bool ignore_periodic = false;                                           // of that file
+  bool species = false;                                                   // of that file are kept
   MotionChoice motion = {.method = motion_name(MotionMethod::anchored)};  // the best by error and time
   std::string resume_file;                                                // a checkpoint, instead of all of the above
 };
@@ -31,11 +32,17 @@ struct Start {
   json record;
   std::optional<MotionState> motion = {};  // of a resumed run
   uint64_t step = 0;                       // steps done
+  bool at_rest = false;                    // spheres of a file without velocities
   Rounding rounding = {};                  // of a file's numbers to float32
+  std::vector<std::string> species = {};   // that were kept ...
+  std::vector<uint> species_index = {};    // ... of each sphere
 };
 
 // Makes the scene or reads the file or checkpoint. threads: 0: all cores.
 Start start_of(const StartOptions& options, int threads);
+
+// All frames of an XYZ file.
+std::vector<Start> start_of_frames(const StartOptions& options, int threads);
 
 // Declares --input and --resume as inputs.
 void add_inputs(OutputFiles& files, const StartOptions& options);

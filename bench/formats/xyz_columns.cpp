@@ -84,6 +84,7 @@ std::optional<Columns> named_columns(const FileBytes& file, uint64_t line, std::
         fail("Properties with pos:R:3 once, and radius:R:1 and velo:R:3 once at most");
       for (size_t c = 0; c < known->columns; ++c) columns.columns[known->first + c] = columns.count + c;
     }
+    if (property->name == "species" && property->columns == 1 && !columns.species) columns.species = columns.count;
     columns.count += property->columns;
   }
   if (!columns.has(QUANTITY_X)) fail("Properties with pos:R:3");
@@ -102,7 +103,9 @@ Columns classic_columns(const FileBytes& file, uint64_t line, std::string_view t
   std::vector<std::string> names = {"x", "y", "z"};
   if (species) names.insert(names.begin(), "species");
   if (fields.size() == species + 4) names.push_back("radius");
-  return columns_of_names(file.name(), names);
+  Columns columns = columns_of_names(file.name(), names);
+  if (species) columns.species = 0;
+  return columns;
 }
 
 std::string periodic_box(const FileBytes& file, uint64_t line, std::string_view comment) {

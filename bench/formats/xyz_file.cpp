@@ -77,6 +77,7 @@ class LineReader {
       changed_ += number.changed;
       rows.set(sphere, Quantity(quantity), number);
     }
+    if (!rows.species.empty()) rows.species[sphere] = fields_[*columns_.species];
   }
   uint64_t changed() const { return changed_; }
 
@@ -132,37 +133,58 @@ std::string ignored_box(const FileBytes& file, const Frame& frame, const SphereF
   return box;
 }
 
-// Counts the frames, all of which must be complete, and returns one.
-Frame find_frame(const FileBytes& file, uint64_t wanted, uint64_t& frames) {
-  Frame found;
+// All of which must be complete.
+std::vector<Frame> find_frames(const FileBytes& file) {
+  std::vector<Frame> frames;
   FileLines cursor = lines_of(file);
-  for (frames = 0; frames == 0 || !cursor.at_end(); ++frames) {
-    Frame frame = read_frame(file, cursor, frames == 0);
-    if (frames == wanted) found = std::move(frame);
+  while (frames.empty() || !cursor.at_end()) {
+    frames.push_back(read_frame(file, cursor, frames.empty()));
     cursor.skip_blank_lines();
   }
-  if (wanted >= frames)
-    throw std::invalid_argument(fmt::format("{} has {} frame{}, counted from 0, so --frame {} is not among them",
-                                            file.name(), frames, frames == 1 ? "" : "s", wanted));
-  return found;
+  return frames;
+}
+
+SphereFile read_one(const FileBytes& file, std::span<const Frame> frames, uint64_t k, const SphereFileOptions& options,
+                    SphereRows& rows) {
+  const Frame& frame = frames[k];
+  SphereFile input;
+  input.frame = k;
+  input.frames = frames.size();
+  input.ignored = ignored_box(file, frame, options);
+  const auto [columns, named] = columns_of(file, frame);
+  if (options.species && frame.spheres > 0 && !columns.species)
+    file.fail_at_line(frame.comment_line,
+                      "a column of species, by Properties= with species:S:1 or as the first of four", columns.text);
+  input.own_radii = columns.has(QUANTITY_RADIUS);
+  if (frame.spheres > 0) check_radius(file, input.own_radii, options);
+  rows.resize(frame.spheres, options.radius.value_or(0), columns.has(QUANTITY_VX), true);
+  if (options.species) rows.species.resize(frame.spheres);
+  input.values = frame.spheres * columns.quantities();
+  input.changed = read_spheres(file, columns, frame, reading_threads(options), rows);
+  input.format = fmt::format("{}XYZ ({})", named ? "extended " : "", columns.text);
+  return input;
 }
 
 }  // namespace
 
 SphereFile read_xyz(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows) {
   require_text(file);
-  SphereFile input;
-  input.frame = options.frame.value_or(0);
-  const Frame frame = find_frame(file, input.frame, input.frames);
-  input.ignored = ignored_box(file, frame, options);
-  const auto [columns, named] = columns_of(file, frame);
-  input.own_radii = columns.has(QUANTITY_RADIUS);
-  if (frame.spheres > 0) check_radius(file, input.own_radii, options);
-  rows.resize(frame.spheres, options.radius.value_or(0), columns.has(QUANTITY_VX), true);
-  input.values = frame.spheres * columns.quantities();
-  input.changed = read_spheres(file, columns, frame, reading_threads(options), rows);
-  input.format = fmt::format("{}XYZ ({})", named ? "extended " : "", columns.text);
-  return input;
+  const uint64_t wanted = options.frame.value_or(0);
+  const std::vector<Frame> frames = find_frames(file);
+  if (wanted >= frames.size())
+    throw std::invalid_argument(fmt::format("{} has {} frame{}, counted from 0, so --frame {} is not among them",
+                                            file.name(), frames.size(), frames.size() == 1 ? "" : "s", wanted));
+  return read_one(file, frames, wanted, options, rows);
+}
+
+std::vector<SphereFile> read_xyz_frames(const FileBytes& file, const SphereFileOptions& options,
+                                        std::vector<SphereRows>& rows) {
+  require_text(file);
+  const std::vector<Frame> frames = find_frames(file);
+  rows.resize(frames.size());
+  std::vector<SphereFile> read;
+  for (uint64_t k = 0; k < frames.size(); ++k) read.push_back(read_one(file, frames, k, options, rows[k]));
+  return read;
 }
 
 }  // namespace spherepair

@@ -55,6 +55,7 @@ json time_transfers(const TransferTask& task, const TimeStep& time);
 Scene in_cell_order(Scene scene);
 
 // Cameras on a short path around the spheres ("outside") or through their middle ("inside").
-std::vector<View> camera_path(const Bounds& bounds, const std::string& place, uint width, uint height, uint lighting);
+std::vector<View> camera_path(const Bounds& bounds, const std::string& place, uint width, uint height,
+                              const Look& look);
 
 }  // namespace spherepair

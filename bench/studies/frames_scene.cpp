@@ -37,9 +37,8 @@ Scene in_cell_order(Scene scene) {
   return scene;
 }
 
-std::vector<View> camera_path(const Bounds& bounds, const std::string& place, uint width, uint height, uint lighting) {
-  Look look = contact_look();
-  look.lighting = lighting;
+std::vector<View> camera_path(const Bounds& bounds, const std::string& place, uint width, uint height,
+                              const Look& look) {
   std::vector<View> views;
   for (uint k = 0; k < cameras_on_path; ++k) {
     const double turn = 0.05 * std::min(k, cameras_on_path - k);  // degrees, there and back

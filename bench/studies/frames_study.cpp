@@ -101,9 +101,11 @@ void FramesStudy::measure_place(uint64_t n, Backend& backend, const Scene& scene
       } else if (beyond_most(n, draw)) {
         leave_out(n, backend, draw, "beyond --most");
       } else {
-        const uint light = lit ? LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND : 0;
+        Look look = contact_look();
+        if (lit) look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
+        look.ground = double(scene.plane);
         try {
-          measure_task(n, task, scene, camera_path(bounds, place, options_.width, options_.height, light));
+          measure_task(n, task, scene, camera_path(bounds, place, options_.width, options_.height, look));
         } catch (const BackendError& error) {
           if (task.draw == DrawMethod::compute) throw;
           leave_out(n, backend, draw, error.what());  // no OpenGL to transfer the spheres to
@@ -152,8 +154,10 @@ void FramesStudy::measure_task(uint64_t n, const FrameTask& task, const Scene& s
 }
 
 void FramesStudy::measure_transfers(uint64_t n, Backend& cuda, const Scene& scene, const Bounds& bounds) {
-  TransferTask task{
-      &cuda, in_dense_cells(cuda, n), camera_path(bounds, "outside", options_.width, options_.height, 0), {}};
+  TransferTask task{&cuda,
+                    in_dense_cells(cuda, n),
+                    camera_path(bounds, "outside", options_.width, options_.height, contact_look()),
+                    {}};
   for (const std::string& draw : options_.draws)
     if (draw != draw_method_name(DrawMethod::compute) && !beyond_most(n, draw))
       task.draws.push_back(draw_method_from_name(draw));

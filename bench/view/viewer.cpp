@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "bench/check/finite_state.h"
+#include "bench/image/legend.h"
 #include "bench/measure/choice.h"
-#include "bench/view/legend.h"
 
 namespace spherepair {
 
@@ -199,6 +199,7 @@ void Viewer::draw(Window& window) {
   Look look = palette_;
   look.light = {-0.3, 0.9, -0.3};  // from above even if the camera looks down
   if (search_->lit) look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
+  look.ground = double(start_.scene.plane);
   view_ = make_view(camera, look, width, height);
   timed(seconds_.draw, [&] { backend().draw(view_, {.method = draw_method_from_name(draws_.name())}); });
   timed(seconds_.show, [&] {

@@ -178,6 +178,11 @@ class Backend {
   // index and the depth, as SLOT_VISIBLE has them.
   virtual std::vector<uint> image() = 0;
   virtual std::vector<uvec2> visible() = 0;
+  // Of the last draw(), through OpenGL: the near plane over the distance along forward of each pixel's surface; 0:
+  // none.
+  virtual std::vector<float> depths() = 0;
+  // The palette's entry of each sphere, for COLOUR_BY_CLASS; forgotten by upload() and resume().
+  virtual void set_classes(std::span<const uint> classes) = 0;
   // Copies the image into an RGBA8 texture of its size in the context of OpenOptions::window, on the GPU if it is
   // there. False without such a context: image() then has to be uploaded.
   virtual bool show(uint /*texture*/) { return false; }

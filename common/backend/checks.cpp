@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace spherepair {
 
 void check_collide(const CollideOptions& options) {
@@ -28,6 +30,15 @@ void refuse_missing(const std::string& backend, const CollideOptions& options, c
   need(options.api.overlap, offered.overlap, "a launch that overlaps the previous search",
        "the backend glsl and, compiled for compute capability 9.0 or later, cuda");
   need(options.api.library_clear, offered.library_clear, "a clear by the API", "the backends glsl and cuda");
+}
+
+void check_classes(const std::string& backend, std::span<const uint> classes, uint64_t n) {
+  if (classes.size() != n)
+    throw std::invalid_argument(fmt::format("{}: {} classes for {} spheres", backend, classes.size(), n));
+  const auto beyond = std::ranges::find_if(classes, [](uint each) { return each >= COLOURS; });
+  if (beyond != classes.end())
+    throw std::invalid_argument(fmt::format("{}: sphere {} has class {}, but the palette's last is {}", backend,
+                                            beyond - classes.begin(), *beyond, COLOURS - 1));
 }
 
 void check_steps(const std::string& backend, uint steps) {

@@ -16,6 +16,9 @@ void refuse_missing(const std::string& backend, const CollideOptions& options, c
 // Throws std::invalid_argument when swept contacts are requested of a method or state that has none.
 void check_swept(const std::string& backend, const CollideOptions& options, MotionOptions motion);
 
+// Throws std::invalid_argument unless each of n spheres has an entry of the palette.
+void check_classes(const std::string& backend, std::span<const uint> classes, uint64_t n);
+
 // Throws BackendError when `anchored` has done so many steps that their count would be lost.
 void check_steps(const std::string& backend, uint steps);
 

@@ -22,8 +22,9 @@ class GraphicsPipeline {
 
   // Enqueues an image. way: how the spheres are transferred; none: the fastest way that the driver has.
   virtual void draw(DrawMethod method, const View& view, const SphereArrays& spheres, std::optional<Transfer> way) = 0;
-  virtual std::vector<uint> image() = 0;  // of the last draw, in the format of Backend::image()
-  virtual void finish() = 0;              // waits for the images that were drawn
+  virtual std::vector<uint> image() = 0;    // of the last draw, in the format of Backend::image()
+  virtual std::vector<float> depths() = 0;  // likewise, of Backend::depths()
+  virtual void finish() = 0;                // waits for the images that were drawn
 
   // What draw() begins with. The spheres are OpenGL's when this returns, which is done with those it had before.
   virtual void transfer(const SphereArrays& spheres, std::optional<Transfer> way) = 0;

@@ -8,85 +8,18 @@
 #include <cmath>
 #include <limits>
 
+#include "common/backend/dense_plan.h"
 #include "common/shared/cell.h"
 #include "common/shared/view.h"
 
 namespace spherepair {
 namespace {
 
-constexpr double huge_radius = 0x1p100;    // above, cells would overflow float32: one cell holds everything
-constexpr double smallest_side = 0x1p-90;  // far above what flushed denormals can move
 constexpr uint64_t sample_size = 1 << 16;
 constexpr uint64_t spheres_per_bucket =
     SORT_EACH * SORT_BLOCK * 5 / 6;  // on average, at most: few then have more than a group's threads hold
 static_assert(SORT_EACH * SORT_BLOCK <= CELLS_PER_BUCKET);
 constexpr float many_octaves = 4;  // largest over smallest radius from which on levels pay
-
-struct Extent {
-  double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
-  float smallest = 0, largest = 0;  // radius
-
-  double length(int axis) const { return high[axis] - low[axis]; }
-};
-
-// Of the finite numbers: spheres may have left float32, and the others' cells are no worse for that.
-Extent extent_of(const std::vector<vec4>& spheres) {
-  constexpr float most = std::numeric_limits<float>::max();
-  const auto widen = [](float& low, float& high, float x) {
-    if (std::isfinite(x)) low = std::min(low, x), high = std::max(high, x);
-  };
-  float x0 = most, y0 = most, z0 = most, r0 = most, x1 = -most, y1 = -most, z1 = -most, r1 = 0;
-#pragma omp parallel for reduction(min : x0, y0, z0, r0) reduction(max : x1, y1, z1, r1) if (spheres.size() > 100000)
-  for (size_t i = 0; i < spheres.size(); ++i) {
-    const vec4& s = spheres[i];
-    widen(x0, x1, s.x), widen(y0, y1, s.y), widen(z0, z1, s.z), widen(r0, r1, s.w);
-  }
-  Extent extent{{x0, y0, z0}, {x1, y1, z1}, std::min(r0, r1), r1};
-  for (int axis = 0; axis < 3; ++axis)
-    if (extent.low[axis] > extent.high[axis]) extent.low[axis] = extent.high[axis] = 0;
-  return extent;
-}
-
-double cells_along(double length, double side) { return std::floor(length / side) + 1; }
-
-uint64_t slot_limit(uint64_t n) { return std::max(slots_per_sphere * n, least_slots); }
-
-// What rounding may move a place by, in cells, when an axis has so many of them: 12 units in the last place.
-double coordinate_margin(double cells) { return cells * 12 * 0x1p-24; }
-
-// The smallest side whose cells stay within the limit and are longer than the largest diameter, so that a sphere's
-// reach is less than a cell. At worst one cell holds everything.
-double dense_side(const Extent& extent, uint64_t n) {
-  const double limit = double(slot_limit(n));
-  const double longest = std::max({extent.length(0), extent.length(1), extent.length(2)});
-  const double one_cell = 2 * longest + 4.0 * double(extent.largest) + smallest_side;
-  double side = std::max({2.0 * double(extent.largest) * (1 + 0x1p-8), longest * 0x1p-19, smallest_side});
-  while (side < one_cell) {
-    double cells = 1;
-    for (int axis = 0; axis < 3; ++axis) cells *= cells_along(extent.length(axis), side);
-    const double reach = 2.0 * double(extent.largest) / side + coordinate_margin(cells_along(longest, side));
-    if (cells <= limit && reach < 1 - 0x1p-9) return side;
-    side *= std::max(std::min(std::cbrt(cells / limit), 1000.0), 1.002);
-  }
-  return one_cell;
-}
-
-GridPlan dense_plan(const Extent& extent, uint64_t n) {
-  GridPlan plan;
-  plan.cells = Cells::dense;
-  plan.largest_radius = extent.largest;
-  if (double(extent.largest) > huge_radius) return plan;
-  plan.side = float(dense_side(extent, n));
-  plan.slots = 1;
-  for (int axis = 0; axis < 3; ++axis) {
-    plan.origin[axis] = float(extent.low[axis]);
-    plan.size[axis] = uint(cells_along(extent.length(axis), plan.side));
-    plan.slots *= plan.size[axis];
-  }
-  return plan;
-}
-
-uint octave(float radius) { return std::bit_cast<uint>(radius) >> 23; }
 
 // The median coordinate of a sample: cells are fine where most spheres are, however far away a few spheres are, since
 // float32 places are finest near the origin.
@@ -112,6 +45,7 @@ GridPlan hashed_plan(const std::vector<vec4>& spheres, const Extent& extent) {
   plan.slots = uint(std::bit_ceil(std::max<uint64_t>(spheres.size(), least_slots)));
   set_middle(plan, spheres);
   plan.largest_radius = extent.largest;
+  plan.equal_radii = extent.largest == extent.smallest;
   plan.side = std::max(2 * extent.largest, float(smallest_side));
   if (extent.largest <= many_octaves * extent.smallest) return plan;
   const uint top = octave(extent.largest);
@@ -144,7 +78,7 @@ double occupancy_of(const std::vector<vec4>& spheres, const GridPlan& plan, uint
 
 // Both plans, and which of them is taken, for n spheres like these.
 GridPlans choose(const GridPlan& dense, const GridPlan& hashed, const std::vector<vec4>& spheres, uint64_t n) {
-  GridPlans plans{dense, hashed, Cells::dense, 0, 0, {}};
+  GridPlans plans{.dense = dense, .hashed = hashed, .chosen = Cells::dense};
   plans.dense_occupancy = occupancy_of(spheres, dense, n);
   plans.hashed_occupancy = occupancy_of(spheres, hashed, n);
   // A sphere looks into the cells of every level, and a hashed cell costs some four times a dense one.
@@ -164,8 +98,17 @@ GridPlans plan_grids(const std::vector<vec4>& spheres) {
   const Extent extent = extent_of(spheres);
   const GridPlan dense = dense_plan(extent, n);
   if (double(extent.largest) > huge_radius)
-    return {dense, dense, Cells::dense, double(n), double(n), "dense: the largest radius leaves one cell"};
-  return choose(dense, hashed_plan(spheres, extent), spheres, n);
+    return {.dense = dense,
+            .hashed = dense,
+            .light = dense,
+            .dense_occupancy = double(n),
+            .hashed_occupancy = double(n),
+            .reason = "dense: the largest radius leaves one cell"};
+  GridPlans plans = choose(dense, hashed_plan(spheres, extent), spheres, n);
+  plans.smallest_radius = extent.smallest;
+  if (extent.largest > 2 * extent.smallest) plans.octaves = octaves_of(spheres);
+  plans.light = light_plan(dense, extent, plans.octaves, n);
+  return plans;
 }
 
 GridPlans plan_grids_anew(const GridPlans& before, const std::vector<vec4>& sample, uint64_t n) {
@@ -174,7 +117,12 @@ GridPlans plan_grids_anew(const GridPlans& before, const std::vector<vec4>& samp
   if (double(extent.largest) > huge_radius) return before;
   GridPlan hashed = before.hashed;
   set_middle(hashed, sample);
-  return choose(dense_plan(extent, n), hashed, sample, n);
+  extent.smallest = before.smallest_radius;
+  GridPlans plans = choose(dense_plan(extent, n), hashed, sample, n);
+  plans.smallest_radius = before.smallest_radius;
+  plans.octaves = before.octaves;
+  plans.light = light_plan(plans.dense, extent, plans.octaves, n);
+  return plans;
 }
 
 BucketPlan plan_buckets(uint64_t spheres, uint slots, uint least_buckets) {
@@ -200,7 +148,7 @@ GridParams grid_params(const GridPlan& plan) {
           .largest_radius = plan.largest_radius,
           .reach_scale = float(scale),
           .reach_offset = float(scale * double(plan.largest_radius) + margin),
-          .occlusion_fade = float(1 / (fades_within * fades_within)),
+          .occlusion_fade = plan.equal_radii ? float(1 / (fades_within * fades_within)) : 0,
           .cells_x = plan.size[0],
           .cells_y = plan.size[1],
           .cells_z = plan.size[2],

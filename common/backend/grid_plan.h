@@ -17,9 +17,10 @@ struct GridPlan {
   float origin[3] = {0, 0, 0};  // metres
   float side = 1;               // of a cell of level 0, metres
   float largest_radius = 0;     // of level 0
-  uint size[3] = {1, 1, 1};     // cells along each axis; dense only
-  uint slots = 1;               // of the table
-  uint first_octave = 255;      // biased exponent of the radii of level 0
+  bool equal_radii = true;
+  uint size[3] = {1, 1, 1};  // cells of level 0 along each axis; dense only
+  uint slots = 1;            // of the table
+  uint first_octave = 255;   // biased exponent of the radii of level 0
   uint top_level = 0;
   uint levels = 1;  // bit k is set when level k has spheres
 };
@@ -28,6 +29,9 @@ struct GridPlan {
 // places.
 struct GridPlans {
   GridPlan dense, hashed;
+  GridPlan light;  // dense, with a table for each level where radii differ much: for draw_light only, not for searches
+  float smallest_radius = 0;
+  std::vector<uint> octaves;  // of the radii, each once
   Cells chosen = Cells::dense;
   double dense_occupancy = 0, hashed_occupancy = 0;  // other spheres in a sphere's cell, on average
   std::string reason;                                // one sentence: what was chosen, from which figures

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <utility>
 
+#include "common/backend/checks.h"
 #include "common/cpu/cpu_draw.h"
 #include "common/cpu/cpu_search.h"
 #include "common/scene/camera.h"
@@ -75,6 +76,7 @@ class CpuBackend final : public Backend {
     search_.upload(scene);
     image_ = {};
     drawn_ = {};
+    classes_.clear();
   }
   void resume(const Scene& scene, const MotionState& saved) override {
     upload(scene);
@@ -108,15 +110,12 @@ class CpuBackend final : public Backend {
     check_view(view);
     if (options.transfer && options.method == DrawMethod::compute)
       throw std::invalid_argument("cpu: drawing by compute transfers no spheres to OpenGL");
-    if (view.lighting != 0 && !search_.in_dense_cells())
-      throw std::invalid_argument(
-          "cpu: occlusion and shadows need the dense cells of collide_grid; collide with them first");
     if (options.method != DrawMethod::compute) return draw_by_pipeline(view, options);
     const auto& positions = motion_.positions(threads_);
     const std::vector<uint> entries = colours(view);
     View wanted = view;
     wanted.lanes = options.lanes(positions.size());
-    clock_.time("draw", [&] { image_ = draw_image(positions, entries, wanted, search_.dense_cells(), threads_); });
+    clock_.time("draw", [&] { image_ = draw_image(positions, entries, wanted, search_.light_cells(), threads_); });
     drawn_ = options;
     size_ = {view.width, view.height};
   }
@@ -140,6 +139,15 @@ class CpuBackend final : public Backend {
   }
   std::vector<uint> image() override {
     return drawn_.method == DrawMethod::compute ? last_image().image : pipeline_.get().image();
+  }
+  std::vector<float> depths() override {
+    if (drawn_.method == DrawMethod::compute)
+      throw BackendError("cpu: the last image was not drawn through OpenGL; ask for visible()");
+    return pipeline_.get().depths();
+  }
+  void set_classes(std::span<const uint> classes) override {
+    check_classes("cpu", classes, motion_.positions(threads_).size());
+    classes_.assign(classes.begin(), classes.end());
   }
   bool show(uint texture) override {
     if (!pipeline_) return false;
@@ -174,6 +182,9 @@ class CpuBackend final : public Backend {
   // What chooses the spheres' colours.
   std::vector<uint> colours(const View& view) {
     const auto& positions = motion_.positions(threads_);
+    if (view.colour_by == COLOUR_BY_CLASS && classes_.size() != positions.size())
+      throw BackendError("cpu: the spheres have no classes; call set_classes");
+    if (view.colour_by == COLOUR_BY_CLASS) return classes_;
     std::vector<uint> entries(positions.size());
     if (view.colour_by == COLOUR_BY_CONTACTS) return search_.searched() ? counts() : entries;
     if (view.colour_by == COLOUR_BY_SPEED) motion_.evaluate_state(threads_);
@@ -211,6 +222,7 @@ class CpuBackend final : public Backend {
   CpuSearch search_;
   CpuImage image_;
   DrawOptions drawn_;
+  std::vector<uint> classes_;
   uvec2 size_{};  // of the image
   LazyPipeline pipeline_;
   StageClock clock_;

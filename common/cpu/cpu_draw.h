@@ -14,7 +14,7 @@ struct CpuImage {
   std::vector<uvec2> visible;  // as SLOT_VISIBLE
   DrawStatistics counts;
 };
-// p: with the dense cells for the light; only looked at when the view asks for LIGHT_*.
+// p: with the cells for the light; only looked at when the view asks for LIGHT_*.
 CpuImage draw_image(std::span<const vec4> spheres, std::span<const uint> contacts, const View& view, const Params& p,
                     int threads);
 

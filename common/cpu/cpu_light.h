@@ -9,7 +9,7 @@
 
 namespace spherepair {
 
-// The spheres in the dense cells that p describes, whatever the order within a cell.
+// The spheres in the dense cells, level by level, that p describes, whatever the order within a cell.
 class CpuLight {
  public:
   CpuLight(std::span<const vec4> spheres, const Params& p);
@@ -18,6 +18,8 @@ class CpuLight {
   uint colour(uvec2 seen, uint pixel, std::span<const uint> contacts, const View& v) const;
 
  private:
+  bool any_shades(const CellBox& box, const DenseLevel& l, const Surface& s, const View& v) const;
+
   std::span<const vec4> spheres_;
   Params p_;
   std::vector<uint> begin_, id_;  // of each cell; by sorted index

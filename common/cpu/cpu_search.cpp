@@ -99,13 +99,9 @@ const std::vector<Pair>& CpuSearch::pairs() const {
   return list;
 }
 
-bool CpuSearch::in_dense_cells() const {
-  return found_ && options_.method == Method::collide_grid && cells_ == Cells::dense;
-}
-
-Params CpuSearch::dense_cells() const {
+Params CpuSearch::light_cells() const {
   Params params = params_;
-  params.grid = grid_params(plans_.dense);
+  params.grid = grid_params(plans_.light);
   return params;
 }
 

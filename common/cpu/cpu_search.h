@@ -24,13 +24,12 @@ class CpuSearch {
   void run(CpuMotion& motion);  // what was prepared
 
   bool searched() const { return found_.has_value(); }  // these positions
-  bool in_dense_cells() const;                          // through the dense grid
   const Collisions& totals() const { return found().totals; }
   std::vector<uint> counts() const;
   const std::vector<Pair>& pairs() const;
 
-  // Parameters with the dense cells of the scene.
-  Params dense_cells() const;
+  // Parameters with the cells for the light of images.
+  Params light_cells() const;
   const WorkCounts& work() const { return work_; }
 
  private:

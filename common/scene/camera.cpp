@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec3.hpp>
@@ -29,6 +30,20 @@ Axes axes_of(const Camera& camera) {
   }
   const glm::dvec3 forward = glm::normalize(along), right = glm::normalize(across);
   return {right, glm::cross(right, forward), forward};
+}
+
+// Directions at azimuth 0 and 90 degrees.
+struct Horizon {
+  glm::dvec3 start, quarter, up;
+};
+Horizon horizon_of(const Vector& v) {
+  if (!(glm::length(vector(v)) > 0)) throw std::invalid_argument("the up direction is 0,0,0: give it a length");
+  const glm::dvec3 up = glm::normalize(vector(v)), size = glm::abs(up);
+  const int axis = size.y >= size.x && size.y >= size.z ? 1 : size.z >= size.x ? 2 : 0;
+  glm::dvec3 next(0);
+  next[(axis + 1) % 3] = 1;
+  const glm::dvec3 start = glm::normalize(next - glm::dot(next, up) * up);
+  return {start, glm::cross(up, start), up};
 }
 
 void check_camera(const Camera& camera) {
@@ -64,11 +79,13 @@ Bounds bounds_of(std::span<const vec4> spheres) {
   return spheres.empty() ? Bounds{{0, 0, 0}, {1, 1, 1}} : bounds;
 }
 
-Camera frame(const Bounds& bounds, double azimuth, double elevation, double field, double aspect) {
+Camera frame(const Bounds& bounds, double azimuth, double elevation, double field, double aspect, const Vector& up) {
   const glm::dvec3 low = vector(bounds.low), high = vector(bounds.high), middle = (low + high) * 0.5;
   const double around = glm::radians(azimuth), over = glm::radians(std::clamp(elevation, -89.0, 89.0));
-  const glm::dvec3 back(std::sin(around) * std::cos(over), std::sin(over), std::cos(around) * std::cos(over));
-  Camera camera{{back.x, back.y, back.z}, {0, 0, 0}, {0, 1, 0}, field};
+  const Horizon horizon = horizon_of(up);
+  const glm::dvec3 back = std::cos(over) * (std::sin(around) * horizon.quarter + std::cos(around) * horizon.start) +
+                          std::sin(over) * horizon.up;
+  Camera camera{{back.x, back.y, back.z}, {0, 0, 0}, up, field};
   const Axes axes = axes_of(camera);
   const double half_y = std::tan(glm::radians(field) / 2) / 1.05, half_x = half_y * aspect;  // 5 % of margin
   double distance = 0;
@@ -115,8 +132,12 @@ View make_view(const Camera& camera, const Look& look, uint width, uint height, 
   v.light = rounded(glm::normalize(vector(look.light)), look.ambient);
   const glm::dvec3 light = glm::normalize(vector(look.light));
   const glm::dvec3 sun = light.x * axes.right + light.y * axes.up + light.z * axes.forward;
-  if (look.lighting & LIGHT_SHADOW && sun.y < 0.2)
-    throw std::invalid_argument("shadows need light from above: look from a lower or less tilted camera");
+  const glm::dvec3 normal = glm::normalize(vector(look.ground_normal));
+  if (look.lighting & LIGHT_GROUND && glm::dot(sun, normal) < 0.2)
+    throw std::invalid_argument(
+        "the camera's light does not come from above the ground: look from higher up, tilt the camera less, or leave "
+        "the ground out (render --ground none; with lowest it follows --up)");
+  v.ground = rounded(normal, look.ground);
   v.sun = rounded(sun, look.shadow);
   v.lighting = look.lighting;
   v.focal = float(focal);

@@ -27,8 +27,10 @@ struct Bounds {
 };
 Bounds bounds_of(std::span<const vec4> spheres);
 
-// From a direction (degrees: around the vertical axis from +z to +x, and above the horizon) so that the box just fits.
-Camera frame(const Bounds& bounds, double azimuth, double elevation, double field, double aspect);
+// From a direction so that the box just fits: degrees around `up`, for y from +z to +x, for z from +x to +y, for x from
+// +y to +z, and above the horizon.
+Camera frame(const Bounds& bounds, double azimuth, double elevation, double field, double aspect,
+             const Vector& up = {0, 1, 0});
 
 struct Look {
   std::array<uint, COLOURS> palette;  // 0xRRGGBB of 0, 1 ... 6, 7 and more contacts, or limits that are reached
@@ -37,7 +39,9 @@ struct Look {
   uint background = 0xFFFFFF;
   Vector light = {-0.35, 0.75, -0.56};  // towards the light: right, up, forward of the camera
   double ambient = 0.38;                // the share of light from all around
-  uint lighting = 0;                    // LIGHT_*: they need the dense cells of collide_grid, and light from above
+  uint lighting = 0;                    // LIGHT_*; on the ground there must be light from above
+  Vector ground_normal = {0, 1, 0};     // upwards
+  double ground = 0;                    // its height along the normal, metres
   double shadow = 0.72;                 // the ground's brightness in full shadow, of the background's
 };
 // By speed or radius: equal intervals from the lowest to the highest, from dark violet over green to yellow.

@@ -95,9 +95,33 @@ FN Cell highest_cell(vec4 sphere, float reach, uint level, GridParams g) {
   return cell_at(x, y, z, level, g);
 }
 
+// One level of a dense grid; their tables follow each other in SLOT_CELL. A search has one level only; see draw_light.
+struct DenseLevel {
+  float scale;  // cells per metre
+  uint first_slot, cells_x, cells_y, cells_z;
+};
+FN DenseLevel lowest_level(GridParams g) {
+  DenseLevel level = {g.cells_per_metre, 0u, g.cells_x, g.cells_y, g.cells_z};
+  return level;
+}
+FN DenseLevel level_above(DenseLevel l) {
+  EXACT float scale = l.scale * 0.5f;
+  uint first_slot = l.first_slot + l.cells_x * l.cells_y * l.cells_z;
+  DenseLevel level = {scale, first_slot, (l.cells_x + 1u) >> 1, (l.cells_y + 1u) >> 1, (l.cells_z + 1u) >> 1};
+  return level;
+}
+FN uint slot_in_level(uint x, uint y, uint z, DenseLevel l) {
+  return l.first_slot + (z * l.cells_y + y) * l.cells_x + x;
+}
+
 FN uint dense_slot_of(vec4 sphere, GridParams g) {
-  GridPosition position = grid_position(sphere, g);
-  return dense_slot(uint(position.x), uint(position.y), uint(position.z), g);
+  DenseLevel l = lowest_level(g);
+  if (g.top_level != 0u)
+    for (uint above = level_of(sphere.w, g); above > 0u; --above) l = level_above(l);
+  float x = grid_coordinate(sphere.x, g.origin_x, l.scale, l.cells_x);
+  float y = grid_coordinate(sphere.y, g.origin_y, l.scale, l.cells_y);
+  float z = grid_coordinate(sphere.z, g.origin_z, l.scale, l.cells_z);
+  return slot_in_level(uint(x), uint(y), uint(z), l);
 }
 FN uint hashed_slot_of(vec4 sphere, GridParams g) {
   uint level = level_of(sphere.w, g);

@@ -127,9 +127,9 @@ struct UNIFORM_ALIGN SearchParams {
 struct UNIFORM_ALIGN GridParams {
   float origin_x, origin_y, origin_z, cells_per_metre;  // of the cells at level 0
   float largest_radius, reach_scale, reach_offset;      // of level 0, doubles with each level; see reach_in_cells
-  float occlusion_fade;                                 // of draw_light: 1 / (OCCLUSION_RADII * largest radius)^2
-  uint cells_x, cells_y, cells_z, cell_slots;           // dense grid; cell_slots: length of the table in either case
-  uint hash_mask, first_octave, top_level, levels;      // 0: dense; see level_of; levels: bit k set when k has spheres
+  float occlusion_fade;  // of draw_light: 1 / (OCCLUSION_RADII * radius)^2 of equal radii; 0: each by its own
+  uint cells_x, cells_y, cells_z, cell_slots;       // dense grid; cell_slots: length of the table in either case
+  uint hash_mask, first_octave, top_level, levels;  // 0: dense; see level_of; levels: bit k set when k has spheres
 };
 
 struct UNIFORM_ALIGN SortParams {

@@ -6,7 +6,7 @@
 #include "common/shared/portable.h"
 
 #define VIEW_LOCATION 1  // of its uniforms, which are uvec4 ...
-#define VIEW_FOURS 15    // ... of this number
+#define VIEW_FOURS 16    // ... of this number
 
 #define WALK_AT_MOST 16   // pixels: side of the largest box that one thread draws; larger ones are cut into tiles
 #define LANES 32          // threads that share a sphere when spheres are few ...
@@ -20,12 +20,14 @@
 #define COLOUR_BY_CONTACTS 0u  // what chooses a sphere's colour: the number of its contacts,
 #define COLOUR_BY_SPEED 1u     // how many of the limits its speed has reached,
 #define COLOUR_BY_RADIUS 2u    // or its radius
+#define COLOUR_BY_CLASS 3u     // or the class that Backend::set_classes gave it
 #define COLOURS 8              // of the palette
 
 #define LIGHT_OCCLUSION 1u  // bits of View::lighting: ambient occlusion by near spheres,
 #define LIGHT_SHADOW 2u     // shadows of the sun,
-#define LIGHT_GROUND 4u     // and both on the plane too
-#define OCCLUSION_RADII 4   // range of ambient occlusion, in largest radii: less than two dense cells
+#define LIGHT_GROUND 4u     // and both on the ground too, ...
+#define LIGHT_ALONE 8u      // ... which is drawn alone: spheres only darken it
+#define OCCLUSION_RADII 4   // range of ambient occlusion, in radii of the sphere: less than two cells of its level
 
 #define CLUSTER 16            // consecutive spheres in cell order that are culled together
 #define BUNDLE 4u             // consecutive clusters that are culled together first: a bundle
@@ -93,6 +95,7 @@ struct View {
   vec4 limits_0;                           // ascending, in metres, or in m^2/s^2: squares of speeds ...
   float limit_4, limit_5, limit_6;         // ... of which the sphere's value reaches none to all
   uint colour_by;                          // COLOUR_BY_*
+  vec4 ground;                             // its normal, of length 1; w: its height along that, metres
 };
 
 #endif

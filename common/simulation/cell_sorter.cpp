@@ -63,9 +63,9 @@ bool CellSorter::replan_if_needed() {
 }
 
 // Parameters of the cells, and room for the table.
-void CellSorter::plan_cells(const GridOptions& options) {
-  const GridPlan& plan = plans_.plan(options.cells);
-  if (planned_ == plan.cells) return;
+void CellSorter::plan_cells(const GridPlan& plan) {
+  const bool leveled = plan.cells == Cells::dense && plan.top_level != 0;
+  if (planned_ == plan.cells && leveled_ == leveled) return;
   planned_.reset();  // until there is room, should that fail
   built_ = false;
   cell_order_.reset();
@@ -77,6 +77,7 @@ void CellSorter::plan_cells(const GridOptions& options) {
   context_.buffers.resize(SLOT_CELL, ceil_div(uint64_t(plan.slots) + 2, SCAN_TILE) * SCAN_TILE * sizeof(uint));
   context_.buffers.resize(SLOT_SCAN, sizeof(uint));
   planned_ = plan.cells;
+  leveled_ = leveled;
 }
 
 void CellSorter::launch_bounds() {
@@ -104,7 +105,7 @@ bool CellSorter::stands_in_cell_order(const GridOptions& options) {
 }
 
 void CellSorter::build(const CollideOptions& options, bool equal_radii, bool results_clear) {
-  plan_cells(options.grid);
+  plan_cells(plans_.plan(options.grid.cells));
   const bool same_indices = order_ == Order::scene || index_in_w_ == equal_radii;
   const bool kept = built_ && options.grid.keep_cells && same_indices;
   if (!kept) {
@@ -122,6 +123,16 @@ void CellSorter::build(const CollideOptions& options, bool equal_radii, bool res
   } else {
     launch_bounds();
   }
+  built_ = true;
+}
+
+void CellSorter::build_for_light() {
+  plan_cells(plans_.light);
+  built_ = false;  // until they are, should that fail
+  order_ = Order::cells;
+  index_in_w_ = context_.equal_radii;
+  ++context_.work().sorts;
+  SphereSort(context_, {}, index_in_w_).run();
   built_ = true;
 }
 

@@ -24,15 +24,20 @@ class CellSorter {
   // current already is kept.
   void build(const CollideOptions& options, bool equal_radii, bool results_clear);
 
-  bool built() const { return built_; }    // for the spheres as they stand
-  void forget_order() { built_ = false; }  // a search without cells came between
-  bool dense() const { return planned_ == Cells::dense; }
-  Order order() const { return built_ ? order_ : Order::scene; }  // in which the search finds the spheres
+  // The same for the light of an image: counts in cell order are lost where the search's cells would not do.
+  void build_for_light();
+  bool built_for_light() const { return built_ && planned_ == Cells::dense && leveled_ == has_light_levels(); }
+
+  bool built() const { return built_; }                                 // for the spheres as they stand
+  void forget_order() { built_ = false; }                               // a search without cells came between
+  bool dense() const { return planned_ == Cells::dense && !leveled_; }  // as searches have them
+  Order order() const { return built_ ? order_ : Order::scene; }        // in which the search finds the spheres
   uint indices(Order order) const;     // INDEX_IN_* of a launch that reads them in this order
   std::vector<uint> sphere_indices();  // by sorted index
 
  private:
-  void plan_cells(const GridOptions& options);
+  bool has_light_levels() const { return plans_.light.top_level != 0; }
+  void plan_cells(const GridPlan& plan);
   bool stands_in_cell_order(const GridOptions& options);
   std::vector<vec4> sample_positions();
   void launch_bounds();
@@ -41,6 +46,7 @@ class CellSorter {
   GridPlans plans_;
   PlanWatch watch_;                 // whether they still fit
   std::optional<Cells> planned_;    // the cells that table and parameters are for
+  bool leveled_ = false;            // these are plans_.light, in levels
   std::optional<bool> cell_order_;  // whether the spheres stand in cell order as they are; unknown after a move
   uint64_t moves_to_wait_ = 0, moves_waited_ = 0;  // before that is looked at again
   bool built_ = false;

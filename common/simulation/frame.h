@@ -2,6 +2,7 @@
 // One image on its way through the rasteriser: what every launch of it has in common.
 #pragma once
 
+#include "common/backend/grid_plan.h"
 #include "common/simulation/context.h"
 
 namespace spherepair {
@@ -19,6 +20,10 @@ struct Frame {
 };
 
 inline uint64_t pixels(const View& view) { return uint64_t(view.width) * view.height; }
+
+// Whether any sphere's box of pixels may be large (is_large), of spheres as they were when these dense cells were
+// planned.
+bool may_look_large(const View& view, const GridPlan& dense);
 
 // The launch with the frame's view and pixels.
 Launch drawing(const Frame& frame, Launch launch);

@@ -44,6 +44,9 @@ class PairSearch {
 
   // For drawing: contact counts of these positions, by sphere index unless `sorted` will do; 0 without a search.
   void prepare_counts(bool sorted);
+  // The same, by sphere index for good, since the spheres are about to be sorted otherwise.
+  void leave_cells() { prepare_counts(false), order_ = Order::scene; }
+  Order order() const { return searched() ? order_ : Order::scene; }  // of the results, if the cells are still there
 
  private:
   enum class Results { none, enqueued, complete };  // of these positions

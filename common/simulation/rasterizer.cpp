@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <utility>
 
+#include "common/backend/checks.h"
 #include "common/scene/camera.h"
 
 namespace spherepair {
@@ -15,7 +15,7 @@ namespace {
 
 constexpr uint64_t least_tiles = 1 << 16, most_tiles = 1 << 22;  // that the list has room for at first
 
-static_assert(sizeof(View) == 240);
+static_assert(sizeof(View) == 256);
 
 }  // namespace
 
@@ -23,16 +23,14 @@ void Rasterizer::upload() {
   view_ = {};
   current_ = false;
   images_kept_ = 0;
+  classes_set_ = false;
   culling_.upload();
 }
 
 void Rasterizer::enqueue(const View& view, const DrawOptions& options) {
   check_view(view);
-  const bool lit_by_cells =
-      search_.searched() && search_.options().method == Method::collide_grid && context_.n > 1 && sorter_.dense();
-  if (view.lighting != 0 && !lit_by_cells)
-    throw std::invalid_argument(fmt::format(
-        "{}: occlusion and shadows need the dense cells of collide_grid; collide with them first", context_.name()));
+  if (view.colour_by == COLOUR_BY_CLASS && !classes_set_)
+    throw BackendError(fmt::format("{}: the spheres have no classes; call set_classes", context_.name()));
   if (options.reuse_unchanged && current(view, options)) {
     ++images_kept_;
     return;
@@ -59,15 +57,22 @@ bool Rasterizer::current(const View& view, const DrawOptions& options) const {
          options == options_;
 }
 
+// Light needs dense cells. Where the search had others, the spheres are sorted once more, and the image does without
+// the search's order.
 void Rasterizer::launch() {
+  if (lit() && !sorter_.built_for_light()) {
+    search_.leave_cells();
+    sorter_.build_for_light();
+  }
   search_.prepare_counts(draws_by_compute());
-  if (view_.colour_by != COLOUR_BY_CONTACTS) launch_colours();
+  if (view_.colour_by == COLOUR_BY_SPEED || view_.colour_by == COLOUR_BY_RADIUS) launch_colours();
   if (draws_by_compute()) return launch_compute();
   context_.pipeline().draw(options_.method, view_, context_.sphere_arrays(colour_slot(view_)), options_.transfer);
 }
 
 void Rasterizer::launch_colours() {
   if (view_.colour_by == COLOUR_BY_SPEED) motion_.evaluate_state();
+  classes_set_ = false;
   context_.buffers.grow(SLOT_COLOUR, context_.n * sizeof(uint));
   Launch launch{Kernel::draw_colours, SERVICE_BLOCK, {}, folded(ceil_div(context_.n, SERVICE_BLOCK))};
   launch.view = &view_;
@@ -76,7 +81,7 @@ void Rasterizer::launch_colours() {
 
 Frame Rasterizer::make_frame() {
   Frame frame{.view = view_, .options = options_};
-  frame.order = search_.searched() ? sorter_.order() : Order::scene;
+  frame.order = search_.order();
   frame.indices = sorter_.indices(frame.order);
   frame.culls = (options_.frustum_culling || options_.occlusion_culling) && context_.n >= options_.clusters_from;
   View& view = frame.view;
@@ -88,8 +93,8 @@ Frame Rasterizer::make_frame() {
   view.clusters = 0;
   view.occlusion = frame.culls && options_.occlusion_culling;
   view.lanes = frame.culls ? 1 : options_.lanes(context_.n);
-  frame.may_have_tiles = may_be_large(view);
-  pixels_kept_ = options_.keep_visible || view.lighting;
+  frame.may_have_tiles = motion_.moved() || !options_.skip_tile_launches || may_look_large(view, sorter_.plans().dense);
+  pixels_kept_ = options_.keep_visible || lit();
   choose_pixels(frame, frame.culls || pixels_kept_ || frame.indices != 0);
   return frame;
 }
@@ -125,7 +130,7 @@ void Rasterizer::launch_compute() {
   if (pixels(view) > clear) launch_per_pixel(frame_, Kernel::draw_clear);
   if (context_.n > 0) frame_.culls ? culling_.draw(frame_, by_cells) : draw_all(frame_);
   view.pass = pixels_kept_ ? PASS_KEEP : PASS_DEPTH;
-  launch_per_pixel(frame_, view.lighting ? Kernel::draw_light : Kernel::draw_resolve);
+  launch_per_pixel(frame_, lit() ? Kernel::draw_light : Kernel::draw_resolve);
   if (pixels_kept_) {
     pixels_clear_ = {};
   } else {
@@ -148,33 +153,11 @@ void Rasterizer::draw_all(Frame& frame) {
   }
 }
 
-// Whether any sphere's box of pixels may be large (is_large). As they were uploaded, all lie in the dense cells' box,
-// so none looks larger than the largest would in its nearest corner, at the image's edge.
-bool Rasterizer::may_be_large(const View& view) const {
-  if (motion_.moved() || !options_.skip_tile_launches) return true;
-  const GridPlan& plan = sorter_.plans().dense;
-  const double eye[] = {view.eye.x, view.eye.y, view.eye.z};
-  const double forward[] = {view.forward.x, view.forward.y, view.forward.z};
-  const double radius = plan.largest_radius;
-  double close = 0, coordinates = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double low = plan.origin[axis] - eye[axis], high = low + plan.size[axis] * double(plan.side);
-    close += std::min(forward[axis] * low, forward[axis] * high);
-    coordinates += std::abs(eye[axis]) + std::max(std::abs(low), std::abs(high));
-  }
-  close -= coordinates * 0x1p-20;  // more than rounding takes from a coordinate
-  if (!(close > 1.01 * radius)) return true;
-  const double aside = std::max(view.half_x, view.half_y), beyond = std::max(view.norm_x, view.norm_y) * radius;
-  const double pixels = 2 * radius * view.focal * ((1 + aside) * close + beyond) / (close * close - radius * radius);
-  const uint most = view.lanes == LANES ? SHARE_AT_MOST : WALK_AT_MOST;
-  return !(1.01 * pixels + 2 <= most);
-}
-
 void Rasterizer::launch_per_pixel(const Frame& frame, Kernel kernel) {
   const bool one_each = kernel == Kernel::draw_light;
   const uint block = one_each ? SERVICE_BLOCK : PIXELS_BLOCK, each = one_each ? 1 : PIXELS_EACH;
   Launch launch{kernel, block, {}, folded(ceil_div(pixels(frame.view), block * each))};
-  if (kernel == Kernel::draw_light) launch.variant.indices = frame.indices;  // looks at the spheres around
+  if (kernel == Kernel::draw_light) launch.variant.indices = sorter_.indices(sorter_.order());
   launch_drawing(context_, frame, launch);
 }
 
@@ -201,6 +184,21 @@ std::vector<uint> Rasterizer::image() {
   require_drawn(false);
   if (!draws_by_compute()) return context_.pipeline().image();
   return context_.buffers.read<uint>(SLOT_IMAGE, pixels(view_));
+}
+
+std::vector<float> Rasterizer::depths() {
+  require_drawn(false);
+  if (draws_by_compute())
+    throw BackendError(fmt::format("{}: the last image was drawn by compute; ask for visible()", context_.name()));
+  return context_.pipeline().depths();
+}
+
+void Rasterizer::set_classes(std::span<const uint> classes) {
+  check_classes(context_.name(), classes, context_.n);
+  context_.buffers.grow(SLOT_COLOUR, context_.n * sizeof(uint));
+  context_.buffers.write(SLOT_COLOUR, std::vector<uint>(classes.begin(), classes.end()));
+  ++context_.version;
+  classes_set_ = true;
 }
 
 bool Rasterizer::show(uint texture) {

@@ -19,8 +19,11 @@ class Rasterizer {
   void enqueue(const View& view, const DrawOptions& options);
   void run(const View& view, const DrawOptions& options);  // the same, complete
 
+  void set_classes(std::span<const uint> classes);  // of the spheres that were uploaded
+
   // Of a complete image; BackendError where there is none.
   std::vector<uint> image();
+  std::vector<float> depths();
   std::vector<uvec2> visible();
   bool show(uint texture);
   bool through_pipeline() const { return view_.width != 0 && !draws_by_compute(); }  // the last image
@@ -29,6 +32,7 @@ class Rasterizer {
  private:
   bool current(const View& view, const DrawOptions& options) const;
   void require_drawn(bool by_compute) const;
+  bool lit() const { return view_.lighting != 0 && draws_by_compute() && context_.n > 0; }
   bool draws_by_compute() const { return options_.method == DrawMethod::compute; }
   void launch();
   void launch_colours();
@@ -37,7 +41,6 @@ class Rasterizer {
   void choose_pixels(Frame& frame, bool alone);
   void make_pixels(uint slot, uint64_t bytes);
   void draw_all(Frame& frame);
-  bool may_be_large(const View& view) const;
   void launch_per_pixel(const Frame& frame, Kernel kernel);
   bool grow_tiles();
   uint64_t statistics_offset() const { return pixels_kept_ ? 0 : DRAWN_WORDS * sizeof(uint); }  // in SLOT_DRAWN
@@ -57,6 +60,7 @@ class Rasterizer {
   std::array<uint64_t, SLOT_TOTAL> pixels_clear_{};  // of the two slots of pixels; the counts of SLOT_DRAWN are then
                                                      // those of a new image
   uint64_t images_kept_ = 0;
+  bool classes_set_ = false;  // SLOT_COLOUR was to have them; other colours write over them
 };
 
 }  // namespace spherepair

@@ -125,6 +125,11 @@ void Simulation::check_peak_rate(PeakRate rate) {
   probe_.check_peak_rate(rate);
 }
 
+void Simulation::set_classes(std::span<const uint> classes) {
+  require_scene("set_classes");
+  rasterizer_.set_classes(classes);
+}
+
 bool Simulation::show(uint texture) { return has_pipeline() && rasterizer_.show(texture); }
 
 void Simulation::finish() {

@@ -38,6 +38,8 @@ class Simulation final : public Backend {
   std::optional<Transfer> transfer_taken() const override;
   void transfer(Transfer way) override;
   std::vector<uint> image() override { return rasterizer_.image(); }
+  std::vector<float> depths() override { return rasterizer_.depths(); }
+  void set_classes(std::span<const uint> classes) override;
   std::vector<uvec2> visible() override { return rasterizer_.visible(); }
   bool show(uint texture) override;
   DrawStatistics draw_statistics() override { return rasterizer_.statistics(); }

@@ -13,4 +13,4 @@ View v =
          view_reals(7u).z, view_reals(7u).w, view_words[8], view_words[9], view_words[10].x, view_words[10].y,
          view_words[10].z, view_words[10].w, view_words[11].x, view_words[11].y, view_words[11].z, view_words[11].w,
          view_words[12].x, view_words[12].y, view_words[12].z, view_words[12].w, view_reals(13u), view_reals(14u).x,
-         view_reals(14u).y, view_reals(14u).z, view_words[14].w);
+         view_reals(14u).y, view_reals(14u).z, view_words[14].w, view_reals(15u));

@@ -30,6 +30,7 @@ std::vector<Shot> shots(Backend& backend, const Scene& scene) {
         for (int a = 0; a < 3; ++a) camera.eye[a] = camera.target[a] + nearer * (camera.eye[a] - camera.target[a]);
         Look look = contact_look();
         look.lighting = lighting;
+        look.ground = double(scene.plane);
         const View view = make_view(camera, look, width, height);
         all.push_back({view, image_of(backend, view, everything)});
       }

@@ -94,7 +94,8 @@ TEST_F(OptionLimits, TheEndsOfTheRangesAreTaken) {
   expect_taken("run --n 64 --scene uniform --packing-fraction 0.74");
   expect_taken("run --n 64 --save " + path("a.checkpoint") + " --save-every 9007199254740992");
   expect_taken(sweep_ + " --shard 2147483647/2147483647");
-  expect_taken(render_ + ".png --size 16384x1 --field 179 --azimuth -360 --elevation 90");
+  expect_taken(render_ + ".png --size 64x48 --field 179 --azimuth -360 --elevation 90");
+  expect_taken("render --n 300 --backend cpu --samples 1 --size 16384x9 --output " + path("wide.png"));
 }
 
 }  // namespace

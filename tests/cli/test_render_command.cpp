@@ -6,9 +6,8 @@
 #include <fstream>
 
 #include "bench/cli/commands.h"
+#include "bench/image/box_edges.h"
 #include "bench/io/file_bytes.h"
-#include "bench/view/box_edges.h"
-#include "common/shared/draw.h"
 #include "tests/support/images.h"
 #include "tests/support/sphere_files.h"
 
@@ -94,12 +93,9 @@ TEST_F(RenderCommand, LeavesTheBoxOutWhenAsked) {
 TEST(BoxEdges, StandBehindWhatIsNearer) {
   const View view = make_view({{0, 0, 10}, {0, 0, 0}}, contact_look(), 120, 90);
   const Bounds box = {{-1, -1, -1}, {1, 1, 1}};
-  const auto marked = [&](float ahead) {
+  const auto marked = [&](double ahead) {
     std::vector<uint> image(size_t(view.width) * view.height, ~0u);
-    std::vector<uvec2> visible(image.size());
-    for (uint k = 0; k < image.size(); ++k)
-      visible[k] = {0, float_bits(ahead * ray_through(k % view.width, k / view.width, view).a)};
-    draw_edges(image, visible, view, box, {});
+    draw_edges(image, std::vector<double>(image.size(), ahead), view, box);
     return image.size() - size_t(std::count(image.begin(), image.end(), ~0u));
   };
   EXPECT_EQ(marked(8), 0u);

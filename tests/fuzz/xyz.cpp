@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // XYZ and extended XYZ: what is read is a scene that every backend takes.
+#include <tuple>
+
 #include "bench/formats/sphere_file.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -15,6 +17,13 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     check_scene(input->scene);
     describe(*input);
     to_json(*input).dump();
+  }
+  const SphereFileOptions with_species = {.radius = 0.5f, .species = true, .threads = 1};
+  const auto frames = unless_refused([&] { return read_sphere_frames(file, with_species); });
+  if (!frames) return 0;
+  for (const SphereFile& frame : *frames) {
+    check_scene(frame.scene);
+    for (const uint species : frame.species_index) std::ignore = frame.species.at(species);
   }
   return 0;
 }

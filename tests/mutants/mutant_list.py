@@ -171,8 +171,17 @@ DRAWING = [
            "entry += 0u;", "Draw"),
     mutant("a triangle of the quadric is turned inside out", "common/scene/sphere_mesh.cpp", "add(south, next + last, here + last)",
            "add(south, here + last, next + last)", "SphereMesh"),
-    mutant("the transfer is not recorded", "bench/cli/render.cpp", "taken ? json(transfer_name(*taken)) : json()", "json()",
+    mutant("the transfer is not recorded", "bench/image/image_record.cpp", "taken ? json(transfer_name(*taken)) : json()", "json()",
            "RenderCommand"),
+    mutant("light looks into one level of cells", "common/backend/dense_plan.cpp", "plan.levels |= 1u << level_of(",
+           "plan.levels = 1u << level_of(", "DrawLight"),
+    mutant("the sun is never below", "common/shared/light.h", "bool ascends = along > 0.0f;", "bool ascends = true;",
+           "DrawLight"),
+    mutant("the ground of a film is that of its first frame", "bench/image/ground.cpp",
+           "std::min(look.ground, lowest_of(starts[k].scene.positions, look.ground_normal))", "look.ground", "RenderData"),
+    mutant("a blank image passes", "bench/cli/render.cpp", "if (some || k > 0) return;", "return;", "RenderData"),
+    mutant("OpenGL's images lack the ground", "bench/image/antialiased_image.cpp",
+           "if (!ground.empty()) image[k] = ground[k];", "", "RenderData"),
     mutant("scrolling does not zoom", "bench/view/viewer.cpp", "std::pow(0.9, window.scrolled())", "1.0", "ViewerInput"),
 ]
 

@@ -39,6 +39,8 @@ class ForwardingBackend : public Backend {
   void enqueue_draw(const View& view, const DrawOptions& options) override { real_->enqueue_draw(view, options); }
   std::vector<uint> image() override { return real_->image(); }
   std::vector<uvec2> visible() override { return real_->visible(); }
+  std::vector<float> depths() override { return real_->depths(); }
+  void set_classes(std::span<const uint> classes) override { real_->set_classes(classes); }
   DrawStatistics draw_statistics() override { return real_->draw_statistics(); }
   std::vector<uint> decide(std::span<const vec4> spheres) override { return real_->decide(spheres); }
   void launch_empty(uint groups) override { real_->launch_empty(groups); }

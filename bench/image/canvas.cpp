@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/view/canvas.h"
+#include "bench/image/canvas.h"
 
 namespace spherepair {
 

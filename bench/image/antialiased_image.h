@@ -15,8 +15,12 @@ struct ImageOptions {
   Look look;
   uint width, height, samples;
   DrawMethod method = DrawMethod::compute;
-  std::optional<Bounds> box = {};    // its edges are drawn, by the method compute only
-  std::optional<float> ground = {};  // height of the plane, if it is drawn, metres
+  std::optional<Bounds> box = {};  // its edges are drawn
+};
+
+struct DrawnImage {
+  std::vector<uint> pixels;  // in the format of Backend::image()
+  bool blank;                // no pixel shows a sphere
 };
 
 // With `eye`, that camera; otherwise one from a direction with all spheres in view.
@@ -31,8 +35,9 @@ Camera camera_of(const CameraOptions& options, const Bounds& bounds, double aspe
 // The offset of sample k in pixels: evenly distributed over a pixel; 0 for a single sample.
 std::array<double, 2> jitter(uint k, uint samples);
 
-// Draws the uploaded spheres, coloured by the contacts of the last collide(), in the format of Backend::image().
-std::vector<uint> draw_image(Backend& backend, const ImageOptions& options);
+// Draws the uploaded spheres as they stand. What OpenGL draws gets the box's edges and the ground, with their shadows
+// on it, from the same view by compute; occlusion and shadows on the spheres themselves are compute's alone.
+DrawnImage draw_image(Backend& backend, const ImageOptions& options);
 
 json to_json(const Camera& camera);
 json to_json(const View& view);  // all parameters of the draw

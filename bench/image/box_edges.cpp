@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "bench/view/box_edges.h"
+#include "bench/image/box_edges.h"
 
-#include "bench/view/canvas.h"
-#include "common/shared/light.h"
+#include "bench/image/canvas.h"
 
 namespace spherepair {
 namespace {
@@ -27,19 +26,9 @@ Vector between(const Vector& a, const Vector& b, double share) {
   return at;
 }
 
-// Forward distance of the visible surface at a pixel; a depth is that times the squared length of the ray.
-double surface_ahead(uint x, uint y, uvec2 seen, const View& v, std::optional<float> ground) {
-  const Ray ray = ray_through(x, y, v);
-  double nearest = seen.y == ~0u ? 1e30 : double(bits_float(seen.y)) / double(ray.a);
-  const float depth = ground ? depth_of_ground(ray, *ground, v) : 0;
-  if (depth > 0) nearest = std::min(nearest, double(depth) / double(ray.a));
-  return nearest;
-}
-
 }  // namespace
 
-void draw_edges(std::vector<uint>& image, const std::vector<uvec2>& visible, const View& v, const Bounds& box,
-                std::optional<float> ground) {
+void draw_edges(std::vector<uint>& image, const std::vector<double>& ahead, const View& v, const Bounds& box) {
   Canvas canvas(image, v.width, v.height);
   const double thickness = std::max(1.0, v.height / 540.0), near = v.eye.w;
   const auto corner = [&](int k) {
@@ -53,8 +42,8 @@ void draw_edges(std::vector<uint>& image, const std::vector<uvec2>& visible, con
       if (a[2] < near) a = between(a, b, (near - a[2]) / (b[2] - a[2]));
       if (b[2] < near) b = between(b, a, (near - b[2]) / (a[2] - b[2]));
       canvas.stroke(on_image(a, v), on_image(b, v), thickness, ink, [&](int x, int y, double along) {
-        const double ahead = 1 / ((1 - along) / a[2] + along / b[2]);
-        return in_front * ahead <= surface_ahead(uint(x), uint(y), visible[size_t(y) * v.width + size_t(x)], v, ground);
+        const double edge = 1 / ((1 - along) / a[2] + along / b[2]);
+        return in_front * edge <= ahead[size_t(y) * v.width + size_t(x)];
       });
     }
 }

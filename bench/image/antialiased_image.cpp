@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "bench/image/antialiased_image.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bench/image/box_edges.h"
+#include "common/shared/light.h"
+
+namespace spherepair {
+namespace {
+
+Vector vector_of(const std::vector<double>& values) { return {values[0], values[1], values[2]}; }
+json to_json(vec4 v) { return {v.x, v.y, v.z, v.w}; }
+json to_json(uvec4 v) {
+  json list = json::array();
+  for (const uint colour : {v.x, v.y, v.z, v.w}) list.push_back(fmt::format("{:06X}", colour));
+  return list;
+}
+
+constexpr double nothing = std::numeric_limits<double>::infinity();
+
+// The distance of each pixel's sphere along forward, metres.
+std::vector<double> spheres_ahead(Backend& backend, const View& view, DrawMethod method) {
+  std::vector<double> ahead(size_t(view.width) * view.height, nothing);
+  if (method == DrawMethod::compute) {
+    const std::vector<uvec2> visible = backend.visible();
+    for (uint k = 0; k < ahead.size(); ++k)
+      if (visible[k].y != ~0u)  // a depth is the distance times the square of the ray's length
+        ahead[k] = double(bits_float(visible[k].y)) / double(ray_through(k % view.width, k / view.width, view).a);
+  } else {
+    const std::vector<float> depths = backend.depths();
+    for (size_t k = 0; k < ahead.size(); ++k)
+      if (depths[k] > 0) ahead[k] = double(view.eye.w) / double(depths[k]);
+  }
+  return ahead;
+}
+
+// Puts the ground, drawn alone, where no sphere is nearer.
+void add_ground(std::vector<uint>& image, std::vector<double>& ahead, const std::vector<uint>& ground,
+                const View& view) {
+  for (uint k = 0; k < ahead.size(); ++k) {
+    const Ray ray = ray_through(k % view.width, k / view.width, view);
+    const float depth = depth_of_ground(ray, view);
+    const double distance = double(depth) / double(ray.a);
+    if (depth == 0 || distance >= ahead[k]) continue;
+    ahead[k] = distance;
+    if (!ground.empty()) image[k] = ground[k];
+  }
+}
+
+DrawnImage draw_sample(Backend& backend, const ImageOptions& options, std::array<double, 2> offset) {
+  const bool compute = options.method == DrawMethod::compute;
+  View view = make_view(options.camera, options.look, options.width, options.height, offset);
+  const bool on_ground = view.lighting & LIGHT_GROUND;
+  std::vector<uint> ground;
+  if (!compute && on_ground) {
+    view.lighting |= LIGHT_ALONE;
+    backend.draw(view, {});
+    ground = backend.image();
+  }
+  backend.draw(view, {.method = options.method, .keep_visible = compute});
+  DrawnImage drawn{backend.image(), false};
+  std::vector<double> ahead = spheres_ahead(backend, view, options.method);
+  drawn.blank = std::ranges::all_of(ahead, [](double distance) { return distance == nothing; });
+  if (on_ground) add_ground(drawn.pixels, ahead, ground, view);
+  if (options.box) draw_edges(drawn.pixels, ahead, view, *options.box);
+  return drawn;
+}
+
+}  // namespace
+
+Camera camera_of(const CameraOptions& options, const Bounds& bounds, double aspect) {
+  const Vector up = vector_of(options.up);
+  Camera camera = frame(bounds, options.azimuth, options.elevation, options.field, aspect, up);
+  if (!options.target.empty()) camera.target = vector_of(options.target);
+  if (!options.eye.empty()) camera.eye = vector_of(options.eye);
+  camera.near = options.near;
+  return camera;
+}
+
+// A rank-1 lattice with the golden ratio.
+std::array<double, 2> jitter(uint k, uint samples) {
+  if (samples == 1) return {0, 0};
+  const double golden = (k + 0.5) * 0.6180339887498949;
+  return {(k + 0.5) / samples - 0.5, golden - std::floor(golden) - 0.5};
+}
+
+DrawnImage draw_image(Backend& backend, const ImageOptions& options) {
+  const auto draw = [&](uint k) { return draw_sample(backend, options, jitter(k, options.samples)); };
+  if (options.samples == 1) return draw(0);
+  std::vector<uint> sums(size_t(options.width) * options.height * 3);
+  bool blank = true;
+  for (uint k = 0; k < options.samples; ++k) {
+    const DrawnImage sample = draw(k);
+    blank = blank && sample.blank;
+    for (size_t i = 0; i < sums.size(); ++i) sums[i] += sample.pixels[i / 3] >> (i % 3 * 8) & 255;
+  }
+  std::vector<uint> mean(sums.size() / 3, 0xFF000000u);
+  for (size_t i = 0; i < sums.size(); ++i)
+    mean[i / 3] |= (sums[i] + options.samples / 2) / options.samples << (i % 3 * 8);
+  return {std::move(mean), blank};
+}
+
+json to_json(const Camera& camera) {
+  return {{"eye", camera.eye},
+          {"target", camera.target},
+          {"up", camera.up},
+          {"field_degrees", camera.field},
+          {"near", camera.near}};
+}
+
+json to_json(const View& view) {
+  return {{"eye_and_near", to_json(view.eye)},
+          {"right", to_json(view.right)},
+          {"up", to_json(view.up)},
+          {"forward", to_json(view.forward)},
+          {"light_and_ambient", to_json(view.light)},
+          {"focal", view.focal},
+          {"centre", {view.centre_x, view.centre_y}},
+          {"palette", {to_json(view.palette_0), to_json(view.palette_4)}},
+          {"background", fmt::format("{:06X}", view.background)},
+          {"lighting", view.lighting},
+          {"ground", to_json(view.ground)}};
+}
+
+}  // namespace spherepair

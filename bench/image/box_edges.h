@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Draws the edges of a box into an image on the host, so that they are the same for every backend.
+#pragma once
+
+#include <vector>
+
+#include "common/scene/camera.h"
+
+namespace spherepair {
+
+// Draws the twelve edges as antialiased lines, hidden by what is nearer; ahead: distance of each pixel's surface along
+// forward, metres.
+void draw_edges(std::vector<uint>& image, const std::vector<double>& ahead, const View& view, const Bounds& box);
+
+}  // namespace spherepair

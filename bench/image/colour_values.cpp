@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "bench/image/colour_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace spherepair {
+
+std::vector<double> values_of(ColourBy by, const Start& start, Backend& backend, const Backend::State& state) {
+  std::vector<double> values(state.positions.size());
+  if (by == ColourBy::contacts) std::ranges::copy(backend.counts(), values.begin());
+  if (by == ColourBy::species) {
+    if (start.species_index.size() != values.size())
+      throw std::invalid_argument(
+          fmt::format("--color species: {} has no species; the text column of an XYZ file has", start.label));
+    std::ranges::copy(start.species_index, values.begin());
+  }
+  for (size_t i = 0; i < values.size(); ++i) {
+    const vec4& v = state.velocities[i];
+    if (by == ColourBy::radius) values[i] = double(state.positions[i].w);
+    if (by == ColourBy::speed) values[i] = std::hypot(double(v.x), double(v.y), double(v.z));
+  }
+  return values;
+}
+
+Colouring colouring_of(ColourBy by, const std::vector<Start>& starts, std::vector<double> values) {
+  const Start& first = starts.front();
+  if (by == ColourBy::speed && std::ranges::max(values) == 0)
+    throw std::invalid_argument(fmt::format("--color speed: all spheres of {} are at rest{}", first.label,
+                                            first.at_rest ? "" : " in the first image: give --steps"));
+  for (size_t k = 1; k < starts.size(); ++k) {
+    const std::vector<uint>& species = starts[k].species_index;
+    if (by == ColourBy::species) values.insert(values.end(), species.begin(), species.end());
+    for (const vec4& sphere : starts[k].scene.positions)
+      if (by == ColourBy::radius) values.push_back(double(sphere.w));
+  }
+  if (by == ColourBy::species) return {first.species, values};
+  const char* unit = first.at_rest ? ", in the file's unit" : by == ColourBy::speed ? ", m/s" : ", m";
+  return {by, values, unit};
+}
+
+}  // namespace spherepair

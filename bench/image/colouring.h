@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Which colours spheres get, from the range of the data, and what the legend says of them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/image/legend.h"
+
+namespace spherepair {
+
+enum class ColourBy { contacts, radius, speed, species };
+ColourBy colour_by_name(const std::string& name);  // throws std::invalid_argument with the known names
+const char* name_of(ColourBy by);
+
+class Colouring {
+ public:
+  // values: of the first image's spheres, or of all images'; unit: of radius or speed, or empty.
+  Colouring(ColourBy by, const std::vector<double>& values, const std::string& unit);
+  // By species: values are indices into the names. Where there are more than colours, the rarest share one.
+  Colouring(const std::vector<std::string>& names, const std::vector<double>& values);
+
+  std::vector<uint> classes(const std::vector<double>& values) const;  // for Backend::set_classes
+  Look look() const;
+  Legend legend() const;                                     // without facts
+  double highest() const { return highest_; }                // of the values that it was made from
+  const std::string& grouping() const { return grouping_; }  // what shares a colour; empty: nothing
+
+ private:
+  void choose_contacts(std::vector<double> values);
+  void choose_range(const std::vector<double>& values);
+
+  std::string title_, grouping_;
+  std::array<uint, COLOURS> palette_{};
+  std::vector<double> limits_;       // ascending: a sphere's class is how many its value reaches
+  std::vector<uint> class_of_name_;  // of species
+  std::vector<std::string> labels_;
+  double highest_ = 0;
+};
+
+}  // namespace spherepair

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "bench/image/image_record.h"
+
+#include <fmt/format.h>
+
+#include "bench/check/step_result.h"
+#include "bench/io/motion_choice.h"
+#include "bench/measure/choice.h"
+
+namespace spherepair {
+namespace {
+
+// How the spheres came to OpenGL; null where they did not have to.
+json transfer_taken(const Backend& backend) {
+  const auto taken = backend.transfer_taken();
+  return taken ? json(transfer_name(*taken)) : json();
+}
+
+}  // namespace
+
+json image_record(const Start& start, Backend& backend, Method method, const ImageOptions& image,
+                  const Legend& legend) {
+  json views = json::array(), keys = json::array();
+  for (uint sample = 0; sample < image.samples; ++sample)
+    views.push_back(
+        to_json(make_view(image.camera, image.look, image.width, image.height, jitter(sample, image.samples))));
+  for (const LegendKey& key : legend.keys) keys.push_back({fmt::format("{:06X}", key.colour), key.label});
+  const MethodChoice choice = backend.choice({.method = method});
+  const Collisions totals = backend.collisions();
+  return {{"scene", start.record},
+          {"motion", motion_label(start.scene.motion)},
+          {"dt", start.scene.dt},
+          {"restitution", start.scene.restitution},
+          {"method", method_name(choice.method)},
+          {"choice", to_json(choice)},
+          {"drawn_by", draw_method_name(image.method)},
+          {"transfer", transfer_taken(backend)},
+          {"pairs", totals.pairs},
+          {"colliding_spheres", totals.colliding_spheres},
+          {"fingerprint", hex64(totals.fingerprint.a) + hex64(totals.fingerprint.b)},
+          {"height_above_legend", image.height},
+          {"colours", {{"by", legend.title}, {"keys", keys}}},
+          {"box", image.box ? json{{"low", image.box->low}, {"high", image.box->high}} : json()},
+          {"camera", to_json(image.camera)},
+          {"samples", views}};
+}
+
+}  // namespace spherepair

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The legend of an image: what its colours mean, and what it shows.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/scene/camera.h"
+
+namespace spherepair {
+
+// Of the palette's entries: numbers of contacts, or the least speeds or radii; of the first the greatest.
+std::vector<std::string> legend_labels(const Look& look);
+
+struct LegendKey {
+  uint colour;  // 0xRRGGBB
+  std::string label;
+};
+struct Legend {
+  std::string title;  // with its unit
+  std::vector<LegendKey> keys;
+  std::vector<std::string> facts;
+};
+
+// A white strip below an image, so that the legend covers none of it.
+class LegendStrip {
+ public:
+  // As high as this legend needs in an image of this size; none where less than half would be left for the spheres.
+  static std::optional<LegendStrip> within(const Legend& widest, uint width, uint height);
+  uint height() const { return height_; }
+
+  // Adds it to an image of this width, in the format of Backend::image().
+  void append_to(std::vector<uint>& image, const Legend& legend) const;
+
+ private:
+  LegendStrip(double size, uint width, uint height) : size_(size), width_(width), height_(height) {}
+  double size_;  // of the letters' em, pixels
+  uint width_, height_;
+};
+
+}  // namespace spherepair
