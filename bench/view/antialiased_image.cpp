@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bench/view/box_edges.h"
+#include "bench/view/image_samples.h"
 
 namespace spherepair {
 namespace {
@@ -36,25 +37,19 @@ std::array<double, 2> jitter(uint k, uint samples) {
   return {(k + 0.5) / samples - 0.5, golden - std::floor(golden) - 0.5};
 }
 
+std::vector<uint> draw_sample(Backend& backend, const ImageOptions& options, uint k) {
+  const View view = make_view(options.camera, options.look, options.width, options.height, jitter(k, options.samples));
+  backend.draw(view, {.method = options.method, .keep_visible = options.box.has_value()});
+  std::vector<uint> image = backend.image();
+  if (options.box) draw_edges(image, backend.visible(), view, *options.box, options.ground);
+  return image;
+}
+
 std::vector<uint> draw_image(Backend& backend, const ImageOptions& options) {
-  const auto draw = [&](uint k) {
-    const View view =
-        make_view(options.camera, options.look, options.width, options.height, jitter(k, options.samples));
-    backend.draw(view, {.method = options.method, .keep_visible = options.box.has_value()});
-    std::vector<uint> image = backend.image();
-    if (options.box) draw_edges(image, backend.visible(), view, *options.box, options.ground);
-    return image;
-  };
-  if (options.samples == 1) return draw(0);
-  std::vector<uint> sums(size_t(options.width) * options.height * 3);
-  for (uint k = 0; k < options.samples; ++k) {
-    const std::vector<uint> image = draw(k);
-    for (size_t i = 0; i < sums.size(); ++i) sums[i] += image[i / 3] >> (i % 3 * 8) & 255;
-  }
-  std::vector<uint> mean(sums.size() / 3, 0xFF000000u);
-  for (size_t i = 0; i < sums.size(); ++i)
-    mean[i / 3] |= (sums[i] + options.samples / 2) / options.samples << (i % 3 * 8);
-  return mean;
+  if (options.samples == 1) return draw_sample(backend, options, 0);
+  ImageSamples samples;
+  while (samples.count() < options.samples) samples.add(draw_sample(backend, options, samples.count()));
+  return samples.mean();
 }
 
 json to_json(const Camera& camera) {

@@ -33,6 +33,7 @@ std::array<double, 2> jitter(uint k, uint samples);
 
 // Draws the uploaded spheres, coloured by the contacts of the last collide(), in the format of Backend::image().
 std::vector<uint> draw_image(Backend& backend, const ImageOptions& options);
+std::vector<uint> draw_sample(Backend& backend, const ImageOptions& options, uint k);  // one of them
 
 json to_json(const Camera& camera);
 json to_json(const View& view);  // all parameters of the draw

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Draws the edges of a box into an image on the host, so that they are the same for every backend.
+// The edges of a box: drawn into an image on the host, so that they are the same for every backend, or as lines over
+// one.
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "bench/view/canvas.h"
 #include "common/scene/camera.h"
 
 namespace spherepair {
@@ -13,5 +15,14 @@ namespace spherepair {
 // the ground plane at height `ground`, metres.
 void draw_edges(std::vector<uint>& image, const std::vector<uvec2>& visible, const View& view, const Bounds& box,
                 std::optional<float> ground);
+
+struct EdgeLine {
+  Point a, b;
+  bool behind;  // the box: spheres in it may hide it
+};
+std::vector<EdgeLine> edge_lines(const View& view, const Bounds& box);  // of those in front of the camera
+
+constexpr uint edge_colour = 0x707070;
+double edge_thickness(uint height);  // pixels, of an image of this height
 
 }  // namespace spherepair

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "bench/view/viewer.h"
+#include "bench/viewer/viewer.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
+#include <cstring>
+#include <utility>
 
 #include "bench/check/finite_state.h"
 #include "bench/measure/choice.h"
-#include "bench/view/legend.h"
+#include "bench/view/box_edges.h"
 
 namespace spherepair {
 
@@ -30,36 +33,29 @@ void Viewer::timed(double& seconds, Work work) {
   seconds += (seconds == 0 ? 1 : 0.1) * (taken.count() - seconds);
 }
 
-Viewer::Viewer(const Session& session, const Start& start, const std::string& backend, const std::string& method,
-               bool shared)
-    : session_(session), start_(start), shared_(shared), bounds_(bounds_of(start.scene.positions)), history_(start) {
+Viewer::Viewer(const Session& session, const Start& start, const Options& options)
+    : session_(session),
+      start_(start),
+      options_(options),
+      bounds_(bounds_of(start.scene.positions)),
+      orbit_(bounds_),
+      pace_(start.scene.dt, options.speed),
+      history_(start) {
   bounds_.low[1] = std::min(bounds_.low[1], double(start.scene.plane));
+  orbit_ = Orbit(bounds_);
   for (const auto& each : session.backends()) backends_.names.push_back(each->info().name);
-  backends_.pick(backend);
+  backends_.pick(options.backend);
   running_ = backends_.chosen;
   go_to(start.step);
   list_choices();
-  methods_.pick(method);
+  methods_.pick(options.method);
 }
 
 void Viewer::go_to(uint64_t step) {
   history_.go_to(backend(), step);
   step_ = step;
   search_.reset();
-}
-
-// Of the exact spheres, by whichever method the image is drawn.
-void Viewer::pick(std::array<uint, 2> pixel) {
-  picked_.clear();
-  if (pixel[0] >= view_.width || pixel[1] >= view_.height) return;
-  backend().draw(view_, {.keep_visible = true});
-  const uint sphere = backend().visible()[size_t(pixel[1]) * view_.width + pixel[0]].x;
-  if (sphere >= start_.scene.size()) return;
-  const Backend::State state = current_state(backend());
-  const vec4 &at = state.positions[sphere], &v = state.velocities[sphere];
-  picked_ = fmt::format("sphere {} at step {}: {} contacts\ncentre {:.4g}, {:.4g}, {:.4g}; radius {:.4g}; speed {:.4g}",
-                        sphere, step_, backend().counts()[sphere], at.x, at.y, at.z, at.w,
-                        std::hypot(double(v.x), double(v.y), double(v.z)));
+  pace_.hold();
 }
 
 void Viewer::list_choices() {
@@ -92,56 +88,8 @@ void Viewer::change_backend(size_t next) {
   }
   seconds_ = {};
   search_.reset();
+  pace_.hold();
   list_choices();
-}
-
-void Viewer::take_keys(Window& window, char key) {
-  const auto pressed = [&](char wanted) { return key == wanted || window.pressed(wanted); };
-  if (pressed(' ')) paused_ = !paused_;
-  if (pressed('n')) single_step_ = paused_ = true;
-  if (pressed('l')) light_ = !light_;
-  if (pressed('h')) panel_ = !panel_;
-  if (pressed('b')) backends_.next();
-  if (pressed('m')) methods_.next();
-  if (pressed('d')) draws_.next();
-  if (pressed('c')) colours_.next();
-  if (pressed('r')) go_to(start_.step);
-  if (pressed('z') && step_ > start_.step) paused_ = true, go_to(step_ - 1);
-}
-
-void Viewer::fill_panel(Window& window) {
-  window.begin_panel();
-  window.choose("backend (b)", backends_.names, backends_.chosen);
-  window.choose("method (m)", methods_.names, methods_.chosen);
-  window.choose("drawing (d)", draws_.names, draws_.chosen);
-  window.choose("colours (c)", colours_.names, colours_.chosen);
-  window.text(std::array{"contacts:", "speed in m/s, at least:", "radius in m, at least:"}[coloured_by_]);
-  window.legend(palette_.palette, legend_labels(palette_));
-  window.check("paused (space)", paused_);
-  if (window.button("one step (n)")) single_step_ = paused_ = true;
-  if (window.button("restart (r)")) go_to(start_.step);
-  uint64_t wanted = step_;
-  window.slide("step (z: back)", wanted, history_.first(), history_.last());
-  if (wanted != step_) paused_ = true, go_to(wanted);
-  window.check("light and shadows (l)", light_);
-  window.text(fmt::format("{}, {} spheres", start_.label, start_.scene.size()));
-  window.text(device_label(backend().info()));
-  window.text(fmt::format("step {}: {} pairs, {} spheres in contact", step_, totals_.pairs, totals_.colliding_spheres));
-  window.text(fmt::format("move {} ms, collide {} ms", format_ms(seconds_.move), format_ms(seconds_.collide)));
-  if (draws_.name() != draw_method_name(DrawMethod::compute) && backend().transfer_taken())
-    window.text(fmt::format("spheres to OpenGL: {}", transfer_name(*backend().transfer_taken())));
-  window.text(fmt::format("draw {} ms, to the window {} ms", format_ms(seconds_.draw), format_ms(seconds_.show)));
-  window.text("drag to rotate, scroll to zoom, click a sphere, h hides this");
-  if (!picked_.empty()) window.text(picked_);
-  if (!error_.empty()) window.text(wrap(error_, 50, ""));
-  window.end_panel();
-}
-
-void Viewer::turn_camera(const Window& window) {
-  const auto [right, down] = window.dragged();
-  orbit_.azimuth -= 0.4 * right;
-  orbit_.elevation = std::clamp(orbit_.elevation + 0.4 * down, -5.0, 85.0);
-  orbit_.distance = std::clamp(orbit_.distance * std::pow(0.9, window.scrolled()), 0.05, 5.0);
 }
 
 // Of the spheres as they stand: the limits then stay as they are, so that colours can be compared from step to step.
@@ -161,12 +109,31 @@ void Viewer::choose_colours() {
   palette_ = range_look(uint(coloured_by_), std::min(lowest, highest), highest);
 }
 
-void Viewer::advance() {
-  if (paused_ && !single_step_) return;
-  single_step_ = false;
+// A step that takes longer than its share of a frame ends the frame's steps. Devices then have to say how far they are.
+void Viewer::move_steps(const Window& window, uint64_t due) {
+  constexpr double share = 1.0 / 30;  // seconds
+  const double begin = window.seconds();
+  const auto late = [&](uint64_t done) {
+    if (std::has_single_bit(done)) backend().finish();
+    return window.seconds() - begin > share;
+  };
+  uint64_t done = 0;
+  do {
+    timed(seconds_.move, [&] {
+      backend().move();
+      if (done + 1 == due) backend().evaluate_positions();
+    });
+    history_.record(backend(), ++step_);
+  } while (++done < due && !late(done));
+  pace_.took(done);
+}
+
+void Viewer::advance(const Window& window) {
+  if (paused_) pace_.hold();
+  const uint64_t due = std::exchange(single_step_, false) ? 1 : paused_ ? 0 : pace_.due(window.seconds());
+  if (due == 0) return;
   search_.reset();
-  timed(seconds_.move, [&] { backend().move(), backend().evaluate_positions(); });
-  history_.record(backend(), ++step_);
+  move_steps(window, due);
 }
 
 void Viewer::collide() {
@@ -183,7 +150,7 @@ void Viewer::collide() {
 
 // Whether the image could go to the window on the GPU; where it cannot, it is uploaded.
 bool Viewer::shown_without_host(uint texture) {
-  if (!shared_) return false;
+  if (!options_.shared) return false;
   try {
     return backend().show(texture);
   } catch (const BackendError& error) {
@@ -192,34 +159,73 @@ bool Viewer::shown_without_host(uint texture) {
   }
 }
 
-void Viewer::draw(Window& window) {
+bool Viewer::Shown::operator==(const Shown& other) const {
+  return std::memcmp(&view, &other.view, sizeof view) == 0 && step == other.step && backend == other.backend &&
+         draw == other.draw && box == other.box;
+}
+
+// As `render` draws it.
+ImageOptions Viewer::still_image(const Window& window) const {
   const auto [width, height] = window.size();
-  Camera camera = spherepair::frame(bounds_, orbit_.azimuth, orbit_.elevation, 30, double(width) / height);
-  for (int a = 0; a < 3; ++a) camera.eye[a] = camera.target[a] + orbit_.distance * (camera.eye[a] - camera.target[a]);
-  Look look = palette_;
-  look.light = {-0.3, 0.9, -0.3};  // from above even if the camera looks down
-  if (search_->lit) look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
-  view_ = make_view(camera, look, width, height);
-  timed(seconds_.draw, [&] { backend().draw(view_, {.method = draw_method_from_name(draws_.name())}); });
+  ImageOptions image{orbit_.camera(double(width) / height), palette_, width, height, still_samples,
+                     draw_method_from_name(draws_.name())};
+  image.look.light = {-0.3, 0.9, -0.3};  // from above even if the camera looks down
+  if (search_->lit) {
+    image.look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
+    image.ground = start_.scene.plane;
+  }
+  if (box_ && image.method == DrawMethod::compute) image.box = bounds_;
+  return image;
+}
+
+// An image that stands still gets its samples one a frame, which are read back, and is shown again with the last one.
+void Viewer::refine(Window& window, const ImageOptions& image) {
+  if (samples_.count() == still_samples) return;
+  samples_.add(draw_sample(backend(), image, samples_.count()));
+  if (samples_.count() < still_samples) return;
+  window.texture(image.width, image.height);
+  window.upload(samples_.mean());
+}
+
+void Viewer::draw(Window& window) {
+  const ImageOptions image = still_image(window);
+  const Shown now{make_view(image.camera, image.look, image.width, image.height), step_, running_, draws_.chosen, box_};
+  if (shown_ == now) {
+    if (paused_) refine(window, image);
+    return;
+  }
+  shown_ = now;
+  samples_ = {};
+  timed(seconds_.draw, [&] { backend().draw(now.view, {.method = image.method}); });
   timed(seconds_.show, [&] {
-    const uint texture = window.texture(view_.width, view_.height);
+    const uint texture = window.texture(image.width, image.height);
     if (!shown_without_host(texture)) window.upload(backend().image());
   });
 }
 
+// Over an image that does not have it: what spheres may hide is paler, since their depths are not read back.
+void Viewer::draw_box(Window& window) const {
+  const bool drawn = samples_.count() == still_samples && draws_.name() == draw_method_name(DrawMethod::compute);
+  if (!box_ || drawn) return;
+  for (const EdgeLine& edge : edge_lines(shown_->view, bounds_))
+    window.line(edge.a, edge.b, edge_thickness(shown_->view.height), edge_colour, edge.behind ? 0.25 : 1);
+}
+
 // Choices in the panel take effect in the next frame.
-void Viewer::frame(Window& window, char key) {
-  take_keys(window, key);
-  turn_camera(window);
+bool Viewer::frame(Window& window, char key) {
+  if (!take_keys(window, key)) return false;
   if (backends_.chosen != running_) change_backend(backends_.chosen);
-  advance();
+  advance(window);
   collide();
   if (colours_.chosen != coloured_by_) choose_colours();
   draw(window);
+  draw_box(window);
   if (const auto pixel = window.clicked()) pick(*pixel);
-  if (panel_) fill_panel(window);
+  if (std::exchange(saving_, false)) save_image(window);
+  if (panel_) show_panel(window);
   window.show();
   if (frames_++ == 0) first_frame_ = std::chrono::steady_clock::now();
+  return true;
 }
 
 std::string Viewer::summary() const {
@@ -227,8 +233,9 @@ std::string Viewer::summary() const {
   const std::string rate =
       frames_ < 2 ? "" : fmt::format("{} frames a second; ", format_number(double(frames_ - 1) / taken.count()));
   const std::string times =
-      fmt::format("{}move {} ms, collide {} ms, draw {} ms, to the window {} ms\n", rate, format_ms(seconds_.move),
-                  format_ms(seconds_.collide), format_ms(seconds_.draw), format_ms(seconds_.show));
+      fmt::format("{}{}move {} ms, collide {} ms, draw {} ms, to the window {} ms\n", rate,
+                  pace_.by_clock() ? pace_.text() + "; " : "", format_ms(seconds_.move), format_ms(seconds_.collide),
+                  format_ms(seconds_.draw), format_ms(seconds_.show));
   return times + fmt::format("{} {}, drawn by {}: step {}, {} pairs, fingerprint {}", backends_.name(), methods_.name(),
                              draws_.name(), step_, totals_.pairs,
                              hex64(totals_.fingerprint.a) + hex64(totals_.fingerprint.b));
