@@ -76,7 +76,7 @@ void draw_legend(std::vector<uint>& image, uint width, uint height, const Look& 
   if (width < 11 * 1.5 * side || width < 2 * side + 8 * column || height < 6 * side) return;
   const uint ink = 0x404040;
   Canvas canvas(image, width, height);
-  Point at = {side, height - 2.2 * side};
+  Point at = {std::max(side, (3 * double(labels[0].size()) - 5) * unit), height - 2.2 * side};
   write(canvas, std::array{"contacts", "m/s", "m"}[look.colour_by], {at.x, at.y - 0.7 * side}, unit, ink);
   for (size_t k = 0; k < labels.size(); ++k) {
     canvas.square(at, side, look.palette[k]);

@@ -24,23 +24,24 @@ void Pace::hold() {
   since_.reset();
   reached_.reset();
   owed_ = 0;
+  steps_ = 0;
 }
 
 uint64_t Pace::due(double now) {
-  measure(now);
-  if (!by_clock_) return 1;
   if (last_) owed_ = owed_ - std::floor(owed_) + (now - *last_) * speed_ / dt_;
   last_ = now;
-  return uint64_t(std::min(owed_, 0x1p53));
+  if (!since_) since_ = now;
+  return by_clock_ ? uint64_t(std::min(owed_, 0x1p53)) : 1;
 }
 
-void Pace::took(uint64_t steps) { steps_ += steps; }
-
-// Over half a second, so that the number is readable.
-void Pace::measure(double now) {
-  if (since_ && now - *since_ < 0.5) return;
-  if (since_) reached_ = double(steps_) * dt_ / (now - *since_);
-  since_ = now;
+// Measured over half a second, so that the number is readable; the first frame's steps are not those of the time since.
+void Pace::took(uint64_t steps) {
+  if (!last_) return;  // a single step in a pause
+  const double seconds = *last_ - *since_;
+  if (seconds > 0) steps_ += steps;
+  if (seconds < 0.5) return;
+  reached_ = double(steps_) * dt_ / seconds;
+  since_ = last_;
   steps_ = 0;
 }
 

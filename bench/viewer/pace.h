@@ -23,13 +23,11 @@ class Pace {
   // The steps of a frame that begins at `now`, seconds. Steps that took() does not report are given up: a run that
   // cannot keep up falls behind the clock.
   uint64_t due(double now);
-  void took(uint64_t steps);
-  void hold();               // no time passes until the next frame
-  std::string text() const;  // the speed, and that reached if it is another
+  void took(uint64_t steps);  // of the frame of the last due()
+  void hold();                // no time passes until the next frame
+  std::string text() const;   // the speed, and that reached if it is another
 
  private:
-  void measure(double now);
-
   double dt_, speed_;
   bool by_clock_;
   double owed_ = 0;                     // steps

@@ -175,6 +175,14 @@ TEST_F(ViewerClock, StepsFollowTheClock) {
   EXPECT_TRUE(says("one step a frame")) << window_.texts;
 }
 
+TEST_F(ViewerClock, TellsTheSpeedReached) {
+  after("..", 0.25);
+  EXPECT_TRUE(says("\nspeed 1  (+")) << window_.texts;
+  after("f");
+  after("....", 0.25);
+  EXPECT_TRUE(says("\none step a frame: speed 0.062  (+")) << window_.texts;
+}
+
 TEST_F(ViewerClock, EveryStepCanBeGoneBackTo) {
   after(".", 1.5625);
   EXPECT_EQ(step(), 100u);
