@@ -146,7 +146,7 @@ TEST_F(ViewerInput, ColoursFollowContactsSpeedOrRadius) {
   EXPECT_EQ(after("."), back) << "it is paused";
 }
 
-TEST_F(ViewerInput, TheMouseTurnsAndZooms) {
+TEST_F(ViewerInput, TheMouseTurnsPansAndZooms) {
   const std::vector<uint> before = after(" .");
   EXPECT_EQ(after("."), before);
   window_.drag = {30, 10};
@@ -154,8 +154,18 @@ TEST_F(ViewerInput, TheMouseTurnsAndZooms) {
   EXPECT_NE(turned, before);
   window_.drag = {};
   EXPECT_EQ(after("."), turned);
+  window_.pan = {0, 20};
+  const std::vector<uint> panned = after(".");
+  EXPECT_NE(panned, turned);
+  window_.pan = {};
+  EXPECT_EQ(after("."), panned);
   window_.scroll = 2;
-  EXPECT_NE(after("."), turned);
+  EXPECT_NE(after("."), panned);
+  window_.scroll = 0;
+  window_.drag = {-30, -10};
+  EXPECT_NE(after("."), before);
+  window_.drag = {};
+  EXPECT_EQ(after("a"), before) << "all in view";
 }
 
 }  // namespace
