@@ -8,7 +8,7 @@
 #include "bench/io/context.h"
 #include "bench/io/output_files.h"
 #include "bench/studies/frames_study.h"
-#include "bench/view/window.h"
+#include "bench/viewer/window.h"
 
 namespace spherepair {
 
@@ -33,7 +33,7 @@ int frames_command(const CommandLine& line, const FramesOptions& options) {
                  {"window", options.window}};
   const auto show = [&](Backend& backend) {
     if (!window) return;
-    window->next(false);
+    window->next(Present::never);
     if (!backend.show(window->texture(options.width, options.height))) window->upload(backend.image());
     window->show();
   };

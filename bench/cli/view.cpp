@@ -8,7 +8,7 @@
 #include "bench/io/arguments.h"
 #include "bench/measure/choice.h"
 #include "bench/options/options.h"
-#include "bench/view/viewer.h"
+#include "bench/viewer/viewer.h"
 
 namespace spherepair {
 namespace {
@@ -62,9 +62,16 @@ int view_command(const CommandLine& line, const ViewOptions& options) {
   Backend* backend = session.find(first);
   if (!backend) throw BackendError(fmt::format("the backend {} could not be opened, see above", first));
   const Method method = choose_method(options.method, *backend);
-  Viewer viewer(session, start, first, options.method.empty() ? "collide_grid" : method_name(method), display.shared);
-  for (uint64_t frame = 0; window->next(); ++frame) {
-    viewer.frame(*window, frame < options.keys.size() ? options.keys[frame] : '\0');
+  const std::string first_method = options.method.empty() ? "collide_grid" : method_name(method);
+  Viewer viewer(session, start,
+                {.backend = first,
+                 .method = first_method,
+                 .shared = display.shared,
+                 .speed = options.speed.value_or(options.frames ? 0 : 1),
+                 .folder = std::filesystem::path(options.screenshot_file).parent_path()});
+  const auto pace = [&] { return viewer.hurries() ? Present::at_refresh : Present::and_wait; };
+  for (uint64_t frame = 0; window->next(pace()); ++frame) {
+    if (!viewer.frame(*window, frame < options.keys.size() ? options.keys[frame] : '\0')) break;
     if (options.frames && frame + 1 == options.frames) break;
   }
   if (!options.screenshot_file.empty()) {
@@ -82,16 +89,29 @@ void add_view(CLI::App& app, CommandLine& line, std::function<int()>& action) {
   command->add_option("--backend", options->backend, "Backend at the start; default: a GPU if there is one, else cpu");
   command->add_option("--method", options->method, "Collision method at the start; default: collide_grid");
   add_size_option(*command, options->width, options->height);
+  command
+      ->add_option("--speed", options->speed,
+                   "Seconds of the scene in a second (default 1); 0 or max: one step a frame, as fast as it goes")
+      ->transform(CLI::Transformer(std::map<std::string, std::string>{{"max", "0"}}, CLI::ignore_case).description(""))
+      ->check(real_number(0, Pace::fastest));
   command->add_option("--frames", options->frames, "Close after so many frames")->group("");
   command->add_option("--screenshot", options->screenshot_file, "PNG of the last frame")->group("");
   command->add_option("--keys", options->keys, "Key presses, one per frame")->group("");
   add_open_options(*command, line.open);
   command->footer(
-      "Keys: space pauses, n takes one step, b, m, d and c change backend, method, drawing and colours, l toggles "
-      "light "
-      "and shadows,\n"
-      "z goes one step back, h hides the panel, r restarts; the slider goes to any step. Click a sphere for its index "
-      "and contacts. Drag the mouse to rotate, scroll to zoom. Without a display, use render.\n"
+      "Keys:\n"
+      "  space  pause, or go on             b  next backend\n"
+      "  n      one step                    m  next collision method\n"
+      "  z      one step back               d  next drawing method\n"
+      "  r      restart                     c  next colours: contacts, speed, radius\n"
+      "  + -    double or halve the speed   l  light and shadows\n"
+      "  f      one step a frame            e  edges of the box\n"
+      "  a      all spheres in view         p  fold the panel\n"
+      "  s      save spherepair-STEP.png    h  hide the panel\n"
+      "  q Esc  close\n"
+      "Mouse: drag to rotate; with shift, or by the right or middle button, to pan; scroll to zoom; click a\n"
+      "sphere for its index and contacts. The panel's slider goes to any step. An image that stands still\n"
+      "is antialiased. Without a display, use render.\n"
       "Example:\n  spherepair view --scene random --n 16384");
   command->callback([=, &line, &action] {
     finish_start_options(*command, options->start);

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "bench/image/box_edges.h"
+#include "bench/image/image_samples.h"
 #include "common/shared/light.h"
 
 namespace spherepair {
@@ -52,25 +53,6 @@ void add_ground(std::vector<uint>& image, std::vector<double>& ahead, const std:
   }
 }
 
-DrawnImage draw_sample(Backend& backend, const ImageOptions& options, std::array<double, 2> offset) {
-  const bool compute = options.method == DrawMethod::compute;
-  View view = make_view(options.camera, options.look, options.width, options.height, offset);
-  const bool on_ground = view.lighting & LIGHT_GROUND;
-  std::vector<uint> ground;
-  if (!compute && on_ground) {
-    view.lighting |= LIGHT_ALONE;
-    backend.draw(view, {});
-    ground = backend.image();
-  }
-  backend.draw(view, {.method = options.method, .keep_visible = compute});
-  DrawnImage drawn{backend.image(), false};
-  std::vector<double> ahead = spheres_ahead(backend, view, options.method);
-  drawn.blank = std::ranges::all_of(ahead, [](double distance) { return distance == nothing; });
-  if (on_ground) add_ground(drawn.pixels, ahead, ground, view);
-  if (options.box) draw_edges(drawn.pixels, ahead, view, *options.box);
-  return drawn;
-}
-
 }  // namespace
 
 Camera camera_of(const CameraOptions& options, const Bounds& bounds, double aspect) {
@@ -89,20 +71,35 @@ std::array<double, 2> jitter(uint k, uint samples) {
   return {(k + 0.5) / samples - 0.5, golden - std::floor(golden) - 0.5};
 }
 
-DrawnImage draw_image(Backend& backend, const ImageOptions& options) {
-  const auto draw = [&](uint k) { return draw_sample(backend, options, jitter(k, options.samples)); };
-  if (options.samples == 1) return draw(0);
-  std::vector<uint> sums(size_t(options.width) * options.height * 3);
-  bool blank = true;
-  for (uint k = 0; k < options.samples; ++k) {
-    const DrawnImage sample = draw(k);
-    blank = blank && sample.blank;
-    for (size_t i = 0; i < sums.size(); ++i) sums[i] += sample.pixels[i / 3] >> (i % 3 * 8) & 255;
+DrawnImage draw_sample(Backend& backend, const ImageOptions& options, uint k) {
+  const bool compute = options.method == DrawMethod::compute;
+  View view = make_view(options.camera, options.look, options.width, options.height, jitter(k, options.samples));
+  const bool on_ground = view.lighting & LIGHT_GROUND;
+  std::vector<uint> ground;
+  if (!compute && on_ground) {
+    view.lighting |= LIGHT_ALONE;
+    backend.draw(view, {});
+    ground = backend.image();
   }
-  std::vector<uint> mean(sums.size() / 3, 0xFF000000u);
-  for (size_t i = 0; i < sums.size(); ++i)
-    mean[i / 3] |= (sums[i] + options.samples / 2) / options.samples << (i % 3 * 8);
-  return {std::move(mean), blank};
+  backend.draw(view, {.method = options.method, .keep_visible = compute});
+  DrawnImage drawn{backend.image(), false};
+  std::vector<double> ahead = spheres_ahead(backend, view, options.method);
+  drawn.blank = std::ranges::all_of(ahead, [](double distance) { return distance == nothing; });
+  if (on_ground) add_ground(drawn.pixels, ahead, ground, view);
+  if (options.box) draw_edges(drawn.pixels, ahead, view, *options.box);
+  return drawn;
+}
+
+DrawnImage draw_image(Backend& backend, const ImageOptions& options) {
+  if (options.samples == 1) return draw_sample(backend, options, 0);
+  ImageSamples samples;
+  bool blank = true;
+  while (samples.count() < options.samples) {
+    const DrawnImage sample = draw_sample(backend, options, samples.count());
+    blank = blank && sample.blank;
+    samples.add(sample.pixels);
+  }
+  return {samples.mean(), blank};
 }
 
 json to_json(const Camera& camera) {

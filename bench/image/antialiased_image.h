@@ -38,6 +38,7 @@ std::array<double, 2> jitter(uint k, uint samples);
 // Draws the uploaded spheres as they stand. What OpenGL draws gets the box's edges and the ground, with their shadows
 // on it, from the same view by compute; occlusion and shadows on the spheres themselves are compute's alone.
 DrawnImage draw_image(Backend& backend, const ImageOptions& options);
+DrawnImage draw_sample(Backend& backend, const ImageOptions& options, uint k);  // one of its samples
 
 json to_json(const Camera& camera);
 json to_json(const View& view);  // all parameters of the draw

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "bench/image/font.h"
@@ -62,6 +63,13 @@ std::vector<std::string> legend_labels(const Look& look) {
   }
   labels.back() += "+";
   return labels;
+}
+
+Legend legend_of(const Look& look, const std::vector<std::string>& facts) {
+  Legend legend{std::array{"contacts", "speed in m/s, at least", "radius in m, at least"}[look.colour_by], {}, facts};
+  const std::vector<std::string> labels = legend_labels(look);
+  for (size_t k = 0; k < labels.size(); ++k) legend.keys.push_back({look.palette[k], labels[k]});
+  return legend;
 }
 
 std::optional<LegendStrip> LegendStrip::within(const Legend& widest, uint width, uint height) {

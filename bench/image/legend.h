@@ -23,6 +23,8 @@ struct Legend {
   std::vector<std::string> facts;
 };
 
+Legend legend_of(const Look& look, const std::vector<std::string>& facts);  // of contacts, speeds or radii
+
 // A white strip below an image, so that the legend covers none of it.
 class LegendStrip {
  public:

@@ -7,8 +7,9 @@
 #include <set>
 
 #include "bench/check/step_result.h"
-#include "bench/view/history.h"
-#include "bench/view/viewer.h"
+#include "bench/viewer/history.h"
+#include "bench/viewer/viewer.h"
+#include "tests/support/scripted_window.h"
 
 namespace spherepair {
 namespace {
@@ -68,48 +69,6 @@ TEST(History, KeepsNoMoreThanItMay) {
   }
 }
 
-// Shows nothing, and answers what the test has set.
-class ScriptedWindow final : public Window, private WindowContext {
- public:
-  bool next(bool) override { return true; }
-  std::array<uint, 2> size() const override { return {160, 120}; }
-  std::array<double, 2> dragged() const override { return drag; }
-  double scrolled() const override { return scroll; }
-  std::optional<std::array<uint, 2>> clicked() const override { return click; }
-  bool pressed(char) const override { return false; }
-  void begin_panel() override { texts.clear(); }
-  void end_panel() override {}
-  void text(const std::string& line) override { texts += line + "\n"; }
-  bool button(const char*) override { return false; }
-  void check(const char*, bool&) override {}
-  void slide(const char*, uint64_t& value, uint64_t low, uint64_t high) override {
-    range = {low, high};
-    if (slid) value = *std::exchange(slid, {});
-  }
-  void choose(const char*, const std::vector<std::string>&, size_t&) override {}
-  void legend(std::span<const uint> colours, const std::vector<std::string>& labels) override {
-    EXPECT_EQ(colours.size(), labels.size());
-    for (const std::string& label : labels) texts += label + "\n";
-  }
-  uint texture(uint, uint) override { return 0; }
-  void upload(std::span<const uint> image) override { shown.assign(image.begin(), image.end()); }
-  void show() override {}
-  std::vector<uint> screenshot() override { return shown; }
-  WindowContext& context() override { return *this; }
-  std::string renderer() const override { return "none"; }
-
-  std::array<double, 2> drag{};
-  double scroll = 0;
-  std::optional<std::array<uint, 2>> click;
-  std::optional<uint64_t> slid;
-  std::array<uint64_t, 2> range{};
-  std::string texts;
-  std::vector<uint> shown;
-
- private:
-  void make_current() override {}
-};
-
 class ViewerInput : public testing::Test {
  protected:
   std::vector<uint> after(const std::string& keys) {
@@ -120,7 +79,7 @@ class ViewerInput : public testing::Test {
 
   const Start start_ = start_at(0, MotionMethod::paper);
   const Session session_{{"cpu"}, {.threads = 1}};
-  Viewer viewer_{session_, start_, "cpu", "collide_grid", false};
+  Viewer viewer_{session_, start_, {.backend = "cpu", .method = "collide_grid", .shared = false}};
   ScriptedWindow window_;
 };
 
@@ -187,7 +146,7 @@ TEST_F(ViewerInput, ColoursFollowContactsSpeedOrRadius) {
   EXPECT_EQ(after("."), back) << "it is paused";
 }
 
-TEST_F(ViewerInput, TheMouseTurnsAndZooms) {
+TEST_F(ViewerInput, TheMouseTurnsPansAndZooms) {
   const std::vector<uint> before = after(" .");
   EXPECT_EQ(after("."), before);
   window_.drag = {30, 10};
@@ -195,8 +154,18 @@ TEST_F(ViewerInput, TheMouseTurnsAndZooms) {
   EXPECT_NE(turned, before);
   window_.drag = {};
   EXPECT_EQ(after("."), turned);
+  window_.pan = {0, 20};
+  const std::vector<uint> panned = after(".");
+  EXPECT_NE(panned, turned);
+  window_.pan = {};
+  EXPECT_EQ(after("."), panned);
   window_.scroll = 2;
-  EXPECT_NE(after("."), turned);
+  EXPECT_NE(after("."), panned);
+  window_.scroll = 0;
+  window_.drag = {-30, -10};
+  EXPECT_NE(after("."), before);
+  window_.drag = {};
+  EXPECT_EQ(after("a"), before) << "all in view";
 }
 
 }  // namespace

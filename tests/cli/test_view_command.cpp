@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <set>
+#include <sstream>
 
 #include "bench/cli/commands.h"
 #include "tests/support/sphere_files.h"
@@ -86,6 +87,50 @@ TEST_F(ViewCommand, ShowsTheSamePixelsOnEveryBackend) {
     const Ended ended = view("--backend glsl --gl-device 0 --frames 8 --keys h --screenshot " + own);
     EXPECT_NE(ended.said.find("images are uploaded to the window"), std::string::npos) << ended.said;
     EXPECT_EQ(read_bytes(own), cpu) << "in a context of its own";
+  }
+}
+
+TEST_F(ViewCommand, WhatStandsStillIsAntialiasedTheSameOnEveryBackend) {
+  if (!finds("xvfb-run")) GTEST_SKIP() << "xvfb-run is not installed (Debian: xvfb, xauth)";
+  const Ended first = view("--backend cpu --frames 1");
+  if (first.said.find("built without windows") != std::string::npos) GTEST_SKIP() << first.said;
+  const auto pixels_of = [&](const std::string& options) {
+    const std::string file = folder_.path("still.png");
+    const Ended ended = view(fmt::format("{} --keys 'h ' --screenshot {}", options, file));
+    EXPECT_EQ(ended.code, kOk) << ended.said;
+    return read_bytes(file);
+  };
+  const std::string still = pixels_of("--backend cpu --frames 17");
+  EXPECT_FALSE(still == pixels_of("--backend cpu --frames 16")) << "a sample is missing";
+  EXPECT_TRUE(still == pixels_of("--backend cpu --frames 20"));
+  EXPECT_TRUE(still == pixels_of("--backend glsl --frames 17"));
+  EXPECT_TRUE(still == pixels_of("--backend glsl --gl-device 0 --frames 17")) << "in a context of its own";
+}
+
+TEST_F(ViewCommand, SavesImagesAndCloses) {
+  if (!finds("xvfb-run")) GTEST_SKIP() << "xvfb-run is not installed (Debian: xvfb, xauth)";
+  const std::string shot = folder_.path("shot.png");
+  const Ended ended = view("--backend cpu --speed max --keys ...s..sq --screenshot " + shot);
+  if (ended.said.find("built without windows") != std::string::npos) GTEST_SKIP() << ended.said;
+  EXPECT_EQ(ended.code, kOk) << ended.said;
+  EXPECT_NE(ended.said.find("step 7"), std::string::npos) << ended.said;
+  const std::vector<std::string> names = folder_.names();
+  EXPECT_EQ(names, (std::vector<std::string>{"said", "shot.png", "spherepair-4.png", "spherepair-7.png"}));
+}
+
+TEST_F(ViewCommand, HelpListsKeysInLinesOf100Columns) {
+  const Ended ended = run(fmt::format("{} view --help", SPHEREPAIR_PROGRAM), folder_);
+  std::istringstream lines(ended.said.substr(std::min(ended.said.find("Keys:"), ended.said.size())));
+  size_t count = 0;
+  for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 100u) << line;
+  EXPECT_GT(count, 10u) << ended.said;
+}
+
+TEST_F(ViewCommand, RefusesASpeedThatIsNone) {
+  for (const std::string speed : {"-1", "fast", "1e9", "nan", "''"}) {
+    const Ended ended = run(fmt::format("{} view --speed {}", SPHEREPAIR_PROGRAM, speed), folder_);
+    EXPECT_EQ(ended.code, kUsage) << speed << ": " << ended.said;
+    EXPECT_NE(ended.said.find("--speed"), std::string::npos) << ended.said;
   }
 }
 

@@ -3,23 +3,36 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 
 #include "bench/formats/start.h"
+#include "bench/image/antialiased_image.h"
+#include "bench/image/image_samples.h"
 #include "bench/measure/session.h"
-#include "bench/view/history.h"
-#include "bench/view/window.h"
+#include "bench/viewer/history.h"
+#include "bench/viewer/orbit.h"
+#include "bench/viewer/pace.h"
+#include "bench/viewer/window.h"
 #include "common/scene/camera.h"
 
 namespace spherepair {
 
+constexpr uint still_samples = 16;  // of an image that stands still
+
 class Viewer {
  public:
-  // The session's backends can be chosen. shared: they draw in the window's context.
-  Viewer(const Session& session, const Start& start, const std::string& backend, const std::string& method,
-         bool shared);
+  struct Options {
+    std::string backend, method;        // at the start; the session's backends can be chosen
+    bool shared;                        // the backends draw in the window's context
+    double speed = 0;                   // see Pace
+    std::filesystem::path folder = {};  // of saved images; none: the current one
+  };
+  Viewer(const Session& session, const Start& start, const Options& options);
 
-  // One frame: user input, a step unless paused, and the image. key: an additional key press; 0: none.
-  void frame(Window& window, char key);
+  // One frame: user input, steps unless paused, and the image; false if the user closes the window. key: an additional
+  // key press; 0: none.
+  bool frame(Window& window, char key);
+  bool hurries() const { return !paused_ && !pace_.by_clock(); }  // needs frames faster than they can be seen
   std::string summary() const;
 
  private:
@@ -31,14 +44,17 @@ class Viewer {
     void pick(const std::string& name);  // the first if there is none of this name
   };
 
-  // Of the camera: degrees, and the distance relative to that with all spheres in view.
-  struct Orbit {
-    double azimuth = 30, elevation = 20, distance = 1;
-  };
   struct Search {
     Method method;
     bool lit;  // it built the dense cells that lighting needs
     bool operator==(const Search&) const = default;
+  };
+  struct Shown {  // what decides the image
+    View view;
+    uint64_t step;
+    size_t backend, draw;
+    bool box;
+    bool operator==(const Shown& other) const;
   };
   struct Seconds {  // of the frames that are timed
     double move = 0, collide = 0, draw = 0, show = 0;
@@ -49,32 +65,42 @@ class Viewer {
   void go_to(uint64_t step);
   void pick(std::array<uint, 2> pixel);
   void list_choices();
-  void take_keys(Window& window, char key);
+  bool take_keys(Window& window, char key);
+  void show_panel(Window& window);
   void fill_panel(Window& window);
-  void turn_camera(const Window& window);
+  void tell_times(Window& window);
   void choose_colours();
-  void advance();
+  void advance(const Window& window);
+  void move_steps(const Window& window, uint64_t due);
   void collide();
+  ImageOptions still_image(const Window& window) const;
   void draw(Window& window);
+  void refine(Window& window, const ImageOptions& image);
+  void draw_box(Window& window) const;
+  void save_image(const Window& window);
   bool shown_without_host(uint texture);
   template <typename Work>
   void timed(double& seconds, Work work);
 
   const Session& session_;
   const Start& start_;
-  bool shared_;
+  const Options options_;
   Bounds bounds_;
   Choice backends_, methods_, draws_, colours_{{"contacts", "speed", "radius"}};
   Look palette_ = contact_look();  // of the chosen colours
   size_t coloured_by_ = 0;
   size_t running_ = 0;  // the backend that holds the spheres
-  bool paused_ = false, single_step_ = false, light_ = true, panel_ = true;
+  bool paused_ = false, single_step_ = false, saving_ = false, light_ = true, box_ = true, panel_ = true,
+       folded_ = false;
   Orbit orbit_;
+  Pace pace_;
   uint64_t step_ = 0;
   std::optional<Search> search_;  // of the spheres as they stand
   Collisions totals_;             // of the last search
   std::string error_;             // of the last change of backend
-  View view_{};                   // of the last image
+  std::string saved_;             // of the last image that was to be saved: its name, or why it could not be
+  std::optional<Shown> shown_;    // the last image
+  ImageSamples samples_;          // of the same, while it stands still
   std::string picked_;            // the sphere that was clicked
   History history_;
   Seconds seconds_;

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "bench/view/window.h"
+#include "bench/viewer/window.h"
 #include "common/backend/backend.h"
 
 namespace spherepair {
@@ -45,6 +45,8 @@ class GlfwWindow final : public Window, private WindowContext {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
     ImGui::StyleColorsLight();
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetKeyCallback(window_, note_key);  // ImGui's own then calls it
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
     ImGui_ImplOpenGL3_Init("#version 330");
   }
@@ -59,9 +61,12 @@ class GlfwWindow final : public Window, private WindowContext {
     glfwTerminate();
   }
 
-  bool next(bool present) override {
+  bool next(Present present) override {
     make_current();
-    if (drawn_ && present && glfwGetTime() >= next_refresh_) {
+    keys_.clear();
+    while (drawn_ && present == Present::and_wait && glfwGetTime() < next_refresh_)
+      glfwWaitEventsTimeout(std::max(next_refresh_ - glfwGetTime(), 1e-4));
+    if (drawn_ && present != Present::never && glfwGetTime() >= next_refresh_) {
       glfwSwapBuffers(window_);
       next_refresh_ = glfwGetTime() + refresh_seconds_;
     }
@@ -71,6 +76,7 @@ class GlfwWindow final : public Window, private WindowContext {
     ImGui::NewFrame();
     return !glfwWindowShouldClose(window_);
   }
+  double seconds() const override { return glfwGetTime(); }
 
   std::array<uint, 2> size() const override {
     int width = 0, height = 0;
@@ -79,8 +85,15 @@ class GlfwWindow final : public Window, private WindowContext {
   }
   std::array<double, 2> dragged() const override {
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantCaptureMouse || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) return {};
+    if (io.WantCaptureMouse || io.KeyShift || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) return {};
     return {io.MouseDelta.x, io.MouseDelta.y};
+  }
+  std::array<double, 2> panned() const override {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool pans = ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle) ||
+                      (io.KeyShift && ImGui::IsMouseDown(ImGuiMouseButton_Left));
+    if (io.WantCaptureMouse || !pans) return {};
+    return {io.MouseDelta.x * io.DisplayFramebufferScale.x, io.MouseDelta.y * io.DisplayFramebufferScale.y};
   }
   double scrolled() const override { return ImGui::GetIO().WantCaptureMouse ? 0 : ImGui::GetIO().MouseWheel; }
   std::optional<std::array<uint, 2>> clicked() const override {
@@ -91,16 +104,23 @@ class GlfwWindow final : public Window, private WindowContext {
     if (dragged || at.x < 0 || at.y < 0 || at.x >= io.DisplaySize.x || at.y >= io.DisplaySize.y) return {};
     return std::array{uint(at.x * io.DisplayFramebufferScale.x), uint(at.y * io.DisplayFramebufferScale.y)};
   }
-  bool pressed(char key) const override {  // GLFW numbers letters as capitals
-    return ImGui::IsKeyPressed(key >= 'a' && key <= 'z' ? key - 'a' + GLFW_KEY_A : key, false);
-  }
+  bool pressed(char key) const override { return keys_.find(key) != std::string::npos; }
 
-  void begin_panel() override {
+  void begin_panel(const std::string& title, bool& folded) override {
+    const ImVec2 whole = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({8, 8}, ImGuiCond_FirstUseEver);
-    ImGui::Begin("spherepair", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {whole.x - 16, whole.y - 16});
+    ImGui::SetNextWindowCollapsed(folded);
+    ImGui::Begin((title + "###panel").c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize);
+    folded = ImGui::IsWindowCollapsed();
+    ImGui::PushTextWrapPos(345);
   }
-  void end_panel() override { ImGui::End(); }
+  void end_panel() override {
+    ImGui::PopTextWrapPos();
+    ImGui::End();
+  }
   void text(const std::string& line) override { ImGui::TextUnformatted(line.c_str()); }
+  void same_row() override { ImGui::SameLine(); }
   bool button(const char* label) override { return ImGui::Button(label); }
   void check(const char* label, bool& value) override { ImGui::Checkbox(label, &value); }
   void slide(const char* label, uint64_t& value, uint64_t low, uint64_t high) override {
@@ -145,10 +165,21 @@ class GlfwWindow final : public Window, private WindowContext {
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, GLsizei(width_), GLsizei(height_), GL_RGBA, GL_UNSIGNED_BYTE, image.data());
   }
 
+  void line(Point a, Point b, double thickness, uint colour, double opacity) override {
+    lines_.push_back({a, b, thickness, colour, opacity});
+  }
+
   void show() override {
     make_current();
-    const auto whole = ImGui::GetIO().DisplaySize;
-    ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<ImTextureID>(uintptr_t(texture_)), {0, 0}, whole);
+    const auto whole = ImGui::GetIO().DisplaySize, scale = ImGui::GetIO().DisplayFramebufferScale;
+    ImDrawList& under = *ImGui::GetBackgroundDrawList();
+    under.AddImage(reinterpret_cast<ImTextureID>(uintptr_t(texture_)), {0, 0}, whole);
+    const auto on_screen = [&](Point at) { return ImVec2(float(at.x + 0.5) / scale.x, float(at.y + 0.5) / scale.y); };
+    for (const Line& each : lines_) {
+      const ImU32 ink = IM_COL32(each.colour >> 16, each.colour >> 8 & 255, each.colour & 255, 255 * each.opacity);
+      under.AddLine(on_screen(each.a), on_screen(each.b), ink, float(each.thickness) / scale.x);
+    }
+    lines_.clear();
     ImGui::Render();
     const auto [window_width, window_height] = size();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);  // drawing through OpenGL has its own
@@ -178,7 +209,26 @@ class GlfwWindow final : public Window, private WindowContext {
     if (!shared_ || glfwGetCurrentContext() != window_) glfwMakeContextCurrent(window_);
   }
 
+  struct Line {
+    Point a, b;
+    double thickness;
+    uint colour;
+    double opacity;
+  };
+
+  // By what is printed on the key, in any layout.
+  static void note_key(GLFWwindow* window, int key, int scancode, int action, int) {
+    if (action != GLFW_PRESS || ImGui::GetIO().WantTextInput) return;
+    const char* printed = glfwGetKeyName(key, scancode);
+    std::string& keys = static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window))->keys_;
+    if (key == GLFW_KEY_SPACE) keys += ' ';
+    if (key == GLFW_KEY_ESCAPE) keys += escape_key;
+    if (key != GLFW_KEY_SPACE && printed) keys += *printed == '=' ? '+' : *printed;
+  }
+
   GLFWwindow* window_ = nullptr;
+  std::string keys_;  // pressed since the last frame
+  std::vector<Line> lines_;
   bool shared_;
   GLuint texture_ = 0;
   uint width_ = 0, height_ = 0;  // of the texture

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Replaces window_glfw.cpp in a build without GLFW or Dear ImGui, or with static tools.
-#include "bench/view/window.h"
+#include "bench/viewer/window.h"
 #include "common/backend/backend.h"
 
 namespace spherepair {

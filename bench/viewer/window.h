@@ -9,28 +9,40 @@
 #include <string>
 #include <vector>
 
+#include "bench/image/canvas.h"
 #include "common/backend/window_context.h"
 #include "common/shared/layout.h"
 
 namespace spherepair {
 
+enum class Present {
+  never,       // for timing without what the display system takes
+  at_refresh,  // as often as the display refreshes; frames in between are not seen
+  and_wait     // the same, and no frame in between
+};
+
+constexpr char escape_key = '\x1b';
+
 class Window {
  public:
   virtual ~Window() = default;
 
-  // Presents what show() has drawn, as often as the display refreshes, and processes the input since; false if the user
-  // has closed the window. present: false: for timing without what the display system takes.
-  virtual bool next(bool present = true) = 0;
+  // Presents what show() has drawn and processes the input since; false if the user has closed the window.
+  virtual bool next(Present present) = 0;
+  virtual double seconds() const = 0;                              // of a clock that only goes forward
   virtual std::array<uint, 2> size() const = 0;                    // pixels
   virtual std::array<double, 2> dragged() const = 0;               // by the left button since the last frame, pixels
+  virtual std::array<double, 2> panned() const = 0;                // by another one, or with shift
   virtual double scrolled() const = 0;                             // notches, away from the user
   virtual std::optional<std::array<uint, 2>> clicked() const = 0;  // pixel, from the upper left; not the end of a drag
-  virtual bool pressed(char key) const = 0;                        // a lower-case letter or a space
+  virtual bool pressed(char key) const = 0;  // a lower-case letter, a space, + (also =), - or escape_key
 
-  // The panel: begun and ended between next() and show().
-  virtual void begin_panel() = 0;
+  // The panel: begun and ended between next() and show(). folded: to its title bar, also by the user; then it has no
+  // other contents.
+  virtual void begin_panel(const std::string& title, bool& folded) = 0;
   virtual void end_panel() = 0;
-  virtual void text(const std::string& line) = 0;
+  virtual void text(const std::string& line) = 0;  // wrapped
+  virtual void same_row() = 0;                     // the next item follows the last
   virtual bool button(const char* label) = 0;
   virtual void check(const char* label, bool& value) = 0;
   virtual void slide(const char* label, uint64_t& value, uint64_t low, uint64_t high) = 0;
@@ -42,6 +54,8 @@ class Window {
   // Backend::image().
   virtual uint texture(uint width, uint height) = 0;
   virtual void upload(std::span<const uint> image) = 0;  // of the size given last
+  // Over the image of the next show() and under the panel; points as Point has them.
+  virtual void line(Point a, Point b, double thickness, uint colour, double opacity) = 0;
   virtual void show() = 0;
   virtual std::vector<uint> screenshot() = 0;  // the last shown frame, same format
 

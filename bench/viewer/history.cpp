@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/view/history.h"
+#include "bench/viewer/history.h"
 
 #include <algorithm>
 

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+// What `spherepair view` shows while it moves and while it stands still, what it saves, its camera and its pace.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bench/formats/png_file.h"
+#include "bench/image/box_edges.h"
+#include "bench/image/legend.h"
+#include "bench/viewer/viewer.h"
+#include "tests/support/scripted_window.h"
+#include "tests/support/sphere_files.h"
+
+namespace spherepair {
+namespace {
+
+Start start_of_200() {
+  Start start;
+  start.scene = make_scene({.name = "random", .n = 200});
+  start.label = "random";
+  return start;
+}
+
+class ViewerImages : public testing::Test {
+ protected:
+  ViewerImages() { bounds_.low[1] = std::min(bounds_.low[1], double(start_.scene.plane)); }
+
+  const std::vector<uint>& after(const std::string& keys, double seconds = 0) {
+    for (const char key : keys) {
+      window_.now += seconds;
+      viewer_.frame(window_, key == '.' ? '\0' : key);
+    }
+    return window_.shown;
+  }
+  bool says(const std::string& text) const { return window_.texts.find(text) != std::string::npos; }
+
+  // As `render` would draw step 0 from the viewer's first camera.
+  std::vector<uint> rendered(uint samples, bool lit, bool with_box) {
+    const auto backend = open_backend("cpu", {.threads = 1});
+    backend->upload(start_.scene);
+    backend->collide({.method = Method::collide_grid, .grid = {.cells = Cells::dense}});
+    const auto [width, height] = window_.extent;
+    ImageOptions image{frame(bounds_, 30, 20, 30, double(width) / height), contact_look(), width, height, samples};
+    image.look.light = {-0.3, 0.9, -0.3};
+    if (lit) image.look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
+    image.look.ground = double(start_.scene.plane);
+    if (with_box) image.box = bounds_;
+    return draw_image(*backend, image).pixels;
+  }
+
+  const ScratchFolder folder_;
+  const Start start_ = start_of_200();
+  Bounds bounds_ = bounds_of(start_.scene.positions);
+  const Session session_{{"cpu"}, {.threads = 1}};
+  Viewer viewer_{
+      session_, start_, {.backend = "cpu", .method = "collide_grid", .shared = false, .folder = folder_.path("")}};
+  ScriptedWindow window_;
+};
+
+TEST_F(ViewerImages, WhatStandsStillBecomesTheImageOfRender) {
+  EXPECT_EQ(after(" "), rendered(1, true, false));
+  after("...............");
+  EXPECT_EQ(window_.shown, rendered(1, true, false)) << "until all samples are there";
+  EXPECT_EQ(window_.uploads, 1);
+  EXPECT_EQ(after("."), rendered(16, true, true));
+  after("......");
+  EXPECT_EQ(window_.uploads, 2) << "nothing is left to draw";
+  EXPECT_EQ(after("l"), rendered(1, false, false));
+  EXPECT_EQ(after("................"), rendered(16, false, true));
+  after("e");
+  EXPECT_EQ(after("................"), rendered(16, false, false));
+  window_.drag = {9, 0};
+  EXPECT_NE(after("."), rendered(1, false, false));
+}
+
+TEST_F(ViewerImages, TheBoxIsDrawnOverAnImageWithoutIt) {
+  const auto pale = [&] { return std::ranges::count(window_.lines, 0.25); };
+  after(" ");
+  EXPECT_EQ(window_.lines.size(), 12u);
+  EXPECT_EQ(pale(), 3) << "those that end in the farthest corner";
+  after("................");
+  EXPECT_EQ(window_.lines.size(), 0u) << "the image has it";
+  after("e");
+  EXPECT_EQ(window_.lines.size(), 0u);
+  after("e");
+  EXPECT_EQ(window_.lines.size(), 12u);
+}
+
+TEST_F(ViewerImages, SavedImagesReplaceNoFile) {
+  window_.extent = {400, 200};
+  after(" ");
+  std::vector<uint> image = rendered(16, true, true);
+  const auto cpu = open_backend("cpu", {.threads = 1});
+  cpu->upload(start_.scene);
+  cpu->collide({});
+  const Legend legend =
+      legend_of(contact_look(), {"200 spheres", fmt::format("{} pairs", cpu->collisions().pairs), "step 0"});
+  const LegendStrip strip = LegendStrip::within(legend, 400, 200).value();
+  strip.append_to(image, legend);
+  const std::string expected = folder_.path("expected.png");
+  write_png(expected, image, 400, 200 + strip.height());
+  const std::string other = folder_.write("spherepair-0.png", "another file");
+  std::filesystem::create_symlink("nowhere", folder_.path("spherepair-0-2.png"));
+  after("s");
+  EXPECT_TRUE(says("spherepair-0-3.png")) << window_.texts;
+  EXPECT_EQ(read_bytes(folder_.path("spherepair-0-3.png")), read_bytes(expected));
+  EXPECT_EQ(read_bytes(other), "another file");
+  after("ns");
+  EXPECT_TRUE(says("spherepair-1.png")) << window_.texts;
+  EXPECT_EQ(folder_.names().size(), 5u);
+}
+
+TEST_F(ViewerImages, SavedImagesExplainColoursBySpeed) {
+  window_.extent = {800, 300};
+  after(" c");
+  const std::vector<uint> plain = after("................");
+  after("s");
+  const std::string file = folder_.path("plain.png");
+  write_png(file, plain, 800, 300);
+  EXPECT_NE(read_bytes(folder_.path("spherepair-0.png")), read_bytes(file)) << "it has the legend";
+}
+
+TEST_F(ViewerImages, AnImageThatCannotBeSavedIsSaid) {
+  Viewer viewer(session_, start_,
+                {.backend = "cpu", .method = "collide_grid", .shared = false, .folder = folder_.path("missing")});
+  EXPECT_TRUE(viewer.frame(window_, 's'));
+  EXPECT_TRUE(says("cannot write")) << window_.texts;
+  EXPECT_TRUE(viewer.frame(window_, '.'));
+  EXPECT_EQ(folder_.names().size(), 0u);
+}
+
+TEST_F(ViewerImages, ThePanelFoldsAndHides) {
+  after("..");
+  EXPECT_EQ(window_.titles.back(), "spherepair, step 2");
+  EXPECT_TRUE(says("step 2:")) << window_.texts;
+  after("p");
+  EXPECT_TRUE(window_.folded);
+  EXPECT_EQ(window_.texts, "");
+  after("h.");
+  EXPECT_EQ(window_.titles.size(), 3u) << "hidden";
+  after("h");
+  EXPECT_EQ(window_.titles.back(), "spherepair, step 6");
+  EXPECT_TRUE(window_.folded);
+  window_.folds = false;  // by its arrow
+  after("..");
+  EXPECT_FALSE(window_.folded);
+  EXPECT_TRUE(says("step 8:")) << window_.texts;
+}
+
+TEST_F(ViewerImages, QAndEscapeClose) {
+  for (const char key : std::string("q\x1b")) EXPECT_FALSE(viewer_.frame(window_, key));
+  for (const char key : std::string("\0abcdefhlmnprsz +-", 18)) EXPECT_TRUE(viewer_.frame(window_, key)) << key;
+}
+
+class ViewerClock : public ViewerImages {
+ protected:
+  ViewerClock() { viewer_.frame(window_, 'f'); }
+  uint64_t step() const { return std::stoull(window_.titles.back().substr(std::string("spherepair, step ").size())); }
+};
+
+// A step is a 64th of a second.
+TEST_F(ViewerClock, StepsFollowTheClock) {
+  EXPECT_EQ(step(), 0u);
+  after("..", 0.25);
+  EXPECT_EQ(step(), 32u);
+  after("..", 1.0 / 256);
+  EXPECT_EQ(step(), 32u);
+  after("..", 1.0 / 256);
+  EXPECT_EQ(step(), 33u);
+  after("+.", 0.25);
+  EXPECT_EQ(step(), 65u) << "twice the speed, from the key on";
+  EXPECT_TRUE(says("speed 2  (+")) << window_.texts;
+  after("--.", 0.25);
+  EXPECT_EQ(step(), 73u);
+  EXPECT_TRUE(says("speed 0.5  (+")) << window_.texts;
+  after(" ... .", 5);
+  EXPECT_EQ(step(), 73u + 160u) << "no time passes in a pause";
+  after("f..");
+  EXPECT_EQ(step(), 73u + 163u);
+  EXPECT_TRUE(says("one step a frame")) << window_.texts;
+}
+
+TEST_F(ViewerClock, TellsTheSpeedReached) {
+  after("..", 0.25);
+  EXPECT_TRUE(says("\nspeed 1  (+")) << window_.texts;
+  after("f");
+  after("....", 0.25);
+  EXPECT_TRUE(says("\none step a frame: speed 0.062  (+")) << window_.texts;
+}
+
+TEST_F(ViewerClock, EveryStepCanBeGoneBackTo) {
+  after(".", 1.5625);
+  EXPECT_EQ(step(), 100u);
+  window_.slid = 37;
+  after("..");
+  EXPECT_EQ(step(), 37u);
+  EXPECT_EQ(window_.range[1], 100u);
+  Viewer other(session_, start_, {.backend = "cpu", .method = "collide_grid", .shared = false});
+  ScriptedWindow window;
+  for (int k = 0; k < 37; ++k) other.frame(window, '.');
+  EXPECT_EQ(window_.shown, window.shown);
+}
+
+TEST_F(ViewerClock, FallsBehindWhereStepsTakeTooLong) {
+  window_.tick = 0.125;
+  after("..........", 0.125);
+  EXPECT_EQ(step(), 10u) << "and no more steps from frame to frame";
+  EXPECT_TRUE(says("speed 1, reached 0.0")) << window_.texts;
+  window_.tick = 0;
+  after(".", 0.25);
+  EXPECT_LE(step(), 10u + 16u + 16u) << "what was missed is not made up for";
+}
+
+// Where a point appears, pixels.
+Point seen_at(const Vector& point, const View& v) {
+  const double x = point[0] - v.eye.x, y = point[1] - v.eye.y, z = point[2] - v.eye.z;
+  const auto along = [&](const vec4& axis) { return x * axis.x + y * axis.y + z * axis.z; };
+  return {v.centre_x + along(v.right) / along(v.forward) * v.focal,
+          v.centre_y - along(v.up) / along(v.forward) * v.focal};
+}
+
+TEST(ViewerCamera, WhatIsPannedFollowsTheMouse) {
+  Orbit orbit({{-1, 0, 2}, {3, 5, 4}});
+  orbit.turn({70, -20});
+  orbit.zoom(3);
+  const auto view_of = [&] { return make_view(orbit.camera(1.5), contact_look(), 300, 200); };
+  const Vector target = orbit.camera(1.5).target;
+  orbit.pan({24, -10}, view_of());
+  EXPECT_NEAR(seen_at(target, view_of()).x, 149.5 + 24, 1e-3);
+  EXPECT_NEAR(seen_at(target, view_of()).y, 99.5 - 10, 1e-3);
+  orbit.reset();
+  EXPECT_EQ(orbit.camera(1.5).eye, frame({{-1, 0, 2}, {3, 5, 4}}, 30, 20, 30, 1.5).eye);
+}
+
+TEST(BoxEdges, LinesLieOnTheDrawnEdges) {
+  const Bounds box{{-1, 0, -1}, {1, 2, 1}};
+  const View view = make_view(frame(box, 30, 20, 30, 1.5), contact_look(), 300, 200);
+  std::vector<uint> image(300 * 200, ~0u);
+  draw_edges(image, std::vector<double>(image.size(), INFINITY), view, box);
+  const std::vector<EdgeLine> lines = edge_lines(view, box);
+  ASSERT_EQ(lines.size(), 12u);
+  const Point far = seen_at({-1, 0, -1}, view);
+  for (const EdgeLine& line : lines) {
+    for (const double share : {0.25, 0.5, 0.75}) {
+      const double x = line.a.x + share * (line.b.x - line.a.x), y = line.a.y + share * (line.b.y - line.a.y);
+      EXPECT_NE(image[size_t(std::lround(y)) * 300 + size_t(std::lround(x))], ~0u) << x << ", " << y;
+    }
+    const auto ends_far = [&](Point p) { return std::hypot(p.x - far.x, p.y - far.y) < 0.01; };
+    EXPECT_EQ(line.behind, ends_far(line.a) || ends_far(line.b));
+  }
+}
+
+}  // namespace
+}  // namespace spherepair
