@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "bench/formats/rounding.h"
+#include "bench/spheres/rounding.h"
 #include "common/backend/backend.h"
 
 namespace spherepair {

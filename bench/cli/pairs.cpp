@@ -9,12 +9,12 @@
 #include "bench/check/rounding_reach.h"
 #include "bench/cli/commands.h"
 #include "bench/formats/files.h"
-#include "bench/formats/pair_file.h"
-#include "bench/formats/sphere_file.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/io/output_files.h"
 #include "bench/measure/choice.h"
+#include "bench/spheres/pair_file.h"
+#include "bench/spheres/sphere_file.h"
 
 namespace spherepair {
 namespace {

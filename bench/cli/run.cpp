@@ -9,10 +9,10 @@
 #include "bench/cli/commands.h"
 #include "bench/formats/checkpoint.h"
 #include "bench/formats/files.h"
-#include "bench/formats/pair_file.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/measure/choice.h"
+#include "bench/spheres/pair_file.h"
 
 namespace spherepair {
 namespace {

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "bench/formats/checkpoint.h"
-#include "bench/formats/sphere_file.h"
 #include "bench/io/scene_text.h"
+#include "bench/spheres/sphere_file.h"
 
 namespace spherepair {
 

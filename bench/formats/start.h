@@ -4,10 +4,10 @@
 
 #include <optional>
 
-#include "bench/formats/rounding.h"
 #include "bench/io/motion_choice.h"
 #include "bench/io/output_files.h"
 #include "bench/io/report.h"
+#include "bench/spheres/rounding.h"
 #include "common/backend/backend.h"
 #include "common/scene/motion_state.h"
 #include "common/scene/scene.h"

@@ -203,8 +203,7 @@ void Viewer::draw(Window& window) {
 
 // Over an image that does not have it: what spheres may hide is paler, since their depths are not read back.
 void Viewer::draw_box(Window& window) const {
-  const bool drawn = samples_.count() == still_samples && draws_.name() == draw_method_name(DrawMethod::compute);
-  if (!box_ || drawn) return;
+  if (!box_ || samples_.count() == still_samples) return;
   for (const EdgeLine& edge : edge_lines(shown_->view, bounds_))
     window.line(edge.a, edge.b, edge_thickness(shown_->view.height), edge_colour, edge.behind ? 0.25 : 1);
 }

@@ -9,9 +9,9 @@
 namespace spherepair {
 
 // Lets OpenMP's threads sleep while they wait for each other. By default they spin: where another program holds a core,
-// each parallel region then waits for a thread that the scheduler has put off for as long as it spun before. The runtime
-// reads the setting (OMP_WAIT_POLICY) as the program is loaded, so the program is started anew with it, once, unless its
-// environment has it already. For the first line of main.
+// each parallel region then waits for a thread that lost its core for as long as it spun before. The
+// runtime reads the setting (OMP_WAIT_POLICY) as the program is loaded, so the program is started anew with it, once,
+// unless its environment has it already. For the first line of main.
 void wait_passively(char** argv);
 
 // Starts the threads of all later parallel regions, as many as asked for or, for 0, one a core. Throws BackendError

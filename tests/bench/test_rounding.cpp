@@ -6,7 +6,7 @@
 
 #include "bench/check/quad.h"
 #include "bench/check/rounding_reach.h"
-#include "bench/formats/sphere_file.h"
+#include "bench/spheres/sphere_file.h"
 #include "tests/oracle/oracle.h"
 #include "tests/support/backends.h"
 #include "tests/support/sphere_files.h"

@@ -130,29 +130,6 @@ TEST_F(ViewerImages, AnImageThatCannotBeSavedIsSaid) {
   EXPECT_EQ(folder_.names().size(), 0u);
 }
 
-TEST_F(ViewerImages, ThePanelFoldsAndHides) {
-  after("..");
-  EXPECT_EQ(window_.titles.back(), "spherepair, step 2");
-  EXPECT_TRUE(says("step 2:")) << window_.texts;
-  after("p");
-  EXPECT_TRUE(window_.folded);
-  EXPECT_EQ(window_.texts, "");
-  after("h.");
-  EXPECT_EQ(window_.titles.size(), 3u) << "hidden";
-  after("h");
-  EXPECT_EQ(window_.titles.back(), "spherepair, step 6");
-  EXPECT_TRUE(window_.folded);
-  window_.folds = false;  // by its arrow
-  after("..");
-  EXPECT_FALSE(window_.folded);
-  EXPECT_TRUE(says("step 8:")) << window_.texts;
-}
-
-TEST_F(ViewerImages, QAndEscapeClose) {
-  for (const char key : std::string("q\x1b")) EXPECT_FALSE(viewer_.frame(window_, key));
-  for (const char key : std::string("\0abcdefhlmnprsz +-", 18)) EXPECT_TRUE(viewer_.frame(window_, key)) << key;
-}
-
 class ViewerClock : public ViewerImages {
  protected:
   ViewerClock() { viewer_.frame(window_, 'f'); }

@@ -56,7 +56,9 @@ TEST_F(ExitCodes, ErrorsToAFullDeviceKeepTheirCode) {
 
 // Threads that spin while they wait make a busy machine's steps up to forty times as long.
 TEST_F(ExitCodes, ThreadsSleepWhileTheyWaitUnlessAskedOtherwise) {
-  const auto shown = [&](const std::string& before) { return run("run --n 64", before + "OMP_DISPLAY_ENV=true").errors; };
+  const auto shown = [&](const std::string& before) {
+    return run("run --n 64", before + "OMP_DISPLAY_ENV=true").errors;
+  };
   const auto last_policy = [](const std::string& text) {
     const size_t at = text.rfind("OMP_WAIT_POLICY = '");
     return at == text.npos ? std::string() : text.substr(at + 19, text.find('\'', at + 19) - at - 19);

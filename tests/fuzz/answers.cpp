@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Any float32 numbers as spheres of an NPY file: every method finds one set of pairs. The first byte says whether all
 // radii are equal.
-#include "bench/formats/sphere_file.h"
+#include "bench/spheres/sphere_file.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/support/sphere_files.h"
 

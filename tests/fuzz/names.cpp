@@ -2,10 +2,10 @@
 // Names and numbers that options hold: each parser knows the text or refuses it.
 #include <cstdlib>
 
-#include "bench/formats/xyz_columns.h"
 #include "bench/io/arguments.h"
 #include "bench/io/scene_text.h"
 #include "bench/options/shard.h"
+#include "bench/spheres/xyz_columns.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace spherepair;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // NPY: what is read is a scene that every backend takes.
-#include "bench/formats/sphere_file.h"
+#include "bench/spheres/sphere_file.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace spherepair;

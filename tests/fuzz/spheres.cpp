@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Spheres as text, a line each: what is read and checked is found to have one set of pairs by every method.
 #include "bench/check/rounding_reach.h"
-#include "bench/formats/sphere_file.h"
+#include "bench/spheres/sphere_file.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace spherepair;

@@ -2,7 +2,7 @@
 // XYZ and extended XYZ: what is read is a scene that every backend takes.
 #include <tuple>
 
-#include "bench/formats/sphere_file.h"
+#include "bench/spheres/sphere_file.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace spherepair;

@@ -109,15 +109,27 @@ CPU = [
 ]
 
 FILES = [
-    mutant("npy pairs of the wrong width", "bench/formats/pair_file.cpp", "'{}u4'", "'{}u8'", "PairsCommand"),
-    mutant("text pairs in one line", "bench/formats/pair_file.cpp", "text.push_back('\\n');", "text.push_back(' ');", "PairsCommand"),
-    mutant("fortran order ignored", "bench/formats/npy_file.cpp", "header.fortran_order ? size : columns * size", "columns * size",
+    mutant("npy pairs of the wrong width", "bench/spheres/pair_file.cpp", "\"'@u4'\", fmt::format(\"({}, 2)\"", "\"'@u8'\", fmt::format(\"({}, 2)\"", "PairsCommand"),
+    mutant("text pairs without a blank", "bench/spheres/pair_file.cpp", "text.push_back(' ');", "", "PairsCommand"),
+    mutant("normals point the other way", "bench/spheres/pair_file.cpp", "double(b.x) - a.x", "double(a.x) - b.x", "PairsCommand"),
+    mutant("points stay shifted", "bench/spheres/pair_file.cpp", "a.x + along * contact.normal[0] + shift[0]",
+           "a.x + along * contact.normal[0]", "PairsCommand"),
+    mutant("periodic boxes are not seen", "bench/spheres/xyz_file.cpp", "if (!box.empty() && !options.ignore_periodic)",
+           "if (false)", "BadSphereFile"),
+    mutant("a shift may lose bits", "bench/spheres/rounding.cpp", "if (middle == 0 || !loses_nothing(rows, axis, middle)) continue;",
+           "if (middle == 0) continue;", "SphereFile"),
+    mutant("rounding reaches half as far", "bench/spheres/rounding.cpp", "float(way * (1 + 0x1p-50))", "float(way / 2)", "SphereFile"),
+    mutant("interrupted files stay", "bench/io/replaced_file.cpp", "if (temporary.ready) ::unlink(temporary.name.data());", "",
+           "Film"),
+    mutant("threads spin", "common/backend/cpu_team.cpp", '::setenv("OMP_WAIT_POLICY", "passive", 1);',
+           '::setenv("OMP_WAIT_POLICY", "active", 1);', "ExitCodes"),
+    mutant("fortran order ignored", "bench/spheres/npy_array.cpp", "header.fortran_order ? size : columns * size", "columns * size",
            "SphereFile"),
-    mutant("big-endian numbers not swapped", "bench/formats/npy_file.cpp", "header.dtype[0] == foreign", "false", "SphereFile"),
-    mutant("columns by name one too far", "bench/formats/xyz_columns.cpp", "columns.count += property->columns;",
+    mutant("big-endian numbers not swapped", "bench/spheres/npy_file.cpp", "if (column.dtype[0] == foreign)", "if (false)", "SphereFile"),
+    mutant("columns by name one too far", "bench/spheres/xyz_columns.cpp", "columns.count += property->columns;",
            "columns.count += 1;", "SphereFile", "BadSphereFile"),
-    mutant("a short frame is taken", "bench/formats/npy_file.cpp", "if (found < wanted)", "if (false)", "BadSphereFile"),
-    mutant("negative radii are taken", "bench/formats/sphere_file.h", "is_radius && value < 0", "false && is_radius", "BadSphereFile"),
+    mutant("a short frame is taken", "bench/spheres/npy_array.cpp", "if (found < wanted)", "if (false)", "BadSphereFile"),
+    mutant("negative radii are taken", "bench/spheres/sphere_file.h", "is_radius && value < 0", "false && is_radius", "BadSphereFile"),
 ]
 
 CHECKPOINT = [

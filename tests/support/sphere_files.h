@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/formats/sphere_file.h"
+#include "bench/spheres/sphere_file.h"
 
 namespace spherepair {
 

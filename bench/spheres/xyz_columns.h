@@ -2,7 +2,7 @@
 // The columns of an XYZ file, and what else its comment line says.
 #pragma once
 
-#include "bench/formats/columns.h"
+#include "bench/spheres/columns.h"
 
 namespace spherepair {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "bench/formats/columns.h"
+#include "bench/spheres/columns.h"
 #include "common/shared/layout.h"
 
 namespace spherepair {

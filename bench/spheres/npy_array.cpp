@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/formats/npy_array.h"
+#include "bench/spheres/npy_array.h"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 // columns are those of --columns; or of a first line of names; or x y z, x y z radius, or these with vx vy vz.
 #include <fmt/format.h>
 
-#include "bench/formats/sphere_file.h"
 #include "bench/io/file_lines.h"
 #include "bench/io/numbers.h"
+#include "bench/spheres/sphere_file.h"
 
 namespace spherepair {
 namespace {

@@ -2,8 +2,8 @@
 // Where the numbers of an NPY array stand, and what they are.
 #pragma once
 
-#include "bench/formats/columns.h"
-#include "bench/formats/npy_header.h"
+#include "bench/spheres/columns.h"
+#include "bench/spheres/npy_header.h"
 
 namespace spherepair {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/formats/sphere_file.h"
+#include "bench/spheres/sphere_file.h"
 
 #include <fmt/format.h>
 #include <omp.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/formats/columns.h"
+#include "bench/spheres/columns.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "bench/formats/sphere_file.h"
+#include "bench/spheres/sphere_file.h"
 
 namespace spherepair {
 namespace {

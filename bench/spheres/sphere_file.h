@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "bench/formats/rounding.h"
 #include "bench/io/file_bytes.h"
 #include "bench/io/report.h"
+#include "bench/spheres/rounding.h"
 #include "common/scene/scene.h"
 
 namespace spherepair {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/formats/rounding.h"
+#include "bench/spheres/rounding.h"
 
 #include <algorithm>
 #include <cmath>

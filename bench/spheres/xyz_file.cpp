@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "bench/formats/sphere_file.h"
-#include "bench/formats/xyz_columns.h"
 #include "bench/io/file_lines.h"
 #include "bench/io/numbers.h"
+#include "bench/spheres/sphere_file.h"
+#include "bench/spheres/xyz_columns.h"
 #include "common/backend/cpu_team.h"
 
 namespace spherepair {

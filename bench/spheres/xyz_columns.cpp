@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/formats/xyz_columns.h"
+#include "bench/spheres/xyz_columns.h"
 
 #include <fmt/format.h>
 

@@ -10,8 +10,8 @@
 #include <limits>
 #include <type_traits>
 
-#include "bench/formats/npy_array.h"
-#include "bench/formats/sphere_file.h"
+#include "bench/spheres/npy_array.h"
+#include "bench/spheres/sphere_file.h"
 
 namespace spherepair {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/formats/pair_file.h"
+#include "bench/spheres/pair_file.h"
 
 #include <fmt/format.h>
 
