@@ -168,5 +168,28 @@ TEST_F(ViewerInput, TheMouseTurnsPansAndZooms) {
   EXPECT_EQ(after("a"), before) << "all in view";
 }
 
+TEST_F(ViewerInput, ThePanelFoldsAndHides) {
+  after("..");
+  EXPECT_EQ(window_.titles.back(), "spherepair, step 2");
+  EXPECT_TRUE(says("step 2:")) << window_.texts;
+  after("p");
+  EXPECT_TRUE(window_.folded);
+  EXPECT_EQ(window_.texts, "");
+  after("h.");
+  EXPECT_EQ(window_.titles.size(), 3u) << "hidden";
+  after("h");
+  EXPECT_EQ(window_.titles.back(), "spherepair, step 6");
+  EXPECT_TRUE(window_.folded);
+  window_.folds = false;  // by its arrow
+  after("..");
+  EXPECT_FALSE(window_.folded);
+  EXPECT_TRUE(says("step 8:")) << window_.texts;
+}
+
+TEST_F(ViewerInput, QAndEscapeClose) {
+  for (const char key : std::string("q\x1b")) EXPECT_FALSE(viewer_.frame(window_, key));
+  for (const char key : std::string("\0abcdefhlmnprsz +-", 18)) EXPECT_TRUE(viewer_.frame(window_, key)) << key;
+}
+
 }  // namespace
 }  // namespace spherepair
