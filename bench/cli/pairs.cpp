@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "bench/check/degrees.h"
+#include "bench/check/step_result.h"
 #include "bench/cli/commands.h"
 #include "bench/formats/files.h"
 #include "bench/formats/pair_file.h"
@@ -43,12 +44,14 @@ void check_options(const PairsOptions& options) {
   if (!options.backend.empty()) require_known_backends({options.backend});
   if (!options.method.empty() && method_from_name(options.method) == Method::collide_group)
     throw std::invalid_argument("the method collide_group finds only pairs within a group; choose another");
-  parse_blocks({options.block});
+  if (options.block) parse_blocks({options.block});
   check_pair_file(options.output_file);
   OutputFiles files;
   files.read("--input", options.input_file);
   if (options.output_file != kStandardOutput) files.write("--output", options.output_file);
-  files.write("--json", options.json_file);
+  if (options.json_file == kStandardOutput && options.output_file == kStandardOutput)
+    throw std::invalid_argument("--output and --json are both standard output: name a file for one of them");
+  add_json_output(files, options.json_file);
 }
 
 template <typename Work>
@@ -73,7 +76,7 @@ std::string summary(const PairsReport& report) {
   std::string text = describe(input);
   text += fmt::format("{} on {}, {}\n", chosen.backend->info().name, device_label(chosen.backend->info()),
                       describe(method));
-  for (const std::string& reason : chosen.passed_over) text += fmt::format("  passed over: {}\n", reason);
+  text += passed_over_text(chosen);
   text += fmt::format("{} pairs, {} of {} spheres collide\n", found.totals.pairs, found.totals.colliding_spheres,
                       input.scene.size());
   text += fmt::format("seconds: load {:.3f}, open {:.3f}, collide {:.3f}, write {:.3f}\n\n", seconds.load, seconds.open,
@@ -90,7 +93,7 @@ json to_json(const PairsReport& report, const CommandLine& line) {
           {"input", to_json(input)},
           {"method", method_name(method.method)},
           {"choice", to_json(method)},
-          {"block", method.block ? method.block : options.block},
+          {"block", method.block ? json(method.block) : json(nullptr)},
           {"output", options.output_file},
           {"pairs", found.totals.pairs},
           {"colliding_spheres", found.totals.colliding_spheres},
@@ -119,16 +122,17 @@ int pairs_command(const CommandLine& line, const PairsOptions& options) {
   progress.say("opening a backend");
   seconds.open = seconds_of([&] { chosen = choose_backend(options.backend, line.open); });
   progress.say(fmt::format("{} spheres on {}", input.scene.size(), chosen.backend->info().name));
-  const CollideOptions collide = {
-      .method = choose_method(options.method, *chosen.backend), .block = options.block, .want_pairs = true};
+  CollideOptions collide = {.method = choose_method(options.method, *chosen.backend), .want_pairs = true};
+  if (options.block) collide.block = require_groups({chosen.backend, collide}, options.block);
   seconds.collide = seconds_of([&] { report.found = find_pairs(*chosen.backend, input.scene, collide); });
   report.method = chosen.backend->choice(collide);
   progress.say("writing " + options.output_file);
   seconds.write = seconds_of([&] { write_pairs(options.output_file, report.found.pairs); });
   progress.clear();
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
-  fmt::print(options.output_file == kStandardOutput ? stderr : stdout, "{}", summary(report));
-  if (!options.json_file.empty()) write_file(options.json_file, json_text(to_json(report, line)));
+  const bool taken = options.output_file == kStandardOutput || options.json_file == kStandardOutput;
+  fmt::print(taken ? stderr : stdout, "{}", summary(report));
+  write_json(options.json_file, to_json(report, line));
   return kOk;
 }
 

@@ -211,6 +211,7 @@ int render_command(const CommandLine& line, const RenderOptions& options) {
   draw_series({line, options, start, chosen, method, image});
   fmt::print("{}{} on {}: scene {}, {} spheres\n", start.notes, chosen.backend->info().name,
              device_label(chosen.backend->info()), start.label, start.scene.size());
+  fmt::print("{}", passed_over_text(chosen));
   if (image.method != DrawMethod::compute)
     fmt::print("drawn by {} in OpenGL{}\n", draw_method_name(image.method), transfer_in_words(*chosen.backend));
   if (!options.output_file.empty() && options.images > 1)

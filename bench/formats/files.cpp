@@ -9,6 +9,7 @@
 
 #include "bench/formats/sphere_file.h"
 #include "bench/formats/xyz_columns.h"
+#include "bench/io/context.h"
 #include "bench/io/file_lines.h"
 #include "bench/io/replaced_file.h"
 
@@ -33,10 +34,27 @@ std::vector<float> read_line(const FileBytes& file, uint64_t line, std::string_v
 
 }  // namespace
 
+void write_json(const std::string& file, const json& record) {
+  if (file == kStandardOutput)
+    fmt::print("{}", json_text(record));
+  else if (!file.empty())
+    write_file(file, json_text(record));
+}
+
+void add_json_output(OutputFiles& files, const std::string& file) {
+  if (file != kStandardOutput) files.write("--json", file);
+}
+
 void write_file(const fs::path& path, const std::string& text) {
   ReplacedFile file(path);
   file.write(text);
   file.commit();
+}
+
+fs::path prepare_results(const std::string& results, const std::vector<std::string>& files) {
+  const fs::path folder = results.empty() ? default_results() : results;
+  prepare_folder(folder, files);
+  return folder;
 }
 
 void prepare_folder(const fs::path& folder, const std::vector<std::string>& files) {

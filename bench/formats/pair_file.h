@@ -5,11 +5,10 @@
 #include <span>
 #include <string>
 
+#include "bench/formats/files.h"
 #include "common/scene/pair_set.h"
 
 namespace spherepair {
-
-inline constexpr const char* kStandardOutput = "-";  // written as text
 
 // Throws std::invalid_argument for an unknown extension.
 void check_pair_file(const std::string& file);
