@@ -15,6 +15,15 @@ fail() {
   exit 1
 }
 
+# Whether --help or -h is among the arguments.
+asks_for_help() {
+  local word
+  for word in "$@"; do
+    case $word in --help | -h) return 0 ;; esac
+  done
+  return 1
+}
+
 missing_packages() {
   for package in "$@"; do
     [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || echo "$package"

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "common/cpu/cpu_backend.h"
+#include "common/scene/known_name.h"
 #include "common/simulation/simulation.h"
 #ifdef SPHEREPAIR_WITH_GLSL
 #include "glsl/gl_device.h"
@@ -72,8 +73,7 @@ std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions
     throw BackendError("cuda: not in this build; put nvcc on the PATH and configure again");
 #endif
   }
-  throw std::invalid_argument(
-      fmt::format("unknown backend '{}'; known are {}", name, fmt::join(backend_names(), ", ")));
+  throw std::invalid_argument(unknown_name("backend", name, backend_names()));
 }
 
 void check_same_gpu(const Backend& left, const Backend& right) {

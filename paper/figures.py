@@ -7,6 +7,7 @@
   paper/figures.py --data FOLDER... --output F    from those folders, each to its own folder, and side by side
 """
 import argparse
+import contextlib
 import importlib
 import pkgutil
 import sys
@@ -21,7 +22,7 @@ from paper.plots import ratio  # noqa: E402
 from paper.records import DATA, Machine, Missing  # noqa: E402
 from paper.tables import all_tables  # noqa: E402
 from paper.tables.stress import stress  # noqa: E402
-from paper.text import escape  # noqa: E402
+from paper.text import escape, plain  # noqa: E402
 
 
 def modules():
@@ -110,16 +111,28 @@ def write_headline(machine):
     readme.write_text(headline.updated(readme.read_text(), machine))
 
 
+def captions(machines):
+    """name -> its caption as plain text, by the first machine that has it."""
+    found = {}
+    for machine in machines:
+        for module in modules():
+            with contextlib.suppress(Missing):
+                text = module.caption(machine) if hasattr(module, "caption") else module.CAPTION
+                found.setdefault(module.NAME, plain(text))
+        for table in all_tables.all_tables(machine):
+            found.setdefault(table.name, plain(table.caption))
+    return found
+
+
 def draw_side_by_side(machines, output):
-    """Figures that no machine has are listed last, with the reasons."""
+    """What a machine lacks is listed at the page's end, with the reasons."""
     figures, tables_made, reasons = {}, {}, {}
     for machine in machines:
         drawn, written, left_out = report(machine, output / machine.name)
         figures.update(dict.fromkeys(drawn))
         tables_made.update(dict.fromkeys(written))
         reasons.update({(machine.name, name): reason for name, reason in left_out.items()})
-    figures.update(dict.fromkeys(module.NAME for module in modules()))
-    print(f"Side by side: {side_by_side.write(output, machines, figures, tables_made, reasons)}")
+    print(f"Side by side: {side_by_side.write(output, machines, figures, tables_made, reasons, captions(machines))}")
 
 
 def main():

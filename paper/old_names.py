@@ -4,7 +4,7 @@
 The records were written by earlier versions of the program and stay as they are. This file goes when they are recorded
 again.
 """
-FILES = {"skips.json": "ablation.json", "frames_hand_over.json": "frames_transfer.json",
+FILES = {"skips.json": "ablate.json", "frames_hand_over.json": "frames_transfer.json",
          "frames_hand_over_1e8.json": "frames_transfer_1e8.json"}
 KEYS = {"skip": "option", "work_a_step": "work_per_step", "beside": "overlapped", "answers": "configurations",
         "ceilings": "peak_rates", "ceiling_per_second": "peak_per_second", "hand_over": "transfer",

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Numbers and words as the tables and the prose show them."""
+import re
 
 
 def ms(value):
@@ -21,3 +22,9 @@ def escape(text):
                         ("#", "\\#"), ("^", "\\textasciicircum{}")):
         text = text.replace(plain, safe)
     return text.replace("\0", "\\,").replace("\1", "\\%")
+
+
+def plain(text):
+    """The same without LaTeX's marks."""
+    bare = re.sub(r"\$|\\[a-z]+\{([^}]*)\}", r"\1", text.replace("\\,", " ").replace("\\%", "%"))
+    return bare.replace("~", " ")

@@ -90,6 +90,14 @@ bool uses_blocks(const Configuration& configuration) {
   return !configuration.backend->info().on_host || configuration.options.method == Method::collide_group;
 }
 
+uint require_groups(const Configuration& configuration, uint block) {
+  if (uses_blocks(configuration)) return block;
+  throw std::invalid_argument(
+      fmt::format("--block has no effect on the backend {}, whose loops have no groups: omit it, or name a backend of "
+                  "the GPU with --backend",
+                  configuration.backend->info().name));
+}
+
 std::string label(const Configuration& configuration) {
   const std::string text = configuration.backend->info().name + " " + method_name(configuration.options.method);
   const bool automatic_block =

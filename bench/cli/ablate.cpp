@@ -9,7 +9,6 @@
 #include "bench/formats/files.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
-#include "bench/io/output_files.h"
 #include "bench/options/options.h"
 #include "bench/studies/ablation_study.h"
 
@@ -48,13 +47,25 @@ void check_names(const std::vector<std::string>& names) {
   for (const std::string& name : names) require_known("ablation", name, known);
 }
 
+// Of a backend that is not open, an ablation would be left out without a word.
+void require_offered(const std::vector<std::string>& names, const Session& session) {
+  for (const std::string& name : names) {
+    const auto here = [&](const Ablation& one) {
+      return one.name == name && (!*one.backend || session.find(one.backend));
+    };
+    if (std::ranges::none_of(ablation_list(), here))
+      throw std::invalid_argument(
+          fmt::format("the ablation {} has no effect here: no open backend has it; see ablate --help", name));
+  }
+}
+
 }  // namespace
 
 int ablate_command(const CommandLine& line, const AblateOptions& options) {
-  require_known_backends(options.backends);
   check_names(options.names);
-  OutputFiles().write("--json", options.json_file);
+  const std::filesystem::path folder = prepare_results(options.results, {"ablate.json", "ablate.txt"});
   Session session(options.backends, line.open, line.opener);
+  require_offered(options.names, session);
   const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
   std::vector<uint64_t> sizes = options.sizes;
   if (sizes.empty()) sizes = hardware ? std::vector<uint64_t>{16384, 1000000} : std::vector<uint64_t>{16384};
@@ -68,14 +79,16 @@ int ablate_command(const CommandLine& line, const AblateOptions& options) {
     record["spent_s"] = to_json(study->spent);
     record["left_out"] = study->left_out;
     record["measurements"] = study->measurements;
-    write_file(options.json_file, json_text(record));
+    write_file(folder / "ablate.json", json_text(record));
   };
   study.emplace(session, line.open, options, write);
   study->run(sizes);
   record["complete"] = true;
   record["clocks"].push_back(query_clocks());
   write();
-  fmt::print("{}{}\n", table_of(*study).text(), spent_text(study->spent));
+  const std::string text = table_of(*study).text() + spent_text(study->spent) + "\n";
+  write_file(folder / "ablate.txt", text);
+  fmt::print("{}Results: {}\n", text, (folder / "ablate.json").string());
   return kOk;
 }
 
@@ -85,18 +98,18 @@ std::shared_ptr<AblateOptions> add_ablate_options(CLI::App& command) {
   for (const Ablation& ablation : ablation_list())
     help += fmt::format("    {:<22} {}{}\n", ablation.name, ablation.summary,
                         *ablation.backend ? fmt::format(" ({})", ablation.backend) : "");
-  command.add_option("--backends", options->backends, "Only these, and each must open: cpu,glsl,cuda")->delimiter(',');
+  add_backends_option(command, options->backends);
   command.add_option("--names", options->names, help)->delimiter(',');
   command.add_option("--n", options->sizes, "Numbers of spheres (default 16384, with a GPU also 1000000)")
       ->delimiter(',')
-      ->check(positive_range);
+      ->transform(positive_range);
   command.add_option("--packing-fraction", options->packing_fraction, "Packing fraction of the spheres")
       ->check(fraction_range)
       ->capture_default_str();
   command.add_option("--rounds", options->rounds, "Rounds of each timing")
-      ->check(whole_number(1, 1000))
+      ->transform(whole_number(1, 1000))
       ->capture_default_str();
-  command.add_option("--json", options->json_file, "Output file")->capture_default_str();
+  add_results_option(command, options->results, "ablate.json and ablate.txt");
   command.footer("Example:\n  spherepair ablate --backends glsl,cuda --n 16384,1000000,10000000");
   return options;
 }

@@ -15,7 +15,10 @@
 #include "bench/cli/view.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
+#include "bench/options/help_format.h"
 #include "bench/options/options.h"
+#include "bench/options/unknown_word.h"
+#include "bench/options/unused_options.h"
 #include "bench/tables/study.h"
 #include "common/backend/cpu_team.h"
 
@@ -26,9 +29,9 @@ void add_devices(CLI::App& app, CommandLine& line, Action& action) {
   auto* command =
       app.add_subcommand("devices", "List every backend: its device, versions and limits, or why it is missing");
   auto options = std::make_shared<DevicesOptions>();
-  command->add_option("--backends", options->backends, "Only these, e.g. cpu,glsl")->delimiter(',');
+  add_backends_option(*command, options->backends);
   command->add_flag("--compile", options->compile, "Time the driver's compilation of each shader");
-  command->add_option("--json", options->json_file, "Write the same as JSON to this file");
+  command->add_option("--json", options->json_file, "Write the same as JSON to this file; -: to standard output");
   add_open_options(*command, line.open);
   command->footer("Example:\n  spherepair devices");
   command->callback([=, &line, &action] { action = [=, &line] { return devices_command(line, *options); }; });
@@ -37,17 +40,16 @@ void add_devices(CLI::App& app, CommandLine& line, Action& action) {
 void add_run(CLI::App& app, CommandLine& line, Action& action) {
   auto* command = app.add_subcommand("run", "Move one scene on one backend and find its colliding pairs");
   auto options = std::make_shared<RunOptions>();
-  command->add_option("--backend", options->backend, "cpu, glsl or cuda")->capture_default_str();
+  add_backend_option(*command, options->backend, "Where the spheres move and are searched");
   add_start_options(*command, options->start);
   command->add_option("--steps", options->steps, "Steps to move before the pairs are found; 0: none")
-      ->check(steps_range)
+      ->transform(steps_range)
       ->capture_default_str();
   command->add_option(
       "--method", options->method,
       "sequential, parallel (cpu); collide_group, collide_tiled, collide_square, collide_triangle, collide_grid; "
       "default: auto, all pairs or the grid, whichever is expected to be faster");
-  command->add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024; with 128, auto chooses")
-      ->capture_default_str();
+  add_block_option(*command, options->block);
   command->add_flag("--naive", options->naive, "Use the naive float32 test in place of the exact predicate");
   command->add_flag("--swept", options->swept,
                     "Find the pairs that touch at any time within the next step, not only now");
@@ -57,7 +59,8 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
                       "(a line `i j` each), or - for text on standard output");
   command->add_option("--contacts", options->contacts_file,
                       "Write the number of contacts of each sphere to this file: .npy (uint32) or .txt");
-  command->add_option("--json", options->json_file, "Write totals and context as JSON to this file");
+  command->add_option("--json", options->json_file,
+                      "Write totals, times and context as JSON to this file; -: to standard output");
   add_save_options(*command, options->save_file, options->save_every);
   add_open_options(*command, line.open);
   command->footer(
@@ -93,12 +96,12 @@ void add_pairs(CLI::App& app, CommandLine& line, Action& action) {
   command->add_option("--contacts", options->contacts_file,
                       "Write the number of contacts of each sphere to this file: .npy (uint32) or .txt");
   command->add_option("--frame", options->frame, "Frame of an XYZ file with several, counted from 0")
-      ->check(count_range);
-  command->add_option("--backend", options->backend, "cpu, glsl or cuda; default: a GPU if there is one, else cpu");
+      ->transform(count_range);
+  add_backend_option(*command, options->backend, "Where the pairs are searched");
   command->add_option("--method", options->method, "See run --help; default: auto");
-  command->add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024; with 128, auto chooses")
-      ->capture_default_str();
-  command->add_option("--json", options->json_file, "Write the summary and context as JSON to this file");
+  add_block_option(*command, options->block);
+  command->add_option("--json", options->json_file,
+                      "Write the summary and context as JSON to this file; -: to standard output");
   add_open_options(*command, line.open);
   command->footer(
       "Examples:\n  spherepair pairs --input spheres.npy --radius 0.5 --output pairs.npy\n"
@@ -108,7 +111,7 @@ void add_pairs(CLI::App& app, CommandLine& line, Action& action) {
 
 void add_selection(CLI::App& command, CompareOptions& options) {
   PlanOptions& plan = options.plan;
-  command.add_option("--backends", options.backends, "Only these, and each must open: cpu,glsl,cuda")->delimiter(',');
+  add_backends_option(command, options.backends);
   command.add_option("--scenes", plan.scenes, "Scenes to check, e.g. random,aligned:8x16,grazing (see run --help)")
       ->delimiter(',');
   command.add_option("--methods", plan.methods, "Only these methods (see run --help)")->delimiter(',');
@@ -117,7 +120,7 @@ void add_selection(CLI::App& command, CompareOptions& options) {
       .add_option("--n", plan.sizes,
                   "Numbers of spheres for the check and for every table but `counts` and `arrangements`")
       ->delimiter(',')
-      ->check(positive_range);
+      ->transform(positive_range);
   std::vector<std::string> tables;
   for (const TableKind& kind : table_kinds()) tables.push_back(kind.name);
   command
@@ -131,22 +134,22 @@ void add_compare(CLI::App& app, CommandLine& line, Action& action) {
   auto options = std::make_shared<CompareOptions>();
   PlanOptions& plan = options->plan;
   add_selection(*command, *options);
-  command->add_option("--steps", plan.steps, "Steps to check")->check(steps_range);
+  command->add_option("--steps", plan.steps, "Steps to check")->transform(steps_range);
   add_motion_options(*command, plan.motion);
   command->add_option("--every", plan.every, "Steps between two comparisons")
-      ->check(positive_range)
+      ->transform(positive_range)
       ->capture_default_str();
   command->add_option("--seed", plan.seed, "Seed of the scenes and of the order within the rounds")
-      ->check(steps_range)
+      ->transform(steps_range)
       ->capture_default_str();
-  command->add_option("--rounds", plan.rounds, "Rounds of each timing (default 11)")->check(whole_number(1, 100000));
+  command->add_option("--rounds", plan.rounds, "Rounds of each timing (default 11)")
+      ->transform(whole_number(1, 100000));
   command
       ->add_option("--min-seconds", plan.min_seconds, "Minimum time of one sample (default 0.002 on a GPU, else 0.05)")
       ->check(sample_range);
   command->add_flag("--quick", plan.quick, "Small sizes, few rounds");
   command->add_flag("--full", plan.full, "All sizes, more steps and rounds");
-  command->add_option("--results", options->results,
-                      "Folder for results.json and the tables (default results/<host>-<date>)");
+  add_results_option(*command, options->results, "results.json and a .txt per table");
   add_open_options(*command, line.open);
   command->footer(
       "Every configuration is checked before it is timed.\n"
@@ -195,10 +198,15 @@ int run_program(int argc, const char* const* argv, const Opener& opener, Runner 
       "spherepair finds the colliding pairs of spheres exactly, on the CPU, with GLSL compute shaders and with CUDA; "
       "checks that all backends find the same pairs; and times them.");
   app.set_version_flag("--version", fmt::format("spherepair {} ({})", build_info.version, build_info.commit));
+  app.formatter(std::make_shared<HelpFormat>());  // before the subcommands, which take it over
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 success; 1 a difference was found; 2 bad usage or input, or output that cannot be written; "
       "3 a backend or device is missing or failed, or memory or threads ran out.\n"
+      "Whole numbers may be written 16k, 1.5M or 1e6.\n"
+      "Words: a step moves all spheres by dt and finds the pairs; a group is the threads of a GPU that share memory "
+      "(work-group, block), --block its size; a round takes one sample of each contender, in random order; cold is the "
+      "random order of spheres, in which each step sorts them, warm the order of the cells.\n"
       "Start with:\n  spherepair devices\n  spherepair compare --quick\nHelp on a subcommand: spherepair compare "
       "--help");
   CommandLine line;
@@ -218,7 +226,10 @@ int run_program(int argc, const char* const* argv, const Opener& opener, Runner 
   return run_action([&]() -> int {
     try {
       app.parse(argc, argv);
+      refuse_unused_options(parsed_command(app));
     } catch (const CLI::ParseError& error) {
+      const std::string unknown = error.get_exit_code() ? unknown_word(app) : "";
+      if (!unknown.empty()) throw std::invalid_argument(unknown);
       return app.exit(error) == 0 ? kOk : kUsage;
     }
     return run([&] {

@@ -19,9 +19,9 @@ struct DevicesOptions {
 int devices_command(const CommandLine& line, const DevicesOptions& options);
 
 struct RunOptions {
-  std::string backend = "cpu", method;  // no method: auto
+  std::string backend, method;  // no backend: the fastest that opens; no method: auto
   StartOptions start;
-  uint block = CollideOptions{}.block;
+  uint block = 0;  // 0: not given
   uint64_t steps = 0;
   bool per_step = false, naive = false, swept = false;
   std::string pairs_file, contacts_file, json_file;
@@ -39,7 +39,7 @@ struct PairsOptions {
   std::optional<uint64_t> frame;
   std::vector<std::string> columns;
   bool ignore_periodic = false;
-  uint block = CollideOptions{}.block;
+  uint block = 0;  // 0: not given
 };
 int pairs_command(const CommandLine& line, const PairsOptions& options);
 

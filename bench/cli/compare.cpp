@@ -115,9 +115,8 @@ void print_heading(const Session& session) {
 
 int compare_command(const CommandLine& line, const CompareOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  require_known_backends(options.backends);
-  const std::filesystem::path folder = options.results.empty() ? default_results() : options.results;
-  prepare_folder(folder, files_of(make_plan(options.plan, false)));  // throws for bad values before any work
+  const std::filesystem::path folder = prepare_results(
+      options.results, files_of(make_plan(options.plan, false)));  // throws for bad values before any work
   Session session(options.backends, line.open, line.opener);
   const bool hardware =
       std::ranges::any_of(session.backends(), [](const auto& backend) { return on_hardware(*backend); });
@@ -145,10 +144,12 @@ int compare_command(const CommandLine& line, const CompareOptions& options) {
   }
   const double seconds = seconds_since(start);
   record.set("verdict", "equal");
+  const std::string apis = api_verdict(session, study.contests);
   record.set("seconds", seconds);
+  record.set("apis", apis);
   record.write(study);
-  fmt::print("\nNo difference between {} backends: {}, in {:.0f} s. Results: {}\n", session.backends().size(),
-             session.comparisons.text(), seconds, folder.string());
+  fmt::print("\nNo difference between {} backends: {}, in {:.0f} s\n{}\nResults: {}\n", session.backends().size(),
+             session.comparisons.text(), seconds, apis, folder.string());
   return kOk;
 }
 

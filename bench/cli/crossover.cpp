@@ -9,7 +9,6 @@
 #include "bench/formats/files.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
-#include "bench/io/output_files.h"
 #include "bench/options/options.h"
 #include "bench/studies/crossover_sweep.h"
 
@@ -19,6 +18,15 @@ namespace {
 std::string ms_of(const std::map<std::string, double>& seconds, const std::string& way) {
   const auto found = seconds.find(way);
   return found == seconds.end() ? "-" : format_ms(found->second);
+}
+
+std::string median_ratio(const Timing& t) {
+  return t.best.empty() || loss_of(t) == Loss::undecided ? "-" : fmt::format("{:.2f}", t.over_best.ratio);
+}
+
+std::string interval_of_ratios(const Timing& t) {
+  if (t.best.empty() || !enough_rounds(t.over_best)) return "-";
+  return fmt::format("[{:.2f}, {:.2f}]", t.over_best.ratios.low, t.over_best.ratios.high);
 }
 
 Table table_of(const CrossoverSweep& sweep) {
@@ -34,7 +42,8 @@ Table table_of(const CrossoverSweep& sweep) {
                {"grid", "dense", "ms"},
                {"grid", "hashed", "ms"},
                {"", "auto", "ms"},
-               {"", "loss", "%"},
+               {"auto/best", "median", "times"},
+               {"auto/best", "95 % interval", "", true},
                {"", "auto chose", "", true},
                {"", "best", "", true}},
               {},
@@ -43,50 +52,47 @@ Table table_of(const CrossoverSweep& sweep) {
     std::vector<std::string> row = {t.backend, t.kind, std::to_string(t.n), ms_of(t.all_pairs, "parallel")};
     for (const uint block : square_groups) row.push_back(ms_of(t.all_pairs, square_way(block)));
     row.insert(row.end(), {ms_of(t.all_pairs, "collide_triangle"), ms_of(t.grid, "dense"), ms_of(t.grid, "hashed"),
-                           format_ms(t.automatic), format_percent(t.over_best - 1), t.chosen, t.best});
+                           format_ms(t.automatic), median_ratio(t), interval_of_ratios(t), t.chosen, t.best});
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
-// The size from which one of the two stays the faster; null if it is not the faster at the largest size.
-template <typename Faster>
-json faster_from(const std::vector<Timing>& timings, Faster faster) {
+// The size from which one of the two stays the faster; null if it is not, or not decided, at the largest size.
+json faster_from(const std::vector<Timing>& timings, bool Timing::*faster) {
   json found = json::object();
   for (const Timing& t : timings) {
     json& from = found[t.backend][t.kind];
-    if (!faster(t)) from = nullptr;
-    if (faster(t) && from.is_null()) from = t.n;
+    if (!(t.*faster)) from = nullptr;
+    if (t.*faster && from.is_null()) from = t.n;
   }
   return found;
 }
 
-bool triangle_fastest(const Timing& t) {
-  const auto triangle = t.all_pairs.find(method_name(Method::collide_triangle));
-  if (triangle == t.all_pairs.end()) return false;
-  return std::ranges::all_of(t.all_pairs, [&](const auto& way) { return triangle->second <= way.second; });
-}
-
-std::vector<std::string> slow_choices(const std::vector<Timing>& timings) {
+// The rows of this finding, a line each.
+std::vector<std::string> rows_of(const std::vector<Timing>& timings, Loss loss) {
   std::vector<std::string> found;
-  for (const Timing& t : timings)
-    if (t.slower)
-      found.push_back(fmt::format("{} {}, n = {}: {} takes {:.2f}x the time of {}", t.backend, t.kind, t.n, t.chosen,
-                                  t.over_best, t.best));
+  for (const Timing& t : timings) {
+    if (loss_of(t) != loss) continue;
+    found.push_back(fmt::format("{} {}, n = {}: auto ({}) takes {} the time of {}", t.backend, t.kind, t.n, t.chosen,
+                                spread_text(t.over_best), t.best));
+  }
   return found;
 }
 
 std::string verdict(const std::vector<Timing>& timings) {
-  const std::vector<std::string> slower = slow_choices(timings);
-  if (slower.empty())
-    return fmt::format(
-        "In all {} rows auto takes at most 1.1x the time of the best fixed choice, within the samples' spread\n",
-        timings.size());
-  std::string text = fmt::format(
-      "WARNING: in {} of {} rows auto takes more than 1.1x the time of the best fixed choice, beyond the samples' "
-      "spread:\n",
-      slower.size(), timings.size());
-  for (const std::string& row : slower) text += "  " + row + "\n";
+  const auto within = std::ranges::count(timings, Loss::within, loss_of);
+  std::string text = fmt::format("In {} of {} rows auto takes at most 1.1x the time of the best fixed choice\n", within,
+                                 timings.size());
+  const auto add = [&](Loss loss, const char* what) {
+    const std::vector<std::string> rows = rows_of(timings, loss);
+    if (!rows.empty()) text += fmt::format("{} {}:\n  {}\n", rows.size(), what, fmt::join(rows, "\n  "));
+  };
+  add(Loss::beyond, "WARNING: more than 1.1x");
+  add(Loss::undecided, fmt::format("not decided by this data (more --rounds, at least {}, or a machine with less other "
+                                   "load narrow the interval)",
+                                   Sampling{}.fewest_rounds)
+                           .c_str());
   return text;
 }
 
@@ -104,9 +110,8 @@ std::vector<SphereKind> chosen_kinds(const std::vector<std::string>& names) {
 }  // namespace
 
 int crossover_command(const CommandLine& line, const CrossoverOptions& options) {
-  require_known_backends(options.backends);
   const std::vector<SphereKind> chosen = chosen_kinds(options.kinds);
-  OutputFiles().write("--json", options.json_file);
+  const std::filesystem::path folder = prepare_results(options.results, {"crossover.json", "crossover.txt"});
   std::vector<uint64_t> sizes = options.sizes;
   for (uint64_t n = 64; options.sizes.empty() && n <= 1 << 15; n *= 2) sizes.push_back(n);
   std::ranges::sort(sizes);
@@ -117,21 +122,24 @@ int crossover_command(const CommandLine& line, const CrossoverOptions& options) 
                  {"clocks", json::array({query_clocks()})}};
   std::optional<CrossoverSweep> sweep;
   const auto write = [&] {
-    record["grid_from"] = faster_from(sweep->timings, [](const Timing& t) { return t.grid_faster(); });
-    record["triangle_from"] = faster_from(sweep->timings, triangle_fastest);
+    record["grid_from"] = faster_from(sweep->timings, &Timing::grid_faster);
+    record["triangle_from"] = faster_from(sweep->timings, &Timing::triangle_fastest);
     record["auto"] = list_of(sweep->timings);
     record["stopped"] = sweep->stopped;
     record["measurements"] = sweep->measurements;
-    write_file(options.json_file, json_text(record));
+    write_file(folder / "crossover.json", json_text(record));
   };
   sweep.emplace(session, options, write);
   sweep->run(chosen, sizes);
   record["complete"] = true;
   record["clocks"].push_back(query_clocks());
   write();
-  fmt::print("{}\n", table_of(*sweep).text());
-  for (const char* what : {"grid_from", "triangle_from"}) fmt::print("{}: {}\n", what, json_line(record[what]));
-  fmt::print("{}", verdict(sweep->timings));
+  std::string text = table_of(*sweep).text() + "\n";
+  for (const char* what : {"grid_from", "triangle_from"})
+    text += fmt::format("{}: {}\n", what, json_line(record[what]));
+  text += verdict(sweep->timings);
+  write_file(folder / "crossover.txt", text);
+  fmt::print("{}Results: {}\n", text, (folder / "crossover.json").string());
   return kOk;
 }
 
@@ -139,18 +147,18 @@ std::shared_ptr<CrossoverOptions> add_crossover_options(CLI::App& command) {
   auto options = std::make_shared<CrossoverOptions>();
   std::string help = "Only these of:\n";
   for (const SphereKind& kind : sphere_kinds()) help += fmt::format("    {:<9} {}\n", kind.name, kind.summary);
-  command.add_option("--backends", options->backends, "Only these, and each must open: cpu,glsl,cuda")->delimiter(',');
+  add_backends_option(command, options->backends);
   command.add_option("--n", options->sizes, "Numbers of spheres (default 64, 128 ... 32768)")
       ->delimiter(',')
-      ->check(positive_range);
+      ->transform(positive_range);
   command.add_option("--kinds", options->kinds, help)->delimiter(',');
   command.add_option("--rounds", options->rounds, "Rounds of each timing")
-      ->check(whole_number(1, 1000))
+      ->transform(whole_number(1, 1000))
       ->capture_default_str();
   command.add_option("--most-ms", options->most_ms, "A method whose step takes longer is not timed with more spheres")
       ->check(real_number(1e-3, 1e9))
       ->capture_default_str();
-  command.add_option("--json", options->json_file, "Output file")->capture_default_str();
+  add_results_option(command, options->results, "crossover.json and crossover.txt");
   command.footer("Example:\n  spherepair crossover --backends cpu,glsl --n 64,1024,16384");
   return options;
 }

@@ -6,19 +6,18 @@
 #include "bench/formats/files.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
-#include "bench/io/output_files.h"
 #include "bench/studies/frames_study.h"
 #include "bench/viewer/window.h"
 
 namespace spherepair {
 
 int frames_command(const CommandLine& line, const FramesOptions& options) {
-  require_known_backends(options.backends);
   for (const std::string& draw : options.draws) draw_method_from_name(draw);
   for (const std::string& place : options.places) require_known("camera position", place, {"outside", "inside"});
   for (const std::string& work : options.works)
     require_known("work", work, {"frame", "frame_all", "lit", "loop", "view"});
-  OutputFiles().write("--json", options.json_file);
+  most_by_draw(options.most);
+  const std::filesystem::path folder = prepare_results(options.results, {"frames.json", "frames.txt"});
   std::unique_ptr<Window> window;
   OpenOptions open = line.open;
   if (options.window) {
@@ -44,9 +43,10 @@ int frames_command(const CommandLine& line, const FramesOptions& options) {
     record["frames"] = study.frames;
     record["left_out"] = study.left_out;
     if (options.transfer) record["overlaps"] = study.overlaps;
-    write_file(options.json_file, json_text(record));
+    write_file(folder / "frames.json", json_text(record));
+    write_file(folder / "frames.txt", study.text);
   }
-  fmt::print("{}\n", options.json_file);
+  fmt::print("Results: {}\n", (folder / "frames.json").string());
   return kOk;
 }
 

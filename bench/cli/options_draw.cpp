@@ -29,19 +29,20 @@ void add_camera_options(CLI::App& command, CameraOptions& camera) {
 
 void add_image_options(CLI::App& command, RenderOptions& options) {
   auto* steps = command.add_option("--steps", options.steps, "Steps before the first image")
-                    ->check(steps_range)
+                    ->transform(steps_range)
                     ->capture_default_str();
-  auto* images =
-      command.add_option("--images", options.images, "Number of images")->check(positive_range)->capture_default_str();
+  auto* images = command.add_option("--images", options.images, "Number of images")
+                     ->transform(positive_range)
+                     ->capture_default_str();
   auto* every = command.add_option("--every", options.every, "Steps between two images")
-                    ->check(positive_range)
+                    ->transform(positive_range)
                     ->capture_default_str();
   auto* frames = command.add_flag("--frames", options.frames,
                                   "All frames of the XYZ file given by --input: an image each, from one camera");
   for (CLI::Option* other : {steps, images, every, command.get_option("--frame")}) frames->excludes(other);
   add_size_option(command, options.width, options.height);
   command.add_option("--samples", options.samples, "Samples per pixel")
-      ->check(whole_number(1, 1024))
+      ->transform(whole_number(1, 1024))
       ->capture_default_str();
   add_camera_options(command, options.camera);
   command
@@ -85,11 +86,11 @@ void add_render(CLI::App& app, CommandLine& line, Action& action) {
   command->add_option("--video", options->video_file,
                       "A video of the images, .mp4, encoded by ffmpeg, and its JSON file");
   command->add_option("--rate", options->images_per_second, "Images per second of the --video")
-      ->check(whole_number(1, 1000))
+      ->transform(whole_number(1, 1000))
       ->capture_default_str();
   add_start_options(*command, options->start);
   add_image_options(*command, *options);
-  command->add_option("--backend", options->backend, "cpu, glsl or cuda; default: a GPU if there is one, else cpu");
+  add_backend_option(*command, options->backend, "Where the spheres move and are drawn");
   command->add_option("--method", options->method, "Collision method, see run --help; default: auto");
   add_open_options(*command, line.open);
   command->footer(
@@ -109,7 +110,7 @@ void add_frames(CLI::App& app, CommandLine& line, Action& action) {
   const auto list = [&](const char* name, std::vector<std::string>& values, const char* text) {
     command->add_option(name, values, text)->delimiter(',')->capture_default_str();
   };
-  list("--backends", options->backends, "Only these, and each must open: cpu,glsl,cuda");
+  add_backends_option(*command, options->backends);
   list("--draws", options->draws, "Drawing methods, see render --help");
   list("--places", options->places, "Camera positions: outside, inside");
   list("--works", options->works,
@@ -122,7 +123,7 @@ void add_frames(CLI::App& app, CommandLine& line, Action& action) {
                     "Also time OpenGL drawing of CUDA's spheres, transferred in three ways");
   command->add_option("--n", options->sizes, "Numbers of spheres, sorted into cell order")
       ->delimiter(',')
-      ->check(positive_range)
+      ->transform(positive_range)
       ->capture_default_str();
   command->add_option("--most", options->most, "Most spheres that a drawing method is timed with, e.g. mesh_each:65536")
       ->delimiter(',');
@@ -131,14 +132,14 @@ void add_frames(CLI::App& app, CommandLine& line, Action& action) {
       ->check(fraction_range)
       ->capture_default_str();
   command->add_option("--rounds", options->rounds, "Rounds of each timing")
-      ->check(whole_number(1, 100000))
+      ->transform(whole_number(1, 100000))
       ->capture_default_str();
   command->add_option("--min-seconds", options->min_seconds, "Minimum time of one sample")->check(sample_range);
-  command->add_option("--json", options->json_file, "Output file")->capture_default_str();
+  add_results_option(*command, options->results, "frames.json and frames.txt");
   add_open_options(*command, line.open);
   command->footer(
       "Images of the exact methods are compared before they are timed.\n"
-      "Example:\n  spherepair frames --n 16384,1000000 --most mesh_each:16384,mesh:1000000 --json frames.json");
+      "Example:\n  spherepair frames --n 16384,1000000 --most mesh_each:16384,mesh:1000000 --results frames");
   command->callback([=, &line, &action] { action = [=, &line] { return frames_command(line, *options); }; });
 }
 

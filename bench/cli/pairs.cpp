@@ -7,6 +7,7 @@
 
 #include "bench/check/degrees.h"
 #include "bench/check/rounding_reach.h"
+#include "bench/check/step_result.h"
 #include "bench/cli/commands.h"
 #include "bench/formats/files.h"
 #include "bench/io/arguments.h"
@@ -46,12 +47,12 @@ void check_options(const PairsOptions& options) {
   if (!options.backend.empty()) require_known_backends({options.backend});
   if (!options.method.empty() && method_from_name(options.method) == Method::collide_group)
     throw std::invalid_argument("the method collide_group finds only pairs within a group; choose another");
-  parse_blocks({options.block});
+  if (options.block) parse_blocks({options.block});
   OutputFiles files;
   files.read("--input", options.input_file);
-  if (options.output_file != kStandardOutput) files.write("--output", options.output_file);
-  files.write("--json", options.json_file);
+  files.write("--output", options.output_file);
   files.write("--contacts", options.contacts_file);
+  files.write("--json", options.json_file);
   check_pair_file("--output", options.output_file);
   check_pair_file("--contacts", options.contacts_file);
 }
@@ -88,7 +89,7 @@ std::string summary(const PairsReport& report) {
   std::string text = describe(input);
   text += fmt::format("{} on {}, {}\n", chosen.backend->info().name, device_label(chosen.backend->info()),
                       describe(method));
-  for (const std::string& reason : chosen.passed_over) text += fmt::format("  passed over: {}\n", reason);
+  text += passed_over_text(chosen);
   text += fmt::format("{} pairs, {} of {} spheres collide\n", found.totals.pairs, found.totals.colliding_spheres,
                       input.scene.size());
   text += fmt::format("seconds: load {:.3f}, open {:.3f}, collide {:.3f}, write {:.3f}\n\n", seconds.load, seconds.open,
@@ -105,7 +106,7 @@ json to_json(const PairsReport& report, const CommandLine& line) {
           {"input", to_json(input)},
           {"method", method_name(method.method)},
           {"choice", to_json(method)},
-          {"block", method.block ? method.block : options.block},
+          {"block", method.block ? json(method.block) : json(nullptr)},
           {"output", options.output_file},
           {"pairs", found.totals.pairs},
           {"pairs_within_rounding", found.within_reach},
@@ -139,8 +140,8 @@ int pairs_command(const CommandLine& line, const PairsOptions& options) {
   progress.say("opening a backend");
   seconds.open = seconds_of([&] { chosen = choose_backend(options.backend, line.open); });
   progress.say(fmt::format("{} spheres on {}", input.scene.size(), chosen.backend->info().name));
-  const CollideOptions collide = {
-      .method = choose_method(options.method, *chosen.backend), .block = options.block, .want_pairs = true};
+  CollideOptions collide = {.method = choose_method(options.method, *chosen.backend), .want_pairs = true};
+  if (options.block) collide.block = require_groups({chosen.backend, collide}, options.block);
   seconds.collide = seconds_of([&] { report.found = find_pairs(*chosen.backend, input, collide); });
   report.method = chosen.backend->choice(collide);
   progress.say("writing " + options.output_file);
@@ -149,8 +150,9 @@ int pairs_command(const CommandLine& line, const PairsOptions& options) {
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
   const std::string warning = reach_warning(report.found.within_reach, input.rounding);
   if (!warning.empty()) fmt::print(stderr, "{}\n", wrap(warning, 100, "  "));
-  fmt::print(options.output_file == kStandardOutput ? stderr : stdout, "{}", summary(report));
-  if (!options.json_file.empty()) write_file(options.json_file, json_text(to_json(report, line)));
+  const bool taken = is_standard_output({options.output_file, options.contacts_file, options.json_file});
+  fmt::print(taken ? stderr : stdout, "{}", summary(report));
+  write_json(options.json_file, to_json(report, line));
   return kOk;
 }
 

@@ -121,10 +121,8 @@ void report(const std::filesystem::path& folder, json record, const PrecisionPla
 
 int precision_command(const CommandLine& line, const PrecisionOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  require_known_backends(options.backends);
   make_precision_plan(options, false);  // throws for bad values before any work
-  const std::filesystem::path folder = options.results.empty() ? default_results() : options.results;
-  prepare_folder(folder, {"precision.txt", "precision.json"});
+  const std::filesystem::path folder = prepare_results(options.results, {"precision.txt", "precision.json"});
   Session session(options.backends, line.open, line.opener);
   const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
   const PrecisionPlan plan = make_precision_plan(options, hardware);
@@ -146,21 +144,21 @@ int precision_command(const CommandLine& line, const PrecisionOptions& options) 
 
 std::shared_ptr<PrecisionOptions> add_precision_options(CLI::App& command) {
   auto options = std::make_shared<PrecisionOptions>();
-  command.add_option("--backends", options->backends, "Only these, and each must open: cpu,glsl,cuda")->delimiter(',');
+  add_backends_option(command, options->backends);
   command.add_option("--motions", options->methods, "Only these methods, e.g. paper,anchored (see run --help)")
       ->delimiter(',');
   command.add_option("--precisions", options->precisions, "Only these of float32, compensated, float64")
       ->delimiter(',');
   command.add_option("--n", options->n, "Spheres of the timings (default 4194304 on a GPU, else 65536)")
-      ->check(positive_range);
+      ->transform(positive_range);
   command.add_option("--steps", options->steps, "Only these time steps: k of dt = 2^-k s, e.g. 4,6,10")
       ->delimiter(',')
-      ->check(whole_number(0, 20));
+      ->transform(whole_number(0, 20));
   command.add_option("--rounds", options->rounds, "Rounds of each timing")
-      ->check(whole_number(6, 1000))
+      ->transform(whole_number(6, 1000))
       ->capture_default_str();
   command.add_flag("--quick", options->quick, "Few time steps and spheres");
-  command.add_option("--results", options->results, "Folder for precision.json and precision.txt");
+  add_results_option(command, options->results, "precision.json and precision.txt");
   command.footer("Example:\n  spherepair precision --quick --motions paper,impact,anchored");
   return options;
 }

@@ -12,6 +12,7 @@
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/measure/choice.h"
+#include "bench/measure/run_times.h"
 #include "bench/spheres/pair_file.h"
 
 namespace spherepair {
@@ -34,12 +35,12 @@ struct RunStep {
   Collisions totals;
 };
 
-CollideOptions collide_options(const RunOptions& options, const Backend& backend) {
+CollideOptions collide_options(const RunOptions& options, Backend& backend) {
   CollideOptions collide;
   collide.swept = options.swept;
   const bool swept_by_default = options.swept && options.method.empty();
   collide.method = swept_by_default ? swept_method(backend) : choose_method(options.method, backend);
-  collide.block = parse_blocks({options.block}).front();
+  if (options.block) collide.block = require_groups({&backend, collide}, parse_blocks({options.block}).front());
   collide.exact = !options.naive;
   return collide;
 }
@@ -55,7 +56,7 @@ json to_json(const RunStep& result) {
           {"decided_by_stage", totals.decided_by}};
 }
 
-void print_steps(const std::vector<RunStep>& results) {
+std::string steps_text(const std::vector<RunStep>& results) {
   Table table{"",
               {{"", "step", ""},
                {"", "pairs", ""},
@@ -69,7 +70,7 @@ void print_steps(const std::vector<RunStep>& results) {
     table.rows.push_back({std::to_string(step), std::to_string(totals.pairs), std::to_string(totals.colliding_spheres),
                           std::to_string(totals.deferred), hex64(totals.fingerprint.a) + hex64(totals.fingerprint.b),
                           hex64(state)});
-  fmt::print("{}", table.text().substr(1));
+  return table.text().substr(1);
 }
 
 void save(Backend& backend, const Start& start, uint64_t step, Backend::State state, const std::string& file) {
@@ -79,30 +80,97 @@ void save(Backend& backend, const Start& start, uint64_t step, Backend::State st
   write_checkpoint(file, checkpoint);
 }
 
-// Moves to the last step; returns the results of the last step, or of every step with --per-step.
-std::vector<RunStep> simulate(Backend& backend, const RunOptions& options, const Start& start, CollideOptions collide) {
-  std::vector<RunStep> results;
-  Progress progress;
-  const uint64_t end = start.step + options.steps;
-  for (uint64_t step = start.step; step <= end; ++step) {
-    if (step > start.step) backend.move();
-    const bool last = step == end, collides = last || options.per_step;
-    const bool periodic = options.save_every && step > start.step && step % options.save_every == 0;
-    const bool saves = !options.save_file.empty() && (last || periodic);
-    if (!collides && !saves) continue;
-    Backend::State state = current_state(backend);
-    require_finite(state, step);
-    const uint64_t hash = state_hash(state.positions, state.velocities, state.wide);
-    if (saves) save(backend, start, step, std::move(state), options.save_file);
-    if (!collides) continue;
-    progress.say(fmt::format("step {} of {}", step, end));
-    collide.want_pairs = last && !options.pairs_file.empty();
-    backend.collide(collide);
-    const Collisions totals = backend.collisions();
-    results.push_back({step, hash, totals});
+// Moves to the last step; keeps the results of the last step, or of every step with --per-step.
+class Run {
+ public:
+  Run(Backend& backend, const RunOptions& options, const Start& start, const CollideOptions& collide, RunTimes& times)
+      : backend_(backend),
+        options_(options),
+        start_(start),
+        collide_(collide),
+        times_(times),
+        step_(start.step),
+        end_(start.step + options.steps) {}
+
+  std::vector<RunStep> simulate() {
+    if (options_.steps == 0) return time_last([&] { stand(); });
+    stand();
+    while (step_ + 1 < end_) {
+      move_to(next_stop());
+      stand();
+    }
+    return time_last([&] {
+      move_to(end_);
+      stand();
+    });
   }
-  return results;
-}
+
+ private:
+  // The last step is done between timers, kernel by kernel. In software OpenGL's would stop before the work does.
+  template <typename Work>
+  std::vector<RunStep> time_last(Work work) {
+    const bool timers = backend_.info().device_timers || backend_.info().on_host;
+    backend_.time_stages(timers);
+    work();
+    if (timers) times_.set_stages(backend_, backend_.stage_times());
+    backend_.time_stages(false);
+    return std::move(results_);
+  }
+
+  // The next step after which there is something to do.
+  uint64_t next_stop() const {
+    if (options_.per_step) return step_ + 1;
+    const uint64_t every = options_.save_every;
+    return every ? std::min(end_ - 1, (step_ / every + 1) * every) : end_ - 1;
+  }
+
+  // On a GPU moves are enqueued: they take until the wait.
+  void move_to(uint64_t stop) {
+    times_.count(RunTimes::moves, stop - step_);
+    times_.spend(RunTimes::moves, [&] {
+      while (step_ < stop) {
+        backend_.move();
+        ++step_;
+        if (!progress_.due()) continue;
+        backend_.finish();
+        progress_.reach(step_ - start_.step, options_.steps);
+        progress_.say("moving");
+      }
+      backend_.finish();
+    });
+  }
+
+  // What is to be done where the spheres now stand.
+  void stand() {
+    const bool last = step_ == end_, collides = last || options_.per_step;
+    const bool periodic = options_.save_every && step_ > start_.step && step_ % options_.save_every == 0;
+    const bool saves = !options_.save_file.empty() && (last || periodic);
+    if (!collides && !saves) return;
+    RunStep result{step_, 0, {}};
+    times_.count(RunTimes::states, 1);
+    times_.spend(RunTimes::states, [&] {
+      Backend::State state = current_state(backend_);
+      require_finite(state, step_);
+      result.state = state_hash(state.positions, state.velocities, state.wide);
+      if (saves) save(backend_, start_, step_, std::move(state), options_.save_file);
+    });
+    if (!collides) return;
+    collide_.want_pairs = last && !options_.pairs_file.empty();
+    times_.count(RunTimes::searches, 1);
+    times_.spend(RunTimes::searches, [&] { backend_.collide(collide_); });
+    result.totals = backend_.collisions();
+    results_.push_back(result);
+  }
+
+  Backend& backend_;
+  const RunOptions& options_;
+  const Start& start_;
+  CollideOptions collide_;
+  RunTimes& times_;
+  uint64_t step_, end_;
+  Progress progress_;
+  std::vector<RunStep> results_;
+};
 
 void warn_of_stalled_spheres(const Scene& scene) {
   const uint64_t stalled = stalled_spheres(scene);
@@ -113,12 +181,11 @@ void warn_of_stalled_spheres(const Scene& scene) {
                stalled);
 }
 
-json run_record(const CommandLine& line, const Session& session, const Start& start, const CollideOptions& collide,
-                const MethodChoice& choice, const std::vector<RunStep>& results) {
-  json steps = json::array();
-  for (const RunStep& result : results) steps.push_back(to_json(result));
+json run_record(const CommandLine& line, const ChosenBackend& chosen, const Start& start, const CollideOptions& collide,
+                const MethodChoice& choice, const std::vector<RunStep>& results, const RunTimes& times) {
   return {{"context", capture_context(line.words)},
-          {"backends", session.to_json()},
+          {"backends", chosen.session->to_json()},
+          {"passed_over", chosen.passed_over},
           {"scene", start.record},
           {"motion", motion_label(start.scene.motion)},
           {"dt", start.scene.dt},
@@ -128,42 +195,50 @@ json run_record(const CommandLine& line, const Session& session, const Start& st
           {"block", choice.block ? choice.block : collide.block},
           {"exact", collide.exact},
           {"swept", collide.swept},
-          {"steps", steps}};
+          {"times", times.to_json()},
+          {"steps", list_of(results)}};
+}
+
+std::string heading(const RunOptions& options, const ChosenBackend& chosen, const Start& start,
+                    const CollideOptions& collide) {
+  const Backend& backend = *chosen.backend;
+  std::string text = fmt::format("{}{} on {}: {}{}, scene {}, {} spheres, {} steps of {}\n{}", start.notes,
+                                 backend.info().name, device_label(backend.info()), label({chosen.backend, collide}),
+                                 options.naive   ? " (naive)"
+                                 : options.swept ? " (within the next step)"
+                                                 : "",
+                                 start.label, start.scene.size(), options.steps, motion_label(start.scene.motion),
+                                 passed_over_text(chosen));
+  if (collide.method == Method::automatic) text += fmt::format("auto: {}\n", describe(backend.choice(collide)));
+  return text;
 }
 
 }  // namespace
 
 int run_command(const CommandLine& line, const RunOptions& options) {
-  require_known_backends({options.backend});
   if (options.save_every && options.save_file.empty())
     throw std::invalid_argument("--save-every needs a file name: --save FILE");
   check_files(options);
-  const Start start = start_of(options.start, line.open.threads);
-  const Scene& scene = start.scene;
-  check_scene(scene);
-  Session session({options.backend}, line.open);
-  Backend& backend = *session.find(options.backend);
+  RunTimes times;
+  const Start start = times.spend(RunTimes::spheres, [&] { return start_of(options.start, line.open.threads); });
+  check_scene(start.scene);
+  const ChosenBackend chosen =
+      times.spend(RunTimes::opening, [&] { return choose_backend(options.backend, line.open, line.opener); });
+  Backend& backend = *chosen.backend;
   const CollideOptions collide = collide_options(options, backend);
-  for (const std::string& warning : session.warnings()) fmt::print(stderr, "{}\n", warning);
-  if (options.steps) warn_of_stalled_spheres(scene);
+  for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
+  if (options.steps) warn_of_stalled_spheres(start.scene);
   const std::string rounded =
-      reach_warning(pairs_within_reach(backend, scene, start.rounding, collide), start.rounding);
+      reach_warning(pairs_within_reach(backend, start.scene, start.rounding, collide), start.rounding);
   if (!rounded.empty()) fmt::print(stderr, "{}\n", wrap("At the start: " + rounded, 100, "  "));
-  upload_start(start, backend);
-  const std::vector<RunStep> results = simulate(backend, options, start, collide);
-  const MethodChoice choice = backend.choice(collide);
-  fmt::print("{}{} on {}: {}{}, scene {}, {} spheres, {} steps of {}\n", start.notes, options.backend,
-             device_label(backend.info()), label({&backend, collide}),
-             options.naive   ? " (naive)"
-             : options.swept ? " (within the next step)"
-                             : "",
-             start.label, scene.size(), options.steps, motion_label(scene.motion));
-  if (collide.method == Method::automatic) fmt::print("auto: {}\n", describe(choice));
-  print_steps(results);
+  times.spend(RunTimes::opening, [&] { upload_start(start, backend); });
+  const std::vector<RunStep> results = Run(backend, options, start, collide, times).simulate();
   if (!options.pairs_file.empty()) write_pairs(options.pairs_file, backend.pairs());
   if (!options.contacts_file.empty()) write_contact_numbers(options.contacts_file, backend.counts());
-  if (!options.json_file.empty())
-    write_file(options.json_file, json_text(run_record(line, session, start, collide, choice, results)));
+  const bool taken = is_standard_output({options.pairs_file, options.contacts_file, options.json_file});
+  std::FILE* report = taken ? stderr : stdout;
+  fmt::print(report, "{}{}{}", heading(options, chosen, start, collide), steps_text(results), times.text());
+  write_json(options.json_file, run_record(line, chosen, start, collide, backend.choice(collide), results, times));
   return kOk;
 }
 

@@ -10,6 +10,7 @@
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/io/motion_choice.h"
+#include "bench/options/options.h"
 #include "bench/studies/set_errors.h"
 
 namespace spherepair {
@@ -120,10 +121,8 @@ Table contact_table(const std::vector<ContactEntry>& entries) {
 
 int sets_command(const CommandLine& line, const SetsOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  require_known_backends(options.backends);
   make_set_plan(options, false);  // throws for bad values before any work
-  const std::filesystem::path folder = options.results.empty() ? default_results() : options.results;
-  prepare_folder(folder, {"sets.txt", "sets.json"});
+  const std::filesystem::path folder = prepare_results(options.results, {"sets.txt", "sets.json"});
   Session session(options.backends, line.open, line.opener);
   const SetPlan plan =
       make_set_plan(options, std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); }));
@@ -160,13 +159,13 @@ int sets_command(const CommandLine& line, const SetsOptions& options) {
 
 std::shared_ptr<SetsOptions> add_sets_options(CLI::App& command) {
   auto options = std::make_shared<SetsOptions>();
-  command.add_option("--backends", options->backends, "Only these, and each must open: cpu,glsl,cuda")->delimiter(',');
+  add_backends_option(command, options->backends);
   command.add_option("--motions", options->methods, "Only these methods, e.g. paper,anchored (see run --help)")
       ->delimiter(',');
   command.add_option("--precisions", options->precisions, "Only these of float32, compensated, float64")
       ->delimiter(',');
   command.add_flag("--quick", options->quick, "Few time steps, distances and spheres");
-  command.add_option("--results", options->results, "Folder for sets.json and sets.txt");
+  add_results_option(command, options->results, "sets.json and sets.txt");
   command.footer("Example:\n  spherepair sets --quick --motions paper,impact,anchored");
   return options;
 }

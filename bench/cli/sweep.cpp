@@ -124,11 +124,11 @@ class Sweep {
 
 std::shared_ptr<SweepCommandOptions> add_sweep_options(CLI::App& command) {
   auto options = std::make_shared<SweepCommandOptions>();
-  command.add_option("--backends", options->backends, "Only these, and each must open: cpu,glsl,cuda")->delimiter(',');
+  add_backends_option(command, options->backends);
   command.add_option("--methods", options->methods, "Only these methods (see run --help)")->delimiter(',');
   command.add_option("--n", options->sizes, "Numbers of spheres (default: 64 to 10^6, with a GPU to 10^9)")
       ->delimiter(',')
-      ->check(positive_range);
+      ->transform(positive_range);
   command.add_option("--packing-fractions", options->packing_fractions, "Packing fractions of the scene `uniform`")
       ->delimiter(',')
       ->check(fraction_range)
@@ -140,20 +140,18 @@ std::shared_ptr<SweepCommandOptions> add_sweep_options(CLI::App& command) {
       ->capture_default_str();
   command
       .add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024; default: as auto chooses it")
-      ->check(block_range);
+      ->transform(block_range);
   command.add_option("--rounds", options->rounds, "Samples of each timing")
-      ->check(whole_number(1, 100000))
+      ->transform(whole_number(1, 100000))
       ->capture_default_str();
   add_shard_options(command, options->sweep);
-  command.get_option("--output")->required();
   command.footer(
       "Each file holds one configuration: every backend and method, checked against each other, then timed.\n"
-      "Example:\n  spherepair sweep --output sweep --shard 2/8 --resume");
+      "Example:\n  spherepair sweep --results sweep --shard 2/8 --resume");
   return options;
 }
 
 int sweep_command(const CommandLine& line, const SweepCommandOptions& options) {
-  require_known_backends(options.backends);
   if (options.block) parse_blocks({options.block});
   return Sweep(line, options).run();
 }

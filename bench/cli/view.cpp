@@ -86,7 +86,7 @@ void add_view(CLI::App& app, CommandLine& line, std::function<int()>& action) {
   auto* command = app.add_subcommand("view", "Show moving spheres in a window; backend and method can be changed");
   auto options = std::make_shared<ViewOptions>();
   add_start_options(*command, options->start);
-  command->add_option("--backend", options->backend, "Backend at the start; default: a GPU if there is one, else cpu");
+  add_backend_option(*command, options->backend, "Backend at the start");
   command->add_option("--method", options->method, "Collision method at the start; default: collide_grid");
   add_size_option(*command, options->width, options->height);
   command

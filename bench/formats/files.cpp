@@ -5,16 +5,30 @@
 
 #include <stdexcept>
 
+#include "bench/io/context.h"
 #include "bench/io/replaced_file.h"
 
 namespace spherepair {
 
 namespace fs = std::filesystem;
 
+void write_json(const std::string& file, const json& record) {
+  if (file == kStandardOutput)
+    fmt::print("{}", json_text(record));
+  else if (!file.empty())
+    write_file(file, json_text(record));
+}
+
 void write_file(const fs::path& path, const std::string& text) {
   ReplacedFile file(path);
   file.write(text);
   file.commit();
+}
+
+fs::path prepare_results(const std::string& results, const std::vector<std::string>& files) {
+  const fs::path folder = results.empty() ? default_results() : results;
+  prepare_folder(folder, files);
+  return folder;
 }
 
 void prepare_folder(const fs::path& folder, const std::vector<std::string>& files) {

@@ -6,12 +6,19 @@
 #include <string>
 #include <vector>
 
+#include "bench/io/output_files.h"
+#include "bench/io/report.h"
+
 namespace spherepair {
 
 // Replaces a regular file atomically (ReplacedFile).
 void write_file(const std::filesystem::path& path, const std::string& text);
 
-// Creates the folder and checks that these files can be written in it.
+void write_json(const std::string& file, const json& record);  // an empty name: nothing is written
+
+// Creates the folder and checks that these files can be written in it. results: --results; empty: a new folder in
+// results/.
 void prepare_folder(const std::filesystem::path& folder, const std::vector<std::string>& files);
+std::filesystem::path prepare_results(const std::string& results, const std::vector<std::string>& files);
 
 }  // namespace spherepair

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Google Benchmark's interface to the timing core, for its compare.py. A repetition is a sample of K steps; its time is
-// that of one step. --output writes a JSON file per configuration, so that a sweep can be sharded and resumed.
+// that of one step. --results writes a JSON file per configuration, so that a sweep can be sharded and resumed.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -147,10 +147,11 @@ void add_options(CLI::App& app, BenchOptions& options, OpenOptions& open) {
   app.add_option("--scenes", options.scenes, "E.g. random,uniform,aligned:8x16")->delimiter(',')->capture_default_str();
   app.add_option("--n", options.sizes, "Numbers of spheres (default 16384 with a GPU, else 4096)")
       ->delimiter(',')
-      ->check(positive_range);
+      ->transform(positive_range);
   app.add_option("--blocks", options.blocks, "Only these group sizes: 32,64,128,256,512,1024")->delimiter(',');
-  app.add_option("--rounds", options.rounds, "Samples of each row (default 11)")->check(whole_number(1, 100000));
-  app.add_option("--threads", open.threads, "Threads of the CPU backend; 0: all cores")->check(whole_number(0, 4096));
+  app.add_option("--rounds", options.rounds, "Samples of each row (default 11)")->transform(whole_number(1, 100000));
+  app.add_option("--threads", open.threads, "Threads of the CPU backend; 0: all cores")
+      ->transform(whole_number(0, 4096));
   add_shard_options(app, options.sweep);
   app.footer(
       "All other options go to Google Benchmark, e.g. --benchmark_filter=triangle --benchmark_out=times.json\n"
@@ -182,7 +183,7 @@ int bench_command(int argc, char** argv) {
   const std::vector<SceneOptions> scenes = chosen_scenes(options, session);
   const std::vector<BenchRow> rows = bench_rows(session, blocks);
   add_context(session);
-  const int code = options.sweep.output.empty()
+  const int code = options.sweep.results.empty()
                        ? run_all(session, scenes, rows, sampling)
                        : run_sweep(configurations(session, scenes, rows, sampling), options.sweep,
                                    [](const json& found) { return found.is_object() && found.contains("benchmarks"); });

@@ -7,12 +7,12 @@
 
 #include "api/open.h"
 #include "bench/io/numbers.h"
+#include "common/scene/known_name.h"
 
 namespace spherepair {
 
 void require_known(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
-  if (std::ranges::find(known, name) == known.end())
-    throw std::invalid_argument(fmt::format("unknown {} '{}'; known are {}", what, name, fmt::join(known, ", ")));
+  if (std::ranges::find(known, name) == known.end()) throw std::invalid_argument(unknown_name(what, name, known));
 }
 
 void require_known_backends(const std::vector<std::string>& names) {

@@ -24,20 +24,21 @@ std::string identity(const fs::path& path) {
 }  // namespace
 
 void OutputFiles::read(const std::string& option, const fs::path& path) {
-  if (path.empty()) return;
+  if (path.empty() || path == "-") return;
   const std::string file = identity(path);
   if (!file.empty()) uses_[file] = {option, path, false};
 }
 
 void OutputFiles::write(const std::string& option, const fs::path& path, const std::string& in_place) {
   if (path.empty()) return;
-  const std::string file = identity(path);
+  const bool standard_output = path == kStandardOutput;
+  const std::string file = standard_output ? kStandardOutput : identity(path);
   const auto other = uses_.find(file);
   if (other != uses_.end() && (other->second.output || other->second.option != in_place))
     throw std::invalid_argument(fmt::format("{} {} is the {} {} of {}: choose another name", option, path.string(),
                                             other->second.output ? "output" : "input", other->second.path.string(),
                                             other->second.option));
-  check_writable(path);
+  if (!standard_output) check_writable(path);
   if (!file.empty()) uses_[file] = {option, path, true};
 }
 

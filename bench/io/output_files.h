@@ -2,11 +2,19 @@
 // Checks the files of a command before its work: no input is overwritten, no output is written twice.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace spherepair {
+
+// `-` as an output file: standard output, which has one use; a report then goes to standard error.
+inline constexpr const char* kStandardOutput = "-";
+inline bool is_standard_output(const std::vector<std::string>& files) {
+  return std::ranges::find(files, kStandardOutput) != files.end();
+}
 
 // `option` names the file in messages; an empty path stands for an option that was not given. Throws
 // std::invalid_argument. Other than regular files (a pipe, /dev/null) may have several uses.

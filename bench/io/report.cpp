@@ -128,6 +128,11 @@ void Progress::say(const std::string& what) {
   fmt::print(stderr, "\r{:<{}}", line, std::max(shown_, line.size()));
   std::fflush(stderr);
   shown_ = line.size();
+  said_ = std::chrono::steady_clock::now();
+}
+
+bool Progress::due() const {
+  return terminal_ && std::chrono::steady_clock::now() - said_ > std::chrono::milliseconds(200);
 }
 
 void Progress::reach(uint64_t done, uint64_t total) {

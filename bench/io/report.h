@@ -58,6 +58,7 @@ class Progress {
   ~Progress() { clear(); }
   void say(const std::string& what);
   void clear();
+  bool due() const;  // on a terminal, and nothing was said for 0.2 s: for loops of short steps
 
   // Prefix of the following lines: parts done and the estimated time of the others.
   void reach(uint64_t done, uint64_t total);
@@ -65,6 +66,7 @@ class Progress {
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::string reached_;
+  std::chrono::steady_clock::time_point said_ = start_;
   bool terminal_;
   size_t shown_ = 0;
 };

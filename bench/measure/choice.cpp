@@ -1,38 +1,46 @@
 // SPDX-License-Identifier: MIT
 #include "bench/measure/choice.h"
 
+#include <fmt/format.h>
+
 #include "bench/io/arguments.h"
 
 namespace spherepair {
 namespace {
 
-ChosenBackend open_one(const std::string& name, const OpenOptions& options) {
+ChosenBackend open_one(const std::string& name, const OpenOptions& options, const Opener& opener) {
   ChosenBackend chosen;
-  chosen.session = std::make_unique<Session>(std::vector{name}, options);
+  chosen.session = std::make_unique<Session>(std::vector{name}, options, opener);
   chosen.backend = chosen.session->find(name);
   return chosen;
 }
 
 }  // namespace
 
-ChosenBackend choose_backend(const std::string& name, const OpenOptions& options) {
-  if (!name.empty()) return open_one(name, options);
+ChosenBackend choose_backend(const std::string& name, const OpenOptions& options, const Opener& opener) {
+  if (!name.empty()) return open_one(name, options, opener);
   std::vector<std::string> passed_over;
   OpenOptions hardware = options;
   hardware.require_hardware = true;  // software OpenGL is slower than the CPU backend
   for (const char* device : {"cuda", "glsl"}) {
     if (!options.allow_gpu) break;
     try {
-      ChosenBackend chosen = open_one(device, hardware);
+      ChosenBackend chosen = open_one(device, hardware, opener);
       chosen.passed_over = passed_over;
       return chosen;
     } catch (const BackendError& error) {
       passed_over.push_back(error.what());
     }
   }
-  ChosenBackend chosen = open_one("cpu", options);
+  ChosenBackend chosen = open_one("cpu", options, opener);
   chosen.passed_over = passed_over;
   return chosen;
+}
+
+std::string passed_over_text(const ChosenBackend& chosen) {
+  std::string text;
+  for (const std::string& reason : chosen.passed_over) text += fmt::format("  passed over: {}\n", reason);
+  return text;
 }
 
 json to_json(const MethodChoice& choice) {

@@ -6,6 +6,8 @@
 
 namespace spherepair {
 
+inline constexpr const char* kAutomaticBackend = "auto";  // on the command line
+
 struct ChosenBackend {
   std::unique_ptr<Session> session;
   Backend* backend = nullptr;
@@ -13,7 +15,10 @@ struct ChosenBackend {
 };
 
 // The named backend, or without a name the fastest that opens: CUDA, OpenGL on a GPU, the CPU.
-ChosenBackend choose_backend(const std::string& name, const OpenOptions& options);
+ChosenBackend choose_backend(const std::string& name, const OpenOptions& options, const Opener& opener = open_backend);
+
+// A line for each backend that was passed over.
+std::string passed_over_text(const ChosenBackend& chosen);
 
 // For the record: method, kind of cells, reason.
 json to_json(const MethodChoice& choice);

@@ -8,6 +8,7 @@
 
 #include "api/open.h"
 #include "bench/io/context.h"
+#include "bench/io/numbers.h"
 
 namespace spherepair {
 namespace {
@@ -102,6 +103,20 @@ std::vector<std::string> Session::warnings() const {
   return found;
 }
 
+namespace {
+
+// Limits and counts as numbers; versions and names as text.
+json details_json(const std::map<std::string, std::string>& details) {
+  json out = json::object();
+  for (const auto& [what, value] : details) {
+    const auto number = whole_number_of(value, 0, std::numeric_limits<uint64_t>::max());
+    out[what] = number ? json(*number) : json(value);
+  }
+  return out;
+}
+
+}  // namespace
+
 json Session::to_json() const {
   json list = json::array();
   for (const auto& backend : backends_) {
@@ -112,7 +127,7 @@ json Session::to_json() const {
                     {"uuid", info.uuid},
                     {"software", info.software},
                     {"device_timers", info.device_timers},
-                    {"details", info.details}});
+                    {"details", details_json(info.details)}});
   }
   for (const Missing& missing : missing_)
     list.push_back({{"name", missing.name}, {"open", false}, {"reason", missing.reason}});

@@ -15,6 +15,11 @@
 namespace spherepair {
 namespace {
 
+constexpr double certain = 0.01;  // p of the rank test
+constexpr double narrow = 1.25;   // an interval of ratios that is wider, high over low, could hide a difference
+
+std::string times_text(double ratio) { return fmt::format("{:.{}f}x", ratio, ratio < 10 ? 2 : ratio < 100 ? 1 : 0); }
+
 // Fisher-Yates with an integer hash: the same order on every machine.
 void shuffle(std::vector<size_t>& order, uint64_t& state) {
   for (size_t left = order.size(); left > 1; --left) {
@@ -105,13 +110,25 @@ double time_batch(const Contender& contender, uint64_t batch) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+namespace {
+
+// The least of three, where they are short: one disturbance would make K so small that each step of this contender
+// had the price of waking threads or the device, and those of the others had not.
+double undisturbed(const Contender& contender, uint64_t batch, double wanted) {
+  double least = time_batch(contender, batch);
+  for (int more = 0; more < 2 && least < 4 * wanted; ++more) least = std::min(least, time_batch(contender, batch));
+  return least;
+}
+
+}  // namespace
+
 uint64_t choose_batch(const Contender& contender, const Sampling& sampling) {
   if (contender.batch) return contender.batch;
   const bool hardware = on_hardware(*contender.backend);
   const double wanted = hardware ? sampling.hardware_seconds : sampling.software_seconds;
   uint64_t steps = 1;
-  double taken = time_batch(contender, steps);
-  while (taken < wanted / 4 && steps < (1u << 24)) taken = time_batch(contender, steps *= 4);
+  double taken = undisturbed(contender, steps, wanted);
+  while (taken < wanted / 4 && steps < (1u << 24)) taken = undisturbed(contender, steps *= 4, wanted);
   const double step = std::max(taken / double(steps), 1e-9);
   const uint64_t batch = std::max<uint64_t>(1, uint64_t(std::ceil(wanted / step)));
   if (!hardware) return batch;
@@ -159,19 +176,42 @@ double predict_seconds(std::span<const Samples> samples, double growth, const Sa
 }
 
 Contest contest(const Samples& left, const Samples& right) {
-  const double ratio = left.median_seconds() / right.median_seconds();
-  const double p = rank_test(left.seconds, right.seconds);
-  const bool differ = !overlap(left.interval(), right.interval()) || p < 0.01;
-  return {differ, ratio, p, left.backend, right.backend};
+  const size_t rounds = std::min(left.seconds.size(), right.seconds.size());
+  std::vector<double> ratios(rounds);
+  for (size_t k = 0; k < rounds; ++k) ratios[k] = left.seconds[k] / right.seconds[k];
+  Contest found{Finding::no_difference,
+                left.median_seconds() / right.median_seconds(),
+                rank_test(left.seconds, right.seconds),
+                median_interval(ratios),
+                rounds,
+                left.backend,
+                right.backend};
+  const bool apart = !overlap(left.interval(), right.interval()) || found.p < certain;
+  const bool one_side = found.ratio > 1 ? found.ratios.low > 1 : found.ratios.high < 1;
+  if (!enough_rounds(found))
+    found.finding = Finding::undecided;
+  else if (apart && one_side)
+    found.finding = Finding::differ;
+  else if (found.ratios.high > narrow * found.ratios.low)
+    found.finding = Finding::undecided;
+  return found;
+}
+
+bool enough_rounds(const Contest& contest) { return contest.ratios.coverage >= 0.95; }
+
+std::string spread_text(const Contest& contest) {
+  const auto [low, high, coverage] = contest.ratios;
+  return fmt::format("{} to {} in {} round{}", times_text(low), times_text(high), contest.rounds,
+                     contest.rounds == 1 ? "" : "s");
 }
 
 std::string ratio_text(const Contest& contest) {
-  if (!contest.differ) return "no difference seen";
-  return fmt::format("{:.{}f}x", contest.ratio, contest.ratio < 10 ? 2 : contest.ratio < 100 ? 1 : 0);
+  if (contest.finding == Finding::undecided) return "not decided by this data: " + spread_text(contest);
+  return contest.finding == Finding::differ ? times_text(contest.ratio) : "no difference seen";
 }
 
 std::string verdict(const Contest& contest) {
-  if (!contest.differ) return ratio_text(contest);
+  if (contest.finding != Finding::differ) return ratio_text(contest);
   return fmt::format("{} takes {} {}'s time", contest.left, ratio_text(contest), contest.right);
 }
 

@@ -60,14 +60,25 @@ std::vector<Samples> measure(std::span<const Contender> contenders, const Sampli
 // Predicted seconds of measuring the same contenders when each step takes `growth` times as long.
 double predict_seconds(std::span<const Samples> samples, double growth, const Sampling& sampling);
 
-// Two differ only if the intervals of their medians do not overlap or the rank test gives p < 0.01.
+// What the samples of one measure() say of the times of two contenders. A load that lasts longer than a round slows
+// down both samples of that round, so it is the ratios within the rounds that are looked at.
+enum class Finding {
+  differ,  // the interval of the rounds' ratios is on one side of 1, and so say the medians' intervals or the ranks
+  no_difference,  // the interval holds 1 and is narrow
+  undecided       // it is wide, or of too few rounds to be one
+};
 struct Contest {
-  bool differ;
+  Finding finding;
   double ratio, p;          // left's median over right's; of the rank test
+  Interval ratios;          // of the median of the rounds' ratios
+  size_t rounds;            // that both took part in
   std::string left, right;  // backends
 };
 Contest contest(const Samples& left, const Samples& right);
-std::string ratio_text(const Contest& contest);  // 1.07x, or "no difference seen"
-std::string verdict(const Contest& contest);     // "glsl takes 1.07x cuda's time", or "no difference seen"
+bool enough_rounds(const Contest& contest);       // for an interval of 95 %
+std::string spread_text(const Contest& contest);  // 0.54x to 2.10x in 7 rounds
+std::string ratio_text(
+    const Contest& contest);                  // 1.07x, "no difference seen", or "not decided by this data: 0.54x ..."
+std::string verdict(const Contest& contest);  // the same, but "glsl takes 1.07x cuda's time"
 
 }  // namespace spherepair

@@ -3,20 +3,24 @@
 
 #include <fmt/format.h>
 
+#include "bench/io/arguments.h"
+#include "bench/measure/choice.h"
 #include "common/backend/device_name.h"
 #include "common/scene/camera.h"
 
 namespace spherepair {
 
-// CLI11 reports "abc" as out of range and reads 010 as 8.
+// CLI11 reports "abc" as out of range, reads 010 as 8 and does not know 1e6.
 CLI::Validator whole_number(uint64_t low, uint64_t high) {
-  const auto check = [=](std::string& text) -> std::string {
-    const bool padded = text.size() > 1 && text.starts_with('0');
-    if (!padded && whole_number_of(text, low, high)) return {};
-    return fmt::format("'{}' is not a whole number from {} to {}{}", text, low, high,
-                       padded ? ", written without leading zeros" : "");
+  const auto read = [=](std::string& text) -> std::string {
+    if (const auto number = count_of(text, low, high)) {
+      text = std::to_string(*number);
+      return {};
+    }
+    return fmt::format("'{}' is not a whole number from {} to {}, written like 16384, 16k, 1.5M or 1e6", text, low,
+                       high);
   };
-  return CLI::Validator(check, fmt::format("{}..{}", low, high));
+  return CLI::Validator(read, fmt::format("{}..{}", low, high));
 }
 
 CLI::Validator real_number(double low, double high) {
@@ -45,6 +49,42 @@ std::string scene_help() {
 
 }  // namespace
 
+void add_backend_option(CLI::App& command, std::string& backend, const std::string& what) {
+  const auto take = [&](const std::string& name) {
+    std::vector<std::string> known = backend_names();
+    known.push_back(kAutomaticBackend);
+    require_known("backend", name, known);
+    backend = name == kAutomaticBackend ? "" : name;
+  };
+  command
+      .add_option_function<std::string>(
+          "--backend", take, what + ": cpu, glsl or cuda; auto: the first that opens of cuda, glsl on a GPU, and cpu")
+      ->default_str(kAutomaticBackend);
+}
+
+void add_backends_option(CLI::App& command, std::vector<std::string>& backends) {
+  const auto take = [&](const std::vector<std::string>& names) {
+    if (names != std::vector<std::string>{kAutomaticBackend}) require_known_backends(names), backends = names;
+  };
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--backends", take, "Only these of cpu,glsl,cuda, and each must open; auto: all that open")
+      ->delimiter(',')
+      ->default_str(kAutomaticBackend);
+}
+
+void add_results_option(CLI::App& command, std::string& results, const std::string& files) {
+  command.add_option("--results", results, fmt::format("Folder for {}; default: results/<host>-<date>", files));
+}
+
+void add_block_option(CLI::App& command, uint& block) {
+  command
+      .add_option("--block", block,
+                  "Group size of a GPU's kernels: 32, 64, 128, 256, 512 or 1024; default: 128, and "
+                  "with the method auto as it chooses")
+      ->transform(block_range);
+}
+
 void add_open_options(CLI::App& command, OpenOptions& open) {
   const auto device = [&](const char* name, std::string& value, const char* text) {
     command.add_option(name, value, text)->check([](const std::string& given) -> std::string {
@@ -67,26 +107,35 @@ void add_open_options(CLI::App& command, OpenOptions& open) {
           "--no-gpu", [&open] { open.allow_gpu = false; }, "Use software OpenGL even if there is a GPU")
       ->excludes(command.get_option("--cuda-device"))
       ->excludes(command.get_option("--gl-device"));
-  command.add_option("--threads", open.threads, "Threads of the CPU backend; 0: all cores")
-      ->check(whole_number(0, 4096))
+  command
+      .add_option("--threads", open.threads,
+                  "Threads of the CPU backend and of the host's work on scenes and files; 0: all cores")
+      ->transform(whole_number(0, 4096))
       ->capture_default_str();
 }
 
 void add_scene_options(CLI::App& command, SceneOptions& scene) {
   command.add_option("--scene", scene.name, scene_help())->capture_default_str();
-  command.add_option("--n", scene.n, "Number of spheres")->check(count_range)->capture_default_str();
+  command.add_option("--n", scene.n, "Number of spheres")->transform(count_range)->capture_default_str();
   command.add_option("--seed", scene.seed, "Seed of the scene; the same on every machine")
-      ->check(steps_range)
+      ->transform(steps_range)
       ->capture_default_str();
-  command.add_option("--radius", scene.radius, "Radius in metres")->capture_default_str();
-  command.add_option("--radius-ratio", scene.radius_ratio, "Largest radius over smallest")->capture_default_str();
-  command.add_option("--packing-fraction", scene.packing_fraction, "Packing fraction of the scene `uniform`")
+  command.add_option("--radius", scene.radius, "Radius in metres; of the smallest sphere if radii are unequal")
+      ->capture_default_str();
+  command
+      .add_option("--radius-ratio", scene.radius_ratio,
+                  "Largest radius over smallest; radii are evenly spread over the octaves between")
+      ->capture_default_str();
+  command
+      .add_option(
+          "--packing-fraction", scene.packing_fraction,
+          "Packing fraction of the scenes uniform, far and clustered, as if all spheres had the smallest radius")
       ->check(fraction_range)
       ->capture_default_str();
   command.add_option("--groups", scene.groups, "Scene `aligned`: m of the paper's m x n arrangement")
-      ->check(count_range);
+      ->transform(count_range);
   command.add_option("--group-size", scene.group_size, "Scene `aligned`: n of the paper's m x n arrangement")
-      ->check(count_range);
+      ->transform(count_range);
   command.add_option("--offset", scene.offset, "Added to every coordinate of every centre, in metres")
       ->capture_default_str();
 }
@@ -114,7 +163,7 @@ void add_start_options(CLI::App& command, StartOptions& start) {
        {"--scene", "--n", "--seed", "--radius-ratio", "--packing-fraction", "--groups", "--group-size", "--offset"})
     input->excludes(command.get_option(scene_option));
   command.add_option("--frame", start.frame, "Frame of an --input with several, counted from 0")
-      ->check(count_range)
+      ->transform(count_range)
       ->needs(input);
   add_file_options(command, start.columns, start.ignore_periodic);
   for (const char* file_option : {"--columns", "--ignore-periodic"}) command.get_option(file_option)->needs(input);
@@ -141,7 +190,8 @@ void add_motion_options(CLI::App& command, MotionChoice& motion) {
 
 void add_save_options(CLI::App& command, std::string& file, uint64_t& every) {
   command.add_option("--save", file, "Write a checkpoint to this file after the last step");
-  command.add_option("--save-every", every, "Also write it every so many steps")->check(whole_number(1, kMostSteps));
+  command.add_option("--save-every", every, "Also write it every so many steps")
+      ->transform(whole_number(1, kMostSteps));
 }
 
 void add_resume_option(CLI::App& command, std::string& file) {

@@ -14,6 +14,7 @@ namespace spherepair {
 
 using Action = std::function<int()>;
 
+// For transform(), which puts the digits in place of 16k or 1e6.
 CLI::Validator whole_number(uint64_t low, uint64_t high);
 CLI::Validator real_number(double low, double high);
 
@@ -28,8 +29,17 @@ const auto sample_range = real_number(1e-6, 60);       // seconds
 // Refuses an empty value for every option that takes one: it would be read as no value.
 void refuse_empty_values(CLI::App& command);
 
+// --backend: `auto`, the default, leaves the name empty (choose_backend); an unknown one is refused.
+void add_backend_option(CLI::App& command, std::string& backend, const std::string& what);
+// --backends of a study, each of which must open: none, or `auto`, stands for all that open.
+void add_backends_option(CLI::App& command, std::vector<std::string>& backends);
+
+// --results of a study, which writes these files into it.
+void add_results_option(CLI::App& command, std::string& results, const std::string& files);
+
 void add_open_options(CLI::App& command, OpenOptions& open);
 void add_scene_options(CLI::App& command, SceneOptions& scene);
+void add_block_option(CLI::App& command, uint& block);
 
 // --columns and --ignore-periodic, of files of spheres.
 void add_file_options(CLI::App& command, std::vector<std::string>& columns, bool& ignore_periodic);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "bench/formats/files.h"
+#include "bench/io/context.h"
 #include "bench/io/file_bytes.h"
 #include "bench/io/numbers.h"
 #include "bench/options/command.h"
@@ -41,7 +42,8 @@ std::vector<std::string> files_of(const std::vector<SweepTask>& tasks) {
 }  // namespace
 
 void add_shard_options(CLI::App& command, SweepOptions& options) {
-  command.add_option("--output", options.output, "Sweep: write a JSON file per configuration to this folder");
+  command.add_option("--results", options.results,
+                     "Sweep: folder for a JSON file per configuration; default: results/<host>-<date>");
   command.add_option("--shard", options.shard, "Sweep: only part i of n, e.g. 2/4")->capture_default_str();
   command.add_flag("--resume", options.resume,
                    "Sweep: skip configurations that this commit has already written to the folder");
@@ -56,7 +58,9 @@ std::string hash_of(const json& key) {
 
 int run_sweep(const std::vector<SweepTask>& all, const SweepOptions& options, bool (*is_record)(const json&)) {
   const std::vector<SweepTask> ours = part_of(all, parse_shard(options.shard));
-  const std::filesystem::path folder = options.output;
+  if (options.results.empty() && (options.resume || options.shard != SweepOptions{}.shard))
+    throw std::invalid_argument("--shard and --resume need the folder that is shared or resumed: --results FOLDER");
+  const std::filesystem::path folder = options.results.empty() ? default_results() : options.results;
   if (!options.list) prepare_folder(folder, files_of(ours));
   size_t done = 0, skipped = 0;
   for (const SweepTask& task : ours) {
@@ -72,6 +76,7 @@ int run_sweep(const std::vector<SweepTask>& all, const SweepOptions& options, bo
     }
     ++(written ? skipped : done);
   }
+  if (!options.list) fmt::print("Results: {}\n", folder.string());
   fmt::print("{} of {} configurations {}, {} already written\n", done, all.size(),
              options.list ? "to be timed" : "timed", skipped);
   return kOk;

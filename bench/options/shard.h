@@ -15,7 +15,7 @@
 namespace spherepair {
 
 struct SweepOptions {
-  std::string output;         // folder
+  std::string results;        // folder; empty: a new one
   std::string shard = "1/1";  // part i of n, counted from 1
   bool resume = false;        // skip configurations whose record exists
   bool list = false;          // only list them
@@ -28,7 +28,7 @@ struct SweepTask {
   std::function<std::optional<std::string>()> run;
 };
 
-// --output, --shard, --resume, --list
+// --results, --shard, --resume, --list
 void add_shard_options(CLI::App& command, SweepOptions& options);
 
 // 16 hexadecimal digits.

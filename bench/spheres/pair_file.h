@@ -6,12 +6,11 @@
 #include <span>
 #include <string>
 
+#include "bench/io/output_files.h"
 #include "common/scene/pair_set.h"
 #include "common/shared/layout.h"
 
 namespace spherepair {
-
-inline constexpr const char* kStandardOutput = "-";  // written as text
 
 // Throws std::invalid_argument for an unknown extension of `option`'s file. Pipes and devices take text.
 void check_pair_file(const std::string& option, const std::string& file);

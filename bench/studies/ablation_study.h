@@ -13,7 +13,7 @@ struct AblateOptions {
   std::vector<uint64_t> sizes;               // empty: by machine
   double packing_fraction = 0.3;
   int rounds = 11;
-  std::string json_file = "ablation.json";
+  std::string results;  // folder; empty: a new one
 };
 
 // Host seconds by purpose.

@@ -67,7 +67,13 @@ std::string square_way(uint block) { return fmt::format("{}/{}", method_name(Met
 
 std::span<const SphereKind> sphere_kinds() { return kinds; }
 
-bool Timing::grid_faster() const { return least(grid) < least(all_pairs); }
+Loss loss_of(const Timing& timing) {
+  if (timing.best.empty()) return Loss::within;
+  const Contest& auto_to_best = timing.over_best;
+  if (!enough_rounds(auto_to_best)) return Loss::undecided;
+  if (auto_to_best.ratios.high <= tolerated) return Loss::within;
+  return auto_to_best.ratios.low > tolerated ? Loss::beyond : Loss::undecided;
+}
 
 json to_json(const Timing& t) {
   json row = {
@@ -75,8 +81,11 @@ json to_json(const Timing& t) {
   if (t.best.empty()) return row;
   row["best"] = t.best;
   row["best_ms"] = std::min(least(t.all_pairs), least(t.grid)) * 1e3;
-  row["loss_percent"] = (t.over_best - 1) * 100;
-  row["slower"] = t.slower;
+  row["loss_percent"] = (t.over_best.ratio - 1) * 100;
+  row["loss_interval_percent"] = {(t.over_best.ratios.low - 1) * 100, (t.over_best.ratios.high - 1) * 100};
+  row["coverage"] = t.over_best.ratios.coverage;
+  constexpr const char* losses[] = {"within 1.1x", "beyond 1.1x", "not decided"};
+  row["loss"] = losses[size_t(loss_of(t))];
   return row;
 }
 
@@ -134,23 +143,39 @@ void CrossoverSweep::time(const SphereKind& kind, const SceneOptions& scene, con
   }
   const std::vector<Samples> samples = measure(contenders, sampling_, progress_);
   Timing timing{.backend = ways.front().backend->info().name, .kind = kind.name, .n = scene.n};
-  const Samples* best = nullptr;
+  compare(timing, ways, samples);
+  for (size_t k = 0; k < ways.size(); ++k) record(kind, scene, ways[k], samples[k]);
+  timings.push_back(timing);
+  const double fastest = std::min({least(timing.all_pairs), least(timing.grid), timing.automatic});
+  for (size_t k = 0; k < ways.size(); ++k) stop_if_slow(ways[k], timing, minimum(samples[k].seconds), fastest);
+}
+
+void CrossoverSweep::compare(Timing& timing, const std::vector<Way>& ways, const std::vector<Samples>& samples) {
+  const Samples *best = nullptr, *triangle = nullptr, *of_grid = nullptr, *of_pairs = nullptr, *of_others = nullptr;
+  const auto keep_faster = [](const Samples*& held, const Samples& found) {
+    if (!held || found.median_seconds() < held->median_seconds()) held = &found;
+    return held == &found;
+  };
   for (size_t k = 0; k + 1 < ways.size(); ++k) {
-    const double seconds = samples[k].median_seconds();
-    (ways[k].grid ? timing.grid : timing.all_pairs)[ways[k].name] = seconds;
-    if (best && seconds >= best->median_seconds()) continue;
-    best = &samples[k];
-    timing.best = ways[k].name;
+    (ways[k].grid ? timing.grid : timing.all_pairs)[ways[k].name] = samples[k].median_seconds();
+    if (keep_faster(best, samples[k])) timing.best = ways[k].name;
+    keep_faster(ways[k].grid ? of_grid : of_pairs, samples[k]);
+    if (ways[k].options.method == Method::collide_triangle)
+      triangle = &samples[k];
+    else if (!ways[k].grid)
+      keep_faster(of_others, samples[k]);
   }
+  const auto faster = [](const Samples* left, const Samples* right) {  // what was stopped was far behind
+    if (!left || !right) return left != nullptr;
+    const Contest found = contest(*left, *right);
+    return found.finding == Finding::differ && found.ratio < 1;
+  };
+  timing.grid_faster = faster(of_grid, of_pairs);
+  timing.triangle_fastest = faster(triangle, of_others);
   timing.automatic = samples.back().median_seconds();
   const MethodChoice choice = ways.back().backend->choice(ways.back().options);
   timing.chosen = way_name(choice.method, choice.cells, choice.block);
-  timing.over_best = best ? timing.automatic / best->median_seconds() : 1;
-  timing.slower = timing.chosen != timing.best && timing.over_best > tolerated && contest(*best, samples.back()).differ;
-  for (size_t k = 0; k < ways.size(); ++k) record(kind, scene, ways[k], samples[k]);
-  timings.push_back(timing);
-  const double fastest = std::min(best ? best->median_seconds() : INFINITY, timing.automatic);
-  for (size_t k = 0; k < ways.size(); ++k) stop_if_slow(ways[k], timing, minimum(samples[k].seconds), fastest);
+  if (best) timing.over_best = contest(samples.back(), *best);
 }
 
 // The time of all pairs quadruples when n doubles, so a method that is far behind stays behind. `seconds` is the

@@ -15,8 +15,8 @@ struct CrossoverOptions {
   std::vector<uint64_t> sizes = {};        // empty: 64 to 2^15
   std::vector<std::string> kinds = {};     // of spheres, see sphere_kinds(); empty: all
   int rounds = 11;
-  double most_ms = 50;  // of a step: slower methods are not timed with more spheres
-  std::string json_file = "crossover.json";
+  double most_ms = 50;       // of a step: slower methods are not timed with more spheres
+  std::string results = {};  // folder; empty: a new one
 };
 
 struct SphereKind {
@@ -45,12 +45,14 @@ struct Timing {
   std::map<std::string, double> all_pairs = {}, grid = {};  // seconds by way; without those that were stopped
   double automatic = 0;                                     // seconds
   std::string chosen = {}, best = {};  // what auto chose; the fastest of the others, empty if there is none
-  double over_best = 1;                // auto's time over the best fixed choice's
-  bool slower = false;                 // auto takes more than 1.1x the time of another way, beyond the samples' spread
-
-  bool grid_faster() const;
+  Contest over_best = {};              // auto against that
+  bool grid_faster = false, triangle_fastest = false;  // the best of the grid's ways; of all pairs'. As far as decided
 };
 json to_json(const Timing& timing);
+
+// Whether auto takes more than 1.1x the time of the best fixed way, by the interval of the rounds' ratios.
+enum class Loss { within, beyond, undecided };
+Loss loss_of(const Timing& timing);
 
 class CrossoverSweep {
  public:
@@ -69,6 +71,7 @@ class CrossoverSweep {
   void check(const SceneOptions& options, const StepResult& expected, const std::vector<Way>& ways);
   void time(const SphereKind& kind, const SceneOptions& scene, const std::vector<Way>& ways);
   void stop_if_slow(const Way& way, const Timing& at, double seconds, double fastest);
+  void compare(Timing& timing, const std::vector<Way>& ways, const std::vector<Samples>& samples);
   void record(const SphereKind& kind, const SceneOptions& scene, const Way& way, const Samples& samples);
 
   Session& session_;

@@ -23,7 +23,7 @@ struct FramesOptions {
   int rounds = 11;
   double min_seconds = 0;         // of a sample; 0: the timing core's default
   std::vector<std::string> most;  // METHOD:n, most spheres that a drawing method is timed with
-  std::string json_file = "frames.json";
+  std::string results = {};       // folder; empty: a new one
 };
 
 // One drawing method on one backend: each image from a new camera.

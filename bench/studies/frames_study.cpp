@@ -49,15 +49,20 @@ std::string label(const FrameTask& task) {
   return fmt::format("{} {} {} {}", task.backend->info().name, draw_method_name(task.draw), task.place, task.work);
 }
 
-FramesStudy::FramesStudy(Session& session, const FramesOptions& options, std::function<void(Backend&)> show)
-    : session_(session), options_(options), show_(std::move(show)) {
-  sampling_.rounds = options.rounds;
-  for (const std::string& text : options.most) {
+std::map<std::string, uint64_t> most_by_draw(const std::vector<std::string>& limits) {
+  std::map<std::string, uint64_t> most;
+  for (const std::string& text : limits) {
     const size_t colon = text.find(':');
-    const auto n = whole_number_of(text.substr(std::min(colon, text.size() - 1) + 1), 1, kMostSpheres);
+    const auto n = count_of(text.substr(std::min(colon, text.size() - 1) + 1), 1, kMostSpheres);
     if (!n) throw std::invalid_argument(fmt::format("--most {} is not METHOD:NUMBER, such as mesh:1000", text));
-    most_[draw_method_name(draw_method_from_name(text.substr(0, colon)))] = *n;
+    most[draw_method_name(draw_method_from_name(text.substr(0, colon)))] = *n;
   }
+  return most;
+}
+
+FramesStudy::FramesStudy(Session& session, const FramesOptions& options, std::function<void(Backend&)> show)
+    : session_(session), options_(options), show_(std::move(show)), most_(most_by_draw(options.most)) {
+  sampling_.rounds = options.rounds;
   if (options.min_seconds > 0) sampling_.hardware_seconds = sampling_.software_seconds = options.min_seconds;
 }
 
@@ -198,8 +203,10 @@ Samples FramesStudy::record(json& entry, const Contender& contender) {
   entry.update(to_json(samples));
   frames.push_back(entry);
   progress_.clear();
-  fmt::print("{:>11}  {:<38} {:>10} ms\n", entry.at("n").get<uint64_t>(), entry.at("label").get<std::string>(),
-             format_number(entry.at("median_ms")));
+  const std::string row = fmt::format("{:>11}  {:<38} {:>10} ms\n", entry.at("n").get<uint64_t>(),
+                                      entry.at("label").get<std::string>(), format_number(entry.at("median_ms")));
+  text += row;
+  fmt::print("{}", row);
   std::fflush(stdout);
   return samples;
 }

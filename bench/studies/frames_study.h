@@ -27,6 +27,9 @@
 
 namespace spherepair {
 
+// --most: spheres by drawing method. Throws std::invalid_argument with the text that is wrong.
+std::map<std::string, uint64_t> most_by_draw(const std::vector<std::string>& limits);
+
 class FramesStudy {
  public:
   // show: puts a backend's image into the window.
@@ -36,6 +39,7 @@ class FramesStudy {
   void measure_size(uint64_t n);
 
   json frames = json::array(), left_out = json::array(), overlaps = json::array();
+  std::string text;  // a line a measurement
 
  private:
   void leave_out(uint64_t n, const Backend& backend, const std::string& draw, const std::string& reason);

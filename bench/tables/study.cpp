@@ -141,6 +141,11 @@ std::vector<Samples> Study::time_unchecked(const std::string& table, const std::
   return samples;
 }
 
+std::string Study::compare(const std::string& table, const Samples& left, const Samples& right) {
+  contests.push_back({table, contest(left, right)});
+  return verdict(contests.back().contest);
+}
+
 void Study::record(const std::string& table, const SceneOptions& scene, const Task& task, const Samples& samples) {
   constexpr const char* works[] = {"move", "collide", "step"};
   json row = {{"table", table}, {"work", works[size_t(task.work)]}, {"n", scene.n}, {"scene", scene_json(scene)}};

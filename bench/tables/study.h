@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bench/check/lockstep.h"
+#include "bench/tables/api_verdict.h"
 #include "bench/tables/plan.h"
 
 namespace spherepair {
@@ -23,6 +24,9 @@ class Study {
   // times all tasks in interleaved rounds. Returns samples in the order of the tasks and keeps them for the record.
   std::vector<Samples> time(const std::string& table, const SceneOptions& scene, const std::vector<Task>& tasks);
 
+  // The verdict on two devices' times, GLSL's first; kept for the last lines of the run.
+  std::string compare(const std::string& table, const Samples& left, const Samples& right);
+
   // Times and records contenders that have no result to check.
   std::vector<Samples> time_unchecked(const std::string& table, const std::vector<Contender>& contenders,
                                       const json& meta);
@@ -38,6 +42,7 @@ class Study {
   Progress& progress;
   json measurements = json::array();
   std::vector<EqualityEntry> equality;
+  std::vector<ApiContest> contests;
 
  private:
   void upload(const SceneOptions& options);

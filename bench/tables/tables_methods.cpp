@@ -32,11 +32,12 @@ void add_contest_columns(Table& table, const std::vector<Backend*>& devices) {
   table.columns.push_back({"", "verdict", "", true});
 }
 
-void add_contest(std::vector<std::string>& row, const std::vector<Samples>& samples) {
+void add_contest(Study& study, const char* table, std::vector<std::string>& row, const std::vector<Samples>& samples) {
   if (samples.size() < 2) return;
-  const Contest result = contest(samples[0], samples[1]);
-  row.push_back(format_number(result.ratio));
-  row.push_back(verdict(result));
+  const std::string text = study.compare(table, samples[0], samples[1]);
+  const Contest& result = study.contests.back().contest;
+  row.push_back(result.finding == Finding::undecided ? "-" : format_number(result.ratio));
+  row.push_back(text);
 }
 
 void methods_rows(Study& study, Table& table, uint64_t n, Method method) {
@@ -54,7 +55,7 @@ void methods_rows(Study& study, Table& table, uint64_t n, Method method) {
       row.push_back(interval_text(one));
       row.push_back(format_rate(candidate_pairs(method, block, n) / one.median_seconds()));
     }
-    add_contest(row, pair);
+    add_contest(study, "methods", row, pair);
     table.rows.push_back(row);
   }
 }
@@ -115,8 +116,11 @@ std::vector<Table> make_methods(Study& study) {
   for (uint64_t n : study.plan.method_sizes)
     for (Method method : device_methods())
       if (is_wanted(study.plan, method)) methods_rows(study, table, n, method);
-  table.notes = {"pairs: unordered pairs tested per second; collide_group tests only pairs within a group.",
-                 "A difference is stated only if the 95 % intervals do not overlap or the rank test gives p < 0.01."};
+  table.notes = {
+      "pairs: unordered pairs tested per second; collide_group tests only pairs within a group.",
+      "A difference is stated only if the 95 % interval of the ratios within the rounds is on one side of 1, "
+      "and the medians' 95 % intervals do not overlap or the rank test gives p < 0.01. What is not decided "
+      "has that interval of ratios in place of a ratio."};
   return {table};
 }
 
@@ -145,7 +149,7 @@ std::vector<Table> make_overhead(Study& study) {
       row.push_back(format_us(one.median_seconds() / double(launches)));
       row.push_back(format_us(minimum(one.seconds) / double(launches)));
     }
-    add_contest(row, samples);
+    add_contest(study, "overhead", row, samples);
     table.rows.push_back(row);
   }
   table.notes = {
@@ -177,8 +181,10 @@ std::vector<Table> make_exactness(Study& study) {
       const Contest result = contest(samples[1], samples[0]);
       table.rows.push_back(
           {std::to_string(n), label(all[k]), format_ms(samples[0].median_seconds()),
-           format_ms(samples[1].median_seconds()), format_percent(result.ratio - 1),
-           result.differ ? fmt::format("exact takes {} naive's time", ratio_text(result)) : ratio_text(result),
+           format_ms(samples[1].median_seconds()),
+           result.finding == Finding::undecided ? "-" : format_percent(result.ratio - 1),
+           result.finding == Finding::differ ? fmt::format("exact takes {} naive's time", ratio_text(result))
+                                             : ratio_text(result),
            std::to_string(errors[k].right), std::to_string(errors[k].missed), std::to_string(errors[k].extra)});
     }
   }

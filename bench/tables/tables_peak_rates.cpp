@@ -36,7 +36,7 @@ std::vector<std::string> peak_row(Study& study, const PeakRateKind& kind, const 
     row.push_back(format_ms(one.median_seconds()));
     row.push_back(format_number(amount / one.median_seconds()));
   }
-  if (samples.size() > 1) row.push_back(verdict(contest(samples[0], samples[1])));
+  if (samples.size() > 1) row.push_back(study.compare("peak_rates", samples[0], samples[1]));
   return row;
 }
 

@@ -18,7 +18,7 @@ std::vector<Task> scale_tasks(const Study& study) {
   return tasks;
 }
 
-std::vector<std::string> scale_row(const SceneOptions& scene, const std::vector<Task>& tasks,
+std::vector<std::string> scale_row(Study& study, const SceneOptions& scene, const std::vector<Task>& tasks,
                                    const std::vector<Samples>& samples, double rate) {
   const double pairs = 0.5 * double(scene.n) * double(scene.n - 1);
   std::vector<std::string> row = {scene_label(scene), std::to_string(scene.n)};
@@ -29,7 +29,7 @@ std::vector<std::string> scale_row(const SceneOptions& scene, const std::vector<
     if (!on_hardware(*tasks[k].configuration.backend) || std::isnan(rate)) continue;
     row.push_back(format_number(100 * per_second * instructions_per_pair / rate));
   }
-  if (samples.size() > 1) row.push_back(verdict(contest(samples[0], samples[1])));
+  if (samples.size() > 1) row.push_back(study.compare("scale", samples[0], samples[1]));
   return row;
 }
 
@@ -62,7 +62,7 @@ std::vector<Table> make_scale(Study& study) {
       scene.name = name;
       const std::vector<Samples> samples = study.time("scale", scene, tasks);
       sizes.measured(samples);
-      table.rows.push_back(scale_row(scene, tasks, samples, rate));
+      table.rows.push_back(scale_row(study, scene, tasks, samples, rate));
     }
     for (const std::string& note : sizes.notes()) left_out.push_back(fmt::format("{}: {}", name, note));
   }
@@ -97,7 +97,7 @@ std::vector<Table> make_step(Study& study) {
       row.push_back(format_ms(one.median_seconds()));
       row.push_back(format_number(16e-3 / one.median_seconds()));
     }
-    if (devices > 1) row.push_back(verdict(contest(samples[samples.size() - 2], samples.back())));
+    if (devices > 1) row.push_back(study.compare("step", samples[samples.size() - 2], samples.back()));
     table.rows.push_back(row);
   }
   table.notes = {

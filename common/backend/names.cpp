@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Names of methods, as options and records have them.
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "common/backend/backend.h"
+#include "common/scene/known_name.h"
 
 namespace spherepair {
 namespace {
@@ -25,9 +24,8 @@ const char* method_name(Method method) { return method_names[size_t(method)]; }
 
 Method method_from_name(const std::string& name) {
   const auto found = std::ranges::find(method_names, name);
-  if (found == method_names.end()) {
-    throw std::invalid_argument(fmt::format("unknown method '{}'; known are {}", name, fmt::join(method_names, ", ")));
-  }
+  if (found == method_names.end())
+    throw std::invalid_argument(unknown_name("method", name, {method_names.begin(), method_names.end()}));
   return Method(found - method_names.begin());
 }
 
@@ -35,10 +33,9 @@ const char* draw_method_name(DrawMethod method) { return draw_method_names[size_
 
 DrawMethod draw_method_from_name(const std::string& name) {
   const auto found = std::ranges::find(draw_method_names, name);
-  if (found == draw_method_names.end()) {
+  if (found == draw_method_names.end())
     throw std::invalid_argument(
-        fmt::format("unknown method of drawing '{}'; known are {}", name, fmt::join(draw_method_names, ", ")));
-  }
+        unknown_name("method of drawing", name, {draw_method_names.begin(), draw_method_names.end()}));
   return DrawMethod(found - draw_method_names.begin());
 }
 

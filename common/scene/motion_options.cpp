@@ -7,6 +7,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "common/scene/known_name.h"
+
 namespace spherepair {
 namespace {
 
@@ -23,8 +25,7 @@ static_assert(uint(Precision::float32) == PRECISION_FLOAT32 && uint(Precision::f
 template <size_t count>
 uint index_of_name(const std::array<const char*, count>& indices, const std::string& name, const char* what) {
   const auto found = std::ranges::find(indices, name);
-  if (found == indices.end())
-    throw std::invalid_argument(fmt::format("unknown {} '{}'; known are {}", what, name, fmt::join(indices, ", ")));
+  if (found == indices.end()) throw std::invalid_argument(unknown_name(what, name, {indices.begin(), indices.end()}));
   return uint(found - indices.begin());
 }
 

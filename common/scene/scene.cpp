@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "common/scene/scene.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include <stdexcept>
 
 #include "common/scene/host_buffer.h"
+#include "common/scene/known_name.h"
 #include "common/shared/hash.h"
 
 namespace spherepair {
@@ -236,8 +235,7 @@ Scene make_scene(const SceneOptions& options) {
   if (maker == makers().end()) {
     std::vector<std::string> indices;
     for (const SceneKind& kind : scene_kinds()) indices.push_back(kind.name);
-    throw std::invalid_argument(
-        fmt::format("unknown scene '{}'; known are {}", options.name, fmt::join(indices, ", ")));
+    throw std::invalid_argument(unknown_name("scene", options.name, indices));
   }
   Scene scene{.name = options.name, .dt = options.dt, .restitution = options.restitution, .motion = options.motion};
   for (std::vector<vec4>* values : {&scene.positions, &scene.velocities}) reserve_large(*values, options.n);

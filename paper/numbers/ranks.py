@@ -3,6 +3,10 @@
 import math
 from functools import lru_cache
 
+from paper.records import median_interval
+
+ENOUGH = 6  # rounds, for an interval of 95 %
+
 
 @lru_cache(maxsize=None)
 def orders(left, right, u):
@@ -44,8 +48,15 @@ def apart(left, right):
     return left.high < right.low or right.high < left.low
 
 
+def one_sided(left, right):
+    """The interval of the rounds' ratios is on the side of 1 on which the ratio of the medians is."""
+    low, high = median_interval([a / b for a, b in zip(left.samples_ms, right.samples_ms)])
+    return low > 1 if left.median > right.median else high < 1
+
+
 def differ(left, right):
-    return apart(left, right) or rank_test(left.samples_ms, right.samples_ms) < 0.01
+    return (min(len(left.samples_ms), len(right.samples_ms)) >= ENOUGH and one_sided(left, right) and
+            (apart(left, right) or rank_test(left.samples_ms, right.samples_ms) < 0.01))
 
 
 def verdict(glsl, cuda):

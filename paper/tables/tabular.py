@@ -4,7 +4,7 @@ import re
 import textwrap
 from dataclasses import dataclass, replace
 
-from paper.text import escape
+from paper.text import escape, plain
 
 WIDEST = 60  # characters of a cell in the text form
 
@@ -90,9 +90,8 @@ def as_text(table, title):
         groups.append(text.center(max(room, len(text)), "-" if text else " "))
         at += count
     lines = [aligned(row, widths, table.left) for row in names]
-    plain = re.sub(r"\$|\\[a-z]+\{([^}]*)\}", r"\1", table.caption.replace("\\,", " ").replace("\\%", "%"))
     head = ["  ".join(groups).rstrip()] if any(text for text, _ in table.heads[0]) else []
-    return "\n".join([plain, title, "", *head, lines[0], "-" * max(map(len, lines)), *lines[1:]]) + "\n"
+    return "\n".join([plain(table.caption), title, "", *head, lines[0], "-" * max(map(len, lines)), *lines[1:]]) + "\n"
 
 
 def without_empty_columns(table):

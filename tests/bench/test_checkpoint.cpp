@@ -99,8 +99,8 @@ TEST(Checkpoint, SaysWhatIsWrong) {
 
 nlohmann::json last_step_of(const ScratchFolder& folder, const std::string& arguments) {
   const std::string json_file = folder.path("run.json");
-  const std::string command =
-      fmt::format("{} run {} --json {} > {}", SPHEREPAIR_PROGRAM, arguments, json_file, folder.path("output"));
+  const std::string command = fmt::format("{} run --backend cpu {} --json {} > {}", SPHEREPAIR_PROGRAM, arguments,
+                                          json_file, folder.path("output"));
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
   return nlohmann::json::parse(read_bytes(json_file)).at("steps").back();
 }

@@ -67,9 +67,10 @@ class StudyProgram : public ProgramTest {
       GTEST_SKIP() << "no " << SPHEREPAIR_FAULTY_PROGRAM << " here";
   }
   Outcome study(const char* fault, const std::string& words) const {
-    return run_shell(fmt::format("SPHEREPAIR_FAULT={} '{}' {} --backends cpu,glsl --threads 1 --rounds 1 --json '{}'",
-                                 fault, SPHEREPAIR_FAULTY_PROGRAM, words, path("record.json")),
-                     folder_);
+    return run_shell(
+        fmt::format("SPHEREPAIR_FAULT={} '{}' {} --backends cpu,glsl --threads 1 --rounds 1 --results '{}'", fault,
+                    SPHEREPAIR_FAULTY_PROGRAM, words, path("study")),
+        folder_);
   }
 };
 

@@ -98,7 +98,9 @@ class ResumeProgram : public ProgramTest {
 
   // The state, the set and the checkpoint at the end, which is all that a run says about it.
   std::string end_of(const std::string& arguments) const {
-    const Outcome outcome = run(fmt::format("run {} --save {} --json {}", arguments, path("end"), path("end.json")));
+    const Outcome outcome = run(fmt::format("run {}{} --save {} --json {}", arguments,
+                                            arguments.find("--backend") == arguments.npos ? " --backend cpu" : "",
+                                            path("end"), path("end.json")));
     EXPECT_EQ(outcome.code, 0) << arguments << ": " << outcome.errors;
     return read_json("end.json").at("steps").back().dump() + read_bytes(path("end"));
   }
@@ -115,7 +117,8 @@ TEST_F(ResumeProgram, EveryMotionGoesOnToTheSameFile) {
     const std::string whole = end_of(fmt::format("{} --steps {}", start(motion), END));
     for (const uint64_t stop : {BEFORE_A_BOUNCE, AFTER_SOME}) {
       const std::string to_the_end = fmt::format("--resume {} --steps {}", path("middle"), END - stop);
-      EXPECT_EQ(run(fmt::format("run {} --steps {} --save {}", start(motion), stop, path("middle"))).code, 0);
+      EXPECT_EQ(run(fmt::format("run --backend cpu {} --steps {} --save {}", start(motion), stop, path("middle"))).code,
+                0);
       EXPECT_TRUE(end_of(to_the_end) == whole) << motion_label(motion) << ", stopped at " << stop;
       if (motion.precision != Precision::compensated) continue;
       EXPECT_TRUE(end_of(to_the_end + " --backend " + other) == whole) << motion_label(motion) << ", on " << other;

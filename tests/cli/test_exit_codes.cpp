@@ -37,21 +37,21 @@ TEST_F(ExitCodes, OutputToAFullDeviceIsAnErrorOfEveryCommand) {
   expect_lost_output("--version");
   expect_lost_output("compare --help");
   expect_lost_output("devices" + cpu);
-  expect_lost_output("run --n 64");
-  expect_lost_output("run --n 64", ">&-");
-  expect_lost_output("run --n 64 --steps 300 --per-step");  // more than one buffer full
+  expect_lost_output("run --backend cpu --n 64");
+  expect_lost_output("run --backend cpu --n 64", ">&-");
+  expect_lost_output("run --backend cpu --n 64 --steps 300 --per-step");  // more than one buffer full
   expect_lost_output("pairs --backend cpu --output -" + spheres);
   expect_lost_output("pairs --backend cpu --output " + path("pairs.txt") + spheres);
   expect_lost_output("render --backend cpu --size 8x8 --samples 1 --output " + path("two.png") + spheres);
-  expect_lost_output("sweep --list --n 64 --output " + path("sweep") + cpu);
-  expect_lost_output("ablate --n 64 --rounds 1 --json " + path("ablation.json") + cpu);
+  expect_lost_output("sweep --list --n 64 --results " + path("sweep") + cpu);
+  expect_lost_output("ablate --n 64 --rounds 1 --results " + path("ablate") + cpu);
   expect_lost_output("compare --tables none --scenes grazing --n 64 --methods parallel --results " + path("one") + cpu);
   expect_lost_output(fmt::format("equal {0}/results.json {0}/results.json", path("one")));
 }
 
 TEST_F(ExitCodes, ErrorsToAFullDeviceKeepTheirCode) {
-  EXPECT_EQ(run("run --scene none 2>/dev/full").code, kUsage);
-  EXPECT_EQ(run("run --no-such-option 2>/dev/full").code, kUsage);
+  EXPECT_EQ(run("run --backend cpu --scene none 2>/dev/full").code, kUsage);
+  EXPECT_EQ(run("run --backend cpu --no-such-option 2>/dev/full").code, kUsage);
 }
 
 // Threads that spin while they wait make a busy machine's steps up to forty times as long.
@@ -71,8 +71,8 @@ TEST_F(ExitCodes, ThreadsSleepWhileTheyWaitUnlessAskedOtherwise) {
 TEST_F(ExitCodes, ThreadsThatCannotBeStartedAreTroubleAndNoDifference) {
   SKIP_WHERE_ADDRESS_SPACE_HAS_NO_LIMIT();
   folder_.write("two.xyz", "2\n\nH 0 0 0 1\nH 1 0 0 1\n");
-  expect_too_many_threads("run --n 64");
-  expect_too_many_threads("run --n 100000 --method collide_grid");
+  expect_too_many_threads("run --backend cpu --n 64");
+  expect_too_many_threads("run --backend cpu --n 100000 --method collide_grid");
   expect_too_many_threads("pairs --backend cpu --output - --input " + path("two.xyz"));
   expect_too_many_threads("precision --quick --backends cpu --results " + path("precision"));
   expect_too_many_threads("compare --backends cpu --quick --results " + path("one"));

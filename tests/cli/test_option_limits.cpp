@@ -28,7 +28,7 @@ class OptionLimits : public ProgramTest {
   }
 
   const std::string render_ = "render --n 8 --backend cpu --samples 1 --output " + path("out");
-  const std::string sweep_ = "sweep --backends cpu --n 64 --list --output " + path("sweep");
+  const std::string sweep_ = "sweep --backends cpu --n 64 --list --results " + path("sweep");
 };
 
 constexpr auto no_numbers = {"nan", "inf", "-inf", "-1", "1e39", "1e400", "", "abc"};
@@ -43,9 +43,9 @@ TEST_F(OptionLimits, WholeNumbersNeverWrap) {
   expect_refused(sweep_ + " --shard=", {"1/99999999999999999999", "1/18446744073709551615", "4294967297/4294967298",
                                         " 1/1", "+1/1", "0/1", "2/1", "1/0", "-1/1", "1/1/1", "1", ""});
   expect_refused(
-      "frames --backends cpu --n 64 --json " + path("out") + " --most=",
+      "frames --backends cpu --n 64 --results " + path("out") + " --most=",
       {"mesh:-1", "mesh:99999999999999999999", "mesh: 1", "mesh:+1", "mesh:0", "mesh:1x", "mesh:", "mesh", ""});
-  expect_refused("run --n 64 --save " + path("out") + " --save-every=",
+  expect_refused("run --backend cpu --n 64 --steps 1 --save " + path("out") + " --save-every=",
                  {"0", "-1", "1.5", "99999999999999999999", "9007199254740993", "010", "0x10", ""});
   expect_refused(sweep_ + " --block=", {"0", "1", "33", "2048", "4294967328", ""});
   expect_refused("precision --quick --backends cpu --results " + path("out") + " --n=",
@@ -53,21 +53,23 @@ TEST_F(OptionLimits, WholeNumbersNeverWrap) {
   expect_refused("precision --quick --backends cpu --results " + path("out") + " --steps=",
                  {"-1", "21", "0x10", "010"});
   for (const char* option : {"--n", "--seed", "--steps", "--threads", "--groups", "--group-size"})
-    expect_refused(fmt::format("run {}=", option), {"-1", "010", "0x10", "99999999999999999999", "1e3", ""});
+    expect_refused(fmt::format("run --backend cpu {}=", option),
+                   {"-1", "010", "0x10", "99999999999999999999", "1e-1", "1e30", "1.2345k", "k", "1kk", ""});
 }
 
 TEST_F(OptionLimits, RealNumbersAreFiniteAndMakeSense) {
   for (const char* option : {"--radius", "--radius-ratio", "--packing-fraction", "--dt", "--restitution"})
-    expect_refused(fmt::format("run --n 64 {}=", option), no_numbers);
-  expect_refused("run --n 64 --offset=", {"nan", "inf", "-inf", "1e39", "1e400", ""});
-  expect_refused("run --n 64 --scene uniform --packing-fraction=", {"0", "1e-38", "1e-300", "0.75"});
-  expect_refused("run --n 64 --motion paper --radius 1e30 --radius-ratio=", {"1e20"});
-  expect_refused("ablate --backends cpu --n 64 --rounds 1 --json " + path("out") + " --packing-fraction=", no_numbers);
-  expect_refused("frames --backends cpu --n 64 --json " + path("out") + " --packing-fraction=", no_numbers);
+    expect_refused(fmt::format("run --backend cpu --n 64 --scene uniform --steps 1 {}=", option), no_numbers);
+  expect_refused("run --backend cpu --n 64 --offset=", {"nan", "inf", "-inf", "1e39", "1e400", ""});
+  expect_refused("run --backend cpu --n 64 --scene uniform --packing-fraction=", {"0", "1e-38", "1e-300", "0.75"});
+  expect_refused("run --backend cpu --n 64 --steps 1 --motion paper --radius 1e30 --radius-ratio=", {"1e20"});
+  expect_refused("ablate --backends cpu --n 64 --rounds 1 --results " + path("out") + " --packing-fraction=",
+                 no_numbers);
+  expect_refused("frames --backends cpu --n 64 --results " + path("out") + " --packing-fraction=", no_numbers);
   expect_refused(sweep_ + " --packing-fractions=", no_numbers);
   expect_refused("compare --tables none --results " + path("out") + " --min-seconds=", no_numbers);
-  expect_refused("frames --backends cpu --n 64 --json " + path("out") + " --min-seconds=", no_numbers);
-  expect_refused("crossover --backends cpu --n 64 --json " + path("out") + " --most-ms=", no_numbers);
+  expect_refused("frames --backends cpu --n 64 --results " + path("out") + " --min-seconds=", no_numbers);
+  expect_refused("crossover --backends cpu --n 64 --results " + path("out") + " --most-ms=", no_numbers);
   const std::string render = render_ + ".png --size 8x8";
   for (const char* option : {"--azimuth", "--elevation", "--field", "--near"})
     expect_refused(fmt::format("{} {}=", render, option), {"nan", "inf", "-inf", "1e39", "1e400", "-1000", "", "abc"});
@@ -78,21 +80,21 @@ TEST_F(OptionLimits, RealNumbersAreFiniteAndMakeSense) {
 
 TEST_F(OptionLimits, AnEmptyValueIsNotTakenForNone) {
   for (const char* option : {"--json", "--pairs", "--save", "--input", "--resume", "--scene", "--method", "--backend"})
-    expect_refused(fmt::format("run --n 64 {} ", option), {""});
+    expect_refused(fmt::format("run --backend cpu --n 64 {} ", option), {""});
 }
 
 TEST_F(OptionLimits, OptionsThatNothingUsesAreRefused) {
   const std::string spheres = folder_.write("two.txt", "0 0 0 1\n1 0 0 1\n");
-  expect_refused("run --n 64 --frame ", {"0"});
+  expect_refused("run --backend cpu --n 64 --frame ", {"0"});
   for (const char* option : {"--scene random", "--n 64", "--seed 1", "--radius-ratio 2", "--packing-fraction 0.1",
                              "--groups 2", "--group-size 2", "--offset 1"})
-    expect_refused(fmt::format("run --input {} {}", spheres, option));
+    expect_refused(fmt::format("run --backend cpu --input {} {}", spheres, option));
 }
 
 TEST_F(OptionLimits, TheEndsOfTheRangesAreTaken) {
-  expect_taken("run --n 64 --scene uniform --packing-fraction 1e-15");
-  expect_taken("run --n 64 --scene uniform --packing-fraction 0.74");
-  expect_taken("run --n 64 --save " + path("a.checkpoint") + " --save-every 9007199254740992");
+  expect_taken("run --backend cpu --n 64 --scene uniform --packing-fraction 1e-15");
+  expect_taken("run --backend cpu --n 64 --scene uniform --packing-fraction 0.74");
+  expect_taken("run --backend cpu --n 64 --steps 1 --save " + path("a.checkpoint") + " --save-every 9007199254740992");
   expect_taken(sweep_ + " --shard 2147483647/2147483647");
   expect_taken(render_ + ".png --size 64x48 --field 179 --azimuth -360 --elevation 90");
   expect_taken("render --n 300 --backend cpu --samples 1 --size 16384x9 --output " + path("wide.png"));

@@ -42,16 +42,17 @@ class OutOfMemory : public ProgramTest {
 };
 
 TEST_F(OutOfMemory, OfAllPairsOnManyThreadsIsAnError) {
-  expect_an_error_or_success("run --n 60000 --method parallel --threads 32", 60000, 1000);
+  expect_an_error_or_success("run --backend cpu --n 60000 --method parallel --threads 32", 60000, 1000);
 }
 
 TEST_F(OutOfMemory, OfThePairsWithinAStepIsAnError) {
-  expect_an_error_or_success("run --n 3000 --swept --scene one_cell --threads 2", 300000, 5000);
+  expect_an_error_or_success("run --backend cpu --n 3000 --swept --scene one_cell --threads 2", 300000, 5000);
 }
 
 TEST_F(OutOfMemory, OfTheGridAndItsListIsAnError) {
   const std::string pairs = " --pairs " + path("pairs.txt");
-  expect_an_error_or_success("run --n 60000 --method collide_grid --scene clustered --threads 8" + pairs, 200000, 4000);
+  expect_an_error_or_success("run --backend cpu --n 60000 --method collide_grid --scene clustered --threads 8" + pairs,
+                             200000, 4000);
 }
 
 TEST_F(OutOfMemory, OfReadingSpheresIsAnError) {

@@ -45,24 +45,24 @@ TEST_F(Outputs, RunNeverWritesOverItsInput) {
   fs::create_symlink(in, path("symbolic"));
   for (const char* option : {"--pairs", "--save", "--json"})
     for (const char* name : {"in.txt", "./in.txt", "hard", "symbolic"})
-      expect_refused(fmt::format("run --input {} {} {}", in, option, path(name)), "is the input");
+      expect_refused(fmt::format("run --backend cpu --input {} {} {}", in, option, path(name)), "is the input");
 }
 
 TEST_F(Outputs, OnlyTheNextCheckpointReplacesTheOneThatIsGoneOnWith) {
   const std::string saved = path("run.checkpoint");
-  ASSERT_EQ(run(fmt::format("run --n 50 --steps 10 --save {}", saved)).code, kOk);
+  ASSERT_EQ(run(fmt::format("run --backend cpu --n 50 --steps 10 --save {}", saved)).code, kOk);
   for (const char* option : {"--pairs", "--json"})
-    expect_refused(fmt::format("run --resume {0} {1} {0}", saved, option), "is the input");
-  expect_refused(fmt::format("run --resume {0} --save {0} --pairs {0}", saved), "is the output");
-  ASSERT_EQ(run(fmt::format("run --resume {0} --steps 10 --save {0} --save-every 3", saved)).code, kOk);
-  ASSERT_EQ(run(fmt::format("run --n 50 --steps 20 --save {}", path("whole"))).code, kOk);
+    expect_refused(fmt::format("run --backend cpu --resume {0} {1} {0}", saved, option), "is the input");
+  expect_refused(fmt::format("run --backend cpu --resume {0} --save {0} --pairs {0}", saved), "is the output");
+  ASSERT_EQ(run(fmt::format("run --backend cpu --resume {0} --steps 10 --save {0} --save-every 3", saved)).code, kOk);
+  ASSERT_EQ(run(fmt::format("run --backend cpu --n 50 --steps 20 --save {}", path("whole"))).code, kOk);
   EXPECT_EQ(read_bytes(saved), read_bytes(path("whole")));
 }
 
 TEST_F(Outputs, TwoOutputsHaveTwoNames) {
   const std::string a = path("a"), same = path("./a");
   for (const char* two : {"--pairs {} --json {}", "--save {} --json {}", "--pairs {} --save {}"})
-    expect_refused("run --n 10 " + fmt::format(fmt::runtime(two), a, same), "is the output");
+    expect_refused("run --backend cpu --n 10 " + fmt::format(fmt::runtime(two), a, same), "is the output");
   expect_refused(fmt::format("pairs --input {} --radius 1 --output {} --json {}",
                              folder_.write("b.xyz", "1\n\n1 2 3\n"), path("a.txt"), path("a.txt")),
                  "is the output");
@@ -97,7 +97,7 @@ TEST_F(Outputs, AFileThatMayNotBeWrittenIsKept) {
 }
 
 TEST_F(Outputs, WhatIsNoFileTakesSeveral) {
-  const Outcome outcome = run("run --n 10 --pairs /dev/null --json /dev/null --save /dev/null");
+  const Outcome outcome = run("run --backend cpu --n 10 --pairs /dev/null --json /dev/null --save /dev/null");
   EXPECT_EQ(outcome.code, kOk) << outcome.errors;
 }
 
@@ -133,31 +133,33 @@ TEST_F(Outputs, RenderReplacesNoRecordButItsOwn) {
 
 TEST_F(Outputs, PlacesThatCannotBeWrittenAreFoundBeforeTheWork) {
   const std::string nowhere = path("no/such/folder/a");
-  for (const char* command : {"devices --backends cpu --json {}", "run --n 10 --json {}", "run --n 10 --pairs {}",
-                              "crossover --backends cpu --n 64 --json {}", "ablate --backends cpu --n 64 --json {}",
-                              "frames --backends cpu --n 64 --json {}"})
+  for (const char* command : {"devices --backends cpu --json {}", "run --backend cpu --n 10 --json {}",
+                              "run --backend cpu --n 10 --pairs {}"})
     expect_refused(fmt::format(fmt::runtime(command), nowhere), "cannot write " + nowhere);
   const std::string long_name = path(std::string(300, 'a'));
   for (const char* option : {"--json", "--save", "--pairs"})
-    expect_refused(fmt::format("run --n 10 {} {}", option, long_name), "File name too long");
+    expect_refused(fmt::format("run --backend cpu --n 10 {} {}", option, long_name), "File name too long");
   expect_refused(render_of("--output " + nowhere + ".png"), "cannot write " + nowhere + ".png");
   fs::create_directories(path("a-1.json"));
   expect_refused(render_of("--images 3 --output " + path("a.png")), "a-1.json: Is a directory");
 }
 
 TEST_F(Outputs, ResultsFoldersAreFoundBeforeTheWork) {
-  for (const char* name : {"results.json", "methods.txt", "precision.json", "precision.txt", "sets.json", "sets.txt"})
+  for (const char* name : {"results.json", "methods.txt", "precision.json", "precision.txt", "sets.json", "sets.txt",
+                           "crossover.json", "ablate.txt", "frames.json"})
     fs::create_directories(path(fmt::format("{}-there/{}", name, name)));
   const auto expect = [&](const std::string& command, const std::string& name) {
-    expect_refused(fmt::format("{} --backends cpu --quick --results {}-there", command, path(name)),
-                   name + ": Is a directory");
+    expect_refused(fmt::format("{} --backends cpu --results {}-there", command, path(name)), name + ": Is a directory");
   };
-  expect("compare --tables none", "results.json");
-  expect("compare --tables methods --n 64 --rounds 6", "methods.txt");
+  expect("compare --quick --tables none", "results.json");
+  expect("compare --quick --tables methods --n 64 --rounds 6", "methods.txt");
   expect("precision --motions paper --precisions float32", "precision.json");
   expect("precision --motions paper --precisions float32", "precision.txt");
   expect("sets --motions paper", "sets.json");
   expect("sets --motions paper", "sets.txt");
+  expect("crossover --n 64", "crossover.json");
+  expect("ablate --n 64", "ablate.txt");
+  expect("frames --n 64", "frames.json");
 }
 
 TEST_F(Outputs, FilesBesideTheResultsStay) {

@@ -145,7 +145,7 @@ TEST_F(PairsCommand, ProgramsExitCodes) {
   EXPECT_EQ(run_program(pairs + input_ + " --frame 1"), kUsage);
   EXPECT_EQ(run_program("pairs --input " + input_), kUsage) << "no output was named";
   EXPECT_FALSE(fs::exists(folder_.path("pairs.txt")));
-  EXPECT_EQ(run_program("run --input " + input_ + " --pairs " + folder_.path("run.txt")), kOk) << errors_;
+  EXPECT_EQ(run_program("run --backend cpu --input " + input_ + " --pairs " + folder_.path("run.txt")), kOk) << errors_;
   EXPECT_EQ(read_bytes(folder_.path("run.txt")), text_of(expected_));
 }
 

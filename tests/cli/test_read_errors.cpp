@@ -18,7 +18,7 @@ class ReadErrors : public ProgramTest {
     EXPECT_NE(outcome.errors.find(reason), std::string::npos) << arguments << '\n' << outcome.errors;
   }
   void expect_line(const std::string& name, const std::string& text, const std::string& reason) const {
-    expect_refused("run --input " + folder_.write(name, text), reason);
+    expect_refused("run --backend cpu --input " + folder_.write(name, text), reason);
   }
 };
 
@@ -26,7 +26,7 @@ class ReadErrors : public ProgramTest {
 TEST_F(ReadErrors, AnErrorIsNotTheEndOfTheFile) {
   for (const char* name : {"memory.txt", "memory.xyz", "memory.npy"}) {
     fs::create_symlink("/proc/self/mem", path(name));
-    expect_refused("run --input " + path(name), "Input/output error");
+    expect_refused("run --backend cpu --input " + path(name), "Input/output error");
   }
   expect_refused("equal /proc/self/mem /proc/self/mem", "Input/output error");
 }
@@ -34,7 +34,7 @@ TEST_F(ReadErrors, AnErrorIsNotTheEndOfTheFile) {
 TEST_F(ReadErrors, AFolderHoldsNoSpheres) {
   for (const char* name : {"folder.txt", "folder.xyz", "folder.npy"}) {
     fs::create_directory(path(name));
-    expect_refused("run --input " + path(name), "Is a directory");
+    expect_refused("run --backend cpu --input " + path(name), "Is a directory");
   }
   expect_refused(fmt::format("equal {0} {0}", path("folder.txt")), "Is a directory");
 }
@@ -60,7 +60,8 @@ TEST_F(ReadErrors, ABadLineOfTextSaysWhatIsWrong) {
 TEST_F(ReadErrors, TextIsReadAsBefore) {
   const std::string text = "# spheres\n0 1 0 .5\r\n\t+0.9\t1e0 -0 0.5 1 2 3 # fast\n\n   \n3 1 0 0.5";
   const std::string pairs = path("pairs.txt");
-  const Outcome outcome = run(fmt::format("run --input {} --pairs {}", folder_.write("a.txt", text), pairs));
+  const Outcome outcome =
+      run(fmt::format("run --backend cpu --input {} --pairs {}", folder_.write("a.txt", text), pairs));
   EXPECT_EQ(outcome.code, kOk) << outcome.errors;
   EXPECT_NE(outcome.output.find("3 spheres"), std::string::npos) << outcome.output;
   EXPECT_EQ(read_bytes(pairs), "0 1\n");

@@ -18,7 +18,7 @@ class Sweep:
         self.folder = pathlib.Path(folder.name, "sweep")
 
     def run_it(self, *words):
-        return subprocess.run([*self.SMALL, "--output", str(self.folder), *words], capture_output=True, text=True)
+        return subprocess.run([*self.SMALL, "--results", str(self.folder), *words], capture_output=True, text=True)
 
     def sweep(self, *words):
         done = self.run_it(*words)

@@ -6,6 +6,7 @@ import io
 import pathlib
 import sys
 import tempfile
+import types
 import unittest
 
 PAPER = pathlib.Path(__file__).resolve().parents[2] / "paper"
@@ -14,7 +15,7 @@ if importlib.util.find_spec("matplotlib") is None:
     print("SKIPPED: figures need matplotlib (python3-matplotlib)")
     sys.exit(77)
 
-from paper import figures  # noqa: E402  (the path must be set first)
+from paper import figures, side_by_side  # noqa: E402  (the path must be set first)
 from paper.numbers.derived import GRID_BYTES  # noqa: E402
 from paper.records import DATA, Machine, Missing, Record, latest  # noqa: E402
 from paper.tables import studies  # noqa: E402
@@ -127,6 +128,46 @@ class Tables(unittest.TestCase):
         figures_of_each = ["2.00", "1.00", "2.50", "0.500 [0.200, 0.900]"]
         self.assertEqual([["imported", size, *figures_of_each] for size in ("10^3", "10^8")],
                          studies.transfer(machine).rows)
+
+
+class SideBySide(unittest.TestCase):
+    """The page of ./reproduce, of two machines of which one has fewer figures."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        folder = pathlib.Path(folder.name)
+        machines = []
+        for name, verdict in (("here", "equal"), ("there", "difference")):
+            (folder / name).mkdir()
+            (folder / name / "grid.png").touch()
+            backends = [{"name": "cuda", "open": False, "reason": "no <GPU>"}]
+            counts = {"glsl": {"sets": {"made": 12}, "states": {"made": 3}}}
+            machines.append(types.SimpleNamespace(name=name, title=f"machine {name}", main={
+                "verdict": verdict, "backends": backends, "comparisons": counts, "apis": "cannot be said"}))
+        (folder / "here" / "scale.png").touch()
+        (folder / "here" / "table1.txt").write_text("1 < 2")
+        page = side_by_side.write(folder, machines, ["grid", "scale", "naive"], ["table1"],
+                                  {("there", "scale"): "not timed", ("there", "table1"): "no GPU"},
+                                  {"grid": "The grid. Per sphere"})
+        self.page = page.read_text()
+
+    def test_the_verdicts_come_first(self):
+        for words in ("verdict: equal", "verdict: difference", "12 sets and 3 states", "no &lt;GPU&gt;", "cannot be said"):
+            self.assertLess(0, self.page.find(words), words)
+            self.assertLess(self.page.find(words), self.page.find("<h2>"), words)
+
+    def test_sections_have_captions_and_what_nobody_has_has_none(self):
+        self.assertIn("<h2>The grid</h2><p>Per sphere</p>", self.page)
+        self.assertEqual(2, self.page.count('grid.png" alt'))
+        self.assertNotIn("<h2>naive", self.page)
+        self.assertIn("1 &lt; 2", self.page)
+
+    def test_what_was_left_out_is_one_list_at_the_end(self):
+        self.assertEqual(1, self.page.count("Left out"))
+        left_out = self.page[self.page.index("Left out"):]
+        self.assertEqual(2, left_out.count("<li>"))
+        self.assertIn("scale, machine there: not timed", left_out)
 
 
 class Paper(unittest.TestCase):

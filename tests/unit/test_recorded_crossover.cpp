@@ -45,7 +45,8 @@ std::map<std::string, Recorded> recorded_crossovers() {
         for (const json& opened : record.at("backends")) {
           if (opened.at("name") != backend) continue;
           one.info.software = opened.at("software");
-          one.info.details = opened.at("details");
+          for (const auto& [what, value] : opened.at("details").items())
+            one.info.details[what] = value.is_string() ? value.get<std::string>() : value.dump();
         }
         one.ways[way] = {row.at("interval_ms").at(0), row.at("interval_ms").at(1), row.at("coverage")};
       }

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace spherepair {
+
+// Breaks help between words so that no line is longer than `width`, and indents what follows as what it belongs to.
+std::string wrapped_help(const std::string& help, size_t width);
+
+// CLI11's help in lines of at most 100 columns, or as many as the terminal has.
+class HelpFormat : public CLI::Formatter {
+ public:
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
+};
+
+}  // namespace spherepair

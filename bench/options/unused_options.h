@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/App.hpp>
+
+namespace spherepair {
+
+// Throws std::invalid_argument for an option of the parsed subcommand that was given and would change nothing: which,
+// why, and what to do.
+void refuse_unused_options(const CLI::App& command);
+
+}  // namespace spherepair

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "bench/tables/api_verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace spherepair {
+namespace {
+
+std::string why_not(const Session& session) {
+  for (const char* name : {"glsl", "cuda"}) {
+    const Backend* backend = session.find(name);
+    if (!backend) return fmt::format("the backend {} is not open", name);
+    if (!on_hardware(*backend)) return fmt::format("{} runs in software, so its times say nothing about a GPU", name);
+  }
+  return {};
+}
+
+// GLSL takes 1.03x to 1.59x CUDA's time in 28 (methods, scale)
+std::string of_side(const std::vector<ApiContest>& contests, bool glsl_slower) {
+  std::vector<double> ratios;
+  std::vector<std::string> tables;
+  for (const auto& [table, contest] : contests) {
+    if (contest.finding != Finding::differ || (contest.ratio > 1) != glsl_slower) continue;
+    ratios.push_back(contest.ratio);
+    if (std::ranges::find(tables, table) == tables.end()) tables.push_back(table);
+  }
+  if (ratios.empty()) return {};
+  const auto [least, most] = std::ranges::minmax(ratios);
+  return fmt::format("{:.2f}x to {:.2f}x CUDA's time in {} ({})", least, most, ratios.size(), fmt::join(tables, ", "));
+}
+
+}  // namespace
+
+std::string api_verdict(const Session& session, const std::vector<ApiContest>& contests) {
+  std::string reason = why_not(session);
+  if (reason.empty() && contests.empty()) reason = "no table timed both";
+  if (!reason.empty()) return fmt::format("Whether GLSL or CUDA is faster cannot be said here: {}", reason);
+  std::string text = fmt::format("Of {} comparisons of time, GLSL takes ", contests.size());
+  const std::string slower = of_side(contests, true), faster = of_side(contests, false);
+  text += slower.empty() && faster.empty() ? "another time than CUDA in none" : slower;
+  text += (slower.empty() || faster.empty() ? "" : " and ") + faster;
+  const auto count = [&](Finding finding) {
+    return std::ranges::count_if(contests, [&](const ApiContest& one) { return one.contest.finding == finding; });
+  };
+  return text + fmt::format("; no difference seen in {}, not decided by this data in {}", count(Finding::no_difference),
+                            count(Finding::undecided));
+}
+
+}  // namespace spherepair

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// What two samples are said to show: nothing that too few or too scattered rounds cannot bear.
+#include <gtest/gtest.h>
+
+#include "bench/studies/crossover_sweep.h"
+#include "bench/tables/api_verdict.h"
+#include "tests/support/faulty_session.h"
+
+namespace spherepair {
+namespace {
+
+Samples samples_of(const char* backend, std::vector<double> seconds) {
+  Samples samples;
+  samples.label = samples.backend = backend;
+  samples.seconds = std::move(seconds);
+  return samples;
+}
+Contest of(std::vector<double> left, std::vector<double> right) {
+  return contest(samples_of("glsl", std::move(left)), samples_of("cuda", std::move(right)));
+}
+
+const std::vector<double> calm = {1.00, 1.01, 0.99, 1.02, 0.98, 1.00, 1.01};
+
+std::vector<double> times(double factor, std::vector<double> seconds) {
+  for (double& value : seconds) value *= factor;
+  return seconds;
+}
+
+TEST(Contests, ADifferenceIsOneThatEveryRoundShows) {
+  EXPECT_EQ(ratio_text(of(times(1.3, calm), calm)), "1.30x");
+  EXPECT_EQ(verdict(of(times(1.3, calm), calm)), "glsl takes 1.30x cuda's time");
+  EXPECT_EQ(verdict(of(calm, times(2, calm))), "glsl takes 0.50x cuda's time");
+}
+
+TEST(Contests, NoDifferenceIsSeenWhereNoneOfWeightCouldHide) {
+  EXPECT_EQ(ratio_text(of({1.00, 1.01, 0.99, 1.02, 0.98, 1.00, 1.01}, {1.01, 1.00, 1.00, 0.99, 1.01, 1.02, 0.99})),
+            "no difference seen");
+}
+
+TEST(Contests, FewRoundsDecideNothing) {
+  const Contest one = of({5}, {1});
+  EXPECT_EQ(one.finding, Finding::undecided);
+  EXPECT_EQ(verdict(one), "not decided by this data: 5.00x to 5.00x in 1 round");
+  EXPECT_EQ(of({5, 5, 5, 5, 5}, {1, 1, 1, 1, 1}).finding, Finding::undecided);
+  EXPECT_EQ(of({5, 5, 5, 5, 5, 5}, {1, 1, 1, 1, 1, 1}).finding, Finding::differ);
+}
+
+TEST(Contests, ScatteredRoundsAreNotDecidedAndTheirSpreadIsNamed) {
+  const Contest loaded = of({1, 5, 1, 6, 1, 1, 7}, {4, 1, 5, 1, 1, 6, 1});
+  EXPECT_EQ(loaded.finding, Finding::undecided);
+  EXPECT_EQ(ratio_text(loaded), "not decided by this data: 0.17x to 7.00x in 7 rounds");
+}
+
+// The naive predicate may not look slower because the machine was busy while it ran: one round says the opposite.
+TEST(Contests, ALoadThatSlowsDownAlmostAllOfOneIsNoDifference) {
+  const Contest exact = of({1.0, 1.0, 1.1, 1.0, 1.0, 1.05, 1.0}, {7.0, 7.1, 7.2, 7.0, 7.1, 6.9, 0.9});
+  EXPECT_LT(exact.p, 0.05);
+  EXPECT_EQ(exact.finding, Finding::undecided) << verdict(exact);
+}
+
+// By ranks and medians alone the two differ: almost every time of one is above every time of the other.
+TEST(Contests, ARoundOfFewThatSaysTheOppositeLeavesItOpen) {
+  const Contest denied = of({1.31, 1.32, 1.33, 1.34, 1.35, 1.36, 1.29}, {1.00, 1.01, 1.02, 1.03, 1.04, 1.05, 1.30});
+  EXPECT_LT(denied.p, 0.01);
+  EXPECT_EQ(denied.finding, Finding::undecided) << verdict(denied);
+}
+
+// A machine that is slower in some rounds than in others slows down both, so the ratios stay sharp.
+TEST(Contests, ALoadThatLastsARoundCancels) {
+  const std::vector<double> load = {1, 4, 1, 3, 1, 5, 1, 2, 1, 1, 1};
+  EXPECT_EQ(of(times(1.02, load), load).finding, Finding::no_difference);
+}
+
+Timing timed(const Contest& over_best) {
+  return {.backend = "cpu", .kind = "gas", .n = 64, .chosen = "dense", .best = "parallel", .over_best = over_best};
+}
+
+TEST(Contests, TheAutomaticChoiceIsJudgedByTheInterval) {
+  EXPECT_EQ(loss_of(timed(of(calm, calm))), Loss::within);
+  EXPECT_EQ(loss_of(timed(of(times(5.187, calm), calm))), Loss::beyond);
+  EXPECT_EQ(loss_of(timed(of({5}, {1}))), Loss::undecided);
+  EXPECT_EQ(loss_of(timed(of({1, 5, 1, 6, 1, 1, 7}, {4, 1, 5, 1, 1, 6, 1}))), Loss::undecided);
+}
+
+TEST(Contests, WithoutAGpuNoApiIsCalledFaster) {
+  const Session session = session_with(Fault::none);
+  const std::vector<ApiContest> all = {{"scale", of(times(1.3, calm), calm)}};
+  EXPECT_NE(api_verdict(session, all).find("cannot be said here: "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace spherepair
