@@ -84,8 +84,8 @@ void add_context(const Session& session) {
     const std::string name = backend.at("name");
     benchmark::AddCustomContext(name, backend.at(backend.at("open") ? "device" : "reason").get<std::string>());
     if (!backend.at("open")) continue;
-    for (const auto& [what, value] : backend.at("details").items())
-      benchmark::AddCustomContext(name + " " + what, value.get<std::string>());
+    for (const auto& [what, value] : session.find(backend.at("name"))->info().details)
+      benchmark::AddCustomContext(name + " " + what, value);
   }
 }
 
