@@ -15,7 +15,7 @@ namespace {
 void try_shard(const std::string& text) {
   const SweepTask named = {"file", "title", {}};
   unless_refused([&] {
-    return run_sweep({named, named, named}, {.output = "", .shard = text, .list = true},
+    return run_sweep({named, named, named}, {.results = "", .shard = text, .list = true},
                      [](const json&) { return true; });
   });
 }
