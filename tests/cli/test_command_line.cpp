@@ -47,9 +47,7 @@ TEST_F(CommandLineTest, OptionsThatChangeNothingAreRefusedWithTheReason) {
                                           {run + "--require-hardware", "--require-hardware"},
                                           {image + " --every 3", "--every"},
                                           {image + " --rate 10", "--rate"},
-                                          {image + " --draw points --plain", "--plain"},
-                                          {image + " --draw points --no-box", "--no-box"},
-                                          {image + " --method parallel", "--method"},
+                                          {image + " --plain --ground lowest", "--ground"},
                                           {image + " --eye 1,2,3 --azimuth 10", "--azimuth"},
                                           {image + " --motion paper", "--motion"},
                                           {std::string("devices --backends cpu --compile"), "--compile"},
@@ -138,7 +136,8 @@ TEST_F(CommandLineTest, JsonGoesToStandardOutputAndTheReportToStandardError) {
     EXPECT_TRUE(record.at("backends").at(0).at("details").at("threads").is_number());
     EXPECT_NE(outcome.errors.find("cpu"), std::string::npos);
   }
-  expect_refused(fmt::format("pairs --input {} --output - --json -", spheres), {"--output and --json"});
+  expect_refused(fmt::format("pairs --input {} --output - --json -", spheres),
+                 {"--json - is the output - of --output"});
 }
 
 // Before anything is installed or built.

@@ -50,8 +50,9 @@ TEST_F(ReadErrors, ANulByteIsNamedByItsLine) {
 
 TEST_F(ReadErrors, ABadLineOfTextSaysWhatIsWrong) {
   expect_line("a.txt", "0 0 0 1\n\n1 2 x 4\n", "a.txt, line 3: expected a number for z in column 3, found 'x'");
-  expect_line("a.txt", "1 2 3 4 5\n", "line 1: expected 4 columns (x y z radius) or 7 (and vx vy vz), found 5");
-  expect_line("a.txt", "1 2 3 4 5 6 7 8\n", "found more than 7");
+  expect_line("a.txt", "1 2 3 4 5\n",
+              "line 1: expected 3 columns (x y z), 4 (and radius) or 7 (and vx vy vz); others need --columns, found 5");
+  expect_line("a.txt", "1 2 3 4 5 6 7 8\n", "found 8");
   expect_line("a.txt", "1 2 3 -4\n", "a radius that is not negative for radius, found '-4'");
   for (const char* wrong : {"nan", "inf", "1e39"})
     expect_line("a.txt", fmt::format("0 0 0 1 0 {} 0\n", wrong), "a finite number within the range of float32 for vy");
