@@ -75,7 +75,6 @@ void refuse_of_image(const Given& given) {
   if (given.command() != "render") return;
   given.refuse("--every", given.is("--images", {"1"}), "on one image: omit it, or ask for more with --images");
   given.refuse("--rate", !given.has("--video"), "without a video: omit it, or give --video FILE");
-  given.refuse("--ground", given.has("--plain"), "with --plain, which omits the ground: omit one of the two");
   for (const char* option : {"--azimuth", "--elevation"})
     given.refuse(option, given.has("--eye"), "with --eye, which says where the camera is: omit one of the two");
 }

@@ -47,7 +47,6 @@ TEST_F(CommandLineTest, OptionsThatChangeNothingAreRefusedWithTheReason) {
                                           {run + "--require-hardware", "--require-hardware"},
                                           {image + " --every 3", "--every"},
                                           {image + " --rate 10", "--rate"},
-                                          {image + " --plain --ground lowest", "--ground"},
                                           {image + " --eye 1,2,3 --azimuth 10", "--azimuth"},
                                           {image + " --motion paper", "--motion"},
                                           {std::string("devices --backends cpu --compile"), "--compile"},
