@@ -101,7 +101,7 @@ void Context::open_on_a_device(const OpenOptions& options) {
     throw BackendError(fmt::format("glsl: there is no OpenGL device {}; there are {}", options.gl_device, found));
   if (!software.empty())
     throw BackendError(
-        fmt::format("glsl: hardware was requested, but the renderer is {}; check that the vendor's EGL file is in "
+        fmt::format("glsl: no GPU, only the software renderer {}; check that the vendor's EGL file is in "
                     "/usr/share/glvnd/egl_vendor.d",
                     software));
   throw BackendError("glsl: no EGL device gives an OpenGL 4.5 core context; update the driver");

@@ -35,7 +35,7 @@ struct PairsOptions {
   std::string input_file, output_file, json_file;
   std::string contacts_file;  // the number of contacts of each sphere
   bool geometry = false;      // overlap, normal and point of each pair as well
-  std::optional<float> radius;
+  std::optional<double> radius;
   std::optional<uint64_t> frame;
   std::vector<std::string> columns;
   bool ignore_periodic = false;

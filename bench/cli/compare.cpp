@@ -78,8 +78,9 @@ void check_all(Study& study) {
         study.equality.push_back(std::move(entry));
     }
     study.progress.clear();
-    fmt::print("checked {} scenes of {} spheres over {} steps in {:.0f} s: all sets and states equal\n",
-               study.plan.scenes.size(), check.n, check.steps, seconds_since(start));
+    fmt::print("checked {} scenes of {} spheres over {} steps in {:.0f} s: all sets{} equal\n",
+               study.plan.scenes.size(), check.n, check.steps, seconds_since(start),
+               study.session.backends().size() > 1 ? " and states" : "");
     std::fflush(stdout);
   }
 }
@@ -148,12 +149,19 @@ int compare_command(const CommandLine& line, const CompareOptions& options) {
   record.set("seconds", seconds);
   record.set("apis", apis);
   record.write(study);
-  fmt::print("\nNo difference between {} backends: {}, in {:.0f} s\n{}\nResults: {}\n", session.backends().size(),
+  const size_t backends = session.backends().size();
+  fmt::print("\nNo difference {}: {}, in {:.0f} s\n{}\nResults: {}\n",
+             backends == 1 ? "between the methods of the one backend, whose states nothing confirms"
+                           : fmt::format("between {} backends", backends),
              session.comparisons.text(), seconds, apis, folder.string());
   return kOk;
 }
 
 int equal_command(const EqualOptions& options) {
+  std::error_code error;
+  if (std::filesystem::equivalent(options.left, options.right, error))
+    throw std::invalid_argument(
+        fmt::format("{} and {} are one file: give the records of two runs", options.left, options.right));
   const json left = read_results(options.left), right = read_results(options.right);
   const RecordComparison result = compare_records(left, right);
   for (const std::string& difference : result.differences) fmt::print("DIFFERENT: {}\n", difference);

@@ -135,8 +135,6 @@ int crossover_command(const CommandLine& line, const CrossoverOptions& options) 
   record["clocks"].push_back(query_clocks());
   write();
   std::string text = table_of(*sweep).text() + "\n";
-  for (const char* what : {"grid_from", "triangle_from"})
-    text += fmt::format("{}: {}\n", what, json_line(record[what]));
   text += verdict(sweep->timings);
   write_file(folder / "crossover.txt", text);
   fmt::print("{}Results: {}\n", text, (folder / "crossover.json").string());

@@ -204,8 +204,9 @@ void print_summary(const Series& series, const Remarks& remarks) {
   const RenderOptions& options = series.options;
   const BackendInfo& info = series.backend().info();
   const Start& first = series.start(0);
-  fmt::print("{}{} on {}: scene {}, {} spheres\n", first.notes, info.name, device_label(info), first.label,
-             first.scene.size());
+  fmt::print("{}{} on {}: scene {}, {} spheres\n", options.frames ? "" : first.notes, info.name, device_label(info),
+             first.label, first.scene.size());
+  fmt::print("{}", passed_over_text(series.chosen));
   if (series.image.method != DrawMethod::compute)
     fmt::print("drawn by {} in OpenGL{}{}\n", options.draw, transfer_in_words(series.backend()),
                series.lights ? ", without ambient occlusion and shadows on the spheres: --draw compute has both" : "");
@@ -235,6 +236,7 @@ int render_command(const CommandLine& line, const RenderOptions& given) {
   } else {
     starts.push_back(start_of(options.start, line.open.threads));
   }
+  if (options.steps > 0 || options.images > 1) starts.front().at_rest = false;  // they fall
   const ChosenBackend chosen = choose_backend(options.backend, line.open);
   const bool lights = !options.plain;
   const bool by_grid = lights && options.method.empty();  // its cells are those of the light

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "bench/formats/checkpoint.h"
 #include "bench/io/scene_text.h"
 #include "bench/spheres/sphere_file.h"
@@ -18,9 +22,21 @@ Start start_from_checkpoint(const std::string& file) {
   return {std::move(saved.scene), label, "", record, std::move(saved.motion), saved.step};
 }
 
+// The ground of the paper's scenes, or a lower one: motion would lift spheres that begin below it.
+void lower_plane(Scene& scene) {
+  float lowest = 0;
+  for (const vec4& sphere : scene.positions) lowest = std::min(lowest, sphere.y - sphere.w);
+  if (lowest < scene.plane) scene.plane = std::max(std::floor(lowest) - 1, -std::numeric_limits<float>::max());
+}
+
 Start start_from(SphereFile input, const MotionChoice& motion) {
   choose_motion(input.scene, motion);
-  Start start{.label = input.scene.name, .notes = describe(input), .record = to_json(input), .at_rest = input.at_rest};
+  lower_plane(input.scene);
+  Start start;
+  start.label = input.scene.name;
+  start.notes = describe(input);
+  start.record = to_json(input);
+  start.at_rest = input.at_rest;
   start.scene = std::move(input.scene);
   start.rounding = std::move(input.rounding);
   start.species = std::move(input.species);

@@ -17,7 +17,7 @@ namespace spherepair {
 struct StartOptions {
   SceneOptions scene;
   std::string input_file;                                                 // spheres from a file, instead of a scene
-  std::optional<float> radius;                                            // of the spheres of that file
+  std::optional<double> radius;                                           // of the spheres of that file
   std::optional<uint64_t> frame;                                          // of that file
   std::vector<std::string> columns;                                       // of that file, if it is text
   bool ignore_periodic = false;                                           // of that file

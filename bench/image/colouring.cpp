@@ -84,6 +84,7 @@ void Colouring::choose_range(const std::vector<double>& values) {
   const std::vector<std::string> texts = texts_of(borders);
   if (texts.size() == 1) labels_ = texts, palette_[0] = palette_[COLOURS / 2];
   for (size_t k = 0; k + 1 < texts.size(); ++k) labels_.push_back(range_label(texts[k], texts[k + 1]));
+  if (texts.size() > 2) labels_.back() = texts[texts.size() - 2] + "+";  // later images may have more
   if (borders.size() > 1) limits_.assign(borders.begin() + 1, borders.end() - 1);
 }
 

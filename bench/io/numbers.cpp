@@ -28,11 +28,11 @@ std::optional<double> real_number_of(std::string_view text, double low, double h
 }
 
 std::optional<uint64_t> count_of(std::string_view text, uint64_t low, uint64_t high) {
-  const size_t mark = text.find_first_of("eEkMG");
+  const size_t mark = text.find_first_of("eEkKMG");
   std::string digits(text.substr(0, mark));
   uint64_t zeros = 0;
   if (mark != text.npos) {
-    const size_t power = std::string_view("kMG").find(text[mark]);
+    const size_t power = std::string_view("kMG").find(text[mark] == 'K' ? 'k' : text[mark]);
     const std::string_view rest = text.substr(mark + 1);
     const auto exponent = power == text.npos ? whole_number_of(rest, 0, 18) : std::optional(3 * (power + 1));
     if (!exponent || (power != text.npos && !rest.empty())) return std::nullopt;

@@ -32,6 +32,10 @@ ChosenBackend choose_backend(const std::string& name, const OpenOptions& options
       passed_over.push_back(error.what());
     }
   }
+  if (!options.cuda_device.empty() || !options.gl_device.empty() || options.require_hardware)
+    throw BackendError(fmt::format(
+        "no GPU for --cuda-device, --gl-device or --require-hardware: {}; omit that option, or mend the first of these",
+        fmt::join(passed_over, "; ")));
   ChosenBackend chosen = open_one("cpu", options, opener);
   chosen.passed_over = passed_over;
   return chosen;

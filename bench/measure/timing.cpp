@@ -206,7 +206,8 @@ std::string spread_text(const Contest& contest) {
 }
 
 std::string ratio_text(const Contest& contest) {
-  if (contest.finding == Finding::undecided) return "not decided by this data: " + spread_text(contest);
+  if (contest.finding == Finding::undecided)
+    return "not decided by this data: " + spread_text(contest) + (enough_rounds(contest) ? "" : ", too few");
   return contest.finding == Finding::differ ? times_text(contest.ratio) : "no difference seen";
 }
 

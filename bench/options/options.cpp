@@ -173,7 +173,7 @@ void add_start_options(CLI::App& command, StartOptions& start) {
 
 void finish_start_options(const CLI::App& command, StartOptions& start) {
   const bool given = command.count("--radius") > 0;  // a scene has a default radius, a file has not
-  if (given) start.radius = start.scene.radius;
+  if (given) start.radius = command.get_option("--radius")->as<double>();
 }
 
 void add_motion_options(CLI::App& command, MotionChoice& motion) {

@@ -18,6 +18,11 @@ const CLI::App& parsed_command(const CLI::App& app) {
 std::string unknown_word(const CLI::App& app) {
   const CLI::App& command = parsed_command(app);
   const std::vector<std::string> left = app.remaining(true);
+  if (&command == &app && !left.empty() && !left.front().starts_with("-")) {
+    std::vector<std::string> known;
+    for (const CLI::App* one : app.get_subcommands({})) known.push_back(one->get_name());
+    return unknown_name("subcommand", left.front(), known);
+  }
   const auto option = std::ranges::find_if(left, [](const std::string& word) { return word.starts_with("-"); });
   if (option != left.end()) {
     std::vector<std::string> known;
@@ -29,11 +34,7 @@ std::string unknown_word(const CLI::App& app) {
                        &command == &app ? "spherepair" : "spherepair " + command.get_name());
   }
   if (left.empty()) return {};
-  if (&command != &app)
-    return fmt::format("'{}' is no option of {}: options begin with --", left.front(), command.get_name());
-  std::vector<std::string> known;
-  for (const CLI::App* one : app.get_subcommands({})) known.push_back(one->get_name());
-  return unknown_name("subcommand", left.front(), known);
+  return fmt::format("'{}' is no option of {}: options begin with --", left.front(), command.get_name());
 }
 
 }  // namespace spherepair

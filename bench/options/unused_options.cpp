@@ -71,6 +71,10 @@ void refuse_of_motion(const Given& given) {
   given.refuse("--save-every", !moves, still);
 }
 
+void refuse_of_search(const Given& given) {
+  given.refuse("--naive", given.has("--swept"), "with --swept, which has a test of its own: omit one of the two");
+}
+
 void refuse_of_image(const Given& given) {
   if (given.command() != "render") return;
   given.refuse("--every", given.is("--images", {"1"}), "on one image: omit it, or ask for more with --images");
@@ -123,6 +127,7 @@ void refuse_unused_options(const CLI::App& command) {
   const Given given(command);
   refuse_of_scene(given);
   refuse_of_motion(given);
+  refuse_of_search(given);
   refuse_of_image(given);
   refuse_of_backend(given);
   refuse_of_study(given);

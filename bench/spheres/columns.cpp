@@ -75,7 +75,7 @@ void split_fields(std::string_view text, size_t most, std::vector<std::string_vi
 }
 
 void split_separated_fields(std::string_view text, size_t most, std::vector<std::string_view>& fields) {
-  const size_t first = text.find_first_of(",;");
+  const size_t semicolon = text.find(';'), first = semicolon == text.npos ? text.find(',') : semicolon;
   if (first == text.npos) return split_fields(text, most, fields);
   fields.clear();
   const char separator = text[first];

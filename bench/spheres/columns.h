@@ -28,8 +28,8 @@ struct Columns {
 // `where`, for a name that stands twice, and without x, y and z or with some of vx, vy, vz only.
 Columns columns_of_names(const std::string& where, std::span<const std::string> names);
 
-// Splits at blanks, or at every comma or semicolon of a line that has one, into at most `most` fields; overwrites
-// `fields`.
+// Splits at blanks, or at every semicolon, or else comma, of a line that has one, into at most `most` fields;
+// overwrites `fields`.
 void split_fields(std::string_view text, size_t most, std::vector<std::string_view>& fields);
 void split_separated_fields(std::string_view text, size_t most, std::vector<std::string_view>& fields);
 

@@ -122,7 +122,7 @@ SphereFile read_npy(const FileBytes& file, const SphereFileOptions& options, Sph
   check_radius(file, input.own_radii, options);
   rows.resize(array.rows, options.radius.value_or(0),
               any([](const NpyColumn& column) { return column.quantity >= QUANTITY_VX; }),
-              any([](const NpyColumn& column) { return !float32_holds(column.dtype); }));
+              radius_is_rounded(options) || any([](const NpyColumn& column) { return !float32_holds(column.dtype); }));
   input.values = array.rows * array.columns.size();
   const Converted done = convert(array, rows, reading_threads(options));
   if (done.wrong) refuse(array, done);

@@ -79,16 +79,16 @@ void shift_axis(SphereRows& rows, int axis, double middle) {
 
 }  // namespace
 
-void SphereRows::resize(uint64_t n, float radius, bool with_velocities, bool with_exact) {
-  positions.assign(n, vec4{0, 0, 0, radius});
+void SphereRows::resize(uint64_t n, double radius, bool with_velocities, bool with_exact) {
+  positions.assign(n, vec4{0, 0, 0, float(radius)});
   if (with_velocities) velocities.assign(n, vec4{0, 0, 0, 0});
-  if (with_exact) exact.assign(n, {0, 0, 0, double(radius)});
+  if (with_exact) exact.assign(n, {0, 0, 0, radius});
 }
 
-void SphereRows::add(float radius) {
-  positions.push_back({0, 0, 0, radius});
+void SphereRows::add(double radius) {
+  positions.push_back({0, 0, 0, float(radius)});
   velocities.push_back({0, 0, 0, 0});
-  exact.push_back({0, 0, 0, double(radius)});
+  exact.push_back({0, 0, 0, radius});
 }
 
 void SphereRows::set(uint64_t sphere, Quantity quantity, const Decimal& number) {

@@ -17,8 +17,8 @@ struct SphereRows {
   std::vector<std::array<double, 4>> exact;  // x y z radius in float64; empty if all numbers are float32 or shorter
   std::vector<std::string_view> species;     // in the file's bytes; empty unless asked for
 
-  void resize(uint64_t n, float radius, bool with_velocities, bool with_exact);
-  void add(float radius);  // one more, with a velocity and exact numbers
+  void resize(uint64_t n, double radius, bool with_velocities, bool with_exact);
+  void add(double radius);  // one more, with a velocity and exact numbers
   void set(uint64_t sphere, Quantity quantity, const Decimal& number);
 };
 

@@ -54,7 +54,8 @@ std::string describe(const Rounding& rounding) {
   std::string text;
   const auto& [x, y, z] = rounding.shift;
   if (x != 0 || y != 0 || z != 0)
-    text += fmt::format("centres shifted by ({}, {}, {}), which changes no distance\n", 0 - x, 0 - y, 0 - z);
+    text += fmt::format("centres shifted by ({}, {}, {}) before rounding, which changes no distance\n", 0 - x, 0 - y,
+                        0 - z);
   if (rounding.largest > 0)
     text += fmt::format("rounding to float32 moves a surface by {:.2g} at most\n", rounding.largest);
   return text;
@@ -63,8 +64,7 @@ std::string describe(const Rounding& rounding) {
 // Throws for options that the format does not take.
 Reader checked_reader(const FileBytes& bytes, const SphereFileOptions& options) {
   if (options.radius && why_invalid(*options.radius, true))
-    throw std::invalid_argument(
-        fmt::format("--radius is {}, but must be finite and not negative", double(*options.radius)));
+    throw std::invalid_argument(fmt::format("--radius is {}, but must be finite and not negative", *options.radius));
   const Reader read = reader_of(bytes, options);
   if (!options.columns.empty() && read != read_text)
     throw std::invalid_argument(fmt::format(
@@ -133,6 +133,10 @@ void check_radius(const FileBytes& file, bool own_radii, const SphereFileOptions
         fmt::format("{} has no radii: give the radius of all spheres with --radius", file.name()));
 }
 
+bool radius_is_rounded(const SphereFileOptions& options) {
+  return options.radius && double(float(*options.radius)) != *options.radius;
+}
+
 int reading_threads(const SphereFileOptions& options) {
   return options.threads > 0 ? options.threads : omp_get_max_threads();
 }
@@ -147,9 +151,9 @@ std::string describe(const SphereFile& input) {
                       low == high ? fmt::format("{}", low) : fmt::format("{} to {}", low, high));
   if (!input.own_radii) text += " by --radius";
   if (input.changed)
-    text += fmt::format("\n{} of {} numbers changed when rounded to float32\n", input.changed, input.values);
+    text += fmt::format("\n{} of {} numbers have more digits than float32 keeps\n", input.changed, input.values);
   else
-    text += fmt::format("\nfloat32 represents all {} numbers of the file\n", input.values);
+    text += fmt::format("\nfloat32 keeps every given digit of the {} numbers\n", input.values);
   return text + describe(input.rounding);
 }
 

@@ -14,7 +14,7 @@
 namespace spherepair {
 
 struct SphereFileOptions {
-  std::optional<float> radius = {};       // of all spheres: required if the file has none, otherwise an error
+  std::optional<double> radius = {};      // of all spheres: required if the file has none, otherwise an error
   std::optional<uint64_t> frame = {};     // of an XYZ file, counted from 0; default: the first
   std::vector<std::string> columns = {};  // of text: names of quantities (columns.h), and _ for what is not read
   bool species = false;                   // required if asked for: a column of text, by XYZ files only
@@ -57,6 +57,7 @@ SphereFile read_text(const FileBytes& file, const SphereFileOptions& options, Sp
 // For the readers. Throws unless there is a radius either in the file or in the options.
 void check_radius(const FileBytes& file, bool own_radii, const SphereFileOptions& options);
 int reading_threads(const SphereFileOptions& options);
+bool radius_is_rounded(const SphereFileOptions& options);  // the one of the options
 
 // What was expected instead of an invalid value; null for a valid one.
 inline const char* why_invalid(double value, bool is_radius) {

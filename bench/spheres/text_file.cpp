@@ -3,6 +3,9 @@
 // columns are those of --columns; or of a first line of names; or x y z, x y z radius, or these with vx vy vz.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+
 #include "bench/io/file_lines.h"
 #include "bench/io/numbers.h"
 #include "bench/spheres/sphere_file.h"
@@ -11,6 +14,14 @@ namespace spherepair {
 namespace {
 
 constexpr size_t most_columns = 1000;
+
+// Without quotes and in lower case: "X" is x, and r a radius.
+std::string plain_name(std::string_view field) {
+  std::string name(field);
+  std::erase(name, '"');
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  return name == "r" ? "radius" : name;
+}
 
 class TextReader {
  public:
@@ -38,7 +49,8 @@ class TextReader {
   // False if the line holds their names.
   bool choose_columns(uint64_t line) {
     if (!parse_decimal(fields_[0])) {
-      const std::vector<std::string> names(fields_.begin(), fields_.end());
+      std::vector<std::string> names;
+      for (const std::string_view field : fields_) names.push_back(plain_name(field));
       columns_ = columns_of_names(fmt::format("{}, line {}", file_.name(), line), names);
       return false;
     }

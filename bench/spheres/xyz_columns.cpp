@@ -25,6 +25,9 @@ std::string_view take_word(std::string_view& text, std::string_view stop) {
   return word;
 }
 
+char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
+
+// Whatever the case of its letters: programs write Lattice and lattice.
 std::optional<std::string_view> value_of_key(std::string_view comment, std::string_view wanted) {
   while (true) {
     comment.remove_prefix(std::min(comment.find_first_not_of(blanks), comment.size()));
@@ -33,7 +36,7 @@ std::optional<std::string_view> value_of_key(std::string_view comment, std::stri
     if (!comment.starts_with('=')) continue;
     comment.remove_prefix(1);
     const std::string_view value = take_word(comment, blanks);
-    if (key == wanted) return value;
+    if (std::ranges::equal(key, wanted, {}, lower, lower)) return value;
   }
 }
 

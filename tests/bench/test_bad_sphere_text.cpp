@@ -36,6 +36,8 @@ TEST(BadSphereFile, XyzWithAPeriodicBox) {
   for (const std::string& box :
        {lattice, lattice + " pbc=\"T F F\"", std::string("pbc=\"F F T\""), "pbc=[1, 0, 0] " + lattice})
     expect_xyz_complaint(file(box), 2, "--ignore-periodic", box.starts_with("pbc=\"") ? "pbc='F F T'" : "Lattice='9 0");
+  expect_xyz_complaint(file("PBC=\"F F T\""), 2, "--ignore-periodic", "pbc='F F T'");
+  expect_xyz_complaint(file("lattice=\"9 0 0\""), 2, "--ignore-periodic", "Lattice='9 0 0'");
   expect_xyz_complaint(file("pbc=\"T T\""), 2, "pbc with T or F", "'T T'");
   expect_xyz_complaint(file("pbc=\"T T yes\""), 2, "pbc with T or F", "'T T yes'");
   const ScratchFolder folder;
@@ -67,6 +69,7 @@ TEST(BadSphereFile, TextLines) {
   expect_text_complaint("# x y\n\n1 2 3 4\n1 2 3\n", 4, "4 columns (x y z radius)", "3: '1 2 3'");
   expect_text_complaint("1 2 3 4\n1 x 3 4\n", 2, "a number for y in column 2", "'x'");
   expect_text_complaint("1,2,,4\n", 1, "a number for z in column 3", "''");
+  expect_text_complaint("1;2;3;0,5\n", 1, "a number for radius in column 4", "'0,5'");
   expect_text_complaint("1,2,3,4,\n", 1, "others need --columns", "5");
   expect_text_complaint("1 2 3 -4\n", 1, "not negative", "'-4'");
   expect_text_complaint("1 2 3 4\n1 2 3 4 5 6 nan\n", 2, "a finite number within the range of float32 for vz", "'nan'");

@@ -40,7 +40,7 @@ TEST(Contests, NoDifferenceIsSeenWhereNoneOfWeightCouldHide) {
 TEST(Contests, FewRoundsDecideNothing) {
   const Contest one = of({5}, {1});
   EXPECT_EQ(one.finding, Finding::undecided);
-  EXPECT_EQ(verdict(one), "not decided by this data: 5.00x to 5.00x in 1 round");
+  EXPECT_EQ(verdict(one), "not decided by this data: 5.00x to 5.00x in 1 round, too few");
   EXPECT_EQ(of({5, 5, 5, 5, 5}, {1, 1, 1, 1, 1}).finding, Finding::undecided);
   EXPECT_EQ(of({5, 5, 5, 5, 5, 5}, {1, 1, 1, 1, 1, 1}).finding, Finding::differ);
 }

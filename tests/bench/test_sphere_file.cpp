@@ -87,7 +87,7 @@ TEST(SphereFile, NpyCountsWhatFloat32CannotHold) {
   EXPECT_EQ(input.changed, 4u) << "0.1, 1e-60, 16777217 and 3e38";
   EXPECT_EQ(input.values, 12u);
   expect_spheres(input, {{0.5f, rounded, 0, 1}, {16777216, rounded, 3e38f, 1}, {-0.0f, smallest, 1, 1}, {1, 1, 1, 1}});
-  EXPECT_NE(describe(input).find("4 of 12 numbers changed when rounded to float32"), std::string::npos);
+  EXPECT_NE(describe(input).find("4 of 12 numbers have more digits than float32 keeps"), std::string::npos);
 }
 
 TEST(SphereFile, ClassicXyz) {

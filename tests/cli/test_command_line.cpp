@@ -38,6 +38,7 @@ TEST_F(CommandLineTest, OptionsThatChangeNothingAreRefusedWithTheReason) {
                                           {run + "--dt 0.5", "--dt"},
                                           {run + "--restitution 0.5", "--restitution"},
                                           {run + "--per-step", "--per-step"},
+                                          {run + "--naive --swept", "--naive"},
                                           {run + "--save " + path("s") + " --save-every 5", "--save-every"},
                                           {run + "--block 64", "--block"},
                                           {run + "--method parallel --block 64", "--block"},
@@ -80,6 +81,7 @@ TEST_F(CommandLineTest, AMisspeltNameIsAnsweredWithTheNearest) {
   expect_refused("compre", {"unknown subcommand 'compre'; did you mean compare?"});
   expect_refused("run --backend glls", {"did you mean glsl?"});
   expect_refused("compare --backends cpu,cdua", {"did you mean cuda?"});
+  expect_refused("pair --input x", {"unknown subcommand 'pair'", "did you mean pairs?"});
   expect_refused("run --backend cpu --method colide_grid", {"did you mean collide_grid?"});
   expect_refused("run --backend cpu --scene randon", {"did you mean random?"});
   expect_refused("run --backend cpu --steps 1 --motion ancored", {"did you mean anchored?"});

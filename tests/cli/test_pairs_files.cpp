@@ -72,6 +72,32 @@ TEST_F(PairsCommand, SaysHowManyPairsRoundingCanDecide) {
   EXPECT_NE(output_.find("2700 pairs, "), std::string::npos) << output_;
 }
 
+// Of float32 centres, whose distance is 0.2 + 9e-11: float32's 0.1 reaches farther.
+TEST_F(PairsCommand, TheRadiusGivenCanDecideToo) {
+  PairsOptions pair = options("pairs.txt");
+  pair.radius = 0.1;
+  const std::vector<float> rows = {0, 0, 0, 13096 * 0x1p-16f, 390 * 0x1p-16f, 376 * 0x1p-16f};
+  pair.input_file = folder_.write("rad.npy", npy_file(npy_header("<f4", "(2, 3)"), npy_data(rows, 3)));
+  EXPECT_EQ(run(pair), "");
+  EXPECT_NE(errors_.find("1 pairs are so close to touching"), std::string::npos) << errors_ << output_;
+  pair.radius = 0.125;
+  EXPECT_EQ(run(pair), "");
+  EXPECT_EQ(errors_, "");
+}
+
+// The plane of the paper's scenes is at -5.
+TEST_F(PairsCommand, SpheresDeepDownStayWhereTheyAreUntilTheyMove) {
+  if (!fs::exists(SPHEREPAIR_PROGRAM)) GTEST_SKIP() << "no " << SPHEREPAIR_PROGRAM << " here";
+  const std::string deep = folder_.write("deep.txt", "0 -50 0 1\n0 -60 0 1\n0 -51 0 1\n");
+  for (const char* motion : {"", " --motion impact --steps 1", " --motion paper-clamp --steps 1"}) {
+    EXPECT_EQ(
+        run_program(fmt::format("run --backend cpu --input {}{} --pairs {}", deep, motion, folder_.path("run.txt"))),
+        kOk)
+        << errors_;
+    EXPECT_EQ(read_bytes(folder_.path("run.txt")), "0 2\n") << motion;
+  }
+}
+
 TEST_F(PairsCommand, ReadsStandardInput) {
   if (!fs::exists(SPHEREPAIR_PROGRAM)) GTEST_SKIP() << "no " << SPHEREPAIR_PROGRAM << " here";
   const std::string pairs = "pairs --backend cpu --input - --output -";
