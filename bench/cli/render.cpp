@@ -110,10 +110,9 @@ std::vector<std::string> facts_of(const Series& series, uint64_t k, uint64_t pai
 // At its widest, so that all images have room for it.
 Legend widest_legend(const Series& series) {
   Legend legend = series.colouring->legend();
-  const uint64_t last = series.images() - 1;
   uint64_t most = 0;
   for (const Start& start : series.starts) most = std::max<uint64_t>(most, start.scene.size());
-  legend.facts = facts_of(series, last, std::max(series.backend().collisions().pairs, 8 * most));
+  legend.facts = facts_of(series, series.images() - 1, std::max(series.backend().collisions().pairs, 8 * most));
   legend.facts[0] = fmt::format("{} spheres", most);
   return legend;
 }
