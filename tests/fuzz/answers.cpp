@@ -10,7 +10,7 @@ using namespace spherepair;
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   Values values(data, size);
   const bool equal_radii = values.next<uint8_t>() % 2;
-  const auto radius = equal_radii ? std::optional(values.next<float>()) : std::nullopt;
+  const auto radius = equal_radii ? std::optional<double>(values.next<float>()) : std::nullopt;
   const size_t columns = equal_radii ? 3 : 4, row = columns * sizeof(float);
   const size_t rows = std::min<size_t>(values.rest().size() / row, 200);
   const std::string header = npy_header("<f4", "(" + std::to_string(rows) + ", " + std::to_string(columns) + ")");
