@@ -23,7 +23,7 @@ std::vector<std::string> backend_names() { return {"cpu", "glsl", "cuda"}; }
 
 namespace {
 
-// OpenGL on the GPU that was chosen for CUDA, unless one was chosen for OpenGL.
+// Where a GPU was chosen for one API alone, the other takes the same.
 OpenOptions with_gl_device([[maybe_unused]] OpenOptions options) {
   if (options.cuda_device.empty() || !options.gl_device.empty() || !options.allow_gpu) return options;
 #ifdef SPHEREPAIR_WITH_CUDA
@@ -33,6 +33,16 @@ OpenOptions with_gl_device([[maybe_unused]] OpenOptions options) {
   throw BackendError("glsl: a CUDA device was chosen, but this build lacks CUDA; use --gl-device");
 #endif
 }
+
+#ifdef SPHEREPAIR_WITH_CUDA
+OpenOptions with_cuda_device(OpenOptions options) {
+  if (options.gl_device.empty() || !options.cuda_device.empty()) return options;
+#ifdef SPHEREPAIR_WITH_GLSL
+  options.cuda_device = open_gl_device(options)->info().uuid;  // none of a software renderer
+#endif
+  return options;
+}
+#endif
 
 PipelineOpener pipeline_of_cpu([[maybe_unused]] const OpenOptions& options) {
 #ifdef SPHEREPAIR_WITH_GLSL
@@ -45,7 +55,7 @@ PipelineOpener pipeline_of_cpu([[maybe_unused]] const OpenOptions& options) {
 #ifdef SPHEREPAIR_WITH_CUDA
 PipelineOpener pipeline_of_cuda([[maybe_unused]] OpenOptions options, [[maybe_unused]] const Device& device) {
 #ifdef SPHEREPAIR_WITH_INTEROP
-  options.gl_device = device.info().uuid;
+  if (options.gl_device.empty()) options.gl_device = device.info().uuid;
   return [options] { return open_cuda_to_gl(options); };
 #else
   return {};
@@ -66,7 +76,7 @@ std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions
   }
   if (name == "cuda") {
 #ifdef SPHEREPAIR_WITH_CUDA
-    std::unique_ptr<Device> device = open_cuda_device(options);
+    std::unique_ptr<Device> device = open_cuda_device(with_cuda_device(options));
     const PipelineOpener pipeline = pipeline_of_cuda(options, *device);
     return std::make_unique<Simulation>(std::move(device), pipeline);
 #else

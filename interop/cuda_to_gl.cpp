@@ -26,10 +26,10 @@ void require_same_device() {
   cudaGetLastError();
   if (error == cudaSuccess && std::find(devices.begin(), devices.begin() + count, current) != devices.begin() + count)
     return;
-  throw BackendError(fmt::format(
-      "interop: OpenGL runs on {}, which is not CUDA's device {}; choose one GPU with CUDA_VISIBLE_DEVICES or "
-      "--cuda-device, and see that EGL is the GPU driver's own",
-      reinterpret_cast<const char*>(glGetString(GL_RENDERER)), current));
+  throw BackendError(
+      fmt::format("interop: OpenGL runs on {}, which is not CUDA's device {}; choose one GPU with --cuda-device or "
+                  "--gl-device alone, and see that EGL is the GPU driver's own",
+                  reinterpret_cast<const char*>(glGetString(GL_RENDERER)), current));
 }
 
 void copy_on_device(void* target, const void* source, uint64_t bytes) {

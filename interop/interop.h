@@ -5,8 +5,8 @@
 
 namespace spherepair {
 
-// OpenGL draws the spheres of the current CUDA device. options.gl_device names the same GPU. Throws BackendError where
-// OpenGL is on another one, or in software.
+// OpenGL draws the spheres of the current CUDA device. Throws BackendError where options.gl_device is another GPU, or
+// OpenGL is in software.
 std::unique_ptr<GraphicsPipeline> open_cuda_to_gl(const OpenOptions& options);
 
 }  // namespace spherepair

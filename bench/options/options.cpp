@@ -97,8 +97,8 @@ void add_open_options(CLI::App& command, OpenOptions& open) {
     });
   };
   device("--cuda-device", open.cuda_device,
-         "GPU for CUDA, and for OpenGL unless --gl-device names another: a number counted from 0 as CUDA does, or a "
-         "UUID as nvidia-smi -L prints it; default: the first");
+         "GPU for CUDA: a number counted from 0 as CUDA does, or a UUID as nvidia-smi -L prints it; default: that of "
+         "--gl-device, or the first");
   device("--gl-device", open.gl_device,
          "GPU for OpenGL: a number or UUID; default: that of --cuda-device, or the first");
   command.add_flag("--require-hardware", open.require_hardware, "Refuse software OpenGL");

@@ -45,5 +45,16 @@ TEST(DeviceNames, TheGpuThatIsNamedIsOpened) {
   }
 }
 
+// On a machine with several GPUs this is not the one that is taken without a name.
+TEST(DeviceNames, TheOtherApiTakesTheGpuThatIsNamedForOne) {
+  const std::string uuid = last_gpu("cuda");
+  if (uuid.empty() || last_gpu("glsl") != uuid) GTEST_SKIP() << "no GPU that both APIs reach";
+  OpenOptions for_cuda, for_gl;
+  for_cuda.cuda_device = for_gl.gl_device = uuid;
+  EXPECT_EQ(open_backend("glsl", for_cuda)->info().uuid, uuid);
+  EXPECT_EQ(open_backend("cuda", for_gl)->info().uuid, uuid);
+  open_backend("cuda", {});  // the other tests' GPU is CUDA's current one again
+}
+
 }  // namespace
 }  // namespace spherepair

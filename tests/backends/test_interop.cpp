@@ -105,5 +105,16 @@ TEST(InteropErrors, OnlyCudasSpheresAreSharedWithOpenGL) {
   }
 }
 
+TEST(InteropErrors, OpenGLDrawsForCudaOnlyOnCudasGpu) {
+  OpenOptions options;
+  options.cuda_device = "0";
+  options.gl_device = last_gpu("glsl");
+  if (options.gl_device.empty() || last_gpu("cuda") != options.gl_device) GTEST_SKIP() << "no GPU that both APIs reach";
+  const auto cuda = open_backend("cuda", options);
+  if (cuda->info().uuid == options.gl_device) GTEST_SKIP() << "one GPU";
+  cuda->upload(make_scene({.n = 10}));
+  EXPECT_THROW(cuda->draw(view_of(make_scene({.n = 10})), {.method = DrawMethod::mesh}), BackendError);
+}
+
 }  // namespace
 }  // namespace spherepair

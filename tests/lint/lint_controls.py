@@ -66,11 +66,12 @@ class Sources(unittest.TestCase):
         self.assertEqual([0, 1], [check(lint_sources.MAX_FUNCTION), check(lint_sources.MAX_FUNCTION + 1)])
 
     def test_mutants(self):
-        def check(text):
-            listed = f'MUTANTS = [{{"name": "n", "file": "common/a.h", "old": {text!r}}}]\n'
+        def check(text, suite="Draw"):
+            listed = f'MUTANTS = [{{"name": "n", "file": "common/a.h", "old": {text!r}, "tests": ["{suite}"]}}]\n'
             return len(self.complaints(lint_sources.mutants, common__a_DOT_h="int a;\nint b;\n",
+                                       tests__CMakeLists_DOT_txt="set(suites BoxEdges Draw)\n",
                                        tests__mutants__mutant_list_DOT_py=listed))
-        self.assertEqual([0, 1, 1], [check("int a"), check("int "), check("float")])
+        self.assertEqual([0, 1, 1, 1], [check("int a"), check("int "), check("float"), check("int a", "DrawLight")])
 
     def test_builtins(self):
         def check(text):

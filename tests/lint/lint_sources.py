@@ -139,12 +139,15 @@ def functions(root, build):
 
 
 def mutants(root, build):
-    """Every deliberate fault of tests/mutants names text that stands exactly once in its file."""
+    """Every deliberate fault of tests/mutants names text that stands exactly once in its file, and entries of ctest."""
     spec = importlib.util.spec_from_file_location("mutant_list", root / "tests/mutants/mutant_list.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     complaints = []
+    entries = re.search(r"set\(suites ([^)]*)\)", (root / "tests/CMakeLists.txt").read_text())[1].split()
     for mutant in module.MUTANTS:
+        for name in sorted(set(mutant["tests"]) - set(entries)):
+            complaints.append(f"tests/mutants/mutant_list.py: '{mutant['name']}' names {name}, which is no suite in tests/CMakeLists.txt")
         path = root / mutant["file"]
         count = path.read_text().count(mutant["old"]) if path.is_file() else 0
         if count != 1:

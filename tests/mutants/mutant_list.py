@@ -151,7 +151,7 @@ CHECKPOINT = [
     mutant("a fraction of a sphere is left out", "bench/io/numbers.cpp", "decimals > zeros", "false", "CommandLineTest",
            "OptionLimits"),
     mutant("a killed run leaves half a file", "bench/io/replaced_file.cpp", "nameless_ = descriptor_ >= 0;",
-           "nameless_ = descriptor_ >= 0; if (nameless_) { ::close(descriptor_); nameless_ = false; open_beside(); }",
+           "nameless_ = descriptor_ >= 0; if (nameless_) { ::close(descriptor_); nameless_ = false; open_temporary(); }",
            "ReplacedFile"),
 ]
 
@@ -196,9 +196,9 @@ DRAWING = [
     mutant("the transfer is not recorded", "bench/image/image_record.cpp", "taken ? json(transfer_name(*taken)) : json()", "json()",
            "RenderCommand"),
     mutant("light looks into one level of cells", "common/backend/dense_plan.cpp", "plan.levels |= 1u << level_of(",
-           "plan.levels = 1u << level_of(", "DrawLight"),
+           "plan.levels = 1u << level_of(", "Draw"),
     mutant("the sun is never below", "common/shared/light.h", "bool ascends = along > 0.0f;", "bool ascends = true;",
-           "DrawLight"),
+           "Draw"),
     mutant("the ground of a film is that of its first frame", "bench/image/ground.cpp",
            "std::min(look.ground, lowest_of(starts[k].scene.positions, look.ground_normal))", "look.ground", "RenderData"),
     mutant("a blank image passes", "bench/cli/render.cpp", "if (some || k > 0) return;", "return;", "RenderData"),

@@ -47,6 +47,16 @@ bool full_stress() {
   return form && std::strcmp(form, "full") == 0;
 }
 
+std::string last_gpu(const std::string& backend) {
+  for (uint number = 16; number-- > 0;) try {
+      OpenOptions options;
+      (backend == "cuda" ? options.cuda_device : options.gl_device) = std::to_string(number);
+      if (const auto opened = open_backend(backend, options); is_gpu(*opened)) return opened->info().uuid;
+    } catch (const BackendError&) {  // there are fewer
+    }
+  return {};
+}
+
 bool is_gpu(const Backend& backend) { return !backend.info().on_host && !backend.info().software; }
 
 std::vector<CollideOptions> every_method(const Backend& backend, std::span<const uint> blocks) {
