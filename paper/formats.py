@@ -17,7 +17,9 @@ TRANSFERS = {"host": "through the host's memory", "registered": "GL's buffer, re
 
 def frames(root):
     """Of `spherepair frames`; `frame` and `frame_all` are also rows of the table `ablation`, a transfer without an image
-    is a row of the table `interop`."""
+    is a row of the table `interop`. A run of the works `loop` and `view` alone compares drawing in a window's context
+    with drawing off screen, in the table `window`."""
+    compares = {entry["work"] for entry in root["frames"]} == {"loop", "view"}
     rows, with_all = [], any(entry["work"] == "frame_all" for entry in root["frames"])
     for entry in root["frames"]:
         if "overlaps" in root and entry["work"] == "frame":
@@ -26,6 +28,8 @@ def frames(root):
             rows.append({**entry, "table": "interop", "way": TRANSFERS[entry["work"]], "scene": {"name": "uniform"}})
             continue
         row = {**entry, "table": "draw", "scene": {"name": "uniform"}}
+        if compares:
+            row |= {"table": "window", "window": root["window"]}
         rows.append(row)
         if with_all and entry["draw"] == "compute" and entry["work"] in ("frame", "frame_all"):
             rows.append({**row, "table": "ablation", "option": f"drawing, camera {entry['place']}",

@@ -120,6 +120,13 @@ class Speed(unittest.TestCase):
                 frame = self.h200.one(table="draw", draw="compute", work="frame", place="outside", n=n, backend=name)
                 self.assertLessEqual(frame.median, 1.1 * most, frame.label)
 
+    def test_8g(self):
+        self.stated("8g", "at most 1.1x the time off screen", "| 10 % |")
+        for api in APIS:
+            window, off_screen = (self.h200.one(table="window", work="loop", n=10**6, backend=api, window=shown)
+                                  for shown in (True, False))
+            self.assertLessEqual(window.median, 1.1 * 1.1 * off_screen.median, api)
+
 
 class Commands(unittest.TestCase):
     def test_every_named_test_exists(self):
