@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: MIT
+"""What a record timed, and what of it has changed since: by the digests of kernels and host paths in its context.
+
+The digests of the tree come from bench/io/source_digests.cmake, which the build uses as well. A name is glsl/KERNEL,
+cuda/KERNEL, host/BACKEND or measure, the code that takes the samples.
+"""
+import json
+import re
+import shutil
+import subprocess
+import tempfile
+from functools import lru_cache
+from pathlib import Path
+
+from paper.old_names import renamed
+
+ROOT = Path(__file__).resolve().parent.parent
+GPU_APIS = ("glsl", "cuda")
+
+
+class Unknown(Exception):
+    """The digests of the tree cannot be made; the text says why."""
+
+
+@lru_cache(maxsize=None)
+def current(root=ROOT):
+    """name -> digest, of the source tree as it is now."""
+    if not shutil.which("cmake"):
+        raise Unknown("whether records are stale is told by cmake, which is not installed (package cmake)")
+    with tempfile.TemporaryDirectory() as folder:
+        output = Path(folder, "digests.json")
+        script = ROOT / "bench/io/source_digests.cmake"
+        made = subprocess.run(["cmake", f"-DSOURCE={root}", f"-DOUTPUT={output}", "-P", script], capture_output=True,
+                              text=True)
+        if made.returncode:
+            raise Unknown(f"cmake cannot make the digests of {root}:\n{made.stderr.strip()}")
+        return json.loads(output.read_text())
+
+
+def of_stage(name, stage):
+    """Whether a stage runs this kernel, or one of its variants: draw_cull_far, mesh_indexed."""
+    return re.match(rf"{re.escape(Path(name).stem)}(_|$)", stage)
+
+
+def names_of(row, recorded):
+    """What a timing depends on, of the recorded names; without a device timer it may be any kernel of its API."""
+    backend, stages = row.get("backend"), row.get("stages") or ()
+    kernels = {name for name in recorded if name.startswith(f"{backend}/") and
+               any(of_stage(name, stage) for stage in stages)}
+    if backend in GPU_APIS and not kernels:
+        kernels = {name for name in recorded if name.startswith(f"{backend}/")}
+    drawn = {name for name in recorded if Path(name).suffix and of_stage(name, row.get("draw") or "")}
+    return kernels | drawn | {f"host/{backend}", "measure"} & recorded.keys()
+
+
+def timings(value, above=None):
+    """Every timing of a record, wherever it stands: its backend, its way of drawing and its stages."""
+    if isinstance(value, list):
+        for inner in value:
+            yield from timings(inner, above)
+    if not isinstance(value, dict):
+        return
+    row = {**(above or {}), **{key: value[key] for key in ("backend", "draw") if key in value}}
+    if "samples_ms" in value:
+        yield {**row, "stages": value.get("device_stages_ms")}
+    if "compile_ms" in value:
+        yield {"backend": value["name"], "stages": value["compile_ms"]}
+    for inner in value.values():
+        yield from timings(inner, row)
+
+
+def changed(row, recorded, now):
+    """The names that a timing depends on and whose digests are others now."""
+    return {name for name in names_of(row, recorded) if now.get(name) != recorded[name]}
+
+
+def words(names):
+    """E.g. `collide_grid (GLSL, CUDA), host code (CUDA), timing`."""
+    by_kernel = {}
+    for name in sorted(names):
+        room, _, kernel = name.rpartition("/")
+        api, what = (kernel, "host code") if room == "host" else (room, Path(kernel).stem)
+        apis = by_kernel.setdefault(what if api else "timing", [])
+        apis += [api.upper()] if api and api.upper() not in apis else []
+    return ", ".join(f"{what} ({', '.join(sorted(apis, reverse=True))})" if apis else what
+                     for what, apis in by_kernel.items())
+
+
+def stale(folder, root=ROOT):
+    """(file, what has changed or None without digests, stale timings, all timings) of each stale record below a folder,
+    and the number of all records with times."""
+    found, records = [], 0
+    for path in sorted(Path(folder).rglob("*.json")):
+        record = json.loads(path.read_text())
+        rows = list(timings(renamed(record))) if isinstance(record, dict) else []
+        records += bool(rows)
+        recorded = record.get("context", {}).get("sources") if rows else None
+        names = [changed(row, recorded, current(root)) for row in rows] if recorded else []
+        if rows and not recorded:
+            found.append((path, None, len(rows), len(rows)))
+        elif any(names):
+            found.append((path, set().union(*names), sum(map(bool, names)), len(rows)))
+    return found, records
