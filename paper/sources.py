@@ -16,6 +16,7 @@ from paper.old_names import renamed
 
 ROOT = Path(__file__).resolve().parent.parent
 GPU_APIS = ("glsl", "cuda")
+MOST_NAMED = 4  # under a figure
 
 
 class Unknown(Exception):
@@ -37,9 +38,10 @@ def current(root=ROOT):
         return json.loads(output.read_text())
 
 
+@lru_cache(maxsize=None)
 def of_stage(name, stage):
     """Whether a stage runs this kernel, or one of its variants: draw_cull_far, mesh_indexed."""
-    return re.match(rf"{re.escape(Path(name).stem)}(_|$)", stage)
+    return bool(re.match(rf"{re.escape(Path(name).stem)}(_|$)", stage))
 
 
 def names_of(row, recorded):
@@ -74,16 +76,26 @@ def changed(row, recorded, now):
     return {name for name in names_of(row, recorded) if now.get(name) != recorded[name]}
 
 
-def words(names):
-    """E.g. `collide_grid (GLSL, CUDA), host code (CUDA), timing`."""
+def parts(names):
+    """E.g. collide_grid (GLSL, CUDA); host code (CUDA); timing."""
     by_kernel = {}
     for name in sorted(names):
         room, _, kernel = name.rpartition("/")
         api, what = (kernel, "host code") if room == "host" else (room, Path(kernel).stem)
         apis = by_kernel.setdefault(what if api else "timing", [])
         apis += [api.upper()] if api and api.upper() not in apis else []
-    return ", ".join(f"{what} ({', '.join(sorted(apis, reverse=True))})" if apis else what
-                     for what, apis in by_kernel.items())
+    return [f"{what} ({', '.join(sorted(apis, reverse=True))})" if apis else what for what, apis in by_kernel.items()]
+
+
+def note(rows):
+    """What the line under a figure or table of these timings adds: (row, digests of its record or None without) each."""
+    rows = list(rows)
+    found = parts(set().union(*(changed(row, recorded, current()) for row, recorded in rows if recorded)))
+    more = f" and {len(found) - MOST_NAMED} more" if len(found) > MOST_NAMED else ""
+    notes = [f"recorded with earlier {', '.join(found[:MOST_NAMED])}{more}"] if found else []
+    if any(recorded is None for _, recorded in rows):
+        notes.append("recorded without digests of its kernels")
+    return "; ".join(notes)
 
 
 def stale(folder, root=ROOT):

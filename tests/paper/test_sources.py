@@ -100,7 +100,7 @@ class Stale(Tree):
     def stale(self):
         sources.current.cache_clear()
         found, records = sources.stale(self.root.parent / "machine", self.root)
-        return {path.name: (names and sources.words(names), count, total) for path, names, count, total in found}, records
+        return {path.name: (names and ", ".join(sources.parts(names)), count, total) for path, names, count, total in found}, records
 
     def test_fresh_then_touched(self):
         self.record("a.json", [timing("cuda", collide_grid=1), timing("cuda", move=1), timing("glsl", collide_grid=1)])
@@ -129,6 +129,13 @@ class Stale(Tree):
     def test_without_digests_it_is_stale(self):
         self.record("a.json", [timing("cpu")], context={"build": {}})
         self.assertEqual(({"a.json": (None, 1, 1)}, 1), self.stale())
+
+    def test_under_a_figure_the_first_are_named(self):
+        now, row = sources.current(ROOT), {"backend": "glsl"}
+        earlier = {name: "0" if name.startswith("glsl/peak") or name == "measure" else now[name] for name in now}
+        self.assertEqual("", sources.note([(row, now)]))
+        self.assertEqual("recorded with earlier timing, peak_atomics (GLSL), peak_copy (GLSL), peak_issue (GLSL) and 1 more; "
+                         "recorded without digests of its kernels", sources.note([(row, earlier), (row, None)]))
 
     def test_a_kernel_that_is_gone_has_changed(self):
         self.record("a.json", [timing("glsl", points=1)])
