@@ -2,10 +2,10 @@
 """Recorded runs, as the figures, tables and numbers of the paper read them.
 
 A folder under paper/data is one machine. Every JSON file in it is a source, and so is every folder of JSON files: of a
-sweep, or of several processes, which are numbered. Its id is the machine's name and the first 8 hexadecimal digits of the SHA-256 of its bytes. One record is one
-measurement: what was run (any parameters the writer chose), its samples, median and interval in milliseconds, and the
-source it came from; formats.py reads the files of each program, old_names.py renames what earlier versions wrote, and
-spread.py merges the records of several processes.
+sweep, or of several processes, which are numbered. A source's id is the machine's name and the first 8 hexadecimal
+digits of the SHA-256 of its bytes. One record is one measurement: what was run (any parameters the writer chose), its
+samples, median and interval in milliseconds, and the source it came from; formats.py reads the files of each program,
+old_names.py renames what earlier versions wrote, and spread.py merges the records of several processes.
 """
 import hashlib
 import json
@@ -83,7 +83,8 @@ def sources_in(folder):
     """(name, files of each process): NAME.json, NAME/*.json, and of several processes NAME/1.json or NAME/1/*.json."""
     for path in sorted(folder.glob("[!.]*"), key=lambda path: (path.is_dir(), path.name)):
         if path.is_dir():
-            numbered = sorted((inner for inner in path.iterdir() if inner.stem.isdigit()), key=lambda inner: int(inner.stem))
+            numbered = sorted((inner for inner in path.iterdir() if inner.stem.isdigit() and
+                               (inner.is_dir() or inner.suffix == ".json")), key=lambda inner: int(inner.stem))
             runs = [sorted(inner.glob("*.json")) if inner.is_dir() else [inner] for inner in numbered]
             yield path.name if path.name.startswith("sweep") else f"{path.name}.json", runs or [sorted(path.glob("*.json"))]
         elif path.suffix == ".json":

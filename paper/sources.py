@@ -9,6 +9,7 @@ import re
 import shutil
 import subprocess
 import tempfile
+from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
 
@@ -98,18 +99,28 @@ def note(rows):
     return "; ".join(notes)
 
 
-def stale(folder, root=ROOT):
-    """(file, what has changed or None without digests, stale timings, all timings) of each stale record below a folder,
-    and the number of all records with times."""
-    found, records = [], 0
+@dataclass
+class Checked:
+    """The timings of one file of a folder, or of all files below one of its folders."""
+    timings: int = 0
+    stale: int = 0
+    changed: set = field(default_factory=set)
+    without_digests: bool = False
+
+
+def checked(folder, root=ROOT):
+    """name -> Checked, of everything with times in a folder of records."""
+    found = {}
     for path in sorted(Path(folder).rglob("*.json")):
+        name = path.relative_to(folder).parts[0]
         record = json.loads(path.read_text())
         rows = list(timings(renamed(record))) if isinstance(record, dict) else []
-        records += bool(rows)
-        recorded = record.get("context", {}).get("sources") if rows else None
+        if not rows or name.startswith("."):  # a part that is being recorded
+            continue
+        recorded, entry = record.get("context", {}).get("sources"), found.setdefault(name, Checked())
         names = [changed(row, recorded, current(root)) for row in rows] if recorded else []
-        if rows and not recorded:
-            found.append((path, None, len(rows), len(rows)))
-        elif any(names):
-            found.append((path, set().union(*names), sum(map(bool, names)), len(rows)))
-    return found, records
+        entry.timings += len(rows)
+        entry.stale += sum(map(bool, names)) if recorded else len(rows)
+        entry.changed.update(*names)
+        entry.without_digests |= not recorded
+    return found

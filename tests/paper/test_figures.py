@@ -140,7 +140,8 @@ class StaleRecords(unittest.TestCase):
         machine = Machine(DATA / "h200")
         machine.records = [replace(record, recorded=({"measure": digest},)) for record in machine.records]
         table = all_tables.of_one(all_tables.methods, machine)
-        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch.object(figures, "modules", lambda: [figures.ratio]):
+        one = unittest.mock.patch.object(figures, "modules", lambda: [figures.ratio])
+        with tempfile.TemporaryDirectory() as folder, one:
             figures.draw_all(machine, pathlib.Path(folder))
             figures.write_captions(machine, pathlib.Path(folder, "captions.tex"))
             captions = pathlib.Path(folder, "captions.tex").read_text().splitlines()

@@ -98,49 +98,54 @@ class Stale(Tree):
                                     "measurements": rows}))
 
     def stale(self):
+        """name -> (what has changed, stale timings, all timings), of what is stale."""
         sources.current.cache_clear()
-        found, records = sources.stale(self.root.parent / "machine", self.root)
-        return {path.name: (names and ", ".join(sources.parts(names)), count, total) for path, names, count, total in found}, records
+        found = sources.checked(self.root.parent / "machine", self.root)
+        self.assertTrue(found)
+        return {name: (", ".join(sources.parts(entry.changed)), entry.stale, entry.timings)
+                for name, entry in found.items() if entry.stale}
 
     def test_fresh_then_touched(self):
         self.record("a.json", [timing("cuda", collide_grid=1), timing("cuda", move=1), timing("glsl", collide_grid=1)])
-        self.record("sweep/b.json", [timing("glsl", draw_cull_far=1)])
-        self.assertEqual(({}, 2), self.stale())
+        self.record("sweep/1/b.json", [timing("glsl", draw_cull_far=1)])
+        self.record("sweep/2/b.json", [timing("glsl", draw_cull_far=1)])
+        self.assertEqual({}, self.stale())
         self.append("cuda/collide/collide_grid.cu", "int unused;\n")
-        self.assertEqual(({"a.json": ("collide_grid (CUDA)", 1, 3)}, 2), self.stale())
+        self.assertEqual({"a.json": ("collide_grid (CUDA)", 1, 3)}, self.stale())
         self.append("shaders/draw/draw_cull.comp", "int unused;\n")
-        self.assertEqual(("draw_cull (GLSL)", 1, 1), self.stale()[0]["b.json"])
+        self.assertEqual(("draw_cull (GLSL)", 2, 2), self.stale()["sweep"])
 
     def test_the_way_of_measuring_counts_for_all(self):
         self.record("a.json", [timing("cpu"), timing("cuda", move=1)])
         self.append("bench/measure/timing.cpp", "int unused;\n")
-        self.assertEqual({"a.json": ("timing", 2, 2)}, self.stale()[0])
+        self.assertEqual({"a.json": ("timing", 2, 2)}, self.stale())
 
     def test_without_device_timers_every_kernel_of_the_api_counts(self):
         self.record("a.json", [timing("glsl"), timing("cpu"), timing("cuda")])
         self.append("shaders/draw/draw_cull.comp", "int unused;\n")
-        self.assertEqual({"a.json": ("draw_cull (GLSL)", 1, 3)}, self.stale()[0])
+        self.assertEqual({"a.json": ("draw_cull (GLSL)", 1, 3)}, self.stale())
 
     def test_what_opengl_draws_counts_for_either_api(self):
         self.record("a.json", [{**timing("cuda", move=1), "draw": "points"}])
         self.append("shaders/draw/points.vert", "int unused;\n")
-        self.assertEqual({"a.json": ("points (GLSL)", 1, 1)}, self.stale()[0])
+        self.assertEqual({"a.json": ("points (GLSL)", 1, 1)}, self.stale())
 
     def test_without_digests_it_is_stale(self):
         self.record("a.json", [timing("cpu")], context={"build": {}})
-        self.assertEqual(({"a.json": (None, 1, 1)}, 1), self.stale())
+        self.assertEqual({"a.json": ("", 1, 1)}, self.stale())
+        self.assertTrue(sources.checked(self.root.parent / "machine", self.root)["a.json"].without_digests)
 
     def test_under_a_figure_the_first_are_named(self):
         now, row = sources.current(ROOT), {"backend": "glsl"}
         earlier = {name: "0" if name.startswith("glsl/peak") or name == "measure" else now[name] for name in now}
         self.assertEqual("", sources.note([(row, now)]))
-        self.assertEqual("recorded with earlier timing, peak_atomics (GLSL), peak_copy (GLSL), peak_issue (GLSL) and 1 more; "
+        self.assertEqual("recorded with earlier peak_atomics (GLSL), peak_copy (GLSL), peak_issue (GLSL), peak_words (GLSL) and 1 more; "
                          "recorded without digests of its kernels", sources.note([(row, earlier), (row, None)]))
 
     def test_a_kernel_that_is_gone_has_changed(self):
         self.record("a.json", [timing("glsl", points=1)])
         (self.root / "shaders/draw/points.frag").unlink()
-        self.assertEqual({"a.json": ("points (GLSL)", 1, 1)}, self.stale()[0])
+        self.assertEqual({"a.json": ("points (GLSL)", 1, 1)}, self.stale())
 
 
 if __name__ == "__main__":
