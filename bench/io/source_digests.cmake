@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Digests of what is timed: one for each kernel of each API, of its file and all that it includes, and one for each
-# host path. They need the source tree alone; comments and white space do not count. build_info.cmake puts them into the
+# host path. They need the source tree alone; // comments and white space do not count. build_info.cmake puts them into the
 # program, which writes them into every record; paper/sources.py compares those with the tree's:
 #   cmake -DSOURCE=. -DOUTPUT=digests.json -P bench/io/source_digests.cmake
 cmake_minimum_required(VERSION 3.22)
@@ -75,10 +75,14 @@ function(digest_sources result)
     add_digest(${name} ${files})
   endforeach()
   foreach(path host/cpu host/glsl host/cuda measure)
-    list(TRANSFORM rooms_of_${path} PREPEND "${SOURCE}/" OUTPUT_VARIABLE rooms)
-    list(TRANSFORM rooms APPEND "/*.h" OUTPUT_VARIABLE headers)
-    list(TRANSFORM rooms APPEND "/*.c[pu]*" OUTPUT_VARIABLE bodies)
-    file(GLOB files RELATIVE ${SOURCE} ${headers} ${bodies})
+    set(files "")
+    foreach(room IN LISTS rooms_of_${path})
+      file(GLOB found RELATIVE ${SOURCE} ${SOURCE}/${room}/*.h ${SOURCE}/${room}/*.c[pu]*)
+      if(NOT found)
+        message(FATAL_ERROR "${SOURCE} has no room ${room}: mend the host paths in bench/io/source_digests.cmake")
+      endif()
+      list(APPEND files ${found})
+    endforeach()
     add_digest(${path} ${files})
   endforeach()
   list(JOIN entries ",\n " json)

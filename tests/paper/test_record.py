@@ -199,10 +199,10 @@ class Needs(StandIn):
         self.assertIn("built from other sources than these, move (GLSL): build it again", self.run_it(code=1))
 
     def test_earlier_records_of_the_same_parts_are_refused(self):
-        for name in ("results.json", "skips.json", "sweep/grid-64.json"):
+        for name in ("results.json", "skips.json", "sweep/grid-64.json"):  # retired: an earlier name
             (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
             (self.folder / name).write_text("{}")
-        self.assertIn("earlier records of the same parts, results.json, skips.json, sweep", self.run_it(code=1))
+        self.assertIn("earlier records of the same parts, results.json, skips.json, sweep", self.run_it(code=1))  # retired: the same
         self.assertEqual([], self.calls())
 
     def test_wrong_command_lines(self):

@@ -80,6 +80,12 @@ class Digests(Tree):
         with self.assertRaisesRegex(sources.Unknown, "abacus.cuh"):
             sources.current(self.root)
 
+    def test_a_room_that_is_gone_is_named(self):
+        shutil.rmtree(self.root / "common/simulation")
+        sources.current.cache_clear()
+        with self.assertRaisesRegex(sources.Unknown, "no room common/simulation"):
+            sources.current(self.root)
+
     def test_the_program_has_those_of_the_tree(self):
         made = subprocess.run([PROGRAM, "devices", "--backends", "cpu", "--json", "-"], capture_output=True, text=True)
         record, _ = json.JSONDecoder().raw_decode(made.stdout[made.stdout.index("{"):])
