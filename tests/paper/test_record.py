@@ -100,7 +100,7 @@ class Recording(StandIn):
         timed = [part for part in parts.GPU if part.timed]
         self.assertEqual(3 * len(timed) + len(parts.GPU) - len(timed), len(self.calls()))
         expected = {"results/3.json", "sweep/2/grid-1.json", "compile.json", "stress/rows-0-1.json", "state_hashes.json",
-                    "tests/4.txt", "precision_1e8/1.json"}
+                    "tests/3.txt", "precision_1e8/1.json"}
         self.assertLessEqual(expected, self.files())
         machine = Machine(self.folder)
         self.assertEqual({3, 9}, {len(record.samples_ms) for record in machine.records})  # compile.json is of one process

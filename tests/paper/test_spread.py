@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""Records of several processes become one: median of the medians, interval of the widest layer of spread."""
+"""Records of several processes become one: median of the medians, interval of the widest layer of spread. What was
+recorded in pieces is read as a whole."""
 import json
 import pathlib
 import sys
 import tempfile
+import types
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 
 from paper import spread  # noqa: E402  (the path must be set first)
-from paper.numbers import ranks  # noqa: E402
+from paper.numbers import prose_equality, ranks  # noqa: E402
 from paper.records import DATA, Machine, Missing, Record  # noqa: E402
 
 
@@ -130,6 +132,28 @@ class Folders(unittest.TestCase):
 
     def test_recorded_folders_are_read_as_before(self):
         self.assertLess(1000, len(Machine(DATA / "h200").records))
+
+
+class Tests(unittest.TestCase):
+    """The number of passed tests, of one output or of several shards."""
+
+    def passed(self, **texts):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, (shard, count) in texts.items():
+                path = pathlib.Path(folder, name.replace("__", "/") + ".txt")
+                path.parent.mkdir(exist_ok=True)
+                path.write_text(f"Note: This is test shard {shard} of 2.\n[  PASSED  ] {count} tests.\n" if shard
+                                else f"[  PASSED  ] {count} tests.\n")
+            machine, found = types.SimpleNamespace(name="made up", folder=pathlib.Path(folder)), {}
+            prose_equality.tests(lambda key, text, source, how: found.update({key: text}), machine, [])
+        return found["tests/passed"]
+
+    def test_all_shards_count_and_none_may_be_absent(self):
+        self.assertEqual("7", self.passed(tests=(0, 7)))
+        self.assertEqual("7", self.passed(tests__1=(1, 3), tests__2=(2, 4)))
+        for lacking in ({"tests__1": (1, 3)}, {}):
+            with self.assertRaises(Missing):
+                self.passed(**lacking)
 
 
 class Ranks(unittest.TestCase):
