@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Digests of what is timed: they follow the sources, and records say when theirs are others.
+"""Digests of what is timed: they follow the sources, and records say when theirs are others. The program takes the
+command lines of a recording.
 Usage: test_sources.py SPHEREPAIR"""
+import contextlib
 import json
 import pathlib
 import shutil
@@ -13,7 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 PROGRAM = sys.argv.pop(1)
 
-from paper import sources  # noqa: E402  (the path must be set first)
+from paper import parts, sources  # noqa: E402  (the path must be set first)
 
 FOLDERS = ("common", "shaders", "cuda", "glsl", "interop", "bench/measure")
 
@@ -152,6 +154,17 @@ class Stale(Tree):
         self.record("a.json", [timing("glsl", points=1)])
         (self.root / "shaders/draw/points.frag").unlink()
         self.assertEqual({"a.json": ("points (GLSL)", 1, 1)}, self.stale())
+
+
+class Parts(unittest.TestCase):
+    def test_the_program_takes_their_command_lines(self):
+        """Those of a GPU are refused its OpenGL and end at once; the others are stopped."""
+        for run in parts.runs([part for part in parts.GPU + parts.SOFTWARE if not part.tests], 1):
+            with tempfile.TemporaryDirectory() as folder, self.subTest(run.name):
+                words = [*run.command(folder)[0], *(["--no-gpu"] if run.part in parts.GPU and "glsl" in run.part.backends else [])]
+                with contextlib.suppress(subprocess.TimeoutExpired):
+                    made = subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=3)
+                    self.assertNotEqual(2, made.returncode, made.stderr)  # wrong usage
 
 
 if __name__ == "__main__":
