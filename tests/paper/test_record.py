@@ -142,18 +142,23 @@ class Recording(StandIn):
 
     def test_an_interruption_keeps_nothing_of_the_part_and_ends_the_program(self):
         self.say(sleeps=True)
+        for number, stop in enumerate((signal.SIGINT, signal.SIGTERM), 1):
+            with self.subTest(stop):
+                self.interrupt(stop, number)
+
+    def interrupt(self, stop, calls):
         process = subprocess.Popen(self.words("--part", "ablate-1"), stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         deadline = time.monotonic() + 30
-        while not self.calls() and time.monotonic() < deadline:
+        while len(self.calls()) < calls and time.monotonic() < deadline:
             time.sleep(0.05)
         self.assertTrue(list(self.folder.glob(".ablate-1")))
-        process.send_signal(signal.SIGINT)
+        process.send_signal(stop)
         output, _ = process.communicate(timeout=30)
         self.assertEqual(1, process.returncode)
         self.assertIn("the same command goes on", output.decode())
         self.assertEqual([], list(self.folder.iterdir()))
         with self.assertRaises(ProcessLookupError):
-            os.kill(int((self.home / "calls.txt").read_text().split()[0]), 0)
+            os.kill(int((self.home / "calls.txt").read_text().splitlines()[-1].split()[0]), 0)
 
     def test_on_a_terminal_it_shows_the_time_that_passes(self):
         ours, theirs = pty.openpty()

@@ -147,8 +147,9 @@ class Stale(Tree):
         now, row = sources.current(ROOT), {"backend": "glsl"}
         earlier = {name: "0" if name.startswith("glsl/peak") or name == "measure" else now[name] for name in now}
         self.assertEqual("", sources.note([(row, now)]))
-        self.assertEqual("recorded with earlier peak_atomics (GLSL), peak_copy (GLSL), peak_issue (GLSL), peak_words (GLSL) and 1 more; "
-                         "recorded without digests of its kernels", sources.note([(row, earlier), (row, None)]))
+        self.assertEqual("recorded with earlier peak_atomics (GLSL), peak_copy (GLSL), peak_issue (GLSL), peak_words "
+                         "(GLSL) and 1 more; recorded without digests of its kernels",
+                         sources.note([(row, earlier), (row, None)]))
 
     def test_a_kernel_that_is_gone_has_changed(self):
         self.record("a.json", [timing("glsl", points=1)])
@@ -161,7 +162,8 @@ class Parts(unittest.TestCase):
         """Those of a GPU are refused its OpenGL and end at once; the others are stopped."""
         for run in parts.runs([part for part in parts.GPU + parts.SOFTWARE if not part.tests], 1):
             with tempfile.TemporaryDirectory() as folder, self.subTest(run.name):
-                words = [*run.command(folder)[0], *(["--no-gpu"] if run.part in parts.GPU and "glsl" in run.part.backends else [])]
+                without = run.part in parts.GPU and "glsl" in run.part.backends
+                words = [*run.command(folder)[0], *(["--no-gpu"] if without else [])]
                 with contextlib.suppress(subprocess.TimeoutExpired):
                     made = subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=3)
                     self.assertNotEqual(2, made.returncode, made.stderr)  # wrong usage
