@@ -6,7 +6,7 @@ build_packages="g++ cmake ninja-build pkg-config libepoxy-dev libegl-dev libegl1
 test_packages="libbenchmark-dev libgtest-dev libgmp-dev librapidcheck-dev glslang-tools spirv-tools
   clang-format python3 xvfb xauth"
 sanitize_packages="clang libclang-rt-dev libomp-dev llvm"
-figure_packages="python3-matplotlib"
+figure_packages="cmake python3-matplotlib" # cmake: whether records are of the current sources
 paper_packages="latexmk texlive-latex-base texlive-latex-recommended texlive-fonts-recommended"
 
 say() { printf '\n== %s\n' "$*"; }

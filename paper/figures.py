@@ -16,7 +16,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[0] = str(ROOT)  # in place of paper/, whose numbers/ would hide Python's module of that name
 
-from paper import headline, plots, side_by_side, style  # noqa: E402  (the path must be set first)
+from paper import headline, plots, side_by_side, sources, style  # noqa: E402  (the path must be set first)
 from paper.numbers import macros  # noqa: E402
 from paper.plots import ratio  # noqa: E402
 from paper.records import DATA, Machine, Missing  # noqa: E402
@@ -39,11 +39,16 @@ def source_of(module, machine, otherwise):
     return otherwise
 
 
+def with_note(source, note):
+    return f"{source}; {note}" if note else source
+
+
 def draw_all(machine, folder):
     """Returns (names drawn, names left out with reasons); a figure without all of its data is not drawn."""
     drawn, left_out = [], []
     style.name_devices(machine)
     for module in modules():
+        machine.used.clear()
         try:
             figure = module.draw(machine)
         except Missing as reason:
@@ -51,7 +56,9 @@ def draw_all(machine, folder):
             for kind in ("pdf", "png"):
                 (folder / f"{module.NAME}.{kind}").unlink(missing_ok=True)  # of an earlier run
             continue
-        style.save(figure, folder, module.NAME, source_of(module, machine, machine.title))
+        source = source_of(module, machine, machine.title)
+        note = machine.note_on(module.NAME, source if hasattr(module, "source") else "")
+        style.save(figure, folder, module.NAME, f"{source}\n{note}".strip())
         drawn.append(module.NAME)
     return drawn, left_out
 
@@ -72,12 +79,12 @@ def write_captions(machine, path):
     for module in modules():
         try:
             text = module.caption(machine) if hasattr(module, "caption") else module.CAPTION
-            source = escape(source_of(module, machine, machine.short))
+            source = with_note(source_of(module, machine, machine.short), machine.notes.get(module.NAME))
         except Missing:
             continue
-        lines.append(f"\\definecaption{{{module.NAME}}}{{{text} {source}.}}")
+        lines.append(f"\\definecaption{{{module.NAME}}}{{{text} {escape(source)}.}}")
     for table in all_tables.all_tables(machine):
-        source = machine.short.replace(machine.id, table.source or machine.id)
+        source = with_note(machine.short.replace(machine.id, table.source or machine.id), machine.notes.get(table.name))
         lines.append(f"\\definecaption{{{table.name}}}{{{table.caption} {escape(source)}.}}")
     path.write_text("\n".join(lines) + "\n")
 
@@ -106,7 +113,8 @@ def write_paper_inputs(output):
 
 
 def write_headline(machine):
-    style.save_png(ratio.draw(machine), ROOT / "paper/headline.png", machine.title)
+    figure = ratio.draw(machine)
+    style.save_png(figure, ROOT / "paper/headline.png", f"{machine.title}\n{machine.note_on(ratio.NAME)}".strip())
     readme = ROOT / "README.md"
     readme.write_text(headline.updated(readme.read_text(), machine))
 
@@ -152,5 +160,5 @@ def main():
 if __name__ == "__main__":
     try:
         main()
-    except Missing as reason:
+    except (Missing, sources.Unknown) as reason:
         sys.exit(f"figures: {reason}")

@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: MIT
 """Recorded runs, as the figures, tables and numbers of the paper read them.
 
-A folder under paper/data is one machine. Every JSON file in it is a source, and so is every folder of JSON files (of a
-sweep); its id is the machine's name and the first 8 hexadecimal digits of the SHA-256 of its bytes. One record is one
-measurement: what was run (any parameters the writer chose), its samples, median and interval in milliseconds, and the
-source it came from; formats.py reads the files of each program, old_names.py renames what earlier versions wrote.
+A folder under paper/data is one machine. Every JSON file in it is a source, and so is every folder of JSON files: of a
+sweep, or of several processes, which are numbered. A source's id is the machine's name and the first 8 hexadecimal
+digits of the SHA-256 of its bytes. One record is one measurement: what was run (any parameters the writer chose), its
+samples, median and interval in milliseconds, and the source it came from; formats.py reads the files of each program,
+old_names.py renames what earlier versions wrote, and spread.py merges the records of several processes.
 """
 import hashlib
 import json
-import math
-import statistics
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from paper import formats, old_names
+from paper import formats, old_names, sources, spread
+from paper.spread import median_interval, summary  # noqa: F401  (ranks takes the first from here)
 
 DATA = Path(__file__).resolve().parent / "data"
 
@@ -37,6 +37,7 @@ class Record:
     source: str
     date: str = ""  # of the run
     swept: bool = False  # by `spherepair sweep`, which uses the group size that is chosen for n
+    recorded: tuple = field(default=(), repr=False)  # digests of the sources in each of its files, see sources.py
 
     def __getattr__(self, name):
         if name in self.parameters:
@@ -47,23 +48,6 @@ class Record:
         values = {**self.parameters.get("scene", {}), **self.parameters}
         values["scene"] = self.parameters.get("scene", {}).get("name")
         return all(values.get(name) == value for name, value in wanted.items())
-
-
-def median_interval(samples, confidence=0.95):
-    """The narrowest symmetric pair of order statistics with this coverage of the median; the whole range if none has it."""
-    values, n = sorted(samples), len(samples)
-    left_out = 0  # on each side
-    while 2 * sum(math.comb(n, k) for k in range(left_out + 2)) <= (1 - confidence) * 2**n and 2 * left_out + 2 < n:
-        left_out += 1
-    return values[left_out], values[-1 - left_out]
-
-
-def summary(row):
-    """(median, low, high) in milliseconds, as recorded or from the samples."""
-    samples = row.get("samples_ms")
-    median = row["median_ms"] if "median_ms" in row else statistics.median(samples)
-    low, high = row["interval_ms"] if "interval_ms" in row else median_interval(samples)
-    return median, low, high
 
 
 def text_of(wanted):
@@ -95,6 +79,18 @@ def latest(records):
     return [record for record in records if work_of(record) is None or runs[work_of(record)][2] == record.source]
 
 
+def sources_in(folder):
+    """(name, files of each process): NAME.json, NAME/*.json, and of several processes NAME/1.json or NAME/1/*.json."""
+    for path in sorted(folder.glob("[!.]*"), key=lambda path: (path.is_dir(), path.name)):
+        if path.is_dir():
+            numbered = sorted((inner for inner in path.iterdir() if inner.stem.isdigit() and
+                               (inner.is_dir() or inner.suffix == ".json")), key=lambda inner: int(inner.stem))
+            runs = [sorted(inner.glob("*.json")) if inner.is_dir() else [inner] for inner in numbered]
+            yield path.name if path.name.startswith("sweep") else f"{path.name}.json", runs or [sorted(path.glob("*.json"))]
+        elif path.suffix == ".json":
+            yield path.name, [[path]]
+
+
 class Machine:
     """One folder of recorded runs."""
 
@@ -102,10 +98,10 @@ class Machine:
         self.folder = Path(folder)
         self.name = name or self.folder.name
         self.records, self.sources = [], {}
-        for path in sorted(self.folder.glob("*.json")):
-            self._read(path.name, [path])
-        for path in sorted(inner for inner in self.folder.glob("*") if inner.is_dir()):
-            self._read(path.name, sorted(path.glob("*.json")))
+        self.used = {}  # records that were selected since it was last cleared, by their id()
+        self.notes = {}  # figure or table -> what its source line says of stale records
+        for name, runs in sources_in(self.folder):
+            self._read(old_names.FILES.get(name, name), [files for files in runs if files])
         self.records = latest(self.records)
         if "results.json" not in self.sources:
             raise Missing(f"{self.folder} holds no results.json of `spherepair compare`")
@@ -116,22 +112,28 @@ class Machine:
     def ids(self):
         return {name: source["id"] for name, source in self.sources.items()}
 
-    def _read(self, name, paths):
-        raws = [path.read_bytes() for path in paths]
-        source = f"{self.name}:{digest(b''.join(raws))}"
-        for root in map(json.loads, raws):
-            if not isinstance(root, dict):
-                continue
-            root = old_names.renamed(root)
-            self.sources[old_names.FILES.get(name, name)] = {**root, "id": source}
-            for row in formats.rows_of(root):
-                median, low, high = summary(row)
-                date = root.get("context", {}).get("date", "")
-                self.records.append(Record(row, median, low, high, source, date, name.startswith("sweep")))
+    def _read(self, name, runs):
+        raws = [[path.read_bytes() for path in files] for files in runs]
+        roots = [[old_names.renamed(json.loads(raw)) for raw in of_run] for of_run in raws]
+        flat = [root for of_run in roots for root in of_run]
+        if not flat or not all(isinstance(root, dict) for root in flat):
+            return
+        if name in self.sources:
+            raise Missing(f"{self.folder} has {name} and a folder of the same records: remove the older one")
+        source = f"{self.name}:{digest(b''.join(raw for of_run in raws for raw in of_run))}"
+        processes = [spread.joined(of_run) for of_run in roots]
+        root = processes[0] if len(processes) == 1 else spread.merged(processes)
+        recorded = tuple(root.get("context", {}).get("sources") for root in flat)
+        self.sources[name] = {**root, "id": source, "recorded": recorded}
+        for part in flat if len(processes) == 1 else [root]:
+            date = part.get("context", {}).get("date", "")
+            self.records += [Record(row, *summary(row), source, date, name.startswith("sweep"), recorded)
+                             for row in formats.rows_of(part)]
 
     def select(self, **wanted):
         """All records with these parameters, smallest n first; `scene` is the scene's name."""
         found = [record for record in self.records if record.matches(wanted)]
+        self.used.update((id(record), record) for record in found)
         return sorted(found, key=lambda record: record.parameters.get("n", 0))
 
     def need(self, **wanted):
@@ -145,6 +147,18 @@ class Machine:
         if len(found) > 1:
             raise Missing(f"{self.name} has {len(found)} records of {text_of(wanted)}; one was expected")
         return found[0]
+
+    def note_on(self, name, line=""):
+        """Keeps what is to be said of the records that were used since `used` was cleared; without any, of those of the
+        runs that the line names."""
+        rows = [({"backend": record.parameters.get("backend"), "draw": record.parameters.get("draw"),
+                  "stages": record.parameters.get("device_stages_ms")}, digests)
+                for record in self.used.values() for digests in record.recorded]
+        self.notes[name] = sources.note(rows or [
+            (row, digests) for root in self.sources.values() if root["id"] in line
+            for row in sources.timings(root) for digests in root.get("recorded", ())])
+        self.used.clear()
+        return self.notes[name]
 
     def source(self, name):
         if name not in self.sources:

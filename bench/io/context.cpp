@@ -98,6 +98,7 @@ json capture_context(const std::vector<std::string>& command_line) {
             {"compiler", build_info.compiler},
             {"flags", build_info.flags},
             {"cuda_compiler", build_info.cuda_compiler}}},
+          {"sources", json::parse(build_info.sources)},
           {"machine", machine()},
           {"environment", environment()},
           {"gpu_seems_present", gpu_seems_present()}};

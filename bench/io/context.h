@@ -11,10 +11,11 @@ namespace spherepair {
 
 struct BuildInfo {
   const char *version, *commit, *compiler, *flags, *cuda_compiler;
+  const char* sources;  // JSON: glsl/collide_grid, cuda/collide_grid, host/glsl ... and their digests
 };
 extern const BuildInfo build_info;  // written at build time
 
-// Machine, build, environment and command line; Session::to_json adds the backends.
+// Machine, build, digests of what is timed, environment and command line; Session::to_json adds the backends.
 json capture_context(const std::vector<std::string>& command_line);
 
 // Clocks, throttle reasons, temperature and power of every GPU from nvidia-smi; null without nvidia-smi.

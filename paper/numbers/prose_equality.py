@@ -48,12 +48,19 @@ def long_run(put, machine, others):
         "runs with the same hashes")
 
 
+def output_of_tests(machine):
+    """What the tests printed: tests.txt, or of shards in runs of their own tests/1.txt ..."""
+    paths = [path for path in (machine.folder / "tests.txt", *sorted(machine.folder.glob("tests/*.txt"))) if path.exists()]
+    text = "".join(path.read_text() for path in paths)
+    shards = re.findall(r"^Note: This is test shard (\d+) of (\d+)", text, re.MULTILINE)
+    if not paths or {int(shard) for shard, _ in shards} != {k + 1 for _, of in shards for k in range(int(of))}:
+        raise Missing(f"{machine.name} lacks tests.txt, or shards of tests/: {', '.join(path.name for path in paths)}")
+    return text
+
+
 def tests(put, machine, others):
-    path = machine.folder / "tests.txt"
-    if not path.exists():
-        raise Missing(f"{machine.name} has no tests.txt")
-    text = path.read_text()
-    source = f"{machine.name}:{digest(path.read_bytes())}"
+    text = output_of_tests(machine)
+    source = f"{machine.name}:{digest(text.encode())}"
     if "[  FAILED  ]" in text:
         raise Missing(f"{machine.name}: a recorded test failed")
     passed = sum(int(count) for count in re.findall(r"\[  PASSED  \] (\d+) tests", text))

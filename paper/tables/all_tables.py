@@ -9,6 +9,7 @@ from paper.tables.claims import claims
 from paper.tables.stress import stress
 from paper.tables.studies import STUDIED
 from paper.tables.tabular import Table, as_tex, as_text, without_empty_columns
+from paper.tables.variation import variation
 from paper.text import interval, ms
 
 
@@ -139,11 +140,14 @@ def machine_and_run(machine):
     return Table("machine", "The recorded machine and run.", heads, rows, left=2)
 
 
-MAKERS = (claims, table1, frame_rates, arrangements, counts, methods, peak_rates, code, machine_and_run, stress, *STUDIED)
+MAKERS = (claims, table1, frame_rates, arrangements, counts, methods, peak_rates, code, machine_and_run, stress, variation, *STUDIED)
 
 
 def of_one(maker, machine):
-    return without_empty_columns(maker(machine))
+    machine.used.clear()
+    table = without_empty_columns(maker(machine))
+    machine.note_on(table.name, table.source)
+    return table
 
 
 def made(machine):
@@ -156,7 +160,8 @@ def made(machine):
 
 
 def table_title(table, machine):
-    return machine.title.replace(machine.id, table.source) if table.source else machine.title
+    title = machine.title.replace(machine.id, table.source) if table.source else machine.title
+    return "; ".join(text for text in (title, machine.notes.get(table.name)) if text)
 
 
 def all_tables(machine):

@@ -9,6 +9,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
+from paper import parts  # noqa: E402  (the path must be set first)
 from paper.numbers import leads  # noqa: E402  (the path must be set first)
 from paper.numbers.ablations import pairs_of as on_and_off  # noqa: E402
 from paper.numbers.crossovers import crossovers_by_kind  # noqa: E402
@@ -135,6 +136,17 @@ class Commands(unittest.TestCase):
             self.assertTrue(name in sources or name == "lint", name)
         for pattern in re.findall(r"\*(Row\d+)", CLAIMS):
             self.assertIn(pattern, sources)
+
+    def test_the_parts_of_a_recording_are_those_of_the_program(self):
+        stated = {name: int(minutes) for names, minutes in re.findall(r"^\| (`\w[^|]*`) \| (\d+) \| [15] \|", CLAIMS, re.M)
+                  for name in re.findall(r"`([\w-]+)`", names)}
+        for part in parts.GPU:
+            if part.name != "tests-2":  # of `tests-1` to `tests-3`
+                self.assertEqual(part.minutes, stated.pop(part.name, None), part.name)
+        self.assertEqual({}, stated)
+        for processes, words in ((5, r"in total (\d+),"), (1, r"(\d+) for one process")):
+            total = sum(run.part.minutes for run in parts.runs(parts.GPU, processes))
+            self.assertEqual(str(total), re.search(words, CLAIMS)[1])
 
     def test_no_table_is_split(self):
         """A blank line within a table would split it."""

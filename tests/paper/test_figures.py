@@ -8,6 +8,8 @@ import sys
 import tempfile
 import types
 import unittest
+import unittest.mock
+from dataclasses import replace
 
 PAPER = pathlib.Path(__file__).resolve().parents[2] / "paper"
 sys.path.insert(0, str(PAPER.parent))
@@ -15,10 +17,10 @@ if importlib.util.find_spec("matplotlib") is None:
     print("SKIPPED: figures need matplotlib (python3-matplotlib)")
     sys.exit(77)
 
-from paper import figures, side_by_side  # noqa: E402  (the path must be set first)
+from paper import figures, side_by_side, sources  # noqa: E402  (the path must be set first)
 from paper.numbers.derived import GRID_BYTES  # noqa: E402
 from paper.records import DATA, Machine, Missing, Record, latest  # noqa: E402
-from paper.tables import studies  # noqa: E402
+from paper.tables import all_tables, studies  # noqa: E402
 
 SCENE = {"name": "uniform", "packing_fraction": 0.3}
 
@@ -128,6 +130,32 @@ class Tables(unittest.TestCase):
         figures_of_each = ["2.00", "1.00", "2.50", "0.500 [0.200, 0.900]"]
         self.assertEqual([["imported", size, *figures_of_each] for size in ("10^3", "10^8")],
                          studies.transfer(machine).rows)
+
+
+class StaleRecords(unittest.TestCase):
+    """Figures and tables of records of earlier sources name what has changed."""
+
+    def lines(self, digest):
+        """The captions of one figure and of one table, and what the table's text form says."""
+        machine = Machine(DATA / "h200")
+        machine.records = [replace(record, recorded=({"measure": digest},)) for record in machine.records]
+        table = all_tables.of_one(all_tables.methods, machine)
+        one = unittest.mock.patch.object(figures, "modules", lambda: [figures.ratio])
+        with tempfile.TemporaryDirectory() as folder, one:
+            figures.draw_all(machine, pathlib.Path(folder))
+            figures.write_captions(machine, pathlib.Path(folder, "captions.tex"))
+            captions = pathlib.Path(folder, "captions.tex").read_text().splitlines()
+        chosen = [line for line in captions if "{glsl-against-cuda}" in line or "{methods}" in line]
+        self.assertEqual(2, len(chosen))
+        return [*chosen, all_tables.table_title(table, machine)]
+
+    def test_it_is_named(self):
+        for line in self.lines("0"):
+            self.assertIn("; recorded with earlier timing", line)
+
+    def test_of_the_current_sources_nothing_is_said(self):
+        for line in self.lines(sources.current()["measure"]):
+            self.assertNotIn("recorded with", line)
 
 
 class SideBySide(unittest.TestCase):

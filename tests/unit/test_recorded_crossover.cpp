@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <string>
+#include <vector>
 
 #include "bench/io/report.h"
 #include "bench/measure/statistics.h"
@@ -24,32 +26,45 @@ struct Recorded {
   std::map<std::string, Interval> ways;  // ms
 };
 
-// By machine, backend, kind of spheres and number.
+// What was recorded once, crossover.json, and in several processes, crossover/1.json ...
+std::vector<std::filesystem::path> recorded_files() {
+  std::vector<std::filesystem::path> found;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(SPHEREPAIR_DATA)) {
+    const std::string within = file.path().lexically_relative(SPHEREPAIR_DATA).string();
+    if (within.ends_with(".json") && within.find("/crossover") != std::string::npos) found.push_back(file.path());
+  }
+  return found;
+}
+
+std::string machine_of(const std::filesystem::path& file) {
+  return file.lexically_relative(SPHEREPAIR_DATA).begin()->string();
+}
+
+// By machine, backend, kind of spheres and number; of several processes the interval that holds all of theirs.
 std::map<std::string, Recorded> recorded_crossovers() {
   std::map<std::string, Recorded> found;
-  for (const auto& machine : std::filesystem::directory_iterator(SPHEREPAIR_DATA)) {
-    if (!machine.is_directory()) continue;
-    for (const auto& file : std::filesystem::directory_iterator(machine.path())) {
-      if (!file.path().filename().string().starts_with("crossover")) continue;
-      const json record = json::parse(std::ifstream(file.path()));
-      for (const json& row : record.at("measurements")) {
-        const json& scene = row.at("scene");
-        const std::string backend = row.at("backend"), kind = row.at("kind"), way = row.at("way");
-        const uint64_t n = row.at("n");
-        Recorded& one = found[fmt::format("{} {} {} of {}", machine.path().filename().string(), backend, kind, n)];
-        one.scene = {.name = scene.at("name"), .n = n, .seed = scene.at("seed"), .radius = scene.at("radius")};
-        one.scene.radius_ratio = scene.at("radius_ratio");
-        one.scene.packing_fraction = scene.at("packing_fraction");
-        one.info.name = backend;
-        one.info.on_host = backend == "cpu";
-        for (const json& opened : record.at("backends")) {
-          if (opened.at("name") != backend) continue;
-          one.info.software = opened.at("software");
-          for (const auto& [what, value] : opened.at("details").items())
-            one.info.details[what] = value.is_string() ? value.get<std::string>() : value.dump();
-        }
-        one.ways[way] = {row.at("interval_ms").at(0), row.at("interval_ms").at(1), row.at("coverage")};
+  for (const auto& file : recorded_files()) {
+    const json record = json::parse(std::ifstream(file));
+    for (const json& row : record.at("measurements")) {
+      const json& scene = row.at("scene");
+      const std::string backend = row.at("backend"), kind = row.at("kind"), way = row.at("way");
+      const uint64_t n = row.at("n");
+      Recorded& one = found[fmt::format("{} {} {} of {}", machine_of(file), backend, kind, n)];
+      one.scene = {.name = scene.at("name"), .n = n, .seed = scene.at("seed"), .radius = scene.at("radius")};
+      one.scene.radius_ratio = scene.at("radius_ratio");
+      one.scene.packing_fraction = scene.at("packing_fraction");
+      one.info.name = backend;
+      one.info.on_host = backend == "cpu";
+      for (const json& opened : record.at("backends")) {
+        if (opened.at("name") != backend) continue;
+        one.info.software = opened.at("software");
+        for (const auto& [what, value] : opened.at("details").items())
+          one.info.details[what] = value.is_string() ? value.get<std::string>() : value.dump();
       }
+      const Interval interval = {row.at("interval_ms").at(0), row.at("interval_ms").at(1), row.at("coverage")};
+      Interval& whole = one.ways.try_emplace(way, interval).first->second;
+      whole.low = std::min(whole.low, interval.low);
+      whole.high = std::max(whole.high, interval.high);
     }
   }
   return found;

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: MIT
+"""What a record timed, and what of it has changed since: by the digests of kernels and host paths in its context.
+
+The digests of the tree come from bench/io/source_digests.cmake, which the build uses as well. A name is glsl/KERNEL,
+cuda/KERNEL, host/BACKEND or measure, the code that takes the samples.
+"""
+import json
+import re
+import shutil
+import subprocess
+import tempfile
+from dataclasses import dataclass, field
+from functools import lru_cache
+from pathlib import Path
+
+from paper.old_names import renamed
+
+ROOT = Path(__file__).resolve().parent.parent
+GPU_APIS = ("glsl", "cuda")
+MOST_NAMED = 4  # under a figure
+
+
+class Unknown(Exception):
+    """The digests of the tree cannot be made; the text says why."""
+
+
+@lru_cache(maxsize=None)
+def current(root=ROOT):
+    """name -> digest, of the source tree as it is now."""
+    if not shutil.which("cmake"):
+        raise Unknown("whether records are stale is told by cmake, which is not installed (package cmake)")
+    with tempfile.TemporaryDirectory() as folder:
+        output = Path(folder, "digests.json")
+        script = ROOT / "bench/io/source_digests.cmake"
+        made = subprocess.run(["cmake", f"-DSOURCE={root}", f"-DOUTPUT={output}", "-P", script], capture_output=True,
+                              text=True)
+        if made.returncode:
+            raise Unknown(f"cmake cannot make the digests of {root}:\n{made.stderr.strip()}")
+        return json.loads(output.read_text())
+
+
+@lru_cache(maxsize=None)
+def of_stage(name, stage):
+    """Whether a stage runs this kernel, or one of its variants: draw_cull_far, mesh_indexed."""
+    return bool(re.match(rf"{re.escape(Path(name).stem)}(_|$)", stage))
+
+
+def names_of(row, recorded):
+    """What a timing depends on, of the recorded names; without a device timer it may be any kernel of its API."""
+    backend, stages = row.get("backend"), row.get("stages") or ()
+    kernels = {name for name in recorded if name.startswith(f"{backend}/") and
+               any(of_stage(name, stage) for stage in stages)}
+    if backend in GPU_APIS and not kernels:
+        kernels = {name for name in recorded if name.startswith(f"{backend}/")}
+    drawn = {name for name in recorded if Path(name).suffix and of_stage(name, row.get("draw") or "")}
+    return kernels | drawn | {f"host/{backend}", "measure"} & recorded.keys()
+
+
+def timings(value, above=None):
+    """Every timing of a record, wherever it stands: its backend, its way of drawing and its stages."""
+    if isinstance(value, list):
+        for inner in value:
+            yield from timings(inner, above)
+    if not isinstance(value, dict):
+        return
+    row = {**(above or {}), **{key: value[key] for key in ("backend", "draw") if key in value}}
+    if "samples_ms" in value:
+        yield {**row, "stages": value.get("device_stages_ms")}
+    if "compile_ms" in value:
+        yield {"backend": value["name"], "stages": value["compile_ms"]}
+    for inner in value.values():
+        yield from timings(inner, row)
+
+
+def changed(row, recorded, now):
+    """The names that a timing depends on and whose digests are others now."""
+    return {name for name in names_of(row, recorded) if now.get(name) != recorded[name]}
+
+
+def parts(names):
+    """E.g. collide_grid (GLSL, CUDA); host code (CUDA); timing."""
+    by_kernel = {}
+    for name in sorted(names):
+        room, _, kernel = name.rpartition("/")
+        api, what = (kernel, "host code") if room == "host" else (room, Path(kernel).stem)
+        apis = by_kernel.setdefault(what if api else "timing", [])
+        apis += [api.upper()] if api and api.upper() not in apis else []
+    return [f"{what} ({', '.join(sorted(apis, reverse=True))})" if apis else what for what, apis in by_kernel.items()]
+
+
+def note(rows):
+    """What the line under a figure or table of these timings adds: (row, digests of its record or None without) each."""
+    rows = list(rows)
+    found = parts(set().union(*(changed(row, recorded, current()) for row, recorded in rows if recorded)))
+    more = f" and {len(found) - MOST_NAMED} more" if len(found) > MOST_NAMED else ""
+    notes = [f"recorded with earlier {', '.join(found[:MOST_NAMED])}{more}"] if found else []
+    if any(recorded is None for _, recorded in rows):
+        notes.append("recorded without digests of its kernels")
+    return "; ".join(notes)
+
+
+@dataclass
+class Checked:
+    """The timings of one file of a folder, or of all files below one of its folders."""
+    timings: int = 0
+    stale: int = 0
+    changed: set = field(default_factory=set)
+    without_digests: bool = False
+
+
+def checked(folder, root=ROOT):
+    """name -> Checked, of everything with times in a folder of records."""
+    found = {}
+    for path in sorted(Path(folder).rglob("*.json")):
+        name = path.relative_to(folder).parts[0]
+        record = json.loads(path.read_text())
+        rows = list(timings(renamed(record))) if isinstance(record, dict) else []
+        if not rows or name.startswith("."):  # a part that is being recorded
+            continue
+        recorded, entry = record.get("context", {}).get("sources"), found.setdefault(name, Checked())
+        names = [changed(row, recorded, current(root)) for row in rows] if recorded else []
+        entry.timings += len(rows)
+        entry.stale += sum(map(bool, names)) if recorded else len(rows)
+        entry.changed.update(*names)
+        entry.without_digests |= not recorded
+    return found

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: MIT
+"""Digests of what is timed: they follow the sources, and records say when theirs are others. The program takes the
+command lines of a recording.
+Usage: test_sources.py SPHEREPAIR"""
+import contextlib
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT))
+PROGRAM = sys.argv.pop(1)
+
+from paper import parts, sources  # noqa: E402  (the path must be set first)
+
+FOLDERS = ("common", "shaders", "cuda", "glsl", "interop", "bench/measure")
+
+
+class Tree(unittest.TestCase):
+    """A copy of the sources, in which files change."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name, "tree")
+        for name in FOLDERS:
+            shutil.copytree(ROOT / name, self.root / name)
+
+    def append(self, file, text):
+        path = self.root / file
+        path.write_text(path.read_text() + text)
+
+    def changed(self, file, text):
+        """The names whose digests are others after the change."""
+        sources.current.cache_clear()
+        before = sources.current(self.root)
+        self.append(file, text)
+        sources.current.cache_clear()
+        after = sources.current(self.root)
+        self.assertEqual(before.keys(), after.keys())
+        return {name for name in before if before[name] != after[name]}
+
+
+class Digests(Tree):
+    def test_the_folder_does_not_matter(self):
+        self.assertEqual(sources.current(ROOT), sources.current(self.root))
+
+    def test_every_kernel_has_one_in_each_api_that_has_it(self):
+        names = sources.current(ROOT).keys()
+        self.assertLessEqual({"host/cpu", "host/glsl", "host/cuda", "measure", "glsl/mesh.vert"}, names)
+        kernels = [{name.split("/")[1] for name in names if name.startswith(api) and "." not in name}
+                   for api in ("glsl/", "cuda/")]
+        self.assertEqual(*kernels)
+        self.assertLess(40, len(kernels[0]))
+
+    def test_a_kernel_counts_in_its_api(self):
+        self.assertEqual({"glsl/collide_grid"}, self.changed("shaders/collide/collide_grid.comp", "uint unused;\n"))
+        self.assertEqual({"cuda/collide_grid"}, self.changed("cuda/collide/collide_grid.cu", "// one\nint unused;\n"))
+
+    def test_what_it_includes_counts_too(self):
+        found = self.changed("common/shared/exact.h", "int unused;\n")  # some include it through collide.glsl and .cuh
+        self.assertLessEqual({"glsl/collide_grid", "cuda/collide_grid", "glsl/decide", "host/cpu"}, found)
+        self.assertFalse(found & {"glsl/peak_copy", "cuda/peak_copy", "host/glsl", "host/cuda", "measure"})
+
+    def test_host_paths(self):
+        both = {"host/glsl", "host/cuda"}
+        for file, names in (("common/simulation/pair_search.cpp", both), ("glsl/gl_device.cpp", {"host/glsl"}),
+                            ("cuda/host/cuda_device.cpp", {"host/cuda"}), ("bench/measure/timing.cpp", {"measure"}),
+                            ("common/cpu/search/cpu_simd.cpp", {"host/cpu"})):
+            self.assertEqual(names, self.changed(file, "int unused;\n"), file)
+
+    def test_comments_and_white_space_do_not(self):
+        self.assertEqual(set(), self.changed("shaders/collide/collide_grid.comp", "  // a comment\n\n\n"))
+
+    def test_a_missing_include_is_named(self):
+        self.append("cuda/collide/clear.cu", '#include "cuda/collide/abacus.cuh"\n')
+        sources.current.cache_clear()
+        with self.assertRaisesRegex(sources.Unknown, "abacus.cuh"):
+            sources.current(self.root)
+
+    def test_a_room_that_is_gone_is_named(self):
+        shutil.rmtree(self.root / "common/simulation")
+        sources.current.cache_clear()
+        with self.assertRaisesRegex(sources.Unknown, "no room common/simulation"):
+            sources.current(self.root)
+
+    def test_the_program_has_those_of_the_tree(self):
+        made = subprocess.run([PROGRAM, "devices", "--backends", "cpu", "--json", "-"], capture_output=True, text=True)
+        record, _ = json.JSONDecoder().raw_decode(made.stdout[made.stdout.index("{"):])
+        self.assertEqual(sources.current(ROOT), record["context"]["sources"])
+
+
+def timing(backend, **stages):
+    return {"backend": backend, "samples_ms": [1.0], "device_stages_ms": stages}
+
+
+class Stale(Tree):
+    def record(self, name, rows, context=None):
+        path = self.root.parent / "machine" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(json.dumps({"context": context or {"sources": sources.current(self.root)},
+                                    "measurements": rows}))
+
+    def stale(self):
+        """name -> (what has changed, stale timings, all timings), of what is stale."""
+        sources.current.cache_clear()
+        found = sources.checked(self.root.parent / "machine", self.root)
+        self.assertTrue(found)
+        return {name: (", ".join(sources.parts(entry.changed)), entry.stale, entry.timings)
+                for name, entry in found.items() if entry.stale}
+
+    def test_fresh_then_touched(self):
+        self.record("a.json", [timing("cuda", collide_grid=1), timing("cuda", move=1), timing("glsl", collide_grid=1)])
+        self.record("sweep/1/b.json", [timing("glsl", draw_cull_far=1)])
+        self.record("sweep/2/b.json", [timing("glsl", draw_cull_far=1)])
+        self.assertEqual({}, self.stale())
+        self.append("cuda/collide/collide_grid.cu", "int unused;\n")
+        self.assertEqual({"a.json": ("collide_grid (CUDA)", 1, 3)}, self.stale())
+        self.append("shaders/draw/draw_cull.comp", "int unused;\n")
+        self.assertEqual(("draw_cull (GLSL)", 2, 2), self.stale()["sweep"])
+
+    def test_the_way_of_measuring_counts_for_all(self):
+        self.record("a.json", [timing("cpu"), timing("cuda", move=1)])
+        self.append("bench/measure/timing.cpp", "int unused;\n")
+        self.assertEqual({"a.json": ("timing", 2, 2)}, self.stale())
+
+    def test_without_device_timers_every_kernel_of_the_api_counts(self):
+        self.record("a.json", [timing("glsl"), timing("cpu"), timing("cuda")])
+        self.append("shaders/draw/draw_cull.comp", "int unused;\n")
+        self.assertEqual({"a.json": ("draw_cull (GLSL)", 1, 3)}, self.stale())
+
+    def test_what_opengl_draws_counts_for_either_api(self):
+        self.record("a.json", [{**timing("cuda", move=1), "draw": "points"}])
+        self.append("shaders/draw/points.vert", "int unused;\n")
+        self.assertEqual({"a.json": ("points (GLSL)", 1, 1)}, self.stale())
+
+    def test_without_digests_it_is_stale(self):
+        self.record("a.json", [timing("cpu")], context={"build": {}})
+        self.assertEqual({"a.json": ("", 1, 1)}, self.stale())
+        self.assertTrue(sources.checked(self.root.parent / "machine", self.root)["a.json"].without_digests)
+
+    def test_under_a_figure_the_first_are_named(self):
+        now, row = sources.current(ROOT), {"backend": "glsl"}
+        earlier = {name: "0" if name.startswith("glsl/peak") or name == "measure" else now[name] for name in now}
+        self.assertEqual("", sources.note([(row, now)]))
+        self.assertEqual("recorded with earlier peak_atomics (GLSL), peak_copy (GLSL), peak_issue (GLSL), peak_words "
+                         "(GLSL) and 1 more; recorded without digests of its kernels",
+                         sources.note([(row, earlier), (row, None)]))
+
+    def test_a_kernel_that_is_gone_has_changed(self):
+        self.record("a.json", [timing("glsl", points=1)])
+        (self.root / "shaders/draw/points.frag").unlink()
+        self.assertEqual({"a.json": ("points (GLSL)", 1, 1)}, self.stale())
+
+
+class Parts(unittest.TestCase):
+    def test_the_program_takes_their_command_lines(self):
+        """Those of a GPU are refused its OpenGL and end at once; the others are stopped."""
+        for run in parts.runs([part for part in parts.GPU + parts.SOFTWARE if not part.tests], 1):
+            with tempfile.TemporaryDirectory() as folder, self.subTest(run.name):
+                without = run.part in parts.GPU and "glsl" in run.part.backends
+                words = [*run.command(folder)[0], *(["--no-gpu"] if without else [])]
+                with contextlib.suppress(subprocess.TimeoutExpired):
+                    made = subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=3)
+                    self.assertNotEqual(2, made.returncode, made.stderr)  # wrong usage
+
+
+if __name__ == "__main__":
+    unittest.main()
