@@ -104,6 +104,7 @@ void GlDevice::allocate(uint slot, uint64_t bytes) {
   buffers_[slot] = 0;
   delete_storage(storage_[slot]);
   storage_[slot] = memory_.allocate(bytes);
+  ++prepared.allocations;
   buffers_[slot] = storage_[slot].buffer;
 }
 
@@ -199,6 +200,7 @@ void GlDevice::launch(const Launch& launch, const Params& params) {
   variant.windows = launch.kernel == Kernel::collide_grid && variant.texture_table && windows.count() > 1;
   variant.folded = launch.groups[1] > 1 || params.first_group != 0;
   const Program& program = programs_.get(kernel_name(launch.kernel), launch.block, variant, limits_.features);
+  prepared.compilations = programs_.compiled();
   set_params(params);
   if (launch.view) program.set_view(*launch.view);
   glUseProgram(program.id());

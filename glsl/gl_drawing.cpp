@@ -34,6 +34,7 @@ void GlDrawing::resize(uint64_t size) {
   positions_ = counts_ = 0;
   positions_ = new_buffer(size * sizeof(vec4));
   counts_ = new_buffer(size * sizeof(uint));
+  prepared_.allocations += 2;
   size_ = size;
 }
 

@@ -18,6 +18,7 @@ class GlDrawing : public GraphicsPipeline {
   std::vector<uint> image() override;
   std::vector<float> depths() override;
   void finish() override;
+  Preparations preparations() const override { return renderer_.preparations() + prepared_; }
   void transfer(const SphereArrays& spheres, std::optional<Transfer> way) override;
   std::optional<Transfer> taken() const override { return taken_; }
   bool show_drawn(uint texture) override;
@@ -33,6 +34,7 @@ class GlDrawing : public GraphicsPipeline {
   GLuint positions() const { return positions_; }  // the buffers of through_host()
   GLuint counts() const { return counts_; }
   void resize(uint64_t size);  // makes those buffers, unless they have this many spheres
+  void count_allocation() { ++prepared_.allocations; }
 
  private:
   Context context_;
@@ -42,6 +44,7 @@ class GlDrawing : public GraphicsPipeline {
   uint64_t size_ = 0;
   std::optional<Transfer> taken_;
   bool busy_ = false;  // with an image that was not waited for
+  Preparations prepared_;
 };
 
 }  // namespace spherepair

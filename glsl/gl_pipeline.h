@@ -23,6 +23,7 @@ class GlPipeline final : public GraphicsPipeline {
   std::vector<uint> image() override;
   std::vector<float> depths() override;
   void finish() override;
+  Preparations preparations() const override { return renderer_ ? renderer_->preparations() : Preparations{}; }
   bool show_drawn(uint texture) override;
   bool show_pixels(const uint* pixels, uvec2 size, uint texture) override;  // of SLOT_IMAGE
   void forget() { renderer_.reset(); }

@@ -44,6 +44,7 @@ GlRenderer::GlRenderer() {
   glVertexArrayAttribBinding(vertices_, 0, 0);
   glCreateFramebuffers(1, &frame_);
   gl_check("making the renderer");
+  prepared_.allocations += 2;
 }
 
 GlRenderer::~GlRenderer() {
@@ -76,11 +77,12 @@ void GlRenderer::make_image(uint width, uint height) {
     throw BackendError(fmt::format("glsl: the driver cannot draw into an image of {} x {} pixels", width, height));
   width_ = width;
   height_ = height;
+  prepared_.allocations += 2;
 }
 
 const Program& GlRenderer::program(DrawMethod method) {
   auto& program = programs_[shaders_of(method)];
-  if (!program) program = std::make_unique<Program>(shaders_of(method));
+  if (!program) program = std::make_unique<Program>(shaders_of(method)), ++prepared_.compilations;
   return *program;
 }
 

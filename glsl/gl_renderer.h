@@ -25,6 +25,8 @@ class GlRenderer {
   std::vector<float> depths();         // of its pixels: near / z, 0 for the background
   void copy_to(GLuint texture) const;  // the same, of its size
 
+  const Preparations& preparations() const { return prepared_; }
+
   // By all renderers: each binds buffers of its own.
   static uint64_t draws() { return draws_; }
 
@@ -42,6 +44,7 @@ class GlRenderer {
   GLuint vertices_ = 0;  // vertex array
   GLuint frame_ = 0, colour_ = 0, depth_ = 0;
   uint width_ = 0, height_ = 0;
+  Preparations prepared_;
   inline static uint64_t draws_ = 0;
 };
 

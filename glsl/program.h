@@ -50,6 +50,7 @@ class Programs {
     if (!program) program = std::make_unique<Program>(kernel, block, variant, features);
     return *program;
   }
+  uint64_t compiled() const { return made_.size(); }
 
  private:
   std::map<std::tuple<std::string, unsigned, Variant>, std::unique_ptr<Program>> made_;

@@ -93,7 +93,8 @@ class CudaToGl final : public GlDrawing {
     if (!of_window()) return false;
     make_current();
     const uint64_t bytes = uint64_t(size.x) * size.y * sizeof(uint);
-    if (!image_ || image_->bytes() < bytes) image_ = std::make_unique<SharedMemory>(bytes);
+    if (image_ && image_->bytes() < bytes) image_.reset();
+    make_once(image_, bytes);
     glFinish();  // the last image still reads what is written next
     copy_on_device(image_->address(), pixels, bytes);
     cuda_check(cudaStreamSynchronize(nullptr), "waiting for the image");
@@ -110,6 +111,13 @@ class CudaToGl final : public GlDrawing {
     return {Array{spheres.positions, spheres.size * sizeof(vec4)}, {spheres.counts, spheres.size * sizeof(uint)}};
   }
 
+  template <typename Memory, typename Argument>
+  void make_once(std::unique_ptr<Memory>& memory, Argument argument) {
+    if (memory) return;
+    memory = std::make_unique<Memory>(argument);
+    count_allocation();
+  }
+
   void forget() {
     for (int k = 0; k < 2; ++k) registered_[k].reset(), imported_[k].reset(), pinned_[k].reset();
   }
@@ -117,8 +125,7 @@ class CudaToGl final : public GlDrawing {
   void transfer_by(Transfer way, const SphereArrays& spheres) {
     if (way == Transfer::host) return through_pinned(spheres);
     if (way == Transfer::registered) return through_mapping(spheres);
-    for (int k = 0; k < 2; ++k)
-      if (!imported_[k]) imported_[k] = std::make_unique<SharedMemory>(arrays(spheres)[k].bytes);
+    for (int k = 0; k < 2; ++k) make_once(imported_[k], arrays(spheres)[k].bytes);
     glFinish();  // the last image still reads what is written next
     for (int k = 0; k < 2; ++k)
       copy_on_device(imported_[k]->address(), arrays(spheres)[k].source, arrays(spheres)[k].bytes);
@@ -129,7 +136,7 @@ class CudaToGl final : public GlDrawing {
   void through_pinned(const SphereArrays& spheres) {
     for (int k = 0; k < 2; ++k) {
       const Array array = arrays(spheres)[k];
-      if (!pinned_[k]) pinned_[k] = std::make_unique<PinnedMemory>(array.bytes);
+      make_once(pinned_[k], array.bytes);
       cuda_check(cudaMemcpy(pinned_[k]->data, array.source, array.bytes, cudaMemcpyDeviceToHost),
                  "reading what is transferred");
     }
@@ -141,7 +148,7 @@ class CudaToGl final : public GlDrawing {
     resize(spheres.size);
     std::array<cudaGraphicsResource_t, 2> resources{};
     for (int k = 0; k < 2; ++k) {
-      if (!registered_[k]) registered_[k] = std::make_unique<RegisteredBuffer>(k == 0 ? positions() : counts());
+      make_once(registered_[k], k == 0 ? positions() : counts());
       resources[k] = registered_[k]->resource;
     }
     const Mapping mapping(resources);

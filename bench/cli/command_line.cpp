@@ -147,7 +147,7 @@ void add_compare(CLI::App& app, CommandLine& line, Action& action) {
   command
       ->add_option("--min-seconds", plan.min_seconds, "Minimum time of one sample (default 0.002 on a GPU, else 0.05)")
       ->check(sample_range);
-  command->add_flag("--quick", plan.quick, "Small sizes, few rounds");
+  command->add_flag("--quick", plan.quick, "Small sizes; without a GPU 6 rounds");
   command->add_flag("--full", plan.full, "All sizes, more steps and rounds");
   add_results_option(*command, options->results, "results.json and a .txt per table");
   add_open_options(*command, line.open);

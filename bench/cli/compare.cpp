@@ -26,6 +26,7 @@ class Record {
              {"warnings", session.warnings()},
              {"seed", plan.seed},
              {"level", levels[size_t(plan.level)]},
+             {"rounds", plan.sampling.rounds},
              {"clocks", json::array()},
              {"tables", json::object()}};
   }
@@ -101,12 +102,14 @@ void make_tables(Study& study, Record& record) {
   }
 }
 
-void print_heading(const Session& session) {
+void print_heading(const Session& session, const Plan& plan) {
   fmt::print("spherepair {} ({})\n{}", build_info.version, build_info.commit, session.summary());
   if (!session.find("cpu"))
     fmt::print("The CPU is not among the backends: {} is the reference.\n", session.reference().info().name);
   if (session.devices().size() < 2)
     fmt::print("GLSL and CUDA are not both open: the comparison between them is skipped.\n");
+  fmt::print("Every timing has {} rounds{}.\n", plan.sampling.rounds,
+             plan.sampling.rounds < fewest_for_interval ? ", too few for an interval of 95 %" : "");
   for (const std::string& warning : session.warnings()) fmt::print("\n{}\n", wrap(warning, 118, "  "));
   fmt::print("\n");
   std::fflush(stdout);
@@ -122,7 +125,7 @@ int compare_command(const CommandLine& line, const CompareOptions& options) {
   const bool hardware =
       std::ranges::any_of(session.backends(), [](const auto& backend) { return on_hardware(*backend); });
   const Plan plan = make_plan(options.plan, hardware);
-  print_heading(session);
+  print_heading(session, plan);
   Progress progress;
   Study study(session, plan, progress);
   Record record(folder, line, session, plan);

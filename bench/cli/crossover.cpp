@@ -91,7 +91,7 @@ std::string verdict(const std::vector<Timing>& timings) {
   add(Loss::beyond, "WARNING: more than 1.1x");
   add(Loss::undecided, fmt::format("not decided by this data (more --rounds, at least {}, or a machine with less other "
                                    "load narrow the interval)",
-                                   Sampling{}.fewest_rounds)
+                                   fewest_for_interval)
                            .c_str());
   return text;
 }

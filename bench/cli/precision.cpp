@@ -25,7 +25,7 @@ PrecisionPlan make_precision_plan(const PrecisionOptions& options, bool hardware
   plan.time_steps = options.quick ? std::vector{6} : hardware ? std::vector{4, 5, 6, 8, 10} : std::vector{5, 6, 10};
   if (!options.steps.empty()) plan.error_steps = plan.time_steps = options.steps;
   plan.time_n = options.n ? options.n : hardware ? 1 << 22 : options.quick ? 1 << 14 : 1 << 16;
-  plan.sampling.rounds = plan.sampling.fewest_rounds = options.rounds;
+  plan.sampling.rounds = options.rounds;
   if (!hardware) plan.sampling.software_seconds = 0.01;
   plan.motions = chosen_motions(options.methods, options.precisions);
   return plan;

@@ -13,7 +13,7 @@ struct PrecisionOptions {
   std::vector<std::string> backends, methods, precisions;  // empty: all
   std::vector<int> steps;                                  // k of dt = 2^-k; empty: by machine
   uint64_t n = 0;                                          // of the timings; 0: by machine
-  int rounds = 7;
+  int rounds = 11;
   bool quick = false;
   std::string results;  // empty: default_results()
 };

@@ -23,7 +23,7 @@ SetPlan make_set_plan(const SetsOptions& options, bool hardware) {
                : hardware    ? std::vector{4, 6, 8, 10, 12, 14}
                              : std::vector{4, 6, 8, 10};
   plan.offsets = {1e2f, 1e3f, 1e4f, 1e5f, 1e6f, 1e7f};
-  plan.sampling.rounds = plan.sampling.fewest_rounds = 7;
+  plan.sampling.rounds = options.quick ? fewest_for_interval : 11;
   if (hardware) {
     plan.n = 1 << 16;
     plan.naive_n = 1 << 20;

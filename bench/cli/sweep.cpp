@@ -56,7 +56,7 @@ std::vector<SweepPoint> points_of(const Session& session, const SweepCommandOpti
 PeakRates measure_peak_rates(Session& session, const Sampling& sampling, Progress& progress) {
   PeakRates peak_rates{.issue = issue_rate(session), .copy = {}};
   for (Backend* device : session.devices())
-    if (on_hardware(*device)) peak_rates.copy[device] = copy_rate(*device, sampling, progress);
+    if (on_hardware(*device)) peak_rates.copy[device] = copy_rate(session, *device, sampling, progress);
   return peak_rates;
 }
 
@@ -72,7 +72,7 @@ class Sweep {
   Sweep(const CommandLine& line, const SweepCommandOptions& options)
       : line_(line), options_(options), session_(options.backends, line.open, line.opener) {
     sampling_.rounds = options.rounds;
-    sampling_.hardware_peak = 0.1;
+    sampling_.longest = 0.1;
   }
 
   int run() {

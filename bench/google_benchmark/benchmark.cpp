@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Google Benchmark's interface to the timing core, for its compare.py. A repetition is a sample of K steps; its time is
-// that of one step. --results writes a JSON file per configuration, so that a sweep can be sharded and resumed.
+// Google Benchmark's interface to the timing core, for its compare.py. A repetition is a turn of batches of up to K
+// steps; its time is that of one step. --results writes a JSON file per configuration, so that a sweep can be sharded
+// and resumed.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -47,18 +48,18 @@ std::vector<SceneOptions> chosen_scenes(const BenchOptions& options, const Sessi
 
 void sample_row(benchmark::State& state, BenchScene& scene, const BenchRow& row, const Sampling& sampling,
                 bool& wrong) {
-  uint64_t batch = 0;
+  BatchPlan plan;
   try {
-    batch = scene.check(row, sampling);
+    plan = scene.check(row, sampling);
   } catch (const DifferenceFound& difference) {
     wrong = true;
     return state.SkipWithError(difference.what());
   }
-  for (auto _ : state) state.SetIterationTime(scene.sample(row, batch));
+  for (auto _ : state) state.SetIterationTime(scene.sample(row, plan, sampling));
   const double n = double(scene.options().n);
   state.SetLabel(parameters_of(row, scene.options()));
   state.counters["n"] = n;
-  state.counters["K"] = double(batch);
+  state.counters["K"] = double(plan.steps.back());
   if (row.work != Work::collide) return;
   if (uses_blocks({row.backend, row.options})) state.counters["block"] = row.options.block;
   if (row.options.method != Method::collide_group)
@@ -100,7 +101,7 @@ std::optional<std::string> run_configuration(Session& session, const SceneOption
                                              const std::vector<BenchRow>& rows, const Sampling& sampling) {
   OnBackend on_backend;
   bool wrong = false;
-  BenchScene scene(session, options, on_backend);
+  BenchScene scene(session, options, rows, on_backend);
   benchmark::ClearRegisteredBenchmarks();
   for (const BenchRow& row : rows) register_row(scene, row, sampling, wrong);
   std::ostringstream text;
@@ -117,7 +118,7 @@ std::optional<std::string> run_configuration(Session& session, const SceneOption
 std::vector<SweepTask> configurations(Session& session, const std::vector<SceneOptions>& scenes,
                                       const std::vector<BenchRow>& rows, const Sampling& sampling) {
   std::map<std::string, std::vector<BenchRow>> rows_by_work;
-  for (const BenchRow& row : rows) rows_by_work[row.name.substr(row.name.find('/') + 1)].push_back(row);
+  for (const BenchRow& row : rows) rows_by_work[work_of(row)].push_back(row);
   std::vector<SweepTask> all;
   for (const SceneOptions& scene : scenes)
     for (const auto& [name, members] : rows_by_work)
@@ -135,7 +136,7 @@ int run_all(Session& session, const std::vector<SceneOptions>& scenes, const std
   OnBackend on_backend;
   std::vector<std::unique_ptr<BenchScene>> made;
   for (const SceneOptions& scene : scenes) {
-    made.push_back(std::make_unique<BenchScene>(session, scene, on_backend));
+    made.push_back(std::make_unique<BenchScene>(session, scene, rows, on_backend));
     for (const BenchRow& row : rows) register_row(*made.back(), row, sampling, wrong);
   }
   benchmark::RunSpecifiedBenchmarks();

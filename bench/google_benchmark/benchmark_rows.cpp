@@ -10,17 +10,12 @@
 namespace spherepair {
 namespace {
 
-Contender contender_for(const BenchRow& row) {
-  const CollideOptions options = row.options;
-  if (!row.work) return {row.name, row.backend, [](Backend& b) { b.launch_empty(1); }};
-  const bool moves = *row.work != Work::collide, collides = *row.work != Work::move;
-  return {row.name, row.backend, [=](Backend& b) {
-            if (moves) b.move();
-            if (collides) b.enqueue_collide(options);
-          }};
-}
+bool moves(const BenchRow& row) { return row.work && *row.work != Work::collide; }
+bool collides(const BenchRow& row) { return row.work && *row.work != Work::move; }
 
 }  // namespace
+
+std::string work_of(const BenchRow& row) { return row.name.substr(row.name.find('/') + 1); }
 
 std::vector<BenchRow> bench_rows(Session& session, const std::vector<uint>& blocks) {
   std::vector<BenchRow> rows;
@@ -47,8 +42,24 @@ std::string parameters_of(const BenchRow& row, const SceneOptions& scene) {
                      row.work ? works[size_t(*row.work)] : "empty", method, scene.name);
 }
 
-BenchScene::BenchScene(Session& session, const SceneOptions& options, OnBackend& on_backend)
-    : session_(session), options_(options), scene_(make_scene(options)), on_backend_(on_backend) {}
+BenchScene::BenchScene(Session& session, const SceneOptions& options, const std::vector<BenchRow>& rows,
+                       OnBackend& on_backend)
+    : session_(session), options_(options), rows_(rows), scene_(make_scene(options)), on_backend_(on_backend) {}
+
+Contender BenchScene::contender_for(const BenchRow& row) {
+  Contender contender{.label = row.name, .backend = row.backend, .step = [&row](Backend& b) {
+                        if (!row.work) b.launch_empty(1);
+                        if (moves(row)) b.move();
+                        if (collides(row)) b.enqueue_collide(row.options);
+                      }};
+  if (!moves(row)) return contender;
+  contender.restart = [this, &row](Backend& b) {
+    on_backend_.erase(&b);
+    b.upload(scene_);
+    if (collides(row)) b.collide(row.options);
+  };
+  return contender;
+}
 
 void BenchScene::restore(Backend& backend) {
   if (on_backend_[&backend] == this) return;
@@ -76,23 +87,36 @@ void BenchScene::check_motion(const BenchRow& row) {
                      current_state(*row.backend));
 }
 
-uint64_t BenchScene::check(const BenchRow& row, const Sampling& sampling) {
-  const auto known = batches_.find(row.name);
-  if (known != batches_.end()) return known->second;
+const BatchPlan& BenchScene::check(const BenchRow& row, const Sampling& sampling) {
+  const auto known = plans_.find(row.name);
+  if (known != plans_.end()) return known->second;
   restore(*row.backend);
-  const bool moves = row.work && *row.work != Work::collide, collides = row.work && *row.work != Work::move;
-  session_.comparisons.plan(row.backend->info().name, Comparisons::sets, collides);
-  session_.comparisons.plan(row.backend->info().name, Comparisons::states, moves);
-  if (collides) check_result(row);
-  if (moves) check_motion(row);
+  session_.comparisons.plan(row.backend->info().name, Comparisons::sets, collides(row));
+  session_.comparisons.plan(row.backend->info().name, Comparisons::states, moves(row));
+  if (collides(row)) check_result(row);
+  if (moves(row)) check_motion(row);
   session_.comparisons.require_complete();
-  return batches_[row.name] = choose_batch(contender_for(row), sampling);
+  return plans_[row.name] = plan_for(row, sampling);
 }
 
-double BenchScene::sample(const BenchRow& row, uint64_t batch) {
+// One for all rows of the same work on devices, one for those on the host.
+BatchPlan BenchScene::plan_for(const BenchRow& row, const Sampling& sampling) {
+  std::vector<Contender> contenders;
+  for (const BenchRow& other : rows_) {
+    if (work_of(other) != work_of(row) || other.backend->info().on_host != row.backend->info().on_host) continue;
+    restore(*other.backend);
+    contenders.push_back(contender_for(other));
+  }
+  std::vector<const Contender*> members;
+  for (const Contender& contender : contenders) members.push_back(&contender);
+  return plan_batches(members, sampling);
+}
+
+double BenchScene::sample(const BenchRow& row, const BatchPlan& plan, const Sampling& sampling) {
   restore(*row.backend);
-  if (row.work && *row.work != Work::collide) on_backend_.erase(row.backend);
-  return time_batch(contender_for(row), batch) / double(batch);
+  Samples samples{.label = row.name, .plan = plan};
+  add_turn(samples, take_turn(contender_for(row), plan, sampling.clocks, order_), 0);
+  return samples.seconds.front();
 }
 
 }  // namespace spherepair

@@ -19,6 +19,8 @@ struct BenchRow {
 // Every backend's motion, whole step and empty kernel, and all_configurations() at these group sizes.
 std::vector<BenchRow> bench_rows(Session& session, const std::vector<uint>& blocks);
 
+std::string work_of(const BenchRow& row);  // collide_tiled/128: the same on every backend
+
 // The parameters of a row that are not numbers, and so not counters, as `name=value` words.
 std::string parameters_of(const BenchRow& row, const SceneOptions& scene);
 
@@ -28,13 +30,14 @@ using OnBackend = std::map<const Backend*, const BenchScene*>;  // the scene tha
 // The scene of the rows; uploaded again if a row has moved it or another scene has replaced it.
 class BenchScene {
  public:
-  BenchScene(Session& session, const SceneOptions& options, OnBackend& on_backend);
+  // The rows stay where they are as long as this lives.
+  BenchScene(Session& session, const SceneOptions& options, const std::vector<BenchRow>& rows, OnBackend& on_backend);
 
-  // Compares the row's result with the reference's, once; throws DifferenceFound. Returns K, the steps of a sample.
-  uint64_t check(const BenchRow& row, const Sampling& sampling);
+  // Compares the row's result with the reference's, once; throws DifferenceFound. Returns the batches of a turn.
+  const BatchPlan& check(const BenchRow& row, const Sampling& sampling);
 
-  // Seconds per step of K back-to-back steps.
-  double sample(const BenchRow& row, uint64_t batch);
+  // Seconds per step of a turn.
+  double sample(const BenchRow& row, const BatchPlan& plan, const Sampling& sampling);
 
   const SceneOptions& options() const { return options_; }
 
@@ -42,12 +45,16 @@ class BenchScene {
   void restore(Backend& backend);
   void check_result(const BenchRow& row);
   void check_motion(const BenchRow& row);
+  Contender contender_for(const BenchRow& row);
+  BatchPlan plan_for(const BenchRow& row, const Sampling& sampling);
 
   Session& session_;
   SceneOptions options_;
+  const std::vector<BenchRow>& rows_;
   Scene scene_;
   OnBackend& on_backend_;
-  std::map<std::string, uint64_t> batches_;  // of the checked rows
+  std::map<std::string, BatchPlan> plans_;  // of the checked rows
+  uint64_t order_ = 1;                      // of the batches
 };
 
 }  // namespace spherepair

@@ -15,14 +15,31 @@ double issue_rate(const Session& session) {
   return std::stod(units->second) * 128 * std::stod(clock->second) * 1e6;
 }
 
-double copy_rate(Backend& device, const Sampling& sampling, Progress& progress) {
+double copy_rate(Session& session, Backend& device, const Sampling& sampling, Progress& progress) {
   constexpr uint64_t beyond_caches = uint64_t(1) << 25;  // spheres: 0.5 GB read, 0.5 GB written
   device.upload(make_scene({.name = "uniform", .n = beyond_caches}));
   device.check_peak_rate(PeakRate::copy);
-  const Contender copy{device.info().name + " peak copy", &device,
-                       [](Backend& b) { b.launch_peak_rate(PeakRate::copy); }};
-  const std::vector<Samples> samples = measure({&copy, 1}, sampling, progress);
+  const Contender copy{.label = device.info().name + " peak copy",
+                       .backend = &device,
+                       .step = [](Backend& b) { b.launch_peak_rate(PeakRate::copy); },
+                       .working_set = copy_set_bytes * beyond_caches};
+  const std::vector<Samples> samples = measure(session, {&copy, 1}, sampling, progress);
   return 2 * sizeof(vec4) * double(beyond_caches) / samples.front().median_seconds();
+}
+
+// Position, velocity and count; the wide state next to the float32 one; of `anchored` anchor, velocity, flight, anchor
+// step, next event and count.
+uint64_t motion_set_bytes(uint64_t n, MotionOptions motion) {
+  const uint64_t wide = motion.precision == Precision::float32 ? 0 : 1;
+  if (motion.method == MotionMethod::anchored) return n * (32 + 8 * (1 + wide) + 8 + 4);
+  return n * (32 + 4 + wide * 48);
+}
+
+uint64_t search_set_bytes(uint64_t n, Method method, bool in_cell_order) {
+  if (method == Method::automatic) return 0;
+  const uint64_t grid = method == Method::collide_grid ? 7 : 0;
+  const uint64_t copies = grid && !in_cell_order ? 2 * (16 + 4) : 0;
+  return n * (shared_set_bytes + grid + copies);
 }
 
 std::optional<Floor> floor_of(const PeakRates& peak_rates, const Backend& backend, Method method, uint64_t n,

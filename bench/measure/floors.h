@@ -24,7 +24,14 @@ constexpr double grid_bytes_in_cell_order = 2 * 16 + 7 + 4, grid_bytes_in_random
 double issue_rate(const Session& session);
 
 // Bytes per second, read and written, that a device copies beyond its caches. Replaces the uploaded scene.
-double copy_rate(Backend& device, const Sampling& sampling, Progress& progress);
+double copy_rate(Session& session, Backend& device, const Sampling& sampling, Progress& progress);
+
+// Bytes that a step touches at least once, of equal radii: its working set. Of a search: positions and counts; of the
+// grid also the table, and in random order the copies of the split and of the sort with their indices.
+uint64_t motion_set_bytes(uint64_t n, MotionOptions motion);
+uint64_t search_set_bytes(uint64_t n, Method method, bool in_cell_order);
+constexpr uint64_t shared_set_bytes = 16 + 4;  // a sphere: of both, positions and counts
+constexpr uint64_t copy_set_bytes = 2 * 16;    // a sphere: of the peak rate of copying
 
 struct PeakRates {
   double issue = 0;                       // lane-instructions per second; NaN or 0: unknown

@@ -9,6 +9,7 @@
 #include "api/open.h"
 #include "bench/io/context.h"
 #include "bench/io/numbers.h"
+#include "bench/measure/statistics.h"
 
 namespace spherepair {
 namespace {
@@ -78,6 +79,28 @@ void Session::collide(Backend& backend, const CollideOptions& options) {
 double Session::first_seconds(const Backend& backend, const CollideOptions& options) const {
   const auto found = first_.find(first_key(backend, options));
   return found == first_.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+}
+
+std::optional<double> Session::timer_floor(Backend& backend) {
+  constexpr int launches = 100;
+  if (!backend.info().device_timers) return {};
+  const auto [found, is_new] = timer_floors_.try_emplace(backend.info().name, 0);
+  if (!is_new) return found->second;
+  backend.finish();
+  backend.time_stages(true);
+  for (int k = 0; k < launches; ++k) backend.launch_empty(1);
+  std::vector<double> readings;
+  for (const StageTime& one : backend.stage_times()) readings.push_back(one.seconds);
+  backend.time_stages(false);
+  return found->second = median(readings);
+}
+
+std::optional<uint64_t> Session::l2_bytes(const Backend& backend) const {
+  const Backend* cuda = find("cuda");
+  if (!cuda || backend.info().uuid.empty() || cuda->info().uuid != backend.info().uuid) return {};
+  const auto told = cuda->info().details.find("L2 bytes");
+  if (told == cuda->info().details.end()) return {};
+  return whole_number_of(told->second, 0, std::numeric_limits<uint64_t>::max());
 }
 
 std::string Session::summary() const {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,13 @@ class Session {
   void collide(Backend& backend, const CollideOptions& options);
   double first_seconds(const Backend& backend, const CollideOptions& options) const;
 
+  // The device timer's reading of an empty kernel in seconds, measured once an API: no stage's reading below it means
+  // anything. None without a timer.
+  std::optional<double> timer_floor(Backend& backend);
+
+  // Bytes of the GPU's cache: as CUDA tells it, also for OpenGL on the same GPU. None where nothing does.
+  std::optional<uint64_t> l2_bytes(const Backend& backend) const;
+
   std::string summary() const;                // one line per backend, missing ones with the reason
   std::vector<std::string> warnings() const;  // about the validity of the results
   json to_json() const;
@@ -48,7 +56,7 @@ class Session {
   OpenOptions options_;
   std::vector<std::unique_ptr<Backend>> backends_;
   std::vector<Missing> missing_;
-  std::map<std::string, double> first_;
+  std::map<std::string, double> first_, timer_floors_;
 };
 
 bool on_hardware(const Backend& backend);  // a GPU: neither the CPU nor GL in software

@@ -16,14 +16,7 @@ double quantile(std::span<const double> sample, double fraction);  // linear bet
 struct Interval {
   double low, high, coverage;
 };
+constexpr int fewest_for_interval = 6;
 Interval median_interval(std::span<const double> sample, double confidence = 0.95);
-
-inline bool overlap(const Interval& left, const Interval& right) {
-  return left.low <= right.high && right.low <= left.high;
-}
-
-// Two-sided p of the Mann-Whitney rank test that both samples come from one distribution: exact without ties up to 40
-// values each, otherwise the normal approximation with corrections for ties and continuity.
-double rank_test(std::span<const double> left, std::span<const double> right);
 
 }  // namespace spherepair

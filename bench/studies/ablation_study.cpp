@@ -32,10 +32,8 @@ AblationStudy::AblationStudy(Session& session, const OpenOptions& open, const Ab
                              std::function<void()> write)
     : session_(session), open_(open), options_(options), write_(std::move(write)) {
   sampling_.rounds = options.rounds;
-  sampling_.fewest_rounds = std::min(sampling_.fewest_rounds, options.rounds);
   sampling_.software_seconds = 0.01;
-  sampling_.hardware_peak = 0.05;
-  sampling_.narrow_enough = 0.02;
+  sampling_.longest = 0.05;
   scene_options_.name = "uniform";
   scene_options_.packing_fraction = options.packing_fraction;
 }
@@ -79,11 +77,7 @@ void AblationStudy::hold(Backend& backend, Spheres kind) {
   const auto held = holding_.find(&backend);
   if (held != holding_.end() && held->second == kind) return;
   holding_.erase(&backend);
-  spending(spent.uploading, [&] {
-    const Scene& spheres = scene(kind);
-    backend.upload(spheres);
-    for (uint64_t left = moves_ahead(kind, spheres); left > 0; --left) backend.move();
-  });
+  spending(spent.uploading, [&] { start(backend, kind, scene(kind)); });
   holding_[&backend] = kind;
 }
 
@@ -175,17 +169,33 @@ void AblationStudy::run(Case which) {
   spending(spent.timing, [&] { time(which); });
 }
 
+// What moves begins each batch where the checked steps began; cells that drifting spheres leave are planned anew.
+Contender AblationStudy::contender_for(const Case& which, const std::string& label, bool on) {
+  const Ablation& ablation = *which.ablation;
+  Contender contender{.label = label,
+                      .backend = on ? which.on : which.off,
+                      .step = step_of(ablation, on),
+                      .contest = ablation.name,
+                      .alternates = true};
+  if (!moves(ablation.spheres)) return contender;
+  contender.restart = [&spheres = scene(ablation.spheres), kind = ablation.spheres](Backend& backend) {
+    start(backend, kind, spheres);
+  };
+  contender.prepares = ablation.spheres == Spheres::drifting;
+  return contender;
+}
+
 void AblationStudy::time(const Case& which) {
   const Ablation& ablation = *which.ablation;
   const std::string backend = which.on->info().name, name = backend + " " + ablation.name;
-  const std::vector<Contender> contenders = {{name + " on", which.on, step_of(ablation, true), true},
-                                             {name + " off", which.off, step_of(ablation, false), true}};
-  const std::vector<Samples> samples = measure(contenders, sampling_, progress_);
+  const std::vector<Contender> contenders = {contender_for(which, name + " on", true),
+                                             contender_for(which, name + " off", false)};
+  const std::vector<Samples> samples = measure(session_, contenders, sampling_, progress_);
   for (size_t k = 0; k < 2; ++k) record(which, contenders[k], samples[k], k == 0);
   rows.push_back({backend, ablation.name, std::to_string(scene_options_.n), format_ms(samples[0].median_seconds()),
                   format_ms(samples[1].median_seconds()), ratio_text(contest(samples[1], samples[0])),
                   ablation.summary});
-  if (ablation.spheres == Spheres::drifting) holding_.erase(which.on);  // the spheres have moved
+  if (moves(ablation.spheres)) holding_.erase(which.on);
   which.on->set_event_driven(true);
 }
 

@@ -48,6 +48,7 @@ class AblationStudy {
   void check_sets(const Case& which);
   void check_moves(const Case& which);
   void run(Case which);
+  Contender contender_for(const Case& which, const std::string& label, bool on);
   void time(const Case& which);
   void record(const Case& which, const Contender& contender, const Samples& samples, bool on);
 

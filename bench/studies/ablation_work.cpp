@@ -80,10 +80,14 @@ Scene scene_of(Spheres kind, const SceneOptions& uniform) {
   return kind == Spheres::drifting ? drifting(std::move(made)) : made;
 }
 
-uint64_t moves_ahead(Spheres kind, const Scene& scene) {
-  if (kind != Spheres::drifting) return 0;
+bool moves(Spheres kind) { return kind == Spheres::drifting || kind == Spheres::falling; }
+
+void start(Backend& backend, Spheres kind, const Scene& scene) {
+  backend.upload(scene);
+  if (!moves(kind)) return;
   const Bounds bounds = bounds_of(scene.positions);
-  return uint64_t(std::ceil((bounds.high[0] - bounds.low[0]) / (64 * scene.dt)));
+  const double seconds = kind == Spheres::drifting ? (bounds.high[0] - bounds.low[0]) / 64 : 1;
+  for (double left = std::ceil(seconds / double(scene.dt)); left > 0; --left) backend.move();
 }
 
 json work_per_step(const Ablation& ablation, bool on, Backend& backend, const Scene& scene) {

@@ -13,9 +13,11 @@ std::function<void(Backend&)> step_of(const Ablation& ablation, bool on);
 SceneOptions options_of(Spheres kind, const SceneOptions& uniform);
 Scene scene_of(Spheres kind, const SceneOptions& uniform);
 
-// Moves before the timing, after which the time of a step no longer changes: until all drifting spheres have left their
-// cells.
-uint64_t moves_ahead(Spheres kind, const Scene& scene);
+bool moves(Spheres kind);  // with every timed step
+
+// Uploads them and moves them as far as the timing begins: until all drifting spheres have left their cells, and for a
+// second until falling ones bounce at all times.
+void start(Backend& backend, Spheres kind, const Scene& scene);
 
 // Runs a few more steps and returns means per step: launches, sorts, ...; depending on the work also the pairs left to
 // the exact stages, the cells in a sphere's reach, the spheres tested against the plane and those that bounced.

@@ -8,6 +8,7 @@
 
 #include "bench/io/scene_text.h"
 #include "bench/measure/choice.h"
+#include "bench/measure/floors.h"
 
 namespace spherepair {
 namespace {
@@ -92,11 +93,9 @@ json to_json(const Timing& t) {
 CrossoverSweep::CrossoverSweep(Session& session, const CrossoverOptions& options, std::function<void()> write)
     : session_(session), options_(options), write_(std::move(write)) {
   sampling_.rounds = options.rounds;
-  sampling_.fewest_rounds = std::min(sampling_.fewest_rounds, options.rounds);
   sampling_.software_seconds = 0.003;
   sampling_.hardware_seconds = 4e-3;
-  sampling_.hardware_peak = 0.02;
-  sampling_.narrow_enough = 0.05;
+  sampling_.longest = 0.02;
 }
 
 void CrossoverSweep::run(std::span<const SphereKind> chosen, const std::vector<uint64_t>& sizes) {
@@ -139,9 +138,14 @@ void CrossoverSweep::time(const SphereKind& kind, const SceneOptions& scene, con
   std::vector<Contender> contenders;
   for (const Way& w : ways) {
     const std::string label = fmt::format("{} {} {} of {}", w.backend->info().name, w.name, kind.name, scene.n);
-    contenders.push_back({label, w.backend, [o = w.options](Backend& b) { b.enqueue_collide(o); }, true});
+    contenders.push_back({.label = label,
+                          .backend = w.backend,
+                          .step = [o = w.options](Backend& b) { b.enqueue_collide(o); },
+                          .contest = "ways",
+                          .alternates = true,
+                          .working_set = search_set_bytes(scene.n, w.options.method, false)});
   }
-  const std::vector<Samples> samples = measure(contenders, sampling_, progress_);
+  const std::vector<Samples> samples = measure(session_, contenders, sampling_, progress_);
   Timing timing{.backend = ways.front().backend->info().name, .kind = kind.name, .n = scene.n};
   compare(timing, ways, samples);
   for (size_t k = 0; k < ways.size(); ++k) record(kind, scene, ways[k], samples[k]);

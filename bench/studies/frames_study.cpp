@@ -129,7 +129,7 @@ void FramesStudy::measure_task(uint64_t n, const FrameTask& task, const Scene& s
   check(task, views, entry);
   uint64_t turn = 0;
   const auto draw = [&](Backend& backend) { backend.enqueue_draw(views[turn++ % views.size()], draw_options(task)); };
-  Contender contender{label(task), task.backend, draw};
+  Contender contender{.label = label(task), .backend = task.backend, .step = draw};
   if (task.work == "view") {
     contender.step = [&](Backend& backend) {
       backend.move();
@@ -150,9 +150,10 @@ void FramesStudy::measure_task(uint64_t n, const FrameTask& task, const Scene& s
   contender.restart = [&](Backend& backend) {
     turn = 0;
     backend.upload(scene);
-    contender.step(backend);
+    backend.collide(in_dense_cells(backend, n));
   };
   contender.batch = steps_of_loop;
+  contender.prepares = true;  // cells that falling spheres leave are planned anew
   record(entry, contender);
   task.backend->upload(scene);  // restores the positions
   task.backend->collide(in_dense_cells(*task.backend, n));
@@ -168,7 +169,8 @@ void FramesStudy::measure_transfers(uint64_t n, Backend& cuda, const Scene& scen
       task.draws.push_back(draw_method_from_name(draw));
   const auto time = [&](const std::string& draw, const std::string& work, const std::function<void()>& step) {
     json entry = {{"n", n}, {"backend", "cuda to glsl"}, {"draw", draw}, {"place", "outside"}, {"work", work}};
-    const Contender contender{fmt::format("cuda to glsl {} {}", draw, work), &cuda, [&](Backend&) { step(); }};
+    const Contender contender{
+        .label = fmt::format("cuda to glsl {} {}", draw, work), .backend = &cuda, .step = [&](Backend&) { step(); }};
     progress_.say(contender.label);
     return record(entry, contender).median_seconds();
   };
@@ -199,7 +201,7 @@ void FramesStudy::check(const FrameTask& task, const std::vector<View>& views, j
 
 // Times the contender, adds the entry to the record and prints it.
 Samples FramesStudy::record(json& entry, const Contender& contender) {
-  const Samples samples = measure({&contender, 1}, sampling_, progress_).front();
+  const Samples samples = measure(session_, {&contender, 1}, sampling_, progress_).front();
   entry.update(to_json(samples));
   frames.push_back(entry);
   progress_.clear();

@@ -72,11 +72,13 @@ std::array<Samples, 2> time_predicates(Session& session, const SetPlan& plan, Co
   for (bool exact : {true, false}) {
     CollideOptions options = configuration.options;
     options.exact = exact;
-    contenders.push_back({fmt::format("{} {}", label(configuration), exact ? "exact" : "naive"), configuration.backend,
-                          [options](Backend& backend) { backend.enqueue_collide(options); }});
+    contenders.push_back({.label = fmt::format("{} {}", label(configuration), exact ? "exact" : "naive"),
+                          .backend = configuration.backend,
+                          .step = [options](Backend& backend) { backend.enqueue_collide(options); },
+                          .contest = "predicate"});
     session.collide(*configuration.backend, options);
   }
-  std::vector<Samples> samples = measure(contenders, plan.sampling, progress);
+  std::vector<Samples> samples = measure(session, contenders, plan.sampling, progress);
   return {std::move(samples[0]), std::move(samples[1])};
 }
 

@@ -9,6 +9,7 @@
 #include "bench/check/closed_form.h"
 #include "bench/check/finite_state.h"
 #include "bench/check/step_result.h"
+#include "bench/measure/floors.h"
 
 namespace spherepair {
 namespace {
@@ -129,10 +130,16 @@ std::vector<TimeEntry> measure_times(Session& session, const PrecisionPlan& plan
       for (const auto& backend : session.backends()) {
         backend->upload(scene);
         for (int step = 0; step < 3; ++step) backend->move();
-        for (const Work& work : works_of(motion)) contenders.push_back({work.name, backend.get(), work.step});
+        for (const Work& work : works_of(motion))
+          contenders.push_back({.label = work.name,
+                                .backend = backend.get(),
+                                .step = work.step,
+                                .contest = work.name,
+                                .restart = [&scene](Backend& b) { b.upload(scene); },
+                                .working_set = motion_set_bytes(scene.size(), motion)});
       }
       compare_states(session, scene_options(plan, motion, k, plan.time_n), 3);
-      for (Samples& samples : measure(contenders, plan.sampling, progress)) {
+      for (Samples& samples : measure(session, contenders, plan.sampling, progress)) {
         const std::string work = samples.label, backend = samples.backend;
         entries.push_back({motion, k, work, backend, scene.size(), bouncing, std::move(samples)});
       }
@@ -144,12 +151,20 @@ std::vector<TimeEntry> measure_times(Session& session, const PrecisionPlan& plan
 std::vector<CopyEntry> measure_copies(Session& session, const PrecisionPlan& plan, Progress& progress) {
   std::vector<CopyEntry> entries;
   const Scene scene = make_scene(scene_options(plan, {}, 6, plan.time_n));
+  std::vector<Contender> contenders;
   for (Backend* device : session.devices()) {
     progress.say("copying on " + device->info().name);
     device->upload(scene);
     device->check_peak_rate(PeakRate::copy);
-    const Contender copy = {"copy", device, [](Backend& backend) { backend.launch_peak_rate(PeakRate::copy); }};
-    entries.push_back({device->info().name, scene.size(), measure({&copy, 1}, plan.sampling, progress)[0]});
+    contenders.push_back({.label = "copy",
+                          .backend = device,
+                          .step = [](Backend& backend) { backend.launch_peak_rate(PeakRate::copy); },
+                          .contest = "copy",
+                          .working_set = copy_set_bytes * scene.size()});
+  }
+  for (Samples& samples : measure(session, contenders, plan.sampling, progress)) {
+    const std::string backend = samples.backend;
+    entries.push_back({backend, scene.size(), std::move(samples)});
   }
   return entries;
 }

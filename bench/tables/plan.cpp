@@ -47,6 +47,8 @@ void fill_sizes(Plan& plan) {
     plan.scale_sizes = plan.grid_sizes = {1024, 4096, 16384};
     plan.step_sizes = {64, 256, 1024, 4096, 16384};
     plan.count_steps_large = 20;
+    plan.sampling.software_seconds = 0.03;
+    plan.sampling.longest = 0.1;
   }
 }
 
@@ -58,7 +60,7 @@ void shrink(Plan& plan) {
   plan.method_sizes = plan.exactness_sizes = {1024};
   plan.count_steps = 100;
   plan.row_seconds = 5;
-  plan.sampling.rounds = plan.hardware ? 11 : 6;
+  plan.sampling.rounds = plan.hardware ? 11 : fewest_for_interval;
   plan.sampling.software_seconds = 0.01;
 }
 
@@ -118,7 +120,7 @@ Plan make_plan(const PlanOptions& options, bool hardware) {
   if (options.full) extend(plan);
   override_sizes(plan, options);
   plan.tables = chosen_tables(options.tables);
-  if (options.rounds > 0) plan.sampling.rounds = plan.sampling.fewest_rounds = options.rounds;
+  if (options.rounds > 0) plan.sampling.rounds = options.rounds;
   if (options.min_seconds > 0) plan.sampling.hardware_seconds = plan.sampling.software_seconds = options.min_seconds;
   return plan;
 }

@@ -5,24 +5,40 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include "bench/io/scene_text.h"
+#include "bench/measure/floors.h"
 
 namespace spherepair {
 namespace {
 
-Contender contender_for(const Task& task) {
+uint64_t working_set(const Task& task, const Scene& scene) {
+  const uint64_t search = search_set_bytes(scene.size(), task.configuration.options.method, false);
+  if (task.work == Work::collide) return search;
+  const uint64_t motion = motion_set_bytes(scene.size(), scene.motion);
+  return task.work == Work::move || search == 0 ? motion : motion + search - scene.size() * shared_set_bytes;
+}
+
+// What moves begins each batch at the scene's start, with a complete search, as the steps behind it need one.
+Contender contender_for(const Task& task, const Scene& scene) {
   const CollideOptions options = task.configuration.options;
-  switch (task.work) {
-    case Work::move:
-      return {label(task), task.configuration.backend, [](Backend& b) { b.move(); }};
-    case Work::collide:
-      return {label(task), task.configuration.backend, [options](Backend& b) { b.enqueue_collide(options); }};
-    default:
-      return {label(task), task.configuration.backend, [options](Backend& b) {
-                b.move();
-                b.enqueue_collide(options);
-              }};
-  }
+  const bool moves = task.work != Work::collide, collides = task.work != Work::move;
+  Contender contender{.label = label(task),
+                      .backend = task.configuration.backend,
+                      .step =
+                          [=](Backend& b) {
+                            if (moves) b.move();
+                            if (collides) b.enqueue_collide(options);
+                          },
+                      .contest = task.contest,
+                      .working_set = working_set(task, scene)};
+  if (contender.contest.empty()) contender.contest = contender.label.substr(contender.label.find(' ') + 1);
+  if (moves)
+    contender.restart = [=, &scene](Backend& b) {
+      b.upload(scene);
+      if (collides) b.collide(options);
+    };
+  return contender;
 }
 
 // The naive predicate may be wrong by design, so the same configuration with the exact one is checked.
@@ -123,15 +139,16 @@ std::vector<Samples> Study::time(const std::string& table, const SceneOptions& s
   const bool moves = std::ranges::any_of(tasks, [](const Task& task) { return task.work != Work::collide; });
   check_steps(scene, to_check(tasks), moves ? 2 : 1);
   std::vector<Contender> contenders;
-  for (const Task& task : tasks) contenders.push_back(contender_for(task));
-  std::vector<Samples> samples = measure(contenders, plan.sampling, progress);
+  const Scene made = make_scene(scene);
+  for (const Task& task : tasks) contenders.push_back(contender_for(task, made));
+  std::vector<Samples> samples = measure(session, contenders, plan.sampling, progress);
   for (size_t k = 0; k < tasks.size(); ++k) record(table, scene, tasks[k], samples[k]);
   return samples;
 }
 
 std::vector<Samples> Study::time_unchecked(const std::string& table, const std::vector<Contender>& contenders,
                                            const json& meta) {
-  std::vector<Samples> samples = measure(contenders, plan.sampling, progress);
+  std::vector<Samples> samples = measure(session, contenders, plan.sampling, progress);
   for (const Samples& one : samples) {
     json row = {{"table", table}};
     row.update(meta);

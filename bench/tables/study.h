@@ -13,6 +13,7 @@ enum class Work { move, collide, step };  // step: move, then collide
 struct Task {
   Work work;
   Configuration configuration;
+  std::string contest = {};  // empty: with the same work, method and options on other backends
 };
 std::string label(const Task& task);
 
@@ -91,7 +92,7 @@ std::vector<Table> make_step(Study& study);
 std::vector<Table> make_grid(Study& study);
 std::vector<Table> make_equality(Study& study);
 
-// All measurements of a table: K, rounds, median, interval, minimum, first step, device timer.
+// All measurements of a table: K, rounds, median, interval, p95, fixed cost, first step, device timer.
 Table measurement_table(const Study& study, const std::string& table);
 
 }  // namespace spherepair

@@ -66,19 +66,25 @@ std::vector<Contender> contenders_of(const std::vector<Version>& versions, const
   std::vector<Contender> contenders;
   for (const Version& version : versions) {
     for (const DrawMethod method : version.draws)
-      contenders.push_back({fmt::format("{} {}", version.name, draw_method_name(method)), version.backend,
-                            [=](Backend& backend) { draw(backend, method, view); }});
-    Contender loop{version.name + " frame", version.backend, [=](Backend& backend) {
-                     backend.move();
-                     backend.enqueue_collide({.method = version.pairs});
-                     draw(backend, version.draws.front(), view);
-                   }};
-    loop.restart = [&scene, step = loop.step](Backend& backend) {
-      backend.upload(scene);
-      step(backend);
-    };
-    loop.batch = frames_per_sample(scene.size());
-    contenders.push_back(std::move(loop));
+      contenders.push_back({.label = fmt::format("{} {}", version.name, draw_method_name(method)),
+                            .backend = version.backend,
+                            .step = [=](Backend& backend) { draw(backend, method, view); },
+                            .contest = draw_method_name(method)});
+    contenders.push_back({.label = version.name + " frame",
+                          .backend = version.backend,
+                          .step =
+                              [=](Backend& backend) {
+                                backend.move();
+                                backend.enqueue_collide({.method = version.pairs});
+                                draw(backend, version.draws.front(), view);
+                              },
+                          .contest = "frame",
+                          .restart =
+                              [&scene, version](Backend& backend) {
+                                backend.upload(scene);
+                                backend.collide({.method = version.pairs});
+                              },
+                          .batch = frames_per_sample(scene.size())});
   }
   return contenders;
 }

@@ -118,9 +118,8 @@ std::vector<Table> make_methods(Study& study) {
       if (is_wanted(study.plan, method)) methods_rows(study, table, n, method);
   table.notes = {
       "pairs: unordered pairs tested per second; collide_group tests only pairs within a group.",
-      "A difference is stated only if the 95 % interval of the ratios within the rounds is on one side of 1, "
-      "and the medians' 95 % intervals do not overlap or the rank test gives p < 0.01. What is not decided "
-      "has that interval of ratios in place of a ratio."};
+      "The ratio is the median of the rounds' ratios of two turns in a row. A difference is stated only if its 95 % "
+      "interval is on one side of 1. What is not decided has that interval in place of a ratio."};
   return {table};
 }
 
@@ -137,11 +136,14 @@ std::vector<Table> make_overhead(Study& study) {
   for (uint64_t launches : {1, 10, 100, 1000}) {
     std::vector<Contender> contenders;
     for (Backend* device : devices)
-      contenders.push_back(
-          {fmt::format("{} launch_empty {}", device->info().name, launches), device, [launches](Backend& b) {
-             for (uint64_t k = 0; k < launches; ++k) b.launch_empty(1);
-             b.finish();
-           }});
+      contenders.push_back({.label = fmt::format("{} launch_empty {}", device->info().name, launches),
+                            .backend = device,
+                            .step =
+                                [launches](Backend& b) {
+                                  for (uint64_t k = 0; k < launches; ++k) b.launch_empty(1);
+                                  b.finish();
+                                },
+                            .contest = "launch_empty"});
     const std::vector<Samples> samples =
         study.time_unchecked("overhead", contenders, {{"work", "empty"}, {"launches_per_step", launches}});
     std::vector<std::string> row = {std::to_string(launches)};
@@ -176,8 +178,8 @@ std::vector<Table> make_exactness(Study& study) {
     for (size_t k = 0; k < all.size(); ++k) {
       Configuration naive = all[k];
       naive.options.exact = false;
-      const auto samples =
-          study.time("exactness", study.paper_scene(n), {{Work::collide, naive}, {Work::collide, all[k]}});
+      const auto samples = study.time("exactness", study.paper_scene(n),
+                                      {{Work::collide, naive, "predicate"}, {Work::collide, all[k], "predicate"}});
       const Contest result = contest(samples[1], samples[0]);
       table.rows.push_back(
           {std::to_string(n), label(all[k]), format_ms(samples[0].median_seconds()),

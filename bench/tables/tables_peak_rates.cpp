@@ -24,8 +24,10 @@ std::vector<std::string> peak_row(Study& study, const PeakRateKind& kind, const 
   for (Backend* device : study.session.devices()) {
     study.progress.say(fmt::format("peak rates: checking {} on {}, n = {}", kind.name, device->info().name, scene.n));
     device->check_peak_rate(kind.peak);
-    contenders.push_back({fmt::format("{} peak {}", device->info().name, kind.name), device,
-                          [&kind](Backend& b) { b.launch_peak_rate(kind.peak); }});
+    contenders.push_back({.label = fmt::format("{} peak {}", device->info().name, kind.name),
+                          .backend = device,
+                          .step = [&kind](Backend& b) { b.launch_peak_rate(kind.peak); },
+                          .contest = kind.name});
   }
   const double amount = kind.per_sphere * double(scene.n);
   const auto samples =

@@ -34,6 +34,9 @@ std::vector<std::string> scale_row(Study& study, const SceneOptions& scene, cons
 }
 
 json value_of(const json& row, const char* name) { return row.contains(name) ? row.at(name) : json(nullptr); }
+std::string number_cell(const json& value, double factor) {
+  return value.is_number() ? format_number(value.get<double>() * factor) : "-";
+}
 std::string ms_cell(const json& value) { return value.is_number() ? format_ms(value.get<double>() / 1e3) : "-"; }
 
 }  // namespace
@@ -118,15 +121,19 @@ Table measurement_table(const Study& study, const std::string& name) {
        {"", "median", "ms"},
        {"95 % interval", "low", "ms"},
        {"95 % interval", "high", "ms"},
-       {"", "min", "ms"},
+       {"", "p95", "ms"},
+       {"fixed cost", "of a sample", "us"},
+       {"fixed cost", "share", "%"},
        {"", "first", "ms"},
        {"", "device", "ms"},
        {"", "host-device", "ms"}},
       {},
-      {"A sample is K back-to-back steps between two synchronisations; a round takes a sample of each contender, in "
-       "random order. first: the kernel's first use in the run, with its compilation. device: sum of the kernels on "
-       "the "
-       "device's timer, from a separate run; no entry without a reliable timer.",
+      {"A sample is the slope of three batches of K/4, K/2 and K back-to-back steps between two synchronisations, "
+       "below "
+       "K = 4 one batch over its steps; its intercept is the fixed cost, given with its share of the longest batch. A "
+       "round takes a sample of each contender, in random order, those that are compared in a row. first: the kernel's "
+       "first use in the run, with its compilation. device: sum of the kernels on the device's timer, from a separate "
+       "run; no entry without a reliable timer.",
        "The interval lies between order statistics; with fewer than 6 rounds it covers less than 95 %."}};
   for (const json& row : study.measurements) {
     if (row.at("table") != name) continue;
@@ -136,7 +143,8 @@ Table measurement_table(const Study& study, const std::string& name) {
                           std::to_string(row.at("batch").get<uint64_t>()),
                           std::to_string(row.at("rounds").get<uint64_t>()), ms_cell(row.at("median_ms")),
                           ms_cell(row.at("interval_ms")[0]), ms_cell(row.at("interval_ms")[1]),
-                          ms_cell(row.at("min_ms")), ms_cell(value_of(row, "first_step_ms")),
+                          ms_cell(row.at("p95_ms")), number_cell(row.at("fixed_cost_us"), 1),
+                          number_cell(row.at("fixed_cost_share"), 100), ms_cell(value_of(row, "first_step_ms")),
                           ms_cell(value_of(row, "device_ms")), ms_cell(value_of(row, "host_minus_device_ms"))});
   }
   return table;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "common/backend/collide_options.h"
+#include "common/backend/preparations.h"
 #include "common/scene/motion_state.h"
 #include "common/scene/scene.h"
 #include "common/shared/view.h"
@@ -204,6 +205,7 @@ class Backend {
   virtual void check_guards() = 0;
 
   virtual WorkCounts work_counts() const = 0;
+  virtual Preparations preparations() const = 0;
 
   // The host's seconds that the driver takes to compile each kernel, groups of 128, as on its first use; nothing where
   // kernels are compiled when the program is built.

@@ -25,6 +25,7 @@ class GraphicsPipeline {
   virtual std::vector<uint> image() = 0;    // of the last draw, in the format of Backend::image()
   virtual std::vector<float> depths() = 0;  // likewise, of Backend::depths()
   virtual void finish() = 0;                // waits for the images that were drawn
+  virtual Preparations preparations() const = 0;
 
   // What draw() begins with. The spheres are OpenGL's when this returns, which is done with those it had before.
   virtual void transfer(const SphereArrays& spheres, std::optional<Transfer> way) = 0;

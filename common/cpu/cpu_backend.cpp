@@ -175,6 +175,9 @@ class CpuBackend final : public Backend {
   void launch_empty(uint) override {}  // a function call
   void check_guards() override {}      // vectors; the sanitizers watch them
   WorkCounts work_counts() const override { return search_.work(); }
+  Preparations preparations() const override {
+    return pipeline_.opened() ? pipeline_.opened()->preparations() : Preparations{};
+  }
   void time_stages(bool on) override { clock_.turn(on); }
   std::vector<StageTime> stage_times() override { return clock_.take(); }
 

@@ -61,6 +61,8 @@ class Device {
   // The address of a buffer, until it is allocated again; null for an API without addresses.
   virtual const void* address(uint) const { return nullptr; }
 
+  Preparations prepared;  // counted by the device, its pipeline's apart
+
   WorkCounts work;  // launches are counted by the device, steps and sorts by the components
 };
 

@@ -137,6 +137,13 @@ void Simulation::finish() {
   if (GraphicsPipeline* pipeline = context_.other_pipeline.opened()) pipeline->finish();
 }
 
+Preparations Simulation::preparations() const {
+  Preparations all = device_->prepared;
+  for (const GraphicsPipeline* pipeline : {device_->pipeline(), context_.other_pipeline.opened()})
+    if (pipeline) all = all + pipeline->preparations();
+  return all;
+}
+
 std::vector<Transfer> Simulation::transfers() const {
   if (!context_.other_pipeline) return {};
   return {Transfer::host, Transfer::registered, Transfer::imported};

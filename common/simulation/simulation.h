@@ -52,6 +52,7 @@ class Simulation final : public Backend {
   void finish() override;
   void check_guards() override { context_.buffers.check_guards(); }
   WorkCounts work_counts() const override { return device_->work; }
+  Preparations preparations() const override;
   std::vector<StageTime> compile_kernels() override { return device_->compile_kernels(); }
   void time_stages(bool on) override { device_->time_stages(on); }
   std::vector<StageTime> stage_times() override { return device_->stage_times(); }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_set>
 #include <utility>
 
 #include "common/backend/checks.h"
@@ -63,9 +64,10 @@ class CudaDevice final : public Device, private DeviceLibrary {
   StepGraph graph_;
   LibrarySort library_;
   StageEvents stages_;
-  bool programmatic_ = false;   // a launch can begin before the one before it is done
-  bool early_ = false;          // and does, in this step
-  std::optional<Kernel> last_;  // that was launched; writes, clears and Thrust forget it
+  std::unordered_set<Entry> loaded_;  // kernels that were launched
+  bool programmatic_ = false;         // a launch can begin before the one before it is done
+  bool early_ = false;                // and does, in this step
+  std::optional<Kernel> last_;        // that was launched; writes, clears and Thrust forget it
 };
 
 // Of fewer than 20,000 spheres, launches one by one take the host longer than the device.
@@ -108,6 +110,7 @@ void CudaDevice::allocate(uint slot, uint64_t bytes) {
         "cuda: out of memory: {} bytes asked, {} of {} free; use fewer spheres or no pair list", bytes, free, total));
   }
   cuda_check(error, fmt::format("allocating {} bytes", bytes));
+  ++prepared.allocations;
 }
 
 void CudaDevice::wait() {
@@ -170,6 +173,7 @@ void CudaDevice::launch(const Launch& launch, const Params& params) {
   call.p.indices = launch.variant.indices;
   const bool overlaps = programmatic_ && last_ && launch.overlaps == last_;
   const bool waits_first = launch.kernel == Kernel::grid_sort || launch.kernel == Kernel::collide_grid;
+  prepared.compilations += loaded_.insert(call.entry).second;
   if (overlaps) graph_.flush();  // a graph would wait for all before it
   call.early = overlaps || (early_ && waits_first);
   work.early += call.early && !overlaps;
@@ -192,6 +196,7 @@ void CudaDevice::begin_step(const ApiOptions& options) {
 void CudaDevice::end_step() {
   const uint64_t calls = graph_.size();
   const bool replayed = graph_.end();
+  prepared.captures = graph_.captures();
   if (!replayed) return;
   ++work.graphs_replayed;
   work.launches -= calls - 1;
@@ -210,6 +215,7 @@ void CudaDevice::sort_spheres(const Params& params) {
     library_.sort(params, buffer<vec4>(SLOT_POSITION), buffer<uint>(SLOT_CELL), buffer<vec4>(SLOT_SORTED),
                   buffer<uint>(SLOT_ID), buffer<uint>(SLOT_SORTED_COUNT));
   });
+  prepared.allocations += library_.take_allocations();
 }
 
 void CudaDevice::sort_pairs(uint64_t count) { spherepair::sort_pairs(memory_[SLOT_PAIR].data, count); }

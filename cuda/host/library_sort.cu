@@ -11,6 +11,7 @@
 #include <thrust/transform.h>
 
 #include <map>
+#include <utility>
 
 #include "common/shared/cell.h"
 #include "cuda/host/check.h"
@@ -40,6 +41,7 @@ struct Named {
 class LibrarySort::Memory {
  public:
   using value_type = char;
+  uint64_t allocations = 0;
   ~Memory() {
     for (const auto& [bytes, block] : free_) cudaFree(block);
     for (const auto& [block, bytes] : taken_) cudaFree(block);
@@ -53,6 +55,7 @@ class LibrarySort::Memory {
       free_.erase(found);
     } else {
       cuda_check(cudaMalloc(&block, size), "allocating temporary memory of a library");
+      ++allocations;
     }
     taken_[block] = size;
     return static_cast<char*>(block);
@@ -70,6 +73,7 @@ class LibrarySort::Memory {
 
 LibrarySort::LibrarySort() : memory_(std::make_unique<Memory>()) {}
 LibrarySort::~LibrarySort() = default;
+uint64_t LibrarySort::take_allocations() { return std::exchange(memory_->allocations, 0); }
 
 void LibrarySort::sort(const Params& p, const vec4* position, uint* table, vec4* sorted, uint* id, uint* sorted_count) {
   const auto policy = thrust::cuda::par_nosync(*memory_);

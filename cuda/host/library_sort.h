@@ -18,6 +18,7 @@ class LibrarySort {
   // uint[cell_slots + 1], where the spheres of each slot begin; sorted, id, sorted_count: as SLOT_SORTED, SLOT_ID and
   // SLOT_SORTED_COUNT, the counts 0.
   void sort(const Params& p, const vec4* position, uint* table, vec4* sorted, uint* id, uint* sorted_count);
+  uint64_t take_allocations();  // of device memory, since the last call
 
  private:
   class Memory;

@@ -78,6 +78,7 @@ void StepGraph::capture() {
   const cudaError_t error = cudaGraphInstantiate(&graph_, graph, 0);
   cudaGraphDestroy(graph);
   cuda_check(error, "making a graph of a step");
+  ++captures_;
 }
 
 bool StepGraph::end() {

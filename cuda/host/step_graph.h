@@ -38,6 +38,7 @@ class StepGraph {
   size_t size() const { return calls_.size(); }
   void flush();  // launches what was collected
   bool end();    // true when all went out as one graph that was there already
+  uint64_t captures() const { return captures_; }
 
  private:
   void capture();
@@ -47,6 +48,7 @@ class StepGraph {
   std::vector<KernelCall> calls_, last_;  // of this step and of the one before
   cudaStream_t stream_ = nullptr;         // to capture on; the default stream cannot be
   cudaGraphExec_t graph_ = nullptr;
+  uint64_t captures_ = 0;
 };
 
 }  // namespace spherepair

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from paper.numbers.ranks import apart
+from paper.numbers.ranks import apart, time_ratio
 from paper.records import Missing
 
 ORDER = ("clear", "grid_clear", "grid_bounds", "split_tiles", "split_count", "split_scan", "grid_split", "grid_sort", "grid_count",
@@ -35,8 +35,8 @@ def slope(small, large):
 
 
 def ratio(glsl, cuda):
-    middle = glsl.median / cuda.median
-    return middle, middle - glsl.low / cuda.high, glsl.high / cuda.low - middle
+    middle, low, high = time_ratio(glsl, cuda)
+    return middle, middle - low, high - middle
 
 
 def matched(machine, **wanted):
@@ -102,6 +102,8 @@ class StageRatio:
 def stage_ratio(kernel, glsl, cuda):
     low, high = glsl.device_stages_interval_ms[kernel]
     least, most = cuda.device_stages_interval_ms[kernel]
+    if any(kernel in record.parameters.get("device_stages_at_floor", []) for record in (glsl, cuda)):
+        return None  # no longer than the timer's reading of an empty kernel
     if least <= 0 or low <= 0:
         return None
     middle = glsl.device_stages_ms[kernel] / cuda.device_stages_ms[kernel]

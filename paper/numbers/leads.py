@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from paper.numbers.derived import matched
-from paper.numbers.ranks import apart
+from paper.numbers.ranks import apart, lead, time_ratio
 from paper.records import Missing
 
 CONTESTS = {"all pairs of the original's box": {"table": "scale", "scene": "random"},
@@ -24,9 +24,8 @@ class Contest:
 
 
 def contest(glsl, cuda, where=""):
-    (fast, name), (slow, _) = sorted(((glsl, "glsl"), (cuda, "cuda")), key=lambda entry: entry[0].median)
-    return Contest(glsl.n, name if apart(glsl, cuda) else "", 100 * (1 - fast.median / slow.median), glsl.source,
-                   where, glsl.median / cuda.median)
+    name, percent = lead(glsl, cuda)
+    return Contest(glsl.n, name if apart(glsl, cuda) else "", percent, glsl.source, where, time_ratio(glsl, cuda)[0])
 
 
 def contests(machine):

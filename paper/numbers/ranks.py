@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Whether two timings differ: the same rule as in the program's tables."""
+"""Whether two timings differ. Contenders of a contest took their turns right behind each other in every round: the median
+of the rounds' ratios and its interval say it, as in the program's tables. Records from before contests have medians,
+intervals and ranks."""
 import math
+import statistics
 from functools import lru_cache
 
 from paper.records import median_interval
@@ -43,15 +46,35 @@ def rank_test(left, right):
     return normal_p(len(left), len(right), u, ties)
 
 
+def paired(left, right):
+    """They took their turns in one contest."""
+    contest = left.parameters.get("contest")
+    return contest is not None and contest == right.parameters.get("contest") and left.source == right.source
+
+
+def ratios(left, right):
+    """Of the rounds that both took part in."""
+    return [a / b for a, b in zip(left.samples_ms, right.samples_ms)]
+
+
+def time_ratio(left, right):
+    """(left's time over right's, its lower and its upper bound)."""
+    if paired(left, right):
+        return (statistics.median(ratios(left, right)), *median_interval(ratios(left, right)))
+    return left.median / right.median, left.low / right.high, left.high / right.low
+
+
 def apart(left, right):
-    """The intervals of the medians do not overlap: required by the main claims."""
-    return left.high < right.low or right.high < left.low
+    """The interval of their ratio is on one side of 1, or those of their medians do not overlap: required by the main
+    claims."""
+    _, low, high = time_ratio(left, right)
+    return low > 1 or high < 1
 
 
 def one_sided(left, right):
-    """The interval of the rounds' ratios is on the side of 1 on which the ratio of the medians is."""
-    low, high = median_interval([a / b for a, b in zip(left.samples_ms, right.samples_ms)])
-    return low > 1 if left.median > right.median else high < 1
+    """The interval of the rounds' ratios is on the side of 1 on which the ratio of the times is."""
+    low, high = median_interval(ratios(left, right))
+    return low > 1 if time_ratio(left, right)[0] > 1 else high < 1
 
 
 def independent(record):
@@ -64,9 +87,14 @@ def differ(left, right):
             (apart(left, right) or rank_test(independent(left), independent(right)) < 0.01))
 
 
+def lead(glsl, cuda):
+    """(the faster API, its lead in percent of the slower one's time)."""
+    ratio = time_ratio(glsl, cuda)[0]
+    return ("cuda", 100 * (1 - 1 / ratio)) if ratio > 1 else ("glsl", 100 * (1 - ratio))
+
+
 def verdict(glsl, cuda):
     if not differ(glsl, cuda):
         return "no difference seen"
-    if cuda.median < glsl.median:
-        return f"CUDA {100 * (1 - cuda.median / glsl.median):.1f} % faster"
-    return f"GLSL {100 * (1 - glsl.median / cuda.median):.1f} % faster"
+    name, percent = lead(glsl, cuda)
+    return f"{name.upper()} {percent:.1f} % faster"

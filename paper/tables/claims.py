@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The main claims in one table: both APIs on the same work, with intervals, and the faster one if these do not overlap."""
-from paper.numbers.ranks import apart
+from paper.numbers.ranks import apart, lead
 from paper.records import Missing
 from paper.tables.tabular import Table
 from paper.text import interval, ms
@@ -35,8 +35,8 @@ def rows_wanted():
 def faster(glsl, cuda):
     if not apart(glsl, cuda):
         return "no difference seen"
-    (fast, name), (slow, _) = sorted(((glsl, "GLSL"), (cuda, "CUDA")), key=lambda entry: entry[0].median)
-    return f"{name} {100 * (1 - fast.median / slow.median):.1f} %"
+    name, percent = lead(glsl, cuda)
+    return f"{name.upper()} {percent:.1f} %"
 
 
 def claims(machine):

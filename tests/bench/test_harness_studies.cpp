@@ -36,7 +36,7 @@ TEST_F(StudyOfFaults, PrecisionComparesStatesBeforeItRecordsErrorsAndTimes) {
   plan.motions = {{MotionMethod::impact, Precision::float64}};
   plan.error_steps = plan.time_steps = {4};
   plan.seconds = 0.5, plan.error_n = plan.time_n = 50;
-  plan.sampling.rounds = plan.sampling.fewest_rounds = 1;
+  plan.sampling.rounds = 1;
   plan.sampling.software_seconds = 1e-4;
   const auto errors = [&](Session& session) { measure_errors(session, plan, progress_); };
   const auto times = [&](Session& session) { measure_times(session, plan, progress_); };

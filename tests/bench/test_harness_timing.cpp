@@ -16,7 +16,7 @@ const SceneOptions gas = {.name = "uniform", .n = spheres};
 class Timed : public testing::Test {
  protected:
   void SetUp() override {
-    plan_.sampling.rounds = plan_.sampling.fewest_rounds = 1;
+    plan_.sampling.rounds = 1;
     plan_.sampling.software_seconds = 1e-4;
   }
   std::string time(Fault fault, uint64_t from_step, Work work, bool exact = true, const SceneOptions& scene = gas) {

@@ -26,7 +26,8 @@ TEST_P(TimedSamples, HoldNoMakingOfAGraph) {
   };
   for (const Method method : {Method::collide_triangle, Method::collide_square, Method::collide_triangle}) {
     replayed.clear();
-    time_batch(contender(method), 10);
+    const Contender timed = contender(method);
+    time_batch(timed, 10, steps_ahead(timed, 10), host_clocks());
     ASSERT_GE(replayed.size(), 10u);
     EXPECT_EQ(std::count(replayed.end() - 10, replayed.end(), true), 10) << method_name(method);
   }
@@ -36,15 +37,40 @@ TEST(TimeBatch, BeginsWhereItIsToldTo) {
   const auto cpu = open_backend("cpu");
   std::string calls;
   Contender contender{.label = "calls", .backend = cpu.get(), .step = [&](Backend&) { calls += 's'; }};
-  time_batch(contender, 3);
-  EXPECT_EQ(calls, "sss");
+  const auto time = [&](uint64_t steps) {
+    calls.clear();
+    time_batch(contender, steps, steps_ahead(contender, steps), host_clocks());
+    return calls;
+  };
+  EXPECT_EQ(time(3), "sss");
   contender.alternates = true;
-  time_batch(contender, 1);
-  EXPECT_EQ(calls, "sssss") << "one goes ahead";
+  EXPECT_EQ(time(1), "ss") << "one goes ahead";
   contender.restart = [&](Backend&) { calls += 'r'; };
-  calls.clear();
-  time_batch(contender, 2);
-  EXPECT_EQ(calls, "srss") << "what goes ahead is before the beginning";
+  EXPECT_EQ(time(2), "rsssss") << "three behind the restart, as on every backend";
+  EXPECT_EQ(time(1), "rssss") << "the same for every K";
+}
+
+// What may not fall into a sample is counted where it happens.
+TEST_P(TimedSamples, CountWhatIsCompiledAndAllocated) {
+  if (backend().info().on_host) GTEST_SKIP() << "the host compiles nothing and has no buffers of a device";
+  const auto change = [&](auto work) {
+    const Preparations before = backend().preparations();
+    work();
+    backend().finish();
+    return backend().preparations() - before;
+  };
+  const auto scene = [](uint64_t n) { return make_scene({.n = n}); };
+  backend().upload(scene(500));
+  EXPECT_GT(change([&] { backend().upload(scene(70'000)); }).allocations, 0u);
+  EXPECT_EQ(change([&] { backend().upload(scene(70'000)); }), Preparations{});
+  backend().upload(scene(300));
+  const CollideOptions unusual = {.method = Method::collide_square, .block = 1024, .exact = false, .load_radii = true};
+  const auto search = [&] { backend().enqueue_collide(unusual); };
+  EXPECT_GT(change(search).compilations, 0u);
+  const Preparations second = change(search);
+  EXPECT_EQ(second.captures, backend().info().name == "cuda" ? 1u : 0u);
+  EXPECT_EQ(second.compilations, 0u);
+  EXPECT_EQ(change(search), Preparations{});
 }
 
 INSTANTIATE_BACKENDS(TimedSamples);

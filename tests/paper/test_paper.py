@@ -13,7 +13,7 @@ PAPER = pathlib.Path(__file__).resolve().parents[2] / "paper"
 sys.path.insert(0, str(PAPER.parent))
 
 from paper import formats, headline, old_names  # noqa: E402  (the path must be set first)
-from paper.numbers import leads, macros, ranks  # noqa: E402
+from paper.numbers import leads, macros  # noqa: E402
 from paper.records import DATA, Machine, Missing, median_interval  # noqa: E402
 from paper.tables import stress as stress_table  # noqa: E402
 from paper.tables import tabular  # noqa: E402
@@ -228,14 +228,6 @@ class Records(unittest.TestCase):
     def test_a_folder_without_results_is_refused(self):
         with tempfile.TemporaryDirectory() as folder, self.assertRaises(Missing):
             Machine(folder)
-
-
-class Ranks(unittest.TestCase):
-    def test_apart_and_alike(self):
-        low, high = list(range(11)), list(range(20, 31))
-        self.assertAlmostEqual(2 / 705432, ranks.rank_test(low, high))
-        self.assertEqual(1.0, ranks.rank_test(low, low))
-        self.assertAlmostEqual(0.2, ranks.rank_test([1, 2, 4], [3, 5, 6]))
 
 
 if __name__ == "__main__":

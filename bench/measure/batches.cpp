@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "bench/measure/batches.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <limits>
+#include <numeric>
+
+#include "bench/measure/session.h"
+
+namespace spherepair {
+namespace {
+
+constexpr int attempts = 3;
+constexpr uint64_t most_steps = 1u << 24;
+
+double process_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+// What a contender says of K by itself.
+struct Estimate {
+  double step, fixed;  // seconds
+};
+
+// The least of three, where they are short: one disturbance would make K so small that each step of this contender
+// had the price of waking threads or the device, and those of the others had not.
+double undisturbed(const Contender& contender, uint64_t steps, double wanted, const Clocks& clocks) {
+  const auto taken = [&] { return time_batch(contender, steps, steps_ahead(contender, most_steps), clocks).seconds; };
+  double least = taken();
+  for (int more = 0; more < 2 && least < 4 * wanted; ++more) least = std::min(least, taken());
+  return least;
+}
+
+double least_duration(const Contender& contender, const Sampling& sampling) {
+  return on_hardware(*contender.backend) ? sampling.hardware_seconds : sampling.software_seconds;
+}
+
+// From one step and from so many that they last a while; a step that is as long as a batch may be is all of it.
+Estimate estimate(const Contender& contender, const Sampling& sampling) {
+  const double wanted = least_duration(contender, sampling);
+  time_batch(contender, 1, steps_ahead(contender, most_steps), sampling.clocks);  // compiles, allocates, wakes up
+  const double one = undisturbed(contender, 1, wanted, sampling.clocks);
+  if (4 * one > sampling.longest) return {one, 0};
+  uint64_t steps = 1;
+  double taken = one;
+  while (steps == 1 || (taken < wanted / 4 && steps < most_steps))
+    taken = undisturbed(contender, steps *= 4, wanted, sampling.clocks);
+  const double slope = (taken - one) / double(steps - 1);
+  const double step = std::max(slope > 0 ? slope : taken / double(steps), 1e-9);
+  return {step, std::max(0.0, one - step)};
+}
+
+std::string prepared_text(const Preparations& prepared) {
+  return fmt::format("{} graphs were captured, {} programs compiled or kernels loaded and {} buffers allocated",
+                     prepared.captures, prepared.compilations, prepared.allocations);
+}
+
+}  // namespace
+
+Clocks host_clocks() {
+  const auto wall = [] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  };
+  return {wall, process_seconds};
+}
+
+int steps_ahead(const Contender& contender, uint64_t largest) {
+  if (contender.restart) return 3;
+  if (on_hardware(*contender.backend)) return largest > 1 ? 3 : 1;  // the second equal step captures a graph
+  return contender.alternates ? 1 : 0;
+}
+
+Batch time_batch(const Contender& contender, uint64_t steps, int ahead, const Clocks& clocks) {
+  Backend& backend = *contender.backend;
+  if (contender.restart) contender.restart(backend);
+  for (int k = 0; k < ahead; ++k) contender.step(backend);
+  backend.finish();
+  const Preparations before = backend.preparations();
+  const double cores = clocks.cores(), start = clocks.wall();
+  for (uint64_t k = 0; k < steps; ++k) contender.step(backend);
+  backend.finish();
+  const double seconds = clocks.wall() - start;
+  return {seconds, (clocks.cores() - cores) / seconds, backend.preparations() - before};
+}
+
+BatchPlan plan_batches(std::span<const Contender* const> contenders, const Sampling& sampling) {
+  double wanted = double(contenders.front()->batch), most = double(most_steps);
+  for (const Contender* contender : contenders) {
+    if (contender->batch) continue;
+    const auto [step, fixed] = estimate(*contender, sampling);
+    const double of_batch = (1 - sampling.fixed_share) * fixed / sampling.fixed_share;  // of its steps alone
+    wanted =
+        std::max({1.0, wanted, std::ceil(least_duration(*contender, sampling) / step), std::ceil(of_batch / step)});
+    most = std::min(most, std::max(1.0, std::floor((sampling.longest - fixed) / step)));
+  }
+  const uint64_t largest = uint64_t(std::min(wanted, most));
+  BatchPlan plan{{largest}, wanted > most};
+  if (largest >= 4) plan.steps = {largest / 4, largest / 2, largest};
+  return plan;
+}
+
+Turn take_turn(const Contender& contender, const BatchPlan& plan, const Clocks& clocks, uint64_t& order) {
+  Turn turn{std::vector<double>(plan.steps.size()), 0, 0, {}};
+  std::vector<size_t> batches(plan.steps.size());
+  std::iota(batches.begin(), batches.end(), 0);
+  shuffle(batches, order);
+  for (const size_t k : batches) {
+    Batch batch;
+    for (int attempt = 1;; ++attempt) {
+      batch = time_batch(contender, plan.steps[k], steps_ahead(contender, plan.steps.back()), clocks);
+      if (contender.prepares || batch.prepared == Preparations{}) break;
+      if (attempt == attempts)
+        throw BackendError(
+            fmt::format("{}: {} inside {} samples of {} steps in a row, so its time would not be that of its steps; "
+                        "prepare them before, or declare that this is part of the step",
+                        contender.label, prepared_text(batch.prepared), attempts, plan.steps[k]));
+      ++turn.retaken;
+    }
+    turn.seconds[k] = batch.seconds;
+    turn.prepared = turn.prepared + batch.prepared;
+    if (k + 1 == plan.steps.size()) turn.cores = batch.cores;
+  }
+  return turn;
+}
+
+std::optional<Fit> fit(std::span<const uint64_t> steps, std::span<const double> seconds) {
+  const double count = double(steps.size());
+  const double mean_steps = std::accumulate(steps.begin(), steps.end(), 0.0) / count;
+  const double mean_seconds = std::accumulate(seconds.begin(), seconds.end(), 0.0) / count;
+  double product = 0, square = 0;
+  for (size_t k = 0; k < steps.size(); ++k) {
+    product += (double(steps[k]) - mean_steps) * (seconds[k] - mean_seconds);
+    square += (double(steps[k]) - mean_steps) * (double(steps[k]) - mean_steps);
+  }
+  if (!(product > 0)) return {};
+  const double step = product / square;
+  return Fit{step, mean_seconds - step * mean_steps};
+}
+
+}  // namespace spherepair

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "bench/measure/samples.h"
+
+#include <limits>
+#include <numeric>
+
+namespace spherepair {
+namespace {
+
+json scaled(std::vector<double> seconds, double factor) {
+  for (double& value : seconds) value *= factor;
+  return seconds;
+}
+
+json scaled(const Interval& interval, double factor) { return {interval.low * factor, interval.high * factor}; }
+
+json or_null(bool known, json value) { return known ? std::move(value) : json(nullptr); }
+
+// What a sample costs besides its steps; null where one batch a round cannot tell it.
+void add_batches(json& out, const Samples& samples) {
+  out["batches"] = samples.plan.steps;
+  out["batch_ms"] = json::array();
+  std::vector<double> largest;
+  for (const std::vector<double>& round : samples.batch_seconds) {
+    out["batch_ms"].push_back(scaled(round, 1e3));
+    largest.push_back(round.back());
+  }
+  const bool fitted = !samples.fixed.empty();
+  out["fixed_cost_fitted"] = samples.fixed.size();
+  out["fixed_cost_us"] = or_null(fitted, fitted ? median(samples.fixed) * 1e6 : 0);
+  out["fixed_cost_interval_us"] = or_null(fitted, fitted ? scaled(median_interval(samples.fixed), 1e6) : json());
+  out["fixed_cost_share"] = or_null(fitted, fitted ? median(samples.fixed) / median(largest) : 0);
+  out["longest_batch_ms"] = samples.longest * 1e3;
+  out["bounded_by_longest"] = samples.plan.bounded;
+  out["batches_retaken"] = samples.retaken;
+  if (samples.prepared == Preparations{}) return;
+  out["prepared_in_samples"] = {{"captures", samples.prepared.captures},
+                                {"compilations", samples.prepared.compilations},
+                                {"allocations", samples.prepared.allocations}};
+}
+
+void add_memory(json& out, const Samples& samples) {
+  const bool known = samples.working_set != 0;
+  out["working_set_bytes"] = or_null(known, samples.working_set);
+  out["fits_l2"] = or_null(known && samples.l2, samples.working_set <= samples.l2.value_or(0));
+}
+
+void add_stages(json& out, const Samples& samples) {
+  if (samples.timer_floor) out["timer_floor_ms"] = *samples.timer_floor * 1e3;
+  if (samples.stages.empty()) return;
+  for (const auto& [stage, seconds] : samples.stages) {
+    out["device_stages_ms"][stage] = seconds * 1e3;
+    out["device_stages_interval_ms"][stage] = scaled(samples.stage_intervals.at(stage), 1e3);
+  }
+  out["device_stages_at_floor"] = samples.at_floor;
+  out["device_ms"] = samples.device_seconds() * 1e3;
+  out["host_minus_device_ms"] = (samples.median_seconds() - samples.device_seconds()) * 1e3;
+}
+
+}  // namespace
+
+double Samples::device_seconds() const {
+  if (stages.empty()) return std::numeric_limits<double>::quiet_NaN();
+  return std::accumulate(stages.begin(), stages.end(), 0.0, [](double sum, const auto& s) { return sum + s.second; });
+}
+
+void add_turn(Samples& samples, Turn turn, uint64_t position) {
+  const std::vector<uint64_t>& steps = samples.plan.steps;
+  const auto found = steps.size() > 1 ? fit(steps, turn.seconds) : std::nullopt;
+  samples.seconds.push_back(found ? found->step : turn.seconds.back() / double(steps.back()));
+  if (found) samples.fixed.push_back(found->fixed);
+  samples.turn.push_back(position);
+  samples.retaken += turn.retaken;
+  samples.prepared = samples.prepared + turn.prepared;
+  samples.batch_seconds.push_back(std::move(turn.seconds));
+}
+
+json to_json(const Samples& samples) {
+  const Interval interval = samples.interval();
+  json out = {{"label", samples.label},
+              {"backend", samples.backend},
+              {"contest", samples.contest.empty() ? json(nullptr) : json(samples.contest)},
+              {"batch", samples.batch()},
+              {"rounds", samples.seconds.size()},
+              {"median_ms", samples.median_seconds() * 1e3},
+              {"interval_ms", scaled(interval, 1e3)},
+              {"coverage", interval.coverage},
+              {"p95_ms", quantile(samples.seconds, 0.95) * 1e3},
+              {"min_ms", minimum(samples.seconds) * 1e3},
+              {"samples_ms", scaled(samples.seconds, 1e3)},
+              {"turns", samples.turn}};
+  add_batches(out, samples);
+  add_memory(out, samples);
+  if (!samples.cores.empty()) out["busy_cores"] = median(samples.cores), out["pinned"] = samples.pinned;
+  add_stages(out, samples);
+  return out;
+}
+
+}  // namespace spherepair

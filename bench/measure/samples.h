@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The samples of one contender: a time per step for each round, and what is needed to judge them.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/io/report.h"
+#include "bench/measure/batches.h"
+#include "bench/measure/statistics.h"
+
+namespace spherepair {
+
+struct Samples {
+  std::string label, backend, contest;
+  std::vector<double> seconds = {};                     // per step, one value a round
+  std::vector<uint64_t> turn = {};                      // position of each value in the sequence of all turns
+  BatchPlan plan = {};                                  // of every turn
+  std::vector<std::vector<double>> batch_seconds = {};  // by round, as the plan's steps
+  std::vector<double> fixed = {};   // seconds that a sample takes besides its steps, of the rounds that have a fit
+  double longest = 0;               // Sampling::longest
+  uint64_t retaken = 0;             // batches, since something was prepared in them
+  Preparations prepared = {};       // in the samples, where it is part of the steps
+  std::vector<double> cores = {};   // of the host that the process kept busy, by round; empty for devices
+  bool pinned = false;              // each thread of the host to a core
+  uint64_t working_set = 0;         // bytes; 0: not known
+  std::optional<uint64_t> l2 = {};  // bytes of the device's cache; none: not known
+
+  std::map<std::string, double> stages = {};  // device timer, seconds per step; empty without one
+  std::map<std::string, Interval> stage_intervals = {};
+  std::optional<double> timer_floor = {};  // that timer's reading of an empty kernel, seconds
+  std::vector<std::string> at_floor = {};  // stages whose reading is no longer
+
+  uint64_t batch() const { return plan.steps.back(); }  // K
+  double median_seconds() const { return median(seconds); }
+  Interval interval() const { return median_interval(seconds); }
+  double device_seconds() const;  // sum of the stages, NaN without a timer
+};
+
+// Adds a round. Its time per step is the slope of its batches, or without a fit the longest batch over its steps.
+void add_turn(Samples& samples, Turn turn, uint64_t position);
+
+json to_json(const Samples& samples);
+
+}  // namespace spherepair
