@@ -182,9 +182,9 @@ void AblationStudy::time(const Case& which) {
                                              {name + " off", which.off, step_of(ablation, false), true}};
   const std::vector<Samples> samples = measure(contenders, sampling_, progress_);
   for (size_t k = 0; k < 2; ++k) record(which, contenders[k], samples[k], k == 0);
-  rows.push_back({backend, ablation.name, std::to_string(scene_options_.n), format_ms(samples[0].median_seconds()),
-                  format_ms(samples[1].median_seconds()), ratio_text(contest(samples[1], samples[0])),
-                  ablation.summary});
+  rows[scene_options_.n].push_back({backend, ablation.name, format_ms(samples[0].median_seconds()),
+                                    format_ms(samples[1].median_seconds()),
+                                    ratio_text(contest(samples[1], samples[0]))});
   if (ablation.spheres == Spheres::drifting) holding_.erase(which.on);  // the spheres have moved
   which.on->set_event_driven(true);
 }
