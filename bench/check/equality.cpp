@@ -5,6 +5,7 @@
 
 #include "bench/io/file_bytes.h"
 #include "bench/io/scene_text.h"
+#include "common/scene/counted.h"
 
 namespace spherepair {
 namespace {
@@ -75,8 +76,9 @@ void require_equality(const Node& results) {
 
 // The result at one compared step, as text.
 std::string result_at(const Node& point) {
-  return fmt::format("{} pairs, {} colliding spheres, fingerprint {}, state {}", point.at("pairs").count(),
-                     point.at("colliding_spheres").count(), point.at("fingerprint").hex(32), point.at("state").hex(16));
+  return fmt::format("{}, {}, fingerprint {}, state {}", counted(point.at("pairs").count(), "pair"),
+                     counted(point.at("colliding_spheres").count(), "colliding sphere"),
+                     point.at("fingerprint").hex(32), point.at("state").hex(16));
 }
 
 // A configuration may be recorded several times in a run: by the lockstep check and before each timing.
@@ -149,7 +151,10 @@ json read_results(const std::string& path) {
   try {
     results = json::parse(file.bytes(), require_flat);
     records(results);
-  } catch (const std::exception& error) {  // not JSON, or refused by records()
+  } catch (const json::parse_error& error) {
+    throw std::invalid_argument(
+        fmt::format("{} is not the results.json of a compare run: no JSON from byte {} on", path, error.byte));
+  } catch (const std::exception& error) {  // refused by records()
     throw std::invalid_argument(
         fmt::format("{} is not the results.json of a compare run that found equality: {}", path, error.what()));
   }

@@ -11,21 +11,28 @@
 #include "bench/io/context.h"
 #include "bench/options/options.h"
 #include "bench/studies/ablation_study.h"
+#include "common/scene/counted.h"
 
 namespace spherepair {
 namespace {
 
-Table table_of(const AblationStudy& study) {
-  return {"Ablation: time of one step with each optimisation or API feature on and off",
-          {{"", "backend", "", true},
-           {"", "option", "", true},
-           {"", "n", ""},
-           {"", "on", "ms"},
-           {"", "off", "ms"},
-           {"", "off/on", "times"},
-           {"", "when on", "", true}},
-          study.rows,
-          study.left_out};
+// A table for each number of spheres.
+std::string tables_of(const AblationStudy& study) {
+  std::string text;
+  for (const auto& [n, rows] : study.rows)
+    text += Table{fmt::format("Time of a step of {} with each optimisation or API feature on and off",
+                              counted(n, "sphere")),
+                  {{"", "backend", "", true},
+                   {"", "option", "", true},
+                   {"", "on", "ms"},
+                   {"", "off", "ms"},
+                   {"", "off/on", "", true}},
+                  rows,
+                  {}}
+                .text() +
+            "\n";
+  for (const std::string& one : study.left_out) text += wrapped(one, "* left out: ", "  ") + "\n";
+  return text + "* What each option does: spherepair ablate --help\n";
 }
 
 json to_json(const AblationSeconds& spent) {
@@ -36,8 +43,8 @@ json to_json(const AblationSeconds& spent) {
 }
 
 std::string spent_text(const AblationSeconds& spent) {
-  return fmt::format("Timing took {:.1f} s, checking {:.1f} s, scenes and uploads {:.1f} s, opening backends {:.1f} s",
-                     spent.timing, spent.checking, spent.uploading, spent.opening);
+  return fmt::format("Seconds: timing {:.1f}, checking {:.1f}, scenes and uploads {:.1f}, opening {:.1f}", spent.timing,
+                     spent.checking, spent.uploading, spent.opening);
 }
 
 void check_names(const std::vector<std::string>& names) {
@@ -86,7 +93,7 @@ int ablate_command(const CommandLine& line, const AblateOptions& options) {
   record["complete"] = true;
   record["clocks"].push_back(query_clocks());
   write();
-  const std::string text = table_of(*study).text() + spent_text(study->spent) + "\n";
+  const std::string text = tables_of(*study) + spent_text(study->spent) + "\n";
   write_file(folder / "ablate.txt", text);
   fmt::print("{}Results: {}\n", text, (folder / "ablate.json").string());
   return kOk;

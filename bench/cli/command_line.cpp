@@ -15,9 +15,10 @@
 #include "bench/cli/view.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
+#include "bench/io/interruption.h"
+#include "bench/options/complaint.h"
 #include "bench/options/help_format.h"
 #include "bench/options/options.h"
-#include "bench/options/unknown_word.h"
 #include "bench/options/unused_options.h"
 #include "bench/tables/study.h"
 #include "common/backend/cpu_team.h"
@@ -59,13 +60,19 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
                       "(a line `i j` each), or - for text on standard output");
   command->add_option("--contacts", options->contacts_file,
                       "Write the number of contacts of each sphere to this file: .npy (uint32) or .txt");
+  command->add_option(
+      "--spheres", options->spheres_file,
+      "Write the spheres after the last step, positions, radii and velocities in float32, to this file, "
+      "as --input reads them: .npy, .xyz, .extxyz, .csv, .tsv, .txt, .dat, or - for text on standard "
+      "output. What --save writes continues to the same bits; this starts a new run");
   command->add_option("--json", options->json_file,
                       "Write totals, times and context as JSON to this file; -: to standard output");
   add_save_options(*command, options->save_file, options->save_every);
   add_open_options(*command, line.open);
   command->footer(
       "Examples:\n  spherepair run --backend glsl --scene random --n 1024 --steps 100 --pairs pairs.txt\n"
-      "  spherepair run --input spheres.txt --pairs pairs.txt");
+      "  spherepair run --input spheres.txt --pairs pairs.txt\n"
+      "  spherepair run --n 4096 --steps 1000 --spheres end.csv");
   command->callback([=, &line, &action] {
     finish_start_options(*command, options->start);
     action = [=, &line] { return run_command(line, *options); };
@@ -227,10 +234,11 @@ int run_program(int argc, const char* const* argv, const Opener& opener, Runner 
     try {
       app.parse(argc, argv);
       refuse_unused_options(parsed_command(app));
+      handle_interruption(parsed_command(app).get_name());
     } catch (const CLI::ParseError& error) {
-      const std::string unknown = error.get_exit_code() ? unknown_word(app) : "";
-      if (!unknown.empty()) throw std::invalid_argument(unknown);
-      return app.exit(error) == 0 ? kOk : kUsage;
+      if (error.get_exit_code()) throw std::invalid_argument(complaint_about(error, app));
+      app.exit(error);  // prints the help or the version
+      return kOk;
     }
     return run([&] {
       start_team(line.open.threads);

@@ -9,6 +9,7 @@
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/tables/study.h"
+#include "common/scene/counted.h"
 
 namespace spherepair {
 namespace {
@@ -79,8 +80,8 @@ void check_all(Study& study) {
         study.equality.push_back(std::move(entry));
     }
     study.progress.clear();
-    fmt::print("checked {} scenes of {} spheres over {} steps in {:.0f} s: all sets{} equal\n",
-               study.plan.scenes.size(), check.n, check.steps, seconds_since(start),
+    fmt::print("checked {} of {} over {} in {:.0f} s: all sets{} equal\n", counted(study.plan.scenes.size(), "scene"),
+               counted(check.n, "sphere"), counted(check.steps, "step"), seconds_since(start),
                study.session.backends().size() > 1 ? " and states" : "");
     std::fflush(stdout);
   }
@@ -108,9 +109,9 @@ void print_heading(const Session& session, const Plan& plan) {
     fmt::print("The CPU is not among the backends: {} is the reference.\n", session.reference().info().name);
   if (session.devices().size() < 2)
     fmt::print("GLSL and CUDA are not both open: the comparison between them is skipped.\n");
-  fmt::print("Every timing has {} rounds{}.\n", plan.sampling.rounds,
+  fmt::print("Every timing has {}{}.\n", counted(plan.sampling.rounds, "round"),
              plan.sampling.rounds < fewest_for_interval ? ", too few for an interval of 95 %" : "");
-  for (const std::string& warning : session.warnings()) fmt::print("\n{}\n", wrap(warning, 118, "  "));
+  for (const std::string& warning : session.warnings()) fmt::print("\n{}\n", wrapped(warning, "* ", "  "));
   fmt::print("\n");
   std::fflush(stdout);
 }
@@ -156,7 +157,7 @@ int compare_command(const CommandLine& line, const CompareOptions& options) {
   fmt::print("\nNo difference {}: {}, in {:.0f} s\n{}\nResults: {}\n",
              backends == 1 ? "between the methods of the one backend, whose states nothing confirms"
                            : fmt::format("between {} backends", backends),
-             session.comparisons.text(), seconds, apis, folder.string());
+             session.comparisons.text(), seconds, wrapped(apis, "", "  "), folder.string());
   return kOk;
 }
 
@@ -165,8 +166,10 @@ int equal_command(const EqualOptions& options) {
   const RecordComparison result = compare_records(left, right);
   for (const std::string& difference : result.differences) fmt::print("DIFFERENT: {}\n", difference);
   for (const auto& [file, only] : {std::pair{options.left, result.only_left}, {options.right, result.only_right}})
-    if (!only.empty()) fmt::print("only in {}: {} configurations, such as {}\n", file, only.size(), only.front());
-  fmt::print("{} configurations compared, {} differ\n", result.compared, result.differences.size());
+    if (!only.empty())
+      fmt::print("only in {}: {}, such as {}\n", file, counted(only.size(), "configuration"), only.front());
+  fmt::print("{} compared, {} {}\n", counted(result.compared, "configuration"), result.differences.size(),
+             result.differences.size() == 1 ? "differs" : "differ");
   if (result.compared == 0)
     throw std::invalid_argument(
         "the two runs have no configuration in common: run both with the same scenes, --n, --steps and --seed");

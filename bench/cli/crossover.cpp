@@ -11,6 +11,7 @@
 #include "bench/io/context.h"
 #include "bench/options/options.h"
 #include "bench/studies/crossover_sweep.h"
+#include "common/scene/counted.h"
 
 namespace spherepair {
 namespace {
@@ -74,7 +75,7 @@ std::vector<std::string> rows_of(const std::vector<Timing>& timings, Loss loss) 
   std::vector<std::string> found;
   for (const Timing& t : timings) {
     if (loss_of(t) != loss) continue;
-    found.push_back(fmt::format("{} {}, n = {}: auto ({}) takes {} the time of {}", t.backend, t.kind, t.n, t.chosen,
+    found.push_back(fmt::format("{} {} {}: {} takes {} the time of {}", t.backend, t.kind, t.n, t.chosen,
                                 spread_text(t.over_best), t.best));
   }
   return found;
@@ -82,11 +83,12 @@ std::vector<std::string> rows_of(const std::vector<Timing>& timings, Loss loss) 
 
 std::string verdict(const std::vector<Timing>& timings) {
   const auto within = std::ranges::count(timings, Loss::within, loss_of);
-  std::string text = fmt::format("In {} of {} rows auto takes at most 1.1x the time of the best fixed choice\n", within,
-                                 timings.size());
+  std::string text = fmt::format("In {} of {} auto takes at most 1.1x the time of the best fixed choice\n", within,
+                                 counted(timings.size(), "row"));
   const auto add = [&](Loss loss, const char* what) {
     const std::vector<std::string> rows = rows_of(timings, loss);
-    if (!rows.empty()) text += fmt::format("{} {}:\n  {}\n", rows.size(), what, fmt::join(rows, "\n  "));
+    if (!rows.empty()) text += wrapped(fmt::format("{} {}:", rows.size(), what)) + "\n";
+    for (const std::string& row : rows) text += wrapped(row, "  ", "    ") + "\n";
   };
   add(Loss::beyond, "WARNING: more than 1.1x");
   add(Loss::undecided, fmt::format("not decided by this data (more --rounds, at least {}, or a machine with less other "

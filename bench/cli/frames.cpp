@@ -37,14 +37,19 @@ int frames_command(const CommandLine& line, const FramesOptions& options) {
     window->show();
   };
   FramesStudy study(session, options, show);
+  std::string text;
   for (const uint64_t n : options.sizes) {
     study.measure_size(n);
+    const std::string tables = study.text_of(n) + "\n";
+    text += tables;
+    fmt::print("{}", tables);
+    std::fflush(stdout);
     record["clocks"].push_back(query_clocks());
     record["frames"] = study.frames;
     record["left_out"] = study.left_out;
     if (options.transfer) record["overlaps"] = study.overlaps;
     write_file(folder / "frames.json", json_text(record));
-    write_file(folder / "frames.txt", study.text);
+    write_file(folder / "frames.txt", text);
   }
   fmt::print("Results: {}\n", (folder / "frames.json").string());
   return kOk;

@@ -16,6 +16,7 @@
 #include "bench/measure/choice.h"
 #include "bench/spheres/pair_file.h"
 #include "bench/spheres/sphere_file.h"
+#include "common/scene/counted.h"
 
 namespace spherepair {
 namespace {
@@ -90,8 +91,8 @@ std::string summary(const PairsReport& report) {
   text += fmt::format("{} on {}, {}\n", chosen.backend->info().name, device_label(chosen.backend->info()),
                       describe(method));
   text += passed_over_text(chosen);
-  text += fmt::format("{} pairs, {} of {} spheres collide\n", found.totals.pairs, found.totals.colliding_spheres,
-                      input.scene.size());
+  text += fmt::format("{}, {} of {} collide\n", counted(found.totals.pairs, "pair"), found.totals.colliding_spheres,
+                      counted(input.scene.size(), "sphere"));
   text += fmt::format("seconds: load {:.3f}, open {:.3f}, collide {:.3f}, write {:.3f}\n\n", seconds.load, seconds.open,
                       seconds.collide, seconds.write);
   if (found.degrees.spheres) text += degree_table(found.degrees).text();
@@ -139,7 +140,7 @@ int pairs_command(const CommandLine& line, const PairsOptions& options) {
   });
   progress.say("opening a backend");
   seconds.open = seconds_of([&] { chosen = choose_backend(options.backend, line.open); });
-  progress.say(fmt::format("{} spheres on {}", input.scene.size(), chosen.backend->info().name));
+  progress.say(fmt::format("{} on {}", counted(input.scene.size(), "sphere"), chosen.backend->info().name));
   CollideOptions collide = {.method = choose_method(options.method, *chosen.backend), .want_pairs = true};
   if (options.block) collide.block = require_groups({chosen.backend, collide}, options.block);
   seconds.collide = seconds_of([&] { report.found = find_pairs(*chosen.backend, input, collide); });
@@ -149,7 +150,7 @@ int pairs_command(const CommandLine& line, const PairsOptions& options) {
   progress.clear();
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
   const std::string warning = reach_warning(report.found.within_reach, input.rounding);
-  if (!warning.empty()) fmt::print(stderr, "{}\n", wrap(warning, 100, "  "));
+  if (!warning.empty()) fmt::print(stderr, "{}\n", wrapped(warning, "* ", "  "));
   const bool taken = is_standard_output({options.output_file, options.contacts_file, options.json_file});
   fmt::print(taken ? stderr : stdout, "{}", summary(report));
   write_json(options.json_file, to_json(report, line));

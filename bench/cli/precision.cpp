@@ -15,6 +15,7 @@
 #include "bench/io/motion_choice.h"
 #include "bench/options/options.h"
 #include "bench/studies/motion_targets.h"
+#include "common/scene/counted.h"
 
 namespace spherepair {
 namespace {
@@ -59,8 +60,8 @@ Table time_table(const PrecisionPlan& plan, const std::vector<TimeEntry>& times,
   for (const TimeEntry& entry : times)
     if (std::ranges::find(backends, entry.backend) == backends.end()) backends.push_back(entry.backend);
   const double bouncing = times.empty() ? 0 : std::ranges::find(times, k, &TimeEntry::k)->bouncing;
-  Table table{fmt::format("Time of a step at dt = 2^-{} s, {} spheres, of which {:.2f} % bounce", k, plan.time_n,
-                          100 * bouncing),
+  Table table{fmt::format("Time of a step at dt = 2^-{} s, {}, of which {:.2f} % bounce", k,
+                          counted(plan.time_n, "sphere"), 100 * bouncing),
               {{"", "method", "", true}, {"", "precision", "", true}, {"", "work", "", true}},
               {},
               {}};
@@ -109,8 +110,8 @@ void report(const std::filesystem::path& folder, json record, const PrecisionPla
   std::string text = error_table(plan, measured.errors).text();
   for (int k : plan.time_steps) text += "\n" + time_table(plan, measured.times, k).text();
   for (const CopyEntry& copy : measured.copies)
-    text += fmt::format("\nCopying the positions of {} spheres on {}: {:.4g} GB/s read and written\n", copy.n,
-                        copy.backend, copy.bytes_per_second() / 1e9);
+    text += fmt::format("\nCopying the positions of {} on {}: {:.4g} GB/s read and written\n",
+                        counted(copy.n, "sphere"), copy.backend, copy.bytes_per_second() / 1e9);
   if (!measured.targets.empty()) text += "\n" + target_table(measured.targets).text();
   fmt::print("{}", text);
   write_file(folder / "precision.txt", text);
@@ -127,7 +128,7 @@ int precision_command(const CommandLine& line, const PrecisionOptions& options) 
   const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
   const PrecisionPlan plan = make_precision_plan(options, hardware);
   fmt::print("spherepair {} ({})\n{}", build_info.version, build_info.commit, session.summary());
-  for (const std::string& warning : session.warnings()) fmt::print("\n{}\n", wrap(warning, 118, "  "));
+  for (const std::string& warning : session.warnings()) fmt::print("\n{}\n", wrapped(warning, "* ", "  "));
   const json record = start_record(line, session, plan);
   Progress progress;
   Measured measured = {measure_errors(session, plan, progress),

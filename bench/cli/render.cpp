@@ -18,6 +18,7 @@
 #include "bench/io/context.h"
 #include "bench/io/output_files.h"
 #include "bench/measure/choice.h"
+#include "common/scene/counted.h"
 
 namespace spherepair {
 namespace {
@@ -99,7 +100,7 @@ Backend::State advance(const Series& series, uint64_t k) {
 // pairs: as many as there are, or as there may be.
 std::vector<std::string> facts_of(const Series& series, uint64_t k, uint64_t pairs) {
   const Start& start = series.start(k);
-  std::vector<std::string> facts = {fmt::format("{} spheres", start.scene.size()), fmt::format("{} pairs", pairs)};
+  std::vector<std::string> facts = {counted(start.scene.size(), "sphere"), counted(pairs, "pair")};
   if (series.options.frames) facts.push_back(fmt::format("frame {} (0 to {})", k, series.images() - 1));
   if (start.at_rest) return facts;
   facts.push_back(fmt::format("step {}", series.step(k)));
@@ -113,7 +114,7 @@ Legend widest_legend(const Series& series) {
   uint64_t most = 0;
   for (const Start& start : series.starts) most = std::max<uint64_t>(most, start.scene.size());
   legend.facts = facts_of(series, series.images() - 1, std::max(series.backend().collisions().pairs, 8 * most));
-  legend.facts[0] = fmt::format("{} spheres", most);
+  legend.facts[0] = counted(most, "sphere");
   return legend;
 }
 
@@ -203,9 +204,8 @@ void print_summary(const Series& series, const Remarks& remarks) {
   const RenderOptions& options = series.options;
   const BackendInfo& info = series.backend().info();
   const Start& first = series.start(0);
-  fmt::print("{}{} on {}: scene {}, {} spheres\n", options.frames ? "" : first.notes, info.name, device_label(info),
-             first.label, first.scene.size());
-  fmt::print("{}", passed_over_text(series.chosen));
+  fmt::print("{}{} on {}: scene {}, {}\n{}", options.frames ? "" : first.notes, info.name, device_label(info),
+             first.label, counted(first.scene.size(), "sphere"), passed_over_text(series.chosen));
   if (series.image.method != DrawMethod::compute)
     fmt::print("drawn by {} in OpenGL{}{}\n", options.draw, transfer_in_words(series.backend()),
                series.lights ? ", without ambient occlusion and shadows on the spheres: --draw compute has both" : "");
@@ -215,7 +215,7 @@ void print_summary(const Series& series, const Remarks& remarks) {
                options.colour, remarks.beyond, series.images(), remarks.highest);
   if (options.legend && !series.strip)
     fmt::print("{}x{} pixels have no room for the legend: it is left out\n", options.width, options.height);
-  if (remarks.blank) fmt::print("{} of {} images show no sphere\n", remarks.blank, series.images());
+  if (remarks.blank) fmt::print("no sphere is in {} of {}\n", remarks.blank, counted(series.images(), "image"));
   if (!options.output_file.empty())
     fmt::print("{}{}\n", series.file(0).string(),
                series.images() > 1 ? " to " + series.file(series.images() - 1).string() : "");

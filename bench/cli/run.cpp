@@ -14,6 +14,8 @@
 #include "bench/measure/choice.h"
 #include "bench/measure/run_times.h"
 #include "bench/spheres/pair_file.h"
+#include "bench/spheres/sphere_output.h"
+#include "common/scene/counted.h"
 
 namespace spherepair {
 namespace {
@@ -25,9 +27,11 @@ void check_files(const RunOptions& options) {
   files.write("--save", options.save_file, "--resume");
   files.write("--pairs", options.pairs_file);
   files.write("--contacts", options.contacts_file);
+  files.write("--spheres", options.spheres_file);
   files.write("--json", options.json_file);
   check_pair_file("--pairs", options.pairs_file);
   check_pair_file("--contacts", options.contacts_file);
+  check_sphere_output("--spheres", options.spheres_file);
 }
 
 struct RunStep {
@@ -172,15 +176,6 @@ class Run {
   std::vector<RunStep> results_;
 };
 
-void warn_of_stalled_spheres(const Scene& scene) {
-  const uint64_t stalled = stalled_spheres(scene);
-  if (stalled)
-    fmt::print(stderr,
-               "WARNING: {} spheres are too far from the origin for their speed: a step is less than half an ulp of "
-               "their float32 position, so they do not move. Use --precision compensated or --motion anchored.\n",
-               stalled);
-}
-
 json run_record(const CommandLine& line, const ChosenBackend& chosen, const Start& start, const CollideOptions& collide,
                 const MethodChoice& choice, const std::vector<RunStep>& results, const RunTimes& times) {
   return {{"context", capture_context(line.words)},
@@ -202,13 +197,13 @@ json run_record(const CommandLine& line, const ChosenBackend& chosen, const Star
 std::string heading(const RunOptions& options, const ChosenBackend& chosen, const Start& start,
                     const CollideOptions& collide) {
   const Backend& backend = *chosen.backend;
-  std::string text = fmt::format("{}{} on {}: {}{}, scene {}, {} spheres, {} steps of {}\n{}", start.notes,
-                                 backend.info().name, device_label(backend.info()), label({chosen.backend, collide}),
+  std::string text = fmt::format("{}{} on {}: {}{}, scene {}, {}, {} of {}\n{}", start.notes, backend.info().name,
+                                 device_label(backend.info()), label({chosen.backend, collide}),
                                  options.naive   ? " (naive)"
                                  : options.swept ? " (within the next step)"
                                                  : "",
-                                 start.label, start.scene.size(), options.steps, motion_label(start.scene.motion),
-                                 passed_over_text(chosen));
+                                 start.label, counted(start.scene.size(), "sphere"), counted(options.steps, "step"),
+                                 motion_label(start.scene.motion), passed_over_text(chosen));
   if (collide.method == Method::automatic) text += fmt::format("auto: {}\n", describe(backend.choice(collide)));
   return text;
 }
@@ -227,15 +222,20 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   Backend& backend = *chosen.backend;
   const CollideOptions collide = collide_options(options, backend);
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
-  if (options.steps) warn_of_stalled_spheres(start.scene);
+  if (options.steps) fmt::print(stderr, "{}", stalled_warning(start.scene));
   const std::string rounded =
       reach_warning(pairs_within_reach(backend, start.scene, start.rounding, collide), start.rounding);
-  if (!rounded.empty()) fmt::print(stderr, "{}\n", wrap("At the start: " + rounded, 100, "  "));
+  if (!rounded.empty()) fmt::print(stderr, "{}\n", wrapped("At the start: " + rounded, "* ", "  "));
   times.spend(RunTimes::opening, [&] { upload_start(start, backend); });
   const std::vector<RunStep> results = Run(backend, options, start, collide, times).simulate();
   if (!options.pairs_file.empty()) write_pairs(options.pairs_file, backend.pairs());
   if (!options.contacts_file.empty()) write_contact_numbers(options.contacts_file, backend.counts());
-  const bool taken = is_standard_output({options.pairs_file, options.contacts_file, options.json_file});
+  if (!options.spheres_file.empty()) {
+    const Backend::State state = current_state(backend);
+    write_spheres(options.spheres_file, state.positions, state.velocities);
+  }
+  const bool taken =
+      is_standard_output({options.pairs_file, options.contacts_file, options.spheres_file, options.json_file});
   std::FILE* report = taken ? stderr : stdout;
   fmt::print(report, "{}{}{}", heading(options, chosen, start, collide), steps_text(results), times.text());
   write_json(options.json_file, run_record(line, chosen, start, collide, backend.choice(collide), results, times));

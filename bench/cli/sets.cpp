@@ -39,28 +39,26 @@ SetPlan make_set_plan(const SetsOptions& options, bool hardware) {
 }
 
 std::string share(uint64_t wrong, const SetError& error) {
-  return fmt::format("{} ({:.1e})", wrong, double(wrong) / double(std::max<uint64_t>(error.right, 1)));
+  const double percent = 100 * double(wrong) / double(std::max<uint64_t>(error.right, 1));
+  return percent < 100 ? fmt::format("{} ({:.2g} %)", wrong, percent) : fmt::format("{} ({:.0f} %)", wrong, percent);
 }
 
 Table motion_table(const SetPlan& plan, const std::vector<MotionSetEntry>& entries) {
-  Table table{
-      fmt::format("Wrong pairs (missed + extra) after {} s against the closed form: number and share", plan.seconds),
-      {{"", "method", "", true},
-       {"", "precision", "", true},
-       {"", "dt", "s"},
-       {"", "offset", "m"},
-       {"", "right", "pairs"},
-       {"positions in", "float32", "wrong"},
-       {"positions in", "full precision", "wrong"},
-       {"", "rms error", "m"}},
-      {},
-      {}};
+  Table table{fmt::format("Wrong pairs (missed + extra) after {} s against the closed form", plan.seconds),
+              {{"", "method", "", true},
+               {"", "precision", "", true},
+               {"", "dt", "s"},
+               {"", "offset", "m"},
+               {"positions in precision", "float32", "pairs"},
+               {"positions in precision", "full", "pairs"},
+               {"", "rms error", "m"}},
+              {},
+              {"In brackets: the share of the right pairs. full: all bits that the motion's precision keeps."}};
   for (const MotionSetEntry& entry : entries)
-    table.rows.push_back({motion_name(entry.motion.method), precision_name(entry.motion.precision),
-                          fmt::format("2^-{}", entry.k), fmt::format("{:g}", entry.offset),
-                          std::to_string(entry.found.right), share(entry.found.missed + entry.found.extra, entry.found),
-                          share(entry.whole.missed + entry.whole.extra, entry.found),
-                          fmt::format("{:.1e}", entry.rms)});
+    table.rows.push_back(
+        {motion_name(entry.motion.method), precision_name(entry.motion.precision), fmt::format("2^-{}", entry.k),
+         fmt::format("{:g}", entry.offset), share(entry.found.missed + entry.found.extra, entry.found),
+         share(entry.whole.missed + entry.whole.extra, entry.found), fmt::format("{:.1e}", entry.rms)});
   return table;
 }
 
@@ -82,7 +80,7 @@ Table naive_table(const std::vector<NaiveEntry>& entries) {
               {{"", "scene", "", true},
                {"", "spheres", ""},
                {"", "backend, method", "", true},
-               {"", "right", "pairs"},
+               {"naive", "right", "pairs"},
                {"naive", "missed", ""},
                {"naive", "extra", ""},
                {"naive", "time", "ms"},
@@ -127,7 +125,7 @@ int sets_command(const CommandLine& line, const SetsOptions& options) {
   const SetPlan plan =
       make_set_plan(options, std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); }));
   fmt::print("spherepair {} ({})\n{}", build_info.version, build_info.commit, session.summary());
-  for (const std::string& warning : session.warnings()) fmt::print("\n{}\n", wrap(warning, 118, "  "));
+  for (const std::string& warning : session.warnings()) fmt::print("\n{}\n", wrapped(warning, "* ", "  "));
   const json before = query_clocks();
   Progress progress;
   const auto motion = measure_motion_sets(session, plan, progress);

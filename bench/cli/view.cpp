@@ -49,6 +49,9 @@ int view_command(const CommandLine& line, const ViewOptions& options) {
   add_inputs(files, options.start);
   files.write("--screenshot", options.screenshot_file);
   const Start start = start_of(options.start, line.open.threads);
+  if (start.scene.size() == 0)
+    throw std::invalid_argument(
+        fmt::format("{} has no spheres, so the window would be blank: give --n, or a file with spheres", start.label));
   const Display display = open_display("spherepair: " + start.label, options, line.open);
   const auto& window = display.window;
   OpenOptions open = line.open;

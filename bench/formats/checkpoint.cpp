@@ -9,6 +9,7 @@
 #include "bench/io/file_bytes.h"
 #include "bench/io/replaced_file.h"
 #include "bench/io/report.h"
+#include "common/scene/counted.h"
 #include "common/shared/hash.h"
 
 namespace spherepair {
@@ -44,8 +45,10 @@ class Reader {
   explicit Reader(const std::filesystem::path& path) : file_(path) {}
 
   std::string_view take(uint64_t bytes, const std::string& what) {
+    item_ = at_;
     if (bytes > file_.bytes().size() - at_)
-      fail(fmt::format("{} bytes of {}", bytes, what), fmt::format("{}: cut off", file_.bytes().size() - at_));
+      fail(fmt::format("{} of {}", counted(bytes, "byte"), what),
+           fmt::format("{}: cut off", file_.bytes().size() - at_));
     at_ += bytes;
     return file_.bytes().substr(at_ - bytes, bytes);
   }
@@ -62,15 +65,17 @@ class Reader {
       fail(fmt::format("the checksum {} of the {}", hex64(wanted), what), hex64(given) + ": damaged");
   }
   void finish() {
-    if (at_ != file_.bytes().size()) fail("the end", fmt::format("{} bytes more", file_.bytes().size() - at_));
+    item_ = at_;
+    if (at_ != file_.bytes().size()) fail("the end", counted(file_.bytes().size() - at_, "byte") + " more");
   }
+  // At the item taken last.
   [[noreturn]] void fail(const std::string& expected, const std::string& found) const {
-    file_.fail_at_byte(at_, expected, found);
+    file_.fail_at_byte(item_, expected, found);
   }
 
  private:
   FileBytes file_;
-  uint64_t at_ = 0;
+  uint64_t at_ = 0, item_ = 0;
 };
 
 Header read_header(Reader& reader) {
@@ -100,7 +105,7 @@ template <typename T>
 void read_part(Reader& reader, const std::string& name, std::vector<T>& part, uint64_t size) {
   const uint64_t bytes = reader.number<uint64_t>("the length of the " + name);
   if (bytes != size * sizeof(T))
-    reader.fail(fmt::format("{} bytes of {}", size * sizeof(T), name), fmt::format("a length of {}", bytes));
+    reader.fail(fmt::format("{} of {}", counted(size * sizeof(T), "byte"), name), fmt::format("a length of {}", bytes));
   const std::string_view data = reader.take(bytes, name);
   reader.verify(data, name);
   part.resize(size);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "common/cpu/cpu_motion.h"
+#include "common/scene/counted.h"
 #include "common/scene/scene_bounds.h"
 #include "common/scene/scene_params.h"
 
@@ -71,9 +72,9 @@ class Checker {
     const std::string unmovable = why_unmovable(scene_, std::numeric_limits<float>::infinity());
     if (!unmovable.empty()) throw std::invalid_argument(fmt::format("{}, header: {}", file_, unmovable));
     if (step_ > most_steps) fail("header", fmt::format("at most {} steps", most_steps), fmt::format("{}", step_));
-    const uint64_t counted = anchored() ? step_ : 0;
-    if (motion_.steps != counted)
-      fail("header", fmt::format("{} steps that the motion counts", counted), fmt::format("{}", motion_.steps));
+    const uint64_t wanted = anchored() ? step_ : 0;
+    if (motion_.steps != wanted)
+      fail("header", counted(wanted, "step") + " that the motion counts", fmt::format("{}", motion_.steps));
   }
 
   void check_vectors(const char* part, const std::vector<vec4>& vectors) const {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "bench/io/context.h"
+#include "bench/io/interruption.h"
 #include "bench/io/replaced_file.h"
 
 namespace spherepair {
@@ -32,11 +33,12 @@ fs::path prepare_results(const std::string& results, const std::vector<std::stri
 }
 
 void prepare_folder(const fs::path& folder, const std::vector<std::string>& files) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
+  try {
+    make_folder(folder);
+  } catch (const fs::filesystem_error& error) {
     throw std::invalid_argument(
-        fmt::format("cannot create the folder {}: {}; choose another", folder.string(), error.message()));
+        fmt::format("cannot create the folder {}: {}; choose another", folder.string(), error.code().message()));
+  }
   for (const std::string& file : files) check_writable(folder / file);
 }
 

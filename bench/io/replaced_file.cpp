@@ -6,15 +6,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <atomic>
 #include <cerrno>
-#include <climits>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <stdexcept>
 #include <utility>
+
+#include "bench/io/interruption.h"
 
 namespace spherepair {
 namespace {
@@ -25,30 +23,6 @@ namespace fs = std::filesystem;
 bool names_open_file(const fs::path& path) {
   const std::string text = path.string();
   return fs::is_symlink(path) && (text.starts_with("/dev/") || text.starts_with("/proc/"));
-}
-
-// The temporary files of this process, for a signal to remove: a handler may use neither locks nor memory that is not
-// there already.
-struct Temporary {
-  std::atomic<bool> taken = false, ready = false;
-  std::array<char, PATH_MAX> name;
-};
-std::array<Temporary, 64> temporaries;
-
-void remove_temporaries(int signal) {
-  for (Temporary& temporary : temporaries)
-    if (temporary.ready) ::unlink(temporary.name.data());
-  ::raise(signal);  // once more, with its default action, which ends the process
-}
-
-void remove_temporaries_at_signals() {
-  struct sigaction action {};
-  action.sa_handler = remove_temporaries;
-  action.sa_flags = int(SA_RESETHAND | SA_NODEFER);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction old {};
-    if (::sigaction(signal, nullptr, &old) == 0 && old.sa_handler == SIG_DFL) ::sigaction(signal, &action, nullptr);
-  }
 }
 
 bool replaceable(const fs::path& path) {
@@ -94,34 +68,17 @@ ReplacedFile::~ReplacedFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
   if (temporary_.empty()) return;
   ::unlink(temporary_.c_str());
-  forget_temporary();
-}
-
-void ReplacedFile::keep_temporary(const std::string& name) {
-  temporary_ = name;
-  remove_temporaries_at_signals();
-  for (Temporary& each : temporaries) {
-    if (name.size() >= each.name.size() || each.taken.exchange(true)) continue;
-    std::ranges::copy(name + '\0', each.name.begin());
-    each.ready = true;
-    return;
-  }
-}
-
-void ReplacedFile::forget_temporary() {
-  for (Temporary& each : temporaries) {
-    if (!each.ready || temporary_ != each.name.data()) continue;
-    each.ready = false;
-    each.taken = false;
-  }
-  temporary_.clear();
+  forget_temporary(temporary_);
 }
 
 // Never the name of an existing file: it may belong to another process.
 bool ReplacedFile::take_temporary_name(const std::function<bool(const std::string&)>& take) {
   for (int attempt = 0; attempt < 1000; ++attempt) {
     const std::string name = target_.string() + ".new" + (attempt ? std::to_string(attempt) : "");
-    if (take(name)) return keep_temporary(name), true;
+    if (take(name)) {
+      keep_temporary(temporary_ = name);
+      return true;
+    }
     if (errno != EEXIST) return false;
   }
   return false;
@@ -161,7 +118,9 @@ void ReplacedFile::commit() {
   if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
   if (temporary_.empty()) return;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
-  forget_temporary();
+  forget_temporary(temporary_);
+  temporary_.clear();
+  note_written(path_);
   sync_folder(folder_of(target_));
 }
 

@@ -11,7 +11,7 @@ namespace spherepair {
 
 // Writes an unnamed file; commit() syncs it and gives it its name. Until then an existing file of that name is
 // unchanged, and without commit() nothing remains, even if the program is killed. (On file systems without unnamed
-// files it is a temporary file in the same folder, which SIGINT, SIGTERM and SIGHUP remove, but not SIGKILL.) Pipes and
+// files it is a temporary file in the same folder, which signals remove (interruption.h), but not SIGKILL.) Pipes and
 // devices are written directly.
 // Throws std::invalid_argument.
 class ReplacedFile {
@@ -27,8 +27,6 @@ class ReplacedFile {
 
  private:
   [[noreturn]] void fail(int error) const;
-  void keep_temporary(const std::string& name);
-  void forget_temporary();
   bool take_temporary_name(const std::function<bool(const std::string&)>& take);
   bool open_temporary();
 

@@ -42,6 +42,8 @@ size_t span_width(const std::vector<size_t>& widths, size_t first, size_t last) 
   return width;
 }
 
+std::string trimmed(const std::string& line) { return line.substr(0, line.find_last_not_of(' ') + 1); }
+
 std::string group_line(const Table& table, std::vector<size_t>& widths) {
   std::string line;
   bool any = false;
@@ -54,7 +56,68 @@ std::string group_line(const Table& table, std::vector<size_t>& widths) {
     line += (first ? kGap : "") + (group.empty() ? std::string(width, ' ') : fmt::format("{:-^{}}", group, width));
     any = any || !group.empty();
   }
-  return any ? line + "\n" : "";
+  return any ? trimmed(line) + "\n" : "";
+}
+
+size_t width_of(const Table& table) {
+  std::vector<size_t> widths = column_widths(table);
+  group_line(table, widths);
+  return span_width(widths, 0, widths.size());
+}
+
+// These columns alone.
+Table part_of(const Table& table, const std::vector<size_t>& columns) {
+  Table part;
+  for (const size_t c : columns) part.columns.push_back(table.columns[c]);
+  for (const auto& row : table.rows) {
+    std::vector<std::string>& cells = part.rows.emplace_back();
+    for (const size_t c : columns) cells.push_back(row.at(c));
+  }
+  return part;
+}
+
+// The table in parts that a terminal has room for, each with the columns before the first group, which name its rows.
+// Groups stay whole where they can. A table without groups is one part.
+std::vector<Table> parts_of(const Table& table) {
+  std::vector<size_t> keys;
+  while (keys.size() < table.columns.size() && table.columns[keys.size()].group.empty()) keys.push_back(keys.size());
+  std::vector<size_t> part = keys;
+  std::vector<Table> parts;
+  const auto add = [&](size_t first, size_t last) {
+    std::vector<size_t> longer = part;
+    for (size_t c = first; c < last; ++c) longer.push_back(c);
+    if (part.size() > keys.size() && width_of(part_of(table, longer)) > kTextWidth) {
+      parts.push_back(part_of(table, part));
+      longer.erase(longer.begin() + ptrdiff_t(keys.size()), longer.begin() + ptrdiff_t(part.size()));
+    }
+    part = longer;
+  };
+  for (size_t first = keys.size(), last; first < table.columns.size(); first = last) {
+    last = group_end(table, first);
+    std::vector<size_t> alone = keys;
+    for (size_t c = first; c < last; ++c) alone.push_back(c);
+    const bool whole = width_of(part_of(table, alone)) <= kTextWidth;
+    for (size_t c = first; c < last; c = whole ? last : c + 1) add(c, whole ? last : c + 1);
+  }
+  parts.push_back(part_of(table, part));
+  return parts;
+}
+
+// Heads and rows.
+std::string grid_text(const Table& table) {
+  std::vector<size_t> widths = column_widths(table);
+  std::string out = group_line(table, widths);
+  const auto line = [&](auto cell) {
+    std::string text;
+    for (size_t c = 0; c < widths.size(); ++c) text += (c ? kGap : "") + pad(cell(c), widths[c], table.columns[c].left);
+    return trimmed(text) + "\n";
+  };
+  out += line([&](size_t c) { return table.columns[c].name; });
+  const bool units = std::ranges::any_of(table.columns, [](const Column& column) { return !column.unit.empty(); });
+  if (units) out += line([&](size_t c) { return table.columns[c].unit; });
+  out += std::string(span_width(widths, 0, widths.size()), '-') + "\n";
+  for (const auto& row : table.rows) out += line([&](size_t c) { return row[c]; });
+  return out;
 }
 
 std::string significant(double value, const char* missing = "-") {
@@ -74,19 +137,12 @@ std::string json_text(const json& value) { return value.dump(1, ' ', false, json
 std::string json_line(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
 
 std::string Table::text() const {
-  std::vector<size_t> widths = column_widths(*this);
-  std::string out = title + "\n" + group_line(*this, widths);
-  const auto line = [&](auto cell) {
-    std::string text;
-    for (size_t c = 0; c < columns.size(); ++c) text += (c ? kGap : "") + pad(cell(c), widths[c], columns[c].left);
-    return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
-  };
-  out += line([&](size_t c) { return columns[c].name; });
-  const bool units = std::ranges::any_of(columns, [](const Column& column) { return !column.unit.empty(); });
-  if (units) out += line([&](size_t c) { return columns[c].unit; });
-  out += std::string(span_width(widths, 0, columns.size()), '-') + "\n";
-  for (const auto& row : rows) out += line([&](size_t c) { return row[c]; });
-  for (const std::string& note : notes) out += wrap(note, 118, "  ") + "\n";
+  std::string out = wrapped(title, "", "  ") + "\n", gap;
+  for (const Table& part : parts_of(*this)) {
+    out += gap + grid_text(part);
+    gap = "\n";
+  }
+  for (const std::string& note : notes) out += wrapped(note, "* ", "  ") + "\n";
   return out;
 }
 
@@ -107,17 +163,19 @@ std::string format_percent(double share) { return std::isfinite(share) ? fmt::fo
 
 std::string hex64(uint64_t value) { return fmt::format("{:016x}", value); }
 
-std::string wrap(const std::string& text, size_t width, const std::string& indent) {
+std::string wrapped(const std::string& text, const std::string& first, const std::string& next, size_t width) {
   std::istringstream words(text);
-  std::string out = "*", word;
-  for (size_t column = 1; words >> word; column += word.size() + 1) {
-    if (column + 1 + word.size() > width) {
-      out.append("\n").append(indent, 1);
-      column = indent.size();
+  std::string line = first, out;
+  bool empty = true;
+  for (std::string word; words >> word; empty = false) {
+    if (!empty && line.size() + 1 + word.size() > width) {
+      out += line + "\n";
+      line = next;
+      empty = true;
     }
-    out.append(" ").append(word);
+    line += (empty ? "" : " ") + word;
   }
-  return out;
+  return out + line;
 }
 
 Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0) {}

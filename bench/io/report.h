@@ -38,7 +38,7 @@ struct Table {
   std::vector<std::string> notes;
   bool only_in_file = false;  // too long for a terminal
 
-  std::string text() const;
+  std::string text() const;  // in parts, where it is too wide for a line
   json to_json() const;
 };
 
@@ -49,7 +49,13 @@ std::string format_rate(double per_second);  // 3.13e+12
 std::string format_percent(double share);    // +4.2
 
 std::string hex64(uint64_t value);
-std::string wrap(const std::string& text, size_t width, const std::string& indent);
+
+// What a line on a terminal has room for: tables are split, and sentences wrapped, to stay within.
+constexpr size_t kTextWidth = 80;
+
+// The words of a text in lines of at most this width, the first behind `first` and the others behind `next`.
+std::string wrapped(const std::string& text, const std::string& first = "", const std::string& next = "",
+                    size_t width = kTextWidth);
 
 // One line on standard error that overwrites itself; silent if that is not a terminal.
 class Progress {

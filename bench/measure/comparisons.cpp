@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "common/scene/counted.h"
+
 namespace spherepair {
 namespace {
 
@@ -16,10 +18,10 @@ void Comparisons::require_complete() const {
   for (const auto& [backend, counts] : counts_)
     for (const Kind kind : {sets, states})
       if (counts.made[kind] != counts.planned[kind])
-        throw std::logic_error(fmt::format(
-            "{} comparisons of {} of {} were planned, but {} were made: an error of the harness; this run does not "
-            "show equality",
-            counts.planned[kind], kind_names[kind], backend, counts.made[kind]));
+        throw std::logic_error(
+            fmt::format("comparisons of {} of {}: {} planned, but {} made: an error of the harness; this run does not "
+                        "show equality",
+                        kind_names[kind], backend, counts.planned[kind], counts.made[kind]));
 }
 
 uint64_t Comparisons::made(Kind kind) const {
@@ -29,7 +31,8 @@ uint64_t Comparisons::made(Kind kind) const {
 }
 
 std::string Comparisons::text() const {
-  return fmt::format("{} sets and {} states compared, as many as planned", made(sets), made(states));
+  return fmt::format("{} and {} compared, as many as planned", counted(made(sets), "set"),
+                     counted(made(states), "state"));
 }
 
 json Comparisons::to_json() const {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "common/scene/counted.h"
+
 namespace spherepair {
 namespace {
 
@@ -32,13 +34,15 @@ bool enough_rounds(const Contest& contest) { return contest.ratios.coverage >= 0
 
 std::string spread_text(const Contest& contest) {
   const auto [low, high, coverage] = contest.ratios;
-  return fmt::format("{} to {} in {} round{}", times_text(low), times_text(high), contest.rounds,
-                     contest.rounds == 1 ? "" : "s");
+  return fmt::format("{} to {} in {}", times_text(low), times_text(high), counted(contest.rounds, "round"));
 }
 
 std::string ratio_text(const Contest& contest) {
   if (contest.finding == Finding::undecided)
-    return "not decided by this data: " + spread_text(contest) + (enough_rounds(contest) ? "" : ", too few");
+    return enough_rounds(contest)
+               ? fmt::format("undecided: {} to {}", times_text(contest.ratios.low), times_text(contest.ratios.high))
+               : fmt::format("undecided: {} too few",
+                             contest.rounds == 1 ? "1 round is" : fmt::format("{} rounds are", contest.rounds));
   return contest.finding == Finding::differ ? times_text(contest.ratio) : "no difference seen";
 }
 

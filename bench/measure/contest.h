@@ -24,7 +24,7 @@ struct Contest {
 Contest contest(const Samples& left, const Samples& right);
 bool enough_rounds(const Contest& contest);       // for an interval of 95 %
 std::string spread_text(const Contest& contest);  // 0.54x to 2.10x in 7 rounds
-// 1.07x, "no difference seen", or "not decided by this data: 0.54x ..."
+// 1.07x, "no difference seen", or "undecided: 0.54x to 2.10x": cells of tables, and so short.
 std::string ratio_text(const Contest& contest);
 std::string verdict(const Contest& contest);  // the same, but "glsl takes 1.07x cuda's time"
 

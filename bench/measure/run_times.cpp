@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "common/scene/counted.h"
+
 namespace spherepair {
 
 void RunTimes::set_stages(const Backend& backend, std::vector<StageTime> stages) {
@@ -29,7 +31,7 @@ std::string RunTimes::text() const {
   std::string each;
   const auto add = [&](Part part, const char* one, const char* many) {
     if (counts_[part] == 0) return;
-    text += fmt::format(", {} {} {:.3f} s", counts_[part], counts_[part] == 1 ? one : many, seconds_[part]);
+    text += fmt::format(", {} {:.3f} s", counted(counts_[part], one, many), seconds_[part]);
     each +=
         fmt::format("{}a {} {} ms", each.empty() ? "" : ", ", one, format_ms(seconds_[part] / double(counts_[part])));
   };

@@ -43,7 +43,8 @@ Session::Session(const std::vector<std::string>& names, const OpenOptions& optio
       backends_.push_back(opener(name, options));
     } catch (const BackendError& error) {
       if (!names.empty()) throw;
-      missing_.push_back({name, error.what()});
+      const std::string reason = error.what();  // the names of backends begin it and stand before it
+      missing_.push_back({name, reason.starts_with(name + ": ") ? reason.substr(name.size() + 2) : reason});
     }
   }
   if (backends_.empty()) throw BackendError("no backend could be opened:\n" + summary());

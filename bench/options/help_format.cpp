@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "bench/io/report.h"
+
 namespace spherepair {
 namespace {
 
@@ -23,18 +25,7 @@ size_t terminal_width() {
 
 // The words of a line, the first after `first` spaces and those of further lines after `next`.
 std::string broken(const std::string& text, size_t first, size_t next, size_t width) {
-  std::istringstream words(text);
-  std::string line(first, ' '), out;
-  bool empty = true;
-  for (std::string word; words >> word; empty = false) {
-    if (!empty && line.size() + 1 + word.size() > width) {
-      out += line + "\n";
-      line.assign(next, ' ');
-      empty = true;
-    }
-    line += (empty ? "" : " ") + word;
-  }
-  return out + line + "\n";
+  return wrapped(text, std::string(first, ' '), std::string(next, ' '), width) + "\n";
 }
 
 std::string wrapped_line(const std::string& line, size_t width) {

@@ -3,10 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "bench/io/arguments.h"
 #include "bench/measure/choice.h"
+#include "bench/spheres/columns.h"
 #include "common/backend/device_name.h"
 #include "common/scene/camera.h"
+#include "common/scene/known_name.h"
 
 namespace spherepair {
 
@@ -147,7 +151,11 @@ void add_file_options(CLI::App& command, std::vector<std::string>& columns, bool
           "Columns of a text file: x,y,z, radius and vx,vy,vz in its order, _ for one that is not read; default: "
           "by a first line of names, else x y z [radius [vx vy vz]]")
       ->delimiter(',')
-      ->check(CLI::IsMember({"x", "y", "z", "radius", "vx", "vy", "vz", "_"}));
+      ->check([](const std::string& name) -> std::string {
+        std::vector<std::string> known(quantity_names.begin(), quantity_names.end());
+        known.push_back("_");
+        return std::ranges::count(known, name) ? "" : unknown_name("column", name, known);
+      });
   command.add_flag("--ignore-periodic", ignore_periodic,
                    "Read an XYZ file with a periodic box (Lattice, pbc) as if it had none: pairs across its boundary "
                    "are not found");

@@ -9,6 +9,7 @@
 #include <new>
 
 #include "bench/check/step_result.h"
+#include "bench/io/interruption.h"
 #include "bench/options/command.h"
 
 namespace spherepair {
@@ -38,6 +39,7 @@ int code_of(const std::function<int()>& action) {
 
 int run_action(const std::function<int()>& action) {
   const int code = code_of(action);
+  remove_empty_folders();  // of a command that failed before its first result
   if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
   fail(kUsage, fmt::format("cannot write to standard output: {}", std::strerror(errno)));
   return code == kDifference ? kDifference : kUsage;

@@ -11,6 +11,7 @@
 #include "bench/io/file_bytes.h"
 #include "bench/io/numbers.h"
 #include "bench/options/command.h"
+#include "common/scene/counted.h"
 #include "common/shared/hash.h"
 
 namespace spherepair {
@@ -77,7 +78,7 @@ int run_sweep(const std::vector<SweepTask>& all, const SweepOptions& options, bo
     ++(written ? skipped : done);
   }
   if (!options.list) fmt::print("Results: {}\n", folder.string());
-  fmt::print("{} of {} configurations {}, {} already written\n", done, all.size(),
+  fmt::print("{} of {} {}, {} already written\n", done, counted(all.size(), "configuration"),
              options.list ? "to be timed" : "timed", skipped);
   return kOk;
 }

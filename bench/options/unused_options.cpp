@@ -5,9 +5,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "bench/io/numbers.h"
 
 namespace spherepair {
 namespace {
@@ -121,10 +125,30 @@ void refuse_of_study(const Given& given) {
   }
 }
 
+bool same(const std::string& left, const std::string& right) {
+  constexpr double most = std::numeric_limits<double>::max();
+  const auto number = real_number_of(left, -most, most);
+  return left == right || (number && number == real_number_of(right, -most, most));
+}
+
+// Of an option that takes a list: all but --columns, in which `_` may stand often, and the vectors x,y,z.
+void refuse_repeated_words(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const bool list = option->get_delimiter() != '\0' && option->get_items_expected_max() > 3;
+    if (!list || option->count() == 0 || option->get_name() == "--columns") continue;
+    const Words words = option->reduced_results();
+    for (size_t k = 0; k < words.size(); ++k)
+      if (std::ranges::any_of(std::span(words).first(k), [&](const std::string& word) { return same(word, words[k]); }))
+        throw std::invalid_argument(
+            fmt::format("{} has {} more than once: name it once", option->get_name(), words[k]));
+  }
+}
+
 }  // namespace
 
 void refuse_unused_options(const CLI::App& command) {
   const Given given(command);
+  refuse_repeated_words(command);
   refuse_of_scene(given);
   refuse_of_motion(given);
   refuse_of_search(given);

@@ -104,7 +104,9 @@ Decimal read_number(const FileBytes& file, uint64_t line, std::span<const std::s
   const char* name = quantity_names[quantity];
   const std::string_view text = fields[column];
   const auto decimal = parse_decimal(text);
-  if (!decimal) file.fail_at_line(line, fmt::format("a number for {} in column {}", name, column + 1), in_quotes(text));
+  const char* point = text.find(',') == text.npos ? "" : ", with a decimal point";
+  if (!decimal)
+    file.fail_at_line(line, fmt::format("a number for {} in column {}{}", name, column + 1, point), in_quotes(text));
   const char* expected = why_invalid(decimal->value, quantity == QUANTITY_RADIUS);
   if (expected) file.fail_at_line(line, fmt::format("{} for {}", expected, name), in_quotes(text));
   return *decimal;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "bench/io/numbers.h"
+#include "common/scene/counted.h"
 
 namespace spherepair {
 namespace {
@@ -97,11 +98,12 @@ NpyArray array_of(const FileBytes& file, const NpyHeader& header) {
   const uint64_t wanted = array.rows * row_bytes * (header.structured ? 1 : header.shape[1]),
                  found = file.bytes().size() - header.data_at;
   if (found < wanted)
-    file.fail_at_byte(file.bytes().size(), fmt::format("{} bytes of data from byte {} on", wanted, header.data_at),
+    file.fail_at_byte(file.bytes().size(),
+                      fmt::format("{} of data from byte {} on", counted(wanted, "byte"), header.data_at),
                       fmt::format("the end of the file after {}: it is truncated", found));
   if (found > wanted)
     file.fail_at_byte(header.data_at + wanted, "the end of the file after the data",
-                      fmt::format("{} trailing bytes", found - wanted));
+                      counted(found - wanted, "trailing byte"));
   return array;
 }
 

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "bench/io/numbers.h"
+#include "common/scene/counted.h"
 
 namespace spherepair {
 namespace {
@@ -38,6 +39,8 @@ Reader reader_of(const FileBytes& file, const SphereFileOptions& options) {
   const auto found = std::ranges::find_if(formats, [&](const Format& format) { return extension == format.extension; });
   if (found != std::end(formats)) return found->read;
   if (!options.columns.empty()) return read_text;
+  if (const std::string_view kind = kind_of(file.bytes()); !kind.empty())
+    throw std::invalid_argument(fmt::format("{} is {}: unpack or convert it to XYZ, NPY or text", file.name(), kind));
   throw std::invalid_argument(
       fmt::format("cannot tell the format of {} by its extension; known are .xyz and .extxyz (XYZ, extended XYZ), .npy "
                   "(NPY) and .txt, .csv, .tsv, .dat (columns of text); other text needs --columns x,y,z,radius",
@@ -147,11 +150,13 @@ std::string describe(const SphereFile& input) {
     text += fmt::format(", frame {} of {} (counted from 0; --frame takes another)", input.frame, input.frames);
   if (!input.ignored.empty()) text += fmt::format("\nnot periodic, as asked for: {} is ignored", input.ignored);
   const auto [low, high] = radius_range(input.scene);
-  text += fmt::format("\n{} spheres, radius {}", input.scene.size(),
-                      low == high ? fmt::format("{}", low) : fmt::format("{} to {}", low, high));
+  text += "\n" + counted(input.scene.size(), "sphere");
+  if (input.scene.size() == 0) return text + "\n";
+  text += ", radius " + (low == high ? fmt::format("{}", low) : fmt::format("{} to {}", low, high));
   if (!input.own_radii) text += " by --radius";
   if (input.changed)
-    text += fmt::format("\n{} of {} numbers have more digits than float32 keeps\n", input.changed, input.values);
+    text += fmt::format("\n{} of {} {} more digits than float32 keeps\n", input.changed,
+                        counted(input.values, "number"), input.changed == 1 ? "has" : "have");
   else
     text += fmt::format("\nfloat32 keeps every given digit of the {} numbers\n", input.values);
   return text + describe(input.rounding);

@@ -51,7 +51,7 @@ class TextReader {
     if (!parse_decimal(fields_[0])) {
       std::vector<std::string> names;
       for (const std::string_view field : fields_) names.push_back(plain_name(field));
-      columns_ = columns_of_names(fmt::format("{}, line {}", file_.name(), line), names);
+      columns_ = columns_of_names(fmt::format("{}, line {}, read as names of columns", file_.name(), line), names);
       return false;
     }
     const size_t count = fields_.size();

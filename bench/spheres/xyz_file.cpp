@@ -11,6 +11,7 @@
 #include "bench/spheres/sphere_file.h"
 #include "bench/spheres/xyz_columns.h"
 #include "common/backend/cpu_team.h"
+#include "common/scene/counted.h"
 
 namespace spherepair {
 namespace {
@@ -54,7 +55,7 @@ Frame read_frame(const FileBytes& file, FileLines& cursor, bool first) {
     if (sphere % lines_per_chunk == 0)
       frame.chunks.push_back({cursor, sphere, std::min(lines_per_chunk, frame.spheres - sphere)});
     if (cursor.at_end())
-      file.fail_at_line(cursor.line, fmt::format("{} spheres as line {} says", frame.spheres, count_line),
+      file.fail_at_line(cursor.line, fmt::format("{} as line {} says", counted(frame.spheres, "sphere"), count_line),
                         fmt::format("the end of the file after {}", sphere));
     cursor.next();
   }
@@ -172,8 +173,8 @@ SphereFile read_xyz(const FileBytes& file, const SphereFileOptions& options, Sph
   const uint64_t wanted = options.frame.value_or(0);
   const std::vector<Frame> frames = find_frames(file);
   if (wanted >= frames.size())
-    throw std::invalid_argument(fmt::format("{} has {} frame{}, counted from 0, so --frame {} is not among them",
-                                            file.name(), frames.size(), frames.size() == 1 ? "" : "s", wanted));
+    throw std::invalid_argument(fmt::format("{} has {}, counted from 0, so --frame {} is not among them", file.name(),
+                                            counted(frames.size(), "frame"), wanted));
   return read_one(file, frames, wanted, options, rows);
 }
 

@@ -28,7 +28,7 @@ class AblationStudy {
 
   void run(const std::vector<uint64_t>& sizes);
 
-  std::vector<std::vector<std::string>> rows;  // of the table
+  std::map<uint64_t, std::vector<std::vector<std::string>>> rows;  // of the table of each number of spheres
   json measurements = json::array();
   std::vector<std::string> left_out;
   AblationSeconds spent;

@@ -9,6 +9,7 @@
 #include "bench/io/scene_text.h"
 #include "bench/measure/choice.h"
 #include "bench/measure/floors.h"
+#include "common/scene/counted.h"
 
 namespace spherepair {
 namespace {
@@ -189,8 +190,8 @@ void CrossoverSweep::stop_if_slow(const Way& way, const Timing& at, double secon
   const bool too_long = ms > options_.most_ms, behind = seconds > hopeless * fastest && ms > long_ms;
   if (!too_long && !(behind && at.all_pairs.contains(way.name))) return;
   slow_.insert(at.backend + " " + way.name);
-  stopped.push_back(fmt::format("{} {} {}: stopped after {} spheres, {} ms per step is more than {}", at.backend,
-                                at.kind, way.name, at.n, format_ms(seconds),
+  stopped.push_back(fmt::format("{} {} {}: stopped after {}, {} ms per step is more than {}", at.backend, at.kind,
+                                way.name, counted(at.n, "sphere"), format_ms(seconds),
                                 too_long ? "--most-ms" : fmt::format("{} times the best time", hopeless)));
 }
 

@@ -8,6 +8,7 @@
 
 #include "bench/check/step_result.h"
 #include "bench/io/numbers.h"
+#include "common/scene/counted.h"
 #include "common/shared/hash.h"
 
 namespace spherepair {
@@ -55,7 +56,9 @@ std::map<std::string, uint64_t> most_by_draw(const std::vector<std::string>& lim
     const size_t colon = text.find(':');
     const auto n = count_of(text.substr(std::min(colon, text.size() - 1) + 1), 1, kMostSpheres);
     if (!n) throw std::invalid_argument(fmt::format("--most {} is not METHOD:NUMBER, such as mesh:1000", text));
-    most[draw_method_name(draw_method_from_name(text.substr(0, colon)))] = *n;
+    const std::string draw = draw_method_name(draw_method_from_name(text.substr(0, colon)));
+    if (!most.emplace(draw, *n).second)
+      throw std::invalid_argument(fmt::format("--most has {} more than once: name it once", draw));
   }
   return most;
 }
@@ -120,7 +123,7 @@ void FramesStudy::measure_place(uint64_t n, Backend& backend, const Scene& scene
 }
 
 void FramesStudy::measure_task(uint64_t n, const FrameTask& task, const Scene& scene, const std::vector<View>& views) {
-  progress_.say(fmt::format("{} spheres, {}", n, label(task)));
+  progress_.say(fmt::format("{}, {}", counted(n, "sphere"), label(task)));
   json entry = {{"n", n},
                 {"backend", task.backend->info().name},
                 {"draw", draw_method_name(task.draw)},
@@ -199,17 +202,12 @@ void FramesStudy::check(const FrameTask& task, const std::vector<View>& views, j
           entry);
 }
 
-// Times the contender, adds the entry to the record and prints it.
+// Times the contender and adds the entry to the record.
 Samples FramesStudy::record(json& entry, const Contender& contender) {
   const Samples samples = measure(session_, {&contender, 1}, sampling_, progress_).front();
   entry.update(to_json(samples));
   frames.push_back(entry);
   progress_.clear();
-  const std::string row = fmt::format("{:>11}  {:<38} {:>10} ms\n", entry.at("n").get<uint64_t>(),
-                                      entry.at("label").get<std::string>(), format_number(entry.at("median_ms")));
-  text += row;
-  fmt::print("{}", row);
-  std::fflush(stdout);
   return samples;
 }
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "common/scene/counted.h"
+
 namespace spherepair {
 namespace {
 
@@ -29,8 +31,9 @@ void add_bandwidth(std::vector<Target>& targets, const std::vector<TimeEntry>& t
   const TimeEntry* paper = time_of(times, copy.backend, MotionMethod::paper, times.front().k);
   if (!paper) return;
   const double rate = double(*bytes_per_sphere_step(*paper)) / paper->per_sphere();
-  targets.push_back({fmt::format("{}: bandwidth of paper over that of copying, {} spheres", copy.backend, copy.n),
-                     rate / copy.bytes_per_second(), 0.85, true});
+  targets.push_back(
+      {fmt::format("{}: bandwidth of paper over that of copying, {}", copy.backend, counted(copy.n, "sphere")),
+       rate / copy.bytes_per_second(), 0.85, true});
 }
 
 void add_anchored(std::vector<Target>& targets, const std::vector<ErrorEntry>& errors,

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "common/scene/counted.h"
+
 namespace spherepair {
 namespace {
 
@@ -37,7 +39,7 @@ std::string api_verdict(const Session& session, const std::vector<ApiContest>& c
   std::string reason = why_not(session);
   if (reason.empty() && contests.empty()) reason = "no table timed both";
   if (!reason.empty()) return fmt::format("Whether GLSL or CUDA is faster cannot be said here: {}", reason);
-  std::string text = fmt::format("Of {} comparisons of time, GLSL takes ", contests.size());
+  std::string text = fmt::format("Of {} of time, GLSL takes ", counted(contests.size(), "comparison"));
   const std::string slower = of_side(contests, true), faster = of_side(contests, false);
   text += slower.empty() && faster.empty() ? "another time than CUDA in none" : slower;
   text += (slower.empty() || faster.empty() ? "" : " and ") + faster;

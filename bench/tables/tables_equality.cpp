@@ -9,6 +9,7 @@
 
 #include "bench/io/scene_text.h"
 #include "bench/tables/study.h"
+#include "common/scene/counted.h"
 
 namespace spherepair {
 namespace {
@@ -91,14 +92,13 @@ Table every_method(const std::map<Key, Gathered>& rows) {
 
 // Per scene and size: the number of comparisons, and the set of all pairs after the last step.
 Table summary(const std::map<Key, Gathered>& rows, const Session& session) {
-  Table table{"What was compared and found equal: states bit by bit, collision sets pair by pair",
+  Table table{"Compared and found equal: states bit by bit, collision sets pair by pair",
               {{"", "scene", "", true},
                {"", "n", ""},
                {"", "steps", ""},
-               {"", "comparisons", ""},
+               {"", "compared", "results"},
                {"all pairs after the last step", "pairs", ""},
-               {"all pairs after the last step", "fingerprint", "", true},
-               {"", "verdict", "", true}},
+               {"all pairs after the last step", "fingerprint", "first half", true}},
               {},
               {}};
   uint64_t total = 0, last_n = UINT64_MAX;
@@ -109,8 +109,7 @@ Table summary(const std::map<Key, Gathered>& rows, const Session& session) {
     if (scene != last_scene || row.scene.n != last_n) {
       const bool all = row.set == "all pairs";
       table.rows.push_back({scene_label(row.scene), std::to_string(row.scene.n), std::to_string(row.last.step), "0",
-                            all ? std::to_string(row.last.pairs) : "-", all ? hex(row.last.fingerprint) : "-",
-                            "equal"});
+                            all ? std::to_string(row.last.pairs) : "-", all ? hex64(row.last.fingerprint.a) : "-"});
     }
     std::string& count = table.rows.back()[3];
     count = std::to_string(std::stoull(count) + row.comparisons);
@@ -118,10 +117,10 @@ Table summary(const std::map<Key, Gathered>& rows, const Session& session) {
     last_n = row.scene.n;
   }
   table.notes = {fmt::format(
-      "{} results were compared with a reference, all equal: number of pairs and of colliding spheres, the count of "
+      "{} compared with a reference, all equal: number of pairs and of colliding spheres, the count of "
       "each sphere, the fingerprint, and in the lockstep check, up to 10^6 pairs, the list of pairs. The reference is "
-      "{}. Every method and group size: equality.txt.",
-      total, reference_text(session))};
+      "{}. Every method and group size, and whole fingerprints: equality.txt.",
+      counted(total, "result"), reference_text(session))};
   return table;
 }
 

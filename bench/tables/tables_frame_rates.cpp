@@ -9,6 +9,7 @@
 #include "bench/tables/paper_rows.h"
 #include "bench/tables/study.h"
 #include "common/scene/camera.h"
+#include "common/scene/counted.h"
 
 namespace spherepair {
 namespace {
@@ -54,11 +55,11 @@ void require_equal_images(const std::vector<Version>& versions, const Scene& sce
     const std::vector<uint> image = version.backend->image();
     if (expected.empty()) expected = image;
     if (image != expected)
-      throw DifferenceFound(
-          fmt::format("frame_rates: {} spheres drawn by {} {} and by {} {} give different images", scene.size(),
-                      versions.front().name, draw_method_name(versions.front().draws.front()), version.name,
-                      draw_method_name(version.draws.front())),
-          {{"n", scene.size()}});
+      throw DifferenceFound(fmt::format("frame_rates: {} drawn by {} {} and by {} {} give different images",
+                                        counted(scene.size(), "sphere"), versions.front().name,
+                                        draw_method_name(versions.front().draws.front()), version.name,
+                                        draw_method_name(version.draws.front())),
+                            {{"n", scene.size()}});
   }
 }
 

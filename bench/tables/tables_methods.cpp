@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "bench/tables/study.h"
+#include "common/scene/counted.h"
 
 namespace spherepair {
 namespace {
@@ -119,7 +120,7 @@ std::vector<Table> make_methods(Study& study) {
   table.notes = {
       "pairs: unordered pairs tested per second; collide_group tests only pairs within a group.",
       "The ratio is the median of the rounds' ratios of two turns in a row. A difference is stated only if its 95 % "
-      "interval is on one side of 1. What is not decided has that interval in place of a ratio."};
+      "interval is on one side of 1. What this data does not decide has that interval in place of a ratio."};
   return {table};
 }
 
@@ -185,15 +186,14 @@ std::vector<Table> make_exactness(Study& study) {
           {std::to_string(n), label(all[k]), format_ms(samples[0].median_seconds()),
            format_ms(samples[1].median_seconds()),
            result.finding == Finding::undecided ? "-" : format_percent(result.ratio - 1),
-           result.finding == Finding::differ ? fmt::format("exact takes {} naive's time", ratio_text(result))
-                                             : ratio_text(result),
+           result.finding == Finding::differ ? ratio_text(result) + " naive's time" : ratio_text(result),
            std::to_string(errors[k].right), std::to_string(errors[k].missed), std::to_string(errors[k].extra)});
     }
   }
-  table.notes = {fmt::format(
-      "grazing: {} pairs of spheres within 8 ulp of touching. missed, extra: pairs that the naive float32 test "
-      "gets wrong there; the exact one was checked against the reference.",
-      study.plan.grazing_pairs)};
+  table.notes = {
+      fmt::format("grazing: {} of spheres within 8 ulp of touching. missed, extra: pairs that the naive float32 test "
+                  "gets wrong there; the exact one was checked against the reference.",
+                  counted(study.plan.grazing_pairs, "pair"))};
   return {table};
 }
 

@@ -42,7 +42,7 @@ std::string ms_cell(const json& value) { return value.is_number() ? format_ms(va
 }  // namespace
 
 std::vector<Table> make_scale(Study& study) {
-  Table table{"All pairs from small to large n: one collision step, each unordered pair tested once",
+  Table table{"All pairs from small to large n: one collision step, each pair tested once",
               {{"", "scene", "", true}, {"", "n", ""}},
               {},
               {}};

@@ -13,6 +13,7 @@
 #include "bench/check/finite_state.h"
 #include "bench/image/box_edges.h"
 #include "bench/measure/choice.h"
+#include "common/scene/counted.h"
 
 namespace spherepair {
 
@@ -233,8 +234,8 @@ std::string Viewer::summary() const {
       fmt::format("{}{}move {} ms, collide {} ms, draw {} ms, to the window {} ms\n", rate,
                   pace_.by_clock() ? pace_.text() + "; " : "", format_ms(seconds_.move), format_ms(seconds_.collide),
                   format_ms(seconds_.draw), format_ms(seconds_.show));
-  return times + fmt::format("{} {}, drawn by {}: step {}, {} pairs, fingerprint {}", backends_.name(), methods_.name(),
-                             draws_.name(), step_, totals_.pairs,
+  return times + fmt::format("{} {}, drawn by {}: step {}, {}, fingerprint {}", backends_.name(), methods_.name(),
+                             draws_.name(), step_, counted(totals_.pairs, "pair"),
                              hex64(totals_.fingerprint.a) + hex64(totals_.fingerprint.b));
 }
 

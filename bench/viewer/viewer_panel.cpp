@@ -9,6 +9,7 @@
 #include "bench/image/legend.h"
 #include "bench/measure/choice.h"
 #include "bench/viewer/viewer.h"
+#include "common/scene/counted.h"
 
 namespace spherepair {
 namespace {
@@ -36,16 +37,16 @@ void Viewer::pick(std::array<uint, 2> pixel) {
   if (sphere >= start_.scene.size()) return;
   const Backend::State state = current_state(backend());
   const vec4 &at = state.positions[sphere], &v = state.velocities[sphere];
-  picked_ = fmt::format("sphere {} at step {}: {} contacts\ncentre {:.4g}, {:.4g}, {:.4g}; radius {:.4g}; speed {:.4g}",
-                        sphere, step_, backend().counts()[sphere], at.x, at.y, at.z, at.w,
+  picked_ = fmt::format("sphere {} at step {}: {}\ncentre {:.4g}, {:.4g}, {:.4g}; radius {:.4g}; speed {:.4g}", sphere,
+                        step_, counted(backend().counts()[sphere], "contact"), at.x, at.y, at.z, at.w,
                         std::hypot(double(v.x), double(v.y), double(v.z)));
 }
 
 void Viewer::save_image(const Window& window) {
   const ImageOptions image = still_image(window);
   std::vector<uint> pixels = draw_image(backend(), image).pixels;
-  const Legend legend = legend_of(image.look, {fmt::format("{} spheres", start_.scene.size()),
-                                               fmt::format("{} pairs", totals_.pairs), fmt::format("step {}", step_)});
+  const Legend legend = legend_of(image.look, {counted(start_.scene.size(), "sphere"), counted(totals_.pairs, "pair"),
+                                               fmt::format("step {}", step_)});
   const auto strip = LegendStrip::within(legend, image.width, image.height);
   if (strip) strip->append_to(pixels, legend);
   try {
@@ -117,9 +118,10 @@ void Viewer::fill_panel(Window& window) {
 }
 
 void Viewer::tell_times(Window& window) {
-  window.text(fmt::format("{}, {} spheres", start_.label, start_.scene.size()));
+  window.text(fmt::format("{}, {}", start_.label, counted(start_.scene.size(), "sphere")));
   window.text(device_label(backend().info()));
-  window.text(fmt::format("step {}: {} pairs, {} spheres in contact", step_, totals_.pairs, totals_.colliding_spheres));
+  window.text(fmt::format("step {}: {}, {} in contact", step_, counted(totals_.pairs, "pair"),
+                          counted(totals_.colliding_spheres, "sphere")));
   window.text(pace_.text() + "  (+, -, f)");
   window.text(fmt::format("move {} ms, collide {} ms", format_ms(seconds_.move), format_ms(seconds_.collide)));
   if (draws_.name() != draw_method_name(DrawMethod::compute) && backend().transfer_taken())

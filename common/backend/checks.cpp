@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "common/scene/counted.h"
+
 namespace spherepair {
 
 void check_collide(const CollideOptions& options) {
@@ -34,7 +36,8 @@ void refuse_missing(const std::string& backend, const CollideOptions& options, c
 
 void check_classes(const std::string& backend, std::span<const uint> classes, uint64_t n) {
   if (classes.size() != n)
-    throw std::invalid_argument(fmt::format("{}: {} classes for {} spheres", backend, classes.size(), n));
+    throw std::invalid_argument(
+        fmt::format("{}: {} for {}", backend, counted(classes.size(), "class", "classes"), counted(n, "sphere")));
   const auto beyond = std::ranges::find_if(classes, [](uint each) { return each >= COLOURS; });
   if (beyond != classes.end())
     throw std::invalid_argument(fmt::format("{}: sphere {} has class {}, but the palette's last is {}", backend,

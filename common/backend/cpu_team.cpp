@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "common/backend/backend.h"
+#include "common/scene/counted.h"
 
 namespace spherepair {
 
@@ -41,9 +42,9 @@ void start_team(int threads) {
   for (std::thread& thread : trial) thread.join();
   if (!trouble.empty())
     throw BackendError(
-        fmt::format("{} of {} threads could be started before memory or threads ran out ({}): ask for fewer with "
+        fmt::format("{} of {} could be started before memory or threads ran out ({}): ask for fewer with "
                     "--threads, or raise the limits on processes and memory (ulimit -u, ulimit -v)",
-                    started + 1, wanted + 1, trouble));
+                    started + 1, counted(wanted + 1, "thread"), trouble));
   omp_set_num_threads(int(wanted) + 1);
   int running = 0;
 #pragma omp parallel reduction(+ : running)

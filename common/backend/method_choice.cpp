@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "common/scene/counted.h"
+
 namespace spherepair {
 namespace {
 
@@ -26,11 +28,13 @@ double grid_from(const BackendInfo& info, const GridPlans& plans, Cells wanted) 
 
 std::string reason_of(const BackendInfo& info, uint64_t n, const GridPlans& plans, Cells wanted) {
   const uint levels = hashed_levels(plans.plan(wanted));
-  std::string text = fmt::format("{} spheres, {:.3g} others in a sphere's cell", n, plans.occupancy(wanted));
+  std::string text =
+      fmt::format("{}, each with {:.3g} more in its cell on average", counted(n, "sphere"), plans.occupancy(wanted));
   if (levels > 1) text += fmt::format(", {} levels of cells", levels);
   const double from = std::ceil(grid_from(info, plans, wanted));
-  const char* cells = levels ? "in hashed cells" : "with so many others";
-  return text + fmt::format("; {} the grid is ahead {}from {:.0f} on", cells, double(n) >= from ? "" : "only ", from);
+  const char* where = levels ? "in hashed cells" : "at this density";
+  return text +
+         fmt::format("; {} the grid is faster {}from {:.0f} spheres on", where, double(n) >= from ? "" : "only ", from);
 }
 
 }  // namespace

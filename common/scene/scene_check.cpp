@@ -6,6 +6,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "common/scene/counted.h"
 #include "common/scene/scene_bounds.h"
 #include "common/shared/hash.h"
 
@@ -38,8 +39,8 @@ void check_options(const SceneOptions& o) {
   if (!std::isfinite(o.offset)) refuse(fmt::format("offset is {}, but must be finite", o.offset));
   if ((o.groups == 0) != (o.group_size == 0)) refuse("groups and group size go together: give both or neither");
   if (o.groups && uint64_t(o.groups) * o.group_size != o.n) {
-    refuse(fmt::format("{} groups of {} are {} spheres, but n is {}", o.groups, o.group_size,
-                       uint64_t(o.groups) * o.group_size, o.n));
+    refuse(fmt::format("{} of {} make {}, but n is {}", counted(o.groups, "group"), o.group_size,
+                       counted(uint64_t(o.groups) * o.group_size, "sphere"), o.n));
   }
 }
 
@@ -61,8 +62,9 @@ std::string unsound_spheres(const std::vector<vec4>& positions, const std::vecto
   for (uint64_t i = 0; i < n; ++i)
     if (!finite(positions[i]) || !finite(velocities[i]) || positions[i].w < 0) ++bad, first = std::min(first, i);
   if (bad == 0) return "";
-  return fmt::format("{} of {} spheres have a NaN, an infinity or a negative radius; the first is sphere {}: {}", bad,
-                     n, first, describe(positions[first], velocities[first]));
+  return fmt::format("{} of {} {} a NaN, an infinity or a negative radius; the first is sphere {}: {}", bad,
+                     counted(n, "sphere"), bad == 1 ? "has" : "have", first,
+                     describe(positions[first], velocities[first]));
 }
 
 void check_scene(const Scene& scene) {

@@ -61,7 +61,7 @@ TEST(BadSphereFile, NpyLayout) {
                        "the end of the file after 23");
   expect_npy_complaint(npy_file(dict, ""), 128, "24 bytes of data", "the end of the file after 0");
   expect_npy_complaint(shaped("(2147483647, 3)"), 152, "25769803764 bytes of data", "the end of the file after 24");
-  expect_npy_complaint(npy_file(dict, six + "?"), 152, "the end of the file", "1 trailing bytes");
+  expect_npy_complaint(npy_file(dict, six + "?"), 152, "the end of the file", "1 trailing byte");
   expect_npy_complaint(npy_file(npy_header("<f8", "(1, 3)"), six + six), 152, "the end", "24 trailing bytes");
 }
 

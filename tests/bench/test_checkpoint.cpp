@@ -64,7 +64,7 @@ TEST(Checkpoint, EveryTruncationIsRefused) {
     ASSERT_NE(complaint.find("cut off"), std::string::npos) << length << " bytes: " << complaint;
   }
   const std::string longer = folder.write("longer", bytes + "x");
-  EXPECT_NE(complaint_of([&] { read_checkpoint(longer); }).find("1 bytes more"), std::string::npos);
+  EXPECT_NE(complaint_of([&] { read_checkpoint(longer); }).find("1 byte more"), std::string::npos);
 }
 
 TEST(Checkpoint, EveryDamagedByteIsRefused) {

@@ -176,10 +176,10 @@ TEST(Harness, FewerComparisonsThanPlannedAreAnError) {
   comparisons.made("glsl", Comparisons::sets);
   comparisons.made("cuda", Comparisons::states);
   const std::string message = error_of([&] { comparisons.require_complete(); });
-  EXPECT_NE(message.find("2 comparisons of sets of glsl were planned, but 1 were made"), std::string::npos) << message;
+  EXPECT_NE(message.find("comparisons of sets of glsl: 2 planned, but 1 made"), std::string::npos) << message;
   comparisons.made("glsl", Comparisons::sets);
   EXPECT_EQ(error_of([&] { comparisons.require_complete(); }), "");
-  EXPECT_EQ(comparisons.text(), "2 sets and 1 states compared, as many as planned");
+  EXPECT_EQ(comparisons.text(), "2 sets and 1 state compared, as many as planned");
   EXPECT_EQ(comparisons.to_json()["glsl"]["sets"].dump(), R"({"planned":2,"made":2})");
 }
 

@@ -79,7 +79,7 @@ TEST_F(PairsCommand, TheRadiusGivenCanDecideToo) {
   const std::vector<float> rows = {0, 0, 0, 13096 * 0x1p-16f, 390 * 0x1p-16f, 376 * 0x1p-16f};
   pair.input_file = folder_.write("rad.npy", npy_file(npy_header("<f4", "(2, 3)"), npy_data(rows, 3)));
   EXPECT_EQ(run(pair), "");
-  EXPECT_NE(errors_.find("1 pairs are so close to touching"), std::string::npos) << errors_ << output_;
+  EXPECT_NE(errors_.find("1 pair is so close to touching"), std::string::npos) << errors_ << output_;
   pair.radius = 0.125;
   EXPECT_EQ(run(pair), "");
   EXPECT_EQ(errors_, "");

@@ -131,7 +131,7 @@ FILES = [
     mutant("a shift may lose bits", "bench/spheres/rounding.cpp", "if (middle == 0 || !loses_nothing(rows, axis, middle)) continue;",
            "if (middle == 0) continue;", "SphereFile"),
     mutant("rounding reaches half as far", "bench/spheres/rounding.cpp", "float(way * (1 + 0x1p-50))", "float(way / 2)", "SphereFile"),
-    mutant("interrupted files stay", "bench/io/replaced_file.cpp", "if (temporary.ready) ::unlink(temporary.name.data());", "",
+    mutant("interrupted files stay", "bench/io/interruption.cpp", "if (temporary.ready) ::unlink(temporary.text.data());", "",
            "Film"),
     mutant("threads spin", "common/backend/cpu_team.cpp", '::setenv("OMP_WAIT_POLICY", "passive", 1);',
            '::setenv("OMP_WAIT_POLICY", "active", 1);', "ExitCodes"),
@@ -170,6 +170,13 @@ CHECKPOINT = [
 ]
 
 COMMANDS = [
+    mutant("a word that stands twice is taken", "bench/options/unused_options.cpp", "  refuse_repeated_words(command);", "",
+           "Complaints"),
+    mutant("empty folders stay", "bench/io/interruption.cpp",
+           "if (new_folders[k].ready) ::rmdir(new_folders[k].text.data());", ";", "Interruption"),
+    mutant("wide tables stay whole", "bench/io/report.cpp", "width_of(part_of(table, longer)) > kTextWidth", "false", "Report"),
+    mutant("spheres are written in six digits", "bench/spheres/sphere_output.cpp", '"{}{}\\n", format.species',
+           '"{}{:.6g}\\n", format.species', "SphereOutput"),
     mutant("an input may be an output", "bench/io/output_files.cpp", "if (other != uses_.end() &&", "if (false &&", "Outputs"),
     mutant("bytes reach the disk later", "bench/io/replaced_file.cpp",
            "if ((nameless_ || !temporary_.empty()) && ::fsync(descriptor_) != 0) fail(errno);", "", "ReplacedFile"),

@@ -9,8 +9,8 @@ namespace spherepair {
 // The subcommand that was given, or the program itself.
 const CLI::App& parsed_command(const CLI::App& app);
 
-// After CLI11 refused the words: the first that nothing takes, with the name that was perhaps meant; empty if something
-// else is wrong.
-std::string unknown_word(const CLI::App& app);
+// After CLI11 refused the words: what is wrong with which, and what to do. For a word that nothing takes, the name that
+// was perhaps meant.
+std::string complaint_about(const CLI::ParseError& error, const CLI::App& app);
 
 }  // namespace spherepair

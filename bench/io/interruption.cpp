@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "bench/io/interruption.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <climits>
+#include <csignal>
+#include <cstring>
+#include <mutex>
+#include <vector>
+
+namespace spherepair {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A name that a signal's handler can read: it may use neither locks nor memory that is not there already.
+struct Name {
+  std::atomic<bool> taken = false, ready = false;
+  std::array<char, PATH_MAX> text;
+
+  void set(const std::string& value) {
+    ready = false;
+    std::ranges::copy(value.substr(0, text.size() - 1) + '\0', text.begin());
+    ready = true;
+  }
+};
+std::array<Name, 64> temporaries;
+std::array<Name, 16> new_folders;  // each before those within it
+Name command, results;             // results: the last folder made
+std::array<Name, 2> written;       // the last file, and the one before while that is set
+std::atomic<size_t> last_written = 0;
+std::mutex writing;
+std::atomic<bool> on_terminal = false;  // where a line of progress may stand
+
+template <size_t most>
+void keep(std::array<Name, most>& names, const std::string& text) {
+  for (Name& each : names) {
+    if (text.size() >= each.text.size() || each.taken.exchange(true)) continue;
+    return each.set(text);
+  }
+}
+
+void say(const char* text) {
+  if (::write(STDERR_FILENO, text, std::strlen(text)) < 0) return;  // nobody is left who could be told
+}
+
+void say_what_is_kept() {
+  say(on_terminal ? "\nspherepair: " : "spherepair: ");
+  say(command.text.data());
+  const Name& file = written[last_written];
+  if (!file.ready) return say(" interrupted: nothing was written\n");
+  say(results.ready ? " interrupted: what was finished is in " : " interrupted: the last file written is ");
+  say((results.ready ? results : file).text.data());
+  say("\n");
+}
+
+void interrupted(int signal) {
+  for (const Name& temporary : temporaries)
+    if (temporary.ready) ::unlink(temporary.text.data());
+  remove_empty_folders();
+  if (command.ready) say_what_is_kept();
+  ::raise(signal);  // once more, with its default action, which ends the process
+}
+
+void catch_signals() {
+  struct sigaction action {};
+  action.sa_handler = interrupted;
+  action.sa_flags = int(SA_RESETHAND | SA_NODEFER);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction old {};
+    if (::sigaction(signal, nullptr, &old) == 0 && old.sa_handler == SIG_DFL) ::sigaction(signal, &action, nullptr);
+  }
+}
+
+}  // namespace
+
+void handle_interruption(const std::string& name) {
+  command.set(name);
+  on_terminal = ::isatty(STDERR_FILENO) != 0;
+  catch_signals();
+}
+
+void keep_temporary(const std::string& file) {
+  catch_signals();
+  keep(temporaries, file);
+}
+
+void forget_temporary(const std::string& file) {
+  for (Name& each : temporaries) {
+    if (!each.ready || file != each.text.data()) continue;
+    each.ready = false;
+    each.taken = false;
+  }
+}
+
+void make_folder(const fs::path& folder) {
+  std::vector<fs::path> missing;
+  for (fs::path each = fs::absolute(folder); !fs::exists(each); each = each.parent_path()) missing.push_back(each);
+  fs::create_directories(folder);
+  for (const fs::path& each : std::vector(missing.rbegin(), missing.rend())) keep(new_folders, each.string());
+  results.set(folder.string());
+}
+
+void remove_empty_folders() {
+  for (size_t k = new_folders.size(); k-- > 0;)
+    if (new_folders[k].ready) ::rmdir(new_folders[k].text.data());
+}
+
+void note_written(const fs::path& file) {
+  const std::lock_guard lock(writing);
+  const size_t next = 1 - last_written;
+  written[next].set(file.string());
+  last_written = next;
+}
+
+}  // namespace spherepair

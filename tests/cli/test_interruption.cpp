@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// A signal that ends the program: it says in a line what was interrupted and what is kept, and no empty folder stays.
+#include <fmt/format.h>
+
+#include "bench/cli/commands.h"
+#include "tests/support/program.h"
+
+namespace spherepair {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Interruption : public ProgramTest {
+ protected:
+  // Sends the signal once this file is there, and waits for the end.
+  Outcome interrupt_after(const std::string& arguments, const std::string& file, const std::string& signal) const {
+    return run_shell(fmt::format("'{}' {} & p=$!; for k in $(seq 600); do [ -e '{}' ] && break; sleep 0.1; done; "
+                                 "kill -{} $p; wait $p 2>/dev/null",
+                                 SPHEREPAIR_PROGRAM, arguments, file, signal),
+                     folder_);
+  }
+  const std::string long_check_ =
+      "compare --backends cpu --scenes random --n 3000 --steps 1M --tables none --results " + path("results/here");
+};
+
+TEST_F(Interruption, AStudyWithoutAResultLeavesNoFolder) {
+  const Outcome outcome = interrupt_after(long_check_, path("results/here"), "TERM");
+  EXPECT_EQ(outcome.code, 143);
+  EXPECT_EQ(outcome.errors, "spherepair: compare interrupted: nothing was written\n");
+  EXPECT_FALSE(fs::exists(path("results")));
+}
+
+TEST_F(Interruption, TheInterruptKeyEndsTheProgramAsUsual) {
+  const Outcome outcome = run(long_check_, "timeout --preserve-status -s INT 2");
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_EQ(outcome.errors, "spherepair: compare interrupted: nothing was written\n");
+  EXPECT_FALSE(fs::exists(path("results")));
+}
+
+TEST_F(Interruption, FoldersThatWereThereStay) {
+  fs::create_directories(path("results/here"));
+  EXPECT_EQ(run(long_check_, "timeout --preserve-status -s INT 2").code, 130);
+  EXPECT_TRUE(fs::exists(path("results/here")));
+}
+
+TEST_F(Interruption, WhatIsFinishedStaysAndIsNamed) {
+  const std::string ablate = "ablate --backends cpu --n 64 --rounds 1000 --results " + path("r");
+  const Outcome study = interrupt_after(ablate, path("r/ablate.json"), "TERM");
+  EXPECT_EQ(study.code, 143);
+  EXPECT_EQ(study.errors, fmt::format("spherepair: ablate interrupted: what was finished is in {}\n", path("r")));
+  EXPECT_FALSE(read_json("r/ablate.json").at("complete").get<bool>());
+  const std::string moving = "run --backend cpu --n 500 --steps 1G --save-every 500 --save " + path("s");
+  const Outcome moved = interrupt_after(moving, path("s"), "TERM");
+  EXPECT_EQ(moved.errors, fmt::format("spherepair: run interrupted: the last file written is {}\n", path("s")));
+  EXPECT_EQ(run(fmt::format("run --backend cpu --resume {} --steps 1", path("s"))).code, kOk);
+}
+
+TEST_F(Interruption, AStudyThatFailsBeforeItsFirstResultLeavesNoFolder) {
+  const Outcome ablate = run("ablate --backends cpu --names own_clear --results " + path("r"));
+  EXPECT_EQ(ablate.code, kUsage) << ablate.errors;
+  EXPECT_FALSE(fs::exists(path("r")));
+}
+
+}  // namespace
+}  // namespace spherepair

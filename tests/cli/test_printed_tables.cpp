@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// What the commands print: within 80 columns, with headings, and in grammar.
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "bench/cli/commands.h"
+#include "bench/io/report.h"
+#include "tests/support/program.h"
+
+namespace spherepair {
+namespace {
+
+class PrintedTables : public ProgramTest {
+ protected:
+  // Of the tables and notes: a folder's name may be longer.
+  std::string expect_narrow(const std::string& arguments) const {
+    const Outcome outcome = run(fmt::format("{} --results {}", arguments, path("r")));
+    EXPECT_EQ(outcome.code, kOk) << outcome.errors;
+    std::istringstream lines(outcome.output);
+    for (std::string line; std::getline(lines, line);)
+      if (line.find("Results: ") == line.npos && line.find(" missing: ") == line.npos)
+        EXPECT_LE(line.size(), line.starts_with("No difference ") ? 100 : kTextWidth) << arguments << "\n" << line;
+    return outcome.output;
+  }
+};
+
+TEST_F(PrintedTables, OfEveryStudyFitInto80Columns) {
+  expect_narrow("compare --quick --n 64 --scenes random --blocks 64 --rounds 1 --min-seconds 1e-5");
+  expect_narrow("crossover --backends cpu,glsl --n 64 --kinds gas,one_cell --rounds 1");
+  expect_narrow("ablate --backends cpu,glsl --n 64 --names radius_load_all_pairs,cells --rounds 1");
+  expect_narrow("sets --quick --backends cpu --motions impact-linear");
+  expect_narrow("precision --quick --backends cpu,glsl --motions impact-linear,anchored --n 100 --rounds 6");
+}
+
+TEST_F(PrintedTables, FramesHasHeadings) {
+  const std::string text = expect_narrow(
+      "frames --backends cpu,glsl --n 64 --draws compute,points --rounds 1 --size 64x48 --min-seconds 1e-5");
+  for (const char* words : {"Drawing 64 spheres at 64x48: median ms", "backend  draw     camera", "frame_all"})
+    EXPECT_NE(text.find(words), std::string::npos) << text;
+  for (const char* row : {"\ncpu      compute  outside  ", "\nglsl     points   inside   "})
+    EXPECT_NE(text.find(row), std::string::npos) << text;
+  EXPECT_NE(read_bytes(path("r/frames.txt")).find("median ms"), std::string::npos);
+}
+
+TEST_F(PrintedTables, OneOfAThingIsSingular) {
+  const std::string one = folder_.write("one.xyz", "1\n\n1 2 3 1\n"),
+                    two = folder_.write("two.txt", "0 0 0 1\n1 0 0 1\n");
+  const std::string text = run("run --backend cpu --n 1 --steps 1").output +
+                           run("pairs --backend cpu --output /dev/null --input " + one).output +
+                           run("pairs --backend cpu --output /dev/null --input " + two).output +
+                           run(fmt::format("run --input {} --frame 4", one)).errors;
+  for (const char* words : {"1 sphere, 1 step of", "1 sphere, radius", "0 pairs, 0 of 1 sphere collide",
+                            "1 pair, 2 of 2 spheres", "has 1 frame,"})
+    EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+  for (const char* words : {" 1 spheres", "\n1 spheres", "1 steps", "\n1 pairs"})
+    EXPECT_EQ(text.find(words), std::string::npos) << text;
+}
+
+TEST_F(PrintedTables, TheChoiceOfTheMethodSaysWhatItGoesBy) {
+  const std::string text = run("run --backend cpu --threads 1 --scene uniform --n 100").output;
+  EXPECT_NE(text.find("more in its cell on average; at this density the grid is faster only from "), std::string::npos)
+      << text;
+}
+
+}  // namespace
+}  // namespace spherepair

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// run --spheres: what one run writes, the next reads, to the same bits in every format.
+#include <fmt/format.h>
+
+#include "bench/cli/commands.h"
+#include "bench/spheres/sphere_output.h"
+#include "common/scene/scene.h"
+#include "tests/support/program.h"
+
+namespace spherepair {
+namespace {
+
+class SphereOutput : public ProgramTest {
+ protected:
+  const std::vector<std::string> extensions_ = {".npy", ".xyz", ".extxyz", ".csv", ".tsv", ".txt", ".dat"};
+};
+
+// Numbers whose shortest text is long, of all sizes, and both zeros.
+Scene awkward_spheres() {
+  Scene scene = make_scene({.name = "clustered", .n = 3000, .radius_ratio = 8});
+  scene.positions[0] = {0.1f, -0.0f, 1e-45f, 0};
+  scene.positions[1] = {16777217.0f, 3.4028235e38f, -1.17549435e-38f, 0x1.fffffep-100f};
+  scene.velocities[1] = {1.0f / 3, -2e-7f, 123456.79f, 0};
+  return scene;
+}
+
+TEST_F(SphereOutput, EveryFormatGivesTheSameBitsBack) {
+  const Scene scene = awkward_spheres();
+  for (const std::string& extension : extensions_) {
+    const std::string file = path("spheres" + extension);
+    write_spheres(file, scene.positions, scene.velocities);
+    const SphereFile read = read_sphere_file(file, {});
+    ASSERT_EQ(read.scene.size(), scene.size()) << extension;
+    EXPECT_FALSE(read.at_rest) << extension;
+    for (size_t i = 0; i < scene.size(); ++i) {
+      const vec4 &p = scene.positions[i], &q = read.scene.positions[i];
+      const vec4 &v = scene.velocities[i], &w = read.scene.velocities[i];
+      for (const auto& [wanted, found] :
+           {std::pair{p.x, q.x}, {p.y, q.y}, {p.z, q.z}, {p.w, q.w}, {v.x, w.x}, {v.y, w.y}, {v.z, w.z}})
+        ASSERT_EQ(std::bit_cast<uint32_t>(wanted), std::bit_cast<uint32_t>(found)) << extension << ", sphere " << i;
+    }
+  }
+}
+
+TEST_F(SphereOutput, OneRunGoesOnWhereTheOtherEnded) {
+  const std::string first = "run --backend cpu --scene random --n 700 --steps 50 --pairs " + path("pairs.txt");
+  for (const std::string& extension : extensions_) {
+    const std::string end = path("end" + extension), again = path("again" + extension);
+    ASSERT_EQ(run(fmt::format("{} --spheres {}", first, end)).code, kOk) << extension;
+    const Outcome second =
+        run(fmt::format("run --backend cpu --input {} --spheres {} --pairs {}", end, again, path("same.txt")));
+    ASSERT_EQ(second.code, kOk) << extension << second.errors;
+    EXPECT_EQ(read_bytes(again), read_bytes(end)) << extension;
+    EXPECT_EQ(read_bytes(path("same.txt")), read_bytes(path("pairs.txt"))) << extension;
+  }
+  const std::string lines = read_bytes(path("end.csv"));
+  EXPECT_TRUE(lines.starts_with("x,y,z,radius,vx,vy,vz\n")) << lines.substr(0, 60);
+  EXPECT_EQ(std::ranges::count(lines, '\n'), 701);
+}
+
+TEST_F(SphereOutput, TheSpheresHaveMoved) {
+  for (const int steps : {0, 1}) {
+    const std::string file = path(fmt::format("{}.csv", steps));
+    ASSERT_EQ(run(fmt::format("run --backend cpu --n 9 --steps {} --spheres {}", steps, file)).code, kOk);
+  }
+  EXPECT_NE(read_bytes(path("0.csv")), read_bytes(path("1.csv")));
+}
+
+TEST_F(SphereOutput, GoesToStandardOutputAsText) {
+  const Outcome outcome = run("run --backend cpu --n 3 --spheres -");
+  EXPECT_EQ(outcome.code, kOk);
+  EXPECT_TRUE(outcome.output.starts_with("# x y z radius vx vy vz\n")) << outcome.output;
+  EXPECT_EQ(std::ranges::count(outcome.output, '\n'), 4);
+  EXPECT_NE(outcome.errors.find("3 spheres"), std::string::npos) << "the report";
+}
+
+TEST_F(SphereOutput, RefusesWhatItCannotWrite) {
+  const std::string in = folder_.write("in.txt", "0 1 0 0.5\n");
+  for (const std::string& arguments : {"--n 5 --spheres " + path("a.vtk"), "--input " + in + " --spheres " + in,
+                                       fmt::format("--n 5 --spheres {0} --pairs {0}", path("a.txt"))}) {
+    const Outcome outcome = run("run --backend cpu " + arguments);
+    EXPECT_EQ(outcome.code, kUsage) << arguments;
+    EXPECT_NE(outcome.errors.find("--spheres"), std::string::npos) << outcome.errors;
+  }
+  EXPECT_EQ(read_bytes(in), "0 1 0 0.5\n");
+}
+
+}  // namespace
+}  // namespace spherepair
