@@ -182,7 +182,7 @@ Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0) {}
 
 void Progress::say(const std::string& what) {
   if (!terminal_) return;
-  const std::string line = (reached_ + what).substr(0, 100);
+  const std::string line = (reached_ + what).substr(0, kTextWidth - 1);
   fmt::print(stderr, "\r{:<{}}", line, std::max(shown_, line.size()));
   std::fflush(stderr);
   shown_ = line.size();
