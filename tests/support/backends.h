@@ -28,7 +28,8 @@ bool full_stress();
 // A GPU: sizes that a CPU would take minutes for are fine.
 bool is_gpu(const Backend& backend);
 
-// A backend's methods at these group sizes; on the CPU the size matters to collide_group alone.
+// A backend's methods at these group sizes, where the size matters: not to collide_tensor, on the CPU to collide_group
+// alone.
 std::vector<CollideOptions> every_method(const Backend& backend, std::span<const uint> blocks);
 CollideOptions fast_method(const Backend& backend);
 std::string describe(const CollideOptions& options);
