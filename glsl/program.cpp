@@ -107,7 +107,7 @@ std::vector<StageTime> compile_times(Features features) {
   using Clock = std::chrono::steady_clock;
   std::vector<StageTime> times;
 #define NAME(name) #name,
-  for (const std::string kernel : {SPHEREPAIR_KERNELS(NAME)}) {
+  for (const std::string kernel : {SPHEREPAIR_MIRRORED_KERNELS(NAME)}) {
     const Clock::time_point start = Clock::now();
     const Program compiled(kernel, SERVICE_BLOCK, {}, features);
     times.push_back({kernel, std::chrono::duration<double>(Clock::now() - start).count()});

@@ -87,6 +87,7 @@ void require_consistent(const ComparisonPoint& point, const Configuration& confi
 }  // namespace
 
 bool uses_blocks(const Configuration& configuration) {
+  if (configuration.options.method == Method::collide_tensor) return false;
   return !configuration.backend->info().on_host || configuration.options.method == Method::collide_group;
 }
 

@@ -22,6 +22,7 @@ void require_known_backends(const std::vector<std::string>& names) {
 std::vector<Method> all_methods() {
   std::vector<Method> methods = {Method::sequential, Method::parallel};
   for (Method method : device_methods()) methods.push_back(method);
+  methods.push_back(Method::collide_tensor);
   return methods;
 }
 

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "bench/io/arguments.h"
+#include "common/backend/checks.h"
 
 namespace spherepair {
 namespace {
@@ -61,6 +64,7 @@ Method choose_method(const std::string& name, const Backend& backend) {
   for (Method method : backend.methods()) known.push_back(method_name(method));
   known.push_back(method_name(Method::automatic));
   const Method method = method_from_name(name);
+  refuse_tensor(backend.info().name, {.method = method}, std::ranges::count(known, name) != 0);
   require_known("method of the backend " + backend.info().name + ":", name, known);
   return method;
 }

@@ -107,6 +107,8 @@ void refuse_of_backend(const Given& given) {
   const bool loops =
       given.is("--method", {"sequential", "parallel"}) || (cpu && !given.is("--method", {"collide_group"}));
   given.refuse("--block", loops, "on the CPU, whose loops have no groups: omit it, or name a backend of the GPU");
+  given.refuse("--block", given.is("--method", {"collide_tensor"}),
+               "with the method collide_tensor, whose groups have one size: omit it, or name another method");
   given.refuse(
       "--block", given.is("--method", {"auto"}) && given.is("--block", {"128"}),
       "with the method auto, which chooses the group size itself unless another than 128 is given: omit it, or "

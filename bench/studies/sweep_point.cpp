@@ -115,6 +115,7 @@ uint64_t most_spheres(const Backend& backend, Method method) {
     case Method::collide_group:
       return uint64_t(1) << (gpu || cpu ? 20 : 16);
     case Method::collide_triangle:
+    case Method::collide_tensor:
       return gpu ? uint64_t(1) << 20 : uint64_t(1) << 14;
     case Method::collide_grid:
       return gpu ? std::numeric_limits<uint64_t>::max() : cpu ? 10'000'000 : uint64_t(1) << 18;

@@ -34,6 +34,14 @@ void refuse_missing(const std::string& backend, const CollideOptions& options, c
   need(options.api.library_clear, offered.library_clear, "a clear by the API", "the backends glsl and cuda");
 }
 
+void refuse_tensor(const std::string& backend, const CollideOptions& options, bool offered) {
+  if (options.method == Method::collide_tensor && !offered)
+    throw std::invalid_argument(
+        fmt::format("{}: collide_tensor runs in CUDA on a GPU of compute capability 9.0 (H100, H200) only; choose "
+                    "another method, collide_triangle for the same search without tensor cores",
+                    backend));
+}
+
 void check_classes(const std::string& backend, std::span<const uint> classes, uint64_t n) {
   if (classes.size() != n)
     throw std::invalid_argument(

@@ -13,6 +13,9 @@ void check_collide(const CollideOptions& options);
 // library is.
 void refuse_missing(const std::string& backend, const CollideOptions& options, const ApiOptions& offered, bool thrust);
 
+// Throws std::invalid_argument for a method that needs tensor cores, which the backend does not offer.
+void refuse_tensor(const std::string& backend, const CollideOptions& options, bool offered);
+
 // Throws std::invalid_argument when swept contacts are requested of a method or state that has none.
 void check_swept(const std::string& backend, const CollideOptions& options, MotionOptions motion);
 

@@ -21,6 +21,7 @@ enum class Method {
   collide_tiled,     // the paper's code 5: every group through shared memory, each ordered pair tested
   collide_square,    // two-dimensional arrangement, a single loop
   collide_triangle,  // each unordered pair once, several spheres per thread: the fastest of all pairs
+  collide_tensor,    // the same through tensor cores: CUDA on GPUs of compute capability 9.0 only
   collide_grid,      // only the spheres of neighbouring cells
   automatic,         // collide_grid or the fastest of all pairs, whichever crossover.h expects to be faster
 };

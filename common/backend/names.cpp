@@ -8,9 +8,9 @@
 namespace spherepair {
 namespace {
 
-constexpr std::array<const char*, 8> method_names = {
-    "sequential",     "parallel",         "collide_group", "collide_tiled",
-    "collide_square", "collide_triangle", "collide_grid",  "auto"};
+constexpr std::array<const char*, 9> method_names = {"sequential",     "parallel",       "collide_group",
+                                                     "collide_tiled",  "collide_square", "collide_triangle",
+                                                     "collide_tensor", "collide_grid",   "auto"};
 constexpr std::array<const char*, 6> draw_method_names = {"compute", "mesh_each", "mesh",
                                                           "quadric", "points",    "impostor"};
 constexpr std::array<DrawMethod, 6> draw_methods = {DrawMethod::compute, DrawMethod::mesh_each, DrawMethod::mesh,

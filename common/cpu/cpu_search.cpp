@@ -53,6 +53,7 @@ PairsFound CpuSearch::search_cells(const SearchInput& input) {
 Method CpuSearch::prepare(const CollideOptions& options, CpuMotion& motion) {
   check_collide(options);
   refuse_missing(info_.name, options, {}, false);
+  refuse_tensor(info_.name, options, false);
   replan_if_needed(motion.positions(threads_), options);
   options_ = options;
   options_.method = chosen_method(info_, n_, plans_, options);

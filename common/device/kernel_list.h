@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Every kernel, by the name that its two source files, its stage in the results and its entry in CUDA have in common.
+// Every kernel, by the name that its source files, its stage in the results and its entry in CUDA have in common.
 #pragma once
 
 // clang-format off
-#define SPHEREPAIR_KERNELS(each)                                                                \
+#define SPHEREPAIR_MIRRORED_KERNELS(each)                                                       \
   each(move) each(bounce) each(evaluate_positions) each(clear) each(sample) each(empty)                      \
   each(peak_copy) each(peak_atomics) each(peak_issue) each(peak_words)              \
   each(resolve_undecided) each(decide) each(tally)                                                         \
@@ -15,4 +15,6 @@
   each(draw_clear) each(draw_unsort_counts) each(draw_colours) each(draw_bounds) each(draw_cull) each(draw_hiz_pyramid)       \
   each(draw_previously_visible) each(draw_clusters) each(draw_spheres) each(draw_tiles) each(draw_resolve)    \
   each(draw_light)
+#define SPHEREPAIR_CUDA_KERNELS(each) each(tensor_bounds) each(tensor_forms) each(collide_tensor)
+#define SPHEREPAIR_KERNELS(each) SPHEREPAIR_MIRRORED_KERNELS(each) SPHEREPAIR_CUDA_KERNELS(each)
 // clang-format on

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "common/simulation/tensor_pairs.h"
+
 namespace spherepair {
 namespace {
 
@@ -50,6 +52,7 @@ uint default_columns(uint64_t n, bool software) {
 // A driver may stop work that keeps the device for many seconds, so a large dispatch goes out in slices of about a
 // second, each waited for; each also stays within MAX_GROUPS.
 void launch_all_pairs(DeviceContext& context, const CollideOptions& options, const Variant& variant) {
+  if (options.method == Method::collide_tensor) return launch_tensor_pairs(context, variant);
   Params& params = context.params;
   const Share share = share_of(options, std::max<uint64_t>(context.n, 1), context.name());
   const bool mirrored = share.kernel == Kernel::collide_triangle;  // two row groups make up one line of the launch

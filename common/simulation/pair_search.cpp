@@ -65,6 +65,7 @@ void PairSearch::enqueue(const CollideOptions& options) {
         fmt::format("group size {} is not one of {}", options.block, fmt::join(block_sizes(), ", ")));
   check_collide(options);
   context_.device.check(options);
+  refuse_tensor(context_.name(), options, context_.device.capabilities().tensor_groups != 0);
   if (options.swept) {
     const CollideOptions chosen = {.method =
                                        chosen_method(context_.device.info(), context_.n, sorter_.plans(), options)};

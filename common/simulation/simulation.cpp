@@ -16,6 +16,12 @@ Simulation::Simulation(std::unique_ptr<Device> device, PipelineOpener open)
       rasterizer_(context_, motion_, sorter_, search_),
       probe_(context_) {}
 
+std::vector<Method> Simulation::methods() const {
+  std::vector<Method> all = device_methods();
+  if (device_->capabilities().tensor_groups) all.push_back(Method::collide_tensor);
+  return all;
+}
+
 void Simulation::require_scene(const char* what) const {
   if (!context_.buffers.bytes(SLOT_POSITION))
     throw BackendError(fmt::format("{}: {} needs a scene; call upload first", info().name, what));

@@ -13,7 +13,7 @@ class Simulation final : public Backend {
   explicit Simulation(std::unique_ptr<Device> device, PipelineOpener open = {});
 
   const BackendInfo& info() const override { return device_->info(); }
-  std::vector<Method> methods() const override { return device_methods(); }
+  std::vector<Method> methods() const override;
   std::vector<DrawMethod> draw_methods() const override;
 
   void upload(const Scene& scene) override { begin(scene, nullptr); }

@@ -42,6 +42,7 @@ TEST_F(CommandLineTest, OptionsThatChangeNothingAreRefusedWithTheReason) {
                                           {run + "--save " + path("s") + " --save-every 5", "--save-every"},
                                           {run + "--block 64", "--block"},
                                           {run + "--method parallel --block 64", "--block"},
+                                          {"run --n 64 --method collide_tensor --block 64", "--block"},
                                           {run + "--gl-device 0", "--gl-device"},
                                           {run + "--cuda-device 0", "--cuda-device"},
                                           {run + "--no-gpu", "--no-gpu"},
@@ -55,6 +56,11 @@ TEST_F(CommandLineTest, OptionsThatChangeNothingAreRefusedWithTheReason) {
                                           {"frames --draws compute --most mesh:9 --results " + path("r"), "--most"}})
     expect_refused(arguments, {option, "has no effect", "omit"});
   for (const char* file : {"a.png", "s", "r"}) EXPECT_FALSE(std::filesystem::exists(path(file))) << file;
+}
+
+TEST_F(CommandLineTest, AMethodThatTheDeviceLacksIsRefusedWithTheReason) {
+  expect_refused("run --backend cpu --n 64 --method collide_tensor",
+                 {"cpu", "compute capability 9.0", "choose another"});
 }
 
 TEST_F(CommandLineTest, TheSameOptionsAreTakenWhereTheyChangeSomething) {

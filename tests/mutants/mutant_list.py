@@ -193,6 +193,14 @@ EXACT = [
            "q * bits_double(0x3FF00000u, 0u)", "Predicate"),
     mutant("wide integers lose their top word", "common/shared/exact.h", "uint words = (top - base + 57u) >> 5;",
            "uint words = (top - base + 25u) >> 5;", "Predicate", "StressCatalogue.Row0"),
+    mutant("the form for tensor cores without its margin", "common/shared/tensor_form.h", "bits_float(0x3EFFFF80u)",
+           "bits_float(0x3F000000u)", "TensorForm"),
+    mutant("radii for tensor cores are rounded to nearest", "common/shared/tensor_form.h", "uint hr = half_above(radius);",
+           "uint hr = nearest_half(radius);", "TensorForm"),
+    mutant("small halves for tensor cores have no margin", "common/shared/tensor_form.h", "(half_norm - reach) - TENSOR_UNDERFLOW",
+           "(half_norm - reach)", "TensorForm"),
+    mutant("tensor cores are not refused", "common/backend/checks.cpp", "options.method == Method::collide_tensor && !offered",
+           "options.method == Method::collide_tensor && false", "TensorCores"),
 ]
 
 DRAWING = [

@@ -62,7 +62,8 @@ bool is_gpu(const Backend& backend) { return !backend.info().on_host && !backend
 std::vector<CollideOptions> every_method(const Backend& backend, std::span<const uint> blocks) {
   std::vector<CollideOptions> all;
   for (Method method : backend.methods()) {
-    const bool blocked = !backend.info().on_host || method == Method::collide_group;
+    const bool blocked =
+        method == Method::collide_group || (!backend.info().on_host && method != Method::collide_tensor);
     for (uint block : blocked ? blocks : blocks.first(1)) all.push_back({.method = method, .block = block});
   }
   return all;

@@ -31,7 +31,8 @@ bool is_gpu(const Backend& backend);
 // The UUID of the last GPU that an API reaches, by counting; empty where it reaches none.
 std::string last_gpu(const std::string& backend);
 
-// A backend's methods at these group sizes; on the CPU the size matters to collide_group alone.
+// A backend's methods at these group sizes, where the size matters: not to collide_tensor, on the CPU to collide_group
+// alone.
 std::vector<CollideOptions> every_method(const Backend& backend, std::span<const uint> blocks);
 CollideOptions fast_method(const Backend& backend);
 std::string describe(const CollideOptions& options);

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The box of all centres, with the greatest radius in high.w, from the boxes of parts.
+//
+// CUDA only: for collide_tensor
+#pragma once
+
+#include "cuda/kernels.cuh"
+
+namespace spherepair {
+
+__device__ inline void widen(vec4& low, vec4& high, vec4 other_low, vec4 other_high) {
+  low = vec4{smaller(other_low.x, low.x), smaller(other_low.y, low.y), smaller(other_low.z, low.z), 0.0f};
+  high = vec4{larger(other_high.x, high.x), larger(other_high.y, high.y), larger(other_high.z, high.z),
+              larger(other_high.w, high.w)};
+}
+
+// Of COUNT boxes in shared memory, a power of two: the first becomes that of all. For all threads of a group.
+template <uint COUNT>
+__device__ inline void widen_first(vec4* low, vec4* high) {
+  for (uint half = COUNT / 2u; half > 0u; half /= 2u) {
+    __syncthreads();
+    uint k = threadIdx.x;
+    if (k < half) widen(low[k], high[k], low[k + half], high[k + half]);
+  }
+  __syncthreads();
+}
+
+}  // namespace spherepair
