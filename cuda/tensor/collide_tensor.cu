@@ -2,8 +2,8 @@
 // Each unordered pair once, through tensor cores: a group holds TENSOR_ROWS spheres, its rows, as fragments of matrix
 // A, and tests them against later spheres, its columns, which pass through shared memory in tiles. A sum of products is
 // negative where a pair may collide (tensor_form.h). The signs of a thread's sums are joined, 32 pairs at a time; where
-// one is set, the pairs are queued, and the warp decides them, a thread per pair. The tiles of all blocks of rows form
-// one line, of which each group takes p.search.columns_per_group.
+// one is set, the pairs are queued, and the warp decides them, a thread for 32 pairs. The tiles of all blocks of rows
+// form one line, of which each group takes p.search.columns_per_group.
 //
 // CUDA only: OpenGL has no cooperative matrices
 #include "cuda/collide/collide.cuh"
@@ -29,15 +29,30 @@ struct NearQueue {
     length += __popc(threads);
   }
 
+  // First all pairs of an entry by the float32 filter, then what is left: loads and the rare rest go out together.
   template <bool EQUAL_RADII, bool LISTED>
   __device__ void resolve(Collider<EQUAL_RADII, LISTED>& collider, uint lane) {
     __syncwarp();
-    for (uint k = 0u; k < length; ++k) {
-      uint thread = entries[k] % 32u;
-      uint product = entries[k] / 32u % 8u;
-      uint i = first_row + product * PRODUCT_ROWS + thread / 4u + lane % 2u * 8u;
-      uint j = entries[k] / 256u * ENTRY_COLUMNS + lane / 4u * 8u + thread % 4u * 2u + lane / 2u % 2u;
-      if (i < j && j < collider.p.n) collider.test_stored_pair(i, j);
+    for (uint first = 0u; first < length; first += 32u) {
+      if (first + lane >= length) continue;
+      uint entry = entries[first + lane];
+      uint i = first_row + entry / 32u % 8u * PRODUCT_ROWS + entry % 32u / 4u;
+      uint j = entry / 256u * ENTRY_COLUMNS + entry % 4u * 2u;
+      const Params& p = collider.p;
+      const vec4* position = collider.buf.position;
+      vec4 row[2] = {position[min(i, p.n - 1u)], position[min(i + 8u, p.n - 1u)]};
+      uint candidates = 0u;
+#pragma unroll 8
+      for (uint c = 0u; c < 16u; ++c) {
+        uint column = j + c / 2u * 8u + c % 2u;
+        vec4 b = position[min(column, p.n - 1u)];
+        for (uint h = 0u; h < 2u; ++h)
+          if (i + 8u * h < column && column < p.n && collider.in_reach(row[h], b)) candidates |= 1u << (2u * c + h);
+      }
+      for (; candidates != 0u; candidates &= candidates - 1u) {
+        uint k = lowest_bit(candidates);
+        collider.test_stored_pair(i + k % 2u * 8u, j + k / 4u * 8u + k / 2u % 2u);
+      }
     }
     __syncwarp();
     length = 0u;
@@ -45,16 +60,16 @@ struct NearQueue {
 };
 
 // Queues what is near of one product.
-__device__ inline void queue_near(NearQueue& queue, const float (&sum)[SUMS], uint tile, uint product, uint lane) {
+__device__ inline void queue_near(NearQueue& queue, const uint (&sum)[WORDS], uint tile, uint product, uint lane) {
   uint signs[ENTRIES] = {};
   uint any = 0u;
 #pragma unroll
-  for (uint k = 0u; k < SUMS; ++k) signs[k / (SUMS / ENTRIES)] |= float_bits(sum[k]);
+  for (uint k = 0u; k < WORDS; ++k) signs[k / (WORDS / ENTRIES)] |= sum[k];
 #pragma unroll
   for (uint e = 0u; e < ENTRIES; ++e) any |= signs[e];
-  if (__ballot_sync(~0u, int(any) < 0) == 0u) return;
+  if (__ballot_sync(~0u, (any & SIGNS) != 0u) == 0u) return;
 #pragma unroll
-  for (uint e = 0u; e < ENTRIES; ++e) queue.add(int(signs[e]) < 0, tile * ENTRIES + e, product, lane);
+  for (uint e = 0u; e < ENTRIES; ++e) queue.add((signs[e] & SIGNS) != 0u, tile * ENTRIES + e, product, lane);
 }
 
 template <bool EQUAL_RADII, bool LISTED>
@@ -85,7 +100,7 @@ __global__ void __launch_bounds__(TENSOR_BLOCK, 1) collide_tensor(Params p, Kern
       uint64_t columns = matrix_descriptor(ring.wait(turn));
 #pragma unroll
       for (uint k = 0u; k < PRODUCTS; ++k) {
-        float sum[SUMS];
+        uint sum[WORDS];
         multiply(sum, rows[k], columns);
         if (k + 1u == PRODUCTS) ring.release(turn, lane);
         queue_near(queue, sum, tile, k, lane);

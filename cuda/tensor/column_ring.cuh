@@ -62,7 +62,7 @@ struct TilePosition {
   }
 };
 
-constexpr uint RING_STAGES = 8u;
+constexpr uint RING_STAGES = 4u;
 constexpr uint TILE_BYTES = TENSOR_COLUMNS * sizeof(TensorForm);
 constexpr uint STAGES_BEHIND = RING_STAGES / 2u;  // a warp may be so many tiles behind warp 0 before that waits
 

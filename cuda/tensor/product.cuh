@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One product of tensor cores by four warps: 64 rows, whose forms the threads hold, with the 128 columns of a tile in
+// One product of tensor cores by four warps: 64 rows, whose forms the threads hold, with the 256 columns of a tile in
 // shared memory.
 //
 // CUDA only: OpenGL has no cooperative matrices
@@ -9,9 +9,10 @@
 
 namespace spherepair {
 
-// Thread 4g + t of warp w has the sums of rows 16w + g (s = 0) and 16w + g + 8 (s = 2) with column 8k + 2t + c, c = 0
-// or 1, at index 4k + s + c.
-constexpr uint PRODUCT_ROWS = 64u, SUMS = 64u;
+// Thread 4g + t of warp w has the sums of rows 16w + g (s = 0) and 16w + g + 8 (s = 1) with columns 8k + 2t and
+// 8k + 2t + 1 in the two halves of word 2k + s. Only their signs count.
+constexpr uint PRODUCT_ROWS = 64u, WORDS = 64u;
+constexpr uint SIGNS = 0x80008000u;
 
 // Forms stand in shared memory without a swizzle: 128 bytes from the first eight halves to the others, 256 from eight
 // spheres to the next.
@@ -30,11 +31,11 @@ __device__ inline void load_rows(uint (&fragment)[4], const uint* forms, uint ro
 }
 
 // Issued and waited for: other warps keep the tensor cores busy in between.
-__device__ inline void multiply(float (&sum)[SUMS], const uint (&rows)[4], uint64_t columns) {
+__device__ inline void multiply(uint (&sum)[WORDS], const uint (&rows)[4], uint64_t columns) {
   asm volatile(
       "{ .reg .pred accumulate; setp.ne.b32 accumulate, 0, 0;\n"
       "wgmma.fence.sync.aligned;\n"
-      "wgmma.mma_async.sync.aligned.m64n128k16.f32.f16.f16 {"
+      "wgmma.mma_async.sync.aligned.m64n256k16.f16.f16.f16 {"
       "%0, %1, %2, %3, %4, %5, %6, %7, %8, %9, %10, %11, %12, %13, %14, %15, "
       "%16, %17, %18, %19, %20, %21, %22, %23, %24, %25, %26, %27, %28, %29, %30, %31, "
       "%32, %33, %34, %35, %36, %37, %38, %39, %40, %41, %42, %43, %44, %45, %46, %47, "
@@ -42,15 +43,15 @@ __device__ inline void multiply(float (&sum)[SUMS], const uint (&rows)[4], uint6
       "{%64, %65, %66, %67}, %68, accumulate, 1, 1, 0;\n"
       "wgmma.commit_group.sync.aligned;\n"
       "wgmma.wait_group.sync.aligned 0; }"
-      : "=f"(sum[0]), "=f"(sum[1]), "=f"(sum[2]), "=f"(sum[3]), "=f"(sum[4]), "=f"(sum[5]), "=f"(sum[6]), "=f"(sum[7]),
-        "=f"(sum[8]), "=f"(sum[9]), "=f"(sum[10]), "=f"(sum[11]), "=f"(sum[12]), "=f"(sum[13]), "=f"(sum[14]),
-        "=f"(sum[15]), "=f"(sum[16]), "=f"(sum[17]), "=f"(sum[18]), "=f"(sum[19]), "=f"(sum[20]), "=f"(sum[21]),
-        "=f"(sum[22]), "=f"(sum[23]), "=f"(sum[24]), "=f"(sum[25]), "=f"(sum[26]), "=f"(sum[27]), "=f"(sum[28]),
-        "=f"(sum[29]), "=f"(sum[30]), "=f"(sum[31]), "=f"(sum[32]), "=f"(sum[33]), "=f"(sum[34]), "=f"(sum[35]),
-        "=f"(sum[36]), "=f"(sum[37]), "=f"(sum[38]), "=f"(sum[39]), "=f"(sum[40]), "=f"(sum[41]), "=f"(sum[42]),
-        "=f"(sum[43]), "=f"(sum[44]), "=f"(sum[45]), "=f"(sum[46]), "=f"(sum[47]), "=f"(sum[48]), "=f"(sum[49]),
-        "=f"(sum[50]), "=f"(sum[51]), "=f"(sum[52]), "=f"(sum[53]), "=f"(sum[54]), "=f"(sum[55]), "=f"(sum[56]),
-        "=f"(sum[57]), "=f"(sum[58]), "=f"(sum[59]), "=f"(sum[60]), "=f"(sum[61]), "=f"(sum[62]), "=f"(sum[63])
+      : "=r"(sum[0]), "=r"(sum[1]), "=r"(sum[2]), "=r"(sum[3]), "=r"(sum[4]), "=r"(sum[5]), "=r"(sum[6]), "=r"(sum[7]),
+        "=r"(sum[8]), "=r"(sum[9]), "=r"(sum[10]), "=r"(sum[11]), "=r"(sum[12]), "=r"(sum[13]), "=r"(sum[14]),
+        "=r"(sum[15]), "=r"(sum[16]), "=r"(sum[17]), "=r"(sum[18]), "=r"(sum[19]), "=r"(sum[20]), "=r"(sum[21]),
+        "=r"(sum[22]), "=r"(sum[23]), "=r"(sum[24]), "=r"(sum[25]), "=r"(sum[26]), "=r"(sum[27]), "=r"(sum[28]),
+        "=r"(sum[29]), "=r"(sum[30]), "=r"(sum[31]), "=r"(sum[32]), "=r"(sum[33]), "=r"(sum[34]), "=r"(sum[35]),
+        "=r"(sum[36]), "=r"(sum[37]), "=r"(sum[38]), "=r"(sum[39]), "=r"(sum[40]), "=r"(sum[41]), "=r"(sum[42]),
+        "=r"(sum[43]), "=r"(sum[44]), "=r"(sum[45]), "=r"(sum[46]), "=r"(sum[47]), "=r"(sum[48]), "=r"(sum[49]),
+        "=r"(sum[50]), "=r"(sum[51]), "=r"(sum[52]), "=r"(sum[53]), "=r"(sum[54]), "=r"(sum[55]), "=r"(sum[56]),
+        "=r"(sum[57]), "=r"(sum[58]), "=r"(sum[59]), "=r"(sum[60]), "=r"(sum[61]), "=r"(sum[62]), "=r"(sum[63])
       : "r"(rows[0]), "r"(rows[1]), "r"(rows[2]), "r"(rows[3]), "l"(columns)
       : "memory");
 }

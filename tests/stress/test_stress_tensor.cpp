@@ -74,7 +74,7 @@ TEST_P(TensorCores, DecideNearTangentPairsAtEveryExtent) {
 }
 
 TEST_P(TensorCores, HoldSizesAroundTheirTiles) {
-  std::vector<uint64_t> sizes = {2, 127, 128, 129, 511, 512, 513, 1025, 5000};
+  std::vector<uint64_t> sizes = {2, 255, 256, 257, 1023, 1024, 1025, 2049, 5000};
   if (is_gpu(backend())) sizes.push_back(70'000);  // many tiles a group
   for (const uint64_t n : sizes)
     for (const float ratio : {1.0f, 30.0f}) {
