@@ -114,7 +114,8 @@ BatchPlan BenchScene::plan_for(const BenchRow& row, const Sampling& sampling) {
 
 double BenchScene::sample(const BenchRow& row, const BatchPlan& plan, const Sampling& sampling) {
   restore(*row.backend);
-  Samples samples{.label = row.name, .plan = plan};
+  Samples samples;
+  samples.plan = plan;
   add_turn(samples, take_turn(contender_for(row), plan, sampling.clocks, order_), 0);
   return samples.seconds.front();
 }

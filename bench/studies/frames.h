@@ -44,9 +44,9 @@ struct TransferTask {
   std::vector<View> views;  // one per image
   std::vector<DrawMethod> draws;
 };
-// Times a step and records it under draw and work; returns seconds.
-using TimeStep =
-    std::function<double(const std::string& draw, const std::string& work, const std::function<void()>& step)>;
+// Times a step and records it under draw and work; returns seconds. moves: the step moves the spheres.
+using TimeStep = std::function<double(const std::string& draw, const std::string& work,
+                                      const std::function<void()>& step, bool moves)>;
 // Times every transfer alone, with an image, and with image and next step pipelined; returns `overlaps` of the record
 // (frames_study.h). Moves the spheres.
 json time_transfers(const TransferTask& task, const TimeStep& time);

@@ -44,6 +44,13 @@ json to_json(const DrawStatistics& counts) {
 // Falling spheres become denser, so every sample on every backend takes the same steps from the start.
 constexpr uint64_t steps_of_loop = 20;
 
+std::function<void(Backend&)> start_of_loop(const Scene& scene) {
+  return [&scene](Backend& backend) {
+    backend.upload(scene);
+    backend.collide(in_dense_cells(backend, scene.size()));
+  };
+}
+
 }  // namespace
 
 std::string label(const FrameTask& task) {
@@ -150,10 +157,9 @@ void FramesStudy::measure_task(uint64_t n, const FrameTask& task, const Scene& s
     record(entry, contender);
     return;
   }
-  contender.restart = [&](Backend& backend) {
+  contender.restart = [&turn, start = start_of_loop(scene)](Backend& backend) {
     turn = 0;
-    backend.upload(scene);
-    backend.collide(in_dense_cells(backend, n));
+    start(backend);
   };
   contender.batch = steps_of_loop;
   contender.prepares = true;  // cells that falling spheres leave are planned anew
@@ -170,10 +176,12 @@ void FramesStudy::measure_transfers(uint64_t n, Backend& cuda, const Scene& scen
   for (const std::string& draw : options_.draws)
     if (draw != draw_method_name(DrawMethod::compute) && !beyond_most(n, draw))
       task.draws.push_back(draw_method_from_name(draw));
-  const auto time = [&](const std::string& draw, const std::string& work, const std::function<void()>& step) {
+  const auto time = [&](const std::string& draw, const std::string& work, const std::function<void()>& step,
+                        bool moves) {
     json entry = {{"n", n}, {"backend", "cuda to glsl"}, {"draw", draw}, {"place", "outside"}, {"work", work}};
-    const Contender contender{
+    Contender contender{
         .label = fmt::format("cuda to glsl {} {}", draw, work), .backend = &cuda, .step = [&](Backend&) { step(); }};
+    if (moves) contender.restart = start_of_loop(scene), contender.prepares = true;
     progress_.say(contender.label);
     return record(entry, contender).median_seconds();
   };

@@ -24,18 +24,21 @@ json time_transfers(const TransferTask& task, const TimeStep& time) {
     cuda.move();
     cuda.enqueue_collide(task.collide);
   };
-  const double step_seconds = time("none", "step", step);
+  const double step_seconds = time("none", "step", step, true);
   for (const Transfer transfer : cuda.transfers()) {
     const std::string name = transfer_name(transfer);
     const auto transfer_and_draw = [&](DrawMethod method) {
       cuda.enqueue_draw(task.views[turn++ % task.views.size()],
                         {.method = method, .transfer = transfer, .reuse_unchanged = false});
     };
-    time("none", name, [&] { cuda.transfer(transfer), cuda.finish(); });
+    time(
+        "none", name, [&] { cuda.transfer(transfer), cuda.finish(); }, false);
     for (const DrawMethod method : task.draws) {
       const std::string draw = draw_method_name(method);
-      const double alone = time(draw, name, [&] { transfer_and_draw(method), cuda.finish(); });
-      const double pipelined = time(draw, name + "_pipelined", [&] { transfer_and_draw(method), step(); });
+      const double alone = time(
+          draw, name, [&] { transfer_and_draw(method), cuda.finish(); }, false);
+      const double pipelined = time(
+          draw, name + "_pipelined", [&] { transfer_and_draw(method), step(); }, true);
       cuda.finish();
       json overlap = {{"draw", draw}, {"transfer", name}};
       overlap.update(overlap_of(alone, step_seconds, pipelined));

@@ -74,14 +74,14 @@ TEST(SetErrors, AccurateMotionFindsTheRightPairs) {
 ErrorEntry error_entry(MotionMethod method, double rms) {
   return {{method, Precision::float32}, 5, "cpu", rms, rms, rms, rms, 0};
 }
+Samples samples_of(double seconds) {
+  Samples samples;
+  samples.plan.steps = {1};
+  add_turn(samples, {.seconds = {seconds}}, 0);
+  return samples;
+}
 TimeEntry time_entry(MotionMethod method, double nanoseconds) {
-  return {{method, Precision::float32},
-          5,
-          "move",
-          "cpu",
-          1000,
-          0.01,
-          {"move", "cpu", 1, {1e-6 * nanoseconds}, {0}, {}, {}}};
+  return {{method, Precision::float32}, 5, "move", "cpu", 1000, 0.01, samples_of(1e-6 * nanoseconds)};
 }
 
 TEST(SetErrors, TargetsAreOfGpusAlone) {
@@ -89,7 +89,7 @@ TEST(SetErrors, TargetsAreOfGpusAlone) {
   const std::vector<ErrorEntry> errors = {error_entry(MotionMethod::paper, 1),
                                           error_entry(MotionMethod::anchored, 0.1)};
   const std::vector<TimeEntry> times = {time_entry(MotionMethod::paper, 3), time_entry(MotionMethod::anchored, 1)};
-  const std::vector<CopyEntry> copies = {{"cpu", 1000, {"copy", "cpu", 1, {1e-6}, {0}, {}, {}}}};
+  const std::vector<CopyEntry> copies = {{"cpu", 1000, samples_of(1e-6)}};
   EXPECT_TRUE(motion_targets(session, errors, times, copies).empty());
   EXPECT_TRUE((Target{"", 0.9, 0.85, true}).met());
   EXPECT_FALSE((Target{"", 0.8, 0.85, true}).met());

@@ -21,7 +21,8 @@ int cores_allowed() {
 }
 
 TEST(TimedRecords, TheSlowEndOfTheSamplesIsTold) {
-  Samples samples{.label = "a", .backend = "glsl", .plan = {{1}, false}};
+  Samples samples;
+  samples.plan.steps = {1};
   for (int k = 0; k <= 20; ++k) add_turn(samples, {.seconds = {1e-3 * k}}, uint64_t(k));
   EXPECT_NEAR(to_json(samples).at("p95_ms"), 19, 1e-9);
 }
