@@ -88,8 +88,10 @@ void write_found(const PairsOptions& options, const SphereFile& input, const Fou
 std::string summary(const PairsReport& report) {
   const auto& [options, input, chosen, method, found, seconds] = report;
   std::string text = describe(input);
-  text += fmt::format("{} on {}, {}\n", chosen.backend->info().name, device_label(chosen.backend->info()),
-                      describe(method));
+  text += wrapped(fmt::format("{} on {}, {}", chosen.backend->info().name, device_label(chosen.backend->info()),
+                              describe(method)),
+                  "", "  ") +
+          "\n";
   text += passed_over_text(chosen);
   text += fmt::format("{}, {} of {} collide\n", counted(found.totals.pairs, "pair"), found.totals.colliding_spheres,
                       counted(input.scene.size(), "sphere"));

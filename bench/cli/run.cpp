@@ -197,14 +197,16 @@ json run_record(const CommandLine& line, const ChosenBackend& chosen, const Star
 std::string heading(const RunOptions& options, const ChosenBackend& chosen, const Start& start,
                     const CollideOptions& collide) {
   const Backend& backend = *chosen.backend;
-  std::string text = fmt::format("{}{} on {}: {}{}, scene {}, {}, {} of {}\n{}", start.notes, backend.info().name,
-                                 device_label(backend.info()), label({chosen.backend, collide}),
-                                 options.naive   ? " (naive)"
-                                 : options.swept ? " (within the next step)"
-                                                 : "",
-                                 start.label, counted(start.scene.size(), "sphere"), counted(options.steps, "step"),
-                                 motion_label(start.scene.motion), passed_over_text(chosen));
-  if (collide.method == Method::automatic) text += fmt::format("auto: {}\n", describe(backend.choice(collide)));
+  const std::string what = fmt::format("{} on {}: {}{}, scene {}, {}, {} of {}", backend.info().name,
+                                       device_label(backend.info()), label({chosen.backend, collide}),
+                                       options.naive   ? " (naive)"
+                                       : options.swept ? " (within the next step)"
+                                                       : "",
+                                       start.label, counted(start.scene.size(), "sphere"),
+                                       counted(options.steps, "step"), motion_label(start.scene.motion));
+  std::string text = start.notes + wrapped(what, "", "  ") + "\n" + passed_over_text(chosen);
+  if (collide.method == Method::automatic)
+    text += wrapped("auto: " + describe(backend.choice(collide)), "", "  ") + "\n";
   return text;
 }
 
