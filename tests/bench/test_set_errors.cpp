@@ -77,7 +77,9 @@ ErrorEntry error_entry(MotionMethod method, double rms) {
 Samples samples_of(double seconds) {
   Samples samples;
   samples.plan.steps = {1};
-  add_turn(samples, {.seconds = {seconds}}, 0);
+  Turn turn;
+  turn.seconds = {seconds};
+  add_turn(samples, turn, 0);
   return samples;
 }
 TimeEntry time_entry(MotionMethod method, double nanoseconds) {
