@@ -49,8 +49,7 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
   command->add_option(
       "--method", options->method,
       "sequential, parallel (cpu); collide_group, collide_tiled, collide_square, collide_triangle, collide_grid; "
-      "collide_tensor (cuda on an H100 or H200); "
-      "default: auto, all pairs or the grid, whichever is expected to be faster");
+      "collide_tensor (cuda on an H100 or H200); default: auto, all pairs or the grid, whichever is likely faster");
   add_block_option(*command, options->block);
   command->add_flag("--naive", options->naive, "Use the naive float32 test in place of the exact predicate");
   command->add_flag("--swept", options->swept,

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "common/backend/checks.h"
-#include "common/shared/tensor_form.h"
 #include "cuda/host/check.h"
 #include "cuda/host/device_choice.h"
 #include "cuda/host/entries.h"
@@ -70,17 +69,6 @@ class CudaDevice final : public Device, private DeviceLibrary {
   bool early_ = false;                // and does, in this step
   std::optional<Kernel> last_;        // that was launched; writes, clears and Thrust forget it
 };
-
-// One on each multiprocessor, where the kernel can be loaded.
-uint tensor_groups(int device) {
-  cudaFuncAttributes attributes;
-  int multiprocessors = 0;
-  const bool loaded = cudaFuncGetAttributes(&attributes, collide_tensor_kernel(TENSOR_BLOCK, {})) == cudaSuccess;
-  cudaGetLastError();  // forgotten
-  cuda_check(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, device),
-             "counting multiprocessors");
-  return loaded ? uint(multiprocessors) : 0;
-}
 
 // Of fewer than 20,000 spheres, launches one by one take the host longer than the device.
 CudaDevice::CudaDevice(int device)

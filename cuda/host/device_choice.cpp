@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "common/shared/tensor_form.h"
 #include "cuda/host/check.h"
+#include "cuda/host/entries.h"
 
 namespace spherepair {
 
@@ -82,6 +84,16 @@ BackendInfo describe_device(int device) {
                   {"L2 bytes", std::to_string(properties.l2CacheSize)},
                   {"L2 bytes to set aside", std::to_string(properties.persistingL2CacheMaxSize)}};
   return info;
+}
+
+uint tensor_groups(int device) {
+  cudaFuncAttributes attributes;
+  int multiprocessors = 0;
+  const bool loaded = cudaFuncGetAttributes(&attributes, collide_tensor_kernel(TENSOR_BLOCK, {})) == cudaSuccess;
+  cudaGetLastError();  // forgotten
+  cuda_check(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, device),
+             "counting multiprocessors");
+  return loaded ? uint(multiprocessors) : 0;
 }
 
 }  // namespace spherepair

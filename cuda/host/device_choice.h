@@ -16,4 +16,7 @@ BackendInfo describe_device(int device);  // its name, versions and sizes
 
 std::string version_text(int number);  // of a driver or runtime, as CUDA encodes it: 13000 is 13.0
 
+// Groups of collide_tensor that run at once: one on each multiprocessor, none where the kernel cannot be loaded.
+uint tensor_groups(int device);
+
 }  // namespace spherepair

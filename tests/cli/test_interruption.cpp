@@ -44,7 +44,7 @@ TEST_F(Interruption, FoldersThatWereThereStay) {
 }
 
 TEST_F(Interruption, WhatIsFinishedStaysAndIsNamed) {
-  const std::string ablate = "ablate --backends cpu --n 64 --rounds 1000 --results " + path("r");
+  const std::string ablate = "ablate --backends cpu --n 64,64k --results " + path("r");
   const Outcome study = interrupt_after(ablate, path("r/ablate.json"), "TERM");
   EXPECT_EQ(study.code, 143);
   EXPECT_EQ(study.errors, fmt::format("spherepair: ablate interrupted: what was finished is in {}\n", path("r")));
