@@ -18,12 +18,12 @@ void require_finite(const Backend::State& state, uint64_t step) {
 std::string stalled_warning(const Scene& scene) {
   const uint64_t stalled = stalled_spheres(scene);
   if (stalled == 0) return "";
-  const std::string who = stalled == 1 ? "1 sphere is" : fmt::format("{} spheres are", stalled);
-  return wrapped(fmt::format("WARNING: {} too far from the origin for their speed: a step is less than half an ulp of "
-                             "their float32 position, so they do not move. Use --precision compensated or --motion "
-                             "anchored.",
-                             who),
-                 "", "  ") +
+  return wrapped(
+             fmt::format("WARNING: {} too far from the origin to move: at this speed a step is less than half an ulp "
+                         "of a float32 position. A run started with --precision compensated or --motion anchored "
+                         "does not lose it.",
+                         stalled == 1 ? "1 sphere is" : fmt::format("{} spheres are", stalled)),
+             "", "  ") +
          "\n";
 }
 

@@ -75,8 +75,8 @@ std::vector<std::string> rows_of(const std::vector<Timing>& timings, Loss loss) 
   std::vector<std::string> found;
   for (const Timing& t : timings) {
     if (loss_of(t) != loss) continue;
-    found.push_back(fmt::format("{} {} {}: {} takes {} the time of {}", t.backend, t.kind, t.n, t.chosen,
-                                spread_text(t.over_best), t.best));
+    found.push_back(fmt::format("{} {} {}: auto ({}) over {}: {}", t.backend, t.kind, t.n, t.chosen, t.best,
+                                spread_text(t.over_best)));
   }
   return found;
 }

@@ -32,7 +32,7 @@ struct Start {
   json record;
   std::optional<MotionState> motion = {};  // of a resumed run
   uint64_t step = 0;                       // steps done
-  bool at_rest = false;                    // spheres of a file without velocities
+  bool at_rest = false;                    // spheres of a file, none with a velocity
   Rounding rounding = {};                  // of a file's numbers to float32
   std::vector<std::string> species = {};   // that were kept ...
   std::vector<uint> species_index = {};    // ... of each sphere

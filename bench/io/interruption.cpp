@@ -63,14 +63,17 @@ void interrupted(int signal) {
     if (temporary.ready) ::unlink(temporary.text.data());
   remove_empty_folders();
   if (command.ready) say_what_is_kept();
-  ::raise(signal);  // once more, with its default action, which ends the process
+  ::raise(signal);  // once more, with its default action, which ends the process on return
 }
+
+constexpr int endings[] = {SIGINT, SIGTERM, SIGHUP};
 
 void catch_signals() {
   struct sigaction action {};
   action.sa_handler = interrupted;
-  action.sa_flags = int(SA_RESETHAND | SA_NODEFER);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  action.sa_flags = int(SA_RESETHAND);
+  for (const int signal : endings) sigaddset(&action.sa_mask, signal);  // a second one waits, so that nothing is left
+  for (const int signal : endings) {
     struct sigaction old {};
     if (::sigaction(signal, nullptr, &old) == 0 && old.sa_handler == SIG_DFL) ::sigaction(signal, &action, nullptr);
   }

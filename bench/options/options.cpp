@@ -108,7 +108,8 @@ void add_open_options(CLI::App& command, OpenOptions& open) {
   command.add_flag("--require-hardware", open.require_hardware, "Refuse software OpenGL");
   command
       .add_flag_callback(
-          "--no-gpu", [&open] { open.allow_gpu = false; }, "Use software OpenGL even if there is a GPU")
+          "--no-gpu", [&open] { open.allow_gpu = false; },
+          "Use no GPU even if there is one: OpenGL in software; auto takes the CPU")
       ->excludes(command.get_option("--cuda-device"))
       ->excludes(command.get_option("--gl-device"));
   command

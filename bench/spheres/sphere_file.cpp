@@ -72,6 +72,9 @@ Reader checked_reader(const FileBytes& bytes, const SphereFileOptions& options) 
   if (!options.columns.empty() && read != read_text)
     throw std::invalid_argument(fmt::format(
         "--columns names the columns of text, but {} has names or an order of its own: omit it", bytes.name()));
+  if (options.ignore_periodic && read != read_xyz)
+    throw std::invalid_argument(
+        fmt::format("{} has no periodic box: only XYZ files have; omit --ignore-periodic", bytes.name()));
   if (options.species && read != read_xyz)
     throw std::invalid_argument(fmt::format("{} has no species: only XYZ files have", bytes.name()));
   return read;
@@ -79,7 +82,7 @@ Reader checked_reader(const FileBytes& bytes, const SphereFileOptions& options) 
 
 void complete(SphereFile& input, SphereRows& rows, const FileBytes& bytes, const SphereFileOptions& options) {
   input.file = bytes.name();
-  input.at_rest = rows.velocities.empty();
+  input.at_rest = std::ranges::all_of(rows.velocities, [](const vec4& v) { return v.x == 0 && v.y == 0 && v.z == 0; });
   input.rounding = round_rows(rows, options.may_shift);
   Scene& scene = input.scene;
   scene.name = std::filesystem::path(bytes.name()).filename().string();

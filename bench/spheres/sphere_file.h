@@ -30,7 +30,7 @@ struct SphereFile {
   uint64_t values = 0, changed = 0;  // numbers read; those changed by rounding to float32
   uint64_t frame = 0, frames = 1;
   std::string ignored;  // the periodic box
-  bool at_rest = true;  // the file has no velocities
+  bool at_rest = true;  // no sphere of the file has a velocity
   Rounding rounding;
   std::vector<std::string> species;  // ascending, each once; empty unless asked for ...
   std::vector<uint> species_index;   // ... of each sphere

@@ -175,7 +175,10 @@ SphereFile read_xyz(const FileBytes& file, const SphereFileOptions& options, Sph
   if (wanted >= frames.size())
     throw std::invalid_argument(fmt::format("{} has {}, counted from 0, so --frame {} is not among them", file.name(),
                                             counted(frames.size(), "frame"), wanted));
-  return read_one(file, frames, wanted, options, rows);
+  SphereFile input = read_one(file, frames, wanted, options, rows);
+  if (options.ignore_periodic && input.ignored.empty())
+    throw std::invalid_argument(fmt::format("{} has no periodic box: omit --ignore-periodic", file.name()));
+  return input;
 }
 
 std::vector<SphereFile> read_xyz_frames(const FileBytes& file, const SphereFileOptions& options,

@@ -103,9 +103,10 @@ uint64_t stalled_spheres(const Scene& scene) {
   if (scene.motion.precision != Precision::float32 || scene.motion.method == MotionMethod::anchored) return 0;
   uint64_t stalled = 0;
   const auto lost = [&](float x, float v) { return v != 0 && x + v * scene.dt == x; };
+  const float gained = scene.gravity * scene.dt;  // which moves on what is about to turn
   for (uint64_t i = 0; i < scene.size(); ++i) {
     const vec4 &at = scene.positions[i], &v = scene.velocities[i];
-    stalled += lost(at.x, v.x) || lost(at.y, v.y) || lost(at.z, v.z);
+    stalled += lost(at.x, v.x) || (lost(at.y, v.y) && lost(at.y, v.y + gained)) || lost(at.z, v.z);
   }
   return stalled;
 }

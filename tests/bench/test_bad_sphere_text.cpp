@@ -41,6 +41,13 @@ TEST(BadSphereFile, XyzWithAPeriodicBox) {
   expect_xyz_complaint(file("pbc=\"T T\""), 2, "pbc with T or F", "'T T'");
   expect_xyz_complaint(file("pbc=\"T T yes\""), 2, "pbc with T or F", "'T T yes'");
   const ScratchFolder folder;
+  for (const std::string& open : {folder.write("none.xyz", file("")), folder.write("off.xyz", file("pbc=\"F F F\"")),
+                                  folder.write("a.txt", "1 2 3\n"), folder.write("a.csv", "x,y,z\n1,2,3\n")})
+    EXPECT_NE(complaint_of([&] {
+                read_sphere_file(open, {.radius = 1, .ignore_periodic = true});
+              }).find("has no periodic box"),
+              std::string::npos)
+        << open << ": the option changes nothing";
   for (const std::string& box : {lattice + " pbc=\"F F F\"", std::string("pbc=\"0 false F\"")})
     EXPECT_EQ(read_sphere_file(folder.write("open.xyz", file(box)), {.radius = 1}).ignored, "") << box;
   const SphereFile input =

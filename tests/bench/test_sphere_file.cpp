@@ -123,6 +123,18 @@ TEST(SphereFile, ExtendedXyzKnowsRadiiAndVelocities) {
   EXPECT_EQ(input.scene.velocities[0].z, 8);
 }
 
+TEST(SphereFile, WithoutASpeedIsAtRestInEveryFormat) {
+  const ScratchFolder folder;
+  const auto at_rest = [&](const std::string& name, const std::string& text) {
+    return read_sphere_file(folder.write(name, text), {}).at_rest;
+  };
+  EXPECT_TRUE(at_rest("a.txt", "0 0 0 1\n3 0 0 1\n"));
+  EXPECT_TRUE(at_rest("a.csv", "x,y,z,radius\n0,0,0,1\n"));
+  EXPECT_TRUE(at_rest("a.xyz", "1\n\n0 0 0 1\n"));
+  EXPECT_FALSE(at_rest("b.txt", "0 0 0 1 0 0 0\n3 0 0 1 0 2 0\n"));
+  EXPECT_FALSE(at_rest("b.xyz", "1\nProperties=pos:R:3:radius:R:1:velo:R:3\n0 0 0 1 0 0 2\n"));
+}
+
 TEST(SphereFile, FramesOfXyz) {
   const std::string frames = "1\nfirst\n1 2 3\n\n2\nProperties=pos:R:3:radius:R:1\n4 5 6 1\n7 8 9 2\n0\n\n";
   const SphereFile first = read_text(frames, {.radius = 1});

@@ -37,6 +37,16 @@ TEST_F(Interruption, TheInterruptKeyEndsTheProgramAsUsual) {
   EXPECT_FALSE(fs::exists(path("results")));
 }
 
+// As timeout sends it: to the program, and at once again to its group.
+TEST_F(Interruption, ASecondSignalLosesNothing) {
+  for (int k = 0; k < 8; ++k) {
+    const Outcome outcome = interrupt_after(long_check_, path("results/here"), "INT $p; kill -TERM");
+    EXPECT_TRUE(outcome.code == 130 || outcome.code == 143) << outcome.code;
+    EXPECT_EQ(outcome.errors, "spherepair: compare interrupted: nothing was written\n");
+    ASSERT_FALSE(fs::exists(path("results")));
+  }
+}
+
 TEST_F(Interruption, FoldersThatWereThereStay) {
   fs::create_directories(path("results/here"));
   EXPECT_EQ(run(long_check_, "timeout --preserve-status -s INT 2").code, 130);

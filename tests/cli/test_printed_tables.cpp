@@ -18,9 +18,10 @@ class PrintedTables : public ProgramTest {
     const Outcome outcome = run(fmt::format("{} --results {}", arguments, path("r")));
     EXPECT_EQ(outcome.code, kOk) << outcome.errors;
     std::istringstream lines(outcome.output);
-    for (std::string line; std::getline(lines, line);)
-      if (line.find("Results: ") == line.npos && line.find(" missing: ") == line.npos)
-        EXPECT_LE(line.size(), line.starts_with("No difference ") ? 100 : kTextWidth) << arguments << "\n" << line;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.find("Results: ") != line.npos || line.find(" missing: ") != line.npos) continue;
+      EXPECT_LE(line.size(), line.starts_with("No difference ") ? 100 : kTextWidth) << arguments << "\n" << line;
+    }
     return outcome.output;
   }
   // However its lines are broken.
@@ -33,6 +34,20 @@ TEST_F(PrintedTables, OfEveryStudyFitInto80Columns) {
   expect_narrow("ablate --backends cpu,glsl --n 64 --names radius_load_all_pairs,cells --rounds 1");
   expect_narrow("sets --quick --backends cpu --motions impact-linear");
   expect_narrow("precision --quick --backends cpu,glsl --motions impact-linear,anchored --n 100 --rounds 6");
+}
+
+TEST_F(PrintedTables, OfTheStepsOfARunFitsInto80Columns) {
+  std::istringstream lines(run("run --backend cpu --scene uniform --n 300k --steps 100 --per-step").output);
+  size_t steps = 0;
+  bool of_table = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("fingerprint of the pairs") != line.npos) of_table = true;
+    if (line.find(" in all: ") != line.npos) break;
+    if (!of_table) continue;
+    EXPECT_LE(line.size(), kTextWidth) << line;
+    ++steps;
+  }
+  EXPECT_GT(steps, 100u);
 }
 
 TEST_F(PrintedTables, FramesHasHeadings) {

@@ -152,6 +152,10 @@ TEST_P(StressCatalogue, Row27_FarFromTheOrigin) {
     EXPECT_EQ(stalled_spheres(anchored), 0u);
   }
   EXPECT_EQ(stalled_spheres(distant_scene({MotionMethod::paper, Precision::float32}, 100)), 0u);
+  Scene turning = make_scene({.n = 1});
+  turning.motion = {MotionMethod::paper, Precision::float32};
+  turning.velocities[0] = {0, 1e-9f, 0, 0};
+  EXPECT_EQ(stalled_spheres(turning), 0u) << "gravity moves on what is about to turn";
 }
 
 }  // namespace
