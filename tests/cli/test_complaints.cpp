@@ -92,6 +92,18 @@ TEST_F(Complaints, FilesThatPeopleHave) {
   const std::string text = folder_.write("a.txt", "some words\n");
   expect("run --input " + text,
          text + ", line 1, read as names of columns: the columns x, y and z must be among 'some words'");
+  const std::string atoms = folder_.write("atoms.txt", "C 1.3 8.4 7.6\n");
+  expect("run --input " + atoms,
+         atoms +
+             ", line 1: expected numbers, or names of columns with x, y and z; others need --columns, such as "
+             "--columns _,x,y,z, found 'C 1.3 8.4 7.6'");
+  for (const char* line : {"0,0 0,0 0,0 1,0", "1,3 8,4 7,6"}) {
+    const std::string decimal_commas = folder_.write("commas.txt", std::string(line) + "\n");
+    expect("run --input " + decimal_commas,
+           fmt::format("{}, line 1: expected columns separated by blanks, commas or semicolons alone, and decimal "
+                       "points, found '{}'",
+                       decimal_commas, line));
+  }
   expect(fmt::format("equal {0} {0}", text),
          text + " is not the results.json of a compare run: no JSON from byte 1 on");
 }
