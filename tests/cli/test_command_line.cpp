@@ -123,6 +123,21 @@ TEST_F(CommandLineTest, RunSaysWhereItsTimeWent) {
             times.at("moves_s").get<double>() + times.at("searches_s").get<double>());
 }
 
+TEST_F(CommandLineTest, RunSaysWhereThePlaneIsIfSpheresMove) {
+  const std::string high = folder_.write("high.txt", "0 2 0 1\n"), low = folder_.write("low.txt", "0 -6 0 1.25\n");
+  for (const auto& [arguments, words, plane] :
+       {std::tuple{"--steps 1 --input " + high, std::string("plane at y = -5\n"), -5.0},
+        {"--steps 1 --input " + low, "plane at y = -9, below the lowest sphere\n", -9.0},
+        {"--steps 1 --n 9", "plane at y = -5\n", -5.0},
+        {"--steps 0 --input " + low, "", -9.0}}) {
+    const Outcome outcome = run(fmt::format("run --backend cpu {} --json {}", arguments, path("run.json")));
+    ASSERT_EQ(outcome.code, kOk) << outcome.errors;
+    const size_t at = outcome.output.find("plane at");
+    EXPECT_EQ(at == std::string::npos ? "" : outcome.output.substr(at, words.size()), words) << outcome.output;
+    EXPECT_EQ(read_json("run.json").at("plane"), plane) << arguments;
+  }
+}
+
 TEST_F(CommandLineTest, ProgressIsForATerminalAlone) {
   const std::string words = "run --backend cpu --threads 1 --motion paper --n 20000 --steps 10k";
   EXPECT_EQ(run(words).errors, "") << "a pipe stays quiet";
