@@ -93,6 +93,10 @@ TEST_F(CommandLineTest, AMisspeltNameIsAnsweredWithTheNearest) {
   expect_refused("run --backend cpu --steps 1 --motion ancored", {"did you mean anchored?"});
   expect_refused("run --backend cpu --precision flaot64", {"did you mean float64?"});
   expect_refused("compare --backends cpu --tables exactnes --results " + path("r"), {"did you mean exactness?"});
+  const std::string render = "render --backend cpu --n 9 --output " + path("a.png");
+  expect_refused(render + " --color specis", {"--color: unknown", "'specis'; did you mean species?"});
+  expect_refused(render + " --ground lowst", {"--ground lowst: did you mean lowest? Give none, plane"});
+  expect_refused(render + " --ground 1e16", {"--ground 1e16: give none, plane, lowest or a height"});
   EXPECT_EQ(nearest_name("grid", {"collide_tiled", "collide_grid"}), "collide_grid");
   EXPECT_EQ(nearest_name("nothing", {"cpu", "glsl", "cuda"}), "");
 }

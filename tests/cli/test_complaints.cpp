@@ -108,6 +108,17 @@ TEST_F(Complaints, FilesThatPeopleHave) {
          text + " is not the results.json of a compare run: no JSON from byte 1 on");
 }
 
+TEST_F(Complaints, GroupsThatAreNotAllSpheres) {
+  expect("run --backend cpu --scene aligned --groups 3 --group-size 5",
+         "3 groups of 5 make 15 spheres, but n is 16384: give --n 15");
+}
+
+TEST_F(Complaints, AFieldOfViewThatNoCameraHas) {
+  const std::string render = "render --backend cpu --n 9 --output " + path("a.png") + " --field ";
+  for (const char* wrong : {"0", "-1", "180"})
+    expect(render + wrong, fmt::format("--field {}: the field of view must be above 0 and below 180 degrees", wrong));
+}
+
 TEST_F(Complaints, AViewWithoutSpheres) {
   expect("view --n 0", "random has no spheres, so the window would be blank: give --n, or a file with spheres");
 }
