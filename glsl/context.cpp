@@ -93,12 +93,12 @@ void Context::open_on_a_device(const OpenOptions& options) {
     const bool named = wanted.number ? number == *wanted.number : wanted.uuid == uuid;
     if ((wanted.empty() || named) && !(software_ && options.require_hardware)) return;
     if (software_) software = renderer;
-    found += fmt::format("{}{}: {} {}", number ? ", " : "", number, renderer, uuid);
+    found += fmt::format("{}{} ({}{})", number ? ", " : "", number, renderer, uuid.empty() ? "" : ", " + uuid);
     ++number;
     close();
   }
   if (!wanted.empty() && !found.empty())
-    throw BackendError(fmt::format("glsl: there is no OpenGL device {}; there are {}", options.gl_device, found));
+    throw BackendError(fmt::format("glsl: there is no OpenGL device {}; the devices are {}", options.gl_device, found));
   if (!software.empty())
     throw BackendError(
         fmt::format("glsl: no GPU, only the software renderer {}; check that the vendor's EGL file is in "

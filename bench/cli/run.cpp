@@ -183,6 +183,7 @@ json run_record(const CommandLine& line, const ChosenBackend& chosen, const Star
           {"motion", motion_label(start.scene.motion)},
           {"dt", start.scene.dt},
           {"restitution", start.scene.restitution},
+          {"plane", start.scene.plane},
           {"method", method_name(choice.method)},
           {"choice", to_json(choice)},
           {"block", choice.block ? choice.block : collide.block},
@@ -203,6 +204,7 @@ std::string heading(const RunOptions& options, const ChosenBackend& chosen, cons
                                        start.label, counted(start.scene.size(), "sphere"),
                                        counted(options.steps, "step"), motion_label(start.scene.motion));
   std::string text = start.notes + wrapped(what, "", "  ") + "\n" + passed_over_text(chosen);
+  if (options.steps) text += plane_text(start.scene);
   if (collide.method == Method::automatic)
     text += wrapped("auto: " + describe(backend.choice(collide)), "", "  ") + "\n";
   return text;
@@ -223,6 +225,7 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   const CollideOptions collide = collide_options(options, backend);
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
   if (options.steps) fmt::print(stderr, "{}", stalled_warning(start.scene));
+  if (!options.spheres_file.empty()) fmt::print(stderr, "{}", species_warning(start));
   const std::string rounded =
       reach_warning(pairs_within_reach(backend, start.scene, start.rounding, collide), start.rounding);
   if (!rounded.empty()) fmt::print(stderr, "{}\n", wrapped("At the start: " + rounded, "* ", "  "));

@@ -58,8 +58,9 @@ int view_command(const CommandLine& line, const ViewOptions& options) {
   if (display.shared) open.window = &window->context();
   const Session session({}, open);
   fmt::print(
-      "{}{}\n", session.summary(),
-      display.shared ? "  images stay in the window's OpenGL context\n" : "  images are uploaded to the window\n");
+      "{}{}{}\n", session.summary(),
+      display.shared ? "  images stay in the window's OpenGL context\n" : "  images are uploaded to the window\n",
+      plane_text(start.scene));
   std::string first = options.backend;
   if (first.empty()) first = preferred_backend(session, open);
   Backend* backend = session.find(first);

@@ -37,6 +37,8 @@ Start start_from(SphereFile input, const MotionChoice& motion) {
   start.notes = describe(input);
   start.record = to_json(input);
   start.at_rest = input.at_rest;
+  start.file = input.file;
+  start.unread_species = input.unread_species;
   start.scene = std::move(input.scene);
   start.rounding = std::move(input.rounding);
   start.species = std::move(input.species);
@@ -69,6 +71,16 @@ Start start_of(const StartOptions& options, int threads) {
   SceneOptions scene = options.scene;
   choose_motion(scene, options.motion);
   return {make_scene(scene), scene_label(scene), "", scene_json(scene)};
+}
+
+std::string plane_text(const Scene& scene) {
+  const bool lowered = scene.plane != Scene().plane;
+  return fmt::format("plane at y = {}{}\n", scene.plane, lowered ? ", below the lowest sphere" : "");
+}
+
+std::string species_warning(const Start& start) {
+  if (!start.unread_species) return "";
+  return fmt::format("* --spheres writes no species: those of {} are left out, XYZ has X instead\n", start.file);
 }
 
 void add_inputs(OutputFiles& files, const StartOptions& options) {

@@ -36,6 +36,8 @@ struct Start {
   Rounding rounding = {};                  // of a file's numbers to float32
   std::vector<std::string> species = {};   // that were kept ...
   std::vector<uint> species_index = {};    // ... of each sphere
+  std::string file = {};                   // that the spheres come from ...
+  bool unread_species = false;             // ... and whose species were not asked for
 };
 
 // Makes the scene or reads the file or checkpoint. threads: 0: all cores.
@@ -43,6 +45,12 @@ Start start_of(const StartOptions& options, int threads);
 
 // All frames of an XYZ file.
 std::vector<Start> start_of_frames(const StartOptions& options, int threads);
+
+// A line that says where moving spheres bounce.
+std::string plane_text(const Scene& scene);
+
+// A line for --spheres, which writes no species; empty where the start's file has none.
+std::string species_warning(const Start& start);
 
 // Declares --input and --resume as inputs.
 void add_inputs(OutputFiles& files, const StartOptions& options);

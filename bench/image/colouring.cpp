@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "bench/io/arguments.h"
+#include "common/scene/known_name.h"
 
 namespace spherepair {
 namespace {
@@ -37,7 +37,7 @@ std::vector<std::string> texts_of(const std::vector<double>& borders) {
 ColourBy colour_by_name(const std::string& name) {
   for (size_t k = 0; k < known.size(); ++k)
     if (name == known[k]) return ColourBy(k);
-  throw std::invalid_argument(fmt::format("--color {}: known are {}", name, fmt::join(known, ", ")));
+  throw std::invalid_argument("--color: " + unknown_name("quantity", name, {known.begin(), known.end()}));
 }
 const char* name_of(ColourBy by) { return known[size_t(by)]; }
 

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "common/scene/known_name.h"
+
 namespace spherepair {
 namespace {
 
@@ -21,10 +23,10 @@ double lowest_of(std::span<const vec4> spheres, const Vector& up) {
 double height_of(const std::string& text) {
   double height = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), height);
-  if (error != std::errc() || end != text.data() + text.size() || !(std::abs(height) < 1e15))
-    throw std::invalid_argument(
-        fmt::format("--ground {}: give none, plane, lowest or a height in metres below 1e15", text));
-  return height;
+  if (error == std::errc() && end == text.data() + text.size() && std::abs(height) < 1e15) return height;
+  const std::string nearest = nearest_name(text, {"none", "plane", "lowest"});
+  throw std::invalid_argument(fmt::format("--ground {}: {} none, plane, lowest or a height in metres below 1e15", text,
+                                          nearest.empty() ? "give" : fmt::format("did you mean {}? Give", nearest)));
 }
 
 }  // namespace

@@ -157,9 +157,10 @@ void add_file_options(CLI::App& command, std::vector<std::string>& columns, bool
         known.push_back("_");
         return std::ranges::count(known, name) ? "" : unknown_name("column", name, known);
       });
-  command.add_flag("--ignore-periodic", ignore_periodic,
-                   "Read an XYZ file with a periodic box (Lattice, pbc) as if it had none: pairs across its boundary "
-                   "are not found");
+  command.add_flag(
+      "--ignore-periodic", ignore_periodic,
+      "Read an XYZ file with a periodic box (Lattice, cell, pbc) as if it had none: pairs across its boundary "
+      "are not found");
 }
 
 void add_start_options(CLI::App& command, StartOptions& start) {

@@ -21,17 +21,22 @@ int fail(ExitCode code, const std::string& message) {
   return code;
 }
 
+// The error of a write to standard output is told once, by run_action.
+int fail_unless_told(ExitCode code, const std::string& message) {
+  return std::ferror(stdout) ? kUsage : fail(code, message);
+}
+
 int code_of(const std::function<int()>& action) {
   try {
     return action();
   } catch (const DifferenceFound& difference) {
     return fail(kDifference, std::string("DIFFERENCE FOUND: ") + difference.what());
   } catch (const std::invalid_argument& error) {
-    return fail(kUsage, error.what());
+    return fail_unless_told(kUsage, error.what());
   } catch (const std::bad_alloc&) {
     return fail(kDeviceFailure, "out of memory on the host; use fewer spheres");
   } catch (const std::exception& error) {
-    return fail(kDeviceFailure, error.what());
+    return fail_unless_told(kDeviceFailure, error.what());
   }
 }
 

@@ -18,6 +18,7 @@ struct Columns {
   size_t count = 0;                                                       // on a line
   std::array<std::optional<size_t>, quantity_names.size()> columns = {};  // where each quantity stands
   std::optional<size_t> species = {};                                     // a column of text
+  bool momenta = false;                                                   // are among those that are not read
   std::string text;                                                       // for the summary
 
   bool has(Quantity quantity) const { return columns[quantity].has_value(); }

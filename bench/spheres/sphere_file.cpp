@@ -152,6 +152,7 @@ std::string describe(const SphereFile& input) {
   if (input.frames > 1)
     text += fmt::format(", frame {} of {} (counted from 0; --frame takes another)", input.frame, input.frames);
   if (!input.ignored.empty()) text += fmt::format("\nnot periodic, as asked for: {} is ignored", input.ignored);
+  if (input.unread_momenta) text += "\nmomenta are not read: give velocities, momenta over masses, as velo:R:3";
   const auto [low, high] = radius_range(input.scene);
   text += "\n" + counted(input.scene.size(), "sphere");
   if (input.scene.size() == 0) return text + "\n";

@@ -34,6 +34,8 @@ struct SphereFile {
   Rounding rounding;
   std::vector<std::string> species;  // ascending, each once; empty unless asked for ...
   std::vector<uint> species_index;   // ... of each sphere
+  bool unread_species = false;       // that were not asked for
+  bool unread_momenta = false;       // without velocities
 };
 
 // By the file's extension; standard input (-) and files for which columns are named by their contents. Throws

@@ -23,6 +23,11 @@ std::string plain_name(std::string_view field) {
   return name == "r" ? "radius" : name;
 }
 
+std::string_view unquoted(std::string_view field) {
+  const bool quoted = field.size() > 1 && field.starts_with('"') && field.ends_with('"');
+  return quoted ? field.substr(1, field.size() - 2) : field;
+}
+
 class TextReader {
  public:
   TextReader(const FileBytes& file, const SphereFileOptions& options) : file_(file), options_(options) {
@@ -33,7 +38,8 @@ class TextReader {
   bool take(uint64_t line, std::string_view text) {
     split_separated_fields(text.substr(0, text.find('#')), most_columns, fields_);
     if (fields_.empty()) return false;
-    if (columns_.count == 0 && !choose_columns(line)) return false;
+    std::ranges::transform(fields_, fields_.begin(), unquoted);
+    if (columns_.count == 0 && !choose_columns(line, text)) return false;
     if (by_place_ && columns_.count != 3 && (fields_.size() == 4 || fields_.size() == 7)) columns_by_place();
     if (fields_.size() != columns_.count)
       file_.fail_at_line(line, fmt::format("{} columns ({})", columns_.count, columns_.text),
@@ -47,13 +53,21 @@ class TextReader {
 
  private:
   // False if the line holds their names.
-  bool choose_columns(uint64_t line) {
-    if (!parse_decimal(fields_[0])) {
+  bool choose_columns(uint64_t line, std::string_view text) {
+    const auto is_number = [](std::string_view field) { return parse_decimal(field).has_value(); };
+    if (!is_number(fields_[0])) {
       std::vector<std::string> names;
       for (const std::string_view field : fields_) names.push_back(plain_name(field));
+      if (std::ranges::count(names, "x") == 0 && std::ranges::any_of(fields_, is_number))
+        file_.fail_at_line(
+            line, "numbers, or names of columns with x, y and z; others need --columns, such as --columns _,x,y,z",
+            in_quotes(text));
       columns_ = columns_of_names(fmt::format("{}, line {}, read as names of columns", file_.name(), line), names);
       return false;
     }
+    if (std::ranges::any_of(fields_, [](auto field) { return field.find_first_of(" \t") != field.npos; }))
+      file_.fail_at_line(line, "columns separated by blanks, commas or semicolons alone, and decimal points",
+                         in_quotes(text));
     const size_t count = fields_.size();
     if (count != 3 && count != 4 && count != 7)
       file_.fail_at_line(line, "3 columns (x y z), 4 (and radius) or 7 (and vx vy vz); others need --columns",

@@ -88,6 +88,7 @@ std::optional<Columns> named_columns(const FileBytes& file, uint64_t line, std::
       for (size_t c = 0; c < known->columns; ++c) columns.columns[known->first + c] = columns.count + c;
     }
     if (property->name == "species" && property->columns == 1 && !columns.species) columns.species = columns.count;
+    columns.momenta = columns.momenta || property->name == "momenta";
     columns.count += property->columns;
   }
   if (!columns.has(QUANTITY_X)) fail("Properties with pos:R:3");
@@ -112,7 +113,8 @@ Columns classic_columns(const FileBytes& file, uint64_t line, std::string_view t
 }
 
 std::string periodic_box(const FileBytes& file, uint64_t line, std::string_view comment) {
-  const auto lattice = value_of_key(comment, "Lattice"), pbc = value_of_key(comment, "pbc");
+  const auto lattice = value_of_key(comment, "Lattice"), cell = lattice ? lattice : value_of_key(comment, "cell");
+  const auto pbc = value_of_key(comment, "pbc");
   std::vector<std::string_view> axes;
   if (pbc) split_separated_fields(*pbc, 4, axes);
   const auto is = [](const std::vector<std::string>& words) {
@@ -121,10 +123,10 @@ std::string periodic_box(const FileBytes& file, uint64_t line, std::string_view 
   const auto periodic = is({"T", "True", "true", "1"}), open = is({"F", "False", "false", "0"});
   if (pbc && (axes.size() != 3 || !std::ranges::all_of(axes, [&](auto a) { return periodic(a) || open(a); })))
     file.fail_at_line(line, "pbc with T or F for each of the three axes, such as pbc=\"T T F\"", in_quotes(*pbc));
-  if (pbc ? std::ranges::none_of(axes, periodic) : !lattice) return "";
+  if (pbc ? std::ranges::none_of(axes, periodic) : !cell) return "";
   std::string box;
-  if (lattice) box += fmt::format("Lattice={}", in_quotes(*lattice));
-  if (pbc) box += fmt::format("{}pbc={}", lattice ? " " : "", in_quotes(*pbc));
+  if (cell) box += fmt::format("{}={}", lattice ? "Lattice" : "cell", in_quotes(*cell));
+  if (pbc) box += fmt::format("{}pbc={}", cell ? " " : "", in_quotes(*pbc));
   return box;
 }
 

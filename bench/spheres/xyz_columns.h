@@ -13,7 +13,8 @@ std::optional<Columns> named_columns(const FileBytes& file, uint64_t line, std::
 Columns classic_columns(const FileBytes& file, uint64_t line, std::string_view text);
 
 // The periodic box of an extended XYZ's comment line, in its words (Lattice="..." pbc="..."); empty where nothing is
-// periodic: without both keys, or where pbc is false along every axis. A Lattice alone is periodic along all three.
+// periodic: without these keys, or where pbc is false along every axis. A Lattice, or a cell, alone is periodic along
+// all three.
 std::string periodic_box(const FileBytes& file, uint64_t line, std::string_view comment);
 
 }  // namespace spherepair

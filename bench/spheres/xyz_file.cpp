@@ -156,6 +156,8 @@ SphereFile read_one(const FileBytes& file, std::span<const Frame> frames, uint64
   if (options.species && frame.spheres > 0 && !columns.species)
     file.fail_at_line(frame.comment_line,
                       "a column of species, by Properties= with species:S:1 or as the first of four", columns.text);
+  input.unread_species = columns.species && !options.species;
+  input.unread_momenta = columns.momenta && !columns.has(QUANTITY_VX);
   input.own_radii = columns.has(QUANTITY_RADIUS);
   if (frame.spheres > 0) check_radius(file, input.own_radii, options);
   rows.resize(frame.spheres, options.radius.value_or(0), columns.has(QUANTITY_VX), true);

@@ -47,13 +47,14 @@ Horizon horizon_of(const Vector& v) {
 }
 
 void check_camera(const Camera& camera) {
+  if (!(camera.field > 0 && camera.field < 180))
+    throw std::invalid_argument(
+        fmt::format("--field {}: the field of view must be above 0 and below 180 degrees", camera.field));
   for (const Vector& v : {camera.eye, camera.target, camera.up})
     for (const double x : v)
       if (!(std::abs(x) < 1e15))
         throw std::invalid_argument(
             "--eye, --target, --up or --field makes a coordinate of the camera that is no number below 1e15");
-  if (!(camera.field > 0 && camera.field < 180))
-    throw std::invalid_argument(fmt::format("the field of view is {} degrees, not between 0 and 180", camera.field));
   if (!(camera.near >= 0 && camera.near < 1e15))
     throw std::invalid_argument(fmt::format("the nearest depth is {}, not from 0 to below 1e15", camera.near));
 }

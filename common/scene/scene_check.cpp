@@ -39,8 +39,9 @@ void check_options(const SceneOptions& o) {
   if (!std::isfinite(o.offset)) refuse(fmt::format("offset is {}, but must be finite", o.offset));
   if ((o.groups == 0) != (o.group_size == 0)) refuse("groups and group size go together: give both or neither");
   if (o.groups && uint64_t(o.groups) * o.group_size != o.n) {
-    refuse(fmt::format("{} of {} make {}, but n is {}", counted(o.groups, "group"), o.group_size,
-                       counted(uint64_t(o.groups) * o.group_size, "sphere"), o.n));
+    const uint64_t spheres = uint64_t(o.groups) * o.group_size;
+    refuse(fmt::format("{} of {} make {}, but n is {}: give --n {}", counted(o.groups, "group"), o.group_size,
+                       counted(spheres, "sphere"), o.n, spheres));
   }
 }
 

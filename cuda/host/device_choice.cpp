@@ -26,15 +26,14 @@ std::string uuid_of(const cudaDeviceProp& properties) {
 int device_number(const DeviceName& wanted, int count) {
   if (wanted.empty()) return 0;
   if (wanted.number && *wanted.number < uint(count)) return int(*wanted.number);
-  if (wanted.number)
-    throw BackendError(fmt::format("cuda: there is no device {}; devices are 0 to {}", *wanted.number, count - 1));
   std::string found;
   for (int device = 0; device < count; ++device) {
     const std::string uuid = uuid_of(properties_of(device));
     if (uuid == wanted.uuid) return device;
-    found += (device ? ", " : "") + uuid;
+    found += fmt::format("{}{} ({})", device ? ", " : "", device, uuid);
   }
-  throw BackendError(fmt::format("cuda: no device has the UUID {}; there are {}", wanted.uuid, found));
+  const std::string missing = wanted.number ? std::to_string(*wanted.number) : wanted.uuid;
+  throw BackendError(fmt::format("cuda: there is no CUDA device {}; the devices are {}", missing, found));
 }
 
 }  // namespace

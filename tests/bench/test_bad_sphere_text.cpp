@@ -38,6 +38,7 @@ TEST(BadSphereFile, XyzWithAPeriodicBox) {
     expect_xyz_complaint(file(box), 2, "--ignore-periodic", box.starts_with("pbc=\"") ? "pbc='F F T'" : "Lattice='9 0");
   expect_xyz_complaint(file("PBC=\"F F T\""), 2, "--ignore-periodic", "pbc='F F T'");
   expect_xyz_complaint(file("lattice=\"9 0 0\""), 2, "--ignore-periodic", "Lattice='9 0 0'");
+  expect_xyz_complaint(file("cell=\"9 0 0 0 9 0 0 0 9\""), 2, "--ignore-periodic", "cell='9 0 0 0 9");
   expect_xyz_complaint(file("pbc=\"T T\""), 2, "pbc with T or F", "'T T'");
   expect_xyz_complaint(file("pbc=\"T T yes\""), 2, "pbc with T or F", "'T T yes'");
   const ScratchFolder folder;
@@ -48,7 +49,7 @@ TEST(BadSphereFile, XyzWithAPeriodicBox) {
               }).find("has no periodic box"),
               std::string::npos)
         << open << ": the option changes nothing";
-  for (const std::string& box : {lattice + " pbc=\"F F F\"", std::string("pbc=\"0 false F\"")})
+  for (const std::string& box : {lattice + " pbc=\"F F F\"", std::string("pbc=\"0 false F\" cell=\"9 0 0\"")})
     EXPECT_EQ(read_sphere_file(folder.write("open.xyz", file(box)), {.radius = 1}).ignored, "") << box;
   const SphereFile input =
       read_sphere_file(folder.write("box.xyz", file(lattice)), {.radius = 1, .ignore_periodic = true});

@@ -67,6 +67,9 @@ TEST(SphereFile, TextByColumns) {
         "1;2;3;.5\n4 ; 5;6;.75\n"})
     expect_spheres(read_text(text, {}, "txt"), own);
   expect_spheres(read_text("\"X\",\"Y\",\"Z\",\"R\"\n1,2,3,.5\n4,5,6,.75\n", {}, "csv"), own);
+  for (const char* quoted : {"\"1\",\"2\",\"3\",\".5\"\n4, \"5\" ,6,\".75\"\n", "\"1\" 2 \"3\" .5\n4 5 6 .75\n",
+                             "x;y;z;r\n\"1\";\"2\";\"3\";\".5\"\n4;5;6;.75\n"})
+    expect_spheres(read_text(quoted, {}, "csv"), own);
   expect_spheres(read_text("id,radius,z,y,x\n7,0.5,3,2,1\n8,.75,6,5,4\n", {}, "csv"), own);
   expect_spheres(read_text("7 0.5 3 2 1\n8 .75 6 5 4\n", {.columns = {"_", "radius", "z", "y", "x"}}, "log"), own);
   expect_spheres(read_text("1 2 3\n", {.radius = 0.25f}, "txt"), {{1, 2, 3, 0.25f}});

@@ -135,6 +135,16 @@ TEST(SphereFile, WithoutASpeedIsAtRestInEveryFormat) {
   EXPECT_FALSE(at_rest("b.xyz", "1\nProperties=pos:R:3:radius:R:1:velo:R:3\n0 0 0 1 0 0 2\n"));
 }
 
+TEST(SphereFile, ExtendedXyzSaysThatMomentaAreNoVelocities) {
+  const auto says = [](const std::string& text) {
+    return describe(read_text(text)).find("momenta are not read") != std::string::npos;
+  };
+  const std::string row = " 1 2 3 .5 6 7 8\n", both = " 1 2 3 .5 6 7 8 6 7 8\n";
+  EXPECT_TRUE(says("1\nProperties=pos:R:3:radius:R:1:momenta:R:3\n" + row));
+  EXPECT_FALSE(says("1\nProperties=pos:R:3:radius:R:1:velo:R:3\n" + row));
+  EXPECT_FALSE(says("1\nProperties=pos:R:3:radius:R:1:momenta:R:3:velo:R:3\n" + both));
+}
+
 TEST(SphereFile, FramesOfXyz) {
   const std::string frames = "1\nfirst\n1 2 3\n\n2\nProperties=pos:R:3:radius:R:1\n4 5 6 1\n7 8 9 2\n0\n\n";
   const SphereFile first = read_text(frames, {.radius = 1});

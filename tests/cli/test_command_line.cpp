@@ -93,6 +93,10 @@ TEST_F(CommandLineTest, AMisspeltNameIsAnsweredWithTheNearest) {
   expect_refused("run --backend cpu --steps 1 --motion ancored", {"did you mean anchored?"});
   expect_refused("run --backend cpu --precision flaot64", {"did you mean float64?"});
   expect_refused("compare --backends cpu --tables exactnes --results " + path("r"), {"did you mean exactness?"});
+  const std::string render = "render --backend cpu --n 9 --output " + path("a.png");
+  expect_refused(render + " --color specis", {"--color: unknown", "'specis'; did you mean species?"});
+  expect_refused(render + " --ground lowst", {"--ground lowst: did you mean lowest? Give none, plane"});
+  expect_refused(render + " --ground 1e16", {"--ground 1e16: give none, plane, lowest or a height"});
   EXPECT_EQ(nearest_name("grid", {"collide_tiled", "collide_grid"}), "collide_grid");
   EXPECT_EQ(nearest_name("nothing", {"cpu", "glsl", "cuda"}), "");
 }
@@ -121,6 +125,21 @@ TEST_F(CommandLineTest, RunSaysWhereItsTimeWent) {
   EXPECT_GT(times.at("last_step_ms").at("parallel").get<double>(), 0);
   EXPECT_GE(times.at("total_s").get<double>(),
             times.at("moves_s").get<double>() + times.at("searches_s").get<double>());
+}
+
+TEST_F(CommandLineTest, RunSaysWhereThePlaneIsIfSpheresMove) {
+  const std::string high = folder_.write("high.txt", "0 2 0 1\n"), low = folder_.write("low.txt", "0 -6 0 1.25\n");
+  for (const auto& [arguments, words, plane] :
+       {std::tuple{"--steps 1 --input " + high, std::string("plane at y = -5\n"), -5.0},
+        {"--steps 1 --input " + low, "plane at y = -9, below the lowest sphere\n", -9.0},
+        {"--steps 1 --n 9", "plane at y = -5\n", -5.0},
+        {"--steps 0 --input " + low, "", -9.0}}) {
+    const Outcome outcome = run(fmt::format("run --backend cpu {} --json {}", arguments, path("run.json")));
+    ASSERT_EQ(outcome.code, kOk) << outcome.errors;
+    const size_t at = outcome.output.find("plane at");
+    EXPECT_EQ(at == std::string::npos ? "" : outcome.output.substr(at, words.size()), words) << outcome.output;
+    EXPECT_EQ(read_json("run.json").at("plane"), plane) << arguments;
+  }
 }
 
 TEST_F(CommandLineTest, ProgressIsForATerminalAlone) {

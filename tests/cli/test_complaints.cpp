@@ -92,8 +92,31 @@ TEST_F(Complaints, FilesThatPeopleHave) {
   const std::string text = folder_.write("a.txt", "some words\n");
   expect("run --input " + text,
          text + ", line 1, read as names of columns: the columns x, y and z must be among 'some words'");
+  const std::string atoms = folder_.write("atoms.txt", "C 1.3 8.4 7.6\n");
+  expect("run --input " + atoms,
+         atoms +
+             ", line 1: expected numbers, or names of columns with x, y and z; others need --columns, such as "
+             "--columns _,x,y,z, found 'C 1.3 8.4 7.6'");
+  for (const char* line : {"0,0 0,0 0,0 1,0", "1,3 8,4 7,6"}) {
+    const std::string decimal_commas = folder_.write("commas.txt", std::string(line) + "\n");
+    expect("run --input " + decimal_commas,
+           fmt::format("{}, line 1: expected columns separated by blanks, commas or semicolons alone, and decimal "
+                       "points, found '{}'",
+                       decimal_commas, line));
+  }
   expect(fmt::format("equal {0} {0}", text),
          text + " is not the results.json of a compare run: no JSON from byte 1 on");
+}
+
+TEST_F(Complaints, GroupsThatAreNotAllSpheres) {
+  expect("run --backend cpu --scene aligned --groups 3 --group-size 5",
+         "3 groups of 5 make 15 spheres, but n is 16384: give --n 15");
+}
+
+TEST_F(Complaints, AFieldOfViewThatNoCameraHas) {
+  const std::string render = "render --backend cpu --n 9 --output " + path("a.png") + " --field ";
+  for (const char* wrong : {"0", "-1", "180"})
+    expect(render + wrong, fmt::format("--field {}: the field of view must be above 0 and below 180 degrees", wrong));
 }
 
 TEST_F(Complaints, AViewWithoutSpheres) {

@@ -18,7 +18,10 @@ class ExitCodes : public ProgramTest {
     SCOPED_TRACE(arguments + " " + to);
     const Outcome outcome = run(arguments + " " + to);
     EXPECT_EQ(outcome.code, kUsage);
-    EXPECT_NE(outcome.errors.find("cannot write to standard output"), std::string::npos) << outcome.errors;
+    const size_t said = outcome.errors.find("cannot write to standard output: ");
+    EXPECT_NE(said, std::string::npos) << outcome.errors;
+    EXPECT_EQ(outcome.errors.find("cannot write", said + 1), std::string::npos) << "once: " << outcome.errors;
+    EXPECT_EQ(outcome.errors.find("cannot write"), said) << outcome.errors;
   }
 
   void expect_too_many_threads(const std::string& arguments) const {
@@ -41,6 +44,7 @@ TEST_F(ExitCodes, OutputToAFullDeviceIsAnErrorOfEveryCommand) {
   expect_lost_output("run --backend cpu --n 64", ">&-");
   expect_lost_output("run --backend cpu --n 64 --steps 300 --per-step");  // more than one buffer full
   expect_lost_output("pairs --backend cpu --output -" + spheres);
+  expect_lost_output("pairs --backend cpu --json - --output " + path("pairs.txt") + spheres);
   expect_lost_output("pairs --backend cpu --output " + path("pairs.txt") + spheres);
   expect_lost_output("render --backend cpu --size 8x8 --samples 1 --output " + path("two.png") + spheres);
   expect_lost_output("sweep --list --n 64 --results " + path("sweep") + cpu);

@@ -66,6 +66,21 @@ TEST_F(SphereOutput, TheSpheresHaveMoved) {
   EXPECT_NE(read_bytes(path("0.csv")), read_bytes(path("1.csv")));
 }
 
+TEST_F(SphereOutput, SaysThatItLosesTheSpeciesOfAFile) {
+  const std::string named = folder_.write("a.extxyz", "1\nProperties=species:S:1:pos:R:3:radius:R:1\nHe 1 2 3 1\n"),
+                    classic = folder_.write("b.xyz", "1\n\nHe 1 2 3 1\n"),
+                    bare = folder_.write("c.xyz", "1\n\n1 2 3 1\n");
+  const auto errors = [&](const std::string& in, const std::string& out) {
+    return run(fmt::format("run --backend cpu --input {} {}", in, out.empty() ? "" : "--spheres " + path(out))).errors;
+  };
+  const std::string warning = "* --spheres writes no species: those of ";
+  for (const std::string& in : {named, classic})
+    for (const char* out : {"out.extxyz", "out.csv"})
+      EXPECT_TRUE(errors(in, out).starts_with(warning + in)) << errors(in, out);
+  EXPECT_EQ(errors(bare, "out.xyz"), "");
+  EXPECT_EQ(errors(named, ""), "");
+}
+
 TEST_F(SphereOutput, GoesToStandardOutputAsText) {
   const Outcome outcome = run("run --backend cpu --n 3 --spheres -");
   EXPECT_EQ(outcome.code, kOk);

@@ -75,6 +75,7 @@ TEST_F(ViewCommand, ShowsSpheresAndThePanel) {
   const Ended ended = view("--backend cpu --frames 4 --screenshot " + file);
   if (ended.said.find("built without windows") != std::string::npos) GTEST_SKIP() << ended.said;
   ASSERT_EQ(ended.code, kOk) << ended.said;
+  EXPECT_NE(ended.said.find("plane at y = -5\n"), std::string::npos) << ended.said;
   const Shot shot = shot_in(file);
   ASSERT_EQ(shot.width, 640u);
   ASSERT_EQ(shot.height, 480u);
