@@ -30,7 +30,7 @@ std::string_view unquoted(std::string_view field) {
 
 class TextReader {
  public:
-  TextReader(const FileBytes& file, const SphereFileOptions& options) : file_(file), options_(options) {
+  TextReader(const FileBytes& file, const SphereFileOptions& options) : file_(file) {
     if (!options.columns.empty()) columns_ = columns_of_names("--columns", options.columns);
   }
 
@@ -84,7 +84,6 @@ class TextReader {
   }
 
   const FileBytes& file_;
-  const SphereFileOptions& options_;
   Columns columns_;
   bool by_place_ = false;
   std::vector<std::string_view> fields_;

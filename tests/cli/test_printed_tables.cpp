@@ -2,10 +2,12 @@
 // What the commands print: within 80 columns, with headings, and in grammar.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "bench/cli/commands.h"
 #include "bench/io/report.h"
+#include "tests/support/backends.h"
 #include "tests/support/program.h"
 
 namespace spherepair {
@@ -24,11 +26,15 @@ class PrintedTables : public ProgramTest {
     }
     return outcome.output;
   }
+  static bool has_opengl() {
+    return std::ranges::any_of(open_backends(), [](Backend* backend) { return backend->info().name == "glsl"; });
+  }
   // However its lines are broken.
   static std::string words_of(const std::string& text) { return wrapped(text, "", "", text.size() + 1); }
 };
 
 TEST_F(PrintedTables, OfEveryStudyFitInto80Columns) {
+  if (!has_opengl()) GTEST_SKIP() << "no OpenGL here";
   expect_narrow("compare --quick --n 64 --scenes random --blocks 64 --rounds 1 --min-seconds 1e-5");
   expect_narrow("crossover --backends cpu,glsl --n 64 --kinds gas,one_cell --rounds 1");
   expect_narrow("ablate --backends cpu,glsl --n 64 --names radius_load_all_pairs,cells --rounds 1");
@@ -51,6 +57,7 @@ TEST_F(PrintedTables, OfTheStepsOfARunFitsInto80Columns) {
 }
 
 TEST_F(PrintedTables, FramesHasHeadings) {
+  if (!has_opengl()) GTEST_SKIP() << "no OpenGL here";
   const std::string text = expect_narrow(
       "frames --backends cpu,glsl --n 64 --draws compute,points --rounds 1 --size 64x48 --min-seconds 1e-5");
   for (const char* words : {"Drawing 64 spheres at 64x48: median ms", "backend  draw     camera", "frame_all"})
