@@ -6,8 +6,8 @@ STYLE = """
 :root{color-scheme:light dark}
 body{font:16px/1.5 sans-serif;margin:0 auto;padding:1rem;max-width:100rem}
 h1{font-size:1.5rem}h2{font-size:1.2rem;margin-top:2.5rem;border-bottom:1px solid #8888}
-.pair{display:grid;gap:1.5rem;grid-template-columns:repeat(auto-fit,minmax(min(100%,26rem),1fr))}
-.pair>*{min-width:0;margin:0}
+.pair{display:grid;gap:1rem;grid-template-columns:repeat(auto-fit,minmax(min(100%,10rem),1fr))}
+.pair>*{min-width:0;margin:0;overflow-x:auto}
 img{max-width:100%;height:auto;background:#fff}
 pre{font-size:.75rem;line-height:1.35;overflow-x:auto;padding:.5rem;border:1px solid #8888}
 figcaption,.machine{font-weight:bold;margin-bottom:.5rem}
