@@ -18,7 +18,7 @@ sys.path[0] = str(ROOT)  # in place of paper/, whose numbers/ would hide Python'
 
 from paper import headline, plots, side_by_side, sources, style  # noqa: E402  (the path must be set first)
 from paper.numbers import macros  # noqa: E402
-from paper.plots import ratio  # noqa: E402
+from paper.plots import ratio_by_duration  # noqa: E402
 from paper.records import DATA, Machine, Missing  # noqa: E402
 from paper.tables import all_tables  # noqa: E402
 from paper.tables.stress import stress  # noqa: E402
@@ -113,8 +113,10 @@ def write_paper_inputs(output):
 
 
 def write_headline(machine):
-    figure = ratio.draw(machine)
-    style.save_png(figure, ROOT / "paper/headline.png", f"{machine.title}\n{machine.note_on(ratio.NAME)}".strip())
+    machine.used.clear()
+    figure = ratio_by_duration.draw(machine)
+    source = machine.title.replace(machine.id, ratio_by_duration.runs(machine))
+    style.save_png(figure, ROOT / "paper/headline.png", f"{source}\n{machine.note_on(ratio_by_duration.NAME)}".strip())
     readme = ROOT / "README.md"
     readme.write_text(headline.updated(readme.read_text(), machine))
 

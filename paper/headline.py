@@ -4,7 +4,7 @@ the APIs."""
 import re
 import textwrap
 
-from paper.numbers import leads
+from paper.numbers import contests, leads
 from paper.numbers.derived import cost, matched, pairs_of
 from paper.numbers.ranks import differ
 from paper.records import original_paper
@@ -83,13 +83,18 @@ def comparison(machine):
             f"short kernels, GLSL takes {leads.ratios(cuda)} CUDA's time in {len(cuda)} of {len(grid)} comparisons. "
             "Medians of recorded runs with their intervals: [paper/data/h200](paper/data/h200). Design decisions and "
             "rejected alternatives: [docs/NOTES](docs/NOTES/README.md).")
+    return filled(text)
+
+
+def filled(text):
     return textwrap.fill(text, 120, break_long_words=False, break_on_hyphens=False)
 
 
 def updated(readme, machine):
-    """The README with these rows and this paragraph replaced; each must be there."""
+    """The README with these rows and paragraphs replaced; each must be there."""
     parts = [(rf"^\| {re.escape(words)}.*$", row) for words, row in rows(machine)]
-    for pattern, text in (*parts, (r"^For all pairs,.*(\n.+)*", comparison(machine))):
+    for pattern, text in (*parts, (r"^For all pairs,.*(\n.+)*", comparison(machine)),
+                          (r"^In [\d,]+ recorded contests.*(\n.+)*", filled(contests.rule(machine)))):
         readme, count = re.subn(pattern, lambda _: text, readme, flags=re.MULTILINE)
         if count != 1:
             raise ValueError(f"the README has {count} matches of: {pattern}")

@@ -78,6 +78,7 @@ GPU = tuple(map(in_hardware, (
     study("crossover", 3, "glsl,cuda", "crossover", "crossover.json"),
     study("crossover_cpu", 2, "cpu", "crossover", "crossover.json"),
     study("ablate", 3, "glsl,cuda", "ablate --n 16384,1000000", "ablate.json"),
+    study("launches", 2, "glsl,cuda", "launches", "launches.json"),
     study("frames", 5, "glsl,cuda", "frames --draws compute --n 16384,1000000,10000000 --works frame,lit,loop",
           "frames.json"),
     study("frames_pipeline", 2, "glsl", "frames --draws mesh_each,mesh,points,impostor --places outside --works frame "

@@ -5,13 +5,9 @@
 
 #include <cstdio>
 
-#include "bench/cli/ablate.h"
 #include "bench/cli/commands.h"
-#include "bench/cli/crossover.h"
 #include "bench/cli/options_draw.h"
-#include "bench/cli/precision.h"
-#include "bench/cli/sets.h"
-#include "bench/cli/sweep.h"
+#include "bench/cli/studies.h"
 #include "bench/cli/view.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
@@ -196,6 +192,8 @@ void add_studies(CLI::App& app, CommandLine& line, Action& action) {
             add_crossover_options, crossover_command);
   add_study(app, line, action, "ablate", "Time each optimisation and API feature on and off", add_ablate_options,
             ablate_command);
+  add_study(app, line, action, "launches", "Time the ways in which a step's launches reach a GPU", add_launches_options,
+            launches_command);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/cli/crossover.h"
+#include "bench/cli/studies.h"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "bench/cli/commands.h"
-#include "bench/cli/precision.h"
+#include "bench/cli/studies.h"
 #include "bench/formats/files.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"

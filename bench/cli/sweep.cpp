@@ -8,7 +8,7 @@
 //                  instructions), floor_ms and share_of_floor where the peak rate is known, and the timing core's
 //                  fields: median_ms, interval_ms, samples_ms, device_stages_ms ...
 //   left_out       backend, method and reason of whatever was requested but not timed
-#include "bench/cli/sweep.h"
+#include "bench/cli/studies.h"
 
 #include <fmt/format.h>
 

@@ -62,6 +62,11 @@ std::string prepared_text(const Preparations& prepared) {
                      prepared.captures, prepared.compilations, prepared.allocations);
 }
 
+void enqueue(const Contender& contender, uint64_t steps) {
+  if (contender.steps) return contender.steps(*contender.backend, steps);
+  for (uint64_t k = 0; k < steps; ++k) contender.step(*contender.backend);
+}
+
 }  // namespace
 
 Clocks host_clocks() {
@@ -84,7 +89,7 @@ Batch time_batch(const Contender& contender, uint64_t steps, int ahead, const Cl
   backend.finish();
   const Preparations before = backend.preparations();
   const double cores = clocks.cores(), start = clocks.wall();
-  for (uint64_t k = 0; k < steps; ++k) contender.step(backend);
+  enqueue(contender, steps);
   backend.finish();
   const double seconds = clocks.wall() - start;
   return {seconds, (clocks.cores() - cores) / seconds, backend.preparations() - before};

@@ -23,6 +23,9 @@ struct Contender {
   // Those that are compared are in a contest: they share K and take their turns in a row. Empty: it is alone.
   std::string contest = {};
 
+  // Enqueues so many in one go; empty: `step` as often.
+  std::function<void(Backend&, uint64_t)> steps = {};
+
   bool alternates = false;  // others change the backend's state: a step goes ahead, also on the host
 
   // Untimed, before each batch: to the state in which all of the contest begin. For steps that change the next ones'

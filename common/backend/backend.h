@@ -132,6 +132,14 @@ class Backend {
   // For timing: enqueues the same search and returns. Left out are decisions that the last complete search of this kind
   // did not need, lists that turn out too short, and the number of colliding spheres; so it has no results to ask for.
   virtual void enqueue_collide(const CollideOptions& options) = 0;
+  // A move and the search behind it, whose launches go out as one step's: in CUDA as one graph, and without a batch
+  // each of them waited for. Complete as collide(); enqueue_step: for timing, as enqueue_collide().
+  virtual void step(const CollideOptions& options) { move(), collide(options); }
+  virtual void enqueue_step(const CollideOptions& options) { move(), enqueue_collide(options); }
+  // Steps of `paper` in float32 and all pairs in one launch, of a persistent kernel; the results are those of the last.
+  virtual bool has_persistent_steps() const { return false; }
+  virtual void run_persistent_steps(uint /*steps*/) { throw BackendError(info().name + ": has no persistent kernel"); }
+  virtual void enqueue_persistent_steps(uint steps) { run_persistent_steps(steps); }
   virtual void finish() = 0;  // waits for all that was enqueued
   virtual MethodChoice choice(const CollideOptions& options) const = 0;
 

@@ -15,6 +15,8 @@ void check_collide(const CollideOptions& options) {
     throw std::invalid_argument("without its filter only collide_grid runs, and only with the exact predicate");
   if (!grid && options.api != ApiOptions{.graph = options.api.graph, .batch = options.api.batch})
     throw std::invalid_argument("of the API options, all but the graph and the batch need collide_grid");
+  if (options.api.graph.value_or(false) && !options.api.batch.value_or(true))
+    throw std::invalid_argument("a step is one graph, or its launches are waited for one by one: ask for one of both");
   if (options.api.graph.value_or(false) && options.api.overlap.value_or(false))
     throw std::invalid_argument(
         "a step is one graph, or its launches overlap with the step before: ask for one of both");
@@ -28,7 +30,7 @@ void refuse_missing(const std::string& backend, const CollideOptions& options, c
   need(options.grid.sort == Sort::radix, thrust, "the radix sort of Thrust", "the backend cuda");
   need(options.api.graph, offered.graph, "a graph of launches", "the backend cuda");
   need(options.api.texture_table, offered.texture_table, "a table in a texture buffer", "the backend glsl");
-  need(options.api.batch, offered.batch, "a batch of dispatches", "the backend glsl");
+  need(options.api.batch, offered.batch, "a batch of launches", "the backends glsl and cuda");
   need(options.api.overlap, offered.overlap, "a launch that overlaps the previous search",
        "the backend glsl and, compiled for compute capability 9.0 or later, cuda");
   need(options.api.library_clear, offered.library_clear, "a clear by the API", "the backends glsl and cuda");

@@ -57,8 +57,8 @@ struct ApiOptions {
   std::optional<bool> texture_table = {};
   // both: the API's function clears the table, in place of a kernel. Absent: off
   std::optional<bool> library_clear = {};
-  // GLSL: a step's dispatches go out together, each behind the one barrier that it needs. Off: each behind all
-  // barriers, and the host waits for it. Absent: on
+  // both: a step's launches go out together, in GLSL each behind the one barrier that it needs. Off: the host waits for
+  // each, GLSL behind all barriers, CUDA without a graph. Absent: on
   std::optional<bool> batch = {};
   // both, CUDA 12.3 or later where kernels are compiled for 9.0 or later: what needs nothing of the search right before
   // it begins while that is under way, which no graph can (absent: on where no graph is requested or pays more, of few

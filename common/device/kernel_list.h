@@ -15,6 +15,6 @@
   each(draw_clear) each(draw_unsort_counts) each(draw_colours) each(draw_bounds) each(draw_cull) each(draw_hiz_pyramid)       \
   each(draw_previously_visible) each(draw_clusters) each(draw_spheres) each(draw_tiles) each(draw_resolve)    \
   each(draw_light)
-#define SPHEREPAIR_CUDA_KERNELS(each) each(tensor_bounds) each(tensor_forms) each(collide_tensor)
+#define SPHEREPAIR_CUDA_KERNELS(each) each(tensor_bounds) each(tensor_forms) each(collide_tensor) each(persistent_steps)
 #define SPHEREPAIR_KERNELS(each) SPHEREPAIR_MIRRORED_KERNELS(each) SPHEREPAIR_CUDA_KERNELS(each)
 // clang-format on

@@ -44,6 +44,7 @@ struct Launch {
                                         // writes what the other uses
   const View* view = nullptr;  // of kernels that draw, which see as counts what chooses the colours, by sphere index
   uint visible_slot = SLOT_VISIBLE;  // of kernels that draw
+  uint steps = 0;                    // of persistent_steps, whose groups must all run at once
   uint64_t texels = 0;               // GLSL, where variant.texture_table is set: elements of the buffer texture
 };
 

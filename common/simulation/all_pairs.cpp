@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "common/simulation/tensor_pairs.h"
-
 namespace spherepair {
 namespace {
 

@@ -13,4 +13,8 @@ uint default_columns(uint64_t n, bool software);
 // method that devices do not have.
 void launch_all_pairs(DeviceContext& context, const CollideOptions& options, const Variant& variant);
 
+// The same through tensor cores, for a device with tensor_groups: collide_tensor and what it needs, whose forms take
+// the buffers of the sort into cells.
+void launch_tensor_pairs(DeviceContext& context, const Variant& variant);
+
 }  // namespace spherepair

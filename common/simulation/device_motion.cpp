@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "common/simulation/device_motion.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 
 #include "common/backend/checks.h"
@@ -58,6 +60,16 @@ bool DeviceMotion::step(bool clear_results, std::optional<Kernel> overlaps) {
   launch(Kernel::bounce, !event_driven_, clear_results, overlaps);
   evaluated_ = current_ = false;
   return false;
+}
+
+void DeviceMotion::leave_steps_to_search() {
+  if (!unmovable_.empty()) throw std::invalid_argument(unmovable_);
+  if (motion_ != MotionOptions{MotionMethod::paper, Precision::float32})
+    throw std::invalid_argument(
+        fmt::format("{}: the persistent kernel moves spheres by paper float32, not by {}: choose that motion, or take "
+                    "steps one by one",
+                    context_.name(), motion_label(motion_)));
+  moved_ = true;
 }
 
 bool DeviceMotion::evaluate_positions() {

@@ -20,6 +20,9 @@ class DeviceMotion {
   // of the last search are cleared by it: true. Throws std::invalid_argument for a scene that cannot be moved.
   bool step(bool clear_results, std::optional<Kernel> overlaps);
 
+  // The search's kernel takes the next steps, which it can of `paper` in float32: std::invalid_argument for others.
+  void leave_steps_to_search();
+
   // Of `anchored`, which keeps anchors: the positions of this step, and the results cleared (true where anything was
   // done). Other methods have their positions always.
   bool evaluate_positions();

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "common/backend/checks.h"
@@ -14,14 +13,12 @@
 namespace spherepair {
 namespace {
 
-constexpr uint resolve_groups = 64, tally_groups = 1024;
+constexpr uint resolve_groups = 64;
 // Fewer spheres fit the caches together, so groups of collide_grid stride through them; of more, each group takes so
 // few chunks in a row that neighbouring groups work on neighbouring cells.
 constexpr uint64_t cached_spheres = 4'000'000;
 constexpr uint64_t most_groups = 4096;  // of few spheres: enough to balance the load on a large device
 constexpr uint threads_per_chunk = 32;  // of a group, which takes that many chunks in a row of many spheres
-
-uint64_t join(const uint* words) { return uint64_t(words[1]) << 32 | words[0]; }
 
 }  // namespace
 
@@ -58,7 +55,7 @@ void PairSearch::choose(const CollideOptions& options) {
   options_.block = chosen_block(info, context_.n, options_.method, options);
 }
 
-void PairSearch::enqueue(const CollideOptions& options) {
+void PairSearch::require_options(const CollideOptions& options) const {
   const bool small = options.method == Method::collide_tiled && std::ranges::count(small_block_sizes(), options.block);
   if (!small && std::ranges::count(block_sizes(), options.block) == 0)
     throw std::invalid_argument(
@@ -66,6 +63,10 @@ void PairSearch::enqueue(const CollideOptions& options) {
   check_collide(options);
   context_.device.check(options);
   refuse_tensor(context_.name(), options, context_.device.capabilities().tensor_groups != 0);
+}
+
+void PairSearch::enqueue(const CollideOptions& options, bool in_step) {
+  require_options(options);
   if (options.swept) {
     const CollideOptions chosen = {.method =
                                        chosen_method(context_.device.info(), context_.n, sorter_.plans(), options)};
@@ -75,7 +76,7 @@ void PairSearch::enqueue(const CollideOptions& options) {
     evaluate_positions();
   }
   choose(options);
-  launch();
+  launch(in_step);
 }
 
 // The scene's constants, and what the options say.
@@ -88,7 +89,8 @@ void PairSearch::set_params() {
   params.deferred_capacity = uint(context_.buffers.bytes(SLOT_DEFERRED) / sizeof(uvec2));
 }
 
-void PairSearch::launch() {
+// What every search begins with: parameters, the variant and counts of its work.
+void PairSearch::prepare_launch() {
   ++context_.version;
   context_.params.first_group = 0;
   set_params();
@@ -99,12 +101,38 @@ void PairSearch::launch() {
   ++work.steps;
   work.without_radii += variant_.equal_radii;
   work.lists += variant_.listed;
+  results_ = Results::none;  // until all is launched
+}
+
+// The kernel clears what it counts before every search, and decides nothing that its filter leaves.
+void PairSearch::enqueue_steps(uint steps) {
+  options_ = {.method = Method::collide_triangle};
+  prepare_launch();
+  context_.work().steps += steps - 1;
+  search_decides_ = results_clear_ = counts_sorted_ = false;
+  sorter_.forget_order();
+  order_ = Order::scene;
+  const uint64_t parts =
+      ceil_div(context_.n, SERVICE_BLOCK) * ceil_div(context_.n, context_.params.search.columns_per_group);
+  const uint64_t at_once = context_.device.capabilities().persistent_groups;
+  const uint groups = uint(std::clamp<uint64_t>(parts, 1, at_once));
+  context_.launch({.kernel = Kernel::persistent_steps,
+                   .block = SERVICE_BLOCK,
+                   .variant = variant_,
+                   .groups = {groups, 1, 1},
+                   .steps = steps});
+  resolved_ = false;
+  if (resolved_in_step_.contains(kind())) resolve_undecided();
+  results_ = Results::enqueued;
+}
+
+void PairSearch::launch(bool in_step) {
+  prepare_launch();
   const bool grid = options_.method == Method::collide_grid && context_.n >= 2;
   search_decides_ = grid && sorter_.plans().plan(options_.grid.cells).cells == Cells::dense;
-  results_ = Results::none;  // until all is launched
   resolved_ = true;
   if (!grid) sorter_.forget_order();
-  context_.device.begin_step(options_.api);
+  if (!in_step) context_.device.begin_step(options_.api);
   const bool clear = std::exchange(results_clear_, false);
   if (!grid && !clear) clear_results(context_, Order::scene);
   if (context_.n >= 2) {
@@ -144,91 +172,6 @@ void PairSearch::resolve_undecided() {
   if (resolved_) return;
   context_.launch({Kernel::resolve_undecided, SERVICE_BLOCK, variant_, {resolve_groups, 1, 1}, order_});
   resolved_ = true;
-}
-
-std::vector<uint> PairSearch::read_summary() {
-  return context_.buffers.read<uint>(SLOT_SUMMARY, SUMMARY_SLOTS * SUMMARY_WORDS);
-}
-
-bool PairSearch::grow_lists(const std::vector<uint>& summary) {
-  const uint64_t deferred = summary[SUM_DEFERRED], listed = summary[SUM_LISTED];
-  const bool short_deferred = deferred > context_.params.search.deferred_capacity;
-  const bool short_pairs = options_.want_pairs && listed > context_.params.search.pair_capacity;
-  if (short_deferred) context_.buffers.resize(SLOT_DEFERRED, (deferred + deferred / 8) * sizeof(uvec2));
-  if (short_pairs) context_.buffers.resize(SLOT_PAIR, (listed + listed / 8) * sizeof(uvec2));
-  return short_deferred || short_pairs;
-}
-
-void PairSearch::complete() {
-  std::vector<uint> summary = read_summary();
-  const bool left = summary[SUM_DEFERRED] != 0;
-  if (options_.exact && !left) resolved_in_step_.erase(kind());
-  if (options_.exact && left) resolved_in_step_.insert(kind());
-  if (left && !resolved_) {
-    resolve_undecided();
-    summary = read_summary();
-  }
-  while (grow_lists(summary)) {
-    launch();
-    summary = read_summary();
-  }
-  context_.launch({Kernel::tally, SERVICE_BLOCK, {}, {tally_groups, 1, 1}, order_});
-  totals_ = sum(read_summary());
-  if (options_.want_pairs && context_.device.library())
-    context_.device.library()->sort_pairs(std::min<uint64_t>(totals_.pairs, std::numeric_limits<uint>::max()));
-  resolved_ = true;
-  results_ = Results::complete;
-}
-
-Collisions PairSearch::sum(const std::vector<uint>& summary) const {
-  Collisions total;
-  for (uint row = 0; row < SUMMARY_SLOTS; ++row) {
-    const uint* words = &summary[row * SUMMARY_WORDS];
-    total.pairs += join(words + SUM_PAIRS);
-    total.fingerprint.a += join(words + SUM_MIX_A);
-    total.fingerprint.b += join(words + SUM_MIX_B);
-    total.colliding_spheres += join(words + SUM_COLLIDING);
-    for (uint stage = 0; stage < STAGES; ++stage) total.decided_by[stage] += words[SUM_STAGE + stage];
-    total.deferred += words[search_decides_ ? SUM_UNDECIDED : SUM_DEFERRED];
-  }
-  return total;
-}
-
-void PairSearch::require_complete() const {
-  if (results_ == Results::none)
-    throw BackendError(
-        fmt::format("{}: no collision step to report since the last move; call collide first", context_.name()));
-  if (results_ != Results::complete)
-    throw BackendError(
-        fmt::format("{}: the last collision step was only enqueued; call collide for its results", context_.name()));
-}
-
-const Collisions& PairSearch::totals() const {
-  require_complete();
-  return totals_;
-}
-
-std::vector<uint> PairSearch::counts() {
-  require_complete();
-  const std::vector<uint> counts = context_.buffers.read<uint>(count_slot(order_), context_.n);
-  if (order_ != Order::cells) return counts;
-  const std::vector<uint> indices = sorter_.sphere_indices();
-  std::vector<uint> by_index(context_.n);
-  for (uint64_t k = 0; k < context_.n; ++k) by_index[indices[k]] = counts[k];
-  return by_index;
-}
-
-std::vector<Pair> PairSearch::pairs() {
-  const uint64_t count = totals().pairs;
-  if (!options_.want_pairs)
-    throw BackendError(fmt::format("{}: no pair list was requested; set want_pairs", context_.name()));
-  if (count > std::numeric_limits<uint>::max())
-    throw BackendError(
-        fmt::format("{}: {} pairs collide, but a list holds 2^32 - 1 at most; ask for the numbers without the list",
-                    context_.name(), count));
-  std::vector<Pair> pairs = context_.buffers.read<Pair>(SLOT_PAIR, count);
-  if (!context_.device.library()) std::ranges::sort(pairs);
-  return pairs;
 }
 
 void PairSearch::prepare_counts(bool sorted) {

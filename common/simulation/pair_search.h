@@ -25,7 +25,12 @@ class PairSearch {
   // Launches a search of these positions and returns. Left out: pairs that the filter left undecided (unless the last
   // complete search of this kind had some, which makes their kernel part of the step), lists that are too short and the
   // number of colliding spheres.
-  void enqueue(const CollideOptions& options);
+  // in_step: the device has begun the step already, with a move.
+  void enqueue(const CollideOptions& options, bool in_step = false);
+  void require_options(const CollideOptions& options) const;  // std::invalid_argument names what cannot be
+
+  // Launches so many steps of a move and a search of all pairs as one kernel.
+  void enqueue_steps(uint steps);
 
   // Completes the search that was enqueued: every pair is decided, every list has room, totals are read.
   void complete();
@@ -52,7 +57,8 @@ class PairSearch {
   enum class Results { none, enqueued, complete };  // of these positions
 
   void choose(const CollideOptions& options);
-  void launch();
+  void prepare_launch();
+  void launch(bool in_step = false);
   void launch_grid(bool results_clear);
   void set_params();
   void resolve_undecided();

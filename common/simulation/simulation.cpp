@@ -93,6 +93,32 @@ void Simulation::enqueue_collide(const CollideOptions& options) {
   search_.enqueue(options);
 }
 
+void Simulation::step(const CollideOptions& options) {
+  enqueue_step(options);
+  search_.complete();
+}
+
+void Simulation::enqueue_step(const CollideOptions& options) {
+  require_scene("enqueue_step");
+  search_.require_options(options);
+  device_->begin_step(options.api);
+  move();
+  search_.enqueue(options, true);
+}
+
+void Simulation::run_persistent_steps(uint steps) {
+  enqueue_persistent_steps(steps);
+  search_.complete();
+}
+
+void Simulation::enqueue_persistent_steps(uint steps) {
+  require_scene("persistent steps");
+  if (!has_persistent_steps()) return Backend::run_persistent_steps(steps);
+  motion_.leave_steps_to_search();
+  search_.enqueue_steps(steps);
+  sorter_.moved();
+}
+
 std::vector<DrawMethod> Simulation::draw_methods() const {
   if (has_pipeline()) return {all_draw_methods().begin(), all_draw_methods().end()};
   return {DrawMethod::compute};

@@ -28,6 +28,11 @@ class Simulation final : public Backend {
   MethodChoice choice(const CollideOptions& options) const override;
   void collide(const CollideOptions& options) override;
   void enqueue_collide(const CollideOptions& options) override;
+  void step(const CollideOptions& options) override;
+  void enqueue_step(const CollideOptions& options) override;
+  bool has_persistent_steps() const override { return device_->capabilities().persistent_groups != 0; }
+  void run_persistent_steps(uint steps) override;
+  void enqueue_persistent_steps(uint steps) override;
   Collisions collisions() override { return search_.totals(); }
   std::vector<uint> counts() override { return search_.counts(); }
   std::vector<Pair> pairs() override { return search_.pairs(); }

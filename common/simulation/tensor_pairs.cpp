@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "common/simulation/tensor_pairs.h"
-
 #include <algorithm>
 
 #include "common/shared/tensor_form.h"
+#include "common/simulation/all_pairs.h"
 
 namespace spherepair {
 namespace {

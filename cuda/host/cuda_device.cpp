@@ -67,6 +67,7 @@ class CudaDevice final : public Device, private DeviceLibrary {
   std::unordered_set<Entry> loaded_;  // kernels that were launched
   bool programmatic_ = false;         // a launch can begin before the one before it is done
   bool early_ = false;                // and does, in this step
+  bool batched_ = true;               // else the host waits for each launch of this step
   std::optional<Kernel> last_;        // that was launched; writes, clears and Thrust forget it
 };
 
@@ -78,6 +79,7 @@ CudaDevice::CudaDevice(int device)
                     .overlaps_images = false,
                     .bounds_block = SERVICE_BLOCK,
                     .tensor_groups = tensor_groups(device),
+                    .persistent_groups = persistent_groups(device),
                     .graph_pays_below = 20'000} {
   require_kernels(device);
 }
@@ -170,7 +172,8 @@ KernelBuffers CudaDevice::buffers(const Launch& launch) const {
 void CudaDevice::launch(const Launch& launch, const Params& params) {
   const dim3 groups(launch.groups[0], launch.groups[1], launch.groups[2]);
   const View view = launch.view ? *launch.view : View{};
-  KernelCall call{stage_name(launch), entry_of(launch), groups, launch.block, params, buffers(launch), view, false};
+  KernelCall call{stage_name(launch), entry_of(launch), groups, launch.block, params, buffers(launch), view, false,
+                  launch.steps};
   call.p.indices = launch.variant.indices;
   const bool overlaps = programmatic_ && last_ && launch.overlaps == last_;
   const bool waits_first = launch.kernel == Kernel::grid_sort || launch.kernel == Kernel::collide_grid;
@@ -183,18 +186,22 @@ void CudaDevice::launch(const Launch& launch, const Params& params) {
   ++work.launches;
   if (graph_.collecting()) return graph_.add(call);
   stages_.time(call.name, [&] { launch_call(call, nullptr); });
+  if (!batched_) wait(), ++work.waits;
 }
 
 void CudaDevice::check(const CollideOptions& options) const {
-  refuse_missing("cuda", options, {.graph = true, .library_clear = true, .overlap = programmatic_}, true);
+  refuse_missing("cuda", options, {.graph = true, .library_clear = true, .batch = true, .overlap = programmatic_},
+                 true);
 }
 
 void CudaDevice::begin_step(const ApiOptions& options) {
-  if (options.graph.value_or(true) && !stages_.on()) graph_.begin();  // stages are timed one by one
+  batched_ = options.batch.value_or(true);
+  if (options.graph.value_or(true) && batched_ && !stages_.on()) graph_.begin();  // stages are timed one by one
   early_ = programmatic_ && options.overlap.value_or(true);
 }
 
 void CudaDevice::end_step() {
+  batched_ = true;
   const uint64_t calls = graph_.size();
   const bool replayed = graph_.end();
   prepared.captures = graph_.captures();

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "common/shared/tensor_form.h"
 #include "cuda/host/check.h"
 #include "cuda/host/entries.h"
@@ -21,6 +23,12 @@ std::string uuid_of(const cudaDeviceProp& properties) {
   std::string uuid;
   for (const char byte : properties.uuid.bytes) uuid += fmt::format("{:02x}", uint(uint8_t(byte)));
   return uuid;
+}
+
+int attribute_of(int device, cudaDeviceAttr attribute) {
+  int value = 0;
+  cuda_check(cudaDeviceGetAttribute(&value, attribute, device), "reading an attribute of the device");
+  return value;
 }
 
 int device_number(const DeviceName& wanted, int count) {
@@ -87,12 +95,23 @@ BackendInfo describe_device(int device) {
 
 uint tensor_groups(int device) {
   cudaFuncAttributes attributes;
-  int multiprocessors = 0;
   const bool loaded = cudaFuncGetAttributes(&attributes, collide_tensor_kernel(TENSOR_BLOCK, {})) == cudaSuccess;
   cudaGetLastError();  // forgotten
-  cuda_check(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, device),
-             "counting multiprocessors");
-  return loaded ? uint(multiprocessors) : 0;
+  return loaded ? uint(attribute_of(device, cudaDevAttrMultiProcessorCount)) : 0;
+}
+
+uint persistent_groups(int device) {
+  uint each = ~0u;  // on a multiprocessor, of both variants
+  for (const bool equal_radii : {false, true}) {
+    int groups = 0;
+    const Entry entry = persistent_steps_kernel(SERVICE_BLOCK, {.equal_radii = equal_radii});
+    if (cudaOccupancyMaxActiveBlocksPerMultiprocessor(&groups, entry, SERVICE_BLOCK, 0) != cudaSuccess) groups = 0;
+    each = std::min(each, uint(groups));
+  }
+  cudaGetLastError();  // forgotten
+  return attribute_of(device, cudaDevAttrCooperativeLaunch)
+             ? each * uint(attribute_of(device, cudaDevAttrMultiProcessorCount))
+             : 0;
 }
 
 }  // namespace spherepair

@@ -19,4 +19,8 @@ std::string version_text(int number);  // of a driver or runtime, as CUDA encode
 // Groups of collide_tensor that run at once: one on each multiprocessor, none where the kernel cannot be loaded.
 uint tensor_groups(int device);
 
+// Groups of persistent_steps that run at once, none where the device launches no kernel of groups that wait for each
+// other.
+uint persistent_groups(int device);
+
 }  // namespace spherepair

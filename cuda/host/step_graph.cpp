@@ -21,7 +21,7 @@ bool same_bytes(const T& a, const T& b) {
 bool same_call(const KernelCall& a, const KernelCall& b) {
   return a.entry == b.entry && a.groups.x == b.groups.x && a.groups.y == b.groups.y && a.groups.z == b.groups.z &&
          a.block == b.block && same_bytes(a.p, b.p) && same_bytes(a.w, b.w) && same_bytes(a.v, b.v) &&
-         a.early == b.early;
+         a.early == b.early && a.steps == b.steps;
 }
 
 }  // namespace
@@ -30,16 +30,22 @@ void launch_call(const KernelCall& call, cudaStream_t stream) {
   Params p = call.p;
   KernelBuffers w = call.w;
   View v = call.v;
-  void* arguments[] = {&p, &w, &v};
-  cudaLaunchAttribute early{};
-  early.id = cudaLaunchAttributeProgrammaticStreamSerialization;
-  early.val.programmaticStreamSerializationAllowed = 1;
+  uint steps = call.steps;
+  void* arguments[] = {&p, &w, steps ? static_cast<void*>(&steps) : &v};
+  cudaLaunchAttribute attribute{};
+  if (call.early) {
+    attribute.id = cudaLaunchAttributeProgrammaticStreamSerialization;
+    attribute.val.programmaticStreamSerializationAllowed = 1;
+  } else {
+    attribute.id = cudaLaunchAttributeCooperative;
+    attribute.val.cooperative = steps != 0;
+  }
   cudaLaunchConfig_t config{};
   config.gridDim = call.groups;
   config.blockDim = dim3(call.block);
   config.stream = stream;
-  config.attrs = &early;
-  config.numAttrs = call.early ? 1 : 0;
+  config.attrs = &attribute;
+  config.numAttrs = call.early || steps ? 1 : 0;
   cuda_check(cudaLaunchKernelExC(&config, call.entry, arguments),
              fmt::format("launching {} with {} threads a block", call.name, call.block));
 }

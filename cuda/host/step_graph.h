@@ -22,6 +22,7 @@ struct KernelCall {
   KernelBuffers w;
   View v;      // zeros for a kernel that takes none: another view is no other call of it
   bool early;  // may begin before the launch before is done, for which the kernel itself waits
+  uint steps;  // of persistent_steps, which takes them in place of a view; 0: another kernel
 };
 void launch_call(const KernelCall& call, cudaStream_t stream);  // throws BackendError
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Numbers and sentences of the prose about leads: of an API, of many launches, of an arrangement."""
-from paper.numbers import leads
+from paper.numbers import contests, leads
 from paper.numbers.derived import best, matched
 from paper.numbers.ranks import apart
 from paper.records import said
@@ -22,6 +22,11 @@ def who_leads(put, machine, others):
     said(machine, max(large) <= 15, "at large sizes the APIs are within a few percent of each other for all pairs")
     put("lead/large/from", f"{leads.LARGE:,}", machine.id, "least n at which launches are negligible")
     put("lead/large/most", f"{max(large):.0f}", machine.id, f"greatest lead of either in % from {leads.LARGE} on")
+
+
+def rule(put, machine, others):
+    runs = ", ".join(sorted({entry.source for entry in contests.contests(machine)}))
+    put("ratio/rule", contests.rule(machine).replace("µ", "\\textmu "), runs, "sentence made from every contest: ratio/rule")
 
 
 def methods(put, machine, others):
@@ -94,4 +99,4 @@ def keeping_order(put, machine, others):
     put("order/gain", f"{gain:.1f}", warm[n][0].source, f"random over cell order at n = {n}, the smaller of both APIs")
 
 
-LEADING = (who_leads, methods, launches, first_uses, arrangements, group_sizes, keeping_order)
+LEADING = (who_leads, rule, methods, launches, first_uses, arrangements, group_sizes, keeping_order)

@@ -10,8 +10,13 @@ namespace {
 
 class ApiOptionsOf : public BackendTest {};
 
-TEST_P(ApiOptionsOf, OnlyWithoutABatchTheHostWaitsForEveryDispatch) {
-  if (backend().info().name != "glsl") GTEST_SKIP() << "batches of dispatches are OpenGL's";
+uint64_t hash_of(Backend& backend) {
+  const Backend::State state = current_state(backend);
+  return state_hash(state.positions, state.velocities, state.wide);
+}
+
+TEST_P(ApiOptionsOf, OnlyWithoutABatchTheHostWaitsForEveryLaunch) {
+  if (backend().info().on_host) GTEST_SKIP() << "the CPU launches nothing";
   backend().upload(make_scene({.name = "uniform", .n = 500}));
   for (const bool batch : {true, false}) {
     const WorkCounts before = backend().work_counts();
@@ -19,6 +24,66 @@ TEST_P(ApiOptionsOf, OnlyWithoutABatchTheHostWaitsForEveryDispatch) {
     const WorkCounts after = backend().work_counts();
     EXPECT_EQ(after.waits - before.waits, batch ? 0 : after.launches - before.launches);
   }
+  CollideOptions both = grid_step([](CollideOptions& o) { o.api.graph = true, o.api.batch = false; });
+  EXPECT_THROW(backend().enqueue_collide(both), std::invalid_argument);
+}
+
+// The move is one of the step's launches: waited for without a batch, and in CUDA a part of the graph.
+TEST_P(ApiOptionsOf, AStepIsAMoveAndASearchTogether) {
+  const Scene scene = make_scene({.name = "uniform", .n = 900});
+  Backend& cpu = *all_backends().front().backend;
+  cpu.upload(scene);
+  for (int k = 0; k < 5; ++k) cpu.move();
+  const StepResult expected = run_step(cpu, {.method = Method::parallel});
+  CollideOptions options = fast_method(backend());
+  for (const bool batch : {true, false}) {
+    if (!backend().info().on_host) options.api.batch = batch;
+    backend().upload(scene);
+    for (int k = 0; k < 4; ++k) backend().enqueue_step(options);
+    const WorkCounts before = backend().work_counts();
+    backend().step(options);
+    const WorkCounts after = backend().work_counts();
+    EXPECT_TRUE(same_result(result_of(backend(), false), expected));
+    EXPECT_EQ(hash_of(backend()), hash_of(cpu));
+    if (!batch && !backend().info().on_host) {
+      EXPECT_EQ(after.waits - before.waits, 2u) << "move and collide_triangle";
+    }
+    if (batch && backend().info().name == "cuda") {
+      EXPECT_EQ(after.graphs_replayed - before.graphs_replayed, 1u);
+      EXPECT_EQ(after.launches - before.launches, 2u) << "the graph, and tally";
+    }
+  }
+}
+
+TEST_P(ApiOptionsOf, ThePersistentKernelTakesTheStepsThatLaunchesTake) {
+  const Scene scene = make_scene({.name = "random", .n = 3000});
+  backend().upload(scene);
+  if (!backend().has_persistent_steps()) {
+    EXPECT_THROW(backend().run_persistent_steps(1), BackendError);
+    GTEST_SKIP() << "no persistent kernel in " << backend().info().name;
+  }
+  for (const bool equal_radii : {true, false}) {
+    Scene chosen = scene;
+    chosen.equal_radii = equal_radii;
+    backend().upload(chosen);
+    for (int k = 0; k < 40; ++k) backend().enqueue_step(fast_method(backend()));
+    backend().step(fast_method(backend()));
+    const StepResult expected = result_of(backend(), false);
+    const uint64_t state = hash_of(backend());
+    backend().upload(chosen);
+    const uint64_t launches = backend().work_counts().launches;
+    backend().enqueue_persistent_steps(1);
+    backend().enqueue_persistent_steps(30);
+    EXPECT_EQ(backend().work_counts().launches, launches + 2);
+    backend().run_persistent_steps(10);
+    EXPECT_TRUE(same_result(result_of(backend(), false), expected));
+    EXPECT_EQ(hash_of(backend()), state);
+    backend().check_guards();
+  }
+  SceneOptions anchored = {.name = "random", .n = 100};
+  anchored.motion.method = MotionMethod::anchored;
+  backend().upload(make_scene(anchored));
+  EXPECT_THROW(backend().run_persistent_steps(1), std::invalid_argument);
 }
 
 // The buckets' counts are left at 0 by the step before, whatever that was.

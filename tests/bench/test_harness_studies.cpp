@@ -113,5 +113,19 @@ TEST_F(StudyProgram, AblateTimesNoWrongResult) {
     }
 }
 
+// Waited for, but no backend of these tests launches anything: every path is left out behind the check.
+TEST_F(StudyProgram, LaunchesTimesNoWrongResult) {
+  const std::string words = "launches --n 300";
+  const Outcome right = study("none", words);
+  EXPECT_EQ(right.code, 0) << right.errors;
+  for (const auto* faults : {&set_faults(), &state_faults()})
+    for (const NamedFault& fault : *faults) {
+      if (fault.fault == Fault::listed_pair) continue;
+      const Outcome wrong = study(fault.name, words);
+      EXPECT_EQ(wrong.code, 1) << fault.name << wrong.output;
+      EXPECT_NE(wrong.errors.find(fault.found_as), std::string::npos) << wrong.errors;
+    }
+}
+
 }  // namespace
 }  // namespace spherepair

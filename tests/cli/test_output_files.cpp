@@ -146,7 +146,7 @@ TEST_F(Outputs, PlacesThatCannotBeWrittenAreFoundBeforeTheWork) {
 
 TEST_F(Outputs, ResultsFoldersAreFoundBeforeTheWork) {
   for (const char* name : {"results.json", "methods.txt", "precision.json", "precision.txt", "sets.json", "sets.txt",
-                           "crossover.json", "ablate.txt", "frames.json"})
+                           "crossover.json", "ablate.txt", "launches.json", "frames.json"})
     fs::create_directories(path(fmt::format("{}-there/{}", name, name)));
   const auto expect = [&](const std::string& command, const std::string& name) {
     expect_refused(fmt::format("{} --backends cpu --results {}-there", command, path(name)), name + ": Is a directory");
@@ -159,6 +159,7 @@ TEST_F(Outputs, ResultsFoldersAreFoundBeforeTheWork) {
   expect("sets --motions paper", "sets.txt");
   expect("crossover --n 64", "crossover.json");
   expect("ablate --n 64", "ablate.txt");
+  expect("launches --n 64", "launches.json");
   expect("frames --n 64", "frames.json");
 }
 

@@ -19,6 +19,7 @@ if importlib.util.find_spec("matplotlib") is None:
 
 from paper import figures, side_by_side, sources  # noqa: E402  (the path must be set first)
 from paper.numbers.derived import GRID_BYTES  # noqa: E402
+from paper.plots import ratio  # noqa: E402
 from paper.records import DATA, Machine, Missing, Record, latest  # noqa: E402
 from paper.tables import all_tables, studies  # noqa: E402
 
@@ -41,6 +42,8 @@ def made_up_records():
                 row.parameters["floor_ms"] = 1e-9 * GRID_BYTES[order] * row.n
         rows += made_up("draw", [1], backend=backend, draw="compute", place="outside", work="frame")
         rows += made_up("interop", [1], backend=backend, way=f"map from {backend}")
+        for work in ("all_pairs", "grid"):
+            rows += made_up("launches", [1], backend=backend, work=work, path="waited")
         for on in (True, False):
             rows += made_up("ablation", [1 if on else 2], backend=backend, option="kept order", on=on)
         for precision in ("float32", "float64"):
@@ -140,7 +143,7 @@ class StaleRecords(unittest.TestCase):
         machine = Machine(DATA / "h200")
         machine.records = [replace(record, recorded=({"measure": digest},)) for record in machine.records]
         table = all_tables.of_one(all_tables.methods, machine)
-        one = unittest.mock.patch.object(figures, "modules", lambda: [figures.ratio])
+        one = unittest.mock.patch.object(figures, "modules", lambda: [ratio])
         with tempfile.TemporaryDirectory() as folder, one:
             figures.draw_all(machine, pathlib.Path(folder))
             figures.write_captions(machine, pathlib.Path(folder, "captions.tex"))

@@ -3,11 +3,12 @@
 import pathlib
 import statistics
 import sys
+import types
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 
-from paper.numbers import derived, ranks  # noqa: E402  (the path must be set first)
+from paper.numbers import contests, derived, ranks  # noqa: E402  (the path must be set first)
 from paper.records import Record, median_interval  # noqa: E402
 
 
@@ -44,6 +45,43 @@ class Ranks(unittest.TestCase):
         self.assertIsNotNone(derived.stage_ratio("clear", glsl, cuda))
         marked = self.record([1.0], device_stages_at_floor=["clear"], **stages)
         self.assertIsNone(derived.stage_ratio("clear", glsl, marked))
+
+
+class Contests(unittest.TestCase):
+    """The recorded contests by the duration of CUDA's step, from made-up records."""
+
+    @staticmethod
+    def machine(timings):
+        """timings: table, CUDA's microseconds, ratio, parameters; each of its own size."""
+        records = []
+        for n, (table, cuda_us, ratio, parameters) in enumerate(timings, 64):
+            for backend, factor in (("cuda", 1), ("glsl", ratio)):
+                time = 1e-3 * cuda_us * factor
+                records.append(Record({"table": table, "n": n, "backend": backend, "batch": 100, "scene": {"name": "random"},
+                                       **parameters, **parameters.get(backend, {})}, time, time, time, "machine:1"))
+        select = lambda table: [record for record in records if record.table == table]
+        return types.SimpleNamespace(name="machine", select=select)
+
+    def test_each_is_in_the_bin_of_cudas_step_and_of_its_work(self):
+        found = contests.contests(self.machine([
+            ("step", 5, 1.7, {"work": "step"}), ("grid", 40, 1.1, {"method": "collide_grid", "glsl": {"block": 64}}),
+            ("table1", 6, 0.8, {"work": "move"}), ("draw", 2000, 1, {"draw": "compute", "glsl": {"batch": 7}}),
+            ("draw", 500, 0.3, {"draw": "points"}), ("overhead", 5, 3, {}), ("methods", 9, 2, {"glsl": {"block": 64}})]))
+        self.assertEqual([("all pairs", 5, 1.7), ("motion", 6, 0.8), ("grid", 40, 1.1), ("drawing", 2000, 1)],
+                         [(entry.work, round(entry.cuda_us, 9), round(entry.ratio, 9)) for entry in found])
+        self.assertEqual([True, True, True, False], [entry.same_steps for entry in found])
+        self.assertEqual([(0, 1.25), (30, 1.1), (1000, 1)],
+                         [(each.low, round(each.median, 9)) for each in contests.bins(found)])
+
+    def test_the_rule_states_the_duration_from_which_ratios_are_small(self):
+        steps = [("step", 5, 1.7, {}), ("step", 8, 1.3, {}), ("step", 50, 1.1, {}), ("step", 200, 1, {})]
+        self.assertRegex(contests.rule(self.machine(steps)), "below 30 µs GLSL takes 1.30x to 1.70x CUDA's time, above it "
+                                                            "1.00x to 1.10x")
+        moves = [("table1", us, ratio, {"work": "move"}) for us, ratio in ((4, 0.7), (5, 0.8), (5, 1.9))]
+        pairs = [("step", us, 1.7, {}) for us in (5, 6, 6)]
+        self.assertRegex(contests.rule(self.machine(steps + moves + pairs)),
+                         r"\(not motion, one launch a step: 0.70x to 0.80x in 2 contests\)")
+        self.assertRegex(contests.rule(self.machine([("step", 5, 1, {}), ("step", 50, 1.5, {})])), "does not separate")
 
 
 if __name__ == "__main__":

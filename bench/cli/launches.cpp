@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// spherepair launches: launches.json has an entry of `measurements` for each size, work and path:
+//   n, scene, work   all_pairs or grid, see LaunchWork
+//   backend, path    see LaunchPath
+//   work_per_step    launches, waits, graphs_replayed, overlapped, early
+// and the timing core's fields, all paths of a size and a work in one contest; left_out has what is not timed, and why.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "bench/cli/studies.h"
+#include "bench/formats/files.h"
+#include "bench/io/context.h"
+#include "bench/options/options.h"
+
+namespace spherepair {
+namespace {
+
+// A table for each work.
+std::string tables_of(const LaunchStudy& study) {
+  std::string text;
+  for (const auto& [work, rows] : study.rows)
+    text +=
+        Table{work == LaunchWork::grid ? "Launches of a step: the grid, spheres in random order, which it sorts first"
+                                       : "Launches of a step: a move and all pairs",
+              {{"", "n", ""},
+               {"", "backend", "", true},
+               {"", "path", "", true},
+               {"", "step", "us"},
+               {"a sample", "besides", "us"},
+               {"", "to fastest", "", true}},
+              rows,
+              {}}
+            .text() +
+        "\n";
+  for (const std::string& one : study.left_out) text += wrapped(one, "* left out: ", "  ") + "\n";
+  return text + "* What each path is: spherepair launches --help\n";
+}
+
+std::vector<uint64_t> default_sizes(const Session& session) {
+  const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
+  if (!hardware) return {64, 256, 1024};
+  return {64, 256, 1024, 4096, 16384, 65536};
+}
+
+void require_device(const Session& session) {
+  if (session.devices().empty())
+    throw BackendError("launches times those of a GPU API, and neither glsl nor cuda is open:\n" + session.summary());
+}
+
+}  // namespace
+
+int launches_command(const CommandLine& line, const LaunchesOptions& options) {
+  const std::filesystem::path folder = prepare_results(options.results, {"launches.json", "launches.txt"});
+  Session session(options.backends, line.open, line.opener);
+  require_device(session);
+  for (const std::string& warning : session.warnings()) fmt::print(stderr, "{}\n", warning);
+  json record = {{"complete", false},
+                 {"context", capture_context(line.words)},
+                 {"backends", session.to_json()},
+                 {"clocks", json::array({query_clocks()})}};
+  std::optional<LaunchStudy> study;
+  const auto write = [&] {
+    record["left_out"] = study->left_out;
+    record["measurements"] = study->measurements;
+    write_file(folder / "launches.json", json_text(record));
+  };
+  study.emplace(session, options, write);
+  study->run(options.sizes.empty() ? default_sizes(session) : options.sizes);
+  record["complete"] = true;
+  record["clocks"].push_back(query_clocks());
+  write();
+  const std::string text = tables_of(*study);
+  write_file(folder / "launches.txt", text);
+  fmt::print("{}Results: {}\n", text, (folder / "launches.json").string());
+  return kOk;
+}
+
+std::shared_ptr<LaunchesOptions> add_launches_options(CLI::App& command) {
+  auto options = std::make_shared<LaunchesOptions>();
+  add_backends_option(command, options->backends);
+  command
+      .add_option("--n", options->sizes,
+                  "Numbers of spheres (default 64, 256, 1024, with a GPU also 4096, 16384, 65536)")
+      ->delimiter(',')
+      ->transform(positive_range);
+  command.add_option("--rounds", options->rounds, "Rounds of each timing")
+      ->transform(whole_number(1, 1000))
+      ->capture_default_str();
+  add_results_option(command, options->results, "launches.json and launches.txt");
+  std::string paths = "Paths:\n";
+  for (const LaunchPath& path : launch_paths())
+    paths += fmt::format("  {:<5}{:<20} {}\n", path.backend, path.name, path.summary);
+  command.footer(paths + "Example:\n  spherepair launches --backends glsl,cuda --n 64,1024,16384");
+  return options;
+}
+
+}  // namespace spherepair

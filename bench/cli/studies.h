@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The studies among the subcommands: their options, and what runs them.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <memory>
+
+#include "bench/cli/commands.h"
+#include "bench/gpu/launch_study.h"
+#include "bench/options/shard.h"
+#include "bench/studies/ablation_study.h"
+#include "bench/studies/crossover_sweep.h"
+
+namespace spherepair {
+
+// What each optimisation and each API feature saves. Each is timed on and off, in interleaved rounds, after a check
+// that both give the same results.
+std::shared_ptr<AblateOptions> add_ablate_options(CLI::App& command);
+int ablate_command(const CommandLine& line, const AblateOptions& options);
+
+// From how many spheres on the grid is faster than all pairs, and whether Method::automatic chooses the faster one.
+std::shared_ptr<CrossoverOptions> add_crossover_options(CLI::App& command);
+int crossover_command(const CommandLine& line, const CrossoverOptions& options);
+
+// How a step's launches reach the GPU, and what each way takes.
+std::shared_ptr<LaunchesOptions> add_launches_options(CLI::App& command);
+int launches_command(const CommandLine& line, const LaunchesOptions& options);
+
+struct PrecisionOptions {
+  std::vector<std::string> backends, methods, precisions;  // empty: all
+  std::vector<int> steps;                                  // k of dt = 2^-k; empty: by machine
+  uint64_t n = 0;                                          // of the timings; 0: by machine
+  int rounds = 11;
+  bool quick = false;
+  std::string results;  // empty: default_results()
+};
+std::shared_ptr<PrecisionOptions> add_precision_options(CLI::App& command);
+int precision_command(const CommandLine& line, const PrecisionOptions& options);
+
+struct SetsOptions {
+  std::vector<std::string> backends, methods, precisions;  // empty: all
+  bool quick = false;
+  std::string results;  // empty: default_results()
+};
+std::shared_ptr<SetsOptions> add_sets_options(CLI::App& command);
+int sets_command(const CommandLine& line, const SetsOptions& options);
+
+struct SweepCommandOptions {
+  std::vector<std::string> backends, methods;  // empty: all
+  std::vector<uint64_t> sizes;                 // empty: by machine
+  std::vector<double> packing_fractions = {0.3, 0.05};
+  std::vector<std::string> orders = {"cold", "warm"};
+  uint block = 0;  // 0: as auto chooses it
+  int rounds = 11;
+  SweepOptions sweep;
+};
+std::shared_ptr<SweepCommandOptions> add_sweep_options(CLI::App& command);
+int sweep_command(const CommandLine& line, const SweepCommandOptions& options);
+
+}  // namespace spherepair

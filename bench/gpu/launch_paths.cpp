@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "bench/gpu/launch_paths.h"
+
+namespace spherepair {
+namespace {
+
+bool waits_for_each(const WorkCounts& made) { return made.waits == made.launches && made.launches > 0; }
+bool waits_for_none(const WorkCounts& made) {
+  return made.launches > 0 && made.waits + made.graphs_replayed + made.overlapped + made.early == 0;
+}
+bool overlaps(const WorkCounts& made) { return made.overlapped > 0 && made.graphs_replayed == 0; }
+bool is_graph(const WorkCounts& made) { return made.graphs_replayed == made.steps && made.early == 0; }
+bool is_early_graph(const WorkCounts& made) { return made.graphs_replayed == made.steps && made.early > 0; }
+bool is_one_launch(const WorkCounts& made) { return made.launches == 1 && made.steps > 1; }
+
+// Of the grid alone: what overlaps or gets ready early is a part of it.
+constexpr LaunchPath paths[] = {{.name = "waited",
+                                 .summary = "each dispatch behind all barriers, and the host waits for it",
+                                 .backend = "glsl",
+                                 .api = {.batch = false},
+                                 .shown = waits_for_each},
+                                {.name = "batched",
+                                 .summary = "a barrier before each dispatch, one wait a sample",
+                                 .backend = "glsl",
+                                 .api = {.overlap = false},
+                                 .shown = waits_for_none},
+                                {.name = "overlapping",
+                                 .summary = "the same, but no barrier before what needs nothing of the last step",
+                                 .backend = "glsl",
+                                 .of_all_pairs = false,
+                                 .shown = overlaps},
+                                {.name = "waited",
+                                 .summary = "the host waits for each kernel",
+                                 .backend = "cuda",
+                                 .api = {.graph = false, .batch = false, .overlap = false},
+                                 .shown = waits_for_each},
+                                {.name = "stream",
+                                 .summary = "kernel by kernel on a stream, one wait a sample",
+                                 .backend = "cuda",
+                                 .api = {.graph = false, .overlap = false},
+                                 .shown = waits_for_none},
+                                {.name = "stream_programmatic",
+                                 .summary = "the same by programmatic dependent launch, overlapping the step before",
+                                 .backend = "cuda",
+                                 .api = {.graph = false, .overlap = true},
+                                 .of_all_pairs = false,
+                                 .shown = overlaps},
+                                {.name = "graph",
+                                 .summary = "a graph a step, captured once",
+                                 .backend = "cuda",
+                                 .api = {.graph = true, .overlap = false},
+                                 .shown = is_graph},
+                                {.name = "graph_programmatic",
+                                 .summary = "a graph whose kernels get ready while the one before runs",
+                                 .backend = "cuda",
+                                 .api = {.graph = true},
+                                 .of_all_pairs = false,
+                                 .shown = is_early_graph},
+                                {.name = "persistent",
+                                 .summary = "one cooperative kernel for all steps of a sample",
+                                 .backend = "cuda",
+                                 .of_grid = false,
+                                 .persistent = true,
+                                 .shown = is_one_launch}};
+
+}  // namespace
+
+std::span<const LaunchPath> launch_paths() { return paths; }
+
+const char* launch_work_name(LaunchWork work) { return work == LaunchWork::grid ? "grid" : "all_pairs"; }
+
+SceneOptions launch_scene(LaunchWork work, uint64_t n) {
+  SceneOptions scene;
+  scene.name = work == LaunchWork::grid ? "uniform" : "random";
+  scene.n = n;
+  return scene;
+}
+
+CollideOptions launch_options(const LaunchPath& path, LaunchWork work) {
+  if (work == LaunchWork::grid)
+    return {.method = Method::collide_grid,
+            .grid = {.keep_order = false, .keep_cells = false, .sort = Sort::buckets},
+            .api = path.api};
+  return {.method = Method::collide_triangle, .api = {.graph = path.api.graph, .batch = path.api.batch}};
+}
+
+void enqueue_steps(const LaunchPath& path, LaunchWork work, Backend& backend, uint64_t steps) {
+  if (path.persistent) return backend.enqueue_persistent_steps(uint(steps));
+  const CollideOptions options = launch_options(path, work);
+  for (uint64_t k = 0; k < steps; ++k)
+    work == LaunchWork::grid ? backend.enqueue_collide(options) : backend.enqueue_step(options);
+}
+
+void run_steps(const LaunchPath& path, LaunchWork work, Backend& backend, uint64_t steps) {
+  if (path.persistent) return backend.run_persistent_steps(uint(steps));
+  const CollideOptions options = launch_options(path, work);
+  enqueue_steps(path, work, backend, steps - 1);
+  work == LaunchWork::grid ? backend.collide(options) : backend.step(options);
+}
+
+}  // namespace spherepair

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The ways in which the launches of a step reach a GPU, and the steps that they are timed with.
+#pragma once
+
+#include <span>
+
+#include "common/backend/backend.h"
+
+namespace spherepair {
+
+// All pairs: a move, which clears the results, and collide_triangle; spheres of the scene `random`. Grid: the search of
+// spheres in random order, which sorts them first, three launches; spheres of the scene `uniform`.
+enum class LaunchWork { all_pairs, grid };
+const char* launch_work_name(LaunchWork work);
+SceneOptions launch_scene(LaunchWork work, uint64_t n);
+
+struct LaunchPath {
+  const char *name, *summary, *backend;
+  ApiOptions api = {};
+  bool of_grid = true, of_all_pairs = true;
+  bool persistent = false;
+  bool (*shown)(const WorkCounts&);  // whether these counts, of equal steps behind some others, are of this path
+};
+std::span<const LaunchPath> launch_paths();
+
+CollideOptions launch_options(const LaunchPath& path, LaunchWork work);
+
+// Enqueues so many steps.
+void enqueue_steps(const LaunchPath& path, LaunchWork work, Backend& backend, uint64_t steps);
+
+// So many steps, the last one with its results.
+void run_steps(const LaunchPath& path, LaunchWork work, Backend& backend, uint64_t steps);
+
+}  // namespace spherepair

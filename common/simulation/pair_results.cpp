@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// What a search leaves: it is completed, and its totals, counts and pairs are read.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "common/simulation/pair_search.h"
+
+namespace spherepair {
+namespace {
+
+constexpr uint tally_groups = 1024;
+
+uint64_t join(const uint* words) { return uint64_t(words[1]) << 32 | words[0]; }
+
+}  // namespace
+
+std::vector<uint> PairSearch::read_summary() {
+  return context_.buffers.read<uint>(SLOT_SUMMARY, SUMMARY_SLOTS * SUMMARY_WORDS);
+}
+
+bool PairSearch::grow_lists(const std::vector<uint>& summary) {
+  const uint64_t deferred = summary[SUM_DEFERRED], listed = summary[SUM_LISTED];
+  const bool short_deferred = deferred > context_.params.search.deferred_capacity;
+  const bool short_pairs = options_.want_pairs && listed > context_.params.search.pair_capacity;
+  if (short_deferred) context_.buffers.resize(SLOT_DEFERRED, (deferred + deferred / 8) * sizeof(uvec2));
+  if (short_pairs) context_.buffers.resize(SLOT_PAIR, (listed + listed / 8) * sizeof(uvec2));
+  return short_deferred || short_pairs;
+}
+
+void PairSearch::complete() {
+  std::vector<uint> summary = read_summary();
+  const bool left = summary[SUM_DEFERRED] != 0;
+  if (options_.exact && !left) resolved_in_step_.erase(kind());
+  if (options_.exact && left) resolved_in_step_.insert(kind());
+  if (left && !resolved_) {
+    resolve_undecided();
+    summary = read_summary();
+  }
+  while (grow_lists(summary)) {
+    launch();
+    summary = read_summary();
+  }
+  context_.launch({Kernel::tally, SERVICE_BLOCK, {}, {tally_groups, 1, 1}, order_});
+  totals_ = sum(read_summary());
+  if (options_.want_pairs && context_.device.library())
+    context_.device.library()->sort_pairs(std::min<uint64_t>(totals_.pairs, std::numeric_limits<uint>::max()));
+  resolved_ = true;
+  results_ = Results::complete;
+}
+
+Collisions PairSearch::sum(const std::vector<uint>& summary) const {
+  Collisions total;
+  for (uint row = 0; row < SUMMARY_SLOTS; ++row) {
+    const uint* words = &summary[row * SUMMARY_WORDS];
+    total.pairs += join(words + SUM_PAIRS);
+    total.fingerprint.a += join(words + SUM_MIX_A);
+    total.fingerprint.b += join(words + SUM_MIX_B);
+    total.colliding_spheres += join(words + SUM_COLLIDING);
+    for (uint stage = 0; stage < STAGES; ++stage) total.decided_by[stage] += words[SUM_STAGE + stage];
+    total.deferred += words[search_decides_ ? SUM_UNDECIDED : SUM_DEFERRED];
+  }
+  return total;
+}
+
+void PairSearch::require_complete() const {
+  if (results_ == Results::none)
+    throw BackendError(
+        fmt::format("{}: no collision step to report since the last move; call collide first", context_.name()));
+  if (results_ != Results::complete)
+    throw BackendError(
+        fmt::format("{}: the last collision step was only enqueued; call collide for its results", context_.name()));
+}
+
+const Collisions& PairSearch::totals() const {
+  require_complete();
+  return totals_;
+}
+
+std::vector<uint> PairSearch::counts() {
+  require_complete();
+  const std::vector<uint> counts = context_.buffers.read<uint>(count_slot(order_), context_.n);
+  if (order_ != Order::cells) return counts;
+  const std::vector<uint> indices = sorter_.sphere_indices();
+  std::vector<uint> by_index(context_.n);
+  for (uint64_t k = 0; k < context_.n; ++k) by_index[indices[k]] = counts[k];
+  return by_index;
+}
+
+std::vector<Pair> PairSearch::pairs() {
+  const uint64_t count = totals().pairs;
+  if (!options_.want_pairs)
+    throw BackendError(fmt::format("{}: no pair list was requested; set want_pairs", context_.name()));
+  if (count > std::numeric_limits<uint>::max())
+    throw BackendError(
+        fmt::format("{}: {} pairs collide, but a list holds 2^32 - 1 at most; ask for the numbers without the list",
+                    context_.name(), count));
+  std::vector<Pair> pairs = context_.buffers.read<Pair>(SLOT_PAIR, count);
+  if (!context_.device.library()) std::ranges::sort(pairs);
+  return pairs;
+}
+
+}  // namespace spherepair
