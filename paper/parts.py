@@ -79,6 +79,8 @@ GPU = tuple(map(in_hardware, (
     study("crossover_cpu", 2, "cpu", "crossover", "crossover.json"),
     study("ablate", 3, "glsl,cuda", "ablate --n 16384,1000000", "ablate.json"),
     study("launches", 2, "glsl,cuda", "launches", "launches.json"),
+    *(study(f"energy_{work}", 4, "glsl,cuda", f"energy --works {work} --windows 5 --seconds 10", "energy.json")
+      for work in ("all_pairs", "warm", "cold")),
     study("frames", 5, "glsl,cuda", "frames --draws compute --n 16384,1000000,10000000 --works frame,lit,loop",
           "frames.json"),
     study("frames_pipeline", 2, "glsl", "frames --draws mesh_each,mesh,points,impostor --places outside --works frame "

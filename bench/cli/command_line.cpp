@@ -194,6 +194,7 @@ void add_studies(CLI::App& app, CommandLine& line, Action& action) {
             ablate_command);
   add_study(app, line, action, "launches", "Time the ways in which a step's launches reach a GPU", add_launches_options,
             launches_command);
+  add_study(app, line, action, "energy", "Measure the energy of a step on the GPU", add_energy_options, energy_command);
 }
 
 }  // namespace

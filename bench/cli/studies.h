@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "bench/cli/commands.h"
+#include "bench/gpu/energy_study.h"
 #include "bench/gpu/launch_study.h"
 #include "bench/options/shard.h"
 #include "bench/studies/ablation_study.h"
@@ -25,6 +26,10 @@ int crossover_command(const CommandLine& line, const CrossoverOptions& options);
 // How a step's launches reach the GPU, and what each way takes.
 std::shared_ptr<LaunchesOptions> add_launches_options(CLI::App& command);
 int launches_command(const CommandLine& line, const LaunchesOptions& options);
+
+// The energy of a step on the GPU, by NVML.
+std::shared_ptr<EnergyOptions> add_energy_options(CLI::App& command);
+int energy_command(const CommandLine& line, const EnergyOptions& options);
 
 struct PrecisionOptions {
   std::vector<std::string> backends, methods, precisions;  // empty: all

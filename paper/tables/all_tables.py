@@ -6,6 +6,7 @@ from paper.numbers.compilers import driver_milliseconds
 from paper.numbers.ranks import verdict
 from paper.records import Missing, original_paper, recorded_code
 from paper.tables.claims import claims
+from paper.tables.energy import energy
 from paper.tables.stress import stress
 from paper.tables.studies import STUDIED
 from paper.tables.tabular import Table, as_tex, as_text, without_empty_columns
@@ -140,7 +141,7 @@ def machine_and_run(machine):
     return Table("machine", "The recorded machine and run.", heads, rows, left=2)
 
 
-MAKERS = (claims, table1, frame_rates, arrangements, counts, methods, peak_rates, code, machine_and_run, stress, variation, *STUDIED)
+MAKERS = (claims, table1, frame_rates, arrangements, counts, methods, peak_rates, code, machine_and_run, stress, variation, energy, *STUDIED)
 
 
 def of_one(maker, machine):

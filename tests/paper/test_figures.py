@@ -21,7 +21,7 @@ from paper import figures, side_by_side, sources  # noqa: E402  (the path must b
 from paper.numbers.derived import GRID_BYTES  # noqa: E402
 from paper.plots import ratio  # noqa: E402
 from paper.records import DATA, Machine, Missing, Record, latest  # noqa: E402
-from paper.tables import all_tables, studies  # noqa: E402
+from paper.tables import all_tables, energy, studies  # noqa: E402
 
 SCENE = {"name": "uniform", "packing_fraction": 0.3}
 
@@ -116,6 +116,33 @@ class Tables(unittest.TestCase):
         other = record(64, "0", False, "methods")
         self.assertEqual([new, other], latest([old, compared, new, other]))
         self.assertEqual([compared, other], latest([compared, other]))
+
+    @staticmethod
+    def energies(disagreement=0.01):
+        """Two backends and two searches; GLSL takes twice CUDA's energy."""
+        return [Record({"table": "energy", "scene": SCENE, "n": 1000, "work": work, "backend": backend, "label": f"{backend} {work}",
+                        "counter_watts": 400, "idle_counter_watts": idle, "joules_per_step": joules, "power": "instant",
+                        "nanojoules_per_sphere": 1e6 * joules, "windows": [{"seconds": 10.2}],
+                        "disagreement": disagreement if (backend, work) == ("glsl", "warm") else -0.02}, 1, 1, 1, "made up")
+                for work in ("warm", "cold") for backend, joules, idle in (("glsl", 0.02, 110), ("cuda", 0.01, 115))]
+
+    def test_energies(self):
+        machine = Machine(DATA / "h200")
+        machine.records = self.energies()
+        table = energy.energy(machine)
+        self.assertEqual([["grid, in cell order", "1,000", "400", "20.0", "20000", "400", "10.0", "10000", "2.00"],
+                          ["grid, in random order", "1,000", "400", "20.0", "20000", "400", "10.0", "10000", "2.00"]], table.rows)
+        self.assertIn("idle GPU, 110 to 115 W", table.caption)
+        self.assertIn("at most 2.0 \\% apart", table.caption)
+
+    def test_energies_whose_methods_disagree_are_left_out_and_named(self):
+        machine = Machine(DATA / "h200")
+        machine.records = self.energies(0.04)
+        table = energy.energy(machine)
+        self.assertEqual(["grid, in cell order", "1,000", "-", "-", "-", "400", "10.0", "10000", "-"], table.rows[0])
+        self.assertIn("by more than 3 \\%: glsl warm.", table.caption)
+        machine.records = [record for record in machine.records if record.disagreement > 0.03]
+        self.assertRaises(Missing, energy.energy, machine)
 
     def test_transfers(self):
         machine = Machine(DATA / "h200")

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// spherepair energy: energy.json has an entry of `measurements` for each work, size and backend:
+//   n, scene, work, method, block, backend
+//   power                        what the GPU tells: instant, or the mean of a second
+//   windows                      seconds, steps, counter_watts, integrated_watts of each
+//   samples_ms, median_ms        the time of a step in each window
+//   counter_watts, integrated_watts   medians; the same idle: idle_counter_watts, idle_integrated_watts
+//   joules_per_step, nanojoules_per_sphere   by the counter, idle power subtracted; with it: joules_per_step_with_idle
+//   joules_per_step_integrated, disagreement   the other method, and its ratio to the counter minus 1
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "bench/cli/studies.h"
+#include "bench/formats/files.h"
+#include "bench/io/arguments.h"
+#include "bench/io/context.h"
+#include "bench/options/options.h"
+
+namespace spherepair {
+namespace {
+
+std::string table_of(const json& measurements) {
+  Table table{
+      "Energy of a step on the GPU, medians of the windows; idle power is subtracted",
+      {{"", "work", "", true},
+       {"", "n", ""},
+       {"", "backend", "", true},
+       {"power", "all", "W"},
+       {"power", "idle", "W"},
+       {"", "step", "ms"},
+       {"energy", "of a step", "J"},
+       {"energy", "a sphere", "nJ"},
+       {"", "methods", "%"}},
+      {},
+      {"methods: the energy by the integrated power over that by the counter, less 1. Rows whose two methods are "
+       "more than 3 % apart say nothing.",
+       "A step is a search for pairs: all pairs by collide_triangle, warm and cold by the grid."}};
+  for (const json& row : measurements) {
+    const auto number = [&](const char* name, double factor = 1) {
+      return format_number(factor * row.at(name).get<double>());
+    };
+    table.rows.push_back({row.at("work"), std::to_string(row.at("n").get<uint64_t>()), row.at("backend"),
+                          number("counter_watts"), number("idle_counter_watts"), number("median_ms"),
+                          number("joules_per_step"), number("nanojoules_per_sphere"), number("disagreement", 100)});
+  }
+  return table.text() + "\n";
+}
+
+}  // namespace
+
+int energy_command(const CommandLine& line, const EnergyOptions& options) {
+  for (const std::string& work : options.works) require_known("work", work, energy_works());
+  const std::filesystem::path folder = prepare_results(options.results, {"energy.json", "energy.txt"});
+  Session session(options.backends, line.open, line.opener);
+  json record = {{"complete", false},
+                 {"context", capture_context(line.words)},
+                 {"backends", session.to_json()},
+                 {"clocks", json::array({query_clocks()})}};
+  std::optional<EnergyStudy> study;
+  const auto write = [&] {
+    record["measurements"] = study->measurements;
+    write_file(folder / "energy.json", json_text(record));
+  };
+  study.emplace(session, options, write);
+  study->run();
+  record["complete"] = true;
+  record["clocks"].push_back(query_clocks());
+  write();
+  const std::string text = table_of(study->measurements);
+  write_file(folder / "energy.txt", text);
+  fmt::print("{}Results: {}\n", text, (folder / "energy.json").string());
+  return kOk;
+}
+
+std::shared_ptr<EnergyOptions> add_energy_options(CLI::App& command) {
+  auto options = std::make_shared<EnergyOptions>();
+  add_backends_option(command, options->backends);
+  command
+      .add_option("--works", options->works,
+                  "Only these: all_pairs; warm, cold: the grid with spheres in cell order, in random order")
+      ->delimiter(',')
+      ->capture_default_str();
+  command
+      .add_option("--n", options->sizes,
+                  "Numbers of spheres (default: of all pairs 16384, 1048576, of the grid 1000000, 10000000)")
+      ->delimiter(',')
+      ->transform(positive_range);
+  command.add_option("--seconds", options->seconds, "Of each window; NVML's counters need 10 for 1 %")
+      ->check(real_number(0.1, 3600))
+      ->capture_default_str();
+  command.add_option("--windows", options->windows, "Windows of each row")
+      ->transform(whole_number(1, 1000))
+      ->capture_default_str();
+  add_results_option(command, options->results, "energy.json and energy.txt");
+  command.footer("Needs an NVIDIA GPU and its driver's NVML.\nExample:\n  spherepair energy --backends glsl,cuda");
+  return options;
+}
+
+}  // namespace spherepair
