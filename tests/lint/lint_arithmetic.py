@@ -15,6 +15,7 @@ import tempfile
 from lint_sources import Skip
 
 STATE_FEEDING = ("move", "bounce", "evaluate_positions")  # kernels whose results are the next step's input: every bit counts, so nothing is fused
+WITH_SEARCH = ("persistent_steps",)  # feeds state and searches: the filter's own fused multiply-adds are its only ones
 METHODS, PRECISIONS = range(6), ("float", "Two", "double")  # of layout.h; bounce and evaluate_positions are of one method
 EXACT_FUNCTIONS = ("PackDouble2x32", "UnpackDouble2x32", "FAbs", "FMin", "FMax", "NMin", "NMax", "UMin", "UMax", "SMin",
                    "SMax", "FindUMsb", "FindSMsb", "FindILsb")
@@ -100,9 +101,10 @@ def shaders(root, build):
     return complaints, f"{len(flattened)} shaders in {checked} variants"
 
 
-def ptx_complaints(text):
+def ptx_complaints(text, with_search=False):
     """Without .rn the assembler behind PTX may still fuse, so every operation must name its rounding."""
-    return [f"{match[0].strip()}: is fused or may be" for match in LOOSE_PTX.finditer(text)]
+    return [f"{match[0].strip()}: is fused or may be" for match in LOOSE_PTX.finditer(text)
+            if not (with_search and match[1] == "fma.rn.f32")]
 
 
 def compile_commands(build):
@@ -130,6 +132,7 @@ def ptx_of(entry, *, without=(), architecture=90, **options):
 
 def kernel_commands(root, build):
     wanted = {str(root / "cuda/motion" / f"{stem}.cu"): stem for stem in STATE_FEEDING}
+    wanted |= {str(root / "cuda/steps" / f"{stem}.cu"): stem for stem in WITH_SEARCH}
     found = {wanted[e["file"]]: e for e in compile_commands(build) if e["file"] in wanted}
     if not found:
         raise Skip("this build has no CUDA (no nvcc was found)")
@@ -138,9 +141,9 @@ def kernel_commands(root, build):
 
 def ptx(root, build):
     commands = kernel_commands(root, build)
-    complaints = [f"cuda/motion/{stem}.cu: is not built" for stem in STATE_FEEDING if stem not in commands]
+    complaints = [f"{stem}.cu: is not built" for stem in STATE_FEEDING + WITH_SEARCH if stem not in commands]
     for stem, entry in commands.items():
-        complaints += [f"cuda/motion/{stem}.cu: {complaint}" for complaint in ptx_complaints(ptx_of(entry))]
+        complaints += [f"{stem}.cu: {complaint}" for complaint in ptx_complaints(ptx_of(entry), stem in WITH_SEARCH)]
     return complaints, f"{len(commands)} kernels that feed state"
 
 

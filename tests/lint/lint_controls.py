@@ -137,6 +137,8 @@ class Cuda(unittest.TestCase):
                      "mad.rn.f64 %d1, %d2, %d3, %d4;", "mul.f32 %f1, %f2, %f3;", "add.ftz.f32 %f1, %f2, %f3;",
                      "div.approx.f32 %f1, %f2, %f3;"):
             self.assertEqual(1, len(lint_arithmetic.ptx_complaints(f"\t{line}\n")), line)
+            fused_by_name = line.startswith("fma.rn.f32")
+            self.assertEqual(not fused_by_name, bool(lint_arithmetic.ptx_complaints(f"\t{line}\n", with_search=True)), line)
 
     def test_motion_with_fmad(self):
         try:
