@@ -79,11 +79,24 @@ def comparison(machine):
     grid = [leads.contest(*pair) for fraction in fractions for order in ("warm", "cold")
             for pair in matched(machine, **wanted, packing_fraction=fraction, order=order)]
     cuda = leads.won(grid, "cuda")
-    text = (f"For all pairs, {leads.headline(found)}: {leads.ratios_by_size(found)}. Through the grid, whose steps are "
+    text = (f"For all pairs, {leads.headline(found)}: {leads.wins(found)}. Through the grid, whose steps are "
             f"short kernels, GLSL takes {leads.ratios(cuda)} CUDA's time in {len(cuda)} of {len(grid)} comparisons. "
             "Medians of recorded runs with their intervals: [paper/data/h200](paper/data/h200). Design decisions and "
             "rejected alternatives: [docs/NOTES](docs/NOTES/README.md).")
     return filled(text)
+
+
+def wrong_sets(machine):
+    """What the motion gets wrong, by the closed form."""
+    root = machine.source("sets.json")
+    rows = {(row["method"], row["precision"]): row for row in root["motion"] if row["k"] == 6 and row["offset"] == 0}
+    paper, settings = rows["paper", "float32"], root["settings"]
+    wrong = {key: row["missed"] + row["extra"] for key, row in rows.items()}
+    exact = all(wrong[method, precision] == 0 for method in ("impact", "anchored") for precision in ("compensated", "float64"))
+    return (f"After {settings['seconds']:g} s at dt = 2⁻⁶ s, of the {paper['right']:,} pairs of {settings['n']:,} spheres "
+            f"float32 `paper` misses {paper['missed']:,} and adds {paper['extra']:,}; `impact` gets "
+            f"{wrong['impact', 'float32']:,} wrong and `anchored` {wrong['anchored', 'float32']:,}"
+            f"{', in compensated and float64 none' if exact else ''}.")
 
 
 def filled(text):
@@ -94,6 +107,7 @@ def updated(readme, machine):
     """The README with these rows and paragraphs replaced; each must be there."""
     parts = [(rf"^\| {re.escape(words)}.*$", row) for words, row in rows(machine)]
     for pattern, text in (*parts, (r"^For all pairs,.*(\n.+)*", comparison(machine)),
+                          (r"^After .* s at dt = .*(\n.+)*", filled(wrong_sets(machine))),
                           (r"^In [\d,]+ recorded contests.*(\n.+)*", filled(contests.rule(machine)))):
         readme, count = re.subn(pattern, lambda _: text, readme, flags=re.MULTILINE)
         if count != 1:

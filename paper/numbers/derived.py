@@ -9,6 +9,7 @@ from paper.records import Missing
 ORDER = ("clear", "grid_clear", "grid_bounds", "split_tiles", "split_count", "split_scan", "grid_split", "grid_sort", "grid_count",
          "grid_sums", "grid_scan", "grid_scatter", "collide", "resolve_undecided", "tally")  # of the kernels of a collision step
 INSTRUCTIONS = 4  # three fused multiply-adds and a comparison per pair, the minimum for the Gram form
+BEYOND_EMPTY = 1.1  # a reading within a tenth of that of an empty kernel shows the timer
 # Per sphere, as in bench/measure/floors.h; records from before split_tiles counted 111 or 128.
 GRID_BYTES = {"warm": 43, "cold": 91}
 
@@ -25,9 +26,19 @@ def share_of_floor(machine, record):
     return 100 * pairs / (1e-3 * record.median) * INSTRUCTIONS / issue_rate(machine)
 
 
-def grid_share_of_floor(row):
-    """Percent: the time of moving GRID_BYTES at the copy rate measured in the run, over the measured time."""
-    return 100 * GRID_BYTES[row.order] * row.n / row.peak_per_second / (1e-3 * row.median)
+def copy_rate(machine):
+    """Bytes a second, the base of every share: the highest that was recorded of data that fits no cache, in either API."""
+    rates = [record.peak_per_second for record in machine.select(table="grid", method="collide_grid")
+             if "peak_per_second" in record.parameters]
+    rates += [copy["bytes_per_second"] for root in machine.sources.values() for copy in root.get("copies", ())]
+    if not rates:
+        raise Missing(f"{machine.name} has no record of the rate of copying")
+    return max(rates)
+
+
+def grid_share_of_floor(machine, row):
+    """Percent: the time of moving GRID_BYTES at the machine's copy rate, over the measured time."""
+    return 100 * GRID_BYTES[row.order] * row.n / copy_rate(machine) / (1e-3 * row.median)
 
 
 def slope(small, large):
@@ -111,10 +122,16 @@ def stage_ratio(kernel, glsl, cuda):
                       cuda.device_stages_ms[kernel], cuda.source)
 
 
+def timer_floor(machine, **wanted):
+    """Milliseconds: the longest device timer's reading of an empty kernel; 0 without a record."""
+    return max((time / record.launches_per_step for record in machine.select(table="overhead", **wanted)
+                for time in record.parameters.get("device_stages_ms", {}).values()), default=0)
+
+
 def stage_ratios(machine):
     """Each kernel timed by device timers in both APIs in the same work of one run, at the largest n; of several such
     records the latest, and of that run the one with the tightest bounds: a kernel may run several times per frame."""
-    found = {}
+    found, floors = {}, {name: timer_floor(machine, backend=name) for name in ("glsl", "cuda")}
     timed = [record for record in machine.records if {"device_stages_interval_ms", "n"} <= record.parameters.keys() and
              record.parameters.get("work") != "loop"]  # its spheres have moved
     by_work = {(record.source, work_of(record), record.backend): record for record in timed}
@@ -123,7 +140,7 @@ def stage_ratios(machine):
         if backend == "glsl" and cuda:
             for kernel in glsl.device_stages_ms.keys() & cuda.device_stages_ms.keys():
                 row = stage_ratio(kernel, glsl, cuda)
-                if row:
+                if row and all(record.device_stages_ms[kernel] > BEYOND_EMPTY * floors[record.backend] for record in (glsl, cuda)):
                     found.setdefault(kernel, []).append((glsl.n, glsl.date, -spread(row), row))
     for kernel in sorted(found):
         yield max(found[kernel], key=lambda entry: entry[:3])[-1]

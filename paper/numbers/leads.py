@@ -39,27 +39,10 @@ def won(found, name):
     return [entry for entry in found if entry.winner == name]
 
 
-def span(found):
-    """3 to 26, or only 3."""
-    least, most = (f"{bound(entry.lead for entry in found):.0f}" for bound in (min, max))
-    return least if least == most else f"{least} to {most}"
-
-
 def ratios(found):
     """GLSL's time over CUDA's: 1.05x to 1.8x, or only 1.05x."""
     least, most = (f"{bound(entry.ratio for entry in found):.2f}x" for bound in (min, max))
     return least if least == most else f"{least} to {most}"
-
-
-def ratios_by_size(found):
-    """The ratios as a sentence, in two parts if a number of spheres separates the winners."""
-    sides, open_ones = in_order(found), won(found, "")
-    rest = f"; at {sizes(open_ones)} spheres the intervals overlap" if 0 < len(open_ones) < len(found) else ""
-    if not sides:
-        return f"GLSL takes {ratios(found)} CUDA's time{rest}"
-    low, high = (won(found, name) for name in sides)
-    return (f"GLSL takes {ratios(low)} CUDA's time up to {max(e.n for e in low):,} spheres and {ratios(high)} from "
-            f"{min(e.n for e in high):,} on{rest}")
 
 
 def sizes(found):
@@ -77,12 +60,12 @@ def in_order(found):
 
 
 def by_size(found):
-    """Winner, lead and range of sizes; None if no order of sizes separates the winners."""
+    """Time ratio and range of sizes; None if no order of sizes separates the winners."""
     sides = in_order(found)
     if sides:
         low, high = (won(found, name) for name in sides)
-        return (f"{NAMES[sides[0]]} takes {span(low)} % less time up to {max(e.n for e in low):,} spheres and "
-                f"{NAMES[sides[1]]} {span(high)} % less from {min(e.n for e in high):,} on")
+        return (f"GLSL takes {ratios(low)} CUDA's time up to {max(e.n for e in low):,} spheres and {ratios(high)} from "
+                f"{min(e.n for e in high):,} on")
     alone = [name for name in NAMES if won(found, name)]
     if len(alone) > 1:
         return None
@@ -90,7 +73,7 @@ def by_size(found):
         return "no difference is seen"
     mine = won(found, alone[0])
     throughout = "at every size" if len(mine) == len(found) else f"in {len(mine)} of {len(found)} contests"
-    return f"{NAMES[alone[0]]} takes {span(mine)} % less time {throughout}"
+    return f"GLSL takes {ratios(mine)} CUDA's time {throughout}"
 
 
 def by_scene(found):
@@ -111,14 +94,14 @@ def by_scene(found):
 
 def by_count(found):
     names = sorted((name for name in NAMES if won(found, name)), key=lambda name: -len(won(found, name)))
-    counts = (f"{NAMES[name]} takes {span(won(found, name))} % less time in {len(won(found, name))}" for name in names)
-    return f"of {len(found)} contests, {' and '.join(counts)}"
+    first, *others = (f"{ratios(won(found, name))}{{}} in {len(won(found, name))}" for name in names)
+    return f"of {len(found)} contests, GLSL takes " + " and ".join([first.format(" CUDA's time"), *(text.format("") for text in others)])
 
 
 def wins(found):
-    """Winner, lead and sizes, in the shortest form that the records allow."""
+    """Time ratios and sizes, in the shortest form that the records allow."""
     open_ones = won(found, "")
-    rest = f"; at {sizes(open_ones)} spheres intervals overlap" if 0 < len(open_ones) < len(found) else ""
+    rest = f"; at {sizes(open_ones)} spheres the intervals overlap" if 0 < len(open_ones) < len(found) else ""
     return (by_size(found) or by_scene(found) or by_count(found)) + rest
 
 
@@ -141,6 +124,6 @@ def at_large_sizes(found):
     if not mine:
         return f"in none of {len(large)} contests of {LARGE:,} spheres and more a difference is seen"
     (name, first), *other = mine
-    rest = f", and {other[0][0]}'s in {len(other[0][1])}, by {span(other[0][1])} %" if other else ""
+    rest = f", and {other[0][0]}'s in {len(other[0][1])} ({ratios(other[0][1])})" if other else ""
     return (f"in {len(first)} of {len(large)} contests of {LARGE:,} spheres and more {name}'s compiler made the faster "
-            f"code, by {span(first)} %{rest}")
+            f"code (GLSL takes {ratios(first)} CUDA's time){rest}")

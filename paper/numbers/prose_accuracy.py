@@ -2,6 +2,7 @@
 """Numbers of the prose about errors: of the motion, of the sets that follow from it, and of the stress catalogue."""
 import re
 
+from paper.numbers.derived import copy_rate
 from paper.numbers.pareto import paper_setting, seconds, study
 from paper.numbers.sets import sets, wrong
 from paper.numbers.stress import recorded_stress, stressed
@@ -45,13 +46,16 @@ def motion_at_scale(put, machine, others):
         wanted = {"table": "precision", "backend": name, "precision": "float32", "n": record["settings"]["time_n"]}
         rows = {(row.method, row.work): row for row in machine.need(**wanted)}
         paper, anchored = rows["paper", "move"], rows["anchored", "move"]
-        share = next(target for target in record["targets"] if target["what"].startswith(f"{name}: bandwidth of paper"))
+        own = next(target["value"] for target in record["targets"] if target["what"].startswith(f"{name}: bandwidth of paper"))
+        copied = next(copy["bytes_per_second"] for copy in record["copies"] if copy["backend"] == name)
+        share = own * copied / copy_rate(machine)
         for row in (paper, anchored):
             put(f"motion/large/{row.method}/{name}", ms(row.median), row.source, f"ms per step, {name}, {row.method}")
-        said(machine, share["value"] > 0.9, f"memory bounds the original's motion on {name}")
+        said(machine, share > 0.9, f"memory bounds the original's motion on {name}")
         gain = paper.median / anchored.median
         put(f"motion/large/gain/{name}", f"{gain:.1f}", paper.source, f"{name}, the ratio of both")
-        put(f"motion/large/share/{name}", f"{100 * share['value']:.0f}", record["id"], share["what"] + ", in %")
+        put(f"motion/large/share/{name}", f"{100 * share:.0f}", record["id"],
+            f"{name}, bandwidth of the original's motion over the highest copy rate recorded, in %")
         put(f"motion/large/bounce/{name}", f"{100 * paper.bouncing:.1f}", paper.source, "% that bounce in the step")
 
 
@@ -99,6 +103,10 @@ def naive_sets(put, machine, others):
     gas = [entry for entry in root["exactness"] if entry["scene"] == "uniform"]
     said(machine, all(entry["missed"] + entry["extra"] <= 1e-4 * entry["right"] for entry in gas),
          "in a gas the naive comparison is hardly ever wrong")
+    dirty = root["context"]["build"]["commit"].endswith("-dirty")
+    put("naive/run", "an earlier one" + (", of a build with local changes, and" if dirty else " and") +
+        f" has {gas[0]['exact']['rounds']} rounds a time", root["id"], "words: the run of the naive comparison")
+    said(machine, root["context"]["date"] < machine.main["context"]["date"], "the naive comparison is of an earlier run")
     put("naive/n", f"{most['n']:,}", root["id"], "spheres of the naive comparison")
 
 

@@ -120,7 +120,7 @@ def factor(value):
 
 def hidden_text(middle, least, most):
     if least > 0:
-        return f"{ms(middle)}\\,ms are hidden"
+        return f"{ms(middle)}\\,ms are hidden, with bounds from {ms(least)} to {ms(most)}\\,ms"
     return f"{ms(-middle)}\\,ms are lost" if most < 0 else "no gain is seen"
 
 

@@ -4,6 +4,7 @@ import json
 import re
 
 from paper.numbers.compilers import driver_milliseconds
+from paper.numbers.ranks import ENOUGH
 from paper.records import Missing, digest, recorded_code, said
 
 
@@ -96,4 +97,19 @@ def drivers_compiler(put, machine, others):
     put("compile/most/kernel", slowest, source, "the slowest to compile")
 
 
-EQUALITY = (comparisons, across_machines, long_run, tests, code, drivers_compiler)
+def provenance(put, machine, others):
+    """Of how many commits and GPUs the records are, and how many intervals cover less than 95 %."""
+    roots = [root for root in machine.sources.values() if "context" in root]
+    commits = {root["context"]["build"]["commit"] for root in roots}
+    gpus = {backend["uuid"] for root in roots for backend in root.get("backends", [])
+            if isinstance(backend, dict) and backend.get("uuid")}
+    put("records/commits", str(len(commits)), machine.id, "commits of the program among the records")
+    put("records/gpus", str(len(gpus)), machine.id, "GPUs of one model among the records, by UUID")
+    timed = [len(record.samples_ms) for record in machine.records if "samples_ms" in record.parameters]
+    few = [rounds for rounds in timed if rounds < ENOUGH]
+    put("records/few", str(len(few)), machine.id, f"times of fewer than {ENOUGH} rounds, whose intervals cover less than 95 %")
+    put("records/least", str(min(timed)), machine.id, "fewest rounds of a time")
+    put("records/least/cover", f"{100 * (1 - 2 * 0.5**min(timed)):.0f}", machine.id, "%, what the interval of the fewest rounds covers")
+
+
+EQUALITY = (comparisons, across_machines, long_run, tests, code, drivers_compiler, provenance)

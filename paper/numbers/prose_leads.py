@@ -17,11 +17,14 @@ def who_leads(put, machine, others):
                       ("large", leads.at_large_sizes(found))):
         put(f"lead/{key}", text.replace(" %", "\\,\\%"), machine.id, f"sentence made from all contests: lead/{key}")
     put("lead/contests", str(len(found)), machine.id, "sizes and scenes in which both were timed, with whole steps")
-    put("lead/most", f"{max(entry.lead for entry in found):.0f}", machine.id, "greatest lead of either in %")
-    large = [entry.lead for entry in found if entry.n >= leads.LARGE]
-    said(machine, max(large) <= 15, "at large sizes the APIs are within a few percent of each other for all pairs")
+    table1 = [leads.contest(*pair) for pair in matched(machine, table="table1", method="collide_triangle")]
+    most = max((entry for entry in found + table1), key=lambda entry: entry.ratio)
+    said(machine, most.ratio > 1, "at most, GLSL takes longer than CUDA")
+    put("lead/most", f"{most.ratio:.2f}x", most.source, f"greatest time ratio GLSL/CUDA, all pairs by triangle, n = {most.n}")
+    large = [entry for entry in found if entry.n >= leads.LARGE]
+    said(machine, max(entry.lead for entry in large) <= 15, "at large sizes the APIs are within a few percent of each other for all pairs")
     put("lead/large/from", f"{leads.LARGE:,}", machine.id, "least n at which launches are negligible")
-    put("lead/large/most", f"{max(large):.0f}", machine.id, f"greatest lead of either in % from {leads.LARGE} on")
+    put("lead/large/ratios", leads.ratios(large), machine.id, f"time ratios GLSL/CUDA from {leads.LARGE} on")
 
 
 def rule(put, machine, others):
@@ -29,12 +32,21 @@ def rule(put, machine, others):
     put("ratio/rule", contests.rule(machine).replace("µ", "\\textmu "), runs, "sentence made from every contest: ratio/rule")
 
 
+def one_launch(put, machine, others):
+    """Motion with the plane, one launch a step, of the first table."""
+    found = [leads.contest(*pair) for pair in matched(machine, table="table1", work="move")]
+    said(machine, all(entry.ratio < 1 for entry in found), "GLSL's motion takes less time at every size of the first table")
+    put("motion/small/ratios", leads.ratios(found), found[0].source, "time ratios GLSL/CUDA of motion and plane, original table")
+    put("motion/small/apart", str(len(leads.won(found, "glsl"))), found[0].source, "sizes at which GLSL takes less, intervals apart")
+    put("motion/small/sizes", str(len(found)), found[0].source, "sizes of motion and plane that both timed")
+
+
 def methods(put, machine, others):
     """Of the four arrangements at one size."""
     pairs = [tuple(machine.one(table="methods", backend=name, method=f"collide_{method}", block=128)
                    for name in DEVICES) for method in METHODS]
     found = [leads.contest(*pair) for pair in pairs]
-    parts = [f"{leads.NAMES[name]} leads in {len(mine)} of {len(found)}, by {leads.span(mine)}\\,\\%"
+    parts = [f"GLSL takes {leads.ratios(mine)} CUDA's time in {len(mine)} of {len(found)}"
              for name in ("cuda", "glsl") if (mine := leads.won(found, name))]
     put("methods/leads", " and ".join(parts) or "no difference is seen", pairs[0][0].source,
         "sentence made from the four methods at groups of 128")
@@ -58,6 +70,12 @@ def first_uses(put, machine, others):
     for name in DEVICES:
         record = machine.one(table="methods", backend=name, method="collide_triangle", block=128)
         put(f"first/{name}", ms(record.first_step_ms), record.source, f"first use of {record.label} in the run, ms")
+    glsl = machine.need(table="methods", backend="glsl", method="collide_triangle")
+    least, *middle, most = sorted(record.first_step_ms for record in glsl if record.block != GROUP)
+    warm = machine.one(table="methods", backend="glsl", method="collide_triangle", block=GROUP).first_step_ms
+    said(machine, middle and 10 * warm < least, f"groups of {GROUP} came from the driver's cache in GLSL, other sizes did not")
+    put("first/compiled/low", f"{least:.0f}", glsl[0].source, f"least first use of triangle in GLSL, ms, not groups of {GROUP}")
+    put("first/compiled/high", f"{most:.0f}", glsl[0].source, f"longest first use of triangle in GLSL, ms, not groups of {GROUP}")
 
 
 def arrangements(put, machine, others):
@@ -99,4 +117,4 @@ def keeping_order(put, machine, others):
     put("order/gain", f"{gain:.1f}", warm[n][0].source, f"random over cell order at n = {n}, the smaller of both APIs")
 
 
-LEADING = (who_leads, rule, methods, launches, first_uses, arrangements, group_sizes, keeping_order)
+LEADING = (who_leads, rule, one_launch, methods, launches, first_uses, arrangements, group_sizes, keeping_order)

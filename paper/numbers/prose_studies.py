@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Numbers of the prose from the studies: the sweep, frames, transfers."""
 from paper.numbers import leads
-from paper.numbers.derived import crossover, grid_share_of_floor, matched, slope, stage_ratios
+from paper.numbers.derived import copy_rate, crossover, grid_share_of_floor, matched, slope, stage_ratios, timer_floor
 from paper.numbers.ranks import apart
 from paper.numbers.transfers import MOST_TRANSFERRED
 from paper.records import Missing, said
@@ -37,6 +37,7 @@ def kernel_pairs(put, machine, others):
                        ("glsl", [row for row in rows if row.ratio[0] + row.ratio[2] < 1])):
         put(f"kernels/{key}", str(len(found)), source, f"kernels timed in both, {key}: " +
             ("at their largest size" if key == "all" else "the faster, intervals apart"))
+    put("kernels/floor", f"{1e3 * timer_floor(machine):.1f}", machine.id, "us, most that a device timer reads of an empty kernel")
     middle = sorted(row.ratio[0] for row in rows)[len(rows) // 2]
     put("kernels/median", f"{middle:.2f}", source, "GLSL's time over CUDA's, the (upper) median of the kernels")
 
@@ -46,6 +47,7 @@ def grid(put, machine, others):
     put("grid/largest", f"{largest:,}", machine.need(**GRID)[0].source, "largest n of the grid in both APIs, cold")
     least = machine.need(table="grid", scene="uniform", packing_fraction=0.3, method="collide_triangle")[0]
     put("grid/smallest", f"{least.n:,}", least.source, "least n at which the grid and all pairs were timed")
+    put("copy/rate", f"{copy_rate(machine) / 1e12:.2f}", machine.id, "10^12 bytes/s: the highest copy rate recorded, either API")
     for name in DEVICES:
         wanted = {"table": "grid", "scene": "uniform", "packing_fraction": 0.3, "backend": name}
         start = crossover(machine, name, 0.3)
@@ -57,7 +59,7 @@ def grid(put, machine, others):
             last = machine.one(**wanted, method="collide_grid", order=order, n=largest)
             put(f"grid/{order}/{name}", ms(last.median), last.source, f"{last.label}, n = {last.n}, {order}")
             if "share_of_floor" in last.parameters:
-                put(f"grid/floor/{name}/{order}", f"{grid_share_of_floor(last):.0f}", last.source,
+                put(f"grid/floor/{name}/{order}", f"{grid_share_of_floor(machine, last):.0f}", last.source,
                     f"{last.label}, share of the floor in %, n = {last.n}, {order}")
 
 
@@ -90,12 +92,12 @@ def grid_leads(put, machine, others):
     put("grid/open", str(len(contests) - sum(map(len, wins.values()))), source, "those in which no difference is seen")
     said(machine, not wins["glsl"] and len(wins["cuda"]) > 0.6 * len(contests),
          "CUDA is the faster in most contests of the grid, and in none the slower")
-    leads_of_cuda = [(100 * (1 - cuda.median / glsl.median), cuda) for glsl, cuda in wins["cuda"]]
+    leads_of_cuda = [(glsl.median / cuda.median, cuda) for glsl, cuda in wins["cuda"]]
     most, row = max(leads_of_cuda, key=lambda lead: lead[0])
     said(machine, row.n <= 1024 and row.order == "warm", "CUDA's lead is greatest for few spheres that are not sorted")
-    put("grid/lead/most", f"{most:.0f}", source, f"greatest lead of CUDA in %: n = {row.n}, {row.order}")
-    put("grid/lead/cold", f"{max(lead for lead, cuda in leads_of_cuda if cuda.order == 'cold'):.0f}", source,
-        "greatest lead of CUDA in %, cold")
+    put("grid/lead/most", f"{most:.2f}x", source, f"greatest time ratio GLSL/CUDA: n = {row.n}, {row.order}")
+    put("grid/lead/cold", f"{max(lead for lead, cuda in leads_of_cuda if cuda.order == 'cold'):.2f}x", source,
+        "greatest time ratio GLSL/CUDA, cold")
     warm = [lead for lead, cuda in leads_of_cuda if cuda.order == "warm" and cuda.scene["packing_fraction"] == 0.3]
     said(machine, warm == sorted(warm, reverse=True), "in cell order CUDA's lead decreases with the number of spheres")
     for order in ("cold", "warm"):
@@ -105,9 +107,8 @@ def grid_leads(put, machine, others):
 
 def lead_text(glsl, cuda):
     if not apart(glsl, cuda):
-        return "nothing that the intervals show"
-    fast, slow, name = (cuda, glsl, "CUDA") if cuda.median < glsl.median else (glsl, cuda, "GLSL")
-    return f"{100 * (1 - fast.median / slow.median):.0f}~\\% for {name}"
+        return "no difference is seen"
+    return f"GLSL takes {glsl.median / cuda.median:.2f}x CUDA's time"
 
 
 def fractions(machine):
@@ -134,9 +135,9 @@ def drawing(put, machine, others):
             put(f"draw/{key}/{name}/n", f"{n:,}", best_way.source, f"{name}, spheres drawn from outside")
             put(f"draw/{key}/{name}/way", best_way.draw, best_way.source, f"{name}, fastest way to draw {n} spheres")
     ways = {name: {row.n: row for row in rows[name] if row.draw == "compute"} for name in DEVICES}
-    behind = {n: ways["glsl"][n].median / ways["cuda"][n].median - 1 for n in ways["glsl"].keys() & ways["cuda"].keys()}
+    behind = {n: ways["glsl"][n].median / ways["cuda"][n].median for n in ways["glsl"].keys() & ways["cuda"].keys()}
     n = max(behind, key=behind.get)
-    put("draw/behind", f"{100 * behind[n]:.0f}", ways["glsl"][n].source, f"%, most that GLSL's frame is behind, n = {n}")
+    put("draw/behind", f"{behind[n]:.2f}x", ways["glsl"][n].source, f"greatest time ratio GLSL/CUDA of a frame, n = {n}")
 
 
 def loops(put, machine, others):

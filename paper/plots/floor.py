@@ -5,10 +5,10 @@ from paper.records import Missing
 from paper.style import PAGE, SERIES, panels, spheres_in_decades
 
 NAME, TABLE = "floor", "grid"
-CAPTION = ("Share of the floor: the least time by the peak rates of the same run, over the measured time. "
+CAPTION = ("Share of the floor: the least time by the peak rates, over the measured time. "
            "(a) The grid, whose floor is its minimum memory traffic (per sphere {warm} bytes in cell order, {cold} in "
-           "random order) over the copy rate of the device; small sizes fit the caches, which copy "
-           "faster. (b) All pairs by the upper triangle, whose floor is four instructions per pair over the issue "
+           "random order) over the highest copy rate recorded, the base of every share; small "
+           "sizes fit the caches, which copy faster. (b) All pairs by the upper triangle, whose floor is four instructions per pair over the issue "
            "rate. Packing fraction 0.3.")
 LINES = {"warm": "-", "cold": "--"}
 
@@ -39,7 +39,7 @@ def draw(machine):
     for name in devices:
         for order, line in LINES.items():
             rows = with_floor(machine, backend=name, method="collide_grid", order=order)
-            axes[0].plot([r.n for r in rows], [grid_share_of_floor(r) for r in rows],
+            axes[0].plot([r.n for r in rows], [grid_share_of_floor(machine, r) for r in rows],
                          **{**SERIES[name], "linestyle": line, "label": f"{SERIES[name]['label']}, {order}"})
         rows = with_floor(machine, backend=name, method="collide_triangle")
         axes[1].plot([r.n for r in rows], [100 * r.share_of_floor for r in rows], **SERIES[name])

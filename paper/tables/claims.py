@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""The main claims in one table: both APIs on the same work, with intervals, and the faster one if these do not overlap."""
-from paper.numbers.ranks import apart, lead
+"""The main claims in one table: both APIs on the same work, with intervals, and the time ratio GLSL/CUDA if these do not overlap."""
+from paper.numbers.ranks import apart, ratio_text
 from paper.records import Missing
 from paper.tables.tabular import Table
 from paper.text import interval, ms
 
 LARGEST = 2**20  # of all pairs
 GAS = {"scene": "uniform", "packing_fraction": 0.3}
-CAPTION = ("The main claims: medians in milliseconds with their intervals of at least 95\\,\\%. The faster API is "
-           "named only if the intervals do not overlap; its lead is in percent of the slower one's time. CPU: all "
-           "threads. From:")
+CAPTION = ("The main claims: medians in milliseconds with their intervals. GLSL/CUDA: the time ratio with its bounds, if "
+           "it is on one side of 1. CPU: all threads. From:")
 
 
 def rows_wanted():
@@ -32,13 +31,6 @@ def rows_wanted():
     yield "one launch and a wait", "-", {"table": "overhead", "launches_per_step": 1}, {}
 
 
-def faster(glsl, cuda):
-    if not apart(glsl, cuda):
-        return "no difference seen"
-    name, percent = lead(glsl, cuda)
-    return f"{name.upper()} {percent:.1f} %"
-
-
 def claims(machine):
     rows, sources = [], []
     for what, size, wanted, of_cpu in rows_wanted():
@@ -49,9 +41,9 @@ def claims(machine):
         if not (glsl and cuda):
             continue
         rows.append([what, size, interval(glsl[0]), interval(cuda[0]), ms(cpu[0].median) if len(cpu) == 1 else "-",
-                     faster(glsl[0], cuda[0])])
+                     ratio_text(glsl[0], cuda[0], apart)])
         sources += [glsl[0].source, cuda[0].source]
     if not rows:
         raise Missing(f"{machine.name} has no work that both APIs did")
-    heads = [[("", 2), ("median [interval], ms", 2), ("", 2)], ["work", "spheres", "GLSL", "CUDA", "CPU", "the faster"]]
+    heads = [[("", 2), ("median [interval], ms", 2), ("", 2)], ["work", "spheres", "GLSL", "CUDA", "CPU", "GLSL/CUDA"]]
     return Table("claims", CAPTION, heads, rows, left=1, source=", ".join(dict.fromkeys(sources)))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Tables of the studies with their own runs: grid sizes, peers, crossovers, transfers, loops."""
 from paper.numbers.crossovers import crossovers_by_kind
-from paper.numbers.ranks import verdict
+from paper.numbers.ranks import ratio_text
 from paper.numbers.transfers import hidden, overlaps
 from paper.records import Missing
 from paper.records import peers as measured_peers
@@ -78,11 +78,11 @@ def grid_sizes(machine):
             for order in ("warm", "cold"):
                 glsl, cuda = (machine.select(**wanted, n=n, order=order, backend=name) for name in ("glsl", "cuda"))
                 cells += [interval(found[0]) if found else "-" for found in (glsl, cuda)]
-                cells.append(verdict(glsl[0], cuda[0]).removesuffix(" faster") if glsl and cuda else "-")
+                cells.append(ratio_text(glsl[0], cuda[0]) if glsl and cuda else "-")
                 sources += [found[0].source for found in (glsl, cuda) if found]
             rows.append(cells)
     heads = [[("packing", 1), ("", 1), ("in cell order, ms", 3), ("in random order, ms", 3)],
-             ["fraction", "spheres", *["GLSL", "CUDA", "faster"] * 2]]
+             ["fraction", "spheres", *["GLSL", "CUDA", "GLSL/CUDA"] * 2]]
     return Table("grid-sizes", "A collision step through the grid: medians and their intervals.", heads, rows, left=0,
                  source=", ".join(dict.fromkeys(sources)))
 
@@ -112,10 +112,10 @@ def loop(machine):
             known = across is not None and place == "outside"
             rows.append([place, size_text(n), *cells, ms(across) if known else "-", *rates,
                          f"{1e3 / across:,.0f}" if known else "-",
-                         verdict(glsl[0], cuda[0]).removesuffix(" faster") if glsl and cuda else "-"])
+                         ratio_text(glsl[0], cuda[0]) if glsl and cuda else "-"])
             sources += [found[0].source for found in (glsl, cuda) if found]
     heads = [[("", 2), ("median [interval], ms", 3), ("frames per second", 3), ("", 1)],
-             ["camera", "spheres", *["GLSL", "CUDA", "to GL"] * 2, "faster"]]
+             ["camera", "spheres", *["GLSL", "CUDA", "to GL"] * 2, "GLSL/CUDA"]]
     caption = LOOPS.format(draw=transfers["overlaps"][0]["draw"])
     return Table("loop", caption, heads, rows, left=1, source=", ".join(dict.fromkeys(sources)))
 
