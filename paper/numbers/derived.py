@@ -140,10 +140,13 @@ def stage_ratios(machine):
         if backend == "glsl" and cuda:
             for kernel in glsl.device_stages_ms.keys() & cuda.device_stages_ms.keys():
                 row = stage_ratio(kernel, glsl, cuda)
-                if row and all(record.device_stages_ms[kernel] > BEYOND_EMPTY * floors[record.backend] for record in (glsl, cuda)):
-                    found.setdefault(kernel, []).append((glsl.n, glsl.date, -spread(row), row))
+                if row:
+                    beyond = all(record.device_stages_ms[kernel] > BEYOND_EMPTY * floors[record.backend] for record in (glsl, cuda))
+                    found.setdefault(kernel, []).append((glsl.n, glsl.date, -spread(row), row, beyond))
     for kernel in sorted(found):
-        yield max(found[kernel], key=lambda entry: entry[:3])[-1]
+        *_, row, beyond = max(found[kernel], key=lambda entry: entry[:3])
+        if beyond:
+            yield row
 
 
 def spread(row):

@@ -121,5 +121,5 @@ def draw(machine):
                 draw_line(axis, place, own, last=n == sizes[-1])
         set_axis(axis, lines, common)
         axis.set_title(f"$n$ = {n:,}, {common}", loc="left")
-    figure.legend(handles=keys(pairs), loc="upper left", ncols=3)
+    figure.legend(handles=keys(pairs), loc="lower left")
     return figure

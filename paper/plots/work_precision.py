@@ -21,7 +21,8 @@ def source(machine):
 
 def look(methods, method):
     k = methods.index(method)
-    return {"color": f"C{k}", "linestyle": LINES[k % len(LINES)]}
+    broad = {"linewidth": 2.4, "markersize": 5.5, "zorder": 1.5} if method == "paper" else {}  # paper-clamp lies on it
+    return {"color": f"C{k}", "linestyle": LINES[k % len(LINES)], **broad}
 
 
 def draw_device(axis, rows, methods):

@@ -2,7 +2,7 @@
 """All tables of the paper, made from recorded runs alone and written as LaTeX and as text."""
 import re
 
-from paper.numbers.compilers import driver_milliseconds
+from paper.numbers.compilers import driver_record
 from paper.numbers.ranks import ratio_text
 from paper.records import Missing, original_paper, recorded_code
 from paper.tables.claims import claims
@@ -111,7 +111,7 @@ def peak_rates(machine):
 
 
 def code(machine):
-    record, rows, driver = recorded_code(), [], driver_milliseconds(machine)
+    record, rows, (run, driver) = recorded_code(), [], driver_record(machine)
     for twin in record["twins"]:
         rows.append([twin["kernel"], *(str(twin[f"{what}_lines"]) for what in ("glsl", "cuda", "same")),
                      f"{twin['nvcc_seconds']:.1f}" if "nvcc_seconds" in twin else "-",
@@ -122,7 +122,7 @@ def code(machine):
              ["kernel", "GLSL", "CUDA", "same", "nvcc, s", "GLSL, ms"]]
     return Table("code", "Code and compile time of each API. Lines without blanks and comments; same: lines in both. nvcc: "
                  f"processor seconds on {record['context']['cpu']}, once, when the program is built ({record['id']})." +
-                 (" GLSL: the driver, in each program that uses it." if driver else ""), heads, rows)
+                 (f" GLSL: the driver, in each program that uses it ({run}; -: a kernel that it does not have)." if driver else ""), heads, rows)
 
 
 def machine_and_run(machine):

@@ -42,7 +42,7 @@ def claims(machine):
             continue
         rows.append([what, size, interval(glsl[0]), interval(cuda[0]), ms(cpu[0].median) if len(cpu) == 1 else "-",
                      ratio_text(glsl[0], cuda[0], apart)])
-        sources += [glsl[0].source, cuda[0].source]
+        sources += [row.source for row in (glsl[0], cuda[0], *(cpu if len(cpu) == 1 else ()))]
     if not rows:
         raise Missing(f"{machine.name} has no work that both APIs did")
     heads = [[("", 2), ("median [interval], ms", 2), ("", 2)], ["work", "spheres", "GLSL", "CUDA", "CPU", "GLSL/CUDA"]]
