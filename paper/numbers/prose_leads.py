@@ -52,6 +52,17 @@ def methods(put, machine, others):
         "sentence made from the four methods at groups of 128")
 
 
+def repeats(put, machine, others):
+    """The same work in several tables of one run: what intervals within a process do not show."""
+    wanted = {"backend": "cuda", "method": "collide_triangle", "n": 16384}
+    rows = [machine.one(table="methods", block=GROUP, **wanted), machine.one(table="table1", **wanted),
+            machine.one(table="scale", scene="random", backend="cuda", n=16384),
+            machine.one(table="exactness", exact=True, **wanted)]
+    for key, row in (("low", min(rows, key=lambda row: row.median)), ("high", max(rows, key=lambda row: row.median))):
+        put(f"repeat/{key}", f"{1e3 * row.median:.1f}", row.source, f"us, triangle in CUDA, n = 16384, table {row.table}")
+    put("repeat/tables", str(len(rows)), rows[0].source, "tables of the run with that work")
+
+
 def launches(put, machine, others):
     rows = {name: {r.launches_per_step: r for r in machine.need(table="overhead", backend=name)} for name in DEVICES}
     one, many = ({name: rows[name][count].median / count for name in DEVICES} for count in (1, 1000))
@@ -117,4 +128,4 @@ def keeping_order(put, machine, others):
     put("order/gain", f"{gain:.1f}", warm[n][0].source, f"random over cell order at n = {n}, the smaller of both APIs")
 
 
-LEADING = (who_leads, rule, one_launch, methods, launches, first_uses, arrangements, group_sizes, keeping_order)
+LEADING = (who_leads, rule, one_launch, methods, repeats, launches, first_uses, arrangements, group_sizes, keeping_order)

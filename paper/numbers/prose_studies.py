@@ -23,6 +23,11 @@ def pairs_of_the_sweep(put, machine, others):
     sides = {entry.winner for entry in large} - {""}
     put("lead/turns", "So the lead changes sides between scenes and runs." if len(sides) > 1 else
         "So the lead is on one side in both runs, where there is any.", found[0].source, "sentence made from both runs")
+    others_found = [leads.contest(*pair) for method in ("collide_tiled", "collide_square") for fraction in fractions(machine)
+                    for pair in matched(machine, **{**wanted, "method": method}, packing_fraction=fraction) if pair[0].n >= leads.LARGE]
+    said(machine, others_found and all(entry.winner == "cuda" for entry in others_found), "CUDA leads in tiled and square at large sizes")
+    put("lead/other-methods", leads.ratios(others_found), found[0].source,
+        f"time ratios GLSL/CUDA of tiled and square in the sweep, from {leads.LARGE} spheres on")
     put("lead/sweep", leads.at_large_sizes(found).replace(" %", "\\,\\%"), found[0].source,
         "sentence made from all pairs in the sweep")
 
