@@ -5,7 +5,7 @@ from paper.style import COLUMN, panels, plain_ticks, plot
 
 NAME = "overhead"
 CAPTION = ("An empty kernel of one group: time per dispatch or launch against their number before the host "
-           "waits. The first point is a round trip, the last the rate.")
+           "waits. CUDA launches without a graph. The first point is a round trip, the last the rate.")
 
 
 def draw(machine):
