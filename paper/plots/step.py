@@ -4,8 +4,8 @@ from paper.style import COLUMN, panels, plain_ticks, plot, spheres_axis
 
 NAME = "step"
 CAPTION = ("A whole step (motion, plane, all pairs, counts) against the number of spheres, the original paper's "
-           "box. The line is the 16\\,ms that the original paper reports for its parallel version: one refresh of "
-           "a 60\\,Hz display.")
+           "box. The line is the 16\\,ms that the original paper reports for its parallel version: one tick of "
+           "its clock or one refresh of its display.")
 
 
 def draw(machine):

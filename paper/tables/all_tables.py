@@ -35,7 +35,7 @@ def table1(machine):
               ("pairs, triangle", 2)],
              ["n", "plane", "1 thread", "GLSL", "CPU", "GLSL", "CUDA", "1 thread", "all", *["GLSL", "CUDA"] * 2]]
     return Table("table1", "The original paper's Table 1 (GeForce GTX 590, as printed; 32,768 from its text) and "
-                 "ours: medians in milliseconds. Its 0 is below the resolution of its clock, its 16 one refresh.",
+                 "ours: medians in milliseconds. Its 0 is below the resolution of its clock, its 16 one tick of it or one refresh.",
                  heads, rows, left=0)
 
 
