@@ -2,7 +2,7 @@
 // All pairs through tensor cores: the launches of collide_tensor and of what it needs.
 #pragma once
 
-#include "common/simulation/context.h"
+#include "common/simulation/motion/context.h"
 
 namespace spherepair {
 

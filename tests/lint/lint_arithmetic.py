@@ -14,7 +14,7 @@ import tempfile
 
 from lint_sources import Skip
 
-STATE_FEEDING = ("move", "bounce", "evaluate_positions")  # kernels whose results are the next step's input: every bit counts, so nothing is fused
+STATE_FEEDING = ("move", "bounce", "evaluate_positions", "contact_pairs", "leapfrog")  # kernels whose results are the next step's input: every bit counts, so nothing is fused
 METHODS, PRECISIONS = range(6), ("float", "Two", "double")  # of layout.h; bounce and evaluate_positions are of one method
 EXACT_FUNCTIONS = ("PackDouble2x32", "UnpackDouble2x32", "FAbs", "FMin", "FMax", "NMin", "NMax", "UMin", "UMax", "SMin",
                    "SMax", "FindUMsb", "FindSMsb", "FindILsb")
@@ -59,6 +59,8 @@ def variants(stem, text):
         chosen = [tuple(define.replace(f"{choice} false", f"{choice} true") for define in plain[0])
                   for choice in ("BUNDLES", "BY_CELLS", "FROM_TILES") if choice in text]
         return plain + chosen + [(*plain[0], *defines) for defines in further if defines[-1] in text]
+    if stem in ("contact_pairs", "leapfrog"):
+        return [("BLOCK 256", "INDICES 0u", "METHOD 7u", "PRECISION 3", "Real int64_t")]
     methods = METHODS if stem == "move" else (6,)
     return [("BLOCK 256", "INDICES 0u", f"METHOD {method}u", f"PRECISION {precision}", f"Real {real}")
             for method in methods for precision, real in enumerate(PRECISIONS)]
@@ -129,7 +131,7 @@ def ptx_of(entry, *, without=(), architecture=90, **options):
 
 
 def kernel_commands(root, build):
-    wanted = {str(root / "cuda/motion" / f"{stem}.cu"): stem for stem in STATE_FEEDING}
+    wanted = {str(path): path.stem for path in (root / "cuda").rglob("*.cu") if path.stem in STATE_FEEDING}
     found = {wanted[e["file"]]: e for e in compile_commands(build) if e["file"] in wanted}
     if not found:
         raise Skip("this build has no CUDA (no nvcc was found)")
@@ -138,9 +140,9 @@ def kernel_commands(root, build):
 
 def ptx(root, build):
     commands = kernel_commands(root, build)
-    complaints = [f"cuda/motion/{stem}.cu: is not built" for stem in STATE_FEEDING if stem not in commands]
+    complaints = [f"{stem}.cu: is not built" for stem in STATE_FEEDING if stem not in commands]
     for stem, entry in commands.items():
-        complaints += [f"cuda/motion/{stem}.cu: {complaint}" for complaint in ptx_complaints(ptx_of(entry))]
+        complaints += [f"{stem}.cu: {complaint}" for complaint in ptx_complaints(ptx_of(entry))]
     return complaints, f"{len(commands)} kernels that feed state"
 
 
