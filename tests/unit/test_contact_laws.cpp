@@ -110,6 +110,20 @@ TEST(ContactLaws, QuarticReachesTheGreatestOverlapAndBouncesBack) {
   }
 }
 
+// More spheres and pairs than one thread takes.
+TEST(ContactLaws, SameBitsWithAnyNumberOfThreads) {
+  Scene scene = make_scene({.name = "gas", .n = 20'000});
+  choose_contacts(scene, {.law = ContactLaw::spring, .stiffness = 1e5f});
+  Backend::State wanted;
+  for (const int threads : {1, 2, 7}) {
+    const auto backend = open_backend("cpu", {.threads = threads});
+    const Backend::State found = run_steps(*backend, scene, 60);
+    if (threads == 1) wanted = found;
+    expect_equal_states(found, wanted, fmt::format("{} threads", threads));
+    EXPECT_GT(run_step(*backend, fast_method(*backend)).totals.pairs, 4096u);
+  }
+}
+
 void expect_refused(const Scene& scene, int steps, const std::string& wanted) {
   try {
     run_steps(cpu_backend(), scene, uint64_t(steps));
