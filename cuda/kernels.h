@@ -40,6 +40,8 @@ struct KernelBuffers {
   uint* next_event;
   uint* seen_list;
   uint* colour;
+  unsigned long long* impulse;
+  uint* fault;
 };
 
 // Every kernel is void (Params p, KernelBuffers buf); those that draw also take a View v. A null entry means a group

@@ -13,7 +13,7 @@
 namespace spherepair {
 namespace {
 
-constexpr const char* real_names[] = {"float", "Two", "double"};  // by Precision
+constexpr const char* real_names[] = {"float", "Two", "double", "int64_t"};  // by Precision
 
 std::string source_of(const std::string& kernel, unsigned block, const Variant& variant, Features features) {
   const std::string& text = embedded_shaders().at(kernel + ".comp");

@@ -107,7 +107,8 @@ std::vector<Configuration> all_configurations(Session& session, const std::vecto
 }
 
 std::vector<EqualityEntry> check_lockstep(Session& session, const LockstepPlan& plan, Progress& progress) {
-  const Scene scene = make_scene(plan.scene);
+  Scene scene = make_scene(plan.scene);
+  choose_contacts(scene, plan.contact);
   for (const auto& backend : session.backends()) backend->upload(scene);
   const std::vector<Configuration> all = all_configurations(session, plan.methods, plan.blocks);
   plan_comparisons(session, plan, all);

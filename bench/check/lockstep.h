@@ -4,6 +4,7 @@
 
 #include "bench/check/equality.h"
 #include "bench/check/step_result.h"
+#include "common/scene/contact_scene.h"
 
 namespace spherepair {
 
@@ -13,6 +14,7 @@ struct LockstepPlan {
   uint64_t every = 1;  // steps between comparisons
   std::vector<Method> methods;
   std::vector<uint> blocks;
+  ContactChoice contact = {};
   uint64_t largest_list = 1'000'000;  // pairs; larger sets are compared by counts, totals and fingerprint only
 };
 

@@ -139,14 +139,14 @@ void add_compare(CLI::App& app, CommandLine& line, Action& action) {
   add_selection(*command, *options);
   command->add_option("--steps", plan.steps, "Steps to check")->transform(steps_range);
   add_motion_options(*command, plan.motion);
+  add_contact_options(*command, plan.motion);
   command->add_option("--every", plan.every, "Steps between two comparisons")
       ->transform(positive_range)
       ->capture_default_str();
   command->add_option("--seed", plan.seed, "Seed of the scenes and of the order within the rounds")
       ->transform(steps_range)
       ->capture_default_str();
-  command->add_option("--rounds", plan.rounds, "Rounds of each timing (default 11)")
-      ->transform(whole_number(1, 100000));
+  command->add_option("--rounds", plan.rounds, "Rounds per timing (default 11)")->transform(whole_number(1, 100000));
   command
       ->add_option("--min-seconds", plan.min_seconds, "Minimum time of one sample (default 0.002 on a GPU, else 0.05)")
       ->check(sample_range);

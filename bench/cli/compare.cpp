@@ -74,7 +74,7 @@ void check_all(Study& study) {
   for (const CheckSize& check : study.plan.checks) {
     const auto start = std::chrono::steady_clock::now();
     for (const SceneOptions& scene : study.plan.scenes) {
-      LockstepPlan plan{scene, check.steps, study.plan.every, study.plan.methods, check.blocks};
+      LockstepPlan plan{scene, check.steps, study.plan.every, study.plan.methods, check.blocks, study.plan.contact};
       if (!scene.groups) plan.scene.n = check.n;
       for (EqualityEntry& entry : check_lockstep(study.session, plan, study.progress))
         study.equality.push_back(std::move(entry));

@@ -184,6 +184,7 @@ json run_record(const CommandLine& line, const ChosenBackend& chosen, const Star
           {"dt", start.scene.dt},
           {"restitution", start.scene.restitution},
           {"plane", start.scene.plane},
+          {"contacts", to_json(start.scene.contact)},
           {"method", method_name(choice.method)},
           {"choice", to_json(choice)},
           {"block", choice.block ? choice.block : collide.block},
@@ -204,7 +205,7 @@ std::string heading(const RunOptions& options, const ChosenBackend& chosen, cons
                                        start.label, counted(start.scene.size(), "sphere"),
                                        counted(options.steps, "step"), motion_label(start.scene.motion));
   std::string text = start.notes + wrapped(what, "", "  ") + "\n" + passed_over_text(chosen);
-  if (options.steps) text += plane_text(start.scene);
+  if (options.steps) text += plane_text(start.scene) + describe_contacts(start.scene);
   if (collide.method == Method::automatic)
     text += wrapped("auto: " + describe(backend.choice(collide)), "", "  ") + "\n";
   return text;

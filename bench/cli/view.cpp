@@ -60,7 +60,7 @@ int view_command(const CommandLine& line, const ViewOptions& options) {
   fmt::print(
       "{}{}{}\n", session.summary(),
       display.shared ? "  images stay in the window's OpenGL context\n" : "  images are uploaded to the window\n",
-      plane_text(start.scene));
+      plane_text(start.scene) + describe_contacts(start.scene));
   std::string first = options.backend;
   if (first.empty()) first = preferred_backend(session, open);
   Backend* backend = session.find(first);

@@ -17,7 +17,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "checkpoints are little-endian");
 constexpr char magic[] = "SPHCHECK";
-constexpr uint format_version = 1;
+constexpr uint format_version = 1, version_with_contacts = 2;
 
 struct Header {
   char magic[8];
@@ -26,6 +26,13 @@ struct Header {
   uint64_t n, step;
 };
 static_assert(sizeof(Header) == 64);
+
+struct ContactHeader {
+  uint law, walls;
+  int unit_exponent, momentum_exponent;
+  float stiffness, low[3], high[3];
+};
+static_assert(sizeof(ContactHeader) == 44);
 
 template <typename T>
 std::string_view bytes_of(const T* values, size_t count = 1) {
@@ -84,11 +91,38 @@ Header read_header(Reader& reader) {
   Header header;
   std::memcpy(header.magic, start.data(), 8);
   header.version = reader.number<uint>("the version");
-  if (header.version != format_version)
-    reader.fail(fmt::format("version {}", format_version), fmt::format("version {}", header.version));
+  if (header.version != format_version && header.version != version_with_contacts)
+    reader.fail(fmt::format("version {} or {}", format_version, version_with_contacts),
+                fmt::format("version {}", header.version));
   const std::string_view rest = reader.take(sizeof(Header) - 12, "the header");
   std::memcpy(reinterpret_cast<char*>(&header) + 12, rest.data(), rest.size());
   return header;
+}
+
+ContactHeader header_of(const ContactOptions& c) {
+  return {uint(c.law),
+          c.walls,
+          c.unit_exponent,
+          c.momentum_exponent,
+          c.stiffness,
+          {c.low.x, c.low.y, c.low.z},
+          {c.high.x, c.high.y, c.high.z}};
+}
+
+ContactOptions contacts_of(Reader& reader, const Header& header, const ContactHeader& c) {
+  const bool leaps = header.method == MOTION_LEAPFROG && header.precision == PRECISION_FIXED;
+  const bool known = c.law != CONTACT_NONE && c.law <= CONTACT_HERTZ && c.walls <= 1;
+  if (!leaps || !known || std::abs(c.unit_exponent) > 100 || std::abs(c.momentum_exponent) > 200)
+    reader.fail("the leapfrog in fixed precision, a known law of contacts, and its units",
+                fmt::format("method {}, precision {}, law {}, units 2^-{} and 2^-{}", header.method, header.precision,
+                            c.law, c.unit_exponent, c.momentum_exponent));
+  return {.law = ContactLaw(c.law),
+          .stiffness = c.stiffness,
+          .walls = c.walls != 0,
+          .low = {c.low[0], c.low[1], c.low[2], 0},
+          .high = {c.high[0], c.high[1], c.high[2], 0},
+          .unit_exponent = c.unit_exponent,
+          .momentum_exponent = c.momentum_exponent};
 }
 
 // Number of elements of a part of this checkpoint.
@@ -126,8 +160,9 @@ uint64_t checksum(std::string_view bytes) {
 
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
   const Scene& scene = checkpoint.scene;
+  const bool contacts = scene.contact.law != ContactLaw::none;
   Header header{{},
-                format_version,
+                contacts ? version_with_contacts : format_version,
                 uint(scene.motion.method),
                 uint(scene.motion.precision),
                 checkpoint.motion.steps,
@@ -140,7 +175,9 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
                 scene.size(),
                 checkpoint.step};
   std::memcpy(header.magic, magic, 8);
-  const std::string start = std::string(bytes_of(&header)) + scene.name;
+  const ContactHeader contact = header_of(scene.contact);
+  const std::string start =
+      std::string(bytes_of(&header)) + std::string(contacts ? bytes_of(&contact) : "") + scene.name;
   ReplacedFile file(path);
   const auto write_number = [&](uint64_t number) { file.write(bytes_of(&number)); };
   file.write(start);
@@ -159,12 +196,20 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   const Header header = read_header(reader);
   Checkpoint checkpoint;
   Scene& scene = checkpoint.scene;
+  const bool contacts = header.version == version_with_contacts;
+  const std::string contact(contacts ? reader.take(sizeof(ContactHeader), "the contacts") : "");
   scene.name = reader.take(header.name_length, "the scene's name");
-  reader.verify(std::string(bytes_of(&header)) + scene.name, "header");
-  if (header.method > MOTION_ANCHORED || header.precision > PRECISION_FLOAT64 || header.n > 0x7FFFFFFF)
+  reader.verify(std::string(bytes_of(&header)) + contact + scene.name, "header");
+  const bool known = contacts || (header.method <= MOTION_ANCHORED && header.precision <= PRECISION_FLOAT64);
+  if (!known || header.n > 0x7FFFFFFF)
     reader.fail("a known motion method and precision and at most 2147483647 spheres",
                 fmt::format("method {}, precision {}, n = {}", header.method, header.precision, header.n));
   scene.motion = {MotionMethod(header.method), Precision(header.precision)};
+  if (contacts) {
+    ContactHeader read;
+    std::memcpy(&read, contact.data(), sizeof(read));
+    scene.contact = contacts_of(reader, header, read);
+  }
   scene.dt = header.dt, scene.gravity = header.gravity, scene.plane = header.plane;
   scene.restitution = header.restitution, scene.equal_radii = header.equal_radii != 0;
   checkpoint.motion.steps = header.anchored_steps;

@@ -9,9 +9,11 @@
 #include <stdexcept>
 
 #include "common/cpu/cpu_motion.h"
+#include "common/scene/contact_scene.h"
 #include "common/scene/counted.h"
 #include "common/scene/scene_bounds.h"
 #include "common/scene/scene_params.h"
+#include "common/shared/contact.h"
 
 namespace spherepair {
 namespace {
@@ -42,6 +44,7 @@ class Checker {
     check_vectors("velocities", scene_.velocities);
     check_vectors("anchors", motion_.anchors);
     check_radii();
+    if (scene_.motion.precision == Precision::fixed) return check_fixed();
     with_real(scene_.motion.precision, [&](auto kind) {
       using Real = decltype(kind);
       check_reals<Real>("wide state", motion_.wide);
@@ -127,6 +130,25 @@ class Checker {
           fail(fmt::format("due steps, sphere {}", i), fmt::format("{}, by its anchor", expected(i)),
                fmt::format("{}", motion_.next_event[i]));
         });
+  }
+
+  // The same of a state in integers, whose velocities are the start's until the first step.
+  void check_fixed() const {
+    const ContactParams params = contact_params(scene_);
+    const auto body = [&](uint64_t i) -> Body {
+      const auto word = [&](uint64_t k) { return load_real<int64_t>(motion_.wide, k * n_ + i); };
+      return {word(0), word(1), word(2), word(3), word(4), word(5), scene_.positions[i].w};
+    };
+    const auto wrong = [&](uint64_t i) {
+      const Body s = body(i);
+      const vec4& v = scene_.velocities[i];
+      if (!same(scene_.positions[i], centre_of(s, params))) return true;
+      return step_ > 0 && !same(v, velocity_of(s, mobility_of(s.radius, params), params));
+    };
+    refuse(n_, wrong, [&](uint64_t i) {
+      fail(fmt::format("wide state, sphere {}", i), "integers nearest to which its position and velocity are",
+           text(centre_of(body(i), params)));
+    });
   }
 
   // Positions and velocities are the float32 numbers nearest to the motion's full-precision state.

@@ -32,6 +32,7 @@ void lower_plane(Scene& scene) {
 Start start_from(SphereFile input, const MotionChoice& motion) {
   choose_motion(input.scene, motion);
   lower_plane(input.scene);
+  choose_contacts(input.scene, motion.contact);
   Start start;
   start.label = input.scene.name;
   start.notes = describe(input);
@@ -70,12 +71,23 @@ Start start_of(const StartOptions& options, int threads) {
     return start_from(read_sphere_file(options.input_file, file_options(options, threads)), options.motion);
   SceneOptions scene = options.scene;
   choose_motion(scene, options.motion);
-  return {make_scene(scene), scene_label(scene), "", scene_json(scene)};
+  Scene made = make_scene(scene);
+  choose_contacts(made, options.motion.contact);
+  return {std::move(made), scene_label(scene), "", scene_json(scene)};
 }
 
 std::string plane_text(const Scene& scene) {
   const bool lowered = scene.plane != Scene().plane;
   return fmt::format("plane at y = {}{}\n", scene.plane, lowered ? ", below the lowest sphere" : "");
+}
+
+json to_json(const ContactOptions& contact) {
+  if (contact.law == ContactLaw::none) return contact_name(contact.law);
+  return {{"law", contact_name(contact.law)},
+          {"stiffness", contact.stiffness},
+          {"walls", contact.walls},
+          {"unit_exponent", contact.unit_exponent},
+          {"momentum_exponent", contact.momentum_exponent}};
 }
 
 std::string species_warning(const Start& start) {

@@ -4,13 +4,14 @@
 
 #include <string>
 
-#include "common/scene/scene.h"
+#include "common/scene/contact_scene.h"
 
 namespace spherepair {
 
 struct MotionChoice {
   std::string method = motion_name(MotionOptions{}.method), precision = precision_name(MotionOptions{}.precision);
   float dt = SceneOptions{}.dt, restitution = SceneOptions{}.restitution;
+  ContactChoice contact = {};  // its dt: --dt where that was given
 };
 
 // Both throw std::invalid_argument with the value and its valid range.

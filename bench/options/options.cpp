@@ -178,6 +178,7 @@ void add_start_options(CLI::App& command, StartOptions& start) {
   add_file_options(command, start.columns, start.ignore_periodic);
   for (const char* file_option : {"--columns", "--ignore-periodic"}) command.get_option(file_option)->needs(input);
   add_motion_options(command, start.motion);
+  add_contact_options(command, start.motion);
   add_resume_option(command, start.resume_file);
 }
 
@@ -207,9 +208,10 @@ void add_save_options(CLI::App& command, std::string& file, uint64_t& every) {
 void add_resume_option(CLI::App& command, std::string& file) {
   auto* resume =
       command.add_option("--resume", file, "Continue from this checkpoint, to the same bits as an uninterrupted run");
-  for (const char* other : {"--input", "--frame", "--columns", "--ignore-periodic", "--scene", "--n", "--seed",
-                            "--radius", "--radius-ratio", "--packing-fraction", "--groups", "--group-size", "--offset",
-                            "--motion", "--precision", "--dt", "--restitution"})
+  for (const char* other : {"--input",  "--frame",       "--columns", "--ignore-periodic", "--scene",
+                            "--n",      "--seed",        "--radius",  "--radius-ratio",    "--packing-fraction",
+                            "--groups", "--group-size",  "--offset",  "--motion",          "--precision",
+                            "--dt",     "--restitution", "--contact", "--stiffness",       "--walls"})
     resume->excludes(command.get_option(other));
 }
 

@@ -51,6 +51,9 @@ void finish_start_options(const CLI::App& command, StartOptions& start);
 // --motion, --precision, --dt and --restitution.
 void add_motion_options(CLI::App& command, MotionChoice& motion);
 
+// --contact, --stiffness and --walls, after those of the motion.
+void add_contact_options(CLI::App& command, MotionChoice& motion);
+
 // --save and --save-every.
 void add_save_options(CLI::App& command, std::string& file, uint64_t& every);
 

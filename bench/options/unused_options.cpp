@@ -55,8 +55,9 @@ class Given {
 void refuse_of_scene(const Given& given) {
   if (given.value("--scene").empty() || given.has("--input") || given.has("--resume")) return;
   const std::string with = fmt::format("with the scene {}", given.value("--scene"));
-  given.refuse("--packing-fraction", !given.is("--scene", {"uniform", "far", "clustered"}),
-               with + ", whose size does not follow from one: omit it, or choose --scene uniform, far or clustered");
+  given.refuse(
+      "--packing-fraction", !given.is("--scene", {"uniform", "far", "clustered", "gas"}),
+      with + ", whose size does not follow from one: omit it, or choose --scene uniform, far, clustered or gas");
   for (const char* option : {"--groups", "--group-size"})
     given.refuse(option, !given.is("--scene", {"aligned"}),
                  with + ", which has no groups: omit it, or choose --scene aligned");
@@ -69,10 +70,16 @@ void refuse_of_motion(const Given& given) {
   const bool moves = !given.zero("--steps") || (render && !given.is("--images", {"1"}));
   const std::string still = render ? "on one image of the start: omit it, or give --steps or --images"
                                    : "on spheres that do not move: omit it, or give --steps";
-  for (const char* option : {"--motion", "--restitution"}) given.refuse(option, !moves && !given.has("--save"), still);
+  for (const char* option : {"--motion", "--restitution", "--contact", "--stiffness", "--walls"})
+    given.refuse(option, !moves && !given.has("--save"), still);
   given.refuse("--dt", !moves && !given.has("--save") && !given.has("--swept"), still);
   given.refuse("--per-step", !moves, still);
   given.refuse("--save-every", !moves, still);
+}
+
+void refuse_of_contacts(const Given& given) {
+  for (const char* option : {"--stiffness", "--walls"})
+    given.refuse(option, given.is("--contact", {"none"}), "without contacts: omit it, or give another --contact");
 }
 
 void refuse_of_search(const Given& given) {
@@ -153,6 +160,7 @@ void refuse_unused_options(const CLI::App& command) {
   refuse_repeated_words(command);
   refuse_of_scene(given);
   refuse_of_motion(given);
+  refuse_of_contacts(given);
   refuse_of_search(given);
   refuse_of_image(given);
   refuse_of_backend(given);

@@ -8,6 +8,7 @@
 #include "bench/io/arguments.h"
 #include "bench/io/scene_text.h"
 #include "bench/tables/study.h"
+#include "common/scene/contact_scenes.h"
 
 namespace spherepair {
 namespace {
@@ -23,10 +24,11 @@ SceneOptions scene_of(const std::string& name, uint64_t seed, float radius_ratio
 }
 
 // Every scene, and one with unequal radii, which uses another variant of each kernel.
-std::vector<SceneOptions> all_scenes(uint64_t seed) {
+std::vector<SceneOptions> all_scenes(uint64_t seed, bool contacts) {
   std::vector<SceneOptions> scenes;
-  for (const SceneKind& kind : scene_kinds()) scenes.push_back(scene_of(kind.name, seed));
-  scenes.push_back(scene_of("uniform", seed, 16));
+  for (const SceneKind& kind : scene_kinds())
+    if (made_for_contacts(kind.name) == contacts) scenes.push_back(scene_of(kind.name, seed));
+  if (!contacts) scenes.push_back(scene_of("uniform", seed, 16));
   return scenes;
 }
 
@@ -109,7 +111,9 @@ Plan make_plan(const PlanOptions& options, bool hardware) {
   plan.hardware = hardware;
   plan.seed = plan.sampling.seed = options.seed;
   plan.every = options.every;
-  plan.scenes = all_scenes(options.seed);
+  plan.contact = options.motion.contact;
+  const bool contacts = plan.contact.law != ContactLaw::none;
+  plan.scenes = all_scenes(options.seed, contacts);
   if (!options.scenes.empty()) plan.scenes.clear();
   for (const std::string& name : options.scenes) plan.scenes.push_back(parse_scene(name, options.seed));
   for (SceneOptions& scene : plan.scenes) choose_motion(scene, options.motion);
@@ -121,6 +125,8 @@ Plan make_plan(const PlanOptions& options, bool hardware) {
   if (options.full) extend(plan);
   override_sizes(plan, options);
   plan.tables = chosen_tables(options.tables);
+  if (contacts && !plan.tables.empty())
+    throw std::invalid_argument("no table times contacts: give --tables none with --contact");
   if (options.rounds > 0) plan.sampling.rounds = options.rounds;
   if (options.min_seconds > 0) plan.sampling.hardware_seconds = plan.sampling.software_seconds = options.min_seconds;
   return plan;

@@ -84,7 +84,9 @@ class CpuBackend final : public Backend {
   }
 
   void move() override {
-    clock_.time("move", [&] { motion_.move(threads_); });
+    clock_.time("move", [&] {
+      motion_.has_contacts() ? motion_.move(search_.list_pairs(motion_), threads_) : motion_.move(threads_);
+    });
     search_.moved();
   }
   void set_event_driven(bool on) override { motion_.set_event_driven(on); }
@@ -95,6 +97,7 @@ class CpuBackend final : public Backend {
 
   MethodChoice choice(const CollideOptions& options) const override { return search_.choice(options); }
   void collide(const CollideOptions& options) override {
+    motion_.require_sound();
     const Method method = search_.prepare(options, motion_);
     clock_.time(method_name(method), [&] { search_.run(motion_); });
   }

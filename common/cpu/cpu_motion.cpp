@@ -24,6 +24,7 @@ void CpuMotion::upload(const Scene& scene) {
   positions_ = scene.positions;
   velocities_ = scene.velocities;
   kept_ = initial_state(scene, params_);
+  contacts_.upload(scene);
   evaluated_ = true;
   state_current_ = motion_.method != MotionMethod::anchored;
 }
@@ -71,8 +72,12 @@ void CpuMotion::bounce_all(int threads) {
   }
 }
 
-void CpuMotion::move(int threads) {
+void CpuMotion::require_movable() const {
   if (!unmovable_.empty()) throw std::invalid_argument(unmovable_);
+}
+
+void CpuMotion::move(int threads) {
+  require_movable();
   with_real(motion_.precision, [&](auto kind) {
     using Real = decltype(kind);
     if (motion_.method != MotionMethod::anchored) return step_all<Real>(threads);
@@ -81,6 +86,11 @@ void CpuMotion::move(int threads) {
     bounce_all<Real>(threads);
     evaluated_ = state_current_ = false;
   });
+}
+
+void CpuMotion::move(std::span<const Pair> contacts, int threads) {
+  require_movable();
+  contacts_.step(contacts, kept_.wide, positions_, velocities_, threads);
 }
 
 void CpuMotion::evaluate(int threads, bool whole) {
@@ -100,12 +110,13 @@ const std::vector<vec4>& CpuMotion::positions(int threads) {
 }
 
 void CpuMotion::evaluate_state(int threads) {
+  require_sound();
   if (!state_current_) evaluate(threads, true);
 }
 
 Backend::State CpuMotion::state() const {
   if (!state_current_) throw BackendError("cpu: the state is that of an earlier step; call evaluate_state");
-  if (kept_.wide.empty()) return {positions_, velocities_, {}};
+  if (kept_.wide.empty() || has_contacts()) return {positions_, velocities_, kept_.wide};
   return {positions_, rounded_velocities(kept_.wide, motion_.precision, positions_.size()), kept_.wide};
 }
 

@@ -2,7 +2,7 @@
 // The CPU's spheres and how they move.
 #pragma once
 
-#include "common/backend/backend.h"
+#include "common/cpu/cpu_contacts.h"
 #include "common/shared/anchor.h"
 
 namespace spherepair {
@@ -23,6 +23,9 @@ class CpuMotion {
   void upload(const Scene& scene);
   MotionOptions options() const { return motion_; }
   void move(int threads);
+  bool has_contacts() const { return contacts_.on(); }
+  void move(std::span<const Pair> contacts, int threads);  // the pairs of these positions
+  void require_sound() const { contacts_.require_sound(); }
   void set_event_driven(bool on) { event_driven_ = on; }
 
   // As they stand now; of `anchored` they are evaluated when they are requested.
@@ -49,10 +52,12 @@ class CpuMotion {
   template <typename Real>
   void bounce_all(int threads);
   void evaluate(int threads, bool whole);
+  void require_movable() const;
 
   MotionOptions motion_;
   std::string unmovable_;  // why
   MotionParams params_{};
+  CpuContacts contacts_;
   std::vector<vec4> positions_, velocities_;
   MotionState kept_;
   bool evaluated_ = true;      // positions are those of this step ...

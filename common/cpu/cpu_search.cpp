@@ -84,6 +84,15 @@ void CpuSearch::run(CpuMotion& motion) {
   }
 }
 
+const std::vector<Pair>& CpuSearch::list_pairs(CpuMotion& motion) {
+  const bool listed = found_ && options_.want_pairs && options_.exact && !options_.swept;
+  if (!listed || options_.method == Method::collide_group) {
+    prepare({.want_pairs = true}, motion);
+    run(motion);
+  }
+  return pairs();
+}
+
 const PairsFound& CpuSearch::found() const {
   if (!found_) throw BackendError("cpu: no collision step to report since the last move; call collide first");
   return *found_;

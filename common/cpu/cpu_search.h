@@ -23,6 +23,9 @@ class CpuSearch {
   Method prepare(const CollideOptions& options, CpuMotion& motion);
   void run(CpuMotion& motion);  // what was prepared
 
+  // The pairs of these positions: those of the last search where it listed all of them, else by a search of its own.
+  const std::vector<Pair>& list_pairs(CpuMotion& motion);
+
   bool searched() const { return found_.has_value(); }  // these positions
   const Collisions& totals() const { return found().totals; }
   std::vector<uint> counts() const;

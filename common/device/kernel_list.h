@@ -4,7 +4,8 @@
 
 // clang-format off
 #define SPHEREPAIR_MIRRORED_KERNELS(each)                                                       \
-  each(move) each(bounce) each(evaluate_positions) each(clear) each(sample) each(empty)                      \
+  each(move) each(bounce) each(evaluate_positions) each(contact_pairs) each(leapfrog)                        \
+  each(clear) each(sample) each(empty)                                                                       \
   each(peak_copy) each(peak_atomics) each(peak_issue) each(peak_words)              \
   each(resolve_undecided) each(decide) each(tally)                                                         \
   each(grid_clear) each(grid_bounds) each(grid_count) each(grid_sums) each(grid_scan)           \

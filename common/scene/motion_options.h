@@ -18,10 +18,12 @@ enum class MotionMethod : uint {
   impact_linear,  // time of impact on a straight path, one bounce a step
   impact,         // quadratic time of impact, any number of bounces a step
   anchored,       // the last bounce and the steps since: nothing is rounded between bounces
+  leapfrog,       // with contacts alone: impulses, then positions, in integers; always `fixed`
 };
 
 // Of positions and velocities from step to step; collisions are always those of the nearest float32 numbers.
-enum class Precision : uint { float32, compensated, float64 };  // compensated: the sum of two float32
+// compensated: the sum of two float32; fixed: 64-bit integers.
+enum class Precision : uint { float32, compensated, float64, fixed };
 
 struct MotionOptions {
   MotionMethod method = MotionMethod::paper;
@@ -29,13 +31,13 @@ struct MotionOptions {
   auto operator<=>(const MotionOptions&) const = default;
 };
 
-const std::vector<MotionOptions>& all_motions();  // every method in every precision
+const std::vector<MotionOptions>& all_motions();  // without contacts: every method in every precision
 
 const char* motion_name(MotionMethod method);  // euler, ... paper-clamp, ...
 const char* precision_name(Precision precision);
 std::string motion_label(MotionOptions motion);  // paper float32
 
-// Throw std::invalid_argument with the known names.
+// Of motions without contacts. Throw std::invalid_argument with the known names.
 MotionMethod motion_from_name(const std::string& name);
 Precision precision_from_name(const std::string& name);
 

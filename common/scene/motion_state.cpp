@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "common/scene/motion_state.h"
 
+#include "common/scene/contact_scene.h"
 #include "common/shared/anchor.h"
 
 namespace spherepair {
@@ -41,6 +42,10 @@ void anchor_at_start(const Scene& scene, const MotionParams& params, MotionState
 
 MotionState initial_state(const Scene& scene, const MotionParams& params) {
   MotionState state;
+  if (scene.motion.precision == Precision::fixed) {
+    state.wide = fixed_state(scene);
+    return state;
+  }
   with_real(scene.motion.precision, [&](auto kind) {
     using Real = decltype(kind);
     if (scene.motion.precision != Precision::float32) widen<Real>(scene, state);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "common/scene/contact_scenes.h"
 #include "common/scene/host_buffer.h"
 #include "common/scene/known_name.h"
 #include "common/shared/hash.h"
@@ -198,12 +199,8 @@ void finish_test_scene(Scene& scene, const SceneOptions& o) {
   scene.plane = std::floor(lowest) - 1;
 }
 
-struct Maker {
-  SceneKind kind;
-  void (*make)(Scene&, const SceneOptions&);
-};
-const std::vector<Maker>& makers() {
-  static const std::vector<Maker> all = {
+std::vector<SceneMaker> all_makers() {
+  std::vector<SceneMaker> all = {
       {{"random", "the paper's first animation: random places in a 20x20x20 box, random vertical velocities"},
        make_random},
       {{"aligned", "the paper's second animation: groups of spheres, each moving as one (--groups, --group-size)"},
@@ -215,6 +212,11 @@ const std::vector<Maker>& makers() {
       {{"coincident", "all centres at one point"}, make_coincident},
       {{"far", "the uniform scene, 1e5 away from the origin"}, [](Scene& s, const SceneOptions& o) { make_far(s, o); }},
       {{"one_cell", "all centres within one cube of side 2r"}, make_one_cell}};
+  all.insert(all.end(), contact_makers().begin(), contact_makers().end());
+  return all;
+}
+const std::vector<SceneMaker>& makers() {
+  static const std::vector<SceneMaker> all = all_makers();
   return all;
 }
 
@@ -223,7 +225,7 @@ const std::vector<Maker>& makers() {
 const std::vector<SceneKind>& scene_kinds() {
   static const std::vector<SceneKind> kinds = [] {
     std::vector<SceneKind> all;
-    for (const Maker& maker : makers()) all.push_back(maker.kind);
+    for (const SceneMaker& maker : makers()) all.push_back(maker.kind);
     return all;
   }();
   return kinds;
@@ -231,7 +233,7 @@ const std::vector<SceneKind>& scene_kinds() {
 
 Scene make_scene(const SceneOptions& options) {
   check_options(options);
-  const auto maker = std::ranges::find_if(makers(), [&](const Maker& m) { return options.name == m.kind.name; });
+  const auto maker = std::ranges::find_if(makers(), [&](const SceneMaker& m) { return options.name == m.kind.name; });
   if (maker == makers().end()) {
     std::vector<std::string> indices;
     for (const SceneKind& kind : scene_kinds()) indices.push_back(kind.name);

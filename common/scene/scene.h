@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "common/scene/contact_options.h"
 #include "common/scene/motion_options.h"
 #include "common/shared/layout.h"
 
@@ -22,6 +23,7 @@ struct Scene {
   float restitution = 1.0f;  // 0..1
   bool equal_radii = true;   // all radii have the same bits
   MotionOptions motion = {};
+  ContactOptions contact = {};  // chosen by choose_contacts (contact_scene.h)
 
   uint64_t size() const { return positions.size(); }
 };

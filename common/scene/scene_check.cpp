@@ -6,6 +6,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "common/scene/contact_scene.h"
 #include "common/scene/counted.h"
 #include "common/scene/scene_bounds.h"
 #include "common/shared/hash.h"
@@ -88,6 +89,8 @@ std::string why_unmovable(const Scene& scene, float largest) {
     return why(fmt::format("gravity is {}, but must be from -2^60 to 0, not upwards", scene.gravity));
   if (!(std::abs(scene.plane) <= largest_number))
     return why(fmt::format("the plane is at {}, but must be from -2^60 to 2^60", scene.plane));
+  if (scene.contact.law != ContactLaw::none)
+    if (const std::string no_contacts = why_no_contacts(scene); !no_contacts.empty()) return why(no_contacts);
   const auto large = [=](const vec4& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z), std::abs(v.w)}) > largest;
   };

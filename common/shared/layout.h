@@ -30,14 +30,16 @@
 #define SLOT_SEEN_LEFT 21  // uint[]: four bits a sphere, not 0 while it is in SLOT_SEEN_LIST
 #define SLOT_CLUSTER_LIST 22  // uint[3 * clusters], by LIST_*, each in any order
 #define SLOT_PYRAMID 23       // uvec2[], the hierarchical Z: two depths a texel, level by level; see texel_of_pixel
-#define SLOT_WIDE 24          // Real[6n], of compensated and float64: all x, all y, all z, then the velocities
-#define SLOT_ANCHOR 25        // vec4[n], of anchored: where the spheres started, radius in w
+#define SLOT_WIDE 24    // Real[6n], of all precisions but float32: all x, all y, all z, then velocities; fixed: momenta
+#define SLOT_ANCHOR 25  // vec4[n], of anchored: where the spheres started, radius in w
 #define SLOT_FLIGHT 26  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
 #define SLOT_SINCE 27   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
-#define SLOT_NEXT_EVENT 28   // uint[n], of anchored: first step in which the sphere may reach the plane
-#define SLOT_SEEN_LIST 29    // uint[], two by View::turn: indices of the spheres visible in recent frames
-#define SLOT_VISIBLE_ODD 30  // as SLOT_VISIBLE, for every other frame where two are in flight
-#define SLOT_COLOUR 31       // uint[n]: entry of the palette, unless it is the number of contacts; see View::colour_by
+#define SLOT_NEXT_EVENT 28        // uint[n], of anchored: first step in which the sphere may reach the plane
+#define SLOT_IMPULSE SLOT_FLIGHT  // int64[3n], of leapfrog: impulses of this step's contacts, all x, all y, all z
+#define SLOT_FAULT SLOT_SINCE     // uint[FAULTS], of leapfrog: the first sphere of each FAULT_*, or ~0
+#define SLOT_SEEN_LIST 29         // uint[], two by View::turn: indices of the spheres visible in recent frames
+#define SLOT_VISIBLE_ODD 30       // as SLOT_VISIBLE, for every other frame where two are in flight
+#define SLOT_COLOUR 31  // uint[n]: entry of the palette, unless it is the number of contacts; see View::colour_by
 #define SLOT_TOTAL 32
 #define SLOT_PARAMS 0   // the uniform block's own binding
 #define CELL_TEXTURE 0  // texture units of GLSL, one per use, so that bindings seldom change
@@ -96,9 +98,19 @@
 #define MOTION_IMPACT_LINEAR 4u
 #define MOTION_IMPACT 5u
 #define MOTION_ANCHORED 6u
+#define MOTION_LEAPFROG 7u
 #define PRECISION_FLOAT32 0  // Precision of motion_options.h
 #define PRECISION_COMPENSATED 1
 #define PRECISION_FLOAT64 2
+#define PRECISION_FIXED 3
+#define CONTACT_NONE 0u  // ContactLaw of contact_options.h
+#define CONTACT_SPRING 1u
+#define CONTACT_QUARTIC 2u
+#define CONTACT_HERTZ 3u
+#define FAULT_DEEP 0u   // what a step with contacts cannot do: a contact deeper than the smaller radius, ...
+#define FAULT_FAST 1u   // ... a sphere that moves on by more than the smallest radius, ...
+#define FAULT_RANGE 2u  // ... or one beyond MOST_UNITS
+#define FAULTS 3u
 #define ANCHOR_ON_PLANE 0x80000000u  // bit of `since`: the anchor is a bounce, not the start
 #define NO_EVENT 0xFFFFFFFFu
 
@@ -113,6 +125,19 @@ struct MotionParams {
   uint steps_done;                                   // of anchored: after this move
   uint whole_state;    // not 0: evaluate_positions also writes velocities and SLOT_WIDE, bounce handles all that bounce
   uint clear_results;  // not 0: move and evaluate_positions clear contact counts and totals
+};
+
+// Of contacts, see contact.h. Positions are 64-bit integers in units of 2^-unit_exponent metres.
+struct UNIFORM_ALIGN ContactParams {
+  int64_t low_x, low_y, low_z, high_x, high_y, high_z;  // walls, in units; far beyond MOST_UNITS where there is none
+  uint law;                                             // CONTACT_*
+  int unit_exponent, reach_exponent;  // reach_exponent: 2^this is the power of two below the largest sum of two radii
+  float impulse;                      // of a step, in units of momentum; lengths in 2^reach_exponent metres
+  float damping;                      // per unit of closing speed and root of the reduced cubed radius
+  float gravity;                      // impulse along y per cubic metre of cubed radius, <= 0
+  float mobility;                     // units that a unit of momentum moves a sphere of radius 1 m in a step
+  float metres_per_second;            // speed of a unit a step
+  float fastest;                      // units a step, see FAULT_FAST
 };
 
 struct UNIFORM_ALIGN SearchParams {
@@ -146,6 +171,7 @@ struct Params {
   SearchParams search;
   GridParams grid;
   SortParams sort;
+  ContactParams contact;
   uint n;            // spheres; of `decide`, pairs of them
   float radius;      // of all, where all are equal
   uint first_group;  // of this slice of the launch
@@ -155,7 +181,7 @@ struct Params {
 #ifndef GL_core_profile
 static_assert(SPLIT_BLOCK == BUCKETS_AT_MOST && SPLIT_BLOCK * SPLIT_EACH == SPLIT_TILE);
 static_assert(sizeof(MotionParams) == 96 && sizeof(SearchParams) == 32 && sizeof(GridParams) == 64 &&
-              sizeof(SortParams) == 32 && sizeof(Params) == 240 && sizeof(uvec2) == 8);
+              sizeof(SortParams) == 32 && sizeof(ContactParams) == 96 && sizeof(Params) == 336 && sizeof(uvec2) == 8);
 #endif
 
 #endif

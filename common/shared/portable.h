@@ -27,6 +27,7 @@ float multiply_add(float a, float b, float c) { return fma(a, b, c); }
 
 uint count_bits(uint bits) { return uint(bitCount(bits)); }
 uint lowest_bit(uint bits) { return uint(findLSB(bits)); }
+uint highest_bit(uint bits) { return uint(findMSB(bits)); }
 
 // The larger and the smaller; b where a is not a number.
 float larger(float a, float b) { return a > b ? a : b; }
@@ -68,6 +69,7 @@ FN uint double_low(double x) { return uint(__double2loint(x)); }
 FN float multiply_add(float a, float b, float c) { return __fmaf_rn(a, b, c); }
 FN uint count_bits(uint bits) { return uint(__popc(bits)); }
 FN uint lowest_bit(uint bits) { return uint(__ffs(bits)) - 1u; }
+FN uint highest_bit(uint bits) { return 31u - uint(__clz(bits)); }
 FN float larger(float a, float b) { return fmaxf(a, b); }
 FN float smaller(float a, float b) { return fminf(a, b); }
 #else
@@ -79,6 +81,7 @@ FN uint double_low(double x) { return uint(std::bit_cast<uint64_t>(x)); }
 FN float multiply_add(float a, float b, float c) { return a * b + c; }
 FN uint count_bits(uint bits) { return uint(std::popcount(bits)); }
 FN uint lowest_bit(uint bits) { return uint(std::countr_zero(bits)); }
+FN uint highest_bit(uint bits) { return uint(std::bit_width(bits)) - 1u; }
 FN float larger(float a, float b) { return a > b ? a : b; }
 FN float smaller(float a, float b) { return a < b ? a : b; }
 #endif

@@ -2,7 +2,7 @@
 // The searches without a grid: which groups of a kernel test which pairs.
 #pragma once
 
-#include "common/simulation/context.h"
+#include "common/simulation/motion/context.h"
 
 namespace spherepair {
 

@@ -6,13 +6,12 @@
 #include <limits>
 
 #include "common/simulation/pair_search.h"
+#include "common/simulation/search_summary.h"
 
 namespace spherepair {
 namespace {
 
 constexpr uint tally_groups = 1024;
-
-uint64_t join(const uint* words) { return uint64_t(words[1]) << 32 | words[0]; }
 
 }  // namespace
 
@@ -29,7 +28,7 @@ bool PairSearch::grow_lists(const std::vector<uint>& summary) {
   return short_deferred || short_pairs;
 }
 
-void PairSearch::complete() {
+void PairSearch::complete_lists() {
   std::vector<uint> summary = read_summary();
   const bool left = summary[SUM_DEFERRED] != 0;
   if (options_.exact && !left) resolved_in_step_.erase(kind());
@@ -42,26 +41,23 @@ void PairSearch::complete() {
     launch();
     summary = read_summary();
   }
-  context_.launch({Kernel::tally, SERVICE_BLOCK, {}, {tally_groups, 1, 1}, order_});
-  totals_ = sum(read_summary());
-  if (options_.want_pairs && context_.device.library())
-    context_.device.library()->sort_pairs(std::min<uint64_t>(totals_.pairs, std::numeric_limits<uint>::max()));
   resolved_ = true;
-  results_ = Results::complete;
 }
 
-Collisions PairSearch::sum(const std::vector<uint>& summary) const {
-  Collisions total;
-  for (uint row = 0; row < SUMMARY_SLOTS; ++row) {
-    const uint* words = &summary[row * SUMMARY_WORDS];
-    total.pairs += join(words + SUM_PAIRS);
-    total.fingerprint.a += join(words + SUM_MIX_A);
-    total.fingerprint.b += join(words + SUM_MIX_B);
-    total.colliding_spheres += join(words + SUM_COLLIDING);
-    for (uint stage = 0; stage < STAGES; ++stage) total.decided_by[stage] += words[SUM_STAGE + stage];
-    total.deferred += words[search_decides_ ? SUM_UNDECIDED : SUM_DEFERRED];
-  }
-  return total;
+void PairSearch::list_pairs() {
+  const bool listed = is_complete() && options_.want_pairs && options_.exact && !options_.swept;
+  if (listed && options_.method != Method::collide_group) return;
+  enqueue({.want_pairs = true});
+  complete_lists();
+}
+
+void PairSearch::complete() {
+  complete_lists();
+  context_.launch({Kernel::tally, SERVICE_BLOCK, {}, {tally_groups, 1, 1}, order_});
+  totals_ = sum_of(read_summary(), search_decides_ ? SUM_UNDECIDED : SUM_DEFERRED);
+  if (options_.want_pairs && context_.device.library())
+    context_.device.library()->sort_pairs(std::min<uint64_t>(totals_.pairs, std::numeric_limits<uint>::max()));
+  results_ = Results::complete;
 }
 
 void PairSearch::require_complete() const {

@@ -7,7 +7,7 @@
 
 #include "common/scene/scene_params.h"
 #include "common/simulation/cell_sorter.h"
-#include "common/simulation/device_motion.h"
+#include "common/simulation/motion/device_motion.h"
 
 namespace spherepair {
 
@@ -34,6 +34,10 @@ class PairSearch {
 
   // Completes the search that was enqueued: every pair is decided, every list has room, totals are read.
   void complete();
+
+  // For contacts that push: SLOT_PAIR has all pairs of these positions, in any order. A complete search that listed
+  // them is kept; there are no totals of another.
+  void list_pairs();
 
   bool searched() const { return results_ != Results::none; }  // these positions
   bool is_complete() const { return results_ == Results::complete; }
@@ -62,9 +66,9 @@ class PairSearch {
   void launch_grid(bool results_clear);
   void set_params();
   void resolve_undecided();
+  void complete_lists();
   std::vector<uint> read_summary();
   bool grow_lists(const std::vector<uint>& summary);
-  Collisions sum(const std::vector<uint>& summary) const;
   void require_complete() const;
   std::pair<Method, bool> kind() const { return {options_.method, search_decides_}; }
 

@@ -11,6 +11,7 @@ Simulation::Simulation(std::unique_ptr<Device> device, PipelineOpener open)
     : device_(std::move(device)),
       context_(*device_, std::move(open)),
       motion_(context_),
+      contacts_(context_),
       sorter_(context_),
       search_(context_, motion_, sorter_),
       rasterizer_(context_, motion_, sorter_, search_),
@@ -40,6 +41,7 @@ void Simulation::begin(const Scene& scene, const MotionState* saved) {
   context_.params.radius = common_radius(scene);
   sorter_.upload(scene);
   motion_.upload(scene, saved);
+  contacts_.upload(scene);
   search_.upload(scene);
   rasterizer_.upload();
   probe_.upload();
@@ -47,12 +49,18 @@ void Simulation::begin(const Scene& scene, const MotionState* saved) {
 
 void Simulation::move() {
   require_scene("move");
+  if (contacts_.on()) push();
   const bool sorted = search_.counts_sorted();
-  const bool overlap = sorted && !search_.results_clear();
+  const bool overlap = sorted && !search_.results_clear() && !contacts_.on();
   const bool cleared = motion_.step(!sorted, overlap ? context_.overlaps_search(search_.options().api) : std::nullopt);
   ++context_.version;
   search_.moved(cleared);
   sorter_.moved();
+}
+
+void Simulation::push() {
+  search_.list_pairs();
+  contacts_.push();
 }
 
 void Simulation::evaluate_positions() {
@@ -62,6 +70,7 @@ void Simulation::evaluate_positions() {
 
 void Simulation::evaluate_state() {
   require_scene("evaluate_state");
+  contacts_.require_sound();
   motion_.evaluate_state();
 }
 
@@ -84,6 +93,7 @@ MethodChoice Simulation::choice(const CollideOptions& options) const {
 
 void Simulation::collide(const CollideOptions& options) {
   require_scene("collide");
+  contacts_.require_sound();
   search_.enqueue(options);
   search_.complete();
 }
@@ -100,6 +110,7 @@ void Simulation::step(const CollideOptions& options) {
 
 void Simulation::enqueue_step(const CollideOptions& options) {
   require_scene("enqueue_step");
+  if (contacts_.on()) return Backend::enqueue_step(options);  // the pairs of its contacts are a search of their own
   search_.require_options(options);
   device_->begin_step(options.api);
   move();

@@ -2,6 +2,7 @@
 // The backend of a GPU API: a device, and the components that launch its kernels.
 #pragma once
 
+#include "common/simulation/motion/contacts.h"
 #include "common/simulation/probe.h"
 #include "common/simulation/rasterizer.h"
 
@@ -64,6 +65,7 @@ class Simulation final : public Backend {
 
  private:
   void begin(const Scene& scene, const MotionState* saved);
+  void push();  // the contacts of these positions
   bool has_pipeline() const { return device_->pipeline() || context_.other_pipeline; }
   void require_scene(const char* what) const;
   void require_method(const DrawOptions& options) const;
@@ -71,6 +73,7 @@ class Simulation final : public Backend {
   std::unique_ptr<Device> device_;
   DeviceContext context_;
   DeviceMotion motion_;
+  Contacts contacts_;
   CellSorter sorter_;
   PairSearch search_;
   Rasterizer rasterizer_;

@@ -3,7 +3,7 @@
 // begin, and clears counts and totals.
 #pragma once
 
-#include "common/simulation/context.h"
+#include "common/simulation/motion/context.h"
 
 namespace spherepair {
 

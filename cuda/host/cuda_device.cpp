@@ -166,7 +166,9 @@ KernelBuffers CudaDevice::buffers(const Launch& launch) const {
           .since = buffer<uint>(SLOT_SINCE),
           .next_event = buffer<uint>(SLOT_NEXT_EVENT),
           .seen_list = buffer<uint>(SLOT_SEEN_LIST),
-          .colour = buffer<uint>(SLOT_COLOUR)};
+          .colour = buffer<uint>(SLOT_COLOUR),
+          .impulse = buffer<unsigned long long>(SLOT_IMPULSE),
+          .fault = buffer<uint>(SLOT_FAULT)};
 }
 
 void CudaDevice::launch(const Launch& launch, const Params& params) {

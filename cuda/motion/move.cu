@@ -36,6 +36,7 @@ Entry move_kernel(uint, Variant variant) {
     case MotionMethod::impact:
       return move_by<MOTION_IMPACT>(variant);
     case MotionMethod::anchored:
+    case MotionMethod::leapfrog:
       break;
   }
   return nullptr;

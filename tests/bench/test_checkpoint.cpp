@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "common/scene/contact_scene.h"
 #include "tests/support/catalogue.h"
 #include "tests/support/motion_runs.h"
 #include "tests/support/sphere_files.h"
@@ -50,6 +51,43 @@ TEST(Checkpoint, HoldsEverything) {
     }
 }
 
+Checkpoint sample_with_contacts() {
+  Scene scene = make_scene({.name = "bed", .n = 27, .radius_ratio = 3, .restitution = 0.5f});
+  choose_contacts(scene, {.law = ContactLaw::spring, .walls = true});
+  const Backend::State state = run_steps(cpu_backend(), scene, 20);
+  Checkpoint checkpoint{scene, cpu_backend().save(), 20};
+  checkpoint.scene.positions = state.positions;
+  checkpoint.scene.velocities = state.velocities;
+  return checkpoint;
+}
+
+TEST(Checkpoint, HoldsContactsAndTheirUnits) {
+  const ScratchFolder folder;
+  const Checkpoint written = sample_with_contacts();
+  write_checkpoint(folder.path("run.checkpoint"), written);
+  const Checkpoint read = read_checkpoint(folder.path("run.checkpoint"));
+  EXPECT_EQ(read.scene.motion, written.scene.motion);
+  EXPECT_EQ(read.motion.wide, written.motion.wide);
+  const ContactParams left = contact_params(read.scene), right = contact_params(written.scene);
+  EXPECT_EQ(left.law, CONTACT_SPRING);
+  EXPECT_EQ(left.high_x, right.high_x);
+  EXPECT_EQ(left.high_y, right.high_y);
+  EXPECT_EQ(left.unit_exponent, right.unit_exponent);
+  EXPECT_EQ(left.impulse, right.impulse);
+  EXPECT_EQ(left.damping, right.damping);
+  EXPECT_EQ(left.mobility, right.mobility);
+  EXPECT_LT(left.high_x, int64_t(1) << 61) << "there are walls";
+}
+
+TEST(Checkpoint, IntegersThatAreNotThePositionAreRefused) {
+  const ScratchFolder folder;
+  Checkpoint wrong = sample_with_contacts();
+  store_real(wrong.motion.wide, 5, load_real<int64_t>(wrong.motion.wide, 5) + (int64_t(1) << 40));
+  write_checkpoint(folder.path("run.checkpoint"), wrong);
+  const std::string complaint = complaint_of([&] { read_checkpoint(folder.path("run.checkpoint")); });
+  EXPECT_NE(complaint.find("wide state, sphere 5"), std::string::npos) << complaint;
+}
+
 std::string bytes_of_a_checkpoint(const ScratchFolder& folder) {
   const std::string file = folder.path("whole");
   write_checkpoint(file, sample(largest_state));
@@ -87,7 +125,7 @@ TEST(Checkpoint, SaysWhatIsWrong) {
     return complaint_of([&] { read_checkpoint(folder.write("changed", changed)); });
   };
   EXPECT_NE(complaint(0, "P").find("no checkpoint"), std::string::npos);
-  EXPECT_NE(complaint(8, "\x02").find("version 2"), std::string::npos);
+  EXPECT_NE(complaint(8, "\x03").find("version 3"), std::string::npos);
   EXPECT_NE(complaint(12, "\x05").find("of the header"), std::string::npos);
   EXPECT_NE(complaint(64, "X").find("of the header"), std::string::npos);
   const size_t positions = 64 + std::string("random").size() + 16;

@@ -14,7 +14,7 @@ import tempfile
 
 from lint_sources import Skip
 
-STATE_FEEDING = ("move", "bounce", "evaluate_positions")  # kernels whose results are the next step's input: every bit counts, so nothing is fused
+STATE_FEEDING = ("move", "bounce", "evaluate_positions", "contact_pairs", "leapfrog")  # kernels whose results are the next step's input: every bit counts, so nothing is fused
 WITH_SEARCH = ("persistent_steps",)  # feeds state and searches: the filter's own fused multiply-adds are its only ones
 METHODS, PRECISIONS = range(6), ("float", "Two", "double")  # of layout.h; bounce and evaluate_positions are of one method
 EXACT_FUNCTIONS = ("PackDouble2x32", "UnpackDouble2x32", "FAbs", "FMin", "FMax", "NMin", "NMax", "UMin", "UMax", "SMin",
@@ -60,6 +60,8 @@ def variants(stem, text):
         chosen = [tuple(define.replace(f"{choice} false", f"{choice} true") for define in plain[0])
                   for choice in ("BUNDLES", "BY_CELLS", "FROM_TILES") if choice in text]
         return plain + chosen + [(*plain[0], *defines) for defines in further if defines[-1] in text]
+    if stem in ("contact_pairs", "leapfrog"):
+        return [("BLOCK 256", "INDICES 0u", "METHOD 7u", "PRECISION 3", "Real int64_t")]
     methods = METHODS if stem == "move" else (6,)
     return [("BLOCK 256", "INDICES 0u", f"METHOD {method}u", f"PRECISION {precision}", f"Real {real}")
             for method in methods for precision, real in enumerate(PRECISIONS)]
@@ -131,8 +133,8 @@ def ptx_of(entry, *, without=(), architecture=90, **options):
 
 
 def kernel_commands(root, build):
-    wanted = {str(root / "cuda/motion" / f"{stem}.cu"): stem for stem in STATE_FEEDING}
-    wanted |= {str(root / "cuda/steps" / f"{stem}.cu"): stem for stem in WITH_SEARCH}
+    stems = STATE_FEEDING + WITH_SEARCH
+    wanted = {str(path): path.stem for path in (root / "cuda").rglob("*.cu") if path.stem in stems}
     found = {wanted[e["file"]]: e for e in compile_commands(build) if e["file"] in wanted}
     if not found:
         raise Skip("this build has no CUDA (no nvcc was found)")

@@ -105,7 +105,12 @@ TEST(Scenes, SameBitsOnEveryMachine) {
                                        {"clustered", 1, 0x674e3ca1727776fe},  {"clustered", 1000, 0xb5515ecf9f76a3b2},
                                        {"coincident", 1, 0xfda43e0478d47220}, {"coincident", 1000, 0x5582508d93c6cf1e},
                                        {"far", 1, 0x3f8206ec067e0f3b},        {"far", 1000, 0x2977d5cc4ac1ce83},
-                                       {"one_cell", 1, 0xd605031cc1afd586},   {"one_cell", 1000, 0x52a4d8c2d2b60e69}};
+                                       {"one_cell", 1, 0xd605031cc1afd586},   {"one_cell", 1000, 0x52a4d8c2d2b60e69},
+                                       {"gas", 1, 0x3fa2cbacb9dde61a},        {"gas", 1000, 0xc523fb3f3bc4751e},
+                                       {"bed", 1, 0x2fd5dccde2e398ad},        {"bed", 1000, 0xf515a603d7de09dc},
+                                       {"column", 1, 0xc4eb52346752da6c},     {"column", 1000, 0x5e20ab75fd3c3ec9},
+                                       {"collide2", 1, 0xf48dd1dee29ecb40},   {"collide2", 1000, 0x838d1686f3e9092e},
+                                       {"newton", 1, 0x015ab31bc4389bb5},     {"newton", 1000, 0x9fddb859797fe70e}};
   EXPECT_EQ(goldens.size(), 2 * scene_kinds().size()) << "every kind has its hashes here";
   for (const Golden& golden : goldens) {
     const uint64_t hash = hash_of(make_scene({.name = golden.kind, .n = 1000, .radius_ratio = golden.ratio}));

@@ -2,7 +2,7 @@
 // What the components of one simulation share: the device, its buffers, and the parameters of the current step.
 #pragma once
 
-#include "common/simulation/buffers.h"
+#include "common/simulation/motion/buffers.h"
 
 namespace spherepair {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common/simulation/buffers.h"
+#include "common/simulation/motion/buffers.h"
 
 #include <fmt/format.h>
 
@@ -36,8 +36,8 @@ constexpr const char* slot_names[SLOT_TOTAL] = {"positions",
                                                 "depth pyramid",
                                                 "wide state",
                                                 "anchors",
-                                                "flights",
-                                                "steps of the anchors",
+                                                "flights or impulses",
+                                                "steps of the anchors or faults",
                                                 "steps of the next events",
                                                 "list of visible spheres",
                                                 "visible spheres of every other image"};

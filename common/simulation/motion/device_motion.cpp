@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common/simulation/device_motion.h"
+#include "common/simulation/motion/device_motion.h"
 
 #include <fmt/format.h>
 
@@ -53,7 +53,7 @@ bool DeviceMotion::step(bool clear_results, std::optional<Kernel> overlaps) {
   if (!unmovable_.empty()) throw std::invalid_argument(unmovable_);
   moved_ = true;
   if (motion_.method != MotionMethod::anchored) {
-    launch(Kernel::move, false, clear_results, overlaps);
+    launch(motion_.method == MotionMethod::leapfrog ? Kernel::leapfrog : Kernel::move, false, clear_results, overlaps);
     return clear_results;
   }
   check_steps(context_.name(), steps_++);
@@ -87,12 +87,11 @@ void DeviceMotion::evaluate_state() {
 
 Backend::State DeviceMotion::state() {
   Backend::State state{context_.buffers.read<vec4>(SLOT_POSITION, context_.n), {}, {}};
-  if (motion_.precision == Precision::float32) {
-    state.velocities = context_.buffers.read<vec4>(SLOT_VELOCITY, context_.n);
-    return state;
-  }
+  const bool in_buffer = motion_.precision == Precision::float32 || motion_.precision == Precision::fixed;
+  if (in_buffer) state.velocities = context_.buffers.read<vec4>(SLOT_VELOCITY, context_.n);
+  if (motion_.precision == Precision::float32) return state;
   state.wide = context_.buffers.read<uint>(SLOT_WIDE, 6 * context_.n * real_words(motion_.precision));
-  state.velocities = rounded_velocities(state.wide, motion_.precision, context_.n);
+  if (!in_buffer) state.velocities = rounded_velocities(state.wide, motion_.precision, context_.n);
   return state;
 }
 

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The options of contacts that push.
+#include <limits>
+
+#include "bench/options/options.h"
+
+namespace spherepair {
+
+void add_contact_options(CLI::App& command, MotionChoice& motion) {
+  ContactChoice& contact = motion.contact;
+  const auto take = [&contact](const std::string& name) { contact.law = contact_from_name(name); };
+  auto* law = command.add_option_function<std::string>(
+      "--contact", take,
+      "Spheres that touch push each other: spring, quartic or hertz; none: they pass through each other. Motion is "
+      "then the leapfrog's in 64-bit integers, and --dt by default a fortieth of the shortest contact");
+  law->default_str(contact_name(contact.law));
+  for (const char* other : {"--motion", "--precision"}) law->excludes(command.get_option(other));
+  command
+      .add_option("--stiffness", contact.stiffness,
+                  "Of contacts, in N/m (spring), N/m^3 (quartic) or N/m^1.5 (hertz); default: such that the fastest "
+                  "sphere enters another by 1 % of a radius. Spheres are of 1000 kg/m^3")
+      ->check(real_number(1e-30, 1e30))
+      ->needs(law);
+  command.get_option("--dt")->each([&contact](const std::string& text) {  // with contacts it has a default of its own
+    contact.dt = float(real_number_of(text, 0, std::numeric_limits<float>::max()).value_or(0));
+  });
+  command.add_flag("--walls", contact.walls, "Close a box around the spheres, whose floor is the plane")->needs(law);
+}
+
+}  // namespace spherepair

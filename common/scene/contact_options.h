@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Contacts of spheres that push each other: the law of the force, and what it needs.
+#pragma once
+
+#include <string>
+
+#include "common/shared/layout.h"
+
+namespace spherepair {
+
+// Along the line of centres, of an overlap o, a reach R and a distance d; never attractive.
+enum class ContactLaw : uint {
+  none,     // spheres pass through each other
+  spring,   // k * o, with a damper where the restitution is below 1
+  quartic,  // k * (R^2 - d^2) * d, elastic: neither root nor division
+  hertz     // k * o^1.5, elastic
+};
+const char* contact_name(ContactLaw law);
+ContactLaw contact_from_name(const std::string& name);  // throws std::invalid_argument with the known names
+
+// Part of a scene. Units are powers of two, chosen once for a run: positions of 2^-unit_exponent m, momenta of
+// 2^-momentum_exponent kg m/s.
+struct ContactOptions {
+  ContactLaw law = ContactLaw::none;
+  float stiffness = 0;       // k, in N/m, N/m^3 or N/m^1.5
+  bool walls = false;        // a closed box: four sides and a lid, the plane is its floor
+  vec4 low = {}, high = {};  // its corners; low.y is not used
+  int unit_exponent = 0, momentum_exponent = 0;
+};
+
+}  // namespace spherepair

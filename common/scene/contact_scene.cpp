@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include "common/scene/contact_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "common/shared/contact.h"
+
+namespace spherepair {
+namespace {
+
+constexpr double density = 1000 * 4 * std::numbers::pi / 3;  // kg per cubed metre of radius: water
+constexpr double wanted_overlap = 0.01;                      // of the largest radius
+constexpr double steps_a_contact = 40, coarse_steps = 10, fewest_steps = 2;
+constexpr int position_bits = 51, momentum_bits = 56;  // used at the start, and of the fastest sphere
+constexpr float least_restitution = 0.1f;
+
+double mass(double radius) { return density * radius * radius * radius; }
+double squared(double x) { return x * x; }
+
+struct Radii {
+  float smallest = 0, largest = 0;
+};
+Radii radii_of(const Scene& scene) {
+  if (scene.positions.empty()) return {1, 1};
+  Radii r{scene.positions[0].w, scene.positions[0].w};
+  for (const vec4& sphere : scene.positions)
+    r.smallest = std::min(r.smallest, sphere.w), r.largest = std::max(r.largest, sphere.w);
+  return r;
+}
+
+double speed(const vec4& v) { return std::hypot(double(v.x), double(v.y), double(v.z)); }
+
+// The highest speed at the start or after a fall onto the plane; at least the largest radius a second.
+double highest_speed(const Scene& scene) {
+  double highest = squared(radii_of(scene).largest);
+  for (uint64_t i = 0; i < scene.size(); ++i) {
+    const double fall =
+        std::max(0.0, double(scene.positions[i].y) - double(scene.positions[i].w) - double(scene.plane));
+    highest = std::max(highest, squared(speed(scene.velocities[i])) - 2 * double(scene.gravity) * fall);
+  }
+  return std::sqrt(highest);
+}
+
+// Energy of an overlap.
+double energy(ContactLaw law, double k, double overlap, double reach) {
+  if (law == ContactLaw::spring) return k * squared(overlap) / 2;
+  if (law == ContactLaw::hertz) return k * 0.4 * std::pow(overlap, 2.5);
+  return k / 4 * squared(squared(reach) - squared(reach - overlap));
+}
+
+// Damping over its critical value for which a contact that never pulls leaves this share of the speed (Schwager and
+// Poeschel, Granular Matter 9 (2007) 465).
+double damping_ratio(double restitution) {
+  const auto left = [](double b) {
+    const double root = std::sqrt(1 - b * b);
+    return std::exp(-b / root * (std::numbers::pi - std::atan2(2 * b * root, 1 - 2 * b * b)));
+  };
+  double low = 0, high = 0.999;
+  for (int turn = 0; turn < 60; ++turn) {
+    const double middle = (low + high) / 2;
+    (left(middle) > restitution ? low : high) = middle;
+  }
+  return restitution < 1 ? (low + high) / 2 : 0;
+}
+
+int bits_above(double x) { return int(std::ceil(std::log2(x))); }
+
+void choose_box(Scene& scene, bool walls) {
+  ContactOptions& contact = scene.contact;
+  if (contact.walls || !walls || scene.positions.empty()) return;
+  contact.walls = true;
+  const float most = std::numeric_limits<float>::max();
+  contact.low = {most, scene.plane, most, 0}, contact.high = {-most, -most, -most, 0};
+  for (const vec4& s : scene.positions) {
+    contact.low.x = std::min(contact.low.x, s.x - s.w), contact.high.x = std::max(contact.high.x, s.x + s.w);
+    contact.low.z = std::min(contact.low.z, s.z - s.w), contact.high.z = std::max(contact.high.z, s.z + s.w);
+    contact.high.y = std::max(contact.high.y, s.y + s.w);
+  }
+}
+
+// Positions and walls then take 51 of 63 bits, and the fastest sphere's momentum 56.
+void choose_units(Scene& scene) {
+  const Radii r = radii_of(scene);
+  double extent = std::max(std::abs(double(scene.plane)), double(r.largest));
+  for (const vec4& s : scene.positions)
+    extent = std::max({extent, std::abs(double(s.x)), std::abs(double(s.y)), std::abs(double(s.z))});
+  if (scene.contact.walls)
+    for (const vec4& s : {scene.contact.low, scene.contact.high})
+      extent = std::max({extent, std::abs(double(s.x)), std::abs(double(s.y)), std::abs(double(s.z))});
+  scene.contact.unit_exponent = position_bits - bits_above(extent);
+  scene.contact.momentum_exponent =
+      momentum_bits - bits_above(mass(double(r.largest)) * double(r.smallest) / double(scene.dt));
+}
+
+}  // namespace
+
+void choose_contacts(Scene& scene, const ContactChoice& choice) {
+  if (choice.law == ContactLaw::none) return;
+  scene.motion = {MotionMethod::leapfrog, Precision::fixed};
+  scene.contact.law = choice.law;
+  if (radii_of(scene).smallest <= 0) throw std::invalid_argument("contacts need radii above 0: give every sphere one");
+  const double largest = double(radii_of(scene).largest), overlap = wanted_overlap * largest;
+  const double needed = mass(largest) / 4 * squared(2 * highest_speed(scene));
+  scene.contact.stiffness = choice.stiffness.value_or(float(needed / energy(choice.law, 1, overlap, 2 * largest)));
+  scene.dt = choice.dt.value_or(float(contact_time(scene) / steps_a_contact));
+  choose_box(scene, choice.walls);
+  choose_units(scene);
+}
+
+double contact_time(const Scene& scene) {
+  const double k = double(scene.contact.stiffness), radius = double(radii_of(scene).smallest);
+  const double reduced = mass(radius) / 2;
+  if (scene.contact.law == ContactLaw::quartic)
+    return std::numbers::pi * std::sqrt(reduced / (2 * k * squared(2 * radius)));
+  if (scene.contact.law == ContactLaw::spring) return std::numbers::pi * std::sqrt(reduced / k);
+  const double fastest = 2 * highest_speed(scene);
+  return 2.9432 * std::pow(5 * reduced * squared(fastest) / (4 * k), 0.4) / fastest;
+}
+
+std::string describe_contacts(const Scene& scene) {
+  if (scene.contact.law == ContactLaw::none) return "";
+  const double time = contact_time(scene), steps = time / double(scene.dt);
+  std::string text = fmt::format("contacts: {}, stiffness {:.4g}{}; dt = {:.4g} s, a contact lasts {:.3g} steps\n",
+                                 contact_name(scene.contact.law), scene.contact.stiffness,
+                                 scene.contact.walls ? ", walls" : "", scene.dt, steps);
+  if (steps < coarse_steps)
+    text += fmt::format("* dt is coarse: give --dt {:.3g} or less for {} steps a contact\n", time / coarse_steps,
+                        coarse_steps);
+  return text;
+}
+
+std::string why_no_contacts(const Scene& scene) {
+  const ContactOptions& contact = scene.contact;
+  const Radii r = radii_of(scene);
+  const double k = double(contact.stiffness);
+  if (!(k > 0) || !std::isfinite(k)) return fmt::format("the stiffness is {}, but must be above 0 and finite", k);
+  if (!(r.smallest > 0)) return "contacts need radii above 0";
+  if (scene.restitution < 1 && contact.law != ContactLaw::spring)
+    return fmt::format("the law {} is elastic: omit the restitution {}, or choose spring", contact_name(contact.law),
+                       scene.restitution);
+  if (scene.restitution < least_restitution)
+    return fmt::format("the restitution of contacts is {}, but must be at least {}", scene.restitution,
+                       least_restitution);
+  const double time = contact_time(scene);
+  if (double(scene.dt) > time / fewest_steps)
+    return fmt::format("dt is {} s, but a contact lasts {:.3g} s only: give --dt {:.3g} or less", scene.dt, time,
+                       time / steps_a_contact);
+  const int lowest = contact.unit_exponent + int(std::floor(std::log2(r.smallest))) - 29;
+  if (lowest < 0)
+    return fmt::format(
+        "the radius {} is too small for 64-bit positions as far out as these spheres: move them towards "
+        "the origin",
+        r.smallest);
+  if (r.largest > 256 * r.smallest)
+    return fmt::format("radii are {} to {}, but contacts allow 1:256", r.smallest, r.largest);
+  for (uint64_t i = 0; i < scene.size(); ++i) {
+    const double radius = double(scene.positions[i].w), v = speed(scene.velocities[i]);
+    const double stopped = std::sqrt(energy(contact.law, k, radius, 2 * radius) / mass(radius));
+    const double fastest = std::min(stopped, double(r.smallest) / double(scene.dt));
+    if (v > fastest)
+      return fmt::format(
+          "sphere {} moves at {:.4g} m/s, but its contacts can stop {:.4g} m/s: give a larger "
+          "--stiffness or a smaller --dt",
+          i, v, fastest);
+  }
+  return "";
+}
+
+ContactParams contact_params(const Scene& scene) {
+  const ContactOptions& contact = scene.contact;
+  if (contact.law == ContactLaw::none) return {};
+  const int s = contact.unit_exponent, q = contact.momentum_exponent;
+  const double k = double(contact.stiffness), dt = double(scene.dt);
+  const Radii r = radii_of(scene);
+  const int reach = int(exponent_field(r.largest + r.largest)) - 127;
+  const double order = contact.law == ContactLaw::quartic ? 3 : contact.law == ContactLaw::hertz ? 1.5 : 1;
+  const auto wall = [&](float at) { return integer_of(std::ldexp(at, s)); };
+  constexpr int64_t none = 2 * MOST_UNITS;
+  const bool walls = contact.walls;
+  return {.low_x = walls ? wall(contact.low.x) : -none,
+          .low_y = wall(scene.plane),
+          .low_z = walls ? wall(contact.low.z) : -none,
+          .high_x = walls ? wall(contact.high.x) : none,
+          .high_y = walls ? wall(contact.high.y) : none,
+          .high_z = walls ? wall(contact.high.z) : none,
+          .law = uint(contact.law),
+          .unit_exponent = s,
+          .reach_exponent = reach,
+          .impulse = float(k * dt * std::exp2(q + order * reach)),
+          .damping = float(2 * damping_ratio(double(scene.restitution)) * std::sqrt(k * density) * std::exp2(q - s)),
+          .gravity = float(double(scene.gravity) * density * dt * std::exp2(q)),
+          .mobility = float(dt / density * std::exp2(s - q)),
+          .metres_per_second = float(std::exp2(-s) / dt),
+          .fastest = std::ldexp(r.smallest, s)};
+}
+
+std::vector<uint> fixed_state(const Scene& scene) {
+  const ContactParams c = contact_params(scene);
+  const uint64_t n = scene.size();
+  std::vector<uint> words(12 * n);
+#pragma omp parallel for schedule(static)
+  for (uint64_t i = 0; i < n; ++i) {
+    const vec4 &at = scene.positions[i], &v = scene.velocities[i];
+    const double per_speed = 1 / (double(mobility_of(at.w, c)) * double(c.metres_per_second));
+    const auto momentum = [&](float along) { return int64_t(std::llrint(double(along) * per_speed)); };
+    const auto units = [&](float along) { return integer_of(std::ldexp(along, c.unit_exponent)); };
+    const int64_t half_weight = integer_of(c.gravity * cubed(at.w)) / 2;
+    const int64_t values[6] = {units(at.x),  units(at.y), units(at.z), momentum(v.x), momentum(v.y) - half_weight,
+                               momentum(v.z)};
+    for (uint64_t k = 0; k < 6; ++k) store_real(words, k * n + i, values[k]);
+  }
+  return words;
+}
+
+std::string describe_faults(const std::vector<uint>& faults) {
+  constexpr const char* texts[FAULTS] = {
+      "is deeper in another sphere or a wall than the smaller radius: give a larger --stiffness or a smaller --dt",
+      "moves by more than the smallest radius in a step: give a smaller --dt",
+      "has left the range of 64-bit positions: close the box with --walls, or take fewer steps"};
+  for (uint kind = 0; kind < FAULTS; ++kind)
+    if (faults[kind] != ~0u) return fmt::format("the contacts cannot go on: sphere {} {}", faults[kind], texts[kind]);
+  return "";
+}
+
+}  // namespace spherepair

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Contacts of a scene: stiffness, walls, time step and units chosen from its spheres, its checks and its parameters.
+#pragma once
+
+#include <optional>
+
+#include "common/scene/motion_state.h"
+
+namespace spherepair {
+
+struct ContactChoice {
+  ContactLaw law = ContactLaw::none;
+  std::optional<float> stiffness = {};  // none: such that the fastest sphere, falls included, enters by 1 % of a radius
+  std::optional<float> dt = {};         // none: a fortieth of the shortest contact
+  bool walls = false;                   // around the spheres as they stand, where the scene has none of its own
+};
+
+// Sets the scene's contacts, its motion and its time step. Throws std::invalid_argument that names what is wrong.
+void choose_contacts(Scene& scene, const ContactChoice& choice);
+
+// The shortest contact of two spheres, in seconds; of hertz, whose contacts depend on the speed, at the highest.
+double contact_time(const Scene& scene);
+
+// A line that says what was chosen, and a warning where the time step is coarse: longer than a tenth of a contact.
+std::string describe_contacts(const Scene& scene);
+
+// Why a scene with contacts cannot be moved; empty where it can.
+std::string why_no_contacts(const Scene& scene);
+
+ContactParams contact_params(const Scene& scene);
+
+// Positions and momenta at the start, as SLOT_WIDE has them. Momenta are those half a step before the positions.
+std::vector<uint> fixed_state(const Scene& scene);
+
+// What a step could not do, by FAULT_*: the first sphere of each, or ~0. Empty where there is nothing.
+std::string describe_faults(const std::vector<uint>& faults);
+
+}  // namespace spherepair

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+// Contacts of spheres that push each other. State is in 64-bit integers (fixed.h); a step of the leapfrog adds to each
+// momentum the impulses of all contacts and of gravity, then moves the sphere by the momentum, rounded once. Every
+// impulse is rounded to an integer before it is added, so sums need no order; every operation is odd, so that of two
+// spheres each gets exactly the other's impulse with the sign turned. Lengths of a contact are integers of 2^-29 of the
+// power of two below the reach (the sum of the radii): their squares and the difference of two of these are exact.
+#ifndef SPHEREPAIR_CONTACT_H
+#define SPHEREPAIR_CONTACT_H
+
+#include "common/shared/fixed.h"
+#include "common/shared/layout.h"
+#include "common/shared/round.h"
+
+struct Body {
+  int64_t x, y, z, px, py, pz;  // units of length and of momentum
+  float radius;                 // metres
+};
+
+struct Push {
+  int64_t x, y, z;  // impulse
+  uint fault;       // FAULT_*, FAULTS: none
+};
+
+FN float cubed(float radius) {
+  EXACT float square = radius * radius;
+  EXACT float cube = square * radius;
+  return cube;
+}
+
+// Units of length that a unit of momentum moves this sphere in a step: by its mass.
+FN float mobility_of(float radius, ContactParams c) { return quotient(c.mobility, cubed(radius)); }
+
+// From one surface or centre to the other.
+struct Gap {
+  int64_t x, y, z;
+  uint64_t square;  // of the distance
+  uint64_t reach;
+  float scale;  // metres of 2^29 of these units, over those of the largest reach
+};
+
+const uint64_t FAR_APART = 0xFFFFFFFFFFFFFFFFul;
+
+FN Gap gap_of(int64_t dx, int64_t dy, int64_t dz, float reach, ContactParams c) {
+  int exponent = int(exponent_field(reach)) - 127;
+  int bits = c.unit_exponent + exponent - 29;
+  Gap g = {shifted(dx, bits),
+           shifted(dy, bits),
+           shifted(dz, bits),
+           FAR_APART,
+           uint64_t(significand(reach)) << 6,
+           power_of_two(exponent - c.reach_exponent)};
+  if (magnitude(g.x) < g.reach && magnitude(g.y) < g.reach && magnitude(g.z) < g.reach)
+    g.square = uint64_t(g.x * g.x) + uint64_t(g.y * g.y) + uint64_t(g.z * g.z);
+  return g;
+}
+FN bool in_contact(Gap g) { return g.square < g.reach * g.reach; }
+FN bool deeper_than(Gap g, float radius, float reach) {
+  EXACT float units = radius * power_of_two(156 - int(exponent_field(reach)));  // 29 - exponent
+  uint64_t left = g.reach - uint64_t(uint(units));
+  return g.square < left * left;
+}
+
+FN float unit_length(int64_t x) {
+  EXACT float length = float_of(x) * power_of_two(-29);
+  return length;
+}
+
+// Of a gap that is not 0: 1 / distance, and the overlap, both in units of gap.scale.
+struct Surface {
+  float inverse_distance, overlap;
+};
+
+// The root of the square from a float guess, corrected by what the guess's own square leaves, which is an integer.
+FN Surface surface_of(Gap g) {
+  EXACT float square = float_of(int64_t(g.square)) * power_of_two(-58);
+  float guess = same_root(square);
+  float inverse = same_reciprocal(guess);
+  EXACT float digits = guess * power_of_two(29);
+  uint64_t distance = uint64_t(uint(digits));
+  EXACT float correction = float_of(int64_t(g.square - distance * distance)) * (inverse * power_of_two(-30));
+  EXACT float overlap = (float_of(int64_t(g.reach - distance)) - correction) * power_of_two(-29);
+  Surface s = {inverse, larger(overlap, 0.0f)};
+  return s;
+}
+
+// The impulse along the gap, over the gap's components in unit_length. closing: the speed, in units a step, along the
+// gap's components; reduced_cube: of the radii, for the reduced mass. Momenta are those half a step before the
+// positions, and the damper's speed is to be that of the step's middle: half of the impulse is taken from it, hence the
+// divisor.
+FN float push_per_length(Gap g, float closing, float reduced_cube, ContactParams c) {
+  if (c.law == CONTACT_QUARTIC) {
+    EXACT float depth = float_of(int64_t(g.reach * g.reach - g.square)) * power_of_two(-58);
+    EXACT float cube = (g.scale * g.scale) * g.scale;
+    EXACT float push = (c.impulse * depth) * cube;
+    return push;
+  }
+  if (g.square == 0ul) return 0.0f;
+  Surface s = surface_of(g);
+  EXACT float overlap = s.overlap * g.scale;
+  EXACT float elastic = c.impulse * overlap;
+  if (c.law == CONTACT_HERTZ) {
+    EXACT float push = (elastic * same_root(overlap)) * s.inverse_distance;
+    return push;
+  }
+  if (c.damping == 0.0f) {
+    EXACT float push = elastic * s.inverse_distance;
+    return push;
+  }
+  EXACT float speed = closing * s.inverse_distance;
+  float root = square_root(reduced_cube);
+  EXACT float undamped = elastic + (c.damping * root) * speed;
+  EXACT float halved = (c.damping * c.mobility) * 0.5f;
+  EXACT float slower = quotient(halved, root) + 1.0f;
+  EXACT float push = larger(quotient(undamped, slower), 0.0f) * s.inverse_distance;
+  return push;
+}
+
+FN float speed_of(int64_t momentum, float mobility) {
+  EXACT float speed = float_of(momentum) * mobility;
+  return speed;
+}
+FN float closing_speed(Body a, Body b, Gap g, ContactParams c) {
+  float ma = mobility_of(a.radius, c);
+  float mb = mobility_of(b.radius, c);
+  EXACT float x = (speed_of(b.px, mb) - speed_of(a.px, ma)) * unit_length(g.x);
+  EXACT float y = (speed_of(b.py, mb) - speed_of(a.py, ma)) * unit_length(g.y);
+  EXACT float z = (speed_of(b.pz, mb) - speed_of(a.pz, ma)) * unit_length(g.z);
+  EXACT float sum = (x + y) + z;
+  return sum;
+}
+
+// What b gives a; a gives b the same with the sign turned.
+FN Push push_of_pair(Body a, Body b, ContactParams c) {
+  Push push = {0l, 0l, 0l, FAULTS};
+  EXACT float reach = a.radius + b.radius;
+  Gap g = gap_of(a.x - b.x, a.y - b.y, a.z - b.z, reach, c);
+  if (!in_contact(g)) return push;
+  if (deeper_than(g, smaller(a.radius, b.radius), reach)) push.fault = FAULT_DEEP;
+  float closing = 0.0f;
+  float reduced = 0.0f;
+  if (c.damping != 0.0f) {
+    EXACT float product = cubed(a.radius) * cubed(b.radius);
+    EXACT float sum = cubed(a.radius) + cubed(b.radius);
+    closing = closing_speed(a, b, g, c);
+    reduced = quotient(product, sum);
+  }
+  float per_length = push_per_length(g, closing, reduced, c);
+  EXACT float x = per_length * unit_length(g.x);
+  EXACT float y = per_length * unit_length(g.y);
+  EXACT float z = per_length * unit_length(g.z);
+  push.x = integer_of(x);
+  push.y = integer_of(y);
+  push.z = integer_of(z);
+  return push;
+}
+
+// What a wall at this distance gives the sphere, away from it; -1: its centre is behind the wall.
+FN int64_t push_of_wall(int64_t distance, int64_t outward_momentum, float radius, ContactParams c) {
+  if (distance <= 0l) return -1l;
+  Gap g = gap_of(distance, 0l, 0l, radius, c);
+  if (!in_contact(g)) return 0l;
+  float closing = 0.0f;
+  if (c.damping != 0.0f) {
+    EXACT float speed = -speed_of(outward_momentum, mobility_of(radius, c)) * unit_length(g.x);
+    closing = speed;
+  }
+  EXACT float push = push_per_length(g, closing, cubed(radius), c) * unit_length(g.x);
+  return integer_of(push);
+}
+
+FN Push push_of_walls(Body s, ContactParams c) {
+  Push push = {0l, 0l, 0l, FAULTS};
+  int64_t low_x = push_of_wall(s.x - c.low_x, s.px, s.radius, c);
+  int64_t low_y = push_of_wall(s.y - c.low_y, s.py, s.radius, c);
+  int64_t low_z = push_of_wall(s.z - c.low_z, s.pz, s.radius, c);
+  int64_t high_x = push_of_wall(c.high_x - s.x, -s.px, s.radius, c);
+  int64_t high_y = push_of_wall(c.high_y - s.y, -s.py, s.radius, c);
+  int64_t high_z = push_of_wall(c.high_z - s.z, -s.pz, s.radius, c);
+  if (low_x < 0l || low_y < 0l || low_z < 0l || high_x < 0l || high_y < 0l || high_z < 0l) push.fault = FAULT_DEEP;
+  push.x = low_x - high_x;
+  push.y = low_y - high_y;
+  push.z = low_z - high_z;
+  return push;
+}
+
+FN bool outside_range(int64_t x) { return x >= MOST_UNITS || x <= -MOST_UNITS; }
+FN bool too_fast(int64_t momentum, float mobility, ContactParams c) {
+  float speed = speed_of(momentum, mobility);
+  return speed > c.fastest || speed < -c.fastest;
+}
+
+// What is wrong with a sphere that is to move by its momentum: FAULT_*, or FAULTS.
+FN uint fault_of(Body s, float mobility, ContactParams c) {
+  if (outside_range(s.x) || outside_range(s.y) || outside_range(s.z)) return FAULT_RANGE;
+  bool fast = too_fast(s.px, mobility, c) || too_fast(s.py, mobility, c) || too_fast(s.pz, mobility, c);
+  return fast ? FAULT_FAST : FAULTS;
+}
+
+// Momentum before position, by the impulses of spheres, walls and gravity.
+FN Body kicked(Body s, Push contacts, Push walls, ContactParams c) {
+  EXACT float weight = c.gravity * cubed(s.radius);
+  s.px += contacts.x + walls.x;
+  s.py += contacts.y + walls.y + integer_of(weight);
+  s.pz += contacts.z + walls.z;
+  return s;
+}
+FN Body drifted(Body s, float mobility) {
+  s.x += scaled(s.px, mobility);
+  s.y += scaled(s.py, mobility);
+  s.z += scaled(s.pz, mobility);
+  return s;
+}
+
+// The float32 centre and velocity nearest to the state.
+FN vec4 centre_of(Body s, ContactParams c) {
+  float unit = power_of_two(-c.unit_exponent);
+  EXACT float x = float_of(s.x) * unit;
+  EXACT float y = float_of(s.y) * unit;
+  EXACT float z = float_of(s.z) * unit;
+  vec4 centre = {x, y, z, s.radius};
+  return centre;
+}
+FN vec4 velocity_of(Body s, float mobility, ContactParams c) {
+  EXACT float x = speed_of(s.px, mobility) * c.metres_per_second;
+  EXACT float y = speed_of(s.py, mobility) * c.metres_per_second;
+  EXACT float z = speed_of(s.pz, mobility) * c.metres_per_second;
+  vec4 velocity = {x, y, z, 0.0f};
+  return velocity;
+}
+
+#endif

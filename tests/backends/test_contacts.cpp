@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+// Contacts that push: one trajectory from every backend, schedule and input order, and back to the first bits.
+#include <fmt/format.h>
+
+#include <numeric>
+#include <random>
+
+#include "common/scene/contact_scene.h"
+#include "common/shared/contact.h"
+#include "tests/support/motion_runs.h"
+
+namespace spherepair {
+namespace {
+
+class Contacts : public BackendTest {};
+
+constexpr ContactLaw LAWS[] = {ContactLaw::spring, ContactLaw::quartic, ContactLaw::hertz};
+
+// A sixty-fourth of the default stiffness: contacts last eight times as long, and short runs have many.
+void choose_soft_contacts(Scene& scene, ContactLaw law, bool walls) {
+  choose_contacts(scene, {.law = law});
+  choose_contacts(scene, {.law = law, .stiffness = scene.contact.stiffness / 64, .walls = walls});
+}
+
+struct GasOptions {
+  uint64_t side = 6;  // spheres along an edge of the box
+  float ratio = 1, gravity = 0, restitution = 1;
+  ContactLaw law = ContactLaw::quartic;
+};
+
+// A closed box of spheres on a lattice, which leaves them room, with random velocities; radii up to ratio * 0.5.
+Scene gas(const GasOptions& o) {
+  std::mt19937 random(28);
+  std::uniform_real_distribution<float> any(-1, 1);
+  Scene scene{.name = "gas", .plane = 0, .gravity = o.gravity, .restitution = o.restitution};
+  const float gap = 1.05f * o.ratio;
+  for (uint64_t k = 0; k < o.side * o.side * o.side; ++k) {
+    const float radius = 0.5f * std::exp2(std::log2(o.ratio) * (any(random) + 1) / 2);
+    const auto along = [&](uint64_t cell) { return (float(cell) + 0.5f) * gap; };
+    scene.positions.push_back({along(k % o.side), along(k / o.side % o.side), along(k / o.side / o.side), radius});
+    scene.velocities.push_back({any(random), any(random), any(random), 0});
+  }
+  scene.equal_radii = o.ratio == 1;
+  choose_soft_contacts(scene, o.law, true);
+  return scene;
+}
+
+int64_t word(const std::vector<uint>& wide, uint64_t k) { return load_real<int64_t>(wide, k); }
+
+std::vector<uint> after(Backend& backend, const Scene& scene, uint64_t steps) {
+  return run_steps(backend, scene, steps).wide;
+}
+
+Scene with(Scene scene, const Backend::State& state) {
+  scene.positions = state.positions;
+  scene.velocities = state.velocities;
+  return scene;
+}
+
+// Every law, unequal radii, gravity, walls, a damper.
+TEST_P(Contacts, SameBitsAsOnTheCpu) {
+  for (const ContactLaw law : LAWS)
+    for (const float ratio : {1.0f, 8.0f}) {
+      Scene scene = gas({.ratio = ratio, .gravity = -9.81f, .law = law});
+      scene.restitution = law == ContactLaw::spring && ratio > 1 ? 0.7f : 1.0f;
+      const Backend::State start = run_steps(cpu_backend(), scene, 0), wanted = run_steps(cpu_backend(), scene, 400);
+      ASSERT_GT(cpu_backend().state().wide, std::vector<uint>{});
+      ASSERT_NE(start.wide, wanted.wide);
+      expect_equal_states(run_steps(backend(), scene, 400), wanted, fmt::format("{} 1:{}", contact_name(law), ratio));
+      backend().check_guards();
+    }
+}
+
+// What happens in between changes nothing: searches by any method and group size, whose list a step may take,
+// questions.
+TEST_P(Contacts, UndisturbedBySearches) {
+  const Scene scene = gas({.side = 5});
+  const Backend::State wanted = run_steps(cpu_backend(), scene, 120);
+  constexpr uint BLOCKS[] = {32, 1024};
+  for (CollideOptions options : every_method(backend(), BLOCKS)) {
+    for (const bool listed : {true, false}) {
+      options.want_pairs = listed;
+      backend().upload(scene);
+      for (int step = 0; step < 120; ++step) {
+        if (step % 3 != 0) backend().collide(options);
+        backend().move();
+      }
+      expect_equal_states(current_state(backend()), wanted, describe(options));
+    }
+  }
+}
+
+TEST_P(Contacts, PermutedInputGivesThePermutedState) {
+  const Scene scene = gas({.ratio = 4, .gravity = -9.81f, .law = ContactLaw::spring});
+  std::vector<uint> order(scene.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::shuffle(order, std::mt19937(5));
+  Scene permuted = scene;
+  for (uint64_t k = 0; k < order.size(); ++k)
+    permuted.positions[k] = scene.positions[order[k]], permuted.velocities[k] = scene.velocities[order[k]];
+  const std::vector<uint> wanted = after(backend(), scene, 200), found = after(backend(), permuted, 200);
+  const uint64_t n = scene.size();
+  for (uint64_t part = 0; part < 6; ++part)
+    for (uint64_t k = 0; k < n; ++k)
+      ASSERT_EQ(word(found, part * n + k), word(wanted, part * n + order[k])) << "sphere " << k << ", part " << part;
+}
+
+// The momenta of a step later belong to the way back: they are those of half a step after these positions.
+MotionState turned(const std::vector<uint>& now, const std::vector<uint>& later, uint64_t n) {
+  MotionState state;
+  state.wide = now;
+  for (uint64_t k = 3 * n; k < 6 * n; ++k) store_real(state.wide, k, -word(later, k));
+  return state;
+}
+
+std::vector<uint> there_and_back(Backend& backend, const Scene& scene, uint64_t steps, int64_t disturbance) {
+  const uint64_t n = scene.size();
+  const Backend::State far = run_steps(backend, scene, steps);
+  backend.move();
+  MotionState back = turned(far.wide, current_state(backend).wide, n);
+  store_real(back.wide, 3 * n, word(back.wide, 3 * n) + disturbance);
+  backend.resume(with(scene, far), back);
+  for (uint64_t step = 0; step < steps; ++step) backend.move();
+  return current_state(backend).wide;
+}
+
+// An elastic gas goes back to its first positions; one unit of one momentum more at the turn, and it does not.
+TEST_P(Contacts, ReversesToTheFirstBits) {
+  for (const ContactLaw law : LAWS) {
+    const Scene scene = gas({.side = 5, .ratio = 2, .law = law});
+    const uint64_t steps = is_gpu(backend()) ? 20'000 : 800, n = scene.size();
+    const std::vector<uint> start = after(backend(), scene, 0), back = there_and_back(backend(), scene, steps, 0);
+    const std::vector<uint> first(start.begin(), start.begin() + 6 * n);
+    EXPECT_EQ(std::vector<uint>(back.begin(), back.begin() + 6 * n), first) << contact_name(law);
+    const std::vector<uint> other = there_and_back(backend(), scene, steps, 1 << 20);
+    EXPECT_NE(std::vector<uint>(other.begin(), other.begin() + 6 * n), first) << contact_name(law);
+  }
+}
+
+double energy_of(const Scene& scene, const std::vector<uint>& now, const std::vector<uint>& later, uint64_t* contacts) {
+  const ContactParams c = contact_params(scene);
+  const uint64_t n = scene.size();
+  double kinetic = 0, potential = 0;
+  const double k = double(scene.contact.stiffness), unit = std::exp2(-scene.contact.unit_exponent);
+  const auto stored = [&](double reach, double distance) {
+    if (distance >= reach) return;
+    potential += k / 4 * std::pow(reach * reach - distance * distance, 2);
+    ++*contacts;
+  };
+  for (uint64_t i = 0; i < n; ++i) {
+    const double r = double(scene.positions[i].w), mass = 1000 * 4 * M_PI / 3 * r * r * r;
+    for (uint64_t axis = 0; axis < 3; ++axis) {
+      const double p = (double(word(now, (3 + axis) * n + i)) + double(word(later, (3 + axis) * n + i))) / 2;
+      const double v = p * double(mobility_of(float(r), c)) * double(c.metres_per_second);
+      kinetic += mass / 2 * v * v;
+      const int64_t x = word(now, axis * n + i), low[3] = {c.low_x, c.low_y, c.low_z};
+      const int64_t high[3] = {c.high_x, c.high_y, c.high_z};
+      stored(r, double(x - low[axis]) * unit), stored(r, double(high[axis] - x) * unit);
+    }
+    for (uint64_t j = 0; j < i; ++j) {
+      const auto d = [&](uint64_t axis) { return double(word(now, axis * n + i) - word(now, axis * n + j)) * unit; };
+      stored(r + double(scene.positions[j].w), std::hypot(d(0), d(1), d(2)));
+    }
+  }
+  return kinetic + potential;
+}
+
+TEST_P(Contacts, EnergyStaysWithinATenthOfAPercent) {
+  const Scene scene = gas({.side = 5, .ratio = 2});
+  double first = 0;
+  uint64_t contacts = 0;
+  backend().upload(scene);
+  for (int round = 0; round < 12; ++round) {
+    for (int step = 0; step < 100; ++step) backend().move();
+    const std::vector<uint> now = current_state(backend()).wide;
+    backend().move();
+    const double energy = energy_of(scene, now, current_state(backend()).wide, &contacts);
+    if (round == 0) first = energy;
+    EXPECT_NEAR(energy / first, 1, 1e-3) << "round " << round;
+  }
+  EXPECT_GT(contacts, 100u);
+}
+
+// Two shells of small spheres that fall onto one eight times as large: the outer runs into the inner on its way back.
+Scene shells(ContactLaw law) {
+  Scene scene{.name = "shells", .positions = {{0, 0, 0, 4}}, .velocities = {{}}, .plane = -100, .gravity = 0};
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> any(-0.2f, 0.2f);
+  for (uint64_t k = 0; k < 200; ++k) {
+    const float distance = k < 100 ? 4.55f : 5.8f, speed = k < 100 ? 1 : 3;
+    const double height = 1 - 2 * (double(k % 100) + 0.5) / 100, angle = 2.39996 * double(k % 100);
+    const double around = std::sqrt(1 - height * height);
+    const float x = float(around * std::cos(angle)), y = float(height), z = float(around * std::sin(angle));
+    scene.positions.push_back({x * distance, y * distance, z * distance, 0.5f});
+    scene.velocities.push_back({any(random) - speed * x, any(random) - speed * y, any(random) - speed * z, 0});
+  }
+  scene.equal_radii = false;
+  choose_soft_contacts(scene, law, false);
+  return scene;
+}
+
+// Without walls and gravity the integer sum of all momenta is that of the start, with radii 1:8.
+TEST_P(Contacts, MomentumIsConservedToTheLastUnit) {
+  for (const ContactLaw law : LAWS) {
+    const Scene scene = shells(law);
+    const uint64_t n = scene.size();
+    const auto sum = [&](const std::vector<uint>& wide, uint64_t part) {
+      int64_t total = 0;
+      for (uint64_t i = 0; i < n; ++i) total += word(wide, part * n + i);
+      return total;
+    };
+    const std::vector<uint> start = after(backend(), scene, 0), end = after(backend(), scene, 2000);
+    uint64_t changed = 0;
+    for (uint64_t k = 3 * n; k < 6 * n; ++k) changed += word(start, k) != word(end, k);
+    EXPECT_GT(changed, n) << contact_name(law);
+    for (uint64_t part = 3; part < 6; ++part) EXPECT_EQ(sum(end, part), sum(start, part)) << contact_name(law);
+  }
+}
+
+TEST_P(Contacts, SavedAndResumedHereAndOnTheCpu) {
+  const Scene scene = gas({.ratio = 2, .gravity = -9.81f, .law = ContactLaw::hertz});
+  const Backend::State wanted = run_steps(cpu_backend(), scene, 300), middle = run_steps(backend(), scene, 150);
+  const MotionState saved = backend().save();
+  for (Backend* other : {&backend(), &cpu_backend()}) {
+    other->resume(with(scene, middle), saved);
+    for (int step = 150; step < 300; ++step) other->move();
+    expect_equal_states(current_state(*other), wanted, other->info().name);
+  }
+}
+
+INSTANTIATE_BACKENDS(Contacts);
+
+}  // namespace
+}  // namespace spherepair

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// The conversions of fixed-point state, and two bodies against what is known of them exactly.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "common/scene/contact_scene.h"
+#include "common/shared/contact.h"
+#include "tests/support/motion_runs.h"
+
+namespace spherepair {
+namespace {
+
+TEST(FixedPoint, ConversionsAreCorrectlyRoundedAndOdd) {
+  std::mt19937_64 random(64);
+  for (int k = 0; k < 1'000'000; ++k) {
+    const int64_t x = int64_t(random()) >> (2 + random() % 62);
+    ASSERT_EQ(float_bits(float_of(x)), float_bits(float(x))) << x;
+    const float f = std::ldexp(float(int64_t(random())), -int(random() % 90));
+    if (std::abs(f) < 0x1p61f) {
+      ASSERT_EQ(integer_of(f), std::llrint(f)) << f;
+    }
+  }
+  EXPECT_EQ(integer_of(0x1p61f), MOST_UNITS);
+  EXPECT_EQ(integer_of(-INFINITY), -MOST_UNITS);
+}
+
+TEST(FixedPoint, ProductsAreWithinOneRoundingAndOdd) {
+  std::mt19937_64 random(65);
+  for (int k = 0; k < 1'000'000; ++k) {
+    const int64_t x = int64_t(random()) >> (3 + random() % 60);
+    const float factor = std::ldexp(1 + float(random() % 8388608) * 0x1p-23f, int(random() % 90) - 70);
+    const long double exact = (long double)(x) * (long double)(factor);  // 61 bits and 24: within 2^-64
+    if (std::abs(exact) >= 0x1p60l) continue;
+    ASSERT_NEAR(double((long double)(scaled(x, factor)) - exact), 0, 0.5 + 0x1p-3) << x << " * " << factor;
+    ASSERT_EQ(scaled(-x, factor), -scaled(x, factor));
+  }
+}
+
+constexpr double contact_seconds = 0x1p-6, mass = 1000 * 4 * std::numbers::pi / 3 / 8, reduced = mass / 2;
+
+// Two spheres of radius 0.5 a contact's time before they touch, at 1 m/s to each other.
+Scene two_spheres(ContactLaw law, double stiffness, double restitution, int steps_a_contact) {
+  Scene scene = {.name = "two", .gravity = 0, .restitution = float(restitution)};
+  const float half = 0.5f + float(contact_seconds / 2);
+  scene.positions = {{-half, 0, 0, 0.5f}, {half, 0, 0, 0.5f}};
+  scene.velocities = {{0.5f, 0, 0, 0}, {-0.5f, 0, 0, 0}};
+  choose_contacts(scene,
+                  {.law = law, .stiffness = float(stiffness), .dt = float(contact_seconds / double(steps_a_contact))});
+  return scene;
+}
+
+// Centre distance after so many contact times.
+double distance_after(const Scene& scene, int steps) {
+  const std::vector<uint> wide = run_steps(cpu_backend(), scene, uint64_t(steps)).wide;
+  const int64_t apart = load_real<int64_t>(wide, 1) - load_real<int64_t>(wide, 0);
+  return std::ldexp(double(apart), -scene.contact.unit_exponent);
+}
+
+double rebound_speed(const Scene& scene, int steps) {
+  const Backend::State end = run_steps(cpu_backend(), scene, uint64_t(steps));
+  return double(end.velocities[1].x) - double(end.velocities[0].x);
+}
+
+TEST(ContactLaws, SpringFollowsTheClosedFormAndErrorsFallWithTheSquareOfTheStep) {
+  const double k = reduced * std::pow(std::numbers::pi / contact_seconds, 2);
+  const double overlap = contact_seconds / std::numbers::pi;  // greatest
+  double last = 0;
+  for (const int steps : {20, 40, 80}) {
+    const Scene scene = two_spheres(ContactLaw::spring, k, 1, steps);
+    EXPECT_NEAR(contact_time(scene), contact_seconds, 1e-8);
+    const double error = std::abs((1 - distance_after(scene, steps + steps / 2)) / overlap - 1);
+    EXPECT_LT(error, steps >= 40 ? 1e-3 : 4e-3) << steps;
+    if (last > 0) {
+      EXPECT_NEAR(last / error, 4, 0.5) << steps;
+    }
+    last = error;
+    EXPECT_NEAR(rebound_speed(scene, 3 * steps), 1, 1e-3) << steps;
+  }
+}
+
+TEST(ContactLaws, SpringLeavesTheRestitutionOfTheSpeed) {
+  const double k = reduced * std::pow(std::numbers::pi / contact_seconds, 2);
+  for (const double restitution : {0.9, 0.7, 0.5})
+    EXPECT_NEAR(rebound_speed(two_spheres(ContactLaw::spring, k, restitution, 1280), 3 * 1280) / restitution, 1, 1e-3)
+        << restitution;
+}
+
+TEST(ContactLaws, HertzReachesTheGreatestOverlapAndBouncesBack) {
+  const double overlap = contact_seconds / 2.9432, k = 5 * reduced / (4 * std::pow(overlap, 2.5));
+  for (const int steps : {40, 80}) {
+    const Scene scene = two_spheres(ContactLaw::hertz, k, 1, steps);
+    EXPECT_NEAR((1 - distance_after(scene, steps + steps / 2)) / overlap, 1, 1e-3) << steps;
+    EXPECT_NEAR(rebound_speed(scene, 3 * steps), 1, 1e-3) << steps;
+  }
+}
+
+// The overlap at which all energy is in k/4 (R^2 - d^2)^2.
+TEST(ContactLaws, QuarticReachesTheGreatestOverlapAndBouncesBack) {
+  const double depth = 2 * contact_seconds / std::numbers::pi, k = 2 * reduced / (depth * depth);
+  const double overlap = 1 - std::sqrt(1 - depth);
+  for (const int steps : {40, 80}) {
+    const Scene scene = two_spheres(ContactLaw::quartic, k, 1, steps);
+    double deepest = 0;
+    for (int step = steps; step < 2 * steps; ++step) deepest = std::max(deepest, 1 - distance_after(scene, step));
+    EXPECT_NEAR(deepest / overlap, 1, 2e-3) << steps;
+    EXPECT_NEAR(rebound_speed(scene, 3 * steps), 1, 1e-3) << steps;
+  }
+}
+
+// More spheres and pairs than one thread takes.
+TEST(ContactLaws, SameBitsWithAnyNumberOfThreads) {
+  Scene scene = make_scene({.name = "gas", .n = 20'000});
+  choose_contacts(scene, {.law = ContactLaw::spring, .stiffness = 1e5f});
+  Backend::State wanted;
+  for (const int threads : {1, 2, 7}) {
+    const auto backend = open_backend("cpu", {.threads = threads});
+    const Backend::State found = run_steps(*backend, scene, 60);
+    if (threads == 1) wanted = found;
+    expect_equal_states(found, wanted, fmt::format("{} threads", threads));
+    EXPECT_GT(run_step(*backend, fast_method(*backend)).totals.pairs, 4096u);
+  }
+}
+
+void expect_refused(const Scene& scene, int steps, const std::string& wanted) {
+  try {
+    run_steps(cpu_backend(), scene, uint64_t(steps));
+    ADD_FAILURE() << "nothing was refused: " << wanted;
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find(wanted), std::string::npos) << error.what();
+  }
+}
+
+TEST(ContactLaws, WhatAStepCannotDoIsNamed) {
+  const double k = reduced * std::pow(std::numbers::pi / contact_seconds, 2);
+  expect_refused(two_spheres(ContactLaw::spring, k, 1, 1), 1, "but a contact lasts 0.0156 s only");
+  expect_refused(two_spheres(ContactLaw::quartic, k, 0.5, 40), 1, "the law quartic is elastic");
+  Scene fast = two_spheres(ContactLaw::spring, k, 1, 40);
+  fast.velocities[1].x = -1000;
+  expect_refused(fast, 1, "sphere 1 moves at 1000 m/s, but");
+  Scene deep = two_spheres(ContactLaw::spring, k, 1, 40);
+  deep.positions[0].x = deep.positions[1].x - 0.25f;
+  expect_refused(deep, 1, "sphere 0 is deeper in another sphere");
+  Scene falling = two_spheres(ContactLaw::spring, k, 1, 40);
+  falling.velocities = {{-20, 0, 0, 0}, {20, 0, 0, 0}};
+  falling.contact.unit_exponent = 59;
+  expect_refused(falling, 20'000, "has left the range");
+}
+
+}  // namespace
+}  // namespace spherepair
