@@ -179,15 +179,17 @@ void Study::record(const std::string& table, const SceneOptions& scene, const Ta
 }
 
 bool SizeSequence::next() {
-  while (at_ < sizes_.size()) {
-    const uint64_t n = sizes_[at_++];
-    if (study_.plan.hardware || last_.empty()) return true;
-    const double ratio = double(n) / double(last_n_);
-    const double seconds = predict_seconds(last_, std::max(1.0, ratio * ratio), study_.plan.sampling);
-    if (seconds <= study_.plan.row_seconds) return true;
-    notes_.push_back(fmt::format("n = {} is left out: about {:.0f} s on this machine. --full or --n {} includes it.", n,
-                                 seconds, n));
-  }
+  if (at_ == sizes_.size()) return false;
+  const uint64_t n = sizes_[at_++];
+  if (study_.plan.hardware || last_.empty()) return true;
+  const double ratio = double(n) / double(last_n_);
+  const double seconds = predict_seconds(last_, std::max(1.0, ratio * ratio), study_.plan.sampling);
+  if (seconds <= study_.plan.row_seconds) return true;
+  const bool one = at_ == sizes_.size();
+  notes_.push_back(fmt::format("n = {}{} left out: {:.0f} s{} on this machine. --full or --n includes {}.", n,
+                               one ? " is" : fmt::format(" to {} are", sizes_.back()), seconds, one ? "" : " and more",
+                               one ? "it" : "them"));
+  at_ = sizes_.size();
   return false;
 }
 

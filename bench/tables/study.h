@@ -59,7 +59,7 @@ class Study {
 class SizeSequence {
  public:
   SizeSequence(const Study& study, std::vector<uint64_t> sizes) : study_(study), sizes_(std::move(sizes)) {}
-  bool next();  // false at the end
+  bool next();  // false at the end, and where the next size and so all larger ones would take too long
   uint64_t n() const { return sizes_[at_ - 1]; }
   void measured(std::span<const Samples> samples) { last_.assign(samples.begin(), samples.end()), last_n_ = n(); }
   std::vector<std::string> notes() const { return notes_; }  // the sizes that were left out

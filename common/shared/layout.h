@@ -62,8 +62,8 @@
 #define TOTAL_STRIDE 9  // words from row to row: rows begin in different banks
 
 #define SPHERES_PER_THREAD 8  // rows that one thread of collide_triangle holds in registers
-#define COLUMNS_AT_ONCE 2     // columns that a thread of collide_triangle tests between two branches
-#define NEVER_NEAR 3.0e38f    // threshold of a row beyond the last sphere: hardly any gram_product reaches it
+#define COLUMNS_AT_ONCE 2     // columns of a bit by which a thread of collide_triangle marks candidates
+#define NEVER_NEAR -3.0e38f   // starts the gram_product of a row beyond the last sphere: hardly any column is reached
 #define NEAR_PER_THREAD 2     // candidates of a tile that a group of collide_triangle can queue, per thread
 #define SERVICE_BLOCK 128     // group size of kernels whose group size is not studied
 #define MAX_GROUPS 65535      // along one axis of a dispatch, on every device; more are folded into the next axis

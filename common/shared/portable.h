@@ -13,6 +13,7 @@
 
 uint float_bits(float x) { return floatBitsToUint(x); }
 float bits_float(uint bits) { return uintBitsToFloat(bits); }
+int signed_bits(float x) { return floatBitsToInt(x); }
 double bits_double(uint high, uint low) { return packDouble2x32(uvec2(low, high)); }
 uint double_high(double x) { return unpackDouble2x32(x).y; }
 uint double_low(double x) { return unpackDouble2x32(x).x; }
@@ -63,6 +64,7 @@ struct alignas(16) vec4 {
 #ifdef __CUDA_ARCH__
 FN uint float_bits(float x) { return __float_as_uint(x); }
 FN float bits_float(uint bits) { return __uint_as_float(bits); }
+FN int signed_bits(float x) { return __float_as_int(x); }
 FN double bits_double(uint high, uint low) { return __hiloint2double(int(high), int(low)); }
 FN uint double_high(double x) { return uint(__double2hiint(x)); }
 FN uint double_low(double x) { return uint(__double2loint(x)); }
@@ -75,6 +77,7 @@ FN float smaller(float a, float b) { return fminf(a, b); }
 #else
 FN uint float_bits(float x) { return std::bit_cast<uint>(x); }
 FN float bits_float(uint bits) { return std::bit_cast<float>(bits); }
+FN int signed_bits(float x) { return std::bit_cast<int>(x); }
 FN double bits_double(uint high, uint low) { return std::bit_cast<double>(uint64_t(high) << 32 | low); }
 FN uint double_high(double x) { return uint(std::bit_cast<uint64_t>(x) >> 32); }
 FN uint double_low(double x) { return uint(std::bit_cast<uint64_t>(x)); }

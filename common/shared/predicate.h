@@ -43,12 +43,13 @@ FN uint filter_equal(float s, float apart_above, float collide_below) {
 }
 
 // A sphere relative to an origin, for the Gram form of the test: a and b can only collide if
-//   a.x*b.x + a.y*b.y + a.z*b.z [+ ra*rb] >= a.w + b.w,   w = N(1 - k)/2 - r^2(1 + k)*share - T,   N = |centre|^2,
+//   a.x*b.x + a.y*b.y + a.z*b.z [+ ra*rb] >= a.w + b.w,   w = N(1 - k)/2 - share*(r^2(1 + k) + T),   N = |centre|^2,
 // which costs three fused operations and a compare instead of seven instructions. With any origin, any rounding
 // direction and e = 2^-23 per operation: centring moves a distance by at most 4e(Na + Nb) of its square, the chain adds
-// 4e(Na/2 + Nb + r^2), w itself 6e of its terms; k = 32e covers their sum with room, T = 2^-100 covers underflow.
-// share is 1 when all radii are equal (no product of radii is then added) and 1/2 otherwise. What could overflow or is
-// not finite becomes a form that can collide with everything, so that the filter proper decides it.
+// 4e(Na/2 + Nb + r^2), w itself 6e of its terms; k = 32e covers their sum with room, T = 2^-99 covers underflow.
+// share is 1/2 where the product of radii is added. Where all radii are equal it is not: share is 1 for both, or 2 and
+// 0, and w is then never negative for 0. What could overflow or is not finite becomes a form that can collide with
+// everything, so that the filter proper decides it.
 FN vec4 gram_form(vec4 a, vec4 origin, float share) {
   EXACT float x = a.x - origin.x;
   EXACT float y = a.y - origin.y;
@@ -56,23 +57,24 @@ FN vec4 gram_form(vec4 a, vec4 origin, float share) {
   EXACT float xx = x * x;
   EXACT float norm = multiply_add(z, z, multiply_add(y, y, xx));
   EXACT float rr = a.w * a.w;
-  EXACT float reach = (rr * share) * bits_float(0x3F800020u);                   // 1 + 2^-18
-  EXACT float half_norm = norm * bits_float(0x3EFFFFC0u);                       // (1 - 2^-18) / 2
-  EXACT float w = (half_norm - reach) - bits_float(0x0D800000u);                // 2^-100
+  EXACT float reach = rr * bits_float(0x3F800020u) + bits_float(0x0E000000u);  // r^2(1 + 2^-18) + 2^-99
+  EXACT float half_norm = norm * bits_float(0x3EFFFFC0u);                      // (1 - 2^-18) / 2
+  EXACT float w = half_norm - share * reach;
   bool small = norm < bits_float(0x71800000u) && rr < bits_float(0x71800000u);  // 2^100
   if (!small) {
     x = 0.0f;
     y = 0.0f;
     z = 0.0f;
-    w = bits_float(0xFE800000u);  // -2^126
+    w = share == 0.0f ? bits_float(0x80000000u) : bits_float(0xFE800000u);  // -0, the least as an integer; -2^126
   }
   vec4 form = {x, y, z, w};
   return form;
 }
 
-// True when the sphere of form a cannot collide with that of form b; minus_w is -b.w, which the caller computes once.
-FN float gram_product(vec4 a, float bx, float by, float bz, float minus_w) {
-  EXACT float product = multiply_add(a.x, bx, multiply_add(a.y, by, multiply_add(a.z, bz, minus_w)));
+// True of forms a and b, where minus_w is -a.w: the spheres cannot collide if this is below b.w. Where b's share is 0,
+// the bits of both compare as signed integers do: one compare then serves the greatest of several a.
+FN float gram_product(float ax, float ay, float az, float minus_w, vec4 b) {
+  EXACT float product = multiply_add(ax, b.x, multiply_add(ay, b.y, multiply_add(az, b.z, minus_w)));
   return product;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Each unordered pair once: a group keeps SPHERES_PER_THREAD spheres a thread in registers, its rows, and tests them
 // against p.search.columns_per_group later spheres, its columns, which pass through shared memory in Gram form.
-// Candidates are only queued; after each tile the whole group decides the queued pairs, a thread per pair. Row groups
-// near the end have few columns left, and those mirrored at the middle many: one line of the launch holds both, so that
-// few groups are idle.
+// Candidates are marked in a bit mask, then queued; after each tile the whole group decides the queued pairs, a thread
+// per pair. Row groups near the end have few columns left, and those mirrored at the middle many: one line of the
+// launch holds both, so that few groups are idle.
 #include "cuda/collide/collide.cuh"
 
 namespace spherepair {
@@ -22,7 +22,9 @@ __device__ void test_queued_pair(Collider<EQUAL_RADII, LISTED>& collider, uint f
 template <int BLOCK, bool EQUAL_RADII, bool LISTED>
 __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, KernelBuffers buf) {
   constexpr uint ROWS = BLOCK * SPHERES_PER_THREAD;
-  constexpr float SHARE = EQUAL_RADII ? 1.0f : 0.5f;
+  constexpr float ROW_SHARE = EQUAL_RADII ? 2.0f : 0.5f;
+  constexpr float COLUMN_SHARE = EQUAL_RADII ? 0.0f : 0.5f;
+  constexpr uint COLUMNS_MARKED = BLOCK < 32 * COLUMNS_AT_ONCE ? BLOCK : 32 * COLUMNS_AT_ONCE;
   __shared__ vec4 tile[BLOCK];
   __shared__ float tile_radius[EQUAL_RADII ? 1 : BLOCK];
   __shared__ uint near_queue[NEAR_PER_THREAD * BLOCK];
@@ -47,7 +49,8 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, KernelBuffer
   float row_radius[SPHERES_PER_THREAD];
   for (uint k = 0u; k < SPHERES_PER_THREAD; ++k) {
     vec4 sphere = buf.position[min(first_row + k * BLOCK + lane, p.n - 1u)];
-    row[k] = gram_form(sphere, origin, SHARE);
+    row[k] = gram_form(sphere, origin, ROW_SHARE);
+    row[k].w = -row[k].w;
     row_radius[k] = sphere.w;
     if (first_row + k * BLOCK + lane >= p.n) row[k].w = NEVER_NEAR;
   }
@@ -55,31 +58,46 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, KernelBuffer
   uint turn = 0u;
   for (uint start = first_column; start < end; start += BLOCK) {
     vec4 sphere = buf.position[min(start + lane, p.n - 1u)];
-    vec4 form = gram_form(sphere, origin, SHARE);
-    tile[lane] = vec4{form.x, form.y, form.z, -form.w};
+    tile[lane] = gram_form(sphere, origin, COLUMN_SHARE);
     if constexpr (!EQUAL_RADII) tile_radius[lane] = sphere.w;
     __syncthreads();
     if (lane == 0u) near_length[turn ^ 1u] = 0u;
     uint others = min(uint(BLOCK), end - start);
-    for (uint c = 0u; c < others; c += COLUMNS_AT_ONCE) {
-      bool near = false;
-      for (uint u = 0u; u < COLUMNS_AT_ONCE; ++u) {
-        vec4 column = tile[c + u];
-        for (uint k = 0u; k < SPHERES_PER_THREAD; ++k) {
-          float product = gram_product(row[k], column.x, column.y, column.z, column.w);
-          if constexpr (!EQUAL_RADII) product = multiply_add(row_radius[k], tile_radius[c + u], product);
-          bool apart = product < row[k].w;
-          near = near || !apart;
+    for (uint c = 0u; c < others; c += COLUMNS_MARKED) {
+      uint marked = 0u;
+      uint bit = 1u;  // of COLUMNS_AT_ONCE columns
+      uint marked_end = min(others, c + COLUMNS_MARKED);
+      for (uint first = c; first < marked_end; first += 2u * COLUMNS_AT_ONCE) {
+        for (uint pass = 0u; pass < 2u; ++pass) {
+          bool near = false;
+          for (uint u = 0u; u < COLUMNS_AT_ONCE; ++u) {
+            uint at = first + pass * COLUMNS_AT_ONCE + u;
+            vec4 column = tile[at];
+            int greatest = signed_bits(NEVER_NEAR);
+            for (uint k = 0u; k < SPHERES_PER_THREAD; ++k) {
+              float product = gram_product(row[k].x, row[k].y, row[k].z, row[k].w, column);
+              if constexpr (EQUAL_RADII) {
+                greatest = max(greatest, signed_bits(product));
+              } else {
+                product = multiply_add(row_radius[k], tile_radius[at], product);
+                near = near || !(product < column.w);
+              }
+            }
+            if constexpr (EQUAL_RADII) near = near || greatest >= signed_bits(column.w);
+          }
+          if (near) marked |= bit << pass;
         }
+        bit <<= 2;
       }
-      if (near) {
+      for (; marked != 0u; marked &= marked - 1u) {
+        uint j = c + lowest_bit(marked) * COLUMNS_AT_ONCE;
         uint at = atomicAdd(&near_length[turn], 1u);
         if (at < NEAR_PER_THREAD * BLOCK) {
-          near_queue[at] = c * BLOCK + lane;
+          near_queue[at] = j * BLOCK + lane;
         } else {
 #pragma unroll 1  // CUDA only: unrolled, this rare path takes 91 registers and slows the loop above
           for (uint pair = 0u; pair < PAIRS_PER_ENTRY; ++pair)
-            test_queued_pair<BLOCK>(collider, first_row, pair, lane, start + c, end);
+            test_queued_pair<BLOCK>(collider, first_row, pair, lane, start + j, end);
         }
       }
     }

@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: MIT
 // Each unordered pair once: a group keeps SPHERES_PER_THREAD spheres a thread in registers, its rows, and tests them
 // against p.search.columns_per_group later spheres, its columns, which pass through shared memory in Gram form.
-// Candidates are only queued; after each tile the whole group decides the queued pairs, a thread per pair. Row groups
-// near the end have few columns left, and those mirrored at the middle many: one line of the launch holds both, so that
-// few groups are idle.
+// Candidates are marked in a bit mask, then queued; after each tile the whole group decides the queued pairs, a thread
+// per pair. Row groups near the end have few columns left, and those mirrored at the middle many: one line of the launch
+// holds both, so that few groups are idle.
 #include "shaders/collide/collide.glsl"
 
 layout(local_size_x = BLOCK) in;
 const uint PAIRS_PER_ENTRY = SPHERES_PER_THREAD * COLUMNS_AT_ONCE;
 const uint ROWS = BLOCK * SPHERES_PER_THREAD;
-const float SHARE = EQUAL_RADII ? 1.0f : 0.5f;
+const float ROW_SHARE = EQUAL_RADII ? 2.0f : 0.5f;
+const float COLUMN_SHARE = EQUAL_RADII ? 0.0f : 0.5f;
+const uint COLUMNS_MARKED = min(uint(BLOCK), 32u * COLUMNS_AT_ONCE);
 shared vec4 tile[BLOCK];
 shared float tile_radius[EQUAL_RADII ? 1 : BLOCK];
 shared uint near_queue[NEAR_PER_THREAD * BLOCK];
@@ -43,7 +45,8 @@ void main() {
   float row_radius[SPHERES_PER_THREAD];
   for (uint k = 0u; k < SPHERES_PER_THREAD; ++k) {
     vec4 sphere = position[min(first_row + k * BLOCK + lane, p.n - 1u)];
-    row[k] = gram_form(sphere, origin, SHARE);
+    row[k] = gram_form(sphere, origin, ROW_SHARE);
+    row[k].w = -row[k].w;
     row_radius[k] = sphere.w;
     if (first_row + k * BLOCK + lane >= p.n) row[k].w = NEVER_NEAR;
   }
@@ -51,29 +54,44 @@ void main() {
   uint turn = 0u;
   for (uint start = first_column; start < end; start += BLOCK) {
     vec4 sphere = position[min(start + lane, p.n - 1u)];
-    vec4 form = gram_form(sphere, origin, SHARE);
-    tile[lane] = vec4(form.x, form.y, form.z, -form.w);
+    tile[lane] = gram_form(sphere, origin, COLUMN_SHARE);
     if (!EQUAL_RADII) tile_radius[lane] = sphere.w;
     barrier();
     if (lane == 0u) near_length[turn ^ 1u] = 0u;
     uint others = min(uint(BLOCK), end - start);
-    for (uint c = 0u; c < others; c += COLUMNS_AT_ONCE) {
-      bool near = false;
-      for (uint u = 0u; u < COLUMNS_AT_ONCE; ++u) {
-        vec4 column = tile[c + u];
-        for (uint k = 0u; k < SPHERES_PER_THREAD; ++k) {
-          float product = gram_product(row[k], column.x, column.y, column.z, column.w);
-          if (!EQUAL_RADII) product = multiply_add(row_radius[k], tile_radius[c + u], product);
-          bool apart = product < row[k].w;
-          near = near || !apart;
+    for (uint c = 0u; c < others; c += COLUMNS_MARKED) {
+      uint marked = 0u;
+      uint bit = 1u;  // of COLUMNS_AT_ONCE columns
+      uint marked_end = min(others, c + COLUMNS_MARKED);
+      for (uint first = c; first < marked_end; first += 2u * COLUMNS_AT_ONCE) {
+        for (uint pass = 0u; pass < 2u; ++pass) {
+          bool near = false;
+          for (uint u = 0u; u < COLUMNS_AT_ONCE; ++u) {
+            uint at = first + pass * COLUMNS_AT_ONCE + u;
+            vec4 column = tile[at];
+            int greatest = signed_bits(NEVER_NEAR);
+            for (uint k = 0u; k < SPHERES_PER_THREAD; ++k) {
+              float product = gram_product(row[k].x, row[k].y, row[k].z, row[k].w, column);
+              if (EQUAL_RADII) {
+                greatest = max(greatest, signed_bits(product));
+              } else {
+                product = multiply_add(row_radius[k], tile_radius[at], product);
+                near = near || !(product < column.w);
+              }
+            }
+            if (EQUAL_RADII) near = near || greatest >= signed_bits(column.w);
+          }
+          if (near) marked |= bit << pass;
         }
+        bit <<= 2;
       }
-      if (near) {
+      for (; marked != 0u; marked &= marked - 1u) {
+        uint j = c + lowest_bit(marked) * COLUMNS_AT_ONCE;
         uint at = atomicAdd(near_length[turn], 1u);
         if (at < NEAR_PER_THREAD * BLOCK) {
-          near_queue[at] = c * BLOCK + lane;
+          near_queue[at] = j * BLOCK + lane;
         } else {
-          for (uint pair = 0u; pair < PAIRS_PER_ENTRY; ++pair) test_queued_pair(first_row, pair, lane, start + c, end);
+          for (uint pair = 0u; pair < PAIRS_PER_ENTRY; ++pair) test_queued_pair(first_row, pair, lane, start + j, end);
         }
       }
     }

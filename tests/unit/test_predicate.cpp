@@ -60,8 +60,8 @@ TEST(Predicate, GramFormRejectsNoCollision) {
       const vec4 a = spheres[2 * k], b = spheres[2 * k + 1];
       const vec4 origin = k % 3 == 0 ? vec4{0, 0, 0, 0} : k % 3 == 1 ? a : vec4{b.x + 3, b.y, b.z - 5, 0};
       const vec4 left = gram_form(a, origin, 0.5f), right = gram_form(b, origin, 0.5f);
-      const float product = multiply_add(a.w, b.w, gram_product(left, right.x, right.y, right.z, -right.w));
-      if (!(product < left.w)) continue;
+      const float product = multiply_add(a.w, b.w, gram_product(left.x, left.y, left.z, -left.w, right));
+      if (!(product < right.w)) continue;
       ++rejected;
       ASSERT_NE(truths[k], Relation::overlapping) << "family " << int(plan.family) << ", " << show_pair(a, b);
     }
@@ -69,20 +69,39 @@ TEST(Predicate, GramFormRejectsNoCollision) {
   EXPECT_GT(rejected, pairs / 100);
 }
 
-TEST(Predicate, GramFormOfEqualRadiiRejectsNoCollision) {
+// share: both radii in one form, where the bits are compared as integers; or one in each.
+void expect_equal_radii_kept(float row_share, float column_share) {
   uint64_t rejected = 0;
   for (Family family : {Family::random_bits, Family::near_tangent, Family::extreme, Family::denormal}) {
     std::vector<vec4> spheres = adversarial_pairs(family, 0, 200'000);
     for (size_t k = 0; k < spheres.size() / 2; ++k) {
       vec4 &a = spheres[2 * k], &b = spheres[2 * k + 1];
       a.w = b.w = (std::abs(a.w) * 0.5f + std::abs(b.w) * 0.5f) * (k % 2 == 0 ? 1.0f : 0.5f);
-      const vec4 left = gram_form(a, {0, 0, 0, 0}, 1.0f), right = gram_form(b, {0, 0, 0, 0}, 1.0f);
-      if (!(gram_product(left, right.x, right.y, right.z, -right.w) < left.w)) continue;
+      const vec4 origin = k % 3 == 0 ? vec4{0, 0, 0, 0} : k % 3 == 1 ? a : b;
+      const vec4 row = gram_form(a, origin, row_share), column = gram_form(b, origin, column_share);
+      const float product = gram_product(row.x, row.y, row.z, -row.w, column);
+      const bool apart = column_share == 0 ? signed_bits(product) < signed_bits(column.w) : product < column.w;
+      if (!apart) continue;
       ++rejected;
       ASSERT_NE(relation(a, b), Relation::overlapping) << "family " << int(family) << ", " << show_pair(a, b);
     }
   }
   EXPECT_GT(rejected, 0u);
+}
+
+TEST(Predicate, GramFormOfEqualRadiiRejectsNoCollision) { expect_equal_radii_kept(1, 1); }
+TEST(Predicate, GramFormOfEqualRadiiComparedAsIntegersRejectsNoCollision) { expect_equal_radii_kept(2, 0); }
+
+// One sphere within the range of the forms and one beyond it: a square of 2^100 or more is no form.
+TEST(Predicate, WhatIsBeyondTheGramFormStaysACandidate) {
+  const vec4 within = {0x1.fp49f, 0, 0, 0x1p48f}, beyond = {0x1.1p50f, 0, 0, 0x1p48f}, origin = {0, 0, 0, 0};
+  ASSERT_EQ(relation(within, beyond), Relation::overlapping);
+  const auto is_candidate = [&](vec4 a, vec4 b) {
+    const vec4 row = gram_form(a, origin, 2), column = gram_form(b, origin, 0);
+    return signed_bits(gram_product(row.x, row.y, row.z, -row.w, column)) >= signed_bits(column.w);
+  };
+  EXPECT_TRUE(is_candidate(within, beyond));
+  EXPECT_TRUE(is_candidate(beyond, within));
 }
 
 // Spheres whose inputs are small integers times 1/8: ties are common, and scaled or mirrored they stay exact.
