@@ -87,7 +87,7 @@ void CpuSearch::run(CpuMotion& motion) {
 const std::vector<Pair>& CpuSearch::list_pairs(CpuMotion& motion) {
   const bool listed = found_ && options_.want_pairs && options_.exact && !options_.swept;
   if (!listed || options_.method == Method::collide_group) {
-    prepare({.want_pairs = true}, motion);
+    prepare({.method = Method::automatic, .want_pairs = true}, motion);
     run(motion);
   }
   return pairs();

@@ -47,7 +47,7 @@ void PairSearch::complete_lists() {
 void PairSearch::list_pairs() {
   const bool listed = is_complete() && options_.want_pairs && options_.exact && !options_.swept;
   if (listed && options_.method != Method::collide_group) return;
-  enqueue({.want_pairs = true});
+  enqueue({.method = Method::automatic, .want_pairs = true});
   complete_lists();
 }
 

@@ -3,8 +3,8 @@
 // Each unordered pair once: a group keeps SPHERES_PER_THREAD spheres a thread in registers, its rows, and tests them
 // against p.search.columns_per_group later spheres, its columns, which pass through shared memory in Gram form.
 // Candidates are marked in a bit mask, then queued; after each tile the whole group decides the queued pairs, a thread
-// per pair. Row groups near the end have few columns left, and those mirrored at the middle many: one line of the launch
-// holds both, so that few groups are idle.
+// per pair. Row groups near the end have few columns left, and those mirrored at the middle many: one line of the
+// launch holds both, so that few groups are idle.
 #include "shaders/collide/collide.glsl"
 
 layout(local_size_x = BLOCK) in;
@@ -12,7 +12,7 @@ const uint PAIRS_PER_ENTRY = SPHERES_PER_THREAD * COLUMNS_AT_ONCE;
 const uint ROWS = BLOCK * SPHERES_PER_THREAD;
 const float ROW_SHARE = EQUAL_RADII ? 2.0f : 0.5f;
 const float COLUMN_SHARE = EQUAL_RADII ? 0.0f : 0.5f;
-const uint COLUMNS_MARKED = min(uint(BLOCK), 32u * COLUMNS_AT_ONCE);
+const uint COLUMNS_MARKED = BLOCK < 32 * COLUMNS_AT_ONCE ? BLOCK : 32 * COLUMNS_AT_ONCE;
 shared vec4 tile[BLOCK];
 shared float tile_radius[EQUAL_RADII ? 1 : BLOCK];
 shared uint near_queue[NEAR_PER_THREAD * BLOCK];

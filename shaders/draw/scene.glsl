@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // GLSL only: what the shaders of the graphics pipeline read, the simulation's own buffers by sphere index. Images have
 // their first row at the top, so y grows downwards.
+#extension GL_ARB_gpu_shader_int64 : require
 #include "shaders/draw/view.glsl"
 #include "common/shared/draw.h"
 #include "common/shared/layout.h"

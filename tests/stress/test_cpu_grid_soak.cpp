@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "common/scene/contact_scenes.h"
 #include "tests/support/grid_results.h"
 
 namespace spherepair {
@@ -22,7 +23,8 @@ SceneOptions drawn_scene(uint64_t seed) {
       .name = kinds[random() % kinds.size()].name, .n = uint64_t(log_uniform(1, 4000)), .seed = seed};
   options.radius = float(log_uniform(1e-3, 2));
   if (random() % 2) options.radius_ratio = float(log_uniform(1, 1e5));
-  options.packing_fraction = random() % 2 ? log_uniform(1e-12, 0.7) : 0.3;
+  const double densest = made_for_contacts(options.name) ? 0.5 : 0.7;
+  options.packing_fraction = random() % 2 ? log_uniform(1e-12, densest) : 0.3;
   if (random() % 3 == 0) options.offset = float(log_uniform(1, 1e8)) * (random() % 2 ? 1.0f : -1.0f);
   return options;
 }
