@@ -28,7 +28,7 @@ std::string tables_of(const LaunchStudy& study) {
                {"", "backend", "", true},
                {"", "path", "", true},
                {"", "step", "us"},
-               {"a sample", "besides", "us"},
+               {"fixed cost", "a sample", "us"},
                {"", "to fastest", "", true}},
               rows,
               {}}

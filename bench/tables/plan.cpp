@@ -50,7 +50,7 @@ void fill_sizes(Plan& plan) {
     plan.step_sizes = {64, 256, 1024, 4096, 16384};
     plan.count_steps_large = 20;
     plan.row_seconds = 4;
-    plan.sampling.software_seconds = 0.03;
+    plan.sampling.software_seconds = 0.02;
     plan.sampling.longest = 0.1;
   }
 }

@@ -32,9 +32,11 @@ std::vector<Version> versions_of(const Study& study, Backend& one_thread) {
   return versions;
 }
 
-// Fewer of more spheres; the same for every version, and each sample has the same ones, since falling spheres become
-// denser.
-uint64_t frames_per_sample(uint64_t n) { return std::clamp<uint64_t>(65536 / n, 2, 64); }
+// Fewer of more spheres, and fewer where software draws them; the same for every version, and each sample has the same
+// ones, since falling spheres become denser.
+uint64_t frames_per_sample(uint64_t n, bool hardware) {
+  return std::clamp<uint64_t>((hardware ? 65536 : 8192) / n, 2, 64);
+}
 
 View view_of(const Scene& scene) {
   return make_view(frame(bounds_of(scene.positions), 30, 20, 40, double(width) / height), contact_look(), width,
@@ -63,7 +65,8 @@ void require_equal_images(const std::vector<Version>& versions, const Scene& sce
   }
 }
 
-std::vector<Contender> contenders_of(const std::vector<Version>& versions, const Scene& scene, const View& view) {
+std::vector<Contender> contenders_of(const std::vector<Version>& versions, const Scene& scene, const View& view,
+                                     bool hardware) {
   std::vector<Contender> contenders;
   for (const Version& version : versions) {
     for (const DrawMethod method : version.draws)
@@ -85,7 +88,7 @@ std::vector<Contender> contenders_of(const std::vector<Version>& versions, const
                                 backend.upload(scene);
                                 backend.collide({.method = version.pairs});
                               },
-                          .batch = frames_per_sample(scene.size())});
+                          .batch = frames_per_sample(scene.size(), hardware)});
   }
   return contenders;
 }
@@ -121,7 +124,7 @@ std::vector<Samples> time_frames(Study& study, const std::vector<Version>& versi
   const View view = view_of(scene);
   require_equal_images(versions, scene, view);
   const size_t first = study.measurements.size();
-  const std::vector<Contender> contenders = contenders_of(versions, scene, view);
+  const std::vector<Contender> contenders = contenders_of(versions, scene, view, study.plan.hardware);
   const std::vector<Samples> samples = study.time_unchecked(
       "frame_rates", contenders, {{"work", "frame"}, {"n", n}, {"width", width}, {"height", height}});
   for (size_t k = 0; k < samples.size(); ++k)

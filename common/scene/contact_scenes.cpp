@@ -127,7 +127,7 @@ bool made_for_contacts(const std::string& name) {
 const std::vector<SceneMaker>& contact_makers() {
   static const std::vector<SceneMaker> all = {
       {{"gas", "spheres with random velocities in a closed box, without gravity (--packing-fraction)"}, make_gas},
-      {{"bed", "spheres that fall into a closed box; with --contact they settle"}, make_bed},
+      {{"bed", "spheres that fall into a closed box; with --contact they come to rest"}, make_bed},
       {{"column", "a column on the plane; with --contact it falls and spreads"}, make_column},
       {{"collide2", "pairs of spheres that run into each other head-on, without gravity"}, make_collide2},
       {{"newton", "a row of spheres and one that runs into it, without gravity"}, make_newton}};

@@ -42,7 +42,7 @@ FN int64_t integer_of(float x) {
 // x / 2^bits, towards 0.
 FN int64_t shifted(int64_t x, int bits) { return with_sign(magnitude(x) >> uint(bits), x); }
 
-// x * factor, rounded once: halves away from 0. 2^-80 < factor < 2^22, and the product below 2^61.
+// x * factor, rounded once: halves away from 0. 2^-72 <= factor < 2^22, and the product below 2^61.
 FN int64_t scaled(int64_t x, float factor) {
   uint64_t whole = magnitude(x);
   uint64_t digits = uint64_t(significand(factor));

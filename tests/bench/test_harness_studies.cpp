@@ -72,6 +72,17 @@ class StudyProgram : public ProgramTest {
                     SPHEREPAIR_FAULTY_PROGRAM, words, path("study")),
         folder_);
   }
+  void expect_no_wrong_result_timed(const std::string& words) const {
+    const Outcome right = study("none", words);
+    EXPECT_EQ(right.code, 0) << right.errors;
+    for (const auto* faults : {&set_faults(), &state_faults()})
+      for (const NamedFault& fault : *faults) {
+        if (fault.fault == Fault::listed_pair) continue;
+        const Outcome wrong = study(fault.name, words);
+        EXPECT_EQ(wrong.code, 1) << fault.name << wrong.output;
+        EXPECT_NE(wrong.errors.find(fault.found_as), std::string::npos) << wrong.errors;
+      }
+  }
 };
 
 TEST_F(StudyProgram, FramesTimesNoWrongImage) {
@@ -101,31 +112,11 @@ TEST_F(StudyProgram, FrameRatesTimesNoWrongImage) {
 }
 
 TEST_F(StudyProgram, AblateTimesNoWrongResult) {
-  const std::string words = "ablate --n 300 --names radius_load,plane_test";
-  const Outcome right = study("none", words);
-  EXPECT_EQ(right.code, 0) << right.errors;
-  for (const auto* faults : {&set_faults(), &state_faults()})
-    for (const NamedFault& fault : *faults) {
-      if (fault.fault == Fault::listed_pair) continue;
-      const Outcome wrong = study(fault.name, words);
-      EXPECT_EQ(wrong.code, 1) << fault.name << wrong.output;
-      EXPECT_NE(wrong.errors.find(fault.found_as), std::string::npos) << wrong.errors;
-    }
+  expect_no_wrong_result_timed("ablate --n 300 --names radius_load,plane_test");
 }
 
 // Waited for, but no backend of these tests launches anything: every path is left out behind the check.
-TEST_F(StudyProgram, LaunchesTimesNoWrongResult) {
-  const std::string words = "launches --n 300";
-  const Outcome right = study("none", words);
-  EXPECT_EQ(right.code, 0) << right.errors;
-  for (const auto* faults : {&set_faults(), &state_faults()})
-    for (const NamedFault& fault : *faults) {
-      if (fault.fault == Fault::listed_pair) continue;
-      const Outcome wrong = study(fault.name, words);
-      EXPECT_EQ(wrong.code, 1) << fault.name << wrong.output;
-      EXPECT_NE(wrong.errors.find(fault.found_as), std::string::npos) << wrong.errors;
-    }
-}
+TEST_F(StudyProgram, LaunchesTimesNoWrongResult) { expect_no_wrong_result_timed("launches --n 300"); }
 
 }  // namespace
 }  // namespace spherepair

@@ -33,6 +33,28 @@ class Timed : public testing::Test {
   Progress progress_;
 };
 
+// Predicted from the last one: 100 times as many spheres take 10,000 times as long.
+TEST_F(Timed, SizesBehindOneThatTakesTooLongAreLeftOutTogether) {
+  Session session = session_with(Fault::none, 0);
+  const Study study(session, plan_, progress_);
+  Samples last;
+  last.seconds = {1e-3};
+  const auto left_out = [&](const std::vector<uint64_t>& sizes) {
+    SizeSequence sequence(study, sizes);
+    EXPECT_TRUE(sequence.next());
+    sequence.measured({&last, 1});
+    EXPECT_TRUE(sequence.next()) << sequence.n();
+    EXPECT_FALSE(sequence.next());
+    EXPECT_FALSE(sequence.next()) << "no size behind it";
+    return sequence.notes();
+  };
+  EXPECT_EQ(left_out({10, 20, 1000}),
+            std::vector<std::string>{"n = 1000 is left out: 40 s on this machine. --full or --n includes it."});
+  EXPECT_EQ(left_out({10, 20, 1000, 1001}),
+            std::vector<std::string>{
+                "n = 1000 to 1001 are left out: 40 s and more on this machine. --full or --n includes them."});
+}
+
 TEST_F(Timed, RightAnswersAreTimed) {
   for (const Work work : {Work::collide, Work::move, Work::step}) EXPECT_EQ(time(Fault::none, 0, work), "");
 }

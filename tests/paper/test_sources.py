@@ -167,7 +167,7 @@ class Parts(unittest.TestCase):
                 without = run.part in parts.GPU and "glsl" in run.part.backends
                 words = [*run.command(folder)[0], *(["--no-gpu"] if without else [])]
                 with contextlib.suppress(subprocess.TimeoutExpired):
-                    made = subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=3)
+                    made = subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=1.5)
                     self.assertNotEqual(2, made.returncode, made.stderr)  # wrong usage
 
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Scenes whose spheres push each other often within few steps, by soft contacts.
+#pragma once
+
+#include "common/scene/contact_options.h"
+#include "common/scene/scene.h"
+
+namespace spherepair {
+
+struct GasOptions {
+  uint64_t side = 6;  // spheres along an edge of the box
+  float ratio = 1, gravity = 0, restitution = 1;
+  ContactLaw law = ContactLaw::quartic;
+};
+
+// A closed box of spheres on a lattice, which leaves them room, with random velocities; radii up to ratio * 0.5.
+Scene gas(const GasOptions& options);
+
+// Two shells of small spheres that fall onto one eight times as large: the outer runs into the inner on its way back.
+Scene shells(ContactLaw law);
+
+}  // namespace spherepair
