@@ -84,7 +84,7 @@ struct PowerMeter::Library {
   int (*uuid_of)(void*, char*, unsigned) = nullptr;
   int (*total_energy)(void*, unsigned long long*) = nullptr;
   int (*power_usage)(void*, unsigned*) = nullptr;
-  int (*field_values)(void*, int, FieldValue*) = nullptr;
+  int (*field_values)(void*, int, void*) = nullptr;  // of FieldValues
 };
 
 PowerMeter::PowerMeter(const std::string& uuid, const std::string& library)

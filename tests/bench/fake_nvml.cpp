@@ -68,8 +68,9 @@ int nvmlDeviceGetPowerUsage(void* device, unsigned* power) {
   const std::lock_guard guard(access);
   return *power = second(device) ? milliwatts : 70'000, 0;
 }
-int nvmlDeviceGetFieldValues(void* device, int count, FieldValue* values) {
+int nvmlDeviceGetFieldValues(void* device, int count, void* field_values) {
   const std::lock_guard guard(access);
+  auto* values = static_cast<FieldValue*>(field_values);
   for (int k = 0; k < count; ++k) {
     const bool known = values[k].field == 186 && tells_instant;
     values[k].type = 1, values[k].result = known ? 0 : not_supported;
