@@ -64,6 +64,7 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
   command->add_option("--json", options->json_file,
                       "Write totals, times and context as JSON to this file; -: to standard output");
   add_save_options(*command, options->save_file, options->save_every);
+  add_statistics_options(*command, options->statistics_file, options->statistics_every);
   add_open_options(*command, line.open);
   command->footer(
       "Examples:\n  spherepair run --backend glsl --scene random --n 1024 --steps 100 --pairs pairs.txt\n"

@@ -25,9 +25,11 @@ struct RunOptions {
   uint64_t steps = 0;
   bool per_step = false, naive = false, swept = false;
   std::string pairs_file, contacts_file, json_file;
-  std::string spheres_file;  // those at the end
-  std::string save_file;     // a checkpoint
-  uint64_t save_every = 0;   // steps; 0: only at the end
+  std::string spheres_file;       // those at the end
+  std::string save_file;          // a checkpoint
+  uint64_t save_every = 0;        // steps; 0: only at the end
+  std::string statistics_file;    // of contacts, .csv
+  uint64_t statistics_every = 1;  // steps
 };
 int run_command(const CommandLine& line, const RunOptions& options);
 

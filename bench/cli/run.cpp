@@ -6,8 +6,7 @@
 #include "bench/check/missed_contacts.h"
 #include "bench/check/rounding_reach.h"
 #include "bench/check/step_result.h"
-#include "bench/cli/commands.h"
-#include "bench/formats/checkpoint.h"
+#include "bench/cli/run_steps.h"
 #include "bench/formats/files.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
@@ -28,16 +27,12 @@ void check_files(const RunOptions& options) {
   files.write("--pairs", options.pairs_file);
   files.write("--contacts", options.contacts_file);
   files.write("--spheres", options.spheres_file);
+  files.write("--statistics", options.statistics_file);
   files.write("--json", options.json_file);
   check_pair_file("--pairs", options.pairs_file);
   check_pair_file("--contacts", options.contacts_file);
   check_sphere_output("--spheres", options.spheres_file);
 }
-
-struct RunStep {
-  uint64_t step, state;
-  Collisions totals;
-};
 
 CollideOptions collide_options(const RunOptions& options, Backend& backend) {
   CollideOptions collide;
@@ -47,17 +42,6 @@ CollideOptions collide_options(const RunOptions& options, Backend& backend) {
   if (options.block) collide.block = require_groups({&backend, collide}, parse_blocks({options.block}).front());
   collide.exact = !options.naive;
   return collide;
-}
-
-json to_json(const RunStep& result) {
-  const Collisions& totals = result.totals;
-  return {{"step", result.step},
-          {"pairs", totals.pairs},
-          {"colliding_spheres", totals.colliding_spheres},
-          {"fingerprint", hex64(totals.fingerprint.a) + hex64(totals.fingerprint.b)},
-          {"state", hex64(result.state)},
-          {"deferred", totals.deferred},
-          {"decided_by_stage", totals.decided_by}};
 }
 
 std::string steps_text(const std::vector<RunStep>& results) {
@@ -75,104 +59,13 @@ std::string steps_text(const std::vector<RunStep>& results) {
   return table.text().substr(1);
 }
 
-void save(Backend& backend, const Start& start, uint64_t step, Backend::State state, const std::string& file) {
-  Checkpoint checkpoint{start.scene, backend.save(), step};
-  checkpoint.scene.positions = std::move(state.positions);
-  checkpoint.scene.velocities = std::move(state.velocities);
-  write_checkpoint(file, checkpoint);
+// How energy has changed, with --statistics.
+std::string energy_text(const std::vector<ContactStatistics>& rows) {
+  if (rows.empty()) return "";
+  const ContactStatistics &first = rows.front(), &last = rows.back();
+  return fmt::format("energy: {:.6g} J at step {}, {:.6g} J at step {}, of which {:.6g} J kinetic\n", first.energy(),
+                     first.step, last.energy(), last.step, last.kinetic);
 }
-
-// Moves to the last step; keeps the results of the last step, or of every step with --per-step.
-class Run {
- public:
-  Run(Backend& backend, const RunOptions& options, const Start& start, const CollideOptions& collide, RunTimes& times)
-      : backend_(backend),
-        options_(options),
-        start_(start),
-        collide_(collide),
-        times_(times),
-        step_(start.step),
-        end_(start.step + options.steps) {}
-
-  std::vector<RunStep> simulate() {
-    if (options_.steps == 0) return time_last([&] { stand(); });
-    stand();
-    while (step_ + 1 < end_) {
-      move_to(next_stop());
-      stand();
-    }
-    return time_last([&] {
-      move_to(end_);
-      stand();
-    });
-  }
-
- private:
-  // The last step is done between timers, kernel by kernel. In software OpenGL's would stop before the work does.
-  template <typename Work>
-  std::vector<RunStep> time_last(Work work) {
-    const bool timers = backend_.info().device_timers || backend_.info().on_host;
-    backend_.time_stages(timers);
-    work();
-    if (timers) times_.set_stages(backend_, backend_.stage_times());
-    backend_.time_stages(false);
-    return std::move(results_);
-  }
-
-  // The next step after which there is something to do.
-  uint64_t next_stop() const {
-    if (options_.per_step) return step_ + 1;
-    const uint64_t every = options_.save_every;
-    return every ? std::min(end_ - 1, (step_ / every + 1) * every) : end_ - 1;
-  }
-
-  // On a GPU moves are enqueued: they take until the wait.
-  void move_to(uint64_t stop) {
-    times_.count(RunTimes::moves, stop - step_);
-    times_.spend(RunTimes::moves, [&] {
-      while (step_ < stop) {
-        backend_.move();
-        ++step_;
-        if (!progress_.due()) continue;
-        backend_.finish();
-        progress_.reach(step_ - start_.step, options_.steps);
-        progress_.say("moving");
-      }
-      backend_.finish();
-    });
-  }
-
-  // What is to be done where the spheres now stand.
-  void stand() {
-    const bool last = step_ == end_, collides = last || options_.per_step;
-    const bool periodic = options_.save_every && step_ > start_.step && step_ % options_.save_every == 0;
-    const bool saves = !options_.save_file.empty() && (last || periodic);
-    if (!collides && !saves) return;
-    RunStep result{step_, 0, {}};
-    times_.count(RunTimes::states, 1);
-    times_.spend(RunTimes::states, [&] {
-      Backend::State state = current_state(backend_);
-      require_finite(state, step_);
-      result.state = state_hash(state.positions, state.velocities, state.wide);
-      if (saves) save(backend_, start_, step_, std::move(state), options_.save_file);
-    });
-    if (!collides) return;
-    collide_.want_pairs = last && !options_.pairs_file.empty();
-    times_.count(RunTimes::searches, 1);
-    times_.spend(RunTimes::searches, [&] { backend_.collide(collide_); });
-    result.totals = backend_.collisions();
-    results_.push_back(result);
-  }
-
-  Backend& backend_;
-  const RunOptions& options_;
-  const Start& start_;
-  CollideOptions collide_;
-  RunTimes& times_;
-  uint64_t step_, end_;
-  Progress progress_;
-  std::vector<RunStep> results_;
-};
 
 json run_record(const CommandLine& line, const ChosenBackend& chosen, const Start& start, const CollideOptions& collide,
                 const MethodChoice& choice, const std::vector<RunStep>& results, const RunTimes& times) {
@@ -220,6 +113,8 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   RunTimes times;
   const Start start = times.spend(RunTimes::spheres, [&] { return start_of(options.start, line.open.threads); });
   check_scene(start.scene);
+  if (!options.statistics_file.empty() && start.scene.contact.law == ContactLaw::none)
+    throw std::invalid_argument("--statistics is of contacts that push: omit it, or give --contact spring");
   const ChosenBackend chosen =
       times.spend(RunTimes::opening, [&] { return choose_backend(options.backend, line.open, line.opener); });
   Backend& backend = *chosen.backend;
@@ -231,17 +126,19 @@ int run_command(const CommandLine& line, const RunOptions& options) {
       reach_warning(pairs_within_reach(backend, start.scene, start.rounding, collide), start.rounding);
   if (!rounded.empty()) fmt::print(stderr, "{}\n", wrapped("At the start: " + rounded, "* ", "  "));
   times.spend(RunTimes::opening, [&] { upload_start(start, backend); });
-  const std::vector<RunStep> results = Run(backend, options, start, collide, times).simulate();
+  Run simulation(backend, options, start, collide, times);
+  const std::vector<RunStep> results = simulation.simulate();
   if (!options.pairs_file.empty()) write_pairs(options.pairs_file, backend.pairs());
   if (!options.contacts_file.empty()) write_contact_numbers(options.contacts_file, backend.counts());
   if (!options.spheres_file.empty()) {
     const Backend::State state = current_state(backend);
     write_spheres(options.spheres_file, state.positions, state.velocities);
   }
-  const bool taken =
-      is_standard_output({options.pairs_file, options.contacts_file, options.spheres_file, options.json_file});
+  const bool taken = is_standard_output(
+      {options.pairs_file, options.contacts_file, options.spheres_file, options.statistics_file, options.json_file});
   std::FILE* report = taken ? stderr : stdout;
-  fmt::print(report, "{}{}{}", heading(options, chosen, start, collide), steps_text(results), times.text());
+  fmt::print(report, "{}{}{}{}", heading(options, chosen, start, collide), steps_text(results),
+             energy_text(simulation.statistics()), times.text());
   write_json(options.json_file, run_record(line, chosen, start, collide, backend.choice(collide), results, times));
   return kOk;
 }

@@ -13,11 +13,15 @@ namespace spherepair {
 
 namespace fs = std::filesystem;
 
-void write_json(const std::string& file, const json& record) {
+void write_text(const std::string& file, const std::string& text) {
   if (file == kStandardOutput)
-    fmt::print("{}", json_text(record));
+    fmt::print("{}", text);
   else if (!file.empty())
-    write_file(file, json_text(record));
+    write_file(file, text);
+}
+
+void write_json(const std::string& file, const json& record) {
+  if (!file.empty()) write_text(file, json_text(record));
 }
 
 void write_file(const fs::path& path, const std::string& text) {

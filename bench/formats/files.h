@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes files. Both throw std::invalid_argument naming the file and the reason.
+// Writes files. All throw std::invalid_argument naming the file and the reason.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,9 @@ namespace spherepair {
 // Replaces a regular file atomically (ReplacedFile).
 void write_file(const std::filesystem::path& path, const std::string& text);
 
-void write_json(const std::string& file, const json& record);  // an empty name: nothing is written
+// The same; to standard output where the file is `-`; nothing is written where it is empty.
+void write_text(const std::string& file, const std::string& text);
+void write_json(const std::string& file, const json& record);
 
 // Creates the folder and checks that these files can be written in it. results: --results; empty: a new folder in
 // results/.

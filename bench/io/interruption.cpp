@@ -58,12 +58,16 @@ void say_what_is_kept() {
   say("\n");
 }
 
+// A second signal changes nothing: this thread has it wait, and another, which may take it, returns.
 void interrupted(int signal) {
+  static std::atomic_flag entered;
+  if (entered.test_and_set()) return;
   for (const Name& temporary : temporaries)
     if (temporary.ready) ::unlink(temporary.text.data());
   remove_empty_folders();
   if (command.ready) say_what_is_kept();
-  ::raise(signal);  // once more, with its default action, which ends the process on return
+  ::signal(signal, SIG_DFL);
+  ::raise(signal);  // once more, which ends the process on return
 }
 
 constexpr int endings[] = {SIGINT, SIGTERM, SIGHUP};
@@ -71,8 +75,7 @@ constexpr int endings[] = {SIGINT, SIGTERM, SIGHUP};
 void catch_signals() {
   struct sigaction action {};
   action.sa_handler = interrupted;
-  action.sa_flags = int(SA_RESETHAND);
-  for (const int signal : endings) sigaddset(&action.sa_mask, signal);  // a second one waits, so that nothing is left
+  for (const int signal : endings) sigaddset(&action.sa_mask, signal);
   for (const int signal : endings) {
     struct sigaction old {};
     if (::sigaction(signal, nullptr, &old) == 0 && old.sa_handler == SIG_DFL) ::sigaction(signal, &action, nullptr);

@@ -205,6 +205,17 @@ void add_save_options(CLI::App& command, std::string& file, uint64_t& every) {
       ->transform(whole_number(1, kMostSteps));
 }
 
+void add_statistics_options(CLI::App& command, std::string& file, uint64_t& every) {
+  auto* statistics = command.add_option(
+      "--statistics", file,
+      "Write energies, momentum, greatest overlap, contacts, virial and the force on the plane to this file as CSV, at "
+      "the start, after the last step and between; -: to standard output. With --contact");
+  command.add_option("--statistics-every", every, "Steps between two rows of it")
+      ->transform(whole_number(1, kMostSteps))
+      ->capture_default_str()
+      ->needs(statistics);
+}
+
 void add_resume_option(CLI::App& command, std::string& file) {
   auto* resume =
       command.add_option("--resume", file, "Continue from this checkpoint, to the same bits as an uninterrupted run");

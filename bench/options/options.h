@@ -57,6 +57,9 @@ void add_contact_options(CLI::App& command, MotionChoice& motion);
 // --save and --save-every.
 void add_save_options(CLI::App& command, std::string& file, uint64_t& every);
 
+// --statistics and --statistics-every.
+void add_statistics_options(CLI::App& command, std::string& file, uint64_t& every);
+
 // --resume excludes every option of the scene and its motion; add those to the command first.
 void add_resume_option(CLI::App& command, std::string& file);
 

@@ -7,23 +7,11 @@
 #include <atomic>
 
 #include "common/scene/contact_scene.h"
-#include "common/shared/contact.h"
 
 namespace spherepair {
 namespace {
 
 constexpr uint64_t few = 4096;  // spheres or pairs for which threads cost more than they save
-
-Body load_body(const std::vector<uint>& wide, const std::vector<vec4>& positions, uint64_t i) {
-  const uint64_t n = positions.size();
-  const auto word = [&](uint64_t k) { return load_real<int64_t>(wide, k * n + i); };
-  return {word(0), word(1), word(2), word(3), word(4), word(5), positions[i].w};
-}
-
-void store_body(std::vector<uint>& wide, uint64_t n, uint64_t i, const Body& s) {
-  const int64_t values[6] = {s.x, s.y, s.z, s.px, s.py, s.pz};
-  for (uint64_t k = 0; k < 6; ++k) store_real(wide, k * n + i, values[k]);
-}
 
 void add(int64_t& sum, int64_t value) { std::atomic_ref(sum).fetch_add(value, std::memory_order_relaxed); }
 

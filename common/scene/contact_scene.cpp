@@ -9,8 +9,6 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "common/shared/contact.h"
-
 namespace spherepair {
 namespace {
 
@@ -20,7 +18,6 @@ constexpr double steps_a_contact = 40, coarse_steps = 10, fewest_steps = 2;
 constexpr int position_bits = 51, momentum_bits = 56;  // used at the start, and of the fastest sphere
 constexpr float least_restitution = 0.1f;
 
-double mass(double radius) { return density * radius * radius * radius; }
 double squared(double x) { return x * x; }
 
 struct Radii {
@@ -45,13 +42,6 @@ double highest_speed(const Scene& scene) {
     highest = std::max(highest, squared(speed(scene.velocities[i])) - 2 * double(scene.gravity) * fall);
   }
   return std::sqrt(highest);
-}
-
-// Energy of an overlap.
-double energy(ContactLaw law, double k, double overlap, double reach) {
-  if (law == ContactLaw::spring) return k * squared(overlap) / 2;
-  if (law == ContactLaw::hertz) return k * 0.4 * std::pow(overlap, 2.5);
-  return k / 4 * squared(squared(reach) - squared(reach - overlap));
 }
 
 // Damping over its critical value for which a contact that never pulls leaves this share of the speed (Schwager and
@@ -95,10 +85,18 @@ void choose_units(Scene& scene) {
       extent = std::max({extent, std::abs(double(s.x)), std::abs(double(s.y)), std::abs(double(s.z))});
   scene.contact.unit_exponent = position_bits - bits_above(extent);
   scene.contact.momentum_exponent =
-      momentum_bits - bits_above(mass(double(r.largest)) * double(r.smallest) / double(scene.dt));
+      momentum_bits - bits_above(sphere_mass(double(r.largest)) * double(r.smallest) / double(scene.dt));
 }
 
 }  // namespace
+
+double sphere_mass(double radius) { return density * radius * radius * radius; }
+
+double contact_energy(ContactLaw law, double k, double overlap, double reach) {
+  if (law == ContactLaw::spring) return k * squared(overlap) / 2;
+  if (law == ContactLaw::hertz) return k * 0.4 * std::pow(overlap, 2.5);
+  return k / 4 * squared(squared(reach) - squared(reach - overlap));
+}
 
 void choose_contacts(Scene& scene, const ContactChoice& choice) {
   if (choice.law == ContactLaw::none) return;
@@ -106,8 +104,9 @@ void choose_contacts(Scene& scene, const ContactChoice& choice) {
   scene.contact.law = choice.law;
   if (radii_of(scene).smallest <= 0) throw std::invalid_argument("contacts need radii above 0: give every sphere one");
   const double largest = double(radii_of(scene).largest), overlap = wanted_overlap * largest;
-  const double needed = mass(largest) / 4 * squared(2 * highest_speed(scene));
-  scene.contact.stiffness = choice.stiffness.value_or(float(needed / energy(choice.law, 1, overlap, 2 * largest)));
+  const double needed = sphere_mass(largest) / 4 * squared(2 * highest_speed(scene));
+  scene.contact.stiffness =
+      choice.stiffness.value_or(float(needed / contact_energy(choice.law, 1, overlap, 2 * largest)));
   scene.dt = choice.dt.value_or(float(contact_time(scene) / steps_a_contact));
   choose_box(scene, choice.walls);
   choose_units(scene);
@@ -115,7 +114,7 @@ void choose_contacts(Scene& scene, const ContactChoice& choice) {
 
 double contact_time(const Scene& scene) {
   const double k = double(scene.contact.stiffness), radius = double(radii_of(scene).smallest);
-  const double reduced = mass(radius) / 2;
+  const double reduced = sphere_mass(radius) / 2;
   if (scene.contact.law == ContactLaw::quartic)
     return std::numbers::pi * std::sqrt(reduced / (2 * k * squared(2 * radius)));
   if (scene.contact.law == ContactLaw::spring) return std::numbers::pi * std::sqrt(reduced / k);
@@ -161,7 +160,7 @@ std::string why_no_contacts(const Scene& scene) {
     return fmt::format("radii are {} to {}, but contacts allow 1:256", r.smallest, r.largest);
   for (uint64_t i = 0; i < scene.size(); ++i) {
     const double radius = double(scene.positions[i].w), v = speed(scene.velocities[i]);
-    const double stopped = std::sqrt(energy(contact.law, k, radius, 2 * radius) / mass(radius));
+    const double stopped = std::sqrt(contact_energy(contact.law, k, radius, 2 * radius) / sphere_mass(radius));
     const double fastest = std::min(stopped, double(r.smallest) / double(scene.dt));
     if (v > fastest)
       return fmt::format(
@@ -211,9 +210,9 @@ std::vector<uint> fixed_state(const Scene& scene) {
     const auto momentum = [&](float along) { return int64_t(std::llrint(double(along) * per_speed)); };
     const auto units = [&](float along) { return integer_of(std::ldexp(along, c.unit_exponent)); };
     const int64_t half_weight = integer_of(c.gravity * cubed(at.w)) / 2;
-    const int64_t values[6] = {units(at.x),  units(at.y), units(at.z), momentum(v.x), momentum(v.y) - half_weight,
-                               momentum(v.z)};
-    for (uint64_t k = 0; k < 6; ++k) store_real(words, k * n + i, values[k]);
+    store_body(
+        words, n, i,
+        {units(at.x), units(at.y), units(at.z), momentum(v.x), momentum(v.y) - half_weight, momentum(v.z), at.w});
   }
   return words;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/scene/motion_state.h"
+#include "common/shared/contact.h"
 
 namespace spherepair {
 
@@ -17,6 +18,11 @@ struct ContactChoice {
 
 // Sets the scene's contacts, its motion and its time step. Throws std::invalid_argument that names what is wrong.
 void choose_contacts(Scene& scene, const ContactChoice& choice);
+
+double sphere_mass(double radius);  // of a sphere, in kg
+
+// What a contact of this overlap and reach stores, in joules.
+double contact_energy(ContactLaw law, double stiffness, double overlap, double reach);
 
 // The shortest contact of two spheres, in seconds; of hertz, whose contacts depend on the speed, at the highest.
 double contact_time(const Scene& scene);
@@ -31,6 +37,18 @@ ContactParams contact_params(const Scene& scene);
 
 // Positions and momenta at the start, as SLOT_WIDE has them. Momenta are those half a step before the positions.
 std::vector<uint> fixed_state(const Scene& scene);
+
+// A sphere of such a state, and back.
+inline Body load_body(const std::vector<uint>& wide, const std::vector<vec4>& positions, uint64_t i) {
+  const uint64_t n = positions.size();
+  const auto word = [&](uint64_t k) { return load_real<int64_t>(wide, k * n + i); };
+  return {word(0), word(1), word(2), word(3), word(4), word(5), positions[i].w};
+}
+
+inline void store_body(std::vector<uint>& wide, uint64_t n, uint64_t i, const Body& s) {
+  const int64_t values[6] = {s.x, s.y, s.z, s.px, s.py, s.pz};
+  for (uint64_t k = 0; k < 6; ++k) store_real(wide, k * n + i, values[k]);
+}
 
 // What a step could not do, by FAULT_*: the first sphere of each, or ~0. Empty where there is nothing.
 std::string describe_faults(const std::vector<uint>& faults);

@@ -46,7 +46,7 @@ TEST_F(OutOfMemory, OfAllPairsOnManyThreadsIsAnError) {
 }
 
 TEST_F(OutOfMemory, OfThePairsWithinAStepIsAnError) {
-  expect_an_error_or_success("run --backend cpu --n 3000 --swept --scene one_cell --threads 2", 300000, 5000);
+  expect_an_error_or_success("run --backend cpu --n 2000 --swept --scene one_cell --threads 2", 150000, 5000);
 }
 
 TEST_F(OutOfMemory, OfTheGridAndItsListIsAnError) {

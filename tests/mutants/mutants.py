@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: MIT
 """Puts deliberate faults into the code, one at a time, and says which tests find them.
 
-    tests/mutants/mutants.py [--only NAME ...] [--workers N] [--output FILE]
+    tests/mutants/mutants.py [--only NAME ...] [--workers N] [--output FILE] [--resume]
 
 Each mutant of mutant_list.py is put into a copy of the tree under build/mutants, built without CUDA and given to the ctest
 entries that it names, then, where it survives those, to all of ./check's that run without CUDA. The results go to
 tests/mutants/results.txt; the exit status is 1 when fewer than 95 % of the mutants were killed.
+A run that was stopped goes on with --resume.
 """
 import argparse
 import concurrent.futures
@@ -91,11 +92,23 @@ def try_mutant(mutant, tree):
         file.write_text(right)
 
 
+def line_of(mutant, result):
+    return "%-42s %-38s %s" % (mutant["name"], mutant["file"], result)
+
+
+def earlier_results(mutants, file):
+    """By name, what the file says of these mutants."""
+    lines = file.read_text().splitlines() if file.exists() else []
+    heads = {m["name"]: line_of(m, "") for m in mutants}
+    return {name: line[len(head):] for name, head in heads.items() for line in lines if line.startswith(head)}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", nargs="+", default=[], metavar="NAME", help="these mutants, and no results are written")
     parser.add_argument("--workers", type=int, default=1, help="copies of the tree that are worked on at a time")
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path(__file__).with_name("results.txt"))
+    parser.add_argument("--resume", action="store_true", help="keep the results that the file has, and try the other mutants")
     options = parser.parse_args()
     mutants = [m for m in MUTANTS if not options.only or m["name"] in options.only]
     for mutant in mutants:
@@ -114,23 +127,32 @@ def main():
     if failing:
         sys.exit("%s fails without a mutant" % failing)
 
+    done = earlier_results(mutants, options.output) if options.resume else {}
+
+    def write():
+        killed = sum(result.startswith("killed") for result in done.values())
+        lines = [line_of(m, done[m["name"]]) for m in mutants if m["name"] in done]
+        lines.append("\n%d of %d mutants killed" % (killed, len(done)))
+        if not options.only:
+            options.output.write_text("\n".join(lines) + "\n")
+        return killed, lines[-1]
+
     def one(mutant):
+        if mutant["name"] in done:
+            return
         tree = trees.get()
         try:
             result = try_mutant(mutant, tree)
         finally:
             trees.put(tree)
         print("%-42s %s" % (mutant["name"], result), flush=True)
-        return result
+        done[mutant["name"]] = result
+        write()
 
     with concurrent.futures.ThreadPoolExecutor(options.workers) as pool:
-        results = list(pool.map(one, mutants))
-    killed = sum(result.startswith("killed") for result in results)
-    lines = ["%-42s %-38s %s" % (m["name"], m["file"], r) for m, r in zip(mutants, results)]
-    lines.append("\n%d of %d mutants killed" % (killed, len(mutants)))
-    if not options.only:
-        options.output.write_text("\n".join(lines) + "\n")
-    print(lines[-1])
+        list(pool.map(one, mutants))
+    killed, summary = write()
+    print(summary)
     return 0 if killed >= NEEDED * len(mutants) else 1
 
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What a scene with contacts holds at one step: energies, momentum, contacts. Computed from the 64-bit state on the
+// host, in order, so that the same state gives the same numbers, whichever backend it is from.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+
+#include "common/scene/pair_set.h"
+#include "common/scene/scene.h"
+
+namespace spherepair {
+
+struct ContactStatistics {
+  uint64_t step = 0;
+  double seconds = 0;  // step * dt
+
+  // Joules. kinetic: of the momenta at this step, the mean of those half a step before and after; potential: of the
+  // heights of the centres above the plane.
+  double kinetic = 0, contact = 0, potential = 0;
+  std::array<double, 3> momentum = {};  // kg m/s, likewise
+  double greatest_overlap = 0;          // metres, of spheres and walls
+  uint64_t contacts = 0, wall_contacts = 0;
+
+  // Joules: sum of force times distance of the centres over the contacts of spheres. The pressure of a gas is
+  // (2 kinetic + virial) / (3 volume).
+  double virial = 0;
+  double floor_force = 0;  // newtons, of all spheres on the plane
+
+  double energy() const { return kinetic + contact + potential; }
+};
+
+// wide: the state's words; pairs: the colliding pairs of these positions, in any order that is the same each time.
+ContactStatistics contact_statistics(const Scene& scene, const std::vector<uint>& wide, std::span<const Pair> pairs,
+                                     uint64_t step);
+
+// Columns separated by commas, numbers with all their digits, below a line of names with their units.
+std::string statistics_csv(std::span<const ContactStatistics> rows);
+
+}  // namespace spherepair

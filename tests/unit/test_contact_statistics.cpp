@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// Statistics of contacts against sums over all pairs in float64, and against closed forms.
+#include <algorithm>
+#include <cmath>
+
+#include "bench/check/contact_statistics.h"
+#include "common/scene/contact_scene.h"
+#include "tests/support/motion_runs.h"
+#include "tests/support/soft_contacts.h"
+
+namespace spherepair {
+namespace {
+
+// What a step from this state on does: pairs by an exact search, the state before and after.
+struct Moment {
+  Backend::State now, later;
+  std::vector<Pair> pairs;
+};
+
+Moment moment_of(const Scene& scene, uint64_t steps) {
+  Backend& backend = cpu_backend();
+  Moment m{run_steps(backend, scene, steps), {}, {}};
+  backend.collide({.method = Method::parallel, .want_pairs = true});
+  m.pairs = backend.pairs();
+  backend.move();
+  m.later = current_state(backend);
+  return m;
+}
+
+ContactStatistics statistics_of(const Scene& scene, const Moment& m) {
+  return contact_statistics(scene, m.now.wide, m.pairs, 7);
+}
+
+// Without the code under test: positions and momenta in metres and kg m/s, every pair and wall, the laws as written.
+struct Sums {
+  double kinetic = 0, contact = 0, potential = 0, momentum = 0, greatest_overlap = 0;
+  uint64_t contacts = 0, wall_contacts = 0;
+};
+
+Sums sums_of(const Scene& scene, const Moment& m) {
+  Sums sums;
+  const ContactOptions& contact = scene.contact;
+  const double metre = std::exp2(-contact.unit_exponent), unit = std::exp2(-contact.momentum_exponent);
+  const auto store = [&](double reach, double distance, uint64_t& count) {
+    const double overlap = reach - distance, k = double(contact.stiffness);
+    if (overlap <= 0) return;
+    ++count;
+    sums.greatest_overlap = std::max(sums.greatest_overlap, overlap);
+    sums.contact += contact.law == ContactLaw::spring  ? k / 2 * overlap * overlap
+                    : contact.law == ContactLaw::hertz ? k * 2 / 5 * std::pow(overlap, 2.5)
+                                                       : k / 4 * std::pow(reach * reach - distance * distance, 2);
+  };
+  const auto body = [&](const std::vector<uint>& wide, uint64_t i) { return load_body(wide, scene.positions, i); };
+  for (uint64_t i = 0; i < scene.size(); ++i) {
+    const Body now = body(m.now.wide, i), later = body(m.later.wide, i);
+    const double r = double(now.radius), mass = 1000 * 4 * M_PI / 3 * r * r * r;
+    const double p[3] = {unit * (double(now.px) + double(later.px)) / 2, unit * (double(now.py) + double(later.py)) / 2,
+                         unit * (double(now.pz) + double(later.pz)) / 2};
+    sums.kinetic += (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / (2 * mass);
+    sums.momentum += p[1];
+    const double x[3] = {metre * double(now.x), metre * double(now.y), metre * double(now.z)};
+    sums.potential += mass * -double(scene.gravity) * (x[1] - double(scene.plane));
+    store(r, x[1] - double(scene.plane), sums.wall_contacts);
+    store(r, x[0] - double(contact.low.x), sums.wall_contacts);
+    store(r, x[2] - double(contact.low.z), sums.wall_contacts);
+    store(r, double(contact.high.x) - x[0], sums.wall_contacts);
+    store(r, double(contact.high.y) - x[1], sums.wall_contacts);
+    store(r, double(contact.high.z) - x[2], sums.wall_contacts);
+    for (uint64_t j = 0; j < i; ++j) {
+      const Body other = body(m.now.wide, j);
+      store(r + double(other.radius), metre * std::hypot(now.x - other.x, now.y - other.y, now.z - other.z),
+            sums.contacts);
+    }
+  }
+  return sums;
+}
+
+TEST(ContactStatistics, AreTheSumsOverAllPairs) {
+  for (const ContactLaw law : {ContactLaw::spring, ContactLaw::quartic, ContactLaw::hertz}) {
+    Scene scene = gas({.ratio = 1.25f, .gravity = -9.81f, .law = law});
+    if (law == ContactLaw::spring) scene.restitution = 0.8f;
+    uint64_t contacts = 0, wall_contacts = 0;
+    for (uint64_t steps = 120; steps <= 720; steps += 20) {
+      const Moment m = moment_of(scene, steps);
+      const ContactStatistics found = statistics_of(scene, m);
+      const Sums wanted = sums_of(scene, m);
+      contacts += found.contacts, wall_contacts += found.wall_contacts;
+      EXPECT_EQ(found.contacts, wanted.contacts);
+      EXPECT_EQ(found.wall_contacts, wanted.wall_contacts);
+      EXPECT_NEAR(found.kinetic / wanted.kinetic, 1, 1e-12) << contact_name(law);
+      EXPECT_NEAR(found.contact, wanted.contact, 1e-9 * wanted.contact) << contact_name(law);
+      EXPECT_NEAR(found.potential / wanted.potential, 1, 1e-9) << contact_name(law);
+      EXPECT_NEAR(found.momentum[1] / wanted.momentum, 1, 1e-9) << contact_name(law);
+      EXPECT_NEAR(found.greatest_overlap, wanted.greatest_overlap, 1e-9) << contact_name(law);
+      EXPECT_EQ(found.energy(), found.kinetic + found.contact + found.potential);
+      EXPECT_EQ(found.step, 7u);
+      EXPECT_EQ(found.seconds, 7 * double(scene.dt));
+    }
+    EXPECT_GT(contacts, 0u) << contact_name(law);
+    EXPECT_GT(wall_contacts, 10u) << contact_name(law);
+  }
+}
+
+// Two spheres that overlap by a tenth, one of which presses a plane: forces are known.
+TEST(ContactStatistics, VirialAndForceOnThePlaneAreThoseOfTheLaw) {
+  Scene scene{.name = "two",
+              .positions = {{0, 0.4375f, 0, 0.5f}, {0.9f, 0.4375f, 0, 0.5f}},
+              .velocities = {{}, {}},
+              .plane = 0,
+              .gravity = 0};
+  choose_contacts(scene, {.law = ContactLaw::spring, .stiffness = 1e6f});
+  const ContactStatistics found = statistics_of(scene, moment_of(scene, 0));
+  const double distance = double(0.9f), k = 1e6;
+  EXPECT_NEAR(found.virial, k * (1 - distance) * distance, 1e-6 * found.virial);
+  EXPECT_NEAR(found.floor_force, 2 * k * 0.0625, 1e-6 * found.floor_force);
+  EXPECT_NEAR(found.greatest_overlap, 1 - distance, 1e-12);
+  EXPECT_EQ(found.contacts, 1u);
+  EXPECT_EQ(found.wall_contacts, 2u);
+}
+
+TEST(ContactStatistics, TextHasNamesUnitsAndAllDigits) {
+  ContactStatistics row;
+  row.step = 3, row.kinetic = 0.1, row.momentum = {1.0 / 3, 0, -2}, row.contacts = 5;
+  EXPECT_EQ(statistics_csv({&row, 1}),
+            "step,time_s,kinetic_J,contact_J,potential_J,momentum_x_kg_m_per_s,momentum_y_kg_m_per_s,"
+            "momentum_z_kg_m_per_s,greatest_overlap_m,contacts,wall_contacts,virial_J,floor_force_N\n"
+            "3,0,0.1,0,0,0.3333333333333333,0,-2,0,5,0,0,0\n");
+}
+
+}  // namespace
+}  // namespace spherepair
