@@ -111,6 +111,9 @@ def main():
     parser.add_argument("--resume", action="store_true", help="keep the results that the file has, and try the other mutants")
     options = parser.parse_args()
     mutants = [m for m in MUTANTS if not options.only or m["name"] in options.only]
+    unknown = set(options.only) - {m["name"] for m in MUTANTS}
+    if unknown:
+        sys.exit("no mutant has the name %s" % ", ".join(sorted(unknown)))
     for mutant in mutants:
         check(mutant)
     trees = queue.Queue()
