@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// run --statistics: rows of the first, the last and every so many steps, equal from every backend, and no bit of the motion changed.
+// run --statistics: rows of the first, the last and every so many steps, equal from every backend, and no bit of the
+// motion changed.
 #include <fmt/format.h>
 
 #include <sstream>
