@@ -23,8 +23,8 @@ struct ContactStatistics {
   double greatest_overlap = 0;          // metres, of spheres and walls
   uint64_t contacts = 0, wall_contacts = 0;
 
-  // Joules: sum of force times distance of the centres over the contacts of spheres. The pressure of a gas is
-  // (2 kinetic + virial) / (3 volume).
+  // Joules: sum of force times distance of the centres over the contacts of spheres. The pressure of a gas in
+  // a box is (2 kinetic + virial) / (3 volume), the volume being what the centres can reach.
   double virial = 0;
   double floor_force = 0;  // newtons, of all spheres on the plane
 

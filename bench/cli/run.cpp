@@ -119,6 +119,9 @@ int run_command(const CommandLine& line, const RunOptions& options) {
       times.spend(RunTimes::opening, [&] { return choose_backend(options.backend, line.open, line.opener); });
   Backend& backend = *chosen.backend;
   const CollideOptions collide = collide_options(options, backend);
+  if (!options.statistics_file.empty() && (!collide.exact || collide.swept || collide.method == Method::collide_group))
+    throw std::invalid_argument(
+        "--statistics needs every pair of the exact test: omit --naive, --swept and --method collide_group");
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
   if (options.steps) fmt::print(stderr, "{}", stalled_warning(start.scene));
   if (!options.spheres_file.empty()) fmt::print(stderr, "{}", species_warning(start));

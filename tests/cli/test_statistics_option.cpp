@@ -72,5 +72,18 @@ TEST_F(StatisticsOption, RefusedWhereNothingPushes) {
   EXPECT_EQ(run("run --backend cpu --scene gas --n 20 --contact spring --steps 2 --statistics-every 2").code, kUsage);
 }
 
+// Whose sums would lack contacts, or have some of the next step.
+TEST_F(StatisticsOption, RefusedWhereTheSearchIsNotThatOfThePairs) {
+  for (const char* option : {"--naive", "--swept", "--method collide_group"}) {
+    const Outcome outcome =
+        run(fmt::format("run --backend cpu --scene gas --n 20 --contact spring --steps 2 {} "
+                        "--statistics {}",
+                        option, path("s.csv")));
+    EXPECT_EQ(outcome.code, kUsage) << option;
+    EXPECT_NE(outcome.errors.find("every pair"), std::string::npos) << outcome.errors;
+    EXPECT_TRUE(folder_.names().empty()) << option;
+  }
+}
+
 }  // namespace
 }  // namespace spherepair
