@@ -40,8 +40,10 @@ struct KernelBuffers {
   uint* next_event;
   uint* seen_list;
   uint* colour;
-  unsigned long long* impulse;
+  int64_t* impulse;
   uint* fault;
+  vec4* grown;
+  const uvec2* near;
 };
 
 // Every kernel is void (Params p, KernelBuffers buf); those that draw also take a View v. A null entry means a group

@@ -30,6 +30,7 @@ class GlDevice final : public Device {
   void write(uint slot, const void* data, uint64_t offset, uint64_t bytes) override;
   void read(uint slot, void* data, uint64_t offset, uint64_t bytes) override;
   void clear(uint slot, uint64_t bytes) override;
+  void swap(uint a, uint b) override;
   void launch(const Launch& launch, const Params& params) override;
   void wait() override;
 
@@ -106,6 +107,11 @@ void GlDevice::allocate(uint slot, uint64_t bytes) {
   storage_[slot] = memory_.allocate(bytes);
   ++prepared.allocations;
   buffers_[slot] = storage_[slot].buffer;
+}
+
+void GlDevice::swap(uint a, uint b) {
+  std::swap(storage_[a], storage_[b]);
+  std::swap(buffers_[a], buffers_[b]);
 }
 
 void GlDevice::write(uint slot, const void* data, uint64_t offset, uint64_t bytes) {

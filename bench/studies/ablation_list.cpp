@@ -56,7 +56,12 @@ std::vector<Ablation> optimisations() {
        .summary = "only spheres with an event in this step are tested against the plane; anchored motion",
        .backend = "",
        .spheres = Spheres::falling,
-       .work = AblationWork::bounce}};
+       .work = AblationWork::bounce},
+      {.name = "near_pairs",
+       .summary = "near pairs are listed once for many steps; off: in every step; contacts of a gas",
+       .backend = "",
+       .spheres = Spheres::pushing,
+       .work = AblationWork::push}};
 }
 
 std::vector<Ablation> glsl_features() {

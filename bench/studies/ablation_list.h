@@ -13,13 +13,15 @@ enum class Spheres {
   random,         // in random order
   in_cell_order,  // sorted into cell order
   drifting,       // every step moves them sideways by about a diameter; all have left their first cells
-  falling         // n spheres of the scene `random`, which fall and bounce by the method anchored
+  falling,        // n spheres of the scene `random`, which fall and bounce by the method anchored
+  pushing         // n spheres of the scene `gas`, which push each other
 };
 
 // What a timed step does.
 enum class AblationWork {
   collide,  // a collision step, after a move if the spheres drift
   bounce,   // a move of `anchored`, event-driven or testing every sphere
+  push,     // a move with contacts, with the list of near pairs kept or made in every step
   copy      // copies 16 bytes per sphere, in 16-byte or 4-byte accesses
 };
 

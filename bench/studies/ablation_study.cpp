@@ -13,8 +13,10 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t brute_force_up_to = 100000;  // spheres; with more, the CPU's grid is the reference
-constexpr int moves_checked = 40;
+constexpr uint64_t brute_force_up_to = 100000;           // spheres; with more, the CPU's grid is the reference
+constexpr int moves_checked = 40, pushes_checked = 200;  // as many as take several lists of near pairs
+
+bool only_moves(AblationWork work) { return work == AblationWork::bounce || work == AblationWork::push; }
 
 template <typename Work>
 auto spending(double& seconds, Work work) {
@@ -97,7 +99,7 @@ const StepResult& AblationStudy::expected(Spheres kind) {
 
 void AblationStudy::check(const Case& which) {
   if (which.ablation->work == AblationWork::collide) return check_sets(which);
-  if (which.ablation->work == AblationWork::bounce) return check_moves(which);
+  if (only_moves(which.ablation->work)) return check_moves(which);
   hold(*which.on, which.ablation->spheres);
   holding_.erase(which.on);  // copying overwrites the spheres
   spending(spent.checking,
@@ -122,17 +124,18 @@ void AblationStudy::check_sets(const Case& which) {
 // Both must reach the reference's state.
 void AblationStudy::check_moves(const Case& which) {
   const SceneOptions options = options_of(which.ablation->spheres, scene_options_);
+  const int moves = which.ablation->work == AblationWork::push ? pushes_checked : moves_checked;
   const auto moved = [&](Backend& backend, bool on) {
     holding_.erase(&backend);
     hold(backend, which.ablation->spheres);
     holding_.erase(&backend);
-    for (int k = 0; k < moves_checked; ++k) step_of(*which.ablation, on)(backend);
+    for (int k = 0; k < moves; ++k) step_of(*which.ablation, on)(backend);
     return current_state(backend);
   };
   const Backend::State reference_state = moved(*reference().backend, true);
   spending(spent.checking, [&] {
     for (const bool on : {false, true})
-      require_same_state(session_, {options, moves_checked}, *reference().backend, reference_state, *which.on,
+      require_same_state(session_, {options, uint64_t(moves)}, *reference().backend, reference_state, *which.on,
                          moved(*which.on, on));
   });
 }
@@ -155,8 +158,7 @@ void AblationStudy::run(Case which) {
       throw std::invalid_argument("this driver does not offer it");
     session_.comparisons = {};  // a case that was left out planned more than it made
     session_.comparisons.plan(which.on->info().name, Comparisons::sets, ablation.work == AblationWork::collide ? 2 : 0);
-    session_.comparisons.plan(which.on->info().name, Comparisons::states,
-                              ablation.work == AblationWork::bounce ? 2 : 0);
+    session_.comparisons.plan(which.on->info().name, Comparisons::states, only_moves(ablation.work) ? 2 : 0);
     check(which);
     session_.comparisons.require_complete();
   } catch (const BackendError& error) {
@@ -181,7 +183,7 @@ Contender AblationStudy::contender_for(const Case& which, const std::string& lab
   contender.restart = [&spheres = scene(ablation.spheres), kind = ablation.spheres](Backend& backend) {
     start(backend, kind, spheres);
   };
-  contender.prepares = ablation.spheres == Spheres::drifting;
+  contender.prepares = ablation.spheres != Spheres::falling;
   return contender;
 }
 
@@ -196,7 +198,7 @@ void AblationStudy::time(const Case& which) {
                                     format_ms(samples[1].median_seconds()),
                                     ratio_text(contest(samples[1], samples[0]))});
   if (moves(ablation.spheres)) holding_.erase(which.on);
-  which.on->set_event_driven(true);
+  which.on->set_event_driven(true), which.on->keep_near_pairs(true);
 }
 
 void AblationStudy::record(const Case& which, const Contender& contender, const Samples& samples, bool on) {

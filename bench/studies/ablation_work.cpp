@@ -6,13 +6,14 @@
 
 #include "bench/studies/frames.h"
 #include "common/scene/camera.h"
+#include "common/scene/contact_scene.h"
 #include "common/scene/scene_params.h"
 #include "common/shared/cell.h"
 
 namespace spherepair {
 namespace {
 
-constexpr int steps_counted = 4;
+constexpr int steps_counted = 4, pushes_counted = 200;
 
 Scene drifting(Scene scene) {
   for (vec4& velocity : scene.velocities) velocity = {64, 0, 0, 0};
@@ -45,6 +46,13 @@ json plane_json(bool event_driven, Backend& backend, const Scene& scene) {
   return {{"plane_tests", double(tested) / steps_counted}, {"bounces", double(bounced) / steps_counted}};
 }
 
+json push_json(bool keeps, Backend& backend) {
+  backend.keep_near_pairs(keeps);
+  const uint64_t before = backend.work_counts().steps;
+  for (int k = 0; k < pushes_counted; ++k) backend.move();
+  return {{"lists", double(backend.work_counts().steps - before) / pushes_counted}};
+}
+
 }  // namespace
 
 std::function<void(Backend&)> step_of(const Ablation& ablation, bool on) {
@@ -54,6 +62,8 @@ std::function<void(Backend&)> step_of(const Ablation& ablation, bool on) {
       return [kind = on ? PeakRate::copy : PeakRate::words](Backend& backend) { backend.launch_peak_rate(kind); };
     case AblationWork::bounce:
       return [on](Backend& backend) { backend.set_event_driven(on), backend.move(); };
+    case AblationWork::push:
+      return [on](Backend& backend) { backend.keep_near_pairs(on), backend.move(); };
     default:
       return [reads, options = on ? ablation.on : ablation.off,
               moves = ablation.spheres == Spheres::drifting](Backend& backend) {
@@ -71,20 +81,22 @@ SceneOptions options_of(Spheres kind, const SceneOptions& uniform) {
     options.name = "random";
     options.motion = {MotionMethod::anchored, Precision::float32};
   }
+  if (kind == Spheres::pushing) options.name = "gas";
   return options;
 }
 
 Scene scene_of(Spheres kind, const SceneOptions& uniform) {
   Scene made = make_scene(options_of(kind, uniform));
   if (kind == Spheres::in_cell_order) return in_cell_order(std::move(made));
+  if (kind == Spheres::pushing) choose_contacts(made, {.law = ContactLaw::spring});
   return kind == Spheres::drifting ? drifting(std::move(made)) : made;
 }
 
-bool moves(Spheres kind) { return kind == Spheres::drifting || kind == Spheres::falling; }
+bool moves(Spheres kind) { return kind == Spheres::drifting || kind == Spheres::falling || kind == Spheres::pushing; }
 
 void start(Backend& backend, Spheres kind, const Scene& scene) {
   backend.upload(scene);
-  if (!moves(kind)) return;
+  if (kind != Spheres::drifting && kind != Spheres::falling) return;
   const Bounds bounds = bounds_of(scene.positions);
   const double seconds = kind == Spheres::drifting ? (bounds.high[0] - bounds.low[0]) / 64 : 1;
   for (double left = std::ceil(seconds / double(scene.dt)); left > 0; --left) backend.move();
@@ -94,6 +106,7 @@ json work_per_step(const Ablation& ablation, bool on, Backend& backend, const Sc
   const auto step = step_of(ablation, on);
   if (ablation.work == AblationWork::copy) return json::object();
   if (ablation.work == AblationWork::bounce) return plane_json(on, backend, scene);
+  if (ablation.work == AblationWork::push) return push_json(on, backend);
   const WorkCounts before = backend.work_counts();
   for (int k = 0; k < steps_counted; ++k) step(backend);
   json work = counts_json(before, backend.work_counts());

@@ -125,6 +125,9 @@ class Backend {
   // Of `anchored`: whether a step tests only the spheres whose next event is due, as it does unless told otherwise, or
   // all that may ever reach the plane again. Never changes a bit of the state.
   virtual void set_event_driven(bool on) = 0;
+  // Of contacts: whether a list of near pairs serves many steps, as it does unless told otherwise, or one. Never changes
+  // a bit of the state.
+  virtual void keep_near_pairs(bool on) = 0;
 
   // Finds the colliding pairs of the spheres as they stand, and completes that: every list has room, every pair is
   // decided, and asking for its results afterwards only reads them.

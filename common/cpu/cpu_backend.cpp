@@ -11,7 +11,7 @@
 
 #include "common/backend/checks.h"
 #include "common/cpu/cpu_draw.h"
-#include "common/cpu/cpu_search.h"
+#include "common/cpu/cpu_motion.h"
 #include "common/scene/camera.h"
 #include "common/shared/draw.h"
 #include "common/shared/exact.h"
@@ -60,6 +60,7 @@ class CpuBackend final : public Backend {
   CpuBackend(const OpenOptions& options, PipelineOpener pipeline)
       : threads_(options.threads ? options.threads : omp_get_max_threads()),
         info_(describe_cpu(threads_)),
+        motion_(info_, threads_),
         search_(info_, threads_),
         pipeline_(std::move(pipeline)) {}
 
@@ -84,12 +85,11 @@ class CpuBackend final : public Backend {
   }
 
   void move() override {
-    clock_.time("move", [&] {
-      motion_.has_contacts() ? motion_.move(search_.list_pairs(motion_), threads_) : motion_.move(threads_);
-    });
+    clock_.time("move", [&] { motion_.move(threads_); });
     search_.moved();
   }
   void set_event_driven(bool on) override { motion_.set_event_driven(on); }
+  void keep_near_pairs(bool on) override { motion_.keep_near_pairs(on); }
   void evaluate_positions() override { motion_.positions(threads_); }
   void evaluate_state() override { motion_.evaluate_state(threads_); }
   State state() override { return motion_.state(); }
@@ -98,8 +98,11 @@ class CpuBackend final : public Backend {
   MethodChoice choice(const CollideOptions& options) const override { return search_.choice(options); }
   void collide(const CollideOptions& options) override {
     motion_.require_sound();
-    const Method method = search_.prepare(options, motion_);
-    clock_.time(method_name(method), [&] { search_.run(motion_); });
+    const auto& positions = motion_.positions(threads_);
+    const Method method = search_.prepare(options, positions, motion_.options());
+    if (options.swept) motion_.evaluate_state(threads_);
+    const std::vector<vec4> velocities = options.swept ? motion_.state().velocities : std::vector<vec4>{};
+    clock_.time(method_name(method), [&] { search_.run(positions, velocities); });
   }
   void enqueue_collide(const CollideOptions& options) override { collide(options); }
   void finish() override {
@@ -177,7 +180,11 @@ class CpuBackend final : public Backend {
   }
   void launch_empty(uint) override {}  // a function call
   void check_guards() override {}      // vectors; the sanitizers watch them
-  WorkCounts work_counts() const override { return search_.work(); }
+  WorkCounts work_counts() const override {
+    WorkCounts work = search_.work();
+    work.steps += motion_.contact_searches();
+    return work;
+  }
   Preparations preparations() const override {
     return pipeline_.opened() ? pipeline_.opened()->preparations() : Preparations{};
   }

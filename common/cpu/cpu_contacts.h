@@ -1,34 +1,41 @@
 // SPDX-License-Identifier: MIT
-// Contacts that push, on the CPU: the reference of the kernels contact_pairs and leapfrog.
+// Contacts that push, on the CPU: the reference of the kernels contact_grow, contact_pairs and leapfrog.
 #pragma once
 
-#include <span>
-
-#include "common/backend/backend.h"
+#include "common/cpu/cpu_search.h"
 
 namespace spherepair {
 
 class CpuContacts {
  public:
+  CpuContacts(const BackendInfo& info, int threads) : search_(info, threads), threads_(threads) {}
+
   void upload(const Scene& scene);
   bool on() const { return params_.law != CONTACT_NONE; }
+  void keep_list(bool on) { keeps_ = on; }  // of near pairs; else they are listed in every step
 
-  // A step of spheres in the wide state, by the impulses of these pairs, walls and gravity; in any order, since they
-  // are integers. Positions and velocities become the nearest float32 numbers.
-  void step(std::span<const Pair> pairs, std::vector<uint>& wide, std::vector<vec4>& positions,
-            std::vector<vec4>& velocities, int threads);
+  uint64_t searches() const { return search_.work().steps; }
+
+  // A step of spheres in the wide state, by the impulses of their contacts, walls and gravity. Positions and velocities
+  // become the nearest float32 numbers.
+  void step(std::vector<uint>& wide, std::vector<vec4>& positions, std::vector<vec4>& velocities);
 
   // Throws std::invalid_argument naming the sphere where a step since the upload was not possible.
   void require_sound() const;
 
  private:
-  void push(std::span<const Pair> pairs, const std::vector<uint>& wide, const std::vector<vec4>& positions,
-            int threads);
+  void list_near_pairs(const std::vector<vec4>& positions);
+  void push(const std::vector<uint>& wide, const std::vector<vec4>& positions);
   void record(uint fault, uint64_t sphere);
 
+  CpuSearch search_;  // of the grown spheres
+  int threads_;
   ContactParams params_{};
   std::vector<int64_t> impulses_;  // as SLOT_IMPULSE
   std::vector<uint> faults_;       // as SLOT_FAULT
+  std::vector<vec4> grown_;        // as SLOT_GROWN
+  std::vector<Pair> near_;         // as SLOT_NEAR
+  bool left_skin_ = true, keeps_ = true;
 };
 
 }  // namespace spherepair

@@ -78,6 +78,7 @@ void CpuMotion::require_movable() const {
 
 void CpuMotion::move(int threads) {
   require_movable();
+  if (contacts_.on()) return contacts_.step(kept_.wide, positions_, velocities_);
   with_real(motion_.precision, [&](auto kind) {
     using Real = decltype(kind);
     if (motion_.method != MotionMethod::anchored) return step_all<Real>(threads);
@@ -86,11 +87,6 @@ void CpuMotion::move(int threads) {
     bounce_all<Real>(threads);
     evaluated_ = state_current_ = false;
   });
-}
-
-void CpuMotion::move(std::span<const Pair> contacts, int threads) {
-  require_movable();
-  contacts_.step(contacts, kept_.wide, positions_, velocities_, threads);
 }
 
 void CpuMotion::evaluate(int threads, bool whole) {
@@ -116,7 +112,7 @@ void CpuMotion::evaluate_state(int threads) {
 
 Backend::State CpuMotion::state() const {
   if (!state_current_) throw BackendError("cpu: the state is that of an earlier step; call evaluate_state");
-  if (kept_.wide.empty() || has_contacts()) return {positions_, velocities_, kept_.wide};
+  if (kept_.wide.empty() || contacts_.on()) return {positions_, velocities_, kept_.wide};
   return {positions_, rounded_velocities(kept_.wide, motion_.precision, positions_.size()), kept_.wide};
 }
 

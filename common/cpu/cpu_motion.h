@@ -20,13 +20,15 @@ Anchor<Real> anchor_of(const MotionState& kept, const vec4& velocity, uint64_t i
 
 class CpuMotion {
  public:
+  CpuMotion(const BackendInfo& info, int threads) : contacts_(info, threads) {}
+
   void upload(const Scene& scene);
   MotionOptions options() const { return motion_; }
   void move(int threads);
-  bool has_contacts() const { return contacts_.on(); }
-  void move(std::span<const Pair> contacts, int threads);  // the pairs of these positions
   void require_sound() const { contacts_.require_sound(); }
   void set_event_driven(bool on) { event_driven_ = on; }
+  void keep_near_pairs(bool on) { contacts_.keep_list(on); }
+  uint64_t contact_searches() const { return contacts_.searches(); }
 
   // As they stand now; of `anchored` they are evaluated when they are requested.
   const std::vector<vec4>& positions(int threads);

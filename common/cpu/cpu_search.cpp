@@ -50,29 +50,27 @@ PairsFound CpuSearch::search_cells(const SearchInput& input) {
   return found;
 }
 
-Method CpuSearch::prepare(const CollideOptions& options, CpuMotion& motion) {
+Method CpuSearch::prepare(const CollideOptions& options, const std::vector<vec4>& positions, MotionOptions motion) {
   check_collide(options);
   refuse_missing(info_.name, options, {}, false);
   refuse_tensor(info_.name, options, false);
-  replan_if_needed(motion.positions(threads_), options);
+  replan_if_needed(positions, options);
   options_ = options;
   options_.method = chosen_method(info_, n_, plans_, options);
-  if (options.swept) check_swept(info_.name, options_, motion.options());
+  if (options.swept) check_swept(info_.name, options_, motion);
   return options_.method;
 }
 
-void CpuSearch::run(CpuMotion& motion) {
+void CpuSearch::run(const std::vector<vec4>& positions, std::span<const vec4> velocities) {
   params_.search = constants_[options_.exact];
   if (!options_.filter) leave_all_undecided(params_.search);
-  const SearchInput input{motion.positions(threads_), params_, equal_radii_ && !options_.load_radii, options_,
-                          threads_};
+  const SearchInput input{positions, params_, equal_radii_ && !options_.load_radii, options_, threads_};
   ++work_.steps;
   work_.without_radii += input.equal_radii;
   work_.lists += options_.want_pairs;
   found_.reset();
   if (options_.swept) {
-    motion.evaluate_state(threads_);
-    found_ = search_swept(input, motion.state().velocities);
+    found_ = search_swept(input, velocities);
   } else if (options_.method == Method::sequential) {
     found_ = search_sequential(input);
   } else if (options_.method == Method::collide_group) {
@@ -84,12 +82,9 @@ void CpuSearch::run(CpuMotion& motion) {
   }
 }
 
-const std::vector<Pair>& CpuSearch::list_pairs(CpuMotion& motion) {
-  const bool listed = found_ && options_.want_pairs && options_.exact && !options_.swept;
-  if (!listed || options_.method == Method::collide_group) {
-    prepare({.method = Method::automatic, .want_pairs = true}, motion);
-    run(motion);
-  }
+const std::vector<Pair>& CpuSearch::list_pairs(const std::vector<vec4>& positions) {
+  prepare({.method = Method::automatic, .want_pairs = true}, positions, {});
+  run(positions);
   return pairs();
 }
 

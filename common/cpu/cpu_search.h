@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "common/backend/plan_watch.h"
-#include "common/cpu/cpu_motion.h"
 #include "common/cpu/search/cpu_grid.h"
 #include "common/scene/scene_params.h"
 
@@ -20,11 +19,12 @@ class CpuSearch {
 
   MethodChoice choice(const CollideOptions& options) const;
   // Chooses the method for a search of these positions, and plans the cells anew where spheres have left them.
-  Method prepare(const CollideOptions& options, CpuMotion& motion);
-  void run(CpuMotion& motion);  // what was prepared
+  Method prepare(const CollideOptions& options, const std::vector<vec4>& positions, MotionOptions motion);
+  // What was prepared; velocities: of a swept search.
+  void run(const std::vector<vec4>& positions, std::span<const vec4> velocities = {});
 
-  // The pairs of these positions: those of the last search where it listed all of them, else by a search of its own.
-  const std::vector<Pair>& list_pairs(CpuMotion& motion);
+  // All pairs of these positions, in any order.
+  const std::vector<Pair>& list_pairs(const std::vector<vec4>& positions);
 
   bool searched() const { return found_.has_value(); }  // these positions
   const Collisions& totals() const { return found().totals; }

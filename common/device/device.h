@@ -37,6 +37,7 @@ class Device {
   virtual void write(uint slot, const void* data, uint64_t offset, uint64_t bytes) = 0;
   virtual void read(uint slot, void* data, uint64_t offset, uint64_t bytes) = 0;  // waits for the device
   virtual void clear(uint slot, uint64_t bytes) = 0;                              // to 0, by the API's own function
+  virtual void swap(uint a, uint b) = 0;                                          // two buffers
 
   virtual void launch(const Launch& launch, const Params& params) = 0;
   virtual void wait() = 0;

@@ -17,6 +17,7 @@ constexpr double wanted_overlap = 0.01;                      // of the largest r
 constexpr double steps_a_contact = 40, coarse_steps = 10, fewest_steps = 2;
 constexpr int position_bits = 51, momentum_bits = 56;  // used at the start, and of the fastest sphere
 constexpr float least_restitution = 0.1f;
+constexpr double least_skin = 1.0 / 32, most_skin = 1;  // of a radius
 
 double squared(double x) { return x * x; }
 
@@ -74,16 +75,27 @@ void choose_box(Scene& scene, bool walls) {
   }
 }
 
-// Positions and walls then take 51 of 63 bits, and the fastest sphere's momentum 56.
-void choose_units(Scene& scene) {
-  const Radii r = radii_of(scene);
-  double extent = std::max(std::abs(double(scene.plane)), double(r.largest));
+// The largest coordinate of spheres and walls.
+double extent_of(const Scene& scene) {
+  double extent = std::max(std::abs(double(scene.plane)), double(radii_of(scene).largest));
   for (const vec4& s : scene.positions)
     extent = std::max({extent, std::abs(double(s.x)), std::abs(double(s.y)), std::abs(double(s.z))});
   if (scene.contact.walls)
     for (const vec4& s : {scene.contact.low, scene.contact.high})
       extent = std::max({extent, std::abs(double(s.x)), std::abs(double(s.y)), std::abs(double(s.z))});
-  scene.contact.unit_exponent = position_bits - bits_above(extent);
+  return extent;
+}
+
+// As thin as a list of pairs is short, but four times what rounding of the farthest centres may take of it.
+double skin_of(const Scene& scene) {
+  const double rounding = 3 * 1.25 * 0x1p-23 * extent_of(scene);
+  return std::max(least_skin, 4 * rounding / double(radii_of(scene).smallest));
+}
+
+// Positions and walls then take 51 of 63 bits, and the fastest sphere's momentum 56.
+void choose_units(Scene& scene) {
+  const Radii r = radii_of(scene);
+  scene.contact.unit_exponent = position_bits - bits_above(extent_of(scene));
   scene.contact.momentum_exponent =
       momentum_bits - bits_above(sphere_mass(double(r.largest)) * double(r.smallest) / double(scene.dt));
 }
@@ -151,11 +163,9 @@ std::string why_no_contacts(const Scene& scene) {
     return fmt::format("dt is {} s, but a contact lasts {:.3g} s only: give --dt {:.3g} or less", scene.dt, time,
                        time / steps_a_contact);
   const int lowest = contact.unit_exponent + int(std::floor(std::log2(r.smallest))) - 29;
-  if (lowest < 0)
-    return fmt::format(
-        "the radius {} is too small for 64-bit positions as far out as these spheres: move them towards "
-        "the origin",
-        r.smallest);
+  if (lowest < 0 || skin_of(scene) > most_skin)
+    return fmt::format("the radius {} is too small for spheres as far out as these: move them towards the origin",
+                       r.smallest);
   if (r.largest > 256 * r.smallest)
     return fmt::format("radii are {} to {}, but contacts allow 1:256", r.smallest, r.largest);
   for (uint64_t i = 0; i < scene.size(); ++i) {
@@ -196,7 +206,15 @@ ContactParams contact_params(const Scene& scene) {
           .gravity = float(double(scene.gravity) * density * dt * std::exp2(q)),
           .mobility = float(dt / density * std::exp2(s - q)),
           .metres_per_second = float(std::exp2(-s) / dt),
-          .fastest = std::ldexp(r.smallest, s)};
+          .fastest = std::ldexp(r.smallest, s),
+          .skin = float(skin_of(scene))};
+}
+
+Scene grown_scene(const Scene& scene) {
+  const ContactParams c = contact_params(scene);
+  Scene grown = scene;
+  for (vec4& sphere : grown.positions) sphere = grown_sphere(sphere, c);
+  return grown;
 }
 
 std::vector<uint> fixed_state(const Scene& scene) {
@@ -218,12 +236,12 @@ std::vector<uint> fixed_state(const Scene& scene) {
 }
 
 std::string describe_faults(const std::vector<uint>& faults) {
-  constexpr const char* texts[FAULTS] = {
+  constexpr const char* texts[LEFT_SKIN] = {
       "is deeper in another sphere or a wall than the smaller radius: let no spheres overlap that much at the start, "
       "or give a larger --stiffness or a smaller --dt",
       "moves by more than the smallest radius in a step: give a smaller --dt",
-      "has left the range of 64-bit positions: close the box with --walls, or take fewer steps"};
-  for (uint kind = 0; kind < FAULTS; ++kind)
+      "is too far from the origin for its radius: close the box with --walls, or take fewer steps"};
+  for (uint kind = 0; kind < LEFT_SKIN; ++kind)
     if (faults[kind] != ~0u) return fmt::format("the contacts cannot go on: sphere {} {}", faults[kind], texts[kind]);
   return "";
 }

@@ -35,6 +35,9 @@ std::string why_no_contacts(const Scene& scene);
 
 ContactParams contact_params(const Scene& scene);
 
+// The spheres with radii grown by the skin, whose colliding pairs are those near enough to touch in many steps.
+Scene grown_scene(const Scene& scene);
+
 // Positions and momenta at the start, as SLOT_WIDE has them. Momenta are those half a step before the positions.
 std::vector<uint> fixed_state(const Scene& scene);
 

@@ -9,6 +9,7 @@
 
 #include "common/shared/fixed.h"
 #include "common/shared/layout.h"
+#include "common/shared/predicate.h"
 #include "common/shared/round.h"
 
 struct Body {
@@ -58,6 +59,36 @@ FN bool deeper_than(Gap g, float radius, float reach) {
   EXACT float units = radius * power_of_two(156 - int(exponent_field(reach)));  // 29 - exponent
   uint64_t left = g.reach - uint64_t(uint(units));
   return g.square < left * left;
+}
+
+// Near pairs are listed once for many steps: by a search of the spheres' float32 centres with radii grown by a skin.
+// The list serves while each sphere's centre has gone no farther than its own skin since, less the rounding of both
+// centres: of a pair in contact the grown spheres then collided.
+FN vec4 grown_sphere(vec4 sphere, ContactParams c) {
+  EXACT float thickness = sphere.w * c.skin;
+  EXACT float radius = sphere.w + thickness;
+  vec4 grown = {sphere.x, sphere.y, sphere.z, radius};
+  return grown;
+}
+FN float centre_rounding(vec4 centre) {  // of this centre and of one in its place: each 2^-24 of a coordinate at most
+  EXACT float sum = larger(centre.x, -centre.x) + larger(centre.y, -centre.y) + larger(centre.z, -centre.z);
+  EXACT float rounding = sum * bits_float(0x34200000u);  // 1.25 * 2^-23
+  return rounding;
+}
+FN float free_path(vec4 sphere, vec4 grown) {
+  EXACT float skin = (grown.w - sphere.w) * bits_float(0x3F7F8000u);  // 1 - 2^-9, for the rounding of this and of radii
+  EXACT float path = skin - centre_rounding(sphere);
+  return path;
+}
+FN bool has_left_skin(vec4 sphere, vec4 grown) {
+  float path = free_path(sphere, grown);
+  EXACT float longest = path * path;
+  return !(path > 0.0f && squared_distance(sphere, grown) <= longest);
+}
+// Too far from the origin for its radius: rounding takes more than half of the skin.
+FN bool is_too_far(vec4 sphere, ContactParams c) {
+  EXACT float half_skin = sphere.w * c.skin * 0.5f;
+  return !(centre_rounding(sphere) < half_skin);
 }
 
 FN float unit_length(int64_t x) {
@@ -129,11 +160,19 @@ FN float closing_speed(Body a, Body b, Gap g, ContactParams c) {
   return sum;
 }
 
+FN float reach_of_pair(Body a, Body b) {
+  EXACT float reach = a.radius + b.radius;
+  return reach;
+}
+FN Gap gap_between(Body a, Body b, ContactParams c) {
+  return gap_of(a.x - b.x, a.y - b.y, a.z - b.z, reach_of_pair(a, b), c);
+}
+
 // What b gives a; a gives b the same with the sign turned.
 FN Push push_of_pair(Body a, Body b, ContactParams c) {
   Push push = {0l, 0l, 0l, FAULTS};
-  EXACT float reach = a.radius + b.radius;
-  Gap g = gap_of(a.x - b.x, a.y - b.y, a.z - b.z, reach, c);
+  float reach = reach_of_pair(a, b);
+  Gap g = gap_between(a, b, c);
   if (!in_contact(g)) return push;
   if (deeper_than(g, smaller(a.radius, b.radius), reach)) push.fault = FAULT_DEEP;
   float closing = 0.0f;
@@ -168,8 +207,16 @@ FN int64_t push_of_wall(int64_t distance, int64_t outward_momentum, float radius
   return integer_of(push);
 }
 
+// Farther from every wall than the power of two above the radius, as most spheres are.
+FN bool is_away_from_walls(Body s, ContactParams c) {
+  int64_t reach = int64_t(1ul << (uint(c.unit_exponent) + exponent_field(s.radius) - 126u));
+  return s.x - c.low_x >= reach && s.y - c.low_y >= reach && s.z - c.low_z >= reach && c.high_x - s.x >= reach &&
+         c.high_y - s.y >= reach && c.high_z - s.z >= reach;
+}
+
 FN Push push_of_walls(Body s, ContactParams c) {
   Push push = {0l, 0l, 0l, FAULTS};
+  if (is_away_from_walls(s, c)) return push;
   int64_t low_x = push_of_wall(s.x - c.low_x, s.px, s.radius, c);
   int64_t low_y = push_of_wall(s.y - c.low_y, s.py, s.radius, c);
   int64_t low_z = push_of_wall(s.z - c.low_z, s.pz, s.radius, c);

@@ -36,9 +36,11 @@
 #define SLOT_SINCE 27   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
 #define SLOT_NEXT_EVENT 28        // uint[n], of anchored: first step in which the sphere may reach the plane
 #define SLOT_IMPULSE SLOT_FLIGHT  // int64[3n], of leapfrog: impulses of this step's contacts, all x, all y, all z
-#define SLOT_FAULT SLOT_SINCE     // uint[FAULTS], of leapfrog: the first sphere of each FAULT_*, or ~0
-#define SLOT_SEEN_LIST 29         // uint[], two by View::turn: indices of the spheres visible in recent frames
-#define SLOT_VISIBLE_ODD 30       // as SLOT_VISIBLE, for every other frame where two are in flight
+#define SLOT_FAULT SLOT_SINCE     // uint[FAULTS], of leapfrog: the first sphere of each FAULT_* and of LEFT_SKIN, or ~0
+#define SLOT_GROWN SLOT_ANCHOR    // vec4[n], of leapfrog: the spheres whose pairs were listed, with grown radii
+#define SLOT_NEAR SLOT_NEXT_EVENT  // uvec2[], of leapfrog: these pairs (i<j) in any order
+#define SLOT_SEEN_LIST 29          // uint[], two by View::turn: indices of the spheres visible in recent frames
+#define SLOT_VISIBLE_ODD 30        // as SLOT_VISIBLE, for every other frame where two are in flight
 #define SLOT_COLOUR 31  // uint[n]: entry of the palette, unless it is the number of contacts; see View::colour_by
 #define SLOT_TOTAL 32
 #define SLOT_PARAMS 0   // the uniform block's own binding
@@ -110,7 +112,8 @@
 #define FAULT_DEEP 0u   // what a step with contacts cannot do: a contact deeper than the smaller radius, ...
 #define FAULT_FAST 1u   // ... a sphere that moves on by more than the smallest radius, ...
 #define FAULT_RANGE 2u  // ... or one beyond MOST_UNITS
-#define FAULTS 3u
+#define LEFT_SKIN 3u    // no fault: a sphere that the list of near pairs may no longer serve
+#define FAULTS 4u
 #define ANCHOR_ON_PLANE 0x80000000u  // bit of `since`: the anchor is a bounce, not the start
 #define NO_EVENT 0xFFFFFFFFu
 
@@ -138,6 +141,7 @@ struct UNIFORM_ALIGN ContactParams {
   float mobility;                     // units that a unit of momentum moves a sphere of radius 1 m in a step
   float metres_per_second;            // speed of a unit a step
   float fastest;                      // units a step, see FAULT_FAST
+  float skin;                         // share of its radius by which a sphere is grown for the list of near pairs
 };
 
 struct UNIFORM_ALIGN SearchParams {

@@ -32,6 +32,12 @@ void CellSorter::moved() {
   ++moves_waited_;
 }
 
+void CellSorter::replaced() {
+  planned_.reset();
+  cell_order_.reset();
+  built_ = false;
+}
+
 uint CellSorter::indices(Order order) const {
   return order != Order::cells ? 0 : index_in_w_ ? INDEX_IN_W : INDEX_IN_ID;
 }
@@ -74,7 +80,7 @@ void CellSorter::plan_cells(const GridPlan& plan) {
     throw BackendError(fmt::format("{}: {} spheres, but the grid takes {} at most; use collide_triangle",
                                    context_.name(), context_.n, most_spheres));
   }
-  context_.buffers.resize(SLOT_CELL, ceil_div(uint64_t(plan.slots) + 2, SCAN_TILE) * SCAN_TILE * sizeof(uint));
+  context_.buffers.grow(SLOT_CELL, ceil_div(uint64_t(plan.slots) + 2, SCAN_TILE) * SCAN_TILE * sizeof(uint));
   context_.buffers.resize(SLOT_SCAN, sizeof(uint));
   planned_ = plan.cells;
   leveled_ = leveled;

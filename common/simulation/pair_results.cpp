@@ -28,7 +28,7 @@ bool PairSearch::grow_lists(const std::vector<uint>& summary) {
   return short_deferred || short_pairs;
 }
 
-void PairSearch::complete_lists() {
+std::vector<uint> PairSearch::complete_lists() {
   std::vector<uint> summary = read_summary();
   const bool left = summary[SUM_DEFERRED] != 0;
   if (options_.exact && !left) resolved_in_step_.erase(kind());
@@ -42,13 +42,12 @@ void PairSearch::complete_lists() {
     summary = read_summary();
   }
   resolved_ = true;
+  return summary;
 }
 
-void PairSearch::list_pairs() {
-  const bool listed = is_complete() && options_.want_pairs && options_.exact && !options_.swept;
-  if (listed && options_.method != Method::collide_group) return;
+uint64_t PairSearch::list_pairs() {
   enqueue({.method = Method::automatic, .want_pairs = true});
-  complete_lists();
+  return complete_lists()[SUM_LISTED];
 }
 
 void PairSearch::complete() {

@@ -35,9 +35,8 @@ class PairSearch {
   // Completes the search that was enqueued: every pair is decided, every list has room, totals are read.
   void complete();
 
-  // For contacts that push: SLOT_PAIR has all pairs of these positions, in any order. A complete search that listed
-  // them is kept; there are no totals of another.
-  void list_pairs();
+  // Searches these positions for all pairs and returns how many SLOT_PAIR has, in any order; no totals.
+  uint64_t list_pairs();
 
   bool searched() const { return results_ != Results::none; }  // these positions
   bool is_complete() const { return results_ == Results::complete; }
@@ -66,7 +65,7 @@ class PairSearch {
   void launch_grid(bool results_clear);
   void set_params();
   void resolve_undecided();
-  void complete_lists();
+  std::vector<uint> complete_lists();  // the summary
   std::vector<uint> read_summary();
   bool grow_lists(const std::vector<uint>& summary);
   void require_complete() const;

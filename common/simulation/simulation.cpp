@@ -11,9 +11,9 @@ Simulation::Simulation(std::unique_ptr<Device> device, PipelineOpener open)
     : device_(std::move(device)),
       context_(*device_, std::move(open)),
       motion_(context_),
-      contacts_(context_),
       sorter_(context_),
       search_(context_, motion_, sorter_),
+      contacts_(context_, motion_),
       rasterizer_(context_, motion_, sorter_, search_),
       probe_(context_) {}
 
@@ -41,8 +41,8 @@ void Simulation::begin(const Scene& scene, const MotionState* saved) {
   context_.params.radius = common_radius(scene);
   sorter_.upload(scene);
   motion_.upload(scene, saved);
-  contacts_.upload(scene);
   search_.upload(scene);
+  contacts_.upload(scene);
   rasterizer_.upload();
   probe_.upload();
 }
@@ -59,7 +59,7 @@ void Simulation::move() {
 }
 
 void Simulation::push() {
-  search_.list_pairs();
+  if (contacts_.update_list()) sorter_.replaced();
   contacts_.push();
 }
 

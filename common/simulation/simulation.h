@@ -2,7 +2,7 @@
 // The backend of a GPU API: a device, and the components that launch its kernels.
 #pragma once
 
-#include "common/simulation/motion/contacts.h"
+#include "common/simulation/contacts.h"
 #include "common/simulation/probe.h"
 #include "common/simulation/rasterizer.h"
 
@@ -21,6 +21,7 @@ class Simulation final : public Backend {
   void resume(const Scene& scene, const MotionState& saved) override { begin(scene, &saved); }
   void move() override;
   void set_event_driven(bool on) override { motion_.set_event_driven(on); }
+  void keep_near_pairs(bool on) override { contacts_.keep_list(on); }
   void evaluate_positions() override;
   void evaluate_state() override;
   State state() override;
@@ -73,9 +74,9 @@ class Simulation final : public Backend {
   std::unique_ptr<Device> device_;
   DeviceContext context_;
   DeviceMotion motion_;
-  Contacts contacts_;
   CellSorter sorter_;
   PairSearch search_;
+  Contacts contacts_;
   Rasterizer rasterizer_;
   Probe probe_;
 };

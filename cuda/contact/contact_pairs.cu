@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per listed pair, in turns until none is left: what the two spheres give each other in a step. Pairs come
-// from the search of these positions, in any order.
+// One thread per near pair, in turns until none is left: what the two spheres give each other in a step. There are
+// pair_capacity of them, in any order; momenta are loaded only where there is a contact whose damper needs them.
 #include "cuda/contact/contact_state.cuh"
 
 namespace spherepair {
@@ -8,11 +8,18 @@ namespace spherepair {
 constexpr uint BLOCK = SERVICE_BLOCK;
 
 __global__ void __launch_bounds__(BLOCK) contact_pairs(Params p, KernelBuffers buf) {
-  uint pairs = min(buf.summary[SUM_LISTED], p.search.pair_capacity);
+  uint pairs = p.search.pair_capacity;
   for (uint k = group_index(p) * BLOCK + threadIdx.x; k < pairs; k += group_count() * BLOCK) {
-    uint i = buf.listed[k].x;
-    uint j = buf.listed[k].y;
-    Push push = push_of_pair(load_body(p, buf, i), load_body(p, buf, j), p.contact);
+    uint i = buf.near[k].x;
+    uint j = buf.near[k].y;
+    Body a = load_place(p, buf, i);
+    Body b = load_place(p, buf, j);
+    if (!in_contact(gap_between(a, b, p.contact))) continue;
+    if (p.contact.damping != 0.0f) {
+      a = with_momentum(p, buf, a, i);
+      b = with_momentum(p, buf, b, j);
+    }
+    Push push = push_of_pair(a, b, p.contact);
     record_fault(buf, push.fault, i);
     add_impulse(p, buf, i, push.x, push.y, push.z);
     add_impulse(p, buf, j, -push.x, -push.y, -push.z);

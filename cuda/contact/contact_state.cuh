@@ -7,11 +7,19 @@
 
 namespace spherepair {
 
-__device__ inline Body load_body(const Params& p, const KernelBuffers& buf, uint i) {
+__device__ inline float radius_of(const Params& p, const KernelBuffers& buf, uint i) {
+  return p.radius != 0.0f ? p.radius : buf.position[i].w;  // equal radii need no load
+}
+
+__device__ inline Body load_place(const Params& p, const KernelBuffers& buf, uint i) {
   const int64_t* wide = static_cast<const int64_t*>(buf.wide);
   size_t n = p.n;
-  return Body{wide[i],          wide[n + i],      wide[2u * n + i], wide[3u * n + i],
-              wide[4u * n + i], wide[5u * n + i], buf.position[i].w};
+  return Body{wide[i], wide[n + i], wide[2u * n + i], 0l, 0l, 0l, radius_of(p, buf, i)};
+}
+__device__ inline Body with_momentum(const Params& p, const KernelBuffers& buf, Body s, uint i) {
+  const int64_t* wide = static_cast<const int64_t*>(buf.wide);
+  size_t n = p.n;
+  return Body{s.x, s.y, s.z, wide[3u * n + i], wide[4u * n + i], wide[5u * n + i], s.radius};
 }
 
 __device__ inline void store_body(const Params& p, const KernelBuffers& buf, uint i, Body s, float mobility) {
@@ -29,7 +37,10 @@ __device__ inline void store_body(const Params& p, const KernelBuffers& buf, uin
 
 // A 64-bit sum.
 __device__ inline void add_to_impulse(const KernelBuffers& buf, size_t k, int64_t value) {
-  atomicAdd(&buf.impulse[k], static_cast<unsigned long long>(value));  // CUDA only: GLSL adds two words with carry
+  // CUDA only from here: its atomic is of unsigned numbers
+  unsigned long long* sum = reinterpret_cast<unsigned long long*>(&buf.impulse[k]);
+  atomicAdd(sum, static_cast<unsigned long long>(value));
+  // until here
 }
 
 __device__ inline void add_impulse(const Params& p, const KernelBuffers& buf, uint i, int64_t x, int64_t y, int64_t z) {
@@ -42,11 +53,11 @@ __device__ inline void add_impulse(const Params& p, const KernelBuffers& buf, ui
 // The sum of the impulses that were added; the next step begins with 0.
 __device__ inline Push take_impulse(const Params& p, const KernelBuffers& buf, uint i) {
   size_t n = p.n;
-  Push sum = Push{int64_t(buf.impulse[i]), int64_t(buf.impulse[n + i]), int64_t(buf.impulse[2u * n + i]), FAULTS};
+  Push sum = Push{buf.impulse[i], buf.impulse[n + i], buf.impulse[2u * n + i], FAULTS};
   if (sum.x != 0l || sum.y != 0l || sum.z != 0l) {
-    buf.impulse[i] = 0ul;
-    buf.impulse[n + i] = 0ul;
-    buf.impulse[2u * n + i] = 0ul;
+    buf.impulse[i] = 0l;
+    buf.impulse[n + i] = 0l;
+    buf.impulse[2u * n + i] = 0l;
   }
   return sum;
 }

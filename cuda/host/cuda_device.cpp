@@ -35,6 +35,7 @@ class CudaDevice final : public Device, private DeviceLibrary {
   void write(uint slot, const void* data, uint64_t offset, uint64_t bytes) override;
   void read(uint slot, void* data, uint64_t offset, uint64_t bytes) override;
   void clear(uint slot, uint64_t bytes) override;
+  void swap(uint a, uint b) override { std::swap(memory_[a].data, memory_[b].data); }
   void launch(const Launch& launch, const Params& params) override;
   void wait() override;
 
@@ -167,8 +168,10 @@ KernelBuffers CudaDevice::buffers(const Launch& launch) const {
           .next_event = buffer<uint>(SLOT_NEXT_EVENT),
           .seen_list = buffer<uint>(SLOT_SEEN_LIST),
           .colour = buffer<uint>(SLOT_COLOUR),
-          .impulse = buffer<unsigned long long>(SLOT_IMPULSE),
-          .fault = buffer<uint>(SLOT_FAULT)};
+          .impulse = buffer<int64_t>(SLOT_IMPULSE),
+          .fault = buffer<uint>(SLOT_FAULT),
+          .grown = buffer<vec4>(SLOT_GROWN),
+          .near = buffer<uvec2>(SLOT_NEAR)};
 }
 
 void CudaDevice::launch(const Launch& launch, const Params& params) {

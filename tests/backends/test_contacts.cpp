@@ -44,8 +44,59 @@ TEST_P(Contacts, SameBitsAsOnTheCpu) {
     }
 }
 
-// What happens in between changes nothing: searches by any method and group size, whose list a step may take,
-// questions.
+// All pairs by their integers, without a search: what a list of near pairs must not lose.
+std::vector<uint> after_all_pairs(const Scene& scene, uint64_t steps) {
+  const ContactParams c = contact_params(scene);
+  const uint64_t n = scene.size();
+  std::vector<uint> wide = fixed_state(scene);
+  for (uint64_t step = 0; step < steps; ++step) {
+    std::vector<Push> sums(n, Push{0, 0, 0, FAULTS});
+    for (uint64_t i = 0; i < n; ++i)
+      for (uint64_t j = 0; j < i; ++j) {
+        const Push push = push_of_pair(load_body(wide, scene.positions, i), load_body(wide, scene.positions, j), c);
+        sums[i].x += push.x, sums[i].y += push.y, sums[i].z += push.z;
+        sums[j].x -= push.x, sums[j].y -= push.y, sums[j].z -= push.z;
+      }
+    for (uint64_t i = 0; i < n; ++i) {
+      const Body s = load_body(wide, scene.positions, i);
+      store_body(wide, n, i, drifted(kicked(s, sums[i], push_of_walls(s, c), c), mobility_of(s.radius, c)));
+    }
+  }
+  return wide;
+}
+
+// Far from the origin, too, where the search's float32 centres are coarser than the overlaps.
+TEST_P(Contacts, NoPairOfTheIntegersIsLost) {
+  for (const ContactLaw law : LAWS)
+    for (const float far : {0.0f, 3000.0f, 100'000.0f})
+      for (const float ratio : {1.0f, 4.0f}) {
+        const Scene scene = gas({.side = 4, .ratio = ratio, .law = law, .from = far});
+        EXPECT_EQ(after(backend(), scene, 300), after_all_pairs(scene, 300))
+            << contact_name(law) << " 1:" << ratio << ", " << far << " m from the origin";
+      }
+}
+
+// A list serves many steps and changes no bit; where it is not kept, each step lists its pairs.
+TEST_P(Contacts, NearPairsAreListedSeldom) {
+  const Scene scene = gas({.ratio = 4, .gravity = -9.81f, .law = ContactLaw::spring});
+  constexpr uint64_t steps = 200;
+  std::vector<uint> states[2];
+  uint64_t searches[2];
+  for (const bool keep : {false, true}) {
+    backend().keep_near_pairs(keep);
+    backend().upload(scene);
+    const uint64_t before = backend().work_counts().steps;
+    for (uint64_t step = 0; step < steps; ++step) backend().move();
+    searches[keep] = backend().work_counts().steps - before;
+    states[keep] = current_state(backend()).wide;
+  }
+  EXPECT_EQ(states[true], states[false]);
+  EXPECT_GE(searches[false], steps);
+  EXPECT_LT(searches[true], steps / 4);
+  EXPECT_GT(searches[true], 2u);
+}
+
+// What happens in between changes nothing: searches by any method and group size, questions.
 TEST_P(Contacts, UndisturbedBySearches) {
   const Scene scene = gas({.side = 5});
   const Backend::State wanted = run_steps(cpu_backend(), scene, 120);

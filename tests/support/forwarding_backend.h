@@ -25,6 +25,7 @@ class ForwardingBackend : public Backend {
   void upload(const Scene& scene) override { real_->upload(scene); }
   void move() override { real_->move(); }
   void set_event_driven(bool on) override { real_->set_event_driven(on); }
+  void keep_near_pairs(bool on) override { real_->keep_near_pairs(on); }
   void evaluate_positions() override { real_->evaluate_positions(); }
   void evaluate_state() override { real_->evaluate_state(); }
   void collide(const CollideOptions& options) override { real_->collide(options); }

@@ -20,11 +20,11 @@ void choose_soft_contacts(Scene& scene, ContactLaw law, bool walls) {
 Scene gas(const GasOptions& o) {
   std::mt19937 random(28);
   std::uniform_real_distribution<float> any(-1, 1);
-  Scene scene{.name = "gas", .plane = 0, .gravity = o.gravity, .restitution = o.restitution};
+  Scene scene{.name = "gas", .plane = o.from, .gravity = o.gravity, .restitution = o.restitution};
   const float gap = 1.05f * o.ratio;
   for (uint64_t k = 0; k < o.side * o.side * o.side; ++k) {
     const float radius = 0.5f * std::exp2(std::log2(o.ratio) * (any(random) + 1) / 2);
-    const auto along = [&](uint64_t cell) { return (float(cell) + 0.5f) * gap; };
+    const auto along = [&](uint64_t cell) { return o.from + (float(cell) + 0.5f) * gap; };
     scene.positions.push_back({along(k % o.side), along(k / o.side % o.side), along(k / o.side / o.side), radius});
     scene.velocities.push_back({any(random), any(random), any(random), 0});
   }

@@ -11,6 +11,7 @@ struct GasOptions {
   uint64_t side = 6;  // spheres along an edge of the box
   float ratio = 1, gravity = 0, restitution = 1;
   ContactLaw law = ContactLaw::quartic;
+  float from = 0;  // the box begins there along every axis, in metres
 };
 
 // A closed box of spheres on a lattice, which leaves them room, with random velocities; radii up to ratio * 0.5.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace spherepair {
 namespace {
@@ -35,10 +36,10 @@ constexpr const char* slot_names[SLOT_TOTAL] = {"positions",
                                                 "list of clusters",
                                                 "depth pyramid",
                                                 "wide state",
-                                                "anchors",
+                                                "anchors or grown spheres",
                                                 "flights or impulses",
                                                 "steps of the anchors or faults",
-                                                "steps of the next events",
+                                                "steps of the next events or near pairs",
                                                 "list of visible spheres",
                                                 "visible spheres of every other image"};
 
@@ -72,6 +73,11 @@ bool Buffers::grow(uint slot, uint64_t bytes) {
   if (bytes_[slot] >= bytes) return false;
   resize(slot, bytes);
   return true;
+}
+
+void Buffers::swap(uint a, uint b) {
+  std::swap(bytes_[a], bytes_[b]);
+  device_.swap(a, b);
 }
 
 void Buffers::check_guards() {

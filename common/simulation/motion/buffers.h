@@ -21,6 +21,7 @@ class Buffers {
   void resize(uint slot, uint64_t bytes);
   bool grow(uint slot, uint64_t bytes);  // where it has fewer; true: what was there is lost
   uint64_t bytes(uint slot) const { return bytes_[slot]; }
+  void swap(uint a, uint b);
 
   template <typename T>
   void write(uint slot, const std::vector<T>& values) {

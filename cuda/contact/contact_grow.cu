@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// One thread per sphere: grows it by its skin, for the search that lists near pairs.
+#include "cuda/contact/contact_state.cuh"
+
+namespace spherepair {
+
+constexpr uint BLOCK = SERVICE_BLOCK;
+
+__global__ void __launch_bounds__(BLOCK) contact_grow(Params p, KernelBuffers buf) {
+  uint i = group_index(p) * BLOCK + threadIdx.x;
+  if (i == 0u) buf.fault[LEFT_SKIN] = 0xFFFFFFFFu;
+  if (i >= p.n) return;
+  vec4 sphere = buf.position[i];
+  if (is_too_far(sphere, p.contact)) record_fault(buf, FAULT_RANGE, i);
+  buf.grown[i] = grown_sphere(sphere, p.contact);
+}
+
+Entry contact_grow_kernel(uint, Variant) { return reinterpret_cast<Entry>(&contact_grow); }
+
+}  // namespace spherepair
