@@ -8,6 +8,10 @@
 
 namespace spherepair {
 
+struct AxisBuffer {
+  Axis* of;
+};
+
 // The buffers of layout.h, by slot.
 struct KernelBuffers {
   vec4* position;
@@ -40,10 +44,11 @@ struct KernelBuffers {
   uint* next_event;
   uint* seen_list;
   uint* colour;
-  int64_t* impulse;
   uint* fault;
   vec4* grown;
   const uvec2* near;
+  AxisBuffer axis[3];
+  int64_t* impulse[3];
 };
 
 // Every kernel is void (Params p, KernelBuffers buf); those that draw also take a View v. A null entry means a group

@@ -113,7 +113,6 @@ class Backend {
  public:
   virtual ~Backend() = default;
   virtual const BackendInfo& info() const = 0;
-
   // Methods that this backend runs under their own name.
   virtual std::vector<Method> methods() const = 0;
 
@@ -122,11 +121,9 @@ class Backend {
 
   // One step of the motion, or std::invalid_argument for a scene that cannot be moved. Enqueued: results wait for it.
   virtual void move() = 0;
-  // Of `anchored`: whether a step tests only the spheres whose next event is due, as it does unless told otherwise, or
-  // all that may ever reach the plane again. Never changes a bit of the state.
+  // Work that steps leave out unless told otherwise, the state's bits being the same: tests of spheres whose next event
+  // is not due (anchored), listing near pairs while a list still serves (contacts).
   virtual void set_event_driven(bool on) = 0;
-  // Of contacts: whether a list of near pairs serves many steps, as it does unless told otherwise, or one. Never changes
-  // a bit of the state.
   virtual void keep_near_pairs(bool on) = 0;
 
   // Finds the colliding pairs of the spheres as they stand, and completes that: every list has room, every pair is

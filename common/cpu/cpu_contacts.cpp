@@ -7,6 +7,7 @@
 #include <atomic>
 
 #include "common/scene/contact_scene.h"
+#include "common/shared/skin.h"
 
 namespace spherepair {
 namespace {

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "common/shared/skin.h"
+
 namespace spherepair {
 namespace {
 
@@ -20,7 +22,6 @@ constexpr float least_restitution = 0.1f;
 constexpr double least_skin = 1.0 / 32, most_skin = 1;  // of a radius
 
 double squared(double x) { return x * x; }
-
 struct Radii {
   float smallest = 0, largest = 0;
 };

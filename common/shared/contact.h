@@ -9,7 +9,6 @@
 
 #include "common/shared/fixed.h"
 #include "common/shared/layout.h"
-#include "common/shared/predicate.h"
 #include "common/shared/round.h"
 
 struct Body {
@@ -59,36 +58,6 @@ FN bool deeper_than(Gap g, float radius, float reach) {
   EXACT float units = radius * power_of_two(156 - int(exponent_field(reach)));  // 29 - exponent
   uint64_t left = g.reach - uint64_t(uint(units));
   return g.square < left * left;
-}
-
-// Near pairs are listed once for many steps: by a search of the spheres' float32 centres with radii grown by a skin.
-// The list serves while each sphere's centre has gone no farther than its own skin since, less the rounding of both
-// centres: of a pair in contact the grown spheres then collided.
-FN vec4 grown_sphere(vec4 sphere, ContactParams c) {
-  EXACT float thickness = sphere.w * c.skin;
-  EXACT float radius = sphere.w + thickness;
-  vec4 grown = {sphere.x, sphere.y, sphere.z, radius};
-  return grown;
-}
-FN float centre_rounding(vec4 centre) {  // of this centre and of one in its place: each 2^-24 of a coordinate at most
-  EXACT float sum = larger(centre.x, -centre.x) + larger(centre.y, -centre.y) + larger(centre.z, -centre.z);
-  EXACT float rounding = sum * bits_float(0x34200000u);  // 1.25 * 2^-23
-  return rounding;
-}
-FN float free_path(vec4 sphere, vec4 grown) {
-  EXACT float skin = (grown.w - sphere.w) * bits_float(0x3F7F8000u);  // 1 - 2^-9, for the rounding of this and of radii
-  EXACT float path = skin - centre_rounding(sphere);
-  return path;
-}
-FN bool has_left_skin(vec4 sphere, vec4 grown) {
-  float path = free_path(sphere, grown);
-  EXACT float longest = path * path;
-  return !(path > 0.0f && squared_distance(sphere, grown) <= longest);
-}
-// Too far from the origin for its radius: rounding takes more than half of the skin.
-FN bool is_too_far(vec4 sphere, ContactParams c) {
-  EXACT float half_skin = sphere.w * c.skin * 0.5f;
-  return !(centre_rounding(sphere) < half_skin);
 }
 
 FN float unit_length(int64_t x) {

@@ -30,19 +30,20 @@
 #define SLOT_SEEN_LEFT 21  // uint[]: four bits a sphere, not 0 while it is in SLOT_SEEN_LIST
 #define SLOT_CLUSTER_LIST 22  // uint[3 * clusters], by LIST_*, each in any order
 #define SLOT_PYRAMID 23       // uvec2[], the hierarchical Z: two depths a texel, level by level; see texel_of_pixel
-#define SLOT_WIDE 24    // Real[6n], of all precisions but float32: all x, all y, all z, then velocities; fixed: momenta
-#define SLOT_ANCHOR 25  // vec4[n], of anchored: where the spheres started, radius in w
+#define SLOT_WIDE 24          // Real[6n], of compensated and float64: all x, all y, all z, then velocities
+#define SLOT_ANCHOR 25        // vec4[n], of anchored: where the spheres started, radius in w
 #define SLOT_FLIGHT 26  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
 #define SLOT_SINCE 27   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
-#define SLOT_NEXT_EVENT 28        // uint[n], of anchored: first step in which the sphere may reach the plane
-#define SLOT_IMPULSE SLOT_FLIGHT  // int64[3n], of leapfrog: impulses of this step's contacts, all x, all y, all z
-#define SLOT_FAULT SLOT_SINCE     // uint[FAULTS], of leapfrog: the first sphere of each FAULT_* and of LEFT_SKIN, or ~0
-#define SLOT_GROWN SLOT_ANCHOR    // vec4[n], of leapfrog: the spheres whose pairs were listed, with grown radii
+#define SLOT_NEXT_EVENT 28         // uint[n], of anchored: first step in which the sphere may reach the plane
+#define SLOT_FAULT SLOT_SINCE      // uint[FAULTS], of leapfrog: the first sphere of each FAULT_*, and LEFT_SKIN; or ~0
+#define SLOT_GROWN SLOT_ANCHOR     // vec4[n], of leapfrog: the spheres whose pairs were listed, with grown radii
 #define SLOT_NEAR SLOT_NEXT_EVENT  // uvec2[], of leapfrog: these pairs (i<j) in any order
 #define SLOT_SEEN_LIST 29          // uint[], two by View::turn: indices of the spheres visible in recent frames
 #define SLOT_VISIBLE_ODD 30        // as SLOT_VISIBLE, for every other frame where two are in flight
-#define SLOT_COLOUR 31  // uint[n]: entry of the palette, unless it is the number of contacts; see View::colour_by
-#define SLOT_TOTAL 32
+#define SLOT_COLOUR 31   // uint[n]: entry of the palette, unless it is the number of contacts; see View::colour_by
+#define SLOT_AXIS 32     // three slots, Axis[n] each, of leapfrog: the state along x, y and z
+#define SLOT_IMPULSE 35  // three slots, int64[n] each, of leapfrog: impulses of this step's contacts along x, y and z
+#define SLOT_TOTAL 38
 #define SLOT_PARAMS 0   // the uniform block's own binding
 #define CELL_TEXTURE 0  // texture units of GLSL, one per use, so that bindings seldom change
 #define PYRAMID_TEXTURE 1
@@ -112,10 +113,15 @@
 #define FAULT_DEEP 0u   // what a step with contacts cannot do: a contact deeper than the smaller radius, ...
 #define FAULT_FAST 1u   // ... a sphere that moves on by more than the smallest radius, ...
 #define FAULT_RANGE 2u  // ... or one beyond MOST_UNITS
-#define LEFT_SKIN 3u    // no fault: a sphere that the list of near pairs may no longer serve
+#define LEFT_SKIN 3u    // no fault: the step, since near pairs were listed, in which a sphere left its skin
 #define FAULTS 4u
 #define ANCHOR_ON_PLANE 0x80000000u  // bit of `since`: the anchor is a bounce, not the start
 #define NO_EVENT 0xFFFFFFFFu
+
+// Of a sphere in 64-bit integers, along one axis: position and momentum, in the scene's units.
+struct UNIFORM_ALIGN Axis {
+  int64_t position, momentum;
+};
 
 // What kernels are told, one struct a component. Aligned as std140 aligns them: their sizes are multiples of 16 bytes.
 
@@ -125,7 +131,7 @@ struct MotionParams {
   vec4 seconds_per_speed, zeno_flights;              // 2 / |g|, or 0 without gravity; flights until rest, see rebound
   float dt, gravity, steps_per_second, restitution;  // seconds, <= 0 along y, 1 / dt, 0..1
   float plane;                                       // its y
-  uint steps_done;                                   // of anchored: after this move
+  uint steps_done;     // of anchored: after this move; of leapfrog: since near pairs were listed
   uint whole_state;    // not 0: evaluate_positions also writes velocities and SLOT_WIDE, bounce handles all that bounce
   uint clear_results;  // not 0: move and evaluate_positions clear contact counts and totals
 };
@@ -185,7 +191,8 @@ struct Params {
 #ifndef GL_core_profile
 static_assert(SPLIT_BLOCK == BUCKETS_AT_MOST && SPLIT_BLOCK * SPLIT_EACH == SPLIT_TILE);
 static_assert(sizeof(MotionParams) == 96 && sizeof(SearchParams) == 32 && sizeof(GridParams) == 64 &&
-              sizeof(SortParams) == 32 && sizeof(ContactParams) == 96 && sizeof(Params) == 336 && sizeof(uvec2) == 8);
+              sizeof(SortParams) == 32 && sizeof(ContactParams) == 96 && sizeof(Params) == 336 && sizeof(uvec2) == 8 &&
+              sizeof(Axis) == 16);
 #endif
 
 #endif

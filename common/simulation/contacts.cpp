@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "common/scene/contact_scene.h"
@@ -16,12 +17,16 @@ constexpr uint64_t most_groups = 4096;  // which take turns
 
 void Contacts::upload(const Scene& scene) {
   on_ = scene.contact.law != ContactLaw::none;
-  made_ = false;
+  made_ = left_ = false;
+  launched_ = known_ = next_check_ = 0;
+  served_ = 1;
   context_.params.contact = contact_params(scene);
+  const uint64_t n = on_ ? context_.n : 0;
+  for (uint axis = 0; axis < 3; ++axis) {
+    context_.buffers.resize(SLOT_IMPULSE + axis, n * sizeof(int64_t));
+    context_.buffers.write(SLOT_IMPULSE + axis, std::vector<int64_t>(n));
+  }
   if (!on_) return;
-  const uint64_t n = scene.size();
-  context_.buffers.resize(SLOT_IMPULSE, 3 * n * sizeof(int64_t));
-  context_.buffers.write(SLOT_IMPULSE, std::vector<int64_t>(3 * n));
   context_.buffers.resize(SLOT_FAULT, FAULTS * sizeof(uint));
   context_.buffers.write(SLOT_FAULT, std::vector<uint>(FAULTS, ~0u));
   context_.buffers.resize(SLOT_GROWN, n * sizeof(vec4));
@@ -32,18 +37,53 @@ void Contacts::upload(const Scene& scene) {
   search_.upload(grown);
 }
 
-bool Contacts::serves() { return made_ && keeps_ && context_.buffers.read<uint>(SLOT_FAULT, FAULTS)[LEFT_SKIN] == ~0u; }
-
-bool Contacts::update_list() {
+bool Contacts::step(bool clear_results) {
+  motion_.begin_step();
   sorter_.moved();
-  if (context_.n < 2 || serves()) return false;
-  list_near_pairs();
-  return true;
+  bool listed = false;
+  if (launched_ >= next_check_ || left_ || !keeps_) {
+    listed = complete();
+    if (!made_ || left_ || !keeps_) {
+      served_ = std::max(launched_, 1u);
+      list_near_pairs();
+      listed = true;
+    }
+    next_check_ = launched_ == 0 ? served_ - served_ / 4 : launched_ + 1 + served_ / 16;
+  }
+  launch(clear_results);
+  return listed;
+}
+
+bool Contacts::complete() {
+  bool listed = false;
+  while (known_ != launched_) {
+    const uint last = context_.buffers.read<uint>(SLOT_FAULT, FAULTS)[LEFT_SKIN];  // that did something
+    left_ = last <= launched_;
+    known_ = std::min(last, launched_);
+    if (known_ == launched_) break;
+    const uint again = launched_ - known_;
+    served_ = known_;
+    list_near_pairs();
+    listed = true;
+    for (uint step = 0; step < again; ++step) launch(false);
+  }
+  return listed;
+}
+
+void Contacts::launch(bool clear_results) {
+  Params params = context_.params;
+  params.motion.steps_done = ++launched_;
+  params.motion.clear_results = clear_results;
+  params.search.pair_capacity = uint(listed_);
+  const auto groups = folded(std::min(ceil_div(listed_, SERVICE_BLOCK), most_groups));
+  if (listed_ != 0) context_.device.launch({Kernel::contact_pairs, SERVICE_BLOCK, {}, groups}, params);
+  context_.device.launch({Kernel::leapfrog, SERVICE_BLOCK, {}, groups_per_sphere(context_)}, params);
 }
 
 // The grown spheres stand in for the spheres until their pairs are listed.
 void Contacts::list_near_pairs() {
-  made_ = false;  // until it is, should that fail
+  made_ = left_ = false;  // until it is, should that fail
+  launched_ = known_ = 0;
   context_.launch({Kernel::contact_grow, SERVICE_BLOCK, {}, groups_per_sphere(context_)});
   sorter_.replaced();
   search_.moved(false);
@@ -62,17 +102,6 @@ void Contacts::list_near_pairs() {
   restore();
   context_.buffers.swap(SLOT_PAIR, SLOT_NEAR);
   made_ = true;
-}
-
-void Contacts::push() {
-  Params params = context_.params;
-  params.search.pair_capacity = uint(listed_);
-  if (listed_ == 0) return;
-  context_.device.launch({.kernel = Kernel::contact_pairs,
-                          .block = SERVICE_BLOCK,
-                          .variant = {},
-                          .groups = folded(std::min(ceil_div(listed_, SERVICE_BLOCK), most_groups))},
-                         params);
 }
 
 void Contacts::require_sound() {

@@ -9,34 +9,40 @@ namespace spherepair {
 class Contacts {
  public:
   Contacts(DeviceContext& context, DeviceMotion& motion)
-      : context_(context), sorter_(context), search_(context, motion, sorter_) {}
+      : context_(context), motion_(motion), sorter_(context), search_(context, motion, sorter_) {}
 
   // The scene's part of the parameters; after the motion's upload, whose method decides what the buffers are for, and
   // after that of the scene's own search.
   void upload(const Scene& scene);
   bool on() const { return on_; }
 
-  void keep_list(bool on) { keeps_ = on; }  // else pairs are listed in every step
+  void keep_list(bool on) { keeps_ = on; }  // else near pairs are listed in every step
 
-  // Makes the list serve these positions: true where it was made anew, by a search in the buffers of the others.
-  bool update_list();
-
-  // Launches the impulses of these positions; the motion's step takes them.
-  void push();
+  // Launches a step of the motion. It waits for the device only where near pairs have to be listed, or may have to be
+  // soon: the steps behind one in which a sphere left its skin do nothing, and are launched again by `complete`. Both
+  // return whether near pairs were listed, by a search in the buffers of the others. clear_results: the step clears the
+  // results of the last search.
+  bool step(bool clear_results);
+  bool complete();
 
   // Throws std::invalid_argument naming the sphere where a step since the upload was not possible.
   void require_sound();
 
  private:
-  bool serves();
   void list_near_pairs();
+  void launch(bool clear_results);
 
   DeviceContext& context_;
+  DeviceMotion& motion_;
   CellSorter sorter_;  // of the grown spheres, as is the search
   PairSearch search_;
   float grown_radius_ = 0;  // where all are equal
   uint64_t listed_ = 0;     // near pairs
+  // Steps since they were listed: launched, of these known to be done, and when to ask next.
+  uint launched_ = 0, known_ = 0, next_check_ = 0;
+  uint served_ = 1;  // steps by the list before
   bool on_ = false, made_ = false, keeps_ = true;
+  bool left_ = false;  // a sphere has left its skin in the last step known to be done
 };
 
 }  // namespace spherepair

@@ -49,33 +49,41 @@ void Simulation::begin(const Scene& scene, const MotionState* saved) {
 
 void Simulation::move() {
   require_scene("move");
-  if (contacts_.on()) push();
   const bool sorted = search_.counts_sorted();
-  const bool overlap = sorted && !search_.results_clear() && !contacts_.on();
-  const bool cleared = motion_.step(!sorted, overlap ? context_.overlaps_search(search_.options().api) : std::nullopt);
+  bool cleared = !sorted;
+  if (contacts_.on()) {
+    if (contacts_.step(cleared)) sorter_.replaced();
+  } else {
+    const bool overlap = sorted && !search_.results_clear();
+    cleared = motion_.step(cleared, overlap ? context_.overlaps_search(search_.options().api) : std::nullopt);
+  }
   ++context_.version;
   search_.moved(cleared);
   sorter_.moved();
 }
 
-void Simulation::push() {
-  if (contacts_.update_list()) sorter_.replaced();
-  contacts_.push();
+void Simulation::complete_moves() {
+  if (!contacts_.on() || !contacts_.complete()) return;
+  sorter_.replaced();
+  search_.moved(false);
 }
 
 void Simulation::evaluate_positions() {
   require_scene("evaluate_positions");
+  complete_moves();
   search_.evaluate_positions();
 }
 
 void Simulation::evaluate_state() {
   require_scene("evaluate_state");
+  complete_moves();
   contacts_.require_sound();
   motion_.evaluate_state();
 }
 
 Backend::State Simulation::state() {
   require_scene("state");
+  complete_moves();
   if (!motion_.state_current())
     throw BackendError(fmt::format("{}: the state is that of an earlier step; call evaluate_state", info().name));
   return motion_.state();
@@ -93,6 +101,7 @@ MethodChoice Simulation::choice(const CollideOptions& options) const {
 
 void Simulation::collide(const CollideOptions& options) {
   require_scene("collide");
+  complete_moves();
   contacts_.require_sound();
   search_.enqueue(options);
   search_.complete();
@@ -100,6 +109,7 @@ void Simulation::collide(const CollideOptions& options) {
 
 void Simulation::enqueue_collide(const CollideOptions& options) {
   require_scene("collide");
+  complete_moves();
   search_.enqueue(options);
 }
 
@@ -148,16 +158,19 @@ void Simulation::require_method(const DrawOptions& options) const {
 
 void Simulation::draw(const View& view, const DrawOptions& options) {
   require_method(options);
+  complete_moves();
   rasterizer_.run(view, options);
 }
 
 void Simulation::enqueue_draw(const View& view, const DrawOptions& options) {
   require_method(options);
+  complete_moves();
   rasterizer_.enqueue(view, options);
 }
 
 void Simulation::launch_peak_rate(PeakRate rate) {
   require_scene("launch_peak_rate");
+  complete_moves();
   search_.moved(false);
   probe_.launch_peak_rate(rate);
 }
@@ -176,6 +189,7 @@ void Simulation::set_classes(std::span<const uint> classes) {
 bool Simulation::show(uint texture) { return has_pipeline() && rasterizer_.show(texture); }
 
 void Simulation::finish() {
+  complete_moves();
   device_->wait();
   if (GraphicsPipeline* pipeline = context_.other_pipeline.opened()) pipeline->finish();
 }
@@ -200,6 +214,7 @@ std::optional<Transfer> Simulation::transfer_taken() const {
 void Simulation::transfer(Transfer way) {
   if (!context_.other_pipeline) return Backend::transfer(way);
   require_scene("transfer");
+  complete_moves();
   search_.prepare_counts(false);
   context_.other_pipeline.get().transfer(context_.sphere_arrays(SLOT_COUNT), way);
 }

@@ -66,7 +66,7 @@ class Simulation final : public Backend {
 
  private:
   void begin(const Scene& scene, const MotionState* saved);
-  void push();  // the contacts of these positions
+  void complete_moves();  // of contacts, see Contacts::complete
   bool has_pipeline() const { return device_->pipeline() || context_.other_pipeline; }
   void require_scene(const char* what) const;
   void require_method(const DrawOptions& options) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread per near pair, in turns until none is left: what the two spheres give each other in a step. There are
-// pair_capacity of them, in any order; momenta are loaded only where there is a contact whose damper needs them.
+// pair_capacity of them, in any order; momenta are loaded only where there is a contact whose damper needs them. Once a
+// sphere has left its skin, the steps behind do nothing.
 #include "cuda/contact/contact_state.cuh"
 
 namespace spherepair {
@@ -8,6 +9,7 @@ namespace spherepair {
 constexpr uint BLOCK = SERVICE_BLOCK;
 
 __global__ void __launch_bounds__(BLOCK) contact_pairs(Params p, KernelBuffers buf) {
+  if (buf.fault[LEFT_SKIN] < p.motion.steps_done) return;
   uint pairs = p.search.pair_capacity;
   for (uint k = group_index(p) * BLOCK + threadIdx.x; k < pairs; k += group_count() * BLOCK) {
     uint i = buf.near[k].x;
@@ -16,13 +18,13 @@ __global__ void __launch_bounds__(BLOCK) contact_pairs(Params p, KernelBuffers b
     Body b = load_place(p, buf, j);
     if (!in_contact(gap_between(a, b, p.contact))) continue;
     if (p.contact.damping != 0.0f) {
-      a = with_momentum(p, buf, a, i);
-      b = with_momentum(p, buf, b, j);
+      a = load_body(p, buf, i);
+      b = load_body(p, buf, j);
     }
     Push push = push_of_pair(a, b, p.contact);
     record_fault(buf, push.fault, i);
-    add_impulse(p, buf, i, push.x, push.y, push.z);
-    add_impulse(p, buf, j, -push.x, -push.y, -push.z);
+    add_impulse(buf, i, push.x, push.y, push.z);
+    add_impulse(buf, j, -push.x, -push.y, -push.z);
   }
 }
 

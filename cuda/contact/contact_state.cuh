@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/shared/contact.h"
+#include "common/shared/skin.h"
 #include "cuda/kernels.cuh"
 
 namespace spherepair {
@@ -11,53 +12,48 @@ __device__ inline float radius_of(const Params& p, const KernelBuffers& buf, uin
   return p.radius != 0.0f ? p.radius : buf.position[i].w;  // equal radii need no load
 }
 
+// Without momentum, which contacts need only for a damper.
 __device__ inline Body load_place(const Params& p, const KernelBuffers& buf, uint i) {
-  const int64_t* wide = static_cast<const int64_t*>(buf.wide);
-  size_t n = p.n;
-  return Body{wide[i], wide[n + i], wide[2u * n + i], 0l, 0l, 0l, radius_of(p, buf, i)};
+  return Body{buf.axis[0].of[i].position, buf.axis[1].of[i].position, buf.axis[2].of[i].position, 0l, 0l, 0l,
+              radius_of(p, buf, i)};
 }
-__device__ inline Body with_momentum(const Params& p, const KernelBuffers& buf, Body s, uint i) {
-  const int64_t* wide = static_cast<const int64_t*>(buf.wide);
-  size_t n = p.n;
-  return Body{s.x, s.y, s.z, wide[3u * n + i], wide[4u * n + i], wide[5u * n + i], s.radius};
+__device__ inline Body load_body(const Params& p, const KernelBuffers& buf, uint i) {
+  Axis x = buf.axis[0].of[i];
+  Axis y = buf.axis[1].of[i];
+  Axis z = buf.axis[2].of[i];
+  return Body{x.position, y.position, z.position, x.momentum, y.momentum, z.momentum, radius_of(p, buf, i)};
 }
 
 __device__ inline void store_body(const Params& p, const KernelBuffers& buf, uint i, Body s, float mobility) {
-  int64_t* wide = static_cast<int64_t*>(buf.wide);
-  size_t n = p.n;
-  wide[i] = s.x;
-  wide[n + i] = s.y;
-  wide[2u * n + i] = s.z;
-  wide[3u * n + i] = s.px;
-  wide[4u * n + i] = s.py;
-  wide[5u * n + i] = s.pz;
+  buf.axis[0].of[i] = Axis{s.x, s.px};
+  buf.axis[1].of[i] = Axis{s.y, s.py};
+  buf.axis[2].of[i] = Axis{s.z, s.pz};
   buf.position[i] = centre_of(s, p.contact);
   buf.velocity[i] = velocity_of(s, mobility, p.contact);
 }
 
-// A 64-bit sum.
-__device__ inline void add_to_impulse(const KernelBuffers& buf, size_t k, int64_t value) {
-  // CUDA only from here: its atomic is of unsigned numbers
-  unsigned long long* sum = reinterpret_cast<unsigned long long*>(&buf.impulse[k]);
+// CUDA only from here: its atomic is of unsigned numbers
+__device__ inline int64_t impulse_of(const KernelBuffers& buf, uint k, uint i) { return buf.impulse[k][i]; }
+__device__ inline void clear_impulse(const KernelBuffers& buf, uint k, uint i) { buf.impulse[k][i] = 0l; }
+__device__ inline void add_to_impulse(const KernelBuffers& buf, uint k, uint i, int64_t value) {
+  unsigned long long* sum = reinterpret_cast<unsigned long long*>(&buf.impulse[k][i]);
   atomicAdd(sum, static_cast<unsigned long long>(value));
-  // until here
 }
+// until here
 
-__device__ inline void add_impulse(const Params& p, const KernelBuffers& buf, uint i, int64_t x, int64_t y, int64_t z) {
-  size_t n = p.n;
-  add_to_impulse(buf, i, x);
-  add_to_impulse(buf, n + i, y);
-  add_to_impulse(buf, 2u * n + i, z);
+__device__ inline void add_impulse(const KernelBuffers& buf, uint i, int64_t x, int64_t y, int64_t z) {
+  add_to_impulse(buf, 0u, i, x);
+  add_to_impulse(buf, 1u, i, y);
+  add_to_impulse(buf, 2u, i, z);
 }
 
 // The sum of the impulses that were added; the next step begins with 0.
-__device__ inline Push take_impulse(const Params& p, const KernelBuffers& buf, uint i) {
-  size_t n = p.n;
-  Push sum = Push{buf.impulse[i], buf.impulse[n + i], buf.impulse[2u * n + i], FAULTS};
+__device__ inline Push take_impulse(const KernelBuffers& buf, uint i) {
+  Push sum = Push{impulse_of(buf, 0u, i), impulse_of(buf, 1u, i), impulse_of(buf, 2u, i), FAULTS};
   if (sum.x != 0l || sum.y != 0l || sum.z != 0l) {
-    buf.impulse[i] = 0l;
-    buf.impulse[n + i] = 0l;
-    buf.impulse[2u * n + i] = 0l;
+    clear_impulse(buf, 0u, i);
+    clear_impulse(buf, 1u, i);
+    clear_impulse(buf, 2u, i);
   }
   return sum;
 }

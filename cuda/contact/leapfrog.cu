@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread per sphere: a step of the leapfrog, by the impulses of its contacts, of walls and of gravity. A sphere
-// that cannot take the step stays where it is and is recorded, as is one that has left its skin. Clears the results of
-// the last search, where these are by sphere index.
+// that cannot take the step stays where it is and is recorded. Once a sphere has left its skin, the steps behind do
+// nothing, until near pairs are listed again. Clears the results of the last search, where these are by sphere index.
 #include "cuda/contact/contact_state.cuh"
 
 namespace spherepair {
@@ -11,18 +11,18 @@ constexpr uint BLOCK = SERVICE_BLOCK;
 __global__ void __launch_bounds__(BLOCK) leapfrog(Params p, KernelBuffers buf) {
   uint i = group_index(p) * BLOCK + threadIdx.x;
   if (p.motion.clear_results != 0u) clear_results(p, buf, i);
-  if (i >= p.n) return;
-  Body s = with_momentum(p, buf, load_place(p, buf, i), i);
+  if (i >= p.n || buf.fault[LEFT_SKIN] < p.motion.steps_done) return;
+  Body s = load_body(p, buf, i);
   Push walls = push_of_walls(s, p.contact);
   record_fault(buf, walls.fault, i);
-  s = kicked(s, take_impulse(p, buf, i), walls, p.contact);
+  s = kicked(s, take_impulse(buf, i), walls, p.contact);
   float mobility = mobility_of(s.radius, p.contact);
   uint wrong = fault_of(s, mobility, p.contact);
   record_fault(buf, wrong, i);
   if (wrong != FAULTS) return;
   s = drifted(s, mobility);
   store_body(p, buf, i, s, mobility);
-  if (has_left_skin(centre_of(s, p.contact), buf.grown[i])) record_fault(buf, LEFT_SKIN, i);
+  if (has_left_skin(centre_of(s, p.contact), buf.grown[i])) record_fault(buf, LEFT_SKIN, p.motion.steps_done);
 }
 
 Entry leapfrog_kernel(uint, Variant) { return reinterpret_cast<Entry>(&leapfrog); }

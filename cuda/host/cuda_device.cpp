@@ -11,6 +11,7 @@
 #include "cuda/host/check.h"
 #include "cuda/host/device_choice.h"
 #include "cuda/host/entries.h"
+#include "cuda/host/kernel_buffers.h"
 #include "cuda/host/library_sort.h"
 #include "cuda/host/sort_pairs.h"
 #include "cuda/host/stage_events.h"
@@ -56,7 +57,6 @@ class CudaDevice final : public Device, private DeviceLibrary {
   T* buffer(uint slot) const {
     return static_cast<T*>(memory_[slot].data);
   }
-  KernelBuffers buffers(const Launch& launch) const;
   void require_kernels(int device);
 
   BackendInfo info_;
@@ -137,48 +137,13 @@ void CudaDevice::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
   cuda_check(cudaMemcpy(data, source, bytes, cudaMemcpyDeviceToHost), fmt::format("reading {} bytes", bytes));
 }
 
-KernelBuffers CudaDevice::buffers(const Launch& launch) const {
-  return {.position = buffer<vec4>(position_slot(launch.order)),
-          .velocity = buffer<vec4>(SLOT_VELOCITY),
-          .count = buffer<uint>(count_slot(launch)),
-          .summary = buffer<uint>(SLOT_SUMMARY),
-          .deferred = buffer<uvec2>(SLOT_DEFERRED),
-          .listed = buffer<uvec2>(SLOT_PAIR),
-          .spheres = buffer<vec4>(SLOT_SPHERES),
-          .verdict = buffer<uint>(SLOT_VERDICT),
-          .cell = buffer<uint>(launch.table),
-          .from_id = buffer<uint>(id_slot(launch.order)),
-          .sorted = buffer<vec4>(position_slot(launch.target)),
-          .id = buffer<uint>(id_slot(launch.target)),
-          .sorted_count = buffer<uint>(SLOT_SORTED_COUNT),
-          .tile_sum = buffer<uint>(SLOT_SCAN),
-          .bucket_cursor = buffer<uint>(SLOT_BUCKET),
-          .visible = buffer<uvec2>(SLOT_VISIBLE),
-          .image = buffer<uint>(SLOT_IMAGE),
-          .tile = buffer<uvec2>(SLOT_TILE),
-          .drawn = buffer<uint>(SLOT_DRAWN),
-          .cluster = buffer<vec4>(SLOT_CLUSTER),
-          .seen_left = buffer<uint>(SLOT_SEEN_LEFT),
-          .cluster_list = buffer<uint>(SLOT_CLUSTER_LIST),
-          .pyramid = buffer<uvec2>(SLOT_PYRAMID),
-          .wide = buffer<void>(SLOT_WIDE),
-          .anchor = buffer<vec4>(SLOT_ANCHOR),
-          .flight = buffer<void>(SLOT_FLIGHT),
-          .since = buffer<uint>(SLOT_SINCE),
-          .next_event = buffer<uint>(SLOT_NEXT_EVENT),
-          .seen_list = buffer<uint>(SLOT_SEEN_LIST),
-          .colour = buffer<uint>(SLOT_COLOUR),
-          .impulse = buffer<int64_t>(SLOT_IMPULSE),
-          .fault = buffer<uint>(SLOT_FAULT),
-          .grown = buffer<vec4>(SLOT_GROWN),
-          .near = buffer<uvec2>(SLOT_NEAR)};
-}
-
 void CudaDevice::launch(const Launch& launch, const Params& params) {
   const dim3 groups(launch.groups[0], launch.groups[1], launch.groups[2]);
   const View view = launch.view ? *launch.view : View{};
-  KernelCall call{stage_name(launch), entry_of(launch), groups, launch.block, params, buffers(launch), view, false,
-                  launch.steps};
+  const auto memory = [this](uint slot) { return memory_[slot].data; };
+  KernelCall call{
+      stage_name(launch), entry_of(launch), groups, launch.block, params, kernel_buffers(launch, memory), view, false,
+      launch.steps};
   call.p.indices = launch.variant.indices;
   const bool overlaps = programmatic_ && last_ && launch.overlaps == last_;
   const bool waits_first = launch.kernel == Kernel::grid_sort || launch.kernel == Kernel::collide_grid;

@@ -1,12 +1,14 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // One thread per near pair, in turns until none is left: what the two spheres give each other in a step. There are
-// pair_capacity of them, in any order; momenta are loaded only where there is a contact whose damper needs them.
+// pair_capacity of them, in any order; momenta are loaded only where there is a contact whose damper needs them. Once a
+// sphere has left its skin, the steps behind do nothing.
 #include "shaders/contact/contact_state.glsl"
 
 layout(local_size_x = BLOCK) in;
 
 void main() {
+  if (fault[LEFT_SKIN] < p.motion.steps_done) return;
   uint pairs = p.search.pair_capacity;
   for (uint k = group_index() * BLOCK + gl_LocalInvocationID.x; k < pairs; k += group_count() * BLOCK) {
     uint i = near[k].x;
@@ -15,8 +17,8 @@ void main() {
     Body b = load_place(j);
     if (!in_contact(gap_between(a, b, p.contact))) continue;
     if (p.contact.damping != 0.0f) {
-      a = with_momentum(a, i);
-      b = with_momentum(b, j);
+      a = load_body(i);
+      b = load_body(j);
     }
     Push push = push_of_pair(a, b, p.contact);
     record_fault(push.fault, i);

@@ -1,8 +1,8 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // One thread per sphere: a step of the leapfrog, by the impulses of its contacts, of walls and of gravity. A sphere
-// that cannot take the step stays where it is and is recorded, as is one that has left its skin. Clears the results of
-// the last search, where these are by sphere index.
+// that cannot take the step stays where it is and is recorded. Once a sphere has left its skin, the steps behind do
+// nothing, until near pairs are listed again. Clears the results of the last search, where these are by sphere index.
 #include "shaders/contact/contact_state.glsl"
 
 layout(local_size_x = BLOCK) in;
@@ -10,8 +10,8 @@ layout(local_size_x = BLOCK) in;
 void main() {
   uint i = group_index() * BLOCK + gl_LocalInvocationID.x;
   if (p.motion.clear_results != 0u) clear_results(i);
-  if (i >= p.n) return;
-  Body s = with_momentum(load_place(i), i);
+  if (i >= p.n || fault[LEFT_SKIN] < p.motion.steps_done) return;
+  Body s = load_body(i);
   Push walls = push_of_walls(s, p.contact);
   record_fault(walls.fault, i);
   s = kicked(s, take_impulse(i), walls, p.contact);
@@ -21,5 +21,5 @@ void main() {
   if (wrong != FAULTS) return;
   s = drifted(s, mobility);
   store_body(i, s, mobility);
-  if (has_left_skin(centre_of(s, p.contact), grown[i])) record_fault(LEFT_SKIN, i);
+  if (has_left_skin(centre_of(s, p.contact), grown[i])) record_fault(LEFT_SKIN, p.motion.steps_done);
 }

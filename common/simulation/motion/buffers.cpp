@@ -37,11 +37,18 @@ constexpr const char* slot_names[SLOT_TOTAL] = {"positions",
                                                 "depth pyramid",
                                                 "wide state",
                                                 "anchors or grown spheres",
-                                                "flights or impulses",
+                                                "flights",
                                                 "steps of the anchors or faults",
                                                 "steps of the next events or near pairs",
                                                 "list of visible spheres",
-                                                "visible spheres of every other image"};
+                                                "visible spheres of every other image",
+                                                "colours",
+                                                "state along x",
+                                                "state along y",
+                                                "state along z",
+                                                "impulses along x",
+                                                "impulses along y",
+                                                "impulses along z"};
 
 }  // namespace
 

@@ -27,11 +27,36 @@ void DeviceMotion::upload(const Scene& scene, const MotionState* saved) {
 
 // Methods that keep less get buffers of a few bytes in the place of these.
 void DeviceMotion::write_state(const MotionState& state) {
+  const bool fixed = motion_.precision == Precision::fixed;
   visit_parts(state, [&](uint slot, const char*, const auto& part) {
-    context_.buffers.resize(slot, part.size() * sizeof(part[0]));
-    context_.buffers.write(slot, part);
+    const bool kept = slot != SLOT_WIDE || !fixed;
+    context_.buffers.resize(slot, kept ? part.size() * sizeof(part[0]) : 0);
+    if (kept) context_.buffers.write(slot, part);
   });
+  for (uint64_t k = 0; k < 3; ++k) {
+    std::vector<Axis> axis(fixed ? context_.n : 0);
+    for (uint64_t i = 0; i < axis.size(); ++i)
+      axis[i] = {load_real<int64_t>(state.wide, k * context_.n + i),
+                 load_real<int64_t>(state.wide, (3 + k) * context_.n + i)};
+    context_.buffers.resize(uint(SLOT_AXIS + k), axis.size() * sizeof(Axis));
+    context_.buffers.write(uint(SLOT_AXIS + k), axis);
+  }
   steps_ = state.steps;
+}
+
+// The wide state: of fixed, kept axis by axis.
+std::vector<uint> DeviceMotion::read_wide() {
+  if (motion_.precision != Precision::fixed)
+    return context_.buffers.read<uint>(SLOT_WIDE, 6 * context_.n * real_words(motion_.precision));
+  std::vector<uint> wide(12 * context_.n);
+  for (uint64_t k = 0; k < 3; ++k) {
+    const std::vector<Axis> axis = context_.buffers.read<Axis>(uint(SLOT_AXIS + k), context_.n);
+    for (uint64_t i = 0; i < axis.size(); ++i) {
+      store_real(wide, k * context_.n + i, axis[i].position);
+      store_real(wide, (3 + k) * context_.n + i, axis[i].momentum);
+    }
+  }
+  return wide;
 }
 
 void DeviceMotion::launch(Kernel kernel, bool whole_state, bool clear_results, std::optional<Kernel> overlaps) {
@@ -49,11 +74,15 @@ void DeviceMotion::launch(Kernel kernel, bool whole_state, bool clear_results, s
                          params);
 }
 
-bool DeviceMotion::step(bool clear_results, std::optional<Kernel> overlaps) {
+void DeviceMotion::begin_step() {
   if (!unmovable_.empty()) throw std::invalid_argument(unmovable_);
   moved_ = true;
+}
+
+bool DeviceMotion::step(bool clear_results, std::optional<Kernel> overlaps) {
+  begin_step();
   if (motion_.method != MotionMethod::anchored) {
-    launch(motion_.method == MotionMethod::leapfrog ? Kernel::leapfrog : Kernel::move, false, clear_results, overlaps);
+    launch(Kernel::move, false, clear_results, overlaps);
     return clear_results;
   }
   check_steps(context_.name(), steps_++);
@@ -90,7 +119,7 @@ Backend::State DeviceMotion::state() {
   const bool in_buffer = motion_.precision == Precision::float32 || motion_.precision == Precision::fixed;
   if (in_buffer) state.velocities = context_.buffers.read<vec4>(SLOT_VELOCITY, context_.n);
   if (motion_.precision == Precision::float32) return state;
-  state.wide = context_.buffers.read<uint>(SLOT_WIDE, 6 * context_.n * real_words(motion_.precision));
+  state.wide = read_wide();
   if (!in_buffer) state.velocities = rounded_velocities(state.wide, motion_.precision, context_.n);
   return state;
 }

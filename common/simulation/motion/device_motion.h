@@ -16,8 +16,11 @@ class DeviceMotion {
   void set_event_driven(bool on) { event_driven_ = on; }
   MotionOptions options() const { return motion_; }
 
-  // One step. Where `clear_results`, and the method has a kernel that goes through all spheres, the counts and totals
-  // of the last search are cleared by it: true. Throws std::invalid_argument for a scene that cannot be moved.
+  // Before a step: throws std::invalid_argument for a scene that cannot be moved.
+  void begin_step();
+
+  // One step of a method without contacts. Where `clear_results`, and the method has a kernel that goes through all
+  // spheres, the counts and totals of the last search are cleared by it: true.
   bool step(bool clear_results, std::optional<Kernel> overlaps);
 
   // The search's kernel takes the next steps, which it can of `paper` in float32: std::invalid_argument for others.
@@ -35,6 +38,7 @@ class DeviceMotion {
 
  private:
   void write_state(const MotionState& state);
+  std::vector<uint> read_wide();
   void launch(Kernel kernel, bool whole_state, bool clear_results, std::optional<Kernel> overlaps = {});
 
   DeviceContext& context_;
