@@ -34,9 +34,9 @@
 #define SLOT_ANCHOR 25        // vec4[n], of anchored: where the spheres started, radius in w
 #define SLOT_FLIGHT 26  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
 #define SLOT_SINCE 27   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
-#define SLOT_NEXT_EVENT 28         // uint[n], of anchored: first step in which the sphere may reach the plane
-#define SLOT_FAULT SLOT_SINCE      // uint[FAULTS], of leapfrog: the first sphere of each FAULT_*, and LEFT_SKIN; or ~0
-#define SLOT_GROWN SLOT_ANCHOR     // vec4[n], of leapfrog: the spheres whose pairs were listed, with grown radii
+#define SLOT_NEXT_EVENT 28      // uint[n], of anchored: first step in which the sphere may reach the plane
+#define SLOT_FAULT SLOT_SINCE   // uint[FAULT_WORDS], of leapfrog: the first sphere of each FAULT_*, or ~0; see skin.h
+#define SLOT_GROWN SLOT_ANCHOR  // vec4[n], of leapfrog: the spheres whose pairs were listed, with grown radii
 #define SLOT_NEAR SLOT_NEXT_EVENT  // uvec2[], of leapfrog: these pairs (i<j) in any order
 #define SLOT_SEEN_LIST 29          // uint[], two by View::turn: indices of the spheres visible in recent frames
 #define SLOT_VISIBLE_ODD 30        // as SLOT_VISIBLE, for every other frame where two are in flight
@@ -113,8 +113,7 @@
 #define FAULT_DEEP 0u   // what a step with contacts cannot do: a contact deeper than the smaller radius, ...
 #define FAULT_FAST 1u   // ... a sphere that moves on by more than the smallest radius, ...
 #define FAULT_RANGE 2u  // ... or one beyond MOST_UNITS
-#define LEFT_SKIN 3u    // no fault: the step, since near pairs were listed, in which a sphere left its skin
-#define FAULTS 4u
+#define FAULTS 3u
 #define ANCHOR_ON_PLANE 0x80000000u  // bit of `since`: the anchor is a bounce, not the start
 #define NO_EVENT 0xFFFFFFFFu
 
@@ -131,7 +130,7 @@ struct MotionParams {
   vec4 seconds_per_speed, zeno_flights;              // 2 / |g|, or 0 without gravity; flights until rest, see rebound
   float dt, gravity, steps_per_second, restitution;  // seconds, <= 0 along y, 1 / dt, 0..1
   float plane;                                       // its y
-  uint steps_done;     // of anchored: after this move; of leapfrog: since near pairs were listed
+  uint steps_done;                                   // of anchored: after this move
   uint whole_state;    // not 0: evaluate_positions also writes velocities and SLOT_WIDE, bounce handles all that bounce
   uint clear_results;  // not 0: move and evaluate_positions clear contact counts and totals
 };

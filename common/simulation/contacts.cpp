@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/scene/contact_scene.h"
+#include "common/shared/skin.h"
 
 namespace spherepair {
 namespace {
@@ -27,8 +28,8 @@ void Contacts::upload(const Scene& scene) {
     context_.buffers.write(SLOT_IMPULSE + axis, std::vector<int64_t>(n));
   }
   if (!on_) return;
-  context_.buffers.resize(SLOT_FAULT, FAULTS * sizeof(uint));
-  context_.buffers.write(SLOT_FAULT, std::vector<uint>(FAULTS, ~0u));
+  context_.buffers.resize(SLOT_FAULT, FAULT_WORDS * sizeof(uint));
+  context_.buffers.write(SLOT_FAULT, std::vector<uint>(FAULT_WORDS, ~0u));
   context_.buffers.resize(SLOT_GROWN, n * sizeof(vec4));
   context_.buffers.resize(SLOT_NEAR, context_.buffers.bytes(SLOT_PAIR));
   const Scene grown = grown_scene(scene);
@@ -57,9 +58,9 @@ bool Contacts::step(bool clear_results) {
 bool Contacts::complete() {
   bool listed = false;
   while (known_ != launched_) {
-    const uint last = context_.buffers.read<uint>(SLOT_FAULT, FAULTS)[LEFT_SKIN];  // that did something
-    left_ = last <= launched_;
-    known_ = std::min(last, launched_);
+    const std::vector<uint> words = context_.buffers.read<uint>(SLOT_FAULT, FAULT_WORDS);
+    left_ = words[LEFT_SKIN] != ~0u;
+    known_ = words[STEPS_DONE];
     if (known_ == launched_) break;
     const uint again = launched_ - known_;
     served_ = known_;
@@ -71,12 +72,12 @@ bool Contacts::complete() {
 }
 
 void Contacts::launch(bool clear_results) {
-  Params params = context_.params;
-  params.motion.steps_done = ++launched_;
+  ++launched_;
+  Params params = context_.params;  // the same for all steps, so that they are sent once
   params.motion.clear_results = clear_results;
   params.search.pair_capacity = uint(listed_);
-  const auto groups = folded(std::min(ceil_div(listed_, SERVICE_BLOCK), most_groups));
-  if (listed_ != 0) context_.device.launch({Kernel::contact_pairs, SERVICE_BLOCK, {}, groups}, params);
+  const auto groups = folded(std::clamp<uint64_t>(ceil_div(listed_, SERVICE_BLOCK), 1, most_groups));
+  context_.device.launch({Kernel::contact_pairs, SERVICE_BLOCK, {}, groups}, params);
   context_.device.launch({Kernel::leapfrog, SERVICE_BLOCK, {}, groups_per_sphere(context_)}, params);
 }
 

@@ -8,7 +8,10 @@ constexpr uint BLOCK = SERVICE_BLOCK;
 
 __global__ void __launch_bounds__(BLOCK) contact_grow(Params p, KernelBuffers buf) {
   uint i = group_index(p) * BLOCK + threadIdx.x;
-  if (i == 0u) buf.fault[LEFT_SKIN] = 0xFFFFFFFFu;
+  if (i == 0u) {
+    buf.fault[LEFT_SKIN] = 0xFFFFFFFFu;
+    buf.fault[STEPS_DONE] = 0u;
+  }
   if (i >= p.n) return;
   vec4 sphere = buf.position[i];
   if (is_too_far(sphere, p.contact)) record_fault(buf, FAULT_RANGE, i);

@@ -9,9 +9,13 @@ namespace spherepair {
 constexpr uint BLOCK = SERVICE_BLOCK;
 
 __global__ void __launch_bounds__(BLOCK) contact_pairs(Params p, KernelBuffers buf) {
-  if (buf.fault[LEFT_SKIN] < p.motion.steps_done) return;
+  bool stopped = buf.fault[LEFT_SKIN] != 0xFFFFFFFFu;
+  uint first = group_index(p) * BLOCK + threadIdx.x;
+  if (first == 0u) buf.fault[STOPPED] = stopped ? 1u : 0u;
+  if (first == 0u && !stopped) ++buf.fault[STEPS_DONE];
+  if (stopped) return;
   uint pairs = p.search.pair_capacity;
-  for (uint k = group_index(p) * BLOCK + threadIdx.x; k < pairs; k += group_count() * BLOCK) {
+  for (uint k = first; k < pairs; k += group_count() * BLOCK) {
     uint i = buf.near[k].x;
     uint j = buf.near[k].y;
     Body a = load_place(p, buf, i);

@@ -11,7 +11,7 @@ constexpr uint BLOCK = SERVICE_BLOCK;
 __global__ void __launch_bounds__(BLOCK) leapfrog(Params p, KernelBuffers buf) {
   uint i = group_index(p) * BLOCK + threadIdx.x;
   if (p.motion.clear_results != 0u) clear_results(p, buf, i);
-  if (i >= p.n || buf.fault[LEFT_SKIN] < p.motion.steps_done) return;
+  if (i >= p.n || buf.fault[STOPPED] != 0u) return;
   Body s = load_body(p, buf, i);
   Push walls = push_of_walls(s, p.contact);
   record_fault(buf, walls.fault, i);
@@ -22,7 +22,7 @@ __global__ void __launch_bounds__(BLOCK) leapfrog(Params p, KernelBuffers buf) {
   if (wrong != FAULTS) return;
   s = drifted(s, mobility);
   store_body(p, buf, i, s, mobility);
-  if (has_left_skin(centre_of(s, p.contact), buf.grown[i])) record_fault(buf, LEFT_SKIN, p.motion.steps_done);
+  if (has_left_skin(centre_of(s, p.contact), buf.grown[i])) atomicMin(&buf.fault[LEFT_SKIN], i);
 }
 
 Entry leapfrog_kernel(uint, Variant) { return reinterpret_cast<Entry>(&leapfrog); }

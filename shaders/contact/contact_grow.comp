@@ -7,7 +7,10 @@ layout(local_size_x = BLOCK) in;
 
 void main() {
   uint i = group_index() * BLOCK + gl_LocalInvocationID.x;
-  if (i == 0u) fault[LEFT_SKIN] = 0xFFFFFFFFu;
+  if (i == 0u) {
+    fault[LEFT_SKIN] = 0xFFFFFFFFu;
+    fault[STEPS_DONE] = 0u;
+  }
   if (i >= p.n) return;
   vec4 sphere = position[i];
   if (is_too_far(sphere, p.contact)) record_fault(FAULT_RANGE, i);

@@ -8,9 +8,13 @@
 layout(local_size_x = BLOCK) in;
 
 void main() {
-  if (fault[LEFT_SKIN] < p.motion.steps_done) return;
+  bool stopped = fault[LEFT_SKIN] != 0xFFFFFFFFu;
+  uint first = group_index() * BLOCK + gl_LocalInvocationID.x;
+  if (first == 0u) fault[STOPPED] = stopped ? 1u : 0u;
+  if (first == 0u && !stopped) ++fault[STEPS_DONE];
+  if (stopped) return;
   uint pairs = p.search.pair_capacity;
-  for (uint k = group_index() * BLOCK + gl_LocalInvocationID.x; k < pairs; k += group_count() * BLOCK) {
+  for (uint k = first; k < pairs; k += group_count() * BLOCK) {
     uint i = near[k].x;
     uint j = near[k].y;
     Body a = load_place(i);

@@ -10,7 +10,7 @@ layout(local_size_x = BLOCK) in;
 void main() {
   uint i = group_index() * BLOCK + gl_LocalInvocationID.x;
   if (p.motion.clear_results != 0u) clear_results(i);
-  if (i >= p.n || fault[LEFT_SKIN] < p.motion.steps_done) return;
+  if (i >= p.n || fault[STOPPED] != 0u) return;
   Body s = load_body(i);
   Push walls = push_of_walls(s, p.contact);
   record_fault(walls.fault, i);
@@ -21,5 +21,5 @@ void main() {
   if (wrong != FAULTS) return;
   s = drifted(s, mobility);
   store_body(i, s, mobility);
-  if (has_left_skin(centre_of(s, p.contact), grown[i])) record_fault(LEFT_SKIN, p.motion.steps_done);
+  if (has_left_skin(centre_of(s, p.contact), grown[i])) atomicMin(fault[LEFT_SKIN], i);
 }
