@@ -10,9 +10,11 @@ namespace spherepair {
 namespace {
 
 // A sixty-fourth of the default stiffness: contacts last eight times as long, and short runs have many.
-void choose_soft_contacts(Scene& scene, ContactLaw law, bool walls) {
+void choose_soft_contacts(Scene& scene, ContactLaw law, bool walls, double steps = 40) {
   choose_contacts(scene, {.law = law});
-  choose_contacts(scene, {.law = law, .stiffness = scene.contact.stiffness / 64, .walls = walls});
+  choose_contacts(scene, {.law = law, .stiffness = scene.contact.stiffness / 64});
+  const float dt = float(contact_time(scene) / steps);
+  choose_contacts(scene, {.law = law, .stiffness = scene.contact.stiffness, .dt = dt, .walls = walls});
 }
 
 }  // namespace
@@ -29,7 +31,7 @@ Scene gas(const GasOptions& o) {
     scene.velocities.push_back({any(random), any(random), any(random), 0});
   }
   scene.equal_radii = o.ratio == 1;
-  choose_soft_contacts(scene, o.law, true);
+  choose_soft_contacts(scene, o.law, true, o.steps_a_contact);
   return scene;
 }
 

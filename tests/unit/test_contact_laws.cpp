@@ -8,6 +8,7 @@
 
 #include "common/scene/contact_scene.h"
 #include "common/shared/contact.h"
+#include "common/shared/skin.h"
 #include "tests/support/motion_runs.h"
 
 namespace spherepair {
@@ -122,6 +123,46 @@ TEST(ContactLaws, SameBitsWithAnyNumberOfThreads) {
     expect_equal_states(found, wanted, fmt::format("{} threads", threads));
     EXPECT_GT(run_step(*backend, fast_method(*backend)).totals.pairs, 4096u);
   }
+}
+
+// Two spheres that have come into contact since their list was made, each by less than its skin, are in the list: their
+// grown spheres collided, however the centres were rounded.
+TEST(ContactLaws, TheSkinCoversEveryPathAndRounding) {
+  std::mt19937 random(32);
+  std::uniform_real_distribution<double> any(-1, 1);
+  uint64_t served = 0, contacts = 0;
+  ContactParams c{};
+  c.skin = 0x1p-5f;
+  for (int k = 0; k < 400'000; ++k) {
+    const double far = std::exp2(16 * std::abs(any(random))), radius = 0.5 * std::exp2(3 * any(random));
+    double before[2][3], now[2][3], apart = 0;
+    vec4 centre[2], then[2];
+    for (int axis = 0; axis < 3; ++axis) {
+      const double middle = far * any(random), half = radius * 1.19 * any(random);
+      for (int s = 0; s < 2; ++s) {
+        before[s][axis] = middle + (s ? half : -half);
+        now[s][axis] = before[s][axis] + (s ? -1 : 1) * std::copysign(radius / 64 * any(random), half);
+      }
+      apart += std::pow(now[1][axis] - now[0][axis], 2);
+    }
+    const auto rounded = [&](const double* at) {
+      return vec4{float(at[0]), float(at[1]), float(at[2]), float(radius)};
+    };
+    for (int s = 0; s < 2; ++s) then[s] = grown_sphere(rounded(before[s]), c), centre[s] = rounded(now[s]);
+    if (has_left_skin(centre[0], then[0]) || has_left_skin(centre[1], then[1])) continue;
+    ++served;
+    if (apart >= 4 * double(float(radius)) * double(float(radius))) continue;
+    ++contacts;
+    double square = 0;
+    for (float vec4::*axis : {&vec4::x, &vec4::y, &vec4::z})
+      square += std::pow(double(then[0].*axis) - double(then[1].*axis), 2);
+    ASSERT_LT(square, std::pow(double(then[0].w) + double(then[1].w), 2)) << far << " m away, radius " << radius;
+  }
+  EXPECT_GT(served, 100'000u);
+  EXPECT_GT(contacts, 20'000u);
+  EXPECT_LT(contacts, served - 20'000u);
+  EXPECT_TRUE(is_too_far({1e5f, 0, 0, 0.5f}, c));
+  EXPECT_FALSE(is_too_far({1e4f, 0, 0, 0.5f}, c));
 }
 
 void expect_refused(const Scene& scene, int steps, const std::string& wanted) {
