@@ -2,6 +2,8 @@
 // Ambient occlusion, shadows and the ground: what is found through the cells equals every sphere tried at every pixel.
 #include <fmt/format.h>
 
+#include <set>
+
 #include "common/scene/scene_params.h"
 #include "common/shared/light.h"
 #include "tests/support/images.h"
@@ -139,22 +141,29 @@ TEST_P(DrawLight, EqualsEverySphereTriedForScatteredRadii) {
   }
 }
 
-// With another axis upwards the same scene, its coordinates exchanged, looks the same but for rounding, and the ground,
-// the light and the shadows follow: every sphere tried says so, from every side of the sky.
+// With another axis upwards the ground, the light and the shadows follow: every sphere tried says so, from every side
+// of the sky. Sparse spheres throw their shadows far.
 TEST_P(DrawLight, EqualsEverySphereTriedWhateverIsUp) {
-  const Scene scene = scattered_scene();
-  backend().upload(scene);
-  backend().collide({.method = Method::automatic});
-  for (const Vector& up : {Vector{0, 0, 1}, Vector{1, 0, 0}, Vector{0, -1, 0}, Vector{-1, 0.3, 0.2}}) {
-    Look look = contact_look();
-    look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
-    look.ground_normal = up;
-    look.ground = -1;
-    const Camera camera = frame(bounds_of(scene.positions), 200, 25, 40, double(width) / height, up);
-    const View view = make_view(camera, look, width, height);
-    const Image expected = expected_image(scene, backend().counts(), view);
-    EXPECT_EQ(first_mismatch(image_of(backend(), view), expected, view), "") << fmt::format("{}", up[0]);
+  std::set<std::pair<uint, bool>> ways;  // to the sun: the axis along which it is farthest, and whether upwards
+  for (const Scene& scene : {scattered_scene(), make_scene({.name = "uniform", .n = 200, .packing_fraction = 0.02})}) {
+    backend().upload(scene);
+    backend().collide({.method = Method::automatic});
+    for (const Vector& up : {Vector{0, 0, 1}, Vector{0, 0, -1}, Vector{0, 1, 0}, Vector{0, -1, 0}, Vector{1, 0, 0},
+                             Vector{-1, 0.3, 0.2}}) {
+      Look look = contact_look();
+      look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
+      look.ground_normal = up;
+      look.ground = -1;
+      const Camera camera = frame(bounds_of(scene.positions), 200, 25, 40, double(width) / height, up);
+      const View view = make_view(camera, look, width, height);
+      const uint axis = layer_axis(view);
+      ways.insert({axis, on_axis(axis, view.sun.x, view.sun.y, view.sun.z) > 0});
+      const Image expected = expected_image(scene, backend().counts(), view);
+      EXPECT_EQ(first_mismatch(image_of(backend(), view), expected, view), "")
+          << fmt::format("{}", fmt::join(up, ", "));
+    }
   }
+  EXPECT_EQ(ways.size(), 6u) << "not from every side";
 }
 
 INSTANTIATE_BACKENDS(DrawLight);
