@@ -115,8 +115,13 @@ TEST_F(StudyProgram, AblateTimesNoWrongResult) {
   expect_no_wrong_result_timed("ablate --n 300 --names radius_load,plane_test");
 }
 
-// Waited for, but no backend of these tests launches anything: every path is left out behind the check.
+// No backend of these tests launches anything: every path is left out behind the check, since it goes another way.
 TEST_F(StudyProgram, LaunchesTimesNoWrongResult) { expect_no_wrong_result_timed("launches --n 300"); }
+TEST_F(StudyProgram, LaunchesTimesNoPathThatGoesAnotherWay) {
+  const Outcome right = study("none", "launches --n 300");
+  EXPECT_EQ(right.code, 0) << right.errors;
+  EXPECT_NE(right.output.find("its steps go another way here"), std::string::npos) << right.output;
+}
 
 }  // namespace
 }  // namespace spherepair

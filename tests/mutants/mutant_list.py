@@ -36,7 +36,7 @@ HARNESS = [
     mutant("a crossover checks nothing", "bench/studies/crossover_sweep.cpp", "for (const Way& way : ways) {\n    const Configuration configuration",
            "for (const Way& way : ways.empty() ? ways : std::vector<Way>()) {\n    const Configuration configuration", "Timed"),
     mutant("launches are timed unchecked", "bench/gpu/launch_study.cpp", "  require_reference(row, work, options);", "", "StudyProgram"),
-    mutant("a path is not looked at", "bench/gpu/launch_study.cpp", "return row.path->shown(made) ||", "return true ||", "Studies"),
+    mutant("a path is not looked at", "bench/gpu/launch_study.cpp", "return row.path->shown(made) ||", "return true ||", "Studies", "StudyProgram"),
     mutant("steps in one go are one step", "bench/measure/batches.cpp", "return contender.steps(*contender.backend, steps);", "return contender.steps(*contender.backend, 1);", "Studies"),
     mutant("the move is no part of the step", "common/simulation/simulation.cpp", "device_->begin_step(options.api);\n  move();", "move();\n  device_->begin_step(options.api);", "ApiOptions"),
     mutant("a difference is recorded as equal", "bench/cli/compare.cpp", 'record.set("verdict", "difference");',
