@@ -6,7 +6,6 @@
 #define SPHEREPAIR_SKIN_H
 
 #include "common/shared/layout.h"
-#include "common/shared/predicate.h"
 
 // Words of SLOT_FAULT behind the faults. Steps are launched ahead; once a sphere has left its skin, those behind do
 // nothing: contact_pairs, during which nobody writes LEFT_SKIN, tells leapfrog by STOPPED, and counts the others.
@@ -34,7 +33,11 @@ FN float free_path(vec4 sphere, vec4 grown) {
 FN bool has_left_skin(vec4 sphere, vec4 grown) {
   float path = free_path(sphere, grown);
   EXACT float longest = path * path;
-  return !(path > 0.0f && squared_distance(sphere, grown) <= longest);
+  EXACT float x = sphere.x - grown.x;
+  EXACT float y = sphere.y - grown.y;
+  EXACT float z = sphere.z - grown.z;
+  EXACT float gone = (x * x + y * y) + z * z;
+  return !(path > 0.0f && gone <= longest);
 }
 // Too far from the origin for its radius: rounding takes more than half of the skin.
 FN bool is_too_far(vec4 sphere, ContactParams c) {
