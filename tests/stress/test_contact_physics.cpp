@@ -16,6 +16,7 @@ class ContactPhysics : public BackendTest {
   // The other software renderer has the CPU's bits (Contacts), at a twentieth of its speed.
   void SetUp() override {
     BackendTest::SetUp();
+    if (IsSkipped()) return;
     if (backend().info().software) GTEST_SKIP() << "the same bits as the CPU's";
   }
 };
@@ -84,7 +85,7 @@ TEST_P(ContactPhysics, PressureIsThatOfCarnahanAndStarling) {
     const double length = double(gas.scene.contact.high.x) / gas.diameter - 1;  // in diameters
     const double pressure = sum / heat / (3 * std::pow(length, 3)) + 4 * surface_tension(bulk) / length;
     const double found = pressure / (bulk * 6 / std::numbers::pi), expected = compressibility(bulk);
-    EXPECT_NEAR(found / expected, 1, is_gpu(backend()) ? 0.02 : 0.03) << "packing fraction " << bulk << " in the bulk";
+    EXPECT_NEAR(found / expected, 1, is_gpu(backend()) ? 0.02 : 0.06) << "packing fraction " << bulk << " in the bulk";
   }
 }
 
