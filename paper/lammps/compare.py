@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Runs the same spheres through spherepair and LAMMPS, an independent program, and writes both side by side.
 
-    paper/lammps/compare.py [--program PATH] [--lammps lmp] [--output paper/data/lammps/results.json] [--n 8000]
+    paper/lammps/compare.py [--program PATH] [--lammps lmp] [--output paper/data/lammps/results.json] [--n 1000]
 
 Two spheres that run into each other (their rebound speed, by restitution and steps a contact), and a gas in a closed
 box that cools (its kinetic energy). LAMMPS: pair_style gran/hooke without friction, its damper cut where it would pull
@@ -121,8 +121,8 @@ def main():
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/bench/spherepair")
     parser.add_argument("--lammps", default="lmp")
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "paper/data/lammps/results.json")
-    parser.add_argument("--n", type=int, default=8000, help="spheres of the gas")
-    parser.add_argument("--steps", type=int, default=20000, help="of the gas")
+    parser.add_argument("--n", type=int, default=1000, help="spheres of the gas")
+    parser.add_argument("--steps", type=int, default=24000, help="of the gas")
     options = parser.parse_args()
     version = re.search(r"Molecular Massively Parallel Simulator - (.*)", text_of([options.lammps, "-h"]))[1]
     with tempfile.TemporaryDirectory() as name:
@@ -130,7 +130,8 @@ def main():
         rebounds = [two_spheres(options.program, options.lammps, folder, restitution, steps)
                     for restitution in (1, 0.9, 0.7, 0.5) for steps in (40, 320)]
         gas = cooling(options.program, options.lammps, folder, options.n, 0.9, options.steps, options.steps // 40)
-    results = {"lammps": version, "two_spheres": rebounds, "gas": gas}
+    context = json.loads(text_of([options.program, "devices", "--no-gpu", "--json", "-"]))["context"]
+    results = {"lammps": version, "date": context["date"], "build": context["build"], "two_spheres": rebounds, "gas": gas}
     options.output.parent.mkdir(parents=True, exist_ok=True)
     options.output.write_text(json.dumps(results, indent=1) + "\n")
     print("restitution  steps  spherepair    LAMMPS")
