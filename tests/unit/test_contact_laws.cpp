@@ -136,12 +136,13 @@ TEST(ContactLaws, TheSkinCoversEveryPathAndRounding) {
   for (int k = 0; k < 400'000; ++k) {
     const double far = std::exp2(16 * std::abs(any(random))), radius = 0.5 * std::exp2(3 * any(random));
     double before[2][3], now[2][3], apart = 0;
+    const double path = radius / (24 + 72 * std::abs(any(random)));  // some leave their skin
     vec4 centre[2], then[2];
     for (int axis = 0; axis < 3; ++axis) {
       const double middle = far * any(random), half = radius * 1.19 * any(random);
       for (int s = 0; s < 2; ++s) {
         before[s][axis] = middle + (s ? half : -half);
-        now[s][axis] = before[s][axis] + (s ? -1 : 1) * std::copysign(radius / 64 * any(random), half);
+        now[s][axis] = before[s][axis] + (s ? -1 : 1) * std::copysign(path * any(random), half);
       }
       apart += std::pow(now[1][axis] - now[0][axis], 2);
     }
@@ -158,9 +159,9 @@ TEST(ContactLaws, TheSkinCoversEveryPathAndRounding) {
       square += std::pow(double(then[0].*axis) - double(then[1].*axis), 2);
     ASSERT_LT(square, std::pow(double(then[0].w) + double(then[1].w), 2)) << far << " m away, radius " << radius;
   }
-  EXPECT_GT(served, 100'000u);
-  EXPECT_GT(contacts, 20'000u);
-  EXPECT_LT(contacts, served - 20'000u);
+  EXPECT_GT(served, 50'000u);
+  EXPECT_GT(contacts, 10'000u);
+  EXPECT_LT(contacts, served - 10'000u);
   EXPECT_TRUE(is_too_far({1e5f, 0, 0, 0.5f}, c));
   EXPECT_FALSE(is_too_far({1e4f, 0, 0, 0.5f}, c));
 }
