@@ -30,15 +30,11 @@ double expected_miss_share(double step_length) {
   return step_length <= 2 ? step_length * step_length / 12 : 1 - 4 / (3 * step_length);
 }
 
-Method swept_method(const Backend& backend) {
-  return backend.info().on_host ? Method::parallel : Method::collide_tiled;
-}
-
 uint64_t missed_pairs(Backend& backend, const Scene& scene, double step_length, bool swept) {
   std::vector<bool> found(scene.size());
   backend.upload(scene);
   for (int step = 0; step <= int(3 / step_length) + 2; ++step) {
-    backend.collide({.method = swept_method(backend), .swept = swept});
+    backend.collide({.method = Method::automatic, .swept = swept});
     const std::vector<uint> counts = backend.counts();
     for (size_t i = 0; i < found.size(); ++i) found[i] = found[i] || colliding(counts[i]);
     backend.move();

@@ -17,7 +17,4 @@ double expected_miss_share(double step_length);
 // The number of pairs never found to touch, tested at every step, or within every step if `swept`.
 uint64_t missed_pairs(Backend& backend, const Scene& scene, double step_length, bool swept);
 
-// The method of the swept test on this backend.
-Method swept_method(const Backend& backend);
-
 }  // namespace spherepair

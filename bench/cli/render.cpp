@@ -204,8 +204,9 @@ void print_summary(const Series& series, const Remarks& remarks) {
   const RenderOptions& options = series.options;
   const BackendInfo& info = series.backend().info();
   const Start& first = series.start(0);
-  fmt::print("{}{} on {}: scene {}, {}\n{}", options.frames ? "" : first.notes, info.name, device_label(info),
-             first.label, counted(first.scene.size(), "sphere"), passed_over_text(series.chosen));
+  fmt::print("{}{} on {}: scene {}, {}\n{}{}", options.frames ? "" : first.notes, info.name, device_label(info),
+             first.label, counted(first.scene.size(), "sphere"), passed_over_text(series.chosen),
+             describe_contacts(first.scene));
   if (series.image.method != DrawMethod::compute)
     fmt::print("drawn by {} in OpenGL{}{}\n", options.draw, transfer_in_words(series.backend()),
                series.lights ? ", without ambient occlusion and shadows on the spheres: --draw compute has both" : "");
@@ -237,11 +238,10 @@ int render_command(const CommandLine& line, const RenderOptions& given) {
   }
   if (options.steps > 0 || options.images > 1) starts.front().at_rest = false;  // they fall
   const ChosenBackend chosen = choose_backend(options.backend, line.open);
-  const bool lights = !options.plain;
-  const bool by_grid = lights && options.method.empty();  // its cells are those of the light
+  const bool by_grid = !options.plain && options.method.empty();  // its cells are those of the light
   const Method method = by_grid ? Method::collide_grid : choose_method(options.method, *chosen.backend);
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
-  Series series{line, options, starts, chosen, method, lights};
+  Series series{line, options, starts, chosen, method, !options.plain};
   const Remarks remarks = draw_series(series);
   print_summary(series, remarks);
   return kOk;

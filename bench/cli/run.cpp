@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "bench/check/finite_state.h"
-#include "bench/check/missed_contacts.h"
 #include "bench/check/rounding_reach.h"
 #include "bench/check/step_result.h"
 #include "bench/cli/run_steps.h"
@@ -37,8 +36,7 @@ void check_files(const RunOptions& options) {
 CollideOptions collide_options(const RunOptions& options, Backend& backend) {
   CollideOptions collide;
   collide.swept = options.swept;
-  const bool swept_by_default = options.swept && options.method.empty();
-  collide.method = swept_by_default ? swept_method(backend) : choose_method(options.method, backend);
+  collide.method = choose_method(options.method, backend);
   if (options.block) collide.block = require_groups({&backend, collide}, parse_blocks({options.block}).front());
   collide.exact = !options.naive;
   return collide;

@@ -13,6 +13,10 @@ void check_collide(const CollideOptions& options) {
   const bool grid = options.method == Method::collide_grid || options.method == Method::automatic;
   if (!options.filter && (!options.exact || options.method != Method::collide_grid))
     throw std::invalid_argument("without its filter only collide_grid runs, and only with the exact predicate");
+  if (options.swept && (!options.exact || options.method == Method::collide_group))
+    throw std::invalid_argument(
+        "pairs that touch within the next step are found of all spheres and with the exact test only: omit the naive "
+        "test and the method collide_group");
   if (!grid && options.api != ApiOptions{.graph = options.api.graph, .batch = options.api.batch})
     throw std::invalid_argument("of the API options, all but the graph and the batch need collide_grid");
   if (options.api.graph.value_or(false) && !options.api.batch.value_or(true))
@@ -58,16 +62,6 @@ void check_steps(const std::string& backend, uint steps) {
   if (steps >= ANCHOR_ON_PLANE - 1)
     throw BackendError(fmt::format("{}: anchored counts {} steps at most; go on from the state as a new scene", backend,
                                    ANCHOR_ON_PLANE - 1));
-}
-
-void check_swept(const std::string& backend, const CollideOptions& options, MotionOptions motion) {
-  if (options.method != Method::collide_tiled && options.method != Method::parallel)
-    throw std::invalid_argument(
-        fmt::format("{}: contacts between steps are found by collide_tiled and parallel, not {}", backend,
-                    method_name(options.method)));
-  if (motion.precision != Precision::float32)
-    throw std::invalid_argument(fmt::format("{}: contacts between steps need float32 state, not {}", backend,
-                                            precision_name(motion.precision)));
 }
 
 }  // namespace spherepair

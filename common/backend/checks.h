@@ -16,9 +16,6 @@ void refuse_missing(const std::string& backend, const CollideOptions& options, c
 // Throws std::invalid_argument for a method that needs tensor cores, which the backend does not offer.
 void refuse_tensor(const std::string& backend, const CollideOptions& options, bool offered);
 
-// Throws std::invalid_argument when swept contacts are requested of a method or state that has none.
-void check_swept(const std::string& backend, const CollideOptions& options, MotionOptions motion);
-
 // Throws std::invalid_argument unless each of n spheres has an entry of the palette.
 void check_classes(const std::string& backend, std::span<const uint> classes, uint64_t n);
 

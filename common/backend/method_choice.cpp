@@ -15,9 +15,8 @@ namespace {
 // 0: cells are dense.
 uint hashed_levels(const GridPlan& plan) { return plan.cells == Cells::hashed ? uint(std::popcount(plan.levels)) : 0; }
 
-Method all_pairs(const BackendInfo& info, uint64_t n, const GridPlans& plans, bool swept) {
+Method all_pairs(const BackendInfo& info, uint64_t n, const GridPlans& plans) {
   if (info.on_host) return Method::parallel;
-  if (swept) return Method::collide_tiled;
   const bool square = info.software || most_pairs_near(n, plans.hashed_occupancy);
   return square ? Method::collide_square : Method::collide_triangle;
 }
@@ -54,8 +53,8 @@ void leave_all_undecided(SearchParams& params) {
 
 Method chosen_method(const BackendInfo& info, uint64_t n, const GridPlans& plans, const CollideOptions& options) {
   if (options.method != Method::automatic) return options.method;
-  if (!options.swept && double(n) >= grid_from(info, plans, options.grid.cells)) return Method::collide_grid;
-  return all_pairs(info, n, plans, options.swept);
+  if (double(n) >= grid_from(info, plans, options.grid.cells)) return Method::collide_grid;
+  return all_pairs(info, n, plans);
 }
 
 uint chosen_block(const BackendInfo& info, uint64_t n, Method chosen, const CollideOptions& options) {
@@ -72,8 +71,7 @@ MethodChoice explain_choice(const BackendInfo& info, uint64_t n, const GridPlans
   const uint block = info.on_host ? 0 : chosen_block(info, n, method, options);
   MethodChoice choice{method, block, plans.plan(wanted).cells, plans.occupancy(wanted), "asked for"};
   if (options.method != Method::automatic) return choice;
-  choice.reason =
-      options.swept ? "the method that finds pairs within the next step" : reason_of(info, n, plans, wanted);
+  choice.reason = reason_of(info, n, plans, wanted);
   if (block) choice.reason += fmt::format("; groups of {}", block);
   return choice;
 }

@@ -99,7 +99,7 @@ class CpuBackend final : public Backend {
   void collide(const CollideOptions& options) override {
     motion_.require_sound();
     const auto& positions = motion_.positions(threads_);
-    const Method method = search_.prepare(options, positions, motion_.options());
+    const Method method = search_.prepare(options, positions);
     if (options.swept) motion_.evaluate_state(threads_);
     const std::vector<vec4> velocities = options.swept ? motion_.state().velocities : std::vector<vec4>{};
     clock_.time(method_name(method), [&] { search_.run(positions, velocities); });

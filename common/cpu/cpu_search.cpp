@@ -3,6 +3,7 @@
 
 #include "common/backend/checks.h"
 #include "common/backend/method_choice.h"
+#include "common/backend/swept_paths.h"
 
 namespace spherepair {
 
@@ -50,14 +51,13 @@ PairsFound CpuSearch::search_cells(const SearchInput& input) {
   return found;
 }
 
-Method CpuSearch::prepare(const CollideOptions& options, const std::vector<vec4>& positions, MotionOptions motion) {
+Method CpuSearch::prepare(const CollideOptions& options, const std::vector<vec4>& positions) {
   check_collide(options);
   refuse_missing(info_.name, options, {}, false);
   refuse_tensor(info_.name, options, false);
   replan_if_needed(positions, options);
   options_ = options;
   options_.method = chosen_method(info_, n_, plans_, options);
-  if (options.swept) check_swept(info_.name, options_, motion);
   return options_.method;
 }
 
@@ -70,7 +70,10 @@ void CpuSearch::run(const std::vector<vec4>& positions, std::span<const vec4> ve
   work_.lists += options_.want_pairs;
   found_.reset();
   if (options_.swept) {
-    found_ = search_swept(input, velocities);
+    const Scene paths = spheres_around_paths(positions, velocities, params_.motion.dt);
+    CpuSearch near(info_, threads_);
+    near.upload(paths);
+    found_ = search_swept(input, velocities, near.list_pairs(paths.positions, near_options(options_)));
   } else if (options_.method == Method::sequential) {
     found_ = search_sequential(input);
   } else if (options_.method == Method::collide_group) {
@@ -82,8 +85,9 @@ void CpuSearch::run(const std::vector<vec4>& positions, std::span<const vec4> ve
   }
 }
 
-const std::vector<Pair>& CpuSearch::list_pairs(const std::vector<vec4>& positions) {
-  prepare({.method = Method::automatic, .want_pairs = true}, positions, {});
+const std::vector<Pair>& CpuSearch::list_pairs(const std::vector<vec4>& positions, CollideOptions options) {
+  options.want_pairs = true;
+  prepare(options, positions);
   run(positions);
   return pairs();
 }
@@ -95,7 +99,7 @@ const PairsFound& CpuSearch::found() const {
 
 std::vector<uint> CpuSearch::counts() const {
   const PairsFound& last = found();
-  return options_.method == Method::collide_grid ? grid_.counts(threads_) : last.counts;
+  return options_.method == Method::collide_grid && !options_.swept ? grid_.counts(threads_) : last.counts;
 }
 
 const std::vector<Pair>& CpuSearch::pairs() const {

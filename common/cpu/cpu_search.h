@@ -19,12 +19,13 @@ class CpuSearch {
 
   MethodChoice choice(const CollideOptions& options) const;
   // Chooses the method for a search of these positions, and plans the cells anew where spheres have left them.
-  Method prepare(const CollideOptions& options, const std::vector<vec4>& positions, MotionOptions motion);
+  Method prepare(const CollideOptions& options, const std::vector<vec4>& positions);
   // What was prepared; velocities: of a swept search.
   void run(const std::vector<vec4>& positions, std::span<const vec4> velocities = {});
 
-  // All pairs of these positions, in any order.
-  const std::vector<Pair>& list_pairs(const std::vector<vec4>& positions);
+  // The pairs of these positions, in any order.
+  const std::vector<Pair>& list_pairs(const std::vector<vec4>& positions,
+                                      CollideOptions options = {.method = Method::automatic});
 
   bool searched() const { return found_.has_value(); }  // these positions
   const Collisions& totals() const { return found().totals; }

@@ -36,14 +36,14 @@
 #define SLOT_SINCE 27   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
 #define SLOT_NEXT_EVENT 28      // uint[n], of anchored: first step in which the sphere may reach the plane
 #define SLOT_FAULT SLOT_SINCE   // uint[FAULT_WORDS], of leapfrog: the first sphere of each FAULT_*, or ~0; see skin.h
-#define SLOT_GROWN SLOT_ANCHOR  // vec4[n], of leapfrog: the spheres whose pairs were listed, with grown radii
-#define SLOT_NEAR SLOT_NEXT_EVENT  // uvec2[], of leapfrog: these pairs (i<j) in any order
 #define SLOT_SEEN_LIST 29          // uint[], two by View::turn: indices of the spheres visible in recent frames
 #define SLOT_VISIBLE_ODD 30        // as SLOT_VISIBLE, for every other frame where two are in flight
 #define SLOT_COLOUR 31   // uint[n]: entry of the palette, unless it is the number of contacts; see View::colour_by
 #define SLOT_AXIS 32     // three slots, Axis[n] each, of leapfrog: the state along x, y and z
 #define SLOT_IMPULSE 35  // three slots, int64[n] each, of leapfrog: impulses of this step's contacts along x, y and z
-#define SLOT_TOTAL 38
+#define SLOT_GROWN 38    // vec4[n]: the spheres whose near pairs are listed: grown by a skin, or around their next paths
+#define SLOT_NEAR 39     // uvec2[]: their colliding pairs (i<j) in any order, SearchParams::near_pairs of them
+#define SLOT_TOTAL 40
 #define SLOT_PARAMS 0   // the uniform block's own binding
 #define CELL_TEXTURE 0  // texture units of GLSL, one per use, so that bindings seldom change
 #define PYRAMID_TEXTURE 1
@@ -156,6 +156,7 @@ struct UNIFORM_ALIGN SearchParams {
   uint columns_per_group;                 // spheres that a group of collide_triangle tests its rows against;
                                           // consecutive spheres of a group of collide_grid, a power of two
   uint pair_capacity, deferred_capacity;  // of SLOT_PAIR and SLOT_DEFERRED
+  uint near_pairs;                        // in SLOT_NEAR
 };
 
 struct UNIFORM_ALIGN GridParams {
@@ -189,8 +190,8 @@ struct Params {
 
 #ifndef GL_core_profile
 static_assert(SPLIT_BLOCK == BUCKETS_AT_MOST && SPLIT_BLOCK * SPLIT_EACH == SPLIT_TILE);
-static_assert(sizeof(MotionParams) == 96 && sizeof(SearchParams) == 32 && sizeof(GridParams) == 64 &&
-              sizeof(SortParams) == 32 && sizeof(ContactParams) == 96 && sizeof(Params) == 336 && sizeof(uvec2) == 8 &&
+static_assert(sizeof(MotionParams) == 96 && sizeof(SearchParams) == 48 && sizeof(GridParams) == 64 &&
+              sizeof(SortParams) == 32 && sizeof(ContactParams) == 96 && sizeof(Params) == 352 && sizeof(uvec2) == 8 &&
               sizeof(Axis) == 16);
 #endif
 

@@ -8,17 +8,6 @@
 
 #include "common/shared/exact.h"
 
-// False when they are certainly too far from each other: (r + w)^2 <= 2(r^2 + w^2), w being the length of their
-// relative path. 1 + 64u covers the rounding of both sides, 2^-100 underflow.
-FN bool in_swept_reach(vec4 a, vec4 va, vec4 b, vec4 vb, float dt) {
-  EXACT float s = squared_distance(a, b);
-  EXACT float way = (squared_distance(va, vb) * dt) * dt;
-  EXACT float r = a.w + b.w;
-  EXACT float both = 2.0f * (r * r + way);
-  EXACT float apart_above = both * bits_float(0x3F800020u) + bits_float(0x0D800000u);
-  return !(s > apart_above);
-}
-
 FN bool touch_within(vec4 a, vec4 va, vec4 b, vec4 vb, float dt, float scale, float offset) {
   if (decide_pair(a, b, scale, offset).collide) return true;
   double margin = bits_double(0x3D300000u, 0u);  // 2^-44

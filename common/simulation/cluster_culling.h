@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "common/simulation/cell_sorter.h"
+#include "common/simulation/search/cell_sorter.h"
 #include "common/simulation/frame.h"
 
 namespace spherepair {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "common/scene/contact_scene.h"
 #include "common/shared/skin.h"
@@ -27,20 +26,16 @@ void Contacts::upload(const Scene& scene) {
     context_.buffers.resize(SLOT_IMPULSE + axis, n * sizeof(int64_t));
     context_.buffers.write(SLOT_IMPULSE + axis, std::vector<int64_t>(n));
   }
+  context_.buffers.resize(SLOT_GROWN, n * sizeof(vec4));
   if (!on_) return;
   context_.buffers.resize(SLOT_FAULT, FAULT_WORDS * sizeof(uint));
   context_.buffers.write(SLOT_FAULT, std::vector<uint>(FAULT_WORDS, ~0u));
-  context_.buffers.resize(SLOT_GROWN, n * sizeof(vec4));
-  context_.buffers.resize(SLOT_NEAR, context_.buffers.bytes(SLOT_PAIR));
-  const Scene grown = grown_scene(scene);
-  grown_radius_ = common_radius(grown);
-  sorter_.upload(grown);
-  search_.upload(grown);
+  near_.plan(grown_scene(scene));
 }
 
 bool Contacts::step(bool clear_results) {
   motion_.begin_step();
-  sorter_.moved();
+  near_.moved();
   bool listed = false;
   if (launched_ >= next_check_ || left_ || !keeps_) {
     listed = complete();
@@ -75,33 +70,17 @@ void Contacts::launch(bool clear_results) {
   ++launched_;
   Params params = context_.params;  // the same for all steps, so that they are sent once
   params.motion.clear_results = clear_results;
-  params.search.pair_capacity = uint(listed_);
-  const auto groups = folded(std::clamp<uint64_t>(ceil_div(listed_, SERVICE_BLOCK), 1, most_groups));
+  params.search.near_pairs = context_.near_pairs;
+  const auto groups = folded(std::clamp<uint64_t>(ceil_div(context_.near_pairs, SERVICE_BLOCK), 1, most_groups));
   context_.device.launch({Kernel::contact_pairs, SERVICE_BLOCK, {}, groups}, params);
   context_.device.launch({Kernel::leapfrog, SERVICE_BLOCK, {}, groups_per_sphere(context_)}, params);
 }
 
-// The grown spheres stand in for the spheres until their pairs are listed.
 void Contacts::list_near_pairs() {
   made_ = left_ = false;  // until it is, should that fail
   launched_ = known_ = 0;
   context_.launch({Kernel::contact_grow, SERVICE_BLOCK, {}, groups_per_sphere(context_)});
-  sorter_.replaced();
-  search_.moved(false);
-  const float radius = std::exchange(context_.params.radius, grown_radius_);
-  context_.buffers.swap(SLOT_POSITION, SLOT_GROWN);
-  const auto restore = [&] {
-    context_.buffers.swap(SLOT_POSITION, SLOT_GROWN);
-    context_.params.radius = radius;
-  };
-  try {
-    listed_ = search_.list_pairs();
-  } catch (...) {
-    restore();
-    throw;
-  }
-  restore();
-  context_.buffers.swap(SLOT_PAIR, SLOT_NEAR);
+  near_.list();
   made_ = true;
 }
 

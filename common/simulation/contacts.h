@@ -2,14 +2,13 @@
 // Contacts that push, on a device: the list of near pairs, their impulses, and what a step could not do.
 #pragma once
 
-#include "common/simulation/pair_search.h"
+#include "common/simulation/search/near_pairs.h"
 
 namespace spherepair {
 
 class Contacts {
  public:
-  Contacts(DeviceContext& context, DeviceMotion& motion)
-      : context_(context), motion_(motion), sorter_(context), search_(context, motion, sorter_) {}
+  Contacts(DeviceContext& context, DeviceMotion& motion) : context_(context), motion_(motion), near_(context, motion) {}
 
   // The scene's part of the parameters; after the motion's upload, whose method decides what the buffers are for, and
   // after that of the scene's own search.
@@ -17,6 +16,7 @@ class Contacts {
   bool on() const { return on_; }
 
   void keep_list(bool on) { keeps_ = on; }  // else near pairs are listed in every step
+  void forget_list() { made_ = false; }     // others were listed; where all steps are done
 
   // Launches a step of the motion. It waits for the device only where near pairs have to be listed, or may have to be
   // soon: the steps behind one in which a sphere left its skin do nothing, and are launched again by `complete`. Both
@@ -34,10 +34,7 @@ class Contacts {
 
   DeviceContext& context_;
   DeviceMotion& motion_;
-  CellSorter sorter_;  // of the grown spheres, as is the search
-  PairSearch search_;
-  float grown_radius_ = 0;  // where all are equal
-  uint64_t listed_ = 0;     // near pairs
+  NearPairs near_;  // of the spheres grown by their skins
   // Steps since they were listed: launched, of these known to be done, and when to ask next.
   uint launched_ = 0, known_ = 0, next_check_ = 0;
   uint served_ = 1;  // steps by the list before

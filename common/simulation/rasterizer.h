@@ -4,7 +4,7 @@
 #pragma once
 
 #include "common/simulation/cluster_culling.h"
-#include "common/simulation/pair_search.h"
+#include "common/simulation/search/pair_search.h"
 
 namespace spherepair {
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "common/backend/swept_paths.h"
+
 namespace spherepair {
 
 Simulation::Simulation(std::unique_ptr<Device> device, PipelineOpener open)
@@ -14,6 +16,7 @@ Simulation::Simulation(std::unique_ptr<Device> device, PipelineOpener open)
       sorter_(context_),
       search_(context_, motion_, sorter_),
       contacts_(context_, motion_),
+      near_paths_(context_, motion_),
       rasterizer_(context_, motion_, sorter_, search_),
       probe_(context_) {}
 
@@ -103,6 +106,7 @@ void Simulation::collide(const CollideOptions& options) {
   require_scene("collide");
   complete_moves();
   contacts_.require_sound();
+  if (options.swept) list_near_paths(options);
   search_.enqueue(options);
   search_.complete();
 }
@@ -110,7 +114,24 @@ void Simulation::collide(const CollideOptions& options) {
 void Simulation::enqueue_collide(const CollideOptions& options) {
   require_scene("collide");
   complete_moves();
+  if (options.swept) list_near_paths(options);
   search_.enqueue(options);
+}
+
+void Simulation::list_near_paths(const CollideOptions& options) {
+  search_.require_options(options);
+  motion_.evaluate_state();
+  const Backend::State state = motion_.state();
+  const Scene paths = spheres_around_paths(state.positions, state.velocities, context_.params.motion.dt);
+  context_.buffers.resize(SLOT_VELOCITY, context_.n * sizeof(vec4));
+  context_.buffers.write(SLOT_VELOCITY, state.velocities);
+  context_.buffers.resize(SLOT_GROWN, context_.n * sizeof(vec4));
+  context_.buffers.write(SLOT_GROWN, paths.positions);
+  near_paths_.plan(paths);
+  near_paths_.list(near_options(options));
+  contacts_.forget_list();
+  sorter_.replaced();
+  search_.moved(false);
 }
 
 void Simulation::step(const CollideOptions& options) {
@@ -120,7 +141,8 @@ void Simulation::step(const CollideOptions& options) {
 
 void Simulation::enqueue_step(const CollideOptions& options) {
   require_scene("enqueue_step");
-  if (contacts_.on()) return Backend::enqueue_step(options);  // the pairs of its contacts are a search of their own
+  // The pairs of contacts, or of paths, are a search of their own.
+  if (contacts_.on() || options.swept) return Backend::enqueue_step(options);
   search_.require_options(options);
   device_->begin_step(options.api);
   move();

@@ -66,7 +66,8 @@ class Simulation final : public Backend {
 
  private:
   void begin(const Scene& scene, const MotionState* saved);
-  void complete_moves();  // of contacts, see Contacts::complete
+  void complete_moves();                                // of contacts, see Contacts::complete
+  void list_near_paths(const CollideOptions& options);  // for a swept search
   bool has_pipeline() const { return device_->pipeline() || context_.other_pipeline; }
   void require_scene(const char* what) const;
   void require_method(const DrawOptions& options) const;
@@ -77,6 +78,7 @@ class Simulation final : public Backend {
   CellSorter sorter_;
   PairSearch search_;
   Contacts contacts_;
+  NearPairs near_paths_;  // of spheres around the paths of the next step
   Rasterizer rasterizer_;
   Probe probe_;
 };

@@ -1,47 +1,33 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere: it is tested against all others, which pass through shared memory a tile at a time, for
-// contact at any time within the next step.
+// One thread per near pair, in turns until none is left: whether the two spheres touch at any time within the next
+// step. Near pairs are those of spheres that hold the others' paths in the step, in any order.
 #include "common/shared/swept.h"
 #include "cuda/collide/collide.cuh"
 
 namespace spherepair {
 
-template <int BLOCK, bool EQUAL_RADII, bool LISTED>
+constexpr uint BLOCK = SERVICE_BLOCK;
+
+template <bool LISTED>
 __global__ void __launch_bounds__(BLOCK) collide_swept(Params p, KernelBuffers buf) {
-  __shared__ vec4 tile[BLOCK];
-  __shared__ vec4 tile_velocity[BLOCK];
-  Collider<EQUAL_RADII, LISTED> collider(p, buf);
-  uint lane = threadIdx.x;
-  uint i = group_index(p) * BLOCK + lane;
-  vec4 mine = buf.position[min(i, p.n - 1u)];
-  vec4 my_velocity = buf.velocity[min(i, p.n - 1u)];
+  Collider<false, LISTED> collider(p, buf);
   collider.start_totals();
-  uint contacts = 0u;
-  for (uint first = 0u; first < p.n; first += BLOCK) {
-    tile[lane] = buf.position[min(first + lane, p.n - 1u)];
-    tile_velocity[lane] = buf.velocity[min(first + lane, p.n - 1u)];
-    __syncthreads();
-    uint others = min(uint(BLOCK), p.n - first);
-    for (uint k = 0u; k < others; ++k) {
-      uint j = first + k;
-      if (i >= p.n || i == j) continue;
-      if (!in_swept_reach(mine, my_velocity, tile[k], tile_velocity[k], p.motion.dt)) continue;
-      if (!touch_within(mine, my_velocity, tile[k], tile_velocity[k], p.motion.dt, p.search.filter_scale,
-                        p.search.filter_offset))
-        continue;
-      contacts += 1u;
-      if (i < j) collider.record(i, j);
-    }
-    __syncthreads();
+  for (uint k = group_index(p) * BLOCK + threadIdx.x; k < p.search.near_pairs; k += group_count() * BLOCK) {
+    uint i = buf.near[k].x;
+    uint j = buf.near[k].y;
+    bool touch = touch_within(buf.position[i], buf.velocity[i], buf.position[j], buf.velocity[j], p.motion.dt,
+                              p.search.filter_scale, p.search.filter_offset);
+    if (!touch) continue;
+    collider.record(i, j);
+    collider.add_contact(i, 1u);
+    collider.add_contact(j, 1u);
   }
-  if (contacts != 0u) collider.add_contact(i, contacts);
   collider.finish_totals();
 }
 
-Entry collide_swept_kernel(uint block, Variant variant) {
-  return pick_kernel(block, variant, [](auto size, auto, auto listed) {
-    return reinterpret_cast<Entry>(&collide_swept<size(), false, listed()>);
-  });
+Entry collide_swept_kernel(uint, Variant variant) {
+  return variant.listed ? reinterpret_cast<Entry>(&collide_swept<true>)
+                        : reinterpret_cast<Entry>(&collide_swept<false>);
 }
 
 }  // namespace spherepair

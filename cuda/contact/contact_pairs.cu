@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One thread per near pair, in turns until none is left: what the two spheres give each other in a step. There are
-// pair_capacity of them, in any order; momenta are loaded only where there is a contact whose damper needs them. Once a
+// near_pairs of them, in any order; momenta are loaded only where there is a contact whose damper needs them. Once a
 // sphere has left its skin, the steps behind do nothing.
 #include "cuda/contact/contact_state.cuh"
 
@@ -14,7 +14,7 @@ __global__ void __launch_bounds__(BLOCK) contact_pairs(Params p, KernelBuffers b
   if (first == 0u) buf.fault[STOPPED] = stopped ? 1u : 0u;
   if (first == 0u && !stopped) ++buf.fault[STEPS_DONE];
   if (stopped) return;
-  uint pairs = p.search.pair_capacity;
+  uint pairs = p.search.near_pairs;
   for (uint k = first; k < pairs; k += group_count() * BLOCK) {
     uint i = buf.near[k].x;
     uint j = buf.near[k].y;

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // One thread per near pair, in turns until none is left: what the two spheres give each other in a step. There are
-// pair_capacity of them, in any order; momenta are loaded only where there is a contact whose damper needs them. Once a
+// near_pairs of them, in any order; momenta are loaded only where there is a contact whose damper needs them. Once a
 // sphere has left its skin, the steps behind do nothing.
 #include "shaders/contact/contact_state.glsl"
 
@@ -13,7 +13,7 @@ void main() {
   if (first == 0u) fault[STOPPED] = stopped ? 1u : 0u;
   if (first == 0u && !stopped) ++fault[STEPS_DONE];
   if (stopped) return;
-  uint pairs = p.search.pair_capacity;
+  uint pairs = p.search.near_pairs;
   for (uint k = first; k < pairs; k += group_count() * BLOCK) {
     uint i = near[k].x;
     uint j = near[k].y;

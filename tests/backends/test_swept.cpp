@@ -11,6 +11,7 @@
 #include "tests/oracle/adversarial.h"
 #include "tests/support/catalogue.h"
 #include "tests/support/motion_runs.h"
+#include "tests/support/soft_contacts.h"
 
 namespace spherepair {
 namespace {
@@ -29,9 +30,7 @@ bool touch_in_quad(const Scene& scene, uint i, uint j, const Quad& shorter = 1) 
   return nearest < reach * reach;
 }
 
-CollideOptions swept_options(const Backend& backend) {
-  return {.method = swept_method(backend), .want_pairs = true, .swept = true};
-}
+CollideOptions swept_options() { return {.method = Method::automatic, .want_pairs = true, .swept = true}; }
 
 // Spheres that fly through each other in all directions, some tangent, some at rest relative to another.
 Scene crossing_scene(uint64_t n, float dt) {
@@ -60,17 +59,17 @@ TEST_P(StressCatalogue, Row26_SweptFindsWhatTouchesWithinAStep) {
         grazing += !touch_in_quad(scene, i, j) && touch_in_quad(scene, i, j, Quad(1) + 0x1p-40);
       }
     backend().upload(scene);
-    const StepResult answer = run_step(backend(), swept_options(backend()));
+    const StepResult answer = run_step(backend(), swept_options());
     std::vector<Pair> missed, invented;
     std::ranges::set_difference(touching, *answer.pairs, std::back_inserter(missed));
     std::ranges::set_difference(*answer.pairs, touching, std::back_inserter(invented));
     note_figure(fmt::format("{} found, {} missed at dt = {}", touching.size(), missed.size(), dt), "0 missed");
     EXPECT_TRUE(missed.empty()) << missed.size() << " missed at dt = " << dt;
     EXPECT_LE(invented.size(), grazing) << "at dt = " << dt;
-    const StepResult now = run_step(backend(), {.method = swept_options(backend()).method});
+    const StepResult now = run_step(backend(), {.method = swept_options().method});
     EXPECT_GT(answer.totals.pairs, now.totals.pairs);
     cpu_backend().upload(scene);
-    const StepResult by_cpu = run_step(cpu_backend(), swept_options(cpu_backend()));
+    const StepResult by_cpu = run_step(cpu_backend(), swept_options());
     EXPECT_EQ(*answer.pairs, *by_cpu.pairs);
     EXPECT_EQ(answer.counts, by_cpu.counts);
     EXPECT_EQ(answer.totals.fingerprint, by_cpu.totals.fingerprint);
@@ -92,15 +91,90 @@ TEST_P(StressCatalogue, Row26_DiscreteTestMissesAsGeometrySays) {
   }
 }
 
-class Swept : public BackendTest {};
+class Swept : public BackendTest {
+ protected:
+  // The pairs that the backend finds to touch within the next dt, which are those found by testing all.
+  std::vector<Pair> expect_all_pairs_tested(float dt, const CollideOptions& options = swept_options()) {
+    const std::vector<Pair> found = run_step(backend(), options).pairs.value();
+    backend().evaluate_state();
+    const Backend::State state = backend().state();
+    const std::vector<vec4>&at = state.positions, &v = state.velocities;
+    const float scale = bits_float(0x3F80000Cu);
+    std::vector<Pair> touching;
+    for (uint i = 0; i < at.size(); ++i)
+      for (uint j = i + 1; j < at.size(); ++j)
+        if (touch_within(at[i], v[i], at[j], v[j], dt, scale, 0x1p-100f)) touching.push_back({i, j});
+    EXPECT_EQ(found, touching);
+    return found;
+  }
+};
+
+TEST_P(Swept, EveryMethodFindsWhatTestingAllPairsFinds) {
+  for (const float dt : {0.01f, 1.0f}) {
+    const Scene scene = crossing_scene(2000, dt);
+    backend().upload(scene);
+    for (const Method method : backend().methods()) {
+      if (method == Method::collide_group) continue;
+      SCOPED_TRACE(method_name(method));
+      CollideOptions options = swept_options();
+      options.method = method;
+      EXPECT_GT(expect_all_pairs_tested(dt, options).size(), 100u);
+    }
+  }
+}
+
+TEST_P(Swept, OfEveryMotionAndPrecision) {
+  for (const MotionOptions& motion : all_motions()) {
+    SCOPED_TRACE(motion_label(motion));
+    const Scene scene = bouncing_scene({.motion = motion, .dt = 0.25f, .n = 600});
+    backend().upload(scene);
+    for (int step = 0; step < 3; ++step) {
+      EXPECT_GT(expect_all_pairs_tested(scene.dt).size(),
+                run_step(backend(), {.method = Method::automatic}).totals.pairs);
+      backend().move();
+    }
+  }
+}
+
+TEST_P(Swept, LeavesContactsAsTheyAre) {
+  const Scene scene = gas({});
+  backend().upload(scene);
+  for (int step = 0; step < 20; ++step) {
+    if (step % 5 == 2) expect_all_pairs_tested(scene.dt);
+    backend().move();
+  }
+  const Backend::State state = (backend().evaluate_state(), backend().state());
+  expect_equal_states(state, run_steps(cpu_backend(), scene, 20), "after swept searches");
+}
+
+TEST_P(Swept, BetweenOtherSearches) {
+  const Scene scene = crossing_scene(9000, 0.05f);
+  backend().upload(scene);
+  const StepResult before = run_step(backend(), {.method = Method::collide_grid, .want_pairs = true});
+  const StepResult swept = run_step(backend(), swept_options());
+  EXPECT_EQ(*run_step(backend(), {.method = Method::collide_grid, .want_pairs = true}).pairs, *before.pairs);
+  EXPECT_EQ(*run_step(backend(), swept_options()).pairs, *swept.pairs);
+  EXPECT_GT(swept.totals.pairs, before.totals.pairs);
+}
 
 TEST_P(Swept, RefusedWhereItIsNot) {
-  backend().upload(bouncing_scene({.motion = {MotionMethod::impact, Precision::float64}, .n = 5}));
-  EXPECT_THROW(backend().collide(swept_options(backend())), std::invalid_argument);
-  backend().upload(bouncing_scene({.motion = {}, .n = 5}));
-  CollideOptions grid = swept_options(backend());
-  grid.method = Method::collide_grid;
-  EXPECT_THROW(backend().collide(grid), std::invalid_argument);
+  Scene scene = crossing_scene(50, 1);
+  backend().upload(scene);
+  CollideOptions options = swept_options();
+  options.method = Method::collide_group;
+  EXPECT_THROW(backend().collide(options), std::invalid_argument);
+  options = swept_options();
+  options.exact = false;
+  EXPECT_THROW(backend().collide(options), std::invalid_argument);
+  scene.velocities[7].y = 3e38f;
+  scene.dt = 4;
+  backend().upload(scene);
+  try {
+    backend().collide(swept_options());
+    FAIL() << "a path that ends beyond float32 was searched";
+  } catch (const std::invalid_argument& refusal) {
+    EXPECT_NE(std::string(refusal.what()).find("sphere 7"), std::string::npos) << refusal.what();
+  }
 }
 
 INSTANTIATE_BACKENDS(Swept);

@@ -70,7 +70,7 @@ class Digests(Tree):
 
     def test_host_paths(self):
         both = {"host/glsl", "host/cuda"}
-        for file, names in (("common/simulation/pair_search.cpp", both), ("glsl/gl_device.cpp", {"host/glsl"}),
+        for file, names in (("common/simulation/search/pair_search.cpp", both), ("glsl/gl_device.cpp", {"host/glsl"}),
                             ("cuda/host/cuda_device.cpp", {"host/cuda"}), ("bench/measure/timing.cpp", {"measure"}),
                             ("common/cpu/search/cpu_simd.cpp", {"host/cpu"})):
             self.assertEqual(names, self.changed(file, "int unused;\n"), file)

@@ -30,7 +30,6 @@ TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
     EXPECT_EQ(takes("uniform", 6000), Method::collide_grid);
     for (const uint64_t n : {64, 1024, 5000}) EXPECT_EQ(takes("clustered", n), Method::collide_triangle) << n;
     EXPECT_EQ(takes("clustered", 16384), Method::collide_grid);
-    EXPECT_EQ(taken(device, {.name = "uniform", .n = 4096}, {.swept = true}), Method::collide_tiled);
     for (const uint64_t n : {64, 128, 9000}) EXPECT_EQ(takes("one_cell", n), Method::collide_square) << n;
     const auto with_radii = [&](uint64_t n) {
       SceneOptions radii = {.name = "uniform", .n = n, .radius_ratio = 16};

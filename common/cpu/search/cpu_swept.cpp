@@ -10,27 +10,22 @@
 
 namespace spherepair {
 
-PairsFound search_swept(const SearchInput& search, std::span<const vec4> velocities) {
+PairsFound search_swept(const SearchInput& search, std::span<const vec4> velocities, std::span<const Pair> near) {
   const std::span<const vec4> at = search.positions;
   const Params& p = search.params;
-  const uint n = uint(at.size());
   uint64_t pairs = 0;
   std::vector<GrowingList<Pair>> lists(static_cast<size_t>(search.threads));
-#pragma omp parallel for num_threads(search.threads) schedule(dynamic, 16) reduction(+ : pairs) if (n > 256)
-  for (uint i = 0; i < n; ++i) {
-    GrowingList<Pair>& list = lists[size_t(omp_get_thread_num())];
-    for (uint j = i + 1; j < n; ++j) {
-      if (!in_swept_reach(at[i], velocities[i], at[j], velocities[j], p.motion.dt)) continue;
-      if (!touch_within(at[i], velocities[i], at[j], velocities[j], p.motion.dt, p.search.filter_scale,
-                        p.search.filter_offset))
-        continue;
-      const Pair pair{i, j};
-      list.append(&pair, 1);
-      ++pairs;
-    }
+#pragma omp parallel for num_threads(search.threads) schedule(static) reduction(+ : pairs) if (near.size() > 4096)
+  for (const Pair& pair : near) {
+    const auto [i, j] = pair;
+    if (!touch_within(at[i], velocities[i], at[j], velocities[j], p.motion.dt, p.search.filter_scale,
+                      p.search.filter_offset))
+      continue;
+    lists[size_t(omp_get_thread_num())].append(&pair, 1);
+    ++pairs;
   }
   PairsFound found;
-  found.counts.resize(n);
+  found.counts.resize(at.size());
   found.list = joined<Pair>(lists, pairs);
   for (const Pair& pair : found.list) ++found.counts[pair.first], ++found.counts[pair.second];
   found.totals.pairs = pairs;

@@ -16,6 +16,7 @@ struct DeviceContext {
   Params params{};              // each component sets its own struct; sent to the device only when they change
   uint64_t n = 0;               // spheres
   bool equal_radii = true;
+  uint near_pairs = 0;   // in SLOT_NEAR
   uint64_t version = 0;  // of the spheres and their contacts: grows with every move and search
 
   const std::string& name() const { return device.info().name; }

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "common/shared/tensor_form.h"
-#include "common/simulation/all_pairs.h"
+#include "common/simulation/search/all_pairs.h"
 
 namespace spherepair {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common/simulation/search_summary.h"
+#include "common/simulation/search/search_summary.h"
 
 namespace spherepair {
 namespace {

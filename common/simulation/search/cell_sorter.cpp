@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "common/simulation/cell_sorter.h"
+#include "common/simulation/search/cell_sorter.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "common/simulation/sphere_sort.h"
+#include "common/simulation/search/sphere_sort.h"
 
 namespace spherepair {
 namespace {

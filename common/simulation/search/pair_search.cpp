@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common/simulation/pair_search.h"
+#include "common/simulation/search/pair_search.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "common/backend/checks.h"
 #include "common/backend/method_choice.h"
-#include "common/simulation/all_pairs.h"
+#include "common/simulation/search/all_pairs.h"
 
 namespace spherepair {
 namespace {
@@ -17,7 +17,7 @@ constexpr uint resolve_groups = 64;
 // Fewer spheres fit the caches together, so groups of collide_grid stride through them; of more, each group takes so
 // few chunks in a row that neighbouring groups work on neighbouring cells.
 constexpr uint64_t cached_spheres = 4'000'000;
-constexpr uint64_t most_groups = 4096;  // of few spheres: enough to balance the load on a large device
+constexpr uint64_t most_groups = 4096;  // of few spheres or of pairs: enough to balance the load on a large device
 constexpr uint threads_per_chunk = 32;  // of a group, which takes that many chunks in a row of many spheres
 
 }  // namespace
@@ -67,14 +67,7 @@ void PairSearch::require_options(const CollideOptions& options) const {
 
 void PairSearch::enqueue(const CollideOptions& options, bool in_step) {
   require_options(options);
-  if (options.swept) {
-    const CollideOptions chosen = {.method =
-                                       chosen_method(context_.device.info(), context_.n, sorter_.plans(), options)};
-    check_swept(context_.name(), chosen, motion_.options());
-    motion_.evaluate_state();
-  } else {
-    evaluate_positions();
-  }
+  evaluate_positions();
   choose(options);
   launch(in_step);
 }
@@ -86,6 +79,7 @@ void PairSearch::set_params() {
   if (!options_.filter) leave_all_undecided(params);
   params.columns_per_group = options_.columns ? options_.columns : default_columns(context_.n, context_.software());
   params.pair_capacity = options_.want_pairs ? uint(context_.buffers.bytes(SLOT_PAIR) / sizeof(uvec2)) : 0;
+  params.near_pairs = context_.near_pairs;
   params.deferred_capacity = uint(context_.buffers.bytes(SLOT_DEFERRED) / sizeof(uvec2));
 }
 
@@ -128,14 +122,16 @@ void PairSearch::enqueue_steps(uint steps) {
 
 void PairSearch::launch(bool in_step) {
   prepare_launch();
-  const bool grid = options_.method == Method::collide_grid && context_.n >= 2;
+  const bool grid = options_.method == Method::collide_grid && context_.n >= 2 && !options_.swept;
   search_decides_ = grid && sorter_.plans().plan(options_.grid.cells).cells == Cells::dense;
   resolved_ = true;
   if (!grid) sorter_.forget_order();
   if (!in_step) context_.device.begin_step(options_.api);
   const bool clear = std::exchange(results_clear_, false);
   if (!grid && !clear) clear_results(context_, Order::scene);
-  if (context_.n >= 2) {
+  if (options_.swept) {
+    launch_swept();
+  } else if (context_.n >= 2) {
     grid ? launch_grid(clear) : launch_all_pairs(context_, options_, variant_);
     resolved_ = !options_.exact;
   }
@@ -164,6 +160,12 @@ void PairSearch::launch_grid(bool results_clear) {
   launching.groups = folded(few ? std::min(chunks, most_groups) : chunks);
   launching.order = sorter_.order();
   context_.launch(launching);
+}
+
+// One thread a near pair, which decides it.
+void PairSearch::launch_swept() {
+  const uint64_t groups = std::clamp<uint64_t>(ceil_div(context_.near_pairs, SERVICE_BLOCK), 1, most_groups);
+  context_.launch({Kernel::collide_swept, SERVICE_BLOCK, {.listed = variant_.listed}, folded(groups)});
 }
 
 // Decides what was deferred, of which there is hardly ever anything: so a complete search launches it only where a pair

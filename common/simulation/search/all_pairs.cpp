@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common/simulation/all_pairs.h"
+#include "common/simulation/search/all_pairs.h"
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ Share share_of(const CollideOptions& options, uint64_t n, const std::string& bac
     case Method::collide_group:
       return {Kernel::collide_group, block, block};
     case Method::collide_tiled:
-      return {options.swept ? Kernel::collide_swept : Kernel::collide_tiled, block, n};
+      return {Kernel::collide_tiled, block, n};
     case Method::collide_square:
       return {Kernel::collide_square, block, n};
     case Method::collide_triangle:

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <limits>
 
-#include "common/simulation/pair_search.h"
-#include "common/simulation/search_summary.h"
+#include "common/simulation/search/pair_search.h"
+#include "common/simulation/search/search_summary.h"
 
 namespace spherepair {
 namespace {
 
 constexpr uint tally_groups = 1024;
+constexpr uint64_t most_listed = std::numeric_limits<uint>::max();
 
 }  // namespace
 
@@ -45,9 +46,14 @@ std::vector<uint> PairSearch::complete_lists() {
   return summary;
 }
 
-uint64_t PairSearch::list_pairs() {
-  enqueue({.method = Method::automatic, .want_pairs = true});
-  return complete_lists()[SUM_LISTED];
+uint64_t PairSearch::list_pairs(CollideOptions options) {
+  options.want_pairs = true;
+  enqueue(options);
+  const uint64_t pairs = sum_of(complete_lists(), SUM_DEFERRED).pairs;
+  if (pairs > most_listed)
+    throw BackendError(
+        fmt::format("{}: {} pairs are near each other, but a list holds 2^32 - 1 at most", context_.name(), pairs));
+  return pairs;
 }
 
 void PairSearch::complete() {
@@ -55,7 +61,7 @@ void PairSearch::complete() {
   context_.launch({Kernel::tally, SERVICE_BLOCK, {}, {tally_groups, 1, 1}, order_});
   totals_ = sum_of(read_summary(), search_decides_ ? SUM_UNDECIDED : SUM_DEFERRED);
   if (options_.want_pairs && context_.device.library())
-    context_.device.library()->sort_pairs(std::min<uint64_t>(totals_.pairs, std::numeric_limits<uint>::max()));
+    context_.device.library()->sort_pairs(std::min(totals_.pairs, most_listed));
   results_ = Results::complete;
 }
 
@@ -87,7 +93,7 @@ std::vector<Pair> PairSearch::pairs() {
   const uint64_t count = totals().pairs;
   if (!options_.want_pairs)
     throw BackendError(fmt::format("{}: no pair list was requested; set want_pairs", context_.name()));
-  if (count > std::numeric_limits<uint>::max())
+  if (count > most_listed)
     throw BackendError(
         fmt::format("{}: {} pairs collide, but a list holds 2^32 - 1 at most; ask for the numbers without the list",
                     context_.name(), count));

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "common/scene/scene_params.h"
-#include "common/simulation/cell_sorter.h"
 #include "common/simulation/motion/device_motion.h"
+#include "common/simulation/search/cell_sorter.h"
 
 namespace spherepair {
 
@@ -25,7 +25,8 @@ class PairSearch {
   // Launches a search of these positions and returns. Left out: pairs that the filter left undecided (unless the last
   // complete search of this kind had some, which makes their kernel part of the step), lists that are too short and the
   // number of colliding spheres.
-  // in_step: the device has begun the step already, with a move.
+  // in_step: the device has begun the step already, with a move. Of a swept search SLOT_NEAR has the pairs whose paths
+  // are near, and SLOT_VELOCITY the velocities.
   void enqueue(const CollideOptions& options, bool in_step = false);
   void require_options(const CollideOptions& options) const;  // std::invalid_argument names what cannot be
 
@@ -35,8 +36,8 @@ class PairSearch {
   // Completes the search that was enqueued: every pair is decided, every list has room, totals are read.
   void complete();
 
-  // Searches these positions for all pairs and returns how many SLOT_PAIR has, in any order; no totals.
-  uint64_t list_pairs();
+  // Searches these positions for pairs and returns how many SLOT_PAIR has, in any order; no totals.
+  uint64_t list_pairs(CollideOptions options);
 
   bool searched() const { return results_ != Results::none; }  // these positions
   bool is_complete() const { return results_ == Results::complete; }
@@ -63,6 +64,7 @@ class PairSearch {
   void prepare_launch();
   void launch(bool in_step = false);
   void launch_grid(bool results_clear);
+  void launch_swept();
   void set_params();
   void resolve_undecided();
   std::vector<uint> complete_lists();  // the summary

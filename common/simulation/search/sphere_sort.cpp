@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common/simulation/sphere_sort.h"
+#include "common/simulation/search/sphere_sort.h"
 
 #include <algorithm>
 
