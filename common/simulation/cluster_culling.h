@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "common/simulation/search/cell_sorter.h"
 #include "common/simulation/frame.h"
+#include "common/simulation/search/cell_sorter.h"
 
 namespace spherepair {
 
