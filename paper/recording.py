@@ -51,12 +51,12 @@ def check_program(program, record):
 
 
 def older_records(folder, planned):
-    """Records of earlier recordings, in one process, of the same parts."""
-    timed = {run.part.name for run in planned if run.part.timed}
-    files = {f"{name}.json" for name in timed} | {"stress.json"}
+    """Records of earlier recordings, whose processes had no numbers, of the same parts."""
+    numbered = {run.part.name for run in planned if parts.numbered(run.part)}
+    files = {f"{name}.json" for name in numbered} | {"stress.json"}
     files |= {old for old, new in old_names.FILES.items() if new in files}
     found = [path for path in sorted(folder.glob("*.json")) if path.name in files]
-    return found + [folder / name for name in sorted(timed) if any((folder / name).glob("[!0-9]*.json"))]
+    return found + [folder / name for name in sorted(numbered) if any((folder / name).glob("[!0-9]*.json"))]
 
 
 class Progress:

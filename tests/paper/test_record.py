@@ -97,23 +97,25 @@ class Recording(StandIn):
     def test_every_part_is_recorded_once_in_each_process_and_can_be_read(self):
         output = self.run_it("--processes", "3")
         self.assertNotIn("\r", output)  # no terminal
-        timed = [part for part in parts.GPU if part.timed]
-        self.assertEqual(3 * len(timed) + len(parts.GPU) - len(timed), len(self.calls()))
+        several = {part.name for part in parts.GPU if part.processes > 1}
+        self.assertEqual({"results", "sweep", "crossover", "launches"}, several)  # what ARTIFACT.md says
+        self.assertEqual(2 * len(several) + len(parts.GPU), len(self.calls()))
         expected = {"results/3.json", "sweep/2/grid-1.json", "compile.json", "stress/rows-0-1.json", "state_hashes.json",
                     "tests/3.txt", "precision_1e8/1.json"}
         self.assertLessEqual(expected, self.files())
+        self.assertNotIn("precision_1e8/2.json", self.files())
         machine = Machine(self.folder)
-        self.assertEqual({3, 9}, {len(record.samples_ms) for record in machine.records})  # compile.json is of one process
+        self.assertEqual({3, 9}, {len(record.samples_ms) for record in machine.records})  # of one process and of three
         self.assertEqual(2, len(machine.source("stress.json")["rows"]))
         self.assertIn("0 of", self.run_it("--list", "--processes", "3").splitlines()[-1])
 
     def test_what_is_done_is_not_repeated(self):
-        self.run_it("--part", "ablate", "--processes", "2")
-        self.run_it("--part", "ablate", "--processes", "3")
+        self.run_it("--part", "launches", "--processes", "2")
+        self.run_it("--part", "launches", "--processes", "3")
         self.assertEqual(3, len(self.calls()))
-        self.run_it("--part", "ablate-2")  # named, so again
+        self.run_it("--part", "launches-2")  # named, so again
         self.assertEqual(4, len(self.calls()))
-        self.assertEqual({"ablate/1.json", "ablate/2.json", "ablate/3.json"}, self.files())
+        self.assertEqual({"launches/1.json", "launches/2.json", "launches/3.json"}, self.files())
 
     def test_a_sweep_is_replaced_whole(self):
         self.run_it("--part", "sweep-1")
@@ -167,7 +169,7 @@ class Recording(StandIn):
         process.wait(timeout=60)
         output = os.read(ours, 10000).decode()
         os.close(ours)
-        self.assertIn("\r\x1b[K[1/1] ablate-1, about 3 min ... 0.0 min", output)
+        self.assertIn("\r\x1b[K[1/1] ablate-1, about 2 min ... 0.0 min", output)
 
 
 class Needs(StandIn):
@@ -190,7 +192,7 @@ class Needs(StandIn):
     def test_without_cuda_there_are_other_parts(self):
         self.say(cuda=False, software=True)
         self.run_it("--processes", "1")
-        self.assertEqual({part.name for part in parts.SOFTWARE if part.timed},
+        self.assertEqual({part.name for part in parts.SOFTWARE if not part.tests},
                          {path.name for path in self.folder.iterdir() if path.is_dir()} - {"stress"})
 
     def test_another_name_is_refused(self):
