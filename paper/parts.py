@@ -6,6 +6,8 @@ estimates, of one process. Several processes are for the times by which the pape
 """
 from dataclasses import dataclass, field, replace
 
+from paper.tools import path_of
+
 MOST_MINUTES = 8
 SEVERAL = 5  # processes: the rank test tells five medians from five at the level of 1 %
 GIB = 2**30
@@ -23,6 +25,8 @@ class Part:
     processes: int = 1
     memory: int = 0  # bytes that the GPU needs
     tests: bool = False  # runs the tests, not the program
+    script: str = ""  # of this folder, which runs the program
+    tools: tuple = ()  # of NVIDIA's, that the script needs
     environment: dict = field(default_factory=dict)
 
 
@@ -41,6 +45,10 @@ def compiling(backends):
     uncached = {"__GL_SHADER_DISK_CACHE": "0", "MESA_SHADER_CACHE_DISABLE": "1"}
     return Part("compile", 1, backends, "devices --compile --json {out}/compile.json", {"compile.json": "compile.json"},
                 environment=uncached)
+
+
+def scripted(name, minutes, backends, file, *tools):
+    return Part(name, minutes, backends, "{out}", {file: file}, script=name, tools=tools)
 
 
 def testing(name, minutes, backends, filtered, files, **environment):
@@ -63,7 +71,7 @@ def test_shards(backends, shards):
 
 
 def in_hardware(part):
-    return part if part.tests or "glsl" not in part.backends else replace(part, words=f"{part.words} --require-hardware")
+    return part if part.tests or part.script or "glsl" not in part.backends else replace(part, words=f"{part.words} --require-hardware")
 
 
 GPU = tuple(map(in_hardware, (
@@ -100,6 +108,7 @@ GPU = tuple(map(in_hardware, (
           "--steps 5 --rounds 11", "precision.json", memory=16 * GIB),
     study("sets", 3, "cpu,glsl,cuda", "sets --motions paper,impact,anchored", "sets.json"),
     compiling(("cpu", "glsl", "cuda")),
+    scripted("listings", 1, ("glsl", "cuda"), "listings", "cuobjdump", "nvdisasm"),
     *catalogue(("cpu", "glsl", "cuda"), (2, 5), STRESS="full", REQUIRE_BACKENDS="cpu,glsl,cuda"),
     *test_shards(("cpu", "glsl", "cuda"), 3),
 )))
@@ -159,6 +168,9 @@ def missing_needs(part, backends):
     absent = [name for name in part.backends if name not in opened]
     if absent:
         return f"needs {', '.join(absent)}"
+    unfound = [name for name in part.tools if not path_of(name)]
+    if unfound:
+        return f"needs {', '.join(unfound)} of the CUDA toolkit"
     memory = opened.get("cuda", {}).get("details", {}).get("memory bytes")
     if part.memory and memory and int(memory) < part.memory:
         return f"needs {part.memory // GIB} GiB on the GPU, which has {int(memory) // GIB}"
