@@ -109,6 +109,7 @@ GPU = tuple(map(in_hardware, (
     study("sets", 3, "cpu,glsl,cuda", "sets --motions paper,impact,anchored", "sets.json"),
     compiling(("cpu", "glsl", "cuda")),
     scripted("listings", 1, ("glsl", "cuda"), "listings", "cuobjdump", "nvdisasm"),
+    scripted("counters", 2, ("cuda",), "counters.json", "ncu"),
     *catalogue(("cpu", "glsl", "cuda"), (2, 5), STRESS="full", REQUIRE_BACKENDS="cpu,glsl,cuda"),
     *test_shards(("cpu", "glsl", "cuda"), 3),
 )))

@@ -71,7 +71,7 @@ class Recording(StandIn):
         calls = [words for words in self.calls() if words[0] != "run"]  # those are of the listings
         self.assertEqual(2 * len(several) + len([part for part in parts.GPU if not part.script]), len(calls))
         expected = {"results/3.json", "sweep/2/grid-1.json", "compile.json", "stress/rows-0-1.json", "state_hashes.json",
-                    "tests/3.txt", "precision_1e8/1.json", "listings/collide_grid-glsl.txt"}
+                    "tests/3.txt", "precision_1e8/1.json", "listings/collide_grid-glsl.txt", "counters.json"}
         self.assertLessEqual(expected, self.files())
         self.assertNotIn("precision_1e8/2.json", self.files())
         machine = Machine(self.folder)
@@ -171,6 +171,7 @@ class Needs(StandIn):
         self.environment |= {"PATH": str(self.home), "CUDA_PATH": str(self.home)}
         listed = self.run_it("--list")
         self.assertRegex(listed, r"listings .* needs cuobjdump of the CUDA toolkit")
+        self.assertRegex(listed, r"counters .* needs ncu of the CUDA toolkit")
 
     def test_another_name_is_refused(self):
         self.assertRegex(self.run_it("--part", "abacus", code=1), "no part abacus .* but results, frame_rates")
