@@ -2,11 +2,14 @@
 """The parts of a machine's recording: what each runs, what it leaves, and about how long it takes.
 
 In a command {out} is the folder for its output, and in a file's name {process} the number of the process. Minutes are
-estimates, of one process.
+estimates, of one process. Several processes are for the times by which the paper compares the APIs.
 """
 from dataclasses import dataclass, field, replace
 
+from paper.tools import path_of
+
 MOST_MINUTES = 8
+SEVERAL = 5  # processes: the rank test tells five medians from five at the level of 1 %
 GIB = 2**30
 TABLES = "table1,counts,methods,peak_rates,overhead,exactness,scale,step,grid,equality"
 DECADES = "64,1024,16384,65536,262144,1000000,10000000"
@@ -19,9 +22,11 @@ class Part:
     backends: tuple  # that it needs, in hardware but for the CPU's
     words: str  # of the command line
     files: dict  # in the output folder -> in the machine's folder; "." is the whole folder
-    timed: bool = True  # in several processes
+    processes: int = 1
     memory: int = 0  # bytes that the GPU needs
     tests: bool = False  # runs the tests, not the program
+    script: str = ""  # of this folder, which runs the program
+    tools: tuple = ()  # of NVIDIA's, that the script needs
     environment: dict = field(default_factory=dict)
 
 
@@ -39,78 +44,85 @@ def sweep(name, minutes, backends, words, **more):
 def compiling(backends):
     uncached = {"__GL_SHADER_DISK_CACHE": "0", "MESA_SHADER_CACHE_DISABLE": "1"}
     return Part("compile", 1, backends, "devices --compile --json {out}/compile.json", {"compile.json": "compile.json"},
-                timed=False, environment=uncached)
+                environment=uncached)
+
+
+def scripted(name, minutes, backends, file, *tools):
+    return Part(name, minutes, backends, "{out}", {file: file}, script=name, tools=tools)
 
 
 def testing(name, minutes, backends, filtered, files, **environment):
-    return Part(name, minutes, backends, f"--gtest_filter={filtered}", files, timed=False, tests=True,
+    return Part(name, minutes, backends, f"--gtest_filter={filtered}", files, tests=True,
                 environment={"SPHEREPAIR_RECORD": "{out}", **environment})
 
 
 def catalogue(backends, minutes, **environment):
     """The stress catalogue in two parts; row 29, in the second, also leaves the hashes of the states."""
-    yield testing("stress-0-1", minutes, backends, "*Row0*:*Row1*", {"stress.json": "stress/rows-0-1.json"}, **environment)
-    yield testing("stress-2-3", minutes, backends, "*Row2*:*Row3*",
+    yield testing("stress-0-1", minutes[0], backends, "*Row0*:*Row1*", {"stress.json": "stress/rows-0-1.json"}, **environment)
+    yield testing("stress-2-3", minutes[1], backends, "*Row2*:*Row3*",
                   {"stress.json": "stress/rows-2-3.json", "state_hashes.json": "state_hashes.json"}, **environment)
 
 
 def test_shards(backends, shards):
     """All tests, the catalogue in its short form."""
     for k in range(shards):
-        yield testing(f"tests-{k + 1}", 5, backends, "*", {"output.txt": f"tests/{k + 1}.txt"},
+        yield testing(f"tests-{k + 1}", 3, backends, "*", {"output.txt": f"tests/{k + 1}.txt"},
                       GTEST_TOTAL_SHARDS=str(shards), GTEST_SHARD_INDEX=str(k), REQUIRE_BACKENDS=",".join(backends))
 
 
 def in_hardware(part):
-    return part if part.tests or "glsl" not in part.backends else replace(part, words=f"{part.words} --require-hardware")
+    return part if part.tests or part.script or "glsl" not in part.backends else replace(part, words=f"{part.words} --require-hardware")
 
 
 GPU = tuple(map(in_hardware, (
-    study("results", 5, "cpu,glsl,cuda", f"compare --scenes random,uniform --steps 2 --tables {TABLES}", "results.json"),
+    study("results", 5, "cpu,glsl,cuda", f"compare --scenes random,uniform --steps 2 --tables {TABLES}", "results.json",
+          processes=SEVERAL),
     study("frame_rates", 2, "cpu,glsl,cuda",
           "compare --scenes random --steps 2 --blocks 128 --tables frame_rates,arrangements", "results.json"),
-    sweep("sweep", 4, "glsl,cuda", f"--n {DECADES} --rounds 11"),
-    sweep("sweep_1e8", 3, "glsl,cuda", "--methods collide_grid --n 100000000 --packing-fractions 0.3 --rounds 11",
+    sweep("sweep", 3, "glsl,cuda", f"--n {DECADES} --rounds 11", processes=SEVERAL),
+    sweep("sweep_1e8", 2, "glsl,cuda", "--methods collide_grid --n 100000000 --packing-fractions 0.3 --rounds 11",
           memory=16 * GIB),
     sweep("sweep_largest", 3, "cuda", "--methods collide_grid --n 1000000000 --packing-fractions 0.3 --rounds 11",
           memory=120 * GIB),
-    sweep("sweep_cpu", 3, "cpu", f"--n {DECADES} --rounds 11"),
-    study("crossover", 3, "glsl,cuda", "crossover", "crossover.json"),
-    study("crossover_cpu", 2, "cpu", "crossover", "crossover.json"),
-    study("ablate", 3, "glsl,cuda", "ablate --n 16384,1000000", "ablate.json"),
-    study("launches", 2, "glsl,cuda", "launches", "launches.json"),
-    *(study(f"energy_{work}", 4, "glsl,cuda", f"energy --works {work} --windows 5 --seconds 10", "energy.json")
-      for work in ("all_pairs", "warm", "cold")),
+    sweep("sweep_cpu", 2, "cpu", f"--n {DECADES} --rounds 11"),
+    study("crossover", 4, "glsl,cuda", "crossover", "crossover.json", processes=SEVERAL),
+    study("crossover_cpu", 3, "cpu", "crossover", "crossover.json"),
+    study("ablate", 2, "glsl,cuda", "ablate --n 16384,1000000", "ablate.json"),
+    study("launches", 2, "glsl,cuda", "launches", "launches.json", processes=SEVERAL),
+    study("energy_all_pairs", 4, "glsl,cuda", "energy --works all_pairs --windows 5 --seconds 10", "energy.json"),
+    study("energy_grid", 4, "glsl,cuda", "energy --works warm,cold --n 10000000 --windows 5 --seconds 10", "energy.json"),
     study("frames", 5, "glsl,cuda", "frames --draws compute --n 16384,1000000,10000000 --works frame,lit,loop",
           "frames.json"),
     study("frames_pipeline", 2, "glsl", "frames --draws mesh_each,mesh,points,impostor --places outside --works frame "
           "--n 16384,1000000,10000000 --most mesh_each:16384,mesh:1000000", "frames.json"),
-    study("frames_1e8", 3, "glsl,cuda", "frames --draws compute --n 100000000 --works frame,loop", "frames.json",
+    study("frames_1e8", 2, "glsl,cuda", "frames --draws compute --n 100000000 --works frame,loop", "frames.json",
           memory=16 * GIB),
     study("frames_1e9", 3, "cuda", "frames --draws compute --n 1000000000 --works frame", "frames.json",
           memory=120 * GIB),
-    study("frames_transfer", 3, "cuda", "frames --transfer --draws compute,points --places outside --works frame "
+    study("frames_transfer", 1, "cuda", "frames --transfer --draws compute,points --places outside --works frame "
           "--n 16384,1000000", "frames.json"),
-    study("frames_transfer_1e8", 5, "cuda", "frames --transfer --draws compute,points --places outside --works frame "
+    study("frames_transfer_1e8", 3, "cuda", "frames --transfer --draws compute,points --places outside --works frame "
           "--n 100000000", "frames.json", memory=32 * GIB),
     study("precision", 4, "cpu,glsl,cuda", "precision --steps 4,6,8,10 --rounds 11", "precision.json"),
     study("precision_1e8", 5, "glsl,cuda", "precision --motions paper,anchored --precisions float32 --n 100000000 "
           "--steps 5 --rounds 11", "precision.json", memory=16 * GIB),
     study("sets", 3, "cpu,glsl,cuda", "sets --motions paper,impact,anchored", "sets.json"),
     compiling(("cpu", "glsl", "cuda")),
-    *catalogue(("cpu", "glsl", "cuda"), 6, STRESS="full", REQUIRE_BACKENDS="cpu,glsl,cuda"),
+    scripted("listings", 1, ("glsl", "cuda"), "listings", "cuobjdump", "nvdisasm"),
+    scripted("counters", 2, ("cuda",), "counters.json", "ncu"),
+    *catalogue(("cpu", "glsl", "cuda"), (2, 5), STRESS="full", REQUIRE_BACKENDS="cpu,glsl,cuda"),
     *test_shards(("cpu", "glsl", "cuda"), 3),
 )))
 
 SOFTWARE = (
-    study("results", 4, "cpu,glsl", f"compare --tables {TABLES}", "results.json"),
+    study("results", 4, "cpu,glsl", f"compare --tables {TABLES}", "results.json", processes=SEVERAL),
     study("frame_rates", 2, "cpu,glsl", "compare --scenes random --steps 2 --blocks 128 "
           "--tables frame_rates,arrangements --n 64,256,1024,4096,8192", "results.json"),
     study("crossover", 2, "cpu", "crossover --most-ms 60", "crossover.json"),
     study("crossover_glsl", 2, "glsl", "crossover", "crossover.json"),
     study("cpu_grid", 1, "cpu", "ablate --names pair_list --n 1000000,10000000", "ablate.json"),
     study("precision", 2, "cpu,glsl", "precision --threads 1 --rounds 11", "precision.json"),
-    *catalogue(("cpu", "glsl"), 3),
+    *catalogue(("cpu", "glsl"), (3, 3)),
 )
 
 
@@ -122,7 +134,7 @@ class Run:
 
     @property
     def name(self):
-        return f"{self.part.name}-{self.process}" if self.part.timed else self.part.name
+        return f"{self.part.name}-{self.process}" if numbered(self.part) else self.part.name
 
     def targets(self):
         """file of the output folder -> file of the machine's folder"""
@@ -134,10 +146,15 @@ class Run:
                 {name: value.format(out=out) for name, value in self.part.environment.items()})
 
 
-def runs(parts, processes):
-    """Every part once, then the timed ones in further processes: what is interrupted can be read."""
+def numbered(part):
+    """Whether a process's number is in the names of its files, which spread.py reads as those of processes."""
+    return any("{process}" in target for target in part.files.values())
+
+
+def runs(parts, several=SEVERAL):
+    """Every part once, then those of several processes again: what is interrupted can be read."""
     first = [Run(part, 1) for part in parts]
-    return first + [Run(part, process) for process in range(2, processes + 1) for part in parts if part.timed]
+    return first + [Run(part, process) for process in range(2, several + 1) for part in parts if part.processes > 1]
 
 
 def done(run, folder):
@@ -152,6 +169,9 @@ def missing_needs(part, backends):
     absent = [name for name in part.backends if name not in opened]
     if absent:
         return f"needs {', '.join(absent)}"
+    unfound = [name for name in part.tools if not path_of(name)]
+    if unfound:
+        return f"needs {', '.join(unfound)} of the CUDA toolkit"
     memory = opened.get("cuda", {}).get("details", {}).get("memory bytes")
     if part.memory and memory and int(memory) < part.memory:
         return f"needs {part.memory // GIB} GiB on the GPU, which has {int(memory) // GIB}"

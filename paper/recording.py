@@ -11,12 +11,10 @@ import time
 from pathlib import Path
 
 from paper import old_names, parts, sources
+from paper.tools import Failed
 
+ROOT = Path(__file__).resolve().parent.parent
 LINES_OF_A_FAILURE = 12
-
-
-class Failed(Exception):
-    """What failed, where, and what to do."""
 
 
 def devices_of(program):
@@ -51,12 +49,12 @@ def check_program(program, record):
 
 
 def older_records(folder, planned):
-    """Records of earlier recordings, in one process, of the same parts."""
-    timed = {run.part.name for run in planned if run.part.timed}
-    files = {f"{name}.json" for name in timed} | {"stress.json"}
+    """Records of earlier recordings, whose processes had no numbers, of the same parts."""
+    numbered = {run.part.name for run in planned if parts.numbered(run.part)}
+    files = {f"{name}.json" for name in numbered} | {"stress.json"}
     files |= {old for old, new in old_names.FILES.items() if new in files}
     found = [path for path in sorted(folder.glob("*.json")) if path.name in files]
-    return found + [folder / name for name in sorted(timed) if any((folder / name).glob("[!0-9]*.json"))]
+    return found + [folder / name for name in sorted(numbered) if any((folder / name).glob("[!0-9]*.json"))]
 
 
 class Progress:
@@ -116,7 +114,14 @@ def defect_of(path):
     return ""
 
 
-def record_run(run, folder, program, progress):
+def runner(part, program, tests):
+    """The words ahead of a part's own."""
+    if part.script:
+        return [ROOT / "paper" / part.script, "--program", program]
+    return [tests if part.tests else program]
+
+
+def record_run(run, folder, run_by, progress):
     """Runs one part; its output is in the folder whole, or not at all."""
     out = folder / f".{run.name}"
     shutil.rmtree(out, ignore_errors=True)  # of a run that was killed
@@ -125,11 +130,11 @@ def record_run(run, folder, program, progress):
         words, environment = run.command(out)
         log = out / "output.txt"
         with log.open("w") as stream:
-            code = run_command([program, *words], environment, stream, progress)
+            code = run_command([*run_by, *words], environment, stream, progress)
         reason = f"exit code {code}" if code else next(filter(None, (defect_of(out / file) for file in run.targets())), "")
         if reason:
             last = log.read_text(errors="replace").splitlines()[-LINES_OF_A_FAILURE:]
-            command = " ".join([*(f"{name}={value}" for name, value in environment.items()), str(program), *words])
+            command = " ".join([*(f"{name}={value}" for name, value in environment.items()), *map(str, run_by), *words])
             raise Failed("\n".join([f"{reason}; {command} ended with:", *(f"  {line}" for line in last)]))
         for file, target in run.targets().items():
             (folder / target).parent.mkdir(parents=True, exist_ok=True)
@@ -145,7 +150,7 @@ def record_all(chosen, folder, program, tests):
     for k, run in enumerate(chosen, 1):
         progress = Progress(f"[{k}/{len(chosen)}] {run.name}, about {run.part.minutes} min")
         try:
-            record_run(run, folder, tests if run.part.tests else program, progress)
+            record_run(run, folder, runner(run.part, program, tests), progress)
             progress.end(f"{progress.minutes():.1f} min")
         except (Failed, OSError) as reason:
             failures.append(f"{run.name} failed, {reason}")

@@ -46,18 +46,21 @@ def of_stage(name, stage):
 
 
 def names_of(row, recorded):
-    """What a timing depends on, of the recorded names; without a device timer it may be any kernel of its API."""
+    """What a timing depends on, of the recorded names; without a device timer it may be any kernel of its API. Machine code
+    and hardware counters depend on one kernel alone."""
     backend, stages = row.get("backend"), row.get("stages") or ()
     kernels = {name for name in recorded if name.startswith(f"{backend}/") and
                any(of_stage(name, stage) for stage in stages)}
     if backend in GPU_APIS and not kernels:
         kernels = {name for name in recorded if name.startswith(f"{backend}/")}
+    if "kernel" in row:
+        return kernels
     drawn = {name for name in recorded if Path(name).suffix and of_stage(name, row.get("draw") or "")}
     return kernels | drawn | {f"host/{backend}", "measure"} & recorded.keys()
 
 
 def timings(value, above=None):
-    """Every timing of a record, wherever it stands: its backend, its way of drawing and its stages."""
+    """Every timing, listing or profile of a record, wherever it stands: its backend, way of drawing and stages."""
     if isinstance(value, list):
         for inner in value:
             yield from timings(inner, above)
@@ -66,6 +69,8 @@ def timings(value, above=None):
     row = {**(above or {}), **{key: value[key] for key in ("backend", "draw") if key in value}}
     if "samples_ms" in value:
         yield {**row, "stages": value.get("device_stages_ms")}
+    if {"kernel", "backend"} <= value.keys():  # of listings and counters
+        yield {"backend": value["backend"], "kernel": value["kernel"], "stages": [value["kernel"]]}
     if "compile_ms" in value:
         yield {"backend": value["name"], "stages": value["compile_ms"]}
     for inner in value.values():

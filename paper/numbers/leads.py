@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from paper.numbers.derived import matched
-from paper.numbers.ranks import apart, lead, time_ratio
+from paper.numbers.ranks import apart, time_ratio
 from paper.records import Missing
 
 CONTESTS = {"all pairs of the original's box": {"table": "scale", "scene": "random"},
@@ -17,15 +17,15 @@ LARGE = 65536  # spheres from which launches are negligible
 class Contest:
     n: int
     winner: str  # glsl or cuda; empty if the intervals overlap
-    lead: float  # of the winner or of the lesser median, %
     source: str
     where: str = ""
     ratio: float = 1.0  # GLSL's time over CUDA's
 
 
 def contest(glsl, cuda, where=""):
-    name, percent = lead(glsl, cuda)
-    return Contest(glsl.n, name if apart(glsl, cuda) else "", percent, glsl.source, where, time_ratio(glsl, cuda)[0])
+    ratio = time_ratio(glsl, cuda)[0]
+    winner = "" if not apart(glsl, cuda) else "cuda" if ratio > 1 else "glsl"
+    return Contest(glsl.n, winner, glsl.source, where, ratio)
 
 
 def contests(machine):

@@ -87,20 +87,7 @@ def differ(left, right):
             (apart(left, right) or rank_test(independent(left), independent(right)) < 0.01))
 
 
-def lead(glsl, cuda):
-    """(the faster API, its lead in percent of the slower one's time)."""
-    ratio = time_ratio(glsl, cuda)[0]
-    return ("cuda", 100 * (1 - 1 / ratio)) if ratio > 1 else ("glsl", 100 * (1 - ratio))
-
-
 def ratio_text(glsl, cuda, decided=differ):
     """GLSL's time over CUDA's with its interval, or that no difference is seen."""
     middle, low, high = time_ratio(glsl, cuda)
     return f"{middle:.2f}x [{low:.2f}, {high:.2f}]" if decided(glsl, cuda) else "no difference seen"
-
-
-def verdict(glsl, cuda):
-    if not differ(glsl, cuda):
-        return "no difference seen"
-    name, percent = lead(glsl, cuda)
-    return f"{name.upper()} {percent:.1f} % faster"

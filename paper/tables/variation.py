@@ -8,7 +8,7 @@ from paper.tables.tabular import Table
 
 VARIATION = ("How far timings vary, in percent of their medians: the width of their intervals within a process, the range "
              "of the medians between processes on one GPU, and between GPUs; of all timings of a kind the median, in "
-             "brackets the greatest. The intervals of this paper are those of the widest of the three.")
+             "brackets the greatest. Their intervals in this paper are those of the widest of the three.")
 
 
 def width(record, layer):

@@ -34,7 +34,8 @@ def strip_comments(text):
 
 
 def files(root, build):
-    names = ("check", "reproduce", "paper/record", "CMakeLists.txt", ".ci/run", ".ci/sanitize", ".ci/setup.sh")
+    names = ("check", "reproduce", "paper/record", "paper/listings", "paper/counters", "CMakeLists.txt", ".ci/run",
+             ".ci/sanitize", ".ci/setup.sh")
     scripts = [root / name for name in names]
     checked = sources(root) + [p for p in scripts if p.exists()]
     complaints = []

@@ -31,8 +31,8 @@ class Ranks(unittest.TestCase):
         glsl = [1.1 * time for time in cuda]
         alone = [self.record(samples) for samples in (glsl, cuda)]
         contest = [self.record(samples, contest="collide_tiled 128") for samples in (glsl, cuda)]
-        self.assertEqual("no difference seen", ranks.verdict(*alone))
-        self.assertEqual("CUDA 9.1 % faster", ranks.verdict(*contest))
+        self.assertEqual("no difference seen", ranks.ratio_text(*alone))
+        self.assertEqual("1.10x [1.10, 1.10]", ranks.ratio_text(*contest))
         self.assertTrue(ranks.apart(*contest))
         for value, expected in zip(derived.ratio(*contest), (1.1, 0, 0)):
             self.assertAlmostEqual(expected, value)

@@ -16,45 +16,13 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-from paper import parts, sources  # noqa: E402  (the path must be set first)
+import stand_ins  # noqa: E402  (the path must be set first)
+from paper import parts, sources  # noqa: E402
 from paper.records import DATA, Machine  # noqa: E402
 
 # Machines of paper/data whose records may be stale. One that was recorded again with the current sources leaves this
 # list; the test below then keeps it current, and refuses it here.
 MAY_BE_STALE = {"h200", "llvmpipe"}
-
-STAND_IN = '''#!{python}
-import json, os, pathlib, sys, time
-here = pathlib.Path(__file__).parent
-said = json.loads((here / "said.json").read_text())
-words = sys.argv[1:]
-if words[0] == "devices" and "--compile" not in words:
-    pathlib.Path(words[words.index("--json") + 1]).write_text(json.dumps(said["devices"]))
-    sys.exit(0)
-with (here / "calls.txt").open("a") as calls:
-    print(os.getpid(), *words, file=calls)
-if said["sleeps"]:
-    print("sleeping", flush=True)
-    time.sleep(60)
-if words[0] == said["fails"]:
-    print("the GPU fell off the bus")
-    sys.exit(3)
-record = {{"context": said["devices"]["context"], "backends": said["devices"]["backends"], "clocks": [],
-          "verdict": said["verdict"], "measurements": [{{"table": "step", "label": "made up", "backend": "cuda", "n": 64,
-          "scene": {{"name": "random"}}, "samples_ms": [1, 2, 3], "device_stages_ms": {{"move": 1}}}}]}}
-text = said["text"] or json.dumps(record)
-if words[0].startswith("--gtest_filter"):
-    out = pathlib.Path(os.environ["SPHEREPAIR_RECORD"])
-    for name in ("stress.json", "state_hashes.json"):
-        (out / name).write_text(json.dumps({{"rows": [{{"row": words[0]}}]}}))
-elif words[0] == "devices":
-    pathlib.Path(words[words.index("--json") + 1]).write_text(text)
-else:
-    folder = pathlib.Path(words[words.index("--results") + 1])
-    folder.mkdir(parents=True, exist_ok=True)
-    name = "grid-1.json" if words[0] == "sweep" else "results.json" if words[0] == "compare" else words[0] + ".json"
-    (folder / name).write_text(text)
-'''
 
 
 class StandIn(unittest.TestCase):
@@ -63,13 +31,14 @@ class StandIn(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.home, self.folder = pathlib.Path(folder.name), pathlib.Path(folder.name, "machine")
         self.program = self.home / "stand_in"
-        self.program.write_text(STAND_IN.format(python=sys.executable))
+        self.program.write_text(stand_ins.PROGRAM.format(python=sys.executable))
         self.program.chmod(self.program.stat().st_mode | stat.S_IXUSR)
+        self.environment = stand_ins.make_tools(self.home)
         self.say()
 
     def say(self, memory=150 * 10**9, software=False, cuda=True, digests=None, **more):
         backends = [{"name": "cpu", "open": True}, {"name": "glsl", "open": True, "software": software},
-                    {"name": "cuda", "open": cuda, "uuid": "A", "details": {"memory bytes": str(memory)}}]
+                    {"name": "cuda", "open": cuda, "uuid": "A", "details": {"memory bytes": str(memory), "compute capability": "9.0"}}]
         context = {"build": {"commit": "made-up"}, "sources": digests or sources.current()}
         said = {"devices": {"context": context, "backends": backends}, "fails": None, "sleeps": False, "text": None,
                 "verdict": "equal", **more}
@@ -81,7 +50,7 @@ class StandIn(unittest.TestCase):
                 "--tests", str(program), *words]
 
     def run_it(self, *words, code=0, **options):
-        made = subprocess.run(self.words(*words, **options), capture_output=True, text=True)
+        made = subprocess.run(self.words(*words, **options), capture_output=True, text=True, env=self.environment)
         self.assertEqual(code, made.returncode, made.stdout + made.stderr)
         return made.stdout + made.stderr
 
@@ -97,23 +66,26 @@ class Recording(StandIn):
     def test_every_part_is_recorded_once_in_each_process_and_can_be_read(self):
         output = self.run_it("--processes", "3")
         self.assertNotIn("\r", output)  # no terminal
-        timed = [part for part in parts.GPU if part.timed]
-        self.assertEqual(3 * len(timed) + len(parts.GPU) - len(timed), len(self.calls()))
+        several = {part.name for part in parts.GPU if part.processes > 1}
+        self.assertEqual({"results", "sweep", "crossover", "launches"}, several)  # what ARTIFACT.md says
+        calls = [words for words in self.calls() if words[0] != "run"]  # those are of the listings
+        self.assertEqual(2 * len(several) + len([part for part in parts.GPU if not part.script]), len(calls))
         expected = {"results/3.json", "sweep/2/grid-1.json", "compile.json", "stress/rows-0-1.json", "state_hashes.json",
-                    "tests/3.txt", "precision_1e8/1.json"}
+                    "tests/3.txt", "precision_1e8/1.json", "listings/collide_grid-glsl.txt", "counters.json"}
         self.assertLessEqual(expected, self.files())
+        self.assertNotIn("precision_1e8/2.json", self.files())
         machine = Machine(self.folder)
-        self.assertEqual({3, 9}, {len(record.samples_ms) for record in machine.records})  # compile.json is of one process
+        self.assertEqual({3, 9}, {len(record.samples_ms) for record in machine.records})  # of one process and of three
         self.assertEqual(2, len(machine.source("stress.json")["rows"]))
         self.assertIn("0 of", self.run_it("--list", "--processes", "3").splitlines()[-1])
 
     def test_what_is_done_is_not_repeated(self):
-        self.run_it("--part", "ablate", "--processes", "2")
-        self.run_it("--part", "ablate", "--processes", "3")
+        self.run_it("--part", "launches", "--processes", "2")
+        self.run_it("--part", "launches", "--processes", "3")
         self.assertEqual(3, len(self.calls()))
-        self.run_it("--part", "ablate-2")  # named, so again
+        self.run_it("--part", "launches-2")  # named, so again
         self.assertEqual(4, len(self.calls()))
-        self.assertEqual({"ablate/1.json", "ablate/2.json", "ablate/3.json"}, self.files())
+        self.assertEqual({"launches/1.json", "launches/2.json", "launches/3.json"}, self.files())
 
     def test_a_sweep_is_replaced_whole(self):
         self.run_it("--part", "sweep-1")
@@ -167,7 +139,7 @@ class Recording(StandIn):
         process.wait(timeout=60)
         output = os.read(ours, 10000).decode()
         os.close(ours)
-        self.assertIn("\r\x1b[K[1/1] ablate-1, about 3 min ... 0.0 min", output)
+        self.assertIn("\r\x1b[K[1/1] ablate-1, about 2 min ... 0.0 min", output)
 
 
 class Needs(StandIn):
@@ -190,8 +162,16 @@ class Needs(StandIn):
     def test_without_cuda_there_are_other_parts(self):
         self.say(cuda=False, software=True)
         self.run_it("--processes", "1")
-        self.assertEqual({part.name for part in parts.SOFTWARE if part.timed},
+        self.assertEqual({part.name for part in parts.SOFTWARE if not part.tests},
                          {path.name for path in self.folder.iterdir() if path.is_dir()} - {"stress"})
+
+    def test_what_needs_tools_that_are_absent_is_left_out(self):
+        for name in ("cuobjdump", "ncu"):
+            (self.home / name).unlink()
+        self.environment |= {"PATH": str(self.home), "CUDA_PATH": str(self.home)}
+        listed = self.run_it("--list")
+        self.assertRegex(listed, r"listings .* needs cuobjdump of the CUDA toolkit")
+        self.assertRegex(listed, r"counters .* needs ncu of the CUDA toolkit")
 
     def test_another_name_is_refused(self):
         self.assertRegex(self.run_it("--part", "abacus", code=1), "no part abacus .* but results, frame_rates")

@@ -135,6 +135,15 @@ class Stale(Tree):
         self.append("shaders/draw/draw_cull.comp", "int unused;\n")
         self.assertEqual({"a.json": ("draw_cull (GLSL)", 1, 3)}, self.stale())
 
+    def test_listings_and_counters_are_of_one_kernel(self):
+        self.record("listings/listings.json", [{"kernel": "collide_grid", "backend": "glsl"}, {"kernel": "move", "backend": "cuda"}],
+                    context={"kernel": "Linux", "sources": sources.current(self.root)})
+        self.append("bench/measure/timing.cpp", "int unused;\n")
+        self.append("glsl/gl_device.cpp", "int unused;\n")
+        self.assertEqual({}, self.stale())
+        self.append("shaders/collide/collide_grid.comp", "int unused;\n")
+        self.assertEqual({"listings": ("collide_grid (GLSL)", 1, 2)}, self.stale())
+
     def test_what_opengl_draws_counts_for_either_api(self):
         self.record("a.json", [{**timing("cuda", move=1), "draw": "points"}])
         self.append("shaders/draw/points.vert", "int unused;\n")
@@ -162,7 +171,7 @@ class Stale(Tree):
 class Parts(unittest.TestCase):
     def test_the_program_takes_their_command_lines(self):
         """Those of a GPU are refused its OpenGL and end at once; the others are stopped."""
-        for run in parts.runs([part for part in parts.GPU + parts.SOFTWARE if not part.tests], 1):
+        for run in parts.runs([part for part in parts.GPU + parts.SOFTWARE if not part.tests and not part.script], 1):
             with tempfile.TemporaryDirectory() as folder, self.subTest(run.name):
                 without = run.part in parts.GPU and "glsl" in run.part.backends
                 words = [*run.command(folder)[0], *(["--no-gpu"] if without else [])]

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: MIT
+"""Stand-ins for the program, which leaves the records that said.json tells, and for NVIDIA's tools, which print what they
+would of one small kernel with a loop of two pairs."""
+import os
+import pathlib
+import stat
+import sys
+
+PROGRAM = '''#!{python}
+import json, os, pathlib, sys, time
+here = pathlib.Path(__file__).parent
+said = json.loads((here / "said.json").read_text())
+words = sys.argv[1:]
+if words[0] == "devices" and "--compile" not in words:
+    pathlib.Path(words[words.index("--json") + 1]).write_text(json.dumps(said["devices"]))
+    sys.exit(0)
+with (here / "calls.txt").open("a") as calls:
+    print(os.getpid(), *words, file=calls)
+if said["sleeps"]:
+    print("sleeping", flush=True)
+    time.sleep(60)
+if words[0] == said["fails"]:
+    print("the GPU fell off the bus")
+    sys.exit(3)
+record = {{"context": said["devices"]["context"], "backends": said["devices"]["backends"], "clocks": [],
+          "verdict": said["verdict"], "measurements": [{{"table": "step", "label": "made up", "backend": "cuda", "n": 64,
+          "scene": {{"name": "random"}}, "samples_ms": [1, 2, 3], "device_stages_ms": {{"move": 1}}}}]}}
+text = said["text"] or json.dumps(record)
+if words[0].startswith("--gtest_filter"):
+    out = pathlib.Path(os.environ["SPHEREPAIR_RECORD"])
+    for name in ("stress.json", "state_hashes.json"):
+        (out / name).write_text(json.dumps({{"rows": [{{"row": words[0]}}]}}))
+elif words[0] == "run":  # the driver keeps the code of its shaders
+    pathlib.Path(os.environ["__GL_SHADER_DISK_CACHE_PATH"], "entry").write_bytes(b"NVuc".ljust(0x150, b"-"))
+elif words[0] == "devices":
+    pathlib.Path(words[words.index("--json") + 1]).write_text(text)
+else:
+    folder = pathlib.Path(words[words.index("--results") + 1])
+    folder.mkdir(parents=True, exist_ok=True)
+    name = "grid-1.json" if words[0] == "sweep" else "results.json" if words[0] == "compare" else words[0] + ".json"
+    (folder / name).write_text(text)
+'''
+
+LOOP = """
+	.headerflags	@"EF_CUDA_SM90"
+        /*0000*/                   LDC R1, c[0x0][0x28] ;                  /* 0x00000a00ff017b82 */
+                                                                           /* 0x000fe20000000800 */
+        /*0010*/                   LDS.128 R4, [R8] ;                      /* 0x0000000008047984 */
+        /*0020*/                   FADD R12, R4, -R20 ;                    /* 0x8000001404147221 */
+        /*0030*/                   FSETP.GT.AND P0, PT, R12, UR5, PT ;     /* 0x000000050c007c0b */
+        /*0040*/                   FSETP.GT.AND P1, PT, R13, UR5, PT ;     /* 0x000000050d007c0b */
+        /*0050*/               @P0 BRA 0x80 ;                              /* 0x0000000000080947 */
+        /*0060*/                   FADD R13, R5, -R21 ;                    /* 0x8000001505157221 */
+        /*0070*/                   RED.E.ADD desc[UR4][R2.64], R13 ;       /* 0x0000000d0200798e */
+        /*0080*/              @!P2 BRA 0x10 ;                              /* 0xffffffffffe4a947 */
+        /*0090*/                   EXIT ;                                  /* 0x000000000000794d */
+        /*00a0*/                   BRA 0xa0;                               /* 0xfffffffffffc7947 */
+"""
+FUNCTION = "_ZN10spherepair{length}{kernel}ILi{block}ELb{equal}ELb{listed}EEEv6ParamsNS_13KernelBuffersE"
+COUNTERS = {"gpu__time_duration.sum": "12,345", "smsp__issue_active.avg.pct_of_peak_sustained_active": "71.5",
+            "smsp__average_inst_executed_per_warp.ratio": "1,060", "launch__registers_per_thread": "40",
+            "sm__warps_active.avg.pct_of_peak_sustained_active": "90", "dram__throughput.avg.pct_of_peak_sustained_elapsed": "30",
+            "l1tex__throughput.avg.pct_of_peak_sustained_active": "85", "lts__throughput.avg.pct_of_peak_sustained_elapsed": "45",
+            "l1tex__data_pipe_lsu_wavefronts.avg.pct_of_peak_sustained_elapsed": "82.5",
+            "breakdown:sm__throughput.avg.pct_of_peak_sustained_elapsed": "",
+            "smsp__average_warps_issue_stalled_long_scoreboard_per_issue_active.ratio": "4.5",
+            "smsp__average_warps_issue_stalled_long_scoreboard_not_issued_per_issue_active.ratio": "9",
+            "smsp__average_warps_issue_stalled_wait_per_issue_active.ratio": "1.5",
+            "smsp__average_warps_issue_stalled_selected_per_issue_active.ratio": "1"}
+
+
+def functions():
+    """As cuobjdump tells their registers: every kernel in four variants of two group sizes."""
+    for kernel in ("collide_tiled", "collide_triangle", "collide_grid"):
+        for block in (64, 128):
+            for equal in (0, 1):
+                for listed in (0, 1):
+                    name = FUNCTION.format(length=len(kernel), kernel=kernel, block=block, equal=equal, listed=listed)
+                    yield f" Function {name}:\n  REG:{40 + equal + listed} STACK:0 SHARED:2048 LOCAL:0 CONSTANT[0]:700\n"
+
+
+def report(counters=COUNTERS, kernels=("grid_bounds", "collide_grid")):
+    """The raw page of Nsight Compute's report: three launches of each kernel, behind a line of units."""
+    def line(*cells):
+        return ",".join(f'"{cell}"' for cell in cells) + "\n"
+    rows = [line(k, f"void spherepair::{kernel}<(int)128, (bool)1>(Params)", *counters.values())
+            for k in range(3) for kernel in kernels]
+    return line("ID", "Kernel Name", *counters) + line("", "", *("%" for _ in counters)) + "".join(rows)
+
+
+TOOL = """#!{python}
+import pathlib, sys
+words = sys.argv[1:]
+if "--version" in words:
+    print("made-up tool\\nCuda compilation tools, release 13.0, V13.0.88")
+elif "--export" in words:
+    pathlib.Path(words[words.index("--export") + 1]).write_text(" ".join(words))
+elif "--dump-resource-usage" in words or "--import" in words:
+    print({first!r})
+else:
+    print({second!r})
+"""
+
+
+def make_tools(folder, csv=None):
+    """Writes cuobjdump, nvdisasm and ncu into a folder, and returns the variables by which they are found."""
+    folder = pathlib.Path(folder)
+    for name, first in (("cuobjdump", "".join(functions())), ("nvdisasm", ""), ("ncu", csv or report())):
+        path = folder / name
+        path.write_text(TOOL.format(python=sys.executable, first=first, second=LOOP))
+        path.chmod(path.stat().st_mode | stat.S_IXUSR)
+    return {**os.environ, "PATH": f"{folder}:{os.environ['PATH']}"}
