@@ -17,7 +17,6 @@ KERNELS = {  # -> spheres of the run that compiles it, and what a loop has of th
     "collide_grid": (1000000, "FSETP", 1),
 }
 CUDA_NAME = r"_ZN10spherepair\d+{kernel}ILi{block}ELb1ELb0E\w+"  # of a template's block, EQUAL_RADII and LISTED
-BAD_CODE = re.compile(r"at address 0x([0-9a-f]+)")
 
 
 def architecture_of(backends):
@@ -29,22 +28,10 @@ def architecture_of(backends):
 
 
 def disassembled(code, architecture):
-    """The text of raw machine code, up to what is none: what a container holds behind the code is not known."""
     with tempfile.NamedTemporaryFile(suffix=".bin") as file:
-        end = len(code) - len(code) % 16
-        while end:
-            file.seek(0)
-            file.write(code[:end])
-            file.truncate()
-            file.flush()
-            try:
-                return output_of("nvdisasm", "--binary", architecture, file.name)
-            except Failed as reason:
-                bad = BAD_CODE.search(str(reason))
-                if not bad or int(bad[1], 16) >= end:
-                    raise
-                end = int(bad[1], 16)
-    return ""
+        file.write(code)
+        file.flush()
+        return output_of("nvdisasm", "--binary", architecture, file.name)
 
 
 def cuda_code(kernel, program, architecture):

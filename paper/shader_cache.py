@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The machine code in the shader disk cache of NVIDIA's OpenGL driver: its files hold zstd frames, these hold containers
-that begin with NVuc, and a container's code begins at byte 0x130."""
+that begin with NVuc. Behind 32 bytes stand entries of 32, each with its kind, size and place; that of kind 1 is the code."""
 import ctypes
 import os
+import struct
 import subprocess
 import tempfile
 from pathlib import Path
@@ -10,7 +11,7 @@ from pathlib import Path
 from paper.tools import Failed
 
 FRAME = b"\x28\xb5\x2f\xfd"
-CONTAINER, CODE_AT = b"NVuc", 0x130
+CONTAINER, ENTRY, CODE = b"NVuc", 32, 1
 UNKNOWN_SIZE, MOST_BYTES = 2**64 - 1, 64 * 2**20  # of what a frame holds
 
 
@@ -53,9 +54,19 @@ def containers(folder):
     return [(name, content) for content, name in found.items()]
 
 
+def code_of(container):
+    """The machine code of a container; nothing where it has none."""
+    for at in range(ENTRY, len(container) - ENTRY, ENTRY):
+        kind, size, place = struct.unpack_from("<IIQ", container, at)
+        if kind == CODE:
+            return container[place:place + size] if place + size <= len(container) else b""
+    return b""
+
+
 def programs(folder):
     """(name of the file, machine code) of every program."""
-    return [(name, content[CODE_AT:]) for name, content in containers(folder) if len(content) > CODE_AT]
+    found = [(name, code_of(container)) for name, container in containers(folder)]
+    return [(name, code) for name, code in found if code]
 
 
 def compiled_by(words):

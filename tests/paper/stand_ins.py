@@ -31,7 +31,8 @@ if words[0].startswith("--gtest_filter"):
     for name in ("stress.json", "state_hashes.json"):
         (out / name).write_text(json.dumps({{"rows": [{{"row": words[0]}}]}}))
 elif words[0] == "run":  # the driver keeps the code of its shaders
-    pathlib.Path(os.environ["__GL_SHADER_DISK_CACHE_PATH"], "entry").write_bytes(b"NVuc".ljust(0x150, b"-"))
+    pathlib.Path(os.environ["__GL_SHADER_DISK_CACHE_PATH"], "entry").write_bytes(
+        b"NVuc".ljust(32) + b"\\1\\0\\0\\0\\x20\\0\\0\\0\\x40".ljust(32, b"\\0") + bytes(32))
 elif words[0] == "devices":
     pathlib.Path(words[words.index("--json") + 1]).write_text(text)
 else:
@@ -79,7 +80,7 @@ def functions():
                     yield f" Function {name}:\n  REG:{40 + equal + listed} STACK:0 SHARED:2048 LOCAL:0 CONSTANT[0]:700\n"
 
 
-def report(counters=COUNTERS, kernels=("grid_bounds", "collide_grid")):
+def report(counters=COUNTERS, kernels=("grid_bounds", "split_tiles", "grid_sort", "collide_grid")):
     """The raw page of Nsight Compute's report: three launches of each kernel, behind a line of units."""
     def line(*cells):
         return ",".join(f'"{cell}"' for cell in cells) + "\n"

@@ -4,11 +4,11 @@ import ctypes
 import json
 import os
 import pathlib
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
-from unittest import mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
@@ -90,7 +90,9 @@ def frame(content):
 
 
 def container(code):
-    return b"NVuc".ljust(shader_cache.CODE_AT, b"h") + code
+    """An entry of kind 3 comes first, and something else behind the code."""
+    entries = ((3, 8, 0x40), (1, len(code), 0x60))
+    return b"NVuc".ljust(32) + b"".join(struct.pack("<IIQ", *entry).ljust(32, b"\0") for entry in entries) + code + b"behind"
 
 
 class Cache(unittest.TestCase):
@@ -116,23 +118,9 @@ class Cache(unittest.TestCase):
             shader_cache.compiled_by([sys.executable, "-c", "raise SystemExit(3)"])
 
 
-class Disassembly(unittest.TestCase):
-    def test_what_stands_behind_the_code_is_cut_off(self):
-        lengths = []
-
-        def nvdisasm(name, *words):
-            lengths.append(pathlib.Path(words[-1]).stat().st_size)
-            if lengths[-1] > 0x40:
-                raise Failed("nvdisasm error   : Unrecognized operation for functional unit 'uC' at address 0x00000040")
-            return "text"
-
-        with mock.patch.object(machine_code, "output_of", nvdisasm):
-            self.assertEqual("text", machine_code.disassembled(bytes(0x75), "SM90"))
-        self.assertEqual([0x70, 0x40], lengths)
-
-    def test_another_failure_is_told(self):
-        with mock.patch.object(machine_code, "output_of", side_effect=Failed("no such architecture")):
-            self.assertRaises(Failed, machine_code.disassembled, bytes(32), "SM1")
+    def test_a_container_without_code_is_no_program(self):
+        self.assertEqual(b"", shader_cache.code_of(b"NVuc".ljust(96, b"\3")))
+        self.assertEqual(b"", shader_cache.code_of(container(b"code")[:0x60]))
 
 
 PROGRAM = """#!{python}
@@ -142,7 +130,8 @@ if words[0] == "devices":
     record = {{"context": {{"sources": {{}}}}, "backends": [{{"name": "cuda", "open": {open}, "details": {{"compute capability": "9.0"}}}}]}}
     pathlib.Path(words[words.index("--json") + 1]).write_text(json.dumps(record))
 else:
-    pathlib.Path(os.environ["__GL_SHADER_DISK_CACHE_PATH"], "a").write_bytes(b"NVuc".ljust(0x150, b"-"))
+    pathlib.Path(os.environ["__GL_SHADER_DISK_CACHE_PATH"], "a").write_bytes(
+        b"NVuc".ljust(32) + b"\\1\\0\\0\\0\\x20\\0\\0\\0\\x40".ljust(32, b"\\0") + bytes(32))
 """
 
 
