@@ -58,7 +58,7 @@ def parse(text):
 
 
 def target_of(words, labels):
-    branch = re.match(r"(?:@\S+ )?(?:BRA|JMP)\b", words) and TARGET.search(words)
+    branch = re.match(r"(?:@\S+ )?(?:BRA|JMP|CALL)\b", words) and TARGET.search(words)
     if not branch:
         return None
     return labels.get(branch[1]) if branch[1] else int(branch[2], 16)
@@ -69,7 +69,7 @@ def successors(code):
     index = {instruction.address: k for k, instruction in enumerate(code)}
     following = []
     for k, instruction in enumerate(code):
-        falls = instruction.conditional or instruction.target is None and instruction.opcode not in ENDS
+        falls = instruction.conditional or instruction.opcode == "CALL" or instruction.target is None and instruction.opcode not in ENDS
         to = [index[instruction.target]] if instruction.target in index else []
         following.append(to + [k + 1] * (falls and k + 1 < len(code)))
     return following

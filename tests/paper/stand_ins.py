@@ -80,7 +80,7 @@ def functions():
                     yield f" Function {name}:\n  REG:{40 + equal + listed} STACK:0 SHARED:2048 LOCAL:0 CONSTANT[0]:700\n"
 
 
-def report(counters=COUNTERS, kernels=("grid_bounds", "split_tiles", "grid_sort", "collide_grid")):
+def report(counters=COUNTERS, kernels=("grid_bounds", "collide_grid")):
     """The raw page of Nsight Compute's report: three launches of each kernel, behind a line of units."""
     def line(*cells):
         return ",".join(f'"{cell}"' for cell in cells) + "\n"

@@ -38,7 +38,7 @@ class Reports(unittest.TestCase):
         without = {name: value for name, value in stand_ins.COUNTERS.items() if "lts" not in name}
         for text, message in (("==ERROR== ERR_NVGPUCTRPERM", "no table of launches, it begins\n==ERROR== ERR_NVGPUCTRPERM"),
                               (stand_ins.report(without), "did not tell lts__throughput"),
-                              (stand_ins.report(kernels=("collide_grid",)), "no launch of grid_sort, split_tiles with 64 spheres, cold")):
+                              (stand_ins.report(kernels=("grid_bounds",)), "no launch of collide_grid with 64 spheres, cold")):
             with self.assertRaisesRegex(Failed, message):
                 hardware_counters.entries_of(text, 64, "cold")
 
@@ -62,7 +62,7 @@ class Script(unittest.TestCase):
         output = self.counted(stand_ins.make_tools(self.home), 0)
         self.assertRegex(output, r"collide_grid +10000000 cold +12\.3 +72 +85 +45 +30  l1tex__data_pipe_lsu_wavefronts: 82 %")
         record = json.loads((self.home / "machine/counters.json").read_text())
-        self.assertEqual(10, len(record["counters"]))
+        self.assertEqual(8, len(record["counters"]))
 
     def test_a_profiler_that_fails_leaves_nothing_and_is_quoted(self):
         environment = stand_ins.make_tools(self.home)

@@ -72,6 +72,12 @@ class Loops(unittest.TestCase):
                        "BRA P0, 0x20", "@!PT EXIT", "EXIT")
         self.assertEqual(3, len(sass.hot_loop(code).way))
 
+    def test_a_loop_that_is_called(self):
+        """As OpenGL's compiler places the loop of collide_grid, which ends in a jump back to the caller's."""
+        code = code_of("1:", "IADD3 R1, R1, 0x1, RZ", "@P0 CALL.REL.NOINC `(.L_x_2)", "BRA `(.L_x_1)", "EXIT",
+                       "2:", "FADD R0, R0, R1", "@P1 BRA `(.L_x_2)", "BRA `(.L_x_1)")
+        self.assertEqual(["FADD R0, R0, R1", "@P1 BRA `(.L_x_2)"], shown(sass.hot_loop(code)))
+
     def test_where_there_is_no_loop_there_is_none(self):
         self.assertIsNone(sass.hot_loop([]))
         self.assertIsNone(sass.hot_loop(code_of("FADD R0, R0, R1", "1:", "IADD3 R1, R1, R2, RZ", "@P0 BRA `(.L_x_1)", "EXIT")))
