@@ -47,6 +47,8 @@ struct KernelBuffers {
   uint* fault;
   vec4* grown;
   const uvec2* near;
+  uint* row;
+  uint* row_length;
   AxisBuffer axis[3];
   int64_t* impulse[3];
 };

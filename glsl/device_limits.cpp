@@ -67,7 +67,9 @@ DeviceLimits device_limits(const OpenOptions& options) {
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &binding);
   return {.largest_binding = uint64_t(binding),
           .largest_texture = std::min(texels, options.texels),
-          .features = {epoxy_has_gl_extension("GL_NV_shader_atomic_int64"), options.subgroups && has_subgroups()},
+          .features = {.atomics_64 = epoxy_has_gl_extension("GL_NV_shader_atomic_int64"),
+                       .float_atomics = epoxy_has_gl_extension("GL_NV_shader_atomic_float"),
+                       .subgroups = options.subgroups && has_subgroups()},
           .sparse = epoxy_has_gl_extension("GL_ARB_sparse_buffer"),
           .large_pages = options.large_pages};
 }

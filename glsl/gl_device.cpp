@@ -80,6 +80,7 @@ GlDevice::GlDevice(const OpenOptions& options) : context_(options) {
   staging_.turn(!info_.software);
   capabilities_ = {.largest_buffer = limits_.largest_binding,
                    .atomics_64 = limits_.features.atomics_64,
+                   .float_atomics = limits_.features.float_atomics,
                    .overlaps_images = true,
                    .bounds_block = 256};  // all groups then run at once (docs/NOTES/grid.md)
   glCreateBuffers(1, &params_buffer_);

@@ -30,6 +30,7 @@ std::string source_of(const std::string& kernel, unsigned block, const Variant& 
          fmt::format("#define METHOD {}u\n#define PRECISION {}\n#define Real {}\n", method, precision,
                      real_names[precision]) +
          (features.atomics_64 ? "#extension GL_NV_shader_atomic_int64 : require\n#define ATOMICS_64\n" : "") +
+         (variant.float_sums ? "#extension GL_NV_shader_atomic_float : require\n#define FLOAT_SUMS\n" : "") +
          (features.subgroups ? "#extension GL_KHR_shader_subgroup_arithmetic : require\n#define SUBGROUPS\n" : "") +
          text.substr(after_version);
 }

@@ -18,8 +18,9 @@ namespace spherepair {
 
 // What shaders use where the driver has it.
 struct Features {
-  bool atomics_64 = false;  // GL_NV_shader_atomic_int64
-  bool subgroups = false;   // GL_KHR_shader_subgroup_arithmetic, with subgroups of 32 invocations or more
+  bool atomics_64 = false;     // GL_NV_shader_atomic_int64
+  bool float_atomics = false;  // GL_NV_shader_atomic_float
+  bool subgroups = false;      // GL_KHR_shader_subgroup_arithmetic, with subgroups of 32 invocations or more
 };
 
 // A program; one of a compute shader is made from the embedded shader of this name, with the group size, the variant

@@ -3,7 +3,8 @@
 
 
 def rows_of(root):
-    readers = {"spherepair frames 1": frames, "spherepair precision 1": precision}
+    readers = {"spherepair frames 1": frames, "spherepair precision 1": precision,
+               "spherepair contacts 1": contacts}
     if root.get("format") in readers:
         return readers[root["format"]](root)
     if "benchmarks" in root:
@@ -49,6 +50,13 @@ def precision(root):
                          "table": "precision", "scene": {"name": "random"}, "error_m": errors[key],
                          "simulated_s": root["settings"]["seconds"]})
     return rows
+
+
+def contacts(root):
+    """Of `spherepair contacts`: each run with the time of its steps and its error, and the steps by sum of impulses."""
+    return [{**entry["sample"], **{name: value for name, value in entry.items() if name != "sample"},
+             "table": table, "scene": {"name": "gas"}}
+            for table in ("contact_runs", "contact_sums") for entry in root[table]]
 
 
 def benchmarks(root):

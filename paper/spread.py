@@ -10,7 +10,8 @@ import statistics
 from collections import Counter
 
 LAYERS = ("within", "processes", "gpus")
-TIMED = ("measurements", "records", "frames", "times", "copies", "overlaps", "exactness")  # lists of timings in records
+TIMED = ("measurements", "records", "frames", "times", "copies", "overlaps", "exactness", "contact_runs",
+         "contact_sums")  # lists of timings in records
 
 
 def median_interval(samples, confidence=0.95):

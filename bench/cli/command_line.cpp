@@ -184,11 +184,11 @@ void add_study(CLI::App& app, CommandLine& line, Action& action, const char* nam
 void add_studies(CLI::App& app, CommandLine& line, Action& action) {
   add_study(app, line, action, "precision", "Measure error and run time of every motion method and precision",
             add_precision_options, precision_command);
-  add_study(app, line, action, "sets",
-            "Measure how many pairs motion, storage, a naive predicate and testing once per step get wrong",
+  add_study(app, line, action, "contacts", "Measure error and run time of contacts, and what their sums cost",
+            add_contacts_options, contacts_command);
+  add_study(app, line, action, "sets", "Measure how many pairs motion, storage and naive tests get wrong",
             add_sets_options, sets_command);
-  add_study(app, line, action, "sweep", "Time a collision step from few spheres to 10^9", add_sweep_options,
-            sweep_command);
+  add_study(app, line, action, "sweep", "Time a collision step up to 10^9 spheres", add_sweep_options, sweep_command);
   add_study(app, line, action, "crossover", "Time all pairs, the grid and the automatic choice between them",
             add_crossover_options, crossover_command);
   add_study(app, line, action, "ablate", "Time each optimisation and API feature on and off", add_ablate_options,

@@ -10,6 +10,7 @@
 #include "bench/gpu/launch_study.h"
 #include "bench/options/shard.h"
 #include "bench/studies/ablation_study.h"
+#include "bench/studies/contact_study.h"
 #include "bench/studies/crossover_sweep.h"
 
 namespace spherepair {
@@ -41,6 +42,17 @@ struct PrecisionOptions {
 };
 std::shared_ptr<PrecisionOptions> add_precision_options(CLI::App& command);
 int precision_command(const CommandLine& line, const PrecisionOptions& options);
+
+// Error and run time of contacts by law, time step and sum of the impulses, and what the sums cost.
+struct ContactsOptions {
+  std::vector<std::string> backends, laws, steps;  // empty: all; steps: by machine
+  uint64_t n = 0;                                  // of the errors; 0: by machine
+  std::vector<uint64_t> cost_sizes;                // empty: by machine
+  int rounds = 11;
+  std::string results;  // empty: default_results()
+};
+std::shared_ptr<ContactsOptions> add_contacts_options(CLI::App& command);
+int contacts_command(const CommandLine& line, const ContactsOptions& options);
 
 struct SetsOptions {
   std::vector<std::string> backends, methods, precisions;  // empty: all

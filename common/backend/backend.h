@@ -125,6 +125,7 @@ class Backend {
   // is not due (anchored), listing near pairs while a list still serves (contacts).
   virtual void set_event_driven(bool on) = 0;
   virtual void keep_near_pairs(bool on) = 0;
+  virtual void sum_impulses(ImpulseSums sums) = 0;  // for measuring; std::invalid_argument where the device cannot
 
   // Finds the colliding pairs of the spheres as they stand, and completes that: every list has room, every pair is
   // decided, and asking for its results afterwards only reads them.
@@ -195,8 +196,7 @@ class Backend {
   // Copies the image into an RGBA8 texture of its size in the context of OpenOptions::window, on the GPU if it is
   // there. False without such a context: image() then has to be uploaded.
   virtual bool show(uint /*texture*/) { return false; }
-  virtual DrawStatistics
-  draw_statistics() = 0;  // needs DrawOptions::count; this and visible(): of the method compute only
+  virtual DrawStatistics draw_statistics() = 0;  // needs DrawOptions::count; this and visible(): of compute only
 
   // Decides spheres[2k] against spheres[2k + 1] for every k, with the same code as the kernels: verdict_code() each.
   virtual std::vector<uint> decide(std::span<const vec4> spheres) = 0;

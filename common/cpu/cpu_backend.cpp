@@ -79,10 +79,7 @@ class CpuBackend final : public Backend {
     drawn_ = {};
     classes_.clear();
   }
-  void resume(const Scene& scene, const MotionState& saved) override {
-    upload(scene);
-    motion_.resume(scene, saved);
-  }
+  void resume(const Scene& scene, const MotionState& saved) override { upload(scene), motion_.resume(scene, saved); }
 
   void move() override {
     clock_.time("move", [&] { motion_.move(threads_); });
@@ -90,6 +87,7 @@ class CpuBackend final : public Backend {
   }
   void set_event_driven(bool on) override { motion_.set_event_driven(on); }
   void keep_near_pairs(bool on) override { motion_.keep_near_pairs(on); }
+  void sum_impulses(ImpulseSums sums) override { motion_.sum_impulses(sums); }
   void evaluate_positions() override { motion_.positions(threads_); }
   void evaluate_state() override { motion_.evaluate_state(threads_); }
   State state() override { return motion_.state(); }

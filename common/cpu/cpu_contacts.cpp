@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <numeric>
+#include <utility>
 
 #include "common/scene/contact_scene.h"
 #include "common/shared/skin.h"
@@ -14,19 +16,27 @@ namespace {
 
 constexpr uint64_t few = 4096;  // spheres or pairs for which threads cost more than they save
 
-void add(int64_t& sum, int64_t value) { std::atomic_ref(sum).fetch_add(value, std::memory_order_relaxed); }
+template <typename Number>
+void add(Number& sum, Number value) {
+  std::atomic_ref(sum).fetch_add(value, std::memory_order_relaxed);
+}
 
 }  // namespace
 
 void CpuContacts::upload(const Scene& scene) {
   params_ = contact_params(scene);
   impulses_.assign(on() ? 3 * scene.size() : 0, 0);
+  float_sums_.assign(impulses_.size(), 0);
   faults_.assign(FAULTS, ~0u);
   left_skin_ = true;
   if (!on()) return;
   const Scene grown = grown_scene(scene);
   grown_ = grown.positions;
   search_.upload(grown);
+}
+
+void CpuContacts::sum_impulses(ImpulseSums sums) {
+  if (std::exchange(sums_, sums) != sums) left_skin_ = true;  // sums in order need rows
 }
 
 void CpuContacts::list_near_pairs(const std::vector<vec4>& positions) {
@@ -36,7 +46,20 @@ void CpuContacts::list_near_pairs(const std::vector<vec4>& positions) {
     grown_[i] = grown_sphere(positions[i], params_);
   }
   near_ = search_.list_pairs(grown_);
+  if (sums_ == ImpulseSums::in_order) list_rows(positions.size());
   left_skin_ = false;
+}
+
+// The pairs are in ascending order, first by i < j, then by j: a row first takes those below its sphere, then those
+// above.
+void CpuContacts::list_rows(uint64_t n) {
+  row_begin_.assign(n + 1, 0);
+  for (const Pair& pair : near_) ++row_begin_[pair.first + 1], ++row_begin_[pair.second + 1];
+  std::partial_sum(row_begin_.begin(), row_begin_.end(), row_begin_.begin());
+  row_.resize(2 * near_.size());
+  std::vector<uint64_t> end(row_begin_.begin(), row_begin_.end() - 1);
+  for (const Pair& pair : near_) row_[end[pair.second]++] = pair.first;
+  for (const Pair& pair : near_) row_[end[pair.first]++] = pair.second;
 }
 
 // The lowest index is kept, whichever thread comes first.
@@ -48,36 +71,66 @@ void CpuContacts::record(uint fault, uint64_t sphere) {
   }
 }
 
+// What contact_gather does.
+void CpuContacts::gather(const std::vector<uint>& wide, const std::vector<vec4>& positions) {
+  const uint64_t n = positions.size();
+#pragma omp parallel for num_threads(threads_) schedule(static) if (n > few)
+  for (uint64_t i = 0; i < n; ++i) {
+    FloatPush sum = {0, 0, 0, FAULTS};
+    const Body a = load_body(wide, positions, i);
+    for (uint64_t k = row_begin_[i]; k < row_begin_[i + 1]; ++k)
+      sum = sum_of_pushes(sum, float_push_of_pair(a, load_body(wide, positions, row_[k]), params_));
+    record(sum.fault, i);
+    const Push rounded = rounded_push(sum);
+    impulses_[i] = rounded.x, impulses_[n + i] = rounded.y, impulses_[2 * n + i] = rounded.z;
+  }
+}
+
 void CpuContacts::push(const std::vector<uint>& wide, const std::vector<vec4>& positions) {
   const uint64_t n = positions.size();
+  const bool floats = sums_ == ImpulseSums::atomics;
 #pragma omp parallel for num_threads(threads_) schedule(static) if (near_.size() > few)
   for (const Pair& pair : near_) {
-    const Push push =
-        push_of_pair(load_body(wide, positions, pair.first), load_body(wide, positions, pair.second), params_);
+    const FloatPush push =
+        float_push_of_pair(load_body(wide, positions, pair.first), load_body(wide, positions, pair.second), params_);
     record(push.fault, pair.first);
-    const int64_t values[3] = {push.x, push.y, push.z};
+    const float values[3] = {push.x, push.y, push.z};
     for (uint64_t axis = 0; axis < 3; ++axis) {
+      const uint64_t first = axis * n + pair.first, second = axis * n + pair.second;
       if (values[axis] == 0) continue;
-      add(impulses_[axis * n + pair.first], values[axis]);
-      add(impulses_[axis * n + pair.second], -values[axis]);
+      if (floats) {
+        add(float_sums_[first], values[axis]);
+        add(float_sums_[second], -values[axis]);
+      } else {
+        const int64_t value = integer_of(values[axis]);
+        add(impulses_[first], value);
+        add(impulses_[second], -value);
+      }
     }
   }
+}
+
+// The sum of a sphere along an axis; the next step begins with 0.
+int64_t CpuContacts::take_impulse(uint64_t k) {
+  if (sums_ == ImpulseSums::atomics) return integer_of(std::exchange(float_sums_[k], 0.0f));
+  return std::exchange(impulses_[k], 0);
 }
 
 void CpuContacts::step(std::vector<uint>& wide, std::vector<vec4>& positions, std::vector<vec4>& velocities) {
   const uint64_t n = positions.size();
   search_.moved();
   if (left_skin_ || !keeps_) list_near_pairs(positions);
-  push(wide, positions);
+  if (sums_ == ImpulseSums::in_order)
+    gather(wide, positions);
+  else
+    push(wide, positions);
   bool left = false;
 #pragma omp parallel for num_threads(threads_) schedule(static) reduction(|| : left) if (n > few)
   for (uint64_t i = 0; i < n; ++i) {
     Body s = load_body(wide, positions, i);
     const Push walls = push_of_walls(s, params_);
     record(walls.fault, i);
-    int64_t* sums[3] = {&impulses_[i], &impulses_[n + i], &impulses_[2 * n + i]};
-    s = kicked(s, {*sums[0], *sums[1], *sums[2], FAULTS}, walls, params_);
-    for (int64_t* sum : sums) *sum = 0;
+    s = kicked(s, {take_impulse(i), take_impulse(n + i), take_impulse(2 * n + i), FAULTS}, walls, params_);
     const float mobility = mobility_of(s.radius, params_);
     const uint wrong = fault_of(s, mobility, params_);
     record(wrong, i);

@@ -14,6 +14,8 @@ class CpuContacts {
   bool on() const { return params_.law != CONTACT_NONE; }
   void keep_list(bool on) { keeps_ = on; }  // of near pairs; else they are listed in every step
 
+  void sum_impulses(ImpulseSums sums);
+
   uint64_t searches() const { return search_.work().steps; }
 
   // A step of spheres in the wide state, by the impulses of their contacts, walls and gravity. Positions and velocities
@@ -25,7 +27,10 @@ class CpuContacts {
 
  private:
   void list_near_pairs(const std::vector<vec4>& positions);
+  void list_rows(uint64_t n);
   void push(const std::vector<uint>& wide, const std::vector<vec4>& positions);
+  void gather(const std::vector<uint>& wide, const std::vector<vec4>& positions);
+  int64_t take_impulse(uint64_t k);
   void record(uint fault, uint64_t sphere);
 
   CpuSearch search_;  // of the grown spheres
@@ -35,6 +40,10 @@ class CpuContacts {
   std::vector<uint> faults_;       // as SLOT_FAULT
   std::vector<vec4> grown_;        // as SLOT_GROWN
   std::vector<Pair> near_;         // as SLOT_NEAR
+  std::vector<float> float_sums_;  // in place of impulses_, for sums by atomics
+  std::vector<uint> row_;          // near spheres of all, those of i from row_begin_[i] on, in ascending order
+  std::vector<uint64_t> row_begin_;
+  ImpulseSums sums_ = ImpulseSums::integers;
   bool left_skin_ = true, keeps_ = true;
 };
 

@@ -28,6 +28,7 @@ class CpuMotion {
   void require_sound() const { contacts_.require_sound(); }
   void set_event_driven(bool on) { event_driven_ = on; }
   void keep_near_pairs(bool on) { contacts_.keep_list(on); }
+  void sum_impulses(ImpulseSums sums) { contacts_.sum_impulses(sums); }
   uint64_t contact_searches() const { return contacts_.searches(); }
 
   // As they stand now; of `anchored` they are evaluated when they are requested.

@@ -5,6 +5,7 @@
 // clang-format off
 #define SPHEREPAIR_MIRRORED_KERNELS(each)                                                       \
   each(move) each(bounce) each(evaluate_positions) each(contact_grow) each(contact_pairs) each(leapfrog)     \
+  each(contact_rows) each(contact_order) each(contact_gather)                                                \
   each(clear) each(sample) each(empty)                                                                       \
   each(peak_copy) each(peak_atomics) each(peak_issue) each(peak_words)              \
   each(resolve_undecided) each(decide) each(tally)                                                         \

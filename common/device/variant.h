@@ -20,6 +20,7 @@ struct Variant {
   uint indices = 0;            // INDEX_*, where the spheres come in cell order; CUDA takes it at run time
   bool folded = false;         // GLSL: groups are numbered along two axes, or not from 0 on
   bool windows = false;        // GLSL: that table in several textures, of which a dispatch reads one
+  bool float_sums = false;     // contact_pairs, leapfrog: impulses are summed in float32, in any order
   MotionOptions motion = {};   // of move, bounce and evaluate_positions
   auto operator<=>(const Variant&) const = default;
 };

@@ -2,6 +2,7 @@
 // Contacts of spheres that push each other: the law of the force, and what it needs.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "common/shared/layout.h"
@@ -17,6 +18,15 @@ enum class ContactLaw : uint {
 };
 const char* contact_name(ContactLaw law);
 ContactLaw contact_from_name(const std::string& name);  // throws std::invalid_argument with the known names
+
+// How the impulses on a sphere are added up. Integers need no order; the others are there to be measured against them.
+enum class ImpulseSums {
+  integers,  // each rounded, then added by atomics
+  in_order,  // float32, gathered by ascending index of the other sphere, rounded once
+  atomics    // float32 by atomics, in any order, rounded once: other bits each time
+};
+const char* impulse_sums_name(ImpulseSums sums);
+std::span<const ImpulseSums> all_impulse_sums();
 
 // Part of a scene. Units are powers of two, chosen once for a run: positions of 2^-unit_exponent m, momenta of
 // 2^-momentum_exponent kg m/s.

@@ -2,14 +2,11 @@
 // Contacts of spheres that push each other. State is in 64-bit integers (fixed.h); a step of the leapfrog adds to each
 // momentum the impulses of all contacts and of gravity, then moves the sphere by the momentum, rounded once. Every
 // impulse is rounded to an integer before it is added, so sums need no order; every operation is odd, so that of two
-// spheres each gets exactly the other's impulse with the sign turned. Lengths of a contact are integers of 2^-29 of the
-// power of two below the reach (the sum of the radii): their squares and the difference of two of these are exact.
+// spheres each gets exactly the other's impulse with the sign turned.
 #ifndef SPHEREPAIR_CONTACT_H
 #define SPHEREPAIR_CONTACT_H
 
-#include "common/shared/fixed.h"
-#include "common/shared/layout.h"
-#include "common/shared/round.h"
+#include "common/shared/gap.h"
 
 struct Body {
   int64_t x, y, z, px, py, pz;  // units of length and of momentum
@@ -20,6 +17,10 @@ struct Push {
   int64_t x, y, z;  // impulse
   uint fault;       // FAULT_*, FAULTS: none
 };
+struct FloatPush {  // before it is rounded
+  float x, y, z;
+  uint fault;
+};
 
 FN float cubed(float radius) {
   EXACT float square = radius * radius;
@@ -29,59 +30,6 @@ FN float cubed(float radius) {
 
 // Units of length that a unit of momentum moves this sphere in a step: by its mass.
 FN float mobility_of(float radius, ContactParams c) { return quotient(c.mobility, cubed(radius)); }
-
-// From one surface or centre to the other.
-struct Gap {
-  int64_t x, y, z;
-  uint64_t square;  // of the distance
-  uint64_t reach;
-  float scale;  // metres of 2^29 of these units, over those of the largest reach
-};
-
-const uint64_t FAR_APART = 0xFFFFFFFFFFFFFFFFul;
-
-FN Gap gap_of(int64_t dx, int64_t dy, int64_t dz, float reach, ContactParams c) {
-  int exponent = int(exponent_field(reach)) - 127;
-  int bits = c.unit_exponent + exponent - 29;
-  Gap g = {shifted(dx, bits),
-           shifted(dy, bits),
-           shifted(dz, bits),
-           FAR_APART,
-           uint64_t(significand(reach)) << 6,
-           power_of_two(exponent - c.reach_exponent)};
-  if (magnitude(g.x) < g.reach && magnitude(g.y) < g.reach && magnitude(g.z) < g.reach)
-    g.square = uint64_t(g.x * g.x) + uint64_t(g.y * g.y) + uint64_t(g.z * g.z);
-  return g;
-}
-FN bool in_contact(Gap g) { return g.square < g.reach * g.reach; }
-FN bool deeper_than(Gap g, float radius, float reach) {
-  EXACT float units = radius * power_of_two(156 - int(exponent_field(reach)));  // 29 - exponent
-  uint64_t left = g.reach - uint64_t(uint(units));
-  return g.square < left * left;
-}
-
-FN float unit_length(int64_t x) {
-  EXACT float length = float_of(x) * power_of_two(-29);
-  return length;
-}
-
-// Of a gap that is not 0: 1 / distance, and the overlap, both in units of gap.scale.
-struct Surface {
-  float inverse_distance, overlap;
-};
-
-// The root of the square from a float guess, corrected by what the guess's own square leaves, which is an integer.
-FN Surface surface_of(Gap g) {
-  EXACT float square = float_of(int64_t(g.square)) * power_of_two(-58);
-  float guess = same_root(square);
-  float inverse = same_reciprocal(guess);
-  EXACT float digits = guess * power_of_two(29);
-  uint64_t distance = uint64_t(uint(digits));
-  EXACT float correction = float_of(int64_t(g.square - distance * distance)) * (inverse * power_of_two(-30));
-  EXACT float overlap = (float_of(int64_t(g.reach - distance)) - correction) * power_of_two(-29);
-  Surface s = {inverse, larger(overlap, 0.0f)};
-  return s;
-}
 
 // The impulse along the gap, over the gap's components in unit_length. closing: the speed, in units a step, along the
 // gap's components; reduced_cube: of the radii, for the reduced mass. Momenta are those half a step before the
@@ -138,8 +86,8 @@ FN Gap gap_between(Body a, Body b, ContactParams c) {
 }
 
 // What b gives a; a gives b the same with the sign turned.
-FN Push push_of_pair(Body a, Body b, ContactParams c) {
-  Push push = {0l, 0l, 0l, FAULTS};
+FN FloatPush float_push_of_pair(Body a, Body b, ContactParams c) {
+  FloatPush push = {0.0f, 0.0f, 0.0f, FAULTS};
   float reach = reach_of_pair(a, b);
   Gap g = gap_between(a, b, c);
   if (!in_contact(g)) return push;
@@ -156,10 +104,23 @@ FN Push push_of_pair(Body a, Body b, ContactParams c) {
   EXACT float x = per_length * unit_length(g.x);
   EXACT float y = per_length * unit_length(g.y);
   EXACT float z = per_length * unit_length(g.z);
-  push.x = integer_of(x);
-  push.y = integer_of(y);
-  push.z = integer_of(z);
+  push.x = x;
+  push.y = y;
+  push.z = z;
   return push;
+}
+FN Push rounded_push(FloatPush push) {
+  Push rounded = {integer_of(push.x), integer_of(push.y), integer_of(push.z), push.fault};
+  return rounded;
+}
+FN Push push_of_pair(Body a, Body b, ContactParams c) { return rounded_push(float_push_of_pair(a, b, c)); }
+
+FN FloatPush sum_of_pushes(FloatPush a, FloatPush b) {
+  EXACT float x = a.x + b.x;
+  EXACT float y = a.y + b.y;
+  EXACT float z = a.z + b.z;
+  FloatPush sum = {x, y, z, a.fault < b.fault ? a.fault : b.fault};
+  return sum;
 }
 
 // What a wall at this distance gives the sphere, away from it; -1: its centre is behind the wall.

@@ -36,8 +36,10 @@
 #define SLOT_SINCE 27   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
 #define SLOT_NEXT_EVENT 28     // uint[n], of anchored: first step in which the sphere may reach the plane
 #define SLOT_FAULT SLOT_SINCE  // uint[FAULT_WORDS], of leapfrog: the first sphere of each FAULT_*, or ~0; see skin.h
-#define SLOT_SEEN_LIST 29      // uint[], two by View::turn: indices of the spheres visible in recent frames
-#define SLOT_VISIBLE_ODD 30    // as SLOT_VISIBLE, for every other frame where two are in flight
+#define SLOT_ROW SLOT_WIDE     // uint[row_capacity * n], of contact_gather: the k-th near sphere of i at k * n + i
+#define SLOT_ROW_LENGTH SLOT_FLIGHT  // uint[n], of contact_gather: near spheres of each
+#define SLOT_SEEN_LIST 29            // uint[], two by View::turn: indices of the spheres visible in recent frames
+#define SLOT_VISIBLE_ODD 30          // as SLOT_VISIBLE, for every other frame where two are in flight
 #define SLOT_COLOUR 31   // uint[n]: entry of the palette, unless it is the number of contacts; see View::colour_by
 #define SLOT_AXIS 32     // three slots, Axis[n] each, of leapfrog: the state along x, y and z
 #define SLOT_IMPULSE 35  // three slots, int64[n] each, of leapfrog: impulses of this step's contacts along x, y and z
@@ -147,6 +149,7 @@ struct UNIFORM_ALIGN ContactParams {
   float metres_per_second;            // speed of a unit a step
   float fastest;                      // units a step, see FAULT_FAST
   float skin;                         // share of its radius by which a sphere is grown for the list of near pairs
+  uint row_capacity;                  // near spheres of each for which SLOT_ROW has room
 };
 
 struct UNIFORM_ALIGN SearchParams {

@@ -9,10 +9,11 @@
 
 // Words of SLOT_FAULT behind the faults. Steps are launched ahead; once a sphere has left its skin, those behind do
 // nothing: contact_pairs, during which nobody writes LEFT_SKIN, tells leapfrog by STOPPED, and counts the others.
-#define LEFT_SKIN FAULTS          // a sphere that has, or ~0
-#define STOPPED (FAULTS + 1u)     // not 0: this step does nothing
-#define STEPS_DONE (FAULTS + 2u)  // since near pairs were listed
-#define FAULT_WORDS (FAULTS + 3u)
+#define LEFT_SKIN FAULTS           // a sphere that has, or ~0
+#define STOPPED (FAULTS + 1u)      // not 0: this step does nothing
+#define STEPS_DONE (FAULTS + 2u)   // since near pairs were listed
+#define LONGEST_ROW (FAULTS + 3u)  // near pairs of the sphere with most, where that is more than rows have room for
+#define FAULT_WORDS (FAULTS + 4u)
 
 FN vec4 grown_sphere(vec4 sphere, ContactParams c) {
   EXACT float thickness = sphere.w * c.skin;

@@ -11,7 +11,8 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t most_groups = 4096;  // which take turns
+constexpr uint64_t most_groups = 4096;   // which take turns
+constexpr uint first_row_capacity = 14;  // equal spheres seldom have more within their skins
 
 }  // namespace
 
@@ -31,6 +32,17 @@ void Contacts::upload(const Scene& scene) {
   context_.buffers.resize(SLOT_FAULT, FAULT_WORDS * sizeof(uint));
   context_.buffers.write(SLOT_FAULT, std::vector<uint>(FAULT_WORDS, ~0u));
   near_.plan(grown_scene(scene));
+}
+
+void Contacts::sum_impulses(ImpulseSums sums) {
+  if (sums == ImpulseSums::atomics && !context_.device.capabilities().float_atomics)
+    throw std::invalid_argument(
+        fmt::format("{}: this driver has no atomic addition of float32 (OpenGL: GL_NV_shader_atomic_float), which "
+                    "impulses summed by atomics need",
+                    context_.name()));
+  sums_ = sums;
+  made_ = false;  // sums in order need rows
+  next_check_ = 0;
 }
 
 bool Contacts::step(bool clear_results) {
@@ -70,10 +82,18 @@ void Contacts::launch(bool clear_results) {
   ++launched_;
   Params params = context_.params;  // the same for all steps, so that they are sent once
   params.motion.clear_results = clear_results;
+  const auto by_sphere = groups_per_sphere(context_);
+  if (sums_ == ImpulseSums::in_order)
+    context_.device.launch({Kernel::contact_gather, SERVICE_BLOCK, {}, by_sphere}, params);
+  else
+    launch_pairs(Kernel::contact_pairs, params);
+  context_.device.launch({Kernel::leapfrog, SERVICE_BLOCK, variant(), by_sphere}, params);
+}
+
+void Contacts::launch_pairs(Kernel kernel, Params params) {
   params.search.near_pairs = context_.near_pairs;
   const auto groups = folded(std::clamp<uint64_t>(ceil_div(context_.near_pairs, SERVICE_BLOCK), 1, most_groups));
-  context_.device.launch({Kernel::contact_pairs, SERVICE_BLOCK, {}, groups}, params);
-  context_.device.launch({Kernel::leapfrog, SERVICE_BLOCK, {}, groups_per_sphere(context_)}, params);
+  context_.device.launch({kernel, SERVICE_BLOCK, variant(), groups}, params);
 }
 
 void Contacts::list_near_pairs() {
@@ -81,7 +101,23 @@ void Contacts::list_near_pairs() {
   launched_ = known_ = 0;
   context_.launch({Kernel::contact_grow, SERVICE_BLOCK, {}, groups_per_sphere(context_)});
   near_.list();
+  if (sums_ == ImpulseSums::in_order) list_rows();
   made_ = true;
+}
+
+// The near pairs of each sphere in ascending order. Rows that turn out too short are filled again.
+void Contacts::list_rows() {
+  uint& capacity = context_.params.contact.row_capacity;
+  const auto fill = [&](uint wanted) {
+    capacity = wanted;
+    context_.buffers.grow(SLOT_ROW, context_.n * capacity * sizeof(uint));
+    context_.buffers.grow(SLOT_ROW_LENGTH, context_.n * sizeof(uint));
+    context_.device.clear(SLOT_ROW_LENGTH, context_.n * sizeof(uint));
+    launch_pairs(Kernel::contact_rows, context_.params);
+  };
+  fill(std::max(capacity, first_row_capacity));
+  if (const uint longest = context_.buffers.read<uint>(SLOT_FAULT, FAULT_WORDS)[LONGEST_ROW]) fill(longest);
+  context_.launch({Kernel::contact_order, SERVICE_BLOCK, {}, groups_per_sphere(context_)});
 }
 
 void Contacts::require_sound() {

@@ -18,6 +18,10 @@ class Contacts {
   void keep_list(bool on) { keeps_ = on; }  // else near pairs are listed in every step
   void forget_list() { made_ = false; }     // others were listed; where all steps are done
 
+  // From the next step on, for measuring; all steps before must be complete.
+  void sum_impulses(ImpulseSums sums);
+  ImpulseSums sums() const { return sums_; }
+
   // Launches a step of the motion. It waits for the device only where near pairs have to be listed, or may have to be
   // soon: the steps behind one in which a sphere left its skin do nothing, and are launched again by `complete`. Both
   // return whether near pairs were listed, by a search in the buffers of the others. clear_results: the step clears the
@@ -30,7 +34,10 @@ class Contacts {
 
  private:
   void list_near_pairs();
+  void list_rows();
   void launch(bool clear_results);
+  void launch_pairs(Kernel kernel, Params params);
+  Variant variant() const { return {.float_sums = sums_ == ImpulseSums::atomics}; }
 
   DeviceContext& context_;
   DeviceMotion& motion_;
@@ -38,6 +45,7 @@ class Contacts {
   // Steps since they were listed: launched, of these known to be done, and when to ask next.
   uint launched_ = 0, known_ = 0, next_check_ = 0;
   uint served_ = 1;  // steps by the list before
+  ImpulseSums sums_ = ImpulseSums::integers;
   bool on_ = false, made_ = false, keeps_ = true;
   bool left_ = false;  // a sphere has left its skin in the last step known to be done
 };

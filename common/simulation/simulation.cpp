@@ -71,6 +71,12 @@ void Simulation::complete_moves() {
   search_.moved(false);
 }
 
+void Simulation::sum_impulses(ImpulseSums sums) {
+  if (sums == contacts_.sums()) return;
+  complete_moves();
+  contacts_.sum_impulses(sums);
+}
+
 void Simulation::evaluate_positions() {
   require_scene("evaluate_positions");
   complete_moves();

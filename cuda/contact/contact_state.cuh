@@ -33,29 +33,46 @@ __device__ inline void store_body(const Params& p, const KernelBuffers& buf, uin
 }
 
 // CUDA only from here: its atomic is of unsigned numbers
-__device__ inline int64_t impulse_of(const KernelBuffers& buf, uint k, uint i) { return buf.impulse[k][i]; }
-__device__ inline void clear_impulse(const KernelBuffers& buf, uint k, uint i) { buf.impulse[k][i] = 0l; }
-__device__ inline void add_to_impulse(const KernelBuffers& buf, uint k, uint i, int64_t value) {
-  unsigned long long* sum = reinterpret_cast<unsigned long long*>(&buf.impulse[k][i]);
-  atomicAdd(sum, static_cast<unsigned long long>(value));
+// 64-bit sums, or float32 sums to be rounded when they are taken.
+template <bool FLOAT_SUMS>
+__device__ inline int64_t take_from_impulse(const KernelBuffers& buf, uint k, uint i) {
+  if constexpr (FLOAT_SUMS) {
+    float* sum = reinterpret_cast<float*>(buf.impulse[k]) + i;
+    const float taken = *sum;
+    if (taken != 0.0f) *sum = 0.0f;
+    return integer_of(taken);
+  } else {
+    const int64_t taken = buf.impulse[k][i];
+    if (taken != 0) buf.impulse[k][i] = 0;
+    return taken;
+  }
+}
+__device__ inline void put_in_impulse(const KernelBuffers& buf, uint k, uint i, int64_t value) {
+  buf.impulse[k][i] = value;
+}
+template <bool FLOAT_SUMS>
+__device__ inline void add_to_impulse(const KernelBuffers& buf, uint k, uint i, float value) {
+  if constexpr (FLOAT_SUMS) {
+    atomicAdd(reinterpret_cast<float*>(buf.impulse[k]) + i, value);
+  } else {
+    unsigned long long* sum = reinterpret_cast<unsigned long long*>(&buf.impulse[k][i]);
+    atomicAdd(sum, static_cast<unsigned long long>(integer_of(value)));
+  }
 }
 // until here
 
-__device__ inline void add_impulse(const KernelBuffers& buf, uint i, int64_t x, int64_t y, int64_t z) {
-  add_to_impulse(buf, 0u, i, x);
-  add_to_impulse(buf, 1u, i, y);
-  add_to_impulse(buf, 2u, i, z);
+template <bool FLOAT_SUMS>
+__device__ inline void add_impulse(const KernelBuffers& buf, uint i, float x, float y, float z) {
+  add_to_impulse<FLOAT_SUMS>(buf, 0u, i, x);
+  add_to_impulse<FLOAT_SUMS>(buf, 1u, i, y);
+  add_to_impulse<FLOAT_SUMS>(buf, 2u, i, z);
 }
 
 // The sum of the impulses that were added; the next step begins with 0.
+template <bool FLOAT_SUMS>
 __device__ inline Push take_impulse(const KernelBuffers& buf, uint i) {
-  Push sum = Push{impulse_of(buf, 0u, i), impulse_of(buf, 1u, i), impulse_of(buf, 2u, i), FAULTS};
-  if (sum.x != 0l || sum.y != 0l || sum.z != 0l) {
-    clear_impulse(buf, 0u, i);
-    clear_impulse(buf, 1u, i);
-    clear_impulse(buf, 2u, i);
-  }
-  return sum;
+  return Push{take_from_impulse<FLOAT_SUMS>(buf, 0u, i), take_from_impulse<FLOAT_SUMS>(buf, 1u, i),
+              take_from_impulse<FLOAT_SUMS>(buf, 2u, i), FAULTS};
 }
 
 // The lowest index is kept, so that the message names the same sphere in any order.

@@ -8,6 +8,7 @@ namespace spherepair {
 
 constexpr uint BLOCK = SERVICE_BLOCK;
 
+template <bool FLOAT_SUMS>
 __global__ void __launch_bounds__(BLOCK) leapfrog(Params p, KernelBuffers buf) {
   uint i = group_index(p) * BLOCK + threadIdx.x;
   if (p.motion.clear_results != 0u) clear_results(p, buf, i);
@@ -15,7 +16,7 @@ __global__ void __launch_bounds__(BLOCK) leapfrog(Params p, KernelBuffers buf) {
   Body s = load_body(p, buf, i);
   Push walls = push_of_walls(s, p.contact);
   record_fault(buf, walls.fault, i);
-  s = kicked(s, take_impulse(buf, i), walls, p.contact);
+  s = kicked(s, take_impulse<FLOAT_SUMS>(buf, i), walls, p.contact);
   float mobility = mobility_of(s.radius, p.contact);
   uint wrong = fault_of(s, mobility, p.contact);
   record_fault(buf, wrong, i);
@@ -25,6 +26,8 @@ __global__ void __launch_bounds__(BLOCK) leapfrog(Params p, KernelBuffers buf) {
   if (has_left_skin(centre_of(s, p.contact), buf.grown[i])) atomicMin(&buf.fault[LEFT_SKIN], i);
 }
 
-Entry leapfrog_kernel(uint, Variant) { return reinterpret_cast<Entry>(&leapfrog); }
+Entry leapfrog_kernel(uint, Variant variant) {
+  return reinterpret_cast<Entry>(variant.float_sums ? &leapfrog<true> : &leapfrog<false>);
+}
 
 }  // namespace spherepair

@@ -77,6 +77,7 @@ CudaDevice::CudaDevice(int device)
     : info_(describe_device(device)),
       capabilities_{.largest_buffer = uint64_t(1) << 47,
                     .atomics_64 = true,
+                    .float_atomics = true,
                     .overlaps_images = false,
                     .bounds_block = SERVICE_BLOCK,
                     .tensor_groups = tensor_groups(device),

@@ -53,6 +53,8 @@ KernelBuffers kernel_buffers(const Launch& launch, Memory memory) {
           .fault = at(SLOT_FAULT),
           .grown = at(SLOT_GROWN),
           .near = at(SLOT_NEAR),
+          .row = at(SLOT_ROW),
+          .row_length = at(SLOT_ROW_LENGTH),
           .axis = {{at(SLOT_AXIS)}, {at(SLOT_AXIS + 1)}, {at(SLOT_AXIS + 2)}},
           .impulse = {at(SLOT_IMPULSE), at(SLOT_IMPULSE + 1), at(SLOT_IMPULSE + 2)}};
 }

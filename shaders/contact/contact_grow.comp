@@ -4,12 +4,14 @@
 #include "shaders/contact/contact_state.glsl"
 
 layout(local_size_x = BLOCK) in;
+layout(std430, binding = SLOT_GROWN) restrict buffer GrownBuffer { vec4 grown[]; };
 
 void main() {
   uint i = group_index() * BLOCK + gl_LocalInvocationID.x;
   if (i == 0u) {
     fault[LEFT_SKIN] = 0xFFFFFFFFu;
     fault[STEPS_DONE] = 0u;
+    fault[LONGEST_ROW] = 0u;
   }
   if (i >= p.n) return;
   vec4 sphere = position[i];

@@ -6,6 +6,7 @@
 #include "shaders/contact/contact_state.glsl"
 
 layout(local_size_x = BLOCK) in;
+layout(std430, binding = SLOT_NEAR) restrict readonly buffer NearBuffer { uvec2 near[]; };
 
 void main() {
   bool stopped = fault[LEFT_SKIN] != 0xFFFFFFFFu;
@@ -24,7 +25,7 @@ void main() {
       a = load_body(i);
       b = load_body(j);
     }
-    Push push = push_of_pair(a, b, p.contact);
+    FloatPush push = float_push_of_pair(a, b, p.contact);
     record_fault(push.fault, i);
     add_impulse(i, push.x, push.y, push.z);
     add_impulse(j, -push.x, -push.y, -push.z);

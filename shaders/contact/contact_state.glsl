@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Loads and stores a sphere whose state is in 64-bit integers (see layout.h), and adds impulses to it in any order.
+// Loads and stores a sphere whose state is in 64-bit integers (see layout.h), and adds impulses to it in any order. A
+// shader may have 16 blocks of storage: kernels declare themselves what few of them use.
 #define POSITION_ACCESS
 #include "shaders/kernels.glsl"
 
@@ -9,8 +10,6 @@
 layout(std430, binding = SLOT_AXIS) restrict buffer AxisBuffer { Axis of[]; }
 axis[3];
 layout(std430, binding = SLOT_FAULT) restrict buffer FaultBuffer { uint fault[]; };
-layout(std430, binding = SLOT_GROWN) restrict buffer GrownBuffer { vec4 grown[]; };
-layout(std430, binding = SLOT_NEAR) restrict readonly buffer NearBuffer { uvec2 near[]; };
 
 float radius_of(uint i) {
   return p.radius != 0.0f ? p.radius : position[i].w;  // equal radii need no load
@@ -36,23 +35,40 @@ void store_body(uint i, Body s, float mobility) {
 }
 
 // GLSL only from here: CUDA has the atomic
-// 64-bit sums. Without 64-bit atomics by two of 32 bits, exact once all are done: exactly one addition sees each wrap
-// of the low word.
-#ifdef ATOMICS_64
+// 64-bit sums, or float32 sums to be rounded when they are taken. Without 64-bit atomics by two of 32 bits, exact once
+// all are done: exactly one addition sees each wrap of the low word.
+#if defined FLOAT_SUMS
+layout(std430, binding = SLOT_IMPULSE) buffer ImpulseBuffer { float of[]; }
+impulse[3];
+int64_t take_from_impulse(uint k, uint i) {
+  float sum = impulse[k].of[i];
+  if (sum != 0.0f) impulse[k].of[i] = 0.0f;
+  return integer_of(sum);
+}
+void add_to_impulse(uint k, uint i, float value) { atomicAdd(impulse[k].of[i], value); }
+#elif defined ATOMICS_64
 layout(std430, binding = SLOT_IMPULSE) buffer ImpulseBuffer { int64_t of[]; }
 impulse[3];
-int64_t impulse_of(uint k, uint i) { return impulse[k].of[i]; }
-void clear_impulse(uint k, uint i) { impulse[k].of[i] = 0l; }
-void add_to_impulse(uint k, uint i, int64_t value) { atomicAdd(impulse[k].of[i], value); }
+int64_t take_from_impulse(uint k, uint i) {
+  int64_t sum = impulse[k].of[i];
+  if (sum != 0l) impulse[k].of[i] = 0l;
+  return sum;
+}
+void put_in_impulse(uint k, uint i, int64_t value) { impulse[k].of[i] = value; }
+void add_to_impulse(uint k, uint i, float value) { atomicAdd(impulse[k].of[i], integer_of(value)); }
 #else
 layout(std430, binding = SLOT_IMPULSE) buffer ImpulseBuffer { uvec2 of[]; }
 impulse[3];
-int64_t impulse_of(uint k, uint i) {
+int64_t take_from_impulse(uint k, uint i) {
   uvec2 words = impulse[k].of[i];
+  if (words != uvec2(0u)) impulse[k].of[i] = uvec2(0u);
   return int64_t(uint64_t(words.y) << 32 | uint64_t(words.x));
 }
-void clear_impulse(uint k, uint i) { impulse[k].of[i] = uvec2(0u); }
-void add_to_impulse(uint k, uint i, int64_t value) {
+void put_in_impulse(uint k, uint i, int64_t value) {
+  impulse[k].of[i] = uvec2(uint(uint64_t(value) & 0xFFFFFFFFul), uint(uint64_t(value) >> 32));
+}
+void add_to_impulse(uint k, uint i, float rounded_here) {
+  int64_t value = integer_of(rounded_here);
   uint low = uint(uint64_t(value) & 0xFFFFFFFFul);
   uint before = atomicAdd(impulse[k].of[i].x, low);
   uint high = uint(uint64_t(value) >> 32) + (before + low < before ? 1u : 0u);
@@ -61,7 +77,7 @@ void add_to_impulse(uint k, uint i, int64_t value) {
 #endif
 // until here
 
-void add_impulse(uint i, int64_t x, int64_t y, int64_t z) {
+void add_impulse(uint i, float x, float y, float z) {
   add_to_impulse(0u, i, x);
   add_to_impulse(1u, i, y);
   add_to_impulse(2u, i, z);
@@ -69,13 +85,7 @@ void add_impulse(uint i, int64_t x, int64_t y, int64_t z) {
 
 // The sum of the impulses that were added; the next step begins with 0.
 Push take_impulse(uint i) {
-  Push sum = Push(impulse_of(0u, i), impulse_of(1u, i), impulse_of(2u, i), FAULTS);
-  if (sum.x != 0l || sum.y != 0l || sum.z != 0l) {
-    clear_impulse(0u, i);
-    clear_impulse(1u, i);
-    clear_impulse(2u, i);
-  }
-  return sum;
+  return Push(take_from_impulse(0u, i), take_from_impulse(1u, i), take_from_impulse(2u, i), FAULTS);
 }
 
 // The lowest index is kept, so that the message names the same sphere in any order.

@@ -6,6 +6,7 @@
 #include "shaders/contact/contact_state.glsl"
 
 layout(local_size_x = BLOCK) in;
+layout(std430, binding = SLOT_GROWN) restrict buffer GrownBuffer { vec4 grown[]; };
 
 void main() {
   uint i = group_index() * BLOCK + gl_LocalInvocationID.x;

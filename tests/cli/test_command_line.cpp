@@ -183,7 +183,7 @@ TEST_F(CommandLineTest, TheScriptsHelp) {
 TEST_F(CommandLineTest, HelpFitsInto100Columns) {
   const std::string all = run("--help").output;
   for (const char* command : {"", "devices", "run", "pairs", "render", "view", "frames", "compare", "equal",
-                              "precision", "sets", "sweep", "crossover", "ablate", "launches", "energy"}) {
+                              "precision", "contacts", "sets", "sweep", "crossover", "ablate", "launches", "energy"}) {
     const Outcome outcome = run(fmt::format("{} --help", command));
     EXPECT_EQ(outcome.code, kOk);
     std::istringstream lines(outcome.output);

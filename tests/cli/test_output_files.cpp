@@ -145,8 +145,9 @@ TEST_F(Outputs, PlacesThatCannotBeWrittenAreFoundBeforeTheWork) {
 }
 
 TEST_F(Outputs, ResultsFoldersAreFoundBeforeTheWork) {
-  for (const char* name : {"results.json", "methods.txt", "precision.json", "precision.txt", "sets.json", "sets.txt",
-                           "crossover.json", "ablate.txt", "launches.json", "frames.json"})
+  for (const char* name :
+       {"results.json", "methods.txt", "precision.json", "precision.txt", "sets.json", "sets.txt", "contacts.json",
+        "contacts.txt", "crossover.json", "ablate.txt", "launches.json", "frames.json"})
     fs::create_directories(path(fmt::format("{}-there/{}", name, name)));
   const auto expect = [&](const std::string& command, const std::string& name) {
     expect_refused(fmt::format("{} --backends cpu --results {}-there", command, path(name)), name + ": Is a directory");
@@ -157,6 +158,8 @@ TEST_F(Outputs, ResultsFoldersAreFoundBeforeTheWork) {
   expect("precision --motions paper --precisions float32", "precision.txt");
   expect("sets --motions paper", "sets.json");
   expect("sets --motions paper", "sets.txt");
+  expect("contacts --laws quartic", "contacts.json");
+  expect("contacts --laws quartic", "contacts.txt");
   expect("crossover --n 64", "crossover.json");
   expect("ablate --n 64", "ablate.txt");
   expect("launches --n 64", "launches.json");

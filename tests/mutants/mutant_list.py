@@ -105,7 +105,7 @@ CPU = [
     mutant("cpu: pairs in no order", "common/backend/growing_list.h", "std::ranges::sort(all);", "", "Methods"),
     mutant("cpu: spheres beyond the last cell in runs", "common/cpu/search/cpu_grid_body.h",
            "if (is_last(run.cell.x) || is_last(run.cell.y) || is_last(run.cell.z)) return false;", "", "CpuGrid"),
-    mutant("cpu: a contact pushes one sphere alone", "common/cpu/cpu_contacts.cpp", "add(impulses_[axis * n + pair.second], -values[axis]);", "", "Contacts", "ContactLaws"),
+    mutant("cpu: a contact pushes one sphere alone", "common/cpu/cpu_contacts.cpp", "add(impulses_[second], -value);", "", "Contacts", "ContactLaws"),
     mutant("the skin is never left", "common/shared/skin.h", "return !(path > 0.0f && gone <= longest);", "return false;", "Contacts"),
     mutant("near pairs are those that overlap", "common/shared/skin.h", "EXACT float radius = sphere.w + thickness;", "EXACT float radius = sphere.w;", "Contacts"),
     mutant("spheres on the plane are away from walls", "common/shared/contact.h", "s.y - c.low_y >= reach && ", "", "ContactLaws", "Contacts"),

@@ -49,6 +49,10 @@ def made_up_records():
         for precision in ("float32", "float64"):
             rows += made_up("precision", [1, 2], backend=backend, method="paper", precision=precision, dt=0.0625,
                             error_m=1e-3, simulated_s=10, work="move")
+        for sums in ("integers", "in_order", "atomics"):
+            for restitution in (1, 0.9):
+                rows += made_up("contact_runs", [1, 2], backend=backend, law="spring", restitution=restitution, sums=sums,
+                                steps_a_contact=10, steps=1000, position=1e-3)
     return rows
 
 

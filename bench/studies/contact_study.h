@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Contacts: error and run time by law, time step and sum of the impulses, and what sums without an order cost: the
+// measurements of `spherepair contacts`.
+//
+// contacts.json, "format": "spherepair contacts 1":
+//   context, backends, warnings, clocks   as in results.json (report.h, context.h)
+//   settings   {n, seed, packing_fraction, collisions, converged_steps_a_contact, cost_steps}
+//   contact_runs   one entry per law, restitution, time step, sum and backend, of a gas without walls:
+//     {law, restitution, sums, backend, n, steps_a_contact, dt, steps,
+//      position   rms distance from the converged run's centres at the end, in radii
+//      energy     change of the energy against the converged run's, over it
+//      momentum   [x, y, z]: change of the sum of all momenta, in units of the state's integers
+//      returns    elastic laws: whether as many steps back come to the first positions, bit for bit; null for others
+//      seconds_per_step, low, high   median and its 95 % interval; run_seconds: of all steps
+//      sample     as to_json(Samples)}
+//   contact_sums   a step of the scene gas by the law spring, 40 steps a contact, lists of near pairs included:
+//     {backend, n, sums, seconds_per_step, low, high, sample,
+//      integers_over_this   of the time with integers: ratio, low and high of its interval, as verdicts have it}
+//   targets    of a GPU: {what, value, bound, met}
+//   left_out   [text]: sums that a device lacks
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "bench/measure/session.h"
+#include "bench/measure/timing.h"
+#include "bench/studies/motion_targets.h"
+#include "common/scene/contact_options.h"
+
+namespace spherepair {
+
+struct ContactKind {
+  ContactLaw law;
+  float restitution = 1;
+  bool operator==(const ContactKind&) const = default;
+};
+std::string label(const ContactKind& kind);  // spring, restitution 0.9
+
+struct ContactPlan {
+  std::vector<ContactKind> kinds = {
+      {ContactLaw::spring}, {ContactLaw::spring, 0.9f}, {ContactLaw::hertz}, {ContactLaw::quartic}};
+  std::vector<uint> steps_a_contact = {10, 20, 40, 80, 160};  // 10 * 2^k
+  uint converged = 640;                                       // steps a contact
+  uint64_t n = 4096, seed = SceneOptions{}.seed;
+  double packing_fraction = 0.3;
+  double collisions = 2;  // mean times between those of a sphere: trajectories are not chaotic yet
+  std::vector<uint64_t> cost_sizes;
+  uint64_t cost_steps = 320;          // of the longest batch: several lists of near pairs
+  uint64_t most_on_host = 1'000'000;  // of the costs; more spheres are timed on GPUs only
+  Sampling sampling;
+};
+
+struct ContactRun {
+  ContactKind kind;
+  uint steps_a_contact;
+  ImpulseSums sums;
+  std::string backend;
+  uint64_t n, steps;
+  double dt;
+  double position, energy;
+  std::array<int64_t, 3> momentum;
+  std::optional<bool> returns;
+  std::optional<Samples> samples = {};  // of a step
+  double seconds() const { return samples ? double(steps) * samples->median_seconds() : 0; }
+};
+
+struct SumsCost {
+  std::string backend;
+  uint64_t n;
+  ImpulseSums sums;
+  Samples samples;
+  std::optional<Contest> integers;  // against these sums; none for themselves
+};
+
+// Spheres of a gas as it starts, without the box, so that nothing but contacts changes momenta.
+Scene contact_scene(const ContactPlan& plan, const ContactKind& kind, uint steps_a_contact);
+// For so many mean times between the collisions of a sphere, as kinetic theory has them.
+uint64_t steps_of_run(const ContactPlan& plan, const ContactKind& kind, uint steps_a_contact);
+
+// Whether a backend has these sums; it then uses them from the next step on. Else the reason joins `left_out`, once.
+bool use_sums(Backend& backend, ImpulseSums sums, std::vector<std::string>& left_out);
+
+// Each run on every backend. Throws DifferenceFound if two backends differ in any bit after steps whose sums have an
+// order or need none.
+std::vector<ContactRun> measure_contact_errors(Session& session, const ContactPlan& plan,
+                                               std::vector<std::string>& left_out, Progress& progress);
+// Adds the times of their steps.
+void time_contact_runs(Session& session, const ContactPlan& plan, std::vector<ContactRun>& runs, Progress& progress);
+
+std::vector<SumsCost> measure_sums(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
+                                   Progress& progress);
+
+// Of GPUs: a step with integer sums takes at most 1.10x the time of one with float32 sums in a fixed order.
+std::vector<Target> sums_targets(const Session& session, const std::vector<SumsCost>& costs);
+
+json to_json(const ContactRun& run);
+json to_json(const SumsCost& cost);
+
+}  // namespace spherepair

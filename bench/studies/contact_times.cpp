@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/check/step_result.h"
+#include "bench/studies/contact_study.h"
+#include "common/scene/contact_scene.h"
+#include "common/scene/counted.h"
+
+namespace spherepair {
+namespace {
+
+constexpr uint64_t steps_compared = 100;  // before the costs are timed
+
+std::function<void(Backend&)> step_by(ImpulseSums sums) {
+  return [sums](Backend& backend) { backend.sum_impulses(sums), backend.move(); };
+}
+
+// Sums that have an order or need none must give the same bits on all.
+void compare_sums(Session& session, const Scene& scene, const std::vector<Backend*>& backends) {
+  for (const ImpulseSums sums : {ImpulseSums::integers, ImpulseSums::in_order}) {
+    const SceneOptions options{.name = "gas", .n = scene.size()};
+    std::optional<Backend::State> expected;
+    for (Backend* backend : backends) {
+      backend->upload(scene);
+      for (uint64_t step = 0; step < steps_compared; ++step) step_by(sums)(*backend);
+      Backend::State state = current_state(*backend);
+      if (!expected) {
+        expected = std::move(state);
+        continue;
+      }
+      session.comparisons.plan(backend->info().name, Comparisons::states, 1);
+      require_same_state(session, {options, steps_compared}, *backends.front(), *expected, *backend, state);
+    }
+  }
+  session.comparisons.require_complete();
+}
+
+std::vector<SumsCost> costs_of(std::vector<Samples> samples, const std::vector<ImpulseSums>& sums, uint64_t n) {
+  std::vector<SumsCost> costs;
+  for (size_t k = 0; k < samples.size(); ++k) {
+    SumsCost cost{samples[k].backend, n, sums[k], samples[k], std::nullopt};
+    if (sums[k] != ImpulseSums::integers)
+      for (size_t i = 0; i < samples.size(); ++i)
+        if (sums[i] == ImpulseSums::integers && samples[i].backend == cost.backend)
+          cost.integers = contest(samples[i], samples[k]);
+    costs.push_back(std::move(cost));
+  }
+  return costs;
+}
+
+}  // namespace
+
+void time_contact_runs(Session& session, const ContactPlan& plan, std::vector<ContactRun>& runs, Progress& progress) {
+  for (const ContactKind& kind : plan.kinds)
+    for (const uint fine : plan.steps_a_contact) {
+      const Scene scene = contact_scene(plan, kind, fine);
+      const std::string name = fmt::format("{}, {} steps a contact", label(kind), fine);
+      progress.say("timing " + name);
+      std::vector<Contender> contenders;
+      std::vector<ContactRun*> timed;
+      for (ContactRun& run : runs) {
+        if (run.kind != kind || run.steps_a_contact != fine) continue;
+        timed.push_back(&run);
+        contenders.push_back({.label = fmt::format("{}, {}", name, impulse_sums_name(run.sums)),
+                              .backend = session.find(run.backend),
+                              .step = step_by(run.sums),
+                              .contest = name,
+                              .alternates = true,
+                              .restart = [&scene](Backend& backend) { backend.upload(scene); },
+                              .prepares = true});
+      }
+      std::vector<Samples> samples = measure(session, contenders, plan.sampling, progress);
+      for (size_t k = 0; k < timed.size(); ++k) timed[k]->samples = std::move(samples[k]);
+      for (const auto& backend : session.backends()) backend->sum_impulses(ImpulseSums::integers);
+    }
+}
+
+// The spheres go on from batch to batch: a gas in its box stays what it is.
+std::vector<SumsCost> measure_sums(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
+                                   Progress& progress) {
+  std::vector<SumsCost> all;
+  for (const uint64_t n : plan.cost_sizes) {
+    Scene scene = make_scene({.name = "gas", .n = n, .seed = plan.seed, .packing_fraction = plan.packing_fraction});
+    choose_contacts(scene, {.law = ContactLaw::spring});
+    std::vector<Backend*> backends;
+    for (const auto& backend : session.backends())
+      if (on_hardware(*backend) || n <= plan.most_on_host) backends.push_back(backend.get());
+    progress.say(fmt::format("comparing {}", counted(n, "sphere")));
+    compare_sums(session, scene, backends);
+    std::vector<Contender> contenders;
+    std::vector<ImpulseSums> sums;
+    for (Backend* backend : backends)
+      for (const ImpulseSums one : all_impulse_sums()) {
+        if (!use_sums(*backend, one, left_out)) continue;
+        sums.push_back(one);
+        contenders.push_back({.label = fmt::format("{} of {}", impulse_sums_name(one), counted(n, "sphere")),
+                              .backend = backend,
+                              .step = step_by(one),
+                              .contest = fmt::format("sums of {}", n),
+                              .alternates = true,
+                              .batch = on_hardware(*backend) ? plan.cost_steps : 0,
+                              .prepares = true});
+      }
+    for (SumsCost& cost : costs_of(measure(session, contenders, plan.sampling, progress), sums, n))
+      all.push_back(std::move(cost));
+    for (Backend* backend : backends) backend->sum_impulses(ImpulseSums::integers);
+  }
+  return all;
+}
+
+std::vector<Target> sums_targets(const Session& session, const std::vector<SumsCost>& costs) {
+  std::vector<Target> targets;
+  for (const SumsCost& cost : costs)
+    if (cost.sums == ImpulseSums::in_order && on_hardware(*session.find(cost.backend)))
+      targets.push_back({fmt::format("{}: time of a step with integer sums over that with sums in order, {}",
+                                     cost.backend, counted(cost.n, "sphere")),
+                         cost.integers->ratio, 1.10, false});
+  return targets;
+}
+
+json to_json(const SumsCost& cost) {
+  const Interval interval = cost.samples.interval();
+  json out = {{"backend", cost.backend},
+              {"n", cost.n},
+              {"sums", impulse_sums_name(cost.sums)},
+              {"seconds_per_step", cost.samples.median_seconds()},
+              {"low", interval.low},
+              {"high", interval.high},
+              {"integers_over_this", json()},
+              {"sample", to_json(cost.samples)}};
+  if (cost.integers)
+    out["integers_over_this"] = {
+        {"ratio", cost.integers->ratio}, {"low", cost.integers->ratios.low}, {"high", cost.integers->ratios.high}};
+  return out;
+}
+
+}  // namespace spherepair

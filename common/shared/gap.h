@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The gap of a contact. Its lengths are integers of 2^-29 of the power of two below the reach (the sum of the radii):
+// their squares and the difference of two of these are exact.
+#ifndef SPHEREPAIR_GAP_H
+#define SPHEREPAIR_GAP_H
+
+#include "common/shared/fixed.h"
+#include "common/shared/layout.h"
+#include "common/shared/round.h"
+
+// From one surface or centre to the other.
+struct Gap {
+  int64_t x, y, z;
+  uint64_t square;  // of the distance
+  uint64_t reach;
+  float scale;  // metres of 2^29 of these units, over those of the largest reach
+};
+
+const uint64_t FAR_APART = 0xFFFFFFFFFFFFFFFFul;
+
+FN Gap gap_of(int64_t dx, int64_t dy, int64_t dz, float reach, ContactParams c) {
+  int exponent = int(exponent_field(reach)) - 127;
+  int bits = c.unit_exponent + exponent - 29;
+  Gap g = {shifted(dx, bits),
+           shifted(dy, bits),
+           shifted(dz, bits),
+           FAR_APART,
+           uint64_t(significand(reach)) << 6,
+           power_of_two(exponent - c.reach_exponent)};
+  if (magnitude(g.x) < g.reach && magnitude(g.y) < g.reach && magnitude(g.z) < g.reach)
+    g.square = uint64_t(g.x * g.x) + uint64_t(g.y * g.y) + uint64_t(g.z * g.z);
+  return g;
+}
+FN bool in_contact(Gap g) { return g.square < g.reach * g.reach; }
+FN bool deeper_than(Gap g, float radius, float reach) {
+  EXACT float units = radius * power_of_two(156 - int(exponent_field(reach)));  // 29 - exponent
+  uint64_t left = g.reach - uint64_t(uint(units));
+  return g.square < left * left;
+}
+
+FN float unit_length(int64_t x) {
+  EXACT float length = float_of(x) * power_of_two(-29);
+  return length;
+}
+
+// Of a gap that is not 0: 1 / distance, and the overlap, both in units of gap.scale.
+struct Surface {
+  float inverse_distance, overlap;
+};
+
+// The root of the square from a float guess, corrected by what the guess's own square leaves, which is an integer.
+FN Surface surface_of(Gap g) {
+  EXACT float square = float_of(int64_t(g.square)) * power_of_two(-58);
+  float guess = same_root(square);
+  float inverse = same_reciprocal(guess);
+  EXACT float digits = guess * power_of_two(29);
+  uint64_t distance = uint64_t(uint(digits));
+  EXACT float correction = float_of(int64_t(g.square - distance * distance)) * (inverse * power_of_two(-30));
+  EXACT float overlap = (float_of(int64_t(g.reach - distance)) - correction) * power_of_two(-29);
+  Surface s = {inverse, larger(overlap, 0.0f)};
+  return s;
+}
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// One thread per sphere: what its near spheres give it in a step, added in float32 in the order of its row. In place of
+// contact_pairs, for sums in order: each pair is evaluated from both sides, and no atomics are needed.
+#include "cuda/contact/contact_state.cuh"
+
+namespace spherepair {
+
+constexpr uint BLOCK = SERVICE_BLOCK;
+
+__device__ inline void put_impulse(const KernelBuffers& buf, uint i, Push sum) {
+  if (sum.x != 0l) put_in_impulse(buf, 0u, i, sum.x);
+  if (sum.y != 0l) put_in_impulse(buf, 1u, i, sum.y);
+  if (sum.z != 0l) put_in_impulse(buf, 2u, i, sum.z);
+}
+
+__global__ void __launch_bounds__(BLOCK) contact_gather(Params p, KernelBuffers buf) {
+  bool stopped = buf.fault[LEFT_SKIN] != 0xFFFFFFFFu;
+  uint i = group_index(p) * BLOCK + threadIdx.x;
+  if (i == 0u) buf.fault[STOPPED] = stopped ? 1u : 0u;
+  if (i == 0u && !stopped) ++buf.fault[STEPS_DONE];
+  if (stopped || i >= p.n) return;
+  FloatPush sum = FloatPush{0.0f, 0.0f, 0.0f, FAULTS};
+  uint length = buf.row_length[i];
+  for (uint k = 0u; k < length; ++k) {
+    uint j = buf.row[k * p.n + i];
+    Body a = load_place(p, buf, i);
+    Body b = load_place(p, buf, j);
+    if (!in_contact(gap_between(a, b, p.contact))) continue;
+    if (p.contact.damping != 0.0f) {
+      a = load_body(p, buf, i);
+      b = load_body(p, buf, j);
+    }
+    sum = sum_of_pushes(sum, float_push_of_pair(a, b, p.contact));
+  }
+  record_fault(buf, sum.fault, i);
+  put_impulse(buf, i, rounded_push(sum));
+}
+
+Entry contact_gather_kernel(uint, Variant) { return reinterpret_cast<Entry>(&contact_gather); }
+
+}  // namespace spherepair

@@ -1,0 +1,38 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// One thread per sphere: what its near spheres give it in a step, added in float32 in the order of its row. In place of
+// contact_pairs, for sums in order: each pair is evaluated from both sides, and no atomics are needed.
+#include "shaders/contact/contact_state.glsl"
+
+layout(local_size_x = BLOCK) in;
+layout(std430, binding = SLOT_ROW) restrict buffer RowBuffer { uint row[]; };
+layout(std430, binding = SLOT_ROW_LENGTH) restrict buffer RowLengthBuffer { uint row_length[]; };
+
+void put_impulse(uint i, Push sum) {
+  if (sum.x != 0l) put_in_impulse(0u, i, sum.x);
+  if (sum.y != 0l) put_in_impulse(1u, i, sum.y);
+  if (sum.z != 0l) put_in_impulse(2u, i, sum.z);
+}
+
+void main() {
+  bool stopped = fault[LEFT_SKIN] != 0xFFFFFFFFu;
+  uint i = group_index() * BLOCK + gl_LocalInvocationID.x;
+  if (i == 0u) fault[STOPPED] = stopped ? 1u : 0u;
+  if (i == 0u && !stopped) ++fault[STEPS_DONE];
+  if (stopped || i >= p.n) return;
+  FloatPush sum = FloatPush(0.0f, 0.0f, 0.0f, FAULTS);
+  uint length = row_length[i];
+  for (uint k = 0u; k < length; ++k) {
+    uint j = row[k * p.n + i];
+    Body a = load_place(i);
+    Body b = load_place(j);
+    if (!in_contact(gap_between(a, b, p.contact))) continue;
+    if (p.contact.damping != 0.0f) {
+      a = load_body(i);
+      b = load_body(j);
+    }
+    sum = sum_of_pushes(sum, float_push_of_pair(a, b, p.contact));
+  }
+  record_fault(sum.fault, i);
+  put_impulse(i, rounded_push(sum));
+}

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// What `spherepair contacts` measures: errors fall with the square of the time step, integer sums keep the momentum to
+// the last unit and go back to the first bits; and what it records.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/studies/contact_study.h"
+#include "tests/support/backends.h"
+#include "tests/support/faulty_session.h"
+#include "tests/support/forwarding_backend.h"
+#include "tests/support/program.h"
+
+namespace spherepair {
+namespace {
+
+class ContactStudy : public ProgramTest {
+ protected:
+  static ContactPlan small_plan(const ContactKind& kind) {
+    ContactPlan plan;
+    plan.kinds = {kind};
+    plan.steps_a_contact = {10, 160};
+    plan.n = 216;
+    return plan;
+  }
+  std::vector<ContactRun> errors_of(const ContactPlan& plan) {
+    Session session({"cpu"}, {});
+    return measure_contact_errors(session, plan, left_out_, progress_);
+  }
+  std::vector<std::string> left_out_;
+  Progress progress_;
+};
+
+// By 256 with four halvings; less while few steps a contact happen to be right, since a contact lasts a whole number.
+TEST_F(ContactStudy, ElasticErrorsFallWithTheSquareOfTheTimeStep) {
+  for (const ContactLaw law : {ContactLaw::spring, ContactLaw::hertz, ContactLaw::quartic}) {
+    const std::vector<ContactRun> runs = errors_of(small_plan({law}));
+    ASSERT_EQ(runs.size(), 6u);
+    for (const ImpulseSums sums : all_impulse_sums()) {
+      std::vector<ContactRun> by_step;
+      std::ranges::copy_if(runs, std::back_inserter(by_step), [&](const ContactRun& run) { return run.sums == sums; });
+      const ContactRun &coarse = by_step.front(), &fine = by_step.back();
+      EXPECT_EQ(fine.steps, 16 * coarse.steps);
+      EXPECT_GT(coarse.position / fine.position, 64) << contact_name(law);
+      EXPECT_LT(coarse.position, 1e-2) << contact_name(law);
+      EXPECT_LT(std::abs(fine.energy), 1e-5) << contact_name(law);
+    }
+  }
+  EXPECT_TRUE(left_out_.empty());
+}
+
+TEST_F(ContactStudy, IntegersKeepTheMomentumAndGoBack) {
+  for (const ContactKind& kind : ContactPlan{}.kinds) {
+    ContactPlan plan = small_plan(kind);
+    plan.steps_a_contact = {10};
+    for (const ContactRun& run : errors_of(plan)) {
+      if (run.sums == ImpulseSums::integers) {
+        EXPECT_EQ(run.momentum, (std::array<int64_t, 3>{})) << label(kind);
+      }
+      ASSERT_EQ(run.returns.has_value(), kind.restitution == 1) << label(kind);
+      if (run.returns && run.sums != ImpulseSums::atomics) {
+        EXPECT_TRUE(*run.returns) << label(kind) << ' ' << impulse_sums_name(run.sums);
+      }
+      EXPECT_GT(run.position, 0) << label(kind);
+    }
+  }
+}
+
+TEST_F(ContactStudy, DifferentStatesAreNotRecorded) {
+  ContactPlan plan = small_plan({ContactLaw::quartic});
+  plan.steps_a_contact = {10};
+  for (const NamedFault& fault : state_faults()) {
+    Session session = session_with(fault.fault, 1);
+    expect_named(difference_of([&] { measure_contact_errors(session, plan, left_out_, progress_); }), fault,
+                 "contacts");
+  }
+}
+
+class WithoutAtomics : public ForwardingBackend {
+ public:
+  using ForwardingBackend::ForwardingBackend;
+  void sum_impulses(ImpulseSums sums) override {
+    if (sums == ImpulseSums::atomics) throw std::invalid_argument("glsl: no atomics here");
+    ForwardingBackend::sum_impulses(sums);
+  }
+};
+
+TEST_F(ContactStudy, SumsThatADeviceLacksAreLeftOutAndNamedOnce) {
+  Session session({"cpu", "glsl"}, {.threads = 1},
+                  [](const std::string& name, const OpenOptions& options) -> std::unique_ptr<Backend> {
+                    if (name == "cpu") return open_backend(name, options);
+                    return std::make_unique<WithoutAtomics>(name, open_backend("cpu", options));
+                  });
+  ContactPlan plan = small_plan({ContactLaw::quartic});
+  plan.n = 8, plan.steps_a_contact = {10, 20}, plan.cost_sizes = {8};
+  plan.sampling.rounds = 1, plan.sampling.software_seconds = 1e-4;
+  const std::vector<ContactRun> runs = measure_contact_errors(session, plan, left_out_, progress_);
+  const std::vector<SumsCost> costs = measure_sums(session, plan, left_out_, progress_);
+  EXPECT_EQ(left_out_, std::vector<std::string>{"glsl: no atomics here"});
+  EXPECT_EQ(runs.size(), 2 * (3 + 2u));
+  EXPECT_EQ(costs.size(), 3 + 2u);
+  for (const ContactRun& run : runs) EXPECT_TRUE(run.backend == "cpu" || run.sums != ImpulseSums::atomics);
+}
+
+TEST_F(ContactStudy, RecordsEveryRunAndCost) {
+  const Outcome outcome = run(fmt::format(
+      "contacts --backends cpu --threads 2 --laws spring --steps 10,20 --n 27 --cost-n 64,125 --rounds 6 --results {}",
+      path("r")));
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const json record = json::parse(read_bytes(path("r/contacts.json")));
+  EXPECT_EQ(record.at("format"), "spherepair contacts 1");
+  ASSERT_EQ(record.at("contact_runs").size(), 2 * 2 * 3u);
+  for (const json& run : record.at("contact_runs")) {
+    EXPECT_EQ(run.at("law"), "spring");
+    EXPECT_EQ(run.at("n"), 27);
+    EXPECT_EQ(run.at("returns").is_null(), run.at("restitution") < 1);
+    EXPECT_GT(run.at("position"), 0.0);
+    EXPECT_LE(run.at("low"), run.at("seconds_per_step"));
+    EXPECT_DOUBLE_EQ(run.at("run_seconds").get<double>(),
+                     run.at("steps").get<double>() * run.at("seconds_per_step").get<double>());
+  }
+  ASSERT_EQ(record.at("contact_sums").size(), 2 * 3u);
+  for (const json& cost : record.at("contact_sums")) {
+    const bool integers = cost.at("sums") == "integers";
+    EXPECT_EQ(cost.at("integers_over_this").is_null(), integers);
+    if (!integers) {
+      EXPECT_LE(cost.at("integers_over_this").at("low"), cost.at("integers_over_this").at("high"));
+    }
+  }
+  EXPECT_NE(outcome.output.find("integers over this"), std::string::npos) << outcome.output;
+}
+
+TEST_F(ContactStudy, RefusesWhatItDoesNotKnow) {
+  for (const auto& [words, message] : {std::pair("--laws springs", "did you mean spring"),
+                                       {"--laws none", "the law none has no contacts"},
+                                       {"--steps 15", "15"},
+                                       {"--cost-n 0", "--cost-n"}}) {
+    const Outcome outcome = run(fmt::format("contacts --backends cpu {} --results {}", words, path("r")));
+    EXPECT_EQ(outcome.code, 2) << words;
+    EXPECT_NE(outcome.errors.find(message), std::string::npos) << outcome.errors;
+    EXPECT_FALSE(std::filesystem::exists(path("r"))) << words;
+  }
+}
+
+}  // namespace
+}  // namespace spherepair
