@@ -64,7 +64,7 @@ double largest(const std::array<int64_t, 3>& momentum) {
 // Of one law: a row per time step and sum; errors are the largest of the backends, times of each.
 Table run_table(const std::vector<ContactRun>& runs, const ContactKind& kind) {
   Table table{fmt::format("Contacts by {}: error of a run, and its time", label(kind)),
-              {{"", "steps a contact", ""},
+              {{"steps a", "contact", ""},
                {"", "sums", "", true},
                {"error of", "position", "radii"},
                {"error of", "energy", ""},
