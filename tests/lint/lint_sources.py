@@ -5,6 +5,7 @@ import importlib.util
 import re
 import shutil
 import subprocess
+import sys
 
 MAX_LINES = 250
 MAX_FUNCTION = 60  # lines, of host code
@@ -143,7 +144,9 @@ def mutants(root, build):
     """Every deliberate fault of tests/mutants names text that stands exactly once in its file, and entries of ctest."""
     spec = importlib.util.spec_from_file_location("mutant_list", root / "tests/mutants/mutant_list.py")
     module = importlib.util.module_from_spec(spec)
+    sys.path.insert(0, str(root / "tests/mutants"))  # for what it imports
     spec.loader.exec_module(module)
+    sys.path.pop(0)
     complaints = []
     entries = re.search(r"set\(suites ([^)]*)\)", (root / "tests/CMakeLists.txt").read_text())[1].split()
     for mutant in module.MUTANTS:

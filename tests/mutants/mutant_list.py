@@ -1,10 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The deliberate faults: what is replaced by what, where, and the ctest entries that should find it first."""
-
-
-def mutant(name, file, old, new, *tests):
-    return {"name": name, "file": file, "old": old, "new": new, "tests": list(tests)}
-
+"""The deliberate faults, all but those of near pairs, which are in near_pair_mutants.py."""
+from mutant import mutant
+from near_pair_mutants import NEAR_PAIRS
 
 HARNESS = [
     mutant("fingerprints not compared", "bench/check/step_result.cpp", "l.fingerprint == r.fingerprint", "true", "Harness"),
@@ -246,4 +243,4 @@ DRAWING = [
            "ViewerImages"),
 ]
 
-MUTANTS = HARNESS + SHADERS + CPU + FILES + CHECKPOINT + COMMANDS + EXACT + DRAWING
+MUTANTS = HARNESS + SHADERS + CPU + FILES + CHECKPOINT + COMMANDS + EXACT + DRAWING + NEAR_PAIRS
