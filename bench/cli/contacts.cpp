@@ -38,7 +38,7 @@ ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
   if (plan.cost_sizes.empty())
     plan.cost_sizes = hardware ? std::vector<uint64_t>{16384, 1'000'000, 10'000'000} : std::vector<uint64_t>{16384};
   plan.sampling.rounds = options.rounds;
-  plan.sampling.longest = 0.05;
+  plan.sampling.longest = 0.02;
   if (!hardware) plan.sampling.software_seconds = 0.01;
   return plan;
 }
