@@ -90,8 +90,6 @@ GPU = tuple(map(in_hardware, (
     study("crossover", 4, "glsl,cuda", "crossover", "crossover.json", processes=SEVERAL),
     study("crossover_cpu", 3, "cpu", "crossover", "crossover.json"),
     study("ablate", 2, "glsl,cuda", "ablate --n 16384,1000000", "ablate.json"),
-    study("ablate_contacts", 2, "glsl,cuda", "ablate --names near_pairs --n 10000000,100000000", "ablate.json",
-          memory=48 * GIB),
     study("contacts", 3, "glsl,cuda", "contacts", "contacts.json"),
     study("launches", 2, "glsl,cuda", "launches", "launches.json", processes=SEVERAL),
     study("energy_all_pairs", 4, "glsl,cuda", "energy --works all_pairs --windows 5 --seconds 10", "energy.json"),
