@@ -65,6 +65,8 @@ def entry_of(name, launches):
     if lacking:
         raise Failed(f"Nsight Compute did not tell {', '.join(lacking)} of {name}, but {', '.join(found)}")
     limits = {match[1]: value for counter, value in found.items() if (match := LIMIT.fullmatch(counter))}
+    if not limits:
+        raise Failed(f"Nsight Compute told no limit of {name}, but {', '.join(found)}")
     stalls = {match[1]: value for counter, value in found.items() if (match := STALL.fullmatch(counter))}
     return {**{short: found[counter] for short, counter in COUNTERS.items()},
             "registers": found.get("launch__registers_per_thread"), "launches": len(launches),

@@ -81,8 +81,6 @@ void time_contact_runs(Session& session, const ContactPlan& plan, std::vector<Co
 std::vector<SumsCost> measure_sums(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
                                    Progress& progress) {
   std::vector<SumsCost> all;
-  Sampling sampling = plan.sampling;
-  sampling.longest = Sampling{}.longest;  // a change of sums lists near pairs anew: many steps behind it
   for (const uint64_t n : plan.cost_sizes) {
     Scene scene = make_scene({.name = "gas", .n = n, .seed = plan.seed, .packing_fraction = plan.packing_fraction});
     choose_contacts(scene, {.law = ContactLaw::spring});
@@ -105,7 +103,7 @@ std::vector<SumsCost> measure_sums(Session& session, const ContactPlan& plan, st
                               .batch = on_hardware(*backend) ? plan.cost_steps : 0,
                               .prepares = true});
       }
-    for (SumsCost& cost : costs_of(measure(session, contenders, sampling, progress), sums, n))
+    for (SumsCost& cost : costs_of(measure(session, contenders, plan.sampling, progress), sums, n))
       all.push_back(std::move(cost));
     for (Backend* backend : backends) backend->sum_impulses(ImpulseSums::integers);
   }
@@ -116,8 +114,9 @@ std::vector<Target> sums_targets(const Session& session, const std::vector<SumsC
   std::vector<Target> targets;
   for (const SumsCost& cost : costs)
     if (cost.sums == ImpulseSums::in_order && on_hardware(*session.find(cost.backend)))
-      targets.push_back({fmt::format("{}, {}: integer sums over sums in order", cost.backend, counted(cost.n, "sphere")),
-                         cost.integers->ratio, 1.10, false});
+      targets.push_back(
+          {fmt::format("{}, {}: integer sums over sums in order", cost.backend, counted(cost.n, "sphere")),
+           cost.integers->ratio, 1.10, false});
   return targets;
 }
 

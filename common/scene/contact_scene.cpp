@@ -192,13 +192,12 @@ ContactParams contact_params(const Scene& scene) {
   const double order = contact.law == ContactLaw::quartic ? 3 : contact.law == ContactLaw::hertz ? 1.5 : 1;
   const auto wall = [&](float at) { return integer_of(std::ldexp(at, s)); };
   constexpr int64_t none = 2 * MOST_UNITS;
-  const bool walls = contact.walls;
-  return {.low_x = walls ? wall(contact.low.x) : -none,
+  return {.low_x = contact.walls ? wall(contact.low.x) : -none,
           .low_y = wall(scene.plane),
-          .low_z = walls ? wall(contact.low.z) : -none,
-          .high_x = walls ? wall(contact.high.x) : none,
-          .high_y = walls ? wall(contact.high.y) : none,
-          .high_z = walls ? wall(contact.high.z) : none,
+          .low_z = contact.walls ? wall(contact.low.z) : -none,
+          .high_x = contact.walls ? wall(contact.high.x) : none,
+          .high_y = contact.walls ? wall(contact.high.y) : none,
+          .high_z = contact.walls ? wall(contact.high.z) : none,
           .law = uint(contact.law),
           .unit_exponent = s,
           .reach_exponent = reach,
@@ -208,7 +207,8 @@ ContactParams contact_params(const Scene& scene) {
           .mobility = float(dt / density * std::exp2(s - q)),
           .metres_per_second = float(std::exp2(-s) / dt),
           .fastest = std::ldexp(r.smallest, s),
-          .skin = float(skin_of(scene))};
+          .skin = float(skin_of(scene)),
+          .row_capacity = 0};
 }
 
 Scene grown_scene(const Scene& scene) {

@@ -8,7 +8,8 @@
 #include "common/shared/layout.h"
 
 // Words of SLOT_FAULT behind the faults. Steps are launched ahead; once a sphere has left its skin, those behind do
-// nothing: contact_pairs, during which nobody writes LEFT_SKIN, tells leapfrog by STOPPED, and counts the others.
+// nothing: contact_pairs or contact_gather, during which nobody writes LEFT_SKIN, tells leapfrog by STOPPED, and counts
+// the others.
 #define LEFT_SKIN FAULTS           // a sphere that has, or ~0
 #define STOPPED (FAULTS + 1u)      // not 0: this step does nothing
 #define STEPS_DONE (FAULTS + 2u)   // since near pairs were listed

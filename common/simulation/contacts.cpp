@@ -11,7 +11,8 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t most_groups = 4096;   // which take turns
+constexpr uint64_t most_groups = 4096;  // which take turns
+constexpr uint64_t most_row_entries = uint64_t(1) << 32;
 constexpr uint first_row_capacity = 14;  // equal spheres seldom have more within their skins
 
 }  // namespace
@@ -28,6 +29,7 @@ void Contacts::upload(const Scene& scene) {
     context_.buffers.write(SLOT_IMPULSE + axis, std::vector<int64_t>(n));
   }
   context_.buffers.resize(SLOT_GROWN, n * sizeof(vec4));
+  if (!on_) context_.buffers.resize(SLOT_NEAR, 0);
   if (!on_) return;
   context_.buffers.resize(SLOT_FAULT, FAULT_WORDS * sizeof(uint));
   context_.buffers.write(SLOT_FAULT, std::vector<uint>(FAULT_WORDS, ~0u));
@@ -49,14 +51,14 @@ bool Contacts::step(bool clear_results) {
   motion_.begin_step();
   near_.moved();
   bool listed = false;
-  if (launched_ >= next_check_ || left_ || !keeps_) {
+  if (!made_ || launched_ >= next_check_ || left_ || !keeps_) {
     listed = complete();
     if (!made_ || left_ || !keeps_) {
-      served_ = std::max(launched_, 1u);
+      if (left_) served_ = std::max(launched_, 1u);
       list_near_pairs();
       listed = true;
     }
-    next_check_ = launched_ == 0 ? served_ - served_ / 4 : launched_ + 1 + served_ / 16;
+    next_check_ = launched_ == 0 ? served_ - served_ / 4 : launched_ + 1 + std::max(served_, launched_) / 16;
   }
   launch(clear_results);
   return listed;
@@ -109,6 +111,11 @@ void Contacts::list_near_pairs() {
 void Contacts::list_rows() {
   uint& capacity = context_.params.contact.row_capacity;
   const auto fill = [&](uint wanted) {
+    if (context_.n * wanted > most_row_entries)
+      throw BackendError(
+          fmt::format("{}: a sphere has {} near it, and rows of {} spheres for sums in order hold 2^32 in "
+                      "all; take fewer spheres",
+                      context_.name(), wanted, context_.n));
     capacity = wanted;
     context_.buffers.grow(SLOT_ROW, context_.n * capacity * sizeof(uint));
     context_.buffers.grow(SLOT_ROW_LENGTH, context_.n * sizeof(uint));

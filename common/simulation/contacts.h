@@ -16,7 +16,7 @@ class Contacts {
   bool on() const { return on_; }
 
   void keep_list(bool on) { keeps_ = on; }  // else near pairs are listed in every step
-  void forget_list() { made_ = false; }     // others were listed; where all steps are done
+  void forget_list() { made_ = false; }     // others are being listed; where all steps are done
 
   // From the next step on, for measuring; all steps before must be complete.
   void sum_impulses(ImpulseSums sums);

@@ -129,15 +129,22 @@ void Simulation::list_near_paths(const CollideOptions& options) {
   motion_.evaluate_state();
   const Backend::State state = motion_.state();
   const Scene paths = spheres_around_paths(state.positions, state.velocities, context_.params.motion.dt);
+  contacts_.forget_list();
+  sorter_.replaced();
+  search_.moved(false);
   context_.buffers.resize(SLOT_VELOCITY, context_.n * sizeof(vec4));
   context_.buffers.write(SLOT_VELOCITY, state.velocities);
   context_.buffers.resize(SLOT_GROWN, context_.n * sizeof(vec4));
   context_.buffers.write(SLOT_GROWN, paths.positions);
-  near_paths_.plan(paths);
-  near_paths_.list(near_options(options));
-  contacts_.forget_list();
-  sorter_.replaced();
-  search_.moved(false);
+  try {
+    near_paths_.plan(paths);
+    near_paths_.list(near_options(options));
+  } catch (const BackendError& error) {
+    throw BackendError(
+        fmt::format("{}; these are pairs of paths that are near each other within the next step: a smaller "
+                    "--dt has fewer",
+                    error.what()));
+  }
 }
 
 void Simulation::step(const CollideOptions& options) {

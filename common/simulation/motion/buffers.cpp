@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace spherepair {
@@ -11,44 +12,47 @@ namespace {
 
 constexpr uint guard_words = 16;
 constexpr uint guard_pattern = 0xA5C3F00Du;
-constexpr const char* slot_names[SLOT_TOTAL] = {"positions",
-                                                "velocities",
-                                                "counts",
-                                                "summary",
-                                                "deferred pairs",
-                                                "pairs",
-                                                "spheres to decide",
-                                                "verdicts",
-                                                "cells",
-                                                "sphere indices in buckets",
-                                                "spheres in cell order",
-                                                "sphere indices",
-                                                "counts in cell order",
-                                                "tiles of the scan",
-                                                "spheres in buckets",
-                                                "buckets",
-                                                "visible spheres",
-                                                "image",
-                                                "tiles of large spheres",
-                                                "counts of drawing",
-                                                "clusters",
-                                                "ages of visible spheres",
-                                                "list of clusters",
-                                                "depth pyramid",
-                                                "wide state",
-                                                "anchors or grown spheres",
-                                                "flights",
-                                                "steps of the anchors or faults",
-                                                "steps of the next events or near pairs",
-                                                "list of visible spheres",
-                                                "visible spheres of every other image",
-                                                "colours",
-                                                "state along x",
-                                                "state along y",
-                                                "state along z",
-                                                "impulses along x",
-                                                "impulses along y",
-                                                "impulses along z"};
+constexpr const char* slot_names[] = {"positions",
+                                      "velocities",
+                                      "counts",
+                                      "summary",
+                                      "deferred pairs",
+                                      "pairs",
+                                      "spheres to decide",
+                                      "verdicts",
+                                      "cells",
+                                      "sphere indices in buckets",
+                                      "spheres in cell order",
+                                      "sphere indices",
+                                      "counts in cell order",
+                                      "tiles of the scan",
+                                      "spheres in buckets",
+                                      "buckets",
+                                      "visible spheres",
+                                      "image",
+                                      "tiles of large spheres",
+                                      "counts of drawing",
+                                      "clusters",
+                                      "ages of visible spheres",
+                                      "list of clusters",
+                                      "depth pyramid",
+                                      "wide state or rows of near spheres",
+                                      "anchors",
+                                      "flights or lengths of rows",
+                                      "steps of the anchors or faults",
+                                      "steps of the next events",
+                                      "list of visible spheres",
+                                      "visible spheres of every other image",
+                                      "colours",
+                                      "state along x",
+                                      "state along y",
+                                      "state along z",
+                                      "impulses along x",
+                                      "impulses along y",
+                                      "impulses along z",
+                                      "grown spheres",
+                                      "near pairs"};
+static_assert(std::size(slot_names) == SLOT_TOTAL);
 
 }  // namespace
 

@@ -25,7 +25,7 @@ bool PairSearch::grow_lists(const std::vector<uint>& summary) {
   const bool short_deferred = deferred > context_.params.search.deferred_capacity;
   const bool short_pairs = options_.want_pairs && listed > context_.params.search.pair_capacity;
   if (short_deferred) context_.buffers.resize(SLOT_DEFERRED, (deferred + deferred / 8) * sizeof(uvec2));
-  if (short_pairs) context_.buffers.resize(SLOT_PAIR, (listed + listed / 8) * sizeof(uvec2));
+  if (short_pairs) context_.buffers.resize(SLOT_PAIR, std::min(listed + listed / 8, most_listed) * sizeof(uvec2));
   return short_deferred || short_pairs;
 }
 
