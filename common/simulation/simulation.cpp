@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "common/backend/swept_paths.h"
-
 namespace spherepair {
 
 Simulation::Simulation(std::unique_ptr<Device> device, PipelineOpener open)
@@ -126,25 +124,10 @@ void Simulation::enqueue_collide(const CollideOptions& options) {
 
 void Simulation::list_near_paths(const CollideOptions& options) {
   search_.require_options(options);
-  motion_.evaluate_state();
-  const Backend::State state = motion_.state();
-  const Scene paths = spheres_around_paths(state.positions, state.velocities, context_.params.motion.dt);
   contacts_.forget_list();
   sorter_.replaced();
   search_.moved(false);
-  context_.buffers.resize(SLOT_VELOCITY, context_.n * sizeof(vec4));
-  context_.buffers.write(SLOT_VELOCITY, state.velocities);
-  context_.buffers.resize(SLOT_GROWN, context_.n * sizeof(vec4));
-  context_.buffers.write(SLOT_GROWN, paths.positions);
-  try {
-    near_paths_.plan(paths);
-    near_paths_.list(near_options(options));
-  } catch (const BackendError& error) {
-    throw BackendError(
-        fmt::format("{}; these are pairs of paths that are near each other within the next step: a smaller "
-                    "--dt has fewer",
-                    error.what()));
-  }
+  near_paths_.list_paths(options);
 }
 
 void Simulation::step(const CollideOptions& options) {

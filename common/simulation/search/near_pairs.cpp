@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "common/simulation/search/near_pairs.h"
 
+#include <fmt/format.h>
+
 #include <utility>
+
+#include "common/backend/swept_paths.h"
 
 namespace spherepair {
 
@@ -33,6 +37,24 @@ void NearPairs::list(const CollideOptions& options) {
   }
   exchange();
   context_.buffers.swap(SLOT_PAIR, SLOT_NEAR);
+}
+
+void NearPairs::list_paths(const CollideOptions& options) {
+  motion_.evaluate_state();
+  const Backend::State state = motion_.state();
+  const Scene paths = spheres_around_paths(state.positions, state.velocities, context_.params.motion.dt);
+  context_.buffers.resize(SLOT_VELOCITY, context_.n * sizeof(vec4));
+  context_.buffers.write(SLOT_VELOCITY, state.velocities);
+  context_.buffers.resize(SLOT_GROWN, context_.n * sizeof(vec4));
+  context_.buffers.write(SLOT_GROWN, paths.positions);
+  try {
+    plan(paths);
+    list(near_options(options));
+  } catch (const BackendError& error) {
+    throw BackendError(fmt::format(
+        "{}; these are pairs of paths that are near each other within the next step: a smaller --dt has fewer",
+        error.what()));
+  }
 }
 
 }  // namespace spherepair

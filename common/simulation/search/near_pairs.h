@@ -9,7 +9,7 @@ namespace spherepair {
 class NearPairs {
  public:
   NearPairs(DeviceContext& context, DeviceMotion& motion)
-      : context_(context), sorter_(context), search_(context, motion, sorter_) {}
+      : context_(context), motion_(motion), sorter_(context), search_(context, motion, sorter_) {}
 
   // For spheres like these, the grown ones, and as many as the scene's.
   void plan(const Scene& grown);
@@ -19,8 +19,13 @@ class NearPairs {
   // and its parameters are those of the grown spheres then, and results of other searches are lost.
   void list(const CollideOptions& options = {.method = Method::automatic});
 
+  // The same of spheres around the paths of the next step (swept.h); SLOT_VELOCITY has the velocities then. Results of
+  // other searches, their cells and other near pairs are lost, also where it throws.
+  void list_paths(const CollideOptions& options);
+
  private:
   DeviceContext& context_;
+  DeviceMotion& motion_;
   CellSorter sorter_;  // of the grown spheres, as is the search
   PairSearch search_;
   float radius_ = 0;  // where all are equal
