@@ -26,6 +26,4 @@ NEAR_PAIRS = [
     mutant("glsl: the last path is left out", "shaders/collide/collide_swept.comp", "k < p.search.near_pairs",
            "k + 1u < p.search.near_pairs", "Swept"),
     mutant("contacts keep a list of paths", "common/simulation/simulation.cpp", "contacts_.forget_list();", "", "Swept"),
-    mutant("cells of paths stay", "common/simulation/simulation.cpp", "contacts_.forget_list();\n  sorter_.replaced();",
-           "contacts_.forget_list();", "Swept"),
 ]
