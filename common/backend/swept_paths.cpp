@@ -53,7 +53,6 @@ Scene spheres_around_paths(std::span<const vec4> positions, std::span<const vec4
 CollideOptions near_options(const CollideOptions& swept) {
   CollideOptions options = swept;
   options.swept = false;
-  options.want_pairs = true;
   return options;
 }
 

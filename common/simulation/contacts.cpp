@@ -113,9 +113,9 @@ void Contacts::list_rows() {
   const auto fill = [&](uint wanted) {
     if (context_.n * wanted > most_row_entries)
       throw BackendError(
-          fmt::format("{}: a sphere has {} near it, and rows of {} spheres for sums in order hold 2^32 in "
-                      "all; take fewer spheres",
-                      context_.name(), wanted, context_.n));
+          fmt::format("{}: {} rows of {} near spheres are more than the 2^32 that sums in order hold; "
+                      "take fewer spheres",
+                      context_.name(), context_.n, wanted));
     capacity = wanted;
     context_.buffers.grow(SLOT_ROW, context_.n * capacity * sizeof(uint));
     context_.buffers.grow(SLOT_ROW_LENGTH, context_.n * sizeof(uint));

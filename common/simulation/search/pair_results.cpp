@@ -12,6 +12,7 @@ namespace spherepair {
 namespace {
 
 constexpr uint tally_groups = 1024;
+constexpr uint64_t most_near = uint64_t(1) << 31;  // threads that take turns count on in 32 bits
 constexpr uint64_t most_listed = std::numeric_limits<uint>::max();
 
 }  // namespace
@@ -50,9 +51,9 @@ uint64_t PairSearch::list_pairs(CollideOptions options) {
   options.want_pairs = true;
   enqueue(options);
   const uint64_t pairs = sum_of(complete_lists(), SUM_DEFERRED).pairs;
-  if (pairs > most_listed)
+  if (pairs > most_near)
     throw BackendError(
-        fmt::format("{}: {} pairs are near each other, but a list holds 2^32 - 1 at most", context_.name(), pairs));
+        fmt::format("{}: {} pairs are near each other, but a list holds 2^31 at most", context_.name(), pairs));
   return pairs;
 }
 
