@@ -143,9 +143,10 @@ class Run:
         """file of the output folder -> file of the machine's folder"""
         return {file: target.format(process=self.process) for file, target in self.part.files.items()}
 
-    def command(self, out):
+    def command(self, out, gpu=""):
         """(words, variables of the environment)"""
-        return ([word.format(out=out) for word in self.part.words.split()],
+        device = ["--cuda-device", gpu] if gpu and set(self.part.backends) & {"glsl", "cuda"} else []
+        return ([word.format(out=out) for word in self.part.words.split()] + device,
                 {name: value.format(out=out) for name, value in self.part.environment.items()})
 
 
@@ -179,6 +180,11 @@ def missing_needs(part, backends):
     if part.memory and memory and int(memory) < part.memory:
         return f"needs {part.memory // GIB} GiB on the GPU, which has {int(memory) // GIB}"
     return ""
+
+
+def why_no_choice(part, gpu):
+    """Why a part cannot run on a GPU of one's choice, or nothing."""
+    return "runs on the first GPU: omit --gpu" if gpu and (part.tests or part.script) else ""
 
 
 def of_machine(backends):

@@ -121,13 +121,13 @@ def runner(part, program, tests):
     return [tests if part.tests else program]
 
 
-def record_run(run, folder, run_by, progress):
+def record_run(run, folder, run_by, gpu, progress):
     """Runs one part; its output is in the folder whole, or not at all."""
     out = folder / f".{run.name}"
     shutil.rmtree(out, ignore_errors=True)  # of a run that was killed
     out.mkdir(parents=True)
     try:
-        words, environment = run.command(out)
+        words, environment = run.command(out, gpu)
         log = out / "output.txt"
         with log.open("w") as stream:
             code = run_command([*run_by, *words], environment, stream, progress)
@@ -144,13 +144,13 @@ def record_run(run, folder, run_by, progress):
         shutil.rmtree(out, ignore_errors=True)
 
 
-def record_all(chosen, folder, program, tests):
+def record_all(chosen, folder, program, tests, gpu=""):
     """Runs them in order; those that fail are named at the end. Returns their number."""
     failures = []
     for k, run in enumerate(chosen, 1):
         progress = Progress(f"[{k}/{len(chosen)}] {run.name}, about {run.part.minutes} min")
         try:
-            record_run(run, folder, runner(run.part, program, tests), progress)
+            record_run(run, folder, runner(run.part, program, tests), gpu, progress)
             progress.end(f"{progress.minutes():.1f} min")
         except (Failed, OSError) as reason:
             failures.append(f"{run.name} failed, {reason}")

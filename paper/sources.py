@@ -2,7 +2,7 @@
 """What a record timed, and what of it has changed since: by the digests of kernels and host paths in its context.
 
 The digests of the tree come from bench/io/source_digests.cmake, which the build uses as well. A name is glsl/KERNEL,
-cuda/KERNEL, host/BACKEND or measure, the code that takes the samples.
+cuda/KERNEL, host/BACKEND, host/contacts or measure, the code that takes the samples.
 """
 import json
 import re
@@ -18,6 +18,7 @@ from paper.old_names import renamed
 ROOT = Path(__file__).resolve().parent.parent
 GPU_APIS = ("glsl", "cuda")
 MOST_NAMED = 4  # under a figure
+OF_CONTACTS = "contact_|leapfrog|collide_swept"  # stages that host/contacts launches
 
 
 class Unknown(Exception):
@@ -56,7 +57,8 @@ def names_of(row, recorded):
     if "kernel" in row:
         return kernels
     drawn = {name for name in recorded if Path(name).suffix and of_stage(name, row.get("draw") or "")}
-    return kernels | drawn | {f"host/{backend}", "measure"} & recorded.keys()
+    contacts = {"host/contacts"} if "sums" in row or any(re.match(OF_CONTACTS, stage) for stage in stages) else set()
+    return kernels | drawn | (contacts | {f"host/{backend}", "measure"}) & recorded.keys()
 
 
 def timings(value, above=None):
@@ -66,7 +68,7 @@ def timings(value, above=None):
             yield from timings(inner, above)
     if not isinstance(value, dict):
         return
-    row = {**(above or {}), **{key: value[key] for key in ("backend", "draw") if key in value}}
+    row = {**(above or {}), **{key: value[key] for key in ("backend", "draw", "sums") if key in value}}
     if "samples_ms" in value:
         yield {**row, "stages": value.get("device_stages_ms")}
     if {"kernel", "backend"} <= value.keys():  # of listings and counters
@@ -83,9 +85,9 @@ def changed(row, recorded, now):
 
 
 def parts(names):
-    """E.g. collide_grid (GLSL, CUDA); host code (CUDA); timing."""
-    by_kernel = {}
-    for name in sorted(names):
+    """E.g. collide_grid (GLSL, CUDA); host code (CUDA); host code of contacts; timing."""
+    by_kernel = {"host code of contacts": []} if "host/contacts" in names else {}
+    for name in sorted(names - {"host/contacts"}):
         room, _, kernel = name.rpartition("/")
         api, what = (kernel, "host code") if room == "host" else (room, Path(kernel).stem)
         apis = by_kernel.setdefault(what if api else "timing", [])

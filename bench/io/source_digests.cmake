@@ -1,17 +1,21 @@
 # SPDX-License-Identifier: MIT
 # Digests of what is timed: one for each kernel of each API, of its file and all that it includes, and one for each
-# host path. They need the source tree alone; // comments and white space do not count. build_info.cmake puts them into the
-# program, which writes them into every record; paper/sources.py compares those with the tree's:
+# host path. They need the source tree alone; // comments, white space and the lines that include do not count, so that a
+# file may move. build_info.cmake puts them into the program, which writes them into every record; paper/sources.py
+# compares those with the tree's:
 #   cmake -DSOURCE=. -DOUTPUT=digests.json -P bench/io/source_digests.cmake
 cmake_minimum_required(VERSION 3.22)
 
-# A host path is what makes the spheres and enqueues, waits and reads back. `measure` is how every sample is taken.
+# A host path is what makes the spheres and enqueues, waits and reads back; what only contacts and swept searches run
+# is host/contacts. `measure` is how every sample is taken.
 set(gpu_rooms common/scene common/backend common/device common/simulation common/simulation/motion
   common/simulation/search)
 set(rooms_of_host/cpu common/shared common/scene common/backend common/cpu common/cpu/search)
 set(rooms_of_host/glsl ${gpu_rooms} glsl)
 set(rooms_of_host/cuda ${gpu_rooms} cuda/host interop)  # interop: OpenGL drawing CUDA's spheres
+set(rooms_of_host/contacts ${gpu_rooms} common/cpu common/cpu/search)
 set(rooms_of_measure bench/measure)
+set(files_of_contacts "/(cpu_)?(contact|near_pairs|swept)[^/]*$")
 
 # Keeps the digest and the includes of a file for later.
 function(read_source file)
@@ -26,6 +30,7 @@ function(read_source file)
   string(REGEX MATCHALL "#include \"[^\"\n]*\"" includes "${text}")
   list(TRANSFORM includes REPLACE "#include \"(.*)\"" "\\1")
   string(REGEX REPLACE "//[^\n]*" "" text "${text}")
+  string(REGEX REPLACE "#include [^\n]*\n" "" text "${text}")
   string(REGEX REPLACE "[ \t\r\n]+" " " text "${text}")
   string(SHA256 digest "${text}")
   set_property(GLOBAL PROPERTY "digest of ${file}" ${digest})
@@ -75,7 +80,7 @@ function(digest_sources result)
     string(REGEX REPLACE "\\.(comp|cu)$" "" name ${name})
     add_digest(${name} ${files})
   endforeach()
-  foreach(path host/cpu host/glsl host/cuda measure)
+  foreach(path host/cpu host/glsl host/cuda host/contacts measure)
     set(files "")
     foreach(room IN LISTS rooms_of_${path})
       file(GLOB found RELATIVE ${SOURCE} ${SOURCE}/${room}/*.h ${SOURCE}/${room}/*.c[pu]*)
@@ -84,6 +89,11 @@ function(digest_sources result)
       endif()
       list(APPEND files ${found})
     endforeach()
+    set(kept EXCLUDE)
+    if(path STREQUAL host/contacts)
+      set(kept INCLUDE)
+    endif()
+    list(FILTER files ${kept} REGEX "${files_of_contacts}")
     add_digest(${path} ${files})
   endforeach()
   list(JOIN entries ",\n " json)

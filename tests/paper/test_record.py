@@ -87,6 +87,13 @@ class Recording(StandIn):
         self.assertEqual(4, len(self.calls()))
         self.assertEqual({"launches/1.json", "launches/2.json", "launches/3.json"}, self.files())
 
+    def test_a_gpu_of_ones_choice(self):
+        self.run_it("--part", "launches-1", "--gpu", "1")
+        self.assertEqual(["--cuda-device", "1"], self.calls()[0][-2:])
+        self.run_it("--part", "crossover_cpu", "--gpu", "1")
+        self.assertNotIn("--cuda-device", self.calls()[1])
+        self.assertIn("counters is left out: runs on the first GPU", self.run_it("--part", "counters", "--gpu", "1"))
+
     def test_a_sweep_is_replaced_whole(self):
         self.run_it("--part", "sweep-1")
         (self.folder / "sweep/1/grid-of-old.json").write_text("{}")

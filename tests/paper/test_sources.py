@@ -72,11 +72,14 @@ class Digests(Tree):
         both = {"host/glsl", "host/cuda"}
         for file, names in (("common/simulation/search/pair_search.cpp", both), ("glsl/gl_device.cpp", {"host/glsl"}),
                             ("cuda/host/cuda_device.cpp", {"host/cuda"}), ("bench/measure/timing.cpp", {"measure"}),
-                            ("common/cpu/search/cpu_simd.cpp", {"host/cpu"})):
+                            ("common/cpu/search/cpu_simd.cpp", {"host/cpu"}),
+                            ("common/cpu/cpu_contacts.cpp", {"host/contacts"}),
+                            ("common/simulation/search/near_pairs.cpp", {"host/contacts"})):
             self.assertEqual(names, self.changed(file, "int unused;\n"), file)
 
-    def test_comments_and_white_space_do_not(self):
+    def test_comments_includes_and_white_space_do_not(self):
         self.assertEqual(set(), self.changed("shaders/collide/collide_grid.comp", "  // a comment\n\n\n"))
+        self.assertEqual(set(), self.changed("common/scene/scene.cpp", '#include "common/scene/counted.h"\n'))
 
     def test_a_missing_include_is_named(self):
         self.append("cuda/collide/clear.cu", '#include "cuda/collide/abacus.cuh"\n')
@@ -129,6 +132,12 @@ class Stale(Tree):
         self.record("a.json", [timing("cpu"), timing("cuda", move=1)])
         self.append("bench/measure/timing.cpp", "int unused;\n")
         self.assertEqual({"a.json": ("timing", 2, 2)}, self.stale())
+
+    def test_contacts_count_where_they_are(self):
+        self.record("a.json", [timing("cuda", contact_pairs=1, leapfrog=1), timing("cuda", move=1), timing("cpu"),
+                               {**timing("cpu"), "sums": "integers"}])
+        self.append("common/cpu/cpu_contacts.cpp", "int unused;\n")
+        self.assertEqual({"a.json": ("host code of contacts", 2, 4)}, self.stale())
 
     def test_without_device_timers_every_kernel_of_the_api_counts(self):
         self.record("a.json", [timing("glsl"), timing("cpu"), timing("cuda")])
