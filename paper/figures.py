@@ -19,7 +19,7 @@ sys.path[0] = str(ROOT)  # in place of paper/, whose numbers/ would hide Python'
 from paper import headline, plots, side_by_side, sources, style  # noqa: E402  (the path must be set first)
 from paper.numbers import macros  # noqa: E402
 from paper.plots import ratio_by_duration  # noqa: E402
-from paper.records import DATA, Machine, Missing  # noqa: E402
+from paper.records import DATA, MAIN, Machine, Missing  # noqa: E402
 from paper.tables import all_tables  # noqa: E402
 from paper.tables.stress import stress  # noqa: E402
 from paper.text import escape, plain  # noqa: E402
@@ -100,7 +100,7 @@ def write_stress(machine, output):
 
 
 def write_paper_inputs(output):
-    machine, other = Machine(DATA / "h200"), Machine(DATA / "llvmpipe")
+    machine, other = Machine(DATA / MAIN), Machine(DATA / "llvmpipe")
     drawn, written, _ = report(machine, output / "recorded")
     write_captions(machine, output / "captions.tex")
     if "stress" not in written:
@@ -152,7 +152,7 @@ def main():
     parser.add_argument("--output", type=Path, default=ROOT / "build/paper", help="where the files go")
     options = parser.parse_args()
     if options.headline:
-        write_headline(Machine(DATA / "h200"))
+        write_headline(Machine(DATA / MAIN))
     elif options.data:
         draw_side_by_side([Machine(folder) for folder in options.data], options.output)
     else:

@@ -15,7 +15,7 @@ from paper.numbers.ablations import pairs_of as on_and_off  # noqa: E402
 from paper.numbers.crossovers import crossovers_by_kind  # noqa: E402
 from paper.numbers.derived import cost, matched, pairs_of  # noqa: E402
 from paper.numbers.pareto import study  # noqa: E402
-from paper.records import DATA, Machine  # noqa: E402
+from paper.records import DATA, MAIN, Machine  # noqa: E402
 
 APIS = ("glsl", "cuda")
 CLAIMS = (ROOT / "ARTIFACT.md").read_text()
@@ -30,14 +30,14 @@ class Speed(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.h200 = Machine(DATA / "h200")
+        cls.machine = Machine(DATA / MAIN)
 
     def stated(self, number, *words):
         for word in words:
             self.assertIn(word, row(number))
 
     def scale(self, **wanted):
-        return self.h200.one(table="scale", **wanted)
+        return self.machine.one(table="scale", **wanted)
 
     def test_4a(self):
         self.stated("4a", "≤ 0.060 ms", "≥ 3.3·10¹²", "| 5 % |")
@@ -49,24 +49,24 @@ class Speed(unittest.TestCase):
     def test_4b(self):
         self.stated("4b", "at most 1.05x", "65,536", "1.15x at 16,384", "3 percentage points")
         for scene in ("random", "uniform"):
-            for glsl, cuda in matched(self.h200, table="scale", scene=scene):
+            for glsl, cuda in matched(self.machine, table="scale", scene=scene):
                 bound = 1.05 if glsl.n >= leads.LARGE else 1.15 if glsl.n == 16384 else 9
                 self.assertLessEqual(glsl.median / cuda.median, bound + 0.03, f"{scene}, {glsl.n}")
 
     def test_4c(self):
         self.stated("4c", "≤ 5 %", "collide_triangle", "2 percentage points")
-        for exact, naive in pairs_of(self.h200):
+        for exact, naive in pairs_of(self.machine):
             if exact.method == "collide_triangle":
                 self.assertLessEqual(cost(naive, exact)[0], 5 + 2, exact.label)
 
     def test_4d(self):
         self.stated("4d", "≤ 0.08 ms", "| 5 % |")
         for name in APIS:
-            self.assertLessEqual(self.h200.one(table="step", n=16384, backend=name).median, 0.08 * 1.05)
+            self.assertLessEqual(self.machine.one(table="step", n=16384, backend=name).median, 0.08 * 1.05)
 
     def test_4e(self):
         self.stated("4e", "up to 16,384", "GLSL from 65,536", "at least 0.94x CUDA's time", "3 percentage points")
-        for entry in leads.contests(self.h200):
+        for entry in leads.contests(self.machine):
             if entry.n <= 16384:
                 self.assertEqual("cuda", entry.winner, entry)
             elif entry.n >= leads.LARGE:
@@ -75,12 +75,12 @@ class Speed(unittest.TestCase):
 
     def test_4f(self):
         self.stated("4f", "≥ 85 %", "at most 1.05x", "at least twice as fast")
-        record = self.h200.source("precision_1e8.json")
+        record = self.machine.source("precision_1e8.json")
         found = {target["what"]: target["value"] for target in record["targets"]}
         self.assertLessEqual(2, sum(value >= 0.85 for what, value in found.items() if "bandwidth of paper" in what))
         times = {}
         for name in APIS:
-            rows = self.h200.need(table="precision", backend=name, precision="float32", n=10**8, work="move")
+            rows = self.machine.need(table="precision", backend=name, precision="float32", n=10**8, work="move")
             times[name] = {entry.method: entry.median for entry in rows}
             self.assertGreaterEqual(times[name]["paper"], 2 * times[name]["anchored"])
         self.assertLessEqual(times["glsl"]["paper"] / times["cuda"]["paper"], 1.05)
@@ -89,7 +89,7 @@ class Speed(unittest.TestCase):
         self.stated("6b", "`impact` f32 ≤ 2e-4 m for dt ≥ 2⁻⁶", "`anchored` f32 ≤ 1e-5", "compensated ≤ 1e-9",
                   "f64 ≤ 1e-10")
         bounds = {"float32": 1e-5, "compensated": 1e-9, "float64": 1e-10}
-        for entry in study(self.h200):
+        for entry in study(self.machine):
             if entry.method == "anchored":
                 self.assertLessEqual(entry.error_m, bounds[entry.precision], entry.label)
             elif entry.method == "impact" and entry.dt >= 2**-6:
@@ -97,7 +97,7 @@ class Speed(unittest.TestCase):
 
     def test_7d(self):
         self.stated("7d", "none of a GPU", "six kinds")
-        found = crossovers_by_kind(self.h200)
+        found = crossovers_by_kind(self.machine)
         self.assertEqual(6, len(found))
         losses = [loss for by_backend in found.values() for name in APIS for loss in by_backend[name].losses]
         self.assertLessEqual(max(losses), 1.1)
@@ -109,7 +109,7 @@ class Speed(unittest.TestCase):
                   "overlap": (16384, 1.2, APIS)}
         self.stated("7e", "unrequested counts ≥ 40 times", "filter ≥ 10", "≥ 1.4", "a graph ≥ 1.4", "own clear ≥ 2",
                     "one by one ≥ 2", "overlapping steps ≥ 1.2")
-        found = {(on.option, on.n, on.backend): off.median / on.median for on, off in on_and_off(self.h200)}
+        found = {(on.option, on.n, on.backend): off.median / on.median for on, off in on_and_off(self.machine)}
         for option, (n, least, apis) in claims.items():
             for name in apis:
                 self.assertGreaterEqual(1.1 * found[option, n, name], least, f"{option}, {name}")
@@ -118,13 +118,13 @@ class Speed(unittest.TestCase):
         self.stated("8c", "≤ 0.08, 0.20 and 0.30 ms in CUDA and in GLSL", "| 10 % |")
         for n, most in ((16384, 0.08), (10**6, 0.20), (10**7, 0.30)):
             for name in APIS:
-                frame = self.h200.one(table="draw", draw="compute", work="frame", place="outside", n=n, backend=name)
+                frame = self.machine.one(table="draw", draw="compute", work="frame", place="outside", n=n, backend=name)
                 self.assertLessEqual(frame.median, 1.1 * most, frame.label)
 
     def test_8g(self):
         self.stated("8g", "at most 1.1x the time off screen", "| 10 % |")
         for api in APIS:
-            window, off_screen = (self.h200.one(table="window", work="loop", n=10**6, backend=api, window=shown)
+            window, off_screen = (self.machine.one(table="window", work="loop", n=10**6, backend=api, window=shown)
                                   for shown in (True, False))
             self.assertLessEqual(window.median, 1.1 * 1.1 * off_screen.median, api)
 

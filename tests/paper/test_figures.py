@@ -20,7 +20,7 @@ if importlib.util.find_spec("matplotlib") is None:
 from paper import figures, side_by_side, sources  # noqa: E402  (the path must be set first)
 from paper.numbers.derived import GRID_BYTES  # noqa: E402
 from paper.plots import ratio  # noqa: E402
-from paper.records import DATA, Machine, Missing, Record, latest  # noqa: E402
+from paper.records import DATA, MAIN, Machine, Missing, Record, latest  # noqa: E402
 from paper.tables import all_tables, energy, studies  # noqa: E402
 
 SCENE = {"name": "uniform", "packing_fraction": 0.3}
@@ -92,14 +92,14 @@ class Figures(unittest.TestCase):
         return left_out
 
     def test_each_is_drawn_if_its_records_exist(self):
-        machine = Machine(DATA / "h200")
+        machine = Machine(DATA / MAIN)
         kept = [r for r in machine.records if r.table not in ("grid", "draw", "interop", "ablation", "precision")]
         machine.records = kept + made_up_records()
         machine.sources["sets.json"] = made_up_sets()
         self.assertEqual([], self.draw(machine))
 
     def test_none_is_drawn_without_its_records(self):
-        machine = Machine(DATA / "h200")
+        machine = Machine(DATA / MAIN)
         machine.records, machine.sources = [], {}
         drawn = {module.NAME for module in figures.modules()} - set(self.draw(machine))
         self.assertLessEqual(drawn, {"animations", "closeup", "same-frame", "settling"})  # images
@@ -107,7 +107,7 @@ class Figures(unittest.TestCase):
 
 class Tables(unittest.TestCase):
     def test_crossovers_by_kind(self):
-        machine = Machine(DATA / "h200")
+        machine = Machine(DATA / MAIN)
         for cells, time_of_auto, loss in (("dense", 2, "1"), ("dense", 2.5, "1"), ("hashed", 4, "2")):
             machine.records = made_up_crossovers(cells, time_of_auto)
             self.assertEqual([["gas", "1,024", loss]], studies.crossover(machine).rows)
@@ -131,7 +131,7 @@ class Tables(unittest.TestCase):
                 for work in ("warm", "cold") for backend, joules, idle in (("glsl", 0.02, 110), ("cuda", 0.01, 115))]
 
     def test_energies(self):
-        machine = Machine(DATA / "h200")
+        machine = Machine(DATA / MAIN)
         machine.records = self.energies()
         table = energy.energy(machine)
         self.assertEqual([["grid, in cell order", "1,000", "400", "20.0", "20000", "400", "10.0", "10000", "2.00"],
@@ -140,7 +140,7 @@ class Tables(unittest.TestCase):
         self.assertIn("at most 2.0 \\% apart", table.caption)
 
     def test_energies_whose_methods_disagree_are_left_out_and_named(self):
-        machine = Machine(DATA / "h200")
+        machine = Machine(DATA / MAIN)
         machine.records = self.energies(0.04)
         table = energy.energy(machine)
         self.assertEqual(["grid, in cell order", "1,000", "-", "-", "-", "400", "10.0", "10000", "-"], table.rows[0])
@@ -149,7 +149,7 @@ class Tables(unittest.TestCase):
         self.assertRaises(Missing, energy.energy, machine)
 
     def test_transfers(self):
-        machine = Machine(DATA / "h200")
+        machine = Machine(DATA / MAIN)
         timed = {"imported": (1.9, 2.2), "step": (0.9, 1.1), "imported_pipelined": (2.4, 2.6)}
 
         def record(n):
@@ -171,7 +171,7 @@ class StaleRecords(unittest.TestCase):
 
     def lines(self, digest):
         """The captions of one figure and of one table, and what the table's text form says."""
-        machine = Machine(DATA / "h200")
+        machine = Machine(DATA / MAIN)
         machine.records = [replace(record, recorded=({"measure": digest},)) for record in machine.records]
         table = all_tables.of_one(all_tables.methods, machine)
         one = unittest.mock.patch.object(figures, "modules", lambda: [ratio])

@@ -14,7 +14,7 @@ sys.path.insert(0, str(PAPER.parent))
 
 from paper import formats, headline, old_names  # noqa: E402  (the path must be set first)
 from paper.numbers import leads, macros  # noqa: E402
-from paper.records import DATA, Machine, Missing, median_interval  # noqa: E402
+from paper.records import DATA, MAIN, Machine, Missing, median_interval  # noqa: E402
 from paper.tables import stress as stress_table  # noqa: E402
 from paper.tables import tabular  # noqa: E402
 
@@ -29,7 +29,7 @@ def check(prose, numbers, recorded=()):
 class Prose(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.numbers = macros.collect(Machine(DATA / "h200"), [Machine(DATA / "llvmpipe")])
+        cls.numbers = macros.collect(Machine(DATA / MAIN), [Machine(DATA / "llvmpipe")])
 
     def test_every_number_of_the_paper_is_recorded(self):
         macros.check((PAPER / "paper.tex").read_text(), self.numbers)
@@ -52,17 +52,17 @@ class Prose(unittest.TestCase):
 
     def test_a_number_names_the_file_it_comes_from(self):
         text, source, _ = self.numbers.entries["step/glsl"]
-        self.assertEqual(Machine(DATA / "h200").id, source)
-        self.assertEqual(f"{Machine(DATA / 'h200').one(table='step', backend='glsl', n=16384).median:.4f}", text)
+        self.assertEqual(Machine(DATA / MAIN).id, source)
+        self.assertEqual(f"{Machine(DATA / MAIN).one(table='step', backend='glsl', n=16384).median:.4f}", text)
 
 
 class Readme(unittest.TestCase):
     def test_its_headline_is_the_recorded_one(self):
-        readme, machine = (PAPER.parent / "README.md").read_text(), Machine(DATA / "h200")
+        readme, machine = (PAPER.parent / "README.md").read_text(), Machine(DATA / MAIN)
         self.assertEqual(headline.updated(readme, machine), readme, "paper/figures.py --headline brings it up to date")
 
     def test_a_stale_row_is_found(self):
-        readme, machine = (PAPER.parent / "README.md").read_text(), Machine(DATA / "h200")
+        readme, machine = (PAPER.parent / "README.md").read_text(), Machine(DATA / MAIN)
         row = "| the paper's own tile, 16,384 spheres | "
         stale = readme.replace(row, row + "9")
         self.assertNotEqual(stale, readme)
@@ -71,7 +71,7 @@ class Readme(unittest.TestCase):
 
 def changed(wanted, factor):
     """The recorded machine with the times of some records made longer or shorter by a factor."""
-    machine = Machine(DATA / "h200")
+    machine = Machine(DATA / MAIN)
 
     def scaled(record):
         times = factor(record) if wanted(record) else 1
@@ -120,7 +120,7 @@ class WhoLeads(unittest.TestCase):
                                "size; in all pairs of a gas GLSL takes [1-9].* up to 16,384 spheres and 0\\..* from 65,536 on$")
 
     def test_alike_is_no_lead(self):
-        machine = Machine(DATA / "h200")
+        machine = Machine(DATA / MAIN)
         of_cuda = {(r.table, r.n, str(r.scene)): r for r in machine.records if all_pairs("cuda")(r)}
         machine.records = [replace(of_cuda[r.table, r.n, str(r.scene)], parameters=r.parameters)
                            if all_pairs("glsl")(r) else r for r in machine.records]
@@ -167,7 +167,7 @@ class Stress(unittest.TestCase):
 
     @staticmethod
     def table(verdict="pass", rows=33):
-        machine = Machine(DATA / "h200")
+        machine = Machine(DATA / MAIN)
         found = [{"row": row, "scene": "a lattice", "what": "it holds", "backend": name, "figure": "0 wrong of 100000",
                   "bound": "1e-04 m", "verdict": verdict if row == 7 else "pass"}
                  for row in range(1, rows + 1) for name in ("cpu", "glsl", "cuda")]
@@ -195,13 +195,13 @@ class Stress(unittest.TestCase):
 
 class Records(unittest.TestCase):
     def test_none_or_several_are_refused(self):
-        machine = Machine(DATA / "h200")
+        machine = Machine(DATA / MAIN)
         for wanted in ({"table": "step", "backend": "abacus"}, {"table": "step", "backend": "glsl"}):
             with self.assertRaises(Missing):
                 machine.one(**wanted)
 
     def test_intervals_are_those_of_the_program(self):
-        roots = [old_names.renamed(json.loads(path.read_text())) for path in (DATA / "h200").rglob("*.json")]
+        roots = [old_names.renamed(json.loads(path.read_text())) for path in (DATA / MAIN).rglob("*.json")]
         rows = [row for root in roots for row in formats.rows_of(root)]
         self.assertLess(100, len(rows))
         for row in rows:
@@ -221,7 +221,7 @@ class Records(unittest.TestCase):
         old = old_names.KEYS.keys()
         recorded = {key for path in DATA.rglob("*.json") for key in keys_of(json.loads(path.read_text()))}
         self.assertLessEqual(old, recorded)
-        for name in ("h200", "llvmpipe"):
+        for name in (MAIN, "llvmpipe"):
             machine = Machine(DATA / name)
             self.assertEqual(set(), set(keys_of(machine.sources)) & old)
             stages = {stage for record in machine.records for stage in record.parameters.get("device_stages_ms", ())}

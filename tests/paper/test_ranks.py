@@ -9,7 +9,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 
 from paper.numbers import contests, derived, macros, ranks  # noqa: E402  (the path must be set first)
-from paper.records import DATA, Machine, Record, median_interval  # noqa: E402
+from paper.records import DATA, MAIN, Machine, Record, median_interval  # noqa: E402
 
 
 class Ranks(unittest.TestCase):
@@ -51,7 +51,7 @@ class Bases(unittest.TestCase):
     """What shares and ratios of the prose stand on."""
 
     def test_every_share_of_the_copy_rate_has_one_base(self):
-        machine = Machine(DATA / "h200")
+        machine = Machine(DATA / MAIN)
         rate = derived.copy_rate(machine)
         grid = machine.one(table="grid", scene="uniform", packing_fraction=0.3, method="collide_grid", order="cold",
                            backend="cuda", n=10**8)
@@ -61,14 +61,14 @@ class Bases(unittest.TestCase):
         self.assertEqual(f"{derived.grid_share_of_floor(machine, grid):.0f}", numbers["grid/floor/cuda/cold"][0])
 
     def test_a_kernel_that_reads_as_an_empty_one_is_no_comparison(self):
-        machine = Machine(DATA / "h200")
+        machine = Machine(DATA / MAIN)
         compared = {row.kernel for row in derived.stage_ratios(machine)}
         self.assertEqual(set(), compared & {"clear", "grid_clear", "grid_sums", "resolve_undecided"})
         machine.records = [record for record in machine.records if record.table != "overhead"]
         self.assertLess(compared, {row.kernel for row in derived.stage_ratios(machine)})
 
     def test_no_lead_of_an_api_is_a_percentage(self):
-        for name, (text, *_) in macros.collect(Machine(DATA / "h200"), []).entries.items():
+        for name, (text, *_) in macros.collect(Machine(DATA / MAIN), []).entries.items():
             if name.split("/")[0] in ("lead", "methods", "ratio") or name.startswith(("grid/lead", "grid/last", "draw/behind")):
                 self.assertNotIn("\\%", text, name)
 

@@ -18,7 +18,7 @@ sys.path.insert(0, str(ROOT))
 
 import stand_ins  # noqa: E402  (the path must be set first)
 from paper import parts, sources  # noqa: E402
-from paper.records import DATA, Machine  # noqa: E402
+from paper.records import DATA, MAIN, Machine  # noqa: E402
 
 # Machines of paper/data whose records may be stale. One that was recorded again with the current sources leaves this
 # list; the test below then keeps it current, and refuses it here.
@@ -216,7 +216,7 @@ class Stale(StandIn):
 
     def test_without_digests_it_says_so(self):
         self.assertIn("results.json: recorded without digests of its sources; 300 of 300 timings",
-                      subprocess.run([ROOT / "paper/record", DATA / "h200", "--stale"], capture_output=True, text=True).stdout)
+                      subprocess.run([ROOT / "paper/record", DATA / MAIN, "--stale"], capture_output=True, text=True).stdout)
 
     def test_a_folder_without_records_is_refused(self):
         self.assertIn("holds no records with times", self.run_it("--stale", code=1))

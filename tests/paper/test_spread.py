@@ -12,7 +12,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 
 from paper import spread  # noqa: E402  (the path must be set first)
 from paper.numbers import prose_equality, ranks  # noqa: E402
-from paper.records import DATA, Machine, Missing, Record  # noqa: E402
+from paper.records import DATA, MAIN, Machine, Missing, Record  # noqa: E402
 
 
 def timing(middle, within=0.01, **parameters):
@@ -131,7 +131,7 @@ class Folders(unittest.TestCase):
         self.assertEqual([{"row": 0}, {"row": 1}], Machine(self.folder).source("stress.json")["rows"])
 
     def test_recorded_folders_are_read_as_before(self):
-        self.assertLess(1000, len(Machine(DATA / "h200").records))
+        self.assertLess(1000, len(Machine(DATA / MAIN).records))
 
 
 class Tests(unittest.TestCase):
