@@ -13,6 +13,7 @@ namespace spherepair {
 namespace {
 
 constexpr uint64_t piece_bytes = 4 << 20;
+constexpr uint64_t least_read = 64 << 10;  // bytes: reading them from a long buffer, NVIDIA's driver moves all of it
 
 void wait(GLsync& transferred) {
   if (!transferred) return;
@@ -36,7 +37,7 @@ void Staging::write(GLuint buffer, const void* data, uint64_t offset, uint64_t b
 }
 
 void Staging::read(GLuint buffer, void* data, uint64_t offset, uint64_t bytes) {
-  if (on_ && bytes > piece_bytes) return read_pieces(buffer, static_cast<char*>(data), offset, bytes);
+  if (on_ && bytes >= least_read) return read_pieces(buffer, static_cast<char*>(data), offset, bytes);
   glGetNamedBufferSubData(buffer, GLintptr(offset), GLsizeiptr(bytes), data);
 }
 

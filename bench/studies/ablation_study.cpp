@@ -14,6 +14,7 @@ namespace spherepair {
 namespace {
 
 constexpr uint64_t brute_force_up_to = 100000;           // spheres; with more, the CPU's grid is the reference
+constexpr uint64_t drifting_steps = 64;                  // in which each sphere crosses the scene
 constexpr int moves_checked = 40, pushes_checked = 200;  // as many as take several lists of near pairs
 
 bool only_moves(AblationWork work) { return work == AblationWork::bounce || work == AblationWork::push; }
@@ -184,6 +185,7 @@ Contender AblationStudy::contender_for(const Case& which, const std::string& lab
     start(backend, kind, spheres);
   };
   contender.prepares = ablation.spheres != Spheres::falling;
+  if (ablation.spheres == Spheres::drifting) contender.batch = drifting_steps;  // later ones differ from the first
   return contender;
 }
 

@@ -35,7 +35,7 @@ def rule(put, machine, others):
 def one_launch(put, machine, others):
     """Motion with the plane, one launch a step, of the first table."""
     found = [leads.contest(*pair) for pair in matched(machine, table="table1", work="move")]
-    said(machine, all(entry.ratio < 1 for entry in found), "GLSL's motion takes less time at every size of the first table")
+    said(machine, all(0.65 < entry.ratio < 1.25 for entry in found), "in motion neither API is far ahead, at any size of the first table")
     put("motion/small/ratios", leads.ratios(found), found[0].source, "time ratios GLSL/CUDA of motion and plane, original table")
     put("motion/small/apart", str(len(leads.won(found, "glsl"))), found[0].source, "sizes at which GLSL takes less, intervals apart")
     put("motion/small/sizes", str(len(found)), found[0].source, "sizes of motion and plane that both timed")

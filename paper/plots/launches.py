@@ -34,6 +34,7 @@ def draw(machine):
         axis.set_yscale("log")
         plain_ticks(axis)
         axis.set_title(title, loc="left")
-        axis.legend(fontsize=6, loc="upper left", ncols=1 if work == "all_pairs" else 2)
+        axis.legend(fontsize=6, loc="upper left", ncols=2)
+    axes[0].set_ylim(top=3000)  # the legends' room
     axes[0].set_ylabel("time of a step (µs)")
     return figure

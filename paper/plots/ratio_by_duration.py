@@ -37,7 +37,7 @@ def draw_medians(axis, made, left, right):
         low, high = max(each.low, left), min(each.high, right)
         axis.plot([low, high], [each.median, each.median], color="black", linewidth=1.6, solid_capstyle="butt", zorder=4)
         axis.text((low * high)**0.5, 1.0, f"{each.median:.2f}", transform=axis.get_xaxis_transform(), ha="center", va="bottom",
-                  fontsize=9, fontweight="bold")
+                  fontsize=7.5, fontweight="bold")
 
 
 def draw(machine):
@@ -67,5 +67,5 @@ def draw(machine):
     for name, offset, side in (("CUDA", 2, "bottom"), ("GLSL", -3, "top")):
         axis.annotate(f" {name} faster", (0.0, 1.0), xycoords=axis.get_yaxis_transform(), xytext=(0, offset),
                       textcoords="offset points", va=side, fontsize=7)
-    axis.legend(loc="upper right")
+    axis.legend(loc="lower right", ncols=2)
     return figure

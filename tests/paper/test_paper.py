@@ -157,9 +157,9 @@ class WhoLeads(unittest.TestCase):
         self.assertEqual([], self.refused(lambda record: False, None))
 
     def test_an_ablation_that_turns_refuses(self):
-        for option in ("graph", "exact_stages", "l2_aside"):
+        for option in ("batch", "exact_stages", "own_buckets"):
             wanted = lambda record: record.table == "ablation" and record.option == option and record.on
-            self.assertIn("ablations", self.refused(wanted, lambda _: 0.2 if option == "l2_aside" else 20))
+            self.assertIn("ablations", self.refused(wanted, lambda _: 20))
 
 
 class Stress(unittest.TestCase):
