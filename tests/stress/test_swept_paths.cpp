@@ -118,6 +118,8 @@ TEST_P(SweptPaths, FindWhatTouchesBehindTheBounce) {
                 .motion = {MotionMethod::impact, Precision::float32}};
     backend().upload(scene);
     EXPECT_EQ(search().size(), restitution == 1 ? 1u : 0u);
+    EXPECT_FALSE(touch_within(scene.positions[0], scene.velocities[0], scene.positions[1], scene.velocities[1],
+                              motion_params(scene), 1, 0));  // in free flight: w is PATH_STRAIGHT
   }
 }
 
