@@ -76,8 +76,9 @@ struct CollideOptions {
   bool want_pairs = false;  // keep the pairs for pairs()
   uint columns = 0;         // of collide_triangle: columns that one group tests; 0: chosen by n. Never changes the set
   GridOptions grid = {};    // of collide_grid. Never changes the set
-  // Pairs that touch at any time within the next step, in free flight from the float32 numbers nearest to the state
-  // (swept.h). `method` finds the spheres whose paths are near each other; collide_group throws std::invalid_argument.
+  // Pairs that touch at any time within the next step, on the paths that the motion takes from the float32 numbers
+  // nearest to the state, bounces included (swept.h). `method` finds the spheres whose paths are near each other;
+  // collide_group throws std::invalid_argument.
   bool swept = false;
   bool load_radii = false;  // takes the variant for unequal radii even where all are equal. Never changes the set
   bool filter = true;       // false: collide_grid leaves every candidate pair to the exact stages

@@ -4,49 +4,138 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
+
+#include "common/scene/contact_scene.h"
+#include "common/shared/flight.h"
+#include "common/shared/skin.h"
+#include "common/shared/swept.h"
 
 namespace spherepair {
 namespace {
+
+constexpr uint64_t few = 4096;  // spheres for which threads cost more than they save
 
 bool finite(const vec4& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
 }
 
-// Gravity moves all alike, so paths are straight as spheres see each other. Centred on the middle of the path, as far
-// as its farther end; 2^-17 covers rounding here and the margin of touch_within: at most 2^-20 of both lengths and
-// reaches.
-vec4 around_path(const vec4& s, const vec4& v, double dt) {
-  const double start[3] = {double(s.x), double(s.y), double(s.z)}, speed[3] = {double(v.x), double(v.y), double(v.z)};
-  float centre[3];
-  double before = 0, behind = 0;  // squared distances of both ends
-  for (int k = 0; k < 3; ++k) {
-    centre[k] = float(start[k] + speed[k] * (dt / 2));
-    const double first = start[k] - double(centre[k]), last = first + speed[k] * dt;
-    before += first * first, behind += last * last;
+Scene scene_of_paths(uint64_t n) {
+  Scene scene{.name = "paths"};
+  scene.positions.resize(n);
+  return scene;
+}
+
+void find_equal_radii(Scene& scene) {
+  scene.equal_radii =
+      std::ranges::all_of(scene.positions, [&](const vec4& s) { return s.w == scene.positions.front().w; });
+}
+
+// The speed along y of a step that these methods repeat with the velocity reversed where it ends below the plane.
+template <typename Real>
+float straight_speed(MotionMethod method, float radius, Real y, Real v, MotionParams m) {
+  const Real dt = widened(m.dt, y);
+  const Real speed = method == MotionMethod::symplectic ? snapped(plus(v, constant(m.gravity_dt, y))) : v;
+  const bool falls = method == MotionMethod::paper || method == MotionMethod::paper_clamp;
+  const Real end = falls ? advance(y, speed, dt, constant(m.half_gravity_dt2, y)) : drift(y, speed, dt);
+  return nearest(below_plane(end, radius, m.plane) ? turned(v, m) : speed);
+}
+
+// Momenta in the state are those half a step ago; each gets the impulses of the step's begin, as leapfrog adds them.
+std::vector<vec4> drift_velocities(const Backend::State& state, const ContactParams& c, const PairLister& list) {
+  const std::vector<vec4>& at = state.positions;
+  const uint64_t n = at.size();
+  Scene grown = scene_of_paths(n);
+  for (uint64_t i = 0; i < n; ++i) grown.positions[i] = grown_sphere(at[i], c);
+  find_equal_radii(grown);
+  std::vector<Push> pushes(n);
+  for (const auto& [i, j] : list(grown)) {
+    const Push push = push_of_pair(load_body(state.wide, at, i), load_body(state.wide, at, j), c);
+    pushes[i].x += push.x, pushes[i].y += push.y, pushes[i].z += push.z;
+    pushes[j].x -= push.x, pushes[j].y -= push.y, pushes[j].z -= push.z;
   }
-  const double radius = (double(s.w) + std::sqrt(std::max(before, behind))) * (1 + 0x1p-17);
+  std::vector<vec4> velocities(n);
+#pragma omp parallel for schedule(static) if (n > few)
+  for (uint64_t i = 0; i < n; ++i) {
+    const Body s = load_body(state.wide, at, i);
+    velocities[i] = velocity_of(kicked(s, pushes[i], push_of_walls(s, c), c), mobility_of(s.radius, c), c);
+  }
+  return velocities;
+}
+
+// Centred on the box that holds the path, as far as its corners; 2^-17 covers rounding here and what touch_within adds:
+// 2^-24 of reaches, and at most 2^-20 of both lengths and reaches. Paths that bounce are taken as they are, since the
+// plane holds them, others in the frame of swept.h, where they are straight.
+vec4 around_path(const vec4& s, const vec4& v, const MotionParams& m) {
+  const double start[3] = {double(s.x), double(s.y), double(s.z)}, speed[3] = {double(v.x), double(v.y), double(v.z)};
+  const double seconds = double(m.dt), pull = v.w == PATH_STRAIGHT ? 0 : gravity_of(m);
+  std::array<double, 3> low, high;
+  for (const size_t k : {0u, 2u}) std::tie(low[k], high[k]) = std::minmax({start[k], start[k] + speed[k] * seconds});
+  PathPart part = first_part(s, v, m);
+  low[1] = high[1] = part.y;
+  for (;;) {
+    const double time = part.end - part.begin, begin = part.y - pull * part.begin * part.begin / 2;
+    const double end = part.y + (part.v + part.lift * time / 2) * time - pull * part.end * part.end / 2;
+    const double sagitta = (pull - part.lift) * time * time / 8;  // above the chord
+    low[1] = std::min({low[1], begin, end});
+    high[1] = std::max({high[1], begin + sagitta, end + sagitta});
+    if (!(part.end < seconds)) break;
+    part = next_part(part, s, v, m);
+  }
+  float centre[3];
+  double square = 0;
+  for (size_t k = 0; k < 3; ++k) {
+    centre[k] = float((low[k] + high[k]) / 2);
+    const double side = std::max(high[k] - double(centre[k]), double(centre[k]) - low[k]);
+    square += side * side;
+  }
+  const double radius = (double(s.w) + std::sqrt(square) + part.wander + part.rounding) * (1 + 0x1p-17);
   return {centre[0], centre[1], centre[2], float(radius)};
 }
 
 }  // namespace
 
-Scene spheres_around_paths(std::span<const vec4> positions, std::span<const vec4> velocities, float dt) {
+std::vector<vec4> path_velocities(const Backend::State& state, MotionOptions motion, const Params& params,
+                                  const PairLister& list) {
+  if (motion.method == MotionMethod::leapfrog) return drift_velocities(state, params.contact, list);
+  std::vector<vec4> velocities = state.velocities;
+  const uint64_t n = velocities.size();
+  const bool follows = motion.method >= MotionMethod::impact_linear;
+  const float bounces = motion.method == MotionMethod::impact_linear ? PATH_ONE_BOUNCE : PATH_BOUNCES;
+  with_real(motion.precision, [&](auto kind) {
+    using Real = decltype(kind);
+#pragma omp parallel for schedule(static) if (n > few)
+    for (uint64_t i = 0; i < n; ++i) {
+      const vec4& at = state.positions[i];
+      vec4& v = velocities[i];
+      v.w = follows ? bounces : PATH_STRAIGHT;
+      if (follows) continue;
+      if constexpr (std::is_same_v<Real, float>)
+        v.y = straight_speed(motion.method, at.w, at.y, v.y, params.motion);
+      else
+        v.y = straight_speed(motion.method, at.w, load_real<Real>(state.wide, n + i),
+                             load_real<Real>(state.wide, 4 * n + i), params.motion);
+    }
+  });
+  return velocities;
+}
+
+Scene spheres_around_paths(std::span<const vec4> positions, std::span<const vec4> velocities, const MotionParams& m) {
   const uint64_t n = positions.size();
-  Scene scene{.name = "paths"};
-  scene.positions.resize(n);
+  Scene scene = scene_of_paths(n);
   uint64_t lost = n;
-#pragma omp parallel for schedule(static) reduction(min : lost) if (n > 4096)
+#pragma omp parallel for schedule(static) reduction(min : lost) if (n > few)
   for (uint64_t i = 0; i < n; ++i) {
-    scene.positions[i] = around_path(positions[i], velocities[i], double(dt));
+    scene.positions[i] = around_path(positions[i], velocities[i], m);
     if (!finite(scene.positions[i]) && finite(positions[i])) lost = std::min(lost, i);
   }
   if (lost < n)
     throw std::invalid_argument(
         fmt::format("sphere {} leaves the range of float32 within the next step: give a smaller --dt", lost));
-  scene.equal_radii =
-      std::ranges::all_of(scene.positions, [&](const vec4& s) { return s.w == scene.positions.front().w; });
+  find_equal_radii(scene);
   return scene;
 }
 

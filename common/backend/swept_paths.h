@@ -1,19 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Of a swept search (swept.h): spheres that hold the paths of the scene's within the next step.
+// Of a swept search (swept.h): what the host tells it of the paths within the next step, and spheres that hold them.
 #pragma once
 
+#include <functional>
 #include <span>
 
-#include "common/backend/collide_options.h"
-#include "common/scene/scene.h"
+#include "common/backend/backend.h"
 
 namespace spherepair {
 
-// Two spheres can only touch within the next dt seconds of free flight if those around their paths collide. Throws
-// std::invalid_argument naming the sphere whose path leaves the range of float32.
-Scene spheres_around_paths(std::span<const vec4> positions, std::span<const vec4> velocities, float dt);
+// The colliding pairs of these spheres, in any order.
+using PairLister = std::function<std::vector<Pair>(const Scene&)>;
 
-// How their colliding pairs are searched.
+// The velocity with which each sphere's path begins, and in w how it goes on (PATH_*), decided by the method's own
+// arithmetic from the whole state. Of leapfrog it is that of the next step: `list` finds the spheres in contact, whose
+// impulses are added up in integers; params.contact is the scene's.
+std::vector<vec4> path_velocities(const Backend::State& state, MotionOptions motion, const Params& params,
+                                  const PairLister& list);
+
+// Two spheres can only touch within the next step, on the paths that begin with these velocities, if those around their
+// paths collide. Throws std::invalid_argument naming the sphere whose path leaves the range of float32.
+Scene spheres_around_paths(std::span<const vec4> positions, std::span<const vec4> velocities, const MotionParams& m);
+
+// How pairs of both are searched.
 CollideOptions near_options(const CollideOptions& swept);
 
 }  // namespace spherepair

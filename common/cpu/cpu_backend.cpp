@@ -99,8 +99,8 @@ class CpuBackend final : public Backend {
     const auto& positions = motion_.positions(threads_);
     const Method method = search_.prepare(options, positions);
     if (options.swept) motion_.evaluate_state(threads_);
-    const std::vector<vec4> velocities = options.swept ? motion_.state().velocities : std::vector<vec4>{};
-    clock_.time(method_name(method), [&] { search_.run(positions, velocities); });
+    const State state = options.swept ? motion_.state() : State{};
+    clock_.time(method_name(method), [&] { search_.run(positions, state); });
   }
   void enqueue_collide(const CollideOptions& options) override { collide(options); }
   void finish() override {

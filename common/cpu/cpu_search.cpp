@@ -4,6 +4,7 @@
 #include "common/backend/checks.h"
 #include "common/backend/method_choice.h"
 #include "common/backend/swept_paths.h"
+#include "common/scene/contact_scene.h"
 
 namespace spherepair {
 
@@ -11,7 +12,9 @@ void CpuSearch::upload(const Scene& scene) {
   n_ = scene.size();
   equal_radii_ = scene.equal_radii;
   params_ = {};
+  motion_ = scene.motion;
   params_.motion = motion_params(scene);
+  params_.contact = contact_params(scene);
   params_.n = uint(scene.size());
   params_.radius = common_radius(scene);
   constants_ = {search_params(scene, false), search_params(scene, true)};
@@ -61,7 +64,7 @@ Method CpuSearch::prepare(const CollideOptions& options, const std::vector<vec4>
   return options_.method;
 }
 
-void CpuSearch::run(const std::vector<vec4>& positions, std::span<const vec4> velocities) {
+void CpuSearch::run(const std::vector<vec4>& positions, const Backend::State& state) {
   params_.search = constants_[options_.exact];
   if (!options_.filter) leave_all_undecided(params_.search);
   const SearchInput input{positions, params_, equal_radii_ && !options_.load_radii, options_, threads_};
@@ -70,10 +73,13 @@ void CpuSearch::run(const std::vector<vec4>& positions, std::span<const vec4> ve
   work_.lists += options_.want_pairs;
   found_.reset();
   if (options_.swept) {
-    const Scene paths = spheres_around_paths(positions, velocities, params_.motion.dt);
     CpuSearch near(info_, threads_);
-    near.upload(paths);
-    found_ = search_swept(input, velocities, near.list_pairs(paths.positions, near_options(options_)));
+    const auto list = [&](const Scene& grown) {
+      near.upload(grown);
+      return near.list_pairs(grown.positions, near_options(options_));
+    };
+    const std::vector<vec4> velocities = path_velocities(state, motion_, params_, list);
+    found_ = search_swept(input, velocities, list(spheres_around_paths(positions, velocities, params_.motion)));
   } else if (options_.method == Method::sequential) {
     found_ = search_sequential(input);
   } else if (options_.method == Method::collide_group) {

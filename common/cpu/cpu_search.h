@@ -20,8 +20,8 @@ class CpuSearch {
   MethodChoice choice(const CollideOptions& options) const;
   // Chooses the method for a search of these positions, and plans the cells anew where spheres have left them.
   Method prepare(const CollideOptions& options, const std::vector<vec4>& positions);
-  // What was prepared; velocities: of a swept search.
-  void run(const std::vector<vec4>& positions, std::span<const vec4> velocities = {});
+  // What was prepared; state: of a swept search.
+  void run(const std::vector<vec4>& positions, const Backend::State& state = {});
 
   // The pairs of these positions, in any order.
   const std::vector<Pair>& list_pairs(const std::vector<vec4>& positions,
@@ -45,6 +45,7 @@ class CpuSearch {
   int threads_;
   uint64_t n_ = 0;
   bool equal_radii_ = true;  // of the scene
+  MotionOptions motion_;
   Params params_{};
   std::array<SearchParams, 2> constants_{};  // of the scene: [exact]
   GridPlans plans_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread per near pair, in turns until none is left: whether the two spheres touch at any time within the next
-// step. Near pairs are those of spheres that hold the others' paths in the step, in any order.
+// step. Near pairs are those of spheres that hold the others' paths in the step, in any order; in the place of the
+// grown spheres stand the velocities with which the paths begin.
 #include "common/shared/swept.h"
 #include "cuda/collide/collide.cuh"
 
@@ -15,7 +16,7 @@ __global__ void __launch_bounds__(BLOCK) collide_swept(Params p, KernelBuffers b
   for (uint k = group_index(p) * BLOCK + threadIdx.x; k < p.search.near_pairs; k += group_count() * BLOCK) {
     uint i = buf.near[k].x;
     uint j = buf.near[k].y;
-    bool touch = touch_within(buf.position[i], buf.velocity[i], buf.position[j], buf.velocity[j], p.motion.dt,
+    bool touch = touch_within(buf.position[i], buf.grown[i], buf.position[j], buf.grown[j], p.motion,
                               p.search.filter_scale, p.search.filter_offset);
     if (!touch) continue;
     collider.record(i, j);

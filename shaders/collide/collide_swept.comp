@@ -1,19 +1,21 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // One thread per near pair, in turns until none is left: whether the two spheres touch at any time within the next
-// step. Near pairs are those of spheres that hold the others' paths in the step, in any order.
+// step. Near pairs are those of spheres that hold the others' paths in the step, in any order; in the place of the
+// grown spheres stand the velocities with which the paths begin.
 #include "shaders/collide/collide.glsl"
 #include "common/shared/swept.h"
 
 layout(local_size_x = BLOCK) in;
 layout(std430, binding = SLOT_NEAR) restrict readonly buffer NearBuffer { uvec2 near[]; };
+layout(std430, binding = SLOT_GROWN) restrict readonly buffer GrownBuffer { vec4 grown[]; };
 
 void main() {
   start_totals();
   for (uint k = group_index() * BLOCK + gl_LocalInvocationID.x; k < p.search.near_pairs; k += group_count() * BLOCK) {
     uint i = near[k].x;
     uint j = near[k].y;
-    bool touch = touch_within(position[i], velocity[i], position[j], velocity[j], p.motion.dt, p.search.filter_scale,
+    bool touch = touch_within(position[i], grown[i], position[j], grown[j], p.motion, p.search.filter_scale,
                               p.search.filter_offset);
     if (!touch) continue;
     record(i, j);

@@ -7,8 +7,12 @@
 
 #include "bench/check/missed_contacts.h"
 #include "bench/check/quad.h"
+#include "common/backend/swept_paths.h"
+#include "common/scene/contact_scene.h"
+#include "common/scene/scene_params.h"
 #include "common/shared/swept.h"
 #include "tests/oracle/adversarial.h"
+#include "tests/oracle/oracle.h"
 #include "tests/support/catalogue.h"
 #include "tests/support/motion_runs.h"
 #include "tests/support/soft_contacts.h"
@@ -36,6 +40,7 @@ CollideOptions swept_options() { return {.method = Method::automatic, .want_pair
 Scene crossing_scene(uint64_t n, float dt) {
   Random random(26);
   Scene scene = make_scene({.name = "uniform", .n = n, .packing_fraction = 0.05, .dt = dt});
+  scene.plane = -1000;
   const auto speed = [&] { return std::ldexp(float(random.uniform(-1, 1)), random.between(-6, 6)); };
   for (uint64_t i = 0; i < n; ++i) {
     scene.velocities[i] = {speed(), speed(), speed(), 0};
@@ -94,16 +99,20 @@ TEST_P(StressCatalogue, Row26_DiscreteTestMissesAsGeometrySays) {
 class Swept : public BackendTest {
  protected:
   // The pairs that the backend finds to touch within the next dt, which are those found by testing all.
-  std::vector<Pair> expect_all_pairs_tested(float dt, const CollideOptions& options = swept_options()) {
+  std::vector<Pair> expect_all_pairs_tested(const Scene& scene, const CollideOptions& options = swept_options()) {
     const std::vector<Pair> found = run_step(backend(), options).pairs.value();
     backend().evaluate_state();
     const Backend::State state = backend().state();
-    const std::vector<vec4>&at = state.positions, &v = state.velocities;
+    Params params{};
+    params.motion = motion_params(scene);
+    params.contact = contact_params(scene);
+    const auto list = [](const Scene& grown) { return swept_pairs(grown.positions); };
+    const std::vector<vec4>&at = state.positions, v = path_velocities(state, scene.motion, params, list);
     const float scale = bits_float(0x3F80000Cu);
     std::vector<Pair> touching;
     for (uint i = 0; i < at.size(); ++i)
       for (uint j = i + 1; j < at.size(); ++j)
-        if (touch_within(at[i], v[i], at[j], v[j], dt, scale, 0x1p-100f)) touching.push_back({i, j});
+        if (touch_within(at[i], v[i], at[j], v[j], params.motion, scale, 0x1p-100f)) touching.push_back({i, j});
     EXPECT_EQ(found, touching);
     return found;
   }
@@ -111,14 +120,16 @@ class Swept : public BackendTest {
 
 TEST_P(Swept, EveryMethodFindsWhatTestingAllPairsFinds) {
   for (const float dt : {0.01f, 1.0f}) {
-    const Scene scene = crossing_scene(2000, dt);
+    Scene scene = crossing_scene(2000, dt);
+    scene.motion.method = MotionMethod::impact;
+    scene.plane = 0;
     backend().upload(scene);
     for (const Method method : backend().methods()) {
       if (method == Method::collide_group) continue;
       SCOPED_TRACE(method_name(method));
       CollideOptions options = swept_options();
       options.method = method;
-      EXPECT_GT(expect_all_pairs_tested(dt, options).size(), 100u);
+      EXPECT_GT(expect_all_pairs_tested(scene, options).size(), 100u);
     }
   }
 }
@@ -129,8 +140,7 @@ TEST_P(Swept, OfEveryMotionAndPrecision) {
     const Scene scene = bouncing_scene({.motion = motion, .dt = 0.25f, .n = 600});
     backend().upload(scene);
     for (int step = 0; step < 3; ++step) {
-      EXPECT_GT(expect_all_pairs_tested(scene.dt).size(),
-                run_step(backend(), {.method = Method::automatic}).totals.pairs);
+      EXPECT_GT(expect_all_pairs_tested(scene).size(), run_step(backend(), {.method = Method::automatic}).totals.pairs);
       backend().move();
     }
   }
@@ -142,7 +152,7 @@ TEST_P(Swept, LeavesContactsAsTheyAre) {
     const Scene scene = gas({.from = from});
     backend().upload(scene);
     for (int step = 0; step < 400; ++step) {
-      if (step % 50 == 7) expect_all_pairs_tested(scene.dt);
+      if (step % 50 == 7) expect_all_pairs_tested(scene);
       backend().move();
     }
     expect_equal_states(current_state(backend()), run_steps(cpu_backend(), scene, 400), "after swept searches");

@@ -24,7 +24,8 @@ PairsFound search_sequential(const SearchInput& search);  // the paper's code 2:
 PairsFound search_parallel(const SearchInput& search);    // all threads, SIMD, each unordered pair once
 PairsFound search_groups(const SearchInput& search);      // within groups of options.block consecutive spheres
 
-// Those that touch within the next step (swept.h), of the near pairs: those of spheres around the paths.
+// Those that touch within the next step (swept.h), of the near pairs: those of spheres around the paths, which begin
+// with these velocities.
 PairsFound search_swept(const SearchInput& search, std::span<const vec4> velocities, std::span<const Pair> near);
 
 }  // namespace spherepair

@@ -18,7 +18,7 @@ PairsFound search_swept(const SearchInput& search, std::span<const vec4> velocit
 #pragma omp parallel for num_threads(search.threads) schedule(static) reduction(+ : pairs) if (near.size() > 4096)
   for (const Pair& pair : near) {
     const auto [i, j] = pair;
-    if (!touch_within(at[i], velocities[i], at[j], velocities[j], p.motion.dt, p.search.filter_scale,
+    if (!touch_within(at[i], velocities[i], at[j], velocities[j], p.motion, p.search.filter_scale,
                       p.search.filter_offset))
       continue;
     lists[size_t(omp_get_thread_num())].append(&pair, 1);

@@ -39,17 +39,24 @@ void NearPairs::list(const CollideOptions& options) {
   context_.buffers.swap(SLOT_PAIR, SLOT_NEAR);
 }
 
+void NearPairs::list_of(const Scene& grown, const CollideOptions& options) {
+  context_.buffers.resize(SLOT_GROWN, context_.n * sizeof(vec4));
+  context_.buffers.write(SLOT_GROWN, grown.positions);
+  plan(grown);
+  list(near_options(options));
+}
+
 void NearPairs::list_paths(const CollideOptions& options) {
   motion_.evaluate_state();
   const Backend::State state = motion_.state();
-  const Scene paths = spheres_around_paths(state.positions, state.velocities, context_.params.motion.dt);
-  context_.buffers.resize(SLOT_VELOCITY, context_.n * sizeof(vec4));
-  context_.buffers.write(SLOT_VELOCITY, state.velocities);
-  context_.buffers.resize(SLOT_GROWN, context_.n * sizeof(vec4));
-  context_.buffers.write(SLOT_GROWN, paths.positions);
+  const auto listed = [&](const Scene& grown) {
+    list_of(grown, options);
+    return context_.buffers.read<Pair>(SLOT_NEAR, context_.near_pairs);
+  };
   try {
-    plan(paths);
-    list(near_options(options));
+    const std::vector<vec4> velocities = path_velocities(state, motion_.options(), context_.params, listed);
+    list_of(spheres_around_paths(state.positions, velocities, context_.params.motion), options);
+    context_.buffers.write(SLOT_GROWN, velocities);
   } catch (const BackendError& error) {
     throw BackendError(fmt::format(
         "{}; these are pairs of paths that are near each other within the next step: a smaller --dt has fewer",

@@ -19,11 +19,13 @@ class NearPairs {
   // and its parameters are those of the grown spheres then, and results of other searches are lost.
   void list(const CollideOptions& options = {.method = Method::automatic});
 
-  // The same of spheres around the paths of the next step (swept.h); SLOT_VELOCITY has the velocities then. Results of
-  // other searches, their cells and other near pairs are lost, also where it throws.
+  // The same of spheres around the paths of the next step (swept.h); SLOT_GROWN then has the velocities with which
+  // these begin. Results of other searches, their cells and other near pairs are lost, also where it throws.
   void list_paths(const CollideOptions& options);
 
  private:
+  void list_of(const Scene& grown, const CollideOptions& options);
+
   DeviceContext& context_;
   DeviceMotion& motion_;
   CellSorter sorter_;  // of the grown spheres, as is the search
