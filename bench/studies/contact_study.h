@@ -26,7 +26,7 @@
 #include "bench/measure/session.h"
 #include "bench/measure/timing.h"
 #include "bench/studies/motion_targets.h"
-#include "common/scene/contact_options.h"
+#include "common/scene/contact/contact_options.h"
 
 namespace spherepair {
 

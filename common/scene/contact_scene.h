@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "common/scene/contact/contact_law.h"
 #include "common/scene/motion_state.h"
 #include "common/shared/contact.h"
 
@@ -18,11 +19,6 @@ struct ContactChoice {
 
 // Sets the scene's contacts, its motion and its time step. Throws std::invalid_argument that names what is wrong.
 void choose_contacts(Scene& scene, const ContactChoice& choice);
-
-double sphere_mass(double radius);  // of a sphere, in kg
-
-// What a contact of this overlap and reach stores, in joules.
-double contact_energy(ContactLaw law, double stiffness, double overlap, double reach);
 
 // The shortest contact of two spheres, in seconds; of hertz, whose contacts depend on the speed, at the highest.
 double contact_time(const Scene& scene);
