@@ -226,15 +226,4 @@ std::vector<uint> fixed_state(const Scene& scene) {
   return words;
 }
 
-std::string describe_faults(const std::vector<uint>& faults) {
-  constexpr const char* texts[FAULTS] = {
-      "is deeper in another sphere or a wall than the smaller radius: let no spheres overlap that much at the start, "
-      "or give a larger --stiffness or a smaller --dt",
-      "moves by more than the smallest radius in a step: give a smaller --dt",
-      "has left the range of float32 centres and 64-bit positions: close the box with --walls, or take fewer steps"};
-  for (uint kind = 0; kind < FAULTS; ++kind)
-    if (faults[kind] != ~0u) return fmt::format("the contacts cannot go on: sphere {} {}", faults[kind], texts[kind]);
-  return "";
-}
-
 }  // namespace spherepair

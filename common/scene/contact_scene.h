@@ -49,7 +49,4 @@ inline void store_body(std::vector<uint>& wide, uint64_t n, uint64_t i, const Bo
   for (uint64_t k = 0; k < 6; ++k) store_real(wide, k * n + i, values[k]);
 }
 
-// What a step could not do, by FAULT_*: the first sphere of each, or ~0. Empty where there is nothing.
-std::string describe_faults(const std::vector<uint>& faults);
-
 }  // namespace spherepair
