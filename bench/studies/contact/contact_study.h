@@ -51,12 +51,12 @@ std::string label(const ContactKind& kind);  // spring, restitution 0.9
 struct RatePlan {
   uint64_t n = 16384;
   uint64_t seeds = fewest_for_interval;
-  uint converged = 640;           // steps a contact
-  float softer = 16;              // than the scene's own stiffness: contacts last four times as long
-  double equilibration = 0.8;     // seconds a metre of the box, see equilibrated_gas
-  double pressure_seconds = 1.5;  // of a measurement
-  double cooling_times = 0.5;     // the same, of Haff's
-  uint64_t samples = 50;          // in each
+  uint converged = 640;         // steps a contact
+  float softer = 16;            // than the scene's own stiffness: contacts last four times as long
+  double equilibration = 0.8;   // seconds a metre of the box, see equilibrated_gas
+  double pressure_seconds = 1;  // of a measurement
+  double cooling_times = 0.5;   // the same, of Haff's
+  uint64_t samples = 30;        // in each
 };
 
 struct ContactPlan {
