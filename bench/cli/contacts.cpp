@@ -37,6 +37,8 @@ ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
   plan.cost_sizes = options.cost_sizes;
   if (plan.cost_sizes.empty())
     plan.cost_sizes = hardware ? std::vector<uint64_t>{16384, 1'000'000, 10'000'000} : std::vector<uint64_t>{16384};
+  if (!hardware) plan.rates.n = 1000, plan.rates.softer = 64, plan.rates.converged = 160;
+  if (options.rate_n) plan.rates.n = options.rate_n;
   plan.sampling.rounds = options.rounds;
   plan.sampling.longest = 0.02;
   if (!hardware) plan.sampling.software_seconds = 0.01;
@@ -46,6 +48,7 @@ ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
 struct Measured {
   std::vector<ContactRun> runs;
   std::vector<SumsCost> costs;
+  std::vector<ContactRate> rates;
   std::vector<Target> targets;
   std::vector<std::string> left_out;
 };
@@ -123,7 +126,7 @@ std::string tables_of(const ContactPlan& plan, const Measured& measured) {
                               "two backends differ only where sums are by atomics.",
                               counted(plan.n, "sphere"), plan.collisions, plan.converged),
                   "* ", "  ") +
-          "\n\n" + cost_table(measured.costs).text();
+          "\n\n" + cost_table(measured.costs).text() + rates_text(plan, measured.rates);
   if (!measured.targets.empty()) text += "\n" + target_table(measured.targets).text();
   for (const std::string& reason : measured.left_out) text += wrapped(reason, "* left out: ", "  ") + "\n";
   return text;
@@ -140,13 +143,15 @@ json start_record(const CommandLine& line, const Session& session, const Contact
             {"packing_fraction", plan.packing_fraction},
             {"collisions", plan.collisions},
             {"converged_steps_a_contact", plan.converged},
-            {"cost_steps", plan.cost_steps}}},
+            {"cost_steps", plan.cost_steps},
+            {"rates", to_json(plan.rates)}}},
           {"clocks", json::array({query_clocks()})}};
 }
 
 void report(const std::filesystem::path& folder, json record, const ContactPlan& plan, const Measured& measured) {
   record["contact_runs"] = list_of(measured.runs);
   record["contact_sums"] = list_of(measured.costs);
+  record["contact_rates"] = list_of(measured.rates);
   record["targets"] = list_of(measured.targets);
   record["left_out"] = measured.left_out;
   record["clocks"].push_back(query_clocks());
@@ -174,6 +179,7 @@ int contacts_command(const CommandLine& line, const ContactsOptions& options) {
   time_contact_runs(session, plan, measured.runs, progress);
   measured.costs = measure_sums(session, plan, measured.left_out, progress);
   measured.targets = sums_targets(session, measured.costs);
+  measured.rates = measure_rates(session, plan, progress);
   progress.clear();
   report(folder, record, plan, measured);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
@@ -196,6 +202,10 @@ std::shared_ptr<ContactsOptions> add_contacts_options(CLI::App& command) {
                   "Spheres of the steps whose sums are compared (default 16384,1000000,10000000 on a GPU, else 16384)")
       ->delimiter(',')
       ->transform(positive_range);
+  command
+      .add_option("--rate-n", options->rate_n,
+                  "Spheres of the gas whose pressure and cooling are measured (default 16384 on a GPU, else 1000)")
+      ->transform(whole_number(125, kMostSpheres));
   command.add_option("--rounds", options->rounds, "Rounds of each timing")
       ->transform(whole_number(6, 1000))
       ->capture_default_str();

@@ -7,6 +7,7 @@
 #include "bench/check/step_result.h"
 #include "bench/cli/run_steps.h"
 #include "bench/formats/files.h"
+#include "bench/formats/step_division.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/measure/choice.h"
@@ -72,7 +73,8 @@ json run_record(const CommandLine& line, const ChosenBackend& chosen, const Star
           {"passed_over", chosen.passed_over},
           {"scene", start.record},
           {"motion", motion_label(start.scene.motion)},
-          {"dt", start.scene.dt},
+          {"dt", start.scene.dt * float(start.parts)},
+          {"divided_into", start.parts},
           {"restitution", start.scene.restitution},
           {"plane", start.scene.plane},
           {"contacts", to_json(start.scene.contact)},
@@ -96,10 +98,28 @@ std::string heading(const RunOptions& options, const ChosenBackend& chosen, cons
                                        start.label, counted(start.scene.size(), "sphere"),
                                        counted(options.steps, "step"), motion_label(start.scene.motion));
   std::string text = start.notes + wrapped(what, "", "  ") + "\n" + passed_over_text(chosen);
-  if (options.steps) text += plane_text(start.scene) + describe_contacts(start.scene);
+  if (options.steps) text += plane_text(start.scene) + describe_contacts(start.scene) + division_text(start);
   if (collide.method == Method::automatic)
     text += wrapped("auto: " + describe(backend.choice(collide)), "", "  ") + "\n";
   return text;
+}
+
+struct Outcome {
+  std::vector<RunStep> steps;
+  std::vector<ContactStatistics> statistics;
+};
+Outcome simulate(Backend& backend, const RunOptions& options, const Start& start, const CollideOptions& collide,
+                 RunTimes& times) {
+  times.spend(RunTimes::opening, [&] { upload_start(start, backend); });
+  Run simulation(backend, options, start, collide, times);
+  try {
+    std::vector<RunStep> steps = simulation.simulate();
+    return {std::move(steps), simulation.statistics()};
+  } catch (const TooFast&) {
+    if (options.divides) simulation.discard();
+    backend.time_stages(false);
+    throw;
+  }
 }
 
 }  // namespace
@@ -109,7 +129,7 @@ int run_command(const CommandLine& line, const RunOptions& options) {
     throw std::invalid_argument("--save-every needs a file name: --save FILE");
   check_files(options);
   RunTimes times;
-  const Start start = times.spend(RunTimes::spheres, [&] { return start_of(options.start, line.open.threads); });
+  Start start = times.spend(RunTimes::spheres, [&] { return start_of(options.start, line.open.threads); });
   check_scene(start.scene);
   if (!options.statistics_file.empty() && start.scene.contact.law == ContactLaw::none)
     throw std::invalid_argument("--statistics is of contacts that push: omit it, or give --contact spring");
@@ -126,9 +146,8 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   const std::string rounded =
       reach_warning(pairs_within_reach(backend, start.scene, start.rounding, collide), start.rounding);
   if (!rounded.empty()) fmt::print(stderr, "{}\n", wrapped("At the start: " + rounded, "* ", "  "));
-  times.spend(RunTimes::opening, [&] { upload_start(start, backend); });
-  Run simulation(backend, options, start, collide, times);
-  const std::vector<RunStep> results = simulation.simulate();
+  const Outcome outcome =
+      with_divided_steps(options.divides, start, [&] { return simulate(backend, options, start, collide, times); });
   if (!options.pairs_file.empty()) write_pairs(options.pairs_file, backend.pairs());
   if (!options.contacts_file.empty()) write_contact_numbers(options.contacts_file, backend.counts());
   if (!options.spheres_file.empty()) {
@@ -138,9 +157,10 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   const bool taken = is_standard_output(
       {options.pairs_file, options.contacts_file, options.spheres_file, options.statistics_file, options.json_file});
   std::FILE* report = taken ? stderr : stdout;
-  fmt::print(report, "{}{}{}{}", heading(options, chosen, start, collide), steps_text(results),
-             energy_text(simulation.statistics()), times.text());
-  write_json(options.json_file, run_record(line, chosen, start, collide, backend.choice(collide), results, times));
+  fmt::print(report, "{}{}{}{}", heading(options, chosen, start, collide), steps_text(outcome.steps),
+             energy_text(outcome.statistics), times.text());
+  write_json(options.json_file,
+             run_record(line, chosen, start, collide, backend.choice(collide), outcome.steps, times));
   return kOk;
 }
 

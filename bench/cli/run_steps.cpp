@@ -2,6 +2,7 @@
 #include "bench/cli/run_steps.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "bench/check/finite_state.h"
 #include "bench/formats/checkpoint.h"
@@ -10,8 +11,11 @@
 namespace spherepair {
 namespace {
 
+constexpr uint64_t steps_unasked = 1024;  // whether a sphere is too fast
+
+// With the steps that were taken, divided ones too: it goes on with them.
 void save(Backend& backend, const Start& start, uint64_t step, Backend::State state, const std::string& file) {
-  Checkpoint checkpoint{start.scene, backend.save(), step};
+  Checkpoint checkpoint{start.scene, backend.save(), step * start.parts};
   checkpoint.scene.positions = std::move(state.positions);
   checkpoint.scene.velocities = std::move(state.velocities);
   write_checkpoint(file, checkpoint);
@@ -65,11 +69,11 @@ uint64_t Run::next_stop() const {
 
 // On a GPU moves are enqueued: they take until the wait.
 void Run::move_to(uint64_t stop) {
-  times_.count(RunTimes::moves, stop - step_);
+  times_.count(RunTimes::moves, (stop - step_) * start_.parts);
   times_.spend(RunTimes::moves, [&] {
     while (step_ < stop) {
-      backend_.move();
-      ++step_;
+      for (uint part = 0; part < start_.parts; ++part) backend_.move();
+      if (++step_ % steps_unasked == 0 && options_.divides) backend_.evaluate_state();
       if (!progress_.due()) continue;
       backend_.finish();
       progress_.reach(step_ - start_.step, options_.steps);
@@ -77,6 +81,11 @@ void Run::move_to(uint64_t stop) {
     }
     backend_.finish();
   });
+}
+
+void Run::discard() const {
+  if (saved_) std::filesystem::remove(options_.save_file);
+  if (listed_) std::filesystem::remove(options_.statistics_file);
 }
 
 // What is to be done where the spheres now stand.
@@ -101,10 +110,16 @@ void Run::stand() {
     times_.spend(RunTimes::searches, [&] { backend_.collide(collide_); });
     result.totals = backend_.collisions();
   }
-  if (measures) statistics_.push_back(contact_statistics(start_.scene, state.wide, backend_.pairs(), step_));
+  if (measures) {
+    statistics_.push_back(contact_statistics(start_.scene, state.wide, backend_.pairs(), step_ * start_.parts));
+    statistics_.back().step = step_;
+  }
   if (saves) save(backend_, start_, step_, std::move(state), options_.save_file);
+  saved_ = saved_ || saves;
   const bool printed = is_standard_output({options_.statistics_file});
-  if (each && (last || (saves && !printed))) write_text(options_.statistics_file, statistics_csv(statistics_));
+  const bool lists = each && (last || (saves && !printed));
+  if (lists) write_text(options_.statistics_file, statistics_csv(statistics_));
+  listed_ = listed_ || lists;
   if (wanted) results_.push_back(result);
 }
 

@@ -28,6 +28,7 @@ class Run {
         end_(start.step + options.steps) {}
 
   std::vector<RunStep> simulate();
+  void discard() const;  // removes what was written
   const std::vector<ContactStatistics>& statistics() const { return statistics_; }
 
  private:
@@ -43,7 +44,8 @@ class Run {
   const Start& start_;
   CollideOptions collide_;
   RunTimes& times_;
-  uint64_t step_, end_;
+  uint64_t step_, end_;  // undivided
+  bool saved_ = false, listed_ = false;
   Progress progress_;
   std::vector<RunStep> results_;
   std::vector<ContactStatistics> statistics_;

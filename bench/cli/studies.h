@@ -10,7 +10,7 @@
 #include "bench/gpu/launch_study.h"
 #include "bench/options/shard.h"
 #include "bench/studies/ablation_study.h"
-#include "bench/studies/contact_study.h"
+#include "bench/studies/contact/contact_study.h"
 #include "bench/studies/crossover_sweep.h"
 
 namespace spherepair {
@@ -48,6 +48,7 @@ struct ContactsOptions {
   std::vector<std::string> backends, laws, steps;  // empty: all; steps: by machine
   uint64_t n = 0;                                  // of the errors; 0: by machine
   std::vector<uint64_t> cost_sizes;                // empty: by machine
+  uint64_t rate_n = 0;                             // of pressure and cooling; 0: by machine
   int rounds = 11;
   std::string results;  // empty: default_results()
 };

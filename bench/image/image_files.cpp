@@ -44,7 +44,14 @@ void add_image(OutputFiles& files, const std::string& option, const fs::path& im
                     option, option));
 }
 
+ImageWriters::~ImageWriters() {
+  jobs_.clear();  // waits
+  std::error_code ignored;
+  for (const fs::path& path : written_) fs::remove(path, ignored), fs::remove(record_of(path), ignored);
+}
+
 void ImageWriters::write(const fs::path& path, std::vector<uint> pixels, uint width, const json& record) {
+  if (all_or_none_) written_.push_back(path);
   if (jobs_.size() >= std::max(1u, std::thread::hardware_concurrency())) finish_one();
   jobs_.push_back(std::async([=, pixels = std::move(pixels)] {
     write_png(path, pixels, width, uint(pixels.size() / width));
@@ -54,6 +61,7 @@ void ImageWriters::write(const fs::path& path, std::vector<uint> pixels, uint wi
 
 void ImageWriters::finish() {
   while (!jobs_.empty()) finish_one();
+  written_.clear();
 }
 
 void ImageWriters::finish_one() {

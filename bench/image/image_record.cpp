@@ -29,7 +29,8 @@ json image_record(const Start& start, Backend& backend, Method method, const Ima
   const Collisions totals = backend.collisions();
   return {{"scene", start.record},
           {"motion", motion_label(start.scene.motion)},
-          {"dt", start.scene.dt},
+          {"dt", start.scene.dt * float(start.parts)},
+          {"divided_into", start.parts},
           {"restitution", start.scene.restitution},
           {"method", method_name(choice.method)},
           {"choice", to_json(choice)},

@@ -8,9 +8,9 @@ cmake_minimum_required(VERSION 3.22)
 
 # A host path is what makes the spheres and enqueues, waits and reads back; what only contacts and swept searches run
 # is host/contacts. `measure` is how every sample is taken.
-set(gpu_rooms common/scene common/backend common/device common/simulation common/simulation/motion
+set(gpu_rooms common/scene common/scene/contact common/backend common/device common/simulation common/simulation/motion
   common/simulation/search)
-set(rooms_of_host/cpu common/shared common/scene common/backend common/cpu common/cpu/search)
+set(rooms_of_host/cpu common/shared common/scene common/scene/contact common/backend common/cpu common/cpu/search)
 set(rooms_of_host/glsl ${gpu_rooms} glsl)
 set(rooms_of_host/cuda ${gpu_rooms} cuda/host interop)  # interop: OpenGL drawing CUDA's spheres
 set(rooms_of_host/contacts ${gpu_rooms} common/cpu common/cpu/search)

@@ -2,6 +2,7 @@
 // The options of contacts that push.
 #include <limits>
 
+#include "bench/io/arguments.h"
 #include "bench/options/options.h"
 
 namespace spherepair {
@@ -25,6 +26,19 @@ void add_contact_options(CLI::App& command, MotionChoice& motion) {
     contact.dt = float(real_number_of(text, 0, std::numeric_limits<float>::max()).value_or(0));
   });
   command.add_flag("--walls", contact.walls, "Close a box around the spheres, whose floor is the plane")->needs(law);
+}
+
+void add_too_fast_option(CLI::App& command, bool& divides) {
+  const auto take = [&divides](const std::string& name) {
+    require_known("answer to --too-fast", name, {"refuse", "divide"});
+    divides = name == "divide";
+  };
+  auto* option = command.add_option_function<std::string>(
+      "--too-fast", take,
+      "Contacts where a sphere moves by more than the smallest radius in a step: refuse, or divide: begin again with "
+      "each step divided into 2, 4, ... 64; what is printed, written and drawn stays at the same times");
+  option->default_str("refuse")->needs(command.get_option("--contact"));
+  command.get_option("--resume")->excludes(option);
 }
 
 }  // namespace spherepair

@@ -70,7 +70,7 @@ void refuse_of_motion(const Given& given) {
   const bool moves = !given.zero("--steps") || (render && !given.is("--images", {"1"}));
   const std::string still = render ? "on one image of the start: omit it, or give --steps or --images"
                                    : "on spheres that do not move: omit it, or give --steps";
-  for (const char* option : {"--motion", "--restitution", "--contact", "--stiffness", "--walls"})
+  for (const char* option : {"--motion", "--restitution", "--contact", "--stiffness", "--walls", "--too-fast"})
     given.refuse(option, !moves && !given.has("--save"), still);
   given.refuse("--dt", !moves && !given.has("--save") && !given.has("--swept"), still);
   given.refuse("--per-step", !moves, still);
@@ -78,7 +78,7 @@ void refuse_of_motion(const Given& given) {
 }
 
 void refuse_of_contacts(const Given& given) {
-  for (const char* option : {"--stiffness", "--walls"})
+  for (const char* option : {"--stiffness", "--walls", "--too-fast"})
     given.refuse(option, given.is("--contact", {"none"}), "without contacts: omit it, or give another --contact");
 }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "common/cpu/cpu_contacts.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
 #include <numeric>
 #include <utility>
 
+#include "common/scene/contact/contact_faults.h"
 #include "common/scene/contact_scene.h"
 #include "common/shared/skin.h"
 
@@ -144,9 +143,6 @@ void CpuContacts::step(std::vector<uint>& wide, std::vector<vec4>& positions, st
   left_skin_ = left;
 }
 
-void CpuContacts::require_sound() const {
-  const std::string faults = describe_faults(faults_);
-  if (!faults.empty()) throw std::invalid_argument(fmt::format("cpu: {}", faults));
-}
+void CpuContacts::require_sound() const { require_no_faults("cpu", faults_); }
 
 }  // namespace spherepair

@@ -14,17 +14,14 @@
 namespace spherepair {
 namespace {
 
-constexpr double density = 1000 * 4 * std::numbers::pi / 3;  // kg per cubed metre of radius: water
-constexpr double wanted_overlap = 0.01;                      // of the largest radius
+constexpr double wanted_overlap = 0.01;  // of the largest radius
 constexpr double steps_a_contact = 40, coarse_steps = 10, fewest_steps = 2;
 constexpr int position_bits = 51, momentum_bits = 56;  // used at the start, and of the fastest sphere
+constexpr double most_units = 0x1p63 - 0x1p57;         // of sums of impulses: room for the roundings of all of them
 constexpr float least_restitution = 0.1f;
 constexpr double least_skin = 1.0 / 32, most_skin = 1;  // of a radius
 
 double squared(double x) { return x * x; }
-struct Radii {
-  float smallest = 0, largest = 0;
-};
 Radii radii_of(const Scene& scene) {
   if (scene.positions.empty()) return {1, 1};
   Radii r{scene.positions[0].w, scene.positions[0].w};
@@ -44,21 +41,6 @@ double highest_speed(const Scene& scene) {
     highest = std::max(highest, squared(speed(scene.velocities[i])) - 2 * double(scene.gravity) * fall);
   }
   return std::sqrt(highest);
-}
-
-// Damping over its critical value for which a contact that never pulls leaves this share of the speed (Schwager and
-// Poeschel, Granular Matter 9 (2007) 465).
-double damping_ratio(double restitution) {
-  const auto left = [](double b) {
-    const double root = std::sqrt(1 - b * b);
-    return std::exp(-b / root * (std::numbers::pi - std::atan2(2 * b * root, 1 - 2 * b * b)));
-  };
-  double low = 0, high = 0.999;
-  for (int turn = 0; turn < 60; ++turn) {
-    const double middle = (low + high) / 2;
-    (left(middle) > restitution ? low : high) = middle;
-  }
-  return restitution < 1 ? (low + high) / 2 : 0;
 }
 
 int bits_above(double x) { return int(std::ceil(std::log2(x))); }
@@ -101,15 +83,16 @@ void choose_units(Scene& scene) {
       momentum_bits - bits_above(sphere_mass(double(r.largest)) * double(r.smallest) / double(scene.dt));
 }
 
-}  // namespace
-
-double sphere_mass(double radius) { return density * radius * radius * radius; }
-
-double contact_energy(ContactLaw law, double k, double overlap, double reach) {
-  if (law == ContactLaw::spring) return k * squared(overlap) / 2;
-  if (law == ContactLaw::hertz) return k * 0.4 * std::pow(overlap, 2.5);
-  return k / 4 * squared(squared(reach) - squared(reach - overlap));
+// What momentum and impulses of a sphere can add up to. A contact's alone is less than a hundredth of it, far from
+// where integer_of saturates.
+double impulse_units(const Scene& scene) {
+  const ContactOptions& contact = scene.contact;
+  return std::ldexp(greatest_impulse_sum({contact.law, double(contact.stiffness), double(scene.restitution),
+                                          double(scene.gravity), double(scene.dt), radii_of(scene)}),
+                    contact.momentum_exponent);
 }
+
+}  // namespace
 
 void choose_contacts(Scene& scene, const ContactChoice& choice) {
   if (choice.law == ContactLaw::none) return;
@@ -169,6 +152,12 @@ std::string why_no_contacts(const Scene& scene) {
                        r.smallest);
   if (r.largest > 256 * r.smallest)
     return fmt::format("radii are {} to {}, but contacts allow 1:256", r.smallest, r.largest);
+  const double sum = impulse_units(scene);
+  if (!(sum < most_units))
+    return fmt::format(
+        "impulses of {:.3g} units could add up, but 64-bit integers hold {:.3g}: give --dt {:.3g} or less, "
+        "or a smaller --stiffness",
+        sum, most_units, 0.45 * double(scene.dt) * most_units / sum);
   for (uint64_t i = 0; i < scene.size(); ++i) {
     const double radius = double(scene.positions[i].w), v = speed(scene.velocities[i]);
     const double stopped = std::sqrt(contact_energy(contact.law, k, radius, 2 * radius) / sphere_mass(radius));
@@ -187,6 +176,7 @@ ContactParams contact_params(const Scene& scene) {
   if (contact.law == ContactLaw::none) return {};
   const int s = contact.unit_exponent, q = contact.momentum_exponent;
   const double k = double(contact.stiffness), dt = double(scene.dt);
+  const double density = sphere_mass(1);
   const Radii r = radii_of(scene);
   const int reach = int(exponent_field(r.largest + r.largest)) - 127;
   const double order = contact.law == ContactLaw::quartic ? 3 : contact.law == ContactLaw::hertz ? 1.5 : 1;
@@ -234,17 +224,6 @@ std::vector<uint> fixed_state(const Scene& scene) {
         {units(at.x), units(at.y), units(at.z), momentum(v.x), momentum(v.y) - half_weight, momentum(v.z), at.w});
   }
   return words;
-}
-
-std::string describe_faults(const std::vector<uint>& faults) {
-  constexpr const char* texts[FAULTS] = {
-      "is deeper in another sphere or a wall than the smaller radius: let no spheres overlap that much at the start, "
-      "or give a larger --stiffness or a smaller --dt",
-      "moves by more than the smallest radius in a step: give a smaller --dt",
-      "has left the range of float32 centres and 64-bit positions: close the box with --walls, or take fewer steps"};
-  for (uint kind = 0; kind < FAULTS; ++kind)
-    if (faults[kind] != ~0u) return fmt::format("the contacts cannot go on: sphere {} {}", faults[kind], texts[kind]);
-  return "";
 }
 
 }  // namespace spherepair

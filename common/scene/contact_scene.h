@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "common/scene/contact/contact_law.h"
 #include "common/scene/motion_state.h"
 #include "common/shared/contact.h"
 
@@ -18,11 +19,6 @@ struct ContactChoice {
 
 // Sets the scene's contacts, its motion and its time step. Throws std::invalid_argument that names what is wrong.
 void choose_contacts(Scene& scene, const ContactChoice& choice);
-
-double sphere_mass(double radius);  // of a sphere, in kg
-
-// What a contact of this overlap and reach stores, in joules.
-double contact_energy(ContactLaw law, double stiffness, double overlap, double reach);
 
 // The shortest contact of two spheres, in seconds; of hertz, whose contacts depend on the speed, at the highest.
 double contact_time(const Scene& scene);
@@ -52,8 +48,5 @@ inline void store_body(std::vector<uint>& wide, uint64_t n, uint64_t i, const Bo
   const int64_t values[6] = {s.x, s.y, s.z, s.px, s.py, s.pz};
   for (uint64_t k = 0; k < 6; ++k) store_real(wide, k * n + i, values[k]);
 }
-
-// What a step could not do, by FAULT_*: the first sphere of each, or ~0. Empty where there is nothing.
-std::string describe_faults(const std::vector<uint>& faults);
 
 }  // namespace spherepair

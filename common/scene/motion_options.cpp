@@ -8,7 +8,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "common/scene/contact_options.h"
+#include "common/scene/contact/contact_options.h"
 #include "common/scene/known_name.h"
 
 namespace spherepair {

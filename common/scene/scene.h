@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/scene/contact_options.h"
+#include "common/scene/contact/contact_options.h"
 #include "common/scene/motion_options.h"
 #include "common/shared/layout.h"
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "common/scene/contact/contact_faults.h"
 #include "common/scene/contact_scene.h"
 #include "common/shared/skin.h"
 
@@ -128,9 +129,7 @@ void Contacts::list_rows() {
 }
 
 void Contacts::require_sound() {
-  if (!on_) return;
-  const std::string faults = describe_faults(context_.buffers.read<uint>(SLOT_FAULT, FAULTS));
-  if (!faults.empty()) throw std::invalid_argument(fmt::format("{}: {}", context_.name(), faults));
+  if (on_) require_no_faults(context_.name(), context_.buffers.read<uint>(SLOT_FAULT, FAULTS));
 }
 
 }  // namespace spherepair

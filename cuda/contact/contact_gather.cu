@@ -20,16 +20,13 @@ __global__ void __launch_bounds__(BLOCK) contact_gather(Params p, KernelBuffers 
   if (i == 0u && !stopped) ++buf.fault[STEPS_DONE];
   if (stopped || i >= p.n) return;
   FloatPush sum = FloatPush{0.0f, 0.0f, 0.0f, FAULTS};
+  Body a = load_body(p, buf, i);  // momenta come with positions
   uint length = buf.row_length[i];
   for (uint k = 0u; k < length; ++k) {
     uint j = buf.row[k * p.n + i];
-    Body a = load_place(p, buf, i);
     Body b = load_place(p, buf, j);
     if (!in_contact(gap_between(a, b, p.contact))) continue;
-    if (p.contact.damping != 0.0f) {
-      a = load_body(p, buf, i);
-      b = load_body(p, buf, j);
-    }
+    if (p.contact.damping != 0.0f) b = load_body(p, buf, j);
     sum = sum_of_pushes(sum, float_push_of_pair(a, b, p.contact));
   }
   record_fault(buf, sum.fault, i);

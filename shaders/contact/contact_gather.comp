@@ -21,16 +21,13 @@ void main() {
   if (i == 0u && !stopped) ++fault[STEPS_DONE];
   if (stopped || i >= p.n) return;
   FloatPush sum = FloatPush(0.0f, 0.0f, 0.0f, FAULTS);
+  Body a = load_body(i);  // momenta come with positions
   uint length = row_length[i];
   for (uint k = 0u; k < length; ++k) {
     uint j = row[k * p.n + i];
-    Body a = load_place(i);
     Body b = load_place(j);
     if (!in_contact(gap_between(a, b, p.contact))) continue;
-    if (p.contact.damping != 0.0f) {
-      a = load_body(i);
-      b = load_body(j);
-    }
+    if (p.contact.damping != 0.0f) b = load_body(j);
     sum = sum_of_pushes(sum, float_push_of_pair(a, b, p.contact));
   }
   record_fault(sum.fault, i);

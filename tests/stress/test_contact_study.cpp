@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "bench/studies/contact_study.h"
+#include "bench/studies/contact/contact_study.h"
 #include "tests/support/backends.h"
 #include "tests/support/faulty_session.h"
 #include "tests/support/forwarding_backend.h"
@@ -102,10 +102,36 @@ TEST_F(ContactStudy, SumsThatADeviceLacksAreLeftOutAndNamedOnce) {
   for (const ContactRun& run : runs) EXPECT_TRUE(run.backend == "cpu" || run.sums != ImpulseSums::atomics);
 }
 
+// A small gas for a short time: pressures and cooling times are those of kinetic theory only roughly.
+TEST_F(ContactStudy, RatesAreThoseOfEachTimeStepAgainstTheConvergedOne) {
+  ContactPlan plan = small_plan({ContactLaw::spring});
+  plan.steps_a_contact = {10, 20};
+  plan.rates = {.n = 1000, .seeds = 2, .converged = 40, .softer = 16};
+  Session session({"cpu"}, {});
+  const std::vector<ContactRate> rates = measure_rates(session, plan, progress_);
+  ASSERT_EQ(rates.size(), 3 * 3u);
+  for (size_t k = 0; k < rates.size(); ++k) {
+    const ContactRate &rate = rates[k], &converged = rates[k / 3 * 3 + 2];
+    EXPECT_EQ(converged.steps_a_contact, 40u);
+    EXPECT_NEAR(rate.dt / converged.dt, 40.0 / rate.steps_a_contact, 1e-6);
+    ASSERT_EQ(rate.over_theory.size(), 2u);
+    EXPECT_NE(rate.over_theory[0], rate.over_theory[1]) << "by seed";
+    for (const double ratio : rate.over_theory) EXPECT_NEAR(ratio, 1, 0.2) << rate.restitution;
+    ASSERT_EQ(rate.errors.size(), &rate == &converged ? 0u : 2u);
+    for (size_t seed = 0; seed < rate.errors.size(); ++seed) {
+      EXPECT_DOUBLE_EQ(rate.errors[seed], rate.found[seed] / converged.found[seed] - 1);
+      EXPECT_NE(rate.errors[seed], 0);
+    }
+  }
+  plan.kinds = {{ContactLaw::quartic}};
+  EXPECT_TRUE(measure_rates(session, plan, progress_).empty());
+}
+
 TEST_F(ContactStudy, RecordsEveryRunAndCost) {
-  const Outcome outcome = run(fmt::format(
-      "contacts --backends cpu --threads 2 --laws spring --steps 10,20 --n 27 --cost-n 64,125 --rounds 6 --results {}",
-      path("r")));
+  const Outcome outcome =
+      run(fmt::format("contacts --backends cpu --threads 2 --laws spring --steps 10,20 --n 27 --cost-n 64,125 --rate-n "
+                      "125 --rounds 6 --results {}",
+                      path("r")));
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   const json record = json::parse(read_bytes(path("r/contacts.json")));
   EXPECT_EQ(record.at("format"), "spherepair contacts 1");
@@ -126,6 +152,12 @@ TEST_F(ContactStudy, RecordsEveryRunAndCost) {
     if (!integers) {
       EXPECT_LE(cost.at("integers_over_this").at("low"), cost.at("integers_over_this").at("high"));
     }
+  }
+  ASSERT_EQ(record.at("contact_rates").size(), 3 * 3u);
+  for (const json& rate : record.at("contact_rates")) {
+    EXPECT_EQ(rate.at("quantity"), rate.at("restitution") == 1.0 ? "pressure" : "cooling time");
+    EXPECT_LE(rate.at("over_theory").at("low"), rate.at("over_theory").at("high"));
+    EXPECT_EQ(rate.at("error").is_null(), rate.at("steps_a_contact") == 160);
   }
   EXPECT_NE(outcome.output.find("integers over this"), std::string::npos) << outcome.output;
 }

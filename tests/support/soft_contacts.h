@@ -2,7 +2,7 @@
 // Scenes whose spheres push each other often within few steps, by soft contacts.
 #pragma once
 
-#include "common/scene/contact_options.h"
+#include "common/scene/contact/contact_options.h"
 #include "common/scene/scene.h"
 
 namespace spherepair {

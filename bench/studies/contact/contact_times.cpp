@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "bench/check/step_result.h"
-#include "bench/studies/contact_study.h"
+#include "bench/studies/contact/contact_study.h"
 #include "common/scene/contact_scene.h"
 #include "common/scene/counted.h"
 

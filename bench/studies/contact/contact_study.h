@@ -4,7 +4,9 @@
 //
 // contacts.json, "format": "spherepair contacts 1":
 //   context, backends, warnings, clocks   as in results.json (report.h, context.h)
-//   settings   {n, seed, packing_fraction, collisions, converged_steps_a_contact, cost_steps}
+//   settings   {n, seed, packing_fraction, collisions, converged_steps_a_contact, cost_steps,
+//               rates: {n, seeds, converged_steps_a_contact, softer, equilibration, pressure_seconds, cooling_times,
+//               samples}}
 //   contact_runs   one entry per law, restitution, time step, sum and backend, of a gas without walls:
 //     {law, restitution, sums, backend, n, steps_a_contact, dt, steps,
 //      position   rms distance from the converged run's centres at the end, in radii
@@ -16,6 +18,14 @@
 //   contact_sums   a step of the scene gas by the law spring, 40 steps a contact, lists of near pairs included:
 //     {backend, n, sums, seconds_per_step, low, high, sample,
 //      integers_over_this   of the time with integers: ratio, low and high of its interval, as verdicts have it}
+//   contact_rates  of the scene gas by the law spring on one backend, whose bits are those of the others; one entry per
+//     quantity and time step, the converged one's among them:
+//     {quantity     "pressure", elastic; or "cooling time" of Haff's law, restitution 0.9 and 0.8
+//      restitution, steps_a_contact, backend, n, dt,
+//      found        p d^3 / (k T), or seconds
+//      over_theory  that over what kinetic theory of hard spheres expects (Carnahan and Starling, Enskog)
+//      error        of what is found against the converged time step's from the same start, over it; null for itself}
+//     each {median, low, high, coverage} over the seeds: low and high hold the median with this probability
 //   targets    of a GPU: {what, value, bound, met}
 //   left_out   [text]: sums that a device lacks
 #pragma once
@@ -24,9 +34,10 @@
 #include <optional>
 
 #include "bench/measure/session.h"
+#include "bench/measure/statistics.h"
 #include "bench/measure/timing.h"
 #include "bench/studies/motion_targets.h"
-#include "common/scene/contact_options.h"
+#include "common/scene/contact/contact_options.h"
 
 namespace spherepair {
 
@@ -36,6 +47,17 @@ struct ContactKind {
   bool operator==(const ContactKind&) const = default;
 };
 std::string label(const ContactKind& kind);  // spring, restitution 0.9
+
+struct RatePlan {
+  uint64_t n = 16384;
+  uint64_t seeds = fewest_for_interval;
+  uint converged = 640;         // steps a contact
+  float softer = 16;            // than the scene's own stiffness: contacts last four times as long
+  double equilibration = 0.8;   // seconds a metre of the box, see equilibrated_gas
+  double pressure_seconds = 1;  // of a measurement
+  double cooling_times = 0.5;   // the same, of Haff's
+  uint64_t samples = 30;        // in each
+};
 
 struct ContactPlan {
   std::vector<ContactKind> kinds = {
@@ -48,6 +70,7 @@ struct ContactPlan {
   std::vector<uint64_t> cost_sizes;
   uint64_t cost_steps = 320;          // of the longest batch: several lists of near pairs
   uint64_t most_on_host = 1'000'000;  // of the costs; more spheres are timed on GPUs only
+  RatePlan rates;
   Sampling sampling;
 };
 
@@ -73,6 +96,17 @@ struct SumsCost {
   std::optional<Contest> integers;  // against these sums; none for themselves
 };
 
+struct ContactRate {  // the pressure where the restitution is 1, else the time of Haff's law
+  float restitution;
+  uint steps_a_contact;
+  std::string backend;
+  uint64_t n;
+  double dt;
+  std::vector<double> found, over_theory, errors;  // by seed
+};
+
+Backend& fastest(const Session& session);
+
 // Spheres of a gas as it starts, without the box, so that nothing but contacts changes momenta.
 Scene contact_scene(const ContactPlan& plan, const ContactKind& kind, uint steps_a_contact);
 // For so many mean times between the collisions of a sphere, as kinetic theory has them.
@@ -91,10 +125,17 @@ void time_contact_runs(Session& session, const ContactPlan& plan, std::vector<Co
 std::vector<SumsCost> measure_sums(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
                                    Progress& progress);
 
+// By every time step of the plan and the converged one, with integer sums: the others round otherwise, which in a gas
+// soon changes all paths, but no mean.
+std::vector<ContactRate> measure_rates(Session& session, const ContactPlan& plan, Progress& progress);
+
 // Of GPUs: a step with integer sums takes at most 1.10x the time of one with float32 sums in a fixed order.
 std::vector<Target> sums_targets(const Session& session, const std::vector<SumsCost>& costs);
 
 json to_json(const ContactRun& run);
 json to_json(const SumsCost& cost);
+json to_json(const RatePlan& plan);
+json to_json(const ContactRate& rate);
+std::string rates_text(const ContactPlan& plan, const std::vector<ContactRate>& rates);  // a table
 
 }  // namespace spherepair

@@ -7,7 +7,7 @@
 
 #include "bench/check/contact_statistics.h"
 #include "bench/check/step_result.h"
-#include "bench/studies/contact_study.h"
+#include "bench/studies/contact/contact_study.h"
 #include "common/scene/contact_scene.h"
 
 namespace spherepair {
@@ -83,11 +83,6 @@ bool comes_back(Backend& backend, const Scene& scene, uint64_t steps) {
   return std::equal(found.begin(), found.begin() + 6 * int64_t(scene.size()), start.begin());
 }
 
-Backend& fastest(const Session& session) {
-  const auto found = std::ranges::find_if(session.backends(), [](const auto& b) { return on_hardware(*b); });
-  return found == session.backends().end() ? session.reference() : **found;
-}
-
 class Errors {
  public:
   Errors(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out, Progress& progress)
@@ -140,6 +135,12 @@ class Errors {
 };
 
 }  // namespace
+
+Backend& fastest(const Session& session) {
+  for (const char* name : {"cuda", "glsl"})
+    if (Backend* backend = session.find(name); backend && on_hardware(*backend)) return *backend;
+  return session.reference();
+}
 
 std::string label(const ContactKind& kind) {
   return kind.restitution < 1 ? fmt::format("{}, restitution {}", contact_name(kind.law), kind.restitution)

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// A gas of spheres that push each other, in its box: what kinetic theory knows of hard spheres, and its measurement.
+#pragma once
+
+#include "common/backend/backend.h"
+
+namespace spherepair {
+
+// p / (n k T) of Carnahan and Starling, J. Chem. Phys. 51 (1969) 635, by packing fraction, and their contact value.
+double compressibility(double packing_fraction);
+double contact_value(double packing_fraction);
+
+struct Gas {
+  Scene scene;  // with walls and equal radii, without gravity
+  double diameter, mass;
+};
+
+// Moves the gas so many seconds, from its start in the backend; its restitution is then set. It is at rest with its
+// walls once sound, at two metres a second and more, has crossed the box some times, a dense one some times more.
+Gas equilibrated_gas(Backend& backend, const Scene& start, double seconds, float restitution = 1);
+
+// Found, and what theory expects of the packing fraction away from the walls, where centres stand in layers.
+struct Pressure {
+  double found, expected;  // p d^3 / (k T)
+  double packing_fraction;
+};
+// The mean of so many samples, that many steps apart, from where the spheres stand.
+Pressure measure_pressure(Backend& backend, const Gas& gas, uint64_t samples, uint64_t steps);
+
+// Haff, J. Fluid Mech. 134 (1983) 401: T = T0 / (1 + t / tau)^2, with Enskog's collision rate.
+struct Cooling {
+  double seconds, first, last;  // kinetic energies, in joules
+  double expected;              // tau, in seconds
+  double packing_fraction;
+  double tau() const;            // found
+  double expected_last() const;  // energy after these seconds
+};
+// Of samples * steps steps; the packing fraction is taken after each `steps`.
+Cooling measure_cooling(Backend& backend, const Gas& gas, uint64_t samples, uint64_t steps);
+
+// Seconds, of the gas as it starts, with velocities between -1 and 1 m/s along each axis.
+double expected_tau(const Gas& gas, double packing_fraction, double kinetic);
+
+}  // namespace spherepair

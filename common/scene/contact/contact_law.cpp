@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "common/scene/contact/contact_law.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace spherepair {
+namespace {
+
+constexpr double density = 1000 * 4 * std::numbers::pi / 3;  // kg per cubed metre of radius: water
+
+double squared(double x) { return x * x; }
+double cubed_length(double x) { return x * x * x; }
+
+// More than a contact's force without the damper's, up to this overlap and reach: of quartic (R^2 - d^2) d is below
+// 2 o R^2, and below 2 R^3 / sqrt(27) at any distance.
+double greatest_force(ContactLaw law, double k, double overlap, double reach) {
+  if (law == ContactLaw::spring) return k * overlap;
+  if (law == ContactLaw::hertz) return k * std::pow(overlap, 1.5);
+  return k * std::min(2 * overlap * squared(reach), 0.385 * cubed_length(reach));
+}
+
+// More than the spheres of radius b to w b that touch one of radius a b: their centres are between a b (or b, where
+// that is more) and (a + w) b from its own and b from each other, so that balls of radius b/2 around them are disjoint.
+double greatest_number(double a, double w) { return 8 * (cubed_length(a + w + 0.5) - cubed_length(a - 0.5)); }
+
+}  // namespace
+
+double sphere_mass(double radius) { return density * radius * radius * radius; }
+
+double contact_energy(ContactLaw law, double k, double overlap, double reach) {
+  if (law == ContactLaw::spring) return k * squared(overlap) / 2;
+  if (law == ContactLaw::hertz) return k * 0.4 * std::pow(overlap, 2.5);
+  return k / 4 * squared(squared(reach) - squared(reach - overlap));
+}
+
+// Schwager and Poeschel, Granular Matter 9 (2007) 465.
+double damping_ratio(double restitution) {
+  const auto left = [](double b) {
+    const double root = std::sqrt(1 - b * b);
+    return std::exp(-b / root * (std::numbers::pi - std::atan2(2 * b * root, 1 - 2 * b * b)));
+  };
+  double low = 0, high = 0.999;
+  for (int turn = 0; turn < 60; ++turn) {
+    const double middle = (low + high) / 2;
+    (left(middle) > restitution ? low : high) = middle;
+  }
+  return restitution < 1 ? (low + high) / 2 : 0;
+}
+
+// Partners are taken by classes of radii b to 2 b. A wall alone pushes less than one partner of the largest radius
+// does.
+double greatest_impulse_sum(const StepBounds& step) {
+  const double smallest = double(step.radii.smallest), largest = double(step.radii.largest);
+  const double fall = -step.gravity * step.dt;
+  const double speed = smallest / step.dt + fall / 2;  // along an axis; the start takes half of a step's fall back
+  const double damping = 2 * damping_ratio(step.restitution) * std::sqrt(step.stiffness);
+  const auto impulse = [&](double radius) {
+    const double damper = damping * std::sqrt(sphere_mass(radius)) * 2 * std::numbers::sqrt3 * speed;
+    return step.dt * (greatest_force(step.law, step.stiffness, radius, largest + radius) + damper);
+  };
+  double sum = sphere_mass(largest) * (speed + fall) + impulse(largest);
+  for (double b = smallest; b == smallest || b < largest; b *= 2) {
+    const double width = std::min(2.0, largest / b);
+    sum += greatest_number(largest / b, width) * impulse(width * b);
+  }
+  return sum;
+}
+
+}  // namespace spherepair

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What a law of contacts gives two spheres, in real numbers: energy, damping, and the most that a step can add up to.
+#pragma once
+
+#include "common/scene/contact/contact_options.h"
+
+namespace spherepair {
+
+struct Radii {
+  float smallest = 0, largest = 0;
+};
+
+double sphere_mass(double radius);  // in kg: all spheres are of water
+
+// What a contact of this overlap and reach stores, in joules.
+double contact_energy(ContactLaw law, double stiffness, double overlap, double reach);
+
+// Damping over its critical value for which a contact that never pulls leaves this share of the speed.
+double damping_ratio(double restitution);
+
+// In kg m/s: more than the sum of the momentum of any sphere and all impulses on it in a step, whatever their signs,
+// where no overlap is greater than the smaller radius and no sphere moves by more than the smallest in a step. Any step
+// beyond that is a fault.
+struct StepBounds {
+  ContactLaw law;
+  double stiffness, restitution, gravity, dt;
+  Radii radii;
+};
+double greatest_impulse_sum(const StepBounds& step);
+
+}  // namespace spherepair
