@@ -75,26 +75,26 @@ def in_hardware(part):
 
 
 GPU = tuple(map(in_hardware, (
-    study("results", 5, "cpu,glsl,cuda", f"compare --scenes random,uniform --steps 2 --tables {TABLES}", "results.json",
+    study("results", 4, "cpu,glsl,cuda", f"compare --scenes random,uniform --steps 2 --tables {TABLES}", "results.json",
           processes=SEVERAL),
-    study("frame_rates", 2, "cpu,glsl,cuda",
+    study("frame_rates", 6, "cpu,glsl,cuda",
           "compare --scenes random --steps 2 --blocks 128 --tables frame_rates,arrangements", "results.json"),
-    sweep("sweep", 3, "glsl,cuda", f"--n {DECADES} --rounds 11", processes=SEVERAL),
-    sweep("sweep_1e8", 2, "glsl,cuda", "--methods collide_grid --n 100000000 --packing-fractions 0.3 --rounds 11",
+    sweep("sweep", 2, "glsl,cuda", f"--n {DECADES} --rounds 11", processes=SEVERAL),
+    sweep("sweep_1e8", 1, "glsl,cuda", "--methods collide_grid --n 100000000 --packing-fractions 0.3 --rounds 11",
           memory=16 * GIB),
     sweep("sweep_largest", 3, "cuda", "--methods collide_grid --n 1000000000 --packing-fractions 0.3 --rounds 11",
           memory=120 * GIB),
     sweep("sweep_tensor", 1, "cuda", "--methods collide_triangle,collide_tensor --n 4096,16384,65536,262144,1048576 "
           "--packing-fractions 0.3 --orders cold --rounds 11"),
     sweep("sweep_cpu", 2, "cpu", f"--n {DECADES} --rounds 11"),
-    study("crossover", 4, "glsl,cuda", "crossover", "crossover.json", processes=SEVERAL),
-    study("crossover_cpu", 3, "cpu", "crossover", "crossover.json"),
+    study("crossover", 3, "glsl,cuda", "crossover", "crossover.json", processes=SEVERAL),
+    study("crossover_cpu", 2, "cpu", "crossover", "crossover.json"),
     study("ablate", 2, "glsl,cuda", "ablate --n 16384,1000000", "ablate.json"),
-    study("contacts", 3, "glsl,cuda", "contacts", "contacts.json"),
-    study("launches", 2, "glsl,cuda", "launches", "launches.json", processes=SEVERAL),
-    study("energy_all_pairs", 4, "glsl,cuda", "energy --works all_pairs --windows 5 --seconds 10", "energy.json"),
-    study("energy_grid", 4, "glsl,cuda", "energy --works warm,cold --n 10000000 --windows 5 --seconds 10", "energy.json"),
-    study("frames", 5, "glsl,cuda", "frames --draws compute --n 16384,1000000,10000000 --works frame,lit,loop",
+    study("contacts", 4, "glsl,cuda", "contacts", "contacts.json"),
+    study("launches", 1, "glsl,cuda", "launches", "launches.json", processes=SEVERAL),
+    study("energy_all_pairs", 5, "glsl,cuda", "energy --works all_pairs --windows 5 --seconds 10", "energy.json"),
+    study("energy_grid", 5, "glsl,cuda", "energy --works warm,cold --n 10000000 --windows 5 --seconds 10", "energy.json"),
+    study("frames", 1, "glsl,cuda", "frames --draws compute --n 16384,1000000,10000000 --works frame,lit,loop",
           "frames.json"),
     study("frames_pipeline", 2, "glsl", "frames --draws mesh_each,mesh,points,impostor --places outside --works frame "
           "--n 16384,1000000,10000000 --most mesh_each:16384,mesh:1000000", "frames.json"),
@@ -104,9 +104,9 @@ GPU = tuple(map(in_hardware, (
           memory=120 * GIB),
     study("frames_transfer", 1, "cuda", "frames --transfer --draws compute,points --places outside --works frame "
           "--n 16384,1000000", "frames.json"),
-    study("frames_transfer_1e8", 3, "cuda", "frames --transfer --draws compute,points --places outside --works frame "
+    study("frames_transfer_1e8", 5, "cuda", "frames --transfer --draws compute,points --places outside --works frame "
           "--n 100000000", "frames.json", memory=32 * GIB),
-    study("precision", 4, "cpu,glsl,cuda", "precision --steps 4,6,8,10 --rounds 11", "precision.json"),
+    study("precision", 8, "cpu,glsl,cuda", "precision --steps 4,6,8,10 --rounds 11", "precision.json"),
     study("precision_1e8", 5, "glsl,cuda", "precision --motions paper,anchored --precisions float32 --n 100000000 "
           "--steps 5 --rounds 11", "precision.json", memory=16 * GIB),
     study("sets", 3, "cpu,glsl,cuda", "sets --motions paper,impact,anchored", "sets.json"),
@@ -115,6 +115,8 @@ GPU = tuple(map(in_hardware, (
     scripted("counters", 2, ("cuda",), "counters.json", "ncu"),
     *catalogue(("cpu", "glsl", "cuda"), (2, 5), STRESS="full", REQUIRE_BACKENDS="cpu,glsl,cuda"),
     *test_shards(("cpu", "glsl", "cuda"), 3),
+    testing("contacts_long", 4, ("cpu", "glsl", "cuda"), "*LongContacts*:*ContactPhysics*", {"output.txt": "tests/contacts.txt"},
+            STRESS="full", REQUIRE_BACKENDS="cpu,glsl,cuda"),
 )))
 
 SOFTWARE = (

@@ -18,16 +18,8 @@ class Contacts : public BackendTest {};
 
 constexpr ContactLaw LAWS[] = {ContactLaw::spring, ContactLaw::quartic, ContactLaw::hertz};
 
-int64_t word(const std::vector<uint>& wide, uint64_t k) { return load_real<int64_t>(wide, k); }
-
 std::vector<uint> after(Backend& backend, const Scene& scene, uint64_t steps) {
   return run_steps(backend, scene, steps).wide;
-}
-
-Scene with(Scene scene, const Backend::State& state) {
-  scene.positions = state.positions;
-  scene.velocities = state.velocities;
-  return scene;
 }
 
 // Every law, unequal radii, gravity, walls, a damper.
@@ -127,43 +119,6 @@ TEST_P(Contacts, PermutedInputGivesThePermutedState) {
   for (uint64_t part = 0; part < 6; ++part)
     for (uint64_t k = 0; k < n; ++k)
       ASSERT_EQ(word(found, part * n + k), word(wanted, part * n + order[k])) << "sphere " << k << ", part " << part;
-}
-
-// The momenta of a step later belong to the way back: they are those of half a step after these positions.
-MotionState turned(const std::vector<uint>& now, const std::vector<uint>& later, uint64_t n) {
-  MotionState state;
-  state.wide = now;
-  for (uint64_t k = 3 * n; k < 6 * n; ++k) store_real(state.wide, k, -word(later, k));
-  return state;
-}
-
-// The first contact of these positions is lost: what its spheres give each other in the next step is taken back.
-void drop_a_contact(const Scene& scene, std::vector<uint>& wide) {
-  const uint64_t n = scene.size();
-  const auto body = [&](uint64_t i) { return load_body(wide, scene.positions, i); };
-  for (uint64_t i = 0; i < n; ++i)
-    for (uint64_t j = 0; j < i; ++j) {
-      const Push push = push_of_pair(body(i), body(j), contact_params(scene));
-      const int64_t impulse[3] = {push.x, push.y, push.z};
-      if (impulse[0] == 0 && impulse[1] == 0 && impulse[2] == 0) continue;
-      for (uint64_t axis = 0; axis < 3; ++axis) {
-        store_real(wide, (3 + axis) * n + i, word(wide, (3 + axis) * n + i) - impulse[axis]);
-        store_real(wide, (3 + axis) * n + j, word(wide, (3 + axis) * n + j) + impulse[axis]);
-      }
-      return;
-    }
-  ADD_FAILURE() << "no spheres touch";
-}
-
-std::vector<uint> there_and_back(Backend& backend, const Scene& scene, uint64_t steps, bool drops_a_contact) {
-  const uint64_t n = scene.size();
-  const Backend::State far = run_steps(backend, scene, steps);
-  backend.move();
-  MotionState back = turned(far.wide, current_state(backend).wide, n);
-  if (drops_a_contact) drop_a_contact(scene, back.wide);
-  backend.resume(with(scene, far), back);
-  for (uint64_t step = 0; step < steps; ++step) backend.move();
-  return current_state(backend).wide;
 }
 
 // An elastic gas goes back to its first positions; where one contact is lost once, it does not.

@@ -17,6 +17,32 @@ void choose_soft_contacts(Scene& scene, ContactLaw law, bool walls, double steps
   choose_contacts(scene, {.law = law, .stiffness = scene.contact.stiffness, .dt = dt, .walls = walls});
 }
 
+// The momenta of a step later belong to the way back: they are those of half a step after these positions.
+MotionState turned(const std::vector<uint>& now, const std::vector<uint>& later, uint64_t n) {
+  MotionState state;
+  state.wide = now;
+  for (uint64_t k = 3 * n; k < 6 * n; ++k) store_real(state.wide, k, -word(later, k));
+  return state;
+}
+
+// The first contact of these positions is lost: what its spheres give each other in the next step is taken back.
+void drop_a_contact(const Scene& scene, std::vector<uint>& wide) {
+  const uint64_t n = scene.size();
+  const auto body = [&](uint64_t i) { return load_body(wide, scene.positions, i); };
+  for (uint64_t i = 0; i < n; ++i)
+    for (uint64_t j = 0; j < i; ++j) {
+      const Push push = push_of_pair(body(i), body(j), contact_params(scene));
+      const int64_t impulse[3] = {push.x, push.y, push.z};
+      if (impulse[0] == 0 && impulse[1] == 0 && impulse[2] == 0) continue;
+      for (uint64_t axis = 0; axis < 3; ++axis) {
+        store_real(wide, (3 + axis) * n + i, word(wide, (3 + axis) * n + i) - impulse[axis]);
+        store_real(wide, (3 + axis) * n + j, word(wide, (3 + axis) * n + j) + impulse[axis]);
+      }
+      return;
+    }
+  ADD_FAILURE() << "no spheres touch";
+}
+
 }  // namespace
 
 Scene gas(const GasOptions& o) {
@@ -50,6 +76,23 @@ Scene shells(ContactLaw law) {
   scene.equal_radii = false;
   choose_soft_contacts(scene, law, false);
   return scene;
+}
+
+Scene with(Scene scene, const Backend::State& state) {
+  scene.positions = state.positions;
+  scene.velocities = state.velocities;
+  return scene;
+}
+
+std::vector<uint> there_and_back(Backend& backend, const Scene& scene, uint64_t steps, bool drops_a_contact) {
+  const uint64_t n = scene.size();
+  const Backend::State far = run_steps(backend, scene, steps);
+  backend.move();
+  MotionState back = turned(far.wide, current_state(backend).wide, n);
+  if (drops_a_contact) drop_a_contact(scene, back.wide);
+  backend.resume(with(scene, far), back);
+  for (uint64_t step = 0; step < steps; ++step) backend.move();
+  return current_state(backend).wide;
 }
 
 }  // namespace spherepair

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Scenes whose spheres push each other often within few steps, by soft contacts.
+// Scenes whose spheres push each other often within few steps, by soft contacts, and their way back.
 #pragma once
 
 #include "common/scene/contact/contact_options.h"
-#include "common/scene/scene.h"
+#include "tests/support/motion_runs.h"
 
 namespace spherepair {
 
@@ -20,5 +20,13 @@ Scene gas(const GasOptions& options);
 
 // Two shells of small spheres that fall onto one eight times as large: the outer runs into the inner on its way back.
 Scene shells(ContactLaw law);
+
+// Of the wide state of a scene with contacts: six of each sphere, axis by axis, positions before momenta.
+inline int64_t word(const std::vector<uint>& wide, uint64_t k) { return load_real<int64_t>(wide, k); }
+
+Scene with(Scene scene, const Backend::State& state);
+
+// The wide state after so many steps, and as many back. One contact may be dropped once, at the turn.
+std::vector<uint> there_and_back(Backend& backend, const Scene& scene, uint64_t steps, bool drops_a_contact);
 
 }  // namespace spherepair

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Contacts over many steps: back to the first bits, momentum and energy kept, the CPU's states all along. Short runs;
+// with STRESS=full on a GPU those of 4,096 spheres and 100,000 steps, of the energy a million.
+#include <fmt/format.h>
+
+#include <array>
+
+#include "bench/check/contact_statistics.h"
+#include "common/scene/contact_scene.h"
+#include "tests/support/soft_contacts.h"
+
+namespace spherepair {
+namespace {
+
+class LongContacts : public BackendTest {
+ protected:
+  bool full() { return is_gpu(backend()) && full_stress(); }
+  uint64_t steps() { return full() ? 100'000 : 300; }
+  uint64_t rounds() { return full() ? 100 : 3; }
+
+  // Elastic, in its box, at the time step that is chosen by default; in the short form of soft spheres.
+  Scene elastic_gas() {
+    if (!full()) return gas({.side = 5, .ratio = 2, .law = ContactLaw::spring});
+    Scene scene = make_scene({.name = "gas", .n = 4096, .packing_fraction = 0.3});
+    choose_contacts(scene, {.law = ContactLaw::spring});
+    return scene;
+  }
+};
+
+std::vector<uint> positions_of(const std::vector<uint>& wide) {
+  return {wide.begin(), wide.begin() + ptrdiff_t(wide.size() / 2)};
+}
+
+TEST_P(LongContacts, GoBackToTheFirstBits) {
+  const Scene scene = elastic_gas();
+  const std::vector<uint> first = positions_of(fixed_state(scene));
+  EXPECT_EQ(positions_of(there_and_back(backend(), scene, steps(), false)), first);
+  EXPECT_NE(positions_of(there_and_back(backend(), scene, steps(), true)), first) << "a contact was dropped";
+}
+
+// Radii 1:8, in the short form 1:2; only walls change the sum of the momenta, by their impulses.
+TEST_P(LongContacts, KeepTheMomentum) {
+  const Scene scene = gas({.side = 6, .ratio = full() ? 8.0f : 2.0f, .law = ContactLaw::spring});
+  const ContactParams c = contact_params(scene);
+  const uint64_t n = scene.size();
+  backend().upload(scene);
+  std::vector<uint> before = backend().save().wide;
+  uint64_t pushed = 0;  // by other spheres alone
+  for (uint64_t step = 0; step < steps(); ++step) {
+    backend().move();
+    std::vector<uint> now = backend().save().wide;
+    Push walls{0, 0, 0, FAULTS}, changes = walls;
+    for (uint64_t i = 0; i < n; ++i) {
+      const Body was = load_body(before, scene.positions, i), is = load_body(now, scene.positions, i);
+      const Push wall = push_of_walls(was, c);
+      walls.x += wall.x, walls.y += wall.y, walls.z += wall.z;
+      changes.x += is.px - was.px, changes.y += is.py - was.py, changes.z += is.pz - was.pz;
+      pushed += is.px != was.px && wall.x == 0;
+    }
+    ASSERT_EQ((std::array{changes.x, changes.y, changes.z}), (std::array{walls.x, walls.y, walls.z}))
+        << "step " << step;
+    before.swap(now);
+  }
+  EXPECT_GT(pushed, n);
+}
+
+TEST_P(LongContacts, KeepTheEnergy) {
+  const Scene scene = elastic_gas();
+  const uint64_t each = full() ? 10'000 : 100;
+  backend().upload(scene);
+  double first = 0, last = 0;
+  for (uint64_t round = 0; round <= rounds(); ++round) {
+    backend().collide({.want_pairs = true});
+    last = contact_statistics(scene, current_state(backend()).wide, backend().pairs(), 0).energy();
+    if (round == 0) first = last;
+    EXPECT_NEAR(last / first, 1, 1e-3) << "round " << round;
+    for (uint64_t step = 0; step < each; ++step) backend().move();
+  }
+  fmt::print("{}: energy changed by {:.2e} of it in {} steps\n", backend().info().name, last / first - 1,
+             rounds() * each);
+}
+
+TEST_P(LongContacts, EqualThoseOfTheCpu) {
+  if (backend().info().on_host) GTEST_SKIP() << "the CPU itself";
+  const Scene scene = elastic_gas();
+  cpu_backend().upload(scene);
+  backend().upload(scene);
+  for (uint64_t round = 1; round <= rounds(); ++round) {
+    for (uint64_t step = 0; step < steps() / rounds(); ++step) cpu_backend().move(), backend().move();
+    expect_equal_states(current_state(backend()), current_state(cpu_backend()), fmt::format("round {}", round));
+    if (HasFailure()) break;
+  }
+}
+
+INSTANTIATE_BACKENDS(LongContacts);
+
+}  // namespace
+}  // namespace spherepair
