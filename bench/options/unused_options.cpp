@@ -70,9 +70,9 @@ void refuse_of_motion(const Given& given) {
   const bool moves = !given.zero("--steps") || (render && !given.is("--images", {"1"}));
   const std::string still = render ? "on one image of the start: omit it, or give --steps or --images"
                                    : "on spheres that do not move: omit it, or give --steps";
-  for (const char* option : {"--motion", "--restitution", "--contact", "--stiffness", "--walls", "--too-fast"})
-    given.refuse(option, !moves && !given.has("--save"), still);
-  given.refuse("--dt", !moves && !given.has("--save") && !given.has("--swept"), still);
+  for (const char* option : {"--motion", "--restitution", "--contact", "--stiffness", "--walls", "--dt"})
+    given.refuse(option, !moves && !given.has("--save") && !given.has("--swept"), still);
+  given.refuse("--too-fast", !moves && !given.has("--save"), still);
   given.refuse("--per-step", !moves, still);
   given.refuse("--save-every", !moves, still);
 }

@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "common/scene/contact_scene.h"
-#include "common/shared/flight.h"
+#include "common/shared/anchor.h"
 #include "common/shared/skin.h"
 #include "common/shared/swept.h"
 
@@ -44,6 +44,30 @@ float straight_speed(MotionMethod method, float radius, Real y, Real v, MotionPa
   return nearest(below_plane(end, radius, m.plane) ? turned(v, m) : speed);
 }
 
+template <typename Real>
+bool ends_above(float radius, Real y, Real v, MotionParams m) {
+  const Real zero = widened(0.0f, y);
+  return !below_plane(glide(Moving<Real>{zero, y, zero, zero, v, zero, radius}, m).y, radius, m.plane);
+}
+
+// How a path that bounces goes on, of a sphere that is at this height and speed along y.
+template <typename Real>
+float kind_of_impact(MotionMethod method, float radius, Real y, Real v, MotionParams m) {
+  if (ends_above(radius, y, v, m)) return PATH_FLIGHT;
+  if (method == MotionMethod::impact_linear) return PATH_ONE_BOUNCE;
+  return below_plane(y, radius, m.plane) && below(widened(0.0f, y), v) ? -nearest(v) : PATH_BOUNCES;
+}
+
+template <typename Real>
+float kind_of_anchor(const MotionState& state, uint64_t i, Real y, Real v, MotionParams m) {
+  const vec4& start = state.anchors[i];
+  const Real speed = load_real<Real>(state.flights, i);
+  const bool from_below = !on_plane(state.since[i]) && below_plane(widened(start.y, y), start.w, m.plane);
+  if (!from_below || !below(widened(0.0f, y), speed)) return PATH_BOUNCES;
+  const bool above = below(ground(start.w, m.plane, y), y);  // the plane now
+  return above && ends_above(start.w, y, v, m) ? PATH_FLIGHT : -nearest(speed);
+}
+
 // Momenta in the state are those half a step ago; each gets the impulses of the step's begin, as leapfrog adds them.
 std::vector<vec4> drift_velocities(const Backend::State& state, const ContactParams& c, const PairLister& list) {
   const std::vector<vec4>& at = state.positions;
@@ -75,6 +99,7 @@ vec4 around_path(const vec4& s, const vec4& v, const MotionParams& m) {
   std::array<double, 3> low, high;
   for (const size_t k : {0u, 2u}) std::tie(low[k], high[k]) = std::minmax({start[k], start[k] + speed[k] * seconds});
   PathPart part = first_part(s, v, m);
+  double wander = part.wander;
   low[1] = high[1] = part.y;
   for (;;) {
     const double time = part.end - part.begin, begin = part.y - pull * part.begin * part.begin / 2;
@@ -84,6 +109,7 @@ vec4 around_path(const vec4& s, const vec4& v, const MotionParams& m) {
     high[1] = std::max({high[1], begin + sagitta, end + sagitta});
     if (!(part.end < seconds)) break;
     part = next_part(part, s, v, m);
+    wander = std::max(wander, part.wander);
   }
   float centre[3];
   double square = 0;
@@ -92,32 +118,33 @@ vec4 around_path(const vec4& s, const vec4& v, const MotionParams& m) {
     const double side = std::max(high[k] - double(centre[k]), double(centre[k]) - low[k]);
     square += side * side;
   }
-  const double radius = (double(s.w) + std::sqrt(square) + part.wander + part.rounding) * (1 + 0x1p-17);
+  const double radius = (double(s.w) + std::sqrt(square) + wander + part.rounding) * (1 + 0x1p-17);
   return {centre[0], centre[1], centre[2], float(radius)};
 }
 
 }  // namespace
 
-std::vector<vec4> path_velocities(const Backend::State& state, MotionOptions motion, const Params& params,
-                                  const PairLister& list) {
+std::vector<vec4> path_velocities(const Backend::State& state, const MotionState& saved, MotionOptions motion,
+                                  const Params& params, const PairLister& list) {
   if (motion.method == MotionMethod::leapfrog) return drift_velocities(state, params.contact, list);
   std::vector<vec4> velocities = state.velocities;
   const uint64_t n = velocities.size();
-  const bool follows = motion.method >= MotionMethod::impact_linear;
-  const float bounces = motion.method == MotionMethod::impact_linear ? PATH_ONE_BOUNCE : PATH_BOUNCES;
+  const MotionParams& m = params.motion;
   with_real(motion.precision, [&](auto kind) {
     using Real = decltype(kind);
 #pragma omp parallel for schedule(static) if (n > few)
     for (uint64_t i = 0; i < n; ++i) {
-      const vec4& at = state.positions[i];
+      const float radius = state.positions[i].w;
       vec4& v = velocities[i];
-      v.w = follows ? bounces : PATH_STRAIGHT;
-      if (follows) continue;
-      if constexpr (std::is_same_v<Real, float>)
-        v.y = straight_speed(motion.method, at.w, at.y, v.y, params.motion);
+      Real y = widened(state.positions[i].y, Real{}), speed = widened(v.y, Real{});
+      if (!state.wide.empty()) y = load_real<Real>(state.wide, n + i), speed = load_real<Real>(state.wide, 4 * n + i);
+      v.w = PATH_STRAIGHT;
+      if (motion.method == MotionMethod::anchored)
+        v.w = kind_of_anchor(saved, i, y, speed, m);
+      else if (motion.method >= MotionMethod::impact_linear)
+        v.w = kind_of_impact(motion.method, radius, y, speed, m);
       else
-        v.y = straight_speed(motion.method, at.w, load_real<Real>(state.wide, n + i),
-                             load_real<Real>(state.wide, 4 * n + i), params.motion);
+        v.y = straight_speed(motion.method, radius, y, speed, m);
     }
   });
   return velocities;

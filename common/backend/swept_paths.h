@@ -6,6 +6,7 @@
 #include <span>
 
 #include "common/backend/backend.h"
+#include "common/scene/motion_state.h"
 
 namespace spherepair {
 
@@ -13,10 +14,10 @@ namespace spherepair {
 using PairLister = std::function<std::vector<Pair>(const Scene&)>;
 
 // The velocity with which each sphere's path begins, and in w how it goes on (PATH_*), decided by the method's own
-// arithmetic from the whole state. Of leapfrog it is that of the next step: `list` finds the spheres in contact, whose
-// impulses are added up in integers; params.contact is the scene's.
-std::vector<vec4> path_velocities(const Backend::State& state, MotionOptions motion, const Params& params,
-                                  const PairLister& list);
+// arithmetic from the whole state; `saved` is only needed of anchored. Of leapfrog it is that of the next step: `list`
+// finds the spheres in contact, whose impulses are added up in integers; params.contact is the scene's.
+std::vector<vec4> path_velocities(const Backend::State& state, const MotionState& saved, MotionOptions motion,
+                                  const Params& params, const PairLister& list);
 
 // Two spheres can only touch within the next step, on the paths that begin with these velocities, if those around their
 // paths collide. Throws std::invalid_argument naming the sphere whose path leaves the range of float32.

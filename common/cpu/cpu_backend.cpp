@@ -98,9 +98,10 @@ class CpuBackend final : public Backend {
     motion_.require_sound();
     const auto& positions = motion_.positions(threads_);
     const Method method = search_.prepare(options, positions);
-    if (options.swept) motion_.evaluate_state(threads_);
+    if (options.swept) motion_.require_movable(), motion_.evaluate_state(threads_);
     const State state = options.swept ? motion_.state() : State{};
-    clock_.time(method_name(method), [&] { search_.run(positions, state); });
+    const MotionState saved = options.swept ? motion_.save(threads_) : MotionState{};
+    clock_.time(method_name(method), [&] { search_.run(positions, state, saved); });
   }
   void enqueue_collide(const CollideOptions& options) override { collide(options); }
   void finish() override {

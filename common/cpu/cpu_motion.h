@@ -25,6 +25,7 @@ class CpuMotion {
   void upload(const Scene& scene);
   MotionOptions options() const { return motion_; }
   void move(int threads);
+  void require_movable() const;
   void require_sound() const { contacts_.require_sound(); }
   void set_event_driven(bool on) { event_driven_ = on; }
   void keep_near_pairs(bool on) { contacts_.keep_list(on); }
@@ -55,7 +56,6 @@ class CpuMotion {
   template <typename Real>
   void bounce_all(int threads);
   void evaluate(int threads, bool whole);
-  void require_movable() const;
 
   MotionOptions motion_;
   std::string unmovable_;  // why

@@ -64,7 +64,7 @@ Method CpuSearch::prepare(const CollideOptions& options, const std::vector<vec4>
   return options_.method;
 }
 
-void CpuSearch::run(const std::vector<vec4>& positions, const Backend::State& state) {
+void CpuSearch::run(const std::vector<vec4>& positions, const Backend::State& state, const MotionState& saved) {
   params_.search = constants_[options_.exact];
   if (!options_.filter) leave_all_undecided(params_.search);
   const SearchInput input{positions, params_, equal_radii_ && !options_.load_radii, options_, threads_};
@@ -78,7 +78,7 @@ void CpuSearch::run(const std::vector<vec4>& positions, const Backend::State& st
       near.upload(grown);
       return near.list_pairs(grown.positions, near_options(options_));
     };
-    const std::vector<vec4> velocities = path_velocities(state, motion_, params_, list);
+    const std::vector<vec4> velocities = path_velocities(state, saved, motion_, params_, list);
     found_ = search_swept(input, velocities, list(spheres_around_paths(positions, velocities, params_.motion)));
   } else if (options_.method == Method::sequential) {
     found_ = search_sequential(input);

@@ -20,8 +20,8 @@ class CpuSearch {
   MethodChoice choice(const CollideOptions& options) const;
   // Chooses the method for a search of these positions, and plans the cells anew where spheres have left them.
   Method prepare(const CollideOptions& options, const std::vector<vec4>& positions);
-  // What was prepared; state: of a swept search.
-  void run(const std::vector<vec4>& positions, const Backend::State& state = {});
+  // What was prepared; state and saved: of a swept search.
+  void run(const std::vector<vec4>& positions, const Backend::State& state = {}, const MotionState& saved = {});
 
   // The pairs of these positions, in any order.
   const std::vector<Pair>& list_pairs(const std::vector<vec4>& positions,

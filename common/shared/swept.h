@@ -4,6 +4,8 @@
 // - impact and anchored: flights and bounces on the plane, then rest. BOUNCES_FOLLOWED are followed one by one; behind
 //   them a sphere counts as anywhere between the plane and the height of its last flight, which holds all it may do.
 // - impact_linear: it is on the plane at the time that the method finds, flies on and rests where it comes down again.
+// - From below the plane, a sphere of impact and impact_linear flies on where the step takes it above, and else is put
+//   onto the plane. One of anchored is on the plane where its flight is below, until one from the plane would end.
 // - euler, symplectic, paper, paper_clamp: no bounce within a step, since a step that ends below the plane begins with
 //   the velocity reversed. What paper_clamp then puts on the plane is there at the end of the step, not before.
 // - leapfrog: straight, by the momentum with the impulses of contacts, walls and gravity that begin the step.
@@ -18,9 +20,10 @@
 #include "common/shared/layout.h"
 #include "common/shared/wide.h"
 
-const float PATH_STRAIGHT = 0.0f;
+const float PATH_STRAIGHT = 0.0f;    // euler, symplectic, paper, paper_clamp, leapfrog
 const float PATH_ONE_BOUNCE = 1.0f;  // impact_linear
-const float PATH_BOUNCES = 2.0f;     // impact, anchored
+const float PATH_BOUNCES = 2.0f;     // impact, anchored; below 0: from below the plane, upwards at -w m/s
+const float PATH_FLIGHT = 3.0f;      // what bounces, in a step that does not
 const uint BOUNCES_FOLLOWED = 16u;
 const uint DEEPEST_HALVING = 24u;
 
@@ -32,6 +35,7 @@ struct PathPart {
   double speed;     // behind the bounce that ends the part, upwards
   uint bounces;     // before it
   bool falls;       // to the plane within the step; else this is the whole path
+  bool lifted;      // onto the plane at the start
 };
 
 FN double size_of(double x) { return x < bits_double(0u, 0u) ? -x : x; }
@@ -56,29 +60,45 @@ FN double rounding_of_path(vec4 s, vec4 velocity, MotionParams m) {
   return rounding;
 }
 
-// A sphere that starts below the plane may be moved onto it at once or fly on: its wander holds both.
+// From below the plane at `speed`, now at this height: between the plane and where it flies without pull.
+FN PathPart part_from_below(PathPart part, double height, double speed, MotionParams m) {
+  double zero = bits_double(0u, 0u);
+  double gravity = gravity_of(m);
+  EXACT double highest = height + (part.v > zero ? part.v : zero) * part.end;
+  part.wander = half_of(highest);
+  part.y = plus(minus(part.y, height), part.wander);
+  double time = gravity > zero ? times(half_of(constant(m.seconds_per_speed, zero)), plus(part.v, speed)) : part.end;
+  if (time < part.end) part.end = time > zero ? time : zero;
+  part.v = zero;
+  part.lift = gravity;
+  part.speed = times(speed, exact_double(m.restitution));
+  part.falls = true;
+  return part;
+}
+
 FN PathPart first_part(vec4 s, vec4 velocity, MotionParams m) {
   double zero = bits_double(0u, 0u);
   double seconds = exact_double(m.dt);
   double y = exact_double(s.y);
   double v = exact_double(velocity.y);
   double rounding = rounding_of_path(s, velocity, m);
-  PathPart part = {zero, seconds, y, v, zero, zero, rounding, zero, 0u, false};
-  if (velocity.w == PATH_STRAIGHT) return part;
+  PathPart part = {zero, seconds, y, v, zero, zero, rounding, zero, 0u, false, false};
+  if (velocity.w == PATH_STRAIGHT || velocity.w == PATH_FLIGHT) return part;
   v = snapped(v);
   double gravity = gravity_of(m);
   EXACT double height = (y - exact_double(s.w)) - exact_double(m.plane);
-  if (height < zero) {
-    part.wander = -height;
+  part.lifted = height < zero;
+  if (part.lifted) {
     part.y = plus(y, -height);
     height = zero;
   }
+  if (velocity.w < PATH_STRAIGHT) return part_from_below(part, height, -exact_double(velocity.w), m);
   EXACT double depth = seconds * (half_of(seconds * gravity) - v) - height;  // at the end, without the plane
-  part.falls = !(depth < -rounding);
+  part.falls = velocity.w == PATH_ONE_BOUNCE || !(depth < -rounding);
   if (!part.falls) return part;
   double time = zero;
   if (velocity.w == PATH_ONE_BOUNCE) {
-    if (height > zero) time = depth > zero ? times(seconds, quotient(height, plus(height, depth))) : seconds;
+    if (!part.lifted) time = depth > zero ? times(seconds, quotient(height, plus(height, depth))) : seconds;
     EXACT double impact = gravity * time - v;
     EXACT double earlier = v - half_of(gravity * (seconds - time));  // arrives at that time
     part.speed = impact;
@@ -105,17 +125,19 @@ FN PathPart next_part(PathPart last, vec4 s, vec4 velocity, MotionParams m) {
   part.begin = last.end;
   part.end = seconds;
   part.y = level;
+  part.lift = zero;
+  part.wander = zero;
   part.bounces = last.bounces + 1u;
   if (part.bounces <= BOUNCES_FOLLOWED && last.speed > zero) {
     part.v = plus(last.speed, risen);
     double end = plus(last.end, flight);
     if (gravity > zero && end < seconds) part.end = end;
-    part.speed = velocity.w == PATH_BOUNCES ? times(last.speed, exact_double(m.restitution)) : zero;
+    part.speed = velocity.w == PATH_ONE_BOUNCE ? zero : times(last.speed, exact_double(m.restitution));
     return part;
   }
   EXACT double half_height = (flight * last.speed) * double(0.125f);  // of the flight, whose height is flight*speed/4
   part.y = plus(level, half_height);
-  part.wander = plus(last.wander, half_height);
+  part.wander = half_height;
   part.v = risen;
   part.lift = gravity;
   return part;
@@ -169,7 +191,7 @@ FN bool touch_on_parts(vec4 a, vec4 va, PathPart pa, vec4 b, vec4 vb, PathPart p
   EXACT double lift = pa.lift - pb.lift;
   EXACT double wander = pa.wander + pb.wander;
   EXACT double reach = (exact_double(a.w) + exact_double(b.w)) + (wander + rounding);
-  bool anywhere = wander > zero || rounding > times(fine, reach);
+  bool anywhere = wander > zero || rounding > times(fine, reach) || pa.lifted || pb.lifted;
   double width = minus(end, begin);
   double t = zero;
   uint halvings = 0u;

@@ -107,7 +107,8 @@ class Swept : public BackendTest {
     params.motion = motion_params(scene);
     params.contact = contact_params(scene);
     const auto list = [](const Scene& grown) { return swept_pairs(grown.positions); };
-    const std::vector<vec4>&at = state.positions, v = path_velocities(state, scene.motion, params, list);
+    const std::vector<vec4>&at = state.positions,
+          v = path_velocities(state, backend().save(), scene.motion, params, list);
     const float scale = bits_float(0x3F80000Cu);
     std::vector<Pair> touching;
     for (uint i = 0; i < at.size(); ++i)

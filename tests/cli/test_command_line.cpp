@@ -68,7 +68,8 @@ TEST_F(CommandLineTest, TheSameOptionsAreTakenWhereTheyChangeSomething) {
        {std::string("--scene far --packing-fraction 0.1"), std::string("--scene aligned --groups 8 --group-size 8"),
         std::string("--steps 1 --motion paper --dt 0.5 --restitution 0.5 --per-step"),
         "--dt 0.5 --motion paper --save " + path("s"), std::string("--swept --dt 0.5"),
-        std::string("--method collide_group --block 64")}) {
+        std::string("--swept --motion impact-linear --restitution 0.5"),
+        std::string("--swept --contact spring --walls"), std::string("--method collide_group --block 64")}) {
     const Outcome outcome = run("run --backend cpu --n 64 " + arguments);
     EXPECT_EQ(outcome.code, kOk) << arguments << "\n" << outcome.errors;
   }

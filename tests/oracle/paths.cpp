@@ -11,9 +11,11 @@ namespace spherepair {
 
 OraclePath path_of(const Scene& scene, const vec4& at, const vec4& velocity, bool one) {
   const Float dt = scene.dt, pull = -Float(scene.gravity), level = Float(scene.plane) + at.w, v = velocity.y;
-  const Float above = std::max(at.y - level, Float(0)), end = above + v * dt - pull * dt * dt / 2;
-  OraclePath path{at.x, at.z, velocity.x, velocity.z, at.w, level + above - at.y, {{0, level + above, v, pull}}};
+  const Float height = at.y - level, above = std::max(height, Float(0)), end = height + v * dt - pull * dt * dt / 2;
+  OraclePath path{at.x, at.z, velocity.x, velocity.z, at.w, 0, {{0, at.y, v, pull}}};
   if (end >= 0) return path;
+  path.flights[0].y = level + above;
+  if (height < 0 && !one) path.wander = std::max(v, Float(0)) * dt;  // as high as that at most
   const Float speed = std::sqrt(v * v + 2 * pull * above);
   Float time = one ? dt * above / (above - end) : v < 0 ? 2 * above / (speed - v) : (v + speed) / pull;
   Float up = std::max(Float(0), one ? pull * time - v : speed) * scene.restitution;

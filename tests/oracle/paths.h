@@ -26,7 +26,8 @@ struct OraclePath {
   Float speed(Float t, size_t k) const { return flights[k].v - flights[k].pull * (t - flights[k].begin); }
 };
 
-// Bounce by bounce until the step ends, or flights last less than a part in 2^50 of it. `one`: impact_linear.
+// Bounce by bounce until the step ends, or flights last less than a part in 2^50 of it. `one`: impact_linear. From
+// below the plane it flies on if that ends above, and else is put onto the plane.
 OraclePath path_of(const Scene& scene, const vec4& at, const vec4& velocity, bool one);
 
 // What a swept search has to find, and what it may find besides: what comes as near as rounding and halvings go.

@@ -67,6 +67,7 @@ class Digests(Tree):
         found = self.changed("common/shared/exact.h", "int unused;\n")  # some include it through collide.glsl and .cuh
         self.assertLessEqual({"glsl/collide_grid", "cuda/collide_grid", "glsl/decide", "host/cpu"}, found)
         self.assertFalse(found & {"glsl/peak_copy", "cuda/peak_copy", "host/glsl", "host/cuda", "measure"})
+        self.assertEqual({"host/contacts", "glsl/collide_swept", "cuda/collide_swept"}, self.changed("common/shared/swept.h", "int unused;\n"))
 
     def test_host_paths(self):
         both = {"host/glsl", "host/cuda"}
@@ -74,7 +75,8 @@ class Digests(Tree):
                             ("cuda/host/cuda_device.cpp", {"host/cuda"}), ("bench/measure/timing.cpp", {"measure"}),
                             ("common/cpu/search/cpu_simd.cpp", {"host/cpu"}),
                             ("common/cpu/cpu_contacts.cpp", {"host/contacts"}),
-                            ("common/simulation/search/near_pairs.cpp", {"host/contacts"})):
+                            ("common/simulation/search/near_pairs.cpp", {"host/contacts"}),
+                            ("common/backend/swept_paths.cpp", {"host/contacts"})):
             self.assertEqual(names, self.changed(file, "int unused;\n"), file)
 
     def test_comments_includes_and_white_space_do_not(self):

@@ -74,8 +74,12 @@ void DeviceMotion::launch(Kernel kernel, bool whole_state, bool clear_results, s
                          params);
 }
 
-void DeviceMotion::begin_step() {
+void DeviceMotion::require_movable() const {
   if (!unmovable_.empty()) throw std::invalid_argument(unmovable_);
+}
+
+void DeviceMotion::begin_step() {
+  require_movable();
   moved_ = true;
 }
 
@@ -92,7 +96,7 @@ bool DeviceMotion::step(bool clear_results, std::optional<Kernel> overlaps) {
 }
 
 void DeviceMotion::leave_steps_to_search() {
-  if (!unmovable_.empty()) throw std::invalid_argument(unmovable_);
+  require_movable();
   if (motion_ != MotionOptions{MotionMethod::paper, Precision::float32})
     throw std::invalid_argument(
         fmt::format("{}: the persistent kernel moves spheres by paper float32, not by {}: choose that motion, or take "

@@ -16,8 +16,8 @@ class DeviceMotion {
   void set_event_driven(bool on) { event_driven_ = on; }
   MotionOptions options() const { return motion_; }
 
-  // Before a step: throws std::invalid_argument for a scene that cannot be moved.
-  void begin_step();
+  void require_movable() const;  // throws std::invalid_argument for a scene that cannot be moved
+  void begin_step();             // the same, before each step
 
   // One step of a method without contacts. Where `clear_results`, and the method has a kernel that goes through all
   // spheres, the counts and totals of the last search are cleared by it: true.

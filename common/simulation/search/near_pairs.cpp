@@ -47,21 +47,24 @@ void NearPairs::list_of(const Scene& grown, const CollideOptions& options) {
 }
 
 void NearPairs::list_paths(const CollideOptions& options) {
+  motion_.require_movable();
   motion_.evaluate_state();
   const Backend::State state = motion_.state();
-  const auto listed = [&](const Scene& grown) {
+  const MotionOptions motion = motion_.options();
+  const MotionState saved = motion.method == MotionMethod::anchored ? motion_.save() : MotionState{};
+  const std::vector<vec4> velocities = path_velocities(state, saved, motion, context_.params, [&](const Scene& grown) {
     list_of(grown, options);
     return context_.buffers.read<Pair>(SLOT_NEAR, context_.near_pairs);
-  };
+  });
+  const Scene paths = spheres_around_paths(state.positions, velocities, context_.params.motion);
   try {
-    const std::vector<vec4> velocities = path_velocities(state, motion_.options(), context_.params, listed);
-    list_of(spheres_around_paths(state.positions, velocities, context_.params.motion), options);
-    context_.buffers.write(SLOT_GROWN, velocities);
+    list_of(paths, options);
   } catch (const BackendError& error) {
     throw BackendError(fmt::format(
         "{}; these are pairs of paths that are near each other within the next step: a smaller --dt has fewer",
         error.what()));
   }
+  context_.buffers.write(SLOT_GROWN, velocities);
 }
 
 }  // namespace spherepair
