@@ -98,7 +98,8 @@ std::string heading(const RunOptions& options, const ChosenBackend& chosen, cons
                                        start.label, counted(start.scene.size(), "sphere"),
                                        counted(options.steps, "step"), motion_label(start.scene.motion));
   std::string text = start.notes + wrapped(what, "", "  ") + "\n" + passed_over_text(chosen);
-  if (options.steps || options.swept) text += plane_text(start.scene) + describe_contacts(start.scene) + division_text(start);
+  if (options.steps || options.swept)
+    text += plane_text(start.scene) + describe_contacts(start.scene) + division_text(start);
   if (collide.method == Method::automatic)
     text += wrapped("auto: " + describe(backend.choice(collide)), "", "  ") + "\n";
   return text;
