@@ -170,10 +170,10 @@ std::vector<uint> draw_one(const Series& series, uint64_t k, const std::vector<d
   return std::move(drawn.pixels);
 }
 
-Remarks draw_series(Series& series) {
+Remarks draw_series(Series& series, WrittenFiles& written) {
   const RenderOptions& options = series.options;
   Progress progress;
-  ImageWriters writers(options.divides);
+  ImageWriters writers(written);
   std::optional<Video> video;
   Remarks remarks;
   json first, current;
@@ -242,8 +242,8 @@ int render_command(const CommandLine& line, const RenderOptions& given) {
   const Method method = by_grid ? Method::collide_grid : choose_method(options.method, *chosen.backend);
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
   Series series{line, options, starts, chosen, method, !options.plain};
-  const Remarks remarks = with_divided_steps(options.divides, starts.front(), [&] { return draw_series(series); });
-  print_summary(series, remarks);
+  print_summary(series, with_divided_steps(options.divides, starts.front(), *chosen.backend,
+                                           [&](WrittenFiles& written) { return draw_series(series, written); }));
   return kOk;
 }
 

@@ -110,17 +110,12 @@ struct Outcome {
   std::vector<ContactStatistics> statistics;
 };
 Outcome simulate(Backend& backend, const RunOptions& options, const Start& start, const CollideOptions& collide,
-                 RunTimes& times) {
+                 RunTimes& times, WrittenFiles& written) {
+  times.begin_again();
   times.spend(RunTimes::opening, [&] { upload_start(start, backend); });
-  Run simulation(backend, options, start, collide, times);
-  try {
-    std::vector<RunStep> steps = simulation.simulate();
-    return {std::move(steps), simulation.statistics()};
-  } catch (const TooFast&) {
-    if (options.divides) simulation.discard();
-    backend.time_stages(false);
-    throw;
-  }
+  Run simulation(backend, options, start, collide, times, written);
+  std::vector<RunStep> steps = simulation.simulate();
+  return {std::move(steps), simulation.statistics()};
 }
 
 }  // namespace
@@ -147,8 +142,9 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   const std::string rounded =
       reach_warning(pairs_within_reach(backend, start.scene, start.rounding, collide), start.rounding);
   if (!rounded.empty()) fmt::print(stderr, "{}\n", wrapped("At the start: " + rounded, "* ", "  "));
-  const Outcome outcome =
-      with_divided_steps(options.divides, start, [&] { return simulate(backend, options, start, collide, times); });
+  const Outcome outcome = with_divided_steps(options.divides, start, backend, [&](WrittenFiles& written) {
+    return simulate(backend, options, start, collide, times, written);
+  });
   if (!options.pairs_file.empty()) write_pairs(options.pairs_file, backend.pairs());
   if (!options.contacts_file.empty()) write_contact_numbers(options.contacts_file, backend.counts());
   if (!options.spheres_file.empty()) {

@@ -2,11 +2,11 @@
 #include "bench/cli/run_steps.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "bench/check/finite_state.h"
 #include "bench/formats/checkpoint.h"
 #include "bench/formats/files.h"
+#include "bench/io/replaced_file.h"
 
 namespace spherepair {
 namespace {
@@ -69,10 +69,10 @@ uint64_t Run::next_stop() const {
 
 // On a GPU moves are enqueued: they take until the wait.
 void Run::move_to(uint64_t stop) {
-  times_.count(RunTimes::moves, (stop - step_) * start_.parts);
   times_.spend(RunTimes::moves, [&] {
     while (step_ < stop) {
       for (uint part = 0; part < start_.parts; ++part) backend_.move();
+      times_.count(RunTimes::moves, start_.parts);
       if (++step_ % steps_unasked == 0 && options_.divides) backend_.evaluate_state();
       if (!progress_.due()) continue;
       backend_.finish();
@@ -83,18 +83,15 @@ void Run::move_to(uint64_t stop) {
   });
 }
 
-void Run::discard() const {
-  if (saved_) std::filesystem::remove(options_.save_file);
-  if (listed_) std::filesystem::remove(options_.statistics_file);
-}
-
-// What is to be done where the spheres now stand.
+// What is to be done where the spheres now stand. A pipe or device gets the rows at the end alone, and so a checkpoint
+// where the run may be begun again.
 void Run::stand() {
   const bool last = step_ == end_, wanted = last || options_.per_step;
   const uint64_t each = statistics_every();
   const bool measures = each && (last || step_ == start_.step || step_ % each == 0);
   const bool periodic = options_.save_every && step_ > start_.step && step_ % options_.save_every == 0;
-  const bool saves = !options_.save_file.empty() && (last || periodic);
+  const bool saves =
+      !options_.save_file.empty() && (last || (periodic && (!options_.divides || is_replaced(options_.save_file))));
   if (!wanted && !measures && !saves) return;
   Backend::State state;
   RunStep result{step_, 0, {}};
@@ -115,11 +112,11 @@ void Run::stand() {
     statistics_.back().step = step_;
   }
   if (saves) save(backend_, start_, step_, std::move(state), options_.save_file);
-  saved_ = saved_ || saves;
-  const bool printed = is_standard_output({options_.statistics_file});
+  if (saves) written_.insert(options_.save_file);
+  const bool printed = is_standard_output({options_.statistics_file}) || !is_replaced(options_.statistics_file);
   const bool lists = each && (last || (saves && !printed));
   if (lists) write_text(options_.statistics_file, statistics_csv(statistics_));
-  listed_ = listed_ || lists;
+  if (lists && !printed) written_.insert(options_.statistics_file);
   if (wanted) results_.push_back(result);
 }
 

@@ -4,6 +4,7 @@
 
 #include "bench/check/contact_statistics.h"
 #include "bench/cli/commands.h"
+#include "bench/formats/step_division.h"
 #include "bench/measure/run_times.h"
 
 namespace spherepair {
@@ -18,17 +19,18 @@ json to_json(const RunStep& result);
 // statistics on the way.
 class Run {
  public:
-  Run(Backend& backend, const RunOptions& options, const Start& start, const CollideOptions& collide, RunTimes& times)
+  Run(Backend& backend, const RunOptions& options, const Start& start, const CollideOptions& collide, RunTimes& times,
+      WrittenFiles& written)
       : backend_(backend),
         options_(options),
         start_(start),
         collide_(collide),
         times_(times),
+        written_(written),
         step_(start.step),
         end_(start.step + options.steps) {}
 
   std::vector<RunStep> simulate();
-  void discard() const;  // removes what was written
   const std::vector<ContactStatistics>& statistics() const { return statistics_; }
 
  private:
@@ -44,8 +46,8 @@ class Run {
   const Start& start_;
   CollideOptions collide_;
   RunTimes& times_;
+  WrittenFiles& written_;
   uint64_t step_, end_;  // undivided
-  bool saved_ = false, listed_ = false;
   Progress progress_;
   std::vector<RunStep> results_;
   std::vector<ContactStatistics> statistics_;

@@ -2,6 +2,9 @@
 // Runs whose spheres are too fast for the time step: from the start again, with each step divided into smaller ones.
 #pragma once
 
+#include <filesystem>
+#include <set>
+
 #include "bench/formats/start.h"
 #include "common/scene/contact/contact_faults.h"
 
@@ -9,25 +12,31 @@ namespace spherepair {
 
 constexpr uint most_parts = 64;  // of a step
 
-// Divides each step of the start into twice as many, and says so on standard error; the units of momenta follow. Throws
-// std::invalid_argument beyond most_parts.
-void divide_steps(Start& start, const TooFast& fault);
+using WrittenFiles = std::set<std::filesystem::path>;  // by an attempt, which may be begun again
+
+// Divides each step where the start is refused, and one of that many parts is not; says so on standard error.
+void divide_start(Start& start);
+
+// Removes what was written, divides each step of the start into twice as many and says so on standard error; the units
+// of momenta follow. Throws std::invalid_argument beyond most_parts, and where the start overlaps too much.
+void begin_again(Start& start, Backend& backend, const TooFast& fault, WrittenFiles& written);
 
 // A line that says into how many each step is divided; empty where it is not.
 std::string division_text(const Start& start);
 
-// The result of `work`, which is done anew where a sphere is too fast, from what divide_steps makes of the start. (The
-// start's velocities have a check of their own: contacts must be able to stop them.)
+// The result of `work`, which is done anew where a sphere is too fast, from what begin_again makes of the start.
 template <typename Work>
-auto with_divided_steps(bool divides, Start& start, Work work) {
+auto with_divided_steps(bool divides, Start& start, Backend& backend, Work work) {
+  WrittenFiles written;
+  if (divides) divide_start(start);
   while (divides) {
     try {
-      return work();
+      return work(written);
     } catch (const TooFast& fault) {
-      divide_steps(start, fault);
+      begin_again(start, backend, fault, written);
     }
   }
-  return work();
+  return work(written);
 }
 
 }  // namespace spherepair

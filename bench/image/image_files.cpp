@@ -45,29 +45,29 @@ void add_image(OutputFiles& files, const std::string& option, const fs::path& im
 }
 
 ImageWriters::~ImageWriters() {
-  jobs_.clear();  // waits
-  std::error_code ignored;
-  for (const fs::path& path : written_) fs::remove(path, ignored), fs::remove(record_of(path), ignored);
+  while (!jobs_.empty()) try {
+      finish_one();
+    } catch (...) {  // another error ended the work
+    }
 }
 
 void ImageWriters::write(const fs::path& path, std::vector<uint> pixels, uint width, const json& record) {
-  if (all_or_none_) written_.push_back(path);
   if (jobs_.size() >= std::max(1u, std::thread::hardware_concurrency())) finish_one();
-  jobs_.push_back(std::async([=, pixels = std::move(pixels)] {
-    write_png(path, pixels, width, uint(pixels.size() / width));
-    write_file(record_of(path), json_text(record));
-  }));
+  jobs_.push_back({path, std::async([=, pixels = std::move(pixels)] {
+                     write_png(path, pixels, width, uint(pixels.size() / width));
+                     write_file(record_of(path), json_text(record));
+                   })});
 }
 
 void ImageWriters::finish() {
   while (!jobs_.empty()) finish_one();
-  written_.clear();
 }
 
 void ImageWriters::finish_one() {
-  std::future<void> job = std::move(jobs_.front());
+  Job job = std::move(jobs_.front());
   jobs_.pop_front();
-  job.get();
+  job.done.get();
+  written_.insert({job.path, record_of(job.path)});
 }
 
 }  // namespace spherepair

@@ -5,6 +5,7 @@
 #include <deque>
 #include <filesystem>
 #include <future>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,16 +28,19 @@ void add_image(OutputFiles& files, const std::string& option, const std::filesys
 // also when their exceptions are thrown.
 class ImageWriters {
  public:
-  explicit ImageWriters(bool all_or_none) : all_or_none_(all_or_none) {}
-  ~ImageWriters();  // all_or_none: removes what was written, unless all was finished
+  explicit ImageWriters(std::set<std::filesystem::path>& written) : written_(written) {}  // gets their names
+  ~ImageWriters();                                                                        // waits
   void write(const std::filesystem::path& path, std::vector<uint> pixels, uint width, const json& record);
   void finish();
 
  private:
   void finish_one();
-  std::deque<std::future<void>> jobs_;
-  std::vector<std::filesystem::path> written_;
-  bool all_or_none_;
+  struct Job {
+    std::filesystem::path path;
+    std::future<void> done;
+  };
+  std::deque<Job> jobs_;
+  std::set<std::filesystem::path>& written_;
 };
 
 }  // namespace spherepair

@@ -33,8 +33,11 @@ bool replaceable(const fs::path& path) {
   throw std::invalid_argument(fmt::format("cannot write {}: {}", path.string(), std::strerror(error)));
 }
 
+// Also to a file that does not exist yet.
 fs::path follow_links(const fs::path& path) try {
-  return fs::is_symlink(path) && replaceable(path) ? fs::weakly_canonical(path) : path;
+  fs::path target = path;
+  while (replaceable(target) && fs::is_symlink(target)) target = target.parent_path() / fs::read_symlink(target);
+  return target;
 } catch (const fs::filesystem_error& error) {
   fail_to_write(path, error.code().value());
 }
@@ -122,6 +125,14 @@ void ReplacedFile::commit() {
   temporary_.clear();
   note_written(path_);
   sync_folder(folder_of(target_));
+}
+
+bool is_replaced(const fs::path& path) { return replaceable(follow_links(path)); }
+
+void remove_replaced(const fs::path& path) {
+  const fs::path target = follow_links(path);
+  std::error_code ignored;
+  if (replaceable(target)) fs::remove(target, ignored);
 }
 
 void check_writable(const fs::path& path) {

@@ -35,6 +35,12 @@ class ReplacedFile {
   int descriptor_ = -1;
 };
 
+// Whether the file is replaced: a pipe or device is not, and what was written there cannot be taken back.
+bool is_replaced(const std::filesystem::path& path);
+
+// Removes the file that was replaced last under this name; links to it stay, and so does all that is not replaced.
+void remove_replaced(const std::filesystem::path& path);
+
 // Throws if a file of that name cannot be written. Creates nothing and does not open pipes or devices.
 void check_writable(const std::filesystem::path& path);
 

@@ -15,7 +15,7 @@ void require_no_faults(const std::string& backend, const std::vector<uint>& faul
     if (faults[kind] == ~0u) continue;
     const std::string what =
         fmt::format("{}: the contacts cannot go on: sphere {} {}", backend, faults[kind], texts[kind]);
-    if (faults[FAULT_FAST] != ~0u) throw TooFast(what, faults[FAULT_FAST]);
+    if (faults[FAULT_FAST] != ~0u) throw TooFast(what, faults[FAULT_FAST], faults[FAULT_DEEP] != ~0u);
     throw std::invalid_argument(what);
   }
 }

@@ -13,8 +13,10 @@ namespace spherepair {
 // A sphere would move by more than the smallest radius in a step: a smaller time step may help.
 class TooFast : public std::invalid_argument {
  public:
-  TooFast(const std::string& what, uint64_t sphere) : std::invalid_argument(what), sphere(sphere) {}
+  TooFast(const std::string& what, uint64_t sphere, bool deep)
+      : std::invalid_argument(what), sphere(sphere), deep(deep) {}
   const uint64_t sphere;  // the first
+  const bool deep;        // so is a contact
 };
 
 // faults: by FAULT_*, the first sphere of each, or ~0. Throws std::invalid_argument that names one, of a sphere too
