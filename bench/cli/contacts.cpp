@@ -39,6 +39,7 @@ ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
     plan.cost_sizes = hardware ? std::vector<uint64_t>{16384, 1'000'000, 10'000'000} : std::vector<uint64_t>{16384};
   if (!hardware) plan.rates.n = 1000, plan.rates.softer = 64, plan.rates.converged = 160;
   if (options.rate_n) plan.rates.n = options.rate_n;
+  plan.rates.converged = std::min(plan.rates.converged, 4 * std::ranges::max(plan.steps_a_contact));
   plan.sampling.rounds = options.rounds;
   plan.sampling.longest = 0.02;
   if (!hardware) plan.sampling.software_seconds = 0.01;

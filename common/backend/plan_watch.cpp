@@ -10,8 +10,7 @@ namespace {
 constexpr double cells_free = 4;         // that spheres may go ...
 constexpr double share_free = 1.0 / 16;  // ... or this share of the grid: few of them then stand beyond its border
 constexpr double most_patience = 64;
-constexpr uint64_t most_planned = 65536, planned_a_move = 2048;  // spheres by which a plan is made
-constexpr double share_outside = 1.0 / 64;                       // of the spheres, from which on new cells pay
+constexpr double share_outside = 1.0 / 64;  // of the spheres, from which on new cells pay
 
 // Fastest speed along any axis, now or later: a fall from where the highest sphere stands adds to it.
 double speed_bound(const Scene& scene) {
@@ -37,15 +36,13 @@ bool alike(const GridPlan& a, const GridPlan& b) {
 
 }  // namespace
 
-PlanWatch::PlanWatch(const Scene& scene, const GridPlans& plans)
-    : step_(speed_bound(scene) * double(scene.dt)),
-      least_moves_(std::min(scene.size(), most_planned) / planned_a_move) {
+PlanWatch::PlanWatch(const Scene& scene, const GridPlans& plans) : step_(speed_bound(scene) * double(scene.dt)) {
   allow(plans);
 }
 
 void PlanWatch::allow(const GridPlans& plans) {
   allowance_ = std::max(cells_free * double(plans.dense.side), share_free * longest_axis(plans.dense));
-  travelled_ = 0, moves_ = 0;
+  travelled_ = 0;
 }
 
 bool PlanWatch::worthwhile(const std::vector<vec4>& sample, const GridPlans& plans) {

@@ -12,8 +12,8 @@ class PlanWatch {
   PlanWatch() = default;
   PlanWatch(const Scene& scene, const GridPlans& plans);
 
-  void moved() { travelled_ += step_, ++moves_; }
-  bool needed() const { return travelled_ > patience_ * allowance_ && moves_ >= least_moves_; }
+  void moved() { travelled_ += step_; }
+  bool needed() const { return travelled_ > patience_ * allowance_; }
 
   // Whether some of the spheres, from all over the scene, show that new cells may pay: many stand outside the cells, or
   // the cells along some axis are mostly empty. If not, the watch is content for longer.
@@ -28,8 +28,7 @@ class PlanWatch {
   double step_ = 0;       // metres that the fastest sphere can go in a step
   double allowance_ = 1;  // metres that spheres may go before the cells at the border are fuller than the others
   double travelled_ = 0;
-  uint64_t moves_ = 0, least_moves_ = 0;  // that the plan has served, and must: making one takes as long as some steps
-  double patience_ = 1;                   // grows while there is nothing to change
+  double patience_ = 1;  // grows while there is nothing to change
 };
 
 }  // namespace spherepair
