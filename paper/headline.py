@@ -43,7 +43,7 @@ def frames(machine):
 
 def rows(machine):
     """(first words, the whole row)."""
-    last, threads = original_paper()["table1"][-1], machine.main["context"]["machine"]["hardware_threads"]
+    last, threads = original_paper()["table1"][-1], machine.threads
     cpu = {what: with_doubt(machine.one(backend="cpu", n=SIZE, **wanted)) for what, wanted in {
         "step": {"table": "step"}, "one": {"table": "table1", "method": "sequential"},
         "all": {"table": "table1", "method": "parallel"}, "later": {"table": "exactness", "method": "sequential", "exact": True}}.items()}

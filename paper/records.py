@@ -181,6 +181,13 @@ class Machine:
         return ", ".join(dict.fromkeys(gpu[field] for gpu in gpus))
 
     @property
+    def threads(self):
+        """Of the CPU's backend: the cores that the process was given."""
+        host = self.main["context"]["machine"]
+        cpu = self.backend("cpu")["details"] if self.has("cpu") else {}
+        return int(cpu.get("threads", host["hardware_threads"]))
+
+    @property
     def driver(self):
         return self.seen("driver_version")
 
@@ -199,7 +206,7 @@ class Machine:
     def title(self):
         """One line with the hardware and the run."""
         context = self.main["context"]
-        cpu = f"{context['machine']['cpu'].replace('(R)', '')}, {context['machine']['hardware_threads']} threads"
+        cpu = f"{context['machine']['cpu'].replace('(R)', '')}, {self.threads} threads"
         if self.has("cuda"):
             gpu = f"{self.backend('cuda')['device']}, driver {self.driver}; CPU: {cpu}"
         elif self.has("glsl"):

@@ -41,7 +41,7 @@ def whole_steps(put, machine, others):
         said(machine, behind and ahead and ahead[0].n <= 4096, "the CPU is faster only for a few hundred spheres")
         put(f"step/ahead-of-cpu/{name}", f"{ahead[0].n:,}", ahead[0].source,
             f"least n from which on {name}'s whole step is faster than the CPU's")
-    put("cpu/threads", str(machine.main["context"]["machine"]["hardware_threads"]), machine.id, "hardware threads")
+    put("cpu/threads", str(machine.threads), machine.id, "threads of the CPU")
 
 
 def frame_rates(put, machine, others):
