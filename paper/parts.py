@@ -77,8 +77,8 @@ def in_hardware(part):
 GPU = tuple(map(in_hardware, (
     study("results", 4, "cpu,glsl,cuda", f"compare --scenes random,uniform --steps 2 --tables {TABLES}", "results.json",
           processes=SEVERAL),
-    study("frame_rates", 6, "cpu,glsl,cuda",
-          "compare --scenes random --steps 2 --blocks 128 --tables frame_rates,arrangements", "results.json"),
+    study("frame_rates", 5, "cpu,glsl,cuda", "compare --scenes random --steps 2 --blocks 128 "
+          "--tables frame_rates,arrangements --n 64,256,1024,4096,16384", "results.json"),
     sweep("sweep", 2, "glsl,cuda", f"--n {DECADES} --rounds 11", processes=SEVERAL),
     sweep("sweep_1e8", 1, "glsl,cuda", "--methods collide_grid --n 100000000 --packing-fractions 0.3 --rounds 11",
           memory=16 * GIB),
@@ -106,7 +106,8 @@ GPU = tuple(map(in_hardware, (
           "--n 16384,1000000", "frames.json"),
     study("frames_transfer_1e8", 5, "cuda", "frames --transfer --draws compute,points --places outside --works frame "
           "--n 100000000", "frames.json", memory=32 * GIB),
-    study("precision", 8, "cpu,glsl,cuda", "precision --steps 4,6,8,10 --rounds 11", "precision.json"),
+    study("precision", 6, "glsl,cuda", "precision --steps 4,6,8,10 --rounds 11", "precision.json"),
+    study("precision_cpu", 4, "cpu", "precision --steps 4,6,8,10 --rounds 11", "precision.json"),
     study("precision_1e8", 5, "glsl,cuda", "precision --motions paper,anchored --precisions float32 --n 100000000 "
           "--steps 5 --rounds 11", "precision.json", memory=16 * GIB),
     study("sets", 3, "cpu,glsl,cuda", "sets --motions paper,impact,anchored", "sets.json"),
