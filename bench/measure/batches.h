@@ -84,7 +84,7 @@ struct Turn {
   std::vector<double> seconds;  // as the plan's steps
   double cores = 0;             // of the longest batch
   uint64_t retaken = 0;         // batches, since something was prepared in them
-  Preparations prepared;        // of a contender that prepares
+  Preparations prepared = {};   // of a contender that prepares
 };
 // The batches in random order. Throws BackendError that names the contender when something is prepared inside of one
 // three times in a row.

@@ -29,12 +29,12 @@ struct GridPlan {
 // places.
 struct GridPlans {
   GridPlan dense, hashed;
-  GridPlan light;  // dense, with a table for each level where radii differ much: for draw_light only, not for searches
+  GridPlan light = {};  // dense, with a table for each level where radii differ much: for draw_light, not for searches
   float smallest_radius = 0;
-  std::vector<uint> octaves;  // of the radii, each once
+  std::vector<uint> octaves = {};  // of the radii, each once
   Cells chosen = Cells::dense;
   double dense_occupancy = 0, hashed_occupancy = 0;  // other spheres in a sphere's cell, on average
-  std::string reason;                                // one sentence: what was chosen, from which figures
+  std::string reason = {};                           // one sentence: what was chosen, from which figures
 
   const GridPlan& plan(Cells wanted) const {
     return (wanted == Cells::automatic ? chosen : wanted) == Cells::dense ? dense : hashed;

@@ -64,7 +64,8 @@ SearchParams search_params(const Scene& scene, bool exact) {
           .defer_undecided = exact,
           .columns_per_group = 0,
           .pair_capacity = 0,
-          .deferred_capacity = 0};
+          .deferred_capacity = 0,
+          .near_pairs = 0};
 }
 
 }  // namespace spherepair

@@ -157,7 +157,7 @@ TEST_F(ContactStudy, RecordsEveryRunAndCost) {
   for (const json& rate : record.at("contact_rates")) {
     EXPECT_EQ(rate.at("quantity"), rate.at("restitution") == 1.0 ? "pressure" : "cooling time");
     EXPECT_LE(rate.at("over_theory").at("low"), rate.at("over_theory").at("high"));
-    EXPECT_EQ(rate.at("error").is_null(), rate.at("steps_a_contact") == 160);
+    EXPECT_EQ(rate.at("error").is_null(), rate.at("steps_a_contact") == 80);
   }
   EXPECT_NE(outcome.output.find("integers over this"), std::string::npos) << outcome.output;
 }
