@@ -101,13 +101,13 @@ TEST_P(SweptPaths, FollowBouncesWithinTheStep) {
 TEST_P(SweptPaths, SameAsOnTheCpu) {
   for (const MotionOptions& motion : all_motions())
     for (const Fall& fall : falls) {
-      const Scene scene = falling_scene(motion, fall, 1000);
+      const Scene scene = falling_scene(motion, fall, 500);
       backend().upload(scene);
       cpu_backend().upload(scene);
       const std::vector<Pair> found = search(Method::collide_grid);
       EXPECT_EQ(found, *run_step(cpu_backend(), {.method = Method::parallel, .want_pairs = true, .swept = true}).pairs)
           << motion_label(motion) << ", dt " << fall.dt;
-      EXPECT_GT(found.size(), 100u);
+      EXPECT_GT(found.size(), 25u);
     }
 }
 
@@ -138,7 +138,7 @@ TEST_P(SweptPaths, OfAnchoredAreThoseOfSmallerSteps) {
     for (const float gravity : {-9.81f, 0.0f}) {
       const Fall fall{0.25f, 0.7f, 6, gravity, from_below};
       const Scene scene = falling_scene({MotionMethod::anchored, Precision::float64}, fall, 400);
-      for (uint64_t step = 0; step < 5; ++step) {
+      for (const uint64_t step : {0u, 2u, 4u}) {
         const auto [must, may] = touching_within(scene, step, 2 * fall.speed * fall.dt + 0.1f);
         EXPECT_GT(must.size(), 100u);
         backend().upload(scene);
