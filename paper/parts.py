@@ -116,7 +116,9 @@ GPU = tuple(map(in_hardware, (
     scripted("counters", 2, ("cuda",), "counters.json", "ncu"),
     *catalogue(("cpu", "glsl", "cuda"), (2, 5), STRESS="full", REQUIRE_BACKENDS="cpu,glsl,cuda"),
     *test_shards(("cpu", "glsl", "cuda"), 3),
-    testing("contacts_long", 4, ("cpu", "glsl", "cuda"), "*LongContacts*:*ContactPhysics*", {"output.txt": "tests/contacts.txt"},
+    testing("contacts_long", 5, ("cpu", "glsl", "cuda"), "*LongContacts*", {"output.txt": "tests/contacts_long.txt"},
+            STRESS="full", REQUIRE_BACKENDS="cpu,glsl,cuda"),
+    testing("contacts_gas", 6, ("cpu", "glsl", "cuda"), "*ContactPhysics*", {"output.txt": "tests/contacts_gas.txt"},
             STRESS="full", REQUIRE_BACKENDS="cpu,glsl,cuda"),
 )))
 

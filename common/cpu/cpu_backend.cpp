@@ -100,7 +100,8 @@ class CpuBackend final : public Backend {
     const Method method = search_.prepare(options, positions);
     if (options.swept) motion_.require_movable(), motion_.evaluate_state(threads_);
     const State state = options.swept ? motion_.state() : State{};
-    const MotionState saved = options.swept ? motion_.save(threads_) : MotionState{};
+    const bool anchored = motion_.options().method == MotionMethod::anchored;
+    const MotionState saved = options.swept && anchored ? motion_.save(threads_) : MotionState{};
     clock_.time(method_name(method), [&] { search_.run(positions, state, saved); });
   }
   void enqueue_collide(const CollideOptions& options) override { collide(options); }
