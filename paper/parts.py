@@ -90,7 +90,9 @@ GPU = tuple(map(in_hardware, (
     study("crossover", 3, "glsl,cuda", "crossover", "crossover.json", processes=SEVERAL),
     study("crossover_cpu", 2, "cpu", "crossover", "crossover.json"),
     study("ablate", 2, "glsl,cuda", "ablate --n 16384,1000000", "ablate.json"),
-    study("contacts", 4, "glsl,cuda", "contacts", "contacts.json"),
+    study("contacts", 4, "glsl,cuda", "contacts --measure errors,sums,rates", "contacts.json"),
+    study("contacts_steps", 2, "glsl,cuda", "contacts --measure steps", "contacts.json"),
+    study("contacts_1e8", 7, "glsl,cuda", "contacts --measure steps --step-n 100000000", "contacts.json", memory=40 * GIB),
     study("launches", 1, "glsl,cuda", "launches", "launches.json", processes=SEVERAL),
     study("energy_all_pairs", 5, "glsl,cuda", "energy --works all_pairs --windows 5 --seconds 10", "energy.json"),
     study("energy_grid", 5, "glsl,cuda", "energy --works warm,cold --n 10000000 --windows 5 --seconds 10", "energy.json"),
@@ -106,7 +108,8 @@ GPU = tuple(map(in_hardware, (
           "--n 16384,1000000", "frames.json"),
     study("frames_transfer_1e8", 5, "cuda", "frames --transfer --draws compute,points --places outside --works frame "
           "--n 100000000", "frames.json", memory=32 * GIB),
-    study("precision", 6, "glsl,cuda", "precision --steps 4,6,8,10 --rounds 11", "precision.json"),
+    *(study(f"precision_{precision}", 5, "glsl,cuda", f"precision --precisions {precision} --steps 4,6,8,10 --rounds 11",
+            "precision.json") for precision in ("float32", "compensated", "float64")),
     study("precision_cpu", 4, "cpu", "precision --steps 4,6,8,10 --rounds 11", "precision.json"),
     study("precision_1e8", 5, "glsl,cuda", "precision --motions paper,anchored --precisions float32 --n 100000000 "
           "--steps 5 --rounds 11", "precision.json", memory=16 * GIB),

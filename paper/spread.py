@@ -11,7 +11,7 @@ from collections import Counter
 
 LAYERS = ("within", "processes", "gpus")
 TIMED = ("measurements", "records", "frames", "times", "copies", "overlaps", "exactness", "contact_runs",
-         "contact_sums")  # lists of timings in records
+         "contact_sums", "gas_steps")  # lists of timings in records
 
 
 def median_interval(samples, confidence=0.95):

@@ -63,7 +63,7 @@ ExactState exact_state(const Backend::State& state, MotionOptions motion, uint64
   return exact;
 }
 
-Point closed_form_position(const Scene& scene, uint64_t i, uint64_t steps) {
+QuadPoint closed_form_position(const Scene& scene, uint64_t i, uint64_t steps) {
   const vec4 &start = scene.positions[i], &velocity = scene.velocities[i];
   const Quad ground = ground_of(scene, i), time = Quad(scene.dt) * Quad(steps);
   const Vertical now =
@@ -72,7 +72,7 @@ Point closed_form_position(const Scene& scene, uint64_t i, uint64_t steps) {
 }
 
 MotionError error_of(const Scene& scene, uint64_t i, uint64_t steps, const ExactState& state) {
-  const Point wanted = closed_form_position(scene, i, steps);
+  const QuadPoint wanted = closed_form_position(scene, i, steps);
   Quad square = 0;
   for (size_t axis = 0; axis < 3; ++axis) square += (wanted[axis] - state[axis]) * (wanted[axis] - state[axis]);
   const Quad gravity = -Quad(scene.gravity), ground = ground_of(scene, i), start = scene.velocities[i].y;

@@ -10,8 +10,6 @@
 namespace spherepair {
 namespace {
 
-std::string hex(const Fingerprint& fingerprint) { return hex64(fingerprint.a) + hex64(fingerprint.b); }
-
 // The value at `path` in the file, such as equality/3/scene; its accessors check its type.
 class Node {
  public:

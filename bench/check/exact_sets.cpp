@@ -15,7 +15,7 @@ namespace {
 // Candidate pairs: those of the positions rounded to float32, with radii enlarged by a bound of the rounding error.
 // Half an ulp along three axes for both spheres is less than 4 * 2^-24 of the largest coordinate. Positions are
 // relative to the first sphere, so that a scene far from the origin does not make every pair a candidate.
-std::vector<Pair> candidates(const Scene& scene, const std::vector<Point>& positions) {
+std::vector<Pair> candidates(const Scene& scene, const std::vector<QuadPoint>& positions) {
   Scene rounded = scene;
   float largest = 1;
   for (size_t i = 0; i < positions.size(); ++i) {
@@ -31,7 +31,7 @@ std::vector<Pair> candidates(const Scene& scene, const std::vector<Point>& posit
   return cpu->pairs();
 }
 
-bool collide(const Point& a, const Point& b, const Quad& reach) {
+bool collide(const QuadPoint& a, const QuadPoint& b, const Quad& reach) {
   Quad square = 0;
   for (size_t axis = 0; axis < 3; ++axis) {
     const Quad difference = a[axis] - b[axis];
@@ -40,7 +40,7 @@ bool collide(const Point& a, const Point& b, const Quad& reach) {
   return square < reach * reach;
 }
 
-std::vector<Pair> pairs_at(const Scene& scene, const std::vector<Point>& positions) {
+std::vector<Pair> pairs_at(const Scene& scene, const std::vector<QuadPoint>& positions) {
   std::vector<Pair> pairs = candidates(scene, positions);
   std::vector<char> colliding(pairs.size());
 #pragma omp parallel for schedule(static)
@@ -57,7 +57,7 @@ std::vector<Pair> pairs_at(const Scene& scene, const std::vector<Point>& positio
 
 template <typename PositionOf>
 std::vector<Pair> pairs_of(const Scene& scene, PositionOf position_of) {
-  std::vector<Point> positions(scene.size());
+  std::vector<QuadPoint> positions(scene.size());
 #pragma omp parallel for schedule(static)
   for (uint64_t i = 0; i < scene.size(); ++i) positions[i] = position_of(i);
   return pairs_at(scene, positions);
@@ -79,15 +79,15 @@ std::vector<Pair> closed_form_pairs(const Scene& scene, uint64_t steps) {
 std::vector<Pair> state_pairs(const Scene& scene, const Backend::State& state) {
   return pairs_of(scene, [&](uint64_t i) {
     const ExactState at = exact_state(state, scene.motion, i);
-    return Point{Quad(at[0]), Quad(at[1]), Quad(at[2])};
+    return QuadPoint{Quad(at[0]), Quad(at[1]), Quad(at[2])};
   });
 }
 
 std::vector<Pair> stored_pairs(const Scene& scene, double distance, Precision precision) {
   return pairs_of(scene, [&](uint64_t i) {
     const vec4& at = scene.positions[i];
-    return Point{stored(at.x, distance, precision), stored(at.y, distance, precision),
-                 stored(at.z, distance, precision)};
+    return QuadPoint{stored(at.x, distance, precision), stored(at.y, distance, precision),
+                     stored(at.z, distance, precision)};
   });
 }
 

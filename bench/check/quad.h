@@ -12,9 +12,9 @@ namespace spherepair {
 using Quad = boost::multiprecision::cpp_bin_float_quad;
 
 // A centre or a displacement: x, y, z in metres.
-using Point = std::array<Quad, 3>;
+using QuadPoint = std::array<Quad, 3>;
 
 // Centre of sphere i in the closed form (closed_form.h) after so many steps of scene.dt.
-Point closed_form_position(const Scene& scene, uint64_t i, uint64_t steps);
+QuadPoint closed_form_position(const Scene& scene, uint64_t i, uint64_t steps);
 
 }  // namespace spherepair

@@ -10,6 +10,9 @@
 #include "bench/io/scene_text.h"
 
 namespace spherepair {
+
+std::string hex(const Fingerprint& fingerprint) { return hex64(fingerprint.a) + hex64(fingerprint.b); }
+
 namespace {
 
 std::string point_text(const ComparisonPoint& point) {
@@ -49,8 +52,6 @@ const char* decision_text(bool collide) { return collide ? "collide" : "apart"; 
       fmt::format("{}: {} and {} differ in {}: {} against {}", point_text(point), left, right, part, of_left, of_right),
       details);
 }
-
-std::string hex(const Fingerprint& fingerprint) { return hex64(fingerprint.a) + hex64(fingerprint.b); }
 
 // Reports the first difference, most specific parts first.
 void require_same_parts(const ComparisonPoint& point, const std::string& left, const StepResult& l,

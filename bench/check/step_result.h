@@ -37,6 +37,7 @@ struct StepResult {
   std::vector<uint> counts;
   std::optional<std::vector<Pair>> pairs;  // if they were requested
 };
+std::string hex(const Fingerprint& fingerprint);
 bool same_result(const StepResult& left, const StepResult& right);  // compares lists only if both have one
 StepResult result_of(Backend& backend, bool want_pairs);            // of its last collide()
 StepResult run_step(Session& session, Configuration configuration, bool want_pairs);

@@ -17,6 +17,7 @@
 namespace spherepair {
 namespace {
 
+constexpr const char* known_measurements[] = {"errors", "sums", "steps", "rates"};
 constexpr const char* known_steps[] = {"10", "20", "40", "80", "160", "320"};
 
 ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
@@ -37,6 +38,11 @@ ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
   plan.cost_sizes = options.cost_sizes;
   if (plan.cost_sizes.empty())
     plan.cost_sizes = hardware ? std::vector<uint64_t>{16384, 1'000'000, 10'000'000} : std::vector<uint64_t>{16384};
+  plan.step_sizes = options.step_sizes;
+  if (plan.step_sizes.empty())
+    plan.step_sizes = hardware ? std::vector<uint64_t>{1'000'000, 10'000'000} : std::vector<uint64_t>{16384};
+  for (const std::string& one : options.measurements)
+    require_known("measurement", one, {std::begin(known_measurements), std::end(known_measurements)});
   if (!hardware) plan.rates.n = 1000, plan.rates.softer = 64, plan.rates.converged = 160;
   if (options.rate_n) plan.rates.n = options.rate_n;
   plan.rates.converged = std::min(plan.rates.converged, 4 * std::ranges::max(plan.steps_a_contact));
@@ -46,88 +52,18 @@ ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
   return plan;
 }
 
-struct Measured {
+struct MeasuredContacts {
   std::vector<ContactRun> runs;
   std::vector<SumsCost> costs;
+  std::vector<GasSteps> steps;
   std::vector<ContactRate> rates;
   std::vector<Target> targets;
   std::vector<std::string> left_out;
 };
 
-std::vector<std::string> backends_of(const std::vector<ContactRun>& runs) {
-  std::vector<std::string> names;
-  for (const ContactRun& run : runs)
-    if (!std::ranges::count(names, run.backend)) names.push_back(run.backend);
-  return names;
-}
-
-double largest(const std::array<int64_t, 3>& momentum) {
-  return std::max({std::abs(double(momentum[0])), std::abs(double(momentum[1])), std::abs(double(momentum[2]))});
-}
-
-// Of one law: a row per time step and sum; errors are the largest of the backends, times of each.
-Table run_table(const std::vector<ContactRun>& runs, const ContactKind& kind) {
-  Table table{fmt::format("Contacts by {}: error of a run, and its time", label(kind)),
-              {{"steps a", "contact", ""},
-               {"", "sums", "", true},
-               {"error of", "position", "radii"},
-               {"error of", "energy", ""},
-               {"change of", "momentum", "units"},
-               {"", "returns", "", true}},
-              {},
-              {}};
-  const std::vector<std::string> backends = backends_of(runs);
-  for (const std::string& backend : backends) table.columns.push_back({"time", backend, "ms"});
-  for (const ContactRun& first : runs) {
-    const auto belongs = [&](const ContactRun& run) {
-      return run.kind == kind && run.steps_a_contact == first.steps_a_contact && run.sums == first.sums;
-    };
-    if (!belongs(first) || &first != &*std::ranges::find_if(runs, belongs)) continue;
-    double position = 0, energy = 0, momentum = 0;
-    bool returns = true;
-    std::vector<std::string> times(backends.size(), "-");
-    for (const ContactRun& run : runs) {
-      if (!belongs(run)) continue;
-      position = std::max(position, run.position), energy = std::max(energy, std::abs(run.energy));
-      momentum = std::max(momentum, largest(run.momentum));
-      returns = returns && run.returns.value_or(false);
-      times[size_t(std::ranges::find(backends, run.backend) - backends.begin())] = format_ms(run.seconds());
-    }
-    table.rows.push_back({std::to_string(first.steps_a_contact), impulse_sums_name(first.sums),
-                          fmt::format("{:.2e}", position), fmt::format("{:.1e}", energy),
-                          fmt::format("{:.3g}", momentum),
-                          !first.returns ? "-"
-                          : returns      ? "yes"
-                                         : "no"});
-    table.rows.back().insert(table.rows.back().end(), times.begin(), times.end());
-  }
-  return table;
-}
-
-Table cost_table(const std::vector<SumsCost>& costs) {
-  Table table{"Time of a step of the scene gas, by how impulses are summed",
-              {{"", "spheres", ""},
-               {"", "backend", "", true},
-               {"", "sums", "", true},
-               {"", "time", "ms"},
-               {"", "integers over this", "", true}},
-              {},
-              {}};
-  for (const SumsCost& cost : costs)
-    table.rows.push_back({std::to_string(cost.n), cost.backend, impulse_sums_name(cost.sums),
-                          format_ms(cost.samples.median_seconds()), cost.integers ? ratio_text(*cost.integers) : ""});
-  return table;
-}
-
-std::string tables_of(const ContactPlan& plan, const Measured& measured) {
-  std::string text;
-  for (const ContactKind& kind : plan.kinds) text += run_table(measured.runs, kind).text() + "\n";
-  text += wrapped(fmt::format("{} of a gas without its box, for {} mean times between a sphere's collisions, against a "
-                              "run of {} steps a contact. Returns: as many steps back come to the first bits. Bits of "
-                              "two backends differ only where sums are by atomics.",
-                              counted(plan.n, "sphere"), plan.collisions, plan.converged),
-                  "* ", "  ") +
-          "\n\n" + cost_table(measured.costs).text() + rates_text(plan, measured.rates);
+std::string tables_of(const ContactPlan& plan, const MeasuredContacts& measured) {
+  std::string text = runs_text(plan, measured.runs) + costs_text(measured.costs) + steps_text(measured.steps) +
+                     rates_text(plan, measured.rates);
   if (!measured.targets.empty()) text += "\n" + target_table(measured.targets).text();
   for (const std::string& reason : measured.left_out) text += wrapped(reason, "* left out: ", "  ") + "\n";
   return text;
@@ -145,13 +81,16 @@ json start_record(const CommandLine& line, const Session& session, const Contact
             {"collisions", plan.collisions},
             {"converged_steps_a_contact", plan.converged},
             {"cost_steps", plan.cost_steps},
+            {"steps_averaged", plan.steps_averaged},
             {"rates", to_json(plan.rates)}}},
           {"clocks", json::array({query_clocks()})}};
 }
 
-void report(const std::filesystem::path& folder, json record, const ContactPlan& plan, const Measured& measured) {
+void report(const std::filesystem::path& folder, json record, const ContactPlan& plan,
+            const MeasuredContacts& measured) {
   record["contact_runs"] = list_of(measured.runs);
   record["contact_sums"] = list_of(measured.costs);
+  record["gas_steps"] = list_of(measured.steps);
   record["contact_rates"] = list_of(measured.rates);
   record["targets"] = list_of(measured.targets);
   record["left_out"] = measured.left_out;
@@ -175,12 +114,19 @@ int contacts_command(const CommandLine& line, const ContactsOptions& options) {
   for (const std::string& warning : session.warnings()) fmt::print("{}\n", wrapped(warning, "* ", "  "));
   const json record = start_record(line, session, plan);
   Progress progress;
-  Measured measured;
-  measured.runs = measure_contact_errors(session, plan, measured.left_out, progress);
-  time_contact_runs(session, plan, measured.runs, progress);
-  measured.costs = measure_sums(session, plan, measured.left_out, progress);
+  MeasuredContacts measured;
+  const auto wanted = [&](const char* measurement) {
+    return options.measurements.empty() || std::ranges::count(options.measurements, measurement);
+  };
+  if (wanted("errors")) {
+    measured.runs = measure_contact_errors(session, plan, measured.left_out, progress);
+    time_contact_runs(session, plan, measured.runs, progress);
+  }
+  if (wanted("sums")) measured.costs = measure_sums(session, plan, measured.left_out, progress);
+  if (wanted("steps")) measured.steps = measure_gas_steps(session, plan, progress);
+  if (wanted("rates")) measured.rates = measure_rates(session, plan, progress);
   measured.targets = sums_targets(session, measured.costs);
-  measured.rates = measure_rates(session, plan, progress);
+  std::ranges::copy(steps_targets(session, measured.steps), std::back_inserter(measured.targets));
   progress.clear();
   report(folder, record, plan, measured);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
@@ -191,6 +137,10 @@ int contacts_command(const CommandLine& line, const ContactsOptions& options) {
 std::shared_ptr<ContactsOptions> add_contacts_options(CLI::App& command) {
   auto options = std::make_shared<ContactsOptions>();
   add_backends_option(command, options->backends);
+  command
+      .add_option("--measure", options->measurements,
+                  "Only these: errors of runs, the cost of sums, whole steps, rates of a gas: errors,sums,steps,rates")
+      ->delimiter(',');
   command.add_option("--laws", options->laws, "Only these laws: spring, hertz, quartic")->delimiter(',');
   command
       .add_option("--steps", options->steps,
@@ -201,6 +151,11 @@ std::shared_ptr<ContactsOptions> add_contacts_options(CLI::App& command) {
   command
       .add_option("--cost-n", options->cost_sizes,
                   "Spheres of the steps whose sums are compared (default 16384,1000000,10000000 on a GPU, else 16384)")
+      ->delimiter(',')
+      ->transform(positive_range);
+  command
+      .add_option("--step-n", options->step_sizes,
+                  "Spheres of the whole steps of a gas (default 1000000,10000000 on a GPU, else 16384)")
       ->delimiter(',')
       ->transform(positive_range);
   command

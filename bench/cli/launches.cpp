@@ -38,7 +38,7 @@ std::string tables_of(const LaunchStudy& study) {
   return text + "* What each path is: spherepair launches --help\n";
 }
 
-std::vector<uint64_t> default_sizes(const Session& session) {
+std::vector<uint64_t> sizes_of_launches(const Session& session) {
   const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
   if (!hardware) return {64, 256, 1024};
   return {64, 256, 1024, 4096, 16384, 65536};
@@ -67,7 +67,7 @@ int launches_command(const CommandLine& line, const LaunchesOptions& options) {
     write_file(folder / "launches.json", json_text(record));
   };
   study.emplace(session, options, write);
-  study->run(options.sizes.empty() ? default_sizes(session) : options.sizes);
+  study->run(options.sizes.empty() ? sizes_of_launches(session) : options.sizes);
   record["complete"] = true;
   record["clocks"].push_back(query_clocks());
   write();

@@ -45,10 +45,10 @@ int precision_command(const CommandLine& line, const PrecisionOptions& options);
 
 // Error and run time of contacts by law, time step and sum of the impulses, and what the sums cost.
 struct ContactsOptions {
-  std::vector<std::string> backends, laws, steps;  // empty: all; steps: by machine
-  uint64_t n = 0;                                  // of the errors; 0: by machine
-  std::vector<uint64_t> cost_sizes;                // empty: by machine
-  uint64_t rate_n = 0;                             // of pressure and cooling; 0: by machine
+  std::vector<std::string> backends, measurements, laws, steps;  // empty: all; steps: by machine
+  uint64_t n = 0;                                                // of the errors; 0: by machine
+  std::vector<uint64_t> cost_sizes, step_sizes;                  // empty: by machine
+  uint64_t rate_n = 0;                                           // of pressure and cooling; 0: by machine
   int rounds = 11;
   std::string results;  // empty: default_results()
 };

@@ -19,7 +19,7 @@ constexpr auto sample_every = std::chrono::milliseconds(10);
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-uint64_t counted(uint64_t before, uint64_t after) {
+uint64_t difference(uint64_t before, uint64_t after) {
   const bool of_32_bits = after < before && before >> 32 == 0;
   return after - before + (of_32_bits ? uint64_t(1) << 32 : 0);
 }
@@ -74,7 +74,7 @@ MeanPower mean_power(std::span<const PowerSample> samples) {
   double counter = 0, integrated = 0;
   for (size_t k = 1; k < between.size(); ++k) {
     const PowerSample &last = between[k - 1], &next = between[k];
-    counter += 1e-3 * double(counted(last.millijoules, next.millijoules));
+    counter += 1e-3 * double(difference(last.millijoules, next.millijoules));
     integrated += 0.5 * (last.watts + next.watts) * (next.seconds - last.seconds);
   }
   return {counter / seconds, integrated / seconds};

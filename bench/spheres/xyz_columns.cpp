@@ -11,7 +11,7 @@
 namespace spherepair {
 namespace {
 
-constexpr std::string_view blanks = " \t";
+constexpr std::string_view blank = " \t";
 
 // Reads up to `stop` or a blank; quotes and brackets around a value may hold both.
 std::string_view take_word(std::string_view& text, std::string_view stop) {
@@ -30,12 +30,12 @@ char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
 // Whatever the case of its letters: programs write Lattice and lattice.
 std::optional<std::string_view> value_of_key(std::string_view comment, std::string_view wanted) {
   while (true) {
-    comment.remove_prefix(std::min(comment.find_first_not_of(blanks), comment.size()));
+    comment.remove_prefix(std::min(comment.find_first_not_of(blank), comment.size()));
     if (comment.empty()) return std::nullopt;
     const std::string_view key = take_word(comment, "= \t");
     if (!comment.starts_with('=')) continue;
     comment.remove_prefix(1);
-    const std::string_view value = take_word(comment, blanks);
+    const std::string_view value = take_word(comment, blank);
     if (std::ranges::equal(key, wanted, {}, lower, lower)) return value;
   }
 }

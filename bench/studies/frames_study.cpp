@@ -178,7 +178,7 @@ void FramesStudy::measure_transfers(uint64_t n, Backend& cuda, const Scene& scen
       task.draws.push_back(draw_method_from_name(draw));
   const auto time = [&](const std::string& draw, const std::string& work, const std::function<void()>& step,
                         bool moves) {
-    json entry = {{"n", n}, {"backend", "cuda to glsl"}, {"draw", draw}, {"place", "outside"}, {"work", work}};
+    json entry = {{"n", n}, {"transferred", true}, {"draw", draw}, {"place", "outside"}, {"work", work}};
     Contender contender{
         .label = fmt::format("cuda to glsl {} {}", draw, work), .backend = &cuda, .step = [&](Backend&) { step(); }};
     if (moves) contender.restart = start_of_loop(scene), contender.prepares = true;

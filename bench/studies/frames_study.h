@@ -12,12 +12,11 @@
 //       loop       move, collide_grid and frame, the first 20 steps
 //       view       the same with every search and every image complete, as `view` has them; in a window, each image
 //                  also goes into it, but is not presented: that is up to the display system
-//     With --transfer, also OpenGL drawing of CUDA's spheres: draw is none for a transfer alone and for `step` (move
-//     and collide_grid alone); work is host, registered or imported (Transfer), with a wait after each image, or the
-//     same with _pipelined: transfer, image and step, where only the transfer waits
+//     With --transfer, also OpenGL drawing of CUDA's spheres (transferred: true): draw is none for a transfer alone and
+//     for `step` (move and collide_grid alone); work is host, registered or imported (Transfer), with a wait after each
+//     image, or the same with _pipelined: transfer, image and step, where only the transfer waits
 //   overlaps   with --transfer: n, draw, transfer, frame_ms, step_ms, pipelined_ms, and overlap: the share of the
-//   shorter
-//              of image and step that the pipelined loop hides
+//     shorter of image and step that the pipelined loop hides
 //   left_out   n, backend, draw and reason of whatever was requested but not timed
 #pragma once
 

@@ -63,8 +63,6 @@ const char* reference_text(const Session& session) {
   return session.find("cpu") ? "the CPU" : "the first open backend, since the CPU is not among them";
 }
 
-std::string hex(const Fingerprint& fingerprint) { return hex64(fingerprint.a) + hex64(fingerprint.b); }
-
 Table every_method(const std::map<Key, Gathered>& rows) {
   Table table{"Every method and group size found equal",
               {{"", "scene", "", true},

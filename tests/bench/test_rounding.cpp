@@ -30,7 +30,7 @@ std::vector<std::array<double, 4>> lattice(double at, double gap, double radius)
   return all;
 }
 
-Scene scene_of(const SphereRows& rows) {
+Scene scene_of_rows(const SphereRows& rows) {
   return {.name = "rounded",
           .positions = rows.positions,
           .velocities = std::vector<vec4>(rows.positions.size(), vec4{0, 0, 0, 0}),
@@ -83,7 +83,7 @@ TEST(SphereFileRounding, EveryPairThatItChangesIsWithinItsReach) {
           changed +=
               j < spheres.size() && exactly_collide(spheres[i], spheres[j]) !=
                                         (relation(rows.positions[i], rows.positions[j]) == Relation::overlapping);
-      EXPECT_LE(changed, pairs_within_reach(*cpu, scene_of(rows), rounding, {}));
+      EXPECT_LE(changed, pairs_within_reach(*cpu, scene_of_rows(rows), rounding, {}));
       changed_in_all += changed;
     }
   EXPECT_GT(changed_in_all, 10000u);
@@ -95,7 +95,7 @@ TEST(SphereFileRounding, PairsFarFromTouchingAreNotWithinItsReach) {
     SphereRows rows = rows_of(lattice(0.3, gap, 0.05));
     const Rounding rounding = round_rows(rows, false);
     EXPECT_GT(rounding.largest, 0);
-    EXPECT_EQ(pairs_within_reach(*cpu, scene_of(rows), rounding, {}), 0u);
+    EXPECT_EQ(pairs_within_reach(*cpu, scene_of_rows(rows), rounding, {}), 0u);
   }
   EXPECT_EQ(reach_warning(0, {}), "");
   EXPECT_NE(reach_warning(12, {.largest = 0.5f}).find("12 pairs"), std::string::npos);
@@ -107,7 +107,7 @@ TEST(SphereFileRounding, ReachBeyondTheRadiusLeavesNothingCertain) {
   SphereRows rows = rows_of({{1e9 + 1, 0, 0, 0.5}, {1e9 + 2, 0, 0, 1}, {1e9 + 2.5, 0, 0, 1}});
   const Rounding rounding = round_rows(rows, false);
   EXPECT_GE(rounding.largest, 1);
-  EXPECT_EQ(pairs_within_reach(*cpu, scene_of(rows), rounding, {}), 3u);
+  EXPECT_EQ(pairs_within_reach(*cpu, scene_of_rows(rows), rounding, {}), 3u);
 }
 
 }  // namespace

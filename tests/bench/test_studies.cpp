@@ -12,6 +12,8 @@
 #include "api/open.h"
 #include "bench/io/report.h"
 #include "bench/measure/timing.h"
+#include "bench/studies/frames_study.h"
+#include "tests/support/forwarding_backend.h"
 #include "tests/support/sphere_files.h"
 
 namespace spherepair {
@@ -61,6 +63,41 @@ TEST_F(Studies, CrossoverNamesTheChoiceAndItsReason) {
   }
   EXPECT_NE(said().find("In 0 of 4 rows auto takes at most 1.1x"), std::string::npos) << said();
   EXPECT_NE(said().find("4 not decided by this data"), std::string::npos) << "a round decides nothing: " << said();
+}
+
+// The CPU, whose spheres OpenGL draws as if they were CUDA's.
+class Transferring : public ForwardingBackend {
+ public:
+  Transferring() : ForwardingBackend("cpu", open_backend("cpu", {})) {}
+  std::vector<DrawMethod> draw_methods() const override { return {DrawMethod::compute, DrawMethod::points}; }
+  std::vector<Transfer> transfers() const override { return {Transfer::host, Transfer::registered}; }
+  void transfer(Transfer) override {}
+  void enqueue_draw(const View& view, const DrawOptions& options) override { draw(view, options); }
+  void draw(const View& view, const DrawOptions& options) override {
+    const bool transferred = options.method == DrawMethod::points;
+    ForwardingBackend::draw(view, transferred ? DrawOptions{} : options);
+  }
+};
+
+TEST_F(Studies, FramesTellsCudasImagesFromThoseOfTransfers) {
+  Session session({"cpu"}, {}, [](const std::string&, const OpenOptions&) { return std::make_unique<Transferring>(); });
+  const FramesOptions options = {.draws = {"compute", "points"},
+                                 .places = {"outside"},
+                                 .works = {"frame"},
+                                 .width = 64,
+                                 .height = 48,
+                                 .transfer = true,
+                                 .rounds = 1,
+                                 .min_seconds = 1e-4};
+  FramesStudy study(session, options, {});
+  study.measure_size(64);
+  const auto transferred = [](const json& entry) { return entry.contains("transferred"); };
+  EXPECT_EQ(std::ranges::count_if(study.frames, transferred), 1 + 2 + 2 * 2) << "a step, two ways alone, with images";
+  EXPECT_EQ(study.frames.size(), 2u + 7u);
+  EXPECT_EQ(study.overlaps.size(), 2u);
+  const std::string text = study.text_of(64);
+  for (const char* word : {"compute", "points", "host", "registered", "pipelined"})
+    EXPECT_NE(text.find(word), std::string::npos) << word << " in\n" << text;
 }
 
 TEST_F(Studies, AblationsAreRecordedOnAndOff) {

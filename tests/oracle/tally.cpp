@@ -13,7 +13,7 @@ namespace {
 
 constexpr uint64_t total_planned() {
   uint64_t total = 0;
-  for (const Plan& plan : PLANS) total += plan.pairs;
+  for (const FamilyPairs& plan : PLANS) total += plan.pairs;
   return total;
 }
 static_assert(total_planned() >= 10'000'000 && PLANS[size_t(Family::quadruple)].pairs * 10 >= total_planned());

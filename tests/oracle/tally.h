@@ -29,18 +29,18 @@ std::vector<uint> decide_directly(std::span<const vec4> spheres);  // decide_pai
 Decider decider_of(bool (*collide)(vec4 a, vec4 b));
 
 // How many pairs of each family a backend decides: over 10^7 in all, a tenth and more exactly tangent.
-struct Plan {
+struct FamilyPairs {
   Family family;
   uint64_t pairs;
 };
-constexpr std::array<Plan, 8> PLANS = {{{Family::random_bits, 10'000'000},
-                                        {Family::near_tangent, 10'000'000},
-                                        {Family::quadruple, 4'000'000},
-                                        {Family::quadruple_off, 2'000'000},
-                                        {Family::denormal, 1'000'000},
-                                        {Family::extreme, 1'000'000},
-                                        {Family::axis_offset, 1'000'000},
-                                        {Family::nonfinite, NONFINITE_CASES}}};
+constexpr std::array<FamilyPairs, 8> PLANS = {{{Family::random_bits, 10'000'000},
+                                               {Family::near_tangent, 10'000'000},
+                                               {Family::quadruple, 4'000'000},
+                                               {Family::quadruple_off, 2'000'000},
+                                               {Family::denormal, 1'000'000},
+                                               {Family::extreme, 1'000'000},
+                                               {Family::axis_offset, 1'000'000},
+                                               {Family::nonfinite, NONFINITE_CASES}}};
 
 // A pair with all its bits, for messages.
 std::string show_pair(const vec4& a, const vec4& b);

@@ -128,10 +128,10 @@ TEST_F(ContactStudy, RatesAreThoseOfEachTimeStepAgainstTheConvergedOne) {
 }
 
 TEST_F(ContactStudy, RecordsEveryRunAndCost) {
-  const Outcome outcome =
-      run(fmt::format("contacts --backends cpu --threads 2 --laws spring --steps 10,20 --n 27 --cost-n 64,125 --rate-n "
-                      "125 --rounds 6 --results {}",
-                      path("r")));
+  const Outcome outcome = run(fmt::format(
+      "contacts --backends cpu --threads 2 --laws spring --steps 10,20 --n 27 --cost-n 64,125 --step-n 125 --rate-n "
+      "125 --rounds 6 --results {}",
+      path("r")));
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   const json record = json::parse(read_bytes(path("r/contacts.json")));
   EXPECT_EQ(record.at("format"), "spherepair contacts 1");
@@ -145,6 +145,12 @@ TEST_F(ContactStudy, RecordsEveryRunAndCost) {
     EXPECT_DOUBLE_EQ(run.at("run_seconds").get<double>(),
                      run.at("steps").get<double>() * run.at("seconds_per_step").get<double>());
   }
+  ASSERT_EQ(record.at("gas_steps").size(), 1u);
+  const json& steps = record.at("gas_steps").front();
+  EXPECT_EQ(steps.at("n"), 125);
+  EXPECT_GT(steps.at("steps"), 0);
+  EXPECT_TRUE(steps.at("over_cuda").is_null());
+  EXPECT_DOUBLE_EQ(steps.at("sphere_steps_per_second").get<double>(), 125 / steps.at("seconds_per_step").get<double>());
   ASSERT_EQ(record.at("contact_sums").size(), 2 * 3u);
   for (const json& cost : record.at("contact_sums")) {
     const bool integers = cost.at("sums") == "integers";

@@ -43,7 +43,7 @@ TEST(Oracle, KnownAnswers) {
 }
 
 TEST(Oracle, AgreesWithRationals) {
-  for (const Plan& plan : PLANS) {
+  for (const FamilyPairs& plan : PLANS) {
     const std::vector<vec4> spheres = adversarial_pairs(plan.family, 1'000'000'000, 20'000);
     const std::vector<Relation> given = relations(spheres);
     for (size_t k = 0; k < given.size(); ++k)

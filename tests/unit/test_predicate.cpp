@@ -19,10 +19,12 @@ namespace spherepair {
 namespace {
 
 // The tests of the backends decide all of them.
-uint64_t some_of(const Plan& plan) { return std::min<uint64_t>(plan.pairs, full_stress() ? plan.pairs : 400'000); }
+uint64_t some_of(const FamilyPairs& plan) {
+  return std::min<uint64_t>(plan.pairs, full_stress() ? plan.pairs : 400'000);
+}
 
 TEST(Predicate, RightOnEveryFamily) {
-  for (const Plan& plan : PLANS) {
+  for (const FamilyPairs& plan : PLANS) {
     const Tally result = tally(plan.family, some_of(plan), decide_directly);
     EXPECT_EQ(result.wrong, 0u) << "family " << int(plan.family) << ": " << result.first_wrong;
   }
@@ -42,7 +44,7 @@ TEST(Predicate, RightWhenDenormalsAreFlushed) {
     _mm_setcsr(control);
     return verdicts;
   };
-  for (const Plan& plan : PLANS) {
+  for (const FamilyPairs& plan : PLANS) {
     const Tally result = tally(plan.family, some_of(plan), flushed);
     EXPECT_EQ(result.wrong, 0u) << "family " << int(plan.family) << ": " << result.first_wrong;
   }
@@ -52,7 +54,7 @@ TEST(Predicate, RightWhenDenormalsAreFlushed) {
 // The coarse Gram test may pass too much, but a pair that it rejects must not collide.
 TEST(Predicate, GramFormRejectsNoCollision) {
   uint64_t rejected = 0, pairs = 0;
-  for (const Plan& plan : PLANS) {
+  for (const FamilyPairs& plan : PLANS) {
     std::vector<vec4> spheres = adversarial_pairs(plan.family, 0, some_of(plan));
     for (vec4& sphere : spheres) sphere.w = std::abs(sphere.w);
     const std::vector<Relation> truths = relations(spheres);

@@ -13,8 +13,6 @@
 namespace spherepair {
 namespace {
 
-constexpr uint coarsest = 10;  // steps a contact
-
 SceneOptions options_of(const ContactPlan& plan) {
   return {.name = "gas", .n = plan.n, .seed = plan.seed, .packing_fraction = plan.packing_fraction};
 }

@@ -11,8 +11,8 @@
 namespace spherepair {
 namespace {
 
-constexpr uint coarsest = 10, equilibration_steps = 40;  // steps a contact
-constexpr float restitutions[] = {1, 0.9f, 0.8f};        // elastic: the pressure
+constexpr uint equilibration_steps = 40;           // a contact
+constexpr float restitutions[] = {1, 0.9f, 0.8f};  // elastic: the pressure
 
 void choose_step(Scene& scene, uint steps_a_contact) {
   const float stiffness = scene.contact.stiffness, coarse = float(contact_time(scene) / coarsest);

@@ -4,7 +4,7 @@
 //
 // contacts.json, "format": "spherepair contacts 1":
 //   context, backends, warnings, clocks   as in results.json (report.h, context.h)
-//   settings   {n, seed, packing_fraction, collisions, converged_steps_a_contact, cost_steps,
+//   settings   {n, seed, packing_fraction, collisions, converged_steps_a_contact, cost_steps, steps_averaged,
 //               rates: {n, seeds, converged_steps_a_contact, softer, equilibration, pressure_seconds, cooling_times,
 //               samples}}
 //   contact_runs   one entry per law, restitution, time step, sum and backend, of a gas without walls:
@@ -18,6 +18,9 @@
 //   contact_sums   a step of the scene gas by the law spring, 40 steps a contact, lists of near pairs included:
 //     {backend, n, sums, seconds_per_step, low, high, sample,
 //      integers_over_this   of the time with integers: ratio, low and high of its interval, as verdicts have it}
+//   gas_steps  whole steps of the same, from its start: contacts, motion, walls and lists of near pairs:
+//     {backend, n, steps, seconds_per_step, low, high, sphere_steps_per_second, sample,
+//      over_cuda    of the time in CUDA: ratio, low and high of its interval; null for CUDA and without it}
 //   contact_rates  of the scene gas by the law spring on one backend, whose bits are those of the others; one entry per
 //     quantity and time step, the converged one's among them:
 //     {quantity     "pressure", elastic; or "cooling time" of Haff's law, restitution 0.9 and 0.8
@@ -41,6 +44,8 @@
 
 namespace spherepair {
 
+constexpr uint coarsest = 10;  // steps a contact
+
 struct ContactKind {
   ContactLaw law;
   float restitution = 1;
@@ -62,7 +67,7 @@ struct RatePlan {
 struct ContactPlan {
   std::vector<ContactKind> kinds = {
       {ContactLaw::spring}, {ContactLaw::spring, 0.9f}, {ContactLaw::hertz}, {ContactLaw::quartic}};
-  std::vector<uint> steps_a_contact = {10, 20, 40, 80, 160};  // 10 * 2^k
+  std::vector<uint> steps_a_contact = {10, 20, 40, 80, 160};  // coarsest * 2^k
   uint converged = 640;                                       // steps a contact
   uint64_t n = 4096, seed = SceneOptions{}.seed;
   double packing_fraction = 0.3;
@@ -70,6 +75,8 @@ struct ContactPlan {
   std::vector<uint64_t> cost_sizes;
   uint64_t cost_steps = 320;          // of the longest batch: several lists of near pairs
   uint64_t most_on_host = 1'000'000;  // of the costs; more spheres are timed on GPUs only
+  std::vector<uint64_t> step_sizes;   // of whole steps
+  uint64_t steps_averaged = 1000;     // of those, from the start
   RatePlan rates;
   Sampling sampling;
 };
@@ -94,6 +101,14 @@ struct SumsCost {
   ImpulseSums sums;
   Samples samples;
   std::optional<Contest> integers;  // against these sums; none for themselves
+};
+
+struct GasSteps {  // whole steps of a gas from its start: contacts, motion, walls, lists of near pairs
+  std::string backend;
+  uint64_t n;
+  Samples samples;
+  std::optional<Contest> over_cuda;                                           // of other GPU APIs
+  double per_second() const { return double(n) / samples.median_seconds(); }  // sphere-steps
 };
 
 struct ContactRate {  // the pressure where the restitution is 1, else the time of Haff's law
@@ -122,20 +137,32 @@ std::vector<ContactRun> measure_contact_errors(Session& session, const ContactPl
 // Adds the times of their steps.
 void time_contact_runs(Session& session, const ContactPlan& plan, std::vector<ContactRun>& runs, Progress& progress);
 
+// Throws DifferenceFound if two of the backends differ in any bit after some steps.
+void compare_states(Session& session, const Scene& scene, const std::vector<Backend*>& backends, ImpulseSums sums);
+
 std::vector<SumsCost> measure_sums(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
                                    Progress& progress);
+
+std::vector<GasSteps> measure_gas_steps(Session& session, const ContactPlan& plan, Progress& progress);
 
 // By every time step of the plan and the converged one, with integer sums: the others round otherwise, which in a gas
 // soon changes all paths, but no mean.
 std::vector<ContactRate> measure_rates(Session& session, const ContactPlan& plan, Progress& progress);
 
+// Of GPUs: CUDA takes 1e10 sphere-steps/s and more, others at most 1.10x its time.
+std::vector<Target> steps_targets(const Session& session, const std::vector<GasSteps>& steps);
 // Of GPUs: a step with integer sums takes at most 1.10x the time of one with float32 sums in a fixed order.
 std::vector<Target> sums_targets(const Session& session, const std::vector<SumsCost>& costs);
 
 json to_json(const ContactRun& run);
 json to_json(const SumsCost& cost);
+json to_json(const GasSteps& steps);
 json to_json(const RatePlan& plan);
 json to_json(const ContactRate& rate);
-std::string rates_text(const ContactPlan& plan, const std::vector<ContactRate>& rates);  // a table
+// Tables; empty without measurements.
+std::string runs_text(const ContactPlan& plan, const std::vector<ContactRun>& runs);
+std::string costs_text(const std::vector<SumsCost>& costs);
+std::string steps_text(const std::vector<GasSteps>& steps);
+std::string rates_text(const ContactPlan& plan, const std::vector<ContactRate>& rates);
 
 }  // namespace spherepair

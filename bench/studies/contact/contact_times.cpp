@@ -17,24 +17,30 @@ std::function<void(Backend&)> step_by(ImpulseSums sums) {
   return [sums](Backend& backend) { backend.sum_impulses(sums), backend.move(); };
 }
 
-// Sums that have an order or need none must give the same bits on all.
-void compare_sums(Session& session, const Scene& scene, const std::vector<Backend*>& backends) {
-  for (const ImpulseSums sums : {ImpulseSums::integers, ImpulseSums::in_order}) {
-    const SceneOptions options{.name = "gas", .n = scene.size()};
-    std::optional<Backend::State> expected;
-    for (Backend* backend : backends) {
-      backend->upload(scene);
-      for (uint64_t step = 0; step < steps_compared; ++step) step_by(sums)(*backend);
-      Backend::State state = current_state(*backend);
-      if (!expected) {
-        expected = std::move(state);
-        continue;
-      }
-      session.comparisons.plan(backend->info().name, Comparisons::states, 1);
-      require_same_state(session, {options, steps_compared}, *backends.front(), *expected, *backend, state);
-    }
-  }
-  session.comparisons.require_complete();
+Scene gas_scene(const ContactPlan& plan, uint64_t n) {
+  Scene scene = make_scene({.name = "gas", .n = n, .seed = plan.seed, .packing_fraction = plan.packing_fraction});
+  choose_contacts(scene, {.law = ContactLaw::spring});
+  return scene;
+}
+
+std::vector<Backend*> backends_for(const Session& session, const ContactPlan& plan, uint64_t n) {
+  std::vector<Backend*> backends;
+  for (const auto& backend : session.backends())
+    if (on_hardware(*backend) || n <= plan.most_on_host) backends.push_back(backend.get());
+  return backends;
+}
+
+json ratio_of(const std::optional<Contest>& contest) {
+  if (!contest) return nullptr;
+  return {{"ratio", contest->ratio}, {"low", contest->ratios.low}, {"high", contest->ratios.high}};
+}
+
+json time_of_a_step(const Samples& samples) {
+  const Interval interval = samples.interval();
+  return {{"seconds_per_step", samples.median_seconds()},
+          {"low", interval.low},
+          {"high", interval.high},
+          {"sample", to_json(samples)}};
 }
 
 std::vector<SumsCost> costs_of(std::vector<Samples> samples, const std::vector<ImpulseSums>& sums, uint64_t n) {
@@ -51,6 +57,23 @@ std::vector<SumsCost> costs_of(std::vector<Samples> samples, const std::vector<I
 }
 
 }  // namespace
+
+void compare_states(Session& session, const Scene& scene, const std::vector<Backend*>& backends, ImpulseSums sums) {
+  const SceneOptions options{.name = "gas", .n = scene.size()};
+  std::optional<Backend::State> expected;
+  for (Backend* backend : backends) {
+    backend->upload(scene);
+    for (uint64_t step = 0; step < steps_compared; ++step) step_by(sums)(*backend);
+    Backend::State state = current_state(*backend);
+    if (!expected) {
+      expected = std::move(state);
+      continue;
+    }
+    session.comparisons.plan(backend->info().name, Comparisons::states, 1);
+    require_same_state(session, {options, steps_compared}, *backends.front(), *expected, *backend, state);
+  }
+  session.comparisons.require_complete();
+}
 
 void time_contact_runs(Session& session, const ContactPlan& plan, std::vector<ContactRun>& runs, Progress& progress) {
   for (const ContactKind& kind : plan.kinds)
@@ -77,18 +100,43 @@ void time_contact_runs(Session& session, const ContactPlan& plan, std::vector<Co
     }
 }
 
+std::vector<GasSteps> measure_gas_steps(Session& session, const ContactPlan& plan, Progress& progress) {
+  std::vector<GasSteps> all;
+  for (const uint64_t n : plan.step_sizes) {
+    const Scene scene = gas_scene(plan, n);
+    const std::vector<Backend*> backends = backends_for(session, plan, n);
+    progress.say(fmt::format("comparing {}", counted(n, "sphere")));
+    compare_states(session, scene, backends, ImpulseSums::integers);
+    std::vector<Contender> contenders;
+    for (Backend* backend : backends)
+      contenders.push_back({.label = fmt::format("steps of {} on {}", counted(n, "sphere"), backend->info().name),
+                            .backend = backend,
+                            .step = step_by(ImpulseSums::integers),
+                            .contest = fmt::format("steps of {}", n),
+                            .alternates = true,
+                            .restart = [&scene](Backend& one) { one.upload(scene); },
+                            .batch = on_hardware(*backend) ? plan.steps_averaged : 0,
+                            .prepares = true});
+    const std::vector<Samples> samples = measure(session, contenders, plan.sampling, progress);
+    const auto cuda = std::ranges::find(samples, "cuda", &Samples::backend);
+    for (const Samples& sample : samples) {
+      const bool other = cuda != samples.end() && sample.backend == "glsl";
+      all.push_back({sample.backend, n, sample, other ? std::optional(contest(sample, *cuda)) : std::nullopt});
+    }
+  }
+  return all;
+}
+
 // The spheres go on from batch to batch: a gas in its box stays what it is.
 std::vector<SumsCost> measure_sums(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
                                    Progress& progress) {
   std::vector<SumsCost> all;
   for (const uint64_t n : plan.cost_sizes) {
-    Scene scene = make_scene({.name = "gas", .n = n, .seed = plan.seed, .packing_fraction = plan.packing_fraction});
-    choose_contacts(scene, {.law = ContactLaw::spring});
-    std::vector<Backend*> backends;
-    for (const auto& backend : session.backends())
-      if (on_hardware(*backend) || n <= plan.most_on_host) backends.push_back(backend.get());
+    const Scene scene = gas_scene(plan, n);
+    const std::vector<Backend*> backends = backends_for(session, plan, n);
     progress.say(fmt::format("comparing {}", counted(n, "sphere")));
-    compare_sums(session, scene, backends);
+    for (const ImpulseSums one : {ImpulseSums::integers, ImpulseSums::in_order})  // as these have the same bits on all
+      compare_states(session, scene, backends, one);
     std::vector<Contender> contenders;
     std::vector<ImpulseSums> sums;
     for (Backend* backend : backends)
@@ -110,6 +158,19 @@ std::vector<SumsCost> measure_sums(Session& session, const ContactPlan& plan, st
   return all;
 }
 
+std::vector<Target> steps_targets(const Session& session, const std::vector<GasSteps>& steps) {
+  std::vector<Target> targets;
+  for (const GasSteps& one : steps) {
+    if (!on_hardware(*session.find(one.backend))) continue;
+    const std::string what = fmt::format("{}, {}: ", one.backend, counted(one.n, "sphere"));
+    if (one.over_cuda)
+      targets.push_back({what + "time of a step over CUDA's", one.over_cuda->ratio, 1.10, false});
+    else if (one.backend == "cuda")
+      targets.push_back({what + "sphere-steps/s", one.per_second(), 1e10, true});
+  }
+  return targets;
+}
+
 std::vector<Target> sums_targets(const Session& session, const std::vector<SumsCost>& costs) {
   std::vector<Target> targets;
   for (const SumsCost& cost : costs)
@@ -121,18 +182,21 @@ std::vector<Target> sums_targets(const Session& session, const std::vector<SumsC
 }
 
 json to_json(const SumsCost& cost) {
-  const Interval interval = cost.samples.interval();
-  json out = {{"backend", cost.backend},
+  json out = time_of_a_step(cost.samples);
+  out.update({{"backend", cost.backend},
               {"n", cost.n},
               {"sums", impulse_sums_name(cost.sums)},
-              {"seconds_per_step", cost.samples.median_seconds()},
-              {"low", interval.low},
-              {"high", interval.high},
-              {"integers_over_this", json()},
-              {"sample", to_json(cost.samples)}};
-  if (cost.integers)
-    out["integers_over_this"] = {
-        {"ratio", cost.integers->ratio}, {"low", cost.integers->ratios.low}, {"high", cost.integers->ratios.high}};
+              {"integers_over_this", ratio_of(cost.integers)}});
+  return out;
+}
+
+json to_json(const GasSteps& steps) {
+  json out = time_of_a_step(steps.samples);
+  out.update({{"backend", steps.backend},
+              {"n", steps.n},
+              {"steps", steps.samples.batch()},
+              {"sphere_steps_per_second", steps.per_second()},
+              {"over_cuda", ratio_of(steps.over_cuda)}});
   return out;
 }
 

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// What `spherepair contacts` prints of errors, sums and whole steps.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/io/report.h"
+#include "bench/studies/contact/contact_study.h"
+#include "common/scene/counted.h"
+
+namespace spherepair {
+namespace {
+
+std::vector<std::string> backends_of(const std::vector<ContactRun>& runs) {
+  std::vector<std::string> names;
+  for (const ContactRun& run : runs)
+    if (!std::ranges::count(names, run.backend)) names.push_back(run.backend);
+  return names;
+}
+
+double largest(const std::array<int64_t, 3>& momentum) {
+  return std::max({std::abs(double(momentum[0])), std::abs(double(momentum[1])), std::abs(double(momentum[2]))});
+}
+
+// Of one law: a row per time step and sum; errors are the largest of the backends, times of each.
+Table run_table(const std::vector<ContactRun>& runs, const ContactKind& kind) {
+  Table table{fmt::format("Contacts by {}: error of a run, and its time", label(kind)),
+              {{"steps a", "contact", ""},
+               {"", "sums", "", true},
+               {"error of", "position", "radii"},
+               {"error of", "energy", ""},
+               {"change of", "momentum", "units"},
+               {"", "returns", "", true}},
+              {},
+              {}};
+  const std::vector<std::string> backends = backends_of(runs);
+  for (const std::string& backend : backends) table.columns.push_back({"time", backend, "ms"});
+  for (const ContactRun& first : runs) {
+    const auto belongs = [&](const ContactRun& run) {
+      return run.kind == kind && run.steps_a_contact == first.steps_a_contact && run.sums == first.sums;
+    };
+    if (!belongs(first) || &first != &*std::ranges::find_if(runs, belongs)) continue;
+    double position = 0, energy = 0, momentum = 0;
+    bool returns = true;
+    std::vector<std::string> times(backends.size(), "-");
+    for (const ContactRun& run : runs) {
+      if (!belongs(run)) continue;
+      position = std::max(position, run.position), energy = std::max(energy, std::abs(run.energy));
+      momentum = std::max(momentum, largest(run.momentum));
+      returns = returns && run.returns.value_or(false);
+      times[size_t(std::ranges::find(backends, run.backend) - backends.begin())] = format_ms(run.seconds());
+    }
+    table.rows.push_back({std::to_string(first.steps_a_contact), impulse_sums_name(first.sums),
+                          fmt::format("{:.2e}", position), fmt::format("{:.1e}", energy),
+                          fmt::format("{:.3g}", momentum),
+                          !first.returns ? "-"
+                          : returns      ? "yes"
+                                         : "no"});
+    table.rows.back().insert(table.rows.back().end(), times.begin(), times.end());
+  }
+  return table;
+}
+
+Table cost_table(const std::vector<SumsCost>& costs) {
+  Table table{"Time of a step of the scene gas, by how impulses are summed",
+              {{"", "spheres", ""},
+               {"", "backend", "", true},
+               {"", "sums", "", true},
+               {"", "time", "ms"},
+               {"", "integers over this", "", true}},
+              {},
+              {}};
+  for (const SumsCost& cost : costs)
+    table.rows.push_back({std::to_string(cost.n), cost.backend, impulse_sums_name(cost.sums),
+                          format_ms(cost.samples.median_seconds()), cost.integers ? ratio_text(*cost.integers) : ""});
+  return table;
+}
+
+Table steps_table(const std::vector<GasSteps>& steps) {
+  Table table{"Whole steps of the scene gas from its start",
+              {{"", "spheres", ""},
+               {"", "backend", "", true},
+               {"", "steps", ""},
+               {"", "time", "ms"},
+               {"", "rate", "sphere-steps/s"},
+               {"", "over CUDA", "", true}},
+              {},
+              {}};
+  for (const GasSteps& one : steps)
+    table.rows.push_back({std::to_string(one.n), one.backend, std::to_string(one.samples.batch()),
+                          format_ms(one.samples.median_seconds()), fmt::format("{:.3g}", one.per_second()),
+                          one.over_cuda ? ratio_text(*one.over_cuda) : ""});
+  return table;
+}
+
+}  // namespace
+
+std::string runs_text(const ContactPlan& plan, const std::vector<ContactRun>& runs) {
+  if (runs.empty()) return "";
+  std::string text;
+  for (const ContactKind& kind : plan.kinds) text += run_table(runs, kind).text() + "\n";
+  return text +
+         wrapped(fmt::format("{} of a gas without its box, for {} mean times between a sphere's collisions, against a "
+                             "run of {} steps a contact. Returns: as many steps back come to the first bits. Bits of "
+                             "two backends differ only where sums are by atomics.",
+                             counted(plan.n, "sphere"), plan.collisions, plan.converged),
+                 "* ", "  ") +
+         "\n\n";
+}
+
+std::string costs_text(const std::vector<SumsCost>& costs) { return costs.empty() ? "" : cost_table(costs).text(); }
+
+std::string steps_text(const std::vector<GasSteps>& steps) {
+  return steps.empty() ? "" : "\n" + steps_table(steps).text();
+}
+
+}  // namespace spherepair
