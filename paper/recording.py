@@ -2,6 +2,7 @@
 """Runs the parts of a recording, each in a folder of its own that becomes part of the machine's only when it is whole."""
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -114,6 +115,11 @@ def defect_of(path):
     return ""
 
 
+def without_folders(text):
+    """Of a record, without the folders of the machine: words of a command that are absolute paths become their last part."""
+    return re.sub(r'([\[,]\s*)"/[^"]*/([^"/]+)"', r'\1"\2"', text).replace(f"{ROOT}/", "")
+
+
 def runner(part, program, tests):
     """The words ahead of a part's own."""
     if part.script:
@@ -139,6 +145,9 @@ def record_run(run, folder, run_by, gpu, progress):
         for file, target in run.targets().items():
             (folder / target).parent.mkdir(parents=True, exist_ok=True)
             shutil.rmtree(folder / target, ignore_errors=True)  # a sweep that is recorded again
+            made = [out / file] if (out / file).is_file() else (out / file).rglob("*")
+            for path in filter(Path.is_file, made):
+                path.write_text(without_folders(path.read_text()))
             (out / file).replace(folder / target)
     finally:
         shutil.rmtree(out, ignore_errors=True)

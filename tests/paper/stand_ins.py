@@ -22,7 +22,7 @@ if said["sleeps"]:
 if words[0] == said["fails"]:
     print("the GPU fell off the bus")
     sys.exit(3)
-record = {{"context": said["devices"]["context"], "backends": said["devices"]["backends"], "clocks": [],
+record = {{"context": {{**said["devices"]["context"], "command": sys.argv}}, "backends": said["devices"]["backends"], "clocks": [],
           "verdict": said["verdict"], "measurements": [{{"table": "step", "label": "made up", "backend": "cuda", "n": 64,
           "scene": {{"name": "random"}}, "samples_ms": [1, 2, 3], "device_stages_ms": {{"move": 1}}}}]}}
 text = said["text"] or json.dumps(record)

@@ -74,6 +74,10 @@ class Recording(StandIn):
                     "tests/3.txt", "precision_1e8/1.json", "listings/collide_grid-glsl.txt", "counters.json"}
         self.assertLessEqual(expected, self.files())
         self.assertNotIn("precision_1e8/2.json", self.files())
+        for name in self.files():
+            self.assertNotRegex((self.folder / name).read_text(), f"{self.home}|{ROOT}", f"{name} has a folder of this machine")
+        context = json.loads((self.folder / "results/2.json").read_text())["context"]
+        self.assertEqual(["stand_in", "compare"], context["command"][:2])
         machine = Machine(self.folder)
         self.assertEqual({3, 9}, {len(record.samples_ms) for record in machine.records})  # of one process and of three
         self.assertEqual(2, len(machine.source("stress.json")["rows"]))
