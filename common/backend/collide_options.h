@@ -61,10 +61,10 @@ struct ApiOptions {
   // each, GLSL behind all barriers, CUDA without a graph. Absent: on
   std::optional<bool> batch = {};
   // both, CUDA 12.3 or later where kernels are compiled for 9.0 or later: what needs nothing of the search right before
-  // it begins while that is under way, which no graph can (absent: on where no graph is requested or pays more, of few
-  // spheres), and CUDA's later launches of a step get ready early (absent: on)
+  // it begins while that is under way, which no graph can (absent: on where no graph is requested), and CUDA's later
+  // launches of a step get ready early (absent: on)
   std::optional<bool> overlap = {};
-  bool overlaps(bool graph_pays) const { return overlap.value_or(!graph.value_or(graph_pays)); }
+  bool overlaps() const { return overlap.value_or(!graph.value_or(false)); }
   auto operator<=>(const ApiOptions&) const = default;
 };
 

@@ -15,7 +15,6 @@ struct DeviceCapabilities {
   uint bounds_block = 0;          // group size of grid_bounds
   uint tensor_groups = 0;         // groups of collide_tensor that run at once; 0: the device has no such kernel
   uint persistent_groups = 0;     // groups of persistent_steps that run at once; 0: the device has no such kernel
-  uint64_t graph_pays_below = 0;  // spheres: of fewer, replaying a captured step is faster than overlapping launches
 };
 
 // A library's sorts with our kernels (CUDA: Thrust).

@@ -72,7 +72,6 @@ class CudaDevice final : public Device, private DeviceLibrary {
   std::optional<Kernel> last_;        // that was launched; writes, clears and Thrust forget it
 };
 
-// Of fewer than 20,000 spheres, launches one by one take the host longer than the device.
 CudaDevice::CudaDevice(int device)
     : info_(describe_device(device)),
       capabilities_{.largest_buffer = uint64_t(1) << 47,
@@ -81,8 +80,7 @@ CudaDevice::CudaDevice(int device)
                     .overlaps_images = false,
                     .bounds_block = SERVICE_BLOCK,
                     .tensor_groups = tensor_groups(device),
-                    .persistent_groups = persistent_groups(device),
-                    .graph_pays_below = 20'000} {
+                    .persistent_groups = persistent_groups(device)} {
   require_kernels(device);
 }
 

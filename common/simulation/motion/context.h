@@ -25,8 +25,7 @@ struct DeviceContext {
 
   // For Launch::overlaps of what uses nothing of a search in cell order.
   std::optional<Kernel> overlaps_search(const ApiOptions& options) const {
-    const bool graph_pays = n < device.capabilities().graph_pays_below;
-    return options.overlaps(graph_pays) ? std::optional(Kernel::collide_grid) : std::nullopt;
+    return options.overlaps() ? std::optional(Kernel::collide_grid) : std::nullopt;
   }
 
   GraphicsPipeline& pipeline() { return device.pipeline() ? *device.pipeline() : other_pipeline.get(); }
