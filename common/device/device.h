@@ -8,13 +8,13 @@
 namespace spherepair {
 
 struct DeviceCapabilities {
-  uint64_t largest_buffer = 0;    // bytes that a kernel can reach in one buffer
-  bool atomics_64 = false;        // 64-bit atomic minimum on buffers
-  bool float_atomics = false;     // atomic addition of float32 on buffers
-  bool overlaps_images = false;   // the spheres of one image can be drawn while the last is still resolved
-  uint bounds_block = 0;          // group size of grid_bounds
-  uint tensor_groups = 0;         // groups of collide_tensor that run at once; 0: the device has no such kernel
-  uint persistent_groups = 0;     // groups of persistent_steps that run at once; 0: the device has no such kernel
+  uint64_t largest_buffer = 0;   // bytes that a kernel can reach in one buffer
+  bool atomics_64 = false;       // 64-bit atomic minimum on buffers
+  bool float_atomics = false;    // atomic addition of float32 on buffers
+  bool overlaps_images = false;  // the spheres of one image can be drawn while the last is still resolved
+  uint bounds_block = 0;         // group size of grid_bounds
+  uint tensor_groups = 0;        // groups of collide_tensor that run at once; 0: the device has no such kernel
+  uint persistent_groups = 0;    // groups of persistent_steps that run at once; 0: the device has no such kernel
 };
 
 // A library's sorts with our kernels (CUDA: Thrust).
