@@ -77,8 +77,10 @@ void CpuContacts::gather(const std::vector<uint>& wide, const std::vector<vec4>&
   for (uint64_t i = 0; i < n; ++i) {
     FloatPush sum = {0, 0, 0, FAULTS};
     const Body a = load_body(wide, positions, i);
-    for (uint64_t k = row_begin_[i]; k < row_begin_[i + 1]; ++k)
+    for (uint64_t k = row_begin_[i]; k < row_begin_[i + 1]; ++k) {
+      if (is_apart(positions[i], positions[row_[k]])) continue;
       sum = sum_of_pushes(sum, float_push_of_pair(a, load_body(wide, positions, row_[k]), params_));
+    }
     record(sum.fault, i);
     const Push rounded = rounded_push(sum);
     impulses_[i] = rounded.x, impulses_[n + i] = rounded.y, impulses_[2 * n + i] = rounded.z;
@@ -90,6 +92,7 @@ void CpuContacts::push(const std::vector<uint>& wide, const std::vector<vec4>& p
   const bool floats = sums_ == ImpulseSums::atomics;
 #pragma omp parallel for num_threads(threads_) schedule(static) if (near_.size() > few)
   for (const Pair& pair : near_) {
+    if (is_apart(positions[pair.first], positions[pair.second])) continue;
     const FloatPush push =
         float_push_of_pair(load_body(wide, positions, pair.first), load_body(wide, positions, pair.second), params_);
     record(push.fault, pair.first);

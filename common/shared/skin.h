@@ -27,6 +27,24 @@ FN float centre_rounding(vec4 centre) {  // of this centre and of one in its pla
   EXACT float rounding = sum * bits_float(0x34200000u);  // 1.25 * 2^-23
   return rounding;
 }
+FN float squared_between(vec4 a, vec4 b) {
+  EXACT float x = a.x - b.x;
+  EXACT float y = a.y - b.y;
+  EXACT float z = a.z - b.z;
+  EXACT float square = (x * x + y * y) + z * z;
+  return square;
+}
+// Never of spheres that gap_between finds in contact. With u = 2^-24, r the sum of the radii and s the sum of all six
+// coordinates without signs: gaps are cut off to 2^-29 of r, so integers in contact are within r(1 + u/16). Centres are
+// the nearest floats, at the start within half a unit of length (r * u/128), hence within r(1 + u/8) + u * s, and their
+// square as computed is below that of this bound times 1 + 5u. Here s is taken 1.25u times, which covers the roundings
+// of its sum; 1 + 16u covers u/8, 5u/2 and 5u/2 for the roundings of reach and its square.
+FN bool is_apart(vec4 a, vec4 b) {
+  EXACT float rounding = (centre_rounding(a) + centre_rounding(b)) * 0.5f;
+  EXACT float reach = ((a.w + b.w) + rounding) * bits_float(0x3F800008u);  // 1 + 2^-20
+  EXACT float farthest = reach * reach;
+  return squared_between(a, b) > farthest;
+}
 FN float free_path(vec4 sphere, vec4 grown) {
   EXACT float skin = (grown.w - sphere.w) * bits_float(0x3F7F8000u);  // 1 - 2^-9, for the rounding of this and of radii
   EXACT float path = skin - centre_rounding(sphere);
@@ -35,11 +53,7 @@ FN float free_path(vec4 sphere, vec4 grown) {
 FN bool has_left_skin(vec4 sphere, vec4 grown) {
   float path = free_path(sphere, grown);
   EXACT float longest = path * path;
-  EXACT float x = sphere.x - grown.x;
-  EXACT float y = sphere.y - grown.y;
-  EXACT float z = sphere.z - grown.z;
-  EXACT float gone = (x * x + y * y) + z * z;
-  return !(path > 0.0f && gone <= longest);
+  return !(path > 0.0f && squared_between(sphere, grown) <= longest);
 }
 // Too far from the origin for its radius: rounding takes more than half of the skin.
 FN bool is_too_far(vec4 sphere, ContactParams c) {

@@ -24,6 +24,7 @@ __global__ void __launch_bounds__(BLOCK) contact_gather(Params p, KernelBuffers 
   uint length = buf.row_length[i];
   for (uint k = 0u; k < length; ++k) {
     uint j = buf.row[k * p.n + i];
+    if (is_apart(buf.position[i], buf.position[j])) continue;
     Body b = load_place(p, buf, j);
     if (!in_contact(gap_between(a, b, p.contact))) continue;
     if (p.contact.damping != 0.0f) b = load_body(p, buf, j);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread per near pair, in turns until none is left: what the two spheres give each other in a step. There are
-// near_pairs of them, in any order; momenta are loaded only where there is a contact whose damper needs them. Once a
-// sphere has left its skin, the steps behind do nothing.
+// near_pairs of them, in any order. Most do not touch, which their float32 centres tell; momenta are loaded only where
+// there is a contact whose damper needs them. Once a sphere has left its skin, the steps behind do nothing.
 #include "cuda/contact/contact_state.cuh"
 
 namespace spherepair {
@@ -19,6 +19,7 @@ __global__ void __launch_bounds__(BLOCK) contact_pairs(Params p, KernelBuffers b
   for (uint k = first; k < pairs; k += group_count() * BLOCK) {
     uint i = buf.near[k].x;
     uint j = buf.near[k].y;
+    if (is_apart(buf.position[i], buf.position[j])) continue;
     Body a = load_place(p, buf, i);
     Body b = load_place(p, buf, j);
     if (!in_contact(gap_between(a, b, p.contact))) continue;

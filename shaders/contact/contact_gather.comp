@@ -25,6 +25,7 @@ void main() {
   uint length = row_length[i];
   for (uint k = 0u; k < length; ++k) {
     uint j = row[k * p.n + i];
+    if (is_apart(position[i], position[j])) continue;
     Body b = load_place(j);
     if (!in_contact(gap_between(a, b, p.contact))) continue;
     if (p.contact.damping != 0.0f) b = load_body(j);

@@ -1,8 +1,8 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // One thread per near pair, in turns until none is left: what the two spheres give each other in a step. There are
-// near_pairs of them, in any order; momenta are loaded only where there is a contact whose damper needs them. Once a
-// sphere has left its skin, the steps behind do nothing.
+// near_pairs of them, in any order. Most do not touch, which their float32 centres tell; momenta are loaded only where
+// there is a contact whose damper needs them. Once a sphere has left its skin, the steps behind do nothing.
 #include "shaders/contact/contact_state.glsl"
 
 layout(local_size_x = BLOCK) in;
@@ -18,6 +18,7 @@ void main() {
   for (uint k = first; k < pairs; k += group_count() * BLOCK) {
     uint i = near[k].x;
     uint j = near[k].y;
+    if (is_apart(position[i], position[j])) continue;
     Body a = load_place(i);
     Body b = load_place(j);
     if (!in_contact(gap_between(a, b, p.contact))) continue;

@@ -103,7 +103,7 @@ CPU = [
     mutant("cpu: spheres beyond the last cell in runs", "common/cpu/search/cpu_grid_body.h",
            "if (is_last(run.cell.x) || is_last(run.cell.y) || is_last(run.cell.z)) return false;", "", "CpuGrid"),
     mutant("cpu: a contact pushes one sphere alone", "common/cpu/cpu_contacts.cpp", "add(impulses_[second], -value);", "", "Contacts", "ContactLaws"),
-    mutant("the skin is never left", "common/shared/skin.h", "return !(path > 0.0f && gone <= longest);", "return false;", "Contacts"),
+    mutant("the skin is never left", "common/shared/skin.h", "return !(path > 0.0f && squared_between(sphere, grown) <= longest);", "return false;", "Contacts"),
     mutant("near pairs are those that overlap", "common/shared/skin.h", "EXACT float radius = sphere.w + thickness;", "EXACT float radius = sphere.w;", "Contacts"),
     mutant("spheres on the plane are away from walls", "common/shared/contact.h", "s.y - c.low_y >= reach && ", "", "ContactLaws", "Contacts"),
     mutant("glsl: the last near pair is left out", "shaders/contact/contact_pairs.comp", "uint pairs = p.search.near_pairs;", "uint pairs = max(p.search.near_pairs, 1u) - 1u;", "Contacts"),

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// The float32 test that passes over near pairs, against the exact test of the same spheres in integers.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <random>
+
+#include "common/scene/contact_scene.h"
+#include "common/shared/contact.h"
+#include "common/shared/skin.h"
+
+namespace spherepair {
+namespace {
+
+constexpr float OFFSETS[] = {0, 3'000, 100'000};
+
+ContactParams params_at(float offset, float ratio) {
+  Scene scene = {.name = "two", .equal_radii = false};
+  scene.positions = {{offset, offset, offset, 0.25f}, {offset + 3 * ratio, offset, offset, 0.5f * ratio}};
+  scene.velocities.resize(2);
+  choose_contacts(scene, {.law = ContactLaw::spring});
+  EXPECT_EQ(why_no_contacts(scene), "");
+  return contact_params(scene);
+}
+
+struct Direction {
+  double x, y, z;
+};
+
+// Every axis both ways, then any.
+Direction direction_of(int k, std::mt19937_64& random) {
+  const double sign = k % 2 == 0 ? 1 : -1;
+  if (k < 6) return {k / 2 == 0 ? sign : 0, k / 2 == 1 ? sign : 0, k / 2 == 2 ? sign : 0};
+  std::normal_distribution<double> any;
+  const double x = any(random), y = any(random), z = any(random), length = std::hypot(x, y, z);
+  return {x / length, y / length, z / length};
+}
+
+// Spheres on both sides of a point: in one of three turns in their own direction from the origin, just beyond a power
+// of two, where centres are rounded most for where they are, else about as far out as the offset on every axis.
+struct TwoSpheres {
+  ContactParams c;
+  Direction d;
+  int64_t x, y, z;
+  float ra, rb;
+
+  TwoSpheres(const ContactParams& params, float offset, float ratio, int k, std::mt19937_64& random) : c(params) {
+    std::uniform_real_distribution<float> share(0.5f, 1);
+    d = direction_of(k % 40, random);
+    const auto units = [&](double at) { return std::llrint(std::ldexp(at, c.unit_exponent)); };
+    const auto out = [&] { return units((random() % 4 == 0 ? -1 : 1) * double(share(random) * (offset + 1))); };
+    const double from = std::bit_floor(uint(offset)) * (1 + 0.01 * double(share(random)));
+    x = units(d.x * from), y = units(d.y * from), z = units(d.z * from);
+    if (k % 3 != 0) x = out(), y = out(), z = out();
+    ra = 0.5f * share(random) * (k % 2 == 0 ? 1 : ratio), rb = 0.5f * share(random) * (k % 5 < 3 ? ratio : 1);
+  }
+  double reach() const { return std::ldexp(double(ra + rb), c.unit_exponent); }
+  Body first(int64_t apart) const {
+    const auto half = [&](double along) { return std::llrint(along * double(apart)) / 2; };
+    return {x - half(d.x), y - half(d.y), z - half(d.z), 0, 0, 0, ra};
+  }
+  Body second(int64_t apart) const {
+    const Body a = first(apart);
+    const auto whole = [&](double along) { return std::llrint(along * double(apart)); };
+    return {a.x + whole(d.x), a.y + whole(d.y), a.z + whole(d.z), 0, 0, 0, rb};
+  }
+  bool are_in_contact(int64_t apart) const { return in_contact(gap_between(first(apart), second(apart), c)); }
+  bool passed_over(int64_t apart) const { return is_apart(centre_of(first(apart), c), centre_of(second(apart), c)); }
+  int64_t last_contact() const {
+    int64_t within = std::llrint(0.999 * reach()), beyond = std::llrint(1.001 * reach());
+    EXPECT_TRUE(are_in_contact(within) && !are_in_contact(beyond));
+    while (beyond - within > 1) (are_in_contact((within + beyond) / 2) ? within : beyond) = (within + beyond) / 2;
+    return within;
+  }
+};
+
+template <typename Check>
+void for_all(int count, const Check& check) {
+  std::mt19937_64 random(66);
+  for (const float offset : OFFSETS)
+    for (const float ratio : {1.0f, 8.0f}) {
+      const ContactParams c = params_at(offset, ratio);
+      for (int k = 0; k < count; ++k) check(TwoSpheres(c, offset, ratio, k, random), offset);
+    }
+}
+
+TEST(ContactFilter, NoContactIsPassedOver) {
+  for_all(50'000, [](const TwoSpheres& two, float offset) {
+    const int64_t last = two.last_contact();
+    for (const int64_t apart : {last, last - 1, last - last % 64}) {
+      if (!two.are_in_contact(apart)) continue;
+      ASSERT_FALSE(two.passed_over(apart))
+          << offset << ": " << two.ra << " and " << two.rb << ", " << two.d.x << ' ' << two.d.y << ' ' << two.d.z;
+    }
+  });
+}
+
+TEST(ContactFilter, WhatIsApartByHalfOfItsSkinsIsPassedOver) {
+  for_all(2'000, [](const TwoSpheres& two, float offset) {
+    ASSERT_TRUE(two.passed_over(std::llrint(two.reach() * (1 + 0.5 * double(two.c.skin))))) << offset;
+  });
+}
+
+// As far from it as the spheres are large, float32 is no coarser than the filter's own arithmetic.
+TEST(ContactFilter, NearTheOriginWhatIsApartByAHundredThousandthIsPassedOver) {
+  for_all(2'000, [](const TwoSpheres& two, float offset) {
+    if (offset > 0) return;
+    ASSERT_TRUE(two.passed_over(std::llrint(two.reach() * (1 + 1e-5))));
+  });
+}
+
+}  // namespace
+}  // namespace spherepair
