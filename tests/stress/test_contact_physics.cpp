@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Contacts against what kinetic theory knows of a gas of hard spheres: its pressure, and how it cools. Short runs; with
-// STRESS=full on a GPU as many spheres as make walls and fluctuations small.
+// Contacts against what kinetic theory knows of a gas of hard spheres, its pressure and how it cools; and a bed that
+// comes to rest. Short runs; with STRESS=full on a GPU as many spheres as make walls and fluctuations small.
+#include <fmt/format.h>
+
+#include "bench/check/contact_statistics.h"
 #include "bench/check/gas.h"
+#include "bench/check/step_result.h"
 #include "common/scene/contact_scene.h"
 #include "tests/support/motion_runs.h"
 
@@ -47,6 +51,51 @@ TEST_P(ContactPhysics, CoolsByHaffsLaw) {
     EXPECT_NEAR(cooling.last / cooling.expected_last(), 1, 0.05)
         << restitution << ", packing fraction " << cooling.packing_fraction << " in the bulk";
     EXPECT_LT(cooling.last, 0.3 * cooling.first);
+  }
+}
+
+struct Bed {
+  uint64_t n;
+  float stiffness;
+  uint64_t steps;
+  double moving;  // energy in motion that may be left, of that at the start
+};
+
+// Without friction single spheres roll on between walls, at which alone they lose speed, and large beds rearrange
+// themselves for a long time: 2,000 spheres for 60 s.
+TEST_P(ContactPhysics, ABedComesToRest) {
+  const std::vector<Bed> beds = in_full(backend())
+                                    ? std::vector<Bed>{{200, 3e6f, 300'000, 1e-12}, {2000, 1e7f, 200'000, 1e-10}}
+                                    : std::vector<Bed>{{200, 3e6f, 40'000, 1e-10}};
+  for (const Bed& bed : beds) {
+    SCOPED_TRACE(bed.n);
+    Scene scene = make_scene({.name = "bed", .n = bed.n});
+    scene.restitution = 0.3f;
+    choose_contacts(scene, {.law = ContactLaw::spring, .stiffness = bed.stiffness});
+    backend().upload(scene);
+    const auto statistics = [&] {
+      backend().collide({.want_pairs = true});
+      return contact_statistics(scene, current_state(backend()).wide, backend().pairs(), 0);
+    };
+    const ContactStatistics start = statistics();
+    for (uint64_t step = 0; step < bed.steps; ++step) backend().move();
+    const ContactStatistics end = statistics();
+    double weight = 0;
+    for (const vec4& p : scene.positions) weight -= sphere_mass(double(p.w)) * double(scene.gravity);
+    fmt::print(
+        "{}: {:.1e} J of {:.1e} J are left in motion, greatest overlap {:.4f} m, force on the floor {:.9f} of "
+        "the weight\n",
+        backend().info().name, end.kinetic, start.energy(), end.greatest_overlap, end.floor_force / weight);
+    EXPECT_LT(end.kinetic, bed.moving * start.energy());
+    EXPECT_NEAR(end.floor_force / weight, 1, 1e-6);
+    EXPECT_LT(end.greatest_overlap, 0.025);
+    const vec4 low = scene.contact.low, high = scene.contact.high;
+    for (const vec4& p : backend().state().positions) {
+      const float within = p.w - 0.025f;
+      EXPECT_TRUE(p.x > low.x + within && p.x < high.x - within && p.z > low.z + within && p.z < high.z - within &&
+                  p.y > scene.plane + within)
+          << p.x << ' ' << p.y << ' ' << p.z;
+    }
   }
 }
 
