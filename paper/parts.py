@@ -100,7 +100,7 @@ GPU = tuple(map(in_hardware, (
           "frames.json"),
     study("frames_pipeline", 2, "glsl", "frames --draws mesh_each,mesh,points,impostor --places outside --works frame "
           "--n 16384,1000000,10000000 --most mesh_each:16384,mesh:1000000", "frames.json"),
-    study("frames_1e8", 2, "glsl,cuda", "frames --draws compute --n 100000000 --works frame,loop", "frames.json",
+    study("frames_1e8", 3, "glsl,cuda", "frames --draws compute --n 100000000 --works frame,loop", "frames.json",
           memory=16 * GIB),
     study("frames_1e9", 3, "cuda", "frames --draws compute --n 1000000000 --works frame", "frames.json",
           memory=120 * GIB),

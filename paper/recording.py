@@ -147,7 +147,8 @@ def record_run(run, folder, run_by, gpu, progress):
             shutil.rmtree(folder / target, ignore_errors=True)  # a sweep that is recorded again
             made = [out / file] if (out / file).is_file() else (out / file).rglob("*")
             for path in filter(Path.is_file, made):
-                path.write_text(without_folders(path.read_text()))
+                text = path.read_text(errors="surrogateescape")  # names of files in a test's output may be any bytes
+                path.write_text(without_folders(text), errors="surrogateescape")
             (out / file).replace(folder / target)
     finally:
         shutil.rmtree(out, ignore_errors=True)

@@ -34,6 +34,10 @@ ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
   for (const std::string& law : options.laws)
     if (contact_from_name(law) == ContactLaw::none) throw std::invalid_argument("the law none has no contacts");
   std::erase_if(plan.kinds, [&](const ContactKind& kind) { return !is_wanted(kind); });
+  if (std::ranges::count(options.measurements, "rates") &&
+      !std::ranges::count(plan.kinds, ContactLaw::spring, &ContactKind::law))
+    throw std::invalid_argument(
+        "rates are measured by the law spring, which is not among --laws: name it, or omit rates");
   plan.n = options.n ? options.n : hardware ? 4096 : 512;
   plan.cost_sizes = options.cost_sizes;
   if (plan.cost_sizes.empty())
@@ -123,7 +127,7 @@ int contacts_command(const CommandLine& line, const ContactsOptions& options) {
     time_contact_runs(session, plan, measured.runs, progress);
   }
   if (wanted("sums")) measured.costs = measure_sums(session, plan, measured.left_out, progress);
-  if (wanted("steps")) measured.steps = measure_gas_steps(session, plan, progress);
+  if (wanted("steps")) measured.steps = measure_gas_steps(session, plan, measured.left_out, progress);
   if (wanted("rates")) measured.rates = measure_rates(session, plan, progress);
   measured.targets = sums_targets(session, measured.costs);
   std::ranges::copy(steps_targets(session, measured.steps), std::back_inserter(measured.targets));
@@ -138,8 +142,10 @@ std::shared_ptr<ContactsOptions> add_contacts_options(CLI::App& command) {
   auto options = std::make_shared<ContactsOptions>();
   add_backends_option(command, options->backends);
   command
-      .add_option("--measure", options->measurements,
-                  "Only these: errors of runs, the cost of sums, whole steps, rates of a gas: errors,sums,steps,rates")
+      .add_option(
+          "--measure", options->measurements,
+          "Only these: errors (of runs), sums (their cost), steps (whole ones of a gas), rates (its pressure and "
+          "cooling)")
       ->delimiter(',');
   command.add_option("--laws", options->laws, "Only these laws: spring, hertz, quartic")->delimiter(',');
   command

@@ -134,6 +134,22 @@ void refuse_of_study(const Given& given) {
   }
 }
 
+void refuse_of_measurements(const Given& given) {
+  const Words measured = given.list("--measure");
+  if (measured.empty()) return;
+  const std::pair<const char*, Words> uses[] = {{"--laws", {"errors", "rates"}},
+                                                {"--steps", {"errors", "rates"}},
+                                                {"--n", {"errors"}},
+                                                {"--cost-n", {"sums"}},
+                                                {"--step-n", {"steps"}},
+                                                {"--rate-n", {"rates"}},
+                                                {"--rounds", {"errors", "sums", "steps"}}};
+  for (const auto& [option, used_by] : uses)
+    given.refuse(option, std::ranges::find_first_of(measured, used_by) == measured.end(),
+                 fmt::format("with --measure {}: omit it, or measure {} as well", fmt::join(measured, ","),
+                             fmt::join(used_by, " or ")));
+}
+
 bool same(const std::string& left, const std::string& right) {
   constexpr double most = std::numeric_limits<double>::max();
   const auto number = real_number_of(left, -most, most);
@@ -165,6 +181,7 @@ void refuse_unused_options(const CLI::App& command) {
   refuse_of_image(given);
   refuse_of_backend(given);
   refuse_of_study(given);
+  refuse_of_measurements(given);
 }
 
 }  // namespace spherepair

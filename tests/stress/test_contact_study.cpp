@@ -172,6 +172,8 @@ TEST_F(ContactStudy, RefusesWhatItDoesNotKnow) {
   for (const auto& [words, message] : {std::pair("--laws springs", "did you mean spring"),
                                        {"--laws none", "the law none has no contacts"},
                                        {"--steps 15", "15"},
+                                       {"--measure error", "did you mean errors"},
+                                       {"--measure rates --laws hertz", "name it, or omit rates"},
                                        {"--cost-n 0", "--cost-n"}}) {
     const Outcome outcome = run(fmt::format("contacts --backends cpu {} --results {}", words, path("r")));
     EXPECT_EQ(outcome.code, 2) << words;

@@ -20,7 +20,8 @@
 //      integers_over_this   of the time with integers: ratio, low and high of its interval, as verdicts have it}
 //   gas_steps  whole steps of the same, from its start: contacts, motion, walls and lists of near pairs:
 //     {backend, n, steps, seconds_per_step, low, high, sphere_steps_per_second, sample,
-//      over_cuda    of the time in CUDA: ratio, low and high of its interval; null for CUDA and without it}
+//      over_cuda    GLSL's time over CUDA's: ratio, low and high of its interval; null for other backends and without
+//      CUDA}
 //   contact_rates  of the scene gas by the law spring on one backend, whose bits are those of the others; one entry per
 //     quantity and time step, the converged one's among them:
 //     {quantity     "pressure", elastic; or "cooling time" of Haff's law, restitution 0.9 and 0.8
@@ -107,7 +108,7 @@ struct GasSteps {  // whole steps of a gas from its start: contacts, motion, wal
   std::string backend;
   uint64_t n;
   Samples samples;
-  std::optional<Contest> over_cuda;                                           // of other GPU APIs
+  std::optional<Contest> over_cuda;                                           // GLSL's
   double per_second() const { return double(n) / samples.median_seconds(); }  // sphere-steps
 };
 
@@ -137,13 +138,12 @@ std::vector<ContactRun> measure_contact_errors(Session& session, const ContactPl
 // Adds the times of their steps.
 void time_contact_runs(Session& session, const ContactPlan& plan, std::vector<ContactRun>& runs, Progress& progress);
 
-// Throws DifferenceFound if two of the backends differ in any bit after some steps.
-void compare_states(Session& session, const Scene& scene, const std::vector<Backend*>& backends, ImpulseSums sums);
-
+// Both compare states first, and throw DifferenceFound if two backends differ in any bit. A CPU and software OpenGL
+// leave out more than plan.most_on_host spheres.
 std::vector<SumsCost> measure_sums(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
                                    Progress& progress);
-
-std::vector<GasSteps> measure_gas_steps(Session& session, const ContactPlan& plan, Progress& progress);
+std::vector<GasSteps> measure_gas_steps(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
+                                        Progress& progress);
 
 // By every time step of the plan and the converged one, with integer sums: the others round otherwise, which in a gas
 // soon changes all paths, but no mean.
