@@ -22,7 +22,7 @@ struct Crossover {
 };
 // grid_from, per_other, hashed_from, per_level, narrow_to, wide_from
 constexpr Crossover crossovers[] = {
-    {"cuda", 5600, 170, 12'000, 17'000, 2100, 4'000'000}, {"glsl", 5600, 340, 12'000, 17'000, 2100},
+    {"cuda", 5000, 250, 15'500, 17'000, 2100, 4'000'000}, {"glsl", 7500, 310, 15'500, 17'000, 2100},
     {"glsl in software", 200, 2, 300, 600, 100},          {"cpu", 2000, -900, 4000, 2500},
     {"cpu of many threads", 7000, -3100, 20'000, 3000},
 };

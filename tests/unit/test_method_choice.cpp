@@ -27,7 +27,7 @@ TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
     SCOPED_TRACE(device);
     const auto takes = [&](const char* scene, uint64_t n) { return taken(device, {.name = scene, .n = n}); };
     for (const uint64_t n : {64, 1024, 5000}) EXPECT_EQ(takes("uniform", n), Method::collide_triangle) << n;
-    EXPECT_EQ(takes("uniform", 6000), Method::collide_grid);
+    EXPECT_EQ(takes("uniform", 8000), Method::collide_grid);
     for (const uint64_t n : {64, 1024, 5000}) EXPECT_EQ(takes("clustered", n), Method::collide_triangle) << n;
     EXPECT_EQ(takes("clustered", 16384), Method::collide_grid);
     for (const uint64_t n : {64, 128, 9000}) EXPECT_EQ(takes("one_cell", n), Method::collide_square) << n;
