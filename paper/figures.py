@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Draws every figure and table that recorded runs allow.
 
-  paper/figures.py                                from paper/data/h200 to build/paper, with the numbers of paper.tex
-  paper/figures.py --headline                     the README's image and table, from paper/data/h200
+  paper/figures.py                                from paper/data/h100 to build/paper, with the numbers of paper.tex
+  paper/figures.py --headline                     the README's image and table, from paper/data/h100
   paper/figures.py --data FOLDER... --output F    from those folders, each to its own folder, and side by side
 """
 import argparse

@@ -81,7 +81,7 @@ def comparison(machine):
     cuda = leads.won(grid, "cuda")
     text = (f"For all pairs, {leads.headline(found)}: {leads.wins(found)}. Through the grid, whose steps are "
             f"short kernels, GLSL takes {leads.ratios(cuda)} CUDA's time in {len(cuda)} of {len(grid)} comparisons. "
-            "Medians of recorded runs with their intervals: [paper/data/h200](paper/data/h200). Design decisions and "
+            "Medians of recorded runs with their intervals: [paper/data/h100](paper/data/h100). Design decisions and "
             "rejected alternatives: [docs/NOTES](docs/NOTES/README.md).")
     return filled(text)
 
