@@ -6,6 +6,7 @@
 #ifndef SPHEREPAIR_CONTACT_H
 #define SPHEREPAIR_CONTACT_H
 
+#include "common/shared/contact/contact_quotient.h"
 #include "common/shared/gap.h"
 
 struct Body {
@@ -29,7 +30,7 @@ FN float cubed(float radius) {
 }
 
 // Units of length that a unit of momentum moves this sphere in a step: by its mass.
-FN float mobility_of(float radius, ContactParams c) { return quotient(c.mobility, cubed(radius)); }
+FN float mobility_of(float radius, ContactParams c) { return corrected_quotient(c.mobility, cubed(radius)); }
 
 // The impulse along the gap, over the gap's components in unit_length. closing: the speed, in units a step, along the
 // gap's components; reduced_cube: of the radii, for the reduced mass. Momenta are those half a step before the
@@ -55,11 +56,11 @@ FN float push_per_length(Gap g, float closing, float reduced_cube, ContactParams
     return push;
   }
   EXACT float speed = closing * s.inverse_distance;
-  float root = square_root(reduced_cube);
+  float root = corrected_root(reduced_cube);
   EXACT float undamped = elastic + (c.damping * root) * speed;
   EXACT float halved = (c.damping * c.mobility) * 0.5f;
-  EXACT float slower = quotient(halved, root) + 1.0f;
-  EXACT float push = larger(quotient(undamped, slower), 0.0f) * s.inverse_distance;
+  EXACT float slower = corrected_quotient(halved, root) + 1.0f;
+  EXACT float push = larger(corrected_quotient(undamped, slower), 0.0f) * s.inverse_distance;
   return push;
 }
 
@@ -98,7 +99,7 @@ FN FloatPush float_push_of_pair(Body a, Body b, ContactParams c) {
     EXACT float product = cubed(a.radius) * cubed(b.radius);
     EXACT float sum = cubed(a.radius) + cubed(b.radius);
     closing = closing_speed(a, b, g, c);
-    reduced = quotient(product, sum);
+    reduced = corrected_quotient(product, sum);
   }
   float per_length = push_per_length(g, closing, reduced, c);
   EXACT float x = per_length * unit_length(g.x);
