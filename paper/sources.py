@@ -47,13 +47,15 @@ def of_stage(name, stage):
 
 
 def names_of(row, recorded):
-    """What a timing depends on, of the recorded names; without a device timer it may be any kernel of its API. Machine code
-    and hardware counters depend on one kernel alone."""
+    """What a timing depends on, of the recorded names; without a device timer it may be any kernel of its API, of contacts
+    only where these are what is timed. Machine code and hardware counters depend on one kernel alone."""
     backend, stages = row.get("backend"), row.get("stages") or ()
     kernels = {name for name in recorded if name.startswith(f"{backend}/") and
                any(of_stage(name, stage) for stage in stages)}
     if backend in GPU_APIS and not kernels:
-        kernels = {name for name in recorded if name.startswith(f"{backend}/")}
+        pushes = "sums" in row or "option" in row
+        kernels = {name for name in recorded if name.startswith(f"{backend}/") and
+                   (pushes or not re.match(OF_CONTACTS, Path(name).name))}
     if "kernel" in row:
         return kernels
     drawn = {name for name in recorded if Path(name).suffix and of_stage(name, row.get("draw") or "")}
@@ -68,7 +70,7 @@ def timings(value, above=None):
             yield from timings(inner, above)
     if not isinstance(value, dict):
         return
-    row = {**(above or {}), **{key: value[key] for key in ("backend", "draw", "sums") if key in value}}
+    row = {**(above or {}), **{key: value[key] for key in ("backend", "draw", "sums", "option") if key in value}}
     if "samples_ms" in value:
         yield {**row, "stages": value.get("device_stages_ms")}
     if {"kernel", "backend"} <= value.keys():  # of listings and counters

@@ -13,7 +13,7 @@
 #include "common/scene/counted.h"
 #include "common/scene/scene_bounds.h"
 #include "common/scene/scene_params.h"
-#include "common/shared/contact.h"
+#include "common/shared/contact/contact.h"
 
 namespace spherepair {
 namespace {

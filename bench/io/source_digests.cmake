@@ -14,7 +14,7 @@ set(gpu_rooms common/scene common/scene/contact common/backend common/device com
 set(rooms_of_host/cpu common/shared common/scene common/scene/contact common/backend common/cpu common/cpu/search)
 set(rooms_of_host/glsl ${gpu_rooms} glsl)
 set(rooms_of_host/cuda ${gpu_rooms} cuda/host interop)  # interop: OpenGL drawing CUDA's spheres
-set(rooms_of_host/contacts ${gpu_rooms} common/shared common/cpu common/cpu/search)
+set(rooms_of_host/contacts ${gpu_rooms} common/shared common/shared/contact common/cpu common/cpu/search)
 set(rooms_of_measure bench/measure)
 set(files_of_contacts "/(cpu_)?(contact|near_pairs|swept)[^/]*$")
 

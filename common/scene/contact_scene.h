@@ -6,7 +6,7 @@
 
 #include "common/scene/contact/contact_law.h"
 #include "common/scene/motion_state.h"
-#include "common/shared/contact.h"
+#include "common/shared/contact/contact.h"
 
 namespace spherepair {
 

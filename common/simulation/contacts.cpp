@@ -83,7 +83,7 @@ bool Contacts::complete() {
 
 void Contacts::launch(bool clear_results) {
   ++launched_;
-  Params params = context_.params;  // the same for all steps, so that they are sent once
+  Params params = pair_params();  // the same for both launches and for all steps, so that they are sent once
   params.motion.clear_results = clear_results;
   const auto by_sphere = groups_per_sphere(context_);
   if (sums_ == ImpulseSums::in_order)
@@ -93,8 +93,13 @@ void Contacts::launch(bool clear_results) {
   context_.device.launch({Kernel::leapfrog, SERVICE_BLOCK, variant(), by_sphere}, params);
 }
 
-void Contacts::launch_pairs(Kernel kernel, Params params) {
+Params Contacts::pair_params() const {
+  Params params = context_.params;
   params.search.near_pairs = context_.near_pairs;
+  return params;
+}
+
+void Contacts::launch_pairs(Kernel kernel, const Params& params) {
   const auto groups = folded(std::clamp<uint64_t>(ceil_div(context_.near_pairs, SERVICE_BLOCK), 1, most_groups));
   context_.device.launch({kernel, SERVICE_BLOCK, variant(), groups}, params);
 }
@@ -121,7 +126,7 @@ void Contacts::list_rows() {
     context_.buffers.grow(SLOT_ROW, context_.n * capacity * sizeof(uint));
     context_.buffers.grow(SLOT_ROW_LENGTH, context_.n * sizeof(uint));
     context_.device.clear(SLOT_ROW_LENGTH, context_.n * sizeof(uint));
-    launch_pairs(Kernel::contact_rows, context_.params);
+    launch_pairs(Kernel::contact_rows, pair_params());
   };
   fill(std::max(capacity, first_row_capacity));
   if (const uint longest = context_.buffers.read<uint>(SLOT_FAULT, FAULT_WORDS)[LONGEST_ROW]) fill(longest);

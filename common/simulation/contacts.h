@@ -36,7 +36,8 @@ class Contacts {
   void list_near_pairs();
   void list_rows();
   void launch(bool clear_results);
-  void launch_pairs(Kernel kernel, Params params);
+  Params pair_params() const;
+  void launch_pairs(Kernel kernel, const Params& params);
   Variant variant() const { return {.float_sums = sums_ == ImpulseSums::atomics}; }
 
   DeviceContext& context_;

@@ -2,7 +2,7 @@
 // Loads and stores a sphere whose state is in 64-bit integers (see layout.h), and adds impulses to it in any order.
 #pragma once
 
-#include "common/shared/contact.h"
+#include "common/shared/contact/contact.h"
 #include "common/shared/skin.h"
 #include "cuda/kernels.cuh"
 

@@ -4,7 +4,7 @@
 #define POSITION_ACCESS
 #include "shaders/kernels.glsl"
 
-#include "common/shared/contact.h"
+#include "common/shared/contact/contact.h"
 #include "common/shared/skin.h"
 
 layout(std430, binding = SLOT_AXIS) restrict buffer AxisBuffer { Axis of[]; }

@@ -51,7 +51,7 @@ def files(root, build):
 
 
 def shared_headers(root):
-    return sorted((root / "common/shared").glob("*.h"))
+    return sorted((root / "common/shared").rglob("*.h"))
 
 
 def conditionals(text):
@@ -70,7 +70,7 @@ def headers(root, build):
     for path in shared:
         found = conditionals(path.read_text())
         if path.name != "portable.h" and found != allowed.get(path.name, []) and found:
-            complaints.append(f"common/shared/{path.name}: #{found[0]}: conditions belong into portable.h")
+            complaints.append(f"{path.relative_to(root)}: #{found[0]}: conditions belong into portable.h")
     for path in sorted((root / "common").rglob("*.h")):
         for include in FOREIGN.findall(path.read_text()):
             complaints.append(f"{path.relative_to(root)}: includes {include}: no GL, CUDA or Thrust header in common/")

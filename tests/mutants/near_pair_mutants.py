@@ -82,4 +82,9 @@ NEAR_PAIRS = [
     mutant("glsl: what touches is passed over", "shaders/contact/contact_pairs.comp", "if (is_apart(", "if (!is_apart(", "Contacts"),
     mutant("glsl: what touches is left out of sums in order", "shaders/contact/contact_gather.comp", "if (is_apart(", "if (!is_apart(",
            "SumsOfImpulses"),
+    mutant("a quotient's guess is not raised", "common/shared/contact/contact_quotient.h", "while (d.rest >= int(b))", "while (d.rest > int(b))", "ContactQuotient"),
+    mutant("a root's guess is not lowered", "common/shared/contact/contact_quotient.h", "d.rest += int(2u * d.whole + 1u);", "d.rest += int(2u * d.whole);",
+           "ContactQuotient"),
+    mutant("what is left of a root does not round", "common/shared/contact/contact_quotient.h", "rounded_bits(d.whole, uint(d.rest), 151 + halved)",
+           "rounded_bits(d.whole, 0u, 151 + halved)", "ContactQuotient"),
 ]

@@ -3,6 +3,11 @@
 // comes to rest. Short runs; with STRESS=full on a GPU as many spheres as make walls and fluctuations small.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
 #include "bench/check/contact_statistics.h"
 #include "bench/check/gas.h"
 #include "bench/check/step_result.h"
@@ -58,14 +63,40 @@ struct Bed {
   uint64_t n;
   float stiffness;
   uint64_t steps;
-  double moving;  // energy in motion that may be left, of that at the start
+  double moving;      // energy in motion that may be left, of that at the start
+  bool bulk = false;  // whether some of it is far from walls
 };
+
+// Share of the points of a lattice that lie in a sphere: three diameters from walls and floor, and two from the height
+// below which nine of ten centres are.
+double packing_fraction_of_bulk(const Scene& scene, std::vector<vec4> spheres) {
+  const auto higher = [](const vec4& a, const vec4& b) { return a.y < b.y; };
+  const auto top = spheres.begin() + long(spheres.size() * 9 / 10);
+  std::nth_element(spheres.begin(), top, spheres.end(), higher);
+  const double diameter = 2 * double(top->w), step = diameter / 16;
+  const std::array low = {double(scene.contact.low.x) + 3 * diameter, double(scene.plane) + 3 * diameter,
+                          double(scene.contact.low.z) + 3 * diameter};
+  const std::array high = {double(scene.contact.high.x) - 3 * diameter, double(top->y) - 2 * diameter,
+                           double(scene.contact.high.z) - 3 * diameter};
+  uint64_t within = 0, points = 0;
+  for (double y = low[1]; y < high[1]; y += step) {
+    std::vector<vec4> near;
+    std::ranges::copy_if(spheres, std::back_inserter(near),
+                         [&](const vec4& s) { return std::abs(double(s.y) - y) < double(s.w); });
+    for (double z = low[2]; z < high[2]; z += step)
+      for (double x = low[0]; x < high[0]; x += step, ++points)
+        within += std::ranges::any_of(near, [&](const vec4& s) {
+          return std::hypot(x - double(s.x), y - double(s.y), z - double(s.z)) < double(s.w);
+        });
+  }
+  return double(within) / double(points);
+}
 
 // Without friction single spheres roll on between walls, at which alone they lose speed, and large beds rearrange
 // themselves for a long time: 2,000 spheres for 60 s.
 TEST_P(ContactPhysics, ABedComesToRest) {
   const std::vector<Bed> beds = in_full(backend())
-                                    ? std::vector<Bed>{{200, 3e6f, 300'000, 1e-12}, {2000, 1e7f, 200'000, 1e-10}}
+                                    ? std::vector<Bed>{{200, 3e6f, 300'000, 1e-12}, {2000, 1e7f, 200'000, 1e-10, true}}
                                     : std::vector<Bed>{{200, 3e6f, 40'000, 1e-10}};
   for (const Bed& bed : beds) {
     SCOPED_TRACE(bed.n);
@@ -89,6 +120,11 @@ TEST_P(ContactPhysics, ABedComesToRest) {
     EXPECT_LT(end.kinetic, bed.moving * start.energy());
     EXPECT_NEAR(end.floor_force / weight, 1, 1e-6);
     EXPECT_LT(end.greatest_overlap, 0.025);
+    if (bed.bulk) {
+      const double fraction = packing_fraction_of_bulk(scene, backend().state().positions);
+      fmt::print("packing fraction {:.4f} in the bulk\n", fraction);
+      EXPECT_TRUE(0.63 < fraction && fraction < 0.65) << fraction << ", not that of spheres packed at random";
+    }
     const vec4 low = scene.contact.low, high = scene.contact.high;
     for (const vec4& p : backend().state().positions) {
       const float within = p.w - 0.025f;

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "common/scene/contact_scene.h"
-#include "common/shared/contact.h"
+#include "common/shared/contact/contact.h"
 #include "common/shared/skin.h"
 
 namespace spherepair {

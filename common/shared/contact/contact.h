@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+// Contacts of spheres that push each other. State is in 64-bit integers (fixed.h); a step of the leapfrog adds to each
+// momentum the impulses of all contacts and of gravity, then moves the sphere by the momentum, rounded once. Every
+// impulse is rounded to an integer before it is added, so sums need no order; every operation is odd, so that of two
+// spheres each gets exactly the other's impulse with the sign turned.
+#ifndef SPHEREPAIR_CONTACT_H
+#define SPHEREPAIR_CONTACT_H
+
+#include "common/shared/contact/contact_quotient.h"
+#include "common/shared/gap.h"
+
+struct Body {
+  int64_t x, y, z, px, py, pz;  // units of length and of momentum
+  float radius;                 // metres
+};
+
+struct Push {
+  int64_t x, y, z;  // impulse
+  uint fault;       // FAULT_*, FAULTS: none
+};
+struct FloatPush {  // before it is rounded
+  float x, y, z;
+  uint fault;
+};
+
+FN float cubed(float radius) {
+  EXACT float square = radius * radius;
+  EXACT float cube = square * radius;
+  return cube;
+}
+
+// Units of length that a unit of momentum moves this sphere in a step: by its mass.
+FN float mobility_of(float radius, ContactParams c) { return corrected_quotient(c.mobility, cubed(radius)); }
+
+// The impulse along the gap, over the gap's components in unit_length. closing: the speed, in units a step, along the
+// gap's components; reduced_cube: of the radii, for the reduced mass. Momenta are those half a step before the
+// positions, and the damper's speed is to be that of the step's middle: half of the impulse is taken from it, hence the
+// divisor.
+FN float push_per_length(Gap g, float closing, float reduced_cube, ContactParams c) {
+  if (c.law == CONTACT_QUARTIC) {
+    EXACT float depth = float_of(int64_t(g.reach * g.reach - g.square)) * power_of_two(-58);
+    EXACT float cube = (g.scale * g.scale) * g.scale;
+    EXACT float push = (c.impulse * depth) * cube;
+    return push;
+  }
+  if (g.square == 0ul) return 0.0f;
+  Surface s = surface_of(g);
+  EXACT float overlap = s.overlap * g.scale;
+  EXACT float elastic = c.impulse * overlap;
+  if (c.law == CONTACT_HERTZ) {
+    EXACT float push = (elastic * same_root(overlap)) * s.inverse_distance;
+    return push;
+  }
+  if (c.damping == 0.0f) {
+    EXACT float push = elastic * s.inverse_distance;
+    return push;
+  }
+  EXACT float speed = closing * s.inverse_distance;
+  float root = corrected_root(reduced_cube);
+  EXACT float undamped = elastic + (c.damping * root) * speed;
+  EXACT float halved = (c.damping * c.mobility) * 0.5f;
+  EXACT float slower = corrected_quotient(halved, root) + 1.0f;
+  EXACT float push = larger(corrected_quotient(undamped, slower), 0.0f) * s.inverse_distance;
+  return push;
+}
+
+FN float speed_of(int64_t momentum, float mobility) {
+  EXACT float speed = float_of(momentum) * mobility;
+  return speed;
+}
+FN float closing_speed(Body a, Body b, Gap g, ContactParams c) {
+  float ma = mobility_of(a.radius, c);
+  float mb = mobility_of(b.radius, c);
+  EXACT float x = (speed_of(b.px, mb) - speed_of(a.px, ma)) * unit_length(g.x);
+  EXACT float y = (speed_of(b.py, mb) - speed_of(a.py, ma)) * unit_length(g.y);
+  EXACT float z = (speed_of(b.pz, mb) - speed_of(a.pz, ma)) * unit_length(g.z);
+  EXACT float sum = (x + y) + z;
+  return sum;
+}
+
+FN float reach_of_pair(Body a, Body b) {
+  EXACT float reach = a.radius + b.radius;
+  return reach;
+}
+FN Gap gap_between(Body a, Body b, ContactParams c) {
+  return gap_of(a.x - b.x, a.y - b.y, a.z - b.z, reach_of_pair(a, b), c);
+}
+
+// What b gives a; a gives b the same with the sign turned.
+FN FloatPush float_push_of_pair(Body a, Body b, ContactParams c) {
+  FloatPush push = {0.0f, 0.0f, 0.0f, FAULTS};
+  float reach = reach_of_pair(a, b);
+  Gap g = gap_between(a, b, c);
+  if (!in_contact(g)) return push;
+  if (deeper_than(g, smaller(a.radius, b.radius), reach)) push.fault = FAULT_DEEP;
+  float closing = 0.0f;
+  float reduced = 0.0f;
+  if (c.damping != 0.0f) {
+    EXACT float product = cubed(a.radius) * cubed(b.radius);
+    EXACT float sum = cubed(a.radius) + cubed(b.radius);
+    closing = closing_speed(a, b, g, c);
+    reduced = corrected_quotient(product, sum);
+  }
+  float per_length = push_per_length(g, closing, reduced, c);
+  EXACT float x = per_length * unit_length(g.x);
+  EXACT float y = per_length * unit_length(g.y);
+  EXACT float z = per_length * unit_length(g.z);
+  push.x = x;
+  push.y = y;
+  push.z = z;
+  return push;
+}
+FN Push rounded_push(FloatPush push) {
+  Push rounded = {integer_of(push.x), integer_of(push.y), integer_of(push.z), push.fault};
+  return rounded;
+}
+FN Push push_of_pair(Body a, Body b, ContactParams c) { return rounded_push(float_push_of_pair(a, b, c)); }
+
+FN FloatPush sum_of_pushes(FloatPush a, FloatPush b) {
+  EXACT float x = a.x + b.x;
+  EXACT float y = a.y + b.y;
+  EXACT float z = a.z + b.z;
+  FloatPush sum = {x, y, z, a.fault < b.fault ? a.fault : b.fault};
+  return sum;
+}
+
+// What a wall at this distance gives the sphere, away from it; -1: its centre is behind the wall.
+FN int64_t push_of_wall(int64_t distance, int64_t outward_momentum, float radius, ContactParams c) {
+  if (distance <= 0l) return -1l;
+  Gap g = gap_of(distance, 0l, 0l, radius, c);
+  if (!in_contact(g)) return 0l;
+  float closing = 0.0f;
+  if (c.damping != 0.0f) {
+    EXACT float speed = -speed_of(outward_momentum, mobility_of(radius, c)) * unit_length(g.x);
+    closing = speed;
+  }
+  EXACT float push = push_per_length(g, closing, cubed(radius), c) * unit_length(g.x);
+  return integer_of(push);
+}
+
+// Farther from every wall than the power of two above the radius, as most spheres are.
+FN bool is_away_from_walls(Body s, ContactParams c) {
+  int64_t reach = int64_t(1ul << (uint(c.unit_exponent) + exponent_field(s.radius) - 126u));
+  return s.x - c.low_x >= reach && s.y - c.low_y >= reach && s.z - c.low_z >= reach && c.high_x - s.x >= reach &&
+         c.high_y - s.y >= reach && c.high_z - s.z >= reach;
+}
+
+FN Push push_of_walls(Body s, ContactParams c) {
+  Push push = {0l, 0l, 0l, FAULTS};
+  if (is_away_from_walls(s, c)) return push;
+  int64_t low_x = push_of_wall(s.x - c.low_x, s.px, s.radius, c);
+  int64_t low_y = push_of_wall(s.y - c.low_y, s.py, s.radius, c);
+  int64_t low_z = push_of_wall(s.z - c.low_z, s.pz, s.radius, c);
+  int64_t high_x = push_of_wall(c.high_x - s.x, -s.px, s.radius, c);
+  int64_t high_y = push_of_wall(c.high_y - s.y, -s.py, s.radius, c);
+  int64_t high_z = push_of_wall(c.high_z - s.z, -s.pz, s.radius, c);
+  if (low_x < 0l || low_y < 0l || low_z < 0l || high_x < 0l || high_y < 0l || high_z < 0l) push.fault = FAULT_DEEP;
+  push.x = low_x - high_x;
+  push.y = low_y - high_y;
+  push.z = low_z - high_z;
+  return push;
+}
+
+FN bool outside_range(int64_t x) { return x >= MOST_UNITS || x <= -MOST_UNITS; }
+FN bool too_fast(int64_t momentum, float mobility, ContactParams c) {
+  float speed = speed_of(momentum, mobility);
+  return speed > c.fastest || speed < -c.fastest;
+}
+
+// What is wrong with a sphere that is to move by its momentum: FAULT_*, or FAULTS.
+FN uint fault_of(Body s, float mobility, ContactParams c) {
+  if (outside_range(s.x) || outside_range(s.y) || outside_range(s.z)) return FAULT_RANGE;
+  bool fast = too_fast(s.px, mobility, c) || too_fast(s.py, mobility, c) || too_fast(s.pz, mobility, c);
+  return fast ? FAULT_FAST : FAULTS;
+}
+
+// Momentum before position, by the impulses of spheres, walls and gravity.
+FN Body kicked(Body s, Push contacts, Push walls, ContactParams c) {
+  EXACT float weight = c.gravity * cubed(s.radius);
+  s.px += contacts.x + walls.x;
+  s.py += contacts.y + walls.y + integer_of(weight);
+  s.pz += contacts.z + walls.z;
+  return s;
+}
+FN Body drifted(Body s, float mobility) {
+  s.x += scaled(s.px, mobility);
+  s.y += scaled(s.py, mobility);
+  s.z += scaled(s.pz, mobility);
+  return s;
+}
+
+// The float32 centre and velocity nearest to the state.
+FN vec4 centre_of(Body s, ContactParams c) {
+  float unit = power_of_two(-c.unit_exponent);
+  EXACT float x = float_of(s.x) * unit;
+  EXACT float y = float_of(s.y) * unit;
+  EXACT float z = float_of(s.z) * unit;
+  vec4 centre = {x, y, z, s.radius};
+  return centre;
+}
+FN vec4 velocity_of(Body s, float mobility, ContactParams c) {
+  EXACT float x = speed_of(s.px, mobility) * c.metres_per_second;
+  EXACT float y = speed_of(s.py, mobility) * c.metres_per_second;
+  EXACT float z = speed_of(s.pz, mobility) * c.metres_per_second;
+  vec4 velocity = {x, y, z, 0.0f};
+  return velocity;
+}
+
+#endif
