@@ -81,8 +81,8 @@ def kinds_of_spheres(put, machine, others):
     for name in DEVICES:
         start = {kind: as_number(by_backend[name].start) for kind, by_backend in found.items()}
         of_one_size = max(start[kind] for kind in ("gas", "thin", "box"))
-        said(machine, of_one_size <= 8192 and of_one_size < start["clusters"] < start["radii"] < start["one_cell"] == NEVER,
-             f"the grid pays from some thousand spheres of one size on, later in clusters, later still with unequal radii, "
+        said(machine, of_one_size <= 8192 and of_one_size <= start["clusters"] < start["radii"] < start["one_cell"] == NEVER,
+             f"the grid pays from some thousand spheres of one size on, no earlier in clusters, later with unequal radii, "
              f"never in one cell, in {name}")
     for kind, by_backend in found.items():
         for name in by_backend.keys() & set(DEVICES):

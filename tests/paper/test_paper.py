@@ -140,7 +140,7 @@ class WhoLeads(unittest.TestCase):
     def test_prose_that_does_not_follow_refuses(self):
         for maker, wanted, factor in (
                 ("who_leads", {"table": "scale", "backend": "glsl"}, 2),
-                ("one_launch", {"table": "table1", "work": "move", "backend": "glsl"}, 0.5),
+                ("one_launch", {"table": "table1", "work": "move", "backend": "glsl"}, 2),
                 ("exactness", {"table": "exactness", "method": "collide_tiled", "exact": True, "backend": "glsl"}, 1.02),
                 ("launches", {"table": "overhead", "backend": "cuda"}, 2),
                 ("arrangements", {"table": "methods", "method": "collide_tiled"}, 0.2),
