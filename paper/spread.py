@@ -12,6 +12,7 @@ from collections import Counter
 LAYERS = ("within", "processes", "gpus")
 TIMED = ("measurements", "records", "frames", "times", "copies", "overlaps", "exactness", "contact_runs",
          "contact_sums", "gas_steps")  # lists of timings in records
+OF_THE_TIMING = ("bounded_by_longest", "fits_l2", "pinned")  # what may be true of one process and not of another
 
 
 def median_interval(samples, confidence=0.95):
@@ -85,7 +86,8 @@ def merged_value(values, gpus=None):
 def identity(row):
     """What tells a row from others, whichever process it is of."""
     return json.dumps({key: value for key, value in row.items()
-                       if key in ("n", "block", "k", "dt", "scene") or isinstance(value, (str, bool))}, sort_keys=True)
+                       if key in ("n", "block", "k", "dt", "scene") or
+                       isinstance(value, (str, bool)) and key not in OF_THE_TIMING}, sort_keys=True)
 
 
 def rows_by_identity(rows):
