@@ -74,6 +74,10 @@ class Rows(unittest.TestCase):
         rows = spread.merged([record(small, large), record(large, small)])["measurements"]
         self.assertEqual([(1024, 1), (4096, 5)], [(row["n"], row["median_ms"]) for row in rows])
 
+    def test_what_the_timing_says_of_itself_is_no_other_row(self):
+        roots = [record(timing(10, bounded_by_longest=longest, pinned=longest, fits_l2=longest)) for longest in (True, False)]
+        self.assertEqual(1, len(spread.merged(roots)["measurements"]))
+
     def test_rows_that_only_some_processes_have_stay(self):
         rows = spread.merged([record(timing(1)), record(timing(1), timing(5, n=4096))])["measurements"]
         self.assertEqual([2, 1], [len(row["processes"]) for row in rows])
