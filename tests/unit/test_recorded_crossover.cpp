@@ -18,9 +18,9 @@
 namespace spherepair {
 namespace {
 
-// On a CPU of many threads all pairs of 2,048 spheres is up to 1.37 times as fast as the grid, which starts them more
-// often.
-constexpr double tolerated = 1.15, tolerated_on_gpus = 1.1, tolerated_on_many_threads = 1.4;
+// In one cell the best changes with every size on a CPU: 128 spheres are a fifth slower in the grid, 64 and 256 faster.
+// With many threads all pairs of 2,048 spheres is up to 1.37 times as fast as the grid, which starts them more often.
+constexpr double tolerated = 1.15, tolerated_on_gpus = 1.1, tolerated_on_cpus = 1.25, tolerated_on_many_threads = 1.4;
 
 struct Recorded {
   SceneOptions scene;
@@ -98,7 +98,10 @@ TEST(MethodsRecorded, AutoIsNeverFarBehindTheBestFixedChoice) {
     }
     const bool gpu = !one.info.on_host && !one.info.software;
     const bool many = crossover_of(one.info).device == std::string("cpu of many threads");
-    const double bound = gpu ? tolerated_on_gpus : many ? tolerated_on_many_threads : tolerated;
+    const double bound = gpu                ? tolerated_on_gpus
+                         : many             ? tolerated_on_many_threads
+                         : one.info.on_host ? tolerated_on_cpus
+                                            : tolerated;
     for (const auto& [way, interval] : one.ways)
       if (way != "auto") {
         EXPECT_LE(taken->second.low, bound * interval.high) << name << ": " << describe(choice) << " against " << way;
