@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
+
 #include "common/cpu/cpu_backend.h"
 #include "common/scene/known_name.h"
 #include "common/simulation/simulation.h"
@@ -23,13 +25,21 @@ std::vector<std::string> backend_names() { return {"cpu", "glsl", "cuda"}; }
 
 namespace {
 
-// Where a GPU was chosen for one API alone, the other takes the same.
+// Where a GPU was chosen for one API alone, the other takes the same. EGL does not know CUDA_VISIBLE_DEVICES: OpenGL
+// takes the first GPU that it leaves to CUDA, and its own first where it leaves none.
 OpenOptions with_gl_device([[maybe_unused]] OpenOptions options) {
-  if (options.cuda_device.empty() || !options.gl_device.empty() || !options.allow_gpu) return options;
+  const bool chosen = !options.cuda_device.empty();
+  if (!options.gl_device.empty() || !options.allow_gpu || !(chosen || std::getenv("CUDA_VISIBLE_DEVICES")))
+    return options;
 #ifdef SPHEREPAIR_WITH_CUDA
-  options.gl_device = open_cuda_device(options)->info().uuid;
+  try {
+    options.gl_device = open_cuda_device(options)->info().uuid;
+  } catch (const BackendError&) {
+    if (chosen) throw;
+  }
   return options;
 #else
+  if (!chosen) return options;
   throw BackendError("glsl: a CUDA device was chosen, but this build lacks CUDA; use --gl-device");
 #endif
 }

@@ -153,9 +153,11 @@ class Run:
 
     def command(self, out, gpu=""):
         """(words, variables of the environment)"""
-        device = ["--cuda-device", gpu] if gpu and set(self.part.backends) & {"glsl", "cuda"} else []
-        return ([word.format(out=out) for word in self.part.words.split()] + device,
-                {name: value.format(out=out) for name, value in self.part.environment.items()})
+        variables = dict(self.part.environment)
+        if gpu and set(self.part.backends) & {"glsl", "cuda"}:
+            variables["CUDA_VISIBLE_DEVICES"] = gpu
+        return ([word.format(out=out) for word in self.part.words.split()],
+                {name: value.format(out=out) for name, value in variables.items()})
 
 
 def numbered(part):
@@ -188,11 +190,6 @@ def missing_needs(part, backends):
     if part.memory and memory and int(memory) < part.memory:
         return f"needs {part.memory // GIB} GiB on the GPU, which has {int(memory) // GIB}"
     return ""
-
-
-def why_no_choice(part, gpu):
-    """Why a part cannot run on a GPU of one's choice, or nothing."""
-    return "runs on the first GPU: omit --gpu" if gpu and (part.tests or part.script) else ""
 
 
 def of_machine(backends):

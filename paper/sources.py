@@ -19,6 +19,7 @@ ROOT = Path(__file__).resolve().parent.parent
 GPU_APIS = ("glsl", "cuda")
 MOST_NAMED = 4  # under a figure
 OF_CONTACTS = "contact_|leapfrog|collide_swept"  # stages that host/contacts launches
+SAID_OF_CONTACTS = {"sums", "sphere_steps_per_second"}  # only timings of contacts have one of these
 
 
 class Unknown(Exception):
@@ -53,13 +54,13 @@ def names_of(row, recorded):
     kernels = {name for name in recorded if name.startswith(f"{backend}/") and
                any(of_stage(name, stage) for stage in stages)}
     if backend in GPU_APIS and not kernels:
-        pushes = "sums" in row or "option" in row
+        pushes = SAID_OF_CONTACTS & row.keys() or "option" in row
         kernels = {name for name in recorded if name.startswith(f"{backend}/") and
                    (pushes or not re.match(OF_CONTACTS, Path(name).name))}
     if "kernel" in row:
         return kernels
     drawn = {name for name in recorded if Path(name).suffix and of_stage(name, row.get("draw") or "")}
-    contacts = {"host/contacts"} if "sums" in row or any(re.match(OF_CONTACTS, stage) for stage in stages) else set()
+    contacts = {"host/contacts"} if SAID_OF_CONTACTS & row.keys() or any(re.match(OF_CONTACTS, stage) for stage in stages) else set()
     return kernels | drawn | (contacts | {f"host/{backend}", "measure"}) & recorded.keys()
 
 
@@ -70,7 +71,7 @@ def timings(value, above=None):
             yield from timings(inner, above)
     if not isinstance(value, dict):
         return
-    row = {**(above or {}), **{key: value[key] for key in ("backend", "draw", "sums", "option") if key in value}}
+    row = {**(above or {}), **{key: value[key] for key in ("backend", "draw", "option", *SAID_OF_CONTACTS) if key in value}}
     if "samples_ms" in value:
         yield {**row, "stages": value.get("device_stages_ms")}
     if {"kernel", "backend"} <= value.keys():  # of listings and counters

@@ -52,7 +52,7 @@ ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
   plan.rates.converged = std::min(plan.rates.converged, 4 * std::ranges::max(plan.steps_a_contact));
   plan.sampling.rounds = options.rounds;
   plan.sampling.longest = 0.02;
-  if (!hardware) plan.sampling.software_seconds = 0.01;
+  if (!hardware) plan.sampling.software_seconds = 0.01, plan.steps_averaged = 20;
   return plan;
 }
 

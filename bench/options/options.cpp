@@ -104,7 +104,8 @@ void add_open_options(CLI::App& command, OpenOptions& open) {
          "GPU for CUDA: a number counted from 0 as CUDA does, or a UUID as nvidia-smi -L prints it; default: that of "
          "--gl-device, or the first");
   device("--gl-device", open.gl_device,
-         "GPU for OpenGL: a number or UUID; default: that of --cuda-device, or the first");
+         "GPU for OpenGL: a number or UUID; default: that of --cuda-device, or the first that CUDA_VISIBLE_DEVICES "
+         "leaves to CUDA");
   command.add_flag("--require-hardware", open.require_hardware, "Refuse software OpenGL");
   command
       .add_flag_callback(

@@ -237,7 +237,7 @@ class WindowContext;  // window_context.h
 
 struct OpenOptions {
   std::string cuda_device = {};     // its number or UUID (device_name.h); empty: gl_device's if given, else the first
-  std::string gl_device = {};       // the same; empty: cuda_device's if given, else the first
+  std::string gl_device = {};       // the same; empty: cuda_device's if given, else the first left to CUDA
   WindowContext* window = nullptr;  // GL lives in this context; null: in one of its own. Outlives the backends
   bool require_hardware = false;    // refuse GL in software
   bool allow_gpu = true;            // false: software GL even where a GPU is

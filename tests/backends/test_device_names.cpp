@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Which GPU is meant, and what is said where it is not there.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "bench/cli/commands.h"
 #include "common/backend/device_name.h"
 #include "tests/support/backends.h"
+#include "tests/support/program.h"
 
 namespace spherepair {
 namespace {
@@ -56,6 +63,42 @@ TEST(DeviceNames, TheOtherApiTakesTheGpuThatIsNamedForOne) {
   EXPECT_EQ(open_backend("glsl", for_cuda)->info().uuid, uuid);
   EXPECT_EQ(open_backend("cuda", for_gl)->info().uuid, uuid);
   open_backend("cuda", {});  // the other tests' GPU is CUDA's current one again
+}
+
+class VisibleDevices : public ProgramTest {
+ protected:
+  // The GPU of each API where this is all that CUDA sees.
+  std::map<std::string, std::string> gpus(const std::string& visible) const {
+    const Outcome outcome = run(fmt::format("devices --json {}", path("devices.json")),
+                                fmt::format("CUDA_VISIBLE_DEVICES={}; export CUDA_VISIBLE_DEVICES;", visible));
+    EXPECT_EQ(outcome.code, kOk) << outcome.errors;
+    std::map<std::string, std::string> found;
+    const nlohmann::json record = read_json("devices.json");
+    for (const nlohmann::json& backend : record.at("backends"))
+      if (backend.at("open") && backend.at("name") != "cpu") found[backend.at("name")] = backend.at("uuid");
+    return found;
+  }
+};
+
+// As nvidia-smi -L prints it.
+std::string with_dashes(const std::string& uuid) {
+  const auto part = [&](size_t from, size_t digits) { return uuid.substr(from, digits); };
+  return fmt::format("GPU-{}-{}-{}-{}-{}", part(0, 8), part(8, 4), part(12, 4), part(16, 4), part(20, 12));
+}
+
+TEST_F(VisibleDevices, OpenGlTakesTheGpuThatIsLeftToCuda) {
+  const std::string uuid = last_gpu("cuda");
+  if (uuid.empty() || last_gpu("glsl") != uuid) GTEST_SKIP() << "no GPU that both APIs reach";
+  open_backend("cuda", {});  // the other tests' GPU is CUDA's current one again
+  EXPECT_EQ(gpus(with_dashes(uuid)), (std::map<std::string, std::string>{{"glsl", uuid}, {"cuda", uuid}}));
+}
+
+TEST_F(VisibleDevices, OpenGlStaysWhereCudaIsLeftNone) {
+  const std::map<std::string, std::string> found = gpus("-1");
+  EXPECT_EQ(found.count("cuda"), 0u);
+  const std::vector<Backend*> there = open_backends();
+  EXPECT_EQ(found.count("glsl"),
+            size_t(std::ranges::count(there, "glsl", [](Backend* one) { return one->info().name; })));
 }
 
 }  // namespace

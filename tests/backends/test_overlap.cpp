@@ -29,7 +29,7 @@ class Overlap : public BackendTest {
     const auto step = [](bool load_radii) {
       return grid_step([=](CollideOptions& o) {
         o.grid.cells = Cells::dense, o.grid.sort = Sort::buckets, o.load_radii = load_radii;
-        o.api.graph = false;  // in which CUDA would put steps of few spheres, and those that do not overlap
+        o.api.graph = false;  // in which CUDA would put steps that do not overlap
       });
     };
     const auto oracle = open_backend("cpu");

@@ -85,6 +85,8 @@ NEAR_PAIRS = [
     mutant("a quotient's guess is not raised", "common/shared/contact/contact_quotient.h", "while (d.rest >= int(b))", "while (d.rest > int(b))", "ContactQuotient"),
     mutant("a root's guess is not lowered", "common/shared/contact/contact_quotient.h", "d.rest += int(2u * d.whole + 1u);", "d.rest += int(2u * d.whole);",
            "ContactQuotient"),
+    mutant("small spheres have no damper", "common/shared/contact/contact.h", "larger(first, second) * corrected_quotient(smaller(first, second), sum)",
+           "corrected_quotient(first * second, sum)", "ContactLaws"),
     mutant("what is left of a root does not round", "common/shared/contact/contact_quotient.h", "rounded_bits(d.whole, uint(d.rest), 151 + halved)",
            "rounded_bits(d.whole, 0u, 151 + halved)", "ContactQuotient"),
 ]

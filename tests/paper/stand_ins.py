@@ -16,6 +16,8 @@ if words[0] == "devices" and "--compile" not in words:
     sys.exit(0)
 with (here / "calls.txt").open("a") as calls:
     print(os.getpid(), *words, file=calls)
+with (here / "gpus.txt").open("a") as gpus:
+    print(os.environ.get("CUDA_VISIBLE_DEVICES", "-"), file=gpus)
 if said["sleeps"]:
     print("sleeping", flush=True)
     time.sleep(60)

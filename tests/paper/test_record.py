@@ -34,6 +34,7 @@ class StandIn(unittest.TestCase):
         self.program.write_text(stand_ins.PROGRAM.format(python=sys.executable))
         self.program.chmod(self.program.stat().st_mode | stat.S_IXUSR)
         self.environment = stand_ins.make_tools(self.home)
+        self.environment.pop("CUDA_VISIBLE_DEVICES", None)
         self.say()
 
     def say(self, memory=150 * 10**9, software=False, cuda=True, digests=None, **more):
@@ -93,10 +94,10 @@ class Recording(StandIn):
 
     def test_a_gpu_of_ones_choice(self):
         self.run_it("--part", "launches-1", "--gpu", "1")
-        self.assertEqual(["--cuda-device", "1"], self.calls()[0][-2:])
+        self.run_it("--part", "tests-1", "--gpu", "1")
         self.run_it("--part", "crossover_cpu", "--gpu", "1")
-        self.assertNotIn("--cuda-device", self.calls()[1])
-        self.assertIn("counters is left out: runs on the first GPU", self.run_it("--part", "counters", "--gpu", "1"))
+        self.run_it("--part", "launches-1")
+        self.assertEqual(["1", "1", "-", "-"], (self.home / "gpus.txt").read_text().split())
 
     def test_a_sweep_is_replaced_whole(self):
         self.run_it("--part", "sweep-1")

@@ -147,9 +147,10 @@ class Stale(Tree):
         self.assertEqual({"a.json": ("draw_cull (GLSL)", 1, 3)}, self.stale())
 
     def test_without_device_timers_kernels_of_contacts_count_where_these_may_be_timed(self):
-        self.record("a.json", [timing("glsl"), {**timing("glsl"), "sums": "integers"}, {**timing("glsl"), "option": "order"}])
+        self.record("a.json", [timing("glsl"), {**timing("glsl"), "sums": "integers"}, {**timing("glsl"), "option": "order"},
+                               {**timing("glsl"), "sphere_steps_per_second": 1e10}])
         self.append("shaders/contact/leapfrog.comp", "int unused;\n")
-        self.assertEqual({"a.json": ("leapfrog (GLSL)", 2, 3)}, self.stale())
+        self.assertEqual({"a.json": ("leapfrog (GLSL)", 3, 4)}, self.stale())
 
     def test_listings_and_counters_are_of_one_kernel(self):
         self.record("listings/listings.json", [{"kernel": "collide_grid", "backend": "glsl"}, {"kernel": "move", "backend": "cuda"}],

@@ -148,7 +148,9 @@ TEST_F(ContactStudy, RecordsEveryRunAndCost) {
   ASSERT_EQ(record.at("gas_steps").size(), 1u);
   const json& steps = record.at("gas_steps").front();
   EXPECT_EQ(steps.at("n"), 125);
-  EXPECT_GT(steps.at("steps"), 0);
+  EXPECT_EQ(steps.at("steps"), 20);
+  EXPECT_EQ(steps.at("sample").at("batches"), json({1})) << "their mean, no slope";
+  EXPECT_DOUBLE_EQ(steps.at("seconds_per_step").get<double>(), steps.at("sample").at("median_ms").get<double>() / 20e3);
   EXPECT_TRUE(steps.at("over_cuda").is_null());
   EXPECT_DOUBLE_EQ(steps.at("sphere_steps_per_second").get<double>(), 125 / steps.at("seconds_per_step").get<double>());
   ASSERT_EQ(record.at("contact_sums").size(), 2 * 3u);

@@ -89,6 +89,14 @@ TEST(ContactLaws, SpringLeavesTheRestitutionOfTheSpeed) {
         << restitution;
 }
 
+// Their radii's sixth power is no float.
+TEST(ContactLaws, SpringDampsSmallSpheresToo) {
+  Scene scene = make_scene({.name = "collide2", .n = 2, .radius = 1e-7f});
+  scene.restitution = 0.5f;
+  choose_contacts(scene, {.law = ContactLaw::spring});
+  EXPECT_NEAR(rebound_speed(scene, 400), 1, 0.01);  // together, of 2 m/s
+}
+
 TEST(ContactLaws, HertzReachesTheGreatestOverlapAndBouncesBack) {
   const double overlap = contact_seconds / 2.9432, k = 5 * reduced / (4 * std::pow(overlap, 2.5));
   for (const int steps : {40, 80}) {

@@ -78,5 +78,17 @@ TEST(ContactQuotient, TheGuessOfAnyMachineWillDo) {
   }
 }
 
+// The quotient of exact divisions is a limit that a guess just below must reach.
+TEST(ContactQuotient, ExactOnesAreReached) {
+  for (const uint b : {0x800000u, 0xC00000u, 0xFFFFFFu})
+    for (const uint a : {b, b + (b >> 1)})
+      for (uint wrong = 0; wrong <= 128; ++wrong) {
+        if ((uint64_t(a) << 24) % b != 0) continue;
+        const uint quotient = uint((uint64_t(a) << 24) / b);
+        const Digits found = digits_of_quotient(a, b, quotient + wrong - 64);
+        EXPECT_TRUE(found.whole == quotient && found.rest == 0) << a << " / " << b << ", " << wrong;
+      }
+}
+
 }  // namespace
 }  // namespace spherepair

@@ -18,13 +18,15 @@
 namespace spherepair {
 namespace {
 
-// On a CPU of many threads all pairs of 2,048 spheres is up to a third ahead of the grid, which starts them more often.
-constexpr double tolerated = 1.15, tolerated_on_gpus = 1.1, tolerated_on_many_threads = 1.4;
+// In one cell the best changes with every size on a CPU: 128 spheres are a fifth slower in the grid, 64 and 256 faster.
+// With many threads all pairs of 2,048 spheres is up to 1.37 times as fast as the grid, which starts them more often.
+constexpr double tolerated = 1.15, tolerated_on_gpus = 1.1, tolerated_on_cpus = 1.25, tolerated_on_many_threads = 1.4;
 
 struct Recorded {
   SceneOptions scene;
   BackendInfo info;
   std::map<std::string, Interval> ways;  // ms
+  std::string chosen;                    // the method that auto took then
 };
 
 // What was recorded once, crossover.json, and in several processes, crossover/1.json ...
@@ -62,6 +64,7 @@ std::map<std::string, Recorded> recorded_crossovers() {
         for (const auto& [what, value] : opened.at("details").items())
           one.info.details[what] = value.is_string() ? value.get<std::string>() : value.dump();
       }
+      if (way == "auto") one.chosen = row.at("choice").at("name");
       const Interval interval = {row.at("interval_ms").at(0), row.at("interval_ms").at(1), row.at("coverage")};
       Interval& whole = one.ways.try_emplace(way, interval).first->second;
       whole.low = std::min(whole.low, interval.low);
@@ -95,12 +98,28 @@ TEST(MethodsRecorded, AutoIsNeverFarBehindTheBestFixedChoice) {
     }
     const bool gpu = !one.info.on_host && !one.info.software;
     const bool many = crossover_of(one.info).device == std::string("cpu of many threads");
-    const double bound = gpu ? tolerated_on_gpus : many ? tolerated_on_many_threads : tolerated;
+    const double bound = gpu                ? tolerated_on_gpus
+                         : many             ? tolerated_on_many_threads
+                         : one.info.on_host ? tolerated_on_cpus
+                                            : tolerated;
     for (const auto& [way, interval] : one.ways)
       if (way != "auto") {
         EXPECT_LE(taken->second.low, bound * interval.high) << name << ": " << describe(choice) << " against " << way;
       }
   }
+}
+
+// Else what is recorded of auto is of an earlier rule: `paper/record` records it again.
+TEST(MethodsRecorded, AutoTookWhatItTakesNow) {
+  int met = 0;
+  for (const auto& [name, one] : recorded_crossovers()) {
+    if (name.starts_with("h200 ") || one.chosen.empty()) continue;
+    const GridPlans plans = plan_grids(make_scene(one.scene).positions);
+    const MethodChoice choice = explain_choice(one.info, one.scene.n, plans, {.method = Method::automatic});
+    EXPECT_EQ(method_name(choice.method), one.chosen) << name << ": " << describe(choice);
+    ++met;
+  }
+  EXPECT_GT(met, 150);
 }
 
 // Of cells that must be hashed, on the GPU.

@@ -18,8 +18,9 @@
 //   contact_sums   a step of the scene gas by the law spring, 40 steps a contact, lists of near pairs included:
 //     {backend, n, sums, seconds_per_step, low, high, sample,
 //      integers_over_this   of the time with integers: ratio, low and high of its interval, as verdicts have it}
-//   gas_steps  whole steps of the same, from its start: contacts, motion, walls and lists of near pairs:
-//     {backend, n, steps, seconds_per_step, low, high, sphere_steps_per_second, sample,
+//   gas_steps  whole steps of the same, the mean of so many from its start: contacts, motion, walls and near pairs:
+//     {backend, n, steps, seconds_per_step, low, high, sphere_steps_per_second,
+//      sample       of all these steps at once
 //      over_cuda    GLSL's time over CUDA's: ratio, low and high of its interval; null for other backends and without
 //      CUDA}
 //   contact_rates  of the scene gas by the law spring on one backend, whose bits are those of the others; one entry per
@@ -106,10 +107,11 @@ struct SumsCost {
 
 struct GasSteps {  // whole steps of a gas from its start: contacts, motion, walls, lists of near pairs
   std::string backend;
-  uint64_t n;
-  Samples samples;
-  std::optional<Contest> over_cuda;                                           // GLSL's
-  double per_second() const { return double(n) / samples.median_seconds(); }  // sphere-steps
+  uint64_t n, steps;
+  Samples samples;                                                             // of all steps at once
+  std::optional<Contest> over_cuda;                                            // GLSL's
+  double seconds() const { return samples.median_seconds() / double(steps); }  // of a step, the mean
+  double per_second() const { return double(n) / seconds(); }                  // sphere-steps
 };
 
 struct ContactRate {  // the pressure where the restitution is 1, else the time of Haff's law

@@ -87,9 +87,8 @@ Table steps_table(const std::vector<GasSteps>& steps) {
               {},
               {}};
   for (const GasSteps& one : steps)
-    table.rows.push_back({std::to_string(one.n), one.backend, std::to_string(one.samples.batch()),
-                          format_ms(one.samples.median_seconds()), fmt::format("{:.3g}", one.per_second()),
-                          one.over_cuda ? ratio_text(*one.over_cuda) : ""});
+    table.rows.push_back({std::to_string(one.n), one.backend, std::to_string(one.steps), format_ms(one.seconds()),
+                          fmt::format("{:.3g}", one.per_second()), one.over_cuda ? ratio_text(*one.over_cuda) : ""});
   return table;
 }
 

@@ -96,10 +96,12 @@ FN FloatPush float_push_of_pair(Body a, Body b, ContactParams c) {
   float closing = 0.0f;
   float reduced = 0.0f;
   if (c.damping != 0.0f) {
-    EXACT float product = cubed(a.radius) * cubed(b.radius);
-    EXACT float sum = cubed(a.radius) + cubed(b.radius);
+    float first = cubed(a.radius);
+    float second = cubed(b.radius);
+    EXACT float sum = first + second;
+    EXACT float product = larger(first, second) * corrected_quotient(smaller(first, second), sum);
     closing = closing_speed(a, b, g, c);
-    reduced = corrected_quotient(product, sum);
+    reduced = product;
   }
   float per_length = push_per_length(g, closing, reduced, c);
   EXACT float x = per_length * unit_length(g.x);
