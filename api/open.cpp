@@ -26,23 +26,26 @@ std::vector<std::string> backend_names() { return {"cpu", "glsl", "cuda"}; }
 namespace {
 
 // Where a GPU was chosen for one API alone, the other takes the same. EGL does not know CUDA_VISIBLE_DEVICES: OpenGL
-// takes the first GPU that it leaves to CUDA, and its own first where it leaves none.
-OpenOptions with_gl_device([[maybe_unused]] OpenOptions options) {
+// takes the first GPU that it leaves to CUDA, and its own first where it leaves none or OpenGL does not reach that one.
+#ifdef SPHEREPAIR_WITH_GLSL
+OpenOptions with_gl_device(OpenOptions options) {
   const bool chosen = !options.cuda_device.empty();
-  if (!options.gl_device.empty() || !options.allow_gpu || !(chosen || std::getenv("CUDA_VISIBLE_DEVICES")))
-    return options;
+  const bool narrowed = std::getenv("CUDA_VISIBLE_DEVICES") && !options.window;
+  if (!options.gl_device.empty() || !options.allow_gpu || !(chosen || narrowed)) return options;
 #ifdef SPHEREPAIR_WITH_CUDA
   try {
     options.gl_device = open_cuda_device(options)->info().uuid;
+    if (!chosen) open_gl_device(options);
   } catch (const BackendError&) {
     if (chosen) throw;
+    options.gl_device.clear();
   }
-  return options;
 #else
-  if (!chosen) return options;
-  throw BackendError("glsl: a CUDA device was chosen, but this build lacks CUDA; use --gl-device");
+  if (chosen) throw BackendError("glsl: a CUDA device was chosen, but this build lacks CUDA; use --gl-device");
 #endif
+  return options;
 }
+#endif
 
 #ifdef SPHEREPAIR_WITH_CUDA
 OpenOptions with_cuda_device(OpenOptions options) {

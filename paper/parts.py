@@ -108,8 +108,11 @@ GPU = tuple(map(in_hardware, (
           "--n 16384,1000000", "frames.json"),
     study("frames_transfer_1e8", 5, "cuda", "frames --transfer --draws compute,points --places outside --works frame "
           "--n 100000000", "frames.json", memory=32 * GIB),
-    *(study(f"precision_{precision}", 5, "glsl,cuda", f"precision --precisions {precision} --steps 4,6,8,10 --rounds 11",
-            "precision.json") for precision in ("float32", "compensated", "float64")),
+    study("precision_float32", 5, "glsl,cuda", "precision --precisions float32 --steps 4,6,8,10 --rounds 11",
+          "precision.json"),
+    *(study(f"precision_{precision}_{name}", 4, "glsl,cuda", f"precision --precisions {precision} --motions {methods} "
+            "--steps 4,6,8,10 --rounds 11", "precision.json") for precision in ("compensated", "float64")
+      for name, methods in (("steps", "euler,symplectic,paper,paper-clamp"), ("impacts", "impact-linear,impact,anchored"))),
     study("precision_cpu", 4, "cpu", "precision --steps 4,6,8,10 --rounds 11", "precision.json"),
     study("precision_1e8", 5, "glsl,cuda", "precision --motions paper,anchored --precisions float32 --n 100000000 "
           "--steps 5 --rounds 11", "precision.json", memory=16 * GIB),

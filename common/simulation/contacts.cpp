@@ -27,7 +27,7 @@ void Contacts::upload(const Scene& scene) {
   const uint64_t n = on_ ? context_.n : 0;
   for (uint axis = 0; axis < 3; ++axis) {
     context_.buffers.resize(SLOT_IMPULSE + axis, n * sizeof(int64_t));
-    context_.buffers.write(SLOT_IMPULSE + axis, std::vector<int64_t>(n));
+    if (on_) context_.device.clear(SLOT_IMPULSE + axis, n * sizeof(int64_t));
   }
   context_.buffers.resize(SLOT_GROWN, n * sizeof(vec4));
   if (!on_) context_.buffers.resize(SLOT_NEAR, 0);

@@ -12,22 +12,30 @@ __device__ inline float radius_of(const Params& p, const KernelBuffers& buf, uin
   return p.radius != 0.0f ? p.radius : buf.position[i].w;  // equal radii need no load
 }
 
+// CUDA only from here: GLSL has another type, for the alignment
+__device__ inline int64_t load_position(const KernelBuffers& buf, uint k, uint i) { return buf.axis[k].of[i].position; }
+__device__ inline Axis load_axis(const KernelBuffers& buf, uint k, uint i) { return buf.axis[k].of[i]; }
+__device__ inline void store_axis(const KernelBuffers& buf, uint k, uint i, int64_t at, int64_t momentum) {
+  buf.axis[k].of[i] = Axis{at, momentum};
+}
+// until here
+
 // Without momentum, which contacts need only for a damper.
 __device__ inline Body load_place(const Params& p, const KernelBuffers& buf, uint i) {
-  return Body{buf.axis[0].of[i].position, buf.axis[1].of[i].position, buf.axis[2].of[i].position, 0l, 0l, 0l,
+  return Body{load_position(buf, 0u, i), load_position(buf, 1u, i), load_position(buf, 2u, i), 0l, 0l, 0l,
               radius_of(p, buf, i)};
 }
 __device__ inline Body load_body(const Params& p, const KernelBuffers& buf, uint i) {
-  Axis x = buf.axis[0].of[i];
-  Axis y = buf.axis[1].of[i];
-  Axis z = buf.axis[2].of[i];
+  Axis x = load_axis(buf, 0u, i);
+  Axis y = load_axis(buf, 1u, i);
+  Axis z = load_axis(buf, 2u, i);
   return Body{x.position, y.position, z.position, x.momentum, y.momentum, z.momentum, radius_of(p, buf, i)};
 }
 
 __device__ inline void store_body(const Params& p, const KernelBuffers& buf, uint i, Body s, float mobility) {
-  buf.axis[0].of[i] = Axis{s.x, s.px};
-  buf.axis[1].of[i] = Axis{s.y, s.py};
-  buf.axis[2].of[i] = Axis{s.z, s.pz};
+  store_axis(buf, 0u, i, s.x, s.px);
+  store_axis(buf, 1u, i, s.y, s.py);
+  store_axis(buf, 2u, i, s.z, s.pz);
   buf.position[i] = centre_of(s, p.contact);
   buf.velocity[i] = velocity_of(s, mobility, p.contact);
 }
@@ -35,16 +43,17 @@ __device__ inline void store_body(const Params& p, const KernelBuffers& buf, uin
 // CUDA only from here: its atomic is of unsigned numbers
 // 64-bit sums, or float32 sums to be rounded when they are taken.
 template <bool FLOAT_SUMS>
-__device__ inline int64_t take_from_impulse(const KernelBuffers& buf, uint k, uint i) {
+__device__ inline int64_t load_from_impulse(const KernelBuffers& buf, uint k, uint i) {
+  if constexpr (FLOAT_SUMS) return integer_of(reinterpret_cast<float*>(buf.impulse[k])[i]);
+  return buf.impulse[k][i];
+}
+template <bool FLOAT_SUMS>
+__device__ inline void clear_impulse(const KernelBuffers& buf, uint k, uint i, int64_t sum) {
   if constexpr (FLOAT_SUMS) {
-    float* sum = reinterpret_cast<float*>(buf.impulse[k]) + i;
-    const float taken = *sum;
-    if (taken != 0.0f) *sum = 0.0f;
-    return integer_of(taken);
+    float& unrounded = reinterpret_cast<float*>(buf.impulse[k])[i];
+    if (unrounded != 0.0f) unrounded = 0.0f;
   } else {
-    const int64_t taken = buf.impulse[k][i];
-    if (taken != 0) buf.impulse[k][i] = 0;
-    return taken;
+    if (sum != 0) buf.impulse[k][i] = 0;
   }
 }
 __device__ inline void put_in_impulse(const KernelBuffers& buf, uint k, uint i, int64_t value) {
@@ -68,11 +77,18 @@ __device__ inline void add_impulse(const KernelBuffers& buf, uint i, float x, fl
   add_to_impulse<FLOAT_SUMS>(buf, 2u, i, z);
 }
 
-// The sum of the impulses that were added; the next step begins with 0.
+// The sum of the impulses that were added.
 template <bool FLOAT_SUMS>
-__device__ inline Push take_impulse(const KernelBuffers& buf, uint i) {
-  return Push{take_from_impulse<FLOAT_SUMS>(buf, 0u, i), take_from_impulse<FLOAT_SUMS>(buf, 1u, i),
-              take_from_impulse<FLOAT_SUMS>(buf, 2u, i), FAULTS};
+__device__ inline Push load_impulse(const KernelBuffers& buf, uint i) {
+  return Push{load_from_impulse<FLOAT_SUMS>(buf, 0u, i), load_from_impulse<FLOAT_SUMS>(buf, 1u, i),
+              load_from_impulse<FLOAT_SUMS>(buf, 2u, i), FAULTS};
+}
+// Of that sum: the next step begins with 0.
+template <bool FLOAT_SUMS>
+__device__ inline void clear_impulses(const KernelBuffers& buf, uint i, Push sum) {
+  clear_impulse<FLOAT_SUMS>(buf, 0u, i, sum.x);
+  clear_impulse<FLOAT_SUMS>(buf, 1u, i, sum.y);
+  clear_impulse<FLOAT_SUMS>(buf, 2u, i, sum.z);
 }
 
 // The lowest index is kept, so that the message names the same sphere in any order.

@@ -12,18 +12,22 @@ template <bool FLOAT_SUMS>
 __global__ void __launch_bounds__(BLOCK) leapfrog(Params p, KernelBuffers buf) {
   uint i = group_index(p) * BLOCK + threadIdx.x;
   if (p.motion.clear_results != 0u) clear_results(p, buf, i);
-  if (i >= p.n || buf.fault[STOPPED] != 0u) return;
-  Body s = load_body(p, buf, i);
+  if (i >= p.n) return;
+  Body s = load_body(p, buf, i);  // all loads ahead of the first branch that waits for one
+  Push contacts = load_impulse<FLOAT_SUMS>(buf, i);
+  vec4 skin = buf.grown[i];
+  if (buf.fault[STOPPED] != 0u) return;
+  clear_impulses<FLOAT_SUMS>(buf, i, contacts);
   Push walls = push_of_walls(s, p.contact);
   record_fault(buf, walls.fault, i);
-  s = kicked(s, take_impulse<FLOAT_SUMS>(buf, i), walls, p.contact);
+  s = kicked(s, contacts, walls, p.contact);
   float mobility = mobility_of(s.radius, p.contact);
   uint wrong = fault_of(s, mobility, p.contact);
   record_fault(buf, wrong, i);
   if (wrong != FAULTS) return;
   s = drifted(s, mobility);
   store_body(p, buf, i, s, mobility);
-  if (has_left_skin(centre_of(s, p.contact), buf.grown[i])) atomicMin(&buf.fault[LEFT_SKIN], i);
+  if (has_left_skin(centre_of(s, p.contact), skin)) atomicMin(&buf.fault[LEFT_SKIN], i);
 }
 
 Entry leapfrog_kernel(uint, Variant variant) {

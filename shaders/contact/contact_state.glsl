@@ -7,7 +7,7 @@
 #include "common/shared/contact/contact.h"
 #include "common/shared/skin.h"
 
-layout(std430, binding = SLOT_AXIS) restrict buffer AxisBuffer { Axis of[]; }
+layout(std430, binding = SLOT_AXIS) restrict buffer AxisBuffer { i64vec2 of[]; }  // an Axis, aligned to 16 bytes
 axis[3];
 layout(std430, binding = SLOT_FAULT) restrict buffer FaultBuffer { uint fault[]; };
 
@@ -15,21 +15,30 @@ float radius_of(uint i) {
   return p.radius != 0.0f ? p.radius : position[i].w;  // equal radii need no load
 }
 
+// GLSL only from here: what CUDA aligns by itself
+int64_t load_position(uint k, uint i) { return axis[k].of[i].x; }
+Axis load_axis(uint k, uint i) {
+  i64vec2 loaded = axis[k].of[i];
+  return Axis(loaded.x, loaded.y);
+}
+void store_axis(uint k, uint i, int64_t at, int64_t momentum) { axis[k].of[i] = i64vec2(at, momentum); }
+// until here
+
 // Without momentum, which contacts need only for a damper.
 Body load_place(uint i) {
-  return Body(axis[0].of[i].position, axis[1].of[i].position, axis[2].of[i].position, 0l, 0l, 0l, radius_of(i));
+  return Body(load_position(0u, i), load_position(1u, i), load_position(2u, i), 0l, 0l, 0l, radius_of(i));
 }
 Body load_body(uint i) {
-  Axis x = axis[0].of[i];
-  Axis y = axis[1].of[i];
-  Axis z = axis[2].of[i];
+  Axis x = load_axis(0u, i);
+  Axis y = load_axis(1u, i);
+  Axis z = load_axis(2u, i);
   return Body(x.position, y.position, z.position, x.momentum, y.momentum, z.momentum, radius_of(i));
 }
 
 void store_body(uint i, Body s, float mobility) {
-  axis[0].of[i] = Axis(s.x, s.px);
-  axis[1].of[i] = Axis(s.y, s.py);
-  axis[2].of[i] = Axis(s.z, s.pz);
+  store_axis(0u, i, s.x, s.px);
+  store_axis(1u, i, s.y, s.py);
+  store_axis(2u, i, s.z, s.pz);
   position[i] = centre_of(s, p.contact);
   velocity[i] = velocity_of(s, mobility, p.contact);
 }
@@ -40,29 +49,29 @@ void store_body(uint i, Body s, float mobility) {
 #if defined FLOAT_SUMS
 layout(std430, binding = SLOT_IMPULSE) buffer ImpulseBuffer { float of[]; }
 impulse[3];
-int64_t take_from_impulse(uint k, uint i) {
-  float sum = impulse[k].of[i];
-  if (sum != 0.0f) impulse[k].of[i] = 0.0f;
-  return integer_of(sum);
+int64_t load_from_impulse(uint k, uint i) { return integer_of(impulse[k].of[i]); }
+void clear_impulse(uint k, uint i, int64_t rounded) {
+  if (impulse[k].of[i] != 0.0f) impulse[k].of[i] = 0.0f;
 }
 void add_to_impulse(uint k, uint i, float value) { atomicAdd(impulse[k].of[i], value); }
 #elif defined ATOMICS_64
 layout(std430, binding = SLOT_IMPULSE) buffer ImpulseBuffer { int64_t of[]; }
 impulse[3];
-int64_t take_from_impulse(uint k, uint i) {
-  int64_t sum = impulse[k].of[i];
+int64_t load_from_impulse(uint k, uint i) { return impulse[k].of[i]; }
+void clear_impulse(uint k, uint i, int64_t sum) {
   if (sum != 0l) impulse[k].of[i] = 0l;
-  return sum;
 }
 void put_in_impulse(uint k, uint i, int64_t value) { impulse[k].of[i] = value; }
 void add_to_impulse(uint k, uint i, float value) { atomicAdd(impulse[k].of[i], integer_of(value)); }
 #else
 layout(std430, binding = SLOT_IMPULSE) buffer ImpulseBuffer { uvec2 of[]; }
 impulse[3];
-int64_t take_from_impulse(uint k, uint i) {
+int64_t load_from_impulse(uint k, uint i) {
   uvec2 words = impulse[k].of[i];
-  if (words != uvec2(0u)) impulse[k].of[i] = uvec2(0u);
   return int64_t(uint64_t(words.y) << 32 | uint64_t(words.x));
+}
+void clear_impulse(uint k, uint i, int64_t sum) {
+  if (sum != 0l) impulse[k].of[i] = uvec2(0u);
 }
 void put_in_impulse(uint k, uint i, int64_t value) {
   impulse[k].of[i] = uvec2(uint(uint64_t(value) & 0xFFFFFFFFul), uint(uint64_t(value) >> 32));
@@ -83,9 +92,15 @@ void add_impulse(uint i, float x, float y, float z) {
   add_to_impulse(2u, i, z);
 }
 
-// The sum of the impulses that were added; the next step begins with 0.
-Push take_impulse(uint i) {
-  return Push(take_from_impulse(0u, i), take_from_impulse(1u, i), take_from_impulse(2u, i), FAULTS);
+// The sum of the impulses that were added.
+Push load_impulse(uint i) {
+  return Push(load_from_impulse(0u, i), load_from_impulse(1u, i), load_from_impulse(2u, i), FAULTS);
+}
+// Of that sum: the next step begins with 0.
+void clear_impulses(uint i, Push sum) {
+  clear_impulse(0u, i, sum.x);
+  clear_impulse(1u, i, sum.y);
+  clear_impulse(2u, i, sum.z);
 }
 
 // The lowest index is kept, so that the message names the same sphere in any order.

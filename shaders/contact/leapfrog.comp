@@ -11,16 +11,20 @@ layout(std430, binding = SLOT_GROWN) restrict buffer GrownBuffer { vec4 grown[];
 void main() {
   uint i = group_index() * BLOCK + gl_LocalInvocationID.x;
   if (p.motion.clear_results != 0u) clear_results(i);
-  if (i >= p.n || fault[STOPPED] != 0u) return;
-  Body s = load_body(i);
+  if (i >= p.n) return;
+  Body s = load_body(i);  // all loads ahead of the first branch that waits for one
+  Push contacts = load_impulse(i);
+  vec4 skin = grown[i];
+  if (fault[STOPPED] != 0u) return;
+  clear_impulses(i, contacts);
   Push walls = push_of_walls(s, p.contact);
   record_fault(walls.fault, i);
-  s = kicked(s, take_impulse(i), walls, p.contact);
+  s = kicked(s, contacts, walls, p.contact);
   float mobility = mobility_of(s.radius, p.contact);
   uint wrong = fault_of(s, mobility, p.contact);
   record_fault(wrong, i);
   if (wrong != FAULTS) return;
   s = drifted(s, mobility);
   store_body(i, s, mobility);
-  if (has_left_skin(centre_of(s, p.contact), grown[i])) atomicMin(fault[LEFT_SKIN], i);
+  if (has_left_skin(centre_of(s, p.contact), skin)) atomicMin(fault[LEFT_SKIN], i);
 }

@@ -34,7 +34,11 @@ class Tree:
         self.folder, self.build = folder, folder / "build"
         files = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=ROOT,
                                check=True, capture_output=True, text=True).stdout
-        for name in filter(None, files.split("\0")):
+        names = set(filter(None, files.split("\0")))
+        for path in folder.rglob("*"):  # of an earlier tree
+            if path.is_file() and self.build not in path.parents and str(path.relative_to(folder)) not in names:
+                path.unlink()
+        for name in sorted(names):
             source, target = ROOT / name, folder / name
             if not source.is_file():
                 continue

@@ -13,7 +13,7 @@ NEAR_PAIRS = [
            "SumsOfImpulses"),
     mutant("cpu: float sums are kept", "common/cpu/cpu_contacts.cpp", "std::exchange(float_sums_[k], 0.0f)", "float_sums_[k]",
            "SumsOfImpulses"),
-    mutant("glsl: float sums are kept", "shaders/contact/contact_state.glsl", "if (sum != 0.0f) impulse[k].of[i] = 0.0f;", "",
+    mutant("glsl: float sums are kept", "shaders/contact/contact_state.glsl", "if (impulse[k].of[i] != 0.0f) impulse[k].of[i] = 0.0f;", "",
            "SumsOfImpulses"),
     mutant("momentum is no change", "bench/studies/contact/contact_errors.cpp", "word(wide, k) - word(start, k)", "word(wide, k)",
            "ContactStudy"),
