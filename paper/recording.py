@@ -11,7 +11,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from paper import old_names, parts, sources
+from paper import parts, sources
 from paper.tools import Failed
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -53,7 +53,6 @@ def older_records(folder, planned):
     """Records of earlier recordings, whose processes had no numbers, of the same parts."""
     numbered = {run.part.name for run in planned if parts.numbered(run.part)}
     files = {f"{name}.json" for name in numbered} | {"stress.json"}
-    files |= {old for old, new in old_names.FILES.items() if new in files}
     found = [path for path in sorted(folder.glob("*.json")) if path.name in files]
     return found + [folder / name for name in sorted(numbered) if any((folder / name).glob("[!0-9]*.json"))]
 

@@ -5,14 +5,14 @@ A folder under paper/data is one machine. Every JSON file in it is a source, and
 sweep, or of several processes, which are numbered. A source's id is the machine's name and the first 8 hexadecimal
 digits of the SHA-256 of its bytes. One record is one measurement: what was run (any parameters the writer chose), its
 samples, median and interval in milliseconds, and the source it came from; formats.py reads the files of each program,
-old_names.py renames what earlier versions wrote, and spread.py merges the records of several processes.
+and spread.py merges the records of several processes.
 """
 import hashlib
 import json
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from paper import formats, old_names, sources, spread
+from paper import formats, sources, spread
 from paper.spread import median_interval, summary  # noqa: F401  (ranks takes the first from here)
 
 DATA = Path(__file__).resolve().parent / "data"
@@ -102,7 +102,7 @@ class Machine:
         self.used = {}  # records that were selected since it was last cleared, by their id()
         self.notes = {}  # figure or table -> what its source line says of stale records
         for name, runs in sources_in(self.folder):
-            self._read(old_names.FILES.get(name, name), [files for files in runs if files])
+            self._read(name, [files for files in runs if files])
         self.records = latest(self.records)
         if "results.json" not in self.sources:
             raise Missing(f"{self.folder} holds no results.json of `spherepair compare`")
@@ -115,7 +115,7 @@ class Machine:
 
     def _read(self, name, runs):
         raws = [[path.read_bytes() for path in files] for files in runs]
-        roots = [[old_names.renamed(json.loads(raw)) for raw in of_run] for of_run in raws]
+        roots = [[json.loads(raw) for raw in of_run] for of_run in raws]
         flat = [root for of_run in roots for root in of_run]
         if not flat or not all(isinstance(root, dict) for root in flat):
             return
@@ -231,7 +231,7 @@ def recorded_code():
     path = DATA / "code.json"
     if not path.exists():
         raise Missing(f"{path} is not there: paper/count_code.py writes it")
-    return {**old_names.renamed(json.loads(path.read_text())), "id": f"code:{digest(path.read_bytes())}"}
+    return {**json.loads(path.read_text()), "id": f"code:{digest(path.read_bytes())}"}
 
 
 def peers():

@@ -13,8 +13,6 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
 
-from paper.old_names import renamed
-
 ROOT = Path(__file__).resolve().parent.parent
 GPU_APIS = ("glsl", "cuda")
 MOST_NAMED = 4  # under a figure
@@ -124,7 +122,7 @@ def checked(folder, root=ROOT):
     for path in sorted(Path(folder).rglob("*.json")):
         name = path.relative_to(folder).parts[0]
         record = json.loads(path.read_text())
-        rows = list(timings(renamed(record))) if isinstance(record, dict) else []
+        rows = list(timings(record)) if isinstance(record, dict) else []
         if not rows or name.startswith("."):  # a part that is being recorded
             continue
         recorded, entry = record.get("context", {}).get("sources"), found.setdefault(name, Checked())

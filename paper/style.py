@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The style of all figures: each series has its marker, line and grey level, readable in grey print."""
+import textwrap
+
 import matplotlib
 
 matplotlib.use("Agg")
@@ -98,5 +100,7 @@ def save(figure, folder, name, source):
 
 
 def save_png(figure, file, source):
-    figure.supxlabel(source, x=0.99, ha="right", fontsize=4.8, color="#555555")
+    most = int(30 * figure.get_figwidth())  # characters of this size in a line
+    lines = (wrapped for line in source.splitlines() for wrapped in textwrap.wrap(line, most))
+    figure.supxlabel("\n".join(lines), x=0.99, ha="right", fontsize=4.8, color="#555555")
     figure.savefig(file, dpi=220, metadata={"Software": None})

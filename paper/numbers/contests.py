@@ -96,7 +96,8 @@ def exception(found, limit):
     ahead = [entry for entry in found if entry.cuda_us < limit and entry.ratio < 1]
     works = {entry.work for entry in ahead}
     if len(ahead) < 2 or len(works) != 1:
-        return f" ({len(ahead)} contests are on the other side)" if ahead else ""
+        what = "1 contest is" if len(ahead) == 1 else f"{len(ahead)} contests are"
+        return f" ({what} on the other side)" if ahead else ""
     return f" (not {works.pop()}, one launch a step: {span([entry.ratio for entry in ahead])} in {len(ahead)} contests)"
 
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """ARTIFACT.md's claims of speed hold in the recorded runs, within their tolerances, and its commands name existing
 tests. Needs no matplotlib."""
+import json
 import pathlib
 import re
 import sys
@@ -9,12 +10,13 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-from paper import parts  # noqa: E402  (the path must be set first)
+from paper import formats, parts  # noqa: E402  (the path must be set first)
 from paper.numbers import leads  # noqa: E402  (the path must be set first)
 from paper.numbers.ablations import pairs_of as on_and_off  # noqa: E402
 from paper.numbers.crossovers import crossovers_by_kind  # noqa: E402
 from paper.numbers.derived import cost, matched, pairs_of  # noqa: E402
 from paper.numbers.pareto import study  # noqa: E402
+from paper.numbers.ranks import time_ratio  # noqa: E402
 from paper.records import DATA, MAIN, Machine  # noqa: E402
 
 APIS = ("glsl", "cuda")
@@ -114,6 +116,21 @@ class Speed(unittest.TestCase):
             for name in apis:
                 self.assertGreaterEqual(1.1 * found[option, n, name], least, f"{option}, {name}")
 
+    def test_7f(self):
+        self.stated("7f", "at most 1.10x", "16,384, 10⁶ and 10⁷", "| 5 % |")
+        for n in (16384, 10**6, 10**7):
+            for name in APIS:
+                integers, in_order = (self.machine.one(table="contact_sums", n=n, backend=name, sums=sums)
+                                      for sums in ("integers", "in_order"))
+                self.assertLessEqual(time_ratio(integers, in_order)[0], 1.1 * 1.05, f"{name}, {n}")
+
+    def test_7g(self):
+        self.stated("7g", "at least 10¹⁰", "at most 1.10x", "1.39x at 10⁶", "| 5 % |")
+        for n, most in ((10**6, 1.39), (10**7, 1.1), (10**8, 1.1)):
+            glsl, cuda = (self.machine.one(table="gas_steps", n=n, backend=name) for name in APIS)
+            self.assertLessEqual(time_ratio(glsl, cuda)[0], most * 1.05, str(n))
+            self.assertGreaterEqual(n / cuda.parameters["seconds_per_step"], 1e10 / 1.05, str(n))
+
     def test_8c(self):
         self.stated("8c", "≤ 0.08, 0.20 and 0.30 ms in CUDA and in GLSL", "| 10 % |")
         for n, most in ((16384, 0.08), (10**6, 0.20), (10**7, 0.30)):
@@ -122,11 +139,13 @@ class Speed(unittest.TestCase):
                 self.assertLessEqual(frame.median, 1.1 * most, frame.label)
 
     def test_8g(self):
-        self.stated("8g", "at most 1.1x the time off screen", "| 10 % |")
+        """On an H200 under an X server: the machines that recorded the rest have none."""
+        self.stated("8g", "at most 1.1x the time off screen", "| 10 % |", "`paper/data/h200/window`")
         for api in APIS:
-            window, off_screen = (self.machine.one(table="window", work="loop", n=10**6, backend=api, window=shown)
-                                  for shown in (True, False))
-            self.assertLessEqual(window.median, 1.1 * 1.1 * off_screen.median, api)
+            window, off_screen = (row["median_ms"] for shown in ("in_a_window", "off_screen")
+                                  for row in formats.rows_of(json.loads((DATA / f"h200/window/{shown}.json").read_text()))
+                                  if (row["work"], row["n"], row["backend"]) == ("loop", 10**6, api))
+            self.assertLessEqual(window, 1.1 * 1.1 * off_screen, api)
 
 
 class Commands(unittest.TestCase):

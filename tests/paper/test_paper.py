@@ -12,7 +12,7 @@ from dataclasses import replace
 PAPER = pathlib.Path(__file__).resolve().parents[2] / "paper"
 sys.path.insert(0, str(PAPER.parent))
 
-from paper import formats, headline, old_names  # noqa: E402  (the path must be set first)
+from paper import formats, headline  # noqa: E402  (the path must be set first)
 from paper.numbers import leads, macros  # noqa: E402
 from paper.records import DATA, MAIN, Machine, Missing, median_interval  # noqa: E402
 from paper.tables import stress as stress_table  # noqa: E402
@@ -202,32 +202,11 @@ class Records(unittest.TestCase):
                 machine.one(**wanted)
 
     def test_intervals_are_those_of_the_program(self):
-        roots = [old_names.renamed(json.loads(path.read_text())) for path in (DATA / MAIN).rglob("*.json")]
+        roots = [json.loads(path.read_text()) for path in (DATA / MAIN).rglob("*.json")]
         rows = [row for root in roots for row in formats.rows_of(root) if "interval_ms" in row]  # not those of energy
         self.assertLess(100, len(rows))
         for row in rows:
             self.assertEqual(row["interval_ms"], list(median_interval(row["samples_ms"])))
-
-    def test_no_old_name_remains(self):
-        """Neither keys nor tables nor stages of the recorded runs; each old name occurs in some of them."""
-        def keys_of(value):
-            if isinstance(value, dict):
-                for key, inner in value.items():
-                    yield key
-                    yield from keys_of(inner)
-            elif isinstance(value, list):
-                for inner in value:
-                    yield from keys_of(inner)
-
-        old = old_names.KEYS.keys()
-        recorded = {key for path in DATA.rglob("*.json") for key in keys_of(json.loads(path.read_text()))}
-        self.assertLessEqual(old, recorded)
-        for name in (MAIN, "llvmpipe"):
-            machine = Machine(DATA / name)
-            self.assertEqual(set(), set(keys_of(machine.sources)) & old)
-            stages = {stage for record in machine.records for stage in record.parameters.get("device_stages_ms", ())}
-            self.assertEqual(set(), stages & old_names.STAGES.keys())
-            self.assertEqual(set(), {record.table for record in machine.records} & old_names.VALUES["table"].keys())
 
     def test_a_folder_without_results_is_refused(self):
         with tempfile.TemporaryDirectory() as folder, self.assertRaises(Missing):
