@@ -11,7 +11,7 @@
 namespace spherepair {
 
 struct FramesOptions {
-  std::vector<std::string> backends;  // empty: all that open
+  std::vector<std::string> backends = {};  // empty: all that open
   std::vector<uint64_t> sizes = {16384, 1000000};
   std::vector<std::string> draws = {"compute", "mesh_each", "mesh", "quadric", "points", "impostor"};
   std::vector<std::string> places = {"outside", "inside"};  // camera positions
@@ -21,9 +21,9 @@ struct FramesOptions {
   bool transfer = false;  // also time OpenGL drawing of CUDA's spheres
   bool window = false;    // draw in the context of a window, and what `view` does with each image
   int rounds = 11;
-  double min_seconds = 0;         // of a sample; 0: the timing core's default
-  std::vector<std::string> most;  // METHOD:n, most spheres that a drawing method is timed with
-  std::string results = {};       // folder; empty: a new one
+  double min_seconds = 0;              // of a sample; 0: the timing core's default
+  std::vector<std::string> most = {};  // METHOD:n, most spheres that a drawing method is timed with
+  std::string results = {};            // folder; empty: a new one
 };
 
 // One drawing method on one backend: each image from a new camera.

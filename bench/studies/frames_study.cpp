@@ -81,18 +81,19 @@ void FramesStudy::measure_size(uint64_t n) {
   uniform.packing_fraction = options_.packing_fraction;
   const Scene scene = in_cell_order(make_scene(uniform));
   const Bounds bounds = bounds_of(scene.positions);
+  std::vector<Backend*> backends;
   for (const auto& backend : session_.backends()) {
     try {
-      backend->upload(scene);
-      backend->collide(in_dense_cells(*backend, n));
+      start_of_loop(scene)(*backend);
+      backends.push_back(backend.get());
     } catch (const BackendError& error) {
       leave_out(n, *backend, "all", error.what());
-      continue;
     }
-    for (const std::string& place : options_.places) measure_place(n, *backend, scene, bounds, place);
-    if (options_.transfer && backend->transfers().size() > 1) measure_transfers(n, *backend, scene, bounds);
-    backend->upload(make_scene({.n = 0}));  // frees its memory for the next backend
   }
+  for (const std::string& place : options_.places) measure_place(n, backends, scene, bounds, place);
+  for (Backend* backend : backends) backend->upload(make_scene({.n = 0}));  // frees its memory
+  for (Backend* backend : backends)
+    if (options_.transfer && backend->transfers().size() > 1) measure_transfers(n, *backend, scene, bounds);
 }
 
 void FramesStudy::leave_out(uint64_t n, const Backend& backend, const std::string& draw, const std::string& reason) {
@@ -104,71 +105,83 @@ bool FramesStudy::beyond_most(uint64_t n, const std::string& draw) const {
   return most != most_.end() && n > most->second;
 }
 
-void FramesStudy::measure_place(uint64_t n, Backend& backend, const Scene& scene, const Bounds& bounds,
-                                const std::string& place) {
+void FramesStudy::measure_place(uint64_t n, const std::vector<Backend*>& backends, const Scene& scene,
+                                const Bounds& bounds, const std::string& place) {
   for (const std::string& draw : options_.draws)
     for (const std::string& work : options_.works) {
-      const FrameTask task{&backend, draw_method_from_name(draw), place, work};
+      const DrawMethod method = draw_method_from_name(draw);
       const bool lit = work == "lit";
-      if ((lit || work == "frame_all") && task.draw != DrawMethod::compute) continue;
-      if (std::ranges::count(backend.draw_methods(), task.draw) == 0) {
-        leave_out(n, backend, draw, "this backend does not have it");
-      } else if (beyond_most(n, draw)) {
-        leave_out(n, backend, draw, "beyond --most");
-      } else {
-        Look look = contact_look();
-        if (lit) look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
-        look.ground = double(scene.plane);
-        try {
-          measure_task(n, task, scene, camera_path(bounds, place, options_.width, options_.height, look));
-        } catch (const BackendError& error) {
-          if (task.draw == DrawMethod::compute) throw;
-          leave_out(n, backend, draw, error.what());  // no OpenGL to transfer the spheres to
+      if ((lit || work == "frame_all") && method != DrawMethod::compute) continue;
+      Look look = contact_look();
+      if (lit) look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
+      look.ground = double(scene.plane);
+      const std::vector<View> views = camera_path(bounds, place, options_.width, options_.height, look);
+      std::vector<FrameTask> tasks;
+      for (Backend* backend : backends) {
+        const FrameTask task{backend, method, place, work};
+        if (std::ranges::count(backend->draw_methods(), method) == 0) {
+          leave_out(n, *backend, draw, "this backend does not have it");
+        } else if (beyond_most(n, draw)) {
+          leave_out(n, *backend, draw, "beyond --most");
+        } else {
+          try {
+            check(n, task, views);
+            tasks.push_back(task);
+          } catch (const BackendError& error) {
+            if (method == DrawMethod::compute) throw;
+            leave_out(n, *backend, draw, error.what());  // no OpenGL to transfer the spheres to
+          }
         }
       }
+      if (!tasks.empty()) measure_tasks(tasks, scene, views);
     }
 }
 
-void FramesStudy::measure_task(uint64_t n, const FrameTask& task, const Scene& scene, const std::vector<View>& views) {
-  progress_.say(fmt::format("{}, {}", counted(n, "sphere"), label(task)));
-  json entry = {{"n", n},
-                {"backend", task.backend->info().name},
-                {"draw", draw_method_name(task.draw)},
-                {"place", task.place},
-                {"work", task.work}};
-  check(task, views, entry);
-  uint64_t turn = 0;
-  const auto draw = [&](Backend& backend) { backend.enqueue_draw(views[turn++ % views.size()], draw_options(task)); };
-  Contender contender{.label = label(task), .backend = task.backend, .step = draw};
-  if (task.work == "view") {
-    contender.step = [&](Backend& backend) {
-      backend.move();
-      backend.collide(in_dense_cells(backend, n));
-      backend.draw(views[turn++ % views.size()], draw_options(task));
-      show_(backend);
+// The same work on several backends, whose entries are the last of `frames`.
+void FramesStudy::measure_tasks(const std::vector<FrameTask>& tasks, const Scene& scene,
+                                const std::vector<View>& views) {
+  const bool moves = tasks.front().work == "loop" || tasks.front().work == "view";
+  std::vector<uint64_t> turns(tasks.size());
+  std::vector<Contender> contenders;
+  for (size_t i = 0; i < tasks.size(); ++i) {
+    const FrameTask& task = tasks[i];
+    Contender& contender = contenders.emplace_back(Contender{.label = label(task), .backend = task.backend});
+    contender.contest = fmt::format("{} {} {}", draw_method_name(task.draw), task.place, task.work);
+    const auto draw = [&task, &views, &turn = turns[i]](Backend& backend) {
+      backend.enqueue_draw(views[turn++ % views.size()], draw_options(task));
     };
-  } else if (task.work == "loop") {
-    contender.step = [&](Backend& backend) {
+    contender.step = draw;
+    if (!moves) continue;
+    contender.step = [draw, n = scene.size()](Backend& backend) {
       backend.move();
       backend.enqueue_collide(in_dense_cells(backend, n));
       draw(backend);
     };
-  } else {
-    record(entry, contender);
-    return;
+    if (task.work == "view")
+      contender.step = [&, &turn = turns[i], this](Backend& backend) {
+        backend.move();
+        backend.collide(in_dense_cells(backend, scene.size()));
+        backend.draw(views[turn++ % views.size()], draw_options(task));
+        show_(backend);
+      };
+    contender.restart = [&turn = turns[i], start = start_of_loop(scene)](Backend& backend) {
+      turn = 0;
+      start(backend);
+    };
+    contender.batch = steps_of_loop;
+    contender.prepares = true;  // cells that falling spheres leave are planned anew
   }
-  contender.restart = [&turn, start = start_of_loop(scene)](Backend& backend) {
-    turn = 0;
-    start(backend);
-  };
-  contender.batch = steps_of_loop;
-  contender.prepares = true;  // cells that falling spheres leave are planned anew
-  record(entry, contender);
-  task.backend->upload(scene);  // restores the positions
-  task.backend->collide(in_dense_cells(*task.backend, n));
+  progress_.say(fmt::format("{}, {}", counted(scene.size(), "sphere"), contenders.front().contest));
+  const std::vector<Samples> samples = measure(session_, contenders, sampling_, progress_);
+  for (size_t i = 0; i < tasks.size(); ++i) {
+    frames[frames.size() - tasks.size() + i].update(to_json(samples[i]));
+    if (moves) start_of_loop(scene)(*tasks[i].backend);  // restores the positions
+  }
+  progress_.clear();
 }
 
 void FramesStudy::measure_transfers(uint64_t n, Backend& cuda, const Scene& scene, const Bounds& bounds) {
+  start_of_loop(scene)(cuda);
   TransferTask task{&cuda,
                     in_dense_cells(cuda, n),
                     camera_path(bounds, "outside", options_.width, options_.height, contact_look()),
@@ -183,40 +196,40 @@ void FramesStudy::measure_transfers(uint64_t n, Backend& cuda, const Scene& scen
         .label = fmt::format("cuda to glsl {} {}", draw, work), .backend = &cuda, .step = [&](Backend&) { step(); }};
     if (moves) contender.restart = start_of_loop(scene), contender.prepares = true;
     progress_.say(contender.label);
-    return record(entry, contender).median_seconds();
+    const Samples samples = measure(session_, {&contender, 1}, sampling_, progress_).front();
+    entry.update(to_json(samples));
+    frames.push_back(entry);
+    progress_.clear();
+    return samples.median_seconds();
   };
   for (json& overlap : time_transfers(task, time)) {
     overlap["n"] = n;
     overlaps.push_back(overlap);
   }
-  cuda.upload(scene);
-  cuda.collide(in_dense_cells(cuda, n));
+  cuda.upload(make_scene({.n = 0}));  // frees its memory
 }
 
-// The images of the exact methods must be equal on all backends, with and without culling. The statistics are those of
-// the third image from one camera, when all culling is active; the image compared is the second of two drawn with the
-// timed options.
-void FramesStudy::check(const FrameTask& task, const std::vector<View>& views, json& entry) {
+// Begins the task's entry. The images of the exact methods must be equal on all backends, with and without culling. The
+// statistics are those of the third image from one camera, when all culling is active; the image compared is the second
+// of two drawn with the timed options.
+void FramesStudy::check(uint64_t n, const FrameTask& task, const std::vector<View>& views) {
+  json entry = {{"n", n},
+                {"backend", task.backend->info().name},
+                {"draw", draw_method_name(task.draw)},
+                {"place", task.place},
+                {"work", task.work}};
   const bool exact = task.draw == DrawMethod::compute;
   for (int time = 0; exact && time < 3; ++time) task.backend->draw(views.front(), draw_options(task, true));
   if (exact && !task.backend->info().on_host) entry["counts"] = to_json(task.backend->draw_statistics());
   for (int time = 0; time < 2; ++time) task.backend->draw(views.front(), draw_options(task));
   const json image = entry["image"] = hex64(image_hash(task.backend->image()));
   for (const json& other : frames)
-    if (other.at("n") == entry.at("n") && other.at("place") == task.place && other.at("draw") == "compute" && exact &&
+    if (other.at("n") == n && other.at("place") == task.place && other.at("draw") == "compute" && exact &&
         (other.at("work") == "lit") == (task.work == "lit") && other.at("image") != image)
-      throw DifferenceFound(
-          fmt::format("{}: the image differs from that of {}", label(task), other.at("label").get<std::string>()),
-          entry);
-}
-
-// Times the contender and adds the entry to the record.
-Samples FramesStudy::record(json& entry, const Contender& contender) {
-  const Samples samples = measure(session_, {&contender, 1}, sampling_, progress_).front();
-  entry.update(to_json(samples));
-  frames.push_back(entry);
-  progress_.clear();
-  return samples;
+      throw DifferenceFound(fmt::format("{}: the image differs from that of {} {}", label(task),
+                                        other.at("backend").get<std::string>(), other.at("work").get<std::string>()),
+                            entry);
+  frames.push_back(std::move(entry));
 }
 
 }  // namespace spherepair

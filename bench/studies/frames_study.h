@@ -5,7 +5,7 @@
 //   frames     one entry per measurement:
 //     n, backend, draw (DrawMethod), place (camera outside | inside the spheres), work, and the timing core's fields:
 //     median_ms, interval_ms, samples_ms, batch, device_stages_ms ...; image: hash of a check image, equal for all
-//     exact methods; counts: DrawStatistics of that image. Works:
+//     exact methods; counts: DrawStatistics of that image. The same on several backends is a contest. Works:
 //       frame      one image, each from a new camera
 //       frame_all  the same without culling or reuse
 //       lit        the same with ambient occlusion, shadows and the ground plane
@@ -43,11 +43,11 @@ class FramesStudy {
  private:
   void leave_out(uint64_t n, const Backend& backend, const std::string& draw, const std::string& reason);
   bool beyond_most(uint64_t n, const std::string& draw) const;
-  void measure_place(uint64_t n, Backend& backend, const Scene& scene, const Bounds& bounds, const std::string& place);
-  void measure_task(uint64_t n, const FrameTask& task, const Scene& scene, const std::vector<View>& views);
+  void measure_place(uint64_t n, const std::vector<Backend*>& backends, const Scene& scene, const Bounds& bounds,
+                     const std::string& place);
+  void measure_tasks(const std::vector<FrameTask>& tasks, const Scene& scene, const std::vector<View>& views);
   void measure_transfers(uint64_t n, Backend& cuda, const Scene& scene, const Bounds& bounds);
-  void check(const FrameTask& task, const std::vector<View>& views, json& entry);
-  Samples record(json& entry, const Contender& contender);
+  void check(uint64_t n, const FrameTask& task, const std::vector<View>& views);
 
   Session& session_;
   const FramesOptions& options_;

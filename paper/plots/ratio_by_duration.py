@@ -2,7 +2,7 @@
 """Time ratio GLSL/CUDA of every recorded contest against the duration of CUDA's step."""
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
-from paper.numbers.contests import bins, contests, duration
+from paper.numbers.contests import bins, contests, duration, rule
 from paper.style import PAGE, panels, time_text
 
 NAME = "ratio-by-duration"
@@ -26,9 +26,9 @@ def caption(machine):
     own = f" Pale: {unequal} in which each API had its own number of steps a sample." if unequal else ""
     count = sum(not LEAST <= entry.ratio <= MOST for entry in found)
     beyond = f", {count} of them beyond the axis and drawn on its edge" if count else ""
-    return (f"GLSL's time over CUDA's for the same work against the time of CUDA's step: {len(found)} contests of all sizes, "
+    return (f"GLSL's time over CUDA's for the same work against the time of CUDA's step, for contests of all sizes, "
             f"scenes, methods and group sizes{beyond}. Above 1 CUDA is faster. Black, and the figures on top: the median of the "
-            f"contests between two ticks.{own}")
+            f"contests between two ticks.{own} {rule(machine)}")
 
 
 def draw_medians(axis, made, left, right):

@@ -100,6 +100,34 @@ TEST_F(Studies, FramesTellsCudasImagesFromThoseOfTransfers) {
     EXPECT_NE(text.find(word), std::string::npos) << word << " in\n" << text;
 }
 
+// The same image on several backends is timed in turns, those of devices with as many steps a sample.
+TEST_F(Studies, FramesOfSeveralBackendsAreContests) {
+  Session session({"cpu", "glsl"}, {}, [](const std::string& name, const OpenOptions&) {
+    return std::make_unique<ForwardingBackend>(name, open_backend("cpu", {}));
+  });
+  const FramesOptions options = {.draws = {"compute"},
+                                 .places = {"outside"},
+                                 .works = {"frame", "loop"},
+                                 .width = 64,
+                                 .height = 48,
+                                 .rounds = 3,
+                                 .min_seconds = 1e-4};
+  FramesStudy study(session, options, {});
+  study.measure_size(64);
+  ASSERT_EQ(study.frames.size(), 4u) << study.left_out;
+  for (size_t i = 0; i < 4; i += 2) {
+    const json &left = study.frames[i], &right = study.frames[i + 1];
+    EXPECT_EQ(left.at("backend"), "cpu");
+    EXPECT_EQ(right.at("backend"), "glsl");
+    EXPECT_EQ(left.at("contest"), "compute outside " + left.at("work").get<std::string>());
+    for (const char* field : {"work", "contest", "image"}) EXPECT_EQ(left.at(field), right.at(field)) << field;
+    for (size_t round = 0; round < 3; ++round) {
+      EXPECT_EQ(left.at("turns").at(round).get<size_t>() / 2, round);
+      EXPECT_EQ(right.at("turns").at(round).get<size_t>() / 2, round);
+    }
+  }
+}
+
 TEST_F(Studies, AblationsAreRecordedOnAndOff) {
   const std::string words = "ablate --backends cpu --n 300 --rounds 1 --results ";
   ASSERT_EQ(run(words + folder_.path("ablate")), 0) << said();
