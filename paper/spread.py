@@ -60,7 +60,9 @@ def merged_timing(runs, gpus):
     stages = [run.get("device_stages_interval_ms", {}) for run in runs]
     made |= {"median_ms": middle, "interval_ms": [low * middle, high * middle], "spread": found,
              "samples_ms": [sample for run in runs for sample in run["samples_ms"]],
-             "processes": [{"gpu": gpu, "median_ms": median} for gpu, median, _, _ in ends]}
+             "processes": [{"gpu": end[0], "median_ms": end[1], "rounds": len(run["samples_ms"]),
+                            **({"first_step_ms": run["first_step_ms"]} if "first_step_ms" in run else {})}
+                           for run, end in zip(runs, ends)]}
     if any(stages):
         made["device_stages_interval_ms"] = {
             name: [min(of[name][0] for of in stages if name in of), max(of[name][1] for of in stages if name in of)]
@@ -113,7 +115,9 @@ def merged(roots):
             for root in roots]
     rows = {name: list(merged_rows([root.get(name, []) for root in roots], gpus)) for name in TIMED if name in roots[0]}
     clocks = [moment for root in roots for moment in root.get("clocks", [])]
-    return {**roots[0], **rows, **({"clocks": clocks} if clocks else {})}
+    return {**roots[0], **rows, **({"clocks": clocks} if clocks else {}), "processes": [
+        {"commit": root.get("context", {}).get("build", {}).get("commit"), "gpus": sorted(set(of.values()))}
+        for root, of in zip(roots, gpus)]}
 
 
 def joined(roots):

@@ -17,7 +17,8 @@ SAID = (("counts_read", "glsl", 1), ("counts_read", "cuda", 1), ("vector_loads",
         ("exact_stages", "cuda", 1), ("order", "glsl", 1), ("order", "cuda", 1), ("cells", "glsl", 1), ("cells", "cuda", 1),
         ("read_back", "glsl", 1), ("read_back", "cuda", 1), ("own_clear", "glsl", 1), ("own_clear", "cuda", 1),
         ("overlap", "glsl", 1), ("overlap", "cuda", 1),
-        ("own_buckets", "cuda", 1))  # at the most spheres: saves (1), costs (-1), no difference seen (0)
+        ("own_buckets", "cuda", 1), ("texture_table", "glsl", 1), ("radius_load", "glsl", 1), ("radius_load", "cuda", 1),
+        ("new_cells", "glsl", -1), ("new_cells", "cuda", -1))  # at the most spheres: saves (1), costs (-1), no difference seen (0)
 WORTH = {1: "saves", 0: "makes no difference", -1: "costs"}
 
 
@@ -77,13 +78,16 @@ def kinds_of_spheres(put, machine, others):
         "the best")
     put("kinds/cpu/worst", f"{max(max(by['cpu'].losses) for by in found.values()):.2g}", source,
         "greatest ratio of auto to the best fixed choice on the CPU")
+    of_one_size = {}
     said(machine, worst <= GOOD, f"auto takes {GOOD:g} times the best fixed choice at most on the GPU (it is {worst:.2f}: {kind}, {name})")
     for name in DEVICES:
         start = {kind: as_number(by_backend[name].start) for kind, by_backend in found.items()}
-        of_one_size = max(start[kind] for kind in ("gas", "thin", "box"))
-        said(machine, of_one_size <= 8192 and of_one_size <= start["clusters"] < start["radii"] < start["one_cell"] == NEVER,
-             f"the grid pays from some thousand spheres of one size on, no earlier in clusters, later with unequal radii, "
-             f"never in one cell, in {name}")
+        of_one_size[name] = [start[kind] for kind in ("gas", "thin", "box", "clusters")]
+        said(machine, max(of_one_size[name]) < start["radii"] < start["one_cell"] == NEVER,
+             f"the grid pays later with unequal radii than with equal ones, and never in one cell, in {name}")
+    starts = sorted({n for found_starts in of_one_size.values() for n in found_starts})
+    put("kinds/one-size", " or ".join(f"{n:,}" for n in (starts[0], starts[-1])[:len(starts)]), source,
+        "least and greatest n from which the grid is faster, of the kinds with spheres of one size")
     for kind, by_backend in found.items():
         for name in by_backend.keys() & set(DEVICES):
             put(f"kinds/{kind}/{name}", by_backend[name].start, source, f"{name}, {kind}: least n from which the grid is faster")
@@ -103,6 +107,9 @@ def ablations(put, machine, others):
         said(machine, [option for _, option in best] == ["exact_stages", "counts_read"],
              f"unrequested counts and the filter save most on {name} (it is {best})")
     source = next(iter(factors.values()))[1]
+    for key, options in (("third", ("vector_loads", "plane_test")), ("fourth", ("cells", "order"))):
+        spans = [value[0][0] for (option, _, n), value in factors.items() if option in options and n == most]
+        put(f"ablation/{key}", f"{factor(min(spans))} to {factor(max(spans))}", source, f"time off over time on, {' and '.join(options)}, n = {most}")
     put("ablation/all", str(len({option for option, _, _ in factors})), source, "options timed on and off")
     for (option, backend, n), ((middle, _, _), source) in factors.items():
         largest = n == max(size for name, api, size in factors if (name, api) == (option, backend))
@@ -118,7 +125,7 @@ def factor(value):
 def hidden_text(middle, least, most):
     if least > 0:
         return f"{ms(middle)}\\,ms are hidden, with bounds from {ms(least)} to {ms(most)}\\,ms"
-    return f"{ms(-middle)}\\,ms are lost" if most < 0 else "no gain is seen"
+    return (f"{ms(-middle)}\\,ms are lost, with bounds from {ms(-most)} to {ms(-least)}\\,ms" if most < 0 else "no gain is seen")
 
 
 def pipelined_transfers(put, machine, others):

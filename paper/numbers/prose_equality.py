@@ -4,6 +4,7 @@ import json
 import re
 
 from paper.numbers.compilers import driver_milliseconds
+from paper.numbers.contests import contests
 from paper.numbers.ranks import ENOUGH
 from paper.records import Missing, digest, recorded_code, said
 
@@ -50,8 +51,8 @@ def long_run(put, machine, others):
 
 
 def output_of_tests(machine):
-    """What the tests printed: tests.txt, or of shards in runs of their own tests/1.txt ..."""
-    paths = [path for path in (machine.folder / "tests.txt", *sorted(machine.folder.glob("tests/*.txt"))) if path.exists()]
+    """What the whole suite printed: tests.txt, or of shards in runs of their own tests/1.txt ..."""
+    paths = [path for path in (machine.folder / "tests.txt", *sorted(machine.folder.glob("tests/[0-9]*.txt"))) if path.exists()]
     text = "".join(path.read_text() for path in paths)
     shards = re.findall(r"^Note: This is test shard (\d+) of (\d+)", text, re.MULTILINE)
     if not paths or {int(shard) for shard, _ in shards} != {k + 1 for _, of in shards for k in range(int(of))}:
@@ -62,7 +63,7 @@ def output_of_tests(machine):
 def tests(put, machine, others):
     text = output_of_tests(machine)
     source = f"{machine.name}:{digest(text.encode())}"
-    if "[  FAILED  ]" in text:
+    if any("[  FAILED  ]" in path.read_text() for path in machine.folder.glob("tests*/*.txt")) or "[  FAILED  ]" in text:
         raise Missing(f"{machine.name}: a recorded test failed")
     passed = sum(int(count) for count in re.findall(r"\[  PASSED  \] (\d+) tests", text))
     put("tests/passed", str(passed), source, "tests passed; none failed")
@@ -100,13 +101,21 @@ def drivers_compiler(put, machine, others):
 def provenance(put, machine, others):
     """Of how many commits and GPUs the records are, and how many intervals cover less than 95 %."""
     roots = [root for root in machine.sources.values() if "context" in root]
-    commits = {root["context"]["build"]["commit"] for root in roots}
+    processes = [process for root in roots for process in root.get("processes", ())]
+    commits = {root["context"]["build"]["commit"] for root in roots} | {process["commit"] for process in processes}
     gpus = {backend["uuid"] for root in roots for backend in root.get("backends", [])
             if isinstance(backend, dict) and backend.get("uuid")}
+    gpus |= {gpu for process in processes for gpu in process["gpus"] if re.fullmatch(r"[0-9a-f]{32}", gpu.replace("-", ""))}
     put("records/commits", str(len(commits)), machine.id, "commits of the program among the records")
     put("records/gpus", str(len(gpus)), machine.id, "GPUs of one model among the records, by UUID")
-    timed = [len(record.samples_ms) for record in machine.records if "samples_ms" in record.parameters]
+    timed = [rounds for record in machine.records if "samples_ms" in record.parameters
+             for rounds in [process["rounds"] for process in record.parameters.get("processes", ())] or [len(record.samples_ms)]]
     few = [rounds for rounds in timed if rounds < ENOUGH]
+    said(machine, len(set(timed) - set(few)) == 1, "but for those of too few, all timings have as many rounds")
+    put("records/rounds", str(max(timed)), machine.id, "rounds of a timing in a process")
+    unequal = [entry for entry in contests(machine) if not entry.same_steps]
+    said(machine, all(entry.work == "drawing" for entry in unequal), "contests but those of frames have as many steps a sample")
+    put("records/unequal", str(len(unequal)), machine.id, "contests whose APIs had their own numbers of steps a sample")
     put("records/few", str(len(few)), machine.id, f"times of fewer than {ENOUGH} rounds, whose intervals cover less than 95 %")
     put("records/least", str(min(timed)), machine.id, "fewest rounds of a time")
     put("records/least/cover", f"{100 * (1 - 2 * 0.5**min(timed)):.0f}", machine.id, "%, what the interval of the fewest rounds covers")

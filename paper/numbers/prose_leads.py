@@ -2,13 +2,14 @@
 """Numbers and sentences of the prose about leads: of an API, of many launches, of an arrangement."""
 from paper.numbers import contests, leads
 from paper.numbers.derived import best, matched
-from paper.numbers.ranks import apart
-from paper.records import said
+from paper.numbers.ranks import apart, ratios_by_process, time_ratio
+from paper.records import Missing, said
 from paper.text import ms
 
 DEVICES = ("glsl", "cuda")
 GROUP = 128
 METHODS = ("group", "tiled", "square", "triangle")
+COMPILED = 50  # ms that a first use takes only if the driver compiles
 
 
 def who_leads(put, machine, others):
@@ -20,7 +21,9 @@ def who_leads(put, machine, others):
     table1 = [leads.contest(*pair) for pair in matched(machine, table="table1", method="collide_triangle")]
     most = max((entry for entry in found + table1), key=lambda entry: entry.ratio)
     said(machine, most.ratio > 1, "at most, GLSL takes longer than CUDA")
-    put("lead/most", f"{most.ratio:.2f}x", most.source, f"greatest time ratio GLSL/CUDA, all pairs by triangle, n = {most.n}")
+    put("lead/most", f"{most.ratio:.2f}x", most.source,
+        f"greatest time ratio GLSL/CUDA, {most.where or 'all pairs by triangle'}, n = {most.n}")
+    said(machine, most.where == "whole steps", "the greatest ratio is that of a whole step")
     large = [entry for entry in found if entry.n >= leads.LARGE]
     said(machine, all(0.85 <= entry.ratio <= 1.18 for entry in large), "at large sizes the APIs are within a few percent of each other for all pairs")
     put("lead/large/from", f"{leads.LARGE:,}", machine.id, "least n at which launches are negligible")
@@ -36,13 +39,15 @@ def one_launch(put, machine, others):
     """Motion with the plane, one launch a step, of the first table."""
     pairs = matched(machine, table="table1", work="move")
     found = [leads.contest(*pair) for pair in pairs]
-    said(machine, all(0.6 < entry.ratio < 1.6 for entry in found), "in motion neither API is far ahead, at any size of the first table")
+    said(machine, not any(entry.winner for entry in found), "in motion neither API leads, at any size of the first table")
     for record in (record for pair in pairs[:1] for record in pair):
         medians = [process["median_ms"] for row in machine.need(table="table1", work="move", backend=record.backend)
                    for process in row.parameters.get("processes") or [{"median_ms": row.median}]]
         put(f"motion/small/{record.backend}", f"{1e3 * min(medians):.1f} to {1e3 * max(medians):.1f}", record.source,
             f"microseconds of a step of motion and plane in {record.backend}, of all sizes and processes")
-    put("motion/small/ratios", leads.ratios(found), found[0].source, "time ratios GLSL/CUDA of motion and plane, original table")
+    medians = [median for pair in pairs for _, median, _, _ in ratios_by_process(*pair)]
+    put("motion/small/ratios", f"{min(medians):.2f}x to {max(medians):.2f}x", found[0].source,
+        "time ratios GLSL/CUDA of motion and plane, original table, of all sizes and processes")
     put("motion/small/sizes", str(len(found)), found[0].source, "sizes of motion and plane that both timed")
 
 
@@ -58,14 +63,14 @@ def methods(put, machine, others):
 
 
 def repeats(put, machine, others):
-    """The same work in several tables of one run: what intervals within a process do not show."""
-    wanted = {"backend": "cuda", "method": "collide_triangle", "n": 16384}
-    rows = [machine.one(table="methods", block=GROUP, **wanted), machine.one(table="table1", **wanted),
-            machine.one(table="scale", scene="random", backend="cuda", n=16384),
-            machine.one(table="exactness", exact=True, **wanted)]
-    for key, row in (("low", min(rows, key=lambda row: row.median)), ("high", max(rows, key=lambda row: row.median))):
-        put(f"repeat/{key}", f"{1e3 * row.median:.1f}", row.source, f"us, triangle in CUDA, n = 16384, table {row.table}")
-    put("repeat/tables", str(len(rows)), rows[0].source, "tables of the run with that work")
+    """What intervals within a process do not show."""
+    rows = [row for name in DEVICES for row in machine.need(table="step", backend=name) if "processes" in row.parameters.get("spread", ())]
+    if not rows:
+        raise Missing(f"{machine.name} has no whole steps of several processes")
+    within, between = (max(rows, key=lambda row: row.spread[layer][1] - row.spread[layer][0]) for layer in ("within", "processes"))
+    for key, row, layer in (("within", within, "within"), ("between", between, "processes")):
+        low, high = row.spread[layer]
+        put(f"repeat/{key}", f"{100 * (high - low):.0f}", row.source, f"%, widest spread of a whole step, {key}: {row.label}, n = {row.n}")
 
 
 def launches(put, machine, others):
@@ -83,10 +88,22 @@ def launches(put, machine, others):
 
 
 def first_uses(put, machine, others):
+    """Of triangle, in groups of every size and every process."""
+    def put_span(key, found, what):
+        put(f"first/{key}", f"{ms(min(found))} to {ms(max(found))}", source, f"first uses of triangle, ms, {what}")
+
     for name in DEVICES:
         rows = machine.need(table="methods", backend=name, method="collide_triangle")
-        most = max(record.first_step_ms for record in rows)
-        put(f"first/{name}", ms(most), rows[0].source, f"longest first use of triangle in {name}, ms, of all group sizes")
+        source = rows[0].source
+        firsts = [each["first_step_ms"] for row in rows for each in row.parameters.get("processes") or [row.parameters]]
+        if name == "cuda":
+            put_span(name, firsts, "CUDA")
+            continue
+        cached, compiled = ([time for time in firsts if (time > COMPILED) is made] for made in (False, True))
+        if not (cached and compiled):
+            raise Missing(f"{machine.name} has no first uses both with the driver's cache and without")
+        put_span("glsl/cached", cached, "GLSL, the driver's cache has the program")
+        put_span("glsl/compiled", compiled, "GLSL, the driver compiles it")
 
 
 def arrangements(put, machine, others):
@@ -122,7 +139,7 @@ def keeping_order(put, machine, others):
     warm, cold = ({pair[0].n: pair for pair in matched(machine, **wanted, order=order)} for order in ("warm", "cold"))
     n = max(warm.keys() & cold.keys())
     gain = min(slow.median / fast.median for slow, fast in zip(cold[n], warm[n]))
-    api = max(glsl.median / cuda.median for glsl, cuda in (warm[n], cold[n]))
+    api = max(time_ratio(*pair)[0] for pair in (warm[n], cold[n]))
     said(machine, gain > api and all(apart(*pair) for pair in zip(cold[n], warm[n])),
          "cell order gains more than the API")
     put("order/gain", f"{gain:.1f}", warm[n][0].source, f"random over cell order at n = {n}, the smaller of both APIs")

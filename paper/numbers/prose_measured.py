@@ -57,7 +57,7 @@ def frame_rates(put, machine, others):
     small, large = ([frames(name, n).median for name in DEVICES] for n in (64, SIZE))
     said(machine, small[1] > 2 * small[0] and large[1] < 1.1 * large[0],
          "CUDA's frames cost the transfer to OpenGL, which shows where spheres are few")
-    put("fps/ahead", f"{small[1] / small[0]:.1f}", frames("glsl", 64).source, "CUDA's time over GLSL's, n = 64")
+    put("fps/ahead", f"{small[0] / small[1]:.2f}x", frames("glsl", 64).source, "time ratio GLSL/CUDA of a frame, n = 64")
 
     def drawing(label):
         return machine.one(table="frame_rates", work="draw", label=label, n=SIZE)
@@ -120,8 +120,8 @@ def exactness(put, machine, others):
     said(machine, all(micro[key] < 1 or percent[key] < 1 for key in micro if key[0] != "cpu"),
          "exactness costs a GPU's methods less than a microsecond or a percent if no pair is left undecided")
     source = found["cuda", "triangle"][0].source
-    put("exact/most", f"{max(value for (name, _), value in percent.items() if name != 'cpu'):.1f}", source,
-        "cost in %, the highest of a GPU's methods")
+    put("exact/most", f"{max(abs(value) for (name, _), value in percent.items() if name != 'cpu'):.1f}", source,
+        "in %, the greatest difference of the medians, of a GPU's methods")
     put("exact/bound", f"{max(high for (name, _), (_, _, high) in costs.items() if name != 'cpu'):.1f}", source,
         "in %, the highest upper bound of the cost of a GPU's methods")
     said(machine, not any(differ(*found[key]) and percent[key] > 0 for key in found if key[0] != "cpu"),

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Numbers of the prose from the studies: the sweep, frames, transfers."""
 from paper.numbers import leads
-from paper.numbers.derived import copy_rate, crossover, grid_share_of_floor, matched, slope, stage_ratios, timer_floor
-from paper.numbers.ranks import apart
+from paper.numbers.derived import INSTRUCTIONS, copy_rate, crossover, grid_share_of_floor, matched, slope, stage_ratios, timer_floor
+from paper.numbers.ranks import apart, time_ratio
 from paper.numbers.transfers import MOST_TRANSFERRED
 from paper.records import Missing, said
 from paper.text import ms
@@ -45,6 +45,18 @@ def kernel_pairs(put, machine, others):
     put("kernels/floor", f"{1e3 * timer_floor(machine):.1f}", machine.id, "us, most that a device timer reads of an empty kernel")
     middle = sorted(row.ratio[0] for row in rows)[len(rows) // 2]
     put("kernels/median", f"{middle:.2f}", source, "GLSL's time over CUDA's, the (upper) median of the kernels")
+
+
+def loops_of_triangle(put, machine, others):
+    """Instructions of the hot loop, as both compilers made it."""
+    record = machine.source("listings.json")
+    found = {row["backend"]: row for row in record["listings"] if row["kernel"] == "collide_triangle"}
+    pairs = {row["pairs"] for row in found.values()}
+    said(machine, found.keys() == set(DEVICES) and len(pairs) == 1, "both compilers' loops test as many pairs")
+    put("loop/pairs", str(*pairs), record["id"], "pairs of a turn of the hot loop of triangle")
+    put("loop/least", str(INSTRUCTIONS * next(iter(pairs))), record["id"], "the least instructions for them")
+    for name in DEVICES:
+        put(f"loop/{name}", str(found[name]["loop"]["instructions"]), record["id"], f"instructions of the hot loop of triangle, {name}")
 
 
 def grid(put, machine, others):
@@ -97,7 +109,7 @@ def grid_leads(put, machine, others):
     put("grid/open", str(len(contests) - sum(map(len, wins.values()))), source, "those in which no difference is seen")
     said(machine, not wins["glsl"] and len(wins["cuda"]) > 0.6 * len(contests),
          "CUDA is the faster in most contests of the grid, and in none the slower")
-    leads_of_cuda = [(glsl.median / cuda.median, cuda) for glsl, cuda in wins["cuda"]]
+    leads_of_cuda = [(time_ratio(*pair)[0], pair[1]) for pair in wins["cuda"]]
     most, row = max(leads_of_cuda, key=lambda lead: lead[0])
     said(machine, row.n <= 1024 and row.order == "warm", "CUDA's lead is greatest for few spheres that are not sorted")
     put("grid/lead/most", f"{most:.2f}x", source, f"greatest time ratio GLSL/CUDA: n = {row.n}, {row.order}")
@@ -113,7 +125,7 @@ def grid_leads(put, machine, others):
 def lead_text(glsl, cuda):
     if not apart(glsl, cuda):
         return "no difference is seen"
-    return f"GLSL takes {glsl.median / cuda.median:.2f}x CUDA's time"
+    return f"GLSL takes {time_ratio(glsl, cuda)[0]:.2f}x CUDA's time"
 
 
 def fractions(machine):
@@ -139,10 +151,10 @@ def drawing(put, machine, others):
             put(f"draw/{key}/{name}", ms(best_way.median), best_way.source, f"{best_way.label}, n = {n}")
             put(f"draw/{key}/{name}/n", f"{n:,}", best_way.source, f"{name}, spheres drawn from outside")
             put(f"draw/{key}/{name}/way", best_way.draw, best_way.source, f"{name}, fastest way to draw {n} spheres")
-    ways = {name: {row.n: row for row in rows[name] if row.draw == "compute"} for name in DEVICES}
-    behind = {n: ways["glsl"][n].median / ways["cuda"][n].median for n in ways["glsl"].keys() & ways["cuda"].keys()}
-    n = max(behind, key=behind.get)
-    put("draw/behind", f"{behind[n]:.2f}x", ways["glsl"][n].source, f"greatest time ratio GLSL/CUDA of a frame, n = {n}")
+    for work, key in (("frame", "draw/behind"), ("lit", "draw/behind/lit")):
+        ratio, cuda = max(((time_ratio(*pair)[0], pair[1]) for place in ("outside", "inside")
+                           for pair in matched(machine, table="draw", draw="compute", work=work, place=place)), key=lambda found: found[0])
+        put(key, f"{ratio:.2f}x", cuda.source, f"greatest time ratio GLSL/CUDA of the rasteriser: {work}, {cuda.place}, n = {cuda.n}")
 
 
 def loops(put, machine, others):
@@ -168,4 +180,4 @@ def transfers(put, machine, others):
         put(f"interop/{key}/way", row.way, row.source, f"the {key}est transfer, n = {row.n}")
 
 
-STUDIED = (pairs_of_the_sweep, kernel_pairs, grid, largest_grids, grid_leads, drawing, loops, transfers)
+STUDIED = (pairs_of_the_sweep, kernel_pairs, loops_of_triangle, grid, largest_grids, grid_leads, drawing, loops, transfers)

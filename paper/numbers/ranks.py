@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Whether two timings differ. Contenders of a contest took their turns right behind each other in every round: the median
-of the rounds' ratios and its interval say it, as in the program's tables. Records from before contests have medians,
-intervals and ranks."""
+of the rounds' ratios and its interval say it, as in the program's tables; of several processes the widest of the spreads
+within one, between them and between GPUs, which holds each process's median. What was not timed in turns has medians, intervals and ranks."""
 import math
 import statistics
 from functools import lru_cache
 
 from paper.records import median_interval
+from paper.spread import spreads
 
 ENOUGH = 6  # rounds, for an interval of 95 %
 
@@ -57,11 +58,25 @@ def ratios(left, right):
     return [a / b for a, b in zip(left.samples_ms, right.samples_ms)]
 
 
+def ratios_by_process(left, right):
+    """(GPU, the median of the rounds' ratios, its lower and its upper bound) of each process."""
+    whole = [{"gpu": None, "rounds": len(left.samples_ms)}]
+    of_rounds, found = ratios(left, right), []
+    for process in right.parameters.get("processes", whole):
+        own, of_rounds = of_rounds[:process["rounds"]], of_rounds[process["rounds"]:]
+        found.append((process["gpu"], statistics.median(own), *median_interval(own)))
+    return found
+
+
 def time_ratio(left, right):
     """(left's time over right's, its lower and its upper bound)."""
-    if paired(left, right):
-        return (statistics.median(ratios(left, right)), *median_interval(ratios(left, right)))
-    return left.median / right.median, left.low / right.high, left.high / right.low
+    if not paired(left, right):
+        return left.median / right.median, left.low / right.high, left.high / right.low
+    runs = ratios_by_process(left, right)
+    medians = [median for _, median, _, _ in runs]
+    middle = statistics.median(medians)
+    low, high = max(spreads(runs).values(), key=lambda layer: layer[1] - layer[0])
+    return middle, min(low * middle, *medians), max(high * middle, *medians)
 
 
 def apart(left, right):

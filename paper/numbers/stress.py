@@ -24,11 +24,16 @@ def in_thousands(text):
     return re.sub(r"(?<![\w.,^+-])\d{5,}(?![\w.])", lambda number: f"{int(number[0]):,}", text)
 
 
+def in_words(name):
+    """A number is a word of its own."""
+    return in_thousands(re.sub(r"([a-z])(\d)", r"\1 \2", name))
+
+
 def stressed(machine):
     tests = {}
     for entry in machine.source("stress.json")["rows"]:
         test = tests.setdefault((entry["row"], entry["what"]), Stressed(
-            entry["row"], entry["scene"], entry["what"], entry["bound"], {}, {}))
+            entry["row"], entry["scene"], in_words(entry["what"]), entry["bound"], {}, {}))
         test.verdicts[entry["backend"]] = entry["verdict"]
         if entry["verdict"] != "skipped":
             test.figures[entry["backend"]] = in_thousands(entry["figure"])

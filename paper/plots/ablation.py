@@ -10,7 +10,7 @@ from paper.style import PAGE, SERIES, panels, series_of, time_text
 
 NAME = "ablation"
 CAPTION = ("Ablation of each optimisation, API feature and own kernel (in place of a library's): time without over time with it, at equal "
-           "results; left of 1 it costs. Bars: the bounds of the ratio from the intervals of both medians. "
+           "results; left of 1 it costs. Bars: the interval of the ratio. "
            "Right: the time with it{counted}.")
 COUNTED = ", and the counts of a step's work that differ, with it and (in brackets) without"
 KINDS = {"work": "optimisations", "api": "API features", "library": "own kernels"}

@@ -7,7 +7,7 @@ from paper.style import PAGE, SERIES, panels, spheres_in_decades
 NAME, TABLE = "floor", "grid"
 CAPTION = ("Share of the floor: the least time by the peak rates, over the measured time. "
            "(a) The grid, whose floor is its minimum memory traffic (per sphere {warm} bytes in cell order, {cold} in "
-           "random order) over the highest copy rate recorded, the base of every share; small "
+           "random order) over the highest copy rate recorded of data that fits no cache, the base of every share; small "
            "sizes fit the caches, which copy faster. (b) All pairs by the upper triangle, whose floor is four instructions per pair over the issue "
            "rate. Packing fraction 0.3.")
 LINES = {"warm": "-", "cold": "--"}

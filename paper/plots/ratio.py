@@ -6,7 +6,7 @@ from paper.style import PAGE, panels, spheres_axis
 NAME = "glsl-against-cuda"
 CAPTION = ("GLSL's time over CUDA's for the same work: above 1 CUDA is faster, below 1 GLSL. (a) Against the number of "
            "spheres: all pairs by the upper triangle, alone and as part of a whole step. (b) Per method at one "
-           "size, groups of 128. Bars: the bounds of the ratio from the intervals of both medians.")
+           "size, groups of 128. Bars: the interval of the ratio.")
 SETS = (("pairs, original box", "o", "#15396b", {"table": "scale", "scene": "random"}),
         ("pairs, gas of packing fraction 0.3", "s", "#e0812b", {"table": "scale", "scene": "uniform"}),
         ("whole step, original box", "^", "#5b8c5a", {"table": "step"}))

@@ -122,7 +122,7 @@ def code(machine):
              ["kernel", "GLSL", "CUDA", "same", "nvcc, s", "GLSL, ms"]]
     return Table("code", "Code and compile time of each API. Lines without blanks and comments; same: lines in both. nvcc: "
                  f"processor seconds on {record['context']['cpu']}, once, when the program is built ({record['id']})." +
-                 (f" GLSL: the driver, in each program that uses it ({run}; -: a kernel that it does not have)." if driver else ""), heads, rows)
+                 (f" GLSL: the driver, in each program that uses it ({run}; -: a kernel that it does not have)." if driver else ""), heads, rows, source=record["id"])
 
 
 def machine_and_run(machine):

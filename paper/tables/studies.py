@@ -13,7 +13,7 @@ GRID = {"table": "grid", "scene": "uniform", "method": "collide_grid"}
 PEERS = ("Milliseconds from centres on the GPU, in random order and of the packing fraction below, to the number of"
          " colliding pairs, or to the output that a system offers: ours and other systems on the same "
          "centres. The others were timed in a separate run ({run}), on an H200, as medians without "
-         "intervals; wrong pairs are those of the last column. Ours:")
+         "intervals; wrong pairs are those of the last column. Ours run back to back, up to $10^6$ spheres overlapping. Ours:")
 CROSSOVERS = ("The least $n$ up to {most:,} from which the grid stays faster than all pairs, by intervals or the rank test, per"
               " kind of spheres; and the greatest ratio of the automatic choice's time to the best fixed choice's (auto),"
               " 1 if no difference is seen or both are the same.")

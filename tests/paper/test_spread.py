@@ -160,6 +160,30 @@ class Tests(unittest.TestCase):
                 self.passed(**lacking)
 
 
+class Ratios(unittest.TestCase):
+    """Of the turns of several processes: an interval that pools their rounds would be too narrow."""
+
+    def ratio(self, factors):
+        roots = [record(timing(10 * factor, backend="glsl"), timing(10)) for factor in factors]
+        glsl, cuda = (Record({**row, "contest": "made up"}, *spread.summary(row), "made up")
+                      for row in spread.merged(roots)["measurements"])
+        self.assertTrue(ranks.paired(glsl, cuda))
+        return ranks.time_ratio(glsl, cuda), ranks.apart(glsl, cuda)
+
+    def test_the_interval_holds_every_process(self):
+        (middle, low, high), apart = self.ratio([1.2, 1.3, 1.4, 1.1, 0.95])
+        self.assertAlmostEqual(1.2, middle)
+        self.assertLessEqual(low, 0.95)
+        self.assertGreaterEqual(high, 1.4)
+        self.assertFalse(apart)
+
+    def test_a_lead_in_every_process_is_one(self):
+        (middle, low, high), apart = self.ratio([1.2, 1.3, 1.4, 1.1, 1.15])
+        self.assertAlmostEqual(1.2, middle)
+        self.assertTrue(1 < low <= 1.1 and 1.4 <= high)
+        self.assertTrue(apart)
+
+
 class Ranks(unittest.TestCase):
     """Samples of one process are not independent, so that many of them decide nothing."""
 
