@@ -116,7 +116,7 @@ def merged(roots):
     rows = {name: list(merged_rows([root.get(name, []) for root in roots], gpus)) for name in TIMED if name in roots[0]}
     clocks = [moment for root in roots for moment in root.get("clocks", [])]
     return {**roots[0], **rows, **({"clocks": clocks} if clocks else {}), "processes": [
-        {"commit": root.get("context", {}).get("build", {}).get("commit"), "gpus": sorted(set(of.values()))}
+        {"commit": root.get("context", {}).get("build", {}).get("commit"), "gpus": sorted({gpu for gpu in of.values() if gpu})}
         for root, of in zip(roots, gpus)]}
 
 
