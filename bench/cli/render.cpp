@@ -170,10 +170,10 @@ std::vector<uint> draw_one(const Series& series, uint64_t k, const std::vector<d
   return std::move(drawn.pixels);
 }
 
-Remarks draw_series(Series& series, WrittenFiles& written) {
+Remarks draw_series(Series& series, EarlierFiles* earlier) {
   const RenderOptions& options = series.options;
   Progress progress;
-  ImageWriters writers(written);
+  ImageWriters writers(earlier);
   std::optional<Video> video;
   Remarks remarks;
   json first, current;
@@ -243,7 +243,7 @@ int render_command(const CommandLine& line, const RenderOptions& given) {
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
   Series series{line, options, starts, chosen, method, !options.plain};
   print_summary(series, with_divided_steps(options.divides, starts.front(), *chosen.backend,
-                                           [&](WrittenFiles& written) { return draw_series(series, written); }));
+                                           [&](EarlierFiles* earlier) { return draw_series(series, earlier); }));
   return kOk;
 }
 

@@ -110,10 +110,10 @@ struct Outcome {
   std::vector<ContactStatistics> statistics;
 };
 Outcome simulate(Backend& backend, const RunOptions& options, const Start& start, const CollideOptions& collide,
-                 RunTimes& times, WrittenFiles& written) {
+                 RunTimes& times, EarlierFiles* earlier) {
   times.begin_again();
   times.spend(RunTimes::opening, [&] { upload_start(start, backend); });
-  Run simulation(backend, options, start, collide, times, written);
+  Run simulation(backend, options, start, collide, times, earlier);
   std::vector<RunStep> steps = simulation.simulate();
   return {std::move(steps), simulation.statistics()};
 }
@@ -142,8 +142,8 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   const std::string rounded =
       reach_warning(pairs_within_reach(backend, start.scene, start.rounding, collide), start.rounding);
   if (!rounded.empty()) fmt::print(stderr, "{}\n", wrapped("At the start: " + rounded, "* ", "  "));
-  const Outcome outcome = with_divided_steps(options.divides, start, backend, [&](WrittenFiles& written) {
-    return simulate(backend, options, start, collide, times, written);
+  const Outcome outcome = with_divided_steps(options.divides, start, backend, [&](EarlierFiles* earlier) {
+    return simulate(backend, options, start, collide, times, earlier);
   });
   if (!options.pairs_file.empty()) write_pairs(options.pairs_file, backend.pairs());
   if (!options.contacts_file.empty()) write_contact_numbers(options.contacts_file, backend.counts());

@@ -111,12 +111,12 @@ void Run::stand() {
     statistics_.push_back(contact_statistics(start_.scene, state.wide, backend_.pairs(), step_ * start_.parts));
     statistics_.back().step = step_;
   }
+  if (saves && earlier_) earlier_->keep(options_.save_file);
   if (saves) save(backend_, start_, step_, std::move(state), options_.save_file);
-  if (saves) written_.insert(options_.save_file);
   const bool printed = is_standard_output({options_.statistics_file}) || !is_replaced(options_.statistics_file);
   const bool lists = each && (last || (saves && !printed));
+  if (lists && !printed && earlier_) earlier_->keep(options_.statistics_file);
   if (lists) write_text(options_.statistics_file, statistics_csv(statistics_));
-  if (lists && !printed) written_.insert(options_.statistics_file);
   if (wanted) results_.push_back(result);
 }
 

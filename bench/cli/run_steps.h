@@ -20,13 +20,13 @@ json to_json(const RunStep& result);
 class Run {
  public:
   Run(Backend& backend, const RunOptions& options, const Start& start, const CollideOptions& collide, RunTimes& times,
-      WrittenFiles& written)
+      EarlierFiles* earlier)
       : backend_(backend),
         options_(options),
         start_(start),
         collide_(collide),
         times_(times),
-        written_(written),
+        earlier_(earlier),
         step_(start.step),
         end_(start.step + options.steps) {}
 
@@ -46,7 +46,7 @@ class Run {
   const Start& start_;
   CollideOptions collide_;
   RunTimes& times_;
-  WrittenFiles& written_;
+  EarlierFiles* earlier_;
   uint64_t step_, end_;  // undivided
   Progress progress_;
   std::vector<RunStep> results_;

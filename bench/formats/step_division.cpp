@@ -5,8 +5,6 @@
 
 #include <cstdio>
 
-#include "bench/io/replaced_file.h"
-
 namespace spherepair {
 namespace {
 
@@ -38,9 +36,7 @@ void divide_start(Start& start) {
              start.scene.dt);
 }
 
-void begin_again(Start& start, Backend& backend, const TooFast& fault, WrittenFiles& written) {
-  for (const std::filesystem::path& file : written) remove_replaced(file);
-  written.clear();
+void begin_again(Start& start, Backend& backend, const TooFast& fault) {
   backend.time_stages(false);
   require_no_deep_start(start, backend);
   if (start.parts == most_parts)

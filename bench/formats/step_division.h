@@ -2,41 +2,44 @@
 // Runs whose spheres are too fast for the time step: from the start again, with each step divided into smaller ones.
 #pragma once
 
-#include <filesystem>
-#include <set>
-
 #include "bench/formats/start.h"
+#include "bench/io/replaced_file.h"
 #include "common/scene/contact/contact_faults.h"
 
 namespace spherepair {
 
 constexpr uint most_parts = 64;  // of a step
 
-using WrittenFiles = std::set<std::filesystem::path>;  // by an attempt, which may be begun again
-
 // Divides each step where the start is refused, and one of that many parts is not; says so on standard error.
 void divide_start(Start& start);
 
-// Removes what was written, divides each step of the start into twice as many and says so on standard error; the units
-// of momenta follow. Throws std::invalid_argument beyond most_parts, and where the start overlaps too much.
-void begin_again(Start& start, Backend& backend, const TooFast& fault, WrittenFiles& written);
+// Divides each step of the start into twice as many and says so on standard error; the units of momenta follow. Throws
+// std::invalid_argument beyond most_parts, and where the start overlaps too much.
+void begin_again(Start& start, Backend& backend, const TooFast& fault);
 
 // A line that says into how many each step is divided; empty where it is not.
 std::string division_text(const Start& start);
 
-// The result of `work`, which is done anew where a sphere is too fast, from what begin_again makes of the start.
+// The result of `work`, which is done anew where a sphere is too fast, from what begin_again makes of the start. It
+// writes the same files each time; where no division helps, what they were before is put back. earlier: empty where
+// nothing is divided.
 template <typename Work>
 auto with_divided_steps(bool divides, Start& start, Backend& backend, Work work) {
-  WrittenFiles written;
-  if (divides) divide_start(start);
-  while (divides) {
+  if (!divides) return work(static_cast<EarlierFiles*>(nullptr));
+  EarlierFiles earlier;
+  divide_start(start);
+  while (true) {
     try {
-      return work(written);
+      return work(&earlier);
     } catch (const TooFast& fault) {
-      begin_again(start, backend, fault, written);
+      try {
+        begin_again(start, backend, fault);
+      } catch (...) {
+        earlier.take_back();
+        throw;
+      }
     }
   }
-  return work(written);
 }
 
 }  // namespace spherepair

@@ -53,10 +53,11 @@ ImageWriters::~ImageWriters() {
 
 void ImageWriters::write(const fs::path& path, std::vector<uint> pixels, uint width, const json& record) {
   if (jobs_.size() >= std::max(1u, std::thread::hardware_concurrency())) finish_one();
-  jobs_.push_back({path, std::async([=, pixels = std::move(pixels)] {
-                     write_png(path, pixels, width, uint(pixels.size() / width));
-                     write_file(record_of(path), json_text(record));
-                   })});
+  if (earlier_) earlier_->keep(path), earlier_->keep(record_of(path));
+  jobs_.push_back(std::async([=, pixels = std::move(pixels)] {
+    write_png(path, pixels, width, uint(pixels.size() / width));
+    write_file(record_of(path), json_text(record));
+  }));
 }
 
 void ImageWriters::finish() {
@@ -64,10 +65,9 @@ void ImageWriters::finish() {
 }
 
 void ImageWriters::finish_one() {
-  Job job = std::move(jobs_.front());
+  std::future<void> job = std::move(jobs_.front());
   jobs_.pop_front();
-  job.done.get();
-  written_.insert({job.path, record_of(job.path)});
+  job.get();
 }
 
 }  // namespace spherepair

@@ -5,11 +5,11 @@
 #include <deque>
 #include <filesystem>
 #include <future>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "bench/io/output_files.h"
+#include "bench/io/replaced_file.h"
 #include "bench/io/report.h"
 
 namespace spherepair {
@@ -28,19 +28,15 @@ void add_image(OutputFiles& files, const std::string& option, const std::filesys
 // also when their exceptions are thrown.
 class ImageWriters {
  public:
-  explicit ImageWriters(std::set<std::filesystem::path>& written) : written_(written) {}  // gets their names
-  ~ImageWriters();                                                                        // waits
+  explicit ImageWriters(EarlierFiles* earlier) : earlier_(earlier) {}  // which keeps what they replace; may be empty
+  ~ImageWriters();                                                     // waits
   void write(const std::filesystem::path& path, std::vector<uint> pixels, uint width, const json& record);
   void finish();
 
  private:
   void finish_one();
-  struct Job {
-    std::filesystem::path path;
-    std::future<void> done;
-  };
-  std::deque<Job> jobs_;
-  std::set<std::filesystem::path>& written_;
+  std::deque<std::future<void>> jobs_;
+  EarlierFiles* earlier_;
 };
 
 }  // namespace spherepair

@@ -80,6 +80,8 @@ void refuse_of_motion(const Given& given) {
 void refuse_of_contacts(const Given& given) {
   for (const char* option : {"--stiffness", "--walls", "--too-fast"})
     given.refuse(option, given.is("--contact", {"none"}), "without contacts: omit it, or give another --contact");
+  given.refuse("--walls", !given.has("--input") && given.is("--scene", {"gas", "bed"}),
+               "on a scene in a closed box of its own: omit it, or choose another --scene");
 }
 
 void refuse_of_search(const Given& given) {

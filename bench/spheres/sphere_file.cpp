@@ -154,7 +154,7 @@ std::string describe(const SphereFile& input) {
   if (!input.ignored.empty()) text += fmt::format("\nnot periodic, as asked for: {} is ignored", input.ignored);
   if (input.unread_momenta) text += "\nmomenta are not read: give velocities, momenta over masses, as velo:R:3";
   const auto [low, high] = radius_range(input.scene);
-  text += "\n" + counted(input.scene.size(), "sphere");
+  text += fmt::format("\n{}", counted(input.scene.size(), "sphere"));
   if (input.scene.size() == 0) return text + "\n";
   text += ", radius " + (low == high ? fmt::format("{}", low) : fmt::format("{} to {}", low, high));
   if (!input.own_radii) text += " by --radius";

@@ -35,6 +35,8 @@ TEST_F(CommandLineTest, OptionsThatChangeNothingAreRefusedWithTheReason) {
         {run + "--scene lattice --packing-fraction 0.1", "--packing-fraction"},
         {run + "--groups 8", "--groups"},
         {run + "--scene uniform --group-size 8", "--group-size"},
+        {run + "--scene gas --contact spring --steps 1 --walls", "--walls"},
+        {run + "--scene bed --contact spring --steps 1 --walls", "--walls"},
         {run + "--motion paper", "--motion"},
         {run + "--dt 0.5", "--dt"},
         {run + "--restitution 0.5", "--restitution"},

@@ -105,13 +105,14 @@ TEST_F(TooFastOption, IsForFastSpheresAlone) {
   EXPECT_EQ(kind({2, 1, ~0u}), "sphere 1 too fast, another too deep");
 }
 
-TEST_F(TooFastOption, RemovesOnlyWhatItReplaced) {
+TEST_F(TooFastOption, PutsBackWhatItReplacedWhereNothingHelps) {
   folder_.write("old", "of an earlier run");
   std::filesystem::create_symlink("old", path("link"));
   std::filesystem::create_symlink("/dev/null", path("null"));
   const std::string end = "--backend cpu --steps 20 --save-every 4 ";
   EXPECT_EQ(divided("run", end + fmt::format("--save {} --statistics {}", path("link"), path("null"))).code, kUsage);
-  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"link", "null", "s.txt"}));
+  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"link", "null", "old", "s.txt"}));
+  EXPECT_EQ(read_bytes(path("old")), "of an earlier run");
 }
 
 TEST_F(TooFastOption, WritesOnceWhereNothingCanBeTakenBack) {
@@ -126,15 +127,19 @@ TEST_F(TooFastOption, WritesOnceWhereNothingCanBeTakenBack) {
   EXPECT_EQ(times_in(rows, "\n0,0,"), 1) << rows;
 }
 
-TEST_F(TooFastOption, ListsOnlyTheImagesThatWereWritten) {
-  std::filesystem::create_directory(path("b.png"));
-  std::set<std::filesystem::path> written;
-  {
-    ImageWriters writers(written);
+TEST_F(TooFastOption, PutsBackImagesToo) {
+  folder_.write("a.png", "of an earlier run");
+  EarlierFiles earlier;
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    ImageWriters writers(&earlier);
     for (const char* name : {"a.png", "b.png"}) writers.write(path(name), {0, 0, 0, 0}, 2, {});
-    EXPECT_THROW(writers.finish(), std::invalid_argument);
+    writers.finish();
   }
-  EXPECT_EQ(written, (std::set<std::filesystem::path>{path("a.json"), path("a.png")}));
+  EXPECT_NE(read_bytes(path("a.png")), "of an earlier run");
+  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.json", "a.png", "b.json", "b.png", "s.txt"}));
+  earlier.take_back();
+  EXPECT_EQ(read_bytes(path("a.png")), "of an earlier run");
+  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.png", "s.txt"}));
 }
 
 // By steps above half a contact, and by impulses that could add up beyond 64 bits.
