@@ -129,17 +129,19 @@ TEST_F(TooFastOption, WritesOnceWhereNothingCanBeTakenBack) {
 
 TEST_F(TooFastOption, PutsBackImagesToo) {
   folder_.write("a.png", "of an earlier run");
+  std::filesystem::create_symlink("c", path("c.png"));  // to no file yet
   EarlierFiles earlier;
   for (int attempt = 0; attempt < 2; ++attempt) {
     ImageWriters writers(&earlier);
-    for (const char* name : {"a.png", "b.png"}) writers.write(path(name), {0, 0, 0, 0}, 2, {});
+    for (const char* name : {"a.png", "b.png", "c.png"}) writers.write(path(name), {0, 0, 0, 0}, 2, {});
     writers.finish();
   }
   EXPECT_NE(read_bytes(path("a.png")), "of an earlier run");
-  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.json", "a.png", "b.json", "b.png", "s.txt"}));
+  EXPECT_EQ(folder_.names(),
+            (std::vector<std::string>{"a.json", "a.png", "b.json", "b.png", "c", "c.json", "c.png", "s.txt"}));
   earlier.take_back();
   EXPECT_EQ(read_bytes(path("a.png")), "of an earlier run");
-  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.png", "s.txt"}));
+  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.png", "c.png", "s.txt"}));
 }
 
 // By steps above half a contact, and by impulses that could add up beyond 64 bits.
