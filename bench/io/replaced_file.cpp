@@ -163,9 +163,10 @@ void EarlierFiles::take_back() {
       continue;
     }
     ReplacedFile file(target);
-    off_t at = 0;
-    for (ssize_t read; (read = ::pread(descriptor, bytes.data(), bytes.size(), at)) > 0; at += read)
+    ssize_t read = 0;
+    for (off_t at = 0; (read = ::pread(descriptor, bytes.data(), bytes.size(), at)) > 0; at += read)
       file.write({bytes.data(), size_t(read)});
+    if (read < 0) fail_to_write(target, errno);  // not half of it
     file.commit();
   }
 }

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Whether two timings differ. Contenders of a contest took their turns right behind each other in every round: the median
 of the rounds' ratios and its interval say it, as in the program's tables; of several processes the widest of the spreads
-within one, between them and between GPUs, which holds each process's median. What was not timed in turns has medians, intervals and ranks."""
+within one, between them and between GPUs, which holds each process's median. What was not timed in turns has medians,
+intervals and ranks."""
 import math
 import statistics
 from functools import lru_cache
@@ -47,10 +48,16 @@ def rank_test(left, right):
     return normal_p(len(left), len(right), u, ties)
 
 
+def rounds_of(record):
+    """How many each process has."""
+    return [process["rounds"] for process in record.parameters.get("processes", ())] or [len(record.samples_ms)]
+
+
 def paired(left, right):
-    """They took their turns in one contest."""
+    """They took their turns in one contest, in as many rounds of each process."""
     contest = left.parameters.get("contest")
-    return contest is not None and contest == right.parameters.get("contest") and left.source == right.source
+    return (contest is not None and contest == right.parameters.get("contest") and left.source == right.source and
+            rounds_of(left) == rounds_of(right))
 
 
 def ratios(left, right):
@@ -60,10 +67,9 @@ def ratios(left, right):
 
 def ratios_by_process(left, right):
     """(GPU, the median of the rounds' ratios, its lower and its upper bound) of each process."""
-    whole = [{"gpu": None, "rounds": len(left.samples_ms)}]
     of_rounds, found = ratios(left, right), []
-    for process in right.parameters.get("processes", whole):
-        own, of_rounds = of_rounds[:process["rounds"]], of_rounds[process["rounds"]:]
+    for process, rounds in zip(right.parameters.get("processes", ({"gpu": None},)), rounds_of(right)):
+        own, of_rounds = of_rounds[:rounds], of_rounds[rounds:]
         found.append((process["gpu"], statistics.median(own), *median_interval(own)))
     return found
 

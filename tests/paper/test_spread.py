@@ -177,6 +177,13 @@ class Ratios(unittest.TestCase):
         self.assertGreaterEqual(high, 1.4)
         self.assertFalse(apart)
 
+    def test_processes_that_lack_one_of_them_are_no_pairs(self):
+        """Their rounds would be those of others."""
+        roots = [record(timing(10, backend="glsl"), timing(10)), record(timing(20, backend="glsl"))]
+        glsl, cuda = (Record({**row, "contest": "made up"}, *spread.summary(row), "made up")
+                      for row in spread.merged(roots)["measurements"])
+        self.assertFalse(ranks.paired(glsl, cuda))
+
     def test_a_lead_in_every_process_is_one(self):
         (middle, low, high), apart = self.ratio([1.2, 1.3, 1.4, 1.1, 1.15])
         self.assertAlmostEqual(1.2, middle)
