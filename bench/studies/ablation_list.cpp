@@ -30,7 +30,7 @@ CollideOptions with_api(const CollideOptions& step, std::optional<bool> ApiOptio
 
 // Work that a scene may not need.
 std::vector<Ablation> optimisations() {
-  const CollideOptions step = grid_step(), pairs = {.method = Method::automatic};
+  const CollideOptions step = grid_step(), all_pairs = {.method = Method::collide_triangle};
   const auto keeping = [](bool order, bool cells) {
     return grid_step_with([=](CollideOptions& o) { o.grid.keep_order = order, o.grid.keep_cells = cells; });
   };
@@ -40,8 +40,8 @@ std::vector<Ablation> optimisations() {
        grid_step_with([](CollideOptions& o) { o.filter = false; })},
       {"radius_load", "equal radii are not loaded", "", step,
        grid_step_with([](CollideOptions& o) { o.load_radii = true; })},
-      {"radius_load_all_pairs", "the same without a grid", "", pairs,
-       changed(pairs, [](CollideOptions& o) { o.load_radii = true; })},
+      {"radius_load_all_pairs", "the same without a grid", "", all_pairs,
+       changed(all_pairs, [](CollideOptions& o) { o.load_radii = true; })},
       {"order", "spheres already in cell order are not sorted", "", keeping(true, false), keeping(false, false),
        Spheres::in_cell_order},
       {"cells", "spheres that have not moved keep their cells", "", keeping(false, true), keeping(false, false)},
