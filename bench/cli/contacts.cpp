@@ -53,6 +53,7 @@ ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
   plan.sampling.rounds = options.rounds;
   plan.sampling.longest = 0.02;
   if (!hardware) plan.sampling.software_seconds = 0.01, plan.steps_averaged = 20;
+  if (options.averaged) plan.steps_averaged = options.averaged;
   return plan;
 }
 
@@ -164,6 +165,10 @@ std::shared_ptr<ContactsOptions> add_contacts_options(CLI::App& command) {
                   "Spheres of the whole steps of a gas (default 1000000,10000000 on a GPU, else 16384)")
       ->delimiter(',')
       ->transform(positive_range);
+  command
+      .add_option("--averaged", options->averaged,
+                  "Whole steps whose mean is taken, the first of the gas (default 1000 on a GPU, else 20)")
+      ->transform(whole_number(1, 1'000'000));
   command
       .add_option("--rate-n", options->rate_n,
                   "Spheres of the gas whose pressure and cooling are measured (default 16384 on a GPU, else 1000)")

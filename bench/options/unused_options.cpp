@@ -144,6 +144,7 @@ void refuse_of_measurements(const Given& given) {
                                                 {"--n", {"errors"}},
                                                 {"--cost-n", {"sums"}},
                                                 {"--step-n", {"steps"}},
+                                                {"--averaged", {"steps"}},
                                                 {"--rate-n", {"rates"}},
                                                 {"--rounds", {"errors", "sums", "steps"}}};
   for (const auto& [option, used_by] : uses)

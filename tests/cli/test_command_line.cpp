@@ -58,6 +58,7 @@ TEST_F(CommandLineTest, OptionsThatChangeNothingAreRefusedWithTheReason) {
         {"compare --tables none --rounds 9 --results " + path("r"), "--rounds"},
         {"contacts --measure steps --laws spring --results " + path("r"), "--laws"},
         {"contacts --measure errors,rates --step-n 64 --results " + path("r"), "--step-n"},
+        {"contacts --measure sums --averaged 9 --results " + path("r"), "--averaged"},
         {"contacts --measure rates --rounds 6 --results " + path("r"), "--rounds"},
         {"frames --draws compute --most mesh:9 --results " + path("r"), "--most"}})
     expect_refused(arguments, {option, "has no effect", "omit"});

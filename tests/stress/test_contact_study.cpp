@@ -128,10 +128,10 @@ TEST_F(ContactStudy, RatesAreThoseOfEachTimeStepAgainstTheConvergedOne) {
 }
 
 TEST_F(ContactStudy, RecordsEveryRunAndCost) {
-  const Outcome outcome = run(fmt::format(
-      "contacts --backends cpu --threads 2 --laws spring --steps 10,20 --n 27 --cost-n 64,125 --step-n 125 --rate-n "
-      "125 --rounds 6 --results {}",
-      path("r")));
+  const Outcome outcome = run(
+      fmt::format("contacts --backends cpu --threads 2 --laws spring --steps 10,20 --n 27 --cost-n 64,125 --step-n 125 "
+                  "--averaged 30 --rate-n 125 --rounds 6 --results {}",
+                  path("r")));
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   const json record = json::parse(read_bytes(path("r/contacts.json")));
   EXPECT_EQ(record.at("format"), "spherepair contacts 1");
@@ -148,9 +148,9 @@ TEST_F(ContactStudy, RecordsEveryRunAndCost) {
   ASSERT_EQ(record.at("gas_steps").size(), 1u);
   const json& steps = record.at("gas_steps").front();
   EXPECT_EQ(steps.at("n"), 125);
-  EXPECT_EQ(steps.at("steps"), 20);
+  EXPECT_EQ(steps.at("steps"), 30);
   EXPECT_EQ(steps.at("sample").at("batches"), json({1})) << "their mean, no slope";
-  EXPECT_DOUBLE_EQ(steps.at("seconds_per_step").get<double>(), steps.at("sample").at("median_ms").get<double>() / 20e3);
+  EXPECT_DOUBLE_EQ(steps.at("seconds_per_step").get<double>(), steps.at("sample").at("median_ms").get<double>() / 30e3);
   EXPECT_TRUE(steps.at("over_cuda").is_null());
   EXPECT_DOUBLE_EQ(steps.at("sphere_steps_per_second").get<double>(), 125 / steps.at("seconds_per_step").get<double>());
   ASSERT_EQ(record.at("contact_sums").size(), 2 * 3u);
