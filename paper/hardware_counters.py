@@ -1,24 +1,41 @@
 # SPDX-License-Identifier: MIT
-"""Hardware counters of CUDA's search through the grid, by Nsight Compute: which limit its kernels are nearest to."""
+"""Hardware counters of CUDA's searches, through the grid and of all pairs, by Nsight Compute: which limit their kernels
+are nearest to."""
 import csv
 import json
 import re
 import statistics
 import subprocess
 import tempfile
+from dataclasses import dataclass
 from pathlib import Path
 
 from paper.recording import devices_of
 from paper.tools import Failed, output_of, required, version_of
 
-SIZES = (1000000, 10000000)
-KERNELS = ("grid_bounds", "split_tiles", "split_count", "grid_split", "grid_sort", "collide_grid")  # longer than 10 us
-ORDERS = ("warm", "cold")  # spheres in cell order, in random order
 PACKING_FRACTION = 0.3
-SKIPPED, PROFILED = 12, 12  # launches of these kernels: those of the check and of the warm-up; two to six steps
+
+
+@dataclass(frozen=True)
+class Search:
+    method: str  # also the kernel that searches
+    kernels: tuple  # longer than 10 us
+    sizes: tuple
+    orders: tuple  # warm: spheres in cell order; cold: in random order
+    skipped: int  # launches of these kernels: those of the check and of the warm-up
+    profiled: int
+
+
+SEARCHES = (
+    Search("collide_grid", ("grid_bounds", "split_tiles", "split_count", "grid_split", "grid_sort", "collide_grid"),
+           (1000000, 10000000), ("warm", "cold"), 12, 12),  # two to six steps
+    Search("collide_triangle", ("collide_triangle",), (2**20,), ("cold",), 2, 3),
+)
 COUNTERS = {
     "time_ns": "gpu__time_duration.sum",
     "issue_slots_percent": "smsp__issue_active.avg.pct_of_peak_sustained_active",
+    "instructions": "smsp__inst_executed.sum",  # of warps
+    "clock_hz": "smsp__cycles_elapsed.avg.per_second",
     "instructions_per_warp": "smsp__average_inst_executed_per_warp.ratio",
     "occupancy_percent": "sm__warps_active.avg.pct_of_peak_sustained_active",
     "l1_percent": "l1tex__throughput.avg.pct_of_peak_sustained_active",
@@ -74,28 +91,29 @@ def entry_of(name, launches):
             "stalls_per_issue": descending({reason: value for reason, value in stalls.items() if reason != "selected"})}
 
 
-def entries_of(text, n, order):
+def entries_of(text, search, n, order):
     by_name = {}
     for name, counters in rows_of(text):
         by_name.setdefault(name, []).append(counters)
     made = [{"kernel": kernel, "name": name, "backend": "cuda", "n": n, "order": order,
              "packing_fraction": PACKING_FRACTION, **entry_of(name, launches)}
-            for kernel in KERNELS for name, launches in by_name.items() if re.search(rf"\b{kernel}\b", name)]
-    if "collide_grid" not in (entry["kernel"] for entry in made):
-        raise Failed(f"Nsight Compute saw no launch of collide_grid with {n} spheres, {order}, but "
+            for kernel in search.kernels for name, launches in by_name.items() if re.search(rf"\b{kernel}\b", name)]
+    if search.method not in (entry["kernel"] for entry in made):
+        raise Failed(f"Nsight Compute saw no launch of {search.method} with {n} spheres, {order}, but "
                      f"{', '.join(by_name) or 'none'}")
     return made
 
 
-def profiled(n, order, program):
+def profiled(search, n, order, program):
     """Ends the program when the launches are profiled: the steps of a sweep do nothing but these searches."""
     with tempfile.TemporaryDirectory() as folder:
         report = Path(folder, "report.ncu-rep")
         words = [required("ncu"), "--export", report, "--clock-control", "none", "--cache-control", "none",
-                 "--graph-profiling", "node", "--kernel-name", f"regex:{'|'.join(KERNELS)}",
-                 "--launch-skip", SKIPPED, "--launch-count", PROFILED, "--kill", "yes", "--section", "WarpStateStats",
-                 "--section", "LaunchStats", "--metrics", ",".join((*COUNTERS.values(), *BREAKDOWNS)), program, "sweep",
-                 "--backends", "cuda", "--methods", "collide_grid", "--packing-fractions", PACKING_FRACTION, "--rounds", 1,
+                 "--graph-profiling", "node", "--kernel-name", f"regex:{'|'.join(search.kernels)}",
+                 "--launch-skip", search.skipped, "--launch-count", search.profiled, "--kill", "yes",
+                 "--section", "WarpStateStats", "--section", "LaunchStats",
+                 "--metrics", ",".join((*COUNTERS.values(), *BREAKDOWNS)), program, "sweep", "--backends", "cuda",
+                 "--methods", search.method, "--packing-fractions", PACKING_FRACTION, "--rounds", 1,
                  "--n", n, "--orders", order, "--results", Path(folder, "sweep")]
         made = subprocess.run([str(word) for word in words], capture_output=True, text=True)
         if not report.exists():
@@ -107,7 +125,8 @@ def profiled(n, order, program):
 def write_counters(folder, program):
     """FOLDER/counters.json. Returns its entries."""
     devices = devices_of(program)
-    entries = [entry for n in SIZES for order in ORDERS for entry in entries_of(profiled(n, order, program), n, order)]
+    entries = [entry for search in SEARCHES for n in search.sizes for order in search.orders
+               for entry in entries_of(profiled(search, n, order, program), search, n, order)]
     record = {"format": "spherepair counters 1", "context": devices["context"], "backends": devices["backends"],
               "tools": {"ncu": version_of("ncu")}, "counters": entries}
     folder.mkdir(parents=True, exist_ok=True)

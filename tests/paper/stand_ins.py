@@ -61,6 +61,7 @@ LOOP = """
 """
 FUNCTION = "_ZN10spherepair{length}{kernel}ILi{block}ELb{equal}ELb{listed}EEEv6ParamsNS_13KernelBuffersE"
 COUNTERS = {"gpu__time_duration.sum": "12,345", "smsp__issue_active.avg.pct_of_peak_sustained_active": "71.5",
+            "smsp__inst_executed.sum": "5,000,000,000", "smsp__cycles_elapsed.avg.per_second": "1,700,000,000",
             "smsp__average_inst_executed_per_warp.ratio": "1,060", "launch__registers_per_thread": "40",
             "sm__warps_active.avg.pct_of_peak_sustained_active": "90", "dram__throughput.avg.pct_of_peak_sustained_elapsed": "30",
             "l1tex__throughput.avg.pct_of_peak_sustained_active": "85", "lts__throughput.avg.pct_of_peak_sustained_elapsed": "45",
@@ -82,7 +83,7 @@ def functions():
                     yield f" Function {name}:\n  REG:{40 + equal + listed} STACK:0 SHARED:2048 LOCAL:0 CONSTANT[0]:700\n"
 
 
-def report(counters=COUNTERS, kernels=("grid_bounds", "collide_grid")):
+def report(counters=COUNTERS, kernels=("grid_bounds", "collide_grid", "collide_triangle")):
     """The raw page of Nsight Compute's report: three launches of each kernel, behind a line of units."""
     def line(*cells):
         return ",".join(f'"{cell}"' for cell in cells) + "\n"

@@ -21,12 +21,15 @@ pathlib.Path(sys.argv[sys.argv.index("--json") + 1]).write_text(json.dumps(recor
 """
 
 
+GRID, ALL_PAIRS = hardware_counters.SEARCHES
+
+
 class Reports(unittest.TestCase):
     def test_counters_of_each_kernel(self):
-        bounds, grid = hardware_counters.entries_of("==PROF== noise\n" + stand_ins.report(), 1000, "warm")
+        bounds, grid = hardware_counters.entries_of("==PROF== noise\n" + stand_ins.report(), GRID, 1000, "warm")
         self.assertEqual(("grid_bounds", "collide_grid"), (bounds["kernel"], grid["kernel"]))
-        self.assertEqual((12345, 71.5, 1060, 3, 40), tuple(grid[name] for name in (
-            "time_ns", "issue_slots_percent", "instructions_per_warp", "launches", "registers")))
+        self.assertEqual((12345, 71.5, 5e9, 1.7e9, 1060, 3, 40), tuple(grid[name] for name in (
+            "time_ns", "issue_slots_percent", "instructions", "clock_hz", "instructions_per_warp", "launches", "registers")))
         self.assertEqual({"l1tex__data_pipe_lsu_wavefronts": 82.5, "smsp__issue_active": 71.5}, grid["limits"])
         self.assertEqual("l1tex__data_pipe_lsu_wavefronts", grid["nearest_limit"])
         self.assertEqual([("long_scoreboard", 4.5), ("wait", 1.5)], list(grid["stalls_per_issue"].items()))
@@ -36,11 +39,13 @@ class Reports(unittest.TestCase):
 
     def test_what_is_missing_is_named(self):
         without = {name: value for name, value in stand_ins.COUNTERS.items() if "lts" not in name}
-        for text, message in (("==ERROR== ERR_NVGPUCTRPERM", "no table of launches, it begins\n==ERROR== ERR_NVGPUCTRPERM"),
-                              (stand_ins.report(without), "did not tell lts__throughput"),
-                              (stand_ins.report(kernels=("grid_bounds",)), "no launch of collide_grid with 64 spheres, cold")):
+        for text, search, message in (
+                ("==ERROR== ERR_NVGPUCTRPERM", GRID, "no table of launches, it begins\n==ERROR== ERR_NVGPUCTRPERM"),
+                (stand_ins.report(without), GRID, "did not tell lts__throughput"),
+                (stand_ins.report(kernels=("grid_bounds",)), GRID, "no launch of collide_grid with 64 spheres, cold"),
+                (stand_ins.report(kernels=("collide_grid",)), ALL_PAIRS, "no launch of collide_triangle with 64 spheres, cold")):
             with self.assertRaisesRegex(Failed, message):
-                hardware_counters.entries_of(text, 64, "cold")
+                hardware_counters.entries_of(text, search, 64, "cold")
 
 
 class Script(unittest.TestCase):
@@ -58,11 +63,14 @@ class Script(unittest.TestCase):
         self.assertEqual(code, made.returncode, made.stderr)
         return made.stdout + made.stderr
 
-    def test_it_records_both_kernels_sizes_and_orders(self):
+    def test_it_records_every_search_kernel_size_and_order(self):
+        report = stand_ins.report(kernels=("grid_bounds", "collide_grid", "collide_triangle"))
         output = self.counted(stand_ins.make_tools(self.home), 0)
-        self.assertRegex(output, r"collide_grid +10000000 cold +12\.3 +72 +85 +45 +30  l1tex__data_pipe_lsu_wavefronts: 82 %")
+        for search in (r"collide_grid +10000000", r"collide_triangle +1048576"):
+            self.assertRegex(output, search + r" cold +12\.3 +72 +85 +45 +30  l1tex__data_pipe_lsu_wavefronts 82 %, "
+                             r"smsp__issue_active 72 %; long_scoreboard 4\.5, wait 1\.5\n")
         record = json.loads((self.home / "machine/counters.json").read_text())
-        self.assertEqual(8, len(record["counters"]))
+        self.assertEqual(2 * 2 * 2 + 1, len(record["counters"]))
 
     def test_a_profiler_that_fails_leaves_nothing_and_is_quoted(self):
         environment = stand_ins.make_tools(self.home)
