@@ -2,7 +2,7 @@
 """The spread of a timing in three layers: within a process, between processes on one GPU, and between GPUs.
 
 A part of the recording runs in several processes. Their records become one: each time is the median of the processes'
-medians, and its interval that of the widest layer.
+medians, its interval that of the widest layer, and its 95th percentile that of all samples.
 """
 import json
 import math
@@ -22,6 +22,14 @@ def median_interval(samples, confidence=0.95):
     while 2 * sum(math.comb(n, k) for k in range(left_out + 2)) <= (1 - confidence) * 2**n and 2 * left_out + 2 < n:
         left_out += 1
     return values[left_out], values[-1 - left_out]
+
+
+def p95(samples):
+    """The 95th percentile, linear between order statistics as in the program."""
+    values = sorted(samples)
+    below, rest = divmod(0.95 * (len(values) - 1), 1)
+    low, high = values[int(below)], values[min(int(below) + 1, len(values) - 1)]
+    return low + rest * (high - low)
 
 
 def summary(row):
@@ -58,8 +66,9 @@ def merged_timing(runs, gpus):
     middle, found = statistics.median(end[1] for end in ends), spreads(ends)
     low, high = max(found.values(), key=lambda layer: layer[1] - layer[0])
     stages = [run.get("device_stages_interval_ms", {}) for run in runs]
-    made |= {"median_ms": middle, "interval_ms": [low * middle, high * middle], "spread": found,
-             "samples_ms": [sample for run in runs for sample in run["samples_ms"]],
+    samples = [sample for run in runs for sample in run["samples_ms"]]
+    made |= {"median_ms": middle, "interval_ms": [low * middle, high * middle], "p95_ms": p95(samples), "spread": found,
+             "samples_ms": samples,
              "processes": [{"gpu": end[0], "median_ms": end[1], "rounds": len(run["samples_ms"]),
                             **({"first_step_ms": run["first_step_ms"]} if "first_step_ms" in run else {})}
                            for run, end in zip(runs, ends)]}

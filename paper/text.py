@@ -16,6 +16,11 @@ def interval(record, scale=1):
     return f"{ms(scale * record.median)} [{ms(scale * record.low)}, {ms(scale * record.high)}]"
 
 
+def cached(text, records):
+    """With a mark if the working sets of all these fit in the L2 cache, which some records do not tell."""
+    return text + "†" if records and all(record.parameters.get("fits_l2") for record in records) else text
+
+
 def escape(text):
     """For LaTeX, except what is LaTeX already: a thin space and a percent sign."""
     for plain, safe in (("\\,", "\0"), ("\\%", "\1"), ("\\", ""), ("%", "\\%"), ("_", "\\_"), ("&", "\\&"),

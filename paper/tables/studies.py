@@ -6,10 +6,13 @@ from paper.numbers.transfers import hidden, overlaps
 from paper.records import Missing
 from paper.records import peers as measured_peers
 from paper.tables.tabular import Table
-from paper.text import interval, ms
+from paper.text import cached, interval, ms
 
 DEVICES = ("cuda", "glsl")
 GRID = {"table": "grid", "scene": "uniform", "method": "collide_grid"}
+ORDERS = {"warm": "cell", "cold": "random"}
+GRID_SIZES = ("A collision step through the grid, by the order of the spheres and the packing fraction: medians with their "
+              "intervals, and the 95th percentiles of all rounds. †: the working set fits in the L2 cache.")
 PEERS = ("Milliseconds from centres on the GPU, in random order and of the packing fraction below, to the number of"
          " colliding pairs, or to the output that a system offers: ours and other systems on the same "
          "centres. The others were timed in a separate run ({run}), on an H200, as medians without "
@@ -71,20 +74,20 @@ def crossover(machine):
 
 def grid_sizes(machine):
     rows, sources = [], []
-    for fraction in (0.3, 0.05):
-        wanted = {**GRID, "packing_fraction": fraction}
-        for n in sorted({row.n for row in machine.need(**wanted)}):
-            cells = [f"{fraction:g}", size_text(n)]
-            for order in ("warm", "cold"):
-                glsl, cuda = (machine.select(**wanted, n=n, order=order, backend=name) for name in ("glsl", "cuda"))
-                cells += [interval(found[0]) if found else "-" for found in (glsl, cuda)]
-                cells.append(ratio_text(glsl[0], cuda[0]) if glsl and cuda else "-")
-                sources += [found[0].source for found in (glsl, cuda) if found]
-            rows.append(cells)
-    heads = [[("packing", 1), ("", 1), ("in cell order, ms", 3), ("in random order, ms", 3)],
-             ["fraction", "spheres", *["GLSL", "CUDA", "GLSL/CUDA"] * 2]]
-    return Table("grid-sizes", "A collision step through the grid: medians and their intervals.", heads, rows, left=0,
-                 source=", ".join(dict.fromkeys(sources)))
+    for fraction, order in ((fraction, order) for fraction in (0.3, 0.05) for order in ORDERS):
+        wanted = {**GRID, "packing_fraction": fraction, "order": order}
+        for n in sorted({row.n for name in DEVICES for row in machine.select(**wanted, backend=name)}):
+            glsl, cuda = (machine.select(**wanted, n=n, backend=name) for name in ("glsl", "cuda"))
+            found = [of[0] for of in (glsl, cuda) if of]
+            cells = [cell for of in (glsl, cuda) for cell in ((interval(of[0]), ms(of[0].p95_ms)) if of else ("-", "-"))]
+            rows.append([ORDERS[order], f"{fraction:g}", cached(size_text(n), found), *cells,
+                         ratio_text(glsl[0], cuda[0]) if glsl and cuda else "-"])
+            sources += [row.source for row in found]
+    if not rows:
+        raise Missing(f"{machine.name} has no grid on a GPU")
+    heads = [[("", 3), ("GLSL, ms", 2), ("CUDA, ms", 2), ("", 1)],
+             ["order", "fraction", "spheres", *["median [interval]", "p95"] * 2, "GLSL/CUDA"]]
+    return Table("grid-sizes", GRID_SIZES, heads, rows, source=", ".join(dict.fromkeys(sources)))
 
 
 def transfer(machine):

@@ -33,6 +33,7 @@ MATHEMATICS = {  # what is set otherwise than typed
     r"(?<![\w.,-])\d[\d,]*-\d[\d,]*(?![\w.-])": lambda m: m[0].replace("-", "--"),
     r"(?<![\w.\-)\]^])-(?=\d[\d.]*(?![\d.]*e[+-]?\d))": lambda m: "$-$",
     r"\+-(?= )": lambda m: "$\\pm$",
+    "†": lambda m: "\\rlap{\\textdagger}",
 }
 
 

@@ -15,6 +15,7 @@ sys.path.insert(0, str(PAPER.parent))
 from paper import formats, headline  # noqa: E402  (the path must be set first)
 from paper.numbers import leads, macros  # noqa: E402
 from paper.records import DATA, MAIN, Machine, Missing, median_interval  # noqa: E402
+from paper.spread import p95  # noqa: E402
 from paper.tables import stress as stress_table  # noqa: E402
 from paper.tables import tabular  # noqa: E402
 
@@ -201,12 +202,13 @@ class Records(unittest.TestCase):
             with self.assertRaises(Missing):
                 machine.one(**wanted)
 
-    def test_intervals_are_those_of_the_program(self):
+    def test_intervals_and_percentiles_are_those_of_the_program(self):
         roots = [json.loads(path.read_text()) for path in (DATA / MAIN).rglob("*.json")]
         rows = [row for root in roots for row in formats.rows_of(root) if "interval_ms" in row]  # not those of energy
         self.assertLess(100, len(rows))
         for row in rows:
             self.assertEqual(row["interval_ms"], list(median_interval(row["samples_ms"])))
+            self.assertAlmostEqual(row["p95_ms"], p95(row["samples_ms"]), delta=1e-9 * row["p95_ms"])
 
     def test_a_folder_without_results_is_refused(self):
         with tempfile.TemporaryDirectory() as folder, self.assertRaises(Missing):

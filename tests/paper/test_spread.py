@@ -61,6 +61,7 @@ class Layers(unittest.TestCase):
     def test_all_samples_and_stages_are_kept(self):
         row = self.merged([10, 12])
         self.assertEqual(6, len(row["samples_ms"]))
+        self.assertAlmostEqual(12 + 0.75 * 0.12, row["p95_ms"])
         self.assertEqual([10, 12], [run["median_ms"] for run in row["processes"]])
         low, high = row["device_stages_interval_ms"]["collide_grid"]
         self.assertAlmostEqual(9.9, low)
