@@ -2,11 +2,14 @@
 """Numbers of the prose about equality (comparisons, tests, common configurations of two machines) and about the code."""
 import json
 import re
+import statistics
 
 from paper.numbers.compilers import driver_milliseconds
 from paper.numbers.contests import contests
 from paper.numbers.ranks import ENOUGH
 from paper.records import Missing, digest, recorded_code, said
+
+AIM = 0.5  # %, of the longest batch, for which the program chooses K
 
 
 def comparisons(put, machine, others):
@@ -98,6 +101,11 @@ def drivers_compiler(put, machine, others):
     put("compile/most/kernel", slowest, source, "the slowest to compile")
 
 
+def on_the_cpu(record):
+    """A gas with contacts, whose steps take too long for as many rounds."""
+    return record.parameters.get("table") == "gas_steps" and record.backend == "cpu"
+
+
 def provenance(put, machine, others):
     """Of how many commits and GPUs the records are, and how many intervals cover less than 95 %."""
     roots = [root for root in machine.sources.values() if "context" in root]
@@ -108,10 +116,10 @@ def provenance(put, machine, others):
     gpus |= {gpu for process in processes for gpu in process["gpus"] if re.fullmatch(r"[0-9a-f]{32}", gpu.replace("-", ""))}
     put("records/commits", str(len(commits)), machine.id, "commits of the program among the records")
     put("records/gpus", str(len(gpus)), machine.id, "GPUs of one model among the records, by UUID")
-    timed = [rounds for record in machine.records if "samples_ms" in record.parameters
+    timed = [rounds for record in machine.records if "samples_ms" in record.parameters and not on_the_cpu(record)
              for rounds in [process["rounds"] for process in record.parameters.get("processes", ())] or [len(record.samples_ms)]]
     few = [rounds for rounds in timed if rounds < ENOUGH]
-    said(machine, len(set(timed) - set(few)) == 1, "but for those of too few, all timings have as many rounds")
+    said(machine, len(set(timed) - set(few)) == 1, "but for those of too few and of contacts on the CPU, all timings have as many rounds")
     put("records/rounds", str(max(timed)), machine.id, "rounds of a timing in a process")
     unequal = [entry for entry in contests(machine) if not entry.same_steps]
     said(machine, all(entry.work == "drawing" for entry in unequal), "contests but those of frames have as many steps a sample")
@@ -121,4 +129,23 @@ def provenance(put, machine, others):
     put("records/least/cover", f"{100 * (1 - 2 * 0.5**min(timed)):.0f}", machine.id, "%, what the interval of the fewest rounds covers")
 
 
-EQUALITY = (comparisons, across_machines, long_run, tests, code, drivers_compiler, provenance)
+def fixed_costs(put, machine, others):
+    """What a batch costs besides its steps, as the fit of the slope tells it: its magnitude over the longest batch."""
+    shares = {}
+    for record in machine.records:
+        if record.parameters.get("fixed_cost_share") is not None:
+            shares.setdefault(record.backend, []).append(100 * abs(record.fixed_cost_share))
+    together = sum(shares.values(), [])
+    put("fixed/timings", f"{len(together):,}", machine.id, "timings whose fixed cost a fit tells, those of several processes once")
+    put("fixed/most", f"{max(together):.0f}", machine.id, "%, greatest magnitude of the fixed cost over the longest batch")
+    put("fixed/under", f"{share_under(together):.0f}", machine.id, f"%, timings with less than {AIM} % of it")
+    for name, found in shares.items():
+        put(f"fixed/{name}", f"{statistics.median(found):.1f}", machine.id, f"%, median of it, {name}")
+        put(f"fixed/under/{name}", f"{share_under(found):.0f}", machine.id, f"%, timings with less than {AIM} %, {name}")
+
+
+def share_under(shares):
+    return 100 * sum(share < AIM for share in shares) / len(shares)
+
+
+EQUALITY = (comparisons, across_machines, long_run, tests, code, drivers_compiler, provenance, fixed_costs)
