@@ -6,7 +6,6 @@
 #include <numeric>
 #include <utility>
 
-#include "common/scene/contact/contact_faults.h"
 #include "common/scene/contact_scene.h"
 #include "common/shared/skin.h"
 
@@ -26,7 +25,7 @@ void CpuContacts::upload(const Scene& scene) {
   params_ = contact_params(scene);
   impulses_.assign(on() ? 3 * scene.size() : 0, 0);
   float_sums_.assign(impulses_.size(), 0);
-  faults_.assign(FAULTS, ~0u);
+  failed_ = {.faults = std::vector<uint>(FAULTS, ~0u), .bodies = {}};
   left_skin_ = true;
   if (!on()) return;
   const Scene grown = grown_scene(scene);
@@ -64,7 +63,7 @@ void CpuContacts::list_rows(uint64_t n) {
 // The lowest index is kept, whichever thread comes first.
 void CpuContacts::record(uint fault, uint64_t sphere) {
   if (fault == FAULTS) return;
-  std::atomic_ref kept(faults_[fault]);
+  std::atomic_ref kept(failed_.faults[fault]);
   uint first = kept.load();
   while (uint(sphere) < first && !kept.compare_exchange_weak(first, uint(sphere))) {
   }
@@ -119,6 +118,7 @@ int64_t CpuContacts::take_impulse(uint64_t k) {
 }
 
 void CpuContacts::step(std::vector<uint>& wide, std::vector<vec4>& positions, std::vector<vec4>& velocities) {
+  if (has_faults(failed_.faults)) return;
   const uint64_t n = positions.size();
   search_.moved();
   if (left_skin_ || !keeps_) list_near_pairs(positions);
@@ -136,16 +136,19 @@ void CpuContacts::step(std::vector<uint>& wide, std::vector<vec4>& positions, st
     const float mobility = mobility_of(s.radius, params_);
     const uint wrong = fault_of(s, mobility, params_);
     record(wrong, i);
-    if (wrong != FAULTS) continue;
-    s = drifted(s, mobility);
+    if (wrong == FAULTS) s = drifted(s, mobility);
     store_body(wide, n, i, s);
     positions[i] = centre_of(s, params_);
     velocities[i] = velocity_of(s, mobility, params_);
     left = left || has_left_skin(positions[i], grown_[i]);
   }
   left_skin_ = left;
+  ++failed_.number;
+  if (has_faults(failed_.faults)) failed_.bodies = bodies_of(wide, positions);
 }
 
-void CpuContacts::require_sound() const { require_no_faults("cpu", faults_); }
+void CpuContacts::require_sound() const {
+  if (has_faults(failed_.faults)) throw_fault("cpu", failed_, params_);
+}
 
 }  // namespace spherepair

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/cpu/cpu_search.h"
+#include "common/scene/contact/contact_faults.h"
 
 namespace spherepair {
 
@@ -22,7 +23,8 @@ class CpuContacts {
   // become the nearest float32 numbers.
   void step(std::vector<uint>& wide, std::vector<vec4>& positions, std::vector<vec4>& velocities);
 
-  // Throws std::invalid_argument naming the sphere where a step since the upload was not possible.
+  // Throws std::invalid_argument naming the sphere where a step since the upload was not possible; none was taken
+  // since.
   void require_sound() const;
 
  private:
@@ -37,7 +39,7 @@ class CpuContacts {
   int threads_;
   ContactParams params_{};
   std::vector<int64_t> impulses_;  // as SLOT_IMPULSE
-  std::vector<uint> faults_;       // as SLOT_FAULT
+  FailedStep failed_;              // its faults as SLOT_FAULT; the rest where there are any
   std::vector<vec4> grown_;        // as SLOT_GROWN
   std::vector<Pair> near_;         // as SLOT_NEAR
   std::vector<float> float_sums_;  // in place of impulses_, for sums by atomics

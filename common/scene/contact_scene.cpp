@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <ranges>
 #include <stdexcept>
 
 #include "common/shared/skin.h"
@@ -22,6 +22,7 @@ constexpr float least_restitution = 0.1f;
 constexpr double least_skin = 1.0 / 32, most_skin = 1;  // of a radius
 
 double squared(double x) { return x * x; }
+
 Radii radii_of(const Scene& scene) {
   if (scene.positions.empty()) return {1, 1};
   Radii r{scene.positions[0].w, scene.positions[0].w};
@@ -32,15 +33,27 @@ Radii radii_of(const Scene& scene) {
 
 double speed(const vec4& v) { return std::hypot(double(v.x), double(v.y), double(v.z)); }
 
-// The highest speed at the start or after a fall onto the plane; at least the largest radius a second.
+// A sphere's speed at the start, or after a fall onto the plane.
+double highest_speed_of(const Scene& scene, uint64_t i) {
+  const vec4& at = scene.positions[i];
+  const double fall = std::max(0.0, double(at.y) - double(at.w) - double(scene.plane));
+  return std::sqrt(squared(speed(scene.velocities[i])) - 2 * double(scene.gravity) * fall);
+}
+
+// At least the largest radius a second.
 double highest_speed(const Scene& scene) {
-  double highest = squared(radii_of(scene).largest);
-  for (uint64_t i = 0; i < scene.size(); ++i) {
-    const double fall =
-        std::max(0.0, double(scene.positions[i].y) - double(scene.positions[i].w) - double(scene.plane));
-    highest = std::max(highest, squared(speed(scene.velocities[i])) - 2 * double(scene.gravity) * fall);
-  }
-  return std::sqrt(highest);
+  double highest = double(radii_of(scene).largest);
+  for (uint64_t i = 0; i < scene.size(); ++i) highest = std::max(highest, highest_speed_of(scene, i));
+  return highest;
+}
+
+double farthest_coordinate(const vec4& s) {
+  return std::max({std::abs(double(s.x)), std::abs(double(s.y)), std::abs(double(s.z))});
+}
+
+template <typename Of>
+uint64_t sphere_with_most(const Scene& scene, Of of) {
+  return std::ranges::max(std::views::iota(uint64_t(0), scene.size()), {}, of);
 }
 
 int bits_above(double x) { return int(std::ceil(std::log2(x))); }
@@ -49,8 +62,7 @@ void choose_box(Scene& scene, bool walls) {
   ContactOptions& contact = scene.contact;
   if (contact.walls || !walls || scene.positions.empty()) return;
   contact.walls = true;
-  const float most = std::numeric_limits<float>::max();
-  contact.low = {most, scene.plane, most, 0}, contact.high = {-most, -most, -most, 0};
+  contact.low = {INFINITY, scene.plane, INFINITY, 0}, contact.high = {-INFINITY, -INFINITY, -INFINITY, 0};
   for (const vec4& s : scene.positions) {
     contact.low.x = std::min(contact.low.x, s.x - s.w), contact.high.x = std::max(contact.high.x, s.x + s.w);
     contact.low.z = std::min(contact.low.z, s.z - s.w), contact.high.z = std::max(contact.high.z, s.z + s.w);
@@ -61,11 +73,9 @@ void choose_box(Scene& scene, bool walls) {
 // The largest coordinate of spheres and walls.
 double extent_of(const Scene& scene) {
   double extent = std::max(std::abs(double(scene.plane)), double(radii_of(scene).largest));
-  for (const vec4& s : scene.positions)
-    extent = std::max({extent, std::abs(double(s.x)), std::abs(double(s.y)), std::abs(double(s.z))});
+  for (const vec4& s : scene.positions) extent = std::max(extent, farthest_coordinate(s));
   if (scene.contact.walls)
-    for (const vec4& s : {scene.contact.low, scene.contact.high})
-      extent = std::max({extent, std::abs(double(s.x)), std::abs(double(s.y)), std::abs(double(s.z))});
+    for (const vec4& s : {scene.contact.low, scene.contact.high}) extent = std::max(extent, farthest_coordinate(s));
   return extent;
 }
 
@@ -103,6 +113,12 @@ void choose_contacts(Scene& scene, const ContactChoice& choice) {
   const double needed = sphere_mass(largest) / 4 * squared(2 * highest_speed(scene));
   scene.contact.stiffness =
       choice.stiffness.value_or(float(needed / contact_energy(choice.law, 1, overlap, 2 * largest)));
+  if (!choice.stiffness && !std::isfinite(scene.contact.stiffness)) {
+    const uint64_t i = sphere_with_most(scene, [&](uint64_t k) { return highest_speed_of(scene, k); });
+    throw std::invalid_argument(fmt::format(
+        "sphere {} comes to {:.4g} m/s, falls included, which no stiffness in float32 stops: give slower spheres", i,
+        highest_speed_of(scene, i)));
+  }
   scene.dt = choice.dt.value_or(float(contact_time(scene) / steps_a_contact));
   choose_box(scene, choice.walls);
   choose_units(scene);
@@ -147,9 +163,13 @@ std::string why_no_contacts(const Scene& scene) {
     return fmt::format("dt is {} s, but a contact lasts {:.3g} s only: give --dt {:.3g} or less", scene.dt, time,
                        time / steps_a_contact);
   const int lowest = contact.unit_exponent + int(std::floor(std::log2(r.smallest))) - 29;
-  if (lowest < 0 || skin_of(scene) > most_skin)
-    return fmt::format("the radius {} is too small for spheres as far out as these: move them towards the origin",
-                       r.smallest);
+  if (lowest < 0 || skin_of(scene) > most_skin) {
+    const uint64_t i = sphere_with_most(scene, [&](uint64_t k) { return farthest_coordinate(scene.positions[k]); });
+    return fmt::format(
+        "the radius {} is too small for spheres as far out as sphere {}, {:.4g} m along an axis: move "
+        "them towards the origin",
+        r.smallest, i, farthest_coordinate(scene.positions[i]));
+  }
   if (r.largest > 256 * r.smallest)
     return fmt::format("radii are {} to {}, but contacts allow 1:256", r.smallest, r.largest);
   const double sum = impulse_units(scene);

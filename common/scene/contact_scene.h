@@ -37,11 +37,17 @@ Scene grown_scene(const Scene& scene);
 // Positions and momenta at the start, as SLOT_WIDE has them. Momenta are those half a step before the positions.
 std::vector<uint> fixed_state(const Scene& scene);
 
-// A sphere of such a state, and back.
+// A sphere of such a state, all of them, and back.
 inline Body load_body(const std::vector<uint>& wide, const std::vector<vec4>& positions, uint64_t i) {
   const uint64_t n = positions.size();
   const auto word = [&](uint64_t k) { return load_real<int64_t>(wide, k * n + i); };
   return {word(0), word(1), word(2), word(3), word(4), word(5), positions[i].w};
+}
+
+inline std::vector<Body> bodies_of(const std::vector<uint>& wide, const std::vector<vec4>& positions) {
+  std::vector<Body> bodies;
+  for (uint64_t i = 0; i < positions.size(); ++i) bodies.push_back(load_body(wide, positions, i));
+  return bodies;
 }
 
 inline void store_body(std::vector<uint>& wide, uint64_t n, uint64_t i, const Body& s) {

@@ -20,8 +20,9 @@ constexpr uint first_row_capacity = 14;  // equal spheres seldom have more withi
 
 void Contacts::upload(const Scene& scene) {
   on_ = scene.contact.law != ContactLaw::none;
-  made_ = left_ = false;
+  made_ = left_ = failed_ = false;
   launched_ = known_ = next_check_ = 0;
+  done_ = 0;
   served_ = 1;
   context_.params.contact = contact_params(scene);
   const uint64_t n = on_ ? context_.n : 0;
@@ -54,6 +55,7 @@ bool Contacts::step(bool clear_results) {
   bool listed = false;
   if (!made_ || launched_ >= next_check_ || left_ || !keeps_) {
     listed = complete();
+    if (failed_) return listed;
     if (!made_ || left_ || !keeps_) {
       if (left_) served_ = std::max(launched_, 1u);
       list_near_pairs();
@@ -67,11 +69,12 @@ bool Contacts::step(bool clear_results) {
 
 bool Contacts::complete() {
   bool listed = false;
-  while (known_ != launched_) {
+  while (known_ != launched_ && !failed_) {
     const std::vector<uint> words = context_.buffers.read<uint>(SLOT_FAULT, FAULT_WORDS);
     left_ = words[LEFT_SKIN] != ~0u;
+    failed_ = has_faults(words);
     known_ = words[STEPS_DONE];
-    if (known_ == launched_) break;
+    if (known_ == launched_ || failed_) break;
     const uint again = launched_ - known_;
     served_ = known_;
     list_near_pairs();
@@ -106,6 +109,7 @@ void Contacts::launch_pairs(Kernel kernel, const Params& params) {
 
 void Contacts::list_near_pairs() {
   made_ = left_ = false;  // until it is, should that fail
+  done_ += known_;
   launched_ = known_ = 0;
   context_.launch({Kernel::contact_grow, SERVICE_BLOCK, {}, groups_per_sphere(context_)});
   near_.list();
@@ -134,7 +138,11 @@ void Contacts::list_rows() {
 }
 
 void Contacts::require_sound() {
-  if (on_) require_no_faults(context_.name(), context_.buffers.read<uint>(SLOT_FAULT, FAULTS));
+  if (!failed_) return;
+  const Backend::State state = motion_.state();
+  throw_fault(context_.name(),
+              {context_.buffers.read<uint>(SLOT_FAULT, FAULTS), done_ + known_, bodies_of(state.wide, state.positions)},
+              context_.params.contact);
 }
 
 }  // namespace spherepair

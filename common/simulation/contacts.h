@@ -29,7 +29,8 @@ class Contacts {
   bool step(bool clear_results);
   bool complete();
 
-  // Throws std::invalid_argument naming the sphere where a step since the upload was not possible.
+  // Throws std::invalid_argument naming the sphere where a step since the upload was not possible; none was taken
+  // since. All steps must be complete.
   void require_sound();
 
  private:
@@ -48,7 +49,9 @@ class Contacts {
   uint served_ = 1;  // steps by the list before
   ImpulseSums sums_ = ImpulseSums::integers;
   bool on_ = false, made_ = false, keeps_ = true;
-  bool left_ = false;  // a sphere has left its skin in the last step known to be done
+  bool left_ = false;    // a sphere has left its skin in the last step known to be done
+  bool failed_ = false;  // that step could not be taken
+  uint64_t done_ = 0;    // steps before the list
 };
 
 }  // namespace spherepair

@@ -95,5 +95,8 @@ __device__ inline void clear_impulses(const KernelBuffers& buf, uint i, Push sum
 __device__ inline void record_fault(const KernelBuffers& buf, uint kind, uint i) {
   if (kind != FAULTS) atomicMin(&buf.fault[kind], i);
 }
+__device__ inline bool has_faults(const KernelBuffers& buf) {
+  return any_fault(buf.fault[FAULT_DEEP], buf.fault[FAULT_FAST], buf.fault[FAULT_RANGE]);
+}
 
 }  // namespace spherepair

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One thread per sphere: a step of the leapfrog, by the impulses of its contacts, of walls and of gravity. A sphere
-// that cannot take the step stays where it is and is recorded. Once a sphere has left its skin, the steps behind do
-// nothing, until near pairs are listed again. Clears the results of the last search, where these are by sphere index.
+// that cannot take the step stays where it is and is recorded: the steps behind then do nothing, as they do once a
+// sphere has left its skin, until near pairs are listed again. Clears the results of the last search, where these are
+// by sphere index.
 #include "cuda/contact/contact_state.cuh"
 
 namespace spherepair {
@@ -24,10 +25,10 @@ __global__ void __launch_bounds__(BLOCK) leapfrog(Params p, KernelBuffers buf) {
   float mobility = mobility_of(s.radius, p.contact);
   uint wrong = fault_of(s, mobility, p.contact);
   record_fault(buf, wrong, i);
-  if (wrong != FAULTS) return;
-  s = drifted(s, mobility);
+  if (wrong == FAULTS) s = drifted(s, mobility);
   store_body(p, buf, i, s, mobility);
-  if (has_left_skin(centre_of(s, p.contact), skin)) atomicMin(&buf.fault[LEFT_SKIN], i);
+  bool failed = walls.fault != FAULTS || wrong != FAULTS || (i == 0u && has_faults(buf));
+  if (failed || has_left_skin(centre_of(s, p.contact), skin)) atomicMin(&buf.fault[LEFT_SKIN], i);
 }
 
 Entry leapfrog_kernel(uint, Variant variant) {

@@ -107,3 +107,4 @@ void clear_impulses(uint i, Push sum) {
 void record_fault(uint kind, uint i) {
   if (kind != FAULTS) atomicMin(fault[kind], i);
 }
+bool has_faults() { return any_fault(fault[FAULT_DEEP], fault[FAULT_FAST], fault[FAULT_RANGE]); }

@@ -8,6 +8,7 @@
 #include "bench/image/image_files.h"
 #include "bench/options/command.h"
 #include "common/scene/contact/contact_faults.h"
+#include "common/scene/contact_scene.h"
 #include "tests/support/backends.h"
 #include "tests/support/program.h"
 
@@ -88,9 +89,12 @@ TEST_F(TooFastOption, RefusesBeyond64AndLeavesNothing) {
 }
 
 TEST_F(TooFastOption, IsForFastSpheresAlone) {
-  const auto kind = [](const std::vector<uint>& faults) -> std::string {
+  Scene three = make_scene({.name = "gas", .n = 3});
+  choose_contacts(three, {.law = ContactLaw::spring});
+  const ContactParams params = contact_params(three);
+  const auto kind = [&](const std::vector<uint>& faults) -> std::string {
     try {
-      require_no_faults("cpu", faults);
+      if (has_faults(faults)) throw_fault("cpu", {faults, 1, bodies_of(fixed_state(three), three.positions)}, params);
     } catch (const TooFast& fault) {
       return fmt::format("sphere {} too fast{}", fault.sphere, fault.deep ? ", another too deep" : "");
     } catch (const std::invalid_argument&) {
@@ -172,7 +176,7 @@ TEST_F(TooFastOption, OtherwiseTheRunEnds) {
   folder_.write("s.txt", "0 0 0 0.001\n0.0005 0 0 0.001\n");  // too deep, which no smaller step mends
   const Outcome deep = divided("run", "--backend cpu --steps 1");
   EXPECT_EQ(deep.code, kUsage);
-  EXPECT_NE(deep.errors.find("sphere 0 is deeper in another sphere"), std::string::npos) << deep.errors;
+  EXPECT_NE(deep.errors.find("sphere 0 is deeper in sphere 1"), std::string::npos) << deep.errors;
   EXPECT_EQ(deep.errors.find("divided"), std::string::npos) << deep.errors;  // though gravity makes them fast as well
   for (const char* rest : {"--n 8 --steps 1 --too-fast divide", "--n 8 --steps 1 --contact none --too-fast divide",
                            "--resume c --too-fast divide", "--n 8 --steps 1 --contact spring --too-fast devide"}) {

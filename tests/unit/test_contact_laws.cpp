@@ -192,11 +192,23 @@ TEST(ContactLaws, WhatAStepCannotDoIsNamed) {
   expect_refused(fast, 1, "sphere 1 moves at 1000 m/s, but");
   Scene deep = two_spheres(ContactLaw::spring, k, 1, 40);
   deep.positions[0].x = deep.positions[1].x - 0.25f;
-  expect_refused(deep, 1, "sphere 0 is deeper in another sphere");
+  expect_refused(deep, 1, "sphere 0 is deeper in sphere 1 than the smaller radius, 0.75 m of 0.5 m");
   Scene falling = two_spheres(ContactLaw::spring, k, 1, 40);
   falling.velocities = {{-20, 0, 0, 0}, {20, 0, 0, 0}};
   falling.contact.unit_exponent = 59;
-  expect_refused(falling, 20'000, "has left the range");
+  expect_refused(falling, 20'000, "sphere 0 has left the range of float32 centres and 64-bit positions, at (-4");
+  Scene beyond = two_spheres(ContactLaw::spring, k, 1, 40);
+  beyond.velocities[1].y = 1e30f;
+  try {
+    choose_contacts(beyond, {.law = ContactLaw::spring});
+    ADD_FAILURE() << "a stiffness that is infinite";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("sphere 1 comes to 1e+30 m/s"), std::string::npos) << error.what();
+  }
+  Scene far = two_spheres(ContactLaw::spring, k, 1, 40);
+  far.positions[1].z = -1e12f;
+  choose_contacts(far, {.law = ContactLaw::spring});
+  expect_refused(far, 1, "as far out as sphere 1, 1e+12 m along an axis");
 }
 
 }  // namespace

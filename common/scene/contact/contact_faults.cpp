@@ -3,21 +3,88 @@
 
 #include <fmt/format.h>
 
-namespace spherepair {
+#include <algorithm>
+#include <cmath>
 
-void require_no_faults(const std::string& backend, const std::vector<uint>& faults) {
-  constexpr const char* texts[FAULTS] = {
-      "is deeper in another sphere or a wall than the smaller radius: let no spheres overlap that much at the start, "
-      "or give a larger --stiffness or a smaller --dt",
-      "moves by more than the smallest radius in a step: give a smaller --dt",
-      "has left the range of float32 centres and 64-bit positions: close the box with --walls, or take fewer steps"};
-  for (uint kind = 0; kind < FAULTS; ++kind) {
-    if (faults[kind] == ~0u) continue;
-    const std::string what =
-        fmt::format("{}: the contacts cannot go on: sphere {} {}", backend, faults[kind], texts[kind]);
-    if (faults[FAULT_FAST] != ~0u) throw TooFast(what, faults[FAULT_FAST], faults[FAULT_DEEP] != ~0u);
-    throw std::invalid_argument(what);
+namespace spherepair {
+namespace {
+
+class Failure {
+ public:
+  Failure(const FailedStep& step, const ContactParams& params) : step_(step), params_(params) {}
+
+  std::string text(uint kind, uint64_t i) const {
+    if (kind == FAULT_DEEP) return deep(i);
+    const Body& s = step_.bodies[i];
+    if (kind == FAULT_RANGE)
+      return fmt::format(
+          "sphere {} has left the range of float32 centres and 64-bit positions, at ({:.6g}, {:.6g}, {:.6g}) m: close "
+          "the box with --walls, or take fewer steps",
+          i, metres(s.x), metres(s.y), metres(s.z));
+    const vec4 v = velocity_of(s, mobility_of(s.radius, params_), params_);
+    const float along = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    return fmt::format(
+        "sphere {} moves by more than the smallest radius in a step, {:.4g} m of {:.4g} m along an axis, at {:.4g} "
+        "m/s: "
+        "give a smaller --dt",
+        i, double(along) * seconds(), double(params_.fastest) * unit(), std::hypot(v.x, v.y, v.z));
   }
+
+  double seconds() const { return unit() / double(params_.metres_per_second); }
+
+ private:
+  double unit() const { return std::ldexp(1.0, -params_.unit_exponent); }
+  double metres(int64_t units) const { return double(units) * unit(); }
+
+  // A sphere where the step's contacts were found.
+  Body before(uint64_t i) const {
+    Body s = step_.bodies[i];
+    const float mobility = mobility_of(s.radius, params_);
+    if (fault_of(s, mobility, params_) != FAULTS) return s;
+    s.x -= scaled(s.px, mobility), s.y -= scaled(s.py, mobility), s.z -= scaled(s.pz, mobility);
+    return s;
+  }
+
+  // By the deepest of its contacts, over the smaller radius.
+  std::string deep(uint64_t i) const {
+    const Body a = before(i);
+    const double radius = double(a.radius);
+    const int64_t walls[6] = {a.x - params_.low_x,  a.y - params_.low_y,  a.z - params_.low_z,
+                              params_.high_x - a.x, params_.high_y - a.y, params_.high_z - a.z};
+    double smaller = radius, overlap = radius - metres(*std::ranges::min_element(walls));
+    std::string in = "a wall";
+    for (uint64_t j = 0; j < step_.bodies.size(); ++j) {
+      const Body b = before(j);
+      const double least = std::min(radius, double(b.radius));
+      const double enters =
+          radius + double(b.radius) - std::hypot(metres(a.x - b.x), metres(a.y - b.y), metres(a.z - b.z));
+      if (j == i || enters * smaller <= overlap * least) continue;
+      smaller = least, overlap = enters, in = fmt::format("sphere {}", j);
+    }
+    return fmt::format(
+        "sphere {} is deeper in {} than the smaller radius, {:.4g} m of {:.4g} m: let no spheres overlap that much at "
+        "the start, or give a larger --stiffness or a smaller --dt",
+        i, in, overlap, smaller);
+  }
+
+  const FailedStep& step_;
+  const ContactParams& params_;
+};
+
+}  // namespace
+
+bool has_faults(const std::vector<uint>& words) {
+  return any_fault(words[FAULT_DEEP], words[FAULT_FAST], words[FAULT_RANGE]);
+}
+
+void throw_fault(const std::string& backend, const FailedStep& step, const ContactParams& params) {
+  const Failure failure(step, params);
+  const std::vector<uint>& faults = step.faults;
+  const auto kind = uint(std::ranges::find_if(faults, [](uint i) { return i != ~0u; }) - faults.begin());
+  const std::string what = fmt::format("{}: contacts cannot go on from step {} of {:.4g} s: {}", backend, step.number,
+                                       failure.seconds(), failure.text(kind, faults[kind]));
+  if (faults[FAULT_FAST] != ~0u) throw TooFast(what, faults[FAULT_FAST], faults[FAULT_DEEP] != ~0u);
+  throw std::invalid_argument(what);
 }
 
 }  // namespace spherepair

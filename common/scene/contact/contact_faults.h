@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/shared/layout.h"
+#include "common/shared/contact/contact.h"
 
 namespace spherepair {
 
@@ -19,8 +19,19 @@ class TooFast : public std::invalid_argument {
   const bool deep;        // so is a contact
 };
 
-// faults: by FAULT_*, the first sphere of each, or ~0. Throws std::invalid_argument that names one, of a sphere too
-// fast among others TooFast: the others may have followed from it.
-void require_no_faults(const std::string& backend, const std::vector<uint>& faults);
+// The step that some spheres could not take: these have its momenta and stay where they were; the others have moved.
+// No step is taken after it.
+struct FailedStep {
+  std::vector<uint> faults;  // by FAULT_*, the first sphere of each, or ~0
+  uint64_t number = 0;       // since the upload, from 1
+  std::vector<Body> bodies;
+};
+
+// Of words of SLOT_FAULT.
+bool has_faults(const std::vector<uint>& words);
+
+// Throws std::invalid_argument that names the sphere and by how much, of a sphere too fast among others TooFast: the
+// others may have followed from it.
+[[noreturn]] void throw_fault(const std::string& backend, const FailedStep& step, const ContactParams& params);
 
 }  // namespace spherepair

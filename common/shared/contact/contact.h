@@ -175,6 +175,7 @@ FN uint fault_of(Body s, float mobility, ContactParams c) {
   bool fast = too_fast(s.px, mobility, c) || too_fast(s.py, mobility, c) || too_fast(s.pz, mobility, c);
   return fast ? FAULT_FAST : FAULTS;
 }
+FN bool any_fault(uint deep, uint fast, uint range) { return (deep & fast & range) != 0xFFFFFFFFu; }
 
 // Momentum before position, by the impulses of spheres, walls and gravity.
 FN Body kicked(Body s, Push contacts, Push walls, ContactParams c) {

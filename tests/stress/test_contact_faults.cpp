@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Steps with contacts that cannot be taken: which sphere, in which step and by how much, the same from every backend;
+// and no step after them.
+#include <fmt/format.h>
+
+#include "common/scene/contact_scene.h"
+#include "tests/support/motion_runs.h"
+
+namespace spherepair {
+namespace {
+
+class ContactFaults : public BackendTest {
+ protected:
+  std::string text_after(Backend& on, const Scene& scene, int steps) {
+    on.upload(scene);
+    for (int step = 0; step < steps; ++step) on.move();
+    try {
+      on.evaluate_state();
+    } catch (const std::invalid_argument& fault) {
+      const std::string text = fault.what(), begin = on.info().name + ": contacts cannot go on from ";
+      EXPECT_EQ(text.substr(0, begin.size()), begin);
+      return text.substr(begin.size());
+    }
+    return "";
+  }
+
+  // The step before is possible, and those behind change nothing.
+  void expect_fault(const Scene& scene, int step, const std::string& wanted) {
+    EXPECT_EQ(text_after(backend(), scene, step - 1), "");
+    for (const int more : {0, 1, 40}) {
+      const std::string text = text_after(backend(), scene, step + more);
+      EXPECT_EQ(text.substr(0, wanted.size()), wanted) << more;
+      EXPECT_EQ(text, text_after(cpu_backend(), scene, step + more));
+    }
+  }
+};
+
+Scene with_contacts(std::vector<vec4> positions, float dt, float gravity = 0, float stiffness = 1e-4f) {
+  Scene scene = {.name = "spheres", .plane = 0, .gravity = gravity};
+  scene.velocities.assign(positions.size(), {0, 0, 0, 0});
+  scene.positions = std::move(positions);
+  choose_contacts(scene, {.law = ContactLaw::spring, .stiffness = stiffness, .dt = dt});
+  return scene;
+}
+
+// v = g dt (k - 1/2) in step k: more than 0.001 m a step in the seventh.
+TEST_P(ContactFaults, AFallTooFast) {
+  expect_fault(
+      with_contacts({{0, 1, 0, 0.002f}, {0.5f, 1, 0, 0.001f}}, 0.004f, -9.81f), 7,
+      "step 7 of 0.004 s: sphere 0 moves by more than the smallest radius in a step, 0.00102 m of 0.001 m along "
+      "an axis, at 0.2551 m/s: give a smaller --dt");
+}
+
+TEST_P(ContactFaults, ADeepContact) {
+  const float r = 0.001f;
+  expect_fault(
+      with_contacts({{0, 1, 0, r}, {0.0019f, 1, 0, r}, {0, 1.0005f, 0, r}}, 0.0004f), 1,
+      "step 1 of 0.0004 s: sphere 0 is deeper in sphere 2 than the smaller radius, 0.0015 m of 0.001 m: let no");
+}
+
+TEST_P(ContactFaults, ACentreBehindAWall) {
+  Scene scene = with_contacts({{2, 1, 0, 0.001f}, {0, 1, 0, 0.001f}, {1, 1, 0, 0.001f}}, 0.004f);
+  scene.contact.walls = true;
+  scene.contact.low = {0.0005f, scene.plane, -1, 0}, scene.contact.high = {3, 3, 3, 0};
+  expect_fault(scene, 1,
+               "step 1 of 0.004 s: sphere 1 is deeper in a wall than the smaller radius, 0.0015 m of 0.001 m");
+}
+
+// A sphere falls onto one on the plane faster than their spring can stop, a thousand steps after the start.
+TEST_P(ContactFaults, ADeepContactOnTheWay) {
+  const Scene scene = with_contacts({{0, 0.001f, 0, 0.001f}, {0, 0.05f, 0, 0.001f}}, 0.0001f, -9.81f, 1);
+  cpu_backend().upload(scene);
+  int step = 0;
+  try {
+    for (; step < 2000; ++step) cpu_backend().move(), cpu_backend().evaluate_state();
+  } catch (const std::invalid_argument&) {
+    ++step;
+  }
+  EXPECT_GT(step, 900);
+  expect_fault(scene, step, fmt::format("step {} of 0.0001 s: sphere 0 is deeper in sphere 1 than", step));
+}
+
+INSTANTIATE_BACKENDS(ContactFaults);
+
+}  // namespace
+}  // namespace spherepair
