@@ -20,7 +20,7 @@ void require_no_deep_start(const Start& start, Backend& backend) {
   backend.move();
   try {
     backend.evaluate_state();
-  } catch (const TooFast& fault) {
+  } catch (const StepTooLong& fault) {
     if (fault.deep) throw std::invalid_argument(fault.what());
   }
 }
@@ -36,14 +36,14 @@ void divide_start(Start& start) {
              start.scene.dt);
 }
 
-void begin_again(Start& start, Backend& backend, const TooFast& fault) {
+void begin_again(Start& start, Backend& backend, const StepTooLong& fault) {
   backend.time_stages(false);
   require_no_deep_start(start, backend);
   if (start.parts == most_parts)
     throw std::invalid_argument(fmt::format("{}; each step is already divided into {}", fault.what(), start.parts));
   halve_steps(start);
-  fmt::print(stderr, "* sphere {} is too fast: from the start again, with each step divided into {} of {:.4g} s\n",
-             fault.sphere, start.parts, start.scene.dt);
+  fmt::print(stderr, "* sphere {} is too {}: from the start again, with each step divided into {} of {:.4g} s\n",
+             fault.sphere, fault.fast ? "fast" : "deep in another or a wall", start.parts, start.scene.dt);
 }
 
 std::string division_text(const Start& start) {

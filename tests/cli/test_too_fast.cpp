@@ -88,25 +88,40 @@ TEST_F(TooFastOption, RefusesBeyond64AndLeavesNothing) {
   EXPECT_EQ(folder_.names(), std::vector<std::string>{"s.txt"});
 }
 
-TEST_F(TooFastOption, IsForFastSpheresAlone) {
+// A sphere falls onto one that lies on the plane faster than their contact can stop.
+TEST_F(TooFastOption, DividesForDeepContactsOnTheWay) {
+  folder_.write("s.txt", "0 -4.999 0 0.001\n0 -4.95 0 0.001\n");
+  const Outcome outcome =
+      run("run --backend cpu --contact spring --stiffness 1 --dt 0.002 --steps 60 --too-fast divide "
+          "--input " +
+          path("s.txt"));
+  EXPECT_EQ(outcome.code, kUsage);
+  for (const char* said :
+       {"* sphere 1 is too fast: from the start again, with each step divided into 2 of 0.001 s",
+        "* sphere 0 is too deep in another or a wall: from the start again, with each step divided into 64",
+        "s: sphere 0 is deeper in sphere 1 than the smaller radius, ", "is already divided into 64"})
+    EXPECT_NE(outcome.errors.find(said), std::string::npos) << said << ": " << outcome.errors;
+}
+
+TEST_F(TooFastOption, IsForFastSpheresAndDeepContacts) {
   Scene three = make_scene({.name = "gas", .n = 3});
   choose_contacts(three, {.law = ContactLaw::spring});
   const ContactParams params = contact_params(three);
   const auto kind = [&](const std::vector<uint>& faults) -> std::string {
     try {
       if (has_faults(faults)) throw_fault("cpu", {faults, 1, bodies_of(fixed_state(three), three.positions)}, params);
-    } catch (const TooFast& fault) {
-      return fmt::format("sphere {} too fast{}", fault.sphere, fault.deep ? ", another too deep" : "");
+    } catch (const StepTooLong& fault) {
+      return fmt::format("sphere {}{}{}", fault.sphere, fault.fast ? " fast" : "", fault.deep ? " deep" : "");
     } catch (const std::invalid_argument&) {
       return "other";
     }
     return "none";
   };
   EXPECT_EQ(kind({~0u, ~0u, ~0u}), "none");
-  EXPECT_EQ(kind({2, ~0u, ~0u}), "other");
+  EXPECT_EQ(kind({2, ~0u, ~0u}), "sphere 2 deep");
   EXPECT_EQ(kind({~0u, ~0u, 2}), "other");
-  EXPECT_EQ(kind({~0u, 1, 2}), "sphere 1 too fast");
-  EXPECT_EQ(kind({2, 1, ~0u}), "sphere 1 too fast, another too deep");
+  EXPECT_EQ(kind({~0u, 1, 2}), "sphere 1 fast");
+  EXPECT_EQ(kind({2, 1, ~0u}), "sphere 1 fast deep");
 }
 
 TEST_F(TooFastOption, PutsBackWhatItReplacedWhereNothingHelps) {

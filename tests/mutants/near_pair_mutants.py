@@ -48,7 +48,7 @@ NEAR_PAIRS = [
     mutant("a fault of near pairs stops no step", "shaders/contact/leapfrog.comp", " || (i == 0u && has_faults())", "", "ContactFaults"),
     mutant("contacts are named where spheres have moved on", "common/scene/contact/contact_faults.cpp", "if (fault_of(s, mobility, params_) != FAULTS) return s;", "return s;", "ContactFaults"),
     mutant("steps of earlier lists are not counted", "common/simulation/contacts.cpp", "done_ += known_;", "", "ContactFaults"),
-    mutant("any fault is that of a fast sphere", "common/scene/contact/contact_faults.cpp", "if (faults[FAULT_FAST] != ~0u) throw", "throw",
+    mutant("any fault is mended by a smaller step", "common/scene/contact/contact_faults.cpp", "if (fast || deep) throw", "throw",
            "TooFastOption"),
     mutant("a sphere put onto the plane is tested from its start", "common/shared/swept.h", " || pa.lifted || pb.lifted", "", "Swept"),
     mutant("anchored from below bounces at once", "common/backend/swept_paths.cpp", "if (!from_below || ", "if (true || ", "Swept"),

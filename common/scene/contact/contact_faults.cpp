@@ -83,7 +83,8 @@ void throw_fault(const std::string& backend, const FailedStep& step, const Conta
   const auto kind = uint(std::ranges::find_if(faults, [](uint i) { return i != ~0u; }) - faults.begin());
   const std::string what = fmt::format("{}: contacts cannot go on from step {} of {:.4g} s: {}", backend, step.number,
                                        failure.seconds(), failure.text(kind, faults[kind]));
-  if (faults[FAULT_FAST] != ~0u) throw TooFast(what, faults[FAULT_FAST], faults[FAULT_DEEP] != ~0u);
+  const bool fast = faults[FAULT_FAST] != ~0u, deep = faults[FAULT_DEEP] != ~0u;
+  if (fast || deep) throw StepTooLong(what, faults[fast ? FAULT_FAST : FAULT_DEEP], fast, deep);
   throw std::invalid_argument(what);
 }
 

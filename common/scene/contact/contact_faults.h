@@ -10,13 +10,14 @@
 
 namespace spherepair {
 
-// A sphere would move by more than the smallest radius in a step: a smaller time step may help.
-class TooFast : public std::invalid_argument {
+// A sphere would move by more than the smallest radius in a step, or is deeper in a contact than the smaller: a smaller
+// time step may help.
+class StepTooLong : public std::invalid_argument {
  public:
-  TooFast(const std::string& what, uint64_t sphere, bool deep)
-      : std::invalid_argument(what), sphere(sphere), deep(deep) {}
-  const uint64_t sphere;  // the first
-  const bool deep;        // so is a contact
+  StepTooLong(const std::string& what, uint64_t sphere, bool fast, bool deep)
+      : std::invalid_argument(what), sphere(sphere), fast(fast), deep(deep) {}
+  const uint64_t sphere;  // the first that is too fast, else that is too deep
+  const bool fast, deep;
 };
 
 // The step that some spheres could not take: these have its momenta and stay where they were; the others have moved.
@@ -30,8 +31,7 @@ struct FailedStep {
 // Of words of SLOT_FAULT.
 bool has_faults(const std::vector<uint>& words);
 
-// Throws std::invalid_argument that names the sphere and by how much, of a sphere too fast among others TooFast: the
-// others may have followed from it.
+// Throws StepTooLong, or std::invalid_argument of a sphere out of range, that names the sphere and by how much.
 [[noreturn]] void throw_fault(const std::string& backend, const FailedStep& step, const ContactParams& params);
 
 }  // namespace spherepair
