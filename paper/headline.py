@@ -36,6 +36,11 @@ def through_the_grid(machine, order):
     return cells + [f"{short(cpu)} ms"]
 
 
+def pushing(machine):
+    found = [machine.one(table="gas_steps", n=MANY, backend=name) for name in DEVICES]
+    return [f"{short(record.median / record.steps)} ms" for record in found]
+
+
 def frames(machine):
     wanted = {"table": "draw", "n": MANY, "draw": "compute", "work": "frame", "place": "outside"}
     return [f"{short(machine.one(backend=name, **wanted).median)} ms" for name in DEVICES]
@@ -61,6 +66,8 @@ def rows(machine):
             ("pairs of 10,000,000 spheres through the grid", ", packing fraction 0.3, in cell order",
              *through_the_grid(machine, "warm")),
             ("the same in random order", ", sorted first", *through_the_grid(machine, "cold")),
+            ("a step of 10,000,000 spheres that push each other", ", mean of 1,000, packing fraction 0.3",
+             *pushing(machine), "-"),
             ("a frame of 10,000,000 spheres", ", 1920×1080, compute rasteriser, camera outside", *frames(machine),
              "-"),
             ("pairs tested per second", ", n = 2²⁰, packing fraction 0.3", *rates, "-"),

@@ -170,3 +170,9 @@ def in_order(stages):
 def stage_bars(record):
     """Kernel -> milliseconds per step; every search kernel as `collide`."""
     return {"collide" if name.startswith("collide") else name: time for name, time in record.device_stages_ms.items()}
+
+
+def over_other_sums(machine, sums):
+    """(n, API) -> a step with integer sums of impulses, the same with these."""
+    rows = {(row.n, row.backend, row.sums): row for row in machine.need(table="contact_sums")}
+    return {(n, name): (rows[n, name, "integers"], row) for (n, name, other), row in rows.items() if other == sums}

@@ -9,6 +9,7 @@ import sys
 
 from paper.numbers.prose_accuracy import ACCURATE
 from paper.numbers.prose_compared import COMPARED
+from paper.numbers.prose_contacts import CONTACTS
 from paper.numbers.prose_equality import EQUALITY
 from paper.numbers.prose_leads import LEADING
 from paper.numbers.prose_measured import MEASURED
@@ -35,7 +36,7 @@ class Numbers:
 
 def collect(machine, others):
     numbers = Numbers()
-    for make in (*MEASURED, *LEADING, *EQUALITY, *STUDIED, *ACCURATE, *COMPARED):
+    for make in (*MEASURED, *LEADING, *EQUALITY, *STUDIED, *ACCURATE, *COMPARED, *CONTACTS):
         try:
             make(numbers.put, machine, others)
         except Missing as reason:

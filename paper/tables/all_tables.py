@@ -6,6 +6,7 @@ from paper.numbers.compilers import driver_record
 from paper.numbers.ranks import ratio_text
 from paper.records import Missing, original_paper, recorded_code
 from paper.tables.claims import claims
+from paper.tables.contacts import contacts
 from paper.tables.energy import energy
 from paper.tables.stress import stress
 from paper.tables.studies import STUDIED
@@ -162,7 +163,8 @@ def machine_and_run(machine):
     return Table("machine", "The recorded machine and run.", heads, rows, left=2)
 
 
-MAKERS = (claims, table1, table1_p95, frame_rates, arrangements, counts, methods, peak_rates, code, machine_and_run, stress, variation, energy, *STUDIED)
+MAKERS = (claims, table1, table1_p95, frame_rates, arrangements, counts, methods, peak_rates, code, machine_and_run, stress, variation, energy, contacts,
+          *STUDIED)
 
 
 def of_one(maker, machine):

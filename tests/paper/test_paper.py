@@ -13,7 +13,7 @@ PAPER = pathlib.Path(__file__).resolve().parents[2] / "paper"
 sys.path.insert(0, str(PAPER.parent))
 
 from paper import formats, headline  # noqa: E402  (the path must be set first)
-from paper.numbers import leads, macros  # noqa: E402
+from paper.numbers import leads, macros, prose_contacts  # noqa: E402
 from paper.records import DATA, MAIN, Machine, Missing, median_interval  # noqa: E402
 from paper.spread import p95  # noqa: E402
 from paper.tables import stress as stress_table  # noqa: E402
@@ -162,6 +162,36 @@ class WhoLeads(unittest.TestCase):
         for option in ("batch", "exact_stages", "own_buckets"):
             wanted = lambda record: record.table == "ablation" and record.option == option and record.on
             self.assertIn("ablations", self.refused(wanted, lambda _: 20))
+
+
+class Contacts(unittest.TestCase):
+    """What the prose says of contacts follows the records, or the paper is refused."""
+
+    def refused(self, make, wanted, **altered):
+        machine = Machine(DATA / MAIN)
+        make(lambda *_: None, machine, [])
+        machine.records = [replace(row, parameters={**row.parameters, **altered}) if row.matches(wanted) else row
+                           for row in machine.records]
+        with self.assertRaisesRegex(Missing, "the text says"):
+            make(lambda *_: None, machine, [])
+
+    def test_bits_and_errors(self):
+        run = {"table": "contact_runs", "backend": "glsl", "law": "hertz", "steps_a_contact": 40}
+        self.refused(prose_contacts.contact_bits, {**run, "sums": "integers"}, momentum=[0, 1, 0])
+        self.refused(prose_contacts.contact_bits, {**run, "sums": "integers"}, returns=False)
+        self.refused(prose_contacts.contact_bits, {**run, "sums": "in_order"}, momentum=[0, 0, 0])
+        self.refused(prose_contacts.contact_errors, {**run, "sums": "atomics"}, position=1e-5)
+
+    def test_times(self):
+        self.refused(prose_contacts.contact_times, {"table": "gas_steps", "backend": "cuda"}, sphere_steps_per_second=9e9)
+        self.refused(prose_contacts.contact_times, {"table": "contact_sums", "sums": "integers", "n": 10**7}, samples_ms=[9] * 11)
+
+    def test_rates(self):
+        machine = Machine(DATA / MAIN)
+        for row in machine.sources["contacts.json"]["contact_rates"][:1]:
+            row["error"]["median"] = 0.02
+        with self.assertRaisesRegex(Missing, "the time step changes the pressure"):
+            prose_contacts.contact_rates(lambda *_: None, machine, [])
 
 
 class Stress(unittest.TestCase):
