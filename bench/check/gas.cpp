@@ -12,17 +12,19 @@ namespace spherepair {
 namespace {
 
 double squared(double x) { return x * x; }
+double diameter(const Scene& scene) { return 2 * double(scene.positions.at(0).w); }
+double length(const Scene& scene) { return double(scene.contact.high.x); }
 
 // A smooth window, longer than the layers at the walls are thick.
 double bulk_fraction(const Gas& gas, const std::vector<vec4>& positions) {
-  const double from = 2 * gas.diameter, length = double(gas.scene.contact.high.x) - 2 * from;
+  const double from = 2 * gas.diameter, window = length(gas.scene) - 2 * from;
   const auto weight = [&](float x) {
-    const double at = (double(x) - from) / length;
+    const double at = (double(x) - from) / window;
     return at > 0 && at < 1 ? squared(std::sin(std::numbers::pi * at)) : 0;
   };
   double inside = 0;
   for (const vec4& p : positions) inside += weight(p.x) * weight(p.y) * weight(p.z);
-  return inside * std::numbers::pi / 6 * std::pow(2 * gas.diameter / length, 3);  // the window's mean is 1/2
+  return inside * std::numbers::pi / 6 * std::pow(2 * gas.diameter / window, 3);  // the window's mean is 1/2
 }
 
 ContactStatistics statistics_of(Backend& backend, const Gas& gas) {
@@ -40,13 +42,37 @@ double temperature(double kinetic, uint64_t n) { return 2 * kinetic / (3 * doubl
 // 119.
 double surface_tension(double f) { return -9 / (2 * std::numbers::pi) * f * f * (1 + f) / std::pow(1 - f, 3); }
 
+// What such a wall's layers hold beyond the gas away from it, as a depth of that gas, in diameters: the derivative of
+// the tension by Carnahan and Starling's chemical potential.
+double layers(double f) {
+  return 1.5 * f * (1 + 2 * f) / (1 + 4 * f + 4 * f * f - 4 * std::pow(f, 3) + std::pow(f, 4));
+}
+
+double volume(const Scene& scene) { return double(scene.size()) * std::numbers::pi / 6 * std::pow(diameter(scene), 3); }
+
 }  // namespace
 
 double compressibility(double f) { return (1 + f + f * f - f * f * f) / std::pow(1 - f, 3); }
 double contact_value(double f) { return (1 - f / 2) / std::pow(1 - f, 3); }
 
+double expected_pressure(double f) { return compressibility(f) * f * 6 / std::numbers::pi; }
+
+double fraction_at_rest(const Scene& scene) {
+  double fraction = 0;
+  for (int round = 0; round < 60; ++round)
+    fraction = volume(scene) / std::pow(length(scene) - (1 - 2 * layers(fraction)) * diameter(scene), 3);
+  return fraction;
+}
+
+void squeeze(Scene& scene) {
+  const double middle = length(scene) / 2, side = std::cbrt(volume(scene) / fraction_at_rest(scene));
+  for (vec4& p : scene.positions)
+    for (float vec4::*axis : {&vec4::x, &vec4::y, &vec4::z})
+      p.*axis = float(middle + (double(p.*axis) - middle) * side / length(scene));
+}
+
 Gas equilibrated_gas(Backend& backend, const Scene& start, double seconds, float restitution) {
-  Gas gas{start, 2 * double(start.positions.at(0).w), sphere_mass(double(start.positions.at(0).w))};
+  Gas gas{start, diameter(start), sphere_mass(diameter(start) / 2)};
   backend.upload(gas.scene);
   move(backend, uint64_t(std::ceil(seconds / double(start.dt))));
   const Backend::State state = current_state(backend);
@@ -57,18 +83,20 @@ Gas equilibrated_gas(Backend& backend, const Scene& start, double seconds, float
 
 // In a box that the centres reach over a length l, 2 K + virial = 3 (p l^3 - 4 tension l^2).
 Pressure measure_pressure(Backend& backend, const Gas& gas, uint64_t samples, uint64_t steps) {
-  double sum = 0, heat = 0, bulk = 0;
+  double sum = 0, squares = 0, heat = 0, bulk = 0;
   backend.upload(gas.scene);
   for (uint64_t sample = 0; sample < samples; ++sample) {
     move(backend, steps);
     const ContactStatistics now = statistics_of(backend, gas);
-    sum += (2 * now.kinetic + now.virial) / double(samples);
+    const double both = 2 * now.kinetic + now.virial;
+    sum += both / double(samples), squares += both * both / double(samples);
     heat += temperature(now.kinetic, gas.scene.size()) / double(samples);
     bulk += bulk_fraction(gas, current_state(backend).positions) / double(samples);
   }
-  const double length = double(gas.scene.contact.high.x) / gas.diameter - 1;  // in diameters
-  const double pressure = sum / heat / (3 * std::pow(length, 3)) + 4 * surface_tension(bulk) / length;
-  return {pressure, compressibility(bulk) * bulk * 6 / std::numbers::pi, bulk};
+  const double reached = length(gas.scene) / gas.diameter - 1;  // in diameters
+  const double pressure = sum / heat / (3 * std::pow(reached, 3)) + 4 * surface_tension(bulk) / reached;
+  const double scatter = std::sqrt((squares / squared(sum) - 1) / double(samples - 1));
+  return {pressure, expected_pressure(bulk), bulk, scatter};
 }
 
 double expected_tau(const Gas& gas, double bulk, double kinetic) {
@@ -78,6 +106,11 @@ double expected_tau(const Gas& gas, double bulk, double kinetic) {
   return 3 / (2 * lost * density * contact_value(bulk) * std::sqrt(std::numbers::pi) * speed);
 }
 
+// p / sqrt(2 pi m k T) spheres fall onto an area of wall, and each loses (1 - e^2) k T.
+double wall_loss(const Gas& gas, double f) {
+  return compressibility(f) / contact_value(f) * gas.diameter / (std::sqrt(8.0) * f * length(gas.scene));
+}
+
 double Cooling::tau() const { return seconds / (std::sqrt(first / last) - 1); }
 double Cooling::expected_last() const { return first / squared(1 + seconds / expected); }
 
@@ -85,15 +118,18 @@ Cooling measure_cooling(Backend& backend, const Gas& gas, uint64_t samples, uint
   backend.upload(gas.scene);
   const double first = statistics_of(backend, gas).kinetic;
   double bulk = 0;
+  std::vector<double> energies;
   for (uint64_t sample = 0; sample < samples; ++sample) {
     move(backend, steps);
     bulk += bulk_fraction(gas, current_state(backend).positions) / double(samples);
+    energies.push_back(statistics_of(backend, gas).kinetic);
   }
   return {.seconds = double(samples * steps) * double(gas.scene.dt),
           .first = first,
-          .last = statistics_of(backend, gas).kinetic,
+          .last = energies.back(),
           .expected = expected_tau(gas, bulk, first),
-          .packing_fraction = bulk};
+          .packing_fraction = bulk,
+          .energies = energies};
 }
 
 }  // namespace spherepair

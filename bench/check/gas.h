@@ -15,6 +15,12 @@ struct Gas {
   double diameter, mass;
 };
 
+// The packing fraction away from the walls of a gas at rest, by what theory says that the layers at its walls hold.
+double fraction_at_rest(const Scene& scene);
+// Moves the spheres of a lattice towards the middle, so that they fill it as densely as at rest: no waves of sound go
+// out from the walls, which last long in a large box.
+void squeeze(Scene& scene);
+
 // Moves the gas so many seconds, from its start in the backend; its restitution is then set. It is at rest with its
 // walls once sound, at two metres a second and more, has crossed the box some times, a dense one some times more.
 Gas equilibrated_gas(Backend& backend, const Scene& start, double seconds, float restitution = 1);
@@ -23,7 +29,10 @@ Gas equilibrated_gas(Backend& backend, const Scene& start, double seconds, float
 struct Pressure {
   double found, expected;  // p d^3 / (k T)
   double packing_fraction;
+  double error;  // standard error of what is found, over it
 };
+double expected_pressure(double packing_fraction);  // p d^3 / (k T)
+
 // The mean of so many samples, that many steps apart, from where the spheres stand.
 Pressure measure_pressure(Backend& backend, const Gas& gas, uint64_t samples, uint64_t steps);
 
@@ -32,13 +41,16 @@ struct Cooling {
   double seconds, first, last;  // kinetic energies, in joules
   double expected;              // tau, in seconds
   double packing_fraction;
+  std::vector<double> energies;  // after each sample, as `last`
   double tau() const;            // found
   double expected_last() const;  // energy after these seconds
 };
-// Of samples * steps steps; the packing fraction is taken after each `steps`.
+// Of samples * steps steps; the packing fraction is the mean of those after each `steps`.
 Cooling measure_cooling(Backend& backend, const Gas& gas, uint64_t samples, uint64_t steps);
 
 // Seconds, of the gas as it starts, with velocities between -1 and 1 m/s along each axis.
 double expected_tau(const Gas& gas, double packing_fraction, double kinetic);
+// Energy lost to walls of the same restitution, which `expected` leaves out, over that lost between spheres.
+double wall_loss(const Gas& gas, double packing_fraction);
 
 }  // namespace spherepair
