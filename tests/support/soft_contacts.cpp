@@ -46,7 +46,7 @@ void drop_a_contact(const Scene& scene, std::vector<uint>& wide) {
 }  // namespace
 
 Scene gas(const GasOptions& o) {
-  std::mt19937 random(28);
+  std::mt19937 random(o.seed);
   std::uniform_real_distribution<float> any(-1, 1);
   Scene scene{.name = "gas", .plane = o.from, .gravity = o.gravity, .restitution = o.restitution};
   const float gap = 1.05f * o.ratio;

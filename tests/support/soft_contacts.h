@@ -13,6 +13,7 @@ struct GasOptions {
   ContactLaw law = ContactLaw::quartic;
   float from = 0;  // the box begins there along every axis, in metres
   double steps_a_contact = 40;
+  uint seed = 28;
 };
 
 // A closed box of spheres on a lattice, which leaves them room, with random velocities; radii up to ratio * 0.5.

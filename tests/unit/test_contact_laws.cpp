@@ -8,10 +8,11 @@
 #include <numbers>
 #include <random>
 
+#include "bench/check/contact_statistics.h"
 #include "common/scene/contact_scene.h"
 #include "common/shared/contact/contact.h"
 #include "common/shared/skin.h"
-#include "tests/support/motion_runs.h"
+#include "tests/support/soft_contacts.h"
 
 namespace spherepair {
 namespace {
@@ -131,6 +132,35 @@ TEST(ContactLaws, SpringLeavesTheRestitutionOfTheSpeedInTheMeanOfAStep) {
         last = mean;
       }
     }
+}
+
+// Over four contact times, of gases that all have their own: a contact's error depends on where in a step it begins.
+TEST(ContactLaws, ErrorsOfTheEnergyFallWithTheSquareOfTheStep) {
+  constexpr int coarsest = 20;
+  for (const ContactLaw law : {ContactLaw::spring, ContactLaw::hertz, ContactLaw::quartic}) {
+    double last = 0;
+    for (const int steps : {20, 40, 80}) {
+      double sum = 0;  // of the greatest deviations
+      for (uint seed = 0; seed < 24; ++seed) {
+        const Scene scene = gas({.side = 5, .law = law, .steps_a_contact = double(steps), .seed = seed});
+        cpu_backend().upload(scene);
+        double first = 0, greatest = 0;
+        for (int k = 0; k <= 4 * coarsest; ++k) {
+          cpu_backend().collide({.want_pairs = true});
+          const double energy =
+              contact_statistics(scene, current_state(cpu_backend()).wide, cpu_backend().pairs(), 0).energy();
+          if (k == 0) first = energy;
+          greatest = std::max(greatest, std::abs(energy / first - 1));
+          for (int step = 0; step < steps / coarsest; ++step) cpu_backend().move();
+        }
+        sum += greatest;
+      }
+      if (last > 0) {
+        EXPECT_NEAR(last / sum, 4, 0.4) << contact_name(law) << ", " << steps << " steps";
+      }
+      last = sum;
+    }
+  }
 }
 
 // Their radii's sixth power is no float.
