@@ -93,9 +93,9 @@ TEST_P(LongContacts, KeepTheEnergy) {
     for (uint64_t step = 0; step < each; ++step) backend().move();
   }
   const Slope slope = slope_of(energies);
-  const double steps = double(rounds() * each), drift = slope.a_round * double(rounds());
+  const double in_all = double(rounds() * each), drift = slope.a_round * double(rounds());
   fmt::print("{}: energy changed by {:.2e} of it in {} steps, slope {:.2e} +- {:.1e} a million steps\n",
-             backend().info().name, energies.back() / energies[0] - 1, steps, slope.a_round / double(each) * 1e6,
+             backend().info().name, energies.back() / energies[0] - 1, in_all, slope.a_round / double(each) * 1e6,
              slope.half_width / double(each) * 1e6);
   EXPECT_LT(std::abs(slope.a_round), slope.half_width) << "a drift";
   EXPECT_LT(std::abs(drift) + slope.half_width * double(rounds()), 3e-4);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/soft_contacts.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "common/scene/contact_scene.h"
@@ -76,6 +78,28 @@ Scene shells(ContactLaw law) {
   scene.equal_radii = false;
   choose_soft_contacts(scene, law, false);
   return scene;
+}
+
+std::vector<uint> shuffled(uint64_t n) {
+  std::vector<uint> order(n);
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::shuffle(order, std::mt19937(5));
+  return order;
+}
+
+Scene in_order(const Scene& scene, std::span<const uint> order) {
+  Scene other = scene;
+  for (uint64_t k = 0; k < order.size(); ++k)
+    other.positions[k] = scene.positions[order[k]], other.velocities[k] = scene.velocities[order[k]];
+  return other;
+}
+
+std::vector<uint> in_order(const std::vector<uint>& wide, std::span<const uint> order) {
+  const uint64_t n = order.size();
+  std::vector<uint> other(wide.size());
+  for (uint64_t part = 0; part < 6; ++part)
+    for (uint64_t k = 0; k < n; ++k) store_real(other, part * n + k, word(wide, part * n + order[k]));
+  return other;
 }
 
 Scene with(Scene scene, const Backend::State& state) {

@@ -2,6 +2,8 @@
 // Scenes whose spheres push each other often within few steps, by soft contacts, and their way back.
 #pragma once
 
+#include <span>
+
 #include "common/scene/contact/contact_options.h"
 #include "tests/support/motion_runs.h"
 
@@ -24,6 +26,11 @@ Scene shells(ContactLaw law);
 
 // Of the wide state of a scene with contacts: six of each sphere, axis by axis, positions before momenta.
 inline int64_t word(const std::vector<uint>& wide, uint64_t k) { return load_real<int64_t>(wide, k); }
+
+// Spheres, and such a state, with sphere order[k] in place k.
+std::vector<uint> shuffled(uint64_t n);
+Scene in_order(const Scene& scene, std::span<const uint> order);
+std::vector<uint> in_order(const std::vector<uint>& wide, std::span<const uint> order);
 
 Scene with(Scene scene, const Backend::State& state);
 

@@ -8,7 +8,6 @@
 #include <numbers>
 #include <random>
 
-#include "bench/check/contact_statistics.h"
 #include "common/scene/contact_scene.h"
 #include "common/shared/contact/contact.h"
 #include "common/shared/skin.h"
@@ -134,35 +133,6 @@ TEST(ContactLaws, SpringLeavesTheRestitutionOfTheSpeedInTheMeanOfAStep) {
     }
 }
 
-// Over four contact times, of gases that all have their own: a contact's error depends on where in a step it begins.
-TEST(ContactLaws, ErrorsOfTheEnergyFallWithTheSquareOfTheStep) {
-  constexpr int coarsest = 20;
-  for (const ContactLaw law : {ContactLaw::spring, ContactLaw::hertz, ContactLaw::quartic}) {
-    double last = 0;
-    for (const int steps : {20, 40, 80}) {
-      double sum = 0;  // of the greatest deviations
-      for (uint seed = 0; seed < 24; ++seed) {
-        const Scene scene = gas({.side = 5, .law = law, .steps_a_contact = double(steps), .seed = seed});
-        cpu_backend().upload(scene);
-        double first = 0, greatest = 0;
-        for (int k = 0; k <= 4 * coarsest; ++k) {
-          cpu_backend().collide({.want_pairs = true});
-          const double energy =
-              contact_statistics(scene, current_state(cpu_backend()).wide, cpu_backend().pairs(), 0).energy();
-          if (k == 0) first = energy;
-          greatest = std::max(greatest, std::abs(energy / first - 1));
-          for (int step = 0; step < steps / coarsest; ++step) cpu_backend().move();
-        }
-        sum += greatest;
-      }
-      if (last > 0) {
-        EXPECT_NEAR(last / sum, 4, 0.4) << contact_name(law) << ", " << steps << " steps";
-      }
-      last = sum;
-    }
-  }
-}
-
 // Their radii's sixth power is no float.
 TEST(ContactLaws, SpringDampsSmallSpheresToo) {
   Scene scene = make_scene({.name = "collide2", .n = 2, .radius = 1e-7f});
@@ -173,9 +143,11 @@ TEST(ContactLaws, SpringDampsSmallSpheresToo) {
 }
 
 // More spheres and pairs than one thread takes.
-TEST(ContactLaws, SameBitsWithAnyNumberOfThreads) {
+TEST(ContactLaws, SameBitsWithAnyNumberOfThreadsSortedOrNot) {
   Scene scene = make_scene({.name = "gas", .n = 20'000});
   choose_contacts(scene, {.law = ContactLaw::spring, .stiffness = 1e5f});
+  const std::vector<uint> order = shuffled(scene.size());
+  const Scene unsorted = in_order(scene, order);
   Backend::State wanted;
   for (const int threads : {1, 2, 7}) {
     const auto backend = open_backend("cpu", {.threads = threads});
@@ -183,6 +155,7 @@ TEST(ContactLaws, SameBitsWithAnyNumberOfThreads) {
     if (threads == 1) wanted = found;
     expect_equal_states(found, wanted, fmt::format("{} threads", threads));
     EXPECT_GT(run_step(*backend, fast_method(*backend)).totals.pairs, 4096u);
+    EXPECT_EQ(run_steps(*backend, unsorted, 60).wide, in_order(wanted.wide, order)) << threads << " threads";
   }
 }
 

@@ -127,5 +127,36 @@ TEST(ContactStatistics, TextHasNamesUnitsAndAllDigits) {
             "3,0,0.1,0,0,0.3333333333333333,0,-2,0,5,0,0,0\n");
 }
 
+// Of the energy from the first, over four contact times of so many steps, read 20 times in each.
+double greatest_deviation(const Scene& scene, int steps) {
+  Backend& backend = cpu_backend();
+  backend.upload(scene);
+  double first = 0, greatest = 0;
+  for (int k = 0; k <= 80; ++k) {
+    backend.collide({.want_pairs = true});
+    const double energy = contact_statistics(scene, current_state(backend).wide, backend.pairs(), 0).energy();
+    if (k == 0) first = energy;
+    greatest = std::max(greatest, std::abs(energy / first - 1));
+    for (int step = 0; step < steps / 20; ++step) backend.move();
+  }
+  return greatest;
+}
+
+// In the mean of many gases: the error that a contact leaves depends on where in a step it begins.
+TEST(ContactStatistics, ErrorsOfTheEnergyFallWithTheSquareOfTheStep) {
+  for (const ContactLaw law : {ContactLaw::spring, ContactLaw::hertz, ContactLaw::quartic}) {
+    double last = 0;
+    for (const int steps : {20, 40, 80}) {
+      double sum = 0;
+      for (uint seed = 0; seed < 24; ++seed)
+        sum += greatest_deviation(gas({.side = 5, .law = law, .steps_a_contact = double(steps), .seed = seed}), steps);
+      if (last > 0) {
+        EXPECT_NEAR(last / sum, 4, 0.4) << contact_name(law) << ", " << steps << " steps";
+      }
+      last = sum;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace spherepair
