@@ -22,7 +22,7 @@ NEAR_PAIRS = [
            "ContactStudy"),
     mutant("a rate is its own error", "bench/studies/contact/contact_rates.cpp", "rate.found[k] / converged.found[k] - 1",
            "rate.found[k] - 1", "ContactStudy"),
-    mutant("a gas has no layers at its walls", "bench/check/gas.cpp", "+ 4 * surface_tension(bulk) / length", "", "ContactPhysics"),
+    mutant("a gas has no layers at its walls", "bench/check/gas.cpp", "+ 4 * surface_tension(bulk) / reached", "", "ContactPhysics"),
     mutant("one sphere alone pushes", "common/scene/contact/contact_law.cpp", "greatest_number(largest / b, width) * impulse", "impulse",
            "ContactBounds"),
     mutant("any sum of impulses is in range", "common/scene/contact_scene.cpp", "if (!(sum < most_units))", "if (false)", "ContactBounds"),

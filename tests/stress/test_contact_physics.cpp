@@ -41,19 +41,19 @@ Gas gas_at_rest(Backend& backend, double packing_fraction) {
 }
 
 // Contacts last half as long.
-Gas stiffer(Backend& backend, Gas gas, float restitution = 1) {
+Gas stiffer(Backend& backend, Gas gas) {
   choose_contacts(gas.scene, {.law = ContactLaw::spring, .stiffness = 4 * gas.scene.contact.stiffness});
-  return equilibrated_gas(backend, gas.scene, 2, restitution);
+  return equilibrated_gas(backend, gas.scene, 2);
 }
 
-// Spheres that are not hard stand closer. The full form makes them stiffer until that cannot be seen.
+// Spheres that are not hard come closer than that, and press less: the stiffer, the more like hard ones.
 TEST_P(ContactPhysics, PressureIsThatOfCarnahanAndStarling) {
   const bool full = in_full(backend());
   for (const double fraction : full ? std::vector{0.1, 0.3, 0.45} : std::vector{0.3}) {
     Gas gas = gas_at_rest(backend(), fraction);
     const double rest = fraction_at_rest(gas.scene);
     std::vector<double> deviations, errors;
-    for (int times = 0; times < (full ? 4 : 2); ++times) {
+    for (int times = 0; times < (full ? 4 : 3); ++times) {
       if (times > 0) gas = stiffer(backend(), gas);
       const Pressure pressure = measure_pressure(backend(), gas, 120, 100);
       deviations.push_back(pressure.found / expected_pressure(rest) - 1), errors.push_back(pressure.error);
@@ -62,8 +62,7 @@ TEST_P(ContactPhysics, PressureIsThatOfCarnahanAndStarling) {
           backend().info().name, gas.scene.contact.stiffness, rest, pressure.packing_fraction, 100 * deviations.back(),
           100 * errors.back());
     }
-    EXPECT_NEAR(deviations.back(), 0, full ? 0.02 : 0.06) << "packing fraction " << rest;
-    if (!full) continue;
+    EXPECT_NEAR(deviations.back(), 0, full ? 0.02 : 0.05) << "packing fraction " << rest;
     EXPECT_TRUE(std::ranges::is_sorted(deviations)) << "packing fraction " << rest;
     EXPECT_GT(std::abs(deviations.front()) - std::abs(deviations.back()), 3 * std::hypot(errors.front(), errors.back()))
         << "packing fraction " << rest;
@@ -79,24 +78,22 @@ TEST_P(ContactPhysics, CoolsByHaffsLaw) {
     Gas gas = start;
     gas.scene.restitution = restitution;
     const double kinetic = double(gas.scene.size()) * gas.mass / 2;  // as the lattice had: a third each axis
-    const double seconds = (full ? 5 : 1) * expected_tau(gas, thin, kinetic);
+    const double seconds = (full ? 5 : 2) * expected_tau(gas, thin, kinetic);
     constexpr uint64_t samples = 100;
     const Cooling cooling =
         measure_cooling(backend(), gas, samples, uint64_t(seconds / double(gas.scene.dt)) / samples);
     const double loss = wall_loss(gas, cooling.packing_fraction), tau = cooling.expected / (1 + loss);
-    double low = 0, high = 0;
+    double low = 0, high = 0, last = 0;
     for (uint64_t k = 0; k < samples; ++k) {
       const double over_tau = cooling.seconds / tau * double(k + 1) / samples;
-      const double deviation = cooling.energies[k] / cooling.first * std::pow(1 + over_tau, 2) - 1;
-      low = std::min(low, deviation), high = std::max(high, deviation);
+      last = cooling.energies[k] / cooling.first * std::pow(1 + over_tau, 2) - 1;
+      low = std::min(low, last), high = std::max(high, last);
     }
-    fmt::print(
-        "{}, restitution {}, packing fraction {:.4f}, {:.1f} % to the walls: {:+.2f} to {:+.2f} % off Haff's law until "
-        "t = "
-        "{:.2f} tau, then {:+.2f} %\n",
-        backend().info().name, restitution, cooling.packing_fraction, 100 * loss / (1 + loss), 100 * low, 100 * high,
-        cooling.seconds / tau, 100 * (cooling.last / cooling.first * std::pow(1 + cooling.seconds / tau, 2) - 1));
-    EXPECT_GT(cooling.seconds, (full ? 5 : 1) * tau);
+    fmt::print("{}, restitution {}, packing fraction {:.4f}, {:.1f} % lost to walls, until t = {:.2f} tau: ",
+               backend().info().name, restitution, cooling.packing_fraction, 100 * loss / (1 + loss),
+               cooling.seconds / tau);
+    fmt::print("{:+.2f} to {:+.2f} % off Haff's law, {:+.2f} % at the end\n", 100 * low, 100 * high, 100 * last);
+    EXPECT_GT(cooling.seconds, (full ? 5 : 2) * tau);
     EXPECT_TRUE(-0.05 < low && high < 0.05) << restitution;
   }
 }
