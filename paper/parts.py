@@ -41,10 +41,6 @@ def sweep(name, minutes, backends, words, **more):
     return Part(name, minutes, tuple(backends.split(",")), words, {"sweep": f"{name}/{{process}}"}, **more)
 
 
-CONTACTS_CPU = study("contacts_cpu", 5, "cpu", "contacts --threads 2 --measure steps --step-n 1000000 --averaged 1000 "
-                     "--rounds 6", "contacts.json")
-
-
 def compiling(backends):
     uncached = {"__GL_SHADER_DISK_CACHE": "0", "MESA_SHADER_CACHE_DISABLE": "1"}
     return Part("compile", 1, backends, "devices --compile --json {out}/compile.json", {"compile.json": "compile.json"},
@@ -97,7 +93,6 @@ GPU = tuple(map(in_hardware, (
     study("contacts", 4, "glsl,cuda", "contacts --measure errors,sums,rates", "contacts.json"),
     study("contacts_steps", 2, "glsl,cuda", "contacts --measure steps", "contacts.json"),
     study("contacts_1e8", 7, "glsl,cuda", "contacts --measure steps --step-n 100000000", "contacts.json", memory=40 * GIB),
-    CONTACTS_CPU,
     study("launches", 1, "glsl,cuda", "launches", "launches.json", processes=SEVERAL),
     study("energy_all_pairs", 5, "glsl,cuda", "energy --works all_pairs --windows 5 --seconds 10", "energy.json"),
     study("energy_grid", 5, "glsl,cuda", "energy --works warm,cold --n 10000000 --windows 5 --seconds 10", "energy.json"),
@@ -140,7 +135,8 @@ SOFTWARE = (
     study("crossover", 2, "cpu", "crossover --most-ms 60", "crossover.json"),
     study("crossover_glsl", 2, "glsl", "crossover", "crossover.json"),
     study("cpu_grid", 1, "cpu", "ablate --names pair_list --n 1000000,10000000", "ablate.json"),
-    CONTACTS_CPU,
+    study("contacts_cpu", 5, "cpu", "contacts --threads 2 --measure steps --step-n 1000000 --averaged 1000 --rounds 6",
+          "contacts.json"),
     study("precision", 2, "cpu,glsl", "precision --threads 1 --rounds 11", "precision.json"),
     *catalogue(("cpu", "glsl"), (3, 3)),
 )

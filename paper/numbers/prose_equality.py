@@ -121,9 +121,7 @@ def provenance(put, machine, others):
     few = [rounds for rounds in timed if rounds < ENOUGH]
     said(machine, len(set(timed) - set(few)) == 1, "but for those of too few and of contacts on the CPU, all timings have as many rounds")
     put("records/rounds", str(max(timed)), machine.id, "rounds of a timing in a process")
-    unequal = [entry for entry in contests(machine) if not entry.same_steps]
-    said(machine, all(entry.work == "drawing" for entry in unequal), "contests but those of frames have as many steps a sample")
-    put("records/unequal", str(len(unequal)), machine.id, "contests whose APIs had their own numbers of steps a sample")
+    said(machine, all(entry.same_steps for entry in contests(machine)), "both APIs of a contest have as many steps a sample")
     put("records/few", str(len(few)), machine.id, f"times of fewer than {ENOUGH} rounds, whose intervals cover less than 95 %")
     put("records/least", str(min(timed)), machine.id, "fewest rounds of a time")
     put("records/least/cover", f"{100 * (1 - 2 * 0.5**min(timed)):.0f}", machine.id, "%, what the interval of the fewest rounds covers")

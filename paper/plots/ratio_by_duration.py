@@ -22,13 +22,11 @@ def source(machine):
 
 def caption(machine):
     found = contests(machine)
-    unequal = sum(not entry.same_steps for entry in found)
-    own = f" Pale: {unequal} in which each API had its own number of steps a sample." if unequal else ""
     count = sum(not LEAST <= entry.ratio <= MOST for entry in found)
     beyond = f", {count} of them beyond the axis and drawn on its edge" if count else ""
     return (f"GLSL's time over CUDA's for the same work against the time of CUDA's step, for contests of all sizes, "
             f"scenes, methods and group sizes{beyond}. Above 1 CUDA is faster. Black, and the figures on top: the median of the "
-            f"contests between two ticks.{own} {rule(machine)}")
+            f"contests between two ticks. {rule(machine)}")
 
 
 def draw_medians(axis, made, left, right):
@@ -43,15 +41,12 @@ def draw(machine):
     found = contests(machine)
     figure, (axis,) = panels(PAGE, 2.7)
     for work, (marker, color) in LOOKS.items():
-        for same_steps in (False, True):
-            chosen = [entry for entry in found if entry.work == work and entry.same_steps is same_steps]
-            if chosen:  # nothing drawn without clipping takes room, too
-                axis.plot([entry.cuda_us for entry in chosen], [min(max(entry.ratio, LEAST), MOST) for entry in chosen],
-                          linestyle="none", marker=marker, markersize=3.2, markeredgewidth=0, color=color, clip_on=False,
-                          alpha=0.75 if same_steps else 0.3)
+        chosen = [entry for entry in found if entry.work == work]
+        if chosen:  # nothing drawn without clipping takes room, too
+            axis.plot([entry.cuda_us for entry in chosen], [min(max(entry.ratio, LEAST), MOST) for entry in chosen],
+                      linestyle="none", marker=marker, markersize=3.2, markeredgewidth=0, color=color, clip_on=False,
+                      alpha=0.75)
         axis.plot([], [], linestyle="none", marker=marker, color=color, label=work)
-    if not all(entry.same_steps for entry in found):
-        axis.plot([], [], linestyle="none", marker="o", color="#555555", alpha=0.3, label="pale: unequal steps a sample")
     left, right = 0.9 * found[0].cuda_us, 1.1 * found[-1].cuda_us
     made = bins(found)
     draw_medians(axis, made, left, right)

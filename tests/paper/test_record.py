@@ -169,7 +169,7 @@ class Needs(StandIn):
         self.say(software=True)
         self.assertRegex(self.run_it("--list"), r"results .* needs glsl")
         self.run_it("--processes", "1")
-        self.assertEqual({"contacts", "crossover", "frames", "precision", "sweep"}, {words[0] for words in self.calls()})
+        self.assertEqual({"crossover", "frames", "precision", "sweep"}, {words[0] for words in self.calls()})
 
     def test_without_cuda_there_are_other_parts(self):
         self.say(cuda=False, software=True)
