@@ -106,11 +106,6 @@ double expected_tau(const Gas& gas, double bulk, double kinetic) {
   return 3 / (2 * lost * density * contact_value(bulk) * std::sqrt(std::numbers::pi) * speed);
 }
 
-// p / sqrt(2 pi m k T) spheres fall onto an area of wall, and each loses (1 - e^2) k T.
-double wall_loss(const Gas& gas, double f) {
-  return compressibility(f) / contact_value(f) * gas.diameter / (std::sqrt(8.0) * f * length(gas.scene));
-}
-
 double Cooling::tau() const { return seconds / (std::sqrt(first / last) - 1); }
 double Cooling::expected_last() const { return first / squared(1 + seconds / expected); }
 

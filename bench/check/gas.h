@@ -50,7 +50,5 @@ Cooling measure_cooling(Backend& backend, const Gas& gas, uint64_t samples, uint
 
 // Seconds, of the gas as it starts, with velocities between -1 and 1 m/s along each axis.
 double expected_tau(const Gas& gas, double packing_fraction, double kinetic);
-// Energy lost to walls of the same restitution, which `expected` leaves out, over that lost between spheres.
-double wall_loss(const Gas& gas, double packing_fraction);
 
 }  // namespace spherepair
