@@ -63,11 +63,10 @@ def catalogue(backends, minutes, **environment):
                   {"stress.json": "stress/rows-2-3.json", "state_hashes.json": "state_hashes.json"}, **environment)
 
 
-def test_shards(backends, shards):
-    """All tests, the catalogue in its short form."""
+def test_shards(name, minutes, backends, filtered, shards, file, **environment):
     for k in range(shards):
-        yield testing(f"tests-{k + 1}", 3, backends, "*", {"output.txt": f"tests/{k + 1}.txt"},
-                      GTEST_TOTAL_SHARDS=str(shards), GTEST_SHARD_INDEX=str(k), REQUIRE_BACKENDS=",".join(backends))
+        yield testing(f"{name}-{k + 1}", minutes, backends, filtered, {"output.txt": file.format(k + 1)},
+                      GTEST_TOTAL_SHARDS=str(shards), GTEST_SHARD_INDEX=str(k), REQUIRE_BACKENDS=",".join(backends), **environment)
 
 
 def in_hardware(part):
@@ -121,11 +120,10 @@ GPU = tuple(map(in_hardware, (
     scripted("listings", 1, ("glsl", "cuda"), "listings", "cuobjdump", "nvdisasm"),
     scripted("counters", 2, ("cuda",), "counters.json", "ncu"),
     *catalogue(("cpu", "glsl", "cuda"), (2, 5), STRESS="full", REQUIRE_BACKENDS="cpu,glsl,cuda"),
-    *test_shards(("cpu", "glsl", "cuda"), 3),
+    *test_shards("tests", 3, ("cpu", "glsl", "cuda"), "*", 3, "tests/{}.txt"),  # the catalogue in its short form
     testing("contacts_long", 5, ("cpu", "glsl", "cuda"), "*LongContacts*", {"output.txt": "tests/contacts_long.txt"},
             STRESS="full", REQUIRE_BACKENDS="cpu,glsl,cuda"),
-    testing("contacts_gas", 6, ("cpu", "glsl", "cuda"), "*ContactPhysics*", {"output.txt": "tests/contacts_gas.txt"},
-            STRESS="full", REQUIRE_BACKENDS="cpu,glsl,cuda"),
+    *test_shards("contacts_gas", 1, ("cpu", "glsl", "cuda"), "*ContactPhysics*", 5, "tests/contacts_gas-{}.txt", STRESS="full"),
 )))
 
 SOFTWARE = (
