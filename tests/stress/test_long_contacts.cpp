@@ -101,6 +101,7 @@ TEST_P(LongContacts, KeepTheEnergy) {
   EXPECT_LT(std::abs(drift) + slope.half_width * double(rounds()), 3e-4);
 }
 
+// Halfway they go on from a checkpoint.
 TEST_P(LongContacts, EqualThoseOfTheCpu) {
   if (backend().info().on_host) GTEST_SKIP() << "the CPU itself";
   const Scene scene = elastic_gas();
@@ -110,6 +111,7 @@ TEST_P(LongContacts, EqualThoseOfTheCpu) {
     for (uint64_t step = 0; step < steps() / rounds(); ++step) cpu_backend().move(), backend().move();
     expect_equal_states(current_state(backend()), current_state(cpu_backend()), fmt::format("round {}", round));
     if (HasFailure()) break;
+    if (round == rounds() / 2) backend().resume(with(scene, current_state(backend())), backend().save());
   }
 }
 
