@@ -121,7 +121,7 @@ GPU = tuple(map(in_hardware, (
     scripted("counters", 2, ("cuda",), "counters.json", "ncu"),
     *catalogue(("cpu", "glsl", "cuda"), (2, 5), STRESS="full", REQUIRE_BACKENDS="cpu,glsl,cuda"),
     *test_shards("tests", 3, ("cpu", "glsl", "cuda"), "*", 3, "tests/{}.txt"),  # the catalogue in its short form
-    testing("contacts_long", 5, ("cpu", "glsl", "cuda"), "*LongContacts*", {"output.txt": "tests/contacts_long.txt"},
+    testing("contacts_long", 7, ("cpu", "glsl", "cuda"), "*LongContacts*", {"output.txt": "tests/contacts_long.txt"},
             STRESS="full", REQUIRE_BACKENDS="cpu,glsl,cuda"),
     *test_shards("contacts_gas", 2, ("cpu", "glsl", "cuda"), "*ContactPhysics*", 3, "tests/contacts_gas-{}.txt", STRESS="full"),
 )))
