@@ -90,15 +90,11 @@ class Speed(unittest.TestCase):
 
     def test_5d(self):
         self.stated("5d", "first 1,000", "at least 2.5·10⁷", "--threads 2", "| 10 % |")
-        names = [name for name in (MAIN, "llvmpipe") if (DATA / name / "contacts_cpu").exists()]
-        if not names:
-            self.skipTest("the part contacts_cpu is not recorded yet")
-        for name in names:
-            machine = Machine(DATA / name)
-            gas = machine.one(table="gas_steps", n=10**6, backend="cpu")
-            self.assertEqual(1000, gas.steps)
-            self.assertEqual(2, machine.source("contacts_cpu.json")["backends"][0]["details"]["threads"])
-            self.assertGreaterEqual(gas.sphere_steps_per_second, 2.5e7 / 1.1, name)
+        machine = Machine(DATA / "llvmpipe")
+        gas = machine.one(table="gas_steps", n=10**6, backend="cpu")
+        self.assertEqual(1000, gas.steps)
+        self.assertEqual(2, machine.source("contacts_cpu.json")["backends"][0]["details"]["threads"])
+        self.assertGreaterEqual(gas.sphere_steps_per_second, 2.5e7)
 
     def test_6b(self):
         self.stated("6b", "`impact` f32 ≤ 2e-4 m for dt ≥ 2⁻⁶", "`anchored` f32 ≤ 1e-5", "compensated ≤ 1e-9",
