@@ -71,13 +71,12 @@ void squeeze(Scene& scene) {
       p.*axis = float(middle + (double(p.*axis) - middle) * side / length(scene));
 }
 
-Gas equilibrated_gas(Backend& backend, const Scene& start, double seconds, float restitution) {
+Gas equilibrated_gas(Backend& backend, const Scene& start, double seconds) {
   Gas gas{start, diameter(start), sphere_mass(diameter(start) / 2)};
   backend.upload(gas.scene);
   move(backend, uint64_t(std::ceil(seconds / double(start.dt))));
   const Backend::State state = current_state(backend);
   gas.scene.positions = state.positions, gas.scene.velocities = state.velocities;
-  gas.scene.restitution = restitution;
   return gas;
 }
 
@@ -107,7 +106,6 @@ double expected_tau(const Gas& gas, double bulk, double kinetic) {
 }
 
 double Cooling::tau() const { return seconds / (std::sqrt(first / last) - 1); }
-double Cooling::expected_last() const { return first / squared(1 + seconds / expected); }
 
 Cooling measure_cooling(Backend& backend, const Gas& gas, uint64_t samples, uint64_t steps) {
   backend.upload(gas.scene);

@@ -21,9 +21,9 @@ double fraction_at_rest(const Scene& scene);
 // out from the walls, which last long in a large box.
 void squeeze(Scene& scene);
 
-// Moves the gas so many seconds, from its start in the backend; its restitution is then set. It is at rest with its
-// walls once sound, at two metres a second and more, has crossed the box some times, a dense one some times more.
-Gas equilibrated_gas(Backend& backend, const Scene& start, double seconds, float restitution = 1);
+// Moves the gas so many seconds, from its start in the backend. It is at rest with its walls once sound, at two metres
+// a second and more, has crossed the box some times, a dense one some times more.
+Gas equilibrated_gas(Backend& backend, const Scene& start, double seconds);
 
 // Found, and what theory expects of the packing fraction away from the walls, where centres stand in layers.
 struct Pressure {
@@ -43,7 +43,6 @@ struct Cooling {
   double packing_fraction;
   std::vector<double> energies;  // after each sample, as `last`
   double tau() const;            // found
-  double expected_last() const;  // energy after these seconds
 };
 // Of samples * steps steps; the packing fraction is the mean of those after each `steps`.
 Cooling measure_cooling(Backend& backend, const Gas& gas, uint64_t samples, uint64_t steps);
