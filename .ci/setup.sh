@@ -5,7 +5,7 @@ build_packages="g++ cmake ninja-build pkg-config libepoxy-dev libegl-dev libegl1
   libcli11-dev nlohmann-json3-dev libfmt-dev libboost-dev libglm-dev libpng-dev libglfw3-dev libimgui-dev libgl1"
 test_packages="libbenchmark-dev libgtest-dev libgmp-dev librapidcheck-dev glslang-tools spirv-tools
   clang-format python3 xvfb xauth"
-sanitize_packages="clang libclang-rt-dev libomp-dev llvm"
+sanitize_packages="clang-16 libclang-rt-16-dev libomp-16-dev llvm-16" # clang 14 cannot compile the views of GCC 12
 figure_packages="cmake python3-matplotlib" # cmake: whether records are of the current sources
 paper_packages="latexmk texlive-latex-base texlive-latex-recommended texlive-fonts-recommended"
 
