@@ -9,6 +9,7 @@
 
 namespace spherepair {
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): the caller's list is made for this
 void RunTimes::set_stages(const Backend& backend, std::vector<StageTime> stages) {
   by_device_ = backend.info().device_timers;
   stages_.clear();

@@ -93,7 +93,7 @@ void add_open_options(CLI::App& command, OpenOptions& open) {
   const auto device = [&](const char* name, std::string& value, const char* text) {
     command.add_option(name, value, text)->check([](const std::string& given) -> std::string {
       try {
-        DeviceName{given};
+        static_cast<void>(DeviceName(given));
         return {};
       } catch (const std::invalid_argument& error) {
         return error.what();

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // spherepair render of spheres from files: films, colours, ground, and what it refuses.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <set>
