@@ -16,7 +16,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[0] = str(ROOT)  # in place of paper/, whose numbers/ would hide Python's module of that name
 
-from paper import headline, plots, side_by_side, sources, style  # noqa: E402  (the path must be set first)
+from paper import headline, images, plots, side_by_side, sources, style  # noqa: E402  (the path must be set first)
 from paper.numbers import macros  # noqa: E402
 from paper.plots import ratio_by_duration  # noqa: E402
 from paper.records import DATA, MAIN, Machine, Missing  # noqa: E402
@@ -26,7 +26,8 @@ from paper.text import escape, plain  # noqa: E402
 
 
 def modules():
-    return [importlib.import_module(f"paper.plots.{found.name}") for found in pkgutil.iter_modules(plots.__path__)]
+    names = [f"{room.__name__}.{found.name}" for room in (images, plots) for found in pkgutil.iter_modules(room.__path__)]
+    return [importlib.import_module(name) for name in sorted(names, key=lambda name: name.rpartition(".")[2])]
 
 
 def source_of(module, machine, otherwise):

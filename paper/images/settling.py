@@ -6,7 +6,7 @@
 """
 import matplotlib.pyplot as plt
 
-from paper.plots.animations import FOLDER, context_of, cropped, record
+from paper.images.animations import FOLDER, context_of, cropped, record
 from paper.records import Missing
 from paper.style import PAGE, panels
 

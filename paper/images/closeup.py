@@ -7,7 +7,7 @@
 """
 import matplotlib.pyplot as plt
 
-from paper.plots.animations import FOLDER, context_of
+from paper.images.animations import FOLDER, context_of
 from paper.records import Missing
 from paper.style import COLUMN, panels
 
