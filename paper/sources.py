@@ -17,7 +17,7 @@ ROOT = Path(__file__).resolve().parent.parent
 GPU_APIS = ("glsl", "cuda")
 MOST_NAMED = 4  # under a figure
 OF_CONTACTS = "contact_|leapfrog|collide_swept"  # stages that host/contacts launches
-SAID_OF_CONTACTS = {"sums", "sphere_steps_per_second"}  # only timings of contacts have one of these
+SAID_OF_CONTACTS = {"sums", "sphere_steps_per_second", "sleeping"}  # only timings of contacts have one of these
 
 
 class Unknown(Exception):

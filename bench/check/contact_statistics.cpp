@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "common/scene/contact_scene.h"
+#include "common/shared/contact/contact_rest.h"
 
 namespace spherepair {
 namespace {
@@ -19,6 +20,7 @@ class Sums {
       : scene_(scene),
         wide_(wide),
         params_(contact_params(scene)),
+        kept_(kept_by_drag(scene)),
         metres_(std::exp2(-scene.contact.unit_exponent)),
         momentum_(std::exp2(-scene.contact.momentum_exponent)),
         impulses_(scene.size()) {
@@ -52,7 +54,7 @@ class Sums {
     sums_.floor_force += force(push_of_wall(s.y - params_.low_y, s.py, s.radius, params_));
     sums_.potential -= mass * double(scene_.gravity) * metres_ * double(s.y - params_.low_y);
     const Push contacts = {impulses_[i][0], impulses_[i][1], impulses_[i][2], FAULTS};
-    const Body later = kicked(s, contacts, push_of_walls(s, params_), params_);
+    const Body later = kicked_in_fluid(s, contacts, push_of_walls(s, params_), kept_, params_);
     const double sums[3] = {double(s.px) + double(later.px), double(s.py) + double(later.py),
                             double(s.pz) + double(later.pz)};
     for (uint64_t axis = 0; axis < 3; ++axis) {
@@ -75,6 +77,7 @@ class Sums {
   const Scene& scene_;
   const std::vector<uint>& wide_;
   const ContactParams params_;
+  const float kept_;                // of momenta by drag, in half a step
   const double metres_, momentum_;  // of a unit
   std::vector<Impulse> impulses_;
   ContactStatistics sums_;

@@ -17,8 +17,19 @@
 namespace spherepair {
 namespace {
 
-constexpr const char* known_measurements[] = {"errors", "sums", "steps", "rates"};
+constexpr const char* known_measurements[] = {"errors", "sums", "steps", "rates", "rest"};
 constexpr const char* known_steps[] = {"10", "20", "40", "80", "160", "320"};
+
+RestStage stage_of(const std::string& text) {
+  const size_t colon = text.find(':');
+  const auto drag = real_number_of(text.substr(0, colon), 0, 0.5);
+  const auto steps = colon < text.size() ? whole_number_of(text.substr(colon + 1), 0, 1'000'000'000) : std::nullopt;
+  if (!drag || !steps)
+    throw std::invalid_argument(fmt::format(
+        "'{}' is not a drag a step up to 0.5, a colon and a number of steps, such as 0.005:10000, for --drag-steps",
+        text));
+  return {*drag, *steps};
+}
 
 ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
   ContactPlan plan;
@@ -48,6 +59,11 @@ ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
   for (const std::string& one : options.measurements)
     require_known("measurement", one, {std::begin(known_measurements), std::end(known_measurements)});
   if (!hardware) plan.rates.n = 1000, plan.rates.softer = 64, plan.rates.converged = 160;
+  plan.rest.sizes = options.rest_sizes;
+  if (plan.rest.sizes.empty())
+    plan.rest.sizes = hardware ? std::vector<uint64_t>{1'000'000, 10'000'000} : std::vector<uint64_t>{1000};
+  if (!options.drag_steps.empty()) plan.rest.stages.clear();
+  for (const std::string& stage : options.drag_steps) plan.rest.stages.push_back(stage_of(stage));
   if (options.rate_n) plan.rates.n = options.rate_n;
   plan.rates.converged = std::min(plan.rates.converged, 4 * std::ranges::max(plan.steps_a_contact));
   plan.sampling.rounds = options.rounds;
@@ -62,13 +78,14 @@ struct MeasuredContacts {
   std::vector<SumsCost> costs;
   std::vector<GasSteps> steps;
   std::vector<ContactRate> rates;
+  std::vector<SettledBed> beds;
   std::vector<Target> targets;
   std::vector<std::string> left_out;
 };
 
 std::string tables_of(const ContactPlan& plan, const MeasuredContacts& measured) {
   std::string text = runs_text(plan, measured.runs) + costs_text(measured.costs) + steps_text(measured.steps) +
-                     rates_text(plan, measured.rates);
+                     rates_text(plan, measured.rates) + beds_text(plan.rest, measured.beds);
   if (!measured.targets.empty()) text += "\n" + target_table(measured.targets).text();
   for (const std::string& reason : measured.left_out) text += wrapped(reason, "* left out: ", "  ") + "\n";
   return text;
@@ -87,7 +104,8 @@ json start_record(const CommandLine& line, const Session& session, const Contact
             {"converged_steps_a_contact", plan.converged},
             {"cost_steps", plan.cost_steps},
             {"steps_averaged", plan.steps_averaged},
-            {"rates", to_json(plan.rates)}}},
+            {"rates", to_json(plan.rates)},
+            {"rest", to_json(plan.rest)}}},
           {"clocks", json::array({query_clocks()})}};
 }
 
@@ -97,6 +115,7 @@ void report(const std::filesystem::path& folder, json record, const ContactPlan&
   record["contact_sums"] = list_of(measured.costs);
   record["gas_steps"] = list_of(measured.steps);
   record["contact_rates"] = list_of(measured.rates);
+  record["beds"] = list_of(measured.beds);
   record["targets"] = list_of(measured.targets);
   record["left_out"] = measured.left_out;
   record["clocks"].push_back(query_clocks());
@@ -130,8 +149,10 @@ int contacts_command(const CommandLine& line, const ContactsOptions& options) {
   if (wanted("sums")) measured.costs = measure_sums(session, plan, measured.left_out, progress);
   if (wanted("steps")) measured.steps = measure_gas_steps(session, plan, measured.left_out, progress);
   if (wanted("rates")) measured.rates = measure_rates(session, plan, progress);
+  if (wanted("rest")) measured.beds = measure_rest(session, plan, measured.left_out, progress);
   measured.targets = sums_targets(session, measured.costs);
   std::ranges::copy(steps_targets(session, measured.steps), std::back_inserter(measured.targets));
+  std::ranges::copy(rest_targets(session, measured.beds), std::back_inserter(measured.targets));
   progress.clear();
   report(folder, record, plan, measured);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
@@ -146,7 +167,7 @@ std::shared_ptr<ContactsOptions> add_contacts_options(CLI::App& command) {
       .add_option(
           "--measure", options->measurements,
           "Only these: errors (of runs), sums (their cost), steps (whole ones of a gas), rates (its pressure and "
-          "cooling)")
+          "cooling), rest (of a bed)")
       ->delimiter(',');
   command.add_option("--laws", options->laws, "Only these laws: spring, hertz, quartic")->delimiter(',');
   command
@@ -173,6 +194,15 @@ std::shared_ptr<ContactsOptions> add_contacts_options(CLI::App& command) {
       .add_option("--rate-n", options->rate_n,
                   "Spheres of the gas whose pressure and cooling are measured (default 16384 on a GPU, else 1000)")
       ->transform(whole_number(125, kMostSpheres));
+  command
+      .add_option("--rest-n", options->rest_sizes,
+                  "Spheres of the beds at rest (default 1000000,10000000 on a GPU, else 1000)")
+      ->delimiter(',')
+      ->transform(positive_range);
+  command
+      .add_option("--drag-steps", options->drag_steps,
+                  "Stages in which they come to rest: DRAG:STEPS, the drag a step (default 0.005:10000,0.1:1000)")
+      ->delimiter(',');
   command.add_option("--rounds", options->rounds, "Rounds of each timing")
       ->transform(whole_number(6, 1000))
       ->capture_default_str();

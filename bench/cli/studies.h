@@ -49,6 +49,8 @@ struct ContactsOptions {
   uint64_t n = 0;                                                // of the errors; 0: by machine
   std::vector<uint64_t> cost_sizes, step_sizes;                  // empty: by machine
   uint64_t averaged = 0;                                         // of whole steps, their mean; 0: by machine
+  std::vector<uint64_t> rest_sizes;                              // empty: by machine
+  std::vector<std::string> drag_steps;                           // DRAG:STEPS of a stage each; empty: RestPlan's
   uint64_t rate_n = 0;                                           // of pressure and cooling; 0: by machine
   int rounds = 11;
   std::string results;  // empty: default_results()

@@ -17,7 +17,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "checkpoints are little-endian");
 constexpr char magic[] = "SPHCHECK";
-constexpr uint format_version = 1, version_with_contacts = 2;
+constexpr uint format_version = 1, version_without_drag = 2, version_with_contacts = 3;
 
 struct Header {
   char magic[8];
@@ -31,8 +31,10 @@ struct ContactHeader {
   uint law, walls;
   int unit_exponent, momentum_exponent;
   float stiffness, low[3], high[3];
+  float drag;  // of version 3
 };
-static_assert(sizeof(ContactHeader) == 44);
+static_assert(sizeof(ContactHeader) == 48);
+constexpr size_t bytes_without_drag = 44;
 
 template <typename T>
 std::string_view bytes_of(const T* values, size_t count = 1) {
@@ -91,8 +93,8 @@ Header read_header(Reader& reader) {
   Header header;
   std::memcpy(header.magic, start.data(), 8);
   header.version = reader.number<uint>("the version");
-  if (header.version != format_version && header.version != version_with_contacts)
-    reader.fail(fmt::format("version {} or {}", format_version, version_with_contacts),
+  if (header.version < format_version || header.version > version_with_contacts)
+    reader.fail(fmt::format("version {} to {}", format_version, version_with_contacts),
                 fmt::format("version {}", header.version));
   const std::string_view rest = reader.take(sizeof(Header) - 12, "the header");
   std::memcpy(reinterpret_cast<char*>(&header) + 12, rest.data(), rest.size());
@@ -106,7 +108,8 @@ ContactHeader header_of(const ContactOptions& c) {
           c.momentum_exponent,
           c.stiffness,
           {c.low.x, c.low.y, c.low.z},
-          {c.high.x, c.high.y, c.high.z}};
+          {c.high.x, c.high.y, c.high.z},
+          c.drag};
 }
 
 ContactOptions contacts_of(Reader& reader, const Header& header, const ContactHeader& c) {
@@ -118,6 +121,7 @@ ContactOptions contacts_of(Reader& reader, const Header& header, const ContactHe
                             c.law, c.unit_exponent, c.momentum_exponent));
   return {.law = ContactLaw(c.law),
           .stiffness = c.stiffness,
+          .drag = c.drag,
           .walls = c.walls != 0,
           .low = {c.low[0], c.low[1], c.low[2], 0},
           .high = {c.high[0], c.high[1], c.high[2], 0},
@@ -196,8 +200,9 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   const Header header = read_header(reader);
   Checkpoint checkpoint;
   Scene& scene = checkpoint.scene;
-  const bool contacts = header.version == version_with_contacts;
-  const std::string contact(contacts ? reader.take(sizeof(ContactHeader), "the contacts") : "");
+  const bool contacts = header.version != format_version;
+  const size_t bytes = header.version == version_with_contacts ? sizeof(ContactHeader) : bytes_without_drag;
+  const std::string contact(contacts ? reader.take(bytes, "the contacts") : "");
   scene.name = reader.take(header.name_length, "the scene's name");
   reader.verify(std::string(bytes_of(&header)) + contact + scene.name, "header");
   const bool known = contacts || (header.method <= MOTION_ANCHORED && header.precision <= PRECISION_FLOAT64);
@@ -206,8 +211,8 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
                 fmt::format("method {}, precision {}, n = {}", header.method, header.precision, header.n));
   scene.motion = {MotionMethod(header.method), Precision(header.precision)};
   if (contacts) {
-    ContactHeader read;
-    std::memcpy(&read, contact.data(), sizeof(read));
+    ContactHeader read{};
+    std::memcpy(&read, contact.data(), bytes);
     scene.contact = contacts_of(reader, header, read);
   }
   scene.dt = header.dt, scene.gravity = header.gravity, scene.plane = header.plane;

@@ -11,7 +11,10 @@ namespace {
 void halve_steps(Start& start) {
   Scene& scene = start.scene;
   start.parts *= 2;
-  choose_contacts(scene, {.law = scene.contact.law, .stiffness = scene.contact.stiffness, .dt = scene.dt / 2});
+  const ContactOptions& now = scene.contact;
+  choose_contacts(
+      scene,
+      {.law = now.law, .stiffness = now.stiffness, .dt = scene.dt / 2, .drag = now.drag, .sleeping = now.sleeping});
 }
 
 // The first step's contacts are those of the start: no smaller step mends one that is too deep.

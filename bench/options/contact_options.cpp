@@ -25,6 +25,17 @@ void add_contact_options(CLI::App& command, MotionChoice& motion) {
   command.get_option("--dt")->each([&contact](const std::string& text) {  // with contacts it has a default of its own
     contact.dt = float(real_number_of(text, 0, std::numeric_limits<float>::max()).value_or(0));
   });
+  command
+      .add_option(
+          "--drag", contact.drag,
+          "Of a fluid at rest, in 1/s: alone, a speed falls to 1/e in 1/drag seconds. With some 0.3 % a step and "
+          "more, beds come to rest to the bit")
+      ->capture_default_str()
+      ->check(real_number(0, 1e30))
+      ->needs(law);
+  const auto keep_awake = [&contact](int64_t) { contact.sleeping = false; };
+  command.add_flag("--no-sleeping", keep_awake, "Do not pass over spheres at rest: slower, the same bits")
+      ->needs("--drag");
   command.add_flag("--walls", contact.walls, "Close a box around the spheres, whose floor is the plane")->needs(law);
 }
 

@@ -223,7 +223,8 @@ void add_resume_option(CLI::App& command, std::string& file) {
   for (const char* other : {"--input",  "--frame",       "--columns", "--ignore-periodic", "--scene",
                             "--n",      "--seed",        "--radius",  "--radius-ratio",    "--packing-fraction",
                             "--groups", "--group-size",  "--offset",  "--motion",          "--precision",
-                            "--dt",     "--restitution", "--contact", "--stiffness",       "--walls"})
+                            "--dt",     "--restitution", "--contact", "--stiffness",       "--drag",
+                            "--walls",  "--no-sleeping"})
     resume->excludes(command.get_option(other));
 }
 

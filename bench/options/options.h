@@ -51,7 +51,7 @@ void finish_start_options(const CLI::App& command, StartOptions& start);
 // --motion, --precision, --dt and --restitution.
 void add_motion_options(CLI::App& command, MotionChoice& motion);
 
-// --contact, --stiffness and --walls, after those of the motion.
+// --contact, --stiffness, --drag, --no-sleeping and --walls, after those of the motion.
 void add_contact_options(CLI::App& command, MotionChoice& motion);
 
 // --too-fast of contacts, where steps can be divided; after the start's options.

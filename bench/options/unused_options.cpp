@@ -70,7 +70,8 @@ void refuse_of_motion(const Given& given) {
   const bool moves = !given.zero("--steps") || (render && !given.is("--images", {"1"}));
   const std::string still = render ? "on one image of the start: omit it, or give --steps or --images"
                                    : "on spheres that do not move: omit it, or give --steps";
-  for (const char* option : {"--motion", "--restitution", "--contact", "--stiffness", "--walls", "--dt"})
+  for (const char* option :
+       {"--motion", "--restitution", "--contact", "--stiffness", "--drag", "--no-sleeping", "--walls", "--dt"})
     given.refuse(option, !moves && !given.has("--save") && !given.has("--swept"), still);
   given.refuse("--too-fast", !moves && !given.has("--save"), still);
   given.refuse("--per-step", !moves, still);
@@ -78,7 +79,7 @@ void refuse_of_motion(const Given& given) {
 }
 
 void refuse_of_contacts(const Given& given) {
-  for (const char* option : {"--stiffness", "--walls", "--too-fast"})
+  for (const char* option : {"--stiffness", "--drag", "--no-sleeping", "--walls", "--too-fast"})
     given.refuse(option, given.is("--contact", {"none"}), "without contacts: omit it, or give another --contact");
   given.refuse("--walls", !given.has("--input") && given.is("--scene", {"gas", "bed"}),
                "on a scene in a closed box of its own: omit it, or choose another --scene");
@@ -146,7 +147,9 @@ void refuse_of_measurements(const Given& given) {
                                                 {"--step-n", {"steps"}},
                                                 {"--averaged", {"steps"}},
                                                 {"--rate-n", {"rates"}},
-                                                {"--rounds", {"errors", "sums", "steps"}}};
+                                                {"--rest-n", {"rest"}},
+                                                {"--drag-steps", {"rest"}},
+                                                {"--rounds", {"errors", "sums", "steps", "rest"}}};
   for (const auto& [option, used_by] : uses)
     given.refuse(option, std::ranges::find_first_of(measured, used_by) == measured.end(),
                  fmt::format("with --measure {}: omit it, or measure {} as well", fmt::join(measured, ","),

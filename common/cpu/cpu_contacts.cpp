@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "common/scene/contact_scene.h"
-#include "common/shared/skin.h"
 
 namespace spherepair {
 namespace {
@@ -23,6 +22,9 @@ void add(Number& sum, Number value) {
 
 void CpuContacts::upload(const Scene& scene) {
   params_ = contact_params(scene);
+  kept_ = kept_by_drag(scene);
+  may_sleep_ = may_sleep(scene);
+  rest_.assign(may_sleep_ ? scene.size() : 0, REST_MOVED);
   impulses_.assign(on() ? 3 * scene.size() : 0, 0);
   float_sums_.assign(impulses_.size(), 0);
   failed_ = {.faults = std::vector<uint>(FAULTS, ~0u), .bodies = {}};
@@ -44,6 +46,7 @@ void CpuContacts::list_near_pairs(const std::vector<vec4>& positions) {
     grown_[i] = grown_sphere(positions[i], params_);
   }
   near_ = search_.list_pairs(grown_);
+  std::ranges::fill(rest_, REST_MOVED);
   if (sums_ == ImpulseSums::in_order) list_rows(positions.size());
   left_skin_ = false;
 }
@@ -86,11 +89,21 @@ void CpuContacts::gather(const std::vector<uint>& wide, const std::vector<vec4>&
   }
 }
 
+void CpuContacts::awaken() {
+  for (const Pair& pair : near_) {
+    uint &first = rest_[pair.first], &second = rest_[pair.second];
+    if (first == REST_MOVED && second == REST_SAME) second = REST_AWAKENED;
+    if (second == REST_MOVED && first == REST_SAME) first = REST_AWAKENED;
+  }
+}
+
 void CpuContacts::push(const std::vector<uint>& wide, const std::vector<vec4>& positions) {
   const uint64_t n = positions.size();
   const bool floats = sums_ == ImpulseSums::atomics;
 #pragma omp parallel for num_threads(threads_) schedule(static) if (near_.size() > few)
   for (const Pair& pair : near_) {
+    const bool rests[2] = {is_at_rest(pair.first), is_at_rest(pair.second)};
+    if (rests[0] && rests[1]) continue;
     if (is_apart(positions[pair.first], positions[pair.second])) continue;
     const FloatPush push =
         float_push_of_pair(load_body(wide, positions, pair.first), load_body(wide, positions, pair.second), params_);
@@ -104,8 +117,8 @@ void CpuContacts::push(const std::vector<uint>& wide, const std::vector<vec4>& p
         add(float_sums_[second], -values[axis]);
       } else {
         const int64_t value = integer_of(values[axis]);
-        add(impulses_[first], value);
-        add(impulses_[second], -value);
+        if (!rests[0]) add(impulses_[first], value);
+        if (!rests[1]) add(impulses_[second], -value);
       }
     }
   }
@@ -124,15 +137,20 @@ void CpuContacts::step(std::vector<uint>& wide, std::vector<vec4>& positions, st
   if (left_skin_ || !keeps_) list_near_pairs(positions);
   if (sums_ == ImpulseSums::in_order)
     gather(wide, positions);
-  else
+  else {
+    if (sleeps()) awaken();
     push(wide, positions);
+  }
   bool left = false;
 #pragma omp parallel for num_threads(threads_) schedule(static) reduction(|| : left) if (n > few)
   for (uint64_t i = 0; i < n; ++i) {
-    Body s = load_body(wide, positions, i);
+    if (is_at_rest(i)) continue;
+    const Body before = load_body(wide, positions, i);
+    Body s = before;
     const Push walls = push_of_walls(s, params_);
     record(walls.fault, i);
-    s = kicked(s, {take_impulse(i), take_impulse(n + i), take_impulse(2 * n + i), FAULTS}, walls, params_);
+    s = kicked_in_fluid(s, {take_impulse(i), take_impulse(n + i), take_impulse(2 * n + i), FAULTS}, walls, kept_,
+                        params_);
     const float mobility = mobility_of(s.radius, params_);
     const uint wrong = fault_of(s, mobility, params_);
     record(wrong, i);
@@ -140,6 +158,7 @@ void CpuContacts::step(std::vector<uint>& wide, std::vector<vec4>& positions, st
     store_body(wide, n, i, s);
     positions[i] = centre_of(s, params_);
     velocities[i] = velocity_of(s, mobility, params_);
+    if (sleeps()) rest_[i] = is_same(s, before) ? REST_SAME : REST_MOVED;
     left = left || has_left_skin(positions[i], grown_[i]);
   }
   left_skin_ = left;

@@ -4,6 +4,7 @@
 
 #include "common/cpu/cpu_search.h"
 #include "common/scene/contact/contact_faults.h"
+#include "common/shared/contact/contact_rest.h"
 
 namespace spherepair {
 
@@ -30,6 +31,9 @@ class CpuContacts {
  private:
   void list_near_pairs(const std::vector<vec4>& positions);
   void list_rows(uint64_t n);
+  void awaken();
+  bool sleeps() const { return may_sleep_ && sums_ == ImpulseSums::integers; }
+  bool is_at_rest(uint64_t i) const { return sleeps() && rest_[i] == REST_SAME; }
   void push(const std::vector<uint>& wide, const std::vector<vec4>& positions);
   void gather(const std::vector<uint>& wide, const std::vector<vec4>& positions);
   int64_t take_impulse(uint64_t k);
@@ -38,15 +42,17 @@ class CpuContacts {
   CpuSearch search_;  // of the grown spheres
   int threads_;
   ContactParams params_{};
+  float kept_ = 1;                 // of a momentum by drag, in half a step
   std::vector<int64_t> impulses_;  // as SLOT_IMPULSE
   FailedStep failed_;              // its faults as SLOT_FAULT; the rest where there are any
   std::vector<vec4> grown_;        // as SLOT_GROWN
   std::vector<Pair> near_;         // as SLOT_NEAR
+  std::vector<uint> rest_;         // as SLOT_REST
   std::vector<float> float_sums_;  // in place of impulses_, for sums by atomics
   std::vector<uint> row_;          // near spheres of all, those of i from row_begin_[i] on, in ascending order
   std::vector<uint64_t> row_begin_;
   ImpulseSums sums_ = ImpulseSums::integers;
-  bool left_skin_ = true, keeps_ = true;
+  bool left_skin_ = true, keeps_ = true, may_sleep_ = false;
 };
 
 }  // namespace spherepair

@@ -19,6 +19,7 @@ constexpr double steps_a_contact = 40, coarse_steps = 10, fewest_steps = 2;
 constexpr int position_bits = 51, momentum_bits = 56;  // used at the start, and of the fastest sphere
 constexpr double most_units = 0x1p63 - 0x1p57;         // of sums of impulses: room for the roundings of all of them
 constexpr float least_restitution = 0.1f;
+constexpr double most_drag = 0.5;                       // a step
 constexpr double least_skin = 1.0 / 32, most_skin = 1;  // of a radius
 
 double squared(double x) { return x * x; }
@@ -56,6 +57,9 @@ uint64_t sphere_with_most(const Scene& scene, Of of) {
   return std::ranges::max(std::views::iota(uint64_t(0), scene.size()), {}, of);
 }
 
+// So that a gap of the smallest radius is not cut off, see gap_of.
+int coarsest_units(const Radii& radii) { return 29 - int(std::floor(std::log2(radii.smallest))); }
+
 int bits_above(double x) { return int(std::ceil(std::log2(x))); }
 
 void choose_box(Scene& scene, bool walls) {
@@ -85,10 +89,13 @@ double skin_of(const Scene& scene) {
   return std::max(least_skin, 4 * rounding / double(radii_of(scene).smallest));
 }
 
-// Positions and walls then take 51 of 63 bits, and the fastest sphere's momentum 56.
+// Positions and walls then take 51 of 63 bits, and the fastest sphere's momentum 56. With drag a unit of length is no
+// finer than gaps of the smallest radius are: each unit then changes impulses, and what is left of their sum when none
+// fits better is small enough for drag to hold it below half a unit a step.
 void choose_units(Scene& scene) {
   const Radii r = radii_of(scene);
-  scene.contact.unit_exponent = position_bits - bits_above(extent_of(scene));
+  int& exponent = scene.contact.unit_exponent = position_bits - bits_above(extent_of(scene));
+  if (scene.contact.drag > 0) exponent = std::min(exponent, coarsest_units(r));
   scene.contact.momentum_exponent =
       momentum_bits - bits_above(sphere_mass(double(r.largest)) * double(r.smallest) / double(scene.dt));
 }
@@ -102,12 +109,17 @@ double impulse_units(const Scene& scene) {
                     contact.momentum_exponent);
 }
 
+std::string text_of_drag(const Scene& scene) {
+  return scene.contact.drag > 0 ? fmt::format(", drag {:.4g} 1/s", scene.contact.drag) : "";
+}
+
 }  // namespace
 
 void choose_contacts(Scene& scene, const ContactChoice& choice) {
   if (choice.law == ContactLaw::none) return;
   scene.motion = {MotionMethod::leapfrog, Precision::fixed};
   scene.contact.law = choice.law;
+  scene.contact.drag = choice.drag, scene.contact.sleeping = choice.sleeping;
   if (radii_of(scene).smallest <= 0) throw std::invalid_argument("contacts need radii above 0: give every sphere one");
   const double largest = double(radii_of(scene).largest), overlap = wanted_overlap * largest;
   const double needed = sphere_mass(largest) / 4 * squared(2 * highest_speed(scene));
@@ -139,7 +151,7 @@ std::string describe_contacts(const Scene& scene) {
   const double time = contact_time(scene), steps = time / double(scene.dt);
   std::string text = fmt::format("contacts: {}, stiffness {:.4g}{}; dt = {:.4g} s, a contact lasts {:.3g} steps\n",
                                  contact_name(scene.contact.law), scene.contact.stiffness,
-                                 scene.contact.walls ? ", walls" : "", scene.dt, steps);
+                                 text_of_drag(scene) + (scene.contact.walls ? ", walls" : ""), scene.dt, steps);
   if (steps < coarse_steps)
     text += fmt::format("* dt is coarse: give --dt {:.3g} or less for {} steps a contact\n", time / coarse_steps,
                         coarse_steps);
@@ -162,8 +174,10 @@ std::string why_no_contacts(const Scene& scene) {
   if (double(scene.dt) > time / fewest_steps)
     return fmt::format("dt is {} s, but a contact lasts {:.3g} s only: give --dt {:.3g} or less", scene.dt, time,
                        time / steps_a_contact);
-  const int lowest = contact.unit_exponent + int(std::floor(std::log2(r.smallest))) - 29;
-  if (lowest < 0 || skin_of(scene) > most_skin) {
+  if (!(contact.drag >= 0 && double(contact.drag) * double(scene.dt) <= most_drag))
+    return fmt::format("the drag is {} 1/s, but with dt = {:.4g} s can be 0 to {:.3g}", contact.drag, scene.dt,
+                       most_drag / double(scene.dt));
+  if (contact.unit_exponent < coarsest_units(r) || skin_of(scene) > most_skin) {
     const uint64_t i = sphere_with_most(scene, [&](uint64_t k) { return farthest_coordinate(scene.positions[k]); });
     return fmt::format(
         "the radius {} is too small for spheres as far out as sphere {}, {:.4g} m along an axis: move "
@@ -219,31 +233,6 @@ ContactParams contact_params(const Scene& scene) {
           .fastest = std::ldexp(r.smallest, s),
           .skin = float(skin_of(scene)),
           .row_capacity = 0};
-}
-
-Scene grown_scene(const Scene& scene) {
-  const ContactParams c = contact_params(scene);
-  Scene grown = scene;
-  for (vec4& sphere : grown.positions) sphere = grown_sphere(sphere, c);
-  return grown;
-}
-
-std::vector<uint> fixed_state(const Scene& scene) {
-  const ContactParams c = contact_params(scene);
-  const uint64_t n = scene.size();
-  std::vector<uint> words(12 * n);
-#pragma omp parallel for schedule(static)
-  for (uint64_t i = 0; i < n; ++i) {
-    const vec4 &at = scene.positions[i], &v = scene.velocities[i];
-    const double per_speed = 1 / (double(mobility_of(at.w, c)) * double(c.metres_per_second));
-    const auto momentum = [&](float along) { return int64_t(std::llrint(double(along) * per_speed)); };
-    const auto units = [&](float along) { return integer_of(std::ldexp(along, c.unit_exponent)); };
-    const int64_t half_weight = integer_of(c.gravity * cubed(at.w)) / 2;
-    store_body(
-        words, n, i,
-        {units(at.x), units(at.y), units(at.z), momentum(v.x), momentum(v.y) - half_weight, momentum(v.z), at.w});
-  }
-  return words;
 }
 
 }  // namespace spherepair

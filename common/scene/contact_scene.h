@@ -14,7 +14,9 @@ struct ContactChoice {
   ContactLaw law = ContactLaw::none;
   std::optional<float> stiffness = {};  // none: such that the fastest sphere, falls included, enters by 1 % of a radius
   std::optional<float> dt = {};         // none: a fortieth of the shortest contact
-  bool walls = false;                   // around the spheres as they stand, where the scene has none of its own
+  float drag = 0;                       // in 1/s, see ContactOptions
+  bool sleeping = true;
+  bool walls = false;  // around the spheres as they stand, where the scene has none of its own
 };
 
 // Sets the scene's contacts, its motion and its time step. Throws std::invalid_argument that names what is wrong.
@@ -30,6 +32,12 @@ std::string describe_contacts(const Scene& scene);
 std::string why_no_contacts(const Scene& scene);
 
 ContactParams contact_params(const Scene& scene);
+
+// What drag leaves of a momentum in half a step.
+float kept_by_drag(const Scene& scene);
+
+// Whether spheres can come to rest to the bit and are then passed over: with drag, and no other way (NOTES/contacts).
+inline bool may_sleep(const Scene& scene) { return scene.contact.drag > 0 && scene.contact.sleeping; }
 
 // The spheres with radii grown by the skin, whose colliding pairs are those near enough to touch in many steps.
 Scene grown_scene(const Scene& scene);

@@ -120,6 +120,28 @@ void make_newton(Scene& scene, const SceneOptions& o) {
 
 }  // namespace
 
+Scene packed_bed(uint64_t n, uint64_t layers) {
+  const SceneOptions options{.name = "bed", .n = n};
+  const float radius = options.radius, gap = 1.998f * radius;  // from centre to centre
+  const float rise = std::sqrt(4 * radius * radius - gap * gap / 2);
+  const auto squared = [](uint64_t x) { return x * x; };
+  uint64_t side = 2;
+  while ((squared(side) + squared(side - 1)) * layers < 2 * n) ++side;
+  const uint64_t even = squared(side), two_layers = even + squared(side - 1);
+  Scene scene = make_scene(options);
+  for (uint64_t i = 0; i < n; ++i) {
+    const bool odd = i % two_layers >= even;
+    const uint64_t k = i % two_layers - (odd ? even : 0), wide = odd ? side - 1 : side;
+    const float first = gap / 2 + (odd ? gap / 2 : 0);
+    scene.positions[i] = {first + gap * float(k % wide), radius + rise * float(i / two_layers * 2 + odd),
+                          first + gap * float(k / wide), radius};
+    scene.velocities[i] = {0, 0, 0, 0};
+  }
+  const float width = gap * float(side);
+  scene.contact.high = {width, rise * float(layers) + 2 * radius, width, 0};
+  return scene;
+}
+
 bool made_for_contacts(const std::string& name) {
   return std::ranges::any_of(contact_makers(), [&](const SceneMaker& maker) { return name == maker.kind.name; });
 }

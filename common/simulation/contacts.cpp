@@ -7,7 +7,7 @@
 
 #include "common/scene/contact/contact_faults.h"
 #include "common/scene/contact_scene.h"
-#include "common/shared/skin.h"
+#include "common/shared/contact/contact_rest.h"
 
 namespace spherepair {
 namespace {
@@ -24,13 +24,16 @@ void Contacts::upload(const Scene& scene) {
   launched_ = known_ = next_check_ = 0;
   done_ = 0;
   served_ = 1;
+  sleeps_ = may_sleep(scene);
   context_.params.contact = contact_params(scene);
+  if (on_) context_.params.motion.restitution = kept_by_drag(scene);
   const uint64_t n = on_ ? context_.n : 0;
   for (uint axis = 0; axis < 3; ++axis) {
     context_.buffers.resize(SLOT_IMPULSE + axis, n * sizeof(int64_t));
     if (on_) context_.device.clear(SLOT_IMPULSE + axis, n * sizeof(int64_t));
   }
   context_.buffers.resize(SLOT_GROWN, n * sizeof(vec4));
+  if (on_) context_.buffers.resize(SLOT_REST, sleeps_ ? n * sizeof(uint) : 0);
   if (!on_) context_.buffers.resize(SLOT_NEAR, 0);
   if (!on_) return;
   context_.buffers.resize(SLOT_FAULT, FAULT_WORDS * sizeof(uint));
@@ -92,8 +95,17 @@ void Contacts::launch(bool clear_results) {
   if (sums_ == ImpulseSums::in_order)
     context_.device.launch({Kernel::contact_gather, SERVICE_BLOCK, {}, by_sphere}, params);
   else
-    launch_pairs(Kernel::contact_pairs, params);
+    launch_impulses(params);
   context_.device.launch({Kernel::leapfrog, SERVICE_BLOCK, variant(), by_sphere}, params);
+}
+
+void Contacts::launch_impulses(const Params& params) {
+  if (params.motion.whole_state != SLEEP_NEVER) {
+    Params awakening = params;
+    awakening.motion.whole_state = SLEEP_AWAKENS;
+    launch_pairs(Kernel::contact_pairs, awakening);
+  }
+  launch_pairs(Kernel::contact_pairs, params);
 }
 
 Params Contacts::pair_params() const {
@@ -111,6 +123,8 @@ void Contacts::list_near_pairs() {
   made_ = left_ = false;  // until it is, should that fail
   done_ += known_;
   launched_ = known_ = 0;
+  const bool sleeps = sleeps_ && sums_ == ImpulseSums::integers;
+  context_.params.motion.whole_state = sleeps ? SLEEP_AT_REST : SLEEP_NEVER;
   context_.launch({Kernel::contact_grow, SERVICE_BLOCK, {}, groups_per_sphere(context_)});
   near_.list();
   if (sums_ == ImpulseSums::in_order) list_rows();

@@ -38,6 +38,7 @@ class Contacts {
   void list_rows();
   void launch(bool clear_results);
   Params pair_params() const;
+  void launch_impulses(const Params& params);
   void launch_pairs(Kernel kernel, const Params& params);
   Variant variant() const { return {.float_sums = sums_ == ImpulseSums::atomics}; }
 
@@ -49,6 +50,7 @@ class Contacts {
   uint served_ = 1;  // steps by the list before
   ImpulseSums sums_ = ImpulseSums::integers;
   bool on_ = false, made_ = false, keeps_ = true;
+  bool sleeps_ = false;  // spheres may come to rest
   bool left_ = false;    // a sphere has left its skin in the last step known to be done
   bool failed_ = false;  // that step could not be taken
   uint64_t done_ = 0;    // steps before the list

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere: grows it by its skin, for the search that lists near pairs.
-#include "cuda/contact/contact_state.cuh"
+// One thread per sphere: grows it by its skin, for the search that lists near pairs. All are awake then.
+#include "cuda/contact/contact_rest.cuh"
 
 namespace spherepair {
 
@@ -17,6 +17,7 @@ __global__ void __launch_bounds__(BLOCK) contact_grow(Params p, KernelBuffers bu
   vec4 sphere = buf.position[i];
   if (is_too_far(sphere, p.contact)) record_fault(buf, FAULT_RANGE, i);
   buf.grown[i] = grown_sphere(sphere, p.contact);
+  record_rest(p, buf, i, false);
 }
 
 Entry contact_grow_kernel(uint, Variant) { return reinterpret_cast<Entry>(&contact_grow); }

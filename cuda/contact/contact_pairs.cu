@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // One thread per near pair, in turns until none is left: what the two spheres give each other in a step. There are
 // near_pairs of them, in any order. Most do not touch, which their float32 centres tell; momenta are loaded only where
-// there is a contact whose damper needs them. Once a sphere has left its skin, the steps behind do nothing.
-#include "cuda/contact/contact_state.cuh"
+// there is a contact whose damper needs them. Pairs of two spheres at rest are passed over, whose awakening is a launch
+// ahead. Once a sphere has left its skin, the steps behind do nothing.
+#include "cuda/contact/contact_rest.cuh"
 
 namespace spherepair {
 
@@ -13,12 +14,20 @@ __global__ void __launch_bounds__(BLOCK) contact_pairs(Params p, KernelBuffers b
   bool stopped = buf.fault[LEFT_SKIN] != 0xFFFFFFFFu;
   uint first = group_index(p) * BLOCK + threadIdx.x;
   if (first == 0u) buf.fault[STOPPED] = stopped ? 1u : 0u;
-  if (first == 0u && !stopped) ++buf.fault[STEPS_DONE];
+  bool awakens = p.motion.whole_state == SLEEP_AWAKENS;
+  if (first == 0u && !stopped && !awakens) ++buf.fault[STEPS_DONE];
   if (stopped) return;
   uint pairs = p.search.near_pairs;
   for (uint k = first; k < pairs; k += group_count() * BLOCK) {
     uint i = buf.near[k].x;
     uint j = buf.near[k].y;
+    if (awakens) {
+      awaken(buf, i, j);
+      continue;
+    }
+    bool first_rests = is_at_rest(p, buf, i);
+    bool second_rests = is_at_rest(p, buf, j);
+    if (first_rests && second_rests) continue;
     if (is_apart(buf.position[i], buf.position[j])) continue;
     Body a = load_place(p, buf, i);
     Body b = load_place(p, buf, j);
@@ -29,8 +38,8 @@ __global__ void __launch_bounds__(BLOCK) contact_pairs(Params p, KernelBuffers b
     }
     FloatPush push = float_push_of_pair(a, b, p.contact);
     record_fault(buf, push.fault, i);
-    add_impulse<FLOAT_SUMS>(buf, i, push.x, push.y, push.z);
-    add_impulse<FLOAT_SUMS>(buf, j, -push.x, -push.y, -push.z);
+    if (!first_rests) add_impulse<FLOAT_SUMS>(buf, i, push.x, push.y, push.z);
+    if (!second_rests) add_impulse<FLOAT_SUMS>(buf, j, -push.x, -push.y, -push.z);
   }
 }
 

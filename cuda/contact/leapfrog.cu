@@ -2,8 +2,8 @@
 // One thread per sphere: a step of the leapfrog, by the impulses of its contacts, of walls and of gravity. A sphere
 // that cannot take the step stays where it is and is recorded: the steps behind then do nothing, as they do once a
 // sphere has left its skin, until near pairs are listed again. Clears the results of the last search, where these are
-// by sphere index.
-#include "cuda/contact/contact_state.cuh"
+// by sphere index. A sphere at rest stays as it is.
+#include "cuda/contact/contact_rest.cuh"
 
 namespace spherepair {
 
@@ -14,18 +14,23 @@ __global__ void __launch_bounds__(BLOCK) leapfrog(Params p, KernelBuffers buf) {
   uint i = group_index(p) * BLOCK + threadIdx.x;
   if (p.motion.clear_results != 0u) clear_results(p, buf, i);
   if (i >= p.n) return;
-  Body s = load_body(p, buf, i);  // all loads ahead of the first branch that waits for one
+  if (is_at_rest(p, buf, i)) {
+    if (i == 0u && has_faults(buf)) atomicMin(&buf.fault[LEFT_SKIN], i);
+    return;
+  }
+  Body before = load_body(p, buf, i);  // all loads ahead of the first branch that waits for one
   Push contacts = load_impulse<FLOAT_SUMS>(buf, i);
   vec4 skin = buf.grown[i];
   if (buf.fault[STOPPED] != 0u) return;
   clear_impulses<FLOAT_SUMS>(buf, i, contacts);
-  Push walls = push_of_walls(s, p.contact);
+  Push walls = push_of_walls(before, p.contact);
   record_fault(buf, walls.fault, i);
-  s = kicked(s, contacts, walls, p.contact);
+  Body s = kicked_in_fluid(before, contacts, walls, p.motion.restitution, p.contact);
   float mobility = mobility_of(s.radius, p.contact);
   uint wrong = fault_of(s, mobility, p.contact);
   record_fault(buf, wrong, i);
   if (wrong == FAULTS) s = drifted(s, mobility);
+  record_rest(p, buf, i, is_same(s, before));
   store_body(p, buf, i, s, mobility);
   bool failed = walls.fault != FAULTS || wrong != FAULTS || (i == 0u && has_faults(buf));
   if (failed || has_left_skin(centre_of(s, p.contact), skin)) atomicMin(&buf.fault[LEFT_SKIN], i);

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere: grows it by its skin, for the search that lists near pairs.
-#include "shaders/contact/contact_state.glsl"
+// One thread per sphere: grows it by its skin, for the search that lists near pairs. All are awake then.
+#include "shaders/contact/contact_rest.glsl"
 
 layout(local_size_x = BLOCK) in;
 layout(std430, binding = SLOT_GROWN) restrict buffer GrownBuffer { vec4 grown[]; };
@@ -17,4 +17,5 @@ void main() {
   vec4 sphere = position[i];
   if (is_too_far(sphere, p.contact)) record_fault(FAULT_RANGE, i);
   grown[i] = grown_sphere(sphere, p.contact);
+  record_rest(i, false);
 }

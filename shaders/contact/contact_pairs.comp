@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 // One thread per near pair, in turns until none is left: what the two spheres give each other in a step. There are
 // near_pairs of them, in any order. Most do not touch, which their float32 centres tell; momenta are loaded only where
-// there is a contact whose damper needs them. Once a sphere has left its skin, the steps behind do nothing.
-#include "shaders/contact/contact_state.glsl"
+// there is a contact whose damper needs them. Pairs of two spheres at rest are passed over, whose awakening is a launch
+// ahead. Once a sphere has left its skin, the steps behind do nothing.
+#include "shaders/contact/contact_rest.glsl"
 
 layout(local_size_x = BLOCK) in;
 layout(std430, binding = SLOT_NEAR) restrict readonly buffer NearBuffer { uvec2 near[]; };
@@ -12,12 +13,20 @@ void main() {
   bool stopped = fault[LEFT_SKIN] != 0xFFFFFFFFu;
   uint first = group_index() * BLOCK + gl_LocalInvocationID.x;
   if (first == 0u) fault[STOPPED] = stopped ? 1u : 0u;
-  if (first == 0u && !stopped) ++fault[STEPS_DONE];
+  bool awakens = p.motion.whole_state == SLEEP_AWAKENS;
+  if (first == 0u && !stopped && !awakens) ++fault[STEPS_DONE];
   if (stopped) return;
   uint pairs = p.search.near_pairs;
   for (uint k = first; k < pairs; k += group_count() * BLOCK) {
     uint i = near[k].x;
     uint j = near[k].y;
+    if (awakens) {
+      awaken(i, j);
+      continue;
+    }
+    bool first_rests = is_at_rest(i);
+    bool second_rests = is_at_rest(j);
+    if (first_rests && second_rests) continue;
     if (is_apart(position[i], position[j])) continue;
     Body a = load_place(i);
     Body b = load_place(j);
@@ -28,7 +37,7 @@ void main() {
     }
     FloatPush push = float_push_of_pair(a, b, p.contact);
     record_fault(push.fault, i);
-    add_impulse(i, push.x, push.y, push.z);
-    add_impulse(j, -push.x, -push.y, -push.z);
+    if (!first_rests) add_impulse(i, push.x, push.y, push.z);
+    if (!second_rests) add_impulse(j, -push.x, -push.y, -push.z);
   }
 }

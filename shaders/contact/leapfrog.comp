@@ -3,8 +3,8 @@
 // One thread per sphere: a step of the leapfrog, by the impulses of its contacts, of walls and of gravity. A sphere
 // that cannot take the step stays where it is and is recorded: the steps behind then do nothing, as they do once a
 // sphere has left its skin, until near pairs are listed again. Clears the results of the last search, where these are
-// by sphere index.
-#include "shaders/contact/contact_state.glsl"
+// by sphere index. A sphere at rest stays as it is.
+#include "shaders/contact/contact_rest.glsl"
 
 layout(local_size_x = BLOCK) in;
 layout(std430, binding = SLOT_GROWN) restrict buffer GrownBuffer { vec4 grown[]; };
@@ -13,18 +13,23 @@ void main() {
   uint i = group_index() * BLOCK + gl_LocalInvocationID.x;
   if (p.motion.clear_results != 0u) clear_results(i);
   if (i >= p.n) return;
-  Body s = load_body(i);  // all loads ahead of the first branch that waits for one
+  if (is_at_rest(i)) {
+    if (i == 0u && has_faults()) atomicMin(fault[LEFT_SKIN], i);
+    return;
+  }
+  Body before = load_body(i);  // all loads ahead of the first branch that waits for one
   Push contacts = load_impulse(i);
   vec4 skin = grown[i];
   if (fault[STOPPED] != 0u) return;
   clear_impulses(i, contacts);
-  Push walls = push_of_walls(s, p.contact);
+  Push walls = push_of_walls(before, p.contact);
   record_fault(walls.fault, i);
-  s = kicked(s, contacts, walls, p.contact);
+  Body s = kicked_in_fluid(before, contacts, walls, p.motion.restitution, p.contact);
   float mobility = mobility_of(s.radius, p.contact);
   uint wrong = fault_of(s, mobility, p.contact);
   record_fault(wrong, i);
   if (wrong == FAULTS) s = drifted(s, mobility);
+  record_rest(i, is_same(s, before));
   store_body(i, s, mobility);
   bool failed = walls.fault != FAULTS || wrong != FAULTS || (i == 0u && has_faults());
   if (failed || has_left_skin(centre_of(s, p.contact), skin)) atomicMin(fault[LEFT_SKIN], i);

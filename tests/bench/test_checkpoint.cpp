@@ -53,7 +53,7 @@ TEST(Checkpoint, HoldsEverything) {
 
 Checkpoint sample_with_contacts() {
   Scene scene = make_scene({.name = "bed", .n = 27, .radius_ratio = 3, .restitution = 0.5f});
-  choose_contacts(scene, {.law = ContactLaw::spring, .walls = true});
+  choose_contacts(scene, {.law = ContactLaw::spring, .drag = 0.25f, .walls = true});
   const Backend::State state = run_steps(cpu_backend(), scene, 20);
   Checkpoint checkpoint{scene, cpu_backend().save(), 20};
   checkpoint.scene.positions = state.positions;
@@ -77,6 +77,24 @@ TEST(Checkpoint, HoldsContactsAndTheirUnits) {
   EXPECT_EQ(left.damping, right.damping);
   EXPECT_EQ(left.mobility, right.mobility);
   EXPECT_LT(left.high_x, int64_t(1) << 61) << "there are walls";
+  EXPECT_EQ(read.scene.contact.drag, 0.25f);
+}
+
+// Which has 4 bytes less in the header, behind 64 and 44, and in its checksum.
+TEST(Checkpoint, Version2HasNoDrag) {
+  const ScratchFolder folder;
+  const Checkpoint written = sample_with_contacts();
+  write_checkpoint(folder.path("3"), written);
+  std::string bytes = read_bytes(folder.path("3"));
+  const size_t end = 64 + 48 + written.scene.name.size();
+  bytes[8] = 2;
+  bytes.erase(64 + 44, 4);
+  const uint64_t sum = checksum(std::string_view(bytes).substr(0, end - 4));
+  bytes.replace(end - 4, 8, std::string(reinterpret_cast<const char*>(&sum), 8));
+  const Checkpoint read = read_checkpoint(folder.write("2", bytes));
+  EXPECT_EQ(read.scene.contact.drag, 0);
+  EXPECT_EQ(read.scene.contact.stiffness, written.scene.contact.stiffness);
+  EXPECT_EQ(read.motion.wide, written.motion.wide);
 }
 
 TEST(Checkpoint, IntegersThatAreNotThePositionAreRefused) {
@@ -125,7 +143,7 @@ TEST(Checkpoint, SaysWhatIsWrong) {
     return complaint_of([&] { read_checkpoint(folder.write("changed", changed)); });
   };
   EXPECT_NE(complaint(0, "P").find("no checkpoint"), std::string::npos);
-  EXPECT_NE(complaint(8, "\x03").find("version 3"), std::string::npos);
+  EXPECT_NE(complaint(8, "\x04").find("version 4"), std::string::npos);
   EXPECT_NE(complaint(12, "\x05").find("of the header"), std::string::npos);
   EXPECT_NE(complaint(64, "X").find("of the header"), std::string::npos);
   const size_t positions = 64 + std::string("random").size() + 16;

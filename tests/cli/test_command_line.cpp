@@ -37,6 +37,7 @@ TEST_F(CommandLineTest, OptionsThatChangeNothingAreRefusedWithTheReason) {
         {run + "--scene uniform --group-size 8", "--group-size"},
         {run + "--scene gas --contact spring --steps 1 --walls", "--walls"},
         {run + "--scene bed --contact spring --steps 1 --walls", "--walls"},
+        {run + "--contact none --steps 1 --drag 1", "--drag"},
         {run + "--motion paper", "--motion"},
         {run + "--dt 0.5", "--dt"},
         {run + "--restitution 0.5", "--restitution"},
@@ -59,6 +60,8 @@ TEST_F(CommandLineTest, OptionsThatChangeNothingAreRefusedWithTheReason) {
         {"contacts --measure steps --laws spring --results " + path("r"), "--laws"},
         {"contacts --measure errors,rates --step-n 64 --results " + path("r"), "--step-n"},
         {"contacts --measure sums --averaged 9 --results " + path("r"), "--averaged"},
+        {"contacts --measure sums --rest-n 9 --results " + path("r"), "--rest-n"},
+        {"contacts --measure steps --drag-steps 0.1:9 --results " + path("r"), "--drag-steps"},
         {"contacts --measure rates --rounds 6 --results " + path("r"), "--rounds"},
         {"frames --draws compute --most mesh:9 --results " + path("r"), "--most"}})
     expect_refused(arguments, {option, "has no effect", "omit"});
@@ -70,13 +73,19 @@ TEST_F(CommandLineTest, AMethodThatTheDeviceLacksIsRefusedWithTheReason) {
                  {"cpu", "compute capability 9.0", "choose another"});
 }
 
+TEST_F(CommandLineTest, SweptPathsHaveNoDrag) {
+  expect_refused("run --backend cpu --n 64 --contact spring --drag 1 --swept", {"--swept", "--drag", "omit"});
+}
+
 TEST_F(CommandLineTest, TheSameOptionsAreTakenWhereTheyChangeSomething) {
   for (const std::string& arguments :
        {std::string("--scene far --packing-fraction 0.1"), std::string("--scene aligned --groups 8 --group-size 8"),
         std::string("--steps 1 --motion paper --dt 0.5 --restitution 0.5 --per-step"),
         "--dt 0.5 --motion paper --save " + path("s"), std::string("--swept --dt 0.5"),
         std::string("--swept --motion impact-linear --restitution 0.5"),
-        std::string("--swept --contact spring --walls"), std::string("--method collide_group --block 64")}) {
+        std::string("--swept --contact spring --walls"),
+        std::string("--steps 1 --contact spring --drag 1 --no-sleeping"),
+        std::string("--method collide_group --block 64")}) {
     const Outcome outcome = run("run --backend cpu --n 64 " + arguments);
     EXPECT_EQ(outcome.code, kOk) << arguments << "\n" << outcome.errors;
   }

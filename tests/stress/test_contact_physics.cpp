@@ -14,6 +14,7 @@
 #include "bench/check/step_result.h"
 #include "common/scene/contact_scene.h"
 #include "tests/support/motion_runs.h"
+#include "tests/support/soft_contacts.h"
 
 namespace spherepair {
 namespace {
@@ -99,12 +100,29 @@ TEST_P(ContactPhysics, CoolsByHaffsLaw) {
 }
 
 struct Bed {
-  uint64_t n;
-  float stiffness;
-  uint64_t steps;
-  double moving;      // energy in motion that may be left, of that at the start
-  bool bulk = false;  // whether some of it is far from walls
+  uint64_t n, layers;  // 0 layers: as high as wide
+  float stiffness, restitution;
+  std::vector<std::pair<double, uint64_t>> stages;  // drag a step, steps
+  double moving;                                    // energy in motion that may be left, of that at the start
+  bool bulk = false;                                // whether some of it is far from walls
 };
+
+// The scene bed, in a box as wide as so many layers need.
+Scene bed_of(const Bed& bed) {
+  Scene scene = make_scene({.name = "bed", .n = bed.n});
+  if (!bed.layers) return scene;
+  const float gap = 2.2f * scene.positions[0].w;
+  const uint64_t side = uint64_t(std::lround(double(scene.contact.high.x / gap)));
+  const uint64_t wide = uint64_t(std::ceil(std::sqrt(double(bed.n) / double(bed.layers))));
+  const auto moved = [&](uint64_t from, uint64_t to) { return gap * (float(to) - float(from)); };
+  for (uint64_t i = 0; i < bed.n; ++i) {
+    scene.positions[i].x += moved(i % side, i % wide);
+    scene.positions[i].z += moved(i / side % side, i / wide % wide);
+    scene.positions[i].y += moved(i / side / side, i / wide / wide);
+  }
+  scene.contact.high = {gap * float(wide), gap * float(bed.layers + 1), gap * float(wide), 0};
+  return scene;
+}
 
 // Share of the points of a lattice that lie in a sphere: three diameters from walls and floor, and two from the height
 // below which nine of ten centres are.
@@ -131,24 +149,40 @@ double packing_fraction_of_bulk(const Scene& scene, std::vector<vec4> spheres) {
   return double(within) / double(points);
 }
 
-// Without friction single spheres roll on between walls, at which alone they lose speed, and large beds rearrange
-// themselves for a long time: 2,000 spheres for 60 s.
+// Without friction and drag single spheres roll on between walls, at which alone they lose speed, and large beds
+// rearrange themselves for a long time: 2,000 spheres for 60 s. Drag makes an end of it.
 TEST_P(ContactPhysics, ABedComesToRest) {
   const std::vector<Bed> beds = in_full(backend())
-                                    ? std::vector<Bed>{{200, 3e6f, 300'000, 1e-12}, {2000, 1e7f, 200'000, 1e-10, true}}
-                                    : std::vector<Bed>{{200, 3e6f, 40'000, 1e-10}};
+                                    ? std::vector<Bed>{{200, 0, 3e6f, 0.3f, {{0, 300'000}}, 1e-12},
+                                                       {2000, 0, 1e7f, 0.3f, {{0, 200'000}}, 1e-10, true},
+                                                       {100'000,
+                                                        10,
+                                                        1e7f,
+                                                        0.1f,
+                                                        {{0.0003, 300'000}, {0.003, 400'000}, {0.1, 50'000}},
+                                                        1e-12,
+                                                        true}}
+                                    : std::vector<Bed>{{200, 0, 3e6f, 0.3f, {{0, 60'000}}, 1e-10},
+                                                       {200, 0, 3e6f, 0.3f, {{0.003, 30'000}, {0.1, 1000}}, 1e-12}};
   for (const Bed& bed : beds) {
     SCOPED_TRACE(bed.n);
-    Scene scene = make_scene({.name = "bed", .n = bed.n});
-    scene.restitution = 0.3f;
-    choose_contacts(scene, {.law = ContactLaw::spring, .stiffness = bed.stiffness});
+    Scene scene = bed_of(bed);
+    scene.restitution = bed.restitution;
+    const float any = bed.stages.front().first > 0 ? 1.0f : 0.0f;
+    choose_contacts(scene, {.law = ContactLaw::spring, .stiffness = bed.stiffness, .drag = any});
     backend().upload(scene);
     const auto statistics = [&] {
       backend().collide({.want_pairs = true});
       return contact_statistics(scene, current_state(backend()).wide, backend().pairs(), 0);
     };
     const ContactStatistics start = statistics();
-    for (uint64_t step = 0; step < bed.steps; ++step) backend().move();
+    for (const auto& [drag, steps] : bed.stages) {
+      scene = with(scene, current_state(backend()));
+      const MotionState saved = backend().save();
+      scene.contact.drag = float(drag / double(scene.dt));
+      backend().resume(scene, saved);
+      for (uint64_t step = 0; step < steps; ++step) backend().move();
+    }
     const ContactStatistics end = statistics();
     double weight = 0;
     for (const vec4& p : scene.positions) weight -= sphere_mass(double(p.w)) * double(scene.gravity);

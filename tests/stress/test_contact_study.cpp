@@ -130,7 +130,7 @@ TEST_F(ContactStudy, RatesAreThoseOfEachTimeStepAgainstTheConvergedOne) {
 TEST_F(ContactStudy, RecordsEveryRunAndCost) {
   const Outcome outcome = run(
       fmt::format("contacts --backends cpu --threads 2 --laws spring --steps 10,20 --n 27 --cost-n 64,125 --step-n 125 "
-                  "--averaged 30 --rate-n 125 --rounds 6 --results {}",
+                  "--averaged 30 --rate-n 125 --rest-n 8 --drag-steps 0.1:5 --rounds 6 --results {}",
                   path("r")));
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   const json record = json::parse(read_bytes(path("r/contacts.json")));
@@ -170,12 +170,35 @@ TEST_F(ContactStudy, RecordsEveryRunAndCost) {
   EXPECT_NE(outcome.output.find("integers over this"), std::string::npos) << outcome.output;
 }
 
+// A single layer in few steps; the same bits awake are compared by the study itself.
+TEST_F(ContactStudy, RecordsBedsAtRest) {
+  const Outcome outcome = run(fmt::format(
+      "contacts --backends cpu --threads 2 --measure rest --rest-n 100 --drag-steps 0.002:9000,0.1:500 --rounds 6 "
+      "--results {}",
+      path("r")));
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const json record = json::parse(read_bytes(path("r/contacts.json")));
+  EXPECT_EQ(record.at("settings").at("rest").at("stages").at(1), (json{{"drag_a_step", 0.1}, {"steps", 500}}));
+  ASSERT_EQ(record.at("beds").size(), 1u);
+  const json& bed = record.at("beds").front();
+  EXPECT_EQ(bed.at("n"), 100);
+  EXPECT_GT(bed.at("unmoved"), 0.5);
+  EXPECT_LT(bed.at("kinetic"), 1e-6);
+  EXPECT_NEAR(bed.at("floor_force").get<double>(), 1, 1e-3);
+  EXPECT_LT(bed.at("overlap"), 0.1);
+  ASSERT_EQ(bed.at("steps").size(), 2u);
+  for (const json& steps : bed.at("steps")) EXPECT_EQ(steps.at("awake_over_this").is_null(), !steps.at("sleeping"));
+  EXPECT_NE(outcome.output.find("Steps of beds at rest"), std::string::npos) << outcome.output;
+}
+
 TEST_F(ContactStudy, RefusesWhatItDoesNotKnow) {
   for (const auto& [words, message] : {std::pair("--laws springs", "did you mean spring"),
                                        {"--laws none", "the law none has no contacts"},
                                        {"--steps 15", "15"},
                                        {"--measure error", "did you mean errors"},
                                        {"--measure rates --laws hertz", "name it, or omit rates"},
+                                       {"--measure rest --drag-steps 0.1", "is not a drag a step"},
+                                       {"--measure rest --drag-steps 2:9", "is not a drag a step"},
                                        {"--cost-n 0", "--cost-n"}}) {
     const Outcome outcome = run(fmt::format("contacts --backends cpu {} --results {}", words, path("r")));
     EXPECT_EQ(outcome.code, 2) << words;

@@ -31,6 +31,14 @@
 //      over_theory  that over what kinetic theory of hard spheres expects (Carnahan and Starling, Enskog)
 //      error        of what is found against the converged time step's from the same start, over it; null for itself}
 //     each {median, low, high, coverage} over the seeds: low and high hold the median with this probability
+//   beds       that have come to rest, and steps from there with spheres at rest passed over and without:
+//     {n, dt, steps_averaged; layers, stages and the like are in the settings
+//      unmoved      share of the spheres whose state a step leaves as it is, bit for bit
+//      kinetic      energy over that of all at the start
+//      floor_force  over the weight
+//      overlap      greatest, in radii
+//      steps        [{backend, sleeping, seconds_per_step, low, high, sample
+//                    awake_over_this   ratio, low and high of its interval; null for itself}]}
 //   targets    of a GPU: {what, value, bound, met}
 //   left_out   [text]: sums that a device lacks
 #pragma once
@@ -66,6 +74,19 @@ struct RatePlan {
   uint64_t samples = 30;        // in each
 };
 
+struct RestStage {
+  double drag;  // a step
+  uint64_t steps;
+};
+
+struct RestPlan {
+  std::vector<uint64_t> sizes;
+  uint64_t layers = 10;
+  float stiffness = 3e6f, restitution = 0.3f;
+  std::vector<RestStage> stages = {{0.005, 10'000}, {0.1, 1000}};
+  uint64_t steps_averaged = 100;
+};
+
 struct ContactPlan {
   std::vector<ContactKind> kinds = {
       {ContactLaw::spring}, {ContactLaw::spring, 0.9f}, {ContactLaw::hertz}, {ContactLaw::quartic}};
@@ -80,6 +101,7 @@ struct ContactPlan {
   std::vector<uint64_t> step_sizes;   // of whole steps
   uint64_t steps_averaged = 1000;     // of those, from the start
   RatePlan rates;
+  RestPlan rest;
   Sampling sampling;
 };
 
@@ -123,12 +145,30 @@ struct ContactRate {  // the pressure where the restitution is 1, else the time 
   std::vector<double> found, over_theory, errors;  // by seed
 };
 
+struct RestSteps {  // from where spheres are at rest, the list of near pairs included
+  std::string backend;
+  bool sleeping;
+  Samples samples;
+  std::optional<Contest> awake;  // over these, which sleep
+};
+struct SettledBed {
+  uint64_t n, averaged;  // spheres, and steps of a sample
+  double dt = 0, unmoved = 0, kinetic = 0, floor_force = 0, overlap = 0;
+  std::vector<RestSteps> steps = {};
+};
+
 Backend& fastest(const Session& session);
 
 // Spheres of a gas as it starts, without the box, so that nothing but contacts changes momenta.
 Scene contact_scene(const ContactPlan& plan, const ContactKind& kind, uint steps_a_contact);
 // For so many mean times between the collisions of a sphere, as kinetic theory has them.
 uint64_t steps_of_run(const ContactPlan& plan, const ContactKind& kind, uint steps_a_contact);
+
+// Those that this many spheres are timed on: a CPU and software OpenGL leave out more than plan.most_on_host.
+std::vector<Backend*> backends_for(const Session& session, const ContactPlan& plan, uint64_t n,
+                                   std::vector<std::string>& left_out);
+json ratio_of(const std::optional<Contest>& contest);
+json time_of_a_step(const Samples& samples, uint64_t steps = 1);
 
 // Whether a backend has these sums; it then uses them from the next step on. Else the reason joins `left_out`, once.
 bool use_sums(Backend& backend, ImpulseSums sums, std::vector<std::string>& left_out);
@@ -151,6 +191,13 @@ std::vector<GasSteps> measure_gas_steps(Session& session, const ContactPlan& pla
 // soon changes all paths, but no mean.
 std::vector<ContactRate> measure_rates(Session& session, const ContactPlan& plan, Progress& progress);
 
+// The fastest backend moves a bed by all stages; all go on from there, compared first.
+std::vector<SettledBed> measure_rest(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
+                                     Progress& progress);
+
+// Of GPUs: a step of 10^6 spheres at rest and more takes at most a third of the time that it takes awake.
+std::vector<Target> rest_targets(const Session& session, const std::vector<SettledBed>& beds);
+
 // Of GPUs: CUDA takes 1e10 sphere-steps/s and more, others at most 1.10x its time.
 std::vector<Target> steps_targets(const Session& session, const std::vector<GasSteps>& steps);
 // Of GPUs: a step with integer sums takes at most 1.10x the time of one with float32 sums in a fixed order.
@@ -160,10 +207,13 @@ json to_json(const ContactRun& run);
 json to_json(const SumsCost& cost);
 json to_json(const GasSteps& steps);
 json to_json(const RatePlan& plan);
+json to_json(const RestPlan& plan);
+json to_json(const SettledBed& bed);
 json to_json(const ContactRate& rate);
 // Tables; empty without measurements.
 std::string runs_text(const ContactPlan& plan, const std::vector<ContactRun>& runs);
 std::string costs_text(const std::vector<SumsCost>& costs);
+std::string beds_text(const RestPlan& plan, const std::vector<SettledBed>& beds);
 std::string steps_text(const std::vector<GasSteps>& steps);
 std::string rates_text(const ContactPlan& plan, const std::vector<ContactRate>& rates);
 

@@ -92,6 +92,26 @@ Table steps_table(const std::vector<GasSteps>& steps) {
   return table;
 }
 
+Table rest_table(const std::vector<SettledBed>& beds) {
+  Table table{"Steps of beds at rest",
+              {{"", "spheres", ""},
+               {"", "unmoved", "%"},
+               {"", "backend", "", true},
+               {"", "awake", "ms"},
+               {"passed", "over", "ms"},
+               {"awake over", "passed over", "", true}},
+              {},
+              {}};
+  for (const SettledBed& bed : beds)
+    for (const RestSteps& one : bed.steps) {
+      if (!one.awake) continue;
+      const double seconds = one.samples.median_seconds() / double(bed.averaged);
+      table.rows.push_back({std::to_string(bed.n), fmt::format("{:.3f}", 100 * bed.unmoved), one.backend,
+                            format_ms(one.awake->ratio * seconds), format_ms(seconds), ratio_text(*one.awake)});
+    }
+  return table;
+}
+
 }  // namespace
 
 std::string runs_text(const ContactPlan& plan, const std::vector<ContactRun>& runs) {
@@ -108,6 +128,18 @@ std::string runs_text(const ContactPlan& plan, const std::vector<ContactRun>& ru
 }
 
 std::string costs_text(const std::vector<SumsCost>& costs) { return costs.empty() ? "" : cost_table(costs).text(); }
+
+std::string beds_text(const RestPlan& plan, const std::vector<SettledBed>& beds) {
+  if (beds.empty()) return "";
+  std::string text = "\n" + rest_table(beds).text();
+  for (const SettledBed& bed : beds)
+    text += wrapped(fmt::format("{} in {} layers: {:.1e} of the energy at the start is in motion, the floor carries "
+                                "{:.9f} of the weight, the greatest overlap is {:.2f} % of a radius.",
+                                counted(bed.n, "sphere"), plan.layers, bed.kinetic, bed.floor_force, 100 * bed.overlap),
+                    "* ", "  ") +
+            "\n";
+  return text;
+}
 
 std::string steps_text(const std::vector<GasSteps>& steps) {
   return steps.empty() ? "" : "\n" + steps_table(steps).text();

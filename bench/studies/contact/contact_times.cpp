@@ -23,19 +23,6 @@ Scene gas_scene(const ContactPlan& plan, uint64_t n) {
   return scene;
 }
 
-std::vector<Backend*> backends_for(const Session& session, const ContactPlan& plan, uint64_t n,
-                                   std::vector<std::string>& left_out) {
-  std::vector<Backend*> backends;
-  for (const auto& backend : session.backends()) {
-    if (on_hardware(*backend) || n <= plan.most_on_host)
-      backends.push_back(backend.get());
-    else
-      left_out.push_back(
-          fmt::format("{}: steps of {}, which are timed on a GPU only", backend->info().name, counted(n, "sphere")));
-  }
-  return backends;
-}
-
 // Sums that have an order or need none must give the same bits on all.
 void compare_states(Session& session, const Scene& scene, const std::vector<Backend*>& backends, ImpulseSums sums) {
   const SceneOptions options{.name = "gas", .n = scene.size()};
@@ -54,19 +41,6 @@ void compare_states(Session& session, const Scene& scene, const std::vector<Back
   session.comparisons.require_complete();
 }
 
-json ratio_of(const std::optional<Contest>& contest) {
-  if (!contest) return nullptr;
-  return {{"ratio", contest->ratio}, {"low", contest->ratios.low}, {"high", contest->ratios.high}};
-}
-
-json time_of_a_step(const Samples& samples, uint64_t steps = 1) {
-  const Interval interval = samples.interval();
-  return {{"seconds_per_step", samples.median_seconds() / double(steps)},
-          {"low", interval.low / double(steps)},
-          {"high", interval.high / double(steps)},
-          {"sample", to_json(samples)}};
-}
-
 std::vector<SumsCost> costs_of(std::vector<Samples> samples, const std::vector<ImpulseSums>& sums, uint64_t n) {
   std::vector<SumsCost> costs;
   for (size_t k = 0; k < samples.size(); ++k) {
@@ -81,6 +55,32 @@ std::vector<SumsCost> costs_of(std::vector<Samples> samples, const std::vector<I
 }
 
 }  // namespace
+
+std::vector<Backend*> backends_for(const Session& session, const ContactPlan& plan, uint64_t n,
+                                   std::vector<std::string>& left_out) {
+  std::vector<Backend*> backends;
+  for (const auto& backend : session.backends()) {
+    if (on_hardware(*backend) || n <= plan.most_on_host)
+      backends.push_back(backend.get());
+    else
+      left_out.push_back(
+          fmt::format("{}: steps of {}, which are timed on a GPU only", backend->info().name, counted(n, "sphere")));
+  }
+  return backends;
+}
+
+json ratio_of(const std::optional<Contest>& contest) {
+  if (!contest) return nullptr;
+  return {{"ratio", contest->ratio}, {"low", contest->ratios.low}, {"high", contest->ratios.high}};
+}
+
+json time_of_a_step(const Samples& samples, uint64_t steps) {
+  const Interval interval = samples.interval();
+  return {{"seconds_per_step", samples.median_seconds() / double(steps)},
+          {"low", interval.low / double(steps)},
+          {"high", interval.high / double(steps)},
+          {"sample", to_json(samples)}};
+}
 
 void time_contact_runs(Session& session, const ContactPlan& plan, std::vector<ContactRun>& runs, Progress& progress) {
   for (const ContactKind& kind : plan.kinds)

@@ -68,12 +68,15 @@ FN float speed_of(int64_t momentum, float mobility) {
   EXACT float speed = float_of(momentum) * mobility;
   return speed;
 }
+// By which the damper's impulse is: in whole units, as positions have moved, so that spheres that stay in place have
+// none.
+FN float whole_speed_of(int64_t momentum, float mobility) { return float_of(scaled(momentum, mobility)); }
 FN float closing_speed(Body a, Body b, Gap g, ContactParams c) {
   float ma = mobility_of(a.radius, c);
   float mb = mobility_of(b.radius, c);
-  EXACT float x = (speed_of(b.px, mb) - speed_of(a.px, ma)) * unit_length(g.x);
-  EXACT float y = (speed_of(b.py, mb) - speed_of(a.py, ma)) * unit_length(g.y);
-  EXACT float z = (speed_of(b.pz, mb) - speed_of(a.pz, ma)) * unit_length(g.z);
+  EXACT float x = (whole_speed_of(b.px, mb) - whole_speed_of(a.px, ma)) * unit_length(g.x);
+  EXACT float y = (whole_speed_of(b.py, mb) - whole_speed_of(a.py, ma)) * unit_length(g.y);
+  EXACT float z = (whole_speed_of(b.pz, mb) - whole_speed_of(a.pz, ma)) * unit_length(g.z);
   EXACT float sum = (x + y) + z;
   return sum;
 }
@@ -133,7 +136,7 @@ FN int64_t push_of_wall(int64_t distance, int64_t outward_momentum, float radius
   if (!in_contact(g)) return 0l;
   float closing = 0.0f;
   if (c.damping != 0.0f) {
-    EXACT float speed = -speed_of(outward_momentum, mobility_of(radius, c)) * unit_length(g.x);
+    EXACT float speed = -whole_speed_of(outward_momentum, mobility_of(radius, c)) * unit_length(g.x);
     closing = speed;
   }
   EXACT float push = push_per_length(g, closing, cubed(radius), c) * unit_length(g.x);

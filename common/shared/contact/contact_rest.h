@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Drag by a fluid at rest, with which spheres come to rest to the bit, and spheres at rest, which a step passes over
+// (sleeping): the impulses on a sphere depend on its own state and on those of its near spheres alone, so where none of
+// these changed in the last step, the sphere's does not change in this one.
+#ifndef SPHEREPAIR_CONTACT_REST_H
+#define SPHEREPAIR_CONTACT_REST_H
+
+#include "common/shared/contact/contact.h"
+#include "common/shared/skin.h"
+
+// uint[n]: what the last step did to each sphere. Awake are those that are not at rest: all, where near pairs have just
+// been listed, since a sphere that flew off may have left the list.
+#define SLOT_REST SLOT_NEXT_EVENT
+#define REST_MOVED 0u     // changed its state
+#define REST_SAME 1u      // did not, and no near sphere's: at rest
+#define REST_AWAKENED 2u  // did not, but a near sphere's
+
+// MotionParams::whole_state of the kernels of contacts.
+#define SLEEP_NEVER 0u    // SLOT_REST is not used
+#define SLEEP_AT_REST 1u  // spheres at rest are passed over
+#define SLEEP_AWAKENS 2u  // of contact_pairs, ahead of the above: awakens what is near a sphere that moved
+
+// What drag leaves of a momentum in half a step: MotionParams::restitution of leapfrog.
+FN int64_t slowed(int64_t momentum, float kept) { return kept == 1.0f ? momentum : scaled(momentum, kept); }
+
+// Momentum before position, by half of the drag, the impulses, and the other half.
+FN Body kicked_in_fluid(Body s, Push contacts, Push walls, float kept, ContactParams c) {
+  s.px = slowed(s.px, kept);
+  s.py = slowed(s.py, kept);
+  s.pz = slowed(s.pz, kept);
+  s = kicked(s, contacts, walls, c);
+  s.px = slowed(s.px, kept);
+  s.py = slowed(s.py, kept);
+  s.pz = slowed(s.pz, kept);
+  return s;
+}
+
+FN bool is_same(Body a, Body b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z && a.px == b.px && a.py == b.py && a.pz == b.pz;
+}
+
+#endif
