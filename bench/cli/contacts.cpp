@@ -195,13 +195,14 @@ std::shared_ptr<ContactsOptions> add_contacts_options(CLI::App& command) {
                   "Spheres of the gas whose pressure and cooling are measured (default 16384 on a GPU, else 1000)")
       ->transform(whole_number(125, kMostSpheres));
   command
-      .add_option("--rest-n", options->rest_sizes,
-                  "Spheres of the beds at rest (default 1000000,10000000 on a GPU, else 1000)")
+      .add_option(
+          "--rest-n", options->rest_sizes,
+          "Spheres of the beds at rest, rounded up to whole layers (default 1000000,10000000 on a GPU, else 1000)")
       ->delimiter(',')
       ->transform(positive_range);
   command
       .add_option("--drag-steps", options->drag_steps,
-                  "Stages in which they come to rest: DRAG:STEPS, the drag a step (default 0.005:10000,0.1:1000)")
+                  "Stages in which they come to rest: DRAG:STEPS, the drag a step (default 0.005:12000,0.1:1500)")
       ->delimiter(',');
   command.add_option("--rounds", options->rounds, "Rounds of each timing")
       ->transform(whole_number(6, 1000))

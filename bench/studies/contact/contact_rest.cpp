@@ -18,6 +18,13 @@ constexpr uint64_t steps_between_reports = 1000;
 constexpr uint64_t rest_steps_compared = 50;  // from the bed at rest
 constexpr uint64_t fewest_of_target = 1'000'000;
 
+// In whole layers: one with holes would push the walls apart unevenly, which takes long to die down.
+uint64_t spheres_of_layers(uint64_t fewest, uint64_t layers) {
+  uint64_t side = 1, n = 0;
+  for (; n < fewest; ++side) n = (layers + 1) / 2 * side * side + layers / 2 * (side - 1) * (side - 1);
+  return n;
+}
+
 void go_on(Backend& backend, Scene& scene, const MotionState& from, double drag, bool sleeping = true) {
   scene.contact.drag = float(drag / double(scene.dt));
   scene.contact.sleeping = sleeping;
@@ -141,7 +148,8 @@ std::vector<RestSteps> time_steps(Session& session, const ContactPlan& plan, con
 std::vector<SettledBed> measure_rest(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
                                      Progress& progress) {
   std::vector<SettledBed> beds;
-  for (const uint64_t n : plan.rest.sizes) {
+  for (const uint64_t fewest : plan.rest.sizes) {
+    const uint64_t n = spheres_of_layers(fewest, plan.rest.layers);
     const std::vector<Backend*> backends = backends_for(session, plan, n, left_out);
     if (backends.empty()) continue;
     SettledBed bed{.n = n, .averaged = plan.rest.steps_averaged};

@@ -80,10 +80,10 @@ struct RestStage {
 };
 
 struct RestPlan {
-  std::vector<uint64_t> sizes;
+  std::vector<uint64_t> sizes;  // at least; then in whole layers
   uint64_t layers = 10;
   float stiffness = 3e6f, restitution = 0.3f;
-  std::vector<RestStage> stages = {{0.005, 10'000}, {0.1, 1000}};
+  std::vector<RestStage> stages = {{0.005, 12'000}, {0.1, 1500}};
   uint64_t steps_averaged = 100;
 };
 
