@@ -92,7 +92,7 @@ GPU = tuple(map(in_hardware, (
     study("contacts", 4, "glsl,cuda", "contacts --measure errors,sums,rates", "contacts.json"),
     study("contacts_steps", 2, "glsl,cuda", "contacts --measure steps", "contacts.json"),
     study("contacts_1e8", 7, "glsl,cuda", "contacts --measure steps --step-n 100000000", "contacts.json", memory=40 * GIB),
-    study("contacts_rest", 6, "glsl,cuda", "contacts --measure rest --rounds 6", "contacts.json", memory=16 * GIB),
+    study("contacts_rest", 1, "glsl,cuda", "contacts --measure rest --rounds 6", "contacts.json"),
     study("launches", 1, "glsl,cuda", "launches", "launches.json", processes=SEVERAL),
     study("energy_all_pairs", 5, "glsl,cuda", "energy --works all_pairs --windows 5 --seconds 10", "energy.json"),
     study("energy_grid", 5, "glsl,cuda", "energy --works warm,cold --n 10000000 --windows 5 --seconds 10", "energy.json"),

@@ -26,7 +26,7 @@ RestStage stage_of(const std::string& text) {
   const auto steps = colon < text.size() ? whole_number_of(text.substr(colon + 1), 0, 1'000'000'000) : std::nullopt;
   if (!drag || !steps)
     throw std::invalid_argument(fmt::format(
-        "'{}' is not a drag a step up to 0.5, a colon and a number of steps, such as 0.005:10000, for --drag-steps",
+        "'{}' is not a drag a step up to 0.5, a colon and a number of steps, such as 0.001:40000, for --drag-steps",
         text));
   return {*drag, *steps};
 }
@@ -60,8 +60,7 @@ ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
     require_known("measurement", one, {std::begin(known_measurements), std::end(known_measurements)});
   if (!hardware) plan.rates.n = 1000, plan.rates.softer = 64, plan.rates.converged = 160;
   plan.rest.sizes = options.rest_sizes;
-  if (plan.rest.sizes.empty())
-    plan.rest.sizes = hardware ? std::vector<uint64_t>{1'000'000, 10'000'000} : std::vector<uint64_t>{1000};
+  if (plan.rest.sizes.empty()) plan.rest.sizes = {hardware ? 1'000'000u : 1000u};
   if (!options.drag_steps.empty()) plan.rest.stages.clear();
   for (const std::string& stage : options.drag_steps) plan.rest.stages.push_back(stage_of(stage));
   if (options.rate_n) plan.rates.n = options.rate_n;
@@ -195,14 +194,13 @@ std::shared_ptr<ContactsOptions> add_contacts_options(CLI::App& command) {
                   "Spheres of the gas whose pressure and cooling are measured (default 16384 on a GPU, else 1000)")
       ->transform(whole_number(125, kMostSpheres));
   command
-      .add_option(
-          "--rest-n", options->rest_sizes,
-          "Spheres of the beds at rest, rounded up to whole layers (default 1000000,10000000 on a GPU, else 1000)")
+      .add_option("--rest-n", options->rest_sizes,
+                  "Spheres of the beds at rest, rounded up to whole layers (default 1000000 on a GPU, else 1000)")
       ->delimiter(',')
       ->transform(positive_range);
   command
       .add_option("--drag-steps", options->drag_steps,
-                  "Stages in which they come to rest: DRAG:STEPS, the drag a step (default 0.005:12000,0.1:1500)")
+                  "Stages in which they come to rest: DRAG:STEPS, the drag a step (default 0.001:40000,0.1:2000)")
       ->delimiter(',');
   command.add_option("--rounds", options->rounds, "Rounds of each timing")
       ->transform(whole_number(6, 1000))

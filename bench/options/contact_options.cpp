@@ -28,8 +28,8 @@ void add_contact_options(CLI::App& command, MotionChoice& motion) {
   command
       .add_option(
           "--drag", contact.drag,
-          "Of a fluid at rest, in 1/s: alone, a speed falls to 1/e in 1/drag seconds. With some 0.3 % a step and "
-          "more, beds come to rest to the bit")
+          "Of a fluid at rest, in 1/s: alone, a speed falls to 1/e in 1/drag seconds. With some 0.1 % a step, and "
+          "more in the end, beds come to rest to the bit")
       ->capture_default_str()
       ->check(real_number(0, 1e30))
       ->needs(law);

@@ -2,6 +2,7 @@
 // Drag, beds that come to rest to the bit, and spheres at rest that steps pass over: no bit is another.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/scene/contact_scene.h"
@@ -62,24 +63,29 @@ TEST_P(ContactRest, BedsRestToTheBitWithSpheresPassedOverOrNot) {
   }
 }
 
-// One that falls onto those that have long been at rest, which are in contact with others at rest.
+// One that falls onto those that have long been at rest, which are in contact with others at rest; before them and
+// behind them in the order of spheres.
 TEST_P(ContactRest, WhatIsHitAwakens) {
-  Scene scene = scene_of({{0, 0.5f, 0, 0.5f}, {0, 1.49f, 0, 0.5f}, {0, 2.48f, 0, 0.5f}, {0.1f, 9, 0.05f, 0.5f}});
-  scene.plane = 0, scene.restitution = 0.5f;
-  choose_contacts(scene, {.law = ContactLaw::spring, .stiffness = 1e6f, .drag = 1});
-  scene.contact.drag = float(0.02 / double(scene.dt));
-  std::vector<uint> rested;
-  for (const uint64_t steps : {3000u, 3001u, 8000u, 20'000u}) {
-    const Backend::State state = run_steps(backend(), scene, steps);
-    expect_equal_states(state, run_steps(cpu_backend(), awake(scene), steps), fmt::format("{} steps", steps));
-    const auto moved = [&](uint64_t i) { return word(rested, i) != word(state.wide, i); };
-    if (steps == 3001) {
-      for (uint64_t k = 0; k < 24; ++k)
-        if (k % 4 != 3) EXPECT_EQ(word(rested, k), word(state.wide, k)) << "at rest: " << k;
-      EXPECT_NE(word(rested, 7), word(state.wide, 7)) << "one is falling along y";
+  for (const uint64_t falling : {3u, 0u}) {
+    std::vector<vec4> spheres = {{0, 0.5f, 0, 0.5f}, {0, 1.49f, 0, 0.5f}, {0, 2.48f, 0, 0.5f}, {0.1f, 9, 0.05f, 0.5f}};
+    if (falling == 0) std::ranges::reverse(spheres);
+    Scene scene = scene_of(spheres);
+    scene.plane = 0, scene.restitution = 0.5f;
+    choose_contacts(scene, {.law = ContactLaw::spring, .stiffness = 1e6f, .drag = 1});
+    scene.contact.drag = float(0.02 / double(scene.dt));
+    std::vector<uint> rested;
+    for (const uint64_t steps : {3000u, 3001u, 8000u, 20'000u}) {
+      const Backend::State state = run_steps(backend(), scene, steps);
+      expect_equal_states(state, run_steps(cpu_backend(), awake(scene), steps), fmt::format("{} steps", steps));
+      if (steps == 3000) rested = state.wide;
+      const auto moved = [&](uint64_t k) { return word(rested, k) != word(state.wide, k); };
+      if (steps == 3001) {
+        for (uint64_t k = 0; k < 24; ++k)
+          if (k % 4 != falling) EXPECT_FALSE(moved(k)) << "at rest: " << k;
+        EXPECT_TRUE(moved(4 + falling)) << "falls along y";
+      }
+      if (steps == 20'000) EXPECT_TRUE(moved(1) && moved(2)) << "pushed aside";
     }
-    if (steps == 20'000) EXPECT_TRUE(moved(1) && moved(2)) << "pushed aside";
-    if (steps == 3000) rested = state.wide;
   }
 }
 

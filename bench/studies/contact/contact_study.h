@@ -83,7 +83,7 @@ struct RestPlan {
   std::vector<uint64_t> sizes;  // at least; then in whole layers
   uint64_t layers = 10;
   float stiffness = 3e6f, restitution = 0.3f;
-  std::vector<RestStage> stages = {{0.005, 12'000}, {0.1, 1500}};
+  std::vector<RestStage> stages = {{0.001, 40'000}, {0.1, 2000}};
   uint64_t steps_averaged = 100;
 };
 
