@@ -153,7 +153,7 @@ std::vector<SettledBed> measure_rest(Session& session, const ContactPlan& plan, 
     const std::vector<Backend*> backends = backends_for(session, plan, n, left_out);
     if (backends.empty()) continue;
     SettledBed bed{.n = n, .averaged = plan.rest.steps_averaged};
-    RestStart start = come_to_rest(*backends.back(), plan.rest, bed, progress);
+    RestStart start = come_to_rest(fastest(session), plan.rest, bed, progress);
     const double drag = plan.rest.stages.back().drag;
     progress.say(fmt::format("comparing {} at rest", counted(n, "sphere")));
     compare_at_rest(session, backends, start, drag);
