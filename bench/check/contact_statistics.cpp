@@ -54,7 +54,7 @@ class Sums {
     sums_.floor_force += force(push_of_wall(s.y - params_.low_y, s.py, s.radius, params_));
     sums_.potential -= mass * double(scene_.gravity) * metres_ * double(s.y - params_.low_y);
     const Push contacts = {impulses_[i][0], impulses_[i][1], impulses_[i][2], FAULTS};
-    const Body later = kicked_in_fluid(s, contacts, push_of_walls(s, params_), kept_, params_);
+    const Body later = kicked_in_fluid(s, contacts, push_of_walls(s, false, params_), kept_, params_);
     const double sums[3] = {double(s.px) + double(later.px), double(s.py) + double(later.py),
                             double(s.pz) + double(later.pz)};
     for (uint64_t axis = 0; axis < 3; ++axis) {

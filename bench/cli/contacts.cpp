@@ -61,12 +61,14 @@ ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
   if (!hardware) plan.rates.n = 1000, plan.rates.softer = 64, plan.rates.converged = 160;
   plan.rest.sizes = options.rest_sizes;
   if (plan.rest.sizes.empty()) plan.rest.sizes = {hardware ? 1'000'000u : 1000u};
+  plan.rest.layers = options.rest_layers;
   if (!options.drag_steps.empty()) plan.rest.stages.clear();
   for (const std::string& stage : options.drag_steps) plan.rest.stages.push_back(stage_of(stage));
   if (options.rate_n) plan.rates.n = options.rate_n;
   plan.rates.converged = std::min(plan.rates.converged, 4 * std::ranges::max(plan.steps_a_contact));
   plan.sampling.rounds = options.rounds;
-  plan.sampling.longest = 0.02;
+  plan.sampling.hardware_seconds = 0.1;  // a batch begins with a list of near pairs: 0.4 ms
+  plan.sampling.longest = 0.25;
   if (!hardware) plan.sampling.software_seconds = 0.01, plan.steps_averaged = 20;
   if (options.averaged) plan.steps_averaged = options.averaged;
   return plan;
@@ -198,6 +200,11 @@ std::shared_ptr<ContactsOptions> add_contacts_options(CLI::App& command) {
                   "Spheres of the beds at rest, rounded up to whole layers (default 1000000 on a GPU, else 1000)")
       ->delimiter(',')
       ->transform(positive_range);
+  command
+      .add_option("--rest-layers", options->rest_layers,
+                  "Their layers, of spheres that are stiffer the more lie on them")
+      ->transform(whole_number(1, 10'000))
+      ->capture_default_str();
   command
       .add_option("--drag-steps", options->drag_steps,
                   "Stages in which they come to rest: DRAG:STEPS, the drag a step (default 0.001:40000,0.1:2000)")

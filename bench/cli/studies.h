@@ -50,8 +50,9 @@ struct ContactsOptions {
   std::vector<uint64_t> cost_sizes, step_sizes;                  // empty: by machine
   uint64_t averaged = 0;                                         // of whole steps, their mean; 0: by machine
   std::vector<uint64_t> rest_sizes;                              // empty: by machine
-  std::vector<std::string> drag_steps;                           // DRAG:STEPS of a stage each; empty: RestPlan's
-  uint64_t rate_n = 0;                                           // of pressure and cooling; 0: by machine
+  uint64_t rest_layers = 10;
+  std::vector<std::string> drag_steps;  // DRAG:STEPS of a stage each; empty: RestPlan's
+  uint64_t rate_n = 0;                  // of pressure and cooling; 0: by machine
   int rounds = 11;
   std::string results;  // empty: default_results()
 };

@@ -148,6 +148,7 @@ void refuse_of_measurements(const Given& given) {
                                                 {"--averaged", {"steps"}},
                                                 {"--rate-n", {"rates"}},
                                                 {"--rest-n", {"rest"}},
+                                                {"--rest-layers", {"rest"}},
                                                 {"--drag-steps", {"rest"}},
                                                 {"--rounds", {"errors", "sums", "steps", "rest"}}};
   for (const auto& [option, used_by] : uses)

@@ -61,7 +61,13 @@ std::vector<Ablation> optimisations() {
        .summary = "near pairs are listed once for many steps; off: in every step; contacts of a gas",
        .backend = "",
        .spheres = Spheres::pushing,
-       .work = AblationWork::push}};
+       .work = AblationWork::push},
+      {.name = "walls",
+       .summary = "only spheres near walls are tested against them; contacts of a gas in its box",
+       .backend = "",
+       .spheres = Spheres::pushing,
+       .work = AblationWork::walls,
+       .spheres_off = Spheres::at_all_walls}};
 }
 
 std::vector<Ablation> glsl_features() {

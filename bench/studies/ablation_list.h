@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "common/backend/backend.h"
 
@@ -14,7 +15,8 @@ enum class Spheres {
   in_cell_order,  // sorted into cell order
   drifting,       // every step moves them sideways by about a diameter; all have left their first cells
   falling,        // n spheres of the scene `random`, which fall and bounce by the method anchored
-  pushing         // n spheres of the scene `gas`, which push each other
+  pushing,        // n spheres of the scene `gas`, which push each other
+  at_all_walls    // the same, each of which is tested against all walls
 };
 
 // What a timed step does.
@@ -22,6 +24,7 @@ enum class AblationWork {
   collide,  // a collision step, after a move if the spheres drift
   bounce,   // a move of `anchored`, event-driven or testing every sphere
   push,     // a move with contacts, with the list of near pairs kept or made in every step
+  walls,    // a move with contacts
   copy      // copies 16 bytes per sphere, in 16-byte or 4-byte accesses
 };
 
@@ -37,7 +40,10 @@ struct Ablation {
   Reads reads_off = Reads::nothing;       // read after every step when off
   bool OpenOptions::*open_off = nullptr;  // when off, another backend is opened with this option false
   AblationWork work = AblationWork::collide;
+  std::optional<Spheres> spheres_off = {};  // when off, these
 };
+
+inline Spheres spheres_of(const Ablation& a, bool on) { return on ? a.spheres : a.spheres_off.value_or(a.spheres); }
 
 const std::vector<Ablation>& ablation_list();
 

@@ -9,6 +9,7 @@
 #include "api/open.h"
 #include "bench/io/scene_text.h"
 #include "bench/studies/ablation_work.h"
+#include "bench/studies/device_batches.h"
 
 namespace spherepair {
 namespace {
@@ -17,7 +18,7 @@ constexpr uint64_t brute_force_up_to = 100000;           // spheres; with more, 
 constexpr uint64_t drifting_steps = 64;                  // in which each sphere crosses the scene
 constexpr int moves_checked = 40, pushes_checked = 200;  // as many as take several lists of near pairs
 
-bool only_moves(AblationWork work) { return work == AblationWork::bounce || work == AblationWork::push; }
+bool only_moves(AblationWork work) { return work != AblationWork::collide && work != AblationWork::copy; }
 
 template <typename Work>
 auto spending(double& seconds, Work work) {
@@ -36,7 +37,8 @@ AblationStudy::AblationStudy(Session& session, const OpenOptions& open, const Ab
     : session_(session), open_(open), options_(options), write_(std::move(write)) {
   sampling_.rounds = options.rounds;
   sampling_.software_seconds = 0.01;
-  sampling_.longest = 0.05;
+  sampling_.hardware_seconds = restarted_batch_seconds;
+  sampling_.longest = 0.25;
   scene_options_.name = "uniform";
   scene_options_.packing_fraction = options.packing_fraction;
 }
@@ -125,10 +127,10 @@ void AblationStudy::check_sets(const Case& which) {
 // Both must reach the reference's state.
 void AblationStudy::check_moves(const Case& which) {
   const SceneOptions options = options_of(which.ablation->spheres, scene_options_);
-  const int moves = which.ablation->work == AblationWork::push ? pushes_checked : moves_checked;
+  const int moves = which.ablation->spheres == Spheres::pushing ? pushes_checked : moves_checked;
   const auto moved = [&](Backend& backend, bool on) {
     holding_.erase(&backend);
-    hold(backend, which.ablation->spheres);
+    hold(backend, spheres_of(*which.ablation, on));
     holding_.erase(&backend);
     for (int k = 0; k < moves; ++k) step_of(*which.ablation, on)(backend);
     return current_state(backend);
@@ -181,9 +183,8 @@ Contender AblationStudy::contender_for(const Case& which, const std::string& lab
                       .contest = ablation.name,
                       .alternates = true};
   if (!moves(ablation.spheres)) return contender;
-  contender.restart = [&spheres = scene(ablation.spheres), kind = ablation.spheres](Backend& backend) {
-    start(backend, kind, spheres);
-  };
+  const Spheres kind = spheres_of(ablation, on);
+  contender.restart = [&spheres = scene(kind), kind](Backend& backend) { start(backend, kind, spheres); };
   contender.prepares = ablation.spheres != Spheres::falling;
   if (ablation.spheres == Spheres::drifting) contender.batch = drifting_steps;  // later ones differ from the first
   return contender;

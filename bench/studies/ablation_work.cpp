@@ -15,6 +15,8 @@ namespace {
 
 constexpr int steps_counted = 4, pushes_counted = 200;
 
+bool has_contacts(Spheres kind) { return kind == Spheres::pushing || kind == Spheres::at_all_walls; }
+
 Scene drifting(Scene scene) {
   for (vec4& velocity : scene.velocities) velocity = {64, 0, 0, 0};
   scene.gravity = 0;
@@ -62,6 +64,8 @@ std::function<void(Backend&)> step_of(const Ablation& ablation, bool on) {
       return [kind = on ? PeakRate::copy : PeakRate::words](Backend& backend) { backend.launch_peak_rate(kind); };
     case AblationWork::bounce:
       return [on](Backend& backend) { backend.set_event_driven(on), backend.move(); };
+    case AblationWork::walls:
+      return [](Backend& backend) { backend.move(); };
     case AblationWork::push:
       return [on](Backend& backend) { backend.keep_near_pairs(on), backend.move(); };
     default:
@@ -81,18 +85,19 @@ SceneOptions options_of(Spheres kind, const SceneOptions& uniform) {
     options.name = "random";
     options.motion = {MotionMethod::anchored, Precision::float32};
   }
-  if (kind == Spheres::pushing) options.name = "gas";
+  if (has_contacts(kind)) options.name = "gas";
   return options;
 }
 
 Scene scene_of(Spheres kind, const SceneOptions& uniform) {
   Scene made = make_scene(options_of(kind, uniform));
   if (kind == Spheres::in_cell_order) return in_cell_order(std::move(made));
-  if (kind == Spheres::pushing) choose_contacts(made, {.law = ContactLaw::spring});
+  if (has_contacts(kind)) choose_contacts(made, {.law = ContactLaw::spring});
+  made.contact.tests_all_walls = kind == Spheres::at_all_walls;
   return kind == Spheres::drifting ? drifting(std::move(made)) : made;
 }
 
-bool moves(Spheres kind) { return kind == Spheres::drifting || kind == Spheres::falling || kind == Spheres::pushing; }
+bool moves(Spheres kind) { return kind != Spheres::random && kind != Spheres::in_cell_order; }
 
 void start(Backend& backend, Spheres kind, const Scene& scene) {
   backend.upload(scene);
@@ -104,7 +109,7 @@ void start(Backend& backend, Spheres kind, const Scene& scene) {
 
 json work_per_step(const Ablation& ablation, bool on, Backend& backend, const Scene& scene) {
   const auto step = step_of(ablation, on);
-  if (ablation.work == AblationWork::copy) return json::object();
+  if (ablation.work == AblationWork::copy || ablation.work == AblationWork::walls) return json::object();
   if (ablation.work == AblationWork::bounce) return plane_json(on, backend, scene);
   if (ablation.work == AblationWork::push) return push_json(on, backend);
   const WorkCounts before = backend.work_counts();

@@ -85,7 +85,7 @@ std::vector<vec4> drift_velocities(const Backend::State& state, const ContactPar
 #pragma omp parallel for schedule(static) if (n > few)
   for (uint64_t i = 0; i < n; ++i) {
     const Body s = load_body(state.wide, at, i);
-    velocities[i] = velocity_of(kicked(s, pushes[i], push_of_walls(s, c), c), mobility_of(s.radius, c), c);
+    velocities[i] = velocity_of(kicked(s, pushes[i], push_of_walls(s, false, c), c), mobility_of(s.radius, c), c);
   }
   return velocities;
 }

@@ -24,6 +24,7 @@ void CpuContacts::upload(const Scene& scene) {
   params_ = contact_params(scene);
   kept_ = kept_by_drag(scene);
   may_sleep_ = may_sleep(scene);
+  tests_all_walls_ = scene.contact.tests_all_walls;
   rest_.assign(may_sleep_ ? scene.size() : 0, REST_MOVED);
   impulses_.assign(on() ? 3 * scene.size() : 0, 0);
   float_sums_.assign(impulses_.size(), 0);
@@ -147,7 +148,7 @@ void CpuContacts::step(std::vector<uint>& wide, std::vector<vec4>& positions, st
     if (is_at_rest(i)) continue;
     const Body before = load_body(wide, positions, i);
     Body s = before;
-    const Push walls = push_of_walls(s, params_);
+    const Push walls = push_of_walls(s, tests_all_walls_, params_);
     record(walls.fault, i);
     s = kicked_in_fluid(s, {take_impulse(i), take_impulse(n + i), take_impulse(2 * n + i), FAULTS}, walls, kept_,
                         params_);

@@ -18,7 +18,7 @@ class CpuContacts {
 
   void sum_impulses(ImpulseSums sums);
 
-  uint64_t searches() const { return search_.work().steps; }
+  uint64_t searches() const { return on() ? search_.work().steps : 0; }
 
   // A step of spheres in the wide state, by the impulses of their contacts, walls and gravity. Positions and velocities
   // become the nearest float32 numbers.
@@ -42,7 +42,8 @@ class CpuContacts {
   CpuSearch search_;  // of the grown spheres
   int threads_;
   ContactParams params_{};
-  float kept_ = 1;                 // of a momentum by drag, in half a step
+  float kept_ = 1;  // of a momentum by drag, in half a step
+  bool tests_all_walls_ = false;
   std::vector<int64_t> impulses_;  // as SLOT_IMPULSE
   FailedStep failed_;              // its faults as SLOT_FAULT; the rest where there are any
   std::vector<vec4> grown_;        // as SLOT_GROWN

@@ -24,7 +24,7 @@ void Contacts::upload(const Scene& scene) {
   launched_ = known_ = next_check_ = 0;
   done_ = 0;
   served_ = 1;
-  sleeps_ = may_sleep(scene);
+  sleeps_ = may_sleep(scene), tests_all_walls_ = scene.contact.tests_all_walls;
   context_.params.contact = contact_params(scene);
   if (on_) context_.params.motion.restitution = kept_by_drag(scene);
   const uint64_t n = on_ ? context_.n : 0;
@@ -100,7 +100,7 @@ void Contacts::launch(bool clear_results) {
 }
 
 void Contacts::launch_impulses(const Params& params) {
-  if (params.motion.whole_state != SLEEP_NEVER) {
+  if (sleep_mode(params.motion.whole_state) != SLEEP_NEVER) {
     Params awakening = params;
     awakening.motion.whole_state = SLEEP_AWAKENS;
     launch_pairs(Kernel::contact_pairs, awakening);
@@ -124,7 +124,8 @@ void Contacts::list_near_pairs() {
   done_ += known_;
   launched_ = known_ = 0;
   const bool sleeps = sleeps_ && sums_ == ImpulseSums::integers;
-  context_.params.motion.whole_state = sleeps ? SLEEP_AT_REST : SLEEP_NEVER;
+  context_.params.motion.whole_state =
+      (sleeps ? SLEEP_AT_REST : SLEEP_NEVER) | (tests_all_walls_ ? TESTS_ALL_WALLS : 0u);
   context_.launch({Kernel::contact_grow, SERVICE_BLOCK, {}, groups_per_sphere(context_)});
   near_.list();
   if (sums_ == ImpulseSums::in_order) list_rows();

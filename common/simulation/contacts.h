@@ -51,6 +51,7 @@ class Contacts {
   ImpulseSums sums_ = ImpulseSums::integers;
   bool on_ = false, made_ = false, keeps_ = true;
   bool sleeps_ = false;  // spheres may come to rest
+  bool tests_all_walls_ = false;
   bool left_ = false;    // a sphere has left its skin in the last step known to be done
   bool failed_ = false;  // that step could not be taken
   uint64_t done_ = 0;    // steps before the list

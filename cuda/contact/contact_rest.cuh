@@ -8,7 +8,7 @@
 namespace spherepair {
 
 __device__ inline bool is_at_rest(const Params& p, const KernelBuffers& buf, uint i) {
-  return p.motion.whole_state != SLEEP_NEVER && buf.next_event[i] == REST_SAME;
+  return sleep_mode(p.motion.whole_state) != SLEEP_NEVER && buf.next_event[i] == REST_SAME;
 }
 
 // Threads that awaken the same sphere write the same.
@@ -20,7 +20,7 @@ __device__ inline void awaken(const KernelBuffers& buf, uint i, uint j) {
 }
 
 __device__ inline void record_rest(const Params& p, const KernelBuffers& buf, uint i, bool same) {
-  if (p.motion.whole_state != SLEEP_NEVER) buf.next_event[i] = same ? REST_SAME : REST_MOVED;
+  if (sleep_mode(p.motion.whole_state) != SLEEP_NEVER) buf.next_event[i] = same ? REST_SAME : REST_MOVED;
 }
 
 }  // namespace spherepair

@@ -6,7 +6,7 @@
 
 layout(std430, binding = SLOT_REST) restrict buffer RestBuffer { uint next_event[]; };
 
-bool is_at_rest(uint i) { return p.motion.whole_state != SLEEP_NEVER && next_event[i] == REST_SAME; }
+bool is_at_rest(uint i) { return sleep_mode(p.motion.whole_state) != SLEEP_NEVER && next_event[i] == REST_SAME; }
 
 // Threads that awaken the same sphere write the same.
 void awaken(uint i, uint j) {
@@ -17,5 +17,5 @@ void awaken(uint i, uint j) {
 }
 
 void record_rest(uint i, bool same) {
-  if (p.motion.whole_state != SLEEP_NEVER) next_event[i] = same ? REST_SAME : REST_MOVED;
+  if (sleep_mode(p.motion.whole_state) != SLEEP_NEVER) next_event[i] = same ? REST_SAME : REST_MOVED;
 }

@@ -47,7 +47,7 @@ std::vector<uint> after_all_pairs(const Scene& scene, uint64_t steps) {
       }
     for (uint64_t i = 0; i < n; ++i) {
       const Body s = load_body(wide, scene.positions, i);
-      store_body(wide, n, i, drifted(kicked(s, sums[i], push_of_walls(s, c), c), mobility_of(s.radius, c)));
+      store_body(wide, n, i, drifted(kicked(s, sums[i], push_of_walls(s, false, c), c), mobility_of(s.radius, c)));
     }
   }
   return wide;

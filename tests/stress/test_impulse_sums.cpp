@@ -62,7 +62,7 @@ std::vector<uint> after_sums_in_order(const Scene& scene, uint64_t steps) {
       }
       const Body s = body(before, i);
       const Push sum = {integer_of(x), integer_of(y), integer_of(z), FAULTS};
-      store_body(wide, n, i, drifted(kicked(s, sum, push_of_walls(s, c), c), mobility_of(s.radius, c)));
+      store_body(wide, n, i, drifted(kicked(s, sum, push_of_walls(s, false, c), c), mobility_of(s.radius, c)));
     }
   }
   return wide;

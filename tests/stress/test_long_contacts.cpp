@@ -54,7 +54,7 @@ TEST_P(LongContacts, KeepTheMomentum) {
     Push walls{0, 0, 0, FAULTS}, changes = walls;
     for (uint64_t i = 0; i < n; ++i) {
       const Body was = load_body(before, scene.positions, i), is = load_body(now, scene.positions, i);
-      const Push wall = push_of_walls(was, c);
+      const Push wall = push_of_walls(was, false, c);
       walls.x += wall.x, walls.y += wall.y, walls.z += wall.z;
       changes.x += is.px - was.px, changes.y += is.py - was.py, changes.z += is.pz - was.pz;
       pushed += is.px != was.px && wall.x == 0;

@@ -65,7 +65,7 @@ struct RestStart {
 RestStart come_to_rest(Backend& backend, const RestPlan& plan, SettledBed& bed, Progress& progress) {
   Scene scene = packed_bed(bed.n, plan.layers);
   scene.restitution = plan.restitution;
-  choose_contacts(scene, {.law = ContactLaw::spring, .stiffness = plan.stiffness, .drag = 1});
+  choose_contacts(scene, {.law = ContactLaw::spring, .stiffness = plan.stiffness(), .drag = 1});
   backend.upload(scene);
   MotionState state = backend.save();
   const double energy = statistics_of(backend, scene, state.wide).energy();
@@ -177,7 +177,7 @@ json to_json(const RestPlan& plan) {
   json stages = json::array();
   for (const RestStage& stage : plan.stages) stages.push_back({{"drag_a_step", stage.drag}, {"steps", stage.steps}});
   return {{"layers", plan.layers},
-          {"stiffness", plan.stiffness},
+          {"stiffness", plan.stiffness()},
           {"restitution", plan.restitution},
           {"stages", stages},
           {"steps_averaged", plan.steps_averaged}};

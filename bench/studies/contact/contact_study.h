@@ -82,9 +82,11 @@ struct RestStage {
 struct RestPlan {
   std::vector<uint64_t> sizes;  // at least; then in whole layers
   uint64_t layers = 10;
-  float stiffness = 3e6f, restitution = 0.3f;
+  float stiffness_a_layer = 3e5f;  // in proportion to the weight on the floor: beds of any height overlap as much
+  float restitution = 0.3f;
   std::vector<RestStage> stages = {{0.001, 40'000}, {0.1, 2000}};
   uint64_t steps_averaged = 100;
+  float stiffness() const { return stiffness_a_layer * float(layers); }
 };
 
 struct ContactPlan {

@@ -32,11 +32,12 @@ std::span<const ImpulseSums> all_impulse_sums();
 // 2^-momentum_exponent kg m/s.
 struct ContactOptions {
   ContactLaw law = ContactLaw::none;
-  float stiffness = 0;       // k, in N/m, N/m^3 or N/m^1.5
-  float drag = 0;            // of a fluid at rest: speeds alone fall to 1/e in 1/drag seconds
-  bool sleeping = true;      // where there is drag, spheres at rest are passed over; the same bits
-  bool walls = false;        // a closed box: four sides and a lid, the plane is its floor
-  vec4 low = {}, high = {};  // its corners; low.y is not used
+  float stiffness = 0;           // k, in N/m, N/m^3 or N/m^1.5
+  float drag = 0;                // of a fluid at rest: speeds alone fall to 1/e in 1/drag seconds
+  bool sleeping = true;          // where there is drag, spheres at rest are passed over; the same bits
+  bool tests_all_walls = false;  // of spheres away from walls, too, to be measured against; the same bits
+  bool walls = false;            // a closed box: four sides and a lid, the plane is its floor
+  vec4 low = {}, high = {};      // its corners; low.y is not used
   int unit_exponent = 0, momentum_exponent = 0;
 };
 

@@ -68,9 +68,16 @@ FN float speed_of(int64_t momentum, float mobility) {
   EXACT float speed = float_of(momentum) * mobility;
   return speed;
 }
-// By which the damper's impulse is: in whole units, as positions have moved, so that spheres that stay in place have
-// none.
-FN float whole_speed_of(int64_t momentum, float mobility) { return float_of(scaled(momentum, mobility)); }
+// By which the damper's impulse is: in whole units, as positions move, so that spheres that stay in place have none:
+// what `scaled` rounds to 0 is at most a half here, and rounds to 0.
+FN float whole_speed_of(int64_t momentum, float mobility) {
+  float speed = speed_of(momentum, mobility);
+  uint bits = float_bits(speed) & 0x7FFFFFFFu;
+  if (bits >= 0x4B000000u) return speed;  // from 2^23 on
+  EXACT float sum = bits_float(bits) + 8388608.0f;
+  EXACT float whole = sum - 8388608.0f;
+  return speed < 0.0f ? -whole : whole;
+}
 FN float closing_speed(Body a, Body b, Gap g, ContactParams c) {
   float ma = mobility_of(a.radius, c);
   float mb = mobility_of(b.radius, c);
@@ -150,9 +157,10 @@ FN bool is_away_from_walls(Body s, ContactParams c) {
          c.high_y - s.y >= reach && c.high_z - s.z >= reach;
 }
 
-FN Push push_of_walls(Body s, ContactParams c) {
+// tests_all: also of spheres away from them, which changes nothing.
+FN Push push_of_walls(Body s, bool tests_all, ContactParams c) {
   Push push = {0l, 0l, 0l, FAULTS};
-  if (is_away_from_walls(s, c)) return push;
+  if (!tests_all && is_away_from_walls(s, c)) return push;
   int64_t low_x = push_of_wall(s.x - c.low_x, s.px, s.radius, c);
   int64_t low_y = push_of_wall(s.y - c.low_y, s.py, s.radius, c);
   int64_t low_z = push_of_wall(s.z - c.low_z, s.pz, s.radius, c);

@@ -15,10 +15,13 @@
 #define REST_SAME 1u      // did not, and no near sphere's: at rest
 #define REST_AWAKENED 2u  // did not, but a near sphere's
 
-// MotionParams::whole_state of the kernels of contacts.
+// MotionParams::whole_state of the kernels of contacts: one of SLEEP_MODES, and TESTS_ALL_WALLS of leapfrog.
+#define SLEEP_MODES 3u
 #define SLEEP_NEVER 0u    // SLOT_REST is not used
 #define SLEEP_AT_REST 1u  // spheres at rest are passed over
 #define SLEEP_AWAKENS 2u  // of contact_pairs, ahead of the above: awakens what is near a sphere that moved
+#define TESTS_ALL_WALLS 4u
+FN uint sleep_mode(uint whole_state) { return whole_state & SLEEP_MODES; }
 
 // What drag leaves of a momentum in half a step: MotionParams::restitution of leapfrog.
 FN int64_t slowed(int64_t momentum, float kept) { return kept == 1.0f ? momentum : scaled(momentum, kept); }
