@@ -67,8 +67,7 @@ ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
   if (options.rate_n) plan.rates.n = options.rate_n;
   plan.rates.converged = std::min(plan.rates.converged, 4 * std::ranges::max(plan.steps_a_contact));
   plan.sampling.rounds = options.rounds;
-  plan.sampling.hardware_seconds = 0.1;  // a batch begins with a list of near pairs: 0.4 ms
-  plan.sampling.longest = 0.25;
+  plan.sampling.longest = 0.02;
   if (!hardware) plan.sampling.software_seconds = 0.01, plan.steps_averaged = 20;
   if (options.averaged) plan.steps_averaged = options.averaged;
   return plan;

@@ -14,7 +14,6 @@
 #include "bench/io/context.h"
 #include "bench/io/motion_choice.h"
 #include "bench/options/options.h"
-#include "bench/studies/device_batches.h"
 #include "bench/studies/motion_targets.h"
 #include "common/scene/counted.h"
 
@@ -28,7 +27,6 @@ PrecisionPlan make_precision_plan(const PrecisionOptions& options, bool hardware
   if (!options.steps.empty()) plan.error_steps = plan.time_steps = options.steps;
   plan.time_n = options.n ? options.n : hardware ? 1 << 22 : options.quick ? 1 << 14 : 1 << 16;
   plan.sampling.rounds = options.rounds;
-  plan.sampling.hardware_seconds = device_batch_seconds;
   if (!hardware) plan.sampling.software_seconds = 0.01;
   plan.motions = chosen_motions(options.methods, options.precisions);
   return plan;

@@ -11,7 +11,6 @@
 #include "bench/io/context.h"
 #include "bench/io/motion_choice.h"
 #include "bench/options/options.h"
-#include "bench/studies/device_batches.h"
 #include "bench/studies/set_errors.h"
 
 namespace spherepair {
@@ -24,7 +23,6 @@ SetPlan make_set_plan(const SetsOptions& options, bool hardware) {
                : hardware    ? std::vector{4, 6, 8, 10, 12, 14}
                              : std::vector{4, 6, 8, 10};
   plan.offsets = {1e2f, 1e3f, 1e4f, 1e5f, 1e6f, 1e7f};
-  plan.sampling.hardware_seconds = device_batch_seconds;
   plan.sampling.rounds = options.quick ? fewest_for_interval : 11;
   if (hardware) {
     plan.n = 1 << 16;

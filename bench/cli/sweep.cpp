@@ -20,7 +20,6 @@
 #include "bench/io/context.h"
 #include "bench/io/scene_text.h"
 #include "bench/options/options.h"
-#include "bench/studies/device_batches.h"
 #include "bench/studies/sweep_point.h"
 
 namespace spherepair {
@@ -73,8 +72,7 @@ class Sweep {
   Sweep(const CommandLine& line, const SweepCommandOptions& options)
       : line_(line), options_(options), session_(options.backends, line.open, line.opener) {
     sampling_.rounds = options.rounds;
-    sampling_.hardware_seconds = restarted_batch_seconds;
-    sampling_.longest = 0.25;
+    sampling_.longest = 0.1;
   }
 
   int run() {

@@ -7,7 +7,6 @@
 
 #include "bench/io/scene_text.h"
 #include "bench/measure/floors.h"
-#include "bench/studies/device_batches.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {
@@ -52,8 +51,7 @@ LaunchStudy::LaunchStudy(Session& session, const LaunchesOptions& options, std::
     : session_(session), write_(std::move(write)) {
   sampling_.rounds = options.rounds;
   sampling_.software_seconds = 0.01;
-  sampling_.hardware_seconds = restarted_batch_seconds;
-  sampling_.longest = 0.25;
+  sampling_.longest = 0.1;
 }
 
 void LaunchStudy::run(const std::vector<uint64_t>& sizes) {

@@ -9,7 +9,6 @@
 #include "api/open.h"
 #include "bench/io/scene_text.h"
 #include "bench/studies/ablation_work.h"
-#include "bench/studies/device_batches.h"
 
 namespace spherepair {
 namespace {
@@ -37,8 +36,7 @@ AblationStudy::AblationStudy(Session& session, const OpenOptions& open, const Ab
     : session_(session), open_(open), options_(options), write_(std::move(write)) {
   sampling_.rounds = options.rounds;
   sampling_.software_seconds = 0.01;
-  sampling_.hardware_seconds = restarted_batch_seconds;
-  sampling_.longest = 0.25;
+  sampling_.longest = 0.05;
   scene_options_.name = "uniform";
   scene_options_.packing_fraction = options.packing_fraction;
 }

@@ -8,7 +8,6 @@
 
 #include "bench/check/step_result.h"
 #include "bench/io/numbers.h"
-#include "bench/studies/device_batches.h"
 #include "common/scene/counted.h"
 #include "common/shared/hash.h"
 
@@ -74,7 +73,6 @@ std::map<std::string, uint64_t> most_by_draw(const std::vector<std::string>& lim
 FramesStudy::FramesStudy(Session& session, const FramesOptions& options, std::function<void(Backend&)> show)
     : session_(session), options_(options), show_(std::move(show)), most_(most_by_draw(options.most)) {
   sampling_.rounds = options.rounds;
-  sampling_.hardware_seconds = device_batch_seconds;
   if (options.min_seconds > 0) sampling_.hardware_seconds = sampling_.software_seconds = options.min_seconds;
 }
 

@@ -7,7 +7,6 @@
 
 #include "bench/io/arguments.h"
 #include "bench/io/scene_text.h"
-#include "bench/studies/device_batches.h"
 #include "bench/tables/study.h"
 #include "common/scene/contact_scenes.h"
 
@@ -111,7 +110,6 @@ Plan make_plan(const PlanOptions& options, bool hardware) {
   plan.level = options.quick ? Level::quick : options.full ? Level::full : Level::standard;
   plan.hardware = hardware;
   plan.seed = plan.sampling.seed = options.seed;
-  plan.sampling.hardware_seconds = device_batch_seconds;
   plan.every = options.every;
   plan.contact = options.motion.contact;
   const bool contacts = plan.contact.law != ContactLaw::none;
