@@ -109,17 +109,18 @@ def contact_times(put, machine, others):
 
 def contact_rest(put, machine, others):
     """Of a bed at rest: the time of a step of which all spheres take part over that of one that passes over them."""
-    root = machine.source("contacts_rest.json")
-    (bed,) = root["beds"]
-    said(machine, bed["unmoved"] == 1 and bed["kinetic"] < 1e-12 and abs(bed["floor_force"] - 1) < 1e-6,
-         "a bed comes to rest to the bit, and the floor carries its weight")
-    put("rest/n", f"{bed['n']:,}", root["id"], "spheres of a bed at rest")
-    put("rest/layers", str(root["settings"]["rest"]["layers"]), root["id"], "its layers")
-    put("rest/overlap", f"{100 * bed['overlap']:.1f}", root["id"], "% of a radius, the greatest overlap in it")
-    for row in bed["steps"]:
-        if row["sleeping"]:
-            put(f"rest/{row['backend']}", f"{row['awake_over_this']['ratio']:.1f}x", root["id"],
-                f"{row['backend']}: time of a step of all spheres over that of one that passes over spheres at rest")
+    for record, name in (("contacts_rest", "rest"), ("contacts_rest_1e7", "rest/large")):
+        root = machine.source(f"{record}.json")
+        (bed,) = root["beds"]
+        said(machine, bed["unmoved"] == 1 and bed["kinetic"] < 1e-12 and abs(bed["floor_force"] - 1) < 1e-6,
+             "a bed comes to rest to the bit, and the floor carries its weight")
+        put(f"{name}/n", f"{bed['n']:,}", root["id"], "spheres of a bed at rest")
+        put(f"{name}/layers", str(root["settings"]["rest"]["layers"]), root["id"], "its layers")
+        put(f"{name}/overlap", f"{100 * bed['overlap']:.1f}", root["id"], "% of a radius, the greatest overlap in it")
+        for row in bed["steps"]:
+            if row["sleeping"]:
+                put(f"{name}/{row['backend']}", f"{row['awake_over_this']['ratio']:.1f}x", root["id"],
+                    f"{row['backend']}: time of a step of all spheres over that of one that passes over spheres at rest")
 
 
 CONTACTS = (contact_bits, long_contacts, contact_errors, contact_rates, contact_times, contact_rest)
