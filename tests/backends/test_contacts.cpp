@@ -18,7 +18,7 @@ std::vector<uint> after(Backend& backend, const Scene& scene, uint64_t steps) {
   return run_steps(backend, scene, steps).wide;
 }
 
-// Every law, unequal radii, gravity, walls, a damper.
+// Every law, unequal radii, gravity, walls (tested near them or everywhere), a damper.
 TEST_P(Contacts, SameBitsAsOnTheCpu) {
   for (const ContactLaw law : LAWS)
     for (const float ratio : {1.0f, 8.0f}) {
@@ -27,8 +27,12 @@ TEST_P(Contacts, SameBitsAsOnTheCpu) {
       const Backend::State start = run_steps(cpu_backend(), scene, 0), wanted = run_steps(cpu_backend(), scene, 400);
       ASSERT_GT(cpu_backend().state().wide, std::vector<uint>{});
       ASSERT_NE(start.wide, wanted.wide);
-      expect_equal_states(run_steps(backend(), scene, 400), wanted, fmt::format("{} 1:{}", contact_name(law), ratio));
-      backend().check_guards();
+      for (const bool tests_all_walls : {false, true}) {
+        scene.contact.tests_all_walls = tests_all_walls;
+        expect_equal_states(run_steps(backend(), scene, 400), wanted,
+                            fmt::format("{} 1:{}, all walls {}", contact_name(law), ratio, tests_all_walls));
+        backend().check_guards();
+      }
     }
 }
 
