@@ -94,7 +94,7 @@ GPU = tuple(map(in_hardware, (
     study("contacts_1e8", 7, "glsl,cuda", "contacts --measure steps --step-n 100000000", "contacts.json", memory=40 * GIB),
     study("contacts_rest", 1, "glsl,cuda", "contacts --measure rest --rounds 6", "contacts.json"),
     study("contacts_rest_1e7", 7, "glsl,cuda", "contacts --measure rest --rest-n 10000000 --rest-layers 150 "
-          "--drag-steps 0.001:32000,0.1:2000 --rounds 6", "contacts.json"),
+          "--drag-steps 0.001:32000,0.1:2000 --rounds 6", "contacts.json", memory=16 * GIB),
     study("launches", 1, "glsl,cuda", "launches", "launches.json", processes=SEVERAL),
     study("energy_all_pairs", 5, "glsl,cuda", "energy --works all_pairs --windows 5 --seconds 10", "energy.json"),
     study("energy_grid", 5, "glsl,cuda", "energy --works warm,cold --n 10000000 --windows 5 --seconds 10", "energy.json"),

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "common/backend/plan_watch.h"
+#include "common/scene/contact_scene.h"
 #include "tests/oracle/oracle.h"
 #include "tests/support/backends.h"
 #include "tests/support/grid_results.h"
@@ -104,7 +105,11 @@ TEST_P(Ablations, WorkIsCounted) {
             (std::array<uint64_t, 3>{3, 0, 3}));
 }
 
+// Behind a scene with contacts, whose searches for near pairs do not count any more.
 TEST_P(Ablations, LoadsOfRadiiAndListsAreCounted) {
+  Scene pushing = make_scene({.name = "gas", .n = 64});
+  choose_contacts(pushing, {.law = ContactLaw::spring});
+  backend().upload(pushing), backend().move();
   const auto counted = [&](const SceneOptions& scene, CollideOptions options) {
     backend().upload(make_scene(scene));
     run_step(backend(), options);

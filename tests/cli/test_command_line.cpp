@@ -61,6 +61,7 @@ TEST_F(CommandLineTest, OptionsThatChangeNothingAreRefusedWithTheReason) {
         {"contacts --measure errors,rates --step-n 64 --results " + path("r"), "--step-n"},
         {"contacts --measure sums --averaged 9 --results " + path("r"), "--averaged"},
         {"contacts --measure sums --rest-n 9 --results " + path("r"), "--rest-n"},
+        {"contacts --measure sums --rest-layers 9 --results " + path("r"), "--rest-layers"},
         {"contacts --measure steps --drag-steps 0.1:9 --results " + path("r"), "--drag-steps"},
         {"contacts --measure rates --rounds 6 --results " + path("r"), "--rounds"},
         {"frames --draws compute --most mesh:9 --results " + path("r"), "--most"}})

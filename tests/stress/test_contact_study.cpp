@@ -172,16 +172,17 @@ TEST_F(ContactStudy, RecordsEveryRunAndCost) {
 
 // A single layer in few steps; the same bits awake are compared by the study itself.
 TEST_F(ContactStudy, RecordsBedsAtRest) {
-  const Outcome outcome = run(fmt::format(
-      "contacts --backends cpu --threads 2 --measure rest --rest-n 100 --drag-steps 0.005:12000,0.1:1000 --rounds 6 "
-      "--results {}",
-      path("r")));
+  const Outcome outcome =
+      run(fmt::format("contacts --backends cpu --threads 2 --measure rest --rest-n 90 --rest-layers 8 "
+                      "--drag-steps 0.005:12000,0.1:1000 --rounds 6 --results {}",
+                      path("r")));
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   const json record = json::parse(read_bytes(path("r/contacts.json")));
   EXPECT_EQ(record.at("settings").at("rest").at("stages").at(1), (json{{"drag_a_step", 0.1}, {"steps", 1000}}));
+  EXPECT_FLOAT_EQ(record.at("settings").at("rest").at("stiffness"), 8 * 3e5f) << "in proportion to the layers";
   ASSERT_EQ(record.at("beds").size(), 1u);
   const json& bed = record.at("beds").front();
-  EXPECT_EQ(bed.at("n"), 5 * (16 + 9)) << "ten whole layers";
+  EXPECT_EQ(bed.at("n"), 4 * (16 + 9)) << "eight whole layers";
   EXPECT_EQ(bed.at("unmoved"), 1.0);
   EXPECT_LT(bed.at("kinetic"), 1e-12);
   EXPECT_NEAR(bed.at("floor_force").get<double>(), 1, 1e-6);
