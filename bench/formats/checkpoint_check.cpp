@@ -143,7 +143,7 @@ class Checker {
       const Body s = body(i);
       const vec4& v = scene_.velocities[i];
       if (!same(scene_.positions[i], centre_of(s, params))) return true;
-      return step_ > 0 && !same(v, velocity_of(s, mobility_of(s.radius, params), params));
+      return step_ > 0 && !same(v, velocity_of(speeds_of(s, mobility_of(s.radius, params)), params));
     };
     refuse(n_, wrong, [&](uint64_t i) {
       fail(fmt::format("wide state, sphere {}", i), "integers nearest to which its position and velocity are",

@@ -16,7 +16,7 @@ set(rooms_of_host/glsl ${gpu_rooms} glsl)
 set(rooms_of_host/cuda ${gpu_rooms} cuda/host interop)  # interop: OpenGL drawing CUDA's spheres
 set(rooms_of_host/contacts ${gpu_rooms} common/shared common/shared/contact common/cpu common/cpu/search)
 set(rooms_of_measure bench/measure)
-set(files_of_contacts "/(cpu_)?(contact|near_pairs|swept)[^/]*$")
+set(files_of_contacts "/(cpu_)?(contact|near_pairs|swept)[^/]*$|/shared/contact/")
 
 # Keeps the digest and the includes of a file for later.
 function(read_source file)

@@ -11,7 +11,7 @@
 
 #include "common/scene/contact_scene.h"
 #include "common/shared/anchor.h"
-#include "common/shared/skin.h"
+#include "common/shared/contact/skin.h"
 #include "common/shared/swept.h"
 
 namespace spherepair {
@@ -84,8 +84,9 @@ std::vector<vec4> drift_velocities(const Backend::State& state, const ContactPar
   std::vector<vec4> velocities(n);
 #pragma omp parallel for schedule(static) if (n > few)
   for (uint64_t i = 0; i < n; ++i) {
-    const Body s = load_body(state.wide, at, i);
-    velocities[i] = velocity_of(kicked(s, pushes[i], push_of_walls(s, false, c), c), mobility_of(s.radius, c), c);
+    const Body before = load_body(state.wide, at, i);
+    const Body s = kicked(before, pushes[i], push_of_walls(before, false, c), c);
+    velocities[i] = velocity_of(speeds_of(s, mobility_of(s.radius, c)), c);
   }
   return velocities;
 }

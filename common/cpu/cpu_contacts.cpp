@@ -153,12 +153,13 @@ void CpuContacts::step(std::vector<uint>& wide, std::vector<vec4>& positions, st
     s = kicked_in_fluid(s, {take_impulse(i), take_impulse(n + i), take_impulse(2 * n + i), FAULTS}, walls, kept_,
                         params_);
     const float mobility = mobility_of(s.radius, params_);
-    const uint wrong = fault_of(s, mobility, params_);
+    const vec4 speeds = speeds_of(s, mobility);
+    const uint wrong = fault_of(s, speeds, params_);
     record(wrong, i);
     if (wrong == FAULTS) s = drifted(s, mobility);
     store_body(wide, n, i, s);
     positions[i] = centre_of(s, params_);
-    velocities[i] = velocity_of(s, mobility, params_);
+    velocities[i] = velocity_of(speeds, params_);
     if (sleeps()) rest_[i] = is_same(s, before) ? REST_SAME : REST_MOVED;
     left = left || has_left_skin(positions[i], grown_[i]);
   }

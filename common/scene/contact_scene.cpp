@@ -9,7 +9,7 @@
 #include <ranges>
 #include <stdexcept>
 
-#include "common/shared/skin.h"
+#include "common/shared/contact/skin.h"
 
 namespace spherepair {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "common/scene/contact_scene.h"
-#include "common/shared/skin.h"
+#include "common/shared/contact/skin.h"
 
 namespace spherepair {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread per near pair, in turns until none is left: each of the two joins the other's row, in any order. Of rows
 // that are too short the longest is recorded, and all are filled again.
-#include "common/shared/skin.h"
+#include "common/shared/contact/skin.h"
 #include "cuda/kernels.cuh"
 
 namespace spherepair {

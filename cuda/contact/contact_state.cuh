@@ -3,7 +3,7 @@
 #pragma once
 
 #include "common/shared/contact/contact.h"
-#include "common/shared/skin.h"
+#include "common/shared/contact/skin.h"
 #include "cuda/kernels.cuh"
 
 namespace spherepair {
@@ -32,12 +32,12 @@ __device__ inline Body load_body(const Params& p, const KernelBuffers& buf, uint
   return Body{x.position, y.position, z.position, x.momentum, y.momentum, z.momentum, radius_of(p, buf, i)};
 }
 
-__device__ inline void store_body(const Params& p, const KernelBuffers& buf, uint i, Body s, float mobility) {
+__device__ inline void store_body(const Params& p, const KernelBuffers& buf, uint i, Body s, vec4 speeds) {
   store_axis(buf, 0u, i, s.x, s.px);
   store_axis(buf, 1u, i, s.y, s.py);
   store_axis(buf, 2u, i, s.z, s.pz);
   buf.position[i] = centre_of(s, p.contact);
-  buf.velocity[i] = velocity_of(s, mobility, p.contact);
+  buf.velocity[i] = velocity_of(speeds, p.contact);
 }
 
 // CUDA only from here: its atomic is of unsigned numbers

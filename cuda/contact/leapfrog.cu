@@ -27,11 +27,12 @@ __global__ void __launch_bounds__(BLOCK) leapfrog(Params p, KernelBuffers buf) {
   record_fault(buf, walls.fault, i);
   Body s = kicked_in_fluid(before, contacts, walls, p.motion.restitution, p.contact);
   float mobility = mobility_of(s.radius, p.contact);
-  uint wrong = fault_of(s, mobility, p.contact);
+  vec4 speeds = speeds_of(s, mobility);
+  uint wrong = fault_of(s, speeds, p.contact);
   record_fault(buf, wrong, i);
   if (wrong == FAULTS) s = drifted(s, mobility);
   record_rest(p, buf, i, is_same(s, before));
-  store_body(p, buf, i, s, mobility);
+  store_body(p, buf, i, s, speeds);
   bool failed = walls.fault != FAULTS || wrong != FAULTS || (i == 0u && has_faults(buf));
   if (failed || has_left_skin(centre_of(s, p.contact), skin)) atomicMin(&buf.fault[LEFT_SKIN], i);
 }

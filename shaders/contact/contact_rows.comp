@@ -3,7 +3,7 @@
 // One thread per near pair, in turns until none is left: each of the two joins the other's row, in any order. Of rows
 // that are too short the longest is recorded, and all are filled again.
 #include "shaders/kernels.glsl"
-#include "common/shared/skin.h"
+#include "common/shared/contact/skin.h"
 
 layout(local_size_x = BLOCK) in;
 layout(std430, binding = SLOT_FAULT) restrict buffer FaultBuffer { uint fault[]; };

@@ -5,7 +5,7 @@
 #include "shaders/kernels.glsl"
 
 #include "common/shared/contact/contact.h"
-#include "common/shared/skin.h"
+#include "common/shared/contact/skin.h"
 
 layout(std430, binding = SLOT_AXIS) restrict buffer AxisBuffer { i64vec2 of[]; }  // an Axis, aligned to 16 bytes
 axis[3];
@@ -35,12 +35,12 @@ Body load_body(uint i) {
   return Body(x.position, y.position, z.position, x.momentum, y.momentum, z.momentum, radius_of(i));
 }
 
-void store_body(uint i, Body s, float mobility) {
+void store_body(uint i, Body s, vec4 speeds) {
   store_axis(0u, i, s.x, s.px);
   store_axis(1u, i, s.y, s.py);
   store_axis(2u, i, s.z, s.pz);
   position[i] = centre_of(s, p.contact);
-  velocity[i] = velocity_of(s, mobility, p.contact);
+  velocity[i] = velocity_of(speeds, p.contact);
 }
 
 // GLSL only from here: CUDA has the atomic

@@ -26,11 +26,12 @@ void main() {
   record_fault(walls.fault, i);
   Body s = kicked_in_fluid(before, contacts, walls, p.motion.restitution, p.contact);
   float mobility = mobility_of(s.radius, p.contact);
-  uint wrong = fault_of(s, mobility, p.contact);
+  vec4 speeds = speeds_of(s, mobility);
+  uint wrong = fault_of(s, speeds, p.contact);
   record_fault(wrong, i);
   if (wrong == FAULTS) s = drifted(s, mobility);
   record_rest(i, is_same(s, before));
-  store_body(i, s, mobility);
+  store_body(i, s, speeds);
   bool failed = walls.fault != FAULTS || wrong != FAULTS || (i == 0u && has_faults());
   if (failed || has_left_skin(centre_of(s, p.contact), skin)) atomicMin(fault[LEFT_SKIN], i);
 }

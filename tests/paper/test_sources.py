@@ -78,6 +78,9 @@ class Digests(Tree):
                             ("common/simulation/search/near_pairs.cpp", {"host/contacts"}),
                             ("common/backend/swept_paths.cpp", {"host/contacts"}), ("common/backend/crossover.h", set())):
             self.assertEqual(names, self.changed(file, "int unused;\n"), file)
+        found = self.changed("common/shared/contact/fixed.h", "int unused;\n")
+        self.assertLessEqual({"host/contacts", "glsl/leapfrog", "cuda/leapfrog"}, found)
+        self.assertFalse(found & {"host/cpu", "host/glsl", "host/cuda"})
 
     def test_comments_includes_and_white_space_do_not(self):
         self.assertEqual(set(), self.changed("shaders/collide/collide_grid.comp", "  // a comment\n\n\n"))
@@ -140,6 +143,15 @@ class Stale(Tree):
                                {**timing("cpu"), "sums": "integers"}])
         self.append("common/cpu/cpu_contacts.cpp", "int unused;\n")
         self.assertEqual({"a.json": ("host code of contacts", 2, 4)}, self.stale())
+
+    def test_what_a_digest_covered_before_counts_while_it_is_as_it_was(self):
+        for name, (before, now) in sources.SAME.items():
+            self.assertEqual(now, sources.current(ROOT)[name], f"{name} has changed: take it out of SAME")
+            for file, digest in (("before.json", before), ("other.json", "0" * len(before))):
+                self.record(file, [timing("cpu")], {"sources": {**sources.current(self.root), name: digest}})
+        self.assertEqual({"other.json": ("host code (CPU)", 1, 1)}, self.stale())
+        self.append("common/cpu/search/cpu_simd.cpp", "int unused;\n")
+        self.assertEqual({"before.json", "other.json"}, self.stale().keys())
 
     def test_without_device_timers_every_kernel_of_the_api_counts(self):
         self.record("a.json", [timing("glsl"), timing("cpu"), timing("cuda")])

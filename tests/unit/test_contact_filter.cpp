@@ -8,7 +8,7 @@
 
 #include "common/scene/contact_scene.h"
 #include "common/shared/contact/contact.h"
-#include "common/shared/skin.h"
+#include "common/shared/contact/skin.h"
 
 namespace spherepair {
 namespace {

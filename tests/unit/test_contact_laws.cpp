@@ -10,7 +10,7 @@
 
 #include "common/scene/contact_scene.h"
 #include "common/shared/contact/contact.h"
-#include "common/shared/skin.h"
+#include "common/shared/contact/skin.h"
 #include "tests/support/soft_contacts.h"
 
 namespace spherepair {

@@ -21,7 +21,7 @@ class Failure {
           "sphere {} has left the range of float32 centres and 64-bit positions, at ({:.6g}, {:.6g}, {:.6g}) m: close "
           "the box with --walls, or take fewer steps",
           i, metres(s.x), metres(s.y), metres(s.z));
-    const vec4 v = velocity_of(s, mobility_of(s.radius, params_), params_);
+    const vec4 v = velocity_of(speeds_of(s, mobility_of(s.radius, params_)), params_);
     const float along = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     return fmt::format(
         "sphere {} moves by more than the smallest radius in a step, {:.4g} m of {:.4g} m along an axis, at {:.4g} "
@@ -40,7 +40,7 @@ class Failure {
   Body before(uint64_t i) const {
     Body s = step_.bodies[i];
     const float mobility = mobility_of(s.radius, params_);
-    if (fault_of(s, mobility, params_) != FAULTS) return s;
+    if (fault_of(s, speeds_of(s, mobility), params_) != FAULTS) return s;
     s.x -= scaled(s.px, mobility), s.y -= scaled(s.py, mobility), s.z -= scaled(s.pz, mobility);
     return s;
   }

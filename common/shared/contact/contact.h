@@ -7,7 +7,7 @@
 #define SPHEREPAIR_CONTACT_H
 
 #include "common/shared/contact/contact_quotient.h"
-#include "common/shared/gap.h"
+#include "common/shared/contact/gap.h"
 
 struct Body {
   int64_t x, y, z, px, py, pz;  // units of length and of momentum
@@ -174,17 +174,19 @@ FN Push push_of_walls(Body s, bool tests_all, ContactParams c) {
   return push;
 }
 
-FN bool outside_range(int64_t x) { return x >= MOST_UNITS || x <= -MOST_UNITS; }
-FN bool too_fast(int64_t momentum, float mobility, ContactParams c) {
-  float speed = speed_of(momentum, mobility);
-  return speed > c.fastest || speed < -c.fastest;
+// In units a step.
+FN vec4 speeds_of(Body s, float mobility) {
+  vec4 speeds = {speed_of(s.px, mobility), speed_of(s.py, mobility), speed_of(s.pz, mobility), 0.0f};
+  return speeds;
 }
 
-// What is wrong with a sphere that is to move by its momentum: FAULT_*, or FAULTS.
-FN uint fault_of(Body s, float mobility, ContactParams c) {
+FN bool outside_range(int64_t x) { return x >= MOST_UNITS || x <= -MOST_UNITS; }
+FN bool too_fast(float speed, ContactParams c) { return speed > c.fastest || speed < -c.fastest; }
+
+// What is wrong with a sphere that is to move at these speeds: FAULT_*, or FAULTS.
+FN uint fault_of(Body s, vec4 speeds, ContactParams c) {
   if (outside_range(s.x) || outside_range(s.y) || outside_range(s.z)) return FAULT_RANGE;
-  bool fast = too_fast(s.px, mobility, c) || too_fast(s.py, mobility, c) || too_fast(s.pz, mobility, c);
-  return fast ? FAULT_FAST : FAULTS;
+  return too_fast(speeds.x, c) || too_fast(speeds.y, c) || too_fast(speeds.z, c) ? FAULT_FAST : FAULTS;
 }
 FN bool any_fault(uint deep, uint fast, uint range) { return (deep & fast & range) != 0xFFFFFFFFu; }
 
@@ -212,10 +214,10 @@ FN vec4 centre_of(Body s, ContactParams c) {
   vec4 centre = {x, y, z, s.radius};
   return centre;
 }
-FN vec4 velocity_of(Body s, float mobility, ContactParams c) {
-  EXACT float x = speed_of(s.px, mobility) * c.metres_per_second;
-  EXACT float y = speed_of(s.py, mobility) * c.metres_per_second;
-  EXACT float z = speed_of(s.pz, mobility) * c.metres_per_second;
+FN vec4 velocity_of(vec4 speeds, ContactParams c) {
+  EXACT float x = speeds.x * c.metres_per_second;
+  EXACT float y = speeds.y * c.metres_per_second;
+  EXACT float z = speeds.z * c.metres_per_second;
   vec4 velocity = {x, y, z, 0.0f};
   return velocity;
 }

@@ -6,7 +6,7 @@
 #define SPHEREPAIR_CONTACT_REST_H
 
 #include "common/shared/contact/contact.h"
-#include "common/shared/skin.h"
+#include "common/shared/contact/skin.h"
 
 // uint[n]: what the last step did to each sphere. Awake are those that are not at rest: all, where near pairs have just
 // been listed, since a sphere that flew off may have left the list.

@@ -24,8 +24,8 @@ FN float float_of(int64_t x) {
   uint kept = uint((whole >> dropped) & 0xFFFFFFul);
   uint64_t rest = whole & ((1ul << dropped) - 1ul);
   uint64_t half_unit = 1ul << (dropped - 1u);
-  bool up = rest > half_unit || (rest == half_unit && (kept & 1u) != 0u);
-  return bits_float((((127u + top) << 23) + (kept - 0x800000u) + (up ? 1u : 0u)) | sign);
+  uint up = rest + uint64_t(kept & 1u) > half_unit ? 1u : 0u;
+  return bits_float((((127u + top) << 23) + (kept - 0x800000u) + up) | sign);
 }
 
 // The nearest integer, ties to even, of |x| < 2^61; what is larger, or not a number, becomes +-2^61.

@@ -4,7 +4,7 @@
 #ifndef SPHEREPAIR_GAP_H
 #define SPHEREPAIR_GAP_H
 
-#include "common/shared/fixed.h"
+#include "common/shared/contact/fixed.h"
 #include "common/shared/layout.h"
 #include "common/shared/round.h"
 
