@@ -73,7 +73,7 @@ NEAR_PAIRS = [
     mutant("no step is reversed", "common/backend/swept_paths.cpp", "below_plane(end, radius, m.plane) ? turned(v, m) : speed", "speed",
            "Swept"),
     mutant("contacts leave paths alone", "common/backend/swept_paths.cpp", "pushes[j].x -= push.x", "pushes[j].x += 0", "Swept"),
-    mutant("walls leave paths alone", "common/backend/swept_paths.cpp", "push_of_walls(s, false, c)", "Push{0, 0, 0, FAULTS}", "Swept"),
+    mutant("walls leave paths alone", "common/backend/swept_paths.cpp", "push_of_walls(before, false, c)", "Push{0, 0, 0, FAULTS}", "Swept"),
     mutant("glsl: paths begin with the state's velocities", "shaders/collide/collide_swept.comp", "grown[i], position[j]",
            "velocity[i], position[j]", "Swept"),
     mutant("contacts keep a list of paths", "common/simulation/simulation.cpp", "contacts_.forget_list();", "", "Swept"),
