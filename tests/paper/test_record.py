@@ -22,7 +22,7 @@ from paper.records import DATA, Machine  # noqa: E402
 
 # Records of the machines of paper/data that are stale, from a change of kernels until they are recorded again; one that
 # is current is refused here.
-STALE = {"h100": {"ablate", "contacts"}, "llvmpipe": {"contacts_cpu"}}
+STALE = {"h200": {"window"}}  # needs an X server
 
 
 class StandIn(unittest.TestCase):
@@ -231,9 +231,9 @@ class Stale(StandIn):
         self.assertIn("holds no records with times", self.run_it("--stale", code=1))
 
     def test_the_machines_of_the_paper(self):
-        for machine in sorted(path.parent for path in [*DATA.glob("*/results.json"), *DATA.glob("*/results")]):
-            stale = {name for name, entry in sources.checked(machine).items() if entry.stale}
-            self.assertEqual(STALE.get(machine.name, set()), stale, f"{machine.name}: paper/record records it again")
+        for machine in ("h100", "h200", "llvmpipe"):
+            stale = {name for name, entry in sources.checked(DATA / machine).items() if entry.stale}
+            self.assertEqual(STALE.get(machine, set()), stale, f"{machine}: paper/record records it again")
 
 
 if __name__ == "__main__":
