@@ -17,7 +17,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "checkpoints are little-endian");
 constexpr char magic[] = "SPHCHECK";
-constexpr uint format_version = 1, version_without_drag = 2, version_with_contacts = 3;
+constexpr uint format_version = 1, version_with_contacts = 3;  // 2: contacts without drag
 
 struct Header {
   char magic[8];
