@@ -7,7 +7,7 @@
 #include "shaders/contact/contact_rest.glsl"
 
 layout(local_size_x = BLOCK) in;
-layout(std430, binding = SLOT_GROWN) restrict buffer GrownBuffer { vec4 grown[]; };
+layout(std430, binding = SLOT_GROWN) restrict readonly buffer GrownBuffer { vec4 grown[]; };
 
 void main() {
   uint i = group_index() * BLOCK + gl_LocalInvocationID.x;

@@ -150,28 +150,38 @@ FN int64_t push_of_wall(int64_t distance, int64_t outward_momentum, float radius
   return integer_of(push);
 }
 
-// Farther from every wall than the power of two above the radius, as most spheres are.
-FN bool is_away_from_walls(Body s, ContactParams c) {
-  int64_t reach = int64_t(1ul << (uint(c.unit_exponent) + exponent_field(s.radius) - 126u));
-  return s.x - c.low_x >= reach && s.y - c.low_y >= reach && s.z - c.low_z >= reach && c.high_x - s.x >= reach &&
-         c.high_y - s.y >= reach && c.high_z - s.z >= reach;
-}
+// Of walls as bits: low x, y, z, high x, y, z.
+const uint ALL_WALLS = 63u;
 
-// tests_all: also of spheres away from them, which changes nothing.
+// The walls that are no farther than the power of two above the radius: most spheres have none.
+FN uint walls_near(Body s, ContactParams c) {
+  int64_t reach = int64_t(1ul << (uint(c.unit_exponent) + exponent_field(s.radius) - 126u));
+  return (s.x - c.low_x < reach ? 1u : 0u) | (s.y - c.low_y < reach ? 2u : 0u) | (s.z - c.low_z < reach ? 4u : 0u) |
+         (c.high_x - s.x < reach ? 8u : 0u) | (c.high_y - s.y < reach ? 16u : 0u) | (c.high_z - s.z < reach ? 32u : 0u);
+}
+FN int64_t on_axis(uint axis, int64_t x, int64_t y, int64_t z) { return axis == 0u ? x : (axis == 1u ? y : z); }
+
+// A loop over the walls that are near: a GPU's threads then run the same code, once, whichever wall is theirs.
+// tests_all: also over the others, which changes nothing.
 FN Push push_of_walls(Body s, bool tests_all, ContactParams c) {
-  Push push = {0l, 0l, 0l, FAULTS};
-  if (!tests_all && is_away_from_walls(s, c)) return push;
-  int64_t low_x = push_of_wall(s.x - c.low_x, s.px, s.radius, c);
-  int64_t low_y = push_of_wall(s.y - c.low_y, s.py, s.radius, c);
-  int64_t low_z = push_of_wall(s.z - c.low_z, s.pz, s.radius, c);
-  int64_t high_x = push_of_wall(c.high_x - s.x, -s.px, s.radius, c);
-  int64_t high_y = push_of_wall(c.high_y - s.y, -s.py, s.radius, c);
-  int64_t high_z = push_of_wall(c.high_z - s.z, -s.pz, s.radius, c);
-  if (low_x < 0l || low_y < 0l || low_z < 0l || high_x < 0l || high_y < 0l || high_z < 0l) push.fault = FAULT_DEEP;
-  push.x = low_x - high_x;
-  push.y = low_y - high_y;
-  push.z = low_z - high_z;
-  return push;
+  Push sum = {0l, 0l, 0l, FAULTS};
+  for (uint left = tests_all ? ALL_WALLS : walls_near(s, c); left != 0u;) {
+    uint wall = highest_bit(left);
+    left -= 1u << wall;
+    bool is_high = wall >= 3u;
+    uint axis = is_high ? wall - 3u : wall;
+    int64_t at = on_axis(axis, s.x, s.y, s.z);
+    int64_t momentum = on_axis(axis, s.px, s.py, s.pz);
+    int64_t low = on_axis(axis, c.low_x, c.low_y, c.low_z);
+    int64_t high = on_axis(axis, c.high_x, c.high_y, c.high_z);
+    int64_t push = push_of_wall(is_high ? high - at : at - low, is_high ? -momentum : momentum, s.radius, c);
+    if (push < 0l) sum.fault = FAULT_DEEP;
+    int64_t along = is_high ? -push : push;
+    sum.x += axis == 0u ? along : 0l;
+    sum.y += axis == 1u ? along : 0l;
+    sum.z += axis == 2u ? along : 0l;
+  }
+  return sum;
 }
 
 // In units a step.

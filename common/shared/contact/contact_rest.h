@@ -23,19 +23,18 @@
 #define TESTS_ALL_WALLS 4u
 FN uint sleep_mode(uint whole_state) { return whole_state & SLEEP_MODES; }
 
-// What drag leaves of a momentum in half a step: MotionParams::restitution of leapfrog.
-FN int64_t slowed(int64_t momentum, float kept) { return kept == 1.0f ? momentum : scaled(momentum, kept); }
+// kept: what drag leaves of a momentum in half a step, MotionParams::restitution of leapfrog.
+FN Body slowed(Body s, float kept) {
+  if (kept == 1.0f) return s;
+  s.px = scaled(s.px, kept);
+  s.py = scaled(s.py, kept);
+  s.pz = scaled(s.pz, kept);
+  return s;
+}
 
 // Momentum before position, by half of the drag, the impulses, and the other half.
 FN Body kicked_in_fluid(Body s, Push contacts, Push walls, float kept, ContactParams c) {
-  s.px = slowed(s.px, kept);
-  s.py = slowed(s.py, kept);
-  s.pz = slowed(s.pz, kept);
-  s = kicked(s, contacts, walls, c);
-  s.px = slowed(s.px, kept);
-  s.py = slowed(s.py, kept);
-  s.pz = slowed(s.pz, kept);
-  return s;
+  return slowed(kicked(slowed(s, kept), contacts, walls, c), kept);
 }
 
 FN bool is_same(Body a, Body b) {

@@ -19,13 +19,11 @@ FN float float_of(int64_t x) {
   uint sign = x < 0l ? 0x80000000u : 0u;
   uint high = uint(whole >> 32);
   uint top = high != 0u ? 32u + highest_bit(high) : highest_bit(uint(whole & 0xFFFFFFFFul) | 1u);
-  if (top < 24u) return bits_float(float_bits(float(uint(whole & 0xFFFFFFul))) | sign);
-  uint dropped = top - 23u;
-  uint kept = uint((whole >> dropped) & 0xFFFFFFul);
-  uint64_t rest = whole & ((1ul << dropped) - 1ul);
-  uint64_t half_unit = 1ul << (dropped - 1u);
-  uint up = rest + uint64_t(kept & 1u) > half_unit ? 1u : 0u;
-  return bits_float((((127u + top) << 23) + (kept - 0x800000u) + up) | sign);
+  uint64_t digits = whole << (63u - top);  // the first one foremost
+  uint kept = uint(digits >> 40);
+  uint up = (digits & 0xFFFFFFFFFFul) + uint64_t(kept & 1u) > 0x8000000000ul ? 1u : 0u;
+  uint bits = (((127u + top) << 23) + (kept - 0x800000u) + up) | sign;
+  return bits_float(whole != 0ul ? bits : 0u);
 }
 
 // The nearest integer, ties to even, of |x| < 2^61; what is larger, or not a number, becomes +-2^61.
