@@ -105,7 +105,7 @@ CPU = [
     mutant("cpu: a contact pushes one sphere alone", "common/cpu/cpu_contacts.cpp", "add(impulses_[second], -value);", "", "Contacts", "ContactLaws"),
     mutant("the skin is never left", "common/shared/contact/skin.h", "return !(path > 0.0f && squared_between(sphere, grown) <= longest);", "return false;", "Contacts"),
     mutant("near pairs are those that overlap", "common/shared/contact/skin.h", "EXACT float radius = sphere.w + thickness;", "EXACT float radius = sphere.w;", "Contacts"),
-    mutant("spheres on the plane are away from walls", "common/shared/contact/contact.h", "(s.y - c.low_y < reach ? 2u : 0u) | ", "", "ContactLaws", "Contacts"),
+    mutant("spheres on the plane are away from walls", "common/shared/contact/contact.h", "(s.y - c.low_y < reach ? 2u : 0u) | ", "", "ContactWalls"),
     mutant("glsl: the last near pair is left out", "shaders/contact/contact_pairs.comp", "uint pairs = p.search.near_pairs;", "uint pairs = max(p.search.near_pairs, 1u) - 1u;", "Contacts"),
     mutant("any scene moves", "common/cpu/cpu_motion.cpp", "if (!unmovable_.empty()) throw", "if (false) throw", "NonFinite"),
     mutant("a state may be infinite", "bench/check/finite_state.cpp", "if (unsound.empty()) return;", "return;", "NonFinite", "Harness"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Deliberate faults in what is done with near pairs: sums of impulses, their study, and contacts between steps."""
+"""Deliberate faults in what is done with near pairs: sums of impulses, their study, contacts between steps, walls and rest."""
 from mutant import mutant
 
 NEAR_PAIRS = [
@@ -110,4 +110,10 @@ NEAR_PAIRS = [
     mutant("any drag is taken", "common/scene/contact_scene.cpp", " && double(contact.drag) * double(scene.dt) <= most_drag", "",
            "ContactRestOptions"),
     mutant("checkpoints lose the drag", "bench/formats/checkpoint.cpp", ".drag = c.drag,", "", "Checkpoint"),
+    mutant("high walls push outwards", "common/shared/contact/contact.h", "int64_t along = is_high ? -push : push;", "int64_t along = push;", "ContactWalls"),
+    mutant("one wall of those near pushes", "common/shared/contact/contact.h", "left -= 1u << wall;", "left = 0u;", "ContactWalls"),
+    mutant("nothing is behind a wall", "common/shared/contact/contact.h", "if (push < 0l) sum.fault = FAULT_DEEP;", "", "ContactWalls"),
+    mutant("halves are rounded down", "common/shared/contact/fixed.h",
+           "(digits & 0xFFFFFFFFFFul) + uint64_t(kept & 1u) > 0x8000000000ul", "(digits & 0xFFFFFFFFFFul) > 0x8000000000ul", "FixedPoint"),
+    mutant("drag slows nothing", "common/shared/contact/contact_rest.h", "if (kept == 1.0f) return s;", "if (kept <= 1.0f) return s;", "ContactRest"),
 ]
