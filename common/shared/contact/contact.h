@@ -153,7 +153,7 @@ FN int64_t push_of_wall(int64_t distance, int64_t outward_momentum, float radius
 // Of walls as bits: low x, y, z, high x, y, z.
 const uint ALL_WALLS = 63u;
 
-// The walls that are no farther than the power of two above the radius: most spheres have none.
+// The walls that are nearer than the power of two above the radius: most spheres have none.
 FN uint walls_near(Body s, ContactParams c) {
   int64_t reach = int64_t(1ul << (uint(c.unit_exponent) + exponent_field(s.radius) - 126u));
   return (s.x - c.low_x < reach ? 1u : 0u) | (s.y - c.low_y < reach ? 2u : 0u) | (s.z - c.low_z < reach ? 4u : 0u) |

@@ -19,7 +19,7 @@ FN float float_of(int64_t x) {
   uint sign = x < 0l ? 0x80000000u : 0u;
   uint high = uint(whole >> 32);
   uint top = high != 0u ? 32u + highest_bit(high) : highest_bit(uint(whole & 0xFFFFFFFFul) | 1u);
-  uint64_t digits = whole << (63u - top);  // the first one foremost
+  uint64_t digits = whole << (63u - top);  // its highest set bit is bit 63
   uint kept = uint(digits >> 40);
   uint up = (digits & 0xFFFFFFFFFFul) + uint64_t(kept & 1u) > 0x8000000000ul ? 1u : 0u;
   uint bits = (((127u + top) << 23) + (kept - 0x800000u) + up) | sign;
