@@ -148,7 +148,8 @@ void add_compare(CLI::App& app, CommandLine& line, Action& action) {
       ->capture_default_str();
   command->add_option("--rounds", plan.rounds, "Rounds per timing (default 11)")->transform(whole_number(1, 100000));
   command
-      ->add_option("--min-seconds", plan.min_seconds, "Minimum time of one sample (default 0.002 on a GPU, else 0.05)")
+      ->add_option("--min-seconds", plan.min_seconds,
+                   "Minimum time of the longest batch (default 0.02 on a GPU, else 0.05)")
       ->check(sample_range);
   command->add_flag("--quick", plan.quick, "Small sizes; without a GPU 6 rounds");
   command->add_flag("--full", plan.full, "All sizes, more steps and rounds");

@@ -15,6 +15,7 @@
 #include "bench/io/motion_choice.h"
 #include "bench/options/options.h"
 #include "bench/studies/motion_targets.h"
+#include "bench/studies/study_sampling.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {
@@ -26,7 +27,7 @@ PrecisionPlan make_precision_plan(const PrecisionOptions& options, bool hardware
   plan.time_steps = options.quick ? std::vector{6} : hardware ? std::vector{4, 5, 6, 8, 10} : std::vector{5, 6, 10};
   if (!options.steps.empty()) plan.error_steps = plan.time_steps = options.steps;
   plan.time_n = options.n ? options.n : hardware ? 1 << 22 : options.quick ? 1 << 14 : 1 << 16;
-  plan.sampling.rounds = options.rounds;
+  plan.sampling = study_sampling(options.rounds);
   if (!hardware) plan.sampling.software_seconds = 0.01;
   plan.motions = chosen_motions(options.methods, options.precisions);
   return plan;

@@ -12,6 +12,7 @@
 #include "bench/io/motion_choice.h"
 #include "bench/options/options.h"
 #include "bench/studies/set_errors.h"
+#include "bench/studies/study_sampling.h"
 
 namespace spherepair {
 namespace {
@@ -23,7 +24,8 @@ SetPlan make_set_plan(const SetsOptions& options, bool hardware) {
                : hardware    ? std::vector{4, 6, 8, 10, 12, 14}
                              : std::vector{4, 6, 8, 10};
   plan.offsets = {1e2f, 1e3f, 1e4f, 1e5f, 1e6f, 1e7f};
-  plan.sampling.rounds = options.quick ? fewest_for_interval : 11;
+  plan.sampling = study_sampling();
+  if (options.quick) plan.sampling.rounds = fewest_for_interval;
   if (hardware) {
     plan.n = 1 << 16;
     plan.naive_n = 1 << 20;

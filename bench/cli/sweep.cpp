@@ -20,6 +20,7 @@
 #include "bench/io/context.h"
 #include "bench/io/scene_text.h"
 #include "bench/options/options.h"
+#include "bench/studies/study_sampling.h"
 #include "bench/studies/sweep_point.h"
 
 namespace spherepair {
@@ -71,7 +72,7 @@ class Sweep {
  public:
   Sweep(const CommandLine& line, const SweepCommandOptions& options)
       : line_(line), options_(options), session_(options.backends, line.open, line.opener) {
-    sampling_.rounds = options.rounds;
+    sampling_ = study_sampling(options.rounds);
     sampling_.longest = 0.1;
   }
 

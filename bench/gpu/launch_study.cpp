@@ -7,6 +7,7 @@
 
 #include "bench/io/scene_text.h"
 #include "bench/measure/floors.h"
+#include "bench/studies/study_sampling.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {
@@ -49,7 +50,7 @@ std::string text_of(const WorkCounts& made) {
 
 LaunchStudy::LaunchStudy(Session& session, const LaunchesOptions& options, std::function<void()> write)
     : session_(session), write_(std::move(write)) {
-  sampling_.rounds = options.rounds;
+  sampling_ = study_sampling(options.rounds);
   sampling_.software_seconds = 0.01;
   sampling_.longest = 0.1;
 }

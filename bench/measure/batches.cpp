@@ -106,7 +106,7 @@ BatchPlan plan_batches(std::span<const Contender* const> contenders, const Sampl
     most = std::min(most, std::max(1.0, std::floor((sampling.longest - fixed) / step)));
   }
   const uint64_t largest = uint64_t(std::min(wanted, most));
-  BatchPlan plan{{largest}, wanted > most};
+  BatchPlan plan{{largest}, wanted > most, sampling.ahead};
   if (largest >= 4) plan.steps = {largest / 4, largest / 2, largest};
   return plan;
 }
@@ -118,8 +118,11 @@ Turn take_turn(const Contender& contender, const BatchPlan& plan, const Clocks& 
   shuffle(batches, order);
   for (const size_t k : batches) {
     Batch batch;
+    const int ahead = steps_ahead(contender, plan.steps.back());
+    const uint64_t untimed = on_hardware(*contender.backend) ? uint64_t(plan.ahead * double(plan.steps[k])) : 0;
     for (int attempt = 1;; ++attempt) {
-      batch = time_batch(contender, plan.steps[k], steps_ahead(contender, plan.steps.back()), clocks);
+      if (untimed) time_batch(contender, untimed, ahead, clocks);
+      batch = time_batch(contender, plan.steps[k], ahead, clocks);
       if (contender.prepares || batch.prepared == Preparations{}) break;
       if (attempt == attempts)
         throw BackendError(

@@ -49,7 +49,11 @@ struct Sampling {
   double longest = 0.25;       // ... unless that would take longer than this, in seconds
   double hardware_seconds = 2e-3;  // least duration of the longest batch on a GPU ...
   double software_seconds = 0.05;  // ... and on the host, GL in software included
-  uint64_t seed = 1;               // of every order
+  // Of each batch on a GPU, so many of its steps go ahead of it and are waited for, untimed. Behind a long batch
+  // OpenGL's driver gives buffers of commands back within the next one, which takes 1 to 2 ms
+  // (docs/NOTES/measuring.md).
+  double ahead = 0;
+  uint64_t seed = 1;  // of every order
   Clocks clocks = host_clocks();
 };
 
@@ -77,6 +81,7 @@ int steps_ahead(const Contender& contender, uint64_t largest);
 struct BatchPlan {
   std::vector<uint64_t> steps;
   bool bounded = false;  // by Sampling::longest: the fixed cost may have a larger share
+  double ahead = 0;      // as Sampling::ahead
 };
 BatchPlan plan_batches(std::span<const Contender* const> contenders, const Sampling& sampling);
 

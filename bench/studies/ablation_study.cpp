@@ -9,6 +9,7 @@
 #include "api/open.h"
 #include "bench/io/scene_text.h"
 #include "bench/studies/ablation_work.h"
+#include "bench/studies/study_sampling.h"
 
 namespace spherepair {
 namespace {
@@ -34,7 +35,7 @@ auto spending(double& seconds, Work work) {
 AblationStudy::AblationStudy(Session& session, const OpenOptions& open, const AblateOptions& options,
                              std::function<void()> write)
     : session_(session), open_(open), options_(options), write_(std::move(write)) {
-  sampling_.rounds = options.rounds;
+  sampling_ = study_sampling(options.rounds);
   sampling_.software_seconds = 0.01;
   sampling_.longest = 0.05;
   scene_options_.name = "uniform";

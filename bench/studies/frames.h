@@ -21,7 +21,7 @@ struct FramesOptions {
   bool transfer = false;  // also time OpenGL drawing of CUDA's spheres
   bool window = false;    // draw in the context of a window, and what `view` does with each image
   int rounds = 11;
-  double min_seconds = 0;              // of a sample; 0: the timing core's default
+  double min_seconds = 0;              // of the longest batch; 0: as study_sampling()
   std::vector<std::string> most = {};  // METHOD:n, most spheres that a drawing method is timed with
   std::string results = {};            // folder; empty: a new one
 };

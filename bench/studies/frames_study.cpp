@@ -8,6 +8,7 @@
 
 #include "bench/check/step_result.h"
 #include "bench/io/numbers.h"
+#include "bench/studies/study_sampling.h"
 #include "common/scene/counted.h"
 #include "common/shared/hash.h"
 
@@ -72,7 +73,7 @@ std::map<std::string, uint64_t> most_by_draw(const std::vector<std::string>& lim
 
 FramesStudy::FramesStudy(Session& session, const FramesOptions& options, std::function<void(Backend&)> show)
     : session_(session), options_(options), show_(std::move(show)), most_(most_by_draw(options.most)) {
-  sampling_.rounds = options.rounds;
+  sampling_ = study_sampling(options.rounds);
   if (options.min_seconds > 0) sampling_.hardware_seconds = sampling_.software_seconds = options.min_seconds;
 }
 

@@ -8,6 +8,7 @@
 
 #include "bench/io/motion_choice.h"
 #include "bench/measure/timing.h"
+#include "bench/studies/study_sampling.h"
 #include "common/backend/backend.h"
 
 namespace spherepair {
@@ -35,7 +36,7 @@ struct Plan {
   uint64_t grazing_pairs = 10000;
   double row_seconds = 8;  // without a GPU, sizes of a table that would take longer are left out
   std::vector<std::string> tables;
-  Sampling sampling;
+  Sampling sampling = study_sampling();
 };
 
 // Overrides from the command line; empty: not given.

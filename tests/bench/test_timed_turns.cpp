@@ -54,6 +54,21 @@ TEST(TimedTurns, KIsSoLargeThatTheFixedCostHardlyCounts) {
   EXPECT_LE(bounded.at("batch_ms")[0][2].get<double>(), 5 + 1e-6);
 }
 
+// As OpenGL's driver does, which gives buffers of commands back behind many.
+TEST(TimedTurns, AShortBatchAheadKeepsOneFromBeingLateBehindALongOne) {
+  ClockedSession on;
+  on["glsl"].late = 1e-3;
+  const auto furthest = [&] {
+    const Samples samples = on.measure({on.contender("glsl")}).front();
+    double most = 0;
+    for (const double seconds : samples.seconds) most = std::max(most, std::abs(seconds - 10e-6));
+    return most;
+  };
+  EXPECT_GT(furthest(), 1e-6);
+  on.sampling.ahead = 0.25;
+  EXPECT_LT(furthest(), 1e-12);
+}
+
 TEST(TimedTurns, ALongStepIsABatchOfItsOwnWithoutAFixedCost) {
   ClockedSession on;
   on["glsl"].step = 0.2;

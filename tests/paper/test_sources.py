@@ -147,11 +147,12 @@ class Stale(Tree):
     def test_what_a_digest_covered_before_counts_while_it_is_as_it_was(self):
         for name, (before, now) in sources.SAME.items():
             self.assertEqual(now, sources.current(ROOT)[name], f"{name} has changed: take it out of SAME")
-            for file, digest in (("before.json", before), ("other.json", "0" * len(before))):
-                self.record(file, [timing("cpu")], {"sources": {**sources.current(self.root), name: digest}})
-        self.assertEqual({"other.json": ("host code (CPU)", 1, 1)}, self.stale())
+            for record, digest in (("before", before), ("other", "0" * len(before))):
+                self.record(f"{pathlib.Path(name).name}-{record}.json", [timing("cpu")], {"sources": {**sources.current(self.root), name: digest}})
+        self.assertEqual({"cpu-other.json": ("host code (CPU)", 1, 1), "measure-other.json": ("timing", 1, 1)}, self.stale())
         self.append("common/cpu/search/cpu_simd.cpp", "int unused;\n")
-        self.assertEqual({"before.json", "other.json"}, self.stale().keys())
+        self.append("bench/measure/timing.cpp", "int unused;\n")
+        self.assertEqual({f"{name}-{record}.json" for name in ("cpu", "measure") for record in ("before", "other")}, self.stale().keys())
 
     def test_without_device_timers_every_kernel_of_the_api_counts(self):
         self.record("a.json", [timing("glsl"), timing("cpu"), timing("cuda")])

@@ -18,7 +18,8 @@ struct TestClock {
   }
 };
 
-// As a GPU, unless its name is cpu. A batch takes `fixed` seconds for the wait at its end, and `step` for each step.
+// As a GPU, unless its name is cpu. A batch takes `fixed` seconds for the wait at its end, and `step` for each step;
+// `late` more behind one of more than `many` steps, unless it has few itself.
 class ClockedBackend final : public ForwardingBackend {
  public:
   ClockedBackend(const std::string& name, TestClock& clock)
@@ -31,7 +32,13 @@ class ClockedBackend final : public ForwardingBackend {
     ++steps;
     if (capture_every && steps % capture_every == 0) ++prepared.captures;
   }
-  void finish() override { clock_.wall += fixed; }
+  void finish() override {
+    const uint64_t submitted = steps - waited_for_;
+    waited_for_ = steps, clock_.wall += fixed;
+    if (submitted <= few) return;
+    if (behind_many_) clock_.wall += late;
+    behind_many_ = submitted > many;
+  }
   Preparations preparations() const override { return prepared; }
   void launch_empty(uint) override { ++empty_launches, times_.push_back({"empty", 5e-6}); }
   void time_stages(bool on) override { timing_ = on, times_.clear(); }
@@ -41,13 +48,15 @@ class ClockedBackend final : public ForwardingBackend {
   }
   BackendInfo& facts() { return info_; }
 
-  double step = 1e-5, fixed = 0, drift = 0, busy = 1;
+  static constexpr uint64_t few = 3, many = 100;
+  double step = 1e-5, fixed = 0, drift = 0, busy = 1, late = 0;
   uint64_t steps = 0, capture_every = 0, empty_launches = 0;
   Preparations prepared;
 
  private:
   TestClock& clock_;
-  bool timing_ = false;
+  uint64_t waited_for_ = 0;
+  bool timing_ = false, behind_many_ = false;
   std::vector<StageTime> times_;
 };
 
