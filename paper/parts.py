@@ -28,6 +28,7 @@ class Part:
     script: str = ""  # of this folder, which runs the program
     tools: tuple = ()  # of NVIDIA's, that the script needs
     environment: dict = field(default_factory=dict)
+    alone: bool = False  # short steps or times of the CPU, which another recording on the same host would make longer
 
 
 def study(name, minutes, backends, words, file, **more):
@@ -74,33 +75,33 @@ def in_hardware(part):
 
 
 GPU = tuple(map(in_hardware, (
-    study("results", 4, "cpu,glsl,cuda", f"compare --scenes random,uniform --steps 2 --tables {TABLES}", "results.json",
-          processes=SEVERAL),
+    study("results", 6, "cpu,glsl,cuda", f"compare --scenes random,uniform --steps 2 --tables {TABLES}", "results.json",
+          processes=SEVERAL, alone=True),
     study("frame_rates", 5, "cpu,glsl,cuda", "compare --scenes random --steps 2 --blocks 128 "
-          "--tables frame_rates,arrangements --n 64,256,1024,4096,16384", "results.json"),
-    sweep("sweep", 2, "glsl,cuda", f"--n {DECADES} --rounds 11", processes=SEVERAL),
+          "--tables frame_rates,arrangements --n 64,256,1024,4096,16384", "results.json", alone=True),
+    sweep("sweep", 3, "glsl,cuda", f"--n {DECADES} --rounds 11", processes=SEVERAL, alone=True),
     sweep("sweep_1e8", 1, "glsl,cuda", "--methods collide_grid --n 100000000 --packing-fractions 0.3 --rounds 11",
           memory=16 * GIB),
     sweep("sweep_largest", 3, "cuda", "--methods collide_grid --n 1000000000 --packing-fractions 0.3 --rounds 11",
           memory=120 * GIB),
     sweep("sweep_tensor", 1, "cuda", "--methods collide_triangle,collide_tensor --n 4096,16384,65536,262144,1048576 "
           "--packing-fractions 0.3 --orders cold --rounds 11"),
-    sweep("sweep_cpu", 2, "cpu", f"--n {DECADES} --rounds 11"),
-    study("crossover", 3, "glsl,cuda", "crossover", "crossover.json", processes=SEVERAL),
-    study("crossover_cpu", 2, "cpu", "crossover", "crossover.json"),
-    study("ablate", 2, "glsl,cuda", "ablate --n 16384,1000000", "ablate.json"),
+    sweep("sweep_cpu", 2, "cpu", f"--n {DECADES} --rounds 11", alone=True),
+    study("crossover", 3, "glsl,cuda", "crossover", "crossover.json", processes=SEVERAL, alone=True),
+    study("crossover_cpu", 2, "cpu", "crossover", "crossover.json", alone=True),
+    study("ablate", 5, "glsl,cuda", "ablate --n 16384,1000000", "ablate.json", alone=True),
     study("contacts", 4, "glsl,cuda", "contacts --measure errors,sums,rates", "contacts.json"),
     study("contacts_steps", 2, "glsl,cuda", "contacts --measure steps", "contacts.json"),
     study("contacts_1e8", 7, "glsl,cuda", "contacts --measure steps --step-n 100000000", "contacts.json", memory=40 * GIB),
     study("contacts_rest", 1, "glsl,cuda", "contacts --measure rest --rounds 6", "contacts.json"),
     study("contacts_rest_1e7", 7, "glsl,cuda", "contacts --measure rest --rest-n 10000000 --rest-layers 150 "
           "--drag-steps 0.001:32000,0.1:2000 --rounds 6", "contacts.json", memory=16 * GIB),
-    study("launches", 1, "glsl,cuda", "launches", "launches.json", processes=SEVERAL),
+    study("launches", 2, "glsl,cuda", "launches", "launches.json", processes=SEVERAL, alone=True),
     study("energy_all_pairs", 5, "glsl,cuda", "energy --works all_pairs --windows 5 --seconds 10", "energy.json"),
     study("energy_grid", 5, "glsl,cuda", "energy --works warm,cold --n 10000000 --windows 5 --seconds 10", "energy.json"),
-    study("frames", 1, "glsl,cuda", "frames --draws compute --n 16384,1000000,10000000 --works frame,lit,loop",
+    study("frames", 2, "glsl,cuda", "frames --draws compute --n 16384,1000000,10000000 --works frame,lit,loop",
           "frames.json"),
-    study("frames_pipeline", 2, "glsl", "frames --draws mesh_each,mesh,points,impostor --places outside --works frame "
+    study("frames_pipeline", 1, "glsl", "frames --draws mesh_each,mesh,points,impostor --places outside --works frame "
           "--n 16384,1000000,10000000 --most mesh_each:16384,mesh:1000000", "frames.json"),
     study("frames_1e8", 3, "glsl,cuda", "frames --draws compute --n 100000000 --works frame,loop", "frames.json",
           memory=16 * GIB),
@@ -115,10 +116,10 @@ GPU = tuple(map(in_hardware, (
     *(study(f"precision_{precision}_{name}", 4, "glsl,cuda", f"precision --precisions {precision} --motions {methods} "
             "--steps 4,6,8,10 --rounds 11", "precision.json") for precision in ("compensated", "float64")
       for name, methods in (("steps", "euler,symplectic,paper,paper-clamp"), ("impacts", "impact-linear,impact,anchored"))),
-    study("precision_cpu", 4, "cpu", "precision --steps 4,6,8,10 --rounds 11", "precision.json"),
+    study("precision_cpu", 4, "cpu", "precision --steps 4,6,8,10 --rounds 11", "precision.json", alone=True),
     study("precision_1e8", 5, "glsl,cuda", "precision --motions paper,anchored --precisions float32 --n 100000000 "
           "--steps 5 --rounds 11", "precision.json", memory=16 * GIB),
-    study("sets", 3, "cpu,glsl,cuda", "sets --motions paper,impact,anchored", "sets.json"),
+    study("sets", 4, "cpu,glsl,cuda", "sets --motions paper,impact,anchored", "sets.json", alone=True),
     compiling(("cpu", "glsl", "cuda")),
     scripted("listings", 1, ("glsl", "cuda"), "listings", "cuobjdump", "nvdisasm"),
     scripted("counters", 2, ("cuda",), "counters.json", "ncu"),
@@ -129,7 +130,7 @@ GPU = tuple(map(in_hardware, (
     *test_shards("contacts_gas", 2, ("cpu", "glsl", "cuda"), "*ContactPhysics*", 3, "tests/contacts_gas-{}.txt", STRESS="full"),
 )))
 
-SOFTWARE = (
+SOFTWARE = tuple(replace(part, alone=not part.tests) for part in (
     study("results", 4, "cpu,glsl", f"compare --tables {TABLES}", "results.json", processes=SEVERAL),
     study("frame_rates", 2, "cpu,glsl", "compare --scenes random --steps 2 --blocks 128 "
           "--tables frame_rates,arrangements --n 64,256,1024,4096,8192", "results.json"),
@@ -140,7 +141,7 @@ SOFTWARE = (
           "contacts.json"),
     study("precision", 2, "cpu,glsl", "precision --threads 1 --rounds 11", "precision.json"),
     *catalogue(("cpu", "glsl"), (3, 3)),
-)
+))
 
 
 @dataclass(frozen=True)

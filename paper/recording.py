@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Runs the parts of a recording, each in a folder of its own that becomes part of the machine's only when it is whole."""
+import fcntl
 import json
 import os
 import re
@@ -9,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from contextlib import contextmanager
 from pathlib import Path
 
 from paper import parts, sources
@@ -95,6 +97,19 @@ def run_command(words, environment, log, progress):
         raise
 
 
+@contextmanager
+def host_of(part, progress):
+    """The host, alone or with other parts that do not need it alone; waits for those that another process records."""
+    wanted = fcntl.LOCK_EX if part.alone else fcntl.LOCK_SH
+    with open(Path(tempfile.gettempdir(), f"spherepair-recording-{os.getuid()}"), "a") as lock:
+        try:
+            fcntl.flock(lock, wanted | fcntl.LOCK_NB)
+        except BlockingIOError:
+            progress.end("waits for another recording on this host")
+            fcntl.flock(lock, wanted)
+        yield
+
+
 def defect_of(path):
     """Why an output is not a whole record, or nothing."""
     files = sorted(path.rglob("*.json")) if path.is_dir() else [path]
@@ -159,7 +174,8 @@ def record_all(chosen, folder, program, tests, gpu=""):
     for k, run in enumerate(chosen, 1):
         progress = Progress(f"[{k}/{len(chosen)}] {run.name}, about {run.part.minutes} min")
         try:
-            record_run(run, folder, runner(run.part, program, tests), gpu, progress)
+            with host_of(run.part, progress):
+                record_run(run, folder, runner(run.part, program, tests), gpu, progress)
             progress.end(f"{progress.minutes():.1f} min")
         except (Failed, OSError) as reason:
             failures.append(f"{run.name} failed, {reason}")
@@ -189,7 +205,7 @@ def table_of(planned, folder, backends):
     for name in all_parts:
         runs = [run for run in planned if run.part.name == name]
         part = runs[0].part
-        needs = ",".join(part.backends) + (f" {part.memory // parts.GIB} GiB" if part.memory else "")
+        needs = ",".join(part.backends) + (f" {part.memory // parts.GIB} GiB" if part.memory else "") + " alone" * part.alone
         yield f"{name:<{width}}  {part.minutes:7}  {len(runs):9}  {needs:<21}  {state_of(part, planned, folder, backends)}"
     left = [run for run in planned if not parts.done(run, folder) and not parts.missing_needs(run.part, backends)]
     minutes = sum(run.part.minutes for run in left)

@@ -1,10 +1,19 @@
 # SPDX-License-Identifier: MIT
 """Stand-ins for the program, which leaves the records that said.json tells, and for NVIDIA's tools, which print what they
 would of one small kernel with a loop of two pairs."""
+import json
 import os
 import pathlib
 import stat
+import subprocess
 import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT))
+
+from paper import sources  # noqa: E402  (the path must be set first)
 
 PROGRAM = '''#!{python}
 import json, os, pathlib, sys, time
@@ -114,3 +123,44 @@ def make_tools(folder, csv=None):
         path.write_text(TOOL.format(python=sys.executable, first=first, second=LOOP))
         path.chmod(path.stat().st_mode | stat.S_IXUSR)
     return {**os.environ, "PATH": f"{folder}:{os.environ['PATH']}"}
+
+
+class StandIn(unittest.TestCase):
+    """A folder of records that paper/record makes with the stand-ins."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.home, self.folder = pathlib.Path(folder.name), pathlib.Path(folder.name, "machine")
+        self.program = self.home / "stand_in"
+        self.program.write_text(PROGRAM.format(python=sys.executable))
+        self.program.chmod(self.program.stat().st_mode | stat.S_IXUSR)
+        self.environment = make_tools(self.home)
+        self.environment.pop("CUDA_VISIBLE_DEVICES", None)
+        self.environment["TMPDIR"] = str(self.home)  # other recordings on this machine are none of the test's
+        self.say()
+
+    def say(self, memory=150 * 10**9, software=False, cuda=True, digests=None, **more):
+        backends = [{"name": "cpu", "open": True}, {"name": "glsl", "open": True, "software": software},
+                    {"name": "cuda", "open": cuda, "uuid": "A", "details": {"memory bytes": str(memory), "compute capability": "9.0"}}]
+        context = {"build": {"commit": "made-up"}, "sources": digests or sources.current()}
+        said = {"devices": {"context": context, "backends": backends}, "fails": None, "sleeps": False, "text": None,
+                "verdict": "equal", **more}
+        (self.home / "said.json").write_text(json.dumps(said))
+
+    def words(self, *words, program=None):
+        program = program or self.program
+        return [sys.executable, str(ROOT / "paper/record"), str(self.folder), "--program", str(program),
+                "--tests", str(program), *words]
+
+    def run_it(self, *words, code=0, **options):
+        made = subprocess.run(self.words(*words, **options), capture_output=True, text=True, env=self.environment)
+        self.assertEqual(code, made.returncode, made.stdout + made.stderr)
+        return made.stdout + made.stderr
+
+    def calls(self):
+        path = self.home / "calls.txt"
+        return [line.split()[1:] for line in path.read_text().splitlines()] if path.exists() else []
+
+    def files(self):
+        return {str(path.relative_to(self.folder)) for path in self.folder.rglob("*") if path.is_file()}

@@ -1,67 +1,28 @@
 # SPDX-License-Identifier: MIT
 """paper/record runs each part whole or not at all, goes on with what is missing, and tells stale records; a stand-in
 takes the place of the program and of the tests."""
+import fcntl
 import json
 import os
 import pathlib
 import pty
 import signal
-import stat
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-import stand_ins  # noqa: E402  (the path must be set first)
-from paper import parts, sources  # noqa: E402
+from paper import parts, sources  # noqa: E402  (the path must be set first)
 from paper.records import DATA, Machine  # noqa: E402
+from stand_ins import StandIn  # noqa: E402
 
 # Records of the machines of paper/data that are stale, from a change of kernels until they are recorded again; one that
 # is current is refused here.
 STALE = {"h100": {"ablate"},  # of contacts: walls and near pairs
          "h200": {"window"}}  # needs an X server
-
-
-class StandIn(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.home, self.folder = pathlib.Path(folder.name), pathlib.Path(folder.name, "machine")
-        self.program = self.home / "stand_in"
-        self.program.write_text(stand_ins.PROGRAM.format(python=sys.executable))
-        self.program.chmod(self.program.stat().st_mode | stat.S_IXUSR)
-        self.environment = stand_ins.make_tools(self.home)
-        self.environment.pop("CUDA_VISIBLE_DEVICES", None)
-        self.say()
-
-    def say(self, memory=150 * 10**9, software=False, cuda=True, digests=None, **more):
-        backends = [{"name": "cpu", "open": True}, {"name": "glsl", "open": True, "software": software},
-                    {"name": "cuda", "open": cuda, "uuid": "A", "details": {"memory bytes": str(memory), "compute capability": "9.0"}}]
-        context = {"build": {"commit": "made-up"}, "sources": digests or sources.current()}
-        said = {"devices": {"context": context, "backends": backends}, "fails": None, "sleeps": False, "text": None,
-                "verdict": "equal", **more}
-        (self.home / "said.json").write_text(json.dumps(said))
-
-    def words(self, *words, program=None):
-        program = program or self.program
-        return [sys.executable, str(ROOT / "paper/record"), str(self.folder), "--program", str(program),
-                "--tests", str(program), *words]
-
-    def run_it(self, *words, code=0, **options):
-        made = subprocess.run(self.words(*words, **options), capture_output=True, text=True, env=self.environment)
-        self.assertEqual(code, made.returncode, made.stdout + made.stderr)
-        return made.stdout + made.stderr
-
-    def calls(self):
-        path = self.home / "calls.txt"
-        return [line.split()[1:] for line in path.read_text().splitlines()] if path.exists() else []
-
-    def files(self):
-        return {str(path.relative_to(self.folder)) for path in self.folder.rglob("*") if path.is_file()}
 
 
 class Recording(StandIn):
@@ -99,6 +60,21 @@ class Recording(StandIn):
         self.run_it("--part", "crossover_cpu", "--gpu", "1")
         self.run_it("--part", "launches-1")
         self.assertEqual(["1", "1", "-", "-"], (self.home / "gpus.txt").read_text().split())
+
+    def test_what_another_recording_would_disturb_has_the_host_alone(self):
+        for part, held, waits in (("launches-1", fcntl.LOCK_SH, True), ("compile", fcntl.LOCK_EX, True), ("compile", fcntl.LOCK_SH, False)):
+            with self.subTest(part), open(self.home / f"spherepair-recording-{os.getuid()}", "a") as lock:
+                fcntl.flock(lock, held)
+                before = len(self.calls())
+                process = subprocess.Popen(self.words("--part", part), stdout=subprocess.PIPE, text=True, env=self.environment)
+                line = process.stdout.readline()
+                self.assertEqual(waits, "waits for another recording on this host" in line, line)
+                self.assertEqual(0 if waits else 1, len(self.calls()) - before)
+                fcntl.flock(lock, fcntl.LOCK_UN)
+                with process.stdout:
+                    self.assertIn("1 parts recorded, 0 failed", line + process.stdout.read())
+                self.assertEqual(0, process.wait())
+                self.assertEqual(1, len(self.calls()) - before)
 
     def test_a_sweep_is_replaced_whole(self):
         self.run_it("--part", "sweep-1")
@@ -152,7 +128,7 @@ class Recording(StandIn):
         process.wait(timeout=60)
         output = os.read(ours, 10000).decode()
         os.close(ours)
-        self.assertIn("\r\x1b[K[1/1] ablate-1, about 2 min ... 0.0 min", output)
+        self.assertIn("\r\x1b[K[1/1] ablate-1, about 5 min ... 0.0 min", output)
 
 
 class Needs(StandIn):
