@@ -17,6 +17,7 @@
 #include "bench/options/options.h"
 #include "bench/options/run_action.h"
 #include "bench/options/shard.h"
+#include "bench/studies/study_sampling.h"
 #include "common/backend/cpu_team.h"
 
 namespace spherepair {
@@ -179,7 +180,7 @@ int bench_command(int argc, char** argv) {
   const std::vector<uint> blocks = parse_blocks(options.blocks);
   start_team(open.threads);
   Session session(options.backends, open);
-  Sampling sampling;
+  Sampling sampling = study_sampling();
   if (options.rounds > 0) sampling.rounds = options.rounds;
   const std::vector<SceneOptions> scenes = chosen_scenes(options, session);
   const std::vector<BenchRow> rows = bench_rows(session, blocks);
