@@ -107,6 +107,7 @@ def host_of(part, progress):
         except BlockingIOError:
             progress.end("waits for another recording on this host")
             fcntl.flock(lock, wanted)
+            progress.start = time.monotonic()
         yield
 
 

@@ -9,6 +9,7 @@
 #include "bench/io/scene_text.h"
 #include "bench/measure/choice.h"
 #include "bench/measure/floors.h"
+#include "bench/studies/study_sampling.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {
@@ -93,7 +94,7 @@ json to_json(const Timing& t) {
 
 CrossoverSweep::CrossoverSweep(Session& session, const CrossoverOptions& options, std::function<void()> write)
     : session_(session), options_(options), write_(std::move(write)) {
-  sampling_.rounds = options.rounds;
+  sampling_ = study_sampling(options.rounds);
   sampling_.software_seconds = 0.003;
   sampling_.hardware_seconds = 4e-3;
   sampling_.longest = 0.02;

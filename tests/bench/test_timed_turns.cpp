@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "bench/studies/study_sampling.h"
 #include "tests/support/clocked_backend.h"
 
 namespace spherepair {
@@ -54,7 +55,7 @@ TEST(TimedTurns, KIsSoLargeThatTheFixedCostHardlyCounts) {
   EXPECT_LE(bounded.at("batch_ms")[0][2].get<double>(), 5 + 1e-6);
 }
 
-// As OpenGL's driver does, which gives buffers of commands back behind many.
+// As in OpenGL, where a batch behind one of many launches is late.
 TEST(TimedTurns, AShortBatchAheadKeepsOneFromBeingLateBehindALongOne) {
   ClockedSession on;
   on["glsl"].late = 1e-3;
@@ -67,6 +68,17 @@ TEST(TimedTurns, AShortBatchAheadKeepsOneFromBeingLateBehindALongOne) {
   EXPECT_GT(furthest(), 1e-6);
   on.sampling.ahead = 0.25;
   EXPECT_LT(furthest(), 1e-12);
+}
+
+TEST(TimedTurns, StudiesHideWhatABatchCostsInOpenGL) {
+  ClockedSession on;
+  on.sampling = study_sampling();
+  on.sampling.clocks = on.clock.clocks();
+  on["glsl"].step = 100e-6;
+  on["glsl"].late = 1e-3;
+  const Samples samples = on.measure({on.contender("glsl")}).front();
+  EXPECT_LE(80e-6, 0.005 * double(samples.batch()) * 100e-6);
+  for (const double seconds : samples.seconds) EXPECT_NEAR(seconds, 100e-6, 1e-12);
 }
 
 TEST(TimedTurns, ALongStepIsABatchOfItsOwnWithoutAFixedCost) {
