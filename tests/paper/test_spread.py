@@ -3,6 +3,7 @@
 recorded in pieces is read as a whole."""
 import json
 import pathlib
+import statistics
 import sys
 import tempfile
 import types
@@ -137,6 +138,20 @@ class Folders(unittest.TestCase):
 
     def test_recorded_folders_are_read_as_before(self):
         self.assertLess(1000, len(Machine(DATA / MAIN).records))
+
+
+class Batches(unittest.TestCase):
+    """What the study says of its method: K is so large that a batch's fixed cost is below 0.5 % in the median."""
+
+    def test_what_a_batch_costs_besides_its_steps_is_under_half_a_percent(self):
+        machine = Machine(DATA / MAIN)
+        for part in ("sweep", "launches.json"):
+            of_part = [record for record in machine.records if record.source == machine.source(part)["id"]]
+            for api in ("glsl", "cuda"):
+                shares = [100 * abs(record.fixed_cost_share) for record in of_part
+                          if record.backend == api and record.parameters.get("fixed_cost_share") is not None]
+                self.assertGreater(len(shares), 25, f"{part} {api}")
+                self.assertLess(statistics.median(shares), prose_equality.AIM, f"{part} {api}")
 
 
 class Tests(unittest.TestCase):
