@@ -3,7 +3,7 @@
 import statistics
 from dataclasses import dataclass
 
-from paper.numbers.ranks import paired, time_ratio
+from paper.numbers.ranks import apart, paired, time_ratio
 from paper.records import Missing
 
 TABLES = ("table1", "methods", "arrangements", "scale", "step", "exactness", "crossover", "grid", "precision", "draw")
@@ -18,6 +18,7 @@ class Contest:
     work: str  # all pairs, grid, motion or drawing
     cuda_us: float
     ratio: float  # of GLSL's time to CUDA's
+    apart: bool  # its interval is on one side of 1
     same_steps: bool  # both took as many steps a sample
     source: str
 
@@ -40,7 +41,8 @@ def key_of(record):
 
 def contest(glsl, cuda):
     same_steps = paired(glsl, cuda) or glsl.parameters.get("batch") == cuda.parameters.get("batch")
-    return Contest(work_of(cuda), 1e3 * cuda.median, time_ratio(glsl, cuda)[0], same_steps, cuda.source)
+    return Contest(work_of(cuda), 1e3 * cuda.median, time_ratio(glsl, cuda)[0], apart(glsl, cuda), same_steps,
+                   cuda.source)
 
 
 def contests(machine):
@@ -92,13 +94,16 @@ def span(values):
 
 
 def exception(found, limit):
-    """Of the short steps, those that take less time in GLSL, if they are of one work."""
-    ahead = [entry for entry in found if entry.cuda_us < limit and entry.ratio < 1]
-    works = {entry.work for entry in ahead}
-    if len(ahead) < 2 or len(works) != 1:
-        what = "1 contest is" if len(ahead) == 1 else f"{len(ahead)} contests are"
-        return f" ({what} on the other side)" if ahead else ""
-    return f" (not {works.pop()}, one launch a step: {span([entry.ratio for entry in ahead])} in {len(ahead)} contests)"
+    """Of the short steps, those of which GLSL's median is the shorter: how many, of what work, and who leads in them."""
+    shorter = [entry for entry in found if entry.cuda_us < limit and entry.ratio < 1]
+    if not shorter:
+        return ""
+    led = sum(entry.apart for entry in shorter)
+    works = {entry.work for entry in shorter}
+    what = "" if len(works) > 1 else f" of {works.pop()}"
+    launch = ", one launch a step" if what == " of motion" else ""
+    return (f" ({f'GLSL leads in {led} of' if led else 'neither leads in'} {len(shorter)} "
+            f"contest{'s' * (len(shorter) > 1)}{what}{launch}: {span([entry.ratio for entry in shorter])})")
 
 
 def rule(machine):

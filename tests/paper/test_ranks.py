@@ -78,13 +78,15 @@ class Contests(unittest.TestCase):
 
     @staticmethod
     def machine(timings):
-        """timings: table, CUDA's microseconds, ratio, parameters; each of its own size."""
+        """timings: table, CUDA's microseconds, ratio, parameters, of which width is that of the times' intervals; each of
+        its own size."""
         records = []
         for n, (table, cuda_us, ratio, parameters) in enumerate(timings, 64):
             for backend, factor in (("cuda", 1), ("glsl", ratio)):
-                time = 1e-3 * cuda_us * factor
+                time, width = 1e-3 * cuda_us * factor, parameters.get("width", 1)
                 records.append(Record({"table": table, "n": n, "backend": backend, "batch": 100, "scene": {"name": "random"},
-                                       **parameters, **parameters.get(backend, {})}, time, time, time, "machine:1"))
+                                       **parameters, **parameters.get(backend, {})}, time, time / width, time * width,
+                                      "machine:1"))
         select = lambda table: [record for record in records if record.table == table]
         return types.SimpleNamespace(name="machine", select=select)
 
@@ -103,10 +105,18 @@ class Contests(unittest.TestCase):
         steps = [("step", 5, 1.7, {}), ("step", 8, 1.3, {}), ("step", 50, 1.1, {}), ("step", 200, 1, {})]
         self.assertRegex(contests.rule(self.machine(steps)), "below 30 µs GLSL takes 1.30x to 1.70x CUDA's time, above it "
                                                             "1.00x to 1.10x")
-        moves = [("table1", us, ratio, {"work": "move"}) for us, ratio in ((4, 0.7), (5, 0.8), (5, 1.9))]
-        pairs = [("step", us, 1.7, {}) for us in (5, 6, 6)]
-        self.assertRegex(contests.rule(self.machine(steps + moves + pairs)),
-                         r"\(not motion, one launch a step: 0.70x to 0.80x in 2 contests\)")
+
+    def test_the_rule_says_who_leads_where_a_short_step_takes_less_time_in_glsl(self):
+        pairs = [("step", us, 1.7, {}) for us in (5, 6, 6)] + [("step", 50, 1.1, {})]
+        for widths, led in (((1, 1), "GLSL leads in 2 of 2"), ((1.5, 1), "GLSL leads in 1 of 2"),
+                            ((1.5, 1.5), "neither leads in 2")):
+            moves = [("table1", 5, ratio, {"work": "move", "width": width}) for ratio, width in zip((0.7, 0.8), widths)]
+            self.assertRegex(contests.rule(self.machine(pairs + moves)),
+                             rf"CUDA's time \({led} contests of motion, one launch a step: 0.70x to 0.80x\), above")
+        self.assertRegex(contests.rule(self.machine(pairs + [("table1", 5, 0.9, {})])),
+                         r"\(GLSL leads in 1 of 1 contest of all pairs: 0.90x\)")
+
+    def test_no_rule_where_no_duration_separates_the_ratios(self):
         self.assertRegex(contests.rule(self.machine([("step", 5, 1, {}), ("step", 50, 1.5, {})])), "does not separate")
 
 
