@@ -77,7 +77,7 @@ def in_hardware(part):
 GPU = tuple(map(in_hardware, (
     study("results", 6, "cpu,glsl,cuda", f"compare --scenes random,uniform --steps 2 --tables {TABLES}", "results.json",
           processes=SEVERAL, alone=True),
-    study("frame_rates", 5, "cpu,glsl,cuda", "compare --scenes random --steps 2 --blocks 128 "
+    study("frame_rates", 3, "cpu,glsl,cuda", "compare --scenes random --steps 2 --blocks 128 "
           "--tables frame_rates,arrangements --n 64,256,1024,4096,16384", "results.json", alone=True),
     sweep("sweep", 3, "glsl,cuda", f"--n {DECADES} --rounds 11", processes=SEVERAL, alone=True),
     sweep("sweep_1e8", 1, "glsl,cuda", "--methods collide_grid --n 100000000 --packing-fractions 0.3 --rounds 11",
