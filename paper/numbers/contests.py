@@ -11,6 +11,7 @@ SHARED = ("source", "table", "work", "n", "method", "exact", "order", "kind", "w
 OWN_BLOCK = ("grid", "crossover")  # tables in which each API uses its own group size
 BOUNDS = (7, 10, 15, 30, 100, 1000)  # of the bins, microseconds
 LEVEL = 1.2  # of medians: below it the API hardly matters
+WORDS = {"motion": "motion, one launch a step"}
 
 
 @dataclass(frozen=True)
@@ -94,16 +95,15 @@ def span(values):
 
 
 def exception(found, limit):
-    """Of the short steps, those of which GLSL's median is the shorter: how many, of what work, and who leads in them."""
-    shorter = [entry for entry in found if entry.cuda_us < limit and entry.ratio < 1]
-    if not shorter:
+    """Of the short steps, those with a ratio below 1: how many, of what work if of one, and who leads in them."""
+    below = [entry for entry in found if entry.cuda_us < limit and entry.ratio < 1]
+    if not below:
         return ""
-    led = sum(entry.apart for entry in shorter)
-    works = {entry.work for entry in shorter}
-    what = "" if len(works) > 1 else f" of {works.pop()}"
-    launch = ", one launch a step" if what == " of motion" else ""
-    return (f" ({f'GLSL leads in {led} of' if led else 'neither leads in'} {len(shorter)} "
-            f"contest{'s' * (len(shorter) > 1)}{what}{launch}: {span([entry.ratio for entry in shorter])})")
+    led = sum(entry.apart for entry in below)
+    works = {entry.work for entry in below}
+    work = f" of {WORDS.get(*works, *works)}" if len(works) == 1 else ""
+    return (f" ({f'GLSL leads in {led} of' if led else 'neither leads in'} {len(below)} "
+            f"contest{'s' * (len(below) > 1)}{work}: {span([entry.ratio for entry in below])})")
 
 
 def rule(machine):
