@@ -96,7 +96,7 @@ CrossoverSweep::CrossoverSweep(Session& session, const CrossoverOptions& options
     : session_(session), options_(options), write_(std::move(write)) {
   sampling_ = study_sampling(options.rounds);
   sampling_.software_seconds = 0.003;
-  sampling_.hardware_seconds = 4e-3;
+  sampling_.hardware_seconds = 0.015;
   sampling_.longest = 0.02;
 }
 
