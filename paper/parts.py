@@ -87,7 +87,7 @@ GPU = tuple(map(in_hardware, (
     sweep("sweep_tensor", 1, "cuda", "--methods collide_triangle,collide_tensor --n 4096,16384,65536,262144,1048576 "
           "--packing-fractions 0.3 --orders cold --rounds 11"),
     sweep("sweep_cpu", 2, "cpu", f"--n {DECADES} --rounds 11", alone=True),
-    study("crossover", 3, "glsl,cuda", "crossover", "crossover.json", processes=SEVERAL, alone=True),
+    study("crossover", 4, "glsl,cuda", "crossover", "crossover.json", processes=SEVERAL, alone=True),
     study("crossover_cpu", 2, "cpu", "crossover", "crossover.json", alone=True),
     study("ablate", 5, "glsl,cuda", "ablate --n 16384,1000000", "ablate.json", alone=True),
     study("contacts", 4, "glsl,cuda", "contacts --measure errors,sums,rates", "contacts.json"),
@@ -111,11 +111,13 @@ GPU = tuple(map(in_hardware, (
           "--n 16384,1000000", "frames.json"),
     study("frames_transfer_1e8", 5, "cuda", "frames --transfer --draws compute,points --places outside --works frame "
           "--n 100000000", "frames.json", memory=32 * GIB),
-    study("precision_float32", 5, "glsl,cuda", "precision --precisions float32 --steps 4,6,8,10 --rounds 11",
+    study("precision_float32", 6, "glsl,cuda", "precision --precisions float32 --steps 4,6,8,10 --rounds 11",
           "precision.json"),
-    *(study(f"precision_{precision}_{name}", 4, "glsl,cuda", f"precision --precisions {precision} --motions {methods} "
-            "--steps 4,6,8,10 --rounds 11", "precision.json") for precision in ("compensated", "float64")
-      for name, methods in (("steps", "euler,symplectic,paper,paper-clamp"), ("impacts", "impact-linear,impact,anchored"))),
+    *(study(f"precision_{precision}_{name}", minutes, "glsl,cuda", f"precision --precisions {precision} --motions {methods} "
+            "--steps 4,6,8,10 --rounds 11", "precision.json")
+      for precision, of_impacts in (("compensated", 7), ("float64", 6))
+      for name, minutes, methods in (("steps", 4, "euler,symplectic,paper,paper-clamp"),
+                                     ("impacts", of_impacts, "impact-linear,impact,anchored"))),
     study("precision_cpu", 4, "cpu", "precision --steps 4,6,8,10 --rounds 11", "precision.json", alone=True),
     study("precision_1e8", 5, "glsl,cuda", "precision --motions paper,anchored --precisions float32 --n 100000000 "
           "--steps 5 --rounds 11", "precision.json", memory=16 * GIB),
