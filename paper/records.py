@@ -12,7 +12,7 @@ import json
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from paper import formats, sources, spread
+from paper import batches, formats, sources, spread
 from paper.spread import median_interval, summary  # noqa: F401  (ranks takes the first from here)
 
 DATA = Path(__file__).resolve().parent / "data"
@@ -115,7 +115,7 @@ class Machine:
 
     def _read(self, name, runs):
         raws = [[path.read_bytes() for path in files] for files in runs]
-        roots = [[json.loads(raw) for raw in of_run] for of_run in raws]
+        roots = [[json.loads(raw, object_hook=batches.fitted) for raw in of_run] for of_run in raws]
         flat = [root for of_run in roots for root in of_run]
         if not flat or not all(isinstance(root, dict) for root in flat):
             return

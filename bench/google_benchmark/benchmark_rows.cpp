@@ -117,6 +117,7 @@ double BenchScene::sample(const BenchRow& row, const BatchPlan& plan, const Samp
   Samples samples;
   samples.plan = plan;
   add_turn(samples, take_turn(contender_for(row), plan, sampling.clocks, order_), 0);
+  fit_rounds(samples);
   return samples.seconds.front();
 }
 

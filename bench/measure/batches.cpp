@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -138,18 +139,23 @@ Turn take_turn(const Contender& contender, const BatchPlan& plan, const Clocks& 
   return turn;
 }
 
-std::optional<Fit> fit(std::span<const uint64_t> steps, std::span<const double> seconds) {
-  const double count = double(steps.size());
-  const double mean_steps = std::accumulate(steps.begin(), steps.end(), 0.0) / count;
-  const double mean_seconds = std::accumulate(seconds.begin(), seconds.end(), 0.0) / count;
-  double product = 0, square = 0;
-  for (size_t k = 0; k < steps.size(); ++k) {
-    product += (double(steps[k]) - mean_steps) * (seconds[k] - mean_seconds);
-    square += (double(steps[k]) - mean_steps) * (double(steps[k]) - mean_steps);
-  }
-  if (!(product > 0)) return {};
-  const double step = product / square;
-  return Fit{step, mean_seconds - step * mean_steps};
+// The line goes through two of the points.
+std::optional<Fit> fit(std::span<const uint64_t> steps, std::span<const std::vector<double>> rounds) {
+  std::vector<std::array<double, 2>> batches;
+  for (const std::vector<double>& round : rounds)
+    for (size_t k = 0; k < steps.size(); ++k) batches.push_back({double(steps[k]), round[k]});
+  Fit found{};
+  double least = std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < batches.size(); ++i)
+    for (size_t j = i + 1; j < batches.size(); ++j) {
+      if (batches[i][0] == batches[j][0]) continue;
+      const double step = (batches[j][1] - batches[i][1]) / (batches[j][0] - batches[i][0]);
+      const double fixed = batches[i][1] - step * batches[i][0];
+      double sum = 0;
+      for (const auto& [count, seconds] : batches) sum += std::abs(seconds - fixed - step * count);
+      if (sum < least) least = sum, found = {step, fixed};
+    }
+  return found.step > 0 ? std::optional(found) : std::nullopt;
 }
 
 }  // namespace spherepair

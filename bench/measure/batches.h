@@ -94,10 +94,12 @@ struct Turn {
 // three times in a row.
 Turn take_turn(const Contender& contender, const BatchPlan& plan, const Clocks& clocks, uint64_t& order);
 
-// t(K) = fixed + step K by least squares; none where the longer batches took no longer than the shorter ones.
+// t(K) = fixed + step K through the batches of all rounds, by the least sum of absolute deviations (Boscovich 1757),
+// since some batches are late and would bend a line by least squares. None where longer batches took no longer than
+// shorter ones.
 struct Fit {
   double step, fixed;  // seconds
 };
-std::optional<Fit> fit(std::span<const uint64_t> steps, std::span<const double> seconds);
+std::optional<Fit> fit(std::span<const uint64_t> steps, std::span<const std::vector<double>> rounds);
 
 }  // namespace spherepair

@@ -65,14 +65,28 @@ double Samples::device_seconds() const {
 }
 
 void add_turn(Samples& samples, Turn turn, uint64_t position) {
-  const std::vector<uint64_t>& steps = samples.plan.steps;
-  const auto found = steps.size() > 1 ? fit(steps, turn.seconds) : std::nullopt;
-  samples.seconds.push_back(found ? found->step : turn.seconds.back() / double(steps.back()));
-  if (found) samples.fixed.push_back(found->fixed);
   samples.turn.push_back(position);
   samples.retaken += turn.retaken;
   samples.prepared = samples.prepared + turn.prepared;
   samples.batch_seconds.push_back(std::move(turn.seconds));
+}
+
+void fit_rounds(Samples& samples) {
+  const std::vector<uint64_t>& steps = samples.plan.steps;
+  const auto line = steps.size() > 1 ? fit(steps, samples.batch_seconds) : std::nullopt;
+  for (const std::vector<double>& round : samples.batch_seconds) {
+    if (!line) {
+      samples.seconds.push_back(round.back() / double(steps.back()));
+      continue;
+    }
+    std::vector<double> of_a_step, fixed;
+    for (size_t k = 0; k < steps.size(); ++k) {
+      of_a_step.push_back((round[k] - line->fixed) / double(steps[k]));
+      fixed.push_back(round[k] - line->step * double(steps[k]));
+    }
+    samples.seconds.push_back(median(of_a_step));
+    samples.fixed.push_back(median(fixed));
+  }
 }
 
 json to_json(const Samples& samples) {

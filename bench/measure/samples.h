@@ -19,7 +19,7 @@ struct Samples {
   std::vector<uint64_t> turn = {};                      // position of each value in the sequence of all turns
   BatchPlan plan = {};                                  // of every turn
   std::vector<std::vector<double>> batch_seconds = {};  // by round, as the plan's steps
-  std::vector<double> fixed = {};   // seconds that a sample takes besides its steps, of the rounds that have a fit
+  std::vector<double> fixed = {};   // seconds that a batch takes besides its steps, by round; empty without a fit
   double longest = 0;               // Sampling::longest
   uint64_t retaken = 0;             // batches, since something was prepared in them
   Preparations prepared = {};       // in the samples, where it is part of the steps
@@ -39,8 +39,11 @@ struct Samples {
   double device_seconds() const;  // sum of the stages, NaN without a timer
 };
 
-// Adds a round. Its time per step is the slope of its batches, or without a fit the longest batch over its steps.
-void add_turn(Samples& samples, Turn turn, uint64_t position);
+void add_turn(Samples& samples, Turn turn, uint64_t position);  // a round
+
+// Behind the last round: the time per step of each, the median of its batches without the fixed cost of the line
+// through all, over their steps; without such a line the longest batch over its steps.
+void fit_rounds(Samples& samples);
 
 json to_json(const Samples& samples);
 

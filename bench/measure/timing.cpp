@@ -53,6 +53,7 @@ class Measurement {
       }
       std::ranges::sort(contests);
     }
+    for (Samples& samples : all_) fit_rounds(samples);
     for (size_t c = 0; c < all_.size(); ++c) time_on_device(c);
     return std::move(all_);
   }

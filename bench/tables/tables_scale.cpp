@@ -128,10 +128,10 @@ Table measurement_table(const Study& study, const std::string& name) {
        {"", "device", "ms"},
        {"", "host-device", "ms"}},
       {},
-      {"A sample is the slope of three batches of K/4, K/2 and K back-to-back steps between two synchronisations, "
-       "below "
-       "K = 4 one batch over its steps; its intercept is the fixed cost, given with its share of the longest batch. A "
-       "round takes a sample of each contender, in random order, those that are compared in a row. first: the kernel's "
+      {"A round takes three batches of K/4, K/2 and K back-to-back steps between two synchronisations of each "
+       "contender, in random order, those that are compared in a row; below K = 4 one batch. The line of least "
+       "absolute deviations through all batches gives the fixed cost, told with its share of the longest batch. A "
+       "round's sample is the median of its batches without that cost, over their steps. first: the kernel's "
        "first use in the run, with its compilation. device: sum of the kernels on the device's timer, from a separate "
        "run; no entry without a reliable timer.",
        "The interval lies between order statistics; with fewer than 6 rounds it covers less than 95 %."}};

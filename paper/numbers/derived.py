@@ -130,7 +130,8 @@ def timer_floor(machine, **wanted):
 
 def stage_ratios(machine):
     """Each kernel timed by device timers in both APIs in the same work of one run, at the largest n; of several such
-    records the latest, and of that run the one with the tightest bounds: a kernel may run several times per frame."""
+    records the latest, and of that run the one with the tightest bounds: a kernel may run several times per frame. None of
+    a kernel whose reading there is that of an empty one."""
     found, floors = {}, {name: timer_floor(machine, backend=name) for name in ("glsl", "cuda")}
     timed = [record for record in machine.records if {"device_stages_interval_ms", "n"} <= record.parameters.keys() and
              record.parameters.get("work") != "loop"]  # its spheres have moved
@@ -140,9 +141,9 @@ def stage_ratios(machine):
         if backend == "glsl" and cuda:
             for kernel in glsl.device_stages_ms.keys() & cuda.device_stages_ms.keys():
                 row = stage_ratio(kernel, glsl, cuda)
-                if row:
-                    beyond = all(record.device_stages_ms[kernel] > BEYOND_EMPTY * floors[record.backend] for record in (glsl, cuda))
-                    found.setdefault(kernel, []).append((glsl.n, glsl.date, -spread(row), row, beyond))
+                beyond = row and all(record.device_stages_ms[kernel] > BEYOND_EMPTY * floors[record.backend]
+                                     for record in (glsl, cuda))
+                found.setdefault(kernel, []).append((glsl.n, glsl.date, -spread(row) if row else -math.inf, row, beyond))
     for kernel in sorted(found):
         *_, row, beyond = max(found[kernel], key=lambda entry: entry[:3])
         if beyond:

@@ -80,6 +80,7 @@ Samples samples_of(double seconds) {
   Turn turn;
   turn.seconds = {seconds};
   add_turn(samples, turn, 0);
+  fit_rounds(samples);
   return samples;
 }
 TimeEntry time_entry(MotionMethod method, double nanoseconds) {

@@ -20,7 +20,7 @@ TEST(TimedTurns, TheFixedCostOfASampleIsNoPartOfItsSteps) {
     for (const double seconds : one.seconds) EXPECT_NEAR(seconds, 10e-6, 1e-12) << one.label;
   EXPECT_NEAR(median(samples[0].fixed), 100e-6, 1e-9);
   EXPECT_NEAR(median(samples[1].fixed), 5e-6, 1e-9);
-  EXPECT_EQ(contest(samples[0], samples[1]).finding, Finding::no_difference);
+  EXPECT_NEAR(contest(samples[0], samples[1]).ratio, 1, 1e-9);
   const json record = to_json(samples[0]);
   EXPECT_NEAR(record.at("fixed_cost_us"), 100, 1e-3);
   EXPECT_NEAR(record.at("fixed_cost_interval_us").at(1), 100, 1e-3);
@@ -59,15 +59,32 @@ TEST(TimedTurns, KIsSoLargeThatTheFixedCostHardlyCounts) {
 TEST(TimedTurns, AShortBatchAheadKeepsOneFromBeingLateBehindALongOne) {
   ClockedSession on;
   on["glsl"].late = 1e-3;
-  const auto furthest = [&] {
+  const auto latest = [&] {
     const Samples samples = on.measure({on.contender("glsl")}).front();
     double most = 0;
-    for (const double seconds : samples.seconds) most = std::max(most, std::abs(seconds - 10e-6));
+    for (const auto& round : samples.batch_seconds)
+      for (size_t k = 0; k < round.size(); ++k)
+        most = std::max(most, round[k] - 10e-6 * double(samples.plan.steps[k]) - samples.fixed.front());
     return most;
   };
-  EXPECT_GT(furthest(), 1e-6);
+  EXPECT_GT(latest(), 0.9e-3);
   on.sampling.ahead = 0.25;
-  EXPECT_LT(furthest(), 1e-12);
+  EXPECT_LT(latest(), 1e-9);
+}
+
+// By least squares, each of these rounds would have another slope.
+TEST(TimedTurns, LateBatchesDoNotMoveTheTimeOfAStep) {
+  Samples samples;
+  samples.plan.steps = {25, 50, 100};
+  for (int round = 0; round < 11; ++round) {
+    Turn turn;
+    for (const uint64_t steps : samples.plan.steps) turn.seconds.push_back(60e-6 + 40e-6 * double(steps));
+    turn.seconds[round < 7 ? 0 : round < 10 ? 1 : 2] += 1e-3;
+    add_turn(samples, turn, uint64_t(round));
+  }
+  fit_rounds(samples);
+  for (const double seconds : samples.seconds) EXPECT_NEAR(seconds, 40e-6, 1e-12);
+  for (const double seconds : samples.fixed) EXPECT_NEAR(seconds, 60e-6, 1e-9);
 }
 
 TEST(TimedTurns, StudiesHideWhatABatchCostsInOpenGL) {
@@ -96,9 +113,10 @@ TEST(TimedTurns, DisturbedBatchesFallBackToTheLongest) {
   Samples samples;
   samples.plan.steps = {1, 2, 4};
   add_turn(samples, {.seconds = {9, 2, 4}}, 0);
-  add_turn(samples, {.seconds = {2, 3, 5}}, 1);
-  EXPECT_EQ(samples.seconds, (std::vector<double>{1, 1}));
-  EXPECT_EQ(samples.fixed.size(), 1u);
+  add_turn(samples, {.seconds = {8, 3, 5}}, 1);
+  fit_rounds(samples);
+  EXPECT_EQ(samples.seconds, (std::vector<double>{1, 1.25}));
+  EXPECT_TRUE(samples.fixed.empty());
 }
 
 TEST(TimedTurns, EveryContenderHasAllRoundsHoweverSlowOrSteady) {

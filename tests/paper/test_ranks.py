@@ -5,6 +5,7 @@ import statistics
 import sys
 import types
 import unittest
+from dataclasses import replace
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 
@@ -64,8 +65,11 @@ class Bases(unittest.TestCase):
         machine = Machine(DATA / MAIN)
         compared = {row.kernel for row in derived.stage_ratios(machine)}
         self.assertEqual(set(), compared & {"clear", "grid_clear", "grid_sums", "resolve_undecided"})
-        machine.records = [record for record in machine.records if record.table != "overhead"]
-        self.assertLess(compared, {row.kernel for row in derived.stage_ratios(machine)})
+        for k, record in enumerate(machine.records):
+            if record.table == "overhead":  # had empty kernels read a hundred times that
+                longer = {name: 100 * time for name, time in record.parameters.get("device_stages_ms", {}).items()}
+                machine.records[k] = replace(record, parameters={**record.parameters, "device_stages_ms": longer})
+        self.assertLess({row.kernel for row in derived.stage_ratios(machine)}, compared)
 
     def test_no_lead_of_an_api_is_a_percentage(self):
         for name, (text, *_) in macros.collect(Machine(DATA / MAIN), []).entries.items():

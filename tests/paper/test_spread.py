@@ -145,7 +145,7 @@ class Batches(unittest.TestCase):
 
     def test_what_a_batch_costs_besides_its_steps_is_under_half_a_percent(self):
         machine = Machine(DATA / MAIN)
-        for part in ("results.json", "sweep", "launches.json"):
+        for part in ("results.json", "sweep", "launches.json", "ablate.json", "frame_rates.json", "precision_float32.json"):
             of_part = [record for record in machine.records if record.source == machine.source(part)["id"]]
             for api in ("glsl", "cuda"):
                 shares = [100 * abs(record.fixed_cost_share) for record in of_part
