@@ -19,13 +19,14 @@ def pairs(count, sizes):
 
 def least_deviations(steps, rounds):
     """(fixed cost, time of a step) by the line with the least sum of absolute deviations (Boscovich 1757): one through two
-    of the batches."""
+    of the batches, of several the mean."""
     x, y = numpy.tile(numpy.array(steps, float), len(rounds)), rounds.ravel()
     first, second = pairs(*rounds.shape)
     slopes = (y[second] - y[first]) / (x[second] - x[first])
     intercepts = y[first] - slopes * x[first]
-    best = numpy.abs(y - intercepts[:, None] - slopes[:, None] * x).sum(axis=1).argmin()
-    return float(intercepts[best]), float(slopes[best])
+    sums = numpy.abs(y - intercepts[:, None] - slopes[:, None] * x).sum(axis=1)
+    nearest = sums <= sums.min() * (1 + 1e-9)
+    return float(intercepts[nearest].mean()), float(slopes[nearest].mean())
 
 
 def fitted(row):

@@ -139,13 +139,16 @@ Turn take_turn(const Contender& contender, const BatchPlan& plan, const Clocks& 
   return turn;
 }
 
-// The line goes through two of the points.
+// A line with the least sum goes through two of the batches; where several have it, so do those between them.
 std::optional<Fit> fit(std::span<const uint64_t> steps, std::span<const std::vector<double>> rounds) {
   std::vector<std::array<double, 2>> batches;
   for (const std::vector<double>& round : rounds)
     for (size_t k = 0; k < steps.size(); ++k) batches.push_back({double(steps[k]), round[k]});
-  Fit found{};
-  double least = std::numeric_limits<double>::infinity();
+  struct Line {
+    double sum;
+    Fit fit;
+  };
+  std::vector<Line> lines;
   for (size_t i = 0; i < batches.size(); ++i)
     for (size_t j = i + 1; j < batches.size(); ++j) {
       if (batches[i][0] == batches[j][0]) continue;
@@ -153,9 +156,14 @@ std::optional<Fit> fit(std::span<const uint64_t> steps, std::span<const std::vec
       const double fixed = batches[i][1] - step * batches[i][0];
       double sum = 0;
       for (const auto& [count, seconds] : batches) sum += std::abs(seconds - fixed - step * count);
-      if (sum < least) least = sum, found = {step, fixed};
+      lines.push_back({sum, {step, fixed}});
     }
-  return found.step > 0 ? std::optional(found) : std::nullopt;
+  const double least = std::ranges::min(lines, {}, &Line::sum).sum;
+  std::erase_if(lines, [&](const Line& line) { return line.sum > least * (1 + 1e-9); });
+  Fit middle{};
+  for (const Line& line : lines) middle.step += line.fit.step, middle.fixed += line.fit.fixed;
+  middle = {middle.step / double(lines.size()), middle.fixed / double(lines.size())};
+  return middle.step > 0 ? std::optional(middle) : std::nullopt;
 }
 
 }  // namespace spherepair
