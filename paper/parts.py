@@ -75,7 +75,7 @@ def in_hardware(part):
 
 
 GPU = tuple(map(in_hardware, (
-    study("results", 6, "cpu,glsl,cuda", f"compare --scenes random,uniform --steps 2 --tables {TABLES}", "results.json",
+    study("results", 7, "cpu,glsl,cuda", f"compare --scenes random,uniform --steps 2 --tables {TABLES}", "results.json",
           processes=SEVERAL, alone=True),
     study("frame_rates", 3, "cpu,glsl,cuda", "compare --scenes random --steps 2 --blocks 128 "
           "--tables frame_rates,arrangements --n 64,256,1024,4096,16384", "results.json", alone=True),
@@ -87,9 +87,9 @@ GPU = tuple(map(in_hardware, (
     sweep("sweep_tensor", 1, "cuda", "--methods collide_triangle,collide_tensor --n 4096,16384,65536,262144,1048576 "
           "--packing-fractions 0.3 --orders cold --rounds 11"),
     sweep("sweep_cpu", 2, "cpu", f"--n {DECADES} --rounds 11", alone=True),
-    study("crossover", 4, "glsl,cuda", "crossover", "crossover.json", processes=SEVERAL, alone=True),
+    study("crossover", 5, "glsl,cuda", "crossover", "crossover.json", processes=SEVERAL, alone=True),
     study("crossover_cpu", 2, "cpu", "crossover", "crossover.json", alone=True),
-    study("ablate", 5, "glsl,cuda", "ablate --n 16384,1000000", "ablate.json", alone=True),
+    study("ablate", 6, "glsl,cuda", "ablate --n 16384,1000000", "ablate.json", alone=True),
     study("contacts", 4, "glsl,cuda", "contacts --measure errors,sums,rates", "contacts.json"),
     study("contacts_steps", 2, "glsl,cuda", "contacts --measure steps", "contacts.json"),
     study("contacts_1e8", 7, "glsl,cuda", "contacts --measure steps --step-n 100000000", "contacts.json", memory=40 * GIB),

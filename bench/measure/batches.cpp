@@ -117,10 +117,10 @@ Turn take_turn(const Contender& contender, const BatchPlan& plan, const Clocks& 
   std::vector<size_t> batches(plan.steps.size());
   std::iota(batches.begin(), batches.end(), 0);
   shuffle(batches, order);
+  const int ahead = steps_ahead(contender, plan.steps.back());
+  const uint64_t untimed = on_hardware(*contender.backend) ? uint64_t(plan.ahead * double(plan.steps.back())) : 0;
   for (const size_t k : batches) {
     Batch batch;
-    const int ahead = steps_ahead(contender, plan.steps.back());
-    const uint64_t untimed = on_hardware(*contender.backend) ? uint64_t(plan.ahead * double(plan.steps[k])) : 0;
     for (int attempt = 1;; ++attempt) {
       if (untimed) time_batch(contender, untimed, ahead, clocks);
       batch = time_batch(contender, plan.steps[k], ahead, clocks);

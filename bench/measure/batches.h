@@ -49,8 +49,8 @@ struct Sampling {
   double longest = 0.25;       // ... unless that would take longer than this, in seconds
   double hardware_seconds = 2e-3;  // least duration of the longest batch on a GPU ...
   double software_seconds = 0.05;  // ... and on the host, GL in software included
-  // Ahead of each batch on a GPU one of this share of its steps is taken, waited for and not timed: in OpenGL the batch
-  // behind a long one is 1 to 2 ms late (docs/NOTES/measuring.md).
+  // Ahead of each batch on a GPU one of this share of the longest one's steps is taken, waited for and not timed: in
+  // OpenGL the batch behind a long one is 1 to 2 ms late (docs/NOTES/measuring.md).
   double ahead = 0;
   uint64_t seed = 1;  // of every order
   Clocks clocks = host_clocks();

@@ -127,7 +127,7 @@ class Recording(StandIn):
         process.wait(timeout=60)
         output = os.read(ours, 10000).decode()
         os.close(ours)
-        self.assertIn("\r\x1b[K[1/1] ablate-1, about 5 min ... 0.0 min", output)
+        self.assertIn("\r\x1b[K[1/1] ablate-1, about 6 min ... 0.0 min", output)
 
 
 class Needs(StandIn):
