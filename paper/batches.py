@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The times of a step by a record's batches, as `bench/measure/samples.cpp` takes them from its own: records from before
-that, of the same batches, say it by rounds that late batches bend (docs/NOTES/measuring.md)."""
+"""The times of a step from the batches in a record, taken as the program takes them (bench/measure/samples.cpp). Older
+records hold the same batches, but medians of rounds that late batches bend (docs/NOTES/measuring.md)."""
 import statistics
 from functools import lru_cache
 
@@ -29,18 +29,23 @@ def least_deviations(steps, rounds):
     return float(intercepts[nearest].mean()), float(slopes[nearest].mean())
 
 
-def fitted(row):
-    """Any object of a record; a timing with batches of several sizes by their line. A round's time of a step is the median of
-    its batches without the line's fixed cost, over their steps."""
-    steps = row.get("batches", ())
-    if len(steps) < 2:
-        return row
-    rounds = numpy.array(row["batch_ms"])
+@lru_cache(maxsize=None)
+def times(steps, rounds):
+    """The fields of a timing with these batches; None where longer ones took no longer. A round's time of a step is the
+    median of its batches without the line's fixed cost, over their steps."""
+    rounds, steps = numpy.array(rounds), numpy.array(steps)
     fixed, step = least_deviations(steps, rounds)
     if step <= 0:
-        return row
+        return None
     samples = numpy.median((rounds - fixed) / steps, axis=1).tolist()
-    costs = numpy.median(rounds - step * numpy.array(steps), axis=1)
-    return row | {"samples_ms": samples, "median_ms": statistics.median(samples), "interval_ms": [*median_interval(samples)],
-                  "p95_ms": p95(samples), "min_ms": min(samples), "fixed_cost_us": 1e3 * float(numpy.median(costs)),
-                  "fixed_cost_share": float(numpy.median(costs) / numpy.median(rounds[:, -1]))}
+    cost = float(numpy.median(numpy.median(rounds - step * steps, axis=1)))
+    return {"samples_ms": samples, "median_ms": statistics.median(samples), "interval_ms": [*median_interval(samples)],
+            "p95_ms": p95(samples), "min_ms": min(samples), "fixed_cost_us": 1e3 * cost,
+            "fixed_cost_share": cost / statistics.median(rounds[:, -1].tolist())}
+
+
+def fitted(row):
+    """Any object of a record; a timing with batches of several sizes by their line."""
+    steps = row.get("batches", ())
+    found = times(tuple(steps), tuple(map(tuple, row["batch_ms"]))) if len(steps) > 1 else None
+    return row | {name: value[:] if isinstance(value, list) else value for name, value in found.items()} if found else row

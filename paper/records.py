@@ -46,9 +46,11 @@ class Record:
         raise AttributeError(name)
 
     def matches(self, wanted):
-        values = {**self.parameters.get("scene", {}), **self.parameters}
-        values["scene"] = self.parameters.get("scene", {}).get("name")
-        return all(values.get(name) == value for name, value in wanted.items())
+        scene = self.parameters.get("scene", {})
+        for name, value in wanted.items():
+            if value != (scene.get("name") if name == "scene" else self.parameters.get(name, scene.get(name))):
+                return False
+        return True
 
 
 def text_of(wanted):
