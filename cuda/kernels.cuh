@@ -86,6 +86,12 @@ __device__ inline void trigger_dependent_launch() {
   cudaTriggerProgrammaticLaunchCompletion();
 #endif
 }
+// At a kernel's begin: waits for the launch before it where that may be under way, and lets the next one get ready.
+__device__ inline void wait_first(const Params& p) {
+  if (p.waits_first == 0u) return;
+  grid_dependency_sync();
+  trigger_dependent_launch();
+}
 // until here
 
 }  // namespace spherepair

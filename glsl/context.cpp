@@ -173,8 +173,7 @@ std::string device_uuid() {
 
 void gl_check(const std::string& what) {
   const EGLContext current = eglGetCurrentContext();
-  if (epoxy_has_gl_extension("GL_KHR_robustness") && glGetGraphicsResetStatus() != GL_NO_ERROR)
-    lost_contexts().insert(current);
+  if (glGetGraphicsResetStatus() != GL_NO_ERROR) lost_contexts().insert(current);
   if (lost_contexts().contains(current)) {
     throw BackendError(
         fmt::format("glsl: {} failed: the driver reset the context, as it does when a dispatch runs too long; "

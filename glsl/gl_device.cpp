@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
 #include <utility>
 
 #include "common/backend/checks.h"
@@ -11,10 +10,12 @@
 #include "glsl/context.h"
 #include "glsl/device_limits.h"
 #include "glsl/gl_pipeline.h"
+#include "glsl/params_ring.h"
 #include "glsl/program.h"
 #include "glsl/stage_timer.h"
 #include "glsl/staging.h"
 #include "glsl/table_windows.h"
+#include "glsl/word_reader.h"
 
 namespace spherepair {
 namespace {
@@ -48,7 +49,6 @@ class GlDevice final : public Device {
   GraphicsPipeline* pipeline() override { return &pipeline_; }
 
  private:
-  void set_params(const Params& params);
   void bind(const Launch& launch);
   GLbitfield barriers(const Launch& launch) const;
   TexelRange texels(const Launch& launch) const;
@@ -62,12 +62,12 @@ class GlDevice final : public Device {
   std::array<BufferStorage, SLOT_TOTAL> storage_{};
   std::array<GLuint, SLOT_TOTAL> buffers_{}, bound_{};  // of the storage, and which of them kernels see now
   Staging staging_;
+  std::optional<WordReader> words_;
   BufferTextures textures_;
-  GLuint params_buffer_ = 0;
-  std::optional<Params> params_on_device_;
+  ParamsRing params_;
   bool batched_ = true;
   std::optional<Kernel> last_;  // that was launched, with nothing else behind it
-  Programs programs_;
+  Programs programs_{limits_.features};
   StageTimer timer_;
   GlPipeline pipeline_{context_, buffers_, timer_};
   uint64_t draws_seen_ = 0;  // by renderers, which bind buffers of their own
@@ -78,14 +78,13 @@ GlDevice::GlDevice(const OpenOptions& options) : context_(options) {
   limits_ = device_limits(options);
   info_ = describe_device(context_.software(), limits_);
   staging_.turn(!info_.software);
+  if (!info_.software) words_.emplace();
   capabilities_ = {.largest_buffer = limits_.largest_binding,
                    .atomics_64 = limits_.features.atomics_64,
                    .float_atomics = limits_.features.float_atomics,
                    .overlaps_images = true,
                    .bounds_block = 256};  // all groups then run at once (docs/NOTES/grid.md)
-  glCreateBuffers(1, &params_buffer_);
-  glNamedBufferStorage(params_buffer_, sizeof(Params), nullptr, GL_DYNAMIC_STORAGE_BIT);
-  glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_PARAMS, params_buffer_);  // for good
+  params_.make();
   gl_check("making the buffer of parameters");
 }
 
@@ -94,8 +93,9 @@ GlDevice::~GlDevice() {
   pipeline_.forget();
   timer_.forget();
   staging_.forget();
+  if (words_) words_->forget();
   for (BufferStorage& storage : storage_) delete_storage(storage);
-  glDeleteBuffers(1, &params_buffer_);
+  params_.forget();
   textures_.forget();
 }
 
@@ -127,16 +127,14 @@ void GlDevice::write(uint slot, const void* data, uint64_t offset, uint64_t byte
 void GlDevice::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
   if (bytes == 0) return;
   context_.make_current();
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  staging_.read(buffers_[slot], data, offset, bytes);
+  if (words_ && bytes <= words_->most()) {
+    words_->read(buffers_[slot], data, offset, bytes);
+    bound_ = {};
+  } else {
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    staging_.read(buffers_[slot], data, offset, bytes);
+  }
   gl_check(fmt::format("reading {} bytes", bytes));
-}
-
-// The same parameters serve a whole step, so they are sent only when they change.
-void GlDevice::set_params(const Params& params) {
-  if (params_on_device_ && std::memcmp(&params, &*params_on_device_, sizeof(Params)) == 0) return;
-  glNamedBufferSubData(params_buffer_, 0, sizeof(Params), &params);
-  params_on_device_ = params;
 }
 
 // Binding is dear, and most launches use what the last did.
@@ -158,7 +156,7 @@ void GlDevice::bind(const Launch& launch) {
 }
 
 void GlDevice::check(const CollideOptions& options) const {
-  refuse_missing("glsl", options, {.texture_table = true, .library_clear = true, .batch = true, .overlap = true},
+  refuse_missing(info_.name, options, {.texture_table = true, .library_clear = true, .batch = true, .overlap = true},
                  false);
 }
 
@@ -202,13 +200,17 @@ void GlDevice::dispatch(const Launch& launch) {
 void GlDevice::launch(const Launch& launch, const Params& params) {
   context_.make_current();
   if (std::exchange(draws_seen_, GlRenderer::draws()) != GlRenderer::draws()) bound_ = {}, last_.reset();
-  const TableWindows windows(params, limits_.largest_texture);
   Variant variant = launch.variant;
-  variant.windows = launch.kernel == Kernel::collide_grid && variant.texture_table && windows.count() > 1;
+  const bool by_table = launch.kernel == Kernel::collide_grid && variant.texture_table;
+  const TableWindows windows(params, limits_.largest_texture);
+  variant.windows = by_table && windows.count() > 1;
   variant.folded = launch.groups[1] > 1 || params.first_group != 0;
-  const Program& program = programs_.get(kernel_name(launch.kernel), launch.block, variant, limits_.features);
+  const Program& program = programs_.get(launch.kernel, launch.block, variant);
   prepared.compilations = programs_.compiled();
-  set_params(params);
+  Params block = params;
+  block.motion.steps_done = 0;  // a uniform, since it changes with every step
+  params_.bind(block);
+  program.set_steps(params.motion.steps_done);
   if (launch.view) program.set_view(*launch.view);
   glUseProgram(program.id());
   bind(launch);
@@ -220,7 +222,7 @@ void GlDevice::launch(const Launch& launch, const Params& params) {
     work.launches += windows.count();
   });
   last_ = launch.kernel;
-  if (!batched_) wait(), ++work.waits;
+  if (!batched_) glFinish(), ++work.waits;
 }
 
 void GlDevice::wait() {

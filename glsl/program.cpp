@@ -88,20 +88,37 @@ GLuint linked(const std::vector<Stage>& stages, const std::string& what) {
 
 }  // namespace
 
+GLuint compute_program(const std::string& source, const std::string& what) {
+  return linked({{GL_COMPUTE_SHADER, source}}, what);
+}
+
 Program::Program(const std::string& kernel, unsigned block, const Variant& variant, Features features)
-    : id_(linked({{GL_COMPUTE_SHADER, source_of(kernel, block, variant, features)}},
-                 fmt::format("{}.comp for groups of {}", kernel, block))) {}
+    : id_(compute_program(source_of(kernel, block, variant, features),
+                          fmt::format("{}.comp for groups of {}", kernel, block))) {}
 
 Program::Program(const std::string& stem)
     : id_(linked({{GL_VERTEX_SHADER, embedded_shaders().at(stem + ".vert")},
                   {GL_FRAGMENT_SHADER, embedded_shaders().at(stem + ".frag")}},
                  stem + ".vert with " + stem + ".frag")) {}
 
+const Program& Programs::get(Kernel kernel, unsigned block, const Variant& variant) {
+  std::vector<Made>& made = made_[size_t(kernel)];
+  for (const Made& known : made)
+    if (known.block == block && known.variant == variant) return *known.program;
+  made.push_back({block, variant, std::make_unique<Program>(kernel_name(kernel), block, variant, features_)});
+  ++compiled_;
+  return *made.back().program;
+}
+
 void Program::set_view(const View& view) const {
   static_assert(sizeof(View) == VIEW_FOURS * sizeof(uvec4));
   if (!takes_view_ || std::memcmp(&view, &view_, sizeof(View)) == 0) return;
   view_ = view;
   glProgramUniform4uiv(id_, VIEW_LOCATION, VIEW_FOURS, reinterpret_cast<const GLuint*>(&view));
+}
+
+void Program::set_steps(unsigned steps) const {
+  if (takes_steps_) glProgramUniform1ui(id_, STEPS_LOCATION, steps);
 }
 
 std::vector<StageTime> compile_times(Features features) {

@@ -3,14 +3,13 @@
 
 #include <epoxy/gl.h>
 
-#include <map>
+#include <array>
 #include <memory>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "common/backend/backend.h"
-#include "common/device/variant.h"
+#include "common/device/launch.h"
 #include "common/shared/view.h"
 #include "glsl/context.h"
 
@@ -36,26 +35,36 @@ class Program {
   Program& operator=(const Program&) = delete;
   GLuint id() const { return id_; }
   void set_view(const View& view) const;  // where it takes one
+  void set_steps(unsigned steps) const;   // the same, of steps_done
 
  private:
   GLuint id_;
   bool takes_view_ = glGetUniformLocation(id_, "view_words[0]") >= 0;
+  bool takes_steps_ = glGetUniformLocation(id_, "steps_done") >= 0;
   mutable View view_{};  // that it has
 };
 
-// Those that were requested, each compiled when it was first.
+// Those that were requested, each compiled when it was first. A launch looks its program up, so by number: a map by
+// name takes longer than the dispatch.
 class Programs {
  public:
-  const Program& get(const std::string& kernel, unsigned block, const Variant& variant, Features features) {
-    std::unique_ptr<Program>& program = made_[{kernel, block, variant}];
-    if (!program) program = std::make_unique<Program>(kernel, block, variant, features);
-    return *program;
-  }
-  uint64_t compiled() const { return made_.size(); }
+  explicit Programs(const Features& features) : features_(features) {}
+  const Program& get(Kernel kernel, unsigned block, const Variant& variant);
+  uint64_t compiled() const { return compiled_; }
 
  private:
-  std::map<std::tuple<std::string, unsigned, Variant>, std::unique_ptr<Program>> made_;
+  struct Made {
+    unsigned block;
+    Variant variant;
+    std::unique_ptr<Program> program;
+  };
+  const Features& features_;
+  std::array<std::vector<Made>, kernel_count> made_;  // by kernel, which has few
+  uint64_t compiled_ = 0;
 };
+
+// A program of one compute shader; `what` names it where the driver rejects it.
+GLuint compute_program(const std::string& source, const std::string& what);
 
 // What the driver takes for each kernel, for groups of 128 and the first variant.
 std::vector<StageTime> compile_times(Features features);

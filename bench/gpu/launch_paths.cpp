@@ -9,59 +9,72 @@ bool waits_for_none(const WorkCounts& made) {
   return made.launches > 0 && made.waits + made.graphs_replayed + made.overlapped + made.early == 0;
 }
 bool overlaps(const WorkCounts& made) { return made.overlapped > 0 && made.graphs_replayed == 0; }
+bool is_programmatic(const WorkCounts& made) { return made.overlapped + made.early > 0 && made.graphs_replayed == 0; }
 bool is_graph(const WorkCounts& made) { return made.graphs_replayed == made.steps && made.early == 0; }
 bool is_early_graph(const WorkCounts& made) { return made.graphs_replayed == made.steps && made.early > 0; }
+bool are_steps(const WorkCounts& made) { return made.graphs_replayed > 0 && 2 * made.graphs_replayed < made.steps; }
+bool are_graphs_of_steps(const WorkCounts& made) { return are_steps(made) && made.early == 0; }
+bool are_early_graphs_of_steps(const WorkCounts& made) { return are_steps(made) && made.early > 0; }
 bool is_one_launch(const WorkCounts& made) { return made.launches == 1 && made.steps > 1; }
 
-// Of the grid alone: what overlaps or gets ready early is a part of it.
-constexpr LaunchPath paths[] = {{.name = "waited",
-                                 .summary = "each dispatch behind all barriers, and the host waits for it",
-                                 .backend = "glsl",
-                                 .api = {.batch = false},
-                                 .shown = waits_for_each},
-                                {.name = "batched",
-                                 .summary = "a barrier before each dispatch, one wait a sample",
-                                 .backend = "glsl",
-                                 .api = {.overlap = false},
-                                 .shown = waits_for_none},
-                                {.name = "overlapping",
-                                 .summary = "the same, but no barrier before what needs nothing of the last step",
-                                 .backend = "glsl",
-                                 .of_all_pairs = false,
-                                 .shown = overlaps},
-                                {.name = "waited",
-                                 .summary = "the host waits for each kernel",
-                                 .backend = "cuda",
-                                 .api = {.graph = false, .batch = false, .overlap = false},
-                                 .shown = waits_for_each},
-                                {.name = "stream",
-                                 .summary = "kernel by kernel on a stream, one wait a sample",
-                                 .backend = "cuda",
-                                 .api = {.graph = false, .overlap = false},
-                                 .shown = waits_for_none},
-                                {.name = "stream_programmatic",
-                                 .summary = "the same by programmatic dependent launch, overlapping the step before",
-                                 .backend = "cuda",
-                                 .api = {.graph = false, .overlap = true},
-                                 .of_all_pairs = false,
-                                 .shown = overlaps},
-                                {.name = "graph",
-                                 .summary = "a graph a step, captured once",
-                                 .backend = "cuda",
-                                 .api = {.graph = true, .overlap = false},
-                                 .shown = is_graph},
-                                {.name = "graph_programmatic",
-                                 .summary = "a graph whose kernels get ready while the one before runs",
-                                 .backend = "cuda",
-                                 .api = {.graph = true},
-                                 .of_all_pairs = false,
-                                 .shown = is_early_graph},
-                                {.name = "persistent",
-                                 .summary = "one cooperative kernel for all steps of a sample",
-                                 .backend = "cuda",
-                                 .of_grid = false,
-                                 .persistent = true,
-                                 .shown = is_one_launch}};
+// Of the grid alone: what overlaps the step before is a part of it.
+constexpr LaunchPath paths[] = {
+    {.name = "waited",
+     .summary = "each dispatch behind all barriers, and the host waits for it",
+     .backend = "glsl",
+     .api = {.batch = false},
+     .shown = waits_for_each},
+    {.name = "batched",
+     .summary = "a barrier before each dispatch, one wait a sample",
+     .backend = "glsl",
+     .api = {.overlap = false},
+     .shown = waits_for_none},
+    {.name = "overlapping",
+     .summary = "the same, but no barrier before what needs nothing of the last step",
+     .backend = "glsl",
+     .of_all_pairs = false,
+     .shown = overlaps},
+    {.name = "waited",
+     .summary = "the host waits for each kernel",
+     .backend = "cuda",
+     .api = {.graph = false, .batch = false, .overlap = false},
+     .shown = waits_for_each},
+    {.name = "stream",
+     .summary = "kernel by kernel on a stream, one wait a sample",
+     .backend = "cuda",
+     .api = {.graph = false, .overlap = false},
+     .shown = waits_for_none},
+    {.name = "stream_programmatic",
+     .summary = "the same by programmatic dependent launch; the grid overlaps the step before",
+     .backend = "cuda",
+     .api = {.graph = false, .overlap = true},
+     .shown = is_programmatic},
+    {.name = "graph",
+     .summary = "a graph a step, captured once",
+     .backend = "cuda",
+     .api = {.graph = true, .graph_steps = 1, .overlap = false},
+     .shown = is_graph},
+    {.name = "graph_programmatic",
+     .summary = "a graph whose kernels get ready while the one before runs",
+     .backend = "cuda",
+     .api = {.graph = true, .graph_steps = 1},
+     .shown = is_early_graph},
+    {.name = "graph_steps",
+     .summary = "graphs of up to 64 steps",
+     .backend = "cuda",
+     .api = {.graph = true, .graph_steps = 64, .overlap = false},
+     .shown = are_graphs_of_steps},
+    {.name = "graph_steps_programmatic",
+     .summary = "graphs of up to 64 steps whose kernels get ready while the one before runs",
+     .backend = "cuda",
+     .api = {.graph = true, .graph_steps = 64},
+     .shown = are_early_graphs_of_steps},
+    {.name = "persistent",
+     .summary = "one cooperative kernel for all steps of a sample",
+     .backend = "cuda",
+     .of_grid = false,
+     .persistent = true,
+     .shown = is_one_launch}};
 
 }  // namespace
 
@@ -81,7 +94,7 @@ CollideOptions launch_options(const LaunchPath& path, LaunchWork work) {
     return {.method = Method::collide_grid,
             .grid = {.keep_order = false, .keep_cells = false, .sort = Sort::buckets},
             .api = path.api};
-  return {.method = Method::collide_triangle, .api = {.graph = path.api.graph, .batch = path.api.batch}};
+  return {.method = Method::collide_triangle, .api = path.api};
 }
 
 void enqueue_steps(const LaunchPath& path, LaunchWork work, Backend& backend, uint64_t steps) {

@@ -13,8 +13,8 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t steps_checked = 6;  // the third and later ones of a graph are replays
-constexpr uint64_t steps_counted = 4;  // behind those
+constexpr uint64_t steps_checked = 6;    // the third and later ones of a graph are replays
+constexpr uint64_t steps_counted = 128;  // behind those: more than the longest graph holds
 
 std::string name_of(const LaunchPath& path) { return fmt::format("{} {}", path.backend, path.name); }
 

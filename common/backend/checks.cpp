@@ -2,6 +2,7 @@
 #include "common/backend/checks.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -17,13 +18,13 @@ void check_collide(const CollideOptions& options) {
     throw std::invalid_argument(
         "pairs that touch within the next step are found of all spheres and with the exact test only: omit the naive "
         "test and the method collide_group");
-  if (!grid && options.api != ApiOptions{.graph = options.api.graph, .batch = options.api.batch})
-    throw std::invalid_argument("of the API options, all but the graph and the batch need collide_grid");
+  if (!grid && (options.api.texture_table || options.api.library_clear))
+    throw std::invalid_argument("a table in a texture buffer and a clear by the API need collide_grid");
   if (options.api.graph.value_or(false) && !options.api.batch.value_or(true))
     throw std::invalid_argument("a step is one graph, or its launches are waited for one by one: ask for one of both");
-  if (options.api.graph.value_or(false) && options.api.overlap.value_or(false))
+  if (const auto& steps = options.api.graph_steps; steps && std::ranges::count(graph_sizes, *steps) == 0)
     throw std::invalid_argument(
-        "a step is one graph, or its launches overlap with the step before: ask for one of both");
+        fmt::format("a graph holds {} steps at most, not {}", fmt::join(graph_sizes, ", "), *steps));
 }
 
 void refuse_missing(const std::string& backend, const CollideOptions& options, const ApiOptions& offered, bool thrust) {
@@ -33,6 +34,7 @@ void refuse_missing(const std::string& backend, const CollideOptions& options, c
   };
   need(options.grid.sort == Sort::radix, thrust, "the radix sort of Thrust", "the backend cuda");
   need(options.api.graph, offered.graph, "a graph of launches", "the backend cuda");
+  need(options.api.graph_steps.has_value(), offered.graph, "a graph of several steps", "the backend cuda");
   need(options.api.texture_table, offered.texture_table, "a table in a texture buffer", "the backend glsl");
   need(options.api.batch, offered.batch, "a batch of launches", "the backends glsl and cuda");
   need(options.api.overlap, offered.overlap, "a launch that overlaps the previous search",

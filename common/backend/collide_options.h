@@ -46,12 +46,15 @@ struct GridOptions {
   auto operator<=>(const GridOptions&) const = default;
 };
 
+constexpr std::array<uint, 4> graph_sizes = {1, 4, 16, 64};  // steps that a graph may hold
+
 // What one API offers and the other lacks, each to be measured against going without. Absent: what was measured to be
 // faster; a backend that lacks one refuses it by name when it is requested, std::invalid_argument.
 struct ApiOptions {
-  // CUDA: a step's launches are captured once, replayed while none changes. Absent: on, but for steps that overlap the
-  // one before
+  // CUDA: a step's launches are captured once, replayed while none changes. Absent: on
   std::optional<bool> graph = {};
+  // CUDA: equal steps that nobody waits for go out in graphs of so many at most, one of graph_sizes. Absent: the last
+  std::optional<uint> graph_steps = {};
   // GLSL: collide_grid reads the table of cells through a texture buffer, in parts where one is too small. Absent: on
   // where it fits
   std::optional<bool> texture_table = {};
@@ -61,10 +64,9 @@ struct ApiOptions {
   // each, GLSL behind all barriers, CUDA without a graph. Absent: on
   std::optional<bool> batch = {};
   // both, CUDA 12.3 or later where kernels are compiled for 9.0 or later: what needs nothing of the search right before
-  // it begins while that is under way, which no graph can (absent: on where no graph is requested), and CUDA's later
-  // launches of a step get ready early (absent: on)
+  // it begins while that is under way, in CUDA within a graph of several steps too, and CUDA's later launches of a step
+  // get ready early. Absent: on
   std::optional<bool> overlap = {};
-  bool overlaps() const { return overlap.value_or(!graph.value_or(false)); }
   auto operator<=>(const ApiOptions&) const = default;
 };
 

@@ -62,7 +62,7 @@ class Device {
   virtual GraphicsPipeline* pipeline() { return nullptr; }  // its own, which draws SLOT_POSITION and SLOT_COUNT
 
   // The address of a buffer, until it is allocated again; null for an API without addresses.
-  virtual const void* address(uint) const { return nullptr; }
+  virtual const void* address(uint) { return nullptr; }
 
   Preparations prepared;  // counted by the device, its pipeline's apart
 

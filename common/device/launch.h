@@ -14,6 +14,9 @@ namespace spherepair {
 #define ENUMERATOR(name) name,
 enum class Kernel { SPHEREPAIR_KERNELS(ENUMERATOR) };
 #undef ENUMERATOR
+#define ONE_MORE(name) +1
+constexpr size_t kernel_count = SPHEREPAIR_KERNELS(ONE_MORE);
+#undef ONE_MORE
 
 const char* kernel_name(Kernel kernel);  // the stem of its two source files
 

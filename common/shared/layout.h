@@ -46,8 +46,9 @@
 #define SLOT_GROWN 38  // vec4[n]: the spheres whose near pairs are listed: grown by a skin, or around their next paths
 #define SLOT_NEAR 39   // uvec2[]: their colliding pairs (i<j) in any order, SearchParams::near_pairs of them
 #define SLOT_TOTAL 40
-#define SLOT_PARAMS 0   // the uniform block's own binding
-#define CELL_TEXTURE 0  // texture units of GLSL, one per use, so that bindings seldom change
+#define SLOT_PARAMS 0     // the uniform block's own binding
+#define STEPS_LOCATION 0  // of GLSL's uniform with MotionParams::steps_done
+#define CELL_TEXTURE 0    // texture units of GLSL, one per use, so that bindings seldom change
 #define PYRAMID_TEXTURE 1
 #define TEXTURE_UNITS 2
 
@@ -192,12 +193,14 @@ struct Params {
   float radius;      // of all, where all are equal
   uint first_group;  // of this slice of the launch
   uint indices;      // CUDA: INDEX_* of the launch, see sphere_index; GLSL compiles it in
+  uint waits_first;  // CUDA: not 0: the launch before may be under way, and the kernel waits for it first
+  uint unused_a, unused_b, unused_c;
 };
 
 #ifndef GL_core_profile
 static_assert(SPLIT_BLOCK == BUCKETS_AT_MOST && SPLIT_BLOCK * SPLIT_EACH == SPLIT_TILE);
 static_assert(sizeof(MotionParams) == 96 && sizeof(SearchParams) == 48 && sizeof(GridParams) == 64 &&
-              sizeof(SortParams) == 32 && sizeof(ContactParams) == 96 && sizeof(Params) == 352 && sizeof(uvec2) == 8 &&
+              sizeof(SortParams) == 32 && sizeof(ContactParams) == 96 && sizeof(Params) == 368 && sizeof(uvec2) == 8 &&
               sizeof(Axis) == 16);
 #endif
 

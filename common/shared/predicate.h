@@ -35,6 +35,15 @@ FN uint filter_pair(vec4 a, vec4 b, float scale, float offset) {
   return UNDECIDED;
 }
 
+// Whether filter_pair does not say APART.
+FN bool filter_near(vec4 a, vec4 b, float scale, float offset) {
+  EXACT float s = squared_distance(a, b);
+  EXACT float r = a.w + b.w;
+  EXACT float q = r * r;
+  EXACT float apart_above = multiply_add(q, scale, offset);
+  return !(s > apart_above);
+}
+
 // For equal radii the host rounds Q(1 + 12u) and Q(1 - 12u) outward once and the radius needs no load.
 FN uint filter_equal(float s, float apart_above, float collide_below) {
   if (s > apart_above) return APART;

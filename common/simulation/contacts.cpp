@@ -64,7 +64,7 @@ bool Contacts::step(bool clear_results) {
       list_near_pairs();
       listed = true;
     }
-    next_check_ = launched_ == 0 ? served_ - served_ / 4 : launched_ + 1 + std::max(served_, launched_) / 16;
+    next_check_ = std::max(served_ - served_ / 4, launched_ + 1 + std::max(served_, launched_) / 8);
   }
   launch(clear_results);
   return listed;
@@ -92,11 +92,13 @@ void Contacts::launch(bool clear_results) {
   Params params = pair_params();  // the same for both launches and for all steps, so that they are sent once
   params.motion.clear_results = clear_results;
   const auto by_sphere = groups_per_sphere(context_);
+  context_.device.begin_step({});
   if (sums_ == ImpulseSums::in_order)
     context_.device.launch({Kernel::contact_gather, SERVICE_BLOCK, {}, by_sphere}, params);
   else
     launch_impulses(params);
   context_.device.launch({Kernel::leapfrog, SERVICE_BLOCK, variant(), by_sphere}, params);
+  context_.device.end_step();
 }
 
 void Contacts::launch_impulses(const Params& params) {

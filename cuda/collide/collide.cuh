@@ -82,7 +82,7 @@ struct Collider {
   // Whether this is a candidate pair: the only test in the hot loops.
   __device__ bool in_reach(vec4 a, vec4 b) const {
     if constexpr (EQUAL_RADII) return !(squared_distance(a, b) > p.search.apart_above);
-    return filter_pair(a, b, p.search.filter_scale, p.search.filter_offset) != APART;
+    return filter_near(a, b, p.search.filter_scale, p.search.filter_offset);
   }
 
   __device__ uint filter_spheres(vec4 a, vec4 b) {
@@ -117,12 +117,17 @@ struct Collider {
     return verdict;
   }
 
-  __device__ void test_stored_pair(uint i, uint j) {
+  // Records, defers and counts the contact of sphere i; returns the contacts of sphere j.
+  __device__ uint test_row(uint i, uint j) {
     uint verdict = test_pair(i, buf.position[i], j, buf.position[j]);
     if (verdict == UNDECIDED) defer(i, j);
-    if (verdict != COLLIDE) return;
+    if (verdict != COLLIDE) return 0u;
     add_contact(i, 1u);
-    add_contact(j, 1u);
+    return 1u;
+  }
+
+  __device__ void test_stored_pair(uint i, uint j) {
+    if (test_row(i, j) != 0u) add_contact(j, 1u);
   }
 };  // CUDA only: ends Collider
 

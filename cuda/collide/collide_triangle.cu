@@ -19,6 +19,23 @@ __device__ void test_queued_pair(Collider<EQUAL_RADII, LISTED>& collider, uint f
   if (i < j && j < end) collider.test_stored_pair(i, j);
 }
 
+// CUDA only from here: contacts of a column are added together, since all threads of a warp have the same one
+// All pairs of an entry for which the queue has no room.
+template <int BLOCK, bool EQUAL_RADII, bool LISTED>
+__device__ void test_entry(Collider<EQUAL_RADII, LISTED>& collider, uint first_row, uint lane, uint j, uint end) {
+#pragma unroll 1  // unrolled, this rare path takes 91 registers and slows the loop above
+  for (uint u = 0u; u < COLUMNS_AT_ONCE && j + u < end; ++u) {
+    uint contacts = 0u;
+#pragma unroll 1  // the same
+    for (uint k = 0u; k < SPHERES_PER_THREAD; ++k) {
+      uint i = first_row + k * BLOCK + lane;
+      if (i < j + u) contacts += collider.test_row(i, j + u);
+    }
+    if (contacts != 0u) collider.add_contact(j + u, contacts);
+  }
+}
+// until here
+
 template <int BLOCK, bool EQUAL_RADII, bool LISTED>
 __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, KernelBuffers buf) {
   constexpr uint ROWS = BLOCK * SPHERES_PER_THREAD;
@@ -30,6 +47,7 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, KernelBuffer
   __shared__ uint near_queue[NEAR_PER_THREAD * BLOCK];
   __shared__ uint near_length[2];  // of this tile and of the next
   Collider<EQUAL_RADII, LISTED> collider(p, buf);
+  wait_first(p);  // CUDA only: of small steps, which get ready early
   uint lane = threadIdx.x;
   uint part = blockIdx.x;
   uint first_row = (p.first_group + blockIdx.y) * ROWS;
@@ -95,9 +113,7 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, KernelBuffer
         if (at < NEAR_PER_THREAD * BLOCK) {
           near_queue[at] = j * BLOCK + lane;
         } else {
-#pragma unroll 1  // CUDA only: unrolled, this rare path takes 91 registers and slows the loop above
-          for (uint pair = 0u; pair < PAIRS_PER_ENTRY; ++pair)
-            test_queued_pair<BLOCK>(collider, first_row, pair, lane, start + j, end);
+          test_entry<BLOCK>(collider, first_row, lane, start + j, end);  // CUDA only: in GLSL pair by pair
         }
       }
     }

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <utility>
 
@@ -51,56 +50,96 @@ void launch_call(const KernelCall& call, cudaStream_t stream) {
 }
 
 StepGraph::~StepGraph() {
-  if (graph_) cudaGraphExecDestroy(graph_);
+  for (Step& step : steps_) destroy(step);
   if (stream_) cudaStreamDestroy(stream_);
 }
 
-void StepGraph::begin() {
-  flush();  // of a step that an error ended
+void StepGraph::destroy(Step& step) {
+  for (cudaGraphExec_t graph : step.graphs)
+    if (graph) cudaGraphExecDestroy(graph);
+}
+
+void StepGraph::begin(uint most_steps) {
+  if (collecting_ || most_steps != most_) flush();  // collecting: a step that an error ended
+  most_ = most_steps;
   collecting_ = true;
 }
 
 void StepGraph::flush() {
+  release();
+  launch_calls();
+  next_ = 1;
+}
+
+void StepGraph::launch_calls() {
   collecting_ = false;
-  for (const KernelCall& call : calls_) launch_call(call, nullptr);
-  calls_.clear();
+  const Calls calls = std::exchange(calls_, {});
+  for (const KernelCall& call : calls) launch_call(call, nullptr), ++work_.launches;
 }
 
-void StepGraph::drop() {
-  if (graph_) cuda_check(cudaGraphExecDestroy(std::exchange(graph_, nullptr)), "giving a graph back");
-}
-
-void StepGraph::capture() {
+cudaGraphExec_t StepGraph::capture(uint steps) {
   if (!stream_) cuda_check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "creating a stream");
   cuda_check(cudaStreamBeginCapture(stream_, cudaStreamCaptureModeThreadLocal), "beginning to capture a step");
   cudaGraph_t graph = nullptr;
   try {
-    for (const KernelCall& call : calls_) launch_call(call, stream_);
+    for (uint step = 0; step < steps; ++step)
+      for (const KernelCall& call : steps_.front().calls) launch_call(call, stream_);
   } catch (const BackendError&) {
     cudaStreamEndCapture(stream_, &graph);  // else no later step could be captured
     throw;
   }
   cuda_check(cudaStreamEndCapture(stream_, &graph), "capturing a step");
-  const cudaError_t error = cudaGraphInstantiate(&graph_, graph, 0);
+  cudaGraphExec_t made = nullptr;
+  const cudaError_t error = cudaGraphInstantiate(&made, graph, 0);
   cudaGraphDestroy(graph);
   cuda_check(error, "making a graph of a step");
-  ++captures_;
+  ++prepared_.captures;
+  return made;
 }
 
-bool StepGraph::end() {
-  if (!collecting_) return false;
-  if (!std::ranges::equal(calls_, last_, same_call)) {
-    drop();
-    last_ = calls_;
-    flush();
-    return false;
+void StepGraph::replay(size_t size) {
+  cudaGraphExec_t& graph = steps_.front().graphs[size];
+  if (!graph) graph = capture(graph_sizes[size]);
+  cuda_check(cudaGraphLaunch(graph, nullptr), "launching the graph of a step");
+  ++work_.launches;
+  ++work_.graphs_replayed;
+}
+
+// The longest graphs first.
+void StepGraph::release() {
+  for (size_t size = graph_sizes.size(); size-- > 0;)
+    for (; held_ >= graph_sizes[size]; held_ -= graph_sizes[size]) replay(size);
+}
+
+// Whether this step came before; it is the latest then.
+bool StepGraph::recall() {
+  const auto found =
+      std::ranges::find_if(steps_, [&](const Step& step) { return std::ranges::equal(calls_, step.calls, same_call); });
+  if (found == steps_.end()) return false;
+  if (found != steps_.begin()) {
+    release();  // those like the one that was the latest
+    next_ = 1;
+    steps_.splice(steps_.begin(), steps_, found);
+  }
+  return true;
+}
+
+void StepGraph::end() {
+  if (!collecting_) return;
+  if (!recall()) {
+    release();
+    steps_.push_front({calls_});
+    launch_calls();
+    next_ = 1;
+    if (steps_.size() <= remembered) return;
+    destroy(steps_.back());
+    return steps_.pop_back();
   }
   collecting_ = false;
-  const bool there = graph_ != nullptr;
-  if (!there) capture();
   calls_.clear();
-  cuda_check(cudaGraphLaunch(graph_, nullptr), "launching the graph of a step");
-  return there;
+  if (++held_ < next_) return;
+  release();
+  next_ = std::min(4 * next_, most_);
 }
 
 }  // namespace spherepair

@@ -16,7 +16,7 @@ __global__ void __launch_bounds__(BLOCK) bounce(Params p, KernelBuffers buf) {
   const uvec4* next_event_vector = reinterpret_cast<const uvec4*>(buf.next_event);
   uint lane = threadIdx.x;
   uint first = group_index(p) * (SPHERES_PER_BOUNCER / 4) * BLOCK + lane;
-  uint now = p.motion.whole_state == 0u ? p.motion.steps_done : NO_EVENT - 1u;
+  uint now = p.motion.whole_state == 0u ? motion_params(p).steps_done : NO_EVENT - 1u;
   if (lane == 0u) found = 0u;
   __syncthreads();
   for (uint v = 0u; v < SPHERES_PER_BOUNCER / 4; ++v) {
@@ -31,11 +31,11 @@ __global__ void __launch_bounds__(BLOCK) bounce(Params p, KernelBuffers buf) {
   __syncthreads();
   for (uint k = lane; k < found; k += BLOCK) {
     uint i = bouncing[k];
-    Anchor<Real> a = anchor_anew(load_anchor<Real>(p, buf, i), p.motion);
+    Anchor<Real> a = anchor_anew(load_anchor<Real>(p, buf, i), motion_params(p));
     flight[i] = a.speed;
     flight[size_t(p.n) + i] = a.age;
     buf.since[i] = a.since;
-    buf.next_event[i] = next_event_step(a, p.motion);
+    buf.next_event[i] = next_event_step(a, motion_params(p));
   }
   grid_dependency_sync();  // CUDA only: the next launch needs the previous search done too
 }

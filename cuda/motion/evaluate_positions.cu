@@ -12,7 +12,7 @@ __global__ void __launch_bounds__(BLOCK) evaluate_positions(Params p, KernelBuff
   uint i = group_index(p) * BLOCK + threadIdx.x;
   if (p.motion.clear_results != 0u) clear_results(p, buf, i);
   if (i >= p.n) return;
-  Moving<Real> s = evaluate_sphere(load_anchor<Real>(p, buf, i), p.motion);
+  Moving<Real> s = evaluate_sphere(load_anchor<Real>(p, buf, i), motion_params(p));
   if (p.motion.whole_state != 0u) {
     store_sphere(p, buf, i, s);
   } else {

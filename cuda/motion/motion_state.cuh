@@ -9,6 +9,9 @@
 
 namespace spherepair {
 
+// CUDA only: all parameters are a kernel argument
+__device__ inline const MotionParams& motion_params(const Params& p) { return p.motion; }
+
 template <typename Real>
 __device__ inline Moving<Real> load_sphere(const Params& p, const KernelBuffers& buf, uint i) {
   const Real* wide = static_cast<const Real*>(buf.wide);

@@ -9,6 +9,7 @@ constexpr uint BLOCK = SERVICE_BLOCK;
 
 template <uint METHOD, typename Real>
 __global__ void __launch_bounds__(BLOCK) move(Params p, KernelBuffers buf) {
+  wait_first(p);  // CUDA only: of small steps, which get ready early
   uint i = group_index(p) * BLOCK + threadIdx.x;
   if (p.motion.clear_results != 0u) clear_results(p, buf, i);
   if (i >= p.n) return;

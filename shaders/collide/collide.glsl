@@ -70,7 +70,7 @@ void defer(uint i, uint j) {
 // Whether this is a candidate pair: the only test in the hot loops.
 bool in_reach(vec4 a, vec4 b) {
   if (EQUAL_RADII) return !(squared_distance(a, b) > p.search.apart_above);
-  return filter_pair(a, b, p.search.filter_scale, p.search.filter_offset) != APART;
+  return filter_near(a, b, p.search.filter_scale, p.search.filter_offset);
 }
 
 uint filter_spheres(vec4 a, vec4 b) {
@@ -97,10 +97,15 @@ uint test_pair(uint i, vec4 a, uint j, vec4 b) {
   return verdict;
 }
 
-void test_stored_pair(uint i, uint j) {
+// Records, defers and counts the contact of sphere i; returns the contacts of sphere j.
+uint test_row(uint i, uint j) {
   uint verdict = test_pair(i, position[i], j, position[j]);
   if (verdict == UNDECIDED) defer(i, j);
-  if (verdict != COLLIDE) return;
+  if (verdict != COLLIDE) return 0u;
   add_contact(i, 1u);
-  add_contact(j, 1u);
+  return 1u;
+}
+
+void test_stored_pair(uint i, uint j) {
+  if (test_row(i, j) != 0u) add_contact(j, 1u);
 }

@@ -91,6 +91,7 @@ void main() {
         if (at < NEAR_PER_THREAD * BLOCK) {
           near_queue[at] = j * BLOCK + lane;
         } else {
+          // GLSL only: the driver's compiler adds the contacts of a warp together where they are of one column
           for (uint pair = 0u; pair < PAIRS_PER_ENTRY; ++pair) test_queued_pair(first_row, pair, lane, start + j, end);
         }
       }

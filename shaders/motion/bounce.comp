@@ -13,7 +13,7 @@ shared uint bouncing[SPHERES_PER_BOUNCER * BLOCK];
 void main() {
   uint lane = gl_LocalInvocationID.x;
   uint first = group_index() * (SPHERES_PER_BOUNCER / 4) * BLOCK + lane;
-  uint now = p.motion.whole_state == 0u ? p.motion.steps_done : NO_EVENT - 1u;
+  uint now = p.motion.whole_state == 0u ? motion_params().steps_done : NO_EVENT - 1u;
   if (lane == 0u) found = 0u;
   barrier();
   for (uint v = 0u; v < SPHERES_PER_BOUNCER / 4; ++v) {
@@ -28,10 +28,10 @@ void main() {
   barrier();
   for (uint k = lane; k < found; k += BLOCK) {
     uint i = bouncing[k];
-    Anchor a = anchor_anew(load_anchor(i), p.motion);
+    Anchor a = anchor_anew(load_anchor(i), motion_params());
     flight[i] = a.speed;
     flight[p.n + i] = a.age;
     since[i] = a.since;
-    next_event[i] = next_event_step(a, p.motion);
+    next_event[i] = next_event_step(a, motion_params());
   }
 }

@@ -10,7 +10,7 @@ void main() {
   uint i = group_index() * BLOCK + gl_LocalInvocationID.x;
   if (p.motion.clear_results != 0u) clear_results(i);
   if (i >= p.n) return;
-  Moving s = evaluate_sphere(load_anchor(i), p.motion);
+  Moving s = evaluate_sphere(load_anchor(i), motion_params());
   if (p.motion.whole_state != 0u) {
     store_sphere(i, s);
   } else {

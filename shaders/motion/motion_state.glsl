@@ -13,6 +13,17 @@ layout(std430, binding = SLOT_FLIGHT) restrict buffer FlightBuffer { Real flight
 layout(std430, binding = SLOT_SINCE) restrict buffer SinceBuffer { uint since[]; };
 layout(std430, binding = SLOT_NEXT_EVENT) buffer NextEventBuffer { uint next_event[]; };
 
+// GLSL only from here: the steps done change with every launch, so that they are a plain uniform, sent with the
+// commands
+layout(location = STEPS_LOCATION) uniform uint steps_done;
+
+MotionParams motion_params() {
+  MotionParams motion = p.motion;
+  motion.steps_done = steps_done;
+  return motion;
+}
+// until here
+
 Moving load_sphere(uint i) {
   vec4 at = position[i];
 #if PRECISION == PRECISION_FLOAT32

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How launches go out in each API, and what GLSL reads through textures.
+#include <map>
+
 #include "api/open.h"
 #include "common/scene/camera.h"
 #include "tests/oracle/oracle.h"
@@ -40,6 +42,7 @@ TEST_P(ApiOptionsOf, AStepIsAMoveAndASearchTogether) {
     if (!backend().info().on_host) options.api.batch = batch;
     backend().upload(scene);
     for (int k = 0; k < 4; ++k) backend().enqueue_step(options);
+    backend().finish();  // else steps may be held back
     const WorkCounts before = backend().work_counts();
     backend().step(options);
     const WorkCounts after = backend().work_counts();
@@ -184,6 +187,66 @@ TEST_P(ApiOptionsOf, AGraphIsReplayedWhileSpheresMove) {
       }
     }
   }
+}
+
+// 1 + 4 + 16 + 64 steps, and the last 15 as 3 graphs of 4 steps and 3 of one. The step before the first replay is
+// launched kernel by kernel.
+TEST_P(ApiOptionsOf, EqualStepsThatNobodyWaitsForShareGraphs) {
+  if (backend().info().name != "cuda") GTEST_SKIP() << "graphs of launches are CUDA's";
+  const Scene scene = make_scene({.name = "uniform", .n = 900});
+  Backend& cpu = *all_backends().front().backend;
+  cpu.upload(scene);
+  for (int k = 0; k < 102; ++k) cpu.move();
+  const StepResult expected = run_step(cpu, {.method = Method::parallel});
+  for (const auto& [most, graphs] : std::map<std::optional<uint>, uint64_t>{{{}, 10}, {4, 28}, {1, 100}}) {
+    CollideOptions options = fast_method(backend());
+    options.api.graph_steps = most;
+    backend().upload(scene);
+    for (int k = 0; k < 2; ++k) backend().step(options);  // which clear the results of none, and of the one before
+    const uint64_t before = backend().work_counts().graphs_replayed;
+    for (int k = 0; k < 100; ++k) backend().enqueue_step(options);
+    backend().finish();
+    EXPECT_EQ(backend().work_counts().graphs_replayed - before, graphs) << most.value_or(0);
+    EXPECT_TRUE(same_result(result_of(backend(), false), expected));
+    EXPECT_EQ(hash_of(backend()), hash_of(cpu));
+  }
+}
+
+// Held steps are launched before others, and those stay captured.
+TEST_P(ApiOptionsOf, StepsKeepTheirOrderWhenTheyChange) {
+  if (backend().info().on_host) GTEST_SKIP() << "the CPU launches nothing";
+  const Scene scene = make_scene({.name = "uniform", .n = 900});
+  Backend& cpu = *all_backends().front().backend;
+  cpu.upload(scene);
+  backend().upload(scene);
+  std::vector<CollideOptions> steps = {fast_method(backend()), fast_method(backend())};
+  steps[1].block = 64;
+  for (int turn = 0; turn < 3; ++turn)
+    for (const CollideOptions& step : steps) {
+      for (int k = 0; k < 7; ++k) backend().enqueue_step(step), cpu.move();
+      backend().move(), cpu.move();
+    }
+  EXPECT_EQ(hash_of(backend()), hash_of(cpu));
+  backend().enqueue_step(steps[0]), cpu.move();
+  EXPECT_TRUE(same_result(run_step(backend(), steps[1]), run_step(cpu, {.method = Method::parallel})));
+  const uint64_t captures = backend().preparations().captures;
+  for (int turn = 0; turn < 3; ++turn)
+    for (const CollideOptions& step : steps)
+      for (int k = 0; k < 4; ++k) backend().step(step);
+  EXPECT_LE(backend().preparations().captures - captures, 2u);  // each once
+}
+
+TEST_P(ApiOptionsOf, AGraphHoldsOneOfAFewNumbersOfSteps) {
+  if (backend().info().on_host) GTEST_SKIP() << "the CPU launches nothing";
+  backend().upload(make_scene({.name = "uniform", .n = 100}));
+  CollideOptions options = fast_method(backend());
+  options.api.graph_steps = 3;
+  EXPECT_THROW(backend().collide(options), std::invalid_argument);
+  options.api.graph_steps = 4;
+  if (backend().info().name == "cuda")
+    EXPECT_NO_THROW(backend().collide(options));
+  else
+    EXPECT_THROW(backend().collide(options), std::invalid_argument);
 }
 
 // Another view is drawn after every step; the kernels of the step see none.

@@ -2,7 +2,6 @@
 // Sorts and moves that begin while the search before is under way.
 #include "api/open.h"
 #include "bench/studies/frames.h"
-#include "common/backend/checks.h"
 #include "common/backend/method_choice.h"
 #include "tests/support/grid_results.h"
 
@@ -25,11 +24,10 @@ class Overlap : public BackendTest {
   // By turns with radii and without, so that each sort has other words to write than the one before, of the same and of
   // other positions. Nothing waits between steps except where a result is requested, and that is of a sort that
   // overlaps a search.
-  void expect_right(const Scene& scene) {
-    const auto step = [](bool load_radii) {
+  void expect_right(const Scene& scene, std::optional<bool> graph) {
+    const auto step = [=](bool load_radii) {
       return grid_step([=](CollideOptions& o) {
-        o.grid.cells = Cells::dense, o.grid.sort = Sort::buckets, o.load_radii = load_radii;
-        o.api.graph = false;  // in which CUDA would put steps that do not overlap
+        o.grid.cells = Cells::dense, o.grid.sort = Sort::buckets, o.load_radii = load_radii, o.api.graph = graph;
       });
     };
     const auto oracle = open_backend("cpu");
@@ -60,9 +58,12 @@ TEST_P(Overlap, NeverChangesTheSet) {
   overlaps_ = overlaps();
   for (const uint64_t n : {3000, 100'000}) {
     SceneOptions scene = {.name = "uniform", .n = n};
-    expect_right(make_scene(scene));
-    scene.motion.method = MotionMethod::anchored;
-    expect_right(make_scene(scene));
+    for (const std::optional<bool>& graph : {std::optional<bool>(), std::optional<bool>(false)}) {
+      scene.motion.method = MotionMethod::paper;
+      expect_right(make_scene(scene), graph);
+      scene.motion.method = MotionMethod::anchored;
+      expect_right(make_scene(scene), graph);
+    }
   }
 }
 
@@ -95,40 +96,27 @@ TEST_P(Overlap, IsOfWhatNeedsNothingOfTheSearch) {
   EXPECT_EQ(more(move), 0u) << "the search reads the spheres that are moved";
 }
 
-// CUDA's steps that sort overlap unless a graph is requested, whatever steps were there before.
-TEST_P(Overlap, IsOfStepsWithoutAGraph) {
+// In a graph of several steps a sort overlaps the search of the step before.
+TEST_P(Overlap, IsWithinAGraphOfSeveralSteps) {
   if (backend().info().name != "cuda" || !overlaps()) GTEST_SKIP() << "graphs of launches are CUDA's";
-  const auto step = [](std::optional<bool> graph) {
-    return grid_step([=](CollideOptions& o) { o.grid.sort = Sort::buckets, o.api.graph = graph; });
-  };
-  const auto graphs = [&] { return backend().work_counts().graphs_replayed; };
-  const auto early = [&] { return backend().work_counts().early; };
+  const auto oracle = open_backend("cpu");
+  const CollideOptions step = grid_step([](CollideOptions& o) { o.grid.sort = Sort::buckets; });
   for (const uint64_t n : {5000, 50'000, 5000}) {
     SCOPED_TRACE(n);
-    backend().upload(make_scene({.name = "uniform", .n = n}));
-    for (const auto& before : {std::optional<bool>(true), std::optional<bool>(false)}) {
-      for (int k = 0; k < 4; ++k) backend().enqueue_collide(step(before));
-      const uint64_t graphs_before = graphs(), overlapped_before = overlapped(), early_before = early();
-      for (int k = 0; k < 4; ++k) backend().enqueue_collide(step(std::nullopt));
-      EXPECT_EQ(overlapped() - overlapped_before, 4u);
-      EXPECT_EQ(early() - early_before, 8u) << "grid_sort and collide_grid get ready early";
-      EXPECT_EQ(graphs() - graphs_before, 0u);
-    }
+    const Scene scene = make_scene({.name = "uniform", .n = n});
+    for (Backend* each : {oracle.get(), &backend()}) each->upload(scene);
+    for (int k = 0; k < 3; ++k) backend().enqueue_collide(step);
+    backend().finish();
+    const WorkCounts before = backend().work_counts();
+    for (int k = 0; k < 30; ++k) backend().enqueue_collide(step);
+    backend().finish();
+    const WorkCounts after = backend().work_counts();
+    EXPECT_EQ(after.overlapped - before.overlapped, 30u);
+    EXPECT_EQ(after.early - before.early, 60u) << "grid_sort and collide_grid get ready early";
+    EXPECT_EQ(after.graphs_replayed - before.graphs_replayed, 1u + 1 + 1 + 2 + 1) << "of 1, 4, 16, 2 x 4 and 1 steps";
+    const StepResult given = run_step(backend(), step), wanted = run_step(*oracle, step);
+    EXPECT_TRUE(same_result(given, wanted));
   }
-}
-
-TEST(OverlapOptions, AreNotForAGraph) {
-  const auto step = [](std::optional<bool> graph, std::optional<bool> overlap) {
-    return grid_step([=](CollideOptions& o) { o.api.graph = graph, o.api.overlap = overlap; });
-  };
-  EXPECT_THROW(check_collide(step(true, true)), std::invalid_argument);
-  EXPECT_NO_THROW(check_collide(step(true, std::nullopt)));
-  EXPECT_NO_THROW(check_collide(step(std::nullopt, true)));
-  EXPECT_FALSE(step(true, std::nullopt).api.overlaps());
-  EXPECT_TRUE(step(false, std::nullopt).api.overlaps());
-  EXPECT_TRUE(step(std::nullopt, true).api.overlaps());
-  EXPECT_FALSE(step(std::nullopt, false).api.overlaps());
-  EXPECT_TRUE(step(std::nullopt, std::nullopt).api.overlaps());
 }
 
 INSTANTIATE_BACKENDS(Overlap);

@@ -25,7 +25,7 @@ struct DeviceContext {
 
   // For Launch::overlaps of what uses nothing of a search in cell order.
   std::optional<Kernel> overlaps_search(const ApiOptions& options) const {
-    return options.overlaps() ? std::optional(Kernel::collide_grid) : std::nullopt;
+    return options.overlap.value_or(true) ? std::optional(Kernel::collide_grid) : std::nullopt;
   }
 
   GraphicsPipeline& pipeline() { return device.pipeline() ? *device.pipeline() : other_pipeline.get(); }

@@ -60,10 +60,10 @@ std::vector<uint> DeviceMotion::read_wide() {
 }
 
 void DeviceMotion::launch(Kernel kernel, bool whole_state, bool clear_results, std::optional<Kernel> overlaps) {
-  Params params = context_.params;  // a search's launches stay the same from step to step, so that a graph can be kept
+  context_.params.motion.clear_results = clear_results;  // hardly ever changes: the search is launched with the same
+  Params params = context_.params;
   params.motion.steps_done = steps_;
   params.motion.whole_state = whole_state;
-  params.motion.clear_results = clear_results;
   const auto groups = kernel == Kernel::bounce ? folded(context_.n / (SERVICE_BLOCK * SPHERES_PER_BOUNCER) + 1)
                                                : groups_per_sphere(context_);
   context_.device.launch({.kernel = kernel,
