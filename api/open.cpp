@@ -22,13 +22,15 @@
 namespace spherepair {
 
 std::vector<std::string> backend_names() { return {"cpu", "glsl", "cuda"}; }
+std::vector<std::string> all_backend_names() { return {"cpu", "glsl", "glsl-core", "cuda"}; }
 
 namespace {
 
 // Where a GPU was chosen for one API alone, the other takes the same. EGL does not know CUDA_VISIBLE_DEVICES: OpenGL
 // takes the first GPU that it leaves to CUDA, and its own first where it leaves none or OpenGL does not reach that one.
 #ifdef SPHEREPAIR_WITH_GLSL
-OpenOptions with_gl_device(OpenOptions options) {
+OpenOptions with_gl_device(OpenOptions options, bool vendor_free = false) {
+  options.vendor_free = vendor_free;
   const bool chosen = !options.cuda_device.empty();
   const bool narrowed = std::getenv("CUDA_VISIBLE_DEVICES") && !options.window;
   if (!options.gl_device.empty() || !options.allow_gpu || !(chosen || narrowed)) return options;
@@ -80,9 +82,9 @@ PipelineOpener pipeline_of_cuda([[maybe_unused]] OpenOptions options, [[maybe_un
 
 std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions& options) {
   if (name == "cpu") return open_cpu_backend(options, pipeline_of_cpu(options));
-  if (name == "glsl") {
+  if (name == "glsl" || name == "glsl-core") {
 #ifdef SPHEREPAIR_WITH_GLSL
-    return std::make_unique<Simulation>(open_gl_device(with_gl_device(options)));
+    return std::make_unique<Simulation>(open_gl_device(with_gl_device(options, name == "glsl-core")));
 #else
     throw BackendError("glsl: not in this build; install libepoxy-dev and libegl-dev and configure again");
 #endif
@@ -96,7 +98,7 @@ std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions
     throw BackendError("cuda: not in this build; put nvcc on the PATH and configure again");
 #endif
   }
-  throw std::invalid_argument(unknown_name("backend", name, backend_names()));
+  throw std::invalid_argument(unknown_name("backend", name, all_backend_names()));
 }
 
 void check_same_gpu(const Backend& left, const Backend& right) {

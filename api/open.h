@@ -6,7 +6,10 @@
 
 namespace spherepair {
 
-std::vector<std::string> backend_names();  // cpu, glsl, cuda
+std::vector<std::string> backend_names();  // cpu, glsl, cuda: those that are opened where none is named
+
+// These and glsl-core: OpenGL in plain storage without vendors' extensions, to be compared with glsl.
+std::vector<std::string> all_backend_names();
 
 // Throws BackendError with the reason when this build or machine does not have it, std::invalid_argument for a name
 // that does not exist.

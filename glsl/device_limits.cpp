@@ -62,16 +62,18 @@ std::string storage_in_words(const DeviceLimits& limits) {
 
 DeviceLimits device_limits(const OpenOptions& options) {
   require_features();
+  const bool vendor = !options.vendor_free;
   GLint64 binding = 0;
   const uint64_t texels = uint64_t(gl_integer(GL_MAX_TEXTURE_BUFFER_SIZE));
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &binding);
   return {.largest_binding = uint64_t(binding),
           .largest_texture = std::min(texels, options.texels),
-          .features = {.atomics_64 = epoxy_has_gl_extension("GL_NV_shader_atomic_int64"),
-                       .float_atomics = epoxy_has_gl_extension("GL_NV_shader_atomic_float"),
-                       .subgroups = options.subgroups && has_subgroups()},
+          .features = {.atomics_64 = vendor && epoxy_has_gl_extension("GL_NV_shader_atomic_int64"),
+                       .float_atomics = vendor && epoxy_has_gl_extension("GL_NV_shader_atomic_float"),
+                       .subgroups = vendor && options.subgroups && has_subgroups()},
           .sparse = epoxy_has_gl_extension("GL_ARB_sparse_buffer"),
-          .large_pages = options.large_pages};
+          .large_pages = vendor && options.large_pages,
+          .vendor_free = options.vendor_free};
 }
 
 // Plain buffers have pages of 4 KiB in NVIDIA's driver, slow under random access. What is smaller than a large page has
@@ -106,7 +108,7 @@ std::string texture_too_long(uint64_t texels, const DeviceLimits& limits) {
 
 BackendInfo describe_device(bool software, const DeviceLimits& limits) {
   BackendInfo info;
-  info.name = "glsl";
+  info.name = limits.vendor_free ? "glsl-core" : "glsl";
   info.device = gl_string(GL_RENDERER);
   info.software = software;
   info.device_timers = !software;  // a software renderer's timers stop before its work does

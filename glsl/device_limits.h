@@ -14,6 +14,7 @@ struct DeviceLimits {
   Features features;
   bool sparse = false;      // the driver has sparse storage
   bool large_pages = true;  // are wanted
+  bool vendor_free = false;
 };
 
 // Throws BackendError for a driver without what every kernel needs.

@@ -16,7 +16,7 @@ void require_known(const std::string& what, const std::string& name, const std::
 }
 
 void require_known_backends(const std::vector<std::string>& names) {
-  for (const std::string& name : names) require_known("backend", name, backend_names());
+  for (const std::string& name : names) require_known("backend", name, all_backend_names());
 }
 
 std::vector<Method> all_methods() {

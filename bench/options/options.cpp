@@ -72,7 +72,9 @@ void add_backends_option(CLI::App& command, std::vector<std::string>& backends) 
   };
   command
       .add_option_function<std::vector<std::string>>(
-          "--backends", take, "Only these of cpu,glsl,cuda, and each must open; auto: all that open")
+          "--backends", take,
+          "Only these of cpu,glsl,cuda and glsl-core (OpenGL without vendors' extensions and storage), and each must "
+          "open; auto: all that open but the last")
       ->delimiter(',')
       ->default_str(kAutomaticBackend);
 }

@@ -243,6 +243,7 @@ struct OpenOptions {
   bool allow_gpu = true;            // false: software GL even where a GPU is
   bool large_pages = true;          // GL: storage in large pages where the driver has it
   bool subgroups = true;            // GL: sums through subgroups where the driver has them
+  bool vendor_free = false;         // GL: plain storage and no extension but ARB's: the backend glsl-core
   uint64_t texels = ~0ull;          // GL: texels of a texture buffer at most, where the driver has more
   int threads = 0;                  // of the CPU backend; 0: all cores
 };

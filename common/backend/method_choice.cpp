@@ -40,7 +40,8 @@ std::string reason_of(const BackendInfo& info, uint64_t n, const GridPlans& plan
 
 const Crossover& crossover_of(const BackendInfo& info) {
   const bool many = info.on_host && std::stoi(info.details.at("threads")) > few_threads;
-  const std::string device = info.software ? info.name + " in software" : many ? "cpu of many threads" : info.name;
+  const std::string api = info.name == "glsl-core" ? "glsl" : info.name;
+  const std::string device = info.software ? api + " in software" : many ? "cpu of many threads" : api;
   for (const Crossover& row : crossovers)
     if (device == row.device) return row;
   throw BackendError(fmt::format("{}: no crossover of grid and all pairs is known; name a method", device));
