@@ -6,7 +6,7 @@ import textwrap
 
 from paper.numbers import contests, leads
 from paper.numbers.derived import cost, matched, pairs_of
-from paper.numbers.ranks import differ
+from paper.numbers.ratios import differ
 from paper.records import original_paper
 
 SIZE = 16384

@@ -15,7 +15,7 @@ from paper.numbers.ablations import pairs_of as on_and_off  # noqa: E402
 from paper.numbers.crossovers import crossovers_by_kind  # noqa: E402
 from paper.numbers.derived import cost, matched, pairs_of  # noqa: E402
 from paper.numbers.pareto import study  # noqa: E402
-from paper.numbers.ranks import time_ratio  # noqa: E402
+from paper.numbers.ratios import time_ratio  # noqa: E402
 from paper.records import DATA, MAIN, Machine  # noqa: E402
 
 APIS = ("glsl", "cuda")
