@@ -45,7 +45,7 @@ def work_of(record):
 def what_of(record):
     """E.g. triangle, all spheres in one cell."""
     values = record.parameters
-    method = values.get("way") or values.get("method") or values.get("work") or record.table
+    method = values.get("way") or values.get("method") or values.get("work") or f"sums: {values.get('sums', 'integers')}"
     parts = [method.removeprefix("collide_").replace("_", " "), SCENES.get(values.get("kind"), "")]
     return ", ".join(filter(None, parts))
 

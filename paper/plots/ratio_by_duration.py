@@ -13,7 +13,7 @@ TITLES = {"all pairs": "Whole steps, all pairs", "grid": "Uniform grid", "motion
 CUDA, OPENGL, OPEN = "#c8640f", "#15396b", "#9a9a9a"
 CLEAR = {"CUDA takes less time": CUDA, "OpenGL takes less time": OPENGL, "undecided": OPEN}
 NAMED = 1.8  # a scene is named in its panel from this factor on
-TICKS = (0.25, 0.35, 0.5, 0.7, 1, 1.4, 2, 2.8, 4)
+TICKS = (0.125, 0.25, 0.5, 1, 2, 4, 8)
 
 
 def runs(machine):
@@ -63,36 +63,36 @@ def draw_contests(axis, found, size):
     axis.plot([entry.n for entry in steps], [entry.ratio.middle for entry in steps], color="black", linewidth=0.9, zorder=1.9)
 
 
-def name_extremes(axis, found):
+def name_of(entry):
+    method, _, scene = entry.what.partition(", ")
+    return "whole steps" if entry.table == "step" else scene.replace("all spheres in ", "all in ") or method
+
+
+def name_extremes(axis, found, size):
     """The least and the greatest ratio of a panel, where it is far from 1."""
     for sign in (-1, 1):
         entry = max(found, key=lambda each: sign * math.log(each.ratio.middle))
-        if sign * math.log(entry.ratio.middle) > math.log(NAMED):
+        if entry.work != "contacts" and sign * math.log(entry.ratio.middle) > math.log(NAMED):  # contacts have one scene
             end = entry.ratio.high if sign > 0 else entry.ratio.low
-            method, _, scene = entry.what.partition(", ")
-            axis.annotate(f"{scene.removeprefix('all spheres in ') or 'whole step' if entry.table == 'step' else scene or method}",
-                          (entry.n, end), xytext=(0, 3 * sign), textcoords="offset points", ha="center",
-                          va="bottom" if sign > 0 else "top", color=color_of(entry), fontsize=7)
+            axis.annotate(name_of(entry), (entry.n, end), xytext=(0, 3 * sign), textcoords="offset points", ha="center",
+                          va="bottom" if sign > 0 else "top", color=color_of(entry), fontsize=size)
 
 
 def limits(found):
-    """Every dot and interval, with room for names, and 1 in the middle third."""
+    """((left, right), (bottom, top)): every dot and interval, with room for names."""
+    sizes = [entry.n for entry in found]
     low, high = min(entry.ratio.low for entry in found), max(entry.ratio.high for entry in found)
-    return min(low / 1.25, 0.8), max(high * 1.25, 1.25)
+    return (min(sizes) / 2.5, 2.5 * max(sizes)), (min(low / 1.5, 0.8), max(high * 1.3, 1.25))
 
 
-def style_axis(axis, found, bounds):
+def style_axis(axis, across, up):
     axis.axhline(1, color="black", linewidth=0.8, zorder=1.8)
-    axis.set(xscale="log", yscale="log", ylim=bounds)
-    low, high = min(entry.n for entry in found), max(entry.n for entry in found)
-    middle = math.sqrt(low * high)
-    half = max(math.sqrt(high / low) * 2, 12)
-    axis.set_xlim(middle / half, middle * half)
-    axis.xaxis.set_major_locator(LogLocator(base=100 if high > 1e3 * low else 10, numticks=9))
-    axis.xaxis.set_minor_locator(NullLocator())
-    axis.yaxis.set_major_locator(FixedLocator([tick for tick in TICKS if bounds[0] <= tick <= bounds[1]]))
-    axis.yaxis.set_minor_locator(NullLocator())
+    axis.set(xscale="log", yscale="log", xlim=across, ylim=up)
+    axis.xaxis.set_major_locator(LogLocator(base=100, numticks=9))
+    axis.yaxis.set_major_locator(FixedLocator([tick for tick in TICKS if up[0] <= tick <= up[1]]))
     axis.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    for side in (axis.xaxis, axis.yaxis):
+        side.set_minor_locator(NullLocator())
     axis.grid(axis="x", visible=False)
 
 
@@ -105,40 +105,36 @@ def legend_of(found):
 
 
 def draw_panels(machine, width, height, columns, size):
-    """The legend takes the last cell of the grid of panels, or a row below them."""
+    """The legend takes the cell behind the last panel."""
     found = contests(machine)
     kinds = [kind for kind in KINDS if any(entry.work == kind for entry in found)]
-    rows = -(-len(kinds) // columns)
+    rows = len(kinds) // columns + 1
     figure, axes = plt.subplots(rows, columns, figsize=(width, height * rows), sharey=True, squeeze=False, layout="constrained")
     bounds = limits(found)
     for axis, kind in zip(axes.flat, kinds):
         own = [entry for entry in found if entry.work == kind]
-        style_axis(axis, own, bounds)
+        style_axis(axis, *bounds)
         draw_contests(axis, own, size)
-        name_extremes(axis, own)
+        name_extremes(axis, own, plt.rcParams["xtick.labelsize"])
         axis.set_title(TITLES[kind], loc="left", fontweight="bold")
     for axis in axes.flat[len(kinds):]:
         axis.set_axis_off()
-    for axis in axes[:, 0]:
-        axis.set_ylabel("OpenGL time / CUDA time")
-    return figure, axes, kinds, found
+    axes.flat[len(kinds)].legend(handles=legend_of(found), loc="center left", borderaxespad=0)
+    for axis in axes.flat[max(0, len(kinds) - columns):len(kinds)]:
+        axis.set_xlabel("number of spheres")
+    figure.supylabel("OpenGL time / CUDA time", fontsize=plt.rcParams["axes.labelsize"])
+    return figure
 
 
 def draw(machine):
-    """For print: all panels side by side."""
-    figure, axes, kinds, found = draw_panels(machine, PAGE, 2.3, len(KINDS), 2.2)
-    figure.supxlabel("number of spheres", fontsize=8)
-    figure.legend(handles=legend_of(found), loc="outside upper center", ncols=5)
-    return figure
+    """For print."""
+    return draw_panels(machine, PAGE, 1.7, 3, 2.2)
 
 
 def draw_headline(machine):
     """For a screen as narrow as a telephone's."""
     with plt.rc_context({"font.size": 10, "axes.labelsize": 9, "axes.titlesize": 10, "xtick.labelsize": 9, "ytick.labelsize": 9,
                          "legend.fontsize": 9}):
-        figure, axes, kinds, found = draw_panels(machine, 4.4, 1.75, 2, 2.4)
-        spare = list(axes.flat[len(kinds):])
-        figure.supxlabel("number of spheres", fontsize=9)
-        place = {"loc": "center left"} if spare else {"loc": "outside lower center", "ncols": 2}
-        (spare[0] if spare else figure).legend(handles=legend_of(found), **place)
-    return figure
+        figure = draw_panels(machine, 4.4, 1.7, 2, 2.4)
+        figure.supxlabel(f"{machine.backend('cuda')['device']}, driver {machine.driver}", x=0.99, ha="right", fontsize=8, color="#555555")
+        return figure
