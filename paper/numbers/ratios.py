@@ -126,7 +126,7 @@ def time_ratio(left, right):
                  for sign, limit in ((-1, 0.0), (1, math.inf)))
     plain = [ours.plain / theirs.plain for ours, theirs in runs if ours.plain and theirs.plain]
     return Ratio(statistics.median(found) if found else left.median / right.median, low, high, float(p), max(1, len(found)),
-                 frozenset(ours.gpu for ours, _ in runs if ours.gpu), statistics.median(plain) if plain else None)
+                 frozenset(ours.gpu or theirs.gpu for ours, theirs in runs if ours.gpu or theirs.gpu), statistics.median(plain) if plain else None)
 
 
 def holm(p_values):
