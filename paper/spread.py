@@ -24,7 +24,7 @@ CONFIDENCE = 0.95
 @lru_cache(maxsize=None)
 def left_out(count):
     """The most order statistics of so many samples that an interval of the median may leave out on each side."""
-    return int(stats.binom.ppf((1 - CONFIDENCE) / 2, count, 0.5))
+    return max(0, int(stats.binom.ppf((1 - CONFIDENCE) / 2, count, 0.5)) - 1)
 
 
 def median_interval(samples):
@@ -53,9 +53,11 @@ def quantile(freedom):
 
 def t_interval(values):
     """Low and high end of the t-interval of the values' logarithms; the values are independent and at least two."""
-    logs = [math.log(value) for value in values]
-    half = quantile(len(logs) - 1) * statistics.stdev(logs) / math.sqrt(len(logs))
-    return math.exp(statistics.mean(logs) - half), math.exp(statistics.mean(logs) + half)
+    logs, count = [math.log(value) for value in values], len(values)
+    mean = math.fsum(logs) / count
+    variance = math.fsum((value - mean)**2 for value in logs) / (count - 1)
+    half = quantile(count - 1) * math.sqrt(variance / count)
+    return math.exp(mean - half), math.exp(mean + half)
 
 
 def interval(values, of_one):
@@ -65,7 +67,8 @@ def interval(values, of_one):
 
 def plain_mean(row):
     """Milliseconds a step as the mean of the longest batches, without a fitted line; None without batches."""
-    return statistics.mean(batches[-1] for batches in row["batch_ms"]) / row["batches"][-1] if row.get("batch_ms") else None
+    rounds = row.get("batch_ms")
+    return math.fsum(batches[-1] for batches in rounds) / len(rounds) / row["batches"][-1] if rounds else None
 
 
 def process_of(run, number, gpu):

@@ -9,8 +9,9 @@ from dataclasses import replace
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 
-from paper.numbers import contests, derived, macros, ratios  # noqa: E402  (the path must be set first)
-from paper.records import DATA, MAIN, Machine, Missing, Record, median_interval  # noqa: E402
+from changed_records import recorded  # noqa: E402  (the path must be set first)
+from paper.numbers import contests, derived, macros, ratios  # noqa: E402
+from paper.records import Missing, Record, median_interval  # noqa: E402
 from paper.spread import plain_mean  # noqa: E402
 
 
@@ -75,7 +76,7 @@ class Bases(unittest.TestCase):
     """What shares and ratios of the prose stand on."""
 
     def test_every_share_of_the_copy_rate_has_one_base(self):
-        machine = Machine(DATA / MAIN)
+        machine = recorded()
         rate = derived.copy_rate(machine)
         grid = machine.one(table="grid", scene="uniform", packing_fraction=0.3, method="collide_grid", order="cold",
                            backend="cuda", n=10**8)
@@ -85,7 +86,7 @@ class Bases(unittest.TestCase):
         self.assertEqual(f"{derived.grid_share_of_floor(machine, grid):.0f}", numbers["grid/floor/cuda/cold"][0])
 
     def test_a_kernel_counts_from_ten_times_an_empty_ones_reading(self):
-        machine = Machine(DATA / MAIN)
+        machine = recorded()
         least, compared = 10 * derived.timer_floor(machine), {row.kernel for row in derived.stage_ratios(machine)}
         self.assertGreater(least, 0.04)
         self.assertTrue(all(row.cuda_ms >= least and row.cuda_ms * row.ratio[0] >= least for row in derived.stage_ratios(machine)))
@@ -97,7 +98,7 @@ class Bases(unittest.TestCase):
         self.assertLess({row.kernel for row in derived.stage_ratios(machine)}, compared)
 
     def test_kernels_alone_are_of_the_program_and_variants_count_once(self):
-        machine = Machine(DATA / MAIN)
+        machine = recorded()
         timed = {row.kernel for row in derived.stage_ratios(machine)}
         rows = derived.kernels_alone(machine)
         names = [row.kernel for row in rows]
@@ -111,7 +112,7 @@ class Bases(unittest.TestCase):
         self.assertEqual("collide_grid", derived.source_kernel("collide_grid"))
 
     def test_the_numbers_of_kernels_alone_are_those_of_the_rows(self):
-        machine = Machine(DATA / MAIN)
+        machine = recorded()
         values = [row.ratio[0] for row in derived.kernels_alone(machine)]
         numbers = {key: text for key, (text, *_) in macros.collect(machine, []).entries.items()}
         self.assertEqual(str(len(values)), numbers["kernels/all"])
@@ -121,7 +122,7 @@ class Bases(unittest.TestCase):
         self.assertEqual(len(values) - 1, numbers["kernels/list"].count(", "))
 
     def test_no_lead_of_an_api_is_a_percentage(self):
-        for name, (text, *_) in macros.collect(Machine(DATA / MAIN), []).entries.items():
+        for name, (text, *_) in macros.collect(recorded(), []).entries.items():
             if name.split("/")[0] in ("lead", "methods", "contests") or name.startswith(("grid/lead", "grid/last", "draw/behind")):
                 self.assertNotIn("\\%", text, name)
 
