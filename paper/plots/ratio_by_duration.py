@@ -31,7 +31,7 @@ def caption(machine):
     return (f"OpenGL's time over CUDA's for the same work, one dot for each of {len(found):,} contests of all sizes, scenes, methods and "
             f"group sizes; above 1 CUDA takes less time. Bars: 95 \\% intervals; filled: over processes ({len(several(found)):,} contests), "
             f"hollow: over the rounds of one process. A difference is stated after Holm's correction over a panel's contests: CUDA takes less "
-            f"time in {len(cuda):,}, OpenGL in {len(opengl):,}. Line: whole steps. Dots of one size stand beside each other.")
+            f"time in {len(cuda):,}, OpenGL in {len(opengl):,}. Line: whole steps. Dots of one size stand side by side.")
 
 
 def color_of(entry):
