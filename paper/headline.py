@@ -8,6 +8,7 @@ README.md holds each between two marks, in a line of their own or within one:
     <!-- end -->
 """
 import re
+import statistics
 import textwrap
 
 from paper.numbers import contests
@@ -50,11 +51,11 @@ def table(machine):
 def kernels(machine):
     """The kernels alone, by device timers."""
     rows = kernels_alone(machine)
-    ratios = sorted(row.ratio[0] for row in rows)
+    ratios = [row.ratio[0] for row in rows]
     close = sum(abs(ratio - 1) <= CLOSE for ratio in ratios)
     worst = " and ".join(f"`{row.kernel}` ({row.ratio[0]:.2f}x)" for row in rows[:2])
     return (f"Of {len(rows)} kernels that run for {1e3 * BEYOND_EMPTY * timer_floor(machine):.0f} µs or more, OpenGL takes "
-            f"{ratios[len(ratios) // 2]:.2f}x CUDA's time in the median; {close} are within {100 * CLOSE:.0f} %. The slowest are {worst}.")
+            f"{statistics.median(ratios):.2f}x CUDA's time in the median; {close} are within {100 * CLOSE:.0f} %. The slowest are {worst}.")
 
 
 def short_steps(machine):
