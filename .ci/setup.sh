@@ -6,7 +6,7 @@ build_packages="g++ cmake ninja-build pkg-config libepoxy-dev libegl-dev libegl1
 test_packages="libbenchmark-dev libgtest-dev libgmp-dev librapidcheck-dev glslang-tools spirv-tools
   clang-format python3 xvfb xauth"
 sanitize_packages="clang-16 libclang-rt-16-dev libomp-16-dev llvm-16" # clang 14 cannot compile the views of GCC 12
-figure_packages="cmake python3-matplotlib" # cmake: whether records are of the current sources
+figure_packages="cmake python3-matplotlib python3-scipy" # cmake: whether records are of the current sources
 paper_packages="latexmk texlive-latex-base texlive-latex-recommended texlive-fonts-recommended"
 
 say() { printf '\n== %s\n' "$*"; }
@@ -61,11 +61,11 @@ install_packages() {
 # Prints the path of nvcc, or nothing.
 find_nvcc() { command -v nvcc || ls "${CUDA_HOME:-/usr/local/cuda}/bin/nvcc" 2>/dev/null || true; }
 
-# Prints a python3 that has matplotlib (another one may come first in PATH), or nothing.
+# Prints a python3 that has matplotlib and scipy (another one may come first in PATH), or nothing.
 find_python() {
   local python
   for python in python3 /usr/bin/python3; do
-    "$python" -c 'import matplotlib' 2>/dev/null && echo "$python" && return
+    "$python" -c 'import matplotlib, scipy' 2>/dev/null && echo "$python" && return
   done
   return 0
 }

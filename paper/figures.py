@@ -3,7 +3,7 @@
 """Draws every figure and table that recorded runs allow.
 
   paper/figures.py                                from paper/data/h100 to build/paper, with the numbers of paper.tex
-  paper/figures.py --headline                     the README's image and table, from paper/data/h100
+  paper/figures.py --headline                     the README's image, table and facts, from paper/data/h100
   paper/figures.py --data FOLDER... --output F    from those folders, each to its own folder, and side by side
 """
 import argparse
@@ -114,10 +114,7 @@ def write_paper_inputs(output):
 
 
 def write_headline(machine):
-    machine.used.clear()
-    figure = ratio_by_duration.draw(machine)
-    source = machine.title.replace(machine.id, ratio_by_duration.runs(machine))
-    style.save_png(figure, ROOT / "paper/headline.png", f"{source}\n{machine.note_on(ratio_by_duration.NAME)}".strip())
+    ratio_by_duration.draw_headline(machine).savefig(ROOT / "paper/headline.png", dpi=220, metadata={"Software": None})
     readme = ROOT / "README.md"
     readme.write_text(headline.updated(readme.read_text(), machine))
 
@@ -149,7 +146,7 @@ def draw_side_by_side(machines, output):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--data", type=Path, nargs="+", help="folders of recorded runs")
-    parser.add_argument("--headline", action="store_true", help="only the README's image and table")
+    parser.add_argument("--headline", action="store_true", help="only the README's image, table and facts")
     parser.add_argument("--output", type=Path, default=ROOT / "build/paper", help="where the files go")
     options = parser.parse_args()
     if options.headline:

@@ -1,35 +1,41 @@
 # SPDX-License-Identifier: MIT
-"""The spread of a timing in three layers: within a process, between processes on one GPU, and between GPUs.
+"""Intervals of timings, and the records of several processes as one record.
 
-A part of the recording runs in several processes. Their records become one: each time is the median of the processes'
-medians, its interval that of the widest layer, and its 95th percentile that of all samples.
+A part of the recording runs in several processes, which are the independent observations: rounds of one process share its
+memory layout, its clocks and its line through the batches. So a time of several processes is the median of the processes'
+medians, with a t-interval of their logarithms. A time of one process has an interval over its rounds, which says nothing
+of other processes.
 """
 import json
 import math
 import statistics
 from collections import Counter
+from functools import lru_cache
 
-LAYERS = ("within", "processes", "gpus")
+import numpy
+from scipy import stats
+
 TIMED = ("measurements", "records", "frames", "times", "copies", "overlaps", "exactness", "contact_runs",
          "contact_sums", "gas_steps")  # lists of timings in records
 OF_THE_TIMING = ("bounded_by_longest", "fits_l2", "pinned")  # what may be true of one process and not of another
+CONFIDENCE = 0.95
 
 
-def median_interval(samples, confidence=0.95):
-    """The narrowest symmetric pair of order statistics with this coverage of the median; the whole range if none has it."""
-    values, n = sorted(samples), len(samples)
-    left_out = 0  # on each side
-    while 2 * sum(math.comb(n, k) for k in range(left_out + 2)) <= (1 - confidence) * 2**n and 2 * left_out + 2 < n:
-        left_out += 1
-    return values[left_out], values[-1 - left_out]
+@lru_cache(maxsize=None)
+def left_out(count):
+    """The most order statistics of so many samples that an interval of the median may leave out on each side."""
+    return max(0, int(stats.binom.ppf((1 - CONFIDENCE) / 2, count, 0.5)) - 1)
+
+
+def median_interval(samples):
+    """The narrowest symmetric pair of order statistics that covers the median; the whole range if none has the coverage."""
+    values, out = sorted(samples), left_out(len(samples))
+    return values[out], values[-1 - out]
 
 
 def p95(samples):
     """The 95th percentile, linear between order statistics as in the program."""
-    values = sorted(samples)
-    below, rest = divmod(0.95 * (len(values) - 1), 1)
-    low, high = values[int(below)], values[min(int(below) + 1, len(values) - 1)]
-    return low + rest * (high - low)
+    return float(numpy.quantile(samples, 0.95))
 
 
 def summary(row):
@@ -40,55 +46,71 @@ def summary(row):
     return median, low, high
 
 
-def spreads(runs):
-    """layer -> (low, high) over the median, of (GPU, median, low, high) of each process; a layer with one entry has none."""
-    by_gpu = {}
-    for gpu, median, _, _ in runs:
-        by_gpu.setdefault(gpu, []).append(median)
-    lows, highs = ([run[end] / run[1] for run in runs] for end in (2, 3))
-    found = {"within": (statistics.median(lows), statistics.median(highs))}
-    of_gpus = [[end / statistics.median(medians) for end in median_interval(medians)]
-               for medians in by_gpu.values() if len(medians) > 1]
-    if of_gpus:
-        found["processes"] = tuple(max(of_gpus, key=lambda ends: ends[1] - ends[0]))
-    if len(by_gpu) > 1:
-        medians = [statistics.median(medians) for medians in by_gpu.values()]
-        middle = statistics.median(run[1] for run in runs)
-        found["gpus"] = (min(*medians, middle) / middle, max(*medians, middle) / middle)
-    return found
+@lru_cache(maxsize=None)
+def quantile(freedom):
+    return float(stats.t.ppf((1 + CONFIDENCE) / 2, freedom))
 
 
-def merged_timing(runs, gpus):
-    """One timing of those of several processes, on these GPUs by backend."""
-    made = merged_value([{key: value for key, value in run.items() if key not in ("samples_ms", "interval_ms")}
+def t_interval(values):
+    """Low and high end of the t-interval of the values' logarithms; the values are independent and at least two."""
+    logs, count = [math.log(value) for value in values], len(values)
+    mean = math.fsum(logs) / count
+    variance = math.fsum((value - mean)**2 for value in logs) / (count - 1)
+    half = quantile(count - 1) * math.sqrt(variance / count)
+    return math.exp(mean - half), math.exp(mean + half)
+
+
+def interval(values, of_one):
+    """Over processes, one value each; of one process the interval of its rounds."""
+    return t_interval(values) if len(values) > 1 else of_one
+
+
+def plain_mean(row):
+    """Milliseconds a step as the mean of the longest batches, without a fitted line; None without batches."""
+    rounds = row.get("batch_ms")
+    return math.fsum(batches[-1] for batches in rounds) / len(rounds) / row["batches"][-1] if rounds else None
+
+
+def process_of(run, number, gpu):
+    """What a timing keeps of each of its processes."""
+    median, low, high = summary(run)
+    kept = {name: run[name] for name in ("first_step_ms", "device_stages_ms") if name in run}
+    return {"process": number, "gpu": gpu, "median_ms": median, "interval_ms": [low, high], "plain_ms": plain_mean(run),
+            "rounds": len(run["samples_ms"]), **kept}
+
+
+def stage_intervals(runs):
+    """Kernel -> interval of its device time, over the processes that timed it."""
+    timed = {}
+    for run in runs:
+        for name, ends in run.get("device_stages_interval_ms", {}).items():
+            timed.setdefault(name, []).append((run["device_stages_ms"][name], ends))
+    return {name: list(interval([time for time, _ in found], found[0][1]) if all(time > 0 for time, _ in found) else (0, 0))
+            for name, found in timed.items()}
+
+
+def merged_timing(runs, origins):
+    """One timing of those of several processes; an origin is a process's number and its GPU by backend."""
+    made = merged_value([{key: value for key, value in run.items() if key not in ("samples_ms", "interval_ms", "batch_ms")}
                          for run in runs])
-    ends = [(gpu.get(run.get("backend")), *summary(run)) for run, gpu in zip(runs, gpus)]
-    middle, found = statistics.median(end[1] for end in ends), spreads(ends)
-    low, high = max(found.values(), key=lambda layer: layer[1] - layer[0])
-    stages = [run.get("device_stages_interval_ms", {}) for run in runs]
-    samples = [sample for run in runs for sample in run["samples_ms"]]
-    made |= {"median_ms": middle, "interval_ms": [low * middle, high * middle], "p95_ms": p95(samples), "spread": found,
-             "samples_ms": samples,
-             "processes": [{"gpu": end[0], "median_ms": end[1], "rounds": len(run["samples_ms"]),
-                            **({"first_step_ms": run["first_step_ms"]} if "first_step_ms" in run else {})}
-                           for run, end in zip(runs, ends)]}
-    if any(stages):
-        made["device_stages_interval_ms"] = {
-            name: [min(of[name][0] for of in stages if name in of), max(of[name][1] for of in stages if name in of)]
-            for name in dict.fromkeys(name for of in stages for name in of)}
-    return made
+    processes = [process_of(run, number, gpus.get(run.get("backend"))) for run, (number, gpus) in zip(runs, origins)]
+    medians, samples = [each["median_ms"] for each in processes], [sample for run in runs for sample in run["samples_ms"]]
+    made |= {"median_ms": statistics.median(medians), "interval_ms": list(interval(medians, processes[0]["interval_ms"])),
+             "p95_ms": p95(samples), "samples_ms": samples, "processes": processes}
+    stages = stage_intervals(runs)
+    return made | ({"device_stages_interval_ms": stages} if stages else {})
 
 
-def merged_value(values, gpus=None):
+def merged_value(values, origins=None):
     """Timings are merged, other numbers become their median, the rest is the first process's."""
     first = values[0]
-    if isinstance(first, dict) and gpus and "samples_ms" in first:
-        return merged_timing(values, gpus)
+    if isinstance(first, dict) and origins and "samples_ms" in first:
+        return merged_timing(values, origins)
     if isinstance(first, dict):
         kept = {}
         for key in dict.fromkeys(key for value in values for key in value):
             having = [k for k, value in enumerate(values) if key in value]
-            kept[key] = merged_value([values[k][key] for k in having], gpus and [gpus[k] for k in having])
+            kept[key] = merged_value([values[k][key] for k in having], origins and [origins[k] for k in having])
         return kept
     numbers = all(isinstance(value, (int, float)) and not isinstance(value, bool) for value in values)
     return statistics.median(values) if numbers and len(set(values)) > 1 else first
@@ -111,18 +133,19 @@ def rows_by_identity(rows):
     return found
 
 
-def merged_rows(lists, gpus):
+def merged_rows(lists, origins):
     tables = [rows_by_identity(rows) for rows in lists]
     for key in dict.fromkeys(key for table in tables for key in table):
         having = [k for k, table in enumerate(tables) if key in table]
-        yield merged_value([tables[k][key] for k in having], [gpus[k] for k in having])
+        yield merged_value([tables[k][key] for k in having], [origins[k] for k in having])
 
 
 def merged(roots):
     """The records of one command in several processes as one record."""
     gpus = [{backend["name"]: backend.get("uuid") or backend.get("device") for backend in root.get("backends", [])}
             for root in roots]
-    rows = {name: list(merged_rows([root.get(name, []) for root in roots], gpus)) for name in TIMED if name in roots[0]}
+    rows = {name: list(merged_rows([root.get(name, []) for root in roots], list(enumerate(gpus, 1)))) for name in TIMED
+            if name in roots[0]}
     clocks = [moment for root in roots for moment in root.get("clocks", [])]
     return {**roots[0], **rows, **({"clocks": clocks} if clocks else {}), "processes": [
         {"commit": root.get("context", {}).get("build", {}).get("commit"), "gpus": sorted({gpu for gpu in of.values() if gpu})}

@@ -2,7 +2,7 @@
 """From how many spheres on the grid is faster than all pairs, per kind of spheres, and how good the automatic choice is."""
 from dataclasses import dataclass
 
-from paper.numbers.ranks import differ
+from paper.numbers.ratios import family
 from paper.records import Missing
 
 GRIDS = ("dense", "hashed")  # the other ways, except auto, test all pairs
@@ -10,8 +10,8 @@ GRIDS = ("dense", "hashed")  # the other ways, except auto, test all pairs
 
 @dataclass(frozen=True)
 class Crossover:
-    start: str  # the least n from which the grid stays faster, by intervals or the rank test
-    loss: str  # greatest ratio of auto to the best fixed choice; 1: no difference seen
+    start: str  # the least n from which the grid stays faster
+    loss: str  # greatest ratio of auto to the best fixed choice; 1: undecided
     losses: tuple  # the same for each n
     source: str
 
@@ -22,10 +22,13 @@ def fastest(ways, grid=None):
     return min(fixed, key=lambda record: record.median, default=None)
 
 
-def grid_faster(ways):
-    """Also if all pairs were stopped because they took too long."""
-    grid, pairs = fastest(ways, True), fastest(ways, False)
-    return grid is not None and (pairs is None or differ(grid, pairs) and grid.median < pairs.median)
+def grid_faster(sizes):
+    """n -> whether the grid is; also where all pairs were stopped because they took too long. One family."""
+    best = {n: (fastest(ways, True), fastest(ways, False)) for n, ways in sizes.items()}
+    both = {n: pair for n, pair in best.items() if all(pair)}
+    compared = dict(zip(both, family(list(both.values()))))
+    return {n: grid is not None and (pairs is None or compared[n].decided and compared[n].middle < 1)
+            for n, (grid, pairs) in best.items()}
 
 
 def chosen(choice):
@@ -34,22 +37,26 @@ def chosen(choice):
     return f"{name}/{choice['block']}" if name == "collide_square" else name
 
 
-def loss(ways):
-    """Auto's time over the best; 1 if the two do not differ or are the same way."""
-    best, auto = fastest(ways), ways["auto"]
-    if chosen(auto.choice) == best.way:
-        return 1.0
-    return auto.median / best.median if auto.median > best.median and differ(auto, best) else 1.0
+def losses_of(sizes):
+    """Auto's time over the best of each size; 1 if they are undecided or the same way. One family."""
+    pairs = [(ways["auto"], fastest(ways)) for _, ways in sorted(sizes.items()) if "auto" in ways and fastest(ways)]
+    same = [chosen(auto.choice) == best.way for auto, best in pairs]
+    compared = iter(family([pair for pair, alike in zip(pairs, same) if not alike]))
+    return tuple(1.0 if alike else loss(next(compared)) for alike in same)
+
+
+def loss(ratio):
+    return ratio.middle if ratio.decided and ratio.middle > 1 else 1.0
 
 
 def of_one(sizes):
     """sizes: n -> way -> record."""
-    start = None
+    start, faster = None, grid_faster(sizes)
     for n in sorted(sizes, reverse=True):
-        if not grid_faster(sizes[n]):
+        if not faster[n]:
             break
         start = n
-    losses = tuple(loss(ways) for _, ways in sorted(sizes.items()) if "auto" in ways and fastest(ways))
+    losses = losses_of(sizes)
     source = next(iter(sizes[min(sizes)].values())).source
     return Crossover(f"{start:,}" if start else "nowhere", f"{max(losses):.2g}", losses, source)
 

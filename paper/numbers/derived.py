@@ -2,14 +2,18 @@
 """Ratios, costs, slopes and shares of the floor, derived from records."""
 import math
 from dataclasses import dataclass
+from pathlib import Path
 
-from paper.numbers.ranks import apart, time_ratio
+from paper.numbers.ratios import family, time_ratio
 from paper.records import Missing
+from paper.spread import t_interval
 
+SHADERS = Path(__file__).resolve().parents[2] / "shaders"
 ORDER = ("clear", "grid_clear", "grid_bounds", "split_tiles", "split_count", "split_scan", "grid_split", "grid_sort", "grid_count",
          "grid_sums", "grid_scan", "grid_scatter", "collide", "resolve_undecided", "tally")  # of the kernels of a collision step
 INSTRUCTIONS = 4  # three fused multiply-adds and a comparison per pair, the minimum for the Gram form
-BEYOND_EMPTY = 1.1  # a reading within a tenth of that of an empty kernel shows the timer
+BEYOND_EMPTY = 10  # times an empty kernel's reading: the timer is at most a tenth of a kernel's
+SYNTHETIC = "peak_"  # kernels that measure the device, not the program
 # Per sphere, as in bench/measure/floors.h; records from before split_tiles counted 111 or 128.
 GRID_BYTES = {"warm": 43, "cold": 91}
 
@@ -46,8 +50,8 @@ def slope(small, large):
 
 
 def ratio(glsl, cuda):
-    middle, low, high = time_ratio(glsl, cuda)
-    return middle, middle - low, high - middle
+    found = time_ratio(glsl, cuda)
+    return found.middle, found.middle - found.low, found.high - found.middle
 
 
 def matched(machine, **wanted):
@@ -65,8 +69,9 @@ def best(machine, name, method):
 
 
 def cost(naive, exact):
-    middle = exact.median / naive.median
-    return [100 * (value - 1) for value in (middle, exact.low / naive.high, exact.high / naive.low)]
+    """Percent: (middle, low, high)."""
+    found = time_ratio(exact, naive)
+    return [100 * (value - 1) for value in (found.middle, found.low, found.high)]
 
 
 def pairs_of(machine):
@@ -88,16 +93,16 @@ def needed_devices(machine, **wanted):
 
 
 def crossover(machine, backend, fraction):
-    """The least n from which the grid in random order is faster than all pairs at every size that both have, with
-    intervals that do not overlap; None if there is none."""
+    """The least n from which the grid in random order is faster than all pairs at every size that both have; None if there
+    is none."""
     wanted = {"table": "grid", "scene": "uniform", "packing_fraction": fraction, "backend": backend, "order": "cold"}
     grid = {record.n: record for record in machine.select(**wanted, method="collide_grid")}
+    both = [(grid[pairs.n], pairs) for pairs in machine.select(**wanted, method="collide_triangle") if pairs.n in grid]
     found = None
-    for pairs in reversed(machine.select(**wanted, method="collide_triangle")):
-        if pairs.n in grid:
-            if not (apart(grid[pairs.n], pairs) and grid[pairs.n].median < pairs.median):
-                break
-            found = pairs.n
+    for (row, _), compared in reversed(list(zip(both, family(both)))):
+        if not (compared.decided and compared.middle < 1):
+            break
+        found = row.n
     return found
 
 
@@ -105,21 +110,31 @@ def crossover(machine, backend, fraction):
 class StageRatio:
     kernel: str
     where: str
-    ratio: tuple  # GLSL over CUDA: value, distance to the lower and to the upper bound
+    ratio: tuple  # OpenGL over CUDA: value, distance to the lower and to the upper bound
     cuda_ms: float
     source: str
 
 
-def stage_ratio(kernel, glsl, cuda):
+def stage_bounds(kernel, glsl, cuda):
+    """(low, high) of the ratio: over processes, or of one process from the intervals of both medians."""
+    of_glsl, of_cuda = ({run["process"]: run["device_stages_ms"][kernel] for run in record.parameters.get("processes", ())
+                         if kernel in run.get("device_stages_ms", {})} for record in (glsl, cuda))
+    found = [of_glsl[k] / of_cuda[k] for k in of_glsl if k in of_cuda]
+    if len(found) > 1:
+        return t_interval(found)
     low, high = glsl.device_stages_interval_ms[kernel]
     least, most = cuda.device_stages_interval_ms[kernel]
-    if any(kernel in record.parameters.get("device_stages_at_floor", []) for record in (glsl, cuda)):
-        return None  # no longer than the timer's reading of an empty kernel
-    if least <= 0 or low <= 0:
+    return low / most, high / least
+
+
+def stage_ratio(kernel, glsl, cuda):
+    """None where a reading is no longer than the timer's of an empty kernel."""
+    if any(kernel in record.parameters.get("device_stages_at_floor", []) or record.device_stages_interval_ms[kernel][0] <= 0
+           for record in (glsl, cuda)):
         return None
     middle = glsl.device_stages_ms[kernel] / cuda.device_stages_ms[kernel]
-    return StageRatio(kernel, f"$n$ = {glsl.n:,}", (middle, middle - low / most, high / least - middle),
-                      cuda.device_stages_ms[kernel], cuda.source)
+    low, high = stage_bounds(kernel, glsl, cuda)
+    return StageRatio(kernel, f"$n$ = {glsl.n:,}", (middle, middle - low, high - middle), cuda.device_stages_ms[kernel], cuda.source)
 
 
 def timer_floor(machine, **wanted):
@@ -130,9 +145,9 @@ def timer_floor(machine, **wanted):
 
 def stage_ratios(machine):
     """Each kernel timed by device timers in both APIs in the same work of one run, at the largest n; of several such
-    records the latest, and of that run the one with the tightest bounds: a kernel may run several times per frame. None of
-    a kernel whose reading there is that of an empty one."""
-    found, floors = {}, {name: timer_floor(machine, backend=name) for name in ("glsl", "cuda")}
+    records the latest, and of that run the one with the tightest bounds: a kernel may run several times per frame. Only
+    kernels whose reading in both is BEYOND_EMPTY times the longest of an empty one."""
+    found, least = {}, BEYOND_EMPTY * timer_floor(machine)
     timed = [record for record in machine.records if {"device_stages_interval_ms", "n"} <= record.parameters.keys() and
              record.parameters.get("work") != "loop"]  # its spheres have moved
     by_work = {(record.source, work_of(record), record.backend): record for record in timed}
@@ -141,13 +156,30 @@ def stage_ratios(machine):
         if backend == "glsl" and cuda:
             for kernel in glsl.device_stages_ms.keys() & cuda.device_stages_ms.keys():
                 row = stage_ratio(kernel, glsl, cuda)
-                beyond = row and all(record.device_stages_ms[kernel] > BEYOND_EMPTY * floors[record.backend]
-                                     for record in (glsl, cuda))
-                found.setdefault(kernel, []).append((glsl.n, glsl.date, -spread(row) if row else -math.inf, row, beyond))
+                long = row and all(record.device_stages_ms[kernel] >= least for record in (glsl, cuda))
+                found.setdefault(kernel, []).append((glsl.n, glsl.date, -spread(row) if row else -math.inf, row, long))
     for kernel in sorted(found):
-        *_, row, beyond = max(found[kernel], key=lambda entry: entry[:3])
-        if beyond:
+        *_, row, long = max(found[kernel], key=lambda entry: entry[:3])
+        if long:
             yield row
+
+
+def kernels_alone(machine):
+    """The program's kernels among them, the greatest ratio first. Of the variants of one source the longest counts."""
+    rows = [row for row in stage_ratios(machine) if not row.kernel.startswith(SYNTHETIC)]
+    if not rows:
+        raise Missing(f"{machine.name} has no kernel that takes {BEYOND_EMPTY} times an empty one's reading in both APIs")
+    variants = {}
+    for row in rows:
+        variants.setdefault(source_kernel(row.kernel), []).append(row)
+    longest = [max(own, key=lambda row: row.cuda_ms) for own in variants.values()]
+    return sorted(longest, key=lambda row: -row.ratio[0])
+
+
+def source_kernel(stage):
+    """The kernel whose source a stage runs: draw_cull of draw_cull_near."""
+    own = {path.stem for path in SHADERS.rglob("*.comp")}
+    return max((name for name in own if f"{stage}_".startswith(f"{name}_")), key=len, default=stage)
 
 
 def spread(row):

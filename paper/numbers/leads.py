@@ -3,35 +3,42 @@
 from dataclasses import dataclass
 
 from paper.numbers.derived import matched
-from paper.numbers.ranks import apart, time_ratio
+from paper.numbers.ratios import Ratio, family
 from paper.records import Missing
 
 CONTESTS = {"all pairs of the original's box": {"table": "scale", "scene": "random"},
             "all pairs of a gas": {"table": "scale", "scene": "uniform"},
             "whole steps": {"table": "step"}}
-NAMES = {"glsl": "GLSL", "cuda": "CUDA"}
+NAMES = {"glsl": "OpenGL", "cuda": "CUDA"}
 LARGE = 65536  # spheres from which launches are negligible
 
 
 @dataclass(frozen=True)
 class Contest:
     n: int
-    winner: str  # glsl or cuda; empty if the intervals overlap
+    winner: str  # glsl or cuda; empty if undecided
     source: str
-    where: str = ""
-    ratio: float = 1.0  # GLSL's time over CUDA's
+    where: str
+    compared: Ratio
+
+    @property
+    def ratio(self):
+        """OpenGL's time over CUDA's."""
+        return self.compared.middle
 
 
-def contest(glsl, cuda, where=""):
-    ratio = time_ratio(glsl, cuda)[0]
-    winner = "" if not apart(glsl, cuda) else "cuda" if ratio > 1 else "glsl"
-    return Contest(glsl.n, winner, glsl.source, where, ratio)
+def decided(pairs, where=()):
+    """The contests of one family, with the kind of work of each."""
+    return [Contest(glsl.n, ("cuda" if ratio.middle > 1 else "glsl") if ratio.decided else "", glsl.source, kind, ratio)
+            for (glsl, cuda), ratio, kind in zip(pairs, family(pairs), where or [""] * len(pairs))]
 
 
 def contests(machine):
-    found = [contest(*pair, where) for where, wanted in CONTESTS.items() for pair in matched(machine, **wanted)]
+    """Those of several processes."""
+    pairs = [(where, pair) for where, wanted in CONTESTS.items() for pair in matched(machine, **wanted)]
+    found = [entry for entry in decided([pair for _, pair in pairs], [where for where, _ in pairs]) if entry.compared.processes > 1]
     if not any(entry.n >= LARGE for entry in found):
-        raise Missing(f"{machine.name}: all pairs of {LARGE:,} spheres and more were not timed in both APIs")
+        raise Missing(f"{machine.name}: all pairs of {LARGE:,} spheres and more were not timed in both APIs in several processes")
     return found
 
 
@@ -40,7 +47,7 @@ def won(found, name):
 
 
 def ratios(found):
-    """GLSL's time over CUDA's: 1.05x to 1.8x, or only 1.05x."""
+    """OpenGL's time over CUDA's: 1.05x to 1.8x, or only 1.05x."""
     least, most = (f"{bound(entry.ratio for entry in found):.2f}x" for bound in (min, max))
     return least if least == most else f"{least} to {most}"
 
@@ -64,16 +71,16 @@ def by_size(found):
     sides = in_order(found)
     if sides:
         low, high = (won(found, name) for name in sides)
-        return (f"GLSL takes {ratios(low)} CUDA's time up to {max(e.n for e in low):,} spheres and {ratios(high)} from "
+        return (f"OpenGL takes {ratios(low)} CUDA's time up to {max(e.n for e in low):,} spheres and {ratios(high)} from "
                 f"{min(e.n for e in high):,} on")
     alone = [name for name in NAMES if won(found, name)]
     if len(alone) > 1:
         return None
     if not alone:
-        return "no difference is seen"
+        return "no difference is decided"
     mine = won(found, alone[0])
     throughout = "at every size" if len(mine) == len(found) else f"in {len(mine)} of {len(found)} contests"
-    return f"GLSL takes {ratios(mine)} CUDA's time {throughout}"
+    return f"OpenGL takes {ratios(mine)} CUDA's time {throughout}"
 
 
 def by_scene(found):
@@ -95,13 +102,13 @@ def by_scene(found):
 def by_count(found):
     names = sorted((name for name in NAMES if won(found, name)), key=lambda name: -len(won(found, name)))
     first, *others = (f"{ratios(won(found, name))}{{}} in {len(won(found, name))}" for name in names)
-    return f"of {len(found)} contests, GLSL takes " + " and ".join([first.format(" CUDA's time"), *(text.format("") for text in others)])
+    return f"of {len(found)} contests, OpenGL takes " + " and ".join([first.format(" CUDA's time"), *(text.format("") for text in others)])
 
 
 def wins(found):
     """Time ratios and sizes, in the shortest form that the records allow."""
     open_ones = won(found, "")
-    rest = f"; at {sizes(open_ones)} spheres the intervals overlap" if 0 < len(open_ones) < len(found) else ""
+    rest = f"; at {sizes(open_ones)} spheres it is undecided" if 0 < len(open_ones) < len(found) else ""
     return (by_size(found) or by_scene(found) or by_count(found)) + rest
 
 
@@ -109,7 +116,7 @@ def headline(found):
     """In one clause."""
     winners = {entry.winner for entry in found}
     if winners == {""}:
-        return "no difference is seen"
+        return "no difference is decided"
     if {"glsl", "cuda"} <= winners:
         return "neither API wins throughout"
     name = NAMES[max(winners)]
@@ -122,8 +129,8 @@ def at_large_sizes(found):
     mine = sorted(((NAMES[name], won(large, name)) for name in NAMES if won(large, name)),
                   key=lambda item: -len(item[1]))
     if not mine:
-        return f"in none of {len(large)} contests of {LARGE:,} spheres and more a difference is seen"
+        return f"in none of {len(large)} contests of {LARGE:,} spheres and more a difference is decided"
     (name, first), *other = mine
     rest = f", and {other[0][0]}'s in {len(other[0][1])} ({ratios(other[0][1])})" if other else ""
     return (f"in {len(first)} of {len(large)} contests of {LARGE:,} spheres and more {name}'s compiler made the faster "
-            f"code (GLSL takes {ratios(first)} CUDA's time){rest}")
+            f"code (OpenGL takes {ratios(first)} CUDA's time){rest}")

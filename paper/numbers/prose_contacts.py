@@ -4,7 +4,7 @@ import re
 
 from paper.numbers.derived import matched, over_other_sums
 from paper.numbers.prose_accuracy import in_words, scientific
-from paper.numbers.ranks import time_ratio
+from paper.numbers.ratios import family, time_ratio
 from paper.records import Missing, digest, said
 
 KINDS = {("spring", 1): "spring", ("spring", 0.9): "damped", ("hertz", 1): "hertz", ("quartic", 1): "quartic"}
@@ -96,14 +96,15 @@ def contact_times(put, machine, others):
     fastest = max((cuda for _, cuda in pairs), key=lambda cuda: cuda.sphere_steps_per_second)
     put("contacts/rate", f"{fastest.sphere_steps_per_second / 1e10:.2f}", fastest.source, f"10^10 sphere-steps/s, CUDA, n = {fastest.n}")
     said(machine, all(cuda.sphere_steps_per_second > 1e10 for _, cuda in pairs), "CUDA does more than 10^10 sphere-steps/s")
-    ratios = [f"{time_ratio(glsl, cuda)[0]:.2f}x at {in_words(glsl.n)}" for glsl, cuda in pairs]
+    ratios = [f"{time_ratio(glsl, cuda).middle:.2f}x at {in_words(glsl.n)}" for glsl, cuda in pairs]
     put("contacts/ratios", f"{', '.join(ratios[:-1])} and {ratios[-1]}", sources, "time ratios GLSL/CUDA of whole steps with contacts")
     for sums in ("in_order", "atomics"):
-        ratios = {key: time_ratio(*pair) for key, pair in over_other_sums(machine, sums).items()}
-        found = [ratio for (n, _), ratio in ratios.items() if n >= LARGE]
-        said(machine, not any(low > 1 for _, low, _ in ratios.values()) and all(middle < 1 for middle, _, _ in found),
+        pairs = over_other_sums(machine, sums)
+        ratios = dict(zip(pairs, family(list(pairs.values()))))
+        found = [ratio.middle for (n, _), ratio in ratios.items() if n >= LARGE]
+        said(machine, not any(ratio.decided and ratio.middle > 1 for ratio in ratios.values()) and max(found) < 1,
              f"no cost of integer sums against {sums} is seen, and in large gases they take less time")
-        put(f"contacts/{sums}", f"{min(found)[0]:.2f}x to {max(found)[0]:.2f}x", machine.source("contacts.json")["id"],
+        put(f"contacts/{sums}", f"{min(found):.2f}x to {max(found):.2f}x", machine.source("contacts.json")["id"],
             f"time of a step with integer sums over that with float32 sums, {sums}, from {LARGE} spheres on")
 
 

@@ -6,7 +6,7 @@ import statistics
 
 from paper.numbers.compilers import driver_milliseconds
 from paper.numbers.contests import contests
-from paper.numbers.ranks import ENOUGH
+from paper.numbers.ratios import ENOUGH
 from paper.records import Missing, digest, recorded_code, said
 
 AIM = 0.5  # %, of the longest batch, for which the program chooses K

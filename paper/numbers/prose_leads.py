@@ -2,7 +2,8 @@
 """Numbers and sentences of the prose about leads: of an API, of many launches, of an arrangement."""
 from paper.numbers import contests, leads
 from paper.numbers.derived import best, matched
-from paper.numbers.ranks import apart, ratios_by_process, time_ratio
+from paper.numbers.layers import layers
+from paper.numbers.ratios import extent, family, time_ratio, values
 from paper.records import Missing, said
 from paper.text import ms
 
@@ -18,7 +19,8 @@ def who_leads(put, machine, others):
                       ("large", leads.at_large_sizes(found))):
         put(f"lead/{key}", text.replace(" %", "\\,\\%"), machine.id, f"sentence made from all contests: lead/{key}")
     put("lead/contests", str(len(found)), machine.id, "sizes and scenes in which both were timed, with whole steps")
-    table1 = [leads.contest(*pair) for pair in matched(machine, table="table1", method="collide_triangle")]
+    put("lead/extent", extent([entry.compared for entry in found]), machine.id, "what these contests stand on")
+    table1 = leads.decided(matched(machine, table="table1", method="collide_triangle"))
     most = max((entry for entry in found + table1), key=lambda entry: entry.ratio)
     said(machine, most.ratio > 1, "at most, GLSL takes longer than CUDA")
     put("lead/most", f"{most.ratio:.2f}x", most.source,
@@ -30,22 +32,50 @@ def who_leads(put, machine, others):
     put("lead/large/ratios", leads.ratios(large), machine.id, f"time ratios GLSL/CUDA from {leads.LARGE} on")
 
 
-def rule(put, machine, others):
-    runs = ", ".join(sorted({entry.source for entry in contests.contests(machine)}))
-    put("ratio/rule", contests.rule(machine).replace("µ", "\\textmu "), runs, "sentence made from every contest: ratio/rule")
+def short_steps(put, machine, others):
+    """Whole steps of few spheres, where launches are most of the time."""
+    found = contests.short_steps(machine)
+    put("lead/short", contests.ratio_span(found), found[0].source, f"time ratios GLSL/CUDA of whole steps of up to {contests.SHORT} spheres")
+    put("lead/short/most", f"{contests.SHORT:,}", found[0].source, "most spheres of a short step")
+
+
+def all_contests(put, machine, others):
+    """Counts by kind of work; ratios of unlike work are not pooled."""
+    found = contests.contests(machine)
+    runs = ", ".join(sorted({entry.source for entry in found}))
+    for kind in ("", *contests.KINDS):
+        own = [entry for entry in found if kind in ("", entry.work)]
+        cuda, glsl = contests.decided(own)
+        for key, number in (("all", len(own)), ("several", len(contests.several(own))), ("cuda", len(cuda)), ("glsl", len(glsl)),
+                            ("open", len(own) - len(cuda) - len(glsl))):
+            put("/".join(filter(None, ("contests", kind.replace(" ", "-"), key))), f"{number:,}", runs, f"contests of {kind or 'all kinds'}: {key}")
+    for key, entry in zip(("least", "most"), contests.extremes(found)):
+        put(f"contests/{key}", f"{entry.ratio.middle:.2f}x", entry.source, f"{key} ratio that is decided in several processes")
+        put(f"contests/{key}/what", entry.what, entry.source, "its method and spheres")
+        put(f"contests/{key}/n", f"{entry.n:,}", entry.source, "its number of spheres")
+
+
+def plain_means(put, machine, others):
+    found = contests.plain_means(contests.contests(machine))
+    runs = machine.id
+    put("plain/contests", f"{found.contests:,}", runs, "contests whose longest batches have plain means")
+    put("plain/median", f"{found.percent:.1f}", runs, "%, median change of a ratio by plain means against fitted slopes")
+    put("plain/most", f"{found.widest:.0f}", runs, "%, greatest change")
+    put("plain/flips", str(found.flips), runs, "ratios that fall on the other side of 1")
+    put("plain/flips/decided", str(found.decided_flips), runs, "decided ones among them")
 
 
 def one_launch(put, machine, others):
     """Motion with the plane, one launch a step, of the first table."""
     pairs = matched(machine, table="table1", work="move")
-    found = [leads.contest(*pair) for pair in pairs]
+    found = leads.decided(pairs)
     said(machine, not any(entry.winner for entry in found), "in motion neither API leads, at any size of the first table")
     for record in (record for pair in pairs[:1] for record in pair):
         medians = [process["median_ms"] for row in machine.need(table="table1", work="move", backend=record.backend)
                    for process in row.parameters.get("processes") or [{"median_ms": row.median}]]
         put(f"motion/small/{record.backend}", f"{1e3 * min(medians):.1f} to {1e3 * max(medians):.1f}", record.source,
             f"microseconds of a step of motion and plane in {record.backend}, of all sizes and processes")
-    medians = [median for pair in pairs for _, median, _, _ in ratios_by_process(*pair)]
+    medians = [value for pair in pairs for value in values(*pair)]
     put("motion/small/ratios", f"{min(medians):.2f}x to {max(medians):.2f}x", found[0].source,
         "time ratios GLSL/CUDA of motion and plane, original table, of all sizes and processes")
     put("motion/small/sizes", str(len(found)), found[0].source, "sizes of motion and plane that both timed")
@@ -55,22 +85,21 @@ def methods(put, machine, others):
     """Of the four arrangements at one size."""
     pairs = [tuple(machine.one(table="methods", backend=name, method=f"collide_{method}", block=128)
                    for name in DEVICES) for method in METHODS]
-    found = [leads.contest(*pair) for pair in pairs]
-    parts = [f"GLSL takes {leads.ratios(mine)} CUDA's time in {len(mine)} of {len(found)}"
+    found = leads.decided(pairs)
+    parts = [f"OpenGL takes {leads.ratios(mine)} CUDA's time in {len(mine)} of {len(found)}"
              for name in ("cuda", "glsl") if (mine := leads.won(found, name))]
-    put("methods/leads", " and ".join(parts) or "no difference is seen", pairs[0][0].source,
+    put("methods/leads", " and ".join(parts) or "no difference is decided", pairs[0][0].source,
         "sentence made from the four methods at groups of 128")
 
 
 def repeats(put, machine, others):
-    """What intervals within a process do not show."""
-    rows = [row for name in DEVICES for row in machine.need(table="step", backend=name) if "processes" in row.parameters.get("spread", ())]
-    if not rows:
-        raise Missing(f"{machine.name} has no whole steps of several processes")
-    within, between = (max(rows, key=lambda row: row.spread[layer][1] - row.spread[layer][0]) for layer in ("within", "processes"))
-    for key, row, layer in (("within", within, "within"), ("between", between, "processes")):
-        low, high = row.spread[layer]
-        put(f"repeat/{key}", f"{100 * (high - low):.0f}", row.source, f"%, widest spread of a whole step, {key}: {row.label}, n = {row.n}")
+    """What intervals within a process do not show: the GPU's row of whole steps in the table `variation`."""
+    rows = [(layers(row), row) for name in DEVICES for row in machine.need(table="step", backend=name) if row.parameters.get("processes")]
+    for key, layer in (("within", "within"), ("between", "processes")):
+        widest, row = max(((found[layer], row) for found, row in rows if layer in found), key=lambda each: each[0], default=(0, None))
+        if row is None:
+            raise Missing(f"{machine.name} has no whole steps of several processes on one GPU")
+        put(f"repeat/{key}", f"{widest:.1f}", row.source, f"%, widest spread of a whole step, {key}: {row.label}, n = {row.n}")
 
 
 def launches(put, machine, others):
@@ -139,10 +168,10 @@ def keeping_order(put, machine, others):
     warm, cold = ({pair[0].n: pair for pair in matched(machine, **wanted, order=order)} for order in ("warm", "cold"))
     n = max(warm.keys() & cold.keys())
     gain = min(slow.median / fast.median for slow, fast in zip(cold[n], warm[n]))
-    api = max(time_ratio(*pair)[0] for pair in (warm[n], cold[n]))
-    said(machine, gain > api and all(apart(*pair) for pair in zip(cold[n], warm[n])),
+    api = max(time_ratio(*pair).middle for pair in (warm[n], cold[n]))
+    said(machine, gain > api and all(ratio.decided for ratio in family(list(zip(cold[n], warm[n])))),
          "cell order gains more than the API")
     put("order/gain", f"{gain:.1f}", warm[n][0].source, f"random over cell order at n = {n}, the smaller of both APIs")
 
 
-LEADING = (who_leads, rule, one_launch, methods, repeats, launches, first_uses, arrangements, group_sizes, keeping_order)
+LEADING = (who_leads, short_steps, all_contests, plain_means, one_launch, methods, repeats, launches, first_uses, arrangements, group_sizes, keeping_order)

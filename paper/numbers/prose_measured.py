@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Measured times of the prose. Each function puts (key, text, run, description) for one section."""
-from paper.numbers.derived import cost, issue_rate, pairs_of, share_of_floor, slope
-from paper.numbers.ranks import differ
+from paper.numbers.derived import issue_rate, pairs_of, share_of_floor, slope
+from paper.numbers.ratios import extent, family
 from paper.records import original_paper, said
 from paper.text import ms
 
@@ -34,9 +34,12 @@ def whole_steps(put, machine, others):
         smallest = machine.need(table="step", backend=name)[0]
         put(f"step/smallest/{name}", ms(smallest.median), smallest.source, f"{smallest.label}, n = {smallest.n}")
     cpu = {record.n: record for record in machine.need(table="step", backend="cpu")}
+    pair = [machine.one(table="step", backend=name, n=SIZE) for name in DEVICES]
+    put("step/extent", extent(family([pair])), pair[0].source, "what the comparison of these steps stands on")
     for name in DEVICES:
         rows = machine.need(table="step", backend=name)
-        behind = [row.n for row in rows if not (differ(row, cpu[row.n]) and row.median < cpu[row.n].median)]
+        compared = family([(row, cpu[row.n]) for row in rows])
+        behind = [row.n for row, ratio in zip(rows, compared) if not (ratio.decided and ratio.middle < 1)]
         ahead = [row for row in rows if row.n > max(behind, default=0)]
         said(machine, behind and ahead and ahead[0].n <= 4096, "the CPU is faster only for a few hundred spheres")
         put(f"step/ahead-of-cpu/{name}", f"{ahead[0].n:,}", ahead[0].source,
@@ -112,23 +115,22 @@ def floors(put, machine, others):
 
 
 def exactness(put, machine, others):
-    found = {(exact.backend, exact.method.removeprefix("collide_")): (exact, naive)
-             for exact, naive in pairs_of(machine) if exact.method != "collide_grid"}
+    found = {(exact.backend, exact.method.removeprefix("collide_")): (exact, naive) for exact, naive in pairs_of(machine)}
     micro = {key: 1e3 * (exact.median - naive.median) for key, (exact, naive) in found.items()}
-    costs = {key: cost(naive, exact) for key, (exact, naive) in found.items()}
-    percent = {key: middle for key, (middle, _, _) in costs.items()}
+    compared = dict(zip(found, family(list(found.values()))))
+    percent = {key: 100 * (ratio.middle - 1) for key, ratio in compared.items()}
     said(machine, all(micro[key] < 1 or percent[key] < 1 for key in micro if key[0] != "cpu"),
          "exactness costs a GPU's methods less than a microsecond or a percent if no pair is left undecided")
     source = found["cuda", "triangle"][0].source
     put("exact/most", f"{max(abs(value) for (name, _), value in percent.items() if name != 'cpu'):.1f}", source,
         "in %, the greatest difference of the medians, of a GPU's methods")
-    put("exact/bound", f"{max(high for (name, _), (_, _, high) in costs.items() if name != 'cpu'):.1f}", source,
-        "in %, the highest upper bound of the cost of a GPU's methods")
-    said(machine, not any(differ(*found[key]) and percent[key] > 0 for key in found if key[0] != "cpu"),
-         "no cost of exactness is seen on a GPU if no pair is left undecided")
-    seen = [f"{value:.0f}\\,\\% for \\kernel{{{method}}}" for (name, method), value in percent.items()
-            if name == "cpu" and differ(*found[name, method])]
-    put("exact/cpu", f"it costs {' and '.join(seen)}" if seen else "no difference is seen", source,
+    put("exact/bound", f"{max(100 * (ratio.high - 1) for (name, _), ratio in compared.items() if name != 'cpu'):.1f}", source,
+        "in %, the highest upper end of the cost's interval, of a GPU's methods")
+    said(machine, not any(ratio.decided and ratio.middle > 1 for (name, _), ratio in compared.items() if name != "cpu"),
+         "no cost of exactness is decided on a GPU if no pair is left undecided")
+    seen = [f"{percent['cpu', method]:.0f}\\,\\% for \\kernel{{{method}}}" for (name, method), ratio in compared.items()
+            if name == "cpu" and ratio.decided]
+    put("exact/cpu", f"it costs {' and '.join(seen)}" if seen else "the cost is undecided", source,
         "sentence: the CPU's cost")
     row = machine.main["tables"]["exactness"][0]["rows"][0]
     for key, cell in zip(("right", "missed", "added"), row[6:9]):

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Numbers of the prose from the studies: the sweep, frames, transfers."""
+import statistics
+
 from paper.numbers import leads
-from paper.numbers.derived import INSTRUCTIONS, copy_rate, crossover, grid_share_of_floor, matched, slope, stage_ratios, timer_floor
-from paper.numbers.ranks import apart, time_ratio
+from paper.numbers.derived import BEYOND_EMPTY, INSTRUCTIONS, copy_rate, crossover, grid_share_of_floor, kernels_alone, matched, slope, timer_floor
+from paper.numbers.ratios import extent, family, time_ratio
 from paper.numbers.transfers import MOST_TRANSFERRED
 from paper.records import Missing, said
 from paper.text import ms
@@ -10,21 +12,23 @@ from paper.text import ms
 DEVICES = ("glsl", "cuda")
 GRID = {"table": "grid", "scene": "uniform", "method": "collide_grid"}
 SIZE = 16384
+CLOSE = 0.04  # of CUDA's time: a kernel that is as fast
 
 
 def pairs_of_the_sweep(put, machine, others):
     """All pairs in the sweep, which is a separate run."""
     wanted = {"table": "grid", "method": "collide_triangle", "order": "cold", "scene": "uniform"}
-    found = [leads.contest(*pair) for fraction in fractions(machine)
-             for pair in matched(machine, **wanted, packing_fraction=fraction) if pair[0].n >= leads.LARGE]
+    found = leads.decided([pair for fraction in fractions(machine)
+                           for pair in matched(machine, **wanted, packing_fraction=fraction) if pair[0].n >= leads.LARGE])
     if not found:
         raise Missing(f"{machine.name}: the sweep has no all pairs of {leads.LARGE:,} spheres and more")
     large = [entry for entry in leads.contests(machine) if entry.n >= leads.LARGE] + found
     sides = {entry.winner for entry in large} - {""}
     put("lead/turns", "So the lead changes sides between scenes and runs." if len(sides) > 1 else
         "So the lead is on one side in both runs, where there is any.", found[0].source, "sentence made from both runs")
-    others_found = [leads.contest(*pair) for method in ("collide_tiled", "collide_square") for fraction in fractions(machine)
-                    for pair in matched(machine, **{**wanted, "method": method}, packing_fraction=fraction) if pair[0].n >= leads.LARGE]
+    others_found = leads.decided([
+        pair for method in ("collide_tiled", "collide_square") for fraction in fractions(machine)
+        for pair in matched(machine, **{**wanted, "method": method}, packing_fraction=fraction) if pair[0].n >= leads.LARGE])
     said(machine, others_found and all(entry.winner == "cuda" for entry in others_found), "CUDA leads in tiled and square at large sizes")
     put("lead/other-methods", leads.ratios(others_found), found[0].source,
         f"time ratios GLSL/CUDA of tiled and square in the sweep, from {leads.LARGE} spheres on")
@@ -33,18 +37,20 @@ def pairs_of_the_sweep(put, machine, others):
 
 
 def kernel_pairs(put, machine, others):
-    """How many kernels are faster in either API by device timers, with both bounds of the ratio beyond 1."""
-    rows = list(stage_ratios(machine))
-    if not rows:
-        raise Missing(f"{machine.name} has no kernel with device times through both APIs")
+    """The program's kernels by device timers, without their launches."""
+    rows = kernels_alone(machine)
     source = ", ".join(dict.fromkeys(row.source for row in rows))
-    for key, found in (("all", rows), ("cuda", [row for row in rows if row.ratio[0] - row.ratio[1] > 1]),
-                       ("glsl", [row for row in rows if row.ratio[0] + row.ratio[2] < 1])):
-        put(f"kernels/{key}", str(len(found)), source, f"kernels timed in both, {key}: " +
-            ("at their largest size" if key == "all" else "the faster, intervals apart"))
+    ratios = [row.ratio[0] for row in rows]
+    put("kernels/all", str(len(rows)), source, f"kernels that take {BEYOND_EMPTY} times an empty one's reading in both, variants once")
+    put("kernels/median", f"{statistics.median(ratios):.2f}", source, "GLSL's time over CUDA's, their median")
+    put("kernels/close", str(sum(abs(ratio - 1) <= CLOSE for ratio in ratios)), source, f"kernels within {100 * CLOSE:.0f} % of CUDA's time")
+    put("kernels/close/percent", f"{100 * CLOSE:.0f}", source, "%, what counts as close")
+    put("kernels/list", ", ".join(f"\\kernel{{{row.kernel}}} {row.ratio[0]:.2f}" for row in rows), source, "each kernel's ratio, greatest first")
+    for key, row in zip(("worst", "second"), rows):
+        put(f"kernels/{key}", f"{row.ratio[0]:.2f}x", source, f"{key} ratio, {row.kernel}, {row.where}")
+        put(f"kernels/{key}/name", row.kernel, source, "its kernel")
     put("kernels/floor", f"{1e3 * timer_floor(machine):.1f}", machine.id, "us, most that a device timer reads of an empty kernel")
-    middle = sorted(row.ratio[0] for row in rows)[len(rows) // 2]
-    put("kernels/median", f"{middle:.2f}", source, "GLSL's time over CUDA's, the (upper) median of the kernels")
+    put("kernels/least", f"{1e3 * BEYOND_EMPTY * timer_floor(machine):.0f}", machine.id, f"us, {BEYOND_EMPTY} times that")
 
 
 def loops_of_triangle(put, machine, others):
@@ -97,35 +103,37 @@ def largest_grids(put, machine, others):
 
 
 def grid_leads(put, machine, others):
-    """Which API is faster in the grid, over every order and packing fraction, by intervals that do not overlap."""
-    contests = [pair for order in ("cold", "warm") for fraction in fractions(machine)
-                for pair in matched(machine, **GRID, packing_fraction=fraction, order=order)]
-    wins = {name: [pair for pair in contests if apart(*pair) and pair[k].median < pair[1 - k].median]
-            for k, name in enumerate(DEVICES)}
-    source = contests[0][0].source
-    put("grid/contests", str(len(contests)), source, "sizes, orders and fractions of the grid in both")
-    for name, found in wins.items():
-        put(f"grid/wins/{name}", str(len(found)), source, f"those in which {name} is the faster")
-    put("grid/open", str(len(contests) - sum(map(len, wins.values()))), source, "those in which no difference is seen")
-    said(machine, not wins["glsl"] and len(wins["cuda"]) > 0.6 * len(contests),
+    """Which API is faster in the grid, over every order and packing fraction, of several processes."""
+    pairs = [pair for order in ("cold", "warm") for fraction in fractions(machine)
+             for pair in matched(machine, **GRID, packing_fraction=fraction, order=order)]
+    found = [(pair[1], ratio) for pair, ratio in zip(pairs, family(pairs)) if ratio.processes > 1]
+    if not found:
+        raise Missing(f"{machine.name} has no grid of several processes in both APIs")
+    clear = [(cuda, ratio.middle) for cuda, ratio in found if ratio.decided]
+    wins = {"glsl": [lead for lead in clear if lead[1] < 1], "cuda": [lead for lead in clear if lead[1] > 1]}
+    source = found[0][0].source
+    put("grid/contests", str(len(found)), source, "sizes, orders and fractions of the grid in both, of several processes")
+    put("grid/extent", extent([ratio for _, ratio in found]), source, "what these contests stand on")
+    for name, won in wins.items():
+        put(f"grid/wins/{name}", str(len(won)), source, f"those in which {name} is the faster")
+    put("grid/open", str(len(found) - len(clear)), source, "those that are undecided")
+    said(machine, not wins["glsl"] and len(wins["cuda"]) > 0.6 * len(found),
          "CUDA is the faster in most contests of the grid, and in none the slower")
-    leads_of_cuda = [(time_ratio(*pair)[0], pair[1]) for pair in wins["cuda"]]
-    most, row = max(leads_of_cuda, key=lambda lead: lead[0])
+    row, most = max(wins["cuda"], key=lambda lead: lead[1])
     said(machine, row.n <= 1024 and row.order == "warm", "CUDA's lead is greatest for few spheres that are not sorted")
     put("grid/lead/most", f"{most:.2f}x", source, f"greatest time ratio GLSL/CUDA: n = {row.n}, {row.order}")
-    put("grid/lead/cold", f"{max(lead for lead, cuda in leads_of_cuda if cuda.order == 'cold'):.2f}x", source,
+    put("grid/lead/cold", f"{max(lead for cuda, lead in wins['cuda'] if cuda.order == 'cold'):.2f}x", source,
         "greatest time ratio GLSL/CUDA, cold")
-    warm = [lead for lead, cuda in leads_of_cuda if cuda.order == "warm" and cuda.scene["packing_fraction"] == 0.3]
+    warm = [lead for cuda, lead in wins["cuda"] if cuda.order == "warm" and cuda.scene["packing_fraction"] == 0.3]
     said(machine, max(warm[:2]) > 1.2 > max(warm[-2:]), "in cell order CUDA's lead is greater for few spheres than for many")
-    for order in ("cold", "warm"):
-        glsl, cuda = matched(machine, **GRID, packing_fraction=0.3, order=order)[-1]
-        put(f"grid/last/{order}", lead_text(glsl, cuda), source, f"n = {cuda.n}, {order}")
+    last = [matched(machine, **GRID, packing_fraction=0.3, order=order)[-1] for order in ("cold", "warm")]
+    for (_, cuda), ratio in zip(last, family(last)):
+        put(f"grid/last/{cuda.order}", lead_text(ratio), source, f"n = {cuda.n}, {cuda.order}")
+        put(f"grid/last/{cuda.order}/extent", extent([ratio]), source, "what it stands on")
 
 
-def lead_text(glsl, cuda):
-    if not apart(glsl, cuda):
-        return "no difference is seen"
-    return f"GLSL takes {time_ratio(glsl, cuda)[0]:.2f}x CUDA's time"
+def lead_text(ratio):
+    return f"OpenGL takes {ratio.middle:.2f}x CUDA's time" if ratio.decided else "it is undecided which API is faster"
 
 
 def fractions(machine):
@@ -152,7 +160,7 @@ def drawing(put, machine, others):
             put(f"draw/{key}/{name}/n", f"{n:,}", best_way.source, f"{name}, spheres drawn from outside")
             put(f"draw/{key}/{name}/way", best_way.draw, best_way.source, f"{name}, fastest way to draw {n} spheres")
     for work, key in (("frame", "draw/behind"), ("lit", "draw/behind/lit")):
-        ratio, cuda = max(((time_ratio(*pair)[0], pair[1]) for place in ("outside", "inside")
+        ratio, cuda = max(((time_ratio(*pair).middle, pair[1]) for place in ("outside", "inside")
                            for pair in matched(machine, table="draw", draw="compute", work=work, place=place)), key=lambda found: found[0])
         put(key, f"{ratio:.2f}x", cuda.source, f"greatest time ratio GLSL/CUDA of the rasteriser: {work}, {cuda.place}, n = {cuda.n}")
 

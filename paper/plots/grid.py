@@ -37,7 +37,7 @@ def caption(machine):
         n = crossover(machine, name, 0.3)
         found.append(f"{SERIES[name]['label']}: {n:,}" if n else f"{SERIES[name]['label']}: nowhere")
     return CAPTION.format(crossovers="Least $n$ from which the cold grid is faster at packing fraction 0.3, "
-                          "intervals apart: " + "; ".join(found) + ".")
+                          "decided by their intervals: " + "; ".join(found) + ".")
 
 
 def per_sphere(axis, rows, series, **look):

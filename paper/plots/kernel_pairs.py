@@ -7,9 +7,9 @@ from paper.style import PAGE, panels, time_text
 NAME = "kernel-pairs"
 CAPTION = ("Each kernel's time in GLSL over its time in CUDA by device timers (GL timer queries, CUDA events), at the "
            "largest recorded size; of several such records in the latest run, the one with the tightest bounds. "
-           "Right of 1 CUDA is faster. Bars: the bounds of the ratio from the intervals of both medians; an arrow "
-           "where a bar is cut off. Right: CUDA's time. Kernels whose reading is within a tenth of an empty one's in "
-           "either API are left out: it shows the timer.")
+           "Right of 1 CUDA is faster. Bars: of several processes the \\given{95}\\,\\% interval over them, of one the bounds from the "
+           "intervals of both medians; an arrow where a bar is cut off. Right: CUDA's time. Only kernels that read at least ten "
+           "times an empty one's time in both APIs.")
 TASKS = {"motion": ("move", "bounce", "evaluate_"), "the grid": ("grid_", "split_", "collide_grid", "collide_hashed"),
          "drawing": ("draw_",), "peak rates": ("peak_",)}
 REST = "all pairs, and common to all steps"

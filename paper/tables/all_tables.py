@@ -3,7 +3,7 @@
 import re
 
 from paper.numbers.compilers import driver_record
-from paper.numbers.ranks import ratio_text
+from paper.numbers.ratios import LEGEND, texts
 from paper.records import Missing, original_paper, recorded_code
 from paper.tables.claims import claims
 from paper.tables.contacts import contacts
@@ -112,13 +112,13 @@ def counts(machine):
 
 
 def methods(machine):
-    rows = []
-    for method in ("collide_group", "collide_tiled", "collide_square", "collide_triangle"):
-        glsl, cuda = (machine.one(table="methods", method=method, backend=b, block=128) for b in ("glsl", "cuda"))
-        rows.append([method.removeprefix("collide_"), interval(glsl, 1e3), interval(cuda, 1e3), ratio_text(glsl, cuda)])
+    pairs = {method: [machine.one(table="methods", method=f"collide_{method}", backend=name, block=128) for name in ("glsl", "cuda")]
+             for method in ("group", "tiled", "square", "triangle")}
+    rows = [[method, interval(glsl, 1e3), interval(cuda, 1e3), text]
+            for (method, (glsl, cuda)), text in zip(pairs.items(), texts(list(pairs.values())))]
     heads = [[("", 1), ("median [interval], µs", 2), ("", 1)], ["method", "GLSL", "CUDA", "GLSL/CUDA"]]
-    return Table("methods", f"One collision step of {glsl.n:,} spheres, groups of 128: median and its interval between "
-                 "order statistics, and the time ratio with its bounds.", heads, rows)
+    n = pairs["triangle"][0].n
+    return Table("methods", f"One collision step of {n:,} spheres, groups of 128: medians, and the time ratio. {LEGEND}", heads, rows)
 
 
 def peak_rates(machine):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The main claims in one table: both APIs on the same work, with intervals, and the time ratio GLSL/CUDA if these do not overlap."""
-from paper.numbers.ranks import apart, ratio_text
+"""The main claims in one table: both APIs on the same work, with intervals, and the time ratio GLSL/CUDA."""
+from paper.numbers.ratios import LEGEND, family
 from paper.records import Missing
 from paper.tables.tabular import Table
 from paper.text import cached, interval, ms
@@ -8,8 +8,8 @@ from paper.text import cached, interval, ms
 LARGEST = 2**20  # of all pairs
 GAS = {"scene": "uniform", "packing_fraction": 0.3}
 CAPTION = ("The main claims, in milliseconds: medians with their intervals, and the 95th percentiles of all rounds. GLSL/CUDA: "
-           "the time ratio with its bounds, if it is on one side of 1. CPU: median, all threads. †: the working set, which is not "
-           "recorded for frames, fits in the L2 cache. From:")
+           f"the time ratio; plain: by the plain means of the longest batches, without the fitted line. {LEGEND} Runs: processes on GPUs. "
+           "CPU: median, all threads. †: the working set, which is not recorded for frames, fits in the L2 cache. From:")
 
 
 def rows_wanted():
@@ -33,7 +33,7 @@ def rows_wanted():
 
 
 def claims(machine):
-    rows, sources = [], []
+    rows, pairs, sources = [], [], []
     for what, size, wanted, of_cpu in rows_wanted():
         glsl, cuda = (machine.select(backend=name, **wanted) for name in ("glsl", "cuda"))
         cpu = machine.select(backend="cpu", **{**wanted, **of_cpu})
@@ -42,11 +42,13 @@ def claims(machine):
         if not (glsl and cuda):
             continue
         cells = [cell for row in (glsl[0], cuda[0]) for cell in (interval(row), ms(row.p95_ms))]
-        rows.append([what, cached(size, (glsl[0], cuda[0])), *cells, ms(cpu[0].median) if len(cpu) == 1 else "-",
-                     ratio_text(glsl[0], cuda[0], apart)])
+        rows.append([what, cached(size, (glsl[0], cuda[0])), *cells, ms(cpu[0].median) if len(cpu) == 1 else "-"])
+        pairs.append((glsl[0], cuda[0]))
         sources += [row.source for row in (glsl[0], cuda[0], *(cpu if len(cpu) == 1 else ()))]
     if not rows:
         raise Missing(f"{machine.name} has no work that both APIs did")
-    heads = [[("", 2), ("GLSL", 2), ("CUDA", 2), ("", 2)],
-             ["work", "spheres", *["median [interval]", "p95"] * 2, "CPU", "GLSL/CUDA"]]
+    rows = [[*row, ratio.text, f"{ratio.plain:.2f}" if ratio.plain else "-", f"{ratio.processes} on {max(1, len(ratio.gpus))}"]
+            for row, ratio in zip(rows, family(pairs))]
+    heads = [[("", 2), ("GLSL", 2), ("CUDA", 2), ("", 1), ("GLSL/CUDA", 2), ("", 1)],
+             ["work", "spheres", *["median [interval]", "p95"] * 2, "CPU", "ratio [interval]", "plain", "runs"]]
     return Table("claims", CAPTION, heads, rows, left=1, source=", ".join(dict.fromkeys(sources)))

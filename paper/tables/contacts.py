@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The table of contacts: whole steps of a gas, and what sums of impulses in integers take, against those in float32."""
+import itertools
+
 from paper.numbers.derived import over_other_sums
-from paper.numbers.ranks import ratio_text
+from paper.numbers.ratios import LEGEND, texts
 from paper.records import Missing
 from paper.tables.studies import size_text
 from paper.tables.tabular import Table
@@ -10,18 +12,19 @@ from paper.text import ms
 DEVICES = ("glsl", "cuda")
 CAPTION = ("A gas with contacts, packing fraction {fraction:g}. Whole steps (motion, walls, contacts, lists of near pairs): the "
            "mean of the first {steps:,}, in milliseconds{cpu}. Integers over float32: the time of a step whose impulses are "
-           "added up as integers over that of one with float32 sums.")
+           "added up as integers over that of one with float32 sums. " + LEGEND)
 
 
 def contacts(machine):
     steps = {(row.n, row.backend): row for row in machine.need(table="gas_steps")}
     sums = [over_other_sums(machine, name) for name in ("in_order", "atomics")]
-    rows = []
+    rows, pairs = [], []
     for n in sorted({n for n, _ in (*steps, *sums[0])}):
         whole = [steps.get((n, name)) for name in ("cpu", *DEVICES)]
-        rows.append([size_text(n), *("-" if row is None else ms(row.median / row.steps) for row in whole),
-                     ratio_text(*whole[1:]) if all(whole[1:]) else "-",
-                     *(ratio_text(*found[n, name]) if (n, name) in found else "-" for found in sums for name in DEVICES)])
+        rows.append([size_text(n), *("-" if row is None else ms(row.median / row.steps) for row in whole)])
+        pairs += [whole[1:] if all(whole[1:]) else None, *(found.get((n, name)) for found in sums for name in DEVICES)]
+    ratios = iter(texts(pairs))
+    rows = [[*row, *itertools.islice(ratios, 5)] for row in rows]
     counted = {row.steps for row in steps.values()}
     if len(counted) != 1:
         raise Missing(f"{machine.name} has steps with contacts that are means of different numbers: {counted}")

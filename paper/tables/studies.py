@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Tables of the studies with their own runs: grid sizes, peers, crossovers, transfers, loops."""
 from paper.numbers.crossovers import crossovers_by_kind
-from paper.numbers.ranks import ratio_text
+from paper.numbers.ratios import LEGEND, texts
 from paper.numbers.transfers import hidden, overlaps
 from paper.records import Missing
 from paper.records import peers as measured_peers
@@ -12,19 +12,19 @@ DEVICES = ("cuda", "glsl")
 GRID = {"table": "grid", "scene": "uniform", "method": "collide_grid"}
 ORDERS = {"warm": "cell", "cold": "random"}
 GRID_SIZES = ("A collision step through the grid, by the order of the spheres and the packing fraction: medians with their "
-              "intervals, and the 95th percentiles of all rounds. †: the working set fits in the L2 cache.")
+              "intervals, and the 95th percentiles of all rounds. †: the working set fits in the L2 cache. " + LEGEND)
 PEERS = ("Milliseconds from centres on the GPU, in random order and of the packing fraction below, to the number of"
          " colliding pairs, or to the output that a system offers: ours and other systems on the same "
          "centres. The others were timed in a separate run ({run}), on an H200, as medians without "
          "intervals; wrong pairs are those of the last column. Ours run back to back, up to $10^6$ spheres overlapping. Ours:")
-CROSSOVERS = ("The least $n$ up to {most:,} from which the grid stays faster than all pairs, by intervals or the rank test, per"
+CROSSOVERS = ("The least $n$ up to {most:,} from which the grid stays faster than all pairs, per"
               " kind of spheres; and the greatest ratio of the automatic choice's time to the best fixed choice's (auto),"
-              " 1 if no difference is seen or both are the same.")
+              " 1 if the two are undecided or the same. Differences after Holm's correction over the sizes of a kind.")
 TRANSFERS = ("CUDA steps, OpenGL draws {draw}: a frame with its transfer, a step, and both in a loop that waits only for the "
              "transfer; hidden: what that loop saves of the sum of the two. Medians, in brackets the bounds from their "
              "intervals.")
 LOOPS = ("A whole loop, the first 20 steps of a fall: move, collide through the grid, draw; and its frames per second. "
-         "CUDA to GL: CUDA steps and OpenGL draws {draw}, by the fastest transfer, pipelined.")
+         "CUDA to GL: CUDA steps and OpenGL draws {draw}, by the fastest transfer, pipelined. " + LEGEND)
 
 
 def ours(machine, name, sizes):
@@ -73,18 +73,19 @@ def crossover(machine):
 
 
 def grid_sizes(machine):
-    rows, sources = [], []
+    rows, pairs, sources = [], [], []
     for fraction, order in ((fraction, order) for fraction in (0.3, 0.05) for order in ORDERS):
         wanted = {**GRID, "packing_fraction": fraction, "order": order}
         for n in sorted({row.n for name in DEVICES for row in machine.select(**wanted, backend=name)}):
             glsl, cuda = (machine.select(**wanted, n=n, backend=name) for name in ("glsl", "cuda"))
             found = [of[0] for of in (glsl, cuda) if of]
             cells = [cell for of in (glsl, cuda) for cell in ((interval(of[0]), ms(of[0].p95_ms)) if of else ("-", "-"))]
-            rows.append([ORDERS[order], f"{fraction:g}", cached(size_text(n), found), *cells,
-                         ratio_text(glsl[0], cuda[0]) if glsl and cuda else "-"])
+            rows.append([ORDERS[order], f"{fraction:g}", cached(size_text(n), found), *cells])
+            pairs.append((glsl[0], cuda[0]) if glsl and cuda else None)
             sources += [row.source for row in found]
     if not rows:
         raise Missing(f"{machine.name} has no grid on a GPU")
+    rows = [[*row, text] for row, text in zip(rows, texts(pairs))]
     heads = [[("", 3), ("GLSL, ms", 2), ("CUDA, ms", 2), ("", 1)],
              ["order", "fraction", "spheres", *["median [interval]", "p95"] * 2, "GLSL/CUDA"]]
     return Table("grid-sizes", GRID_SIZES, heads, rows, source=", ".join(dict.fromkeys(sources)))
@@ -104,7 +105,7 @@ def transfer(machine):
 
 def loop(machine):
     transfers = overlaps(machine)
-    rows, sources = [], [transfers["id"]]
+    rows, pairs, sources = [], [], [transfers["id"]]
     for place in ("outside", "inside"):
         for n in sorted({row.n for row in machine.need(table="draw", work="loop") if row.place == place}):
             glsl, cuda = (machine.select(table="draw", work="loop", place=place, n=n, backend=name)
@@ -114,11 +115,12 @@ def loop(machine):
             across = min((entry["pipelined_ms"] for entry in transfers["overlaps"] if entry["n"] == n), default=None)
             known = across is not None and place == "outside"
             rows.append([place, size_text(n), *cells, ms(across) if known else "-", *rates,
-                         f"{1e3 / across:,.0f}" if known else "-",
-                         ratio_text(glsl[0], cuda[0]) if glsl and cuda else "-"])
+                         f"{1e3 / across:,.0f}" if known else "-"])
+            pairs.append((glsl[0], cuda[0]) if glsl and cuda else None)
             sources += [found[0].source for found in (glsl, cuda) if found]
     heads = [[("", 2), ("median [interval], ms", 3), ("frames per second", 3), ("", 1)],
              ["camera", "spheres", *["GLSL", "CUDA", "to GL"] * 2, "GLSL/CUDA"]]
+    rows = [[*row, text] for row, text in zip(rows, texts(pairs))]
     caption = LOOPS.format(draw=transfers["overlaps"][0]["draw"])
     return Table("loop", caption, heads, rows, left=1, source=", ".join(dict.fromkeys(sources)))
 

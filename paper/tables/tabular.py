@@ -34,6 +34,7 @@ MATHEMATICS = {  # what is set otherwise than typed
     r"(?<![\w.\-)\]^])-(?=\d[\d.]*(?![\d.]*e[+-]?\d))": lambda m: "$-$",
     r"\+-(?= )": lambda m: "$\\pm$",
     "†": lambda m: "\\rlap{\\textdagger}",
+    "‡": lambda m: "\\rlap{\\textdaggerdbl}",
 }
 
 

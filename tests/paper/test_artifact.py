@@ -15,7 +15,7 @@ from paper.numbers.ablations import pairs_of as on_and_off  # noqa: E402
 from paper.numbers.crossovers import crossovers_by_kind  # noqa: E402
 from paper.numbers.derived import cost, matched, pairs_of  # noqa: E402
 from paper.numbers.pareto import study  # noqa: E402
-from paper.numbers.ranks import time_ratio  # noqa: E402
+from paper.numbers.ratios import time_ratio  # noqa: E402
 from paper.records import DATA, MAIN, Machine  # noqa: E402
 
 APIS = ("glsl", "cuda")
@@ -129,13 +129,13 @@ class Speed(unittest.TestCase):
             for name in APIS:
                 integers, in_order = (self.machine.one(table="contact_sums", n=n, backend=name, sums=sums)
                                       for sums in ("integers", "in_order"))
-                self.assertLessEqual(time_ratio(integers, in_order)[0], 1.1 * 1.05, f"{name}, {n}")
+                self.assertLessEqual(time_ratio(integers, in_order).middle, 1.1 * 1.05, f"{name}, {n}")
 
     def test_7g(self):
         self.stated("7g", "at least 10¹⁰", "at most 1.10x", "1.36x at 10⁶", "| 5 % |")
         for n, most in ((10**6, 1.36), (10**7, 1.1), (10**8, 1.1)):
             glsl, cuda = (self.machine.one(table="gas_steps", n=n, backend=name) for name in APIS)
-            self.assertLessEqual(time_ratio(glsl, cuda)[0], most * 1.05, str(n))
+            self.assertLessEqual(time_ratio(glsl, cuda).middle, most * 1.05, str(n))
             self.assertGreaterEqual(n / cuda.parameters["seconds_per_step"], 1e10 / 1.05, str(n))
 
     def test_7h(self):

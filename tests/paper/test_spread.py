@@ -1,18 +1,20 @@
 # SPDX-License-Identifier: MIT
-"""Records of several processes become one: median of the medians, interval of the widest layer of spread. What was
-recorded in pieces is read as a whole."""
+"""Records of several processes become one: median of the medians, t-interval of their logarithms. What was recorded in
+pieces is read as a whole."""
 import json
+import math
 import pathlib
 import statistics
 import sys
 import tempfile
 import types
 import unittest
+from dataclasses import replace
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 
 from paper import spread  # noqa: E402  (the path must be set first)
-from paper.numbers import prose_equality, ranks  # noqa: E402
+from paper.numbers import layers, prose_equality, ratios  # noqa: E402
 from paper.records import DATA, MAIN, Machine, Missing, Record  # noqa: E402
 
 
@@ -29,35 +31,31 @@ def record(*rows, gpu="A", **more):
             "backends": [{"name": "cuda", "open": True, "device": "H200", "uuid": gpu}], **more}
 
 
-class Layers(unittest.TestCase):
+class Merged(unittest.TestCase):
     def merged(self, middles, gpus="AAAAA", within=0.01):
         roots = [record(timing(middle, within), gpu=gpu) for middle, gpu in zip(middles, gpus)]
         return spread.merged(roots)["measurements"][0]
 
-    def check(self, row, layer, low, high):
-        widest = max(row["spread"], key=lambda name: row["spread"][name][1] - row["spread"][name][0])
-        self.assertEqual(layer, widest)
-        self.assertAlmostEqual(low, row["interval_ms"][0])
-        self.assertAlmostEqual(high, row["interval_ms"][1])
-
-    def test_processes_that_agree_leave_the_interval_of_one(self):
-        row = self.merged([10, 10, 10.01, 10, 9.99])
+    def test_a_time_is_the_median_with_a_t_interval_of_the_logarithms(self):
+        row = self.merged([10, 8, 12.5, 11, 10])
         self.assertEqual(10, row["median_ms"])
-        self.check(row, "within", 9.9, 10.1)
+        middle, half = 10.1925, 0.2029  # mean of the logarithms, and 2.776 standard errors of it
+        for expected, end in zip((middle * math.exp(-half), middle * math.exp(half)), row["interval_ms"]):
+            self.assertAlmostEqual(expected, end, delta=0.02)
 
-    def test_processes_that_differ_widen_it(self):
-        row = self.merged([10, 8, 12, 11, 10])
-        self.assertEqual(10, row["median_ms"])
-        self.check(row, "processes", 8, 12)
-        self.assertNotIn("gpus", row["spread"])
+    def test_the_spread_within_a_process_does_not_widen_it(self):
+        self.assertEqual(self.merged([10, 8, 12], within=0.5)["interval_ms"], self.merged([10, 8, 12])["interval_ms"])
 
-    def test_gpus_that_differ_widen_it(self):
-        row = self.merged([10, 10, 10, 13, 13], gpus="AAABB")
-        self.check(row, "gpus", 10, 13)
-        self.assertEqual((1, 1), row["spread"]["processes"])  # on one GPU they agree
+    def test_of_one_process_it_is_that_of_its_rounds(self):
+        self.assertEqual([9.9, 10.1], self.merged([10])["interval_ms"])
 
-    def test_one_process_on_each_gpu_tells_nothing_of_processes(self):
-        self.assertEqual({"within", "gpus"}, set(self.merged([10, 11], gpus="AB")["spread"]))
+    def test_variation_is_within_processes_between_them_and_between_gpus(self):
+        row = self.merged([10, 10.2, 10, 13, 13.1], gpus="AAABB")
+        found = layers.layers(Record(row, *spread.summary(row), "made up"))
+        self.assertAlmostEqual(2, found["within"])
+        self.assertAlmostEqual(100 * 0.2 / 10.2, found["processes"])
+        self.assertAlmostEqual(100 * 3.05 / 10.2, found["gpus"])
+        self.assertEqual({"within", "gpus"}, set(layers.layers(Record(self.merged([10, 11], gpus="AB"), 10, 10, 10, "made up"))))
 
     def test_all_samples_and_stages_are_kept(self):
         row = self.merged([10, 12])
@@ -65,8 +63,7 @@ class Layers(unittest.TestCase):
         self.assertAlmostEqual(12 + 0.75 * 0.12, row["p95_ms"])
         self.assertEqual([10, 12], [run["median_ms"] for run in row["processes"]])
         low, high = row["device_stages_interval_ms"]["collide_grid"]
-        self.assertAlmostEqual(9.9, low)
-        self.assertAlmostEqual(12.12, high)
+        self.assertTrue(low < 9 and high > 13)  # the t-interval of two processes
         self.assertEqual(11, row["device_stages_ms"]["collide_grid"])
 
 
@@ -117,7 +114,7 @@ class Folders(unittest.TestCase):
 
     def test_one_file_stays_as_it_is(self):
         self.write("results.json", record(timing(10, table="step")))
-        self.assertNotIn("spread", Machine(self.folder).one(table="step").parameters)
+        self.assertNotIn("processes", Machine(self.folder).one(table="step").parameters)
 
     def test_one_file_and_processes_of_the_same_name_are_refused(self):
         self.write("results.json", record())
@@ -179,47 +176,47 @@ class Tests(unittest.TestCase):
 class Ratios(unittest.TestCase):
     """Of the turns of several processes: an interval that pools their rounds would be too narrow."""
 
+    @staticmethod
+    def pair(rows_of_each):
+        roots = [record(*rows) for rows in rows_of_each]
+        return [Record({**row, "contest": "made up"}, *spread.summary(row), "made up")
+                for row in spread.merged(roots)["measurements"]]
+
     def ratio(self, factors):
-        roots = [record(timing(10 * factor, backend="glsl"), timing(10)) for factor in factors]
-        glsl, cuda = (Record({**row, "contest": "made up"}, *spread.summary(row), "made up")
-                      for row in spread.merged(roots)["measurements"])
-        self.assertTrue(ranks.paired(glsl, cuda))
-        return ranks.time_ratio(glsl, cuda), ranks.apart(glsl, cuda)
+        return ratios.time_ratio(*self.pair([(timing(10 * factor, backend="glsl"), timing(10)) for factor in factors]))
 
-    def test_the_interval_holds_every_process(self):
-        (middle, low, high), apart = self.ratio([1.2, 1.3, 1.4, 1.1, 0.95])
-        self.assertAlmostEqual(1.2, middle)
-        self.assertLessEqual(low, 0.95)
-        self.assertGreaterEqual(high, 1.4)
-        self.assertFalse(apart)
-
-    def test_processes_that_lack_one_of_them_are_no_pairs(self):
-        """Their rounds would be those of others."""
-        roots = [record(timing(10, backend="glsl"), timing(10)), record(timing(20, backend="glsl"))]
-        glsl, cuda = (Record({**row, "contest": "made up"}, *spread.summary(row), "made up")
-                      for row in spread.merged(roots)["measurements"])
-        self.assertFalse(ranks.paired(glsl, cuda))
+    def test_processes_that_contradict_each_other_decide_nothing(self):
+        found = self.ratio([1.2, 1.3, 1.4, 1.1, 0.85])
+        self.assertAlmostEqual(1.2, found.middle)
+        self.assertTrue(found.low < 1 < found.high)
+        self.assertFalse(found.decided)
 
     def test_a_lead_in_every_process_is_one(self):
-        (middle, low, high), apart = self.ratio([1.2, 1.3, 1.4, 1.1, 1.15])
-        self.assertAlmostEqual(1.2, middle)
-        self.assertTrue(1 < low <= 1.1 and 1.4 <= high)
-        self.assertTrue(apart)
+        found = self.ratio([1.2, 1.3, 1.4, 1.1, 1.15])
+        self.assertAlmostEqual(1.2, found.middle)
+        self.assertTrue(1 < found.low and found.decided)
+        self.assertEqual((5, 1), (found.processes, len(found.gpus)))
 
+    def test_a_process_that_lacks_one_of_them_does_not_count(self):
+        both = (timing(12, backend="glsl"), timing(10))
+        found = ratios.time_ratio(*self.pair([both, (timing(30, backend="glsl"),), both]))
+        self.assertEqual(2, found.processes)
+        self.assertAlmostEqual(1.2, found.middle)
+        alone = ratios.time_ratio(*self.pair([(timing(30, backend="glsl"),), both]))
+        self.assertEqual(1, alone.processes)
+        self.assertAlmostEqual(1.2, alone.middle)
 
-class Ranks(unittest.TestCase):
-    """Samples of one process are not independent, so that many of them decide nothing."""
+    def test_processes_decide_times_that_took_no_turns(self):
+        for cuda, decided in (([10, 10.1, 10.2, 10.22, 10.25], True), ([10, 11.1, 10.2, 10.9, 10.55], False)):
+            glsl, other = self.pair([(timing(left, backend="glsl"), timing(right)) for left, right in zip([10.3, 10.4, 10.5, 10.6, 10.7], cuda)])
+            other.parameters["contest"] = "another"
+            self.assertEqual(decided, ratios.time_ratio(glsl, other).decided)
 
-    def contest(self, glsl, cuda):
-        roots = [record(timing(left, backend="glsl"), timing(right)) for left, right in zip(glsl, cuda)]
-        rows = [Record(row, *spread.summary(row), "made up") for row in spread.merged(roots)["measurements"]]
-        return ranks.differ(*rows)
-
-    def test_processes_decide(self):
-        self.assertTrue(self.contest([10.3, 10.4, 10.5, 10.6, 10.7], [10, 10.1, 10.2, 10.22, 10.25]))
-
-    def test_processes_that_overlap_decide_nothing(self):
-        self.assertFalse(self.contest([10.3, 10.4, 10.5, 10.6, 10.7], [10, 10.1, 10.2, 10.31, 10.55]))
+    def test_records_of_other_runs_are_independent(self):
+        glsl, cuda = self.pair([(timing(12, backend="glsl"), timing(10 + k)) for k in (0, 0.1, 0.2)])
+        found = ratios.time_ratio(glsl, replace(cuda, source="another"))
+        self.assertAlmostEqual(12 / 10.1, found.middle)
+        self.assertTrue(found.decided)
 
 
 if __name__ == "__main__":
