@@ -9,7 +9,7 @@ LARGEST = 2**20  # of all pairs
 GAS = {"scene": "uniform", "packing_fraction": 0.3}
 CAPTION = ("The main claims, in milliseconds: medians with their intervals, and the 95th percentiles of all rounds. GLSL/CUDA: "
            "the time ratio with its bounds, if it is on one side of 1. CPU: median, all threads. †: the working set, which is not "
-           "recorded for frames, fits in the L2 cache. From:")
+           "recorded for frames, fits in the L2 cache.")
 
 
 def rows_wanted():

@@ -36,4 +36,5 @@ def variation(machine):
                      *(cell(records, layer) for layer in LAYERS)])
     heads = [[("", 4), ("spread, %", 3)],
              ["timings of", "timings", "processes", "GPUs", "within one", "between processes", "between GPUs"]]
-    return Table("variation", VARIATION, heads, rows)
+    runs = dict.fromkeys(record.source for records in kinds.values() for record in records)
+    return Table("variation", VARIATION, heads, rows, source=", ".join(runs))
