@@ -22,10 +22,10 @@ from paper.text import escape
 GIVEN = {  # \\given{...}, which no run gives: where it stands
     "590": "the original's GPU", "1": "the original's Table 1", "60": "the original's frame rate, in its text",
     "180": "faces of glutSolidSphere in its code", "80": "faces of its mesh", "4.50": "version of GLSL, shaders/",
-    "16": "undecided pairs that a group keeps, common/shared/layout.h", "2": "MiB, least imported buffer, glsl/device_limits.cpp",
+    "16": "undecided pairs that a group keeps, shaders/collide/collide_grid.comp", "2": "MiB, least imported buffer, glsl/device_limits.cpp",
     "64": "bits of a hash and of a state; ticks a second of a system's timer", "0.3": "packing fraction, paper/parts.py",
     "0.5": "%, aim of the longest batch, prose_equality.AIM", "95": "%, level of intervals", "32": "threads of a group", "128": "threads of a group",
-    "1.2": "bound of a good choice, prose_compared.GOOD", "66": "TPCs of an H100, its white paper"}
+    "1.2": "bound of a good choice, prose_compared.GOOD", "66": "texture processing clusters of an H100, its white paper"}
 SENTENCE = 60  # characters from which the appendix lists the key without the text
 
 
