@@ -50,10 +50,10 @@ def stressed(machine):
 def places(machine):
     """The machines and commits that the parts of the record name, each once; none of a part without context."""
     contexts = machine.source("stress.json").get("contexts", ())
-    return list(dict.fromkeys(place_of(context) for context in contexts if context))
+    return list(dict.fromkeys(host_and_commit(context) for context in contexts if context))
 
 
-def place_of(context):
+def host_and_commit(context):
     host = context["machine"]
     return f"{host['cpu'].replace('(R)', '')} with {host['hardware_threads']} hardware threads, commit {context['build']['commit'][:12]}"
 

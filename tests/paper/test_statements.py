@@ -132,6 +132,12 @@ class Others(Statements):
             macros.check(frame % "from \\given{1.25}x", macros.Numbers())
         self.assertIn("\\given{1.25}", told.getvalue())
 
+    def test_constants_of_the_sources_are_those_of_the_text(self):
+        for file, pattern, text in (
+                ("glsl/device_limits.cpp", r"large_page = (\d+) << 20;", r"OpenGL's buffers of \given{%s}\,MiB and more are not plain OpenGL storage"),
+                ("shaders/collide/collide_grid.comp", r"UNDECIDED_ROOM = (\d+)u;", r"each group keeps its first \given{%s} undecided pairs")):
+            self.assertIn(text % re.search(pattern, (ROOT / file).read_text())[1], TEX)
+
     def test_each_listed_number_is_used(self):
         self.assertEqual(set(macros.GIVEN), set(re.findall(r"\\given\{([^}]*)\}", TEX)) - {"#1"})
 
