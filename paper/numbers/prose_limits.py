@@ -2,7 +2,7 @@
 """Numbers of the prose about what limits the kernels, and about what only one API can express."""
 from paper.numbers.derived import matched
 from paper.numbers.limits import LOADS, MEMORY, counters, largest
-from paper.numbers.ranks import apart, time_ratio
+from paper.numbers.ranks import time_ratio
 from paper.numbers.sets import sets
 from paper.records import said
 from paper.text import ms
@@ -31,7 +31,7 @@ def tensor_cores(put, machine, others):
     """CUDA's search through tensor cores, which GLSL cannot express, in a run of CUDA alone."""
     rows = {(row.method, row.n): row for row in machine.need(table="tensor", backend="cuda")}
     pairs = {n: (rows["collide_triangle", n], rows["collide_tensor", n]) for method, n in rows if method == "collide_tensor"}
-    faster = [n for n, (triangle, tensor) in pairs.items() if apart(triangle, tensor) and tensor.median < triangle.median]
+    faster = [n for n, (triangle, tensor) in pairs.items() if time_ratio(triangle, tensor)[1] > 1]
     most = max(pairs)
     said(machine, most in faster and set(faster) == {n for n in pairs if n >= min(faster)}, "tensor cores are faster from some size on")
     triangle, tensor = pairs[most]
