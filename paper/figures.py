@@ -10,6 +10,7 @@ import argparse
 import contextlib
 import importlib
 import pkgutil
+import re
 import sys
 from pathlib import Path
 
@@ -30,18 +31,11 @@ def modules():
     return [importlib.import_module(name) for name in sorted(names, key=lambda name: name.rpartition(".")[2])]
 
 
-def source_of(module, machine, otherwise):
-    """The line under a figure: the machine and run, or the other source of its records."""
-    if hasattr(module, "source"):
-        return module.source(machine)
-    if hasattr(module, "TABLE"):
-        runs = dict.fromkeys(record.source for record in machine.need(table=module.TABLE))
-        return otherwise.replace(machine.id, ", ".join(runs))
-    return otherwise
-
-
-def with_note(source, note):
-    return f"{source}; {note}" if note else source
+def runs_of(module, machine):
+    """The ids of the sources of a figure that was just drawn: those that it names, or those of the records that it used."""
+    named = module.source(machine) if hasattr(module, "source") else ""
+    used = {record.source for record in machine.used.values()}
+    return machine.ids_in(named) or machine.ids_in(" ".join(used)) or [machine.id]
 
 
 def draw_all(machine, folder):
@@ -57,7 +51,8 @@ def draw_all(machine, folder):
             for kind in ("pdf", "png"):
                 (folder / f"{module.NAME}.{kind}").unlink(missing_ok=True)  # of an earlier run
             continue
-        source = source_of(module, machine, machine.title)
+        machine.runs[module.NAME] = runs_of(module, machine)
+        source = machine.title_of(machine.runs[module.NAME])
         note = machine.note_on(module.NAME, source if hasattr(module, "source") else "")
         style.save(figure, folder, module.NAME, f"{source}\n{note}".strip())
         drawn.append(module.NAME)
@@ -75,19 +70,28 @@ def report(machine, folder):
 
 
 def write_captions(machine, path):
-    """The captions of the figures and tables that were made, with the machine and the run."""
-    lines = []
+    """The captions of the figures and tables that were made, with what is stale in them; their runs are in runs.tex."""
+    captions = {}
     for module in modules():
-        try:
-            text = module.caption(machine) if hasattr(module, "caption") else module.CAPTION
-            source = with_note(source_of(module, machine, machine.short), machine.notes.get(module.NAME))
-        except Missing:
-            continue
-        lines.append(f"\\definecaption{{{module.NAME}}}{{{text} {escape(source)}.}}")
-    for table in all_tables.all_tables(machine):
-        source = with_note(machine.short.replace(machine.id, table.source or machine.id), machine.notes.get(table.name))
-        lines.append(f"\\definecaption{{{table.name}}}{{{table.caption} {escape(source)}.}}")
+        with contextlib.suppress(Missing):
+            captions[module.NAME] = module.caption(machine) if hasattr(module, "caption") else module.CAPTION
+    captions |= {table.name: table.caption for table in all_tables.all_tables(machine)}
+    lines = [f"\\definecaption{{{name}}}{{{text}{escape(stale_text(machine.notes.get(name)))}}}" for name, text in captions.items()]
     path.write_text("\n".join(lines) + "\n")
+
+
+def stale_text(note):
+    return f" {note[0].upper()}{note[1:]}." if note else ""
+
+
+def write_runs(machine, tex, made, path):
+    """The appendix's list: the figures and tables of the paper by the runs and hosts that they come from."""
+    wanted = [name for name in re.findall(r"\\recorded\w+(?:\[[^]]*\])?\{([\w-]+)\}", tex) if name in made and name in machine.runs]
+    together = {}
+    for name in dict.fromkeys(wanted):
+        kind = ("Figure", "fig") if (path.parent / f"recorded/{name}.pdf").exists() else ("Table", "tab")
+        together.setdefault(machine.title_of(machine.runs[name]), []).append(f"{kind[0]}~\\ref{{{kind[1]}:{name}}}")
+    path.write_text("".join(f"\\item {', '.join(names)}: {escape(title)}.\n" for title, names in together.items()))
 
 
 def write_stress(machine, output):
@@ -110,6 +114,7 @@ def write_paper_inputs(output):
     numbers = macros.collect(machine, [other])
     macros.check(tex, numbers, drawn + written)
     macros.write(numbers, tex, output / "numbers.tex", drawn + written)
+    write_runs(machine, tex, drawn + written, output / "runs.tex")
     print(f"  numbers: {len(macros.used_keys(tex, drawn + written))} in the text, each from a recorded run")
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 
 from paper.tools import path_of
 
+BACKENDS = ("cpu", "glsl", "cuda")
 MOST_MINUTES = 8
 SEVERAL = 5  # processes: the rank test tells five medians from five at the level of 1 %
 GIB = 2**30
@@ -64,10 +65,19 @@ def catalogue(backends, minutes, **environment):
                   {"stress.json": "stress/rows-2-3.json", "state_hashes.json": "state_hashes.json"}, **environment)
 
 
-def test_shards(name, minutes, backends, filtered, shards, file, **environment):
+def test_shards(name, minutes, backends, filtered, shards, **environment):
     for k in range(shards):
-        yield testing(f"{name}-{k + 1}", minutes, backends, filtered, {"output.txt": file.format(k + 1)},
+        yield testing(f"{name}-{k + 1}", minutes, backends, filtered, {"output.txt": f"tests/{name.removeprefix('tests-')}-{k + 1}.txt"},
                       GTEST_TOTAL_SHARDS=str(shards), GTEST_SHARD_INDEX=str(k), REQUIRE_BACKENDS=",".join(backends), **environment)
+
+
+def suite(minutes, minutes_of_a_half):
+    """All tests: those of each backend by the end of their names, and the others in two halves. Shards of all tests would hold
+    other backends whenever a test is added."""
+    for backend, of_part in zip(BACKENDS, minutes):
+        yield testing(f"tests-{backend}", of_part, BACKENDS, f"*/{backend}", {"output.txt": f"tests/{backend}.txt"},
+                      REQUIRE_BACKENDS=",".join(BACKENDS))
+    yield from test_shards("tests-rest", minutes_of_a_half, BACKENDS, "-" + ":".join(f"*/{name}" for name in BACKENDS), 2)
 
 
 def in_hardware(part):
@@ -126,10 +136,10 @@ GPU = tuple(map(in_hardware, (
     scripted("listings", 1, ("glsl", "cuda"), "listings", "cuobjdump", "nvdisasm"),
     scripted("counters", 2, ("cuda",), "counters.json", "ncu"),
     *catalogue(("cpu", "glsl", "cuda"), (2, 5), STRESS="full", REQUIRE_BACKENDS="cpu,glsl,cuda"),
-    *test_shards("tests", 3, ("cpu", "glsl", "cuda"), "*", 3, "tests/{}.txt"),  # the catalogue in its short form
-    testing("contacts_long", 7, ("cpu", "glsl", "cuda"), "*LongContacts*", {"output.txt": "tests/contacts_long.txt"},
-            STRESS="full", REQUIRE_BACKENDS="cpu,glsl,cuda"),
-    *test_shards("contacts_gas", 2, ("cpu", "glsl", "cuda"), "*ContactPhysics*", 3, "tests/contacts_gas-{}.txt", STRESS="full"),
+    *suite((2, 5, 4), 5),  # with the catalogue in its short form
+    testing("contacts_long", 7, BACKENDS, "*LongContacts*", {"output.txt": "tests/contacts_long.txt"},
+            STRESS="full", REQUIRE_BACKENDS=",".join(BACKENDS)),
+    *test_shards("contacts_gas", 2, BACKENDS, "*ContactPhysics*", 3, STRESS="full"),
 )))
 
 SOFTWARE = tuple(replace(part, alone=not part.tests) for part in (

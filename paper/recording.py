@@ -119,6 +119,8 @@ def defect_of(path):
     for file in files:
         if not file.exists():
             return f"{file.name} was not written"
+        if file.suffix == ".txt" and not re.search(r"^commit: .+\ndate: .+$", file.read_text(errors="replace"), re.MULTILINE):
+            return f"{file.name} names no commit and date: the tests are older than these sources, so build them again (./check)"
         if file.suffix != ".json":
             continue
         try:
@@ -127,6 +129,8 @@ def defect_of(path):
             return f"{file.name} is not JSON ({reason})"
         if root.get("complete") is False or root.get("verdict") in ("unfinished", "difference"):
             return f"{file.name} is of a run that did not end or found a difference"
+        if file.name == "stress.json" and "context" not in root:
+            return f"{file.name} names no commit and machine: the tests are older than these sources, so build them again (./check)"
     return ""
 
 

@@ -13,10 +13,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from paper import batches, formats, sources, spread
+from paper.folders import host_of, sources_in
 from paper.spread import median_interval, summary  # noqa: F401  (ranks takes the first from here)
 
 DATA = Path(__file__).resolve().parent / "data"
 MAIN = "h100"  # the machine of the paper and of README.md
+OF_ITS_OWN = {"sweep_tensor": {"table": "tensor"}}  # of CUDA alone: no part of the lines and contests of the other sweeps
 
 
 class Missing(Exception):
@@ -82,18 +84,6 @@ def latest(records):
     return [record for record in records if work_of(record) is None or runs[work_of(record)][2] == record.source]
 
 
-def sources_in(folder):
-    """(name, files of each process): NAME.json, NAME/*.json, and of several processes NAME/1.json or NAME/1/*.json."""
-    for path in sorted(folder.glob("[!.]*"), key=lambda path: (path.is_dir(), path.name)):
-        if path.is_dir():
-            numbered = sorted((inner for inner in path.iterdir() if inner.stem.isdigit() and
-                               (inner.is_dir() or inner.suffix == ".json")), key=lambda inner: int(inner.stem))
-            runs = [sorted(inner.glob("*.json")) if inner.is_dir() else [inner] for inner in numbered]
-            yield path.name if path.name.startswith("sweep") else f"{path.name}.json", runs or [sorted(path.glob("*.json"))]
-        elif path.suffix == ".json":
-            yield path.name, [[path]]
-
-
 class Machine:
     """One folder of recorded runs."""
 
@@ -103,6 +93,7 @@ class Machine:
         self.records, self.sources = [], {}
         self.used = {}  # records that were selected since it was last cleared, by their id()
         self.notes = {}  # figure or table -> what its source line says of stale records
+        self.runs = {}  # figure or table -> the ids of its sources
         for name, runs in sources_in(self.folder):
             self._read(name, [files for files in runs if files])
         self.records = latest(self.records)
@@ -127,10 +118,11 @@ class Machine:
         processes = [spread.joined(of_run) for of_run in roots]
         root = processes[0] if len(processes) == 1 else spread.merged(processes)
         recorded = tuple(root.get("context", {}).get("sources") for root in flat)
-        self.sources[name] = {**root, "id": source, "recorded": recorded}
+        self.sources[name] = {**root, "id": source, "recorded": recorded, "contexts": [root.get("context") for root in flat],
+                              "hosts": list(dict.fromkeys(map(host_of, flat)))}
         for part in flat if len(processes) == 1 else [root]:
             date = part.get("context", {}).get("date", "")
-            self.records += [Record(row, *summary(row), source, date, name.startswith("sweep"), recorded)
+            self.records += [Record(row | OF_ITS_OWN.get(name, {}), *summary(row), source, date, name.startswith("sweep"), recorded)
                              for row in formats.rows_of(part)]
 
     def select(self, **wanted):
@@ -205,22 +197,30 @@ class Machine:
         return f"{self.backend(name)['device']}, run {self.id}"
 
     @property
-    def title(self):
-        """One line with the hardware and the run."""
-        context = self.main["context"]
-        cpu = f"{context['machine']['cpu'].replace('(R)', '')}, {self.threads} threads"
+    def gpu(self):
+        """The device that the times are of, and its driver."""
         if self.has("cuda"):
-            gpu = f"{self.backend('cuda')['device']}, driver {self.driver}; CPU: {cpu}"
-        elif self.has("glsl"):
-            gpu = f"{self.backend('glsl')['device']} on {cpu}" if self.software else self.backend("glsl")["device"]
-        else:
-            gpu = cpu
-        return f"{gpu}; run {self.id}"
+            return f"{self.backend('cuda')['device']}, driver {self.driver}"
+        return self.backend("glsl")["device"] if self.has("glsl") else ""
+
+    def ids_in(self, text):
+        """The ids of sources that a text names."""
+        return [root["id"] for root in self.sources.values() if root["id"] in text]
+
+    def title_of(self, ids):
+        """One line with the device, the hosts on which these sources were recorded, and their ids."""
+        hosts = dict.fromkeys(host for root in self.sources.values() if root["id"] in ids for host in root.get("hosts", ()))
+        return "; ".join(filter(None, (self.gpu, f"CPU: {' and '.join(hosts)}" if hosts else "", f"run {', '.join(ids)}")))
+
+    @property
+    def title(self):
+        """One line with the hardware and the main run."""
+        return self.title_of([self.id])
 
 
 def named(machine, records):
-    """The line under a figure of these records: the machine and their runs."""
-    return machine.title.replace(machine.id, ", ".join(dict.fromkeys(record.source for record in records)))
+    """The line under a figure of these records: the device, the hosts and the runs."""
+    return machine.title_of(list(dict.fromkeys(record.source for record in records)))
 
 
 def original_paper():

@@ -12,12 +12,20 @@ from paper.numbers.prose_compared import COMPARED
 from paper.numbers.prose_contacts import CONTACTS
 from paper.numbers.prose_equality import EQUALITY
 from paper.numbers.prose_leads import LEADING
+from paper.numbers.prose_limits import LIMITS
 from paper.numbers.prose_measured import MEASURED
 from paper.numbers.prose_studies import STUDIED
 from paper.records import Missing
 from paper.text import escape
 
 
+GIVEN = {  # \\given{...}, which no run gives: where it stands
+    "590": "the original's GPU", "1": "the original's Table 1", "60": "the original's frame rate, in its text",
+    "180": "faces of glutSolidSphere in its code", "80": "faces of its mesh", "4.50": "version of GLSL, shaders/",
+    "16": "undecided pairs that a group keeps, shaders/collide/collide_grid.comp", "2": "MiB, least imported buffer, glsl/device_limits.cpp",
+    "64": "bits of a hash and of a state; ticks a second of a system's timer", "0.3": "packing fraction, paper/parts.py",
+    "0.5": "%, aim of the longest batch, prose_equality.AIM", "95": "%, level of intervals", "32": "threads of a group", "128": "threads of a group",
+    "1.2": "bound of a good choice, prose_compared.GOOD", "66": "texture processing clusters of an H100, its white paper"}
 SENTENCE = 60  # characters from which the appendix lists the key without the text
 
 
@@ -36,7 +44,7 @@ class Numbers:
 
 def collect(machine, others):
     numbers = Numbers()
-    for make in (*MEASURED, *LEADING, *EQUALITY, *STUDIED, *ACCURATE, *COMPARED, *CONTACTS):
+    for make in (*MEASURED, *LEADING, *EQUALITY, *STUDIED, *ACCURATE, *COMPARED, *CONTACTS, *LIMITS):
         try:
             make(numbers.put, machine, others)
         except Missing as reason:
@@ -79,14 +87,20 @@ def stray_digits(tex, recorded=()):
     return [line.strip() for line in prose.splitlines() if re.search(r"(?<![A-Za-z\d])\d", line)]
 
 
+def unknown_given(tex, recorded=()):
+    return sorted(set(re.findall(r"\\given\{([^}]*)\}", body_of(tex, recorded))) - GIVEN.keys())
+
+
 def check(tex, numbers, recorded=()):
-    missing = [key for key in used_keys(tex, recorded) if key not in numbers.entries]
+    given, missing = unknown_given(tex, recorded), [key for key in used_keys(tex, recorded) if key not in numbers.entries]
     stray = stray_digits(tex, recorded)
     for key in missing:
         print(f"paper.tex uses \\Nr{{{key}}}, which no recorded run gives", file=sys.stderr)
+    for number in given:
+        print(f"paper.tex has \\given{{{number}}}, which GIVEN in paper/numbers/macros.py does not list with its source", file=sys.stderr)
     for line in stray:
         print(f"paper.tex has a number with no run behind it: {line}", file=sys.stderr)
-    if missing or stray:
+    if missing or stray or given:
         for name, reason in numbers.left_out:
             print(f"  the numbers of {name} are missing: {reason}", file=sys.stderr)
         raise Missing("the paper's numbers are not all recorded")

@@ -5,7 +5,7 @@ import re
 from paper.numbers.derived import copy_rate
 from paper.numbers.pareto import paper_setting, seconds, study
 from paper.numbers.sets import sets, wrong
-from paper.numbers.stress import recorded_stress, stressed
+from paper.numbers.stress import places, recorded_stress, stressed
 from paper.records import Missing, said
 from paper.text import ms
 
@@ -119,7 +119,8 @@ def catalogue(put, machine, others):
     where = recorded_stress([machine, *others])
     tests = stressed(where)
     source = where.source("stress.json")["id"]
-    put("stress/where", where.title.split("; run")[0], source, "the machine that ran the stress catalogue")
+    put("stress/where", " and ".join(places(where)) or "whose host and commit the record does not name", source,
+        "the machine that ran the stress catalogue")
     passed = [verdict for test in tests for verdict in test.verdicts.values() if verdict == "pass"]
     put("stress/rows", str(len({test.row for test in tests})), source, "rows of the stress catalogue")
     put("stress/passed", str(len(passed)), source, "tests of it, on all backends; none failed")

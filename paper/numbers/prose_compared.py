@@ -46,7 +46,10 @@ def against_peers(put, machine, others):
     put("peers/fraction", f"{fraction:g}", record["id"], "packing fraction of those")
     put("peers/fastest", ms(fastest), record["id"], "ms, the fastest other there")
     put("peers/library", ms(library), record["id"], "ms, the fastest library there")
-    put("peers/wrong", str(max(peer["wrong"] or 0 for peer in record["peers"])), record["id"], "most wrong pairs")
+    counts = {row.pairs for rows in mine.values() for row in rows}
+    said(machine, len(counts) == 1, "both APIs find the same number of pairs at the peers' largest size")
+    put("peers/wrong", str(max(peer["wrong"] or 0 for peer in record["peers"])), record["id"], "most wrong pairs, against the exact count")
+    put("peers/pairs", f"{counts.pop():,}", mine["cuda"][0].source, f"exact pairs there, n = {n}, which both APIs found")
     for name in DEVICES:
         row, = mine[name]
         put(f"peers/ours/{name}", ms(row.median), row.source, f"{row.label}, n = {n}, cold")

@@ -7,7 +7,8 @@ import statistics
 from paper.numbers.compilers import driver_milliseconds
 from paper.numbers.contests import contests
 from paper.numbers.ratios import ENOUGH
-from paper.records import Missing, digest, recorded_code, said
+from paper.numbers.suite import suite
+from paper.records import Missing, recorded_code, said
 
 AIM = 0.5  # %, of the longest batch, for which the program chooses K
 
@@ -53,26 +54,13 @@ def long_run(put, machine, others):
         "runs with the same hashes")
 
 
-def output_of_tests(machine):
-    """What the whole suite printed: tests.txt, or of shards in runs of their own tests/1.txt ..."""
-    paths = [path for path in (machine.folder / "tests.txt", *sorted(machine.folder.glob("tests/[0-9]*.txt"))) if path.exists()]
-    text = "".join(path.read_text() for path in paths)
-    shards = re.findall(r"^Note: This is test shard (\d+) of (\d+)", text, re.MULTILINE)
-    if not paths or {int(shard) for shard, _ in shards} != {k + 1 for _, of in shards for k in range(int(of))}:
-        raise Missing(f"{machine.name} lacks tests.txt, or shards of tests/: {', '.join(path.name for path in paths)}")
-    return text
-
-
 def tests(put, machine, others):
-    text = output_of_tests(machine)
-    source = f"{machine.name}:{digest(text.encode())}"
-    if any("[  FAILED  ]" in path.read_text() for path in machine.folder.glob("tests*/*.txt")) or "[  FAILED  ]" in text:
-        raise Missing(f"{machine.name}: a recorded test failed")
-    passed = sum(int(count) for count in re.findall(r"\[  PASSED  \] (\d+) tests", text))
-    put("tests/passed", str(passed), source, "tests passed; none failed")
-    families = re.findall(r"^cuda: (\d+) pairs, (\d+) ties", text, re.MULTILINE)
-    put("tests/pairs", f"{sum(int(pairs) for pairs, _ in families):,}", source, "adversarial pairs, none wrong")
-    put("tests/ties", f"{sum(int(ties) for _, ties in families):,}", source, "exact ties among them")
+    found = suite(machine)
+    pairs, ties = found.decided("cuda")
+    put("tests/passed", f"{sum(verdict == 'OK' for verdict in found.verdicts.values()):,}", found.source,
+        "tests passed, each name once; none failed")
+    put("tests/pairs", f"{pairs:,}", found.source, "adversarial pairs that each backend decided, none wrong")
+    put("tests/ties", f"{ties:,}", found.source, "exact ties among them")
 
 
 def code(put, machine, others):

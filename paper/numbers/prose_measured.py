@@ -124,14 +124,17 @@ def exactness(put, machine, others):
     source = found["cuda", "triangle"][0].source
     put("exact/most", f"{max(abs(value) for (name, _), value in percent.items() if name != 'cpu'):.1f}", source,
         "in %, the greatest difference of the medians, of a GPU's methods")
-    put("exact/bound", f"{max(100 * (ratio.high - 1) for (name, _), ratio in compared.items() if name != 'cpu'):.1f}", source,
-        "in %, the highest upper end of the cost's interval, of a GPU's methods")
+    for key, bound in (("bound", lambda method: True), ("bound/pairs", lambda method: method != "grid")):
+        highest = max(100 * (ratio.high - 1) for (name, method), ratio in compared.items() if name != "cpu" and bound(method))
+        put(f"exact/{key}", f"{highest:.1f}", source,
+            f"in %, the highest upper end of the cost's interval, of a GPU's methods{' of all pairs' if key != 'bound' else ''}")
     said(machine, not any(ratio.decided and ratio.middle > 1 for (name, _), ratio in compared.items() if name != "cpu"),
          "no cost of exactness is decided on a GPU if no pair is left undecided")
-    seen = [f"{percent['cpu', method]:.0f}\\,\\% for \\kernel{{{method}}}" for (name, method), ratio in compared.items()
-            if name == "cpu" and ratio.decided]
-    put("exact/cpu", f"it costs {' and '.join(seen)}" if seen else "the cost is undecided", source,
-        "sentence: the CPU's cost")
+    of_cpu = {method: ratio for (name, method), ratio in compared.items() if name == "cpu"}
+    seen = [f"{percent['cpu', method]:.0f}\\,\\% for \\kernel{{{method}}}" for method, ratio in of_cpu.items() if ratio.decided]
+    low, high = min(100 * (ratio.low - 1) for ratio in of_cpu.values()), max(100 * (ratio.high - 1) for ratio in of_cpu.values())
+    undecided = f"its cost is undecided: the intervals reach from ${low:.0f}$ to ${high:+.0f}$\\,\\%"
+    put("exact/cpu", f"it costs {' and '.join(seen)}" if seen else undecided, source, "sentence: the CPU's cost")
     row = machine.main["tables"]["exactness"][0]["rows"][0]
     for key, cell in zip(("right", "missed", "added"), row[6:9]):
         put(f"grazing/{key}", f"{int(cell):,}", machine.id, f"grazing scene, {key}")

@@ -47,6 +47,17 @@ def stressed(machine):
     return found
 
 
+def places(machine):
+    """The machines and commits that the parts of the record name, each once; none of a part without context."""
+    contexts = machine.source("stress.json").get("contexts", ())
+    return list(dict.fromkeys(host_and_commit(context) for context in contexts if context))
+
+
+def host_and_commit(context):
+    host = context["machine"]
+    return f"{host['cpu'].replace('(R)', '')} with {host['hardware_threads']} hardware threads, commit {context['build']['commit'][:12]}"
+
+
 def recorded_stress(machines):
     """The first machine that has a record of the catalogue."""
     found = [machine for machine in machines if "stress.json" in machine.sources]

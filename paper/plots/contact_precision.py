@@ -21,7 +21,7 @@ def study(machine):
 
 
 def source(machine):
-    return named(machine, study(machine)[:1])
+    return named(machine, study(machine))
 
 
 def law_of(row):

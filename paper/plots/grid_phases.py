@@ -2,7 +2,7 @@
 """The grid's time by kernel, from a size within the caches to sizes beyond."""
 from paper.numbers.derived import needed_devices
 from paper.plots.phases import draw_bars
-from paper.records import Missing
+from paper.records import Missing, named
 from paper.style import PAGE, SERIES, panels
 
 NAME, TABLE = "grid-phases", "grid"
@@ -17,10 +17,17 @@ def timed(machine, **wanted):
     return [row for row in rows if row.parameters.get("device_stages_ms")]
 
 
-def draw(machine):
-    devices = needed_devices(machine, table=TABLE)
-    rows = [row for n in SIZES for order in ("warm", "cold") for name in devices
+def drawn(machine):
+    return [row for n in SIZES for order in ("warm", "cold") for name in needed_devices(machine, table=TABLE)
             for row in timed(machine, backend=name, order=order, n=n)]
+
+
+def source(machine):
+    return named(machine, drawn(machine))
+
+
+def draw(machine):
+    rows = drawn(machine)
     if not rows:
         raise Missing(f"{machine.name} has no device times of the grid at {SIZES[0]:,} spheres or more")
     figure, (axis,) = panels(PAGE, 0.7 + 0.16 * len(rows))

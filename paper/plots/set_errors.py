@@ -30,7 +30,7 @@ def caption(machine):
 
 
 def source(machine):
-    return f"{machine.title.split('; run')[0]}; run {sets(machine)['id']}"
+    return machine.title_of([sets(machine)["id"]])
 
 
 def draw_motion(axis, entries, along, bottom):

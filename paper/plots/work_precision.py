@@ -16,7 +16,7 @@ FRONT = {"color": "#bbbbbb", "linewidth": 4, "solid_joinstyle": "round", "zorder
 
 
 def source(machine):
-    return named(machine, study(machine)[:1])
+    return named(machine, study(machine))
 
 
 def look(methods, method):

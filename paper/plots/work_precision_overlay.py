@@ -11,7 +11,7 @@ CAPTION = ("Work-precision diagram of all backends: one point per method, precis
 
 
 def source(machine):
-    return named(machine, study(machine)[:1])
+    return named(machine, study(machine))
 
 
 def look(device):

@@ -7,9 +7,11 @@ from paper.numbers.ratios import LEGEND, texts
 from paper.records import Missing, original_paper, recorded_code
 from paper.tables.claims import claims
 from paper.tables.contacts import contacts
+from paper.tables.counters import counter_table
 from paper.tables.energy import energy
 from paper.tables.stress import stress
 from paper.tables.studies import STUDIED
+from paper.tables.suite import suite
 from paper.tables.tabular import Table, as_tex, as_text, without_empty_columns
 from paper.tables.variation import variation
 from paper.text import cached, interval, ms
@@ -143,8 +145,9 @@ def code(machine):
     heads = [[("", 1), ("lines of code", 3), ("compiling", 2)],
              ["kernel", "GLSL", "CUDA", "same", "nvcc, s", "GLSL, ms"]]
     return Table("code", "Code and compile time of each API. Lines without blanks and comments; same: lines in both. nvcc: "
-                 f"processor seconds on {record['context']['cpu']}, once, when the program is built ({record['id']})." +
-                 (f" GLSL: the driver, in each program that uses it ({run}; -: a kernel that it does not have)." if driver else ""), heads, rows, source=record["id"])
+                 f"processor seconds on {record['context']['cpu']}, once, when the program is built." +
+                 (" GLSL: the driver, in each program that uses it (-: a kernel that it does not have)." if driver else ""), heads, rows,
+                 source=", ".join(filter(None, (record["id"], run))))
 
 
 def machine_and_run(machine):
@@ -163,13 +166,14 @@ def machine_and_run(machine):
     return Table("machine", "The recorded machine and run.", heads, rows, left=2)
 
 
-MAKERS = (claims, table1, table1_p95, frame_rates, arrangements, counts, methods, peak_rates, code, machine_and_run, stress, variation, energy, contacts,
-          *STUDIED)
+MAKERS = (claims, table1, table1_p95, frame_rates, arrangements, counts, methods, peak_rates, code, machine_and_run, stress, suite, counter_table,
+          variation, energy, contacts, *STUDIED)
 
 
 def of_one(maker, machine):
     machine.used.clear()
     table = without_empty_columns(maker(machine))
+    machine.runs[table.name] = table.source.split(", ") if table.source else [machine.id]
     machine.note_on(table.name, table.source)
     return table
 
@@ -184,8 +188,7 @@ def made(machine):
 
 
 def table_title(table, machine):
-    title = machine.title.replace(machine.id, table.source) if table.source else machine.title
-    return "; ".join(text for text in (title, machine.notes.get(table.name)) if text)
+    return "; ".join(text for text in (machine.title_of(machine.runs[table.name]), machine.notes.get(table.name)) if text)
 
 
 def all_tables(machine):
@@ -204,6 +207,7 @@ def write_all(machine, folder):
     for table, reason in made(machine):
         if reason:
             left_out.append(reason)
+            (folder / f"{reason[0].replace('_', '-')}.tex").unlink(missing_ok=True)  # of an earlier run
             continue
         write(table, machine, folder)
         written.append(table.name)

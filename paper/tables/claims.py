@@ -9,7 +9,7 @@ LARGEST = 2**20  # of all pairs
 GAS = {"scene": "uniform", "packing_fraction": 0.3}
 CAPTION = ("The main claims, in milliseconds: medians with their intervals, and the 95th percentiles of all rounds. GLSL/CUDA: "
            f"the time ratio; plain: by the plain means of the longest batches, without the fitted line. {LEGEND} Runs: processes on GPUs. "
-           "CPU: median, all threads. †: the working set, which is not recorded for frames, fits in the L2 cache. From:")
+           "CPU: median, all threads. †: the working set, which is not recorded for frames, fits in the L2 cache.")
 
 
 def rows_wanted():

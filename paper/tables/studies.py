@@ -15,8 +15,8 @@ GRID_SIZES = ("A collision step through the grid, by the order of the spheres an
               "intervals, and the 95th percentiles of all rounds. †: the working set fits in the L2 cache. " + LEGEND)
 PEERS = ("Milliseconds from centres on the GPU, in random order and of the packing fraction below, to the number of"
          " colliding pairs, or to the output that a system offers: ours and other systems on the same "
-         "centres. The others were timed in a separate run ({run}), on an H200, as medians without "
-         "intervals; wrong pairs are those of the last column. Ours run back to back, up to $10^6$ spheres overlapping. Ours:")
+         "centres. The others were timed in a separate run, on an H200, as medians without "
+         "intervals; wrong pairs are those of the last column. Ours run back to back, up to $10^6$ spheres overlapping.")
 CROSSOVERS = ("The least $n$ up to {most:,} from which the grid stays faster than all pairs, per"
               " kind of spheres; and the greatest ratio of the automatic choice's time to the best fixed choice's (auto),"
               " 1 if the two are undecided or the same. Differences after Holm's correction over the sizes of a kind.")
@@ -53,8 +53,8 @@ def peers(machine):
     counted = [n for n, _ in sizes]
     groups = [(size_text(n), counted.count(n)) for n in dict.fromkeys(counted)]
     heads = [[("", 2), *groups, ("wrong", 1)], ["system", "output", *(f"{f:g}" for _, f in sizes), "pairs"]]
-    return Table("peers", PEERS.format(run=record["id"]), heads, rows, left=2,
-                 source=", ".join(dict.fromkeys(row.source for row in machine.need(**GRID, order="cold"))))
+    mine = [row.source for row in machine.need(**GRID, order="cold") if row.backend in DEVICES and (row.n, row.scene["packing_fraction"]) in sizes]
+    return Table("peers", PEERS, heads, rows, left=2, source=", ".join(dict.fromkeys([*mine, record["id"]])))
 
 
 def crossover(machine):

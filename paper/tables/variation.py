@@ -34,4 +34,5 @@ def variation(machine):
                      str(len(gpus)) if gpus else "-", *(cell(found, layer) for layer in LAYERS)])
     heads = [[("", 5), ("spread, %", 3)],
              ["timings of", "on", "timings", "processes", "GPUs", "within one", "between processes", "between GPUs"]]
-    return Table("variation", VARIATION, heads, rows, left=2)
+    runs = dict.fromkeys(record.source for records in kinds.values() for record in records)
+    return Table("variation", VARIATION, heads, rows, left=2, source=", ".join(runs))

@@ -178,8 +178,7 @@ class Commands(unittest.TestCase):
         stated = {name: (int(minutes), int(processes)) for names, minutes, processes in rows
                   for name in re.findall(r"`([\w-]+)`", names)}
         for part in parts.GPU:
-            if part.name != "tests-2":  # of `tests-1` to `tests-3`
-                self.assertEqual((part.minutes, part.processes), stated.pop(part.name, None), part.name)
+            self.assertEqual((part.minutes, part.processes), stated.pop(part.name, None), part.name)
         self.assertEqual({}, stated)
         for processes, words in ((5, r"in total (\d+),"), (1, r"(\d+) for one process")):
             total = sum(run.part.minutes for run in parts.runs(parts.GPU, processes))

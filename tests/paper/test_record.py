@@ -16,9 +16,13 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
 from paper import parts, sources  # noqa: E402  (the path must be set first)
-from paper.records import DATA, Machine  # noqa: E402
+from paper.numbers.suite import suite  # noqa: E402
+from paper.records import DATA, Machine, Missing  # noqa: E402
 from stand_ins import StandIn  # noqa: E402
 
+# Records of the machines of paper/data that do not tell of what commit and machine they are, or not all of it, so that no
+# statement is made of them; one that does is refused here. They go out when paper/record records these parts again.
+REFUSED = {"h100": {"tests", "stress"}, "llvmpipe": {"stress"}}
 # Records of the machines of paper/data that are stale, from a change of kernels until they are recorded again; one that
 # is current is refused here.
 STALE = {}
@@ -33,7 +37,7 @@ class Recording(StandIn):
         calls = [words for words in self.calls() if words[0] != "run"]  # those are of the listings
         self.assertEqual(2 * len(several) + len([part for part in parts.GPU if not part.script]), len(calls))
         expected = {"results/3.json", "sweep/2/grid-1.json", "compile.json", "stress/rows-0-1.json", "state_hashes.json",
-                    "tests/3.txt", "precision_1e8/1.json", "listings/collide_grid-glsl.txt", "counters.json"}
+                    "tests/glsl.txt", "tests/rest-2.txt", "precision_1e8/1.json", "listings/collide_grid-glsl.txt", "counters.json"}
         self.assertLessEqual(expected, self.files())
         self.assertNotIn("precision_1e8/2.json", self.files())
         for name in self.files():
@@ -55,7 +59,7 @@ class Recording(StandIn):
 
     def test_a_gpu_of_ones_choice(self):
         self.run_it("--part", "launches-1", "--gpu", "1")
-        self.run_it("--part", "tests-1", "--gpu", "1")
+        self.run_it("--part", "tests-cpu", "--gpu", "1")
         self.run_it("--part", "crossover_cpu", "--gpu", "1")
         self.run_it("--part", "launches-1")
         self.assertEqual(["1", "1", "-", "-"], (self.home / "gpus.txt").read_text().split())
@@ -99,6 +103,12 @@ class Recording(StandIn):
             self.say(**wrong)
             self.assertIn("results-1 failed, results.json", self.run_it("--part", "results-1", code=1))
             self.assertEqual(set(), self.files())
+
+    def test_tests_that_do_not_tell_their_commit_leave_no_record(self):
+        self.say(older_tests=True)
+        for part, file in (("tests-glsl", "output.txt"), ("stress-0-1", "stress.json")):
+            self.assertRegex(self.run_it("--part", part, code=1), f"{part} failed, {file} names no commit .* build them again")
+        self.assertEqual(set(), self.files())
 
     def test_an_interruption_keeps_nothing_of_the_part_and_ends_the_program(self):
         self.say(sleeps=True)
@@ -210,6 +220,18 @@ class Stale(StandIn):
         for machine in ("h100", "h200", "llvmpipe"):
             stale = {name for name, entry in sources.checked(DATA / machine).items() if entry.stale}
             self.assertEqual(STALE.get(machine, set()), stale, f"{machine}: paper/record records it again")
+
+    def test_the_machines_whose_tests_are_recorded(self):
+        for name in ("h100", "llvmpipe"):
+            machine, refused = Machine(DATA / name), set()
+            if not all(machine.source("stress.json")["contexts"]):
+                refused.add("stress")
+            if (machine.folder / "tests").exists():
+                try:
+                    suite(machine)
+                except Missing:
+                    refused.add("tests")
+            self.assertEqual(REFUSED.get(name, set()), refused, f"{name}: paper/record records tests-* and stress-* again")
 
 
 if __name__ == "__main__":

@@ -7,7 +7,6 @@ import pathlib
 import statistics
 import sys
 import tempfile
-import types
 import unittest
 from dataclasses import replace
 
@@ -149,28 +148,6 @@ class Batches(unittest.TestCase):
                           if record.backend == api and record.parameters.get("fixed_cost_share") is not None]
                 self.assertGreater(len(shares), 25, f"{part} {api}")
                 self.assertLess(statistics.median(shares), prose_equality.AIM, f"{part} {api}")
-
-
-class Tests(unittest.TestCase):
-    """The number of passed tests, of one output or of several shards."""
-
-    def passed(self, **texts):
-        with tempfile.TemporaryDirectory() as folder:
-            for name, (shard, count) in texts.items():
-                path = pathlib.Path(folder, name.replace("__", "/") + ".txt")
-                path.parent.mkdir(exist_ok=True)
-                path.write_text(f"Note: This is test shard {shard} of 2.\n[  PASSED  ] {count} tests.\n" if shard
-                                else f"[  PASSED  ] {count} tests.\n")
-            machine, found = types.SimpleNamespace(name="made up", folder=pathlib.Path(folder)), {}
-            prose_equality.tests(lambda key, text, source, how: found.update({key: text}), machine, [])
-        return found["tests/passed"]
-
-    def test_all_shards_count_and_none_may_be_absent(self):
-        self.assertEqual("7", self.passed(tests=(0, 7)))
-        self.assertEqual("7", self.passed(tests__1=(1, 3), tests__2=(2, 4)))
-        for lacking in ({"tests__1": (1, 3)}, {}):
-            with self.assertRaises(Missing):
-                self.passed(**lacking)
 
 
 class Ratios(unittest.TestCase):

@@ -9,6 +9,7 @@
 #include <regex>
 
 #include "bench/formats/files.h"
+#include "bench/io/context.h"
 #include "bench/io/report.h"
 
 namespace spherepair {
@@ -152,8 +153,9 @@ void CatalogueListener::OnTestProgramEnd(const testing::UnitTest&) {
   }
   std::filesystem::create_directories(folder);
   write_file(std::filesystem::path(folder) / "stress.txt", table.text());
-  write_file(std::filesystem::path(folder) / "stress.json",
-             json_text({{"format", "spherepair stress 1"}, {"rows", list}}));
+  write_file(
+      std::filesystem::path(folder) / "stress.json",
+      json_text({{"format", "spherepair stress 1"}, {"context", capture_context(command_line_)}, {"rows", list}}));
 }
 
 }  // namespace spherepair

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace spherepair {
@@ -16,9 +17,11 @@ void note_figure(const std::string& figure, const std::string& bound = {});
 // One more of what a test compares: "answers" (collision sets) or "states".
 void count_figure(const std::string& what);
 
-// Collects rows as tests end; writes stress.txt and stress.json into the folder that SPHEREPAIR_RECORD names, if any.
+// Collects rows as tests end; writes stress.txt and stress.json, with machine and commit, into the folder that
+// SPHEREPAIR_RECORD names, if any.
 class CatalogueListener : public testing::EmptyTestEventListener {
  public:
+  explicit CatalogueListener(std::vector<std::string> command_line) : command_line_(std::move(command_line)) {}
   void OnTestEnd(const testing::TestInfo& info) override;
   void OnTestProgramEnd(const testing::UnitTest& program) override;
 
@@ -28,6 +31,7 @@ class CatalogueListener : public testing::EmptyTestEventListener {
     std::string name, scene, backend, figure, bound, verdict;
     double seconds;
   };
+  std::vector<std::string> command_line_;
   std::vector<Row> rows_;
 };
 
