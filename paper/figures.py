@@ -3,7 +3,7 @@
 """Draws every figure and table that recorded runs allow.
 
   paper/figures.py                                from paper/data/h100 to build/paper, with the numbers of paper.tex
-  paper/figures.py --headline                     the README's image and table, from paper/data/h100
+  paper/figures.py --headline                     what README.md and docs/motion.md say of paper/data/h100
   paper/figures.py --data FOLDER... --output F    from those folders, each to its own folder, and side by side
 """
 import argparse
@@ -16,7 +16,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[0] = str(ROOT)  # in place of paper/, whose numbers/ would hide Python's module of that name
 
-from paper import headline, images, plots, side_by_side, sources, style  # noqa: E402  (the path must be set first)
+from paper import front_page, headline, images, plots, side_by_side, sources, style  # noqa: E402  (the path must be set first)
 from paper.numbers import macros  # noqa: E402
 from paper.plots import ratio_by_duration  # noqa: E402
 from paper.records import DATA, MAIN, Machine, Missing  # noqa: E402
@@ -120,6 +120,9 @@ def write_headline(machine):
     style.save_png(figure, ROOT / "paper/headline.png", f"{source}\n{machine.note_on(ratio_by_duration.NAME)}".strip())
     readme = ROOT / "README.md"
     readme.write_text(headline.updated(readme.read_text(), machine))
+    for page in front_page.PAGES:
+        path = ROOT / page
+        path.write_text(front_page.updated(page, path.read_text(), machine))
 
 
 def captions(machines):
@@ -149,7 +152,7 @@ def draw_side_by_side(machines, output):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--data", type=Path, nargs="+", help="folders of recorded runs")
-    parser.add_argument("--headline", action="store_true", help="only the README's image and table")
+    parser.add_argument("--headline", action="store_true", help="only what README.md and docs/motion.md say of records")
     parser.add_argument("--output", type=Path, default=ROOT / "build/paper", help="where the files go")
     options = parser.parse_args()
     if options.headline:
