@@ -16,7 +16,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[0] = str(ROOT)  # in place of paper/, whose numbers/ would hide Python's module of that name
 
-from paper import front_page, headline, images, plots, side_by_side, sources, style  # noqa: E402  (the path must be set first)
+from paper import docs_facts, headline, images, plots, side_by_side, sources, style  # noqa: E402  (the path must be set first)
 from paper.numbers import macros  # noqa: E402
 from paper.plots import ratio_by_duration  # noqa: E402
 from paper.records import DATA, MAIN, Machine, Missing  # noqa: E402
@@ -120,9 +120,8 @@ def write_headline(machine):
     style.save_png(figure, ROOT / "paper/headline.png", f"{source}\n{machine.note_on(ratio_by_duration.NAME)}".strip())
     readme = ROOT / "README.md"
     readme.write_text(headline.updated(readme.read_text(), machine))
-    for page in front_page.PAGES:
-        path = ROOT / page
-        path.write_text(front_page.updated(page, path.read_text(), machine))
+    for page in docs_facts.PAGES:
+        (ROOT / page).write_text(docs_facts.updated(page, (ROOT / page).read_text(), machine))
 
 
 def captions(machines):

@@ -1,15 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""What README.md and docs/motion.md say of recorded runs, each between `<!-- NAME: ... -->` and `<!-- end -->`."""
+"""What README.md and docs/motion.md say of records, other than what headline.py does: each between `<!-- NAME: ... -->` and
+`<!-- end -->`."""
 import re
-import statistics
 import textwrap
 
 from paper import sources
-from paper.numbers.derived import matched, ratio, stage_ratios, timer_floor
 from paper.records import DATA, Missing
 
-SMALL, MILLION = 1024, 2**20
-LONG = 10  # times an empty kernel's reading: a kernel whose time the device timer shows
 ERRORS = (("euler", "float32"), ("symplectic", "float32"), ("paper", "float32"), ("paper-clamp", "float32"), ("impact-linear", "float64"),
           *((method, precision) for method in ("impact", "anchored") for precision in ("float32", "compensated", "float64")))
 EXPONENTS = (4, 6, 8, 10)  # k of dt = 2^-k s
@@ -20,44 +17,8 @@ def require(holds, text):
         raise Missing(f"the text says: {text}")
 
 
-def paragraph(text, indent=""):
-    return textwrap.fill(text, 120, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
-
-
-def kernels(machine):
-    """Kernels alone, by device timers."""
-    least = LONG * timer_floor(machine)
-    ratios = [row.ratio[0] for row in stage_ratios(machine) if min(row.cuda_ms, row.ratio[0] * row.cuda_ms) > least]
-    middle = statistics.median(ratios)
-    require(abs(middle - 1) < 0.05, "OpenGL's kernels alone take nearly CUDA's time")
-    return (f"**Kernels alone: nearly.** OpenGL takes {middle:.2f}x CUDA's time, the median of {len(ratios)} kernels. "
-            f"The worst takes {max(ratios):.2f}x.")
-
-
-def short_steps(machine):
-    """Whole steps, few spheres against many."""
-    by_size = {glsl.n: ratio(glsl, cuda)[0] for glsl, cuda in matched(machine, table="step")}
-    many = max(by_size)
-    require(by_size[SMALL] > max(1.1, by_size[many]), "in short steps CUDA is ahead by more than in long ones")
-    return (f"**Short steps: no.** A short step pays for the API that launches it. OpenGL takes {by_size[SMALL]:.2f}x CUDA's "
-            f"time to move {SMALL:,} spheres and test all pairs, but {by_size[many]:.2f}x with {many:,}.")
-
-
-def exceptions(machine):
-    """The largest effects in the records, with their directions."""
-    tensor = machine.one(table="grid", method="collide_tensor", n=MILLION, backend="cuda").median
-    fastest = min(record.median for record in machine.need(table="scale", scene="uniform", n=MILLION, backend="glsl"))
-    radii, crowd = ([ratio(*pair)[0] for pair in matched(machine, table="crossover", kind=kind, way=way)]
-                    for kind, way in (("radii", "dense"), ("one_cell", "collide_triangle")))
-    require(fastest > 1.5 * tensor, "tensor cores are much faster than what OpenGL has")
-    require(max(radii) > 1.5 and min(crowd) < 0.7, "CUDA is ahead with unequal radii, OpenGL with all spheres in one cell")
-    return (f"**Three exceptions.** CUDA's tensor cores test all pairs of a million spheres {fastest / tensor:.1f}x as fast as "
-            f"OpenGL can. With unequal radii OpenGL takes up to {max(radii):.2f}x CUDA's time in dense cells. If all spheres "
-            f"share one cell, it takes as little as {min(crowd):.2f}x with `collide_triangle`.")
-
-
-def facts(machine):
-    return "\n".join(paragraph(f"- {make(machine)}", "  ") for make in (kernels, short_steps, exceptions))
+def paragraph(text):
+    return textwrap.fill(text, 120, break_long_words=False, break_on_hyphens=False)
 
 
 def older(machine):
@@ -102,7 +63,7 @@ def wrong_pairs(machine):
         "rounded to float32. With all the bits of float64 it gets none wrong."))
 
 
-PAGES = {"README.md": {"facts": facts, "older": older}, "docs/motion.md": {"errors": errors, "pairs": wrong_pairs}}
+PAGES = {"README.md": {"older": older}, "docs/motion.md": {"motion-errors": errors, "wrong-pairs": wrong_pairs}}
 
 
 def filled(text, name, made):
