@@ -3,7 +3,7 @@
 """Draws every figure and table that recorded runs allow.
 
   paper/figures.py                                from paper/data/h100 to build/paper, with the numbers of paper.tex
-  paper/figures.py --headline                     the README's image, table and facts, from paper/data/h100
+  paper/figures.py --headline                     the image paper/headline.png, and what README.md and docs/motion.md say of paper/data/h100
   paper/figures.py --data FOLDER... --output F    from those folders, each to its own folder, and side by side
 """
 import argparse
@@ -17,7 +17,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[0] = str(ROOT)  # in place of paper/, whose numbers/ would hide Python's module of that name
 
-from paper import headline, images, plots, side_by_side, sources, style  # noqa: E402  (the path must be set first)
+from paper import docs_facts, headline, images, plots, side_by_side, sources, style  # noqa: E402  (the path must be set first)
 from paper.numbers import macros  # noqa: E402
 from paper.plots import ratio_by_duration  # noqa: E402
 from paper.records import DATA, MAIN, Machine, Missing  # noqa: E402
@@ -122,6 +122,8 @@ def write_headline(machine):
     ratio_by_duration.draw_headline(machine).savefig(ROOT / "paper/headline.png", dpi=220, metadata={"Software": None})
     readme = ROOT / "README.md"
     readme.write_text(headline.updated(readme.read_text(), machine))
+    for page in docs_facts.PAGES:
+        (ROOT / page).write_text(docs_facts.updated(page, (ROOT / page).read_text(), machine))
 
 
 def captions(machines):
@@ -151,7 +153,7 @@ def draw_side_by_side(machines, output):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--data", type=Path, nargs="+", help="folders of recorded runs")
-    parser.add_argument("--headline", action="store_true", help="only the README's image, table and facts")
+    parser.add_argument("--headline", action="store_true", help="only the image and what README.md and docs/motion.md say of records")
     parser.add_argument("--output", type=Path, default=ROOT / "build/paper", help="where the files go")
     options = parser.parse_args()
     if options.headline:

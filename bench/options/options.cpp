@@ -193,7 +193,7 @@ void finish_start_options(const CLI::App& command, StartOptions& start) {
 void add_motion_options(CLI::App& command, MotionChoice& motion) {
   command
       .add_option("--motion", motion.method,
-                  "euler, symplectic, paper, paper-clamp, impact-linear, impact or anchored: see README")
+                  "euler, symplectic, paper, paper-clamp, impact-linear, impact or anchored: see docs/motion.md")
       ->capture_default_str();
   command
       .add_option("--precision", motion.precision, "Precision of the motion's state: float32, compensated or float64")

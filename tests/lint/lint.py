@@ -12,12 +12,10 @@ import lint_arithmetic
 import lint_rooms
 import lint_sources
 import lint_twins
-import lint_words
 
 RULES = {
     "rooms": lint_rooms.rooms,
     "twins": lint_twins.twins,
-    "words": lint_words.words,
     "files": lint_sources.files,
     "headers": lint_sources.headers,
     "borders": lint_sources.borders,

@@ -11,7 +11,7 @@ import unittest
 import lint_arithmetic
 import lint_rooms
 import lint_sources
-from lint_controls_text import Twins, Words, tree  # noqa: F401 - unittest finds them here
+from lint_controls_twins import Twins, tree  # noqa: F401 - unittest finds them here
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = pathlib.Path(sys.argv.pop(1)) if len(sys.argv) > 1 else ROOT / "build"

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Negative controls of the rules on twins and on words, which lint_controls.py runs."""
+"""Negative controls of the rule on twins, which lint_controls.py runs."""
 
 import pathlib
 import tempfile
 import unittest
 
 import lint_twins
-import lint_words
 
 
 def tree(folder, **texts):
@@ -87,24 +86,3 @@ Entry a_kernel(uint, Variant) { return reinterpret_cast<Entry>(&a); }
         self.assertTrue(self.found("  if", f"{block}  if"))
         self.assertEqual(1, self.found("  if", "  // until here\n  if"))
         self.assertEqual(1, self.found("  if (i >= p.n) return;", "  if (i >= p.n) return;  // CUDA only: a reason"))
-
-
-class Words(unittest.TestCase):
-    def found(self, text, name="common__shared__a_DOT_h"):
-        with tempfile.TemporaryDirectory() as folder:
-            return len(lint_words.words(tree(folder, **{name: text}), None)[0])
-
-    def test_clean(self):
-        for text in ("uint sphere_index(vec4 found);", "spheres that settle on the ground and touch it", "the number of spheres",
-                     "// retired: place()", "it takes place", "the sphere meets the plane"):
-            self.assertEqual(0, self.found(text), text)
-
-    def test_retired(self):
-        for text in ("World w;", "if (meet(a, b))", "touch(i);", "settle_pairs();", "number_of(i)", "NAMES_IN_RADII", "PUT_OFF",
-                     "draw_pyramid", "A Crowd of spheres", "a stretch", "whoever is near", "the last picture", "is asked for",
-                     "puts it off", "the numbers of the spheres", "at places i and j", "handed over"):
-            self.assertEqual(1, self.found(text), text)
-
-    def test_where(self):
-        self.assertEqual(1, self.found("", "results__a_DOT_md"))  # no files that are checked
-        self.assertTrue(self.found("World w;", "shaders__collide__a_DOT_comp"))

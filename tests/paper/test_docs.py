@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: MIT
+"""README.md and docs/ say what the records say, their links lead to files, and the README's first screen has the answer.
+Needs no matplotlib."""
+import pathlib
+import re
+import statistics
+import sys
+import unittest
+from dataclasses import replace
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT))
+
+from paper import docs_facts  # noqa: E402  (the path must be set first)
+from paper.numbers.derived import matched, ratio, stage_ratios, timer_floor  # noqa: E402
+from paper.records import DATA, MAIN, Machine, Missing  # noqa: E402
+
+TIMES = ("samples_ms", "median_ms", "plain_ms", "interval_ms", "device_stages_ms", "device_stages_interval_ms")
+PAGES = [ROOT / name for name in ("README.md", "ARTIFACT.md", "CONTRIBUTING.md", "CHANGELOG.md")] + sorted((ROOT / "docs").rglob("*.md"))
+
+
+def changed(wanted, **altered):
+    """The recorded machine with parameters of some records altered."""
+    machine = Machine(DATA / MAIN)
+    machine.records = [replace(record, parameters={**record.parameters, **altered}) if wanted(record) else record
+                       for record in machine.records]
+    return machine
+
+
+def scaled(value, factor):
+    if isinstance(value, dict):
+        return {name: scaled(each, factor) for name, each in value.items()}
+    return [scaled(each, factor) for each in value] if isinstance(value, (list, tuple)) else factor * value
+
+
+def slower(wanted, factor):
+    """The recorded machine with times of some records made longer."""
+    def longer(fields):
+        return {name: [longer(run) for run in value] if name == "processes" else scaled(value, factor) if name in TIMES else value
+                for name, value in fields.items()}
+    machine = Machine(DATA / MAIN)
+    machine.records = [replace(record, median=factor * record.median, low=factor * record.low, high=factor * record.high,
+                               parameters=longer(record.parameters)) if wanted(record) else record for record in machine.records]
+    return machine
+
+
+def contradicted(machine):
+    """The bold words of the README's answer that these records contradict."""
+    steps = {opengl.n: ratio(opengl, cuda)[0] for opengl, cuda in matched(machine, table="step")}
+    alone = [row.ratio[0] for row in stage_ratios(machine) if row.cuda_ms > 10 * timer_floor(machine)]
+    holds = {"Kernels alone: nearly": abs(statistics.median(alone) - 1) < 0.05,
+             "Short steps: no": min(steps[n] for n in steps if n <= 4096) > max(1.1, steps[max(steps)])}
+    return [words for words, held in holds.items() if not held]
+
+
+class Records(unittest.TestCase):
+    def test_the_pages_say_what_is_recorded(self):
+        machine = Machine(DATA / MAIN)
+        for page in docs_facts.PAGES:
+            text = (ROOT / page).read_text()
+            self.assertEqual(docs_facts.updated(page, text, machine), text, "paper/figures.py --headline brings it up to date")
+
+    def test_another_number_or_a_lost_marker_is_found(self):
+        machine, text = Machine(DATA / MAIN), (ROOT / "docs/motion.md").read_text()
+        self.assertEqual(text, docs_facts.updated("docs/motion.md", text.replace("| 6.6 |", "| 9.6 |"), machine))
+        with self.assertRaises(Missing):
+            docs_facts.updated("docs/motion.md", text.replace("<!-- wrong-pairs:", "<!-- wrong:"), machine)
+
+    def test_errors_that_depend_on_the_backend_are_refused(self):
+        with self.assertRaisesRegex(Missing, "the text says"):
+            docs_facts.errors(changed(lambda record: record.table == "precision" and record.backend == "cuda", error_m=9.0))
+
+    def test_the_bold_words_of_the_answer_hold(self):
+        readme = (ROOT / "README.md").read_text()
+        self.assertEqual([], contradicted(Machine(DATA / MAIN)))
+        for words, wanted in (("Short steps: no", lambda record: record.table == "step" and record.backend == "cuda"),
+                              ("Kernels alone: nearly", lambda record: record.backend == "glsl")):
+            self.assertIn(f"**{words}.**", readme)
+            self.assertEqual([words], contradicted(slower(wanted, 5)))
+
+
+class Pages(unittest.TestCase):
+    def test_every_link_leads_to_a_file(self):
+        for page in PAGES:
+            targets = re.findall(r"\]\(([^)\s]+)\)|src=\"([^\"]+)\"", page.read_text())
+            for target in ("".join(each).split("#")[0] for each in targets):
+                if target and "://" not in target:
+                    self.assertTrue((page.parent / target).exists(), f"{page.name} links to {target}")
+
+    def test_every_page_of_docs_can_be_reached_from_the_readme(self):
+        readme = (ROOT / "README.md").read_text()
+        for page in sorted((ROOT / "docs").glob("*.md")):
+            self.assertIn(f"(docs/{page.name})", readme)
+
+    def test_the_first_screen_has_question_answer_and_machine(self):
+        lines = (ROOT / "README.md").read_text().splitlines()
+        self.assertLessEqual(len(lines), 100)
+        first = "\n".join(lines[:25])
+        for word in ("OpenGL", "CUDA", "NVIDIA H100", "Vulkan", "Kernels alone", "Short steps", "Exceptions"):
+            self.assertIn(word, first)
+
+
+if __name__ == "__main__":
+    unittest.main()
