@@ -148,7 +148,10 @@ void EnergyStudy::measure(Row& row) {
   const double step = seconds_of([&] { run(steps_probed); }) / double(steps_probed);
   const auto chunk = uint64_t(std::max(1.0, std::ceil(chunk_seconds / step)));
   const auto work = [&] { return run(chunk), chunk; };
+  const Clocks clocks = host_clocks();
+  const OtherPrograms others(clocks);
   row.windows.push_back(measure_window(meters_.at(uuid_of(row)), options_.seconds, 0.1 * options_.seconds, work));
+  row.others = std::max(row.others, others.share());
 }
 
 json EnergyStudy::to_json(const Row& row) const {
@@ -172,7 +175,7 @@ json EnergyStudy::to_json(const Row& row) const {
                        {"integrated_watts", window.power.integrated}});
   }
   const CollideOptions& options = row.configuration.options;
-  return {{"table", "energy"},
+  json out = {{"table", "energy"},
           {"n", row.n},
           {"scene", scene_json(scene_options(row.n))},
           {"work", row.work},
@@ -193,6 +196,9 @@ json EnergyStudy::to_json(const Row& row) const {
           {"nanojoules_per_sphere", 1e9 * counted / double(row.n)},
           {"disagreement", integrated / counted - 1},
           {"windows", windows}};
+  const auto reasons = unsteady(median_interval(samples.get<std::vector<double>>()), row.others);
+  if (!reasons.empty()) out["unsteady"] = reasons;
+  return out;
 }
 
 }  // namespace spherepair

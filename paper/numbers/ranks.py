@@ -7,7 +7,7 @@ import math
 import statistics
 from functools import lru_cache
 
-from paper.records import median_interval
+from paper.records import median_interval, steady
 from paper.spread import spreads
 
 ENOUGH = 6  # rounds, for an interval of 95 %
@@ -89,7 +89,7 @@ def apart(left, right):
     """The interval of their ratio is on one side of 1, or those of their medians do not overlap: required by the main
     claims."""
     _, low, high = time_ratio(left, right)
-    return low > 1 or high < 1
+    return steady(left, right) and (low > 1 or high < 1)
 
 
 def one_sided(left, right):
@@ -104,8 +104,8 @@ def independent(record):
 
 
 def differ(left, right):
-    return (min(len(left.samples_ms), len(right.samples_ms)) >= ENOUGH and one_sided(left, right) and
-            (apart(left, right) or rank_test(independent(left), independent(right)) < 0.01))
+    return (steady(left, right) and min(len(left.samples_ms), len(right.samples_ms)) >= ENOUGH and
+            one_sided(left, right) and (apart(left, right) or rank_test(independent(left), independent(right)) < 0.01))
 
 
 def ratio_text(glsl, cuda, decided=differ):

@@ -165,11 +165,16 @@ TEST_F(Studies, LaunchesAreCountedOnEveryPath) {
     ++rows[work + " " + path];
     EXPECT_EQ(row.at("backend"), "glsl");
     const json& each = row.at("work_per_step");
-    EXPECT_EQ(each.at("launches"), work == "grid" ? 3 : 2) << path;
+    EXPECT_EQ(each.at("launches"), work == "grid" ? 3 : work == "empty" ? 8 : 2) << path;
+    EXPECT_GT(row.at("host_ns_per_launch"), 0);
+    EXPECT_NEAR(row.at("host_ns_per_step"), row.at("host_ns_per_launch").get<double>() * each.at("launches").get<double>(), 1);
+    EXPECT_NEAR(row.at("median_ms"), 1e-3 * row.at("us_per_launch").get<double>() * each.at("launches").get<double>(), 1e-9);
     EXPECT_EQ(each.at("waits"), path != "waited" ? json(0) : each.at("launches")) << path;
     EXPECT_EQ(each.at("overlapped"), path == "overlapping" ? 1 : 0) << path;
   }
-  EXPECT_EQ(rows, (std::map<std::string, int>{{"all_pairs waited", 2},
+  EXPECT_EQ(rows, (std::map<std::string, int>{{"empty waited", 1},
+                                              {"empty batched", 1},
+                                              {"all_pairs waited", 2},
                                               {"all_pairs batched", 2},
                                               {"grid waited", 2},
                                               {"grid batched", 2},

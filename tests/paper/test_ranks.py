@@ -40,6 +40,16 @@ class Ranks(unittest.TestCase):
         other = self.record(cuda, contest="collide_square 128")
         self.assertFalse(ranks.apart(contest[0], other))
 
+    def test_a_marked_time_decides_nothing(self):
+        cuda = [1.0] * 11
+        glsl = self.record([1.5 * time for time in cuda], contest="collide_tiled 128")
+        calm, busy = (self.record(cuda, contest="collide_tiled 128", **mark)
+                      for mark in ({}, {"unsteady": ["other programs kept 80 % of this machine's cores busy"]}))
+        self.assertTrue(ranks.differ(glsl, calm) and ranks.apart(glsl, calm))
+        for pair in (glsl, busy), (busy, glsl):
+            self.assertFalse(ranks.differ(*pair) or ranks.apart(*pair))
+        self.assertEqual("no difference seen", ranks.ratio_text(glsl, busy))
+
     def test_a_stage_at_the_timers_floor_is_no_comparison(self):
         stages = {"device_stages_ms": {"clear": 4e-3}, "device_stages_interval_ms": {"clear": [4e-3, 5e-3]}, "n": 64}
         glsl, cuda = (self.record([1.0], **stages) for _ in range(2))

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "bench/measure/steadiness.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <thread>
+
+#include "bench/measure/session.h"
+#include "common/scene/counted.h"
+
+namespace spherepair {
+namespace {
+
+bool is_busy(std::optional<double> others) { return others.value_or(0) > busy_share; }
+
+std::string of_cores(double share) { return fmt::format("{:.0f} % of this machine's cores busy", 100 * share); }
+
+std::optional<double> share_before(const Clocks& clocks) {
+  const OtherPrograms others(clocks);
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  return others.share();
+}
+
+}  // namespace
+
+std::vector<std::string> unsteady(const Interval& interval, std::optional<double> others) {
+  std::vector<std::string> reasons;
+  if (is_busy(others)) reasons.push_back("other programs kept " + of_cores(*others));
+  if (interval.high > widest_interval * interval.low)
+    reasons.push_back(fmt::format("its interval is wider than {}x", widest_interval));
+  return reasons;
+}
+
+StudyLoad::StudyLoad(const Clocks& clocks) : clocks_(clocks), start_(share_before(clocks_)), since_(clocks_) {}
+
+std::vector<std::string> StudyLoad::own(const Session& session) const {
+  std::vector<std::string> found;
+  if (is_busy(start_))
+    found.push_back(
+        fmt::format("WARNING: other programs kept {} when this study began. Stop them, or record on another machine.",
+                    of_cores(*start_)));
+  if (const auto share = since_.share(); is_busy(share))
+    found.push_back(fmt::format("WARNING: other programs kept {} during this study. Record it again on an idle machine.",
+                                of_cores(*share)));
+  if (const TimingCounts& timings = session.timings; timings.unsteady)
+    found.push_back(fmt::format("WARNING: {} of {} are marked with !: the machine was busy or the interval is wider "
+                                "than {}x. They decide nothing.",
+                                timings.unsteady, counted(timings.all, "timing"), widest_interval));
+  return found;
+}
+
+std::vector<std::string> StudyLoad::warnings(const Session& session) const {
+  std::vector<std::string> all = session.warnings();
+  for (std::string& one : own(session)) all.push_back(std::move(one));
+  return all;
+}
+
+std::string StudyLoad::text(const Session& session) const {
+  std::string lines;
+  for (const std::string& one : own(session)) lines += wrapped(one, "* ", "  ") + "\n";
+  return lines;
+}
+
+}  // namespace spherepair
