@@ -108,8 +108,8 @@ json start_record(const CommandLine& line, const Session& session, const Contact
           {"clocks", json::array({query_clocks()})}};
 }
 
-void report(const std::filesystem::path& folder, json record, const ContactPlan& plan,
-            const MeasuredContacts& measured, const Session& session, const StudyLoad& load) {
+void report(const std::filesystem::path& folder, json record, const ContactPlan& plan, const MeasuredContacts& measured,
+            const Session& session, const StudyLoad& load) {
   record["warnings"] = load.warnings(session);
   record["contact_runs"] = list_of(measured.runs);
   record["contact_sums"] = list_of(measured.costs);

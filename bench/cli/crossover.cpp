@@ -53,8 +53,9 @@ Table table_of(const CrossoverSweep& sweep) {
   for (const Timing& t : sweep.timings) {
     std::vector<std::string> row = {t.backend, t.kind, std::to_string(t.n), time_of(t, t.all_pairs, "parallel")};
     for (const uint block : square_groups) row.push_back(time_of(t, t.all_pairs, square_way(block)));
-    row.insert(row.end(), {time_of(t, t.all_pairs, "collide_triangle"), time_of(t, t.grid, "dense"),
-                           time_of(t, t.grid, "hashed"), time_of(t, {{"auto", t.automatic}}, "auto"), median_ratio(t), interval_of_ratios(t), t.chosen, t.best});
+    row.insert(row.end(),
+               {time_of(t, t.all_pairs, "collide_triangle"), time_of(t, t.grid, "dense"), time_of(t, t.grid, "hashed"),
+                time_of(t, {{"auto", t.automatic}}, "auto"), median_ratio(t), interval_of_ratios(t), t.chosen, t.best});
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -22,9 +22,12 @@ namespace {
 
 const char* title_of(LaunchWork work) {
   switch (work) {
-    case LaunchWork::empty: return "Launches of a step: a chain of empty kernels of one group";
-    case LaunchWork::all_pairs: return "Launches of a step: a move and all pairs";
-    case LaunchWork::grid: break;
+    case LaunchWork::empty:
+      return "Launches of a step: a chain of empty kernels of one group";
+    case LaunchWork::all_pairs:
+      return "Launches of a step: a move and all pairs";
+    case LaunchWork::grid:
+      break;
   }
   return "Launches of a step: the grid, spheres in random order, which it sorts first";
 }
@@ -33,21 +36,20 @@ const char* title_of(LaunchWork work) {
 std::string tables_of(const LaunchStudy& study) {
   std::string text;
   for (const auto& [work, rows] : study.rows)
-    text +=
-        Table{title_of(work),
-              {{"", "n", ""},
-               {"", "backend", "", true},
-               {"", "path", "", true},
-               {"time of a", "step", "us"},
-               {"time of a", "launch", "us"},
-               {"host, for a", "step", "ns"},
-               {"host, for a", "launch", "ns"},
-               {"fixed cost", "a sample", "us"},
-               {"", "to fastest", "", true}},
-              rows,
-              {}}
-            .text() +
-        "\n";
+    text += Table{title_of(work),
+                  {{"", "n", ""},
+                   {"", "backend", "", true},
+                   {"", "path", "", true},
+                   {"time of a", "step", "us"},
+                   {"time of a", "launch", "us"},
+                   {"host, for a", "step", "ns"},
+                   {"host, for a", "launch", "ns"},
+                   {"fixed cost", "a sample", "us"},
+                   {"", "to fastest", "", true}},
+                  rows,
+                  {}}
+                .text() +
+            "\n";
   for (const std::string& one : study.left_out) text += wrapped(one, "* left out: ", "  ") + "\n";
   return text +
          "* host: until all is enqueued, before the wait\n"

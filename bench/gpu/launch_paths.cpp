@@ -82,7 +82,7 @@ SceneOptions launch_scene(LaunchWork work, uint64_t n) {
 CollideOptions launch_options(const LaunchPath& path, LaunchWork work) {
   if (work == LaunchWork::grid)
     return {.method = Method::collide_grid,
-            .grid = {.keep_order = false, .keep_cells = false, .sort = Sort::buckets},
+            .grid = {.keep_order = false, .keep_cells = false},  // in software few spheres are sorted by counting
             .api = path.api};
   return {.method = Method::collide_triangle, .api = {.graph = path.api.graph, .batch = path.api.batch}};
 }
@@ -91,9 +91,14 @@ void enqueue_steps(const LaunchPath& path, LaunchWork work, Backend& backend, ui
   if (path.persistent) return backend.enqueue_persistent_steps(uint(steps));
   const CollideOptions options = launch_options(path, work);
   for (uint64_t k = 0; k < steps; ++k) switch (work) {
-      case LaunchWork::empty: backend.enqueue_empty_step(empty_launches, options.api); break;
-      case LaunchWork::all_pairs: backend.enqueue_step(options); break;
-      case LaunchWork::grid: backend.enqueue_collide(options);
+      case LaunchWork::empty:
+        backend.enqueue_empty_step(empty_launches, options.api);
+        break;
+      case LaunchWork::all_pairs:
+        backend.enqueue_step(options);
+        break;
+      case LaunchWork::grid:
+        backend.enqueue_collide(options);
     }
 }
 

@@ -10,7 +10,7 @@ namespace spherepair {
 
 // Empty: a chain of empty kernels of one group, each behind the one before: the floor of a path. All pairs: a move,
 // which clears the results, and collide_triangle; spheres of the scene `random`. Grid: the search of spheres in random
-// order, which sorts them first, three launches; spheres of the scene `uniform`.
+// order, which sorts them first as it does by default, three launches on a GPU; spheres of the scene `uniform`.
 enum class LaunchWork { empty, all_pairs, grid };
 constexpr uint empty_launches = 8;  // of a step
 const char* launch_work_name(LaunchWork work);

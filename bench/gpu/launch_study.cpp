@@ -13,8 +13,8 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t steps_checked = 6;  // the third and later ones of a graph are replays
-constexpr uint64_t steps_counted = 4;  // behind those
+constexpr uint64_t steps_checked = 6;    // the third and later ones of a graph are replays
+constexpr uint64_t steps_counted = 4;    // behind those
 constexpr uint64_t steps_enqueued = 64;  // so few that no API's queue is full, and the host waits for none
 
 std::string name_of(const LaunchPath& path) { return fmt::format("{} {}", path.backend, path.name); }
@@ -71,8 +71,7 @@ void LaunchStudy::run(const std::vector<uint64_t>& sizes) {
 std::vector<LaunchStudy::Row> LaunchStudy::rows_of(LaunchWork work) const {
   std::vector<Row> found;
   for (const LaunchPath& path : launch_paths())
-    if (Backend* backend = session_.find(path.backend);
-        backend && path.has(work))
+    if (Backend* backend = session_.find(path.backend); backend && path.has(work))
       found.push_back({&path, backend, {}});
   return found;
 }

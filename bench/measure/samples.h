@@ -20,15 +20,15 @@ struct Samples {
   std::vector<uint64_t> turn = {};                      // position of each value in the sequence of all turns
   BatchPlan plan = {};                                  // of every turn
   std::vector<std::vector<double>> batch_seconds = {};  // by round, as the plan's steps
-  std::vector<double> fixed = {};   // seconds that a batch takes besides its steps, by round; empty without a fit
-  double longest = 0;               // Sampling::longest
-  uint64_t retaken = 0;             // batches, since something was prepared in them
-  Preparations prepared = {};       // in the samples, where it is part of the steps
-  std::vector<double> cores = {};   // of the host that the process kept busy, by round; empty for devices
-  bool pinned = false;              // each thread of the host to a core
+  std::vector<double> fixed = {};     // seconds that a batch takes besides its steps, by round; empty without a fit
+  double longest = 0;                 // Sampling::longest
+  uint64_t retaken = 0;               // batches, since something was prepared in them
+  Preparations prepared = {};         // in the samples, where it is part of the steps
+  std::vector<double> cores = {};     // of the host that the process kept busy, by round; empty for devices
+  bool pinned = false;                // each thread of the host to a core
   std::optional<double> others = {};  // share of the machine's cores that other programs kept busy meanwhile
-  uint64_t working_set = 0;         // bytes; 0: not known
-  std::optional<uint64_t> l2 = {};  // bytes of the device's cache; none: not known
+  uint64_t working_set = 0;           // bytes; 0: not known
+  std::optional<uint64_t> l2 = {};    // bytes of the device's cache; none: not known
 
   std::map<std::string, double> stages = {};  // device timer, seconds per step; empty without one
   std::map<std::string, Interval> stage_intervals = {};

@@ -41,12 +41,13 @@ std::vector<std::string> StudyLoad::own(const Session& session) const {
         fmt::format("WARNING: other programs kept {} when this study began. Stop them, or record on another machine.",
                     of_cores(*start_)));
   if (const auto share = since_.share(); is_busy(share))
-    found.push_back(fmt::format("WARNING: other programs kept {} during this study. Record it again on an idle machine.",
-                                of_cores(*share)));
+    found.push_back(fmt::format(
+        "WARNING: other programs kept {} during this study. Record it again on an idle machine.", of_cores(*share)));
   if (const TimingCounts& timings = session.timings; timings.unsteady)
-    found.push_back(fmt::format("WARNING: {} of {} are marked with !: the machine was busy or the interval is wider "
-                                "than {}x. They decide nothing.",
-                                timings.unsteady, counted(timings.all, "timing"), widest_interval));
+    found.push_back(
+        fmt::format("WARNING: {} of {} are marked with !: the machine was busy or the interval is wider "
+                    "than {}x. They decide nothing.",
+                    timings.unsteady, counted(timings.all, "timing"), widest_interval));
   return found;
 }
 

@@ -149,11 +149,11 @@ void FramesStudy::measure_tasks(const std::vector<FrameTask>& tasks, const Scene
     const auto draw = [&task, &views, &turn = turns[i]](Backend& backend) {
       backend.enqueue_draw(views[turn++ % views.size()], draw_options(task));
     };
-    Contender& contender = contenders.emplace_back(Contender{
-        .label = label(task),
-        .backend = task.backend,
-        .step = draw,
-        .contest = fmt::format("{} {} {}", draw_method_name(task.draw), task.place, task.work)});
+    Contender& contender = contenders.emplace_back(
+        Contender{.label = label(task),
+                  .backend = task.backend,
+                  .step = draw,
+                  .contest = fmt::format("{} {} {}", draw_method_name(task.draw), task.place, task.work)});
     if (!moves) continue;
     contender.step = [draw, n = scene.size()](Backend& backend) {
       backend.move();

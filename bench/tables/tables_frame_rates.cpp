@@ -138,8 +138,7 @@ std::vector<std::string> cells_of(const std::vector<Version>& versions, uint64_t
                                   const std::vector<Samples>& samples) {
   const PaperRow paper = paper_row(n);
   std::vector<std::string> cells = {std::to_string(n), paper.fps};
-  for (const Version& version : versions)
-    cells.push_back(rate_of(find(samples, version.name + " frame")));
+  for (const Version& version : versions) cells.push_back(rate_of(find(samples, version.name + " frame")));
   for (const char* printed : {paper.sequential_drawing, paper.parallel_drawing}) cells.push_back(printed);
   for (const Version& version : versions)
     for (const DrawMethod method : version.draws)

@@ -22,9 +22,7 @@ bool complete(const Table1Row& row) {
   return std::ranges::all_of(row.pairs, [](const auto& one) { return one.has_value(); });
 }
 
-std::string ms_cell(const std::optional<Samples>& samples) {
-  return samples ? ms_of(*samples) : "left out";
-}
+std::string ms_cell(const std::optional<Samples>& samples) { return samples ? ms_of(*samples) : "left out"; }
 
 std::vector<Task> table1_moves(const Study& study) {
   std::vector<Task> tasks;

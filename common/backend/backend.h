@@ -201,9 +201,9 @@ class Backend {
   // Decides spheres[2k] against spheres[2k + 1] for every k, with the same code as the kernels: verdict_code() each.
   virtual std::vector<uint> decide(std::span<const vec4> spheres) = 0;
 
-  // An empty kernel, to measure what a launch costs; and a step that is a chain of them, launched as the options say.
+  // An empty kernel, to measure what a launch costs; a step that is a chain of them, which goes out as the options say.
   virtual void launch_empty(uint groups) = 0;
-  virtual void enqueue_empty_step(uint launches, const ApiOptions&) { while (launches--) launch_empty(1); }
+  virtual void enqueue_empty_step(uint /*launches*/, const ApiOptions&) {}
 
   // Launches a kernel that measures this peak rate and overwrites velocities and counts; only devices have it.
   // check_peak_rate runs it once and throws BackendError when its result is wrong.

@@ -31,7 +31,8 @@ TEST(Contests, ADifferenceIsOneThatEveryRoundShows) {
   EXPECT_EQ(ratio_text(of(times(1.3, calm), calm)), "1.30x");
   EXPECT_EQ(verdict(of(times(1.3, calm), calm)), "glsl takes 1.30x [1.30, 1.30] cuda's time");
   EXPECT_EQ(verdict(of(calm, times(2, calm))), "glsl takes 0.50x [0.50, 0.50] cuda's time");
-  EXPECT_EQ(verdict(of({1.1, 1.2, 1.3, 1.2, 1.2, 1.4}, {1, 1, 1, 1, 1, 1})), "glsl takes 1.20x [1.10, 1.40] cuda's time");
+  EXPECT_EQ(verdict(of({1.1, 1.2, 1.3, 1.2, 1.2, 1.4}, {1, 1, 1, 1, 1, 1})),
+            "glsl takes 1.20x [1.10, 1.40] cuda's time");
 }
 
 TEST(Contests, NoDifferenceIsSeenWhereNoneOfWeightCouldHide) {

@@ -17,7 +17,9 @@ struct TestClock {
   static constexpr int machine_cores = 4;
   Clocks clocks() {
     return {[this] { return wall; }, [this] { return cores; },
-            [this] { return MachineUse{1 + cores + others * machine_cores * wall, machine_cores}; }};
+            [this] {
+              return MachineUse{1 + cores + others * machine_cores * wall, machine_cores};
+            }};
   }
 };
 
