@@ -134,7 +134,7 @@ std::string costs_text(const std::vector<SumsCost>& costs) { return costs.empty(
 
 std::string beds_text(const RestPlan& plan, const std::vector<SettledBed>& beds) {
   if (beds.empty()) return "";
-  std::string text = "\n" + rest_table(beds).text();
+  std::string text = fmt::format("\n{}", rest_table(beds).text());
   for (const SettledBed& bed : beds)
     text += wrapped(fmt::format("{} in {} layers: {:.1e} of the energy at the start is in motion, the floor carries "
                                 "{:.9f} of the weight, the greatest overlap is {:.2f} % of a radius.",
@@ -145,7 +145,7 @@ std::string beds_text(const RestPlan& plan, const std::vector<SettledBed>& beds)
 }
 
 std::string steps_text(const std::vector<GasSteps>& steps) {
-  return steps.empty() ? "" : "\n" + steps_table(steps).text();
+  return steps.empty() ? "" : fmt::format("\n{}", steps_table(steps).text());
 }
 
 }  // namespace spherepair
