@@ -67,7 +67,7 @@ TEST_F(Launches, NeedAGpuApi) {
 }
 
 // In software the buckets of a GPU's sort, each a group of 512 threads, took 800 times as long as the step of `sweep`.
-TEST(LaunchSteps, OfTheGridTakeTheTimeOfASweeps) {
+TEST(TimedLaunches, OfTheGridTakeTheTimeOfASweeps) {
   std::optional<Session> session;
   try {
     session.emplace(std::vector<std::string>{"glsl"}, OpenOptions{}, open_backend);
@@ -97,7 +97,7 @@ TEST(LaunchSteps, OfTheGridTakeTheTimeOfASweeps) {
 }
 
 // What the host takes to enqueue is told apart from the wait behind it.
-TEST(LaunchSteps, EnqueuingEndsBeforeTheWait) {
+TEST(TimedLaunches, EnqueuingEndsBeforeTheWait) {
   ClockedSession on;
   on["glsl"].fixed = 1e-3;
   const Batch batch = time_batch(on.contender("glsl"), 64, 0, on.sampling.clocks);
