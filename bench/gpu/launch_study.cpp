@@ -186,13 +186,15 @@ void LaunchStudy::time(const std::vector<Row>& paths, LaunchWork work, const Sce
   for (size_t k = 0; k < paths.size(); ++k) {
     const double host = enqueuing(contenders[k]);
     record(paths[k], work, options, samples[k], host);
-    const bool leads = &samples[k] == &*fastest && samples[k].unsteady().empty();
+    const bool least = &samples[k] == &*fastest, leads = least && samples[k].unsteady().empty();
     rows[work].push_back({std::to_string(options.n), paths[k].path->backend, paths[k].path->name,
                           marked(format_us(samples[k].median_seconds()), samples[k]),
                           format_us(samples[k].median_seconds() / paths[k].launches()), format_number(1e9 * host),
                           format_number(1e9 * host / paths[k].launches()),
                           samples[k].fixed.empty() ? "-" : format_us(median(samples[k].fixed)),
-                          leads ? "fastest" : ratio_text(contest(samples[k], *fastest))});
+                          leads   ? "fastest"
+                          : least ? "-"
+                                  : ratio_text(contest(samples[k], *fastest))});
   }
 }
 

@@ -36,18 +36,15 @@ StudyLoad::StudyLoad(const Clocks& clocks) : clocks_(clocks), start_(share_befor
 
 std::vector<std::string> StudyLoad::own(const Session& session) const {
   std::vector<std::string> found;
-  if (is_busy(start_))
+  const auto during = since_.share();
+  if (is_busy(start_) || is_busy(during))
     found.push_back(
-        fmt::format("WARNING: other programs kept {} when this study began. Stop them, or record on another machine.",
-                    of_cores(*start_)));
-  if (const auto share = since_.share(); is_busy(share))
-    found.push_back(fmt::format(
-        "WARNING: other programs kept {} during this study. Record it again on an idle machine.", of_cores(*share)));
+        fmt::format("WARNING: other programs kept {} when this study began{}. Stop them and record it again.",
+                    of_cores(start_.value_or(0)), during ? fmt::format(", {:.0f} % since", 100 * *during) : ""));
   if (const TimingCounts& timings = session.timings; timings.unsteady)
-    found.push_back(
-        fmt::format("WARNING: {} of {} are marked with !: the machine was busy or the interval is wider "
-                    "than {}x. They decide nothing.",
-                    timings.unsteady, counted(timings.all, "timing"), widest_interval));
+    found.push_back(fmt::format(
+        "WARNING: a busy machine, or an interval wider than {}x, marks {} of {} with !. Such a time decides nothing.",
+        widest_interval, timings.unsteady, counted(timings.all, "timing")));
   return found;
 }
 
