@@ -140,7 +140,7 @@ std::vector<std::string> Table::all_notes() const {
   std::vector<std::string> all = notes;
   const auto is_marked = [](const std::string& cell) { return cell.ends_with(unsteady_mark); };
   if (std::ranges::any_of(rows, [&](const auto& row) { return std::ranges::any_of(row, is_marked); }))
-    all.push_back("!: a time of a busy machine, or with an interval wider than 2x; it decides nothing.");
+    all.push_back("!: busy machine, or an interval wider than 2x; such a time decides nothing.");
   return all;
 }
 
