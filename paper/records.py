@@ -55,6 +55,11 @@ class Record:
         return True
 
 
+def steady(*records):
+    """Whether all may decide: the program marks times of a busy machine and those with an interval wider than 2x."""
+    return not any(record.parameters.get("unsteady") for record in records)
+
+
 def text_of(wanted):
     return ", ".join(f"{name} {value}" for name, value in wanted.items())
 

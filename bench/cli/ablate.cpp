@@ -71,12 +71,13 @@ void require_offered(const std::vector<std::string>& names, const Session& sessi
 int ablate_command(const CommandLine& line, const AblateOptions& options) {
   check_names(options.names);
   const std::filesystem::path folder = prepare_results(options.results, {"ablate.json", "ablate.txt"});
+  const StudyLoad load(line.clocks);
   Session session(options.backends, line.open, line.opener);
   require_offered(options.names, session);
   const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
   std::vector<uint64_t> sizes = options.sizes;
   if (sizes.empty()) sizes = hardware ? std::vector<uint64_t>{16384, 1000000} : std::vector<uint64_t>{16384};
-  for (const std::string& warning : session.warnings()) fmt::print(stderr, "{}\n", warning);
+  for (const std::string& warning : load.warnings(session)) fmt::print(stderr, "{}\n", warning);
   json record = {{"complete", false},
                  {"context", capture_context(line.words)},
                  {"backends", session.to_json()},
@@ -84,6 +85,7 @@ int ablate_command(const CommandLine& line, const AblateOptions& options) {
   std::optional<AblationStudy> study;
   const auto write = [&] {
     record["spent_s"] = to_json(study->spent);
+    record["warnings"] = load.warnings(session);
     record["left_out"] = study->left_out;
     record["measurements"] = study->measurements;
     write_file(folder / "ablate.json", json_text(record));
@@ -93,7 +95,7 @@ int ablate_command(const CommandLine& line, const AblateOptions& options) {
   record["complete"] = true;
   record["clocks"].push_back(query_clocks());
   write();
-  const std::string text = tables_of(*study) + spent_text(study->spent) + "\n";
+  const std::string text = tables_of(*study) + load.text(session) + spent_text(study->spent) + "\n";
   write_file(folder / "ablate.txt", text);
   fmt::print("{}Results: {}\n", text, (folder / "ablate.json").string());
   return kOk;

@@ -200,7 +200,7 @@ void add_studies(CLI::App& app, CommandLine& line, Action& action) {
 
 }  // namespace
 
-int run_program(int argc, const char* const* argv, const Opener& opener, Runner run) {
+int run_program(int argc, const char* const* argv, const Opener& opener, Runner run, const Clocks& clocks) {
   CLI::App app(
       "spherepair finds the colliding pairs of spheres exactly, on the CPU, with GLSL compute shaders and with CUDA; "
       "checks that all backends find the same pairs; and times them.");
@@ -218,7 +218,7 @@ int run_program(int argc, const char* const* argv, const Opener& opener, Runner 
       "--help");
   CommandLine line;
   line.words.assign(argv, argv + argc);
-  line.opener = opener;
+  line.opener = opener, line.clocks = clocks;
   Action action;
   add_devices(app, line, action);
   add_run(app, line, action);

@@ -13,6 +13,7 @@ using Runner = int (*)(const std::function<int()>& action);
 inline int run_directly(const std::function<int()>& action) { return action(); }
 
 // Parses the arguments, runs the subcommand and returns the exit code (commands.h).
-int run_program(int argc, const char* const* argv, const Opener& opener = open_backend, Runner run = run_directly);
+int run_program(int argc, const char* const* argv, const Opener& opener = open_backend, Runner run = run_directly,
+                const Clocks& clocks = host_clocks());
 
 }  // namespace spherepair

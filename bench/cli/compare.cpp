@@ -17,14 +17,15 @@ namespace {
 // Everything in results.json. It is rewritten after every table, so that an interrupted run keeps what it measured.
 class Record {
  public:
-  Record(std::filesystem::path folder, const CommandLine& line, const Session& session, const Plan& plan)
-      : folder_(std::move(folder)) {
+  Record(std::filesystem::path folder, const CommandLine& line, const Session& session, const StudyLoad& load,
+         const Plan& plan)
+      : folder_(std::move(folder)), session_(session), load_(load) {
     constexpr const char* levels[] = {"quick", "standard", "full"};
     root_ = {{"format", results_format},
              {"verdict", "unfinished"},
              {"context", capture_context(line.words)},
              {"backends", session.to_json()},
-             {"warnings", session.warnings()},
+             {"warnings", load.warnings(session)},
              {"seed", plan.seed},
              {"level", levels[size_t(plan.level)]},
              {"rounds", plan.sampling.rounds},
@@ -44,6 +45,7 @@ class Record {
     root_["equality"] = std::move(equality);
     root_["comparisons"] = study.session.comparisons.to_json();
     root_["measurements"] = study.measurements;
+    root_["warnings"] = load_.warnings(session_);
     write_file(folder_ / "results.json", json_text(root_));
   }
 
@@ -51,11 +53,13 @@ class Record {
     std::string text;
     for (const Table& table : tables) text += table.text() + "\n";
     if (!details.rows.empty()) text += details.text();
-    write_file(folder_ / (name + ".txt"), text);
+    write_file(folder_ / (name + ".txt"), text + load_.text(session_));
   }
 
  private:
   std::filesystem::path folder_;
+  const Session& session_;
+  const StudyLoad& load_;
   json root_;
 };
 
@@ -103,7 +107,7 @@ void make_tables(Study& study, Record& record) {
   }
 }
 
-void print_heading(const Session& session, const Plan& plan) {
+void print_heading(const Session& session, const StudyLoad& load, const Plan& plan) {
   fmt::print("spherepair {} ({})\n{}", build_info.version, build_info.commit, session.summary());
   if (!session.find("cpu"))
     fmt::print("The CPU is not among the backends: {} is the reference.\n", session.reference().info().name);
@@ -111,7 +115,7 @@ void print_heading(const Session& session, const Plan& plan) {
     fmt::print("GLSL and CUDA are not both open: the comparison between them is skipped.\n");
   fmt::print("Every timing has {}{}.\n", counted(plan.sampling.rounds, "round"),
              plan.sampling.rounds < fewest_for_interval ? ", too few for an interval of 95 %" : "");
-  for (const std::string& warning : session.warnings()) fmt::print("\n{}\n", wrapped(warning, "* ", "  "));
+  for (const std::string& warning : load.warnings(session)) fmt::print("\n{}\n", wrapped(warning, "* ", "  "));
   fmt::print("\n");
   std::fflush(stdout);
 }
@@ -122,14 +126,15 @@ int compare_command(const CommandLine& line, const CompareOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::filesystem::path folder = prepare_results(
       options.results, files_of(make_plan(options.plan, false)));  // throws for bad values before any work
+  const StudyLoad load(line.clocks);
   Session session(options.backends, line.open, line.opener);
   const bool hardware =
       std::ranges::any_of(session.backends(), [](const auto& backend) { return on_hardware(*backend); });
   const Plan plan = make_plan(options.plan, hardware);
-  print_heading(session, plan);
+  print_heading(session, load, plan);
   Progress progress;
   Study study(session, plan, progress);
-  Record record(folder, line, session, plan);
+  Record record(folder, line, session, load, plan);
   try {
     check_all(study);
     make_tables(study, record);
@@ -154,10 +159,10 @@ int compare_command(const CommandLine& line, const CompareOptions& options) {
   record.set("apis", apis);
   record.write(study);
   const size_t backends = session.backends().size();
-  fmt::print("\nNo difference {}: {}, in {:.0f} s\n{}\nResults: {}\n",
+  fmt::print("\nNo difference {}: {}, in {:.0f} s\n{}\n{}Results: {}\n",
              backends == 1 ? "between the methods of the one backend, whose states nothing confirms"
                            : fmt::format("between {} backends", backends),
-             session.comparisons.text(), seconds, wrapped(apis, "", "  "), folder.string());
+             session.comparisons.text(), seconds, wrapped(apis, "", "  "), load.text(session), folder.string());
   return kOk;
 }
 

@@ -95,7 +95,6 @@ json start_record(const CommandLine& line, const Session& session, const Contact
   return {{"format", "spherepair contacts 1"},
           {"context", capture_context(line.words)},
           {"backends", session.to_json()},
-          {"warnings", session.warnings()},
           {"settings",
            {{"n", plan.n},
             {"seed", plan.seed},
@@ -109,8 +108,9 @@ json start_record(const CommandLine& line, const Session& session, const Contact
           {"clocks", json::array({query_clocks()})}};
 }
 
-void report(const std::filesystem::path& folder, json record, const ContactPlan& plan,
-            const MeasuredContacts& measured) {
+void report(const std::filesystem::path& folder, json record, const ContactPlan& plan, const MeasuredContacts& measured,
+            const Session& session, const StudyLoad& load) {
+  record["warnings"] = load.warnings(session);
   record["contact_runs"] = list_of(measured.runs);
   record["contact_sums"] = list_of(measured.costs);
   record["gas_steps"] = list_of(measured.steps);
@@ -119,7 +119,7 @@ void report(const std::filesystem::path& folder, json record, const ContactPlan&
   record["targets"] = list_of(measured.targets);
   record["left_out"] = measured.left_out;
   record["clocks"].push_back(query_clocks());
-  const std::string text = tables_of(plan, measured);
+  const std::string text = tables_of(plan, measured) + load.text(session);
   fmt::print("{}", text);
   write_file(folder / "contacts.txt", text);
   write_file(folder / "contacts.json", json_text(record));
@@ -131,11 +131,12 @@ int contacts_command(const CommandLine& line, const ContactsOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   make_contact_plan(options, false);  // throws for bad values before any work
   const std::filesystem::path folder = prepare_results(options.results, {"contacts.txt", "contacts.json"});
+  const StudyLoad load(line.clocks);
   Session session(options.backends, line.open, line.opener);
   const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
   const ContactPlan plan = make_contact_plan(options, hardware);
   fmt::print("spherepair {} ({})\n{}\n", build_info.version, build_info.commit, session.summary());
-  for (const std::string& warning : session.warnings()) fmt::print("{}\n", wrapped(warning, "* ", "  "));
+  for (const std::string& warning : load.warnings(session)) fmt::print("{}\n", wrapped(warning, "* ", "  "));
   const json record = start_record(line, session, plan);
   Progress progress;
   MeasuredContacts measured;
@@ -154,7 +155,7 @@ int contacts_command(const CommandLine& line, const ContactsOptions& options) {
   std::ranges::copy(steps_targets(session, measured.steps), std::back_inserter(measured.targets));
   std::ranges::copy(rest_targets(session, measured.beds), std::back_inserter(measured.targets));
   progress.clear();
-  report(folder, record, plan, measured);
+  report(folder, record, plan, measured, session, load);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   fmt::print("\nIn {:.0f} s. Results: {}\n", taken.count(), (folder / "contacts.json").string());
   return kOk;

@@ -16,9 +16,10 @@
 namespace spherepair {
 namespace {
 
-std::string ms_of(const std::map<std::string, double>& seconds, const std::string& way) {
+std::string time_of(const Timing& t, const std::map<std::string, double>& seconds, const std::string& way) {
   const auto found = seconds.find(way);
-  return found == seconds.end() ? "-" : format_ms(found->second);
+  if (found == seconds.end()) return "-";
+  return format_ms(found->second) + (t.unsteady.contains(way) ? unsteady_mark : "");
 }
 
 std::string median_ratio(const Timing& t) {
@@ -50,10 +51,11 @@ Table table_of(const CrossoverSweep& sweep) {
               {},
               sweep.stopped};
   for (const Timing& t : sweep.timings) {
-    std::vector<std::string> row = {t.backend, t.kind, std::to_string(t.n), ms_of(t.all_pairs, "parallel")};
-    for (const uint block : square_groups) row.push_back(ms_of(t.all_pairs, square_way(block)));
-    row.insert(row.end(), {ms_of(t.all_pairs, "collide_triangle"), ms_of(t.grid, "dense"), ms_of(t.grid, "hashed"),
-                           format_ms(t.automatic), median_ratio(t), interval_of_ratios(t), t.chosen, t.best});
+    std::vector<std::string> row = {t.backend, t.kind, std::to_string(t.n), time_of(t, t.all_pairs, "parallel")};
+    for (const uint block : square_groups) row.push_back(time_of(t, t.all_pairs, square_way(block)));
+    row.insert(row.end(),
+               {time_of(t, t.all_pairs, "collide_triangle"), time_of(t, t.grid, "dense"), time_of(t, t.grid, "hashed"),
+                time_of(t, {{"auto", t.automatic}}, "auto"), median_ratio(t), interval_of_ratios(t), t.chosen, t.best});
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -117,6 +119,7 @@ int crossover_command(const CommandLine& line, const CrossoverOptions& options) 
   std::vector<uint64_t> sizes = options.sizes;
   for (uint64_t n = 64; options.sizes.empty() && n <= 1 << 15; n *= 2) sizes.push_back(n);
   std::ranges::sort(sizes);
+  const StudyLoad load(line.clocks);
   Session session(options.backends, line.open, line.opener);
   json record = {{"complete", false},
                  {"context", capture_context(line.words)},
@@ -127,17 +130,19 @@ int crossover_command(const CommandLine& line, const CrossoverOptions& options) 
     record["grid_from"] = faster_from(sweep->timings, &Timing::grid_faster);
     record["triangle_from"] = faster_from(sweep->timings, &Timing::triangle_fastest);
     record["auto"] = list_of(sweep->timings);
+    record["warnings"] = load.warnings(session);
     record["stopped"] = sweep->stopped;
     record["measurements"] = sweep->measurements;
     write_file(folder / "crossover.json", json_text(record));
   };
+  for (const std::string& warning : load.warnings(session)) fmt::print(stderr, "{}\n", warning);
   sweep.emplace(session, options, write);
   sweep->run(chosen, sizes);
   record["complete"] = true;
   record["clocks"].push_back(query_clocks());
   write();
   std::string text = table_of(*sweep).text() + "\n";
-  text += verdict(sweep->timings);
+  text += verdict(sweep->timings) + load.text(session);
   write_file(folder / "crossover.txt", text);
   fmt::print("{}Results: {}\n", text, (folder / "crossover.json").string());
   return kOk;

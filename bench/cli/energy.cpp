@@ -41,7 +41,8 @@ std::string table_of(const json& measurements) {
       return format_number(factor * row.at(name).get<double>());
     };
     table.rows.push_back({row.at("work"), std::to_string(row.at("n").get<uint64_t>()), row.at("backend"),
-                          number("counter_watts"), number("idle_counter_watts"), number("median_ms"),
+                          number("counter_watts"), number("idle_counter_watts"),
+                          number("median_ms") + (row.contains("unsteady") ? unsteady_mark : ""),
                           number("joules_per_step"), number("nanojoules_per_sphere"), number("disagreement", 100)});
   }
   return table.text() + "\n";
@@ -52,6 +53,7 @@ std::string table_of(const json& measurements) {
 int energy_command(const CommandLine& line, const EnergyOptions& options) {
   for (const std::string& work : options.works) require_known("work", work, energy_works());
   const std::filesystem::path folder = prepare_results(options.results, {"energy.json", "energy.txt"});
+  const StudyLoad load(line.clocks);
   Session session(options.backends, line.open, line.opener);
   json record = {{"complete", false},
                  {"context", capture_context(line.words)},
@@ -59,15 +61,17 @@ int energy_command(const CommandLine& line, const EnergyOptions& options) {
                  {"clocks", json::array({query_clocks()})}};
   std::optional<EnergyStudy> study;
   const auto write = [&] {
+    record["warnings"] = load.warnings(session);
     record["measurements"] = study->measurements;
     write_file(folder / "energy.json", json_text(record));
   };
+  for (const std::string& warning : load.warnings(session)) fmt::print(stderr, "{}\n", warning);
   study.emplace(session, options, write);
   study->run();
   record["complete"] = true;
   record["clocks"].push_back(query_clocks());
   write();
-  const std::string text = table_of(study->measurements);
+  const std::string text = table_of(study->measurements) + load.text(session);
   write_file(folder / "energy.txt", text);
   fmt::print("{}Results: {}\n", text, (folder / "energy.json").string());
   return kOk;

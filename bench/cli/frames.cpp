@@ -18,6 +18,7 @@ int frames_command(const CommandLine& line, const FramesOptions& options) {
     require_known("work", work, {"frame", "frame_all", "lit", "loop", "view"});
   most_by_draw(options.most);
   const std::filesystem::path folder = prepare_results(options.results, {"frames.json", "frames.txt"});
+  const StudyLoad load(line.clocks);
   std::unique_ptr<Window> window;
   OpenOptions open = line.open;
   if (options.window) {
@@ -26,6 +27,7 @@ int frames_command(const CommandLine& line, const FramesOptions& options) {
   }
   Session session(options.backends, open, line.opener);
   fmt::print("{}\n", session.summary());
+  for (const std::string& warning : load.warnings(session)) fmt::print("{}\n", wrapped(warning, "* ", "  "));
   json record = {{"format", "spherepair frames 1"}, {"context", capture_context(line.words)},
                  {"backends", session.to_json()},   {"width", options.width},
                  {"height", options.height},        {"packing_fraction", options.packing_fraction},
@@ -45,12 +47,14 @@ int frames_command(const CommandLine& line, const FramesOptions& options) {
     fmt::print("{}", tables);
     std::fflush(stdout);
     record["clocks"].push_back(query_clocks());
+    record["warnings"] = load.warnings(session);
     record["frames"] = study.frames;
     record["left_out"] = study.left_out;
     if (options.transfer) record["overlaps"] = study.overlaps;
     write_file(folder / "frames.json", json_text(record));
-    write_file(folder / "frames.txt", text);
+    write_file(folder / "frames.txt", text + load.text(session));
   }
+  fmt::print("{}", load.text(session));
   fmt::print("Results: {}\n", (folder / "frames.json").string());
   return kOk;
 }

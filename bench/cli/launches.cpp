@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // spherepair launches: launches.json has an entry of `measurements` for each size, work and path:
-//   n, scene, work   all_pairs or grid, see LaunchWork
+//   n, scene, work   empty, all_pairs or grid, see LaunchWork; of empty, n is the first size, and no sphere takes part
 //   backend, path    see LaunchPath
 //   work_per_step    launches, waits, graphs_replayed, overlapped, early
+//   us_per_launch    the step's time over its launches
+//   host_ns_per_step, host_ns_per_launch   the host's time from the first call that enqueues 64 steps to the last one's
+//                    return, before the wait at their end, over the steps or their launches
 // and the timing core's fields, all paths of a size and a work in one contest; left_out has what is not timed, and why.
 #include <fmt/format.h>
 
@@ -17,25 +20,40 @@
 namespace spherepair {
 namespace {
 
+const char* title_of(LaunchWork work) {
+  switch (work) {
+    case LaunchWork::empty:
+      return "Launches of a step: a chain of empty kernels of one group";
+    case LaunchWork::all_pairs:
+      return "Launches of a step: a move and all pairs";
+    case LaunchWork::grid:
+      break;
+  }
+  return "Launches of a step: the grid, spheres in random order, which it sorts first";
+}
+
 // A table for each work.
 std::string tables_of(const LaunchStudy& study) {
   std::string text;
   for (const auto& [work, rows] : study.rows)
-    text +=
-        Table{work == LaunchWork::grid ? "Launches of a step: the grid, spheres in random order, which it sorts first"
-                                       : "Launches of a step: a move and all pairs",
-              {{"", "n", ""},
-               {"", "backend", "", true},
-               {"", "path", "", true},
-               {"", "step", "us"},
-               {"fixed cost", "a sample", "us"},
-               {"", "to fastest", "", true}},
-              rows,
-              {}}
-            .text() +
-        "\n";
+    text += Table{title_of(work),
+                  {{"", "n", ""},
+                   {"", "backend", "", true},
+                   {"", "path", "", true},
+                   {"time of a", "step", "us"},
+                   {"time of a", "launch", "us"},
+                   {"host, for a", "step", "ns"},
+                   {"host, for a", "launch", "ns"},
+                   {"fixed cost", "a sample", "us"},
+                   {"", "to fastest", "", true}},
+                  rows,
+                  {}}
+                .text() +
+            "\n";
   for (const std::string& one : study.left_out) text += wrapped(one, "* left out: ", "  ") + "\n";
-  return text + "* What each path is: spherepair launches --help\n";
+  return text +
+         "* host: until all is enqueued, before the wait\n"
+         "* What each path is: spherepair launches --help\n";
 }
 
 std::vector<uint64_t> sizes_of_launches(const Session& session) {
@@ -53,15 +71,17 @@ void require_device(const Session& session) {
 
 int launches_command(const CommandLine& line, const LaunchesOptions& options) {
   const std::filesystem::path folder = prepare_results(options.results, {"launches.json", "launches.txt"});
+  const StudyLoad load(line.clocks);
   Session session(options.backends, line.open, line.opener);
   require_device(session);
-  for (const std::string& warning : session.warnings()) fmt::print(stderr, "{}\n", warning);
+  for (const std::string& warning : load.warnings(session)) fmt::print(stderr, "{}\n", warning);
   json record = {{"complete", false},
                  {"context", capture_context(line.words)},
                  {"backends", session.to_json()},
                  {"clocks", json::array({query_clocks()})}};
   std::optional<LaunchStudy> study;
   const auto write = [&] {
+    record["warnings"] = load.warnings(session);
     record["left_out"] = study->left_out;
     record["measurements"] = study->measurements;
     write_file(folder / "launches.json", json_text(record));
@@ -71,7 +91,7 @@ int launches_command(const CommandLine& line, const LaunchesOptions& options) {
   record["complete"] = true;
   record["clocks"].push_back(query_clocks());
   write();
-  const std::string text = tables_of(*study);
+  const std::string text = tables_of(*study) + load.text(session);
   write_file(folder / "launches.txt", text);
   fmt::print("{}Results: {}\n", text, (folder / "launches.json").string());
   return kOk;

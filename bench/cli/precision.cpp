@@ -75,7 +75,7 @@ Table time_table(const PrecisionPlan& plan, const std::vector<TimeEntry>& times,
     for (const std::string& backend : backends)
       for (const TimeEntry& entry : times)
         if (entry.k == k && entry.backend == backend && entry.motion == first.motion && entry.work == first.work)
-          row.push_back(format_number(1e9 * entry.per_sphere()));
+          row.push_back(marked(format_number(1e9 * entry.per_sphere()), entry.samples));
     table.rows.push_back(row);
   }
   return table;
@@ -85,7 +85,6 @@ json start_record(const CommandLine& line, const Session& session, const Precisi
   return {{"format", "spherepair precision 1"},
           {"context", capture_context(line.words)},
           {"backends", session.to_json()},
-          {"warnings", session.warnings()},
           {"settings",
            {{"seconds", plan.seconds},
             {"error_n", plan.error_n},
@@ -103,7 +102,9 @@ struct Measured {
 };
 
 // Writes the JSON and the tables, and prints the tables.
-void report(const std::filesystem::path& folder, json record, const PrecisionPlan& plan, const Measured& measured) {
+void report(const std::filesystem::path& folder, json record, const PrecisionPlan& plan, const Measured& measured,
+            const Session& session, const StudyLoad& load) {
+  record["warnings"] = load.warnings(session);
   record["errors"] = list_of(measured.errors);
   record["times"] = list_of(measured.times);
   record["copies"] = list_of(measured.copies);
@@ -115,6 +116,7 @@ void report(const std::filesystem::path& folder, json record, const PrecisionPla
     text += fmt::format("\nCopying the positions of {} on {}: {:.4g} GB/s read and written\n",
                         counted(copy.n, "sphere"), copy.backend, copy.bytes_per_second() / 1e9);
   if (!measured.targets.empty()) text += "\n" + target_table(measured.targets).text();
+  text += load.text(session);
   fmt::print("{}", text);
   write_file(folder / "precision.txt", text);
   write_file(folder / "precision.json", json_text(record));
@@ -126,11 +128,12 @@ int precision_command(const CommandLine& line, const PrecisionOptions& options) 
   const auto start = std::chrono::steady_clock::now();
   make_precision_plan(options, false);  // throws for bad values before any work
   const std::filesystem::path folder = prepare_results(options.results, {"precision.txt", "precision.json"});
+  const StudyLoad load(line.clocks);
   Session session(options.backends, line.open, line.opener);
   const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
   const PrecisionPlan plan = make_precision_plan(options, hardware);
   fmt::print("spherepair {} ({})\n{}", build_info.version, build_info.commit, session.summary());
-  for (const std::string& warning : session.warnings()) fmt::print("\n{}\n", wrapped(warning, "* ", "  "));
+  for (const std::string& warning : load.warnings(session)) fmt::print("\n{}\n", wrapped(warning, "* ", "  "));
   const json record = start_record(line, session, plan);
   Progress progress;
   Measured measured = {measure_errors(session, plan, progress),
@@ -139,7 +142,7 @@ int precision_command(const CommandLine& line, const PrecisionOptions& options) 
                        {}};
   measured.targets = motion_targets(session, measured.errors, measured.times, measured.copies);
   progress.clear();
-  report(folder, record, plan, measured);
+  report(folder, record, plan, measured, session, load);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   fmt::print("\nIn {:.0f} s. Results: {}\n", taken.count(), (folder / "precision.json").string());
   return kOk;

@@ -93,8 +93,8 @@ Table naive_table(const std::vector<NaiveEntry>& entries) {
   for (const NaiveEntry& entry : entries)
     table.rows.push_back({entry.scene, std::to_string(entry.n), entry.exact.backend + " " + entry.method,
                           std::to_string(entry.error.right), std::to_string(entry.error.missed),
-                          std::to_string(entry.error.extra), format_ms(entry.naive.median_seconds()),
-                          format_ms(entry.exact.median_seconds()), ratio_text(contest(entry.exact, entry.naive))});
+                          std::to_string(entry.error.extra), ms_of(entry.naive), ms_of(entry.exact),
+                          ratio_text(contest(entry.exact, entry.naive))});
   return table;
 }
 
@@ -123,11 +123,12 @@ int sets_command(const CommandLine& line, const SetsOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   make_set_plan(options, false);  // throws for bad values before any work
   const std::filesystem::path folder = prepare_results(options.results, {"sets.txt", "sets.json"});
+  const StudyLoad load(line.clocks);
   Session session(options.backends, line.open, line.opener);
   const SetPlan plan =
       make_set_plan(options, std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); }));
   fmt::print("spherepair {} ({})\n{}", build_info.version, build_info.commit, session.summary());
-  for (const std::string& warning : session.warnings()) fmt::print("\n{}\n", wrapped(warning, "* ", "  "));
+  for (const std::string& warning : load.warnings(session)) fmt::print("\n{}\n", wrapped(warning, "* ", "  "));
   const json before = query_clocks();
   Progress progress;
   const auto motion = measure_motion_sets(session, plan, progress);
@@ -136,7 +137,7 @@ int sets_command(const CommandLine& line, const SetsOptions& options) {
   const auto contacts = measure_contacts(session, plan, progress);
   progress.clear();
   const std::string text = motion_table(plan, motion).text() + "\n" + storage_table(storage).text() + "\n" +
-                           naive_table(naive).text() + "\n" + contact_table(contacts).text();
+                           naive_table(naive).text() + "\n" + contact_table(contacts).text() + load.text(session);
   fmt::print("{}", text);
   write_file(folder / "sets.txt", text);
   write_file(
@@ -144,7 +145,7 @@ int sets_command(const CommandLine& line, const SetsOptions& options) {
       json_text({{"format", "spherepair sets 1"},
                  {"context", capture_context(line.words)},
                  {"backends", session.to_json()},
-                 {"warnings", session.warnings()},
+                 {"warnings", load.warnings(session)},
                  {"clocks", {before, query_clocks()}},
                  {"settings",
                   {{"n", plan.n}, {"seconds", plan.seconds}, {"seed", plan.seed}, {"restitution", 1}, {"speed", 1}}},

@@ -71,17 +71,20 @@ json to_json(const PeakRates& peak_rates) {
 class Sweep {
  public:
   Sweep(const CommandLine& line, const SweepCommandOptions& options)
-      : line_(line), options_(options), session_(options.backends, line.open, line.opener) {
+      : line_(line), options_(options), load_(line.clocks), session_(options.backends, line.open, line.opener) {
     sampling_ = study_sampling(options.rounds);
     sampling_.longest = 0.1;
   }
 
   int run() {
     fmt::print("{}", session_.summary());
+    for (const std::string& warning : load_.warnings(session_)) fmt::print("{}\n", wrapped(warning, "* ", "  "));
     std::vector<SweepTask> all;
     for (const SweepPoint& point : points_of(session_, options_))
       all.push_back({file_name(point), label(point), [this, point] { return text_of(point); }});
-    return run_sweep(all, options_.sweep, is_record);
+    const int code = run_sweep(all, options_.sweep, is_record);
+    fmt::print("{}", load_.text(session_));
+    return code;
   }
 
  private:
@@ -106,6 +109,7 @@ class Sweep {
     return json_text({{"format", kFormat},
                       {"context", capture_context(line_.words)},
                       {"backends", session_.to_json()},
+                      {"warnings", load_.warnings(session_)},
                       {"seed", point.seed},
                       {"peak_rates", to_json(*peak_rates_)},
                       {"clocks", clocks},
@@ -115,6 +119,7 @@ class Sweep {
 
   const CommandLine& line_;
   const SweepCommandOptions& options_;
+  const StudyLoad load_;  // before the session
   Session session_;
   Sampling sampling_;
   std::optional<PeakRates> peak_rates_;  // measured when first needed

@@ -148,7 +148,10 @@ void EnergyStudy::measure(Row& row) {
   const double step = seconds_of([&] { run(steps_probed); }) / double(steps_probed);
   const auto chunk = uint64_t(std::max(1.0, std::ceil(chunk_seconds / step)));
   const auto work = [&] { return run(chunk), chunk; };
+  const Clocks clocks = host_clocks();
+  const OtherPrograms others(clocks);
   row.windows.push_back(measure_window(meters_.at(uuid_of(row)), options_.seconds, 0.1 * options_.seconds, work));
+  row.others = std::max(row.others, others.share());
 }
 
 json EnergyStudy::to_json(const Row& row) const {
@@ -172,27 +175,30 @@ json EnergyStudy::to_json(const Row& row) const {
                        {"integrated_watts", window.power.integrated}});
   }
   const CollideOptions& options = row.configuration.options;
-  return {{"table", "energy"},
-          {"n", row.n},
-          {"scene", scene_json(scene_options(row.n))},
-          {"work", row.work},
-          {"method", method_name(options.method)},
-          {"block", options.block},
-          {"backend", row.configuration.backend->info().name},
-          {"label", label_of(row.work, row.n, row.configuration)},
-          {"power", meters_.at(uuid_of(row)).instant() ? "instant" : "mean of a second"},
-          {"samples_ms", samples},
-          {"median_ms", 1e3 * median_of([](const EnergyWindow& w) { return w.step_seconds(); })},
-          {"idle_counter_watts", idle.counter},
-          {"idle_integrated_watts", idle.integrated},
-          {"counter_watts", median_of([](const EnergyWindow& w) { return w.power.counter; })},
-          {"integrated_watts", median_of([](const EnergyWindow& w) { return w.power.integrated; })},
-          {"joules_per_step_with_idle", joules(&MeanPower::counter, 0)},
-          {"joules_per_step", counted},
-          {"joules_per_step_integrated", integrated},
-          {"nanojoules_per_sphere", 1e9 * counted / double(row.n)},
-          {"disagreement", integrated / counted - 1},
-          {"windows", windows}};
+  json out = {{"table", "energy"},
+              {"n", row.n},
+              {"scene", scene_json(scene_options(row.n))},
+              {"work", row.work},
+              {"method", method_name(options.method)},
+              {"block", options.block},
+              {"backend", row.configuration.backend->info().name},
+              {"label", label_of(row.work, row.n, row.configuration)},
+              {"power", meters_.at(uuid_of(row)).instant() ? "instant" : "mean of a second"},
+              {"samples_ms", samples},
+              {"median_ms", 1e3 * median_of([](const EnergyWindow& w) { return w.step_seconds(); })},
+              {"idle_counter_watts", idle.counter},
+              {"idle_integrated_watts", idle.integrated},
+              {"counter_watts", median_of([](const EnergyWindow& w) { return w.power.counter; })},
+              {"integrated_watts", median_of([](const EnergyWindow& w) { return w.power.integrated; })},
+              {"joules_per_step_with_idle", joules(&MeanPower::counter, 0)},
+              {"joules_per_step", counted},
+              {"joules_per_step_integrated", integrated},
+              {"nanojoules_per_sphere", 1e9 * counted / double(row.n)},
+              {"disagreement", integrated / counted - 1},
+              {"windows", windows}};
+  const auto reasons = unsteady(median_interval(samples.get<std::vector<double>>()), row.others);
+  if (!reasons.empty()) out["unsteady"] = reasons;
+  return out;
 }
 
 }  // namespace spherepair

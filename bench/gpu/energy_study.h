@@ -39,6 +39,7 @@ class EnergyStudy {
     uint64_t n;
     Configuration configuration;
     std::vector<EnergyWindow> windows = {};
+    std::optional<double> others = {};  // the largest share of the cores that other programs kept busy in a window
   };
 
   const Scene& scene(const Row& row);

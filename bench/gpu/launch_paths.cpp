@@ -80,7 +80,10 @@ constexpr LaunchPath paths[] = {
 
 std::span<const LaunchPath> launch_paths() { return paths; }
 
-const char* launch_work_name(LaunchWork work) { return work == LaunchWork::grid ? "grid" : "all_pairs"; }
+const char* launch_work_name(LaunchWork work) {
+  constexpr const char* names[] = {"empty", "all_pairs", "grid"};
+  return names[size_t(work)];
+}
 
 SceneOptions launch_scene(LaunchWork work, uint64_t n) {
   SceneOptions scene;
@@ -92,7 +95,7 @@ SceneOptions launch_scene(LaunchWork work, uint64_t n) {
 CollideOptions launch_options(const LaunchPath& path, LaunchWork work) {
   if (work == LaunchWork::grid)
     return {.method = Method::collide_grid,
-            .grid = {.keep_order = false, .keep_cells = false, .sort = Sort::buckets},
+            .grid = {.keep_order = false, .keep_cells = false},  // in software few spheres are sorted by counting
             .api = path.api};
   return {.method = Method::collide_triangle, .api = path.api};
 }
@@ -100,12 +103,21 @@ CollideOptions launch_options(const LaunchPath& path, LaunchWork work) {
 void enqueue_steps(const LaunchPath& path, LaunchWork work, Backend& backend, uint64_t steps) {
   if (path.persistent) return backend.enqueue_persistent_steps(uint(steps));
   const CollideOptions options = launch_options(path, work);
-  for (uint64_t k = 0; k < steps; ++k)
-    work == LaunchWork::grid ? backend.enqueue_collide(options) : backend.enqueue_step(options);
+  for (uint64_t k = 0; k < steps; ++k) switch (work) {
+      case LaunchWork::empty:
+        backend.enqueue_empty_step(empty_launches, options.api);
+        break;
+      case LaunchWork::all_pairs:
+        backend.enqueue_step(options);
+        break;
+      case LaunchWork::grid:
+        backend.enqueue_collide(options);
+    }
 }
 
 void run_steps(const LaunchPath& path, LaunchWork work, Backend& backend, uint64_t steps) {
   if (path.persistent) return backend.run_persistent_steps(uint(steps));
+  if (work == LaunchWork::empty) return enqueue_steps(path, work, backend, steps), backend.finish();
   const CollideOptions options = launch_options(path, work);
   enqueue_steps(path, work, backend, steps - 1);
   work == LaunchWork::grid ? backend.collide(options) : backend.step(options);

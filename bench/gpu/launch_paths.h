@@ -8,9 +8,11 @@
 
 namespace spherepair {
 
-// All pairs: a move, which clears the results, and collide_triangle; spheres of the scene `random`. Grid: the search of
-// spheres in random order, which sorts them first, three launches; spheres of the scene `uniform`.
-enum class LaunchWork { all_pairs, grid };
+// Empty: a chain of empty kernels of one group, each behind the one before: the floor of a path. All pairs: a move,
+// which clears the results, and collide_triangle; spheres of the scene `random`. Grid: the search of spheres in random
+// order, which sorts them first as it does by default, three launches on a GPU; spheres of the scene `uniform`.
+enum class LaunchWork { empty, all_pairs, grid };
+constexpr uint empty_launches = 8;  // of a step
 const char* launch_work_name(LaunchWork work);
 SceneOptions launch_scene(LaunchWork work, uint64_t n);
 
@@ -20,6 +22,10 @@ struct LaunchPath {
   bool of_grid = true, of_all_pairs = true;
   bool persistent = false;
   bool (*shown)(const WorkCounts&);  // whether these counts, of equal steps behind some others, are of this path
+  bool has(LaunchWork work) const {
+    if (work == LaunchWork::empty) return of_all_pairs && !persistent;  // empty kernels overlap nothing
+    return work == LaunchWork::grid ? of_grid : of_all_pairs;
+  }
 };
 std::span<const LaunchPath> launch_paths();
 

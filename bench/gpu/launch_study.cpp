@@ -15,10 +15,12 @@ namespace {
 
 constexpr uint64_t steps_checked = 6;    // the third and later ones of a graph are replays
 constexpr uint64_t steps_counted = 128;  // behind those: more than the longest graph holds
+constexpr uint64_t steps_enqueued = 64;  // so few that no API's queue is full, and the host waits for none
 
 std::string name_of(const LaunchPath& path) { return fmt::format("{} {}", path.backend, path.name); }
 
 uint64_t working_set(LaunchWork work, const Scene& scene) {
+  if (work == LaunchWork::empty) return 0;
   if (work == LaunchWork::grid) return search_set_bytes(scene.size(), Method::collide_grid, false);
   return motion_set_bytes(scene.size(), scene.motion);  // which all pairs read again
 }
@@ -57,6 +59,7 @@ LaunchStudy::LaunchStudy(Session& session, const LaunchesOptions& options, std::
 
 void LaunchStudy::run(const std::vector<uint64_t>& sizes) {
   uint64_t done = 0;
+  measure_size(LaunchWork::empty, sizes.front());
   for (const LaunchWork work : {LaunchWork::all_pairs, LaunchWork::grid})
     for (const uint64_t n : sizes) {
       progress_.reach(done++, 2 * sizes.size());
@@ -68,8 +71,7 @@ void LaunchStudy::run(const std::vector<uint64_t>& sizes) {
 std::vector<LaunchStudy::Row> LaunchStudy::rows_of(LaunchWork work) const {
   std::vector<Row> found;
   for (const LaunchPath& path : launch_paths())
-    if (Backend* backend = session_.find(path.backend);
-        backend && (work == LaunchWork::grid ? path.of_grid : path.of_all_pairs))
+    if (Backend* backend = session_.find(path.backend); backend && path.has(work))
       found.push_back({&path, backend, {}});
   return found;
 }
@@ -78,14 +80,18 @@ void LaunchStudy::measure_size(LaunchWork work, uint64_t n) {
   const SceneOptions options = launch_scene(work, n);
   const Scene scene = make_scene(options);
   progress_.say(fmt::format("checking {} of {}", launch_work_name(work), n));
-  const Configuration reference = reference_for(session_, {}, n);
+  if (work != LaunchWork::empty) expect(work, scene);
+  std::vector<Row> paths = rows_of(work);
+  std::erase_if(paths, [&](Row& row) { return !check(row, work, scene, options); });
+  if (!paths.empty()) time(paths, work, scene, options);
+}
+
+void LaunchStudy::expect(LaunchWork work, const Scene& scene) {
+  const Configuration reference = reference_for(session_, {}, scene.size());
   reference.backend->upload(scene);
   for (uint64_t k = 0; work == LaunchWork::all_pairs && k < steps_checked; ++k) reference.backend->move();
   expected_ = run_step(session_, reference, false);
   if (work == LaunchWork::all_pairs) expected_state_ = current_state(*reference.backend);
-  std::vector<Row> paths = rows_of(work);
-  std::erase_if(paths, [&](Row& row) { return !check(row, work, scene, options); });
-  if (!paths.empty()) time(paths, work, scene, options);
 }
 
 // Whether the path is to be had here; DifferenceFound where its results are not the reference's.
@@ -103,7 +109,7 @@ bool LaunchStudy::check(Row& row, LaunchWork work, const Scene& scene, const Sce
   } catch (const std::invalid_argument& error) {  // an option that this device lacks
     return leave_out(error.what());
   }
-  require_reference(row, work, options);
+  if (work != LaunchWork::empty) require_reference(row, work, options);
   enqueue_steps(*row.path, work, *row.backend, steps_checked);
   row.backend->finish();
   const WorkCounts before = row.backend->work_counts();
@@ -128,36 +134,67 @@ void LaunchStudy::require_reference(const Row& row, LaunchWork work, const Scene
   session_.comparisons.require_complete();
 }
 
+Contender LaunchStudy::contender_for(const Row& row, LaunchWork work, const Scene& scene) const {
+  const auto enqueue = [=, path = row.path](Backend& b, uint64_t steps) { enqueue_steps(*path, work, b, steps); };
+  Contender contender{.label = fmt::format("{} {} of {}", name_of(*row.path), launch_work_name(work), scene.size()),
+                      .backend = row.backend,
+                      .step = [=](Backend& b) { enqueue(b, 1); },
+                      .contest = "paths",
+                      .alternates = true,
+                      .working_set = working_set(work, scene)};
+  if (row.path->persistent) contender.steps = enqueue;
+  if (work == LaunchWork::all_pairs)
+    contender.restart = [=, &scene, path = row.path](Backend& b) { b.upload(scene), run_steps(*path, work, b, 1); };
+  return contender;
+}
+
+// Seconds of the host until a step is enqueued, before any wait at the end: the median of as many short batches as the
+// study has rounds.
+double LaunchStudy::enqueuing(const Contender& contender) const {
+  std::vector<double> seconds;
+  for (int round = 0; round < sampling_.rounds; ++round)
+    seconds.push_back(
+        time_batch(contender, steps_enqueued, steps_ahead(contender, steps_enqueued), sampling_.clocks).enqueuing /
+        double(steps_enqueued));
+  return median(seconds);
+}
+
+void LaunchStudy::record(const Row& row, LaunchWork work, const SceneOptions& options, const Samples& samples,
+                         double enqueuing) {
+  const double launches = row.launches();
+  json entry = {{"table", "launches"},
+                {"n", options.n},
+                {"scene", scene_json(options)},
+                {"work", launch_work_name(work)},
+                {"path", row.path->name},
+                {"work_per_step", row.work_per_step},
+                {"us_per_launch", 1e6 * samples.median_seconds() / launches},
+                {"host_ns_per_step", 1e9 * enqueuing},
+                {"host_ns_per_launch", 1e9 * enqueuing / launches}};
+  entry.update(to_json(samples));
+  measurements.push_back(std::move(entry));
+}
+
 // One contest: K is the same for all paths of both APIs, and they take their turns in a row.
 void LaunchStudy::time(const std::vector<Row>& paths, LaunchWork work, const Scene& scene,
                        const SceneOptions& options) {
   std::vector<Contender> contenders;
-  for (const Row& row : paths) {
-    const auto enqueue = [=, path = row.path](Backend& b, uint64_t steps) { enqueue_steps(*path, work, b, steps); };
-    Contender contender{.label = fmt::format("{} {} of {}", name_of(*row.path), launch_work_name(work), options.n),
-                        .backend = row.backend,
-                        .step = [=](Backend& b) { enqueue(b, 1); },
-                        .contest = "paths",
-                        .alternates = true,
-                        .working_set = working_set(work, scene)};
-    if (row.path->persistent) contender.steps = enqueue;
-    if (work == LaunchWork::all_pairs)
-      contender.restart = [=, &scene, path = row.path](Backend& b) { b.upload(scene), run_steps(*path, work, b, 1); };
-    contenders.push_back(std::move(contender));
-  }
+  for (const Row& row : paths) contenders.push_back(contender_for(row, work, scene));
   const std::vector<Samples> samples = measure(session_, contenders, sampling_, progress_);
-  const auto median_of = [](const Samples& one) { return one.median_seconds(); };
-  const auto fastest = std::ranges::min_element(samples, {}, median_of);
+  const auto by_time = [](const Samples& one) { return std::pair(!one.unsteady().empty(), one.median_seconds()); };
+  const auto fastest = std::ranges::min_element(samples, {}, by_time);
   for (size_t k = 0; k < paths.size(); ++k) {
-    json row = {{"table", "launches"},          {"n", options.n},
-                {"scene", scene_json(options)}, {"work", launch_work_name(work)},
-                {"path", paths[k].path->name},  {"work_per_step", paths[k].work_per_step}};
-    row.update(to_json(samples[k]));
-    measurements.push_back(std::move(row));
+    const double host = enqueuing(contenders[k]);
+    record(paths[k], work, options, samples[k], host);
+    const bool least = &samples[k] == &*fastest, leads = least && samples[k].unsteady().empty();
     rows[work].push_back({std::to_string(options.n), paths[k].path->backend, paths[k].path->name,
-                          format_us(samples[k].median_seconds()),
+                          marked(format_us(samples[k].median_seconds()), samples[k]),
+                          format_us(samples[k].median_seconds() / paths[k].launches()), format_number(1e9 * host),
+                          format_number(1e9 * host / paths[k].launches()),
                           samples[k].fixed.empty() ? "-" : format_us(median(samples[k].fixed)),
-                          &samples[k] == &*fastest ? "fastest" : ratio_text(contest(samples[k], *fastest))});
+                          leads   ? "fastest"
+                          : least ? "-"
+                                  : ratio_text(contest(samples[k], *fastest))});
   }
 }
 

@@ -31,13 +31,18 @@ class LaunchStudy {
     const LaunchPath* path;
     Backend* backend;
     json work_per_step;
+    double launches() const { return work_per_step.at("launches"); }  // of a step
   };
 
   void measure_size(LaunchWork work, uint64_t n);
   std::vector<Row> rows_of(LaunchWork work) const;
+  void expect(LaunchWork work, const Scene& scene);
   bool check(Row& row, LaunchWork work, const Scene& scene, const SceneOptions& options);
   void require_reference(const Row& row, LaunchWork work, const SceneOptions& options);
+  Contender contender_for(const Row& row, LaunchWork work, const Scene& scene) const;
+  double enqueuing(const Contender& contender) const;
   void time(const std::vector<Row>& paths, LaunchWork work, const Scene& scene, const SceneOptions& options);
+  void record(const Row& row, LaunchWork work, const SceneOptions& options, const Samples& samples, double enqueuing);
 
   Session& session_;
   std::function<void()> write_;

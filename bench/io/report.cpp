@@ -136,13 +136,19 @@ std::string significant(double value, const char* missing = "-") {
 std::string json_text(const json& value) { return value.dump(1, ' ', false, json::error_handler_t::replace) + "\n"; }
 std::string json_line(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
 
+std::vector<std::string> Table::all_notes() const {
+  std::vector<std::string> all = notes;
+  const auto is_marked = [](const std::string& cell) { return cell.ends_with(unsteady_mark); };
+  if (std::ranges::any_of(rows, [&](const auto& row) { return std::ranges::any_of(row, is_marked); }))
+    all.push_back("!: busy machine, or an interval wider than 2x; such a time decides nothing.");
+  return all;
+}
+
 std::string Table::text() const {
-  std::string out = wrapped(title, "", "  ") + "\n", gap;
-  for (const Table& part : parts_of(*this)) {
-    out += gap + grid_text(part);
-    gap = "\n";
-  }
-  for (const std::string& note : notes) out += wrapped(note, "* ", "  ") + "\n";
+  std::string out = wrapped(title, "", "  ") + "\n";
+  const std::vector<Table> parts = parts_of(*this);
+  for (size_t k = 0; k < parts.size(); ++k) out += (k ? "\n" : "") + grid_text(parts[k]);
+  for (const std::string& note : all_notes()) out += wrapped(note, "* ", "  ") + "\n";
   return out;
 }
 
@@ -150,7 +156,7 @@ json Table::to_json() const {
   json heads = json::array();
   for (const Column& column : columns)
     heads.push_back({{"group", column.group}, {"name", column.name}, {"unit", column.unit}});
-  return {{"title", title}, {"columns", heads}, {"rows", rows}, {"notes", notes}};
+  return {{"title", title}, {"columns", heads}, {"rows", rows}, {"notes", all_notes()}};
 }
 
 std::string format_ms(double seconds) { return significant(seconds * 1e3); }

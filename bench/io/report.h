@@ -30,6 +30,9 @@ struct Column {
   bool left = false;
 };
 
+// Ends a cell whose time decides nothing; a table with one has a note that says so.
+constexpr const char* unsteady_mark = " !";
+
 // Cells are text, so that a column can hold numbers and "skipped".
 struct Table {
   std::string title;
@@ -40,6 +43,9 @@ struct Table {
 
   std::string text() const;  // in parts, where it is too wide for a line
   json to_json() const;
+
+ private:
+  std::vector<std::string> all_notes() const;
 };
 
 std::string format_ms(double seconds);       // milliseconds, four significant digits

@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 #include <limits>
 #include <numeric>
 
@@ -18,12 +16,6 @@ namespace {
 
 constexpr int attempts = 3;
 constexpr uint64_t most_steps = 1u << 24;
-
-double process_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
 
 // What a contender says of K by itself.
 struct Estimate {
@@ -70,13 +62,6 @@ void enqueue(const Contender& contender, uint64_t steps) {
 
 }  // namespace
 
-Clocks host_clocks() {
-  const auto wall = [] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-  };
-  return {wall, process_seconds};
-}
-
 int steps_ahead(const Contender& contender, uint64_t largest) {
   if (contender.restart) return 3;
   if (on_hardware(*contender.backend)) return largest > 1 ? 3 : 1;  // the second equal step captures a graph
@@ -91,9 +76,10 @@ Batch time_batch(const Contender& contender, uint64_t steps, int ahead, const Cl
   const Preparations before = backend.preparations();
   const double cores = clocks.cores(), start = clocks.wall();
   enqueue(contender, steps);
+  const double enqueuing = clocks.wall() - start;
   backend.finish();
   const double seconds = clocks.wall() - start;
-  return {seconds, (clocks.cores() - cores) / seconds, backend.preparations() - before};
+  return {seconds, (clocks.cores() - cores) / seconds, enqueuing, backend.preparations() - before};
 }
 
 BatchPlan plan_batches(std::span<const Contender* const> contenders, const Sampling& sampling) {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/measure/machine_load.h"
 #include "common/backend/backend.h"
 #include "common/shared/hash.h"
 
@@ -37,12 +38,6 @@ struct Contender {
   uint64_t working_set = 0;  // bytes that a step touches; 0: not known
 };
 
-// Seconds: of a steady clock, and of all threads of the process together on the host's cores.
-struct Clocks {
-  std::function<double()> wall, cores;
-};
-Clocks host_clocks();
-
 struct Sampling {
   int rounds = 11;             // of every contender
   double fixed_share = 0.005;  // K is so large that a sample's fixed cost is no larger share of the longest batch ...
@@ -67,6 +62,7 @@ void shuffle(std::vector<T>& order, uint64_t& state) {
 
 struct Batch {
   double seconds = 0, cores = 0;  // cores: that this process kept busy meanwhile
+  double enqueuing = 0;           // seconds until the last step was enqueued, before the wait
   Preparations prepared;          // inside of the batch
 };
 

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double narrow = 1.25;  // an interval of ratios that is wider, high over low, could hide a difference
 
-std::string times_text(double ratio) { return fmt::format("{:.{}f}x", ratio, ratio < 10 ? 2 : ratio < 100 ? 1 : 0); }
+std::string number_text(double ratio) { return fmt::format("{:.{}f}", ratio, ratio < 10 ? 2 : ratio < 100 ? 1 : 0); }
+std::string times_text(double ratio) { return number_text(ratio) + "x"; }
 
 }  // namespace
 
@@ -20,8 +21,14 @@ Contest contest(const Samples& left, const Samples& right) {
   const size_t rounds = std::min(left.seconds.size(), right.seconds.size());
   std::vector<double> ratios(rounds);
   for (size_t k = 0; k < rounds; ++k) ratios[k] = left.seconds[k] / right.seconds[k];
-  Contest found{Finding::no_difference, median(ratios), median_interval(ratios), rounds, left.backend, right.backend};
-  if (!enough_rounds(found))
+  Contest found{Finding::no_difference,
+                median(ratios),
+                median_interval(ratios),
+                rounds,
+                left.backend,
+                right.backend,
+                left.unsteady().empty() && right.unsteady().empty()};
+  if (!enough_rounds(found) || !found.steady)
     found.finding = Finding::undecided;
   else if (found.ratios.low > 1 || found.ratios.high < 1)
     found.finding = Finding::differ;
@@ -40,7 +47,8 @@ std::string spread_text(const Contest& contest) {
 std::string ratio_text(const Contest& contest) {
   if (contest.finding == Finding::undecided)
     return enough_rounds(contest)
-               ? fmt::format("undecided: {} to {}", times_text(contest.ratios.low), times_text(contest.ratios.high))
+               ? fmt::format("undecided: {} to {}{}", times_text(contest.ratios.low), times_text(contest.ratios.high),
+                             contest.steady ? "" : unsteady_mark)
                : fmt::format("undecided: {} too few",
                              contest.rounds == 1 ? "1 round is" : fmt::format("{} rounds are", contest.rounds));
   return contest.finding == Finding::differ ? times_text(contest.ratio) : "no difference seen";
@@ -48,7 +56,9 @@ std::string ratio_text(const Contest& contest) {
 
 std::string verdict(const Contest& contest) {
   if (contest.finding != Finding::differ) return ratio_text(contest);
-  return fmt::format("{} takes {} {}'s time", contest.left, ratio_text(contest), contest.right);
+  const auto [low, high, coverage] = contest.ratios;
+  return fmt::format("{} takes {} [{}, {}] {}'s time", contest.left, times_text(contest.ratio), number_text(low),
+                     number_text(high), contest.right);
 }
 
 }  // namespace spherepair

@@ -9,7 +9,7 @@ namespace spherepair {
 enum class Finding {
   differ,         // the interval of the rounds' ratios is on one side of 1
   no_difference,  // it holds 1 and is narrow
-  undecided       // it is wide, or of too few rounds to be one
+  undecided       // it is wide, or of too few rounds to be one, or of unsteady times
 };
 
 // The two take their turns right behind each other in every round, so a load that lasts longer slows down both: it is
@@ -20,12 +20,14 @@ struct Contest {
   Interval ratios;          // ... and its interval between order statistics
   size_t rounds;            // that both took part in
   std::string left, right;  // backends
+  bool steady = true;       // both times
 };
 Contest contest(const Samples& left, const Samples& right);
 bool enough_rounds(const Contest& contest);       // for an interval of 95 %
 std::string spread_text(const Contest& contest);  // 0.54x to 2.10x in 7 rounds
 // 1.07x, "no difference seen", or "undecided: 0.54x to 2.10x": cells of tables, and so short.
 std::string ratio_text(const Contest& contest);
-std::string verdict(const Contest& contest);  // the same, but "glsl takes 1.07x cuda's time"
+// The same, but "glsl takes 1.07x [1.05, 1.09] cuda's time", with the interval.
+std::string verdict(const Contest& contest);
 
 }  // namespace spherepair

@@ -45,6 +45,12 @@ void add_memory(json& out, const Samples& samples) {
   out["fits_l2"] = or_null(known && samples.l2, samples.working_set <= samples.l2.value_or(0));
 }
 
+// Text in a list: the rows of several processes stay one row, and a merged row keeps the mark.
+void add_steadiness(json& out, const Samples& samples) {
+  out["others_share"] = or_null(samples.others.has_value(), samples.others.value_or(0));
+  if (const std::vector<std::string> reasons = samples.unsteady(); !reasons.empty()) out["unsteady"] = reasons;
+}
+
 void add_stages(json& out, const Samples& samples) {
   if (samples.timer_floor) out["timer_floor_ms"] = *samples.timer_floor * 1e3;
   if (samples.stages.empty()) return;
@@ -105,9 +111,16 @@ json to_json(const Samples& samples) {
               {"turns", samples.turn}};
   add_batches(out, samples);
   add_memory(out, samples);
+  add_steadiness(out, samples);
   if (!samples.cores.empty()) out["busy_cores"] = median(samples.cores), out["pinned"] = samples.pinned;
   add_stages(out, samples);
   return out;
 }
+
+std::string marked(const std::string& cell, const Samples& samples) {
+  return samples.unsteady().empty() ? cell : cell + unsteady_mark;
+}
+
+std::string ms_of(const Samples& samples) { return marked(format_ms(samples.median_seconds()), samples); }
 
 }  // namespace spherepair

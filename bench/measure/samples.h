@@ -10,6 +10,7 @@
 #include "bench/io/report.h"
 #include "bench/measure/batches.h"
 #include "bench/measure/statistics.h"
+#include "bench/measure/steadiness.h"
 
 namespace spherepair {
 
@@ -19,14 +20,15 @@ struct Samples {
   std::vector<uint64_t> turn = {};                      // position of each value in the sequence of all turns
   BatchPlan plan = {};                                  // of every turn
   std::vector<std::vector<double>> batch_seconds = {};  // by round, as the plan's steps
-  std::vector<double> fixed = {};   // seconds that a batch takes besides its steps, by round; empty without a fit
-  double longest = 0;               // Sampling::longest
-  uint64_t retaken = 0;             // batches, since something was prepared in them
-  Preparations prepared = {};       // in the samples, where it is part of the steps
-  std::vector<double> cores = {};   // of the host that the process kept busy, by round; empty for devices
-  bool pinned = false;              // each thread of the host to a core
-  uint64_t working_set = 0;         // bytes; 0: not known
-  std::optional<uint64_t> l2 = {};  // bytes of the device's cache; none: not known
+  std::vector<double> fixed = {};     // seconds that a batch takes besides its steps, by round; empty without a fit
+  double longest = 0;                 // Sampling::longest
+  uint64_t retaken = 0;               // batches, since something was prepared in them
+  Preparations prepared = {};         // in the samples, where it is part of the steps
+  std::vector<double> cores = {};     // of the host that the process kept busy, by round; empty for devices
+  bool pinned = false;                // each thread of the host to a core
+  std::optional<double> others = {};  // share of the machine's cores that other programs kept busy meanwhile
+  uint64_t working_set = 0;           // bytes; 0: not known
+  std::optional<uint64_t> l2 = {};    // bytes of the device's cache; none: not known
 
   std::map<std::string, double> stages = {};  // device timer, seconds per step; empty without one
   std::map<std::string, Interval> stage_intervals = {};
@@ -36,6 +38,7 @@ struct Samples {
   uint64_t batch() const { return plan.steps.back(); }  // K
   double median_seconds() const { return median(seconds); }
   Interval interval() const { return median_interval(seconds); }
+  std::vector<std::string> unsteady() const { return spherepair::unsteady(interval(), others); }
   double device_seconds() const;  // sum of the stages, NaN without a timer
 };
 
@@ -46,5 +49,9 @@ void add_turn(Samples& samples, Turn turn, uint64_t position);  // a round
 void fit_rounds(Samples& samples);
 
 json to_json(const Samples& samples);
+
+// A table's cell of this time, with a mark if the time is unsteady.
+std::string marked(const std::string& cell, const Samples& samples);
+std::string ms_of(const Samples& samples);  // the median
 
 }  // namespace spherepair

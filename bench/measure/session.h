@@ -11,6 +11,7 @@
 #include "api/open.h"
 #include "bench/io/report.h"
 #include "bench/measure/comparisons.h"
+#include "bench/measure/steadiness.h"
 #include "common/backend/backend.h"
 
 namespace spherepair {
@@ -33,6 +34,8 @@ class Session {
 
   // Of the whole run: every check plans its comparisons, and every comparison that finds equality is counted.
   Comparisons comparisons;
+
+  TimingCounts timings;  // of the whole run
 
   // A complete search. Keeps the time of a kernel's first use in this process, which compiles it.
   void collide(Backend& backend, const CollideOptions& options);

@@ -39,6 +39,7 @@ class Measurement {
       samples.l2 = session_.l2_bytes(*contender.backend);
       all_.push_back(std::move(samples));
     }
+    const OtherPrograms others(sampling_.clocks);
     choose_steps();
     auto contests = grouped(contenders_, [&](size_t c) { return contest_of(c); });
     uint64_t position = 0;
@@ -53,7 +54,12 @@ class Measurement {
       }
       std::ranges::sort(contests);
     }
-    for (Samples& samples : all_) fit_rounds(samples);
+    const std::optional<double> busy = others.share();
+    for (Samples& samples : all_) {
+      fit_rounds(samples);
+      samples.others = busy;
+      session_.timings.add(!samples.unsteady().empty());
+    }
     for (size_t c = 0; c < all_.size(); ++c) time_on_device(c);
     return std::move(all_);
   }

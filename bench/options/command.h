@@ -14,6 +14,7 @@ struct CommandLine {
   std::vector<std::string> words;  // argv, for the record
   OpenOptions open;
   Opener opener = open_backend;
+  Clocks clocks = host_clocks();  // of StudyLoad
 };
 
 }  // namespace spherepair

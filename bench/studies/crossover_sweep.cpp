@@ -73,7 +73,7 @@ std::span<const SphereKind> sphere_kinds() { return kinds; }
 Loss loss_of(const Timing& timing) {
   if (timing.best.empty()) return Loss::within;
   const Contest& auto_to_best = timing.over_best;
-  if (!enough_rounds(auto_to_best)) return Loss::undecided;
+  if (!enough_rounds(auto_to_best) || !auto_to_best.steady) return Loss::undecided;
   if (auto_to_best.ratios.high <= tolerated) return Loss::within;
   return auto_to_best.ratios.low > tolerated ? Loss::beyond : Loss::undecided;
 }
@@ -179,6 +179,8 @@ void CrossoverSweep::compare(Timing& timing, const std::vector<Way>& ways, const
   timing.grid_faster = faster(of_grid, of_pairs);
   timing.triangle_fastest = faster(triangle, of_others);
   timing.automatic = samples.back().median_seconds();
+  for (size_t k = 0; k < ways.size(); ++k)
+    if (!samples[k].unsteady().empty()) timing.unsteady.insert(ways[k].name);
   const MethodChoice choice = ways.back().backend->choice(ways.back().options);
   timing.chosen = way_name(choice.method, choice.cells, choice.block);
   if (best) timing.over_best = contest(samples.back(), *best);

@@ -44,6 +44,7 @@ struct Timing {
   uint64_t n;
   std::map<std::string, double> all_pairs = {}, grid = {};  // seconds by way; without those that were stopped
   double automatic = 0;                                     // seconds
+  std::set<std::string> unsteady = {};                      // ways, auto among them, whose times decide nothing
   std::string chosen = {}, best = {};  // what auto chose; the fastest of the others, empty if there is none
   Contest over_best = {};              // auto against that
   bool grid_faster = false, triangle_fastest = false;  // the best of the grid's ways; of all pairs'. As far as decided

@@ -146,12 +146,14 @@ void FramesStudy::measure_tasks(const std::vector<FrameTask>& tasks, const Scene
   std::vector<Contender> contenders;
   for (size_t i = 0; i < tasks.size(); ++i) {
     const FrameTask& task = tasks[i];
-    Contender& contender = contenders.emplace_back(Contender{.label = label(task), .backend = task.backend});
-    contender.contest = fmt::format("{} {} {}", draw_method_name(task.draw), task.place, task.work);
     const auto draw = [&task, &views, &turn = turns[i]](Backend& backend) {
       backend.enqueue_draw(views[turn++ % views.size()], draw_options(task));
     };
-    contender.step = draw;
+    Contender& contender = contenders.emplace_back(
+        Contender{.label = label(task),
+                  .backend = task.backend,
+                  .step = draw,
+                  .contest = fmt::format("{} {} {}", draw_method_name(task.draw), task.place, task.work)});
     if (!moves) continue;
     contender.step = [draw, n = scene.size()](Backend& backend) {
       backend.move();

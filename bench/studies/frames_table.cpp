@@ -23,7 +23,7 @@ void put(Table& table, const Row& keys, size_t column, const json& entry) {
     row = table.rows.end() - 1;
     row->resize(table.columns.size(), "-");
   }
-  row->at(column) = format_number(entry.at("median_ms"));
+  row->at(column) = format_number(entry.at("median_ms")) + (entry.contains("unsteady") ? unsteady_mark : "");
 }
 
 Table images_table(const json& frames, uint64_t n, const FramesOptions& options) {

@@ -10,10 +10,11 @@
 namespace spherepair {
 namespace {
 
+// None where it is unsteady.
 const TimeEntry* time_of(const std::vector<TimeEntry>& times, const std::string& backend, MotionMethod method, int k) {
   const auto found = std::ranges::find_if(times, [&](const TimeEntry& entry) {
     return entry.backend == backend && entry.motion == MotionOptions{method, Precision::float32} && entry.k == k &&
-           entry.work == "move";
+           entry.work == "move" && entry.samples.unsteady().empty();
   });
   return found == times.end() ? nullptr : &*found;
 }

@@ -132,17 +132,17 @@ std::vector<Samples> time_frames(Study& study, const std::vector<Version>& versi
   return samples;
 }
 
+std::string rate_of(const Samples& frame) { return marked(format_number(1 / frame.median_seconds()), frame); }
+
 std::vector<std::string> cells_of(const std::vector<Version>& versions, uint64_t n,
                                   const std::vector<Samples>& samples) {
   const PaperRow paper = paper_row(n);
   std::vector<std::string> cells = {std::to_string(n), paper.fps};
-  for (const Version& version : versions)
-    cells.push_back(format_number(1 / find(samples, version.name + " frame").median_seconds()));
+  for (const Version& version : versions) cells.push_back(rate_of(find(samples, version.name + " frame")));
   for (const char* printed : {paper.sequential_drawing, paper.parallel_drawing}) cells.push_back(printed);
   for (const Version& version : versions)
     for (const DrawMethod method : version.draws)
-      cells.push_back(
-          format_ms(find(samples, fmt::format("{} {}", version.name, draw_method_name(method))).median_seconds()));
+      cells.push_back(ms_of(find(samples, fmt::format("{} {}", version.name, draw_method_name(method)))));
   return cells;
 }
 

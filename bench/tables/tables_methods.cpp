@@ -52,7 +52,7 @@ void methods_rows(Study& study, Table& table, uint64_t n, Method method) {
     const std::vector<Samples> pair(samples.begin() + b * devices, samples.begin() + (b + 1) * devices);
     std::vector<std::string> row = {std::to_string(n), method_name(method), std::to_string(block)};
     for (const Samples& one : pair) {
-      row.push_back(format_ms(one.median_seconds()));
+      row.push_back(ms_of(one));
       row.push_back(interval_text(one));
       row.push_back(format_rate(candidate_pairs(method, block, n) / one.median_seconds()));
     }
@@ -149,7 +149,7 @@ std::vector<Table> make_overhead(Study& study) {
         study.time_unchecked("overhead", contenders, {{"work", "empty"}, {"launches_per_step", launches}});
     std::vector<std::string> row = {std::to_string(launches)};
     for (const Samples& one : samples) {
-      row.push_back(format_us(one.median_seconds() / double(launches)));
+      row.push_back(marked(format_us(one.median_seconds() / double(launches)), one));
       row.push_back(format_us(minimum(one.seconds) / double(launches)));
     }
     add_contest(study, "overhead", row, samples);
@@ -183,8 +183,7 @@ std::vector<Table> make_exactness(Study& study) {
                                       {{Work::collide, naive, "predicate"}, {Work::collide, all[k], "predicate"}});
       const Contest result = contest(samples[1], samples[0]);
       table.rows.push_back(
-          {std::to_string(n), label(all[k]), format_ms(samples[0].median_seconds()),
-           format_ms(samples[1].median_seconds()),
+          {std::to_string(n), label(all[k]), ms_of(samples[0]), ms_of(samples[1]),
            result.finding == Finding::undecided ? "-" : format_percent(result.ratio - 1),
            result.finding == Finding::differ ? ratio_text(result) + " naive's time" : ratio_text(result),
            std::to_string(errors[k].right), std::to_string(errors[k].missed), std::to_string(errors[k].extra)});

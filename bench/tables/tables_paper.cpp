@@ -22,9 +22,7 @@ bool complete(const Table1Row& row) {
   return std::ranges::all_of(row.pairs, [](const auto& one) { return one.has_value(); });
 }
 
-std::string ms_cell(const std::optional<Samples>& samples) {
-  return samples ? format_ms(samples->median_seconds()) : "left out";
-}
+std::string ms_cell(const std::optional<Samples>& samples) { return samples ? ms_of(*samples) : "left out"; }
 
 std::vector<Task> table1_moves(const Study& study) {
   std::vector<Task> tasks;
@@ -71,7 +69,7 @@ Table absolute_times(const std::vector<Table1Row>& rows) {
   for (const Table1Row& row : rows) {
     const PaperRow paper = paper_row(row.n);
     std::vector<std::string> cells = {std::to_string(row.n), paper.plane, paper.sequential_pairs, paper.parallel_pairs};
-    for (const Samples& move : row.moves) cells.push_back(format_ms(move.median_seconds()));
+    for (const Samples& move : row.moves) cells.push_back(ms_of(move));
     for (const auto& one : row.pairs) cells.push_back(ms_cell(one));
     table.rows.push_back(cells);
   }
@@ -86,7 +84,8 @@ Table absolute_times(const std::vector<Table1Row>& rows) {
 }
 
 std::string speedup(const std::optional<Samples>& base, const std::optional<Samples>& other) {
-  return base && other ? format_number(base->median_seconds() / other->median_seconds()) : "-";
+  if (!base || !other) return "-";
+  return marked(marked(format_number(base->median_seconds() / other->median_seconds()), *base), *other);
 }
 
 Table speedups(const std::vector<Table1Row>& rows) {

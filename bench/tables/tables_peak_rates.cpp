@@ -35,7 +35,7 @@ std::vector<std::string> peak_row(Study& study, const PeakRateKind& kind, const 
                            {{"work", kind.name}, {"n", scene.n}, {"unit", kind.unit}, {"amount_per_step", amount}});
   std::vector<std::string> row = {kind.name, std::to_string(scene.n), kind.unit};
   for (const Samples& one : samples) {
-    row.push_back(format_ms(one.median_seconds()));
+    row.push_back(ms_of(one));
     row.push_back(format_number(amount / one.median_seconds()));
   }
   if (samples.size() > 1) row.push_back(study.compare("peak_rates", samples[0], samples[1]));

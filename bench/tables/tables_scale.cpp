@@ -24,7 +24,7 @@ std::vector<std::string> scale_row(Study& study, const SceneOptions& scene, cons
   std::vector<std::string> row = {scene_label(scene), std::to_string(scene.n)};
   for (size_t k = 0; k < tasks.size(); ++k) {
     const double per_second = pairs / samples[k].median_seconds();
-    row.push_back(format_ms(samples[k].median_seconds()));
+    row.push_back(ms_of(samples[k]));
     row.push_back(format_rate(per_second));
     if (!on_hardware(*tasks[k].configuration.backend) || std::isnan(rate)) continue;
     row.push_back(format_number(100 * per_second * instructions_per_pair / rate));
@@ -97,7 +97,7 @@ std::vector<Table> make_step(Study& study) {
     sizes.measured(samples);
     std::vector<std::string> row = {std::to_string(sizes.n())};
     for (const Samples& one : samples) {
-      row.push_back(format_ms(one.median_seconds()));
+      row.push_back(ms_of(one));
       row.push_back(format_number(16e-3 / one.median_seconds()));
     }
     if (devices > 1) row.push_back(study.compare("step", samples[samples.size() - 2], samples.back()));

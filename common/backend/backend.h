@@ -201,11 +201,12 @@ class Backend {
   // Decides spheres[2k] against spheres[2k + 1] for every k, with the same code as the kernels: verdict_code() each.
   virtual std::vector<uint> decide(std::span<const vec4> spheres) = 0;
 
-  // An empty kernel, to measure what a dispatch or launch costs by itself.
+  // An empty kernel, to measure what a launch costs; a step that is a chain of them, which goes out as the options say.
   virtual void launch_empty(uint groups) = 0;
+  virtual void enqueue_empty_step(uint /*launches*/, const ApiOptions&) {}
 
-  // A kernel that does nothing else, to measure that peak rate; it writes over velocities and counts. Only devices have
-  // them. `check_peak_rate` runs it once and throws BackendError when its result is wrong.
+  // Launches a kernel that measures this peak rate and overwrites velocities and counts; only devices have it.
+  // check_peak_rate runs it once and throws BackendError when its result is wrong.
   virtual void launch_peak_rate(PeakRate) { throw BackendError(info().name + ": has no kernels for peak rates"); }
   virtual void check_peak_rate(PeakRate) { throw BackendError(info().name + ": has no kernels for peak rates"); }
 
@@ -215,8 +216,7 @@ class Backend {
   virtual WorkCounts work_counts() const = 0;
   virtual Preparations preparations() const = 0;
 
-  // The host's seconds that the driver takes to compile each kernel, groups of 128, as on its first use; nothing where
-  // kernels are compiled when the program is built.
+  // Host seconds to compile each kernel for groups of 128; empty where the build compiles them.
   virtual std::vector<StageTime> compile_kernels() { return {}; }
 
   // With timing on, every kernel is bracketed by the device's timer; the times since the last call, in order.

@@ -45,6 +45,13 @@ std::vector<uint> Probe::decide(std::span<const vec4> spheres) {
 
 void Probe::launch_empty(uint groups) { context_.launch({Kernel::empty, SERVICE_BLOCK, {}, folded(groups)}); }
 
+void Probe::enqueue_empty_step(uint launches, const ApiOptions& api) {
+  context_.device.begin_step(api);
+  for (uint k = 0; k < launches; ++k) launch_empty(1);
+  context_.device.end_step();
+  ++context_.work().steps;
+}
+
 void Probe::launch_peak_rate(PeakRate rate) {
   context_.launch({kernels[int(rate)], SERVICE_BLOCK, {}, groups_per_sphere(context_)});
 }

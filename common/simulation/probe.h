@@ -13,6 +13,7 @@ class Probe {
   void upload();
   std::vector<uint> decide(std::span<const vec4> spheres);
   void launch_empty(uint groups);
+  void enqueue_empty_step(uint launches, const ApiOptions& api);
 
   // Writes over velocities or counts; `check_peak_rate` throws BackendError when the result is wrong.
   void launch_peak_rate(PeakRate rate);

@@ -54,6 +54,7 @@ class Simulation final : public Backend {
 
   std::vector<uint> decide(std::span<const vec4> spheres) override { return probe_.decide(spheres); }
   void launch_empty(uint groups) override { probe_.launch_empty(groups); }
+  void enqueue_empty_step(uint launches, const ApiOptions& api) override { probe_.enqueue_empty_step(launches, api); }
   void launch_peak_rate(PeakRate rate) override;
   void check_peak_rate(PeakRate rate) override;
 

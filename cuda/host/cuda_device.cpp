@@ -29,6 +29,7 @@ bool waits_first(const Launch& launch, const Params& params) {
   switch (launch.kernel) {
     case Kernel::grid_sort:
     case Kernel::collide_grid:
+    case Kernel::empty:
       return true;
     case Kernel::move:
     case Kernel::collide_triangle:
@@ -193,6 +194,7 @@ void CudaDevice::begin_step(const ApiOptions& options) {
 
 void CudaDevice::end_step() {
   batched_ = true;
+  early_ = false;
   graph_.end();
 }
 

@@ -29,8 +29,10 @@ std::vector<double> times(double factor, std::vector<double> seconds) {
 
 TEST(Contests, ADifferenceIsOneThatEveryRoundShows) {
   EXPECT_EQ(ratio_text(of(times(1.3, calm), calm)), "1.30x");
-  EXPECT_EQ(verdict(of(times(1.3, calm), calm)), "glsl takes 1.30x cuda's time");
-  EXPECT_EQ(verdict(of(calm, times(2, calm))), "glsl takes 0.50x cuda's time");
+  EXPECT_EQ(verdict(of(times(1.3, calm), calm)), "glsl takes 1.30x [1.30, 1.30] cuda's time");
+  EXPECT_EQ(verdict(of(calm, times(2, calm))), "glsl takes 0.50x [0.50, 0.50] cuda's time");
+  EXPECT_EQ(verdict(of({1.1, 1.2, 1.3, 1.2, 1.2, 1.4}, {1, 1, 1, 1, 1, 1})),
+            "glsl takes 1.20x [1.10, 1.40] cuda's time");
 }
 
 TEST(Contests, NoDifferenceIsSeenWhereNoneOfWeightCouldHide) {
@@ -49,7 +51,7 @@ TEST(Contests, FewRoundsDecideNothing) {
 TEST(Contests, ScatteredRoundsAreNotDecidedAndTheirSpreadIsNamed) {
   const Contest loaded = of({1, 5, 1, 6, 1, 1, 7}, {4, 1, 5, 1, 1, 6, 1});
   EXPECT_EQ(loaded.finding, Finding::undecided);
-  EXPECT_EQ(ratio_text(loaded), "undecided: 0.17x to 7.00x");
+  EXPECT_EQ(ratio_text(loaded), "undecided: 0.17x to 7.00x !");
 }
 
 // The naive predicate may not look slower because the machine was busy while it ran: one round says the opposite.
@@ -68,7 +70,7 @@ TEST(Contests, ARoundOfFewThatSaysTheOppositeLeavesItOpen) {
 
 // A machine that is slower in some rounds than in others slows down both, so the ratios stay sharp.
 TEST(Contests, ALoadThatLastsARoundCancels) {
-  const std::vector<double> load = {1, 4, 1, 3, 1, 5, 1, 2, 1, 1, 1};
+  const std::vector<double> load = {1, 1.9, 1, 1.8, 1, 5, 1, 1.7, 1, 1, 1};
   EXPECT_EQ(ratio_text(of(times(1.02, load), load)), "1.02x");
   EXPECT_EQ(of(load, load).finding, Finding::no_difference);
 }
@@ -90,6 +92,23 @@ TEST(Contests, TheAutomaticChoiceIsJudgedByTheInterval) {
   EXPECT_EQ(loss_of(timed(of(times(5.187, calm), calm))), Loss::beyond);
   EXPECT_EQ(loss_of(timed(of({5}, {1}))), Loss::undecided);
   EXPECT_EQ(loss_of(timed(of({1, 5, 1, 6, 1, 1, 7}, {4, 1, 5, 1, 1, 6, 1}))), Loss::undecided);
+}
+
+// However sharp its ratio is.
+TEST(Contests, AnUnsteadyTimeDecidesNothing) {
+  Samples glsl = samples_of("glsl", times(1.3, calm)), cuda = samples_of("cuda", calm);
+  glsl.others = cuda.others = 0.5;
+  EXPECT_EQ(contest(glsl, cuda).finding, Finding::differ) << "half of the cores is not more than half";
+  for (Samples* busy : {&glsl, &cuda}) {
+    busy->others = 0.51;
+    EXPECT_EQ(contest(glsl, cuda).finding, Finding::undecided);
+    EXPECT_EQ(verdict(contest(glsl, cuda)), "undecided: 1.30x to 1.30x !");
+    EXPECT_EQ(loss_of(timed(contest(glsl, cuda))), Loss::undecided);
+    EXPECT_EQ(loss_of(timed(contest(cuda, glsl))), Loss::undecided);
+    busy->others.reset();
+  }
+  const std::vector<double> wide = {1, 2.1, 1, 2.1, 1, 2.1, 1, 2.1, 1, 2.1, 1};
+  EXPECT_EQ(of(times(1.3, wide), wide).finding, Finding::undecided) << "the interval of both is wider than 2x";
 }
 
 TEST(Contests, WithoutAGpuNoApiIsCalledFaster) {

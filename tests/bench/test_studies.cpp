@@ -150,37 +150,6 @@ TEST_F(Studies, AblationsAreRecordedOnAndOff) {
   EXPECT_EQ(size_t(2 * on), rows.size());
 }
 
-// Each path of OpenGL launches as it says; those of CUDA are absent where CUDA is not open.
-TEST_F(Studies, LaunchesAreCountedOnEveryPath) {
-  if (run("devices --backends glsl") != 0) GTEST_SKIP() << "no OpenGL here";
-  ASSERT_EQ(run("launches --backends cpu,glsl --n 64,300 --rounds 1 --results " + folder_.path("launches")), 0)
-      << said();
-  const json found = record("launches/launches.json");
-  expect_measurements(found.at("measurements"), "launches");
-  EXPECT_TRUE(found.at("complete"));
-  EXPECT_EQ(found.at("left_out"), json::array());
-  std::map<std::string, int> rows;
-  for (const json& row : found.at("measurements")) {
-    const std::string path = row.at("path"), work = row.at("work");
-    ++rows[work + " " + path];
-    EXPECT_EQ(row.at("backend"), "glsl");
-    const json& each = row.at("work_per_step");
-    EXPECT_EQ(each.at("launches"), work == "grid" ? 3 : 2) << path;
-    EXPECT_EQ(each.at("waits"), path != "waited" ? json(0) : each.at("launches")) << path;
-    EXPECT_EQ(each.at("overlapped"), path == "overlapping" ? 1 : 0) << path;
-  }
-  EXPECT_EQ(rows, (std::map<std::string, int>{{"all_pairs waited", 2},
-                                              {"all_pairs batched", 2},
-                                              {"grid waited", 2},
-                                              {"grid batched", 2},
-                                              {"grid overlapping", 2}}));
-}
-
-TEST_F(Studies, LaunchesNeedsAGpuApi) {
-  EXPECT_EQ(run("launches --backends cpu --results " + folder_.path("launches")), 3);
-  EXPECT_NE(said().find("neither glsl nor cuda is open"), std::string::npos) << said();
-}
-
 TEST_F(Studies, WhatIsUnknownIsRefused) {
   EXPECT_EQ(run("ablate --backends cpu --names nothing"), 2);
   EXPECT_NE(said().find("exact_stages"), std::string::npos) << said();

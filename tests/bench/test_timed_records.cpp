@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 #include <sched.h>
+#include <unistd.h>
 
 #include <cstdlib>
 
 #include "bench/measure/floors.h"
 #include "bench/measure/pinned_team.h"
 #include "tests/support/clocked_backend.h"
+#include "tests/support/sphere_files.h"
 
 namespace spherepair {
 namespace {
@@ -58,6 +60,48 @@ TEST(TimedRecords, TheCoresThatTheProcessKeepsBusyAreTold) {
   const auto samples = on.measure({on.contender("cpu"), on.contender("glsl")});
   EXPECT_NEAR(to_json(samples[0]).at("busy_cores"), 2, 1e-9);
   EXPECT_FALSE(to_json(samples[1]).contains("busy_cores"));
+}
+
+// What this process itself keeps busy marks nothing, however many threads it has.
+TEST(TimedRecords, OtherProgramsMarkTimesAndOurThreadsDoNot) {
+  ClockedSession on;
+  on["cpu"].busy = TestClock::machine_cores;
+  const auto marks_of = [&] { return to_json(on.measure({on.contender("cpu")}).front()).value("unsteady", json()); };
+  EXPECT_TRUE(marks_of().is_null());
+  on["cpu"].busy = 1;
+  on.clock.others = 0.5;
+  EXPECT_TRUE(marks_of().is_null()) << "half of the cores";
+  on.clock.others = 0.75;
+  EXPECT_EQ(marks_of(), json::array({"other programs kept 75 % of this machine's cores busy"}));
+  EXPECT_EQ(on.session.timings.all, 3u);
+  EXPECT_EQ(on.session.timings.unsteady, 1u);
+}
+
+TEST(TimedRecords, TimesThatScatterAreMarkedInTables) {
+  Samples samples;
+  samples.plan.steps = {1};
+  samples.seconds = {1e-3, 2e-3, 1e-3, 2e-3, 1e-3, 2e-3};
+  EXPECT_TRUE(samples.unsteady().empty()) << "2x is not wider than 2x";
+  Table table{"Times", {{"", "time", "ms"}}, {{ms_of(samples)}}, {}};
+  EXPECT_EQ(table.text().find("decides nothing"), std::string::npos);
+  samples.seconds.back() = 2.1e-3;
+  EXPECT_EQ(samples.unsteady(), std::vector<std::string>{"its interval is wider than 2x"});
+  table.rows = {{ms_of(samples)}};
+  EXPECT_NE(table.text().find("1.500 !\n"), std::string::npos) << table.text();
+  EXPECT_NE(table.text().find("such a time decides nothing"), std::string::npos) << table.text();
+  EXPECT_EQ(table.to_json().at("notes").size(), 1u);
+}
+
+// Ticks of 0.01 s: user, nice, system, idle, iowait, irq, softirq, steal, guest.
+TEST(TimedRecords, TheMachinesBusyTimeIsReadFromTheKernel) {
+  const ScratchFolder folder;
+  const auto read = [&](const std::string& text) { return machine_use(folder.write("stat", text).c_str()); };
+  const auto found = read("cpu  100 20 30 9000 500 4 6 40 90\ncpu0 1 1\ncpu1 1 1\ncpu2 1 1\nintr 7\ncpu9 1\n");
+  ASSERT_TRUE(found.has_value());
+  EXPECT_DOUBLE_EQ(found->busy, 200.0 / double(sysconf(_SC_CLK_TCK)));
+  EXPECT_EQ(found->cores, 3);
+  EXPECT_FALSE(read("cpu  0 0 0 0 0 0 0 0\ncpu0 0 0\n").has_value()) << "a sandbox that tells nothing";
+  EXPECT_FALSE(machine_use(folder.path("absent").c_str()).has_value());
 }
 
 // Threads that spin while they wait would show as busy cores next to the one that works.

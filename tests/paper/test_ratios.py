@@ -53,6 +53,12 @@ class Ratios(unittest.TestCase):
         self.assertEqual(1.0, ratios.time_ratio(*same).p)
         self.assertFalse(ratios.time_ratio(*same).decided)
 
+    def test_a_marked_time_decides_nothing(self):
+        glsl, cuda = times(self.CUDA, self.FACTORS, contest="collide_tiled 128")
+        cuda.parameters["unsteady"] = ["other programs kept 80 % of this machine's cores busy"]
+        for pair in (glsl, cuda), (cuda, glsl):
+            self.assertFalse(ratios.time_ratio(*pair).decided)
+
     def test_one_value_of_each_decides_nothing(self):
         found = ratios.time_ratio(*times([1.0], [9.0]))
         self.assertEqual((9, False), (found.middle, found.decided))

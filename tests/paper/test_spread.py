@@ -67,6 +67,11 @@ class Merged(unittest.TestCase):
 
 
 class Rows(unittest.TestCase):
+    def test_the_mark_of_one_process_stays(self):
+        roots = [record(timing(1)), record(timing(1, unsteady=["its interval is wider than 2x"]))]
+        rows = spread.merged(roots)["measurements"]
+        self.assertEqual(["its interval is wider than 2x"], [reason for row in rows for reason in row["unsteady"]])
+
     def test_the_same_rows_are_merged_in_any_order(self):
         small, large = timing(1), timing(5, n=4096)
         rows = spread.merged([record(small, large), record(large, small)])["measurements"]

@@ -13,8 +13,13 @@ namespace spherepair {
 // Seconds, in place of the host's clocks: nothing but a step or a wait lets them pass.
 struct TestClock {
   double wall = 0, cores = 0;
+  double others = 0;  // share of the machine's cores that other programs keep busy
+  static constexpr int machine_cores = 4;
   Clocks clocks() {
-    return {[this] { return wall; }, [this] { return cores; }};
+    return {[this] { return wall; }, [this] { return cores; },
+            [this] {
+              return MachineUse{1 + cores + others * machine_cores * wall, machine_cores};
+            }};
   }
 };
 

@@ -48,6 +48,7 @@ class ForwardingBackend : public Backend {
   DrawStatistics draw_statistics() override { return real_->draw_statistics(); }
   std::vector<uint> decide(std::span<const vec4> spheres) override { return real_->decide(spheres); }
   void launch_empty(uint groups) override { real_->launch_empty(groups); }
+  void enqueue_empty_step(uint launches, const ApiOptions& api) override { real_->enqueue_empty_step(launches, api); }
   void check_guards() override { real_->check_guards(); }
   WorkCounts work_counts() const override { return real_->work_counts(); }
   Preparations preparations() const override { return real_->preparations(); }

@@ -123,7 +123,7 @@ Table rate_table(const std::vector<ContactRate>& rates) {
 std::string rates_text(const ContactPlan& plan, const std::vector<ContactRate>& rates) {
   if (rates.empty()) return "";
   const RatePlan& p = plan.rates;
-  return "\n" + rate_table(rates).text() + "\n" +
+  return fmt::format("\n{}\n", rate_table(rates).text()) +
          wrapped(fmt::format("{} in a box, by the law spring with a {}th of its own stiffness: median of {} seeds, and "
                              "the interval that holds it in {:.3g} % of all cases.",
                              counted(p.n, "sphere"), p.softer, p.seeds,

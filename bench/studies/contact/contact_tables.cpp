@@ -48,7 +48,8 @@ Table run_table(const std::vector<ContactRun>& runs, const ContactKind& kind) {
       position = std::max(position, run.position), energy = std::max(energy, std::abs(run.energy));
       momentum = std::max(momentum, largest(run.momentum));
       returns = returns && run.returns.value_or(false);
-      times[size_t(std::ranges::find(backends, run.backend) - backends.begin())] = format_ms(run.seconds());
+      times[size_t(std::ranges::find(backends, run.backend) - backends.begin())] =
+          run.samples ? marked(format_ms(run.seconds()), *run.samples) : "-";
     }
     table.rows.push_back({std::to_string(first.steps_a_contact), impulse_sums_name(first.sums),
                           fmt::format("{:.2e}", position), fmt::format("{:.1e}", energy),
@@ -71,8 +72,8 @@ Table cost_table(const std::vector<SumsCost>& costs) {
               {},
               {}};
   for (const SumsCost& cost : costs)
-    table.rows.push_back({std::to_string(cost.n), cost.backend, impulse_sums_name(cost.sums),
-                          format_ms(cost.samples.median_seconds()), cost.integers ? ratio_text(*cost.integers) : ""});
+    table.rows.push_back({std::to_string(cost.n), cost.backend, impulse_sums_name(cost.sums), ms_of(cost.samples),
+                          cost.integers ? ratio_text(*cost.integers) : ""});
   return table;
 }
 
@@ -87,8 +88,9 @@ Table steps_table(const std::vector<GasSteps>& steps) {
               {},
               {}};
   for (const GasSteps& one : steps)
-    table.rows.push_back({std::to_string(one.n), one.backend, std::to_string(one.steps), format_ms(one.seconds()),
-                          fmt::format("{:.3g}", one.per_second()), one.over_cuda ? ratio_text(*one.over_cuda) : ""});
+    table.rows.push_back({std::to_string(one.n), one.backend, std::to_string(one.steps),
+                          marked(format_ms(one.seconds()), one.samples), fmt::format("{:.3g}", one.per_second()),
+                          one.over_cuda ? ratio_text(*one.over_cuda) : ""});
   return table;
 }
 
@@ -107,7 +109,8 @@ Table rest_table(const std::vector<SettledBed>& beds) {
       if (!one.awake) continue;
       const double seconds = one.samples.median_seconds() / double(bed.averaged);
       table.rows.push_back({std::to_string(bed.n), fmt::format("{:.3f}", 100 * bed.unmoved), one.backend,
-                            format_ms(one.awake->ratio * seconds), format_ms(seconds), ratio_text(*one.awake)});
+                            format_ms(one.awake->ratio * seconds), marked(format_ms(seconds), one.samples),
+                            ratio_text(*one.awake)});
     }
   return table;
 }
@@ -131,7 +134,7 @@ std::string costs_text(const std::vector<SumsCost>& costs) { return costs.empty(
 
 std::string beds_text(const RestPlan& plan, const std::vector<SettledBed>& beds) {
   if (beds.empty()) return "";
-  std::string text = "\n" + rest_table(beds).text();
+  std::string text = fmt::format("\n{}", rest_table(beds).text());
   for (const SettledBed& bed : beds)
     text += wrapped(fmt::format("{} in {} layers: {:.1e} of the energy at the start is in motion, the floor carries "
                                 "{:.9f} of the weight, the greatest overlap is {:.2f} % of a radius.",
@@ -142,7 +145,7 @@ std::string beds_text(const RestPlan& plan, const std::vector<SettledBed>& beds)
 }
 
 std::string steps_text(const std::vector<GasSteps>& steps) {
-  return steps.empty() ? "" : "\n" + steps_table(steps).text();
+  return steps.empty() ? "" : fmt::format("\n{}", steps_table(steps).text());
 }
 
 }  // namespace spherepair

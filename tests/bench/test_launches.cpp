@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// spherepair launches as a user runs it, and the steps that it times.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/gpu/launch_paths.h"
+#include "bench/measure/timing.h"
+#include "tests/support/clocked_backend.h"
+#include "tests/support/program.h"
+
+namespace spherepair {
+namespace {
+
+using Launches = ProgramTest;
+
+bool glsl_in_software(const json& record) {
+  for (const json& backend : record.at("backends"))
+    if (backend.at("name") == "glsl") return backend.at("software");
+  return false;
+}
+
+void expect_times_of_a_launch(const json& row, double launches) {
+  const double ns = row.at("host_ns_per_launch"), us = row.at("us_per_launch"), ms = row.at("median_ms");
+  EXPECT_GT(ns, 0) << row;
+  EXPECT_NEAR(row.at("host_ns_per_step"), ns * launches, 1e-6 * ns);
+  EXPECT_NEAR(ms, 1e-3 * us * launches, 1e-9 * ms);
+}
+
+// Each path of OpenGL launches as it says; those of CUDA are absent where CUDA is not open. In software few spheres are
+// sorted by counting, whose launches overlap nothing.
+TEST_F(Launches, AreCountedAndTimedOnEveryPath) {
+  if (run("devices --backends glsl").code != 0) GTEST_SKIP() << "no OpenGL here";
+  const Outcome outcome =
+      run(fmt::format("launches --backends cpu,glsl --n 64,300 --rounds 1 --results '{}'", path("launches")));
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const json found = read_json("launches/launches.json");
+  EXPECT_TRUE(found.at("complete"));
+  const bool software = glsl_in_software(found);
+  EXPECT_EQ(found.at("left_out").size(), software ? 2u : 0u) << found.at("left_out");
+  for (const json& one : found.at("left_out"))
+    EXPECT_TRUE(one.get<std::string>().starts_with("glsl overlapping, grid of ")) << one;
+  const std::map<std::string, double> launches = {{"empty", 8}, {"all_pairs", 2}, {"grid", software ? 6 : 3}};
+  std::map<std::string, int> rows;
+  for (const json& row : found.at("measurements")) {
+    const std::string path = row.at("path"), work = row.at("work");
+    ++rows[work + " " + path];
+    EXPECT_EQ(row.at("table"), "launches");
+    EXPECT_EQ(row.at("backend"), "glsl");
+    EXPECT_TRUE(row.at("scene").contains("name"));
+    const json& each = row.at("work_per_step");
+    EXPECT_EQ(each.at("launches"), launches.at(work)) << path;
+    EXPECT_EQ(each.at("waits"), path != "waited" ? json(0) : each.at("launches")) << path;
+    EXPECT_EQ(each.at("overlapped"), path == "overlapping" ? 1 : 0) << path;
+    expect_times_of_a_launch(row, launches.at(work));
+  }
+  std::map<std::string, int> expected = {{"empty waited", 1},      {"empty batched", 1}, {"all_pairs waited", 2},
+                                         {"all_pairs batched", 2}, {"grid waited", 2},   {"grid batched", 2}};
+  if (!software) expected["grid overlapping"] = 2;
+  EXPECT_EQ(rows, expected);
+}
+
+TEST_F(Launches, NeedAGpuApi) {
+  const Outcome outcome = run(fmt::format("launches --backends cpu --results '{}'", path("launches")));
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_NE(outcome.errors.find("neither glsl nor cuda is open"), std::string::npos) << outcome.errors;
+}
+
+// In software the buckets of a GPU's sort, each a group of 512 threads, took 800 times as long as the step of `sweep`.
+TEST(TimedLaunches, OfTheGridTakeTheTimeOfASweeps) {
+  std::optional<Session> session;
+  try {
+    session.emplace(std::vector<std::string>{"glsl"}, OpenOptions{}, open_backend);
+  } catch (const BackendError& error) {
+    GTEST_SKIP() << error.what();
+  }
+  Backend& glsl = *session->find("glsl");
+  glsl.upload(make_scene(launch_scene(LaunchWork::grid, 64)));
+  const auto batched = [](const LaunchPath& one) {
+    return std::string_view(one.backend) == "glsl" && std::string_view(one.name) == "batched";
+  };
+  const LaunchPath& path = *std::ranges::find_if(launch_paths(), batched);
+  const auto contender = [&](const char* label, std::function<void(Backend&)> step) {
+    return Contender{.label = label, .backend = &glsl, .step = std::move(step), .contest = "step", .alternates = true};
+  };
+  const CollideOptions swept = {.method = Method::collide_grid, .grid = {.keep_cells = false}};
+  const std::vector<Contender> contenders = {
+      contender("launches", [&](Backend& b) { enqueue_steps(path, LaunchWork::grid, b, 1); }),
+      contender("sweep", [&](Backend& b) { b.enqueue_collide(swept); })};
+  Sampling sampling;
+  sampling.rounds = 5, sampling.longest = 0.05, sampling.software_seconds = 0.005;
+  Progress progress;
+  const std::vector<Samples> samples = measure(*session, contenders, sampling, progress);
+  const double ratio = contest(samples[0], samples[1]).ratio;
+  EXPECT_GT(ratio, 0.5);
+  EXPECT_LT(ratio, 2);
+}
+
+// What the host takes to enqueue is told apart from the wait behind it.
+TEST(TimedLaunches, EnqueuingEndsBeforeTheWait) {
+  ClockedSession on;
+  on["glsl"].fixed = 1e-3;
+  const Batch batch = time_batch(on.contender("glsl"), 64, 0, on.sampling.clocks);
+  EXPECT_NEAR(batch.enqueuing, 64 * 1e-5, 1e-12);
+  EXPECT_NEAR(batch.seconds, 64 * 1e-5 + 1e-3, 1e-12);
+}
+
+}  // namespace
+}  // namespace spherepair
