@@ -6,7 +6,9 @@ namespace spherepair {
 
 constexpr uint BLOCK = SERVICE_BLOCK;
 
-__global__ void __launch_bounds__(BLOCK) empty(Params, KernelBuffers) {}
+__global__ void __launch_bounds__(BLOCK) empty(Params p, KernelBuffers) {
+  wait_first(p);  // CUDA only: a launch may get ready early
+}
 
 Entry empty_kernel(uint, Variant) { return reinterpret_cast<Entry>(&empty); }
 
