@@ -15,7 +15,6 @@
 #include "glsl/stage_timer.h"
 #include "glsl/staging.h"
 #include "glsl/table_windows.h"
-#include "glsl/word_reader.h"
 
 namespace spherepair {
 namespace {
@@ -62,7 +61,6 @@ class GlDevice final : public Device {
   std::array<BufferStorage, SLOT_TOTAL> storage_{};
   std::array<GLuint, SLOT_TOTAL> buffers_{}, bound_{};  // of the storage, and which of them kernels see now
   Staging staging_;
-  std::optional<WordReader> words_;
   BufferTextures textures_;
   ParamsRing params_;
   bool batched_ = true;
@@ -78,7 +76,6 @@ GlDevice::GlDevice(const OpenOptions& options) : context_(options) {
   limits_ = device_limits(options);
   info_ = describe_device(context_.software(), limits_);
   staging_.turn(!info_.software);
-  if (!info_.software) words_.emplace();
   capabilities_ = {.largest_buffer = limits_.largest_binding,
                    .atomics_64 = limits_.features.atomics_64,
                    .float_atomics = limits_.features.float_atomics,
@@ -93,7 +90,6 @@ GlDevice::~GlDevice() {
   pipeline_.forget();
   timer_.forget();
   staging_.forget();
-  if (words_) words_->forget();
   for (BufferStorage& storage : storage_) delete_storage(storage);
   params_.forget();
   textures_.forget();
@@ -127,13 +123,9 @@ void GlDevice::write(uint slot, const void* data, uint64_t offset, uint64_t byte
 void GlDevice::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
   if (bytes == 0) return;
   context_.make_current();
-  if (words_ && bytes <= words_->most()) {
-    words_->read(buffers_[slot], data, offset, bytes);
-    bound_ = {};
-  } else {
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    staging_.read(buffers_[slot], data, offset, bytes);
-  }
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  staging_.read(buffers_[slot], data, offset, bytes);
+  bound_ = {};
   gl_check(fmt::format("reading {} bytes", bytes));
 }
 

@@ -27,8 +27,23 @@ class StageTimer {
     stages_.push_back(stage);
   }
 
-  std::vector<StageTime> take();  // since the last call, in order; waits for the work
-  void forget();                  // deletes the queries
+  // Since the last call, in order; waits for the work.
+  std::vector<StageTime> take() {
+    std::vector<StageTime> times;
+    for (const Stage& stage : stages_) {
+      GLuint64 start = 0, stop = 0;
+      glGetQueryObjectui64v(stage.queries[0], GL_QUERY_RESULT, &start);
+      glGetQueryObjectui64v(stage.queries[1], GL_QUERY_RESULT, &stop);
+      times.push_back({stage.name, double(stop - start) * 1e-9});
+    }
+    forget();
+    return times;
+  }
+
+  void forget() {  // deletes the queries
+    for (const Stage& stage : stages_) glDeleteQueries(2, stage.queries.data());
+    stages_.clear();
+  }
 
  private:
   struct Stage {

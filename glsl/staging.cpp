@@ -6,14 +6,29 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "glsl/context.h"
+#include "glsl/program.h"
 
 namespace spherepair {
 namespace {
 
 constexpr uint64_t piece_bytes = 4 << 20;
-constexpr uint64_t least_read = 64 << 10;  // bytes: reading them from a long buffer, NVIDIA's driver moves all of it
+constexpr uint64_t most_words = 64 << 10;  // bytes that a kernel reads
+constexpr uint64_t alignment = 256;        // of a range of a storage buffer: the most that GL lets a driver ask for
+constexpr uint64_t group = 128;
+constexpr const char* reader = R"(#version 450
+layout(local_size_x = 128) in;
+layout(location = 0) uniform uint first;
+layout(location = 1) uniform uint words;
+layout(std430, binding = 0) restrict readonly buffer From { uint from[]; };
+layout(std430, binding = 1) restrict writeonly buffer To { uint to[]; };
+void main() {
+  uint k = gl_GlobalInvocationID.x;
+  if (k < words) to[k] = from[first + k];
+}
+)";
 
 void wait(GLsync& transferred) {
   if (!transferred) return;
@@ -37,7 +52,8 @@ void Staging::write(GLuint buffer, const void* data, uint64_t offset, uint64_t b
 }
 
 void Staging::read(GLuint buffer, void* data, uint64_t offset, uint64_t bytes) {
-  if (on_ && bytes >= least_read) return read_pieces(buffer, static_cast<char*>(data), offset, bytes);
+  if (on_ && bytes > most_words) return read_pieces(buffer, static_cast<char*>(data), offset, bytes);
+  if (on_ && bytes % 4 == 0 && offset % 4 == 0) return read_words(buffer, data, offset, bytes);
   glGetNamedBufferSubData(buffer, GLintptr(offset), GLsizeiptr(bytes), data);
 }
 
@@ -83,7 +99,26 @@ void Staging::read_pieces(GLuint buffer, char* data, uint64_t offset, uint64_t b
   }
 }
 
+void Staging::read_words(GLuint buffer, void* data, uint64_t offset, uint64_t bytes) {
+  make();
+  if (!reader_) reader_ = compute_program(reader, "the kernel that reads words");
+  Piece& piece = pieces_[0];
+  wait(piece.transferred);
+  const uint64_t start = offset / alignment * alignment, words = bytes / 4;
+  glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 0, buffer, GLintptr(start), GLsizeiptr(offset - start + bytes));
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, piece.buffer);
+  glProgramUniform1ui(reader_, 0, GLuint((offset - start) / 4));
+  glProgramUniform1ui(reader_, 1, GLuint(words));
+  glUseProgram(reader_);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  glDispatchCompute(GLuint((words + group - 1) / group), 1, 1);
+  glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
+  glFinish();
+  std::memcpy(data, piece.mapped, bytes);
+}
+
 void Staging::forget() {
+  glDeleteProgram(std::exchange(reader_, 0));
   for (Piece& piece : pieces_) {
     if (piece.transferred) glDeleteSync(piece.transferred);
     glDeleteBuffers(1, &piece.buffer);

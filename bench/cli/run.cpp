@@ -11,7 +11,7 @@
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/measure/choice.h"
-#include "bench/measure/run_times.h"
+#include "bench/options/run_times.h"
 #include "bench/spheres/pair_file.h"
 #include "bench/spheres/sphere_output.h"
 #include "common/scene/counted.h"

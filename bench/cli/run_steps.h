@@ -5,7 +5,7 @@
 #include "bench/check/contact_statistics.h"
 #include "bench/cli/commands.h"
 #include "bench/formats/step_division.h"
-#include "bench/measure/run_times.h"
+#include "bench/options/run_times.h"
 
 namespace spherepair {
 

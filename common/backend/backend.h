@@ -204,7 +204,6 @@ class Backend {
   // An empty kernel, to measure what a launch costs; a step that is a chain of them, which goes out as the options say.
   virtual void launch_empty(uint groups) = 0;
   virtual void enqueue_empty_step(uint /*launches*/, const ApiOptions&) {}
-
   // Launches a kernel that measures this peak rate and overwrites velocities and counts; only devices have it.
   // check_peak_rate runs it once and throws BackendError when its result is wrong.
   virtual void launch_peak_rate(PeakRate) { throw BackendError(info().name + ": has no kernels for peak rates"); }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How launches go out in each API, and what GLSL reads through textures.
-#include <map>
-
 #include "api/open.h"
-#include "common/scene/camera.h"
 #include "tests/oracle/oracle.h"
 #include "tests/support/grid_results.h"
 
@@ -11,11 +8,6 @@ namespace spherepair {
 namespace {
 
 class ApiOptionsOf : public BackendTest {};
-
-uint64_t hash_of(Backend& backend) {
-  const Backend::State state = current_state(backend);
-  return state_hash(state.positions, state.velocities, state.wide);
-}
 
 TEST_P(ApiOptionsOf, OnlyWithoutABatchTheHostWaitsForEveryLaunch) {
   if (backend().info().on_host) GTEST_SKIP() << "the CPU launches nothing";
@@ -47,7 +39,7 @@ TEST_P(ApiOptionsOf, AStepIsAMoveAndASearchTogether) {
     backend().step(options);
     const WorkCounts after = backend().work_counts();
     EXPECT_TRUE(same_result(result_of(backend(), false), expected));
-    EXPECT_EQ(hash_of(backend()), hash_of(cpu));
+    EXPECT_EQ(hash_of_state(backend()), hash_of_state(cpu));
     if (!batch && !backend().info().on_host) {
       EXPECT_EQ(after.waits - before.waits, 2u) << "move and collide_triangle";
     }
@@ -72,7 +64,7 @@ TEST_P(ApiOptionsOf, ThePersistentKernelTakesTheStepsThatLaunchesTake) {
     for (int k = 0; k < 40; ++k) backend().enqueue_step(fast_method(backend()));
     backend().step(fast_method(backend()));
     const StepResult expected = result_of(backend(), false);
-    const uint64_t state = hash_of(backend());
+    const uint64_t state = hash_of_state(backend());
     backend().upload(chosen);
     const uint64_t launches = backend().work_counts().launches;
     backend().enqueue_persistent_steps(1);
@@ -80,7 +72,7 @@ TEST_P(ApiOptionsOf, ThePersistentKernelTakesTheStepsThatLaunchesTake) {
     EXPECT_EQ(backend().work_counts().launches, launches + 2);
     backend().run_persistent_steps(10);
     EXPECT_TRUE(same_result(result_of(backend(), false), expected));
-    EXPECT_EQ(hash_of(backend()), state);
+    EXPECT_EQ(hash_of_state(backend()), state);
     backend().check_guards();
   }
   SceneOptions anchored = {.name = "random", .n = 100};
@@ -152,117 +144,6 @@ TEST(ApiOptionsTextures, ATableLongerThanATextureIsReadInParts) {
   EXPECT_THROW(none->collide(grid_step([](CollideOptions& o) { o.api.texture_table = true; })), BackendError);
   const CollideOptions open = grid_step([](CollideOptions& o) { o.want_pairs = true; });
   EXPECT_EQ(run_step(*none, open).pairs, run_step(*whole, open).pairs);
-}
-
-// A first step may still make buffers, a second is seen, and a third is captured when it is the same.
-TEST_P(ApiOptionsOf, AGraphIsReplayedWhileNothingChanges) {
-  if (backend().info().name != "cuda") GTEST_SKIP() << "graphs of launches are CUDA's";
-  const Scene scene = make_scene({.name = "uniform", .n = 3000});
-  const std::vector<Pair> expected = brute_force_pairs(scene.positions);
-  backend().upload(scene);
-  const CollideOptions options = grid_step([](CollideOptions& o) { o.api.graph = true; });
-  for (int k = 0; k < 8; ++k) {
-    const uint64_t replayed = backend().work_counts().graphs_replayed;
-    EXPECT_EQ(first_mismatch(run_step(backend(), options), expected, scene.size()), "") << k;
-    if (k >= 3) {
-      EXPECT_EQ(backend().work_counts().graphs_replayed, replayed + 1) << k;
-    }
-  }
-}
-
-// The motion's own parameters change with every step; the search is launched with the same.
-TEST_P(ApiOptionsOf, AGraphIsReplayedWhileSpheresMove) {
-  if (backend().info().name != "cuda") GTEST_SKIP() << "graphs of launches are CUDA's";
-  for (const MotionMethod method : {MotionMethod::paper, MotionMethod::anchored}) {
-    SceneOptions options = {.name = "uniform", .n = 3000};
-    options.motion.method = method;
-    backend().upload(make_scene(options));
-    const CollideOptions step = grid_step([](CollideOptions& o) { o.api.graph = true, o.grid.replan = false; });
-    for (int k = 0; k < 8; ++k) {
-      backend().move();
-      const uint64_t replayed = backend().work_counts().graphs_replayed;
-      backend().collide(step);
-      if (k >= 3) {
-        EXPECT_EQ(backend().work_counts().graphs_replayed, replayed + 1) << motion_name(method) << " " << k;
-      }
-    }
-  }
-}
-
-// 1 + 4 + 16 + 64 steps, and the last 15 as 3 graphs of 4 steps and 3 of one. The step before the first replay is
-// launched kernel by kernel.
-TEST_P(ApiOptionsOf, EqualStepsThatNobodyWaitsForShareGraphs) {
-  if (backend().info().name != "cuda") GTEST_SKIP() << "graphs of launches are CUDA's";
-  const Scene scene = make_scene({.name = "uniform", .n = 900});
-  Backend& cpu = *all_backends().front().backend;
-  cpu.upload(scene);
-  for (int k = 0; k < 102; ++k) cpu.move();
-  const StepResult expected = run_step(cpu, {.method = Method::parallel});
-  for (const auto& [most, graphs] : std::map<std::optional<uint>, uint64_t>{{{}, 10}, {4, 28}, {1, 100}}) {
-    CollideOptions options = fast_method(backend());
-    options.api.graph_steps = most;
-    backend().upload(scene);
-    for (int k = 0; k < 2; ++k) backend().step(options);  // which clear the results of none, and of the one before
-    const uint64_t before = backend().work_counts().graphs_replayed;
-    for (int k = 0; k < 100; ++k) backend().enqueue_step(options);
-    backend().finish();
-    EXPECT_EQ(backend().work_counts().graphs_replayed - before, graphs) << most.value_or(0);
-    EXPECT_TRUE(same_result(result_of(backend(), false), expected));
-    EXPECT_EQ(hash_of(backend()), hash_of(cpu));
-  }
-}
-
-// Held steps are launched before others, and those stay captured.
-TEST_P(ApiOptionsOf, StepsKeepTheirOrderWhenTheyChange) {
-  if (backend().info().on_host) GTEST_SKIP() << "the CPU launches nothing";
-  const Scene scene = make_scene({.name = "uniform", .n = 900});
-  Backend& cpu = *all_backends().front().backend;
-  cpu.upload(scene);
-  backend().upload(scene);
-  std::vector<CollideOptions> steps = {fast_method(backend()), fast_method(backend())};
-  steps[1].block = 64;
-  for (int turn = 0; turn < 3; ++turn)
-    for (const CollideOptions& step : steps) {
-      for (int k = 0; k < 7; ++k) backend().enqueue_step(step), cpu.move();
-      backend().move(), cpu.move();
-    }
-  EXPECT_EQ(hash_of(backend()), hash_of(cpu));
-  backend().enqueue_step(steps[0]), cpu.move();
-  EXPECT_TRUE(same_result(run_step(backend(), steps[1]), run_step(cpu, {.method = Method::parallel})));
-  const uint64_t captures = backend().preparations().captures;
-  for (int turn = 0; turn < 3; ++turn)
-    for (const CollideOptions& step : steps)
-      for (int k = 0; k < 4; ++k) backend().step(step);
-  EXPECT_LE(backend().preparations().captures - captures, 2u);  // each once
-}
-
-TEST_P(ApiOptionsOf, AGraphHoldsOneOfAFewNumbersOfSteps) {
-  if (backend().info().on_host) GTEST_SKIP() << "the CPU launches nothing";
-  backend().upload(make_scene({.name = "uniform", .n = 100}));
-  CollideOptions options = fast_method(backend());
-  options.api.graph_steps = 3;
-  EXPECT_THROW(backend().collide(options), std::invalid_argument);
-  options.api.graph_steps = 4;
-  if (backend().info().name == "cuda")
-    EXPECT_NO_THROW(backend().collide(options));
-  else
-    EXPECT_THROW(backend().collide(options), std::invalid_argument);
-}
-
-// Another view is drawn after every step; the kernels of the step see none.
-TEST_P(ApiOptionsOf, AGraphIsReplayedWhileTheCameraMoves) {
-  if (backend().info().name != "cuda") GTEST_SKIP() << "graphs of launches are CUDA's";
-  const Scene scene = make_scene({.name = "uniform", .n = 3000});
-  backend().upload(scene);
-  const CollideOptions options = grid_step([](CollideOptions& o) { o.api.graph = true; });
-  for (int k = 0; k < 8; ++k) {
-    const uint64_t replayed = backend().work_counts().graphs_replayed;
-    backend().collide(options);
-    if (k >= 3) {
-      EXPECT_EQ(backend().work_counts().graphs_replayed, replayed + 1) << k;
-    }
-    backend().draw(make_view(frame(bounds_of(scene.positions), 10 * k, 20, 40, 1), contact_look(), 64, 64), {});
-  }
 }
 
 INSTANTIATE_BACKENDS(ApiOptionsOf);

@@ -73,6 +73,11 @@ CollideOptions fast_method(const Backend& backend) {
   return {.method = backend.info().on_host ? Method::parallel : Method::collide_triangle};
 }
 
+uint64_t hash_of_state(Backend& backend) {
+  const Backend::State state = current_state(backend);
+  return state_hash(state.positions, state.velocities, state.wide);
+}
+
 std::string describe(const CollideOptions& options) {
   constexpr const char* cells[] = {"", ", dense cells", ", hashed cells"};
   constexpr const char* sorts[] = {"", ", sorted by counting", ", sorted by buckets"};

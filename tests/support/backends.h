@@ -35,6 +35,7 @@ std::string last_gpu(const std::string& backend);
 // alone.
 std::vector<CollideOptions> every_method(const Backend& backend, std::span<const uint> blocks);
 CollideOptions fast_method(const Backend& backend);
+uint64_t hash_of_state(Backend& backend);  // as it stands: evaluated, then read
 std::string describe(const CollideOptions& options);
 
 class BackendTest : public testing::TestWithParam<std::string> {

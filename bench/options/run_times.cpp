@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/measure/run_times.h"
+#include "bench/options/run_times.h"
 
 #include <fmt/format.h>
 
