@@ -99,8 +99,9 @@ def save(figure, folder, name, source):
     plt.close(figure)
 
 
-def save_png(figure, file, source):
-    most = int(30 * figure.get_figwidth())  # characters of this size in a line
-    lines = (wrapped for line in source.splitlines() for wrapped in textwrap.wrap(line, most))
-    figure.supxlabel("\n".join(lines), x=0.99, ha="right", fontsize=4.8, color="#555555")
+def save_png(figure, file, source=""):
+    if source:
+        most = int(30 * figure.get_figwidth())  # characters of this size in a line
+        lines = (wrapped for line in source.splitlines() for wrapped in textwrap.wrap(line, most))
+        figure.supxlabel("\n".join(lines), x=0.99, ha="right", fontsize=4.8, color="#555555")
     figure.savefig(file, dpi=220, metadata={"Software": None})

@@ -188,17 +188,13 @@ def table_title(table, machine):
     return "; ".join(text for text in (title, machine.notes.get(table.name)) if text)
 
 
-def all_tables(machine):
-    return [table for table, _ in made(machine) if table]
-
-
 def write(table, machine, folder):
     (folder / f"{table.name}.tex").write_text(as_tex(table))
     (folder / f"{table.name}.txt").write_text(as_text(table, table_title(table, machine)))
 
 
 def write_all(machine, folder):
-    """Returns (what was written, what was left out and why)."""
+    """Returns (the tables that were written, what was left out and why)."""
     written, left_out = [], []
     folder.mkdir(parents=True, exist_ok=True)
     for table, reason in made(machine):
@@ -206,5 +202,5 @@ def write_all(machine, folder):
             left_out.append(reason)
             continue
         write(table, machine, folder)
-        written.append(table.name)
+        written.append(table)
     return written, left_out

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: MIT
+"""Draws every figure that recorded runs allow."""
+import importlib
+import pkgutil
+from dataclasses import dataclass
+from typing import Any
+
+from paper import images, plots, style
+from paper.records import Missing
+
+ROOMS = (images, plots)  # images were rendered beforehand and are the same for every machine
+
+
+@dataclass
+class Drawn:
+    name: str
+    caption: str | None  # LaTeX; None if the records lack what it states
+    source: str  # hardware and runs
+    short: str  # device and runs
+    note: str  # what of the records is stale
+    figure: Any
+
+
+def modules(rooms=ROOMS):
+    names = [f"{room.__name__}.{found.name}" for room in rooms for found in pkgutil.iter_modules(room.__path__)]
+    return [importlib.import_module(name) for name in sorted(names, key=lambda name: name.rpartition(".")[2])]
+
+
+def source_of(module, machine, otherwise):
+    """The machine and run of a figure, or the other source of its records."""
+    if hasattr(module, "source"):
+        return module.source(machine)
+    if hasattr(module, "TABLE"):
+        runs = dict.fromkeys(record.source for record in machine.need(table=module.TABLE))
+        return otherwise.replace(machine.id, ", ".join(runs))
+    return otherwise
+
+
+def with_note(source, note):
+    return f"{source}; {note}" if note else source
+
+
+def caption_of(module, machine):
+    try:
+        return module.caption(machine) if hasattr(module, "caption") else module.CAPTION
+    except Missing:
+        return None
+
+
+def drawn(module, machine):
+    machine.used.clear()
+    figure = module.draw(machine)
+    source, short = (source_of(module, machine, text) for text in (machine.title, machine.short))
+    note = machine.note_on(module.NAME, source if hasattr(module, "source") else "")
+    return Drawn(module.NAME, caption_of(module, machine), source, short, note, figure)
+
+
+def made(machine, announce=lambda name: None, rooms=ROOMS):
+    """Each figure, or its name and the reason why it cannot be drawn."""
+    style.name_devices(machine)
+    for module in modules(rooms):
+        announce(module.NAME)
+        try:
+            yield drawn(module, machine), None
+        except Missing as reason:
+            yield None, (module.NAME, str(reason))
