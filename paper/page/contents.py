@@ -35,6 +35,8 @@ GROUPS = {
 NEEDS_GPU = {"ratio-by-duration", "claims", "glsl-against-cuda", "methods", "energy", "launch-paths", "kernel-pairs", "phases",
              "grid-phases", "floor", "interop", "transfer", "loop"}  # both APIs on one, or its timers
 
+OF_NO_MACHINE = {"code", "peers"}  # mostly measured elsewhere: shown once
+
 
 def title_of(name):
     return next((titles[name] for titles in GROUPS.values() if name in titles), name)

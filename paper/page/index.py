@@ -10,6 +10,7 @@ from paper.page import contents
 
 STYLE = (Path(__file__).parent / "style.css").read_text()
 FONTS = ("STIXGeneral.ttf", "STIXGeneralBol.ttf")  # of the figures
+LONG = 20  # rows of a table that scrolls
 KICKER = "spherepair: the same particle work through OpenGL compute shaders (GLSL) and through CUDA"
 
 
@@ -27,7 +28,8 @@ def who(report):
 
 def body_of(report, item):
     if item.table:
-        return f"<div class=scroll tabindex=0>{item.table}</div>"
+        kind = "scroll long" if item.table.count("<tr>") > LONG else "scroll"
+        return f'<div class="{kind}" tabindex=0>{item.table}</div>'
     source, (width, height) = f"{words(report.name)}/{words(item.name)}.png", item.size
     return (f'<div class="scroll card" tabindex=0><a href="{source}"><img loading=lazy src="{source}" width={width} height={height} '
             f'style="--width:{width}px" alt="{words(contents.title_of(item.name))}, {words(who(report))}"></a></div>')
@@ -36,13 +38,14 @@ def body_of(report, item):
 def shown(report, item, caption):
     """One machine's figure or table, with what is said of it below."""
     said = f"<figcaption>{words(caption)}</figcaption>" if caption else ""
-    return (f"<figure><p class=who>{words(who(report))}</p>{body_of(report, item)}{said}"
-            f"<details><summary>Machine and records</summary>{words(item.source)}</details></figure>")
+    return (f"<figure><details><summary>{words(who(report))}</summary>{words(item.source)}</details>"
+            f"{body_of(report, item)}{said}</figure>")
 
 
 def section(reports, name):
     """A figure or table of every machine that has it; a caption that is the same for all is given once, below."""
     found = [(report, item) for report in reports if (item := report.item(name))]
+    found = found[:1] if name in contents.OF_NO_MACHINE else found
     captions = list(dict.fromkeys(item.caption for _, item in found if item.caption))
     each = "".join(shown(report, item, item.caption if len(captions) > 1 else "") for report, item in found)
     below = f"<p class=caption>{words(captions[0])}</p>" if len(captions) == 1 else ""

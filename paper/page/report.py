@@ -89,18 +89,28 @@ def figures_of(machine, folder, progress, rooms):
         yield Item(made.name, plain(made.caption or ""), all_figures.with_note(made.source, made.note), size), None
 
 
+def device(machine):
+    return machine.short.rpartition(", run ")[0]
+
+
+def caption_of(table, machine):
+    """Without LaTeX; one that ends with a colon goes on with the device."""
+    text = plain(table.caption)
+    return f"{text} {device(machine)}." if text.endswith(":") else text
+
+
 def tables_of(machine, progress):
     progress.start(f"{machine.name}: tables")
     for made, reason in all_tables.made(machine):
         yield (None, (reason[0].replace("_", "-"), reason[1])) if reason else (
-            Item(made.name, plain(made.caption), all_tables.table_title(made, machine), table=as_html(made)), None)
+            Item(made.name, caption_of(made, machine), all_tables.table_title(made, machine), table=as_html(made)), None)
 
 
 def make(machine, folder, progress):
     """Draws and writes what the records allow."""
     folder.mkdir(parents=True, exist_ok=True)
     recorded = is_recorded(machine.folder)
-    report = Report(machine.name, machine.short.rpartition(", run ")[0], recorded, equality(machine), backends_of(machine),
+    report = Report(machine.name, device(machine), recorded, equality(machine), backends_of(machine),
                     machine.main.get("warnings", []), why_not=answer.why_not(machine))
     try:
         report.answer = answer.answer(machine, recorded)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The main claims in one table: both APIs on the same work, with intervals, and the time ratio GLSL/CUDA if these do not overlap."""
+"""The main claims in one table: both APIs on the same work, with intervals, and the time ratio OpenGL/CUDA if these do not overlap."""
 from paper.numbers.ranks import apart, ratio_text
 from paper.records import Missing
 from paper.tables.tabular import Table
@@ -7,9 +7,9 @@ from paper.text import cached, interval, ms
 
 LARGEST = 2**20  # of all pairs
 GAS = {"scene": "uniform", "packing_fraction": 0.3}
-CAPTION = ("The main claims, in milliseconds: medians with their intervals, and the 95th percentiles of all rounds. GLSL/CUDA: "
+CAPTION = ("The main claims, in milliseconds: medians with their intervals, and the 95th percentiles of all rounds. OpenGL/CUDA: "
            "the time ratio with its bounds, if it is on one side of 1. CPU: median, all threads. †: the working set, which is not "
-           "recorded for frames, fits in the L2 cache. From:")
+           "recorded for frames, fits in the L2 cache.")
 
 
 def rows_wanted():
@@ -42,11 +42,11 @@ def claims(machine):
         if not (glsl and cuda):
             continue
         cells = [cell for row in (glsl[0], cuda[0]) for cell in (interval(row), ms(row.p95_ms))]
-        rows.append([what, cached(size, (glsl[0], cuda[0])), *cells, ms(cpu[0].median) if len(cpu) == 1 else "-",
-                     ratio_text(glsl[0], cuda[0], apart)])
+        rows.append([what, cached(size, (glsl[0], cuda[0])), ratio_text(glsl[0], cuda[0], apart), *cells,
+                     ms(cpu[0].median) if len(cpu) == 1 else "-"])
         sources += [row.source for row in (glsl[0], cuda[0], *(cpu if len(cpu) == 1 else ()))]
     if not rows:
         raise Missing(f"{machine.name} has no work that both APIs did")
-    heads = [[("", 2), ("GLSL", 2), ("CUDA", 2), ("", 2)],
-             ["work", "spheres", *["median [interval]", "p95"] * 2, "CPU", "GLSL/CUDA"]]
+    heads = [[("", 3), ("OpenGL", 2), ("CUDA", 2), ("", 1)],
+             ["work", "spheres", "OpenGL/CUDA", *["median [interval]", "p95"] * 2, "CPU"]]
     return Table("claims", CAPTION, heads, rows, left=1, source=", ".join(dict.fromkeys(sources)))
