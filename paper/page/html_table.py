@@ -7,9 +7,9 @@ from paper.text import plain
 
 
 def cell(text):
-    """Powers as such: 10^6; a minus and a range with their signs."""
+    """With powers as such: 10^6."""
     text = html.escape(plain(text))
-    return re.sub(r"(?<![\w.])(\d+)\^(-?\d+)", r"\1<sup>\2</sup>", text)
+    return re.sub(r"(?<![\w.])(\d+)\^(-?\d+)", r"<span>\1<sup>\2</sup></span>", text)
 
 
 def as_html(table):
