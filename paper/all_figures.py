@@ -3,7 +3,7 @@
 import importlib
 import pkgutil
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Optional
 
 from paper import images, plots, style
 from paper.records import Missing
@@ -14,7 +14,7 @@ ROOMS = (images, plots)  # images were rendered beforehand and are the same for 
 @dataclass
 class Drawn:
     name: str
-    caption: str | None  # LaTeX; None if the records lack what it states
+    caption: Optional[str]  # LaTeX; None if the records lack what it states
     source: str  # hardware and runs
     short: str  # device and runs
     note: str  # what of the records is stale

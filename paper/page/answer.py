@@ -5,7 +5,8 @@ from paper.numbers.derived import matched
 from paper.records import Missing
 
 ABOUT_EQUAL = 1.1  # a ratio up to this hardly matters
-WORDS = {"cuda": "faster in CUDA", "glsl": "faster in OpenGL", "": "about as fast in both"}
+WORDS = {"cuda": "faster in CUDA", "glsl": "faster in OpenGL", "equal": "about as fast in both",
+         "mixed": "faster in one or the other, depending on the work"}
 
 
 def ratios(machine):
@@ -20,10 +21,11 @@ def ratios(machine):
 
 
 def faster(found):
-    """cuda or glsl, if all ratios say so; otherwise empty."""
-    if min(found) > ABOUT_EQUAL:
-        return "cuda"
-    return "glsl" if max(found) < 1 / ABOUT_EQUAL else ""
+    """The API that no ratio contradicts; equal where none matters."""
+    least, most = min(found), max(found)
+    if 1 / ABOUT_EQUAL <= least and most <= ABOUT_EQUAL:
+        return "equal"
+    return "cuda" if least >= 1 else "glsl" if most <= 1 else "mixed"
 
 
 def span(found):

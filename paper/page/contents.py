@@ -47,5 +47,5 @@ def left_out(names, compares_apis):
     gpu = [] if compares_apis else [name for name in names if name in NEEDS_GPU]
     others = [name for name in names if name not in gpu]
     reasons = ((gpu, "a GPU with OpenGL and CUDA"), (others, "measurements that ./reproduce does not make; paper/record makes them"))
-    return [f"{len(chosen)} figures and tables need {reason}: {', '.join(title_of(name) for name in chosen)}."
+    return [f"{len(chosen)} {'figures and tables need' if len(chosen) > 1 else 'figure or table needs'} {reason}: {', '.join(title_of(name) for name in chosen)}."
             for chosen, reason in reasons if chosen]

@@ -6,10 +6,13 @@ import re
 from paper.text import plain
 
 
+def rich(text):
+    """With powers as such: 10^6, 2^{-6}."""
+    return re.sub(r"(?<![\w.])(\d+)\^\{?(-?\d+)\}?", r"<span>\1<sup>\2</sup></span>", html.escape(text))
+
+
 def cell(text):
-    """With powers as such: 10^6."""
-    text = html.escape(plain(text))
-    return re.sub(r"(?<![\w.])(\d+)\^(-?\d+)", r"<span>\1<sup>\2</sup></span>", text)
+    return rich(plain(text))
 
 
 def as_html(table):

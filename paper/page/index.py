@@ -7,6 +7,7 @@ from pathlib import Path
 import matplotlib
 
 from paper.page import contents
+from paper.page.html_table import rich
 
 STYLE = (Path(__file__).parent / "style.css").read_text()
 FONTS = ("STIXGeneral.ttf", "STIXGeneralBol.ttf")  # of the figures
@@ -37,8 +38,9 @@ def body_of(report, item):
 
 def shown(report, item, caption):
     """One machine's figure or table, with what is said of it below."""
-    said = f"<figcaption>{words(caption)}</figcaption>" if caption else ""
-    return (f"<figure><details><summary>{words(who(report))}</summary>{words(item.source)}</details>"
+    said = f"<figcaption>{rich(caption)}</figcaption>" if caption else ""
+    made = "Rendered beforehand" if item.rendered else who(report)
+    return (f"<figure><details><summary>{words(made)}</summary>{words(item.source)}</details>"
             f"{body_of(report, item)}{said}</figure>")
 
 
@@ -48,7 +50,7 @@ def section(reports, name):
     found = found[:1] if name in contents.OF_NO_MACHINE else found
     captions = list(dict.fromkeys(item.caption for _, item in found if item.caption))
     each = "".join(shown(report, item, item.caption if len(captions) > 1 else "") for report, item in found)
-    below = f"<p class=caption>{words(captions[0])}</p>" if len(captions) == 1 else ""
+    below = f"<p class=caption>{rich(captions[0])}</p>" if len(captions) == 1 else ""
     return (f'<section id="{name}"><h3><a href="#{name}">{words(contents.title_of(name))}</a></h3>'
             f"<div class=machines>{each}</div>{below}</section>")
 

@@ -21,6 +21,7 @@ class Item:
     source: str
     size: tuple = ()  # of a figure on the page, in CSS pixels
     table: str = ""  # HTML
+    rendered: bool = False  # an image that no machine of the page made
 
 
 @dataclass
@@ -79,6 +80,7 @@ def equality(machine):
 
 
 def figures_of(machine, folder, progress, rooms):
+    rendered = {module.NAME for module in all_figures.modules((images,))}
     for made, reason in all_figures.made(machine, lambda name: progress.start(f"{machine.name}: {name}"), rooms):
         if reason:
             yield None, reason
@@ -86,7 +88,8 @@ def figures_of(machine, folder, progress, rooms):
         style.save_png(made.figure, folder / f"{made.name}.png")
         size = tuple(round(PIXELS * inches) for inches in made.figure.get_size_inches())
         style.plt.close(made.figure)
-        yield Item(made.name, plain(made.caption or ""), all_figures.with_note(made.source, made.note), size), None
+        yield Item(made.name, plain(made.caption or ""), all_figures.with_note(made.source, made.note), size,
+                   rendered=made.name in rendered), None
 
 
 def device(machine):

@@ -31,7 +31,7 @@ def item(name, caption="", table=""):
 def reports():
     there = report.Report("h100", "GPU 100", True, "Equal: 9 sets.", ["CUDA: GPU 100"], [], ANSWER, items=[
         item("grid", "The grid, there."), item("scale", "Scale."), item("ratio-by-duration", "By duration."),
-        item("claims", table="<table></table>"), item("unheard-of")])
+        item("claims", table="<table></table>"), item("unheard-of", "After 2^{-6} s."), report.Item("closeup", "", "runs", (9, 9), rendered=True)])
     here = report.Report("run", "software", False, "Equal: 12 sets.", ["CUDA: did not run: no <GPU>"], ["The machine was busy."],
                          why_not="No GPU was found.", items=[item("grid", "The grid, here."), item("scale", "Scale.")],
                          left_out={"claims": "x", "naive": "y"})
@@ -62,9 +62,15 @@ class Page(unittest.TestCase):
         self.assertEqual(1, self.page.count("Scale."))
         self.in_order("h100/grid.png", "The grid, there.", "run/grid.png", "The grid, here.")
 
+    def test_of_a_rendered_image_no_machine_is_named(self):
+        self.assertIn("<summary>Rendered beforehand</summary>runs</details><div class=\"scroll card\" tabindex=0><a href=\"h100/closeup", self.page)
+
+    def test_powers_in_captions(self):
+        self.assertIn("After <span>2<sup>-6</sup></span> s.", self.page)
+
     def test_what_is_left_out_is_a_line_a_reason(self):
-        self.assertIn("1 figures and tables need a GPU with OpenGL and CUDA: Main claims.", self.page)
-        self.assertIn("1 figures and tables need measurements that ./reproduce does not make", self.page)
+        self.assertIn("1 figure or table needs a GPU with OpenGL and CUDA: Main claims.", self.page)
+        self.assertIn("1 figure or table needs measurements that ./reproduce does not make", self.page)
 
     def test_this_machines_answer_goes_before_the_recorded_one(self):
         there, here = reports()
@@ -101,12 +107,15 @@ class Answer(unittest.TestCase):
         with unittest.mock.patch.object(answer, "ratios", lambda machine: [(64, short), (1024, long)]):
             return answer.answer(self.machine, True)
 
-    def setUp(self):
-        self.machine = Machine(DATA / MAIN)
+    @classmethod
+    def setUpClass(cls):
+        cls.machine = Machine(DATA / MAIN)
 
     def test_in_words(self):
         for short, long, words in (([2.4], [0.95, 1.05], "Short steps are faster in CUDA; long steps are about as fast in both."),
-                                   ([0.8], [0.7], "Steps are faster in OpenGL."), ([1.05], [1], "Steps are about as fast in both.")):
+                                   ([0.8], [0.7], "Steps are faster in OpenGL."), ([1.05], [1], "Steps are about as fast in both."),
+                                   ([1.05, 2], [0.8, 1.2], "Short steps are faster in CUDA; long steps are faster in one or the "
+                                    "other, depending on the work.")):
             self.assertEqual(words, self.said(short, long)[0])
 
     def test_with_ratios_and_gpu(self):
