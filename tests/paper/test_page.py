@@ -113,7 +113,7 @@ class Answer(unittest.TestCase):
 
     def test_in_words(self):
         for short, long, words in (([2.4], [0.95, 1.05], "Short steps are faster in CUDA; long steps are about as fast in both."),
-                                   ([0.8], [0.7], "Steps are faster in OpenGL."), ([1.05], [1], "Steps are about as fast in both."),
+                                   ([0.8, 0.95], [0.7], "Steps are faster in OpenGL."), ([1.05], [1], "Steps are about as fast in both."),
                                    ([1.05, 2], [0.8, 1.2], "Short steps are faster in CUDA; long steps are faster in one or the "
                                     "other, depending on the work.")):
             self.assertEqual(words, self.said(short, long)[0])
