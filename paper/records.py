@@ -102,6 +102,7 @@ class Machine:
         self.name = name or self.folder.name
         self.records, self.sources = [], {}
         self.used = {}  # records that were selected since it was last cleared, by their id()
+        self.lost = 0  # timings whose interval reaches zero: on a busy machine noise is greater than they are
         self.notes = {}  # figure or table -> what its source line says of stale records
         for name, runs in sources_in(self.folder):
             self._read(name, [files for files in runs if files])
@@ -130,8 +131,10 @@ class Machine:
         self.sources[name] = {**root, "id": source, "recorded": recorded}
         for part in flat if len(processes) == 1 else [root]:
             date = part.get("context", {}).get("date", "")
-            self.records += [Record(row, *summary(row), source, date, name.startswith("sweep"), recorded)
-                             for row in formats.rows_of(part)]
+            rows = [Record(row, *summary(row), source, date, name.startswith("sweep"), recorded) for row in formats.rows_of(part)]
+            measured = [record for record in rows if record.low > 0]
+            self.records += measured
+            self.lost += len(rows) - len(measured)
 
     def select(self, **wanted):
         """All records with these parameters, smallest n first; `scene` is the scene's name."""

@@ -120,7 +120,7 @@ void print_heading(const Session& session, const Plan& plan, bool asked) {
 std::string names_of(const Session& session) {
   std::vector<std::string> names;
   for (const auto& backend : session.backends()) names.push_back(backend->info().name);
-  return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::to_string(fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -160,11 +160,10 @@ int compare_command(const CommandLine& line, const CompareOptions& options) {
   record.set("seconds", seconds);
   record.set("apis", apis);
   record.write(study);
-  fmt::print(
-      "\nEqual on {}: {}, in {:.0f} s\n{}{}\nResults: {}\n", names_of(session), session.comparisons.text(), seconds,
-      session.backends().size() == 1 ? "Only one backend ran: its results were not cross-checked with another's.\n"
-                                     : "",
-      wrapped(apis, "", "  "), folder.string());
+  fmt::print("\nEqual on {}: {}, in {:.0f} s\n", names_of(session), session.comparisons.text(), seconds);
+  if (session.backends().size() == 1) fmt::print("Only one backend ran: no other cross-checked its results.\n");
+  if (!session.devices().empty()) fmt::print("{}\n", wrapped(apis, "", "  "));
+  fmt::print("Results: {}\n", folder.string());
   return kOk;
 }
 

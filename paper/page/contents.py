@@ -46,6 +46,6 @@ def left_out(names, compares_apis):
     """A line for each reason why this machine lacks something."""
     gpu = [] if compares_apis else [name for name in names if name in NEEDS_GPU]
     others = [name for name in names if name not in gpu]
-    reasons = ((gpu, "a GPU with OpenGL and CUDA"), (others, "measurements that ./reproduce does not make; paper/record makes them"))
+    reasons = ((gpu, "a GPU with OpenGL and CUDA"), (others, "measurements that this run lacks; paper/record makes them all"))
     return [f"{len(chosen)} {'figures and tables need' if len(chosen) > 1 else 'figure or table needs'} {reason}: {', '.join(title_of(name) for name in chosen)}."
             for chosen, reason in reasons if chosen]

@@ -79,6 +79,11 @@ def equality(machine):
     return f"Equal: {made['sets']:,} sets of pairs and {made['states']:,} states of the spheres, on {where}."
 
 
+def warnings_of(machine):
+    lost = f"{machine.lost} timings are left out: their noise is greater than they are, as on a busy machine."
+    return [*machine.main.get("warnings", ()), *([lost] if machine.lost else ())]
+
+
 def figures_of(machine, folder, progress, rooms):
     rendered = {module.NAME for module in all_figures.modules((images,))}
     for made, reason in all_figures.made(machine, lambda name: progress.start(f"{machine.name}: {name}"), rooms):
@@ -114,7 +119,7 @@ def make(machine, folder, progress):
     folder.mkdir(parents=True, exist_ok=True)
     recorded = is_recorded(machine.folder)
     report = Report(machine.name, device(machine), recorded, equality(machine), backends_of(machine),
-                    machine.main.get("warnings", []), why_not=answer.why_not(machine))
+                    warnings_of(machine), why_not=answer.why_not(machine))
     try:
         report.answer = answer.answer(machine, recorded)
     except Missing as reason:

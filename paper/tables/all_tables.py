@@ -91,7 +91,8 @@ def arrangements(machine):
     rows = []
     for m, n in shapes:
         of_shape = {(r.backend, r.block): r for r in records if (r.scene["groups"], r.scene["group_size"]) == (m, n)}
-        rows.append([f"{m} by {n}", *(interval(of_shape[name, block], 1e3) for block in (n, m * n) for name in names)])
+        rows.append([f"{m} by {n}", *(interval(of_shape[name, block], 1e3) if (name, block) in of_shape else "-"
+                                           for block in (n, m * n) for name in names)])
     heads = [[("", 1), ("groups of $n$, µs", len(names)), ("one group of all, µs", len(names))],
              ["$m$ by $n$", *(name.upper() for name in names), *(name.upper() for name in names)]]
     return Table("arrangements", "The original paper's second animation: $m$ groups of $n$ spheres, searched by its own "

@@ -3,6 +3,7 @@
 import contextlib
 import importlib.util
 import io
+import json
 import pathlib
 import sys
 import tempfile
@@ -97,6 +98,16 @@ class Figures(unittest.TestCase):
         machine.records = kept + made_up_records()
         machine.sources["sets.json"] = made_up_sets()
         self.assertEqual([], self.draw(machine))
+
+    def test_timings_lost_in_noise_are_no_records(self):
+        one = {"n": 1, "backend": "cpu", "samples_ms": [2.0] * 6}
+        rows = [{**one, "median_ms": median, "interval_ms": interval}
+                for median, interval in ((2.0, [1, 3]), (2.0, [-0.1, 3]), (-1.0, [-2, 3]))]
+        with tempfile.TemporaryDirectory() as folder:
+            root = {"format": "spherepair results 1", "measurements": [{**row, "table": "step"} for row in rows], "context": {}}
+            pathlib.Path(folder, "results.json").write_text(json.dumps(root))
+            machine = Machine(folder)
+        self.assertEqual(([2.0], 2), ([record.median for record in machine.records], machine.lost))
 
     def test_none_is_drawn_without_its_records(self):
         machine = Machine(DATA / MAIN)

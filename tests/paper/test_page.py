@@ -70,7 +70,7 @@ class Page(unittest.TestCase):
 
     def test_what_is_left_out_is_a_line_a_reason(self):
         self.assertIn("1 figure or table needs a GPU with OpenGL and CUDA: Main claims.", self.page)
-        self.assertIn("1 figure or table needs measurements that ./reproduce does not make", self.page)
+        self.assertIn("1 figure or table needs measurements that this run lacks", self.page)
 
     def test_this_machines_answer_goes_before_the_recorded_one(self):
         there, here = reports()
