@@ -87,16 +87,16 @@ def write_headline(machine):
 
 
 def draw_side_by_side(folders, output):
-    """The page of these machines; log.txt names what was drawn, in how many seconds, and what each left-out figure lacks."""
+    """The page of these machines; log.txt names what was drawn, in how many seconds, and what each figure lacks."""
     output.mkdir(parents=True, exist_ok=True)
     with (output / "log.txt").open("w") as log:
         progress = Progress(log)
         reports = [recorded.taken(folder, output / folder.name, progress) if report.is_recorded(folder) else
                    report.make(Machine(folder), output / folder.name, progress) for folder in folders]
         index.write(output, reports)
-    for made in reports:
-        for line in contents.left_out(made.left_out, made.compares_apis):
-            print(line.partition(":")[0] + ".")
+    lines = [line.partition(":")[0] for made in reports for line in contents.left_out(made.left_out, made.compares_apis)]
+    if lines:
+        print(f"{'; '.join(lines)}. {output / 'log.txt'} says what each lacks.")
 
 
 def main():
