@@ -4,12 +4,9 @@
 
   paper/figures.py                                from paper/data/h100 to build/paper, with the numbers of paper.tex
   paper/figures.py --headline                     the image paper/headline.png, and what README.md and docs/motion.md say of paper/data/h100
-  paper/figures.py --data FOLDER... --output F    from those folders, each to its own folder, and side by side
+  paper/figures.py --data FOLDER... --output F    the page of those folders, side by side
 """
 import argparse
-import contextlib
-import importlib
-import pkgutil
 import re
 import sys
 from pathlib import Path
@@ -17,67 +14,36 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[0] = str(ROOT)  # in place of paper/, whose numbers/ would hide Python's module of that name
 
-from paper import docs_facts, headline, images, plots, side_by_side, sources, style  # noqa: E402  (the path must be set first)
+from paper import all_figures, docs_facts, headline, sources, style  # noqa: E402  (the path must be set first)
 from paper.numbers import macros  # noqa: E402
+from paper.page import contents, index, recorded, report  # noqa: E402
 from paper.plots import ratio_by_duration  # noqa: E402
+from paper.progress import Progress  # noqa: E402
 from paper.records import DATA, MAIN, Machine, Missing  # noqa: E402
 from paper.tables import all_tables  # noqa: E402
 from paper.tables.stress import stress  # noqa: E402
-from paper.text import escape, plain  # noqa: E402
+from paper.text import escape  # noqa: E402
 
 
-def modules():
-    names = [f"{room.__name__}.{found.name}" for room in (images, plots) for found in pkgutil.iter_modules(room.__path__)]
-    return [importlib.import_module(name) for name in sorted(names, key=lambda name: name.rpartition(".")[2])]
-
-
-def runs_of(module, machine):
-    """The ids of the sources of a figure that was just drawn: those that it names, or those of the records that it used."""
-    named = module.source(machine) if hasattr(module, "source") else ""
-    used = {record.source for record in machine.used.values()}
-    return machine.ids_in(named) or machine.ids_in(" ".join(used)) or [machine.id]
-
-
-def draw_all(machine, folder):
-    """Returns (names drawn, names left out with reasons); a figure without all of its data is not drawn."""
+def draw_all(machine, folder, announce=lambda name: None):
+    """Returns (figures drawn, names left out with reasons); a figure without all of its data is not drawn."""
     drawn, left_out = [], []
-    style.name_devices(machine)
-    for module in modules():
-        machine.used.clear()
-        try:
-            figure = module.draw(machine)
-        except Missing as reason:
-            left_out.append((module.NAME, str(reason)))
+    for made, reason in all_figures.made(machine, announce):
+        if reason:
+            left_out.append(reason)
             for kind in ("pdf", "png"):
-                (folder / f"{module.NAME}.{kind}").unlink(missing_ok=True)  # of an earlier run
+                (folder / f"{reason[0]}.{kind}").unlink(missing_ok=True)  # of an earlier run
             continue
-        machine.runs[module.NAME] = runs_of(module, machine)
-        source = machine.title_of(machine.runs[module.NAME])
-        note = machine.note_on(module.NAME, source if hasattr(module, "source") else "")
-        style.save(figure, folder, module.NAME, f"{source}\n{note}".strip())
-        drawn.append(module.NAME)
+        style.save(made.figure, folder, made.name, f"{made.source}\n{made.note}".strip())
+        drawn.append(made)
     return drawn, left_out
 
 
-def report(machine, folder):
-    """Draws and writes what the records allow and reports the rest; returns (figures, tables, reasons by name)."""
-    drawn, left_out = draw_all(machine, folder)
-    written, unwritten = all_tables.write_all(machine, folder)
-    print(f"{machine.title}\n  figures: {', '.join(drawn)}\n  tables: {', '.join(written)}")
-    for name, reason in left_out + unwritten:
-        print(f"  {name} is left out: {reason}")
-    return drawn, written, dict(left_out + unwritten)
-
-
-def write_captions(machine, path):
-    """The captions of the figures and tables that were made, with what is stale in them; their runs are in runs.tex."""
-    captions = {}
-    for module in modules():
-        with contextlib.suppress(Missing):
-            captions[module.NAME] = module.caption(machine) if hasattr(module, "caption") else module.CAPTION
-    captions |= {table.name: table.caption for table in all_tables.all_tables(machine)}
-    lines = [f"\\definecaption{{{name}}}{{{text}{escape(stale_text(machine.notes.get(name)))}}}" for name, text in captions.items()]
-    path.write_text("\n".join(lines) + "\n")
+def captions(machine, drawn, tables):
+    """(name, caption) of each that was made, with what is stale in it; its runs are in runs.tex."""
+    for made in (*drawn, *tables):
+        if made.caption:
+            yield made.name, made.caption + escape(stale_text(machine.notes.get(made.name)))
 
 
 def stale_text(note):
@@ -94,28 +60,33 @@ def write_runs(machine, tex, made, path):
     path.write_text("".join(f"\\item {', '.join(names)}: {escape(title)}.\n" for title, names in together.items()))
 
 
-def write_stress(machine, output):
-    """The stress catalogue of a machine without a GPU, if the main machine has none."""
+def stress_elsewhere(machine, folder):
+    """(name, caption) of the stress catalogue of a machine without a GPU, which is written if the main machine has none."""
     table = all_tables.of_one(stress, machine)
-    all_tables.write(table, machine, output / "recorded")
-    text = f"{table.caption} {escape(all_tables.table_title(table, machine))}."
-    with (output / "captions.tex").open("a") as captions:
-        captions.write(f"\\definecaption{{{table.name}}}{{{text}}}\n")
-    return table.name
+    all_tables.write(table, machine, folder)
+    return table.name, f"{table.caption} {escape(all_tables.table_title(table, machine))}."
 
 
 def write_paper_inputs(output):
-    machine, other = Machine(DATA / MAIN), Machine(DATA / "llvmpipe")
-    drawn, written, _ = report(machine, output / "recorded")
-    write_captions(machine, output / "captions.tex")
-    if "stress" not in written:
-        written.append(write_stress(other, output))
-    tex = (ROOT / "paper/paper.tex").read_text()
+    machine, other, progress = Machine(DATA / MAIN), Machine(DATA / "llvmpipe"), Progress()
+    drawn, left_out = draw_all(machine, output / "recorded", progress.start)
+    progress.start("tables")
+    tables, unwritten = all_tables.write_all(machine, output / "recorded")
+    lines = dict(captions(machine, drawn, tables))
+    if "stress" not in lines:
+        lines.update([stress_elsewhere(other, output / "recorded")])
+    (output / "captions.tex").write_text("".join(f"\\definecaption{{{name}}}{{{text}}}\n" for name, text in lines.items()))
+    progress.start("numbers")
+    tex, names = (ROOT / "paper/paper.tex").read_text(), list(dict.fromkeys([*(made.name for made in drawn), *lines]))
     numbers = macros.collect(machine, [other])
-    macros.check(tex, numbers, drawn + written)
-    macros.write(numbers, tex, output / "numbers.tex", drawn + written)
-    write_runs(machine, tex, drawn + written, output / "runs.tex")
-    print(f"  numbers: {len(macros.used_keys(tex, drawn + written))} in the text, each from a recorded run")
+    macros.check(tex, numbers, names)
+    macros.write(numbers, tex, output / "numbers.tex", names)
+    write_runs(machine, tex, names, output / "runs.tex")
+    progress.end()
+    for name, reason in left_out + unwritten:
+        print(f"  {name} is left out: {reason}")
+    print(f"{machine.title}\n  {len(drawn)} figures, {len(tables)} tables, {len(macros.used_keys(tex, names))} numbers in the text, "
+          "each from a recorded run")
 
 
 def write_headline(machine):
@@ -126,28 +97,17 @@ def write_headline(machine):
         (ROOT / page).write_text(docs_facts.updated(page, (ROOT / page).read_text(), machine))
 
 
-def captions(machines):
-    """name -> its caption as plain text, by the first machine that has it."""
-    found = {}
-    for machine in machines:
-        for module in modules():
-            with contextlib.suppress(Missing):
-                text = module.caption(machine) if hasattr(module, "caption") else module.CAPTION
-                found.setdefault(module.NAME, plain(text))
-        for table in all_tables.all_tables(machine):
-            found.setdefault(table.name, plain(table.caption))
-    return found
-
-
-def draw_side_by_side(machines, output):
-    """What a machine lacks is listed at the page's end, with the reasons."""
-    figures, tables_made, reasons = {}, {}, {}
-    for machine in machines:
-        drawn, written, left_out = report(machine, output / machine.name)
-        figures.update(dict.fromkeys(drawn))
-        tables_made.update(dict.fromkeys(written))
-        reasons.update({(machine.name, name): reason for name, reason in left_out.items()})
-    print(f"Side by side: {side_by_side.write(output, machines, figures, tables_made, reasons, captions(machines))}")
+def draw_side_by_side(folders, output):
+    """The page of these machines; log.txt names what was drawn, in how many seconds, and what each figure lacks."""
+    output.mkdir(parents=True, exist_ok=True)
+    with (output / "log.txt").open("w") as log:
+        progress = Progress(log)
+        reports = [recorded.taken(folder, output / folder.name, progress) if report.is_recorded(folder) else
+                   report.make(Machine(folder), output / folder.name, progress) for folder in folders]
+        index.write(output, reports)
+    lines = [line.partition(":")[0] for made in reports for line in contents.left_out(made.left_out, made.compares_apis)]
+    if lines:
+        print(f"{'; '.join(lines)}. {output / 'log.txt'} says what each lacks.")
 
 
 def main():
@@ -159,7 +119,7 @@ def main():
     if options.headline:
         write_headline(Machine(DATA / MAIN))
     elif options.data:
-        draw_side_by_side([Machine(folder) for folder in options.data], options.output)
+        draw_side_by_side([folder.resolve() for folder in options.data], options.output)
     else:
         write_paper_inputs(options.output)
 

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from paper import batches, formats, sources, spread
 from paper.folders import host_of, sources_in
-from paper.spread import median_interval, summary  # noqa: F401  (ranks takes the first from here)
+from paper.spread import summary
 
 DATA = Path(__file__).resolve().parent / "data"
 MAIN = "h100"  # the machine of the paper and of README.md
@@ -97,6 +97,7 @@ class Machine:
         self.name = name or self.folder.name
         self.records, self.sources = [], {}
         self.used = {}  # records that were selected since it was last cleared, by their id()
+        self.lost = 0  # timings whose interval reaches zero: on a busy machine noise is greater than they are
         self.notes = {}  # figure or table -> what its source line says of stale records
         self.runs = {}  # figure or table -> the ids of its sources
         for name, runs in sources_in(self.folder):
@@ -127,8 +128,11 @@ class Machine:
                               "hosts": list(dict.fromkeys(map(host_of, flat)))}
         for part in flat if len(processes) == 1 else [root]:
             date = part.get("context", {}).get("date", "")
-            self.records += [Record(row | OF_ITS_OWN.get(name, {}), *summary(row), source, date, name.startswith("sweep"), recorded)
-                             for row in formats.rows_of(part)]
+            rows = [Record(row | OF_ITS_OWN.get(name, {}), *summary(row), source, date, name.startswith("sweep"), recorded)
+                    for row in formats.rows_of(part)]
+            measured = [record for record in rows if record.low > 0]
+            self.records += measured
+            self.lost += len(rows) - len(measured)
 
     def select(self, **wanted):
         """All records with these parameters, smallest n first; `scene` is the scene's name."""

@@ -106,9 +106,15 @@ def parts(names):
     return [f"{what} ({', '.join(sorted(apis, reverse=True))})" if apis else what for what, apis in by_kernel.items()]
 
 
+def distinct(rows):
+    """Rows that say the same of what they depend on, once: those of one record often share all of it."""
+    return list({(row.get("backend"), row.get("draw"), frozenset(row.get("stages") or ()), frozenset(row.keys()), id(recorded)):
+                 (row, recorded) for row, recorded in rows}.values())
+
+
 def note(rows):
     """What the line under a figure or table of these timings adds: (row, digests of its record or None without) each."""
-    rows = list(rows)
+    rows = distinct(rows)
     found = parts(set().union(*(changed(row, recorded, current()) for row, recorded in rows if recorded)))
     more = f" and {len(found) - MOST_NAMED} more" if len(found) > MOST_NAMED else ""
     notes = [f"recorded with earlier {', '.join(found[:MOST_NAMED])}{more}"] if found else []

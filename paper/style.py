@@ -11,7 +11,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, NullLoca
 COLUMN, PAGE = 3.4, 7.0  # inches: one column of the paper, both columns
 
 SERIES = {
-    "glsl": {"label": "GLSL", "color": "#15396b", "marker": "o", "linestyle": "-"},
+    "glsl": {"label": "OpenGL", "color": "#15396b", "marker": "o", "linestyle": "-"},
     "cuda": {"label": "CUDA", "color": "#e0812b", "marker": "s", "linestyle": "--", "markerfacecolor": "white"},
     "cpu parallel": {"label": "CPU, all threads", "color": "#5b8c5a", "marker": "^", "linestyle": ":"},
     "cpu sequential": {"label": "CPU, one thread", "color": "#8a8a8a", "marker": "D", "linestyle": ":"},
@@ -38,7 +38,7 @@ def series_of(record):
 
 def name_devices(machine):
     """Software GL is labelled as such."""
-    SERIES["glsl"]["label"] = "GLSL in software" if machine.software else "GLSL"
+    SERIES["glsl"]["label"] = "OpenGL in software" if machine.software else "OpenGL"
 
 
 def panels(width, height, columns=1, **options):
@@ -99,8 +99,9 @@ def save(figure, folder, name, source):
     plt.close(figure)
 
 
-def save_png(figure, file, source):
-    most = int(30 * figure.get_figwidth())  # characters of this size in a line
-    lines = (wrapped for line in source.splitlines() for wrapped in textwrap.wrap(line, most))
-    figure.supxlabel("\n".join(lines), x=0.99, ha="right", fontsize=4.8, color="#555555")
+def save_png(figure, file, source=""):
+    if source:
+        most = int(30 * figure.get_figwidth())  # characters of this size in a line
+        lines = (wrapped for line in source.splitlines() for wrapped in textwrap.wrap(line, most))
+        figure.supxlabel("\n".join(lines), x=0.99, ha="right", fontsize=4.8, color="#555555")
     figure.savefig(file, dpi=220, metadata={"Software": None})

@@ -107,17 +107,24 @@ void make_tables(Study& study, Record& record) {
   }
 }
 
-void print_heading(const Session& session, const StudyLoad& load, const Plan& plan) {
+// `asked`: the user named the backends, and knows which are not among them.
+void print_heading(const Session& session, const StudyLoad& load, const Plan& plan, bool asked) {
   fmt::print("spherepair {} ({})\n{}", build_info.version, build_info.commit, session.summary());
   if (!session.find("cpu"))
     fmt::print("The CPU is not among the backends: {} is the reference.\n", session.reference().info().name);
-  if (session.devices().size() < 2)
-    fmt::print("GLSL and CUDA are not both open: the comparison between them is skipped.\n");
+  if (!asked && session.devices().size() < 2)
+    fmt::print("OpenGL and CUDA do not both run here, so they are not compared with each other.\n");
   fmt::print("Every timing has {}{}.\n", counted(plan.sampling.rounds, "round"),
              plan.sampling.rounds < fewest_for_interval ? ", too few for an interval of 95 %" : "");
   for (const std::string& warning : load.warnings(session)) fmt::print("\n{}\n", wrapped(warning, "* ", "  "));
   fmt::print("\n");
   std::fflush(stdout);
+}
+
+std::string names_of(const Session& session) {
+  std::vector<std::string> names;
+  for (const auto& backend : session.backends()) names.push_back(backend->info().name);
+  return fmt::to_string(fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -131,7 +138,7 @@ int compare_command(const CommandLine& line, const CompareOptions& options) {
   const bool hardware =
       std::ranges::any_of(session.backends(), [](const auto& backend) { return on_hardware(*backend); });
   const Plan plan = make_plan(options.plan, hardware);
-  print_heading(session, load, plan);
+  print_heading(session, load, plan, !options.backends.empty());
   Progress progress;
   Study study(session, plan, progress);
   Record record(folder, line, session, load, plan);
@@ -158,11 +165,10 @@ int compare_command(const CommandLine& line, const CompareOptions& options) {
   record.set("seconds", seconds);
   record.set("apis", apis);
   record.write(study);
-  const size_t backends = session.backends().size();
-  fmt::print("\nNo difference {}: {}, in {:.0f} s\n{}\n{}Results: {}\n",
-             backends == 1 ? "between the methods of the one backend, whose states nothing confirms"
-                           : fmt::format("between {} backends", backends),
-             session.comparisons.text(), seconds, wrapped(apis, "", "  "), load.text(session), folder.string());
+  fmt::print("\nEqual on {}: {}, in {:.0f} s\n", names_of(session), session.comparisons.text(), seconds);
+  if (session.backends().size() == 1) fmt::print("Only one backend ran: no other cross-checked its results.\n");
+  if (!session.devices().empty()) fmt::print("{}\n", wrapped(apis, "", "  "));
+  fmt::print("{}Results: {}\n", load.text(session), folder.string());
   return kOk;
 }
 

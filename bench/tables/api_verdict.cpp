@@ -11,15 +11,15 @@ namespace spherepair {
 namespace {
 
 std::string why_not(const Session& session) {
-  for (const char* name : {"glsl", "cuda"}) {
+  for (const auto& [name, api] : {std::pair{"glsl", "OpenGL"}, {"cuda", "CUDA"}}) {
     const Backend* backend = session.find(name);
-    if (!backend) return fmt::format("the backend {} is not open", name);
-    if (!on_hardware(*backend)) return fmt::format("{} runs in software, so its times say nothing about a GPU", name);
+    if (!backend) return fmt::format("{} did not run", api);
+    if (!on_hardware(*backend)) return fmt::format("{} ran in software, so its times say nothing about a GPU", api);
   }
   return {};
 }
 
-// GLSL takes 1.03x to 1.59x CUDA's time in 28 (methods, scale)
+// OpenGL takes 1.03x to 1.59x CUDA's time in 28 (methods, scale)
 std::string of_side(const std::vector<ApiContest>& contests, bool glsl_slower) {
   std::vector<double> ratios;
   std::vector<std::string> tables;
@@ -38,8 +38,8 @@ std::string of_side(const std::vector<ApiContest>& contests, bool glsl_slower) {
 std::string api_verdict(const Session& session, const std::vector<ApiContest>& contests) {
   std::string reason = why_not(session);
   if (reason.empty() && contests.empty()) reason = "no table timed both";
-  if (!reason.empty()) return fmt::format("Whether GLSL or CUDA is faster cannot be said here: {}", reason);
-  std::string text = fmt::format("Of {} of time, GLSL takes ", counted(contests.size(), "comparison"));
+  if (!reason.empty()) return fmt::format("OpenGL or CUDA: this run cannot say which is faster; {}", reason);
+  std::string text = fmt::format("Of {} of time, OpenGL takes ", counted(contests.size(), "comparison"));
   const std::string slower = of_side(contests, true), faster = of_side(contests, false);
   text += slower.empty() && faster.empty() ? "another time than CUDA in none" : slower;
   text += (slower.empty() || faster.empty() ? "" : " and ") + faster;

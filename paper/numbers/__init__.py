@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""What is derived from records: ratios, ranks, leads; and the numbers of the prose (prose_*.py) as LaTeX macros."""
+"""What is derived from records: ratios, contests, leads; and the numbers of the prose (prose_*.py) as LaTeX macros."""

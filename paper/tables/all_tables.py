@@ -93,7 +93,8 @@ def arrangements(machine):
     rows = []
     for m, n in shapes:
         of_shape = {(r.backend, r.block): r for r in records if (r.scene["groups"], r.scene["group_size"]) == (m, n)}
-        rows.append([f"{m} by {n}", *(interval(of_shape[name, block], 1e3) for block in (n, m * n) for name in names)])
+        rows.append([f"{m} by {n}", *(interval(of_shape[name, block], 1e3) if (name, block) in of_shape else "-"
+                                           for block in (n, m * n) for name in names)])
     heads = [[("", 1), ("groups of $n$, µs", len(names)), ("one group of all, µs", len(names))],
              ["$m$ by $n$", *(name.upper() for name in names), *(name.upper() for name in names)]]
     return Table("arrangements", "The original paper's second animation: $m$ groups of $n$ spheres, searched by its own "
@@ -191,17 +192,13 @@ def table_title(table, machine):
     return "; ".join(text for text in (machine.title_of(machine.runs[table.name]), machine.notes.get(table.name)) if text)
 
 
-def all_tables(machine):
-    return [table for table, _ in made(machine) if table]
-
-
 def write(table, machine, folder):
     (folder / f"{table.name}.tex").write_text(as_tex(table))
     (folder / f"{table.name}.txt").write_text(as_text(table, table_title(table, machine)))
 
 
 def write_all(machine, folder):
-    """Returns (what was written, what was left out and why)."""
+    """Returns (the tables that were written, what was left out and why)."""
     written, left_out = [], []
     folder.mkdir(parents=True, exist_ok=True)
     for table, reason in made(machine):
@@ -210,5 +207,5 @@ def write_all(machine, folder):
             (folder / f"{reason[0].replace('_', '-')}.tex").unlink(missing_ok=True)  # of an earlier run
             continue
         write(table, machine, folder)
-        written.append(table.name)
+        written.append(table)
     return written, left_out

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The main claims in one table: both APIs on the same work, with intervals, and the time ratio GLSL/CUDA."""
+"""The main claims in one table: both APIs on the same work, with intervals, and the time ratio OpenGL/CUDA."""
 from paper.numbers.ratios import LEGEND, family
 from paper.records import Missing
 from paper.tables.tabular import Table
@@ -7,7 +7,7 @@ from paper.text import cached, interval, ms
 
 LARGEST = 2**20  # of all pairs
 GAS = {"scene": "uniform", "packing_fraction": 0.3}
-CAPTION = ("The main claims, in milliseconds: medians with their intervals, and the 95th percentiles of all rounds. GLSL/CUDA: "
+CAPTION = ("The main claims, in milliseconds: medians with their intervals, and the 95th percentiles of all rounds. OpenGL/CUDA: "
            f"the time ratio; plain: by the plain means of the longest batches, without the fitted line. {LEGEND} Runs: processes on GPUs. "
            "CPU: median, all threads. †: the working set, which is not recorded for frames, fits in the L2 cache.")
 
@@ -47,8 +47,8 @@ def claims(machine):
         sources += [row.source for row in (glsl[0], cuda[0], *(cpu if len(cpu) == 1 else ()))]
     if not rows:
         raise Missing(f"{machine.name} has no work that both APIs did")
-    rows = [[*row, ratio.text, f"{ratio.plain:.2f}" if ratio.plain else "-", f"{ratio.processes} on {max(1, len(ratio.gpus))}"]
-            for row, ratio in zip(rows, family(pairs))]
-    heads = [[("", 2), ("GLSL", 2), ("CUDA", 2), ("", 1), ("GLSL/CUDA", 2), ("", 1)],
-             ["work", "spheres", *["median [interval]", "p95"] * 2, "CPU", "ratio [interval]", "plain", "runs"]]
+    rows = [[work, size, ratio.text, f"{ratio.plain:.2f}" if ratio.plain else "-", f"{ratio.processes} on {max(1, len(ratio.gpus))}", *times]
+            for (work, size, *times), ratio in zip(rows, family(pairs))]
+    heads = [[("", 2), ("OpenGL/CUDA", 2), ("", 1), ("OpenGL", 2), ("CUDA", 2), ("", 1)],
+             ["work", "spheres", "ratio [interval]", "plain", "runs", *["median [interval]", "p95"] * 2, "CPU"]]
     return Table("claims", CAPTION, heads, rows, left=1, source=", ".join(dict.fromkeys(sources)))

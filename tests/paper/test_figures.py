@@ -3,10 +3,10 @@
 import contextlib
 import importlib.util
 import io
+import json
 import pathlib
 import sys
 import tempfile
-import types
 import unittest
 import unittest.mock
 from dataclasses import replace
@@ -17,8 +17,9 @@ if importlib.util.find_spec("matplotlib") is None:
     print("SKIPPED: figures need matplotlib (python3-matplotlib)")
     sys.exit(77)
 
-from paper import figures, side_by_side, sources  # noqa: E402  (the path must be set first)
+from paper import all_figures, figures, sources, style  # noqa: E402  (the path must be set first)
 from paper.numbers.derived import GRID_BYTES  # noqa: E402
+from paper.page import contents  # noqa: E402
 from paper.plots import ratio  # noqa: E402
 from paper.records import DATA, MAIN, Machine, Missing, Record, latest  # noqa: E402
 from paper.tables import all_tables, energy, studies  # noqa: E402
@@ -85,12 +86,12 @@ def made_up_crossovers(cells, time_of_auto):
 class Figures(unittest.TestCase):
     def draw(self, machine):
         left_out = []
-        for module in figures.modules():
-            try:
-                figures.style.plt.close(module.draw(machine))
-                self.assertTrue(module.caption(machine) if hasattr(module, "caption") else module.CAPTION)
-            except Missing:
-                left_out.append(module.NAME)
+        for made, reason in all_figures.made(machine):
+            if reason:
+                left_out.append(reason[0])
+            else:
+                style.plt.close(made.figure)
+                self.assertTrue(made.caption)
         return left_out
 
     def test_each_is_drawn_if_its_records_exist(self):
@@ -100,10 +101,20 @@ class Figures(unittest.TestCase):
         machine.sources["sets.json"] = made_up_sets()
         self.assertEqual([], self.draw(machine))
 
+    def test_timings_lost_in_noise_are_no_records(self):
+        one = {"n": 1, "backend": "cpu", "samples_ms": [2.0] * 6}
+        rows = [{**one, "median_ms": median, "interval_ms": interval}
+                for median, interval in ((2.0, [1, 3]), (2.0, [-0.1, 3]), (-1.0, [-2, 3]))]
+        with tempfile.TemporaryDirectory() as folder:
+            root = {"format": "spherepair results 1", "measurements": [{**row, "table": "step"} for row in rows], "context": {}}
+            pathlib.Path(folder, "results.json").write_text(json.dumps(root))
+            machine = Machine(folder)
+        self.assertEqual(([2.0], 2), ([record.median for record in machine.records], machine.lost))
+
     def test_none_is_drawn_without_its_records(self):
         machine = Machine(DATA / MAIN)
         machine.records, machine.sources = [], {}
-        drawn = {module.NAME for module in figures.modules()} - set(self.draw(machine))
+        drawn = {module.NAME for module in all_figures.modules()} - set(self.draw(machine))
         self.assertLessEqual(drawn, {"animations", "closeup", "same-frame", "settling"})  # images
 
 
@@ -176,14 +187,11 @@ class StaleRecords(unittest.TestCase):
         machine = Machine(DATA / MAIN)
         machine.records = [replace(record, recorded=({"measure": digest},)) for record in machine.records]
         table = all_tables.of_one(all_tables.methods, machine)
-        one = unittest.mock.patch.object(figures, "modules", lambda: [ratio])
+        one = unittest.mock.patch.object(all_figures, "modules", lambda rooms: [ratio])
         with tempfile.TemporaryDirectory() as folder, one:
-            figures.draw_all(machine, pathlib.Path(folder))
-            figures.write_captions(machine, pathlib.Path(folder, "captions.tex"))
-            captions = pathlib.Path(folder, "captions.tex").read_text().splitlines()
-        chosen = [line for line in captions if "{glsl-against-cuda}" in line or "{methods}" in line]
-        self.assertEqual(2, len(chosen))
-        return [*chosen, all_tables.table_title(table, machine)]
+            drawn, _ = figures.draw_all(machine, pathlib.Path(folder))
+        captions = dict(figures.captions(machine, drawn, [table]))
+        return [captions["glsl-against-cuda"], captions["methods"], all_tables.table_title(table, machine)]
 
     def test_it_is_named(self):
         for line in self.lines("0"):
@@ -194,46 +202,6 @@ class StaleRecords(unittest.TestCase):
             self.assertNotIn("ecorded with", line)
 
 
-class SideBySide(unittest.TestCase):
-    """The page of ./reproduce, of two machines of which one has fewer figures."""
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        folder = pathlib.Path(folder.name)
-        machines = []
-        for name, verdict in (("here", "equal"), ("there", "difference")):
-            (folder / name).mkdir()
-            (folder / name / "grid.png").touch()
-            backends = [{"name": "cuda", "open": False, "reason": "no <GPU>"}]
-            counts = {"glsl": {"sets": {"made": 12}, "states": {"made": 3}}}
-            machines.append(types.SimpleNamespace(name=name, title=f"machine {name}", main={
-                "verdict": verdict, "backends": backends, "comparisons": counts, "apis": "cannot be said"}))
-        (folder / "here" / "scale.png").touch()
-        (folder / "here" / "table1.txt").write_text("1 < 2")
-        page = side_by_side.write(folder, machines, ["grid", "scale", "naive"], ["table1"],
-                                  {("there", "scale"): "not timed", ("there", "table1"): "no GPU"},
-                                  {"grid": "The grid. Per sphere"})
-        self.page = page.read_text()
-
-    def test_the_verdicts_come_first(self):
-        for words in ("verdict: equal", "verdict: difference", "12 sets and 3 states", "no &lt;GPU&gt;", "cannot be said"):
-            self.assertLess(0, self.page.find(words), words)
-            self.assertLess(self.page.find(words), self.page.find("<h2>"), words)
-
-    def test_sections_have_captions_and_what_nobody_has_has_none(self):
-        self.assertIn("<h2>The grid</h2><p>Per sphere</p>", self.page)
-        self.assertEqual(2, self.page.count('grid.png" alt'))
-        self.assertNotIn("<h2>naive", self.page)
-        self.assertIn("1 &lt; 2", self.page)
-
-    def test_what_was_left_out_is_one_list_at_the_end(self):
-        self.assertEqual(1, self.page.count("Left out"))
-        left_out = self.page[self.page.index("Left out"):]
-        self.assertEqual(2, left_out.count("<li>"))
-        self.assertIn("scale, machine there: not timed", left_out)
-
-
 class Paper(unittest.TestCase):
     def test_everything_that_it_includes_is_made(self):
         with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()) as output:
@@ -241,6 +209,8 @@ class Paper(unittest.TestCase):
             made = {path.name for path in pathlib.Path(folder).rglob("*")}
         self.assertLessEqual({"numbers.tex", "captions.tex", "trace.tex", "runs.tex", "table1.tex", "scale.pdf", "scale.png"}, made)
         self.assertRegex(output.getvalue(), "each from a recorded run")
+        shown = {pathlib.Path(name).stem for name in made if name.endswith((".txt", ".png"))}
+        self.assertEqual(set(), shown.difference(*contents.GROUPS.values()), "paper/page/contents.py lacks a title")
 
 
 if __name__ == "__main__":
