@@ -5,17 +5,18 @@ HEAD = ("ratio-by-duration", "claims")  # right below the answer
 
 GROUPS = {
     "Speed": {
-        "ratio-by-duration": "OpenGL against CUDA by duration", "claims": "Main claims",
+        "ratio-by-duration": "OpenGL against CUDA by work", "claims": "Main claims",
         "glsl-against-cuda": "OpenGL against CUDA by size", "step": "Whole steps", "methods": "Search methods",
         "dimensions": "Ways to test all pairs", "group-sizes": "Group sizes", "arrangements": "Small groups",
         "grid": "The grid", "grid-sizes": "The grid by size", "crossover": "All pairs or grid", "peers": "Other systems",
         "energy": "Energy"},
     "Launches and kernels": {
         "launch-paths": "Ways to launch", "overhead": "Launch overhead", "kernel-pairs": "Kernels alone",
-        "phases": "Kernels of a step", "grid-phases": "Kernels of the grid", "ablation": "Ablations", "code": "Lines of code"},
+        "phases": "Kernels of a step", "grid-phases": "Kernels of the grid",
+        "counters": "Limits of CUDA's kernels", "ablation": "Ablations", "code": "Lines of code"},
     "Exactness and equality": {
         "exactness": "Cost of exactness", "naive": "Errors of the naive test", "stress": "Stress catalogue",
-        "counts": "Colliding spheres"},
+        "counts": "Colliding spheres", "suite": "Test suite"},
     "Motion and error": {
         "work-precision": "Error against time", "work-precision-overlay": "Error against time by backend",
         "set-errors": "Wrong pairs by motion"},

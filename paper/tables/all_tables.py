@@ -7,7 +7,7 @@ from paper.numbers.ratios import LEGEND, texts
 from paper.records import Missing, original_paper, recorded_code
 from paper.tables.claims import claims
 from paper.tables.contacts import contacts
-from paper.tables.counters import counter_table
+from paper.tables.counters import counters
 from paper.tables.energy import energy
 from paper.tables.stress import stress
 from paper.tables.studies import STUDIED
@@ -167,7 +167,7 @@ def machine_and_run(machine):
     return Table("machine", "The recorded machine and run.", heads, rows, left=2)
 
 
-MAKERS = (claims, table1, table1_p95, frame_rates, arrangements, counts, methods, peak_rates, code, machine_and_run, stress, suite, counter_table,
+MAKERS = (claims, table1, table1_p95, frame_rates, arrangements, counts, methods, peak_rates, code, machine_and_run, stress, suite, counters,
           variation, energy, contacts, *STUDIED)
 
 

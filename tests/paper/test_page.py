@@ -15,7 +15,11 @@ if importlib.util.find_spec("matplotlib") is None:
     print("SKIPPED: figures need matplotlib (python3-matplotlib)")
     sys.exit(77)
 
-from paper.page import answer, index, recorded, report  # noqa: E402  (the path must be set first)
+from changed_records import recorded as recorded_machine  # noqa: E402  (the path must be set first)
+
+from paper.numbers.contests import SHORT, Contest  # noqa: E402
+from paper.numbers.ratios import Ratio  # noqa: E402
+from paper.page import answer, index, recorded, report  # noqa: E402
 from paper.page.html_table import as_html  # noqa: E402
 from paper.progress import Progress  # noqa: E402
 from paper.records import DATA, MAIN, Machine, Missing  # noqa: E402
@@ -103,8 +107,13 @@ class Page(unittest.TestCase):
 
 
 class Answer(unittest.TestCase):
-    def said(self, short, long):
-        with unittest.mock.patch.object(answer, "ratios", lambda machine: [(64, short), (1024, long)]):
+    @staticmethod
+    def contests(n, ratios, p=0.0):
+        return [Contest("all pairs", "triangle", n, 1, Ratio(middle, middle, middle, p, 5, frozenset("AB")), True, "", "step") for middle in ratios]
+
+    def said(self, short, long, p=0.0):
+        steps = (*self.contests(64, short), *self.contests(128, short)), self.contests(8192, long, p)
+        with unittest.mock.patch.object(answer, "steps", lambda machine: [list(found) for found in steps]):
             return answer.answer(self.machine, True)
 
     @classmethod
@@ -120,13 +129,19 @@ class Answer(unittest.TestCase):
 
     def test_with_ratios_and_gpu(self):
         self.assertRegex(self.said([2.4], [0.95, 1.05])[1],
-                         r"^On the recorded NVIDIA H\w+ .*, OpenGL takes 2\.40x CUDA's time in a step of 64 spheres and 0\.95x to "
-                         r"1\.05x in one of 1,024\.$")
+                         r"^On the recorded NVIDIA H\w+ .*, OpenGL takes 2\.40x CUDA's time in steps of 64 to 128 spheres and 0\.95x to "
+                         r"1\.05x in steps of 8,192 \(five processes on two GPUs\)\.$")
+
+    def test_what_is_undecided_is_no_difference(self):
+        self.assertEqual("Short steps are faster in CUDA; long steps are about as fast in both.", self.said([2.4], [1.3], p=0.5)[0])
 
     def test_of_the_records(self):
-        (few, short), (many, long) = answer.ratios(self.machine)
-        self.assertLess(few, many)
-        self.assertTrue(short and long)
+        short, long = answer.steps(self.machine)
+        self.assertLess(max(entry.n for entry in short), min(entry.n for entry in long))
+        self.assertEqual({"step"}, {entry.table for entry in short})
+        machine = recorded_machine()
+        machine.records = [record for record in machine.records if record.parameters.get("n", 0) <= SHORT]
+        self.assertRaises(Missing, answer.steps, machine)
 
     def test_software_answers_nothing(self):
         machine = Machine(DATA / "llvmpipe")

@@ -13,7 +13,7 @@ if importlib.util.find_spec("matplotlib") is None:
     print("SKIPPED: figures need matplotlib (python3-matplotlib)")
     sys.exit(77)
 
-from paper import figures, folders  # noqa: E402  (the path must be set first)
+from paper import all_figures, figures, folders, plots  # noqa: E402  (the path must be set first)
 from paper.numbers.pareto import study  # noqa: E402
 from paper.plots import contact_precision, grid_phases, set_errors, step, work_precision, work_precision_overlay  # noqa: E402
 from paper.records import DATA, MAIN, Machine  # noqa: E402
@@ -28,7 +28,7 @@ class Provenance(unittest.TestCase):
     def runs(self, module):
         self.machine.used.clear()
         figures.style.plt.close(module.draw(self.machine))
-        return figures.runs_of(module, self.machine)
+        return all_figures.runs_of(module, self.machine)
 
     def test_every_run_that_is_drawn_is_named(self):
         for module in (work_precision, work_precision_overlay):
@@ -55,13 +55,16 @@ class Provenance(unittest.TestCase):
     def test_captions_hold_no_digests_and_the_appendix_has_the_runs(self):
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
-            self.machine.runs["step"] = self.runs(step)
-            figures.write_captions(self.machine, folder / "captions.tex")
-            made = [table.name for table in all_tables.all_tables(self.machine)] + ["step"]
-            figures.write_runs(self.machine, (ROOT / "paper/paper.tex").read_text(), made, folder / "runs.tex")
-            captions, runs = ((folder / name).read_text() for name in ("captions.tex", "runs.tex"))
-        self.assertGreater(captions.count("definecaption"), 30)
-        self.assertEqual([], re.findall(r"\w+:[0-9a-f]{8}\b", captions))
+            drawn = []
+            for made in filter(None, (made for made, _ in all_figures.made(self.machine, rooms=(plots,)))):
+                figures.style.plt.close(made.figure)
+                drawn.append(made)
+            tables = [table for table, _ in all_tables.made(self.machine) if table]
+            captions = dict(figures.captions(self.machine, drawn, tables))
+            figures.write_runs(self.machine, (ROOT / "paper/paper.tex").read_text(), captions, folder / "runs.tex")
+            runs = (folder / "runs.tex").read_text()
+        self.assertGreater(len(captions), 30)
+        self.assertEqual([], re.findall(r"\w+:[0-9a-f]{8}\b", " ".join(captions.values())))
         self.assertIn(f"run {self.machine.id}.", runs)
         self.assertIn(self.machine.source("counters.json")["id"], runs)
 

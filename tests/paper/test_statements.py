@@ -19,7 +19,7 @@ from paper.numbers import macros, prose_accuracy, prose_compared, prose_limits, 
 from paper.numbers.derived import cost, pairs_of  # noqa: E402
 from paper.plots import floor, grid  # noqa: E402
 from paper.records import DATA, MAIN, Machine, Missing  # noqa: E402
-from paper.tables.counters import counter_table  # noqa: E402
+from paper.tables.counters import counters  # noqa: E402
 
 TEX = re.sub(r"\s+", " ", (ROOT / "paper/paper.tex").read_text())
 
@@ -83,7 +83,7 @@ class Limits(Statements):
         self.refused(prose_limits.limits_of_the_grid, machine)
 
     def test_the_table_has_every_profiled_kernel(self):
-        rows = counter_table(self.machine).rows
+        rows = counters(self.machine).rows
         self.assertEqual(len(self.machine.source("counters.json")["counters"]), len(rows))
         search = next(row for row in rows if row[:3] == ["collide_grid", "10,000,000", "cell"])
         found = self.made(prose_limits.limits_of_the_grid)
