@@ -130,8 +130,7 @@ class Machine:
             date = part.get("context", {}).get("date", "")
             rows = [Record(row | OF_ITS_OWN.get(name, {}), *summary(row), source, date, name.startswith("sweep"), recorded)
                     for row in formats.rows_of(part)]
-            measured = [record for record in rows if record.low > 0]
-            self.records += measured
+            self.records += (measured := [record for record in rows if record.low > 0])
             self.lost += len(rows) - len(measured)
 
     def select(self, **wanted):
