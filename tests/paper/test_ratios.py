@@ -11,8 +11,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 
 from changed_records import recorded  # noqa: E402  (the path must be set first)
 from paper.numbers import contests, derived, macros, ratios  # noqa: E402
-from paper.records import Missing, Record, median_interval  # noqa: E402
-from paper.spread import plain_mean  # noqa: E402
+from paper.records import Missing, Record  # noqa: E402
+from paper.spread import median_interval, plain_mean  # noqa: E402
 
 
 def record(samples, **parameters):
