@@ -16,8 +16,8 @@ sys.path.insert(0, str(PAPER.parent))
 from changed_records import all_pairs, changed, recorded  # noqa: E402
 from paper import formats  # noqa: E402  (the path must be set first)
 from paper.numbers import leads, macros, prose_contacts  # noqa: E402
-from paper.records import DATA, MAIN, Machine, Missing, median_interval  # noqa: E402
-from paper.spread import p95  # noqa: E402
+from paper.records import DATA, MAIN, Machine, Missing  # noqa: E402
+from paper.spread import median_interval, p95  # noqa: E402
 from paper.tables import stress as stress_table  # noqa: E402
 from paper.tables import tabular  # noqa: E402
 
