@@ -138,8 +138,10 @@ TEST_F(StudyProgram, WarnsOfABusyMachineOnceInOutputTablesAndRecord) {
     EXPECT_EQ(busy.code, 0) << words << busy.errors;
     EXPECT_TRUE(warned(busy)) << words << busy.output << busy.errors;
     const std::string warnings = read_json("study/" + file).at("warnings").dump();
-    EXPECT_NE(warnings.find("90 % of this machine's cores busy when this study began, 90 % since"), std::string::npos)
-        << warnings;
+    EXPECT_NE(warnings.find("90 % of this machine's cores busy when this study began"), std::string::npos) << warnings;
+    const bool takes_long =
+        file == "results.json" || file == "sets.json";  // a GPU ends the others before a second reading
+    EXPECT_TRUE(!takes_long || warnings.find("began, 90 % since") != std::string::npos) << warnings;
   }
 }
 
