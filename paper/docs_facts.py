@@ -23,8 +23,13 @@ def paragraph(text):
 
 def older(machine):
     """Which records are of sources before today's."""
-    stale = [f"`{name}`" for name, entry in sorted(sources.checked(DATA / machine.name).items()) if entry.stale]
-    return paragraph(f"Records that are older than the newest kernels and launch paths: {', '.join(stale) or 'none'}.")
+    checked = sorted(sources.checked(DATA / machine.name).items())
+    stale, current = ([f"`{name}`" for name, entry in checked if bool(entry.stale) == wanted] for wanted in (True, False))
+    named = ", ".join(stale) or "none"
+    if len(stale) > len(current):
+        kept = f" but {', '.join(current)}" if current else ""
+        named = f"all{kept} ([what is faster since](docs/NOTES/launches.md))"
+    return paragraph(f"Records that are older than the newest kernels and launch paths: {named}.")
 
 
 def errors(machine):

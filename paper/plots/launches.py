@@ -7,12 +7,14 @@ NAME = "launch-paths"
 TABLE = "launches"
 CAPTION = ("The same kernels, launched in other ways: time of a step (slope of three batches) against the number of "
            "spheres. (a) A move and all pairs, two launches; the persistent kernel has a loop over pairs of its own. (b) The "
-           "grid's search in random order, three launches. Waited: the host waits for each launch. Programmatic: kernels get "
-           "ready while the one before runs; on the stream, as in GLSL without a barrier, the first overlaps the step before.")
+           "grid's search in random order, three launches. Waited: the host waits for each launch. Graphs: of one step each, or of up "
+           "to 64 steps. Programmatic: kernels get ready while the one before runs; on the stream and in graphs of many steps, as in "
+           "OpenGL without a barrier, the first overlaps the step before.")
 WORKS = {"all_pairs": "(a) a move and all pairs", "grid": "(b) the grid"}
 LINES = {"waited": ("waited", ":", "v"), "batched": ("batched", "-", "o"), "overlapping": ("without a barrier", "--", "^"),
          "stream": ("stream", "-", "s"), "stream_programmatic": ("stream, programmatic", "--", "D"), "graph": ("graph", "-.", "o"),
          "graph_programmatic": ("graph, programmatic", (0, (5, 1, 1, 1, 1, 1)), "P"),
+         "graph_steps": ("graph of steps", "-", "v"), "graph_steps_programmatic": ("graph of steps, programmatic", "--", "X"),
          "persistent": ("persistent kernel", (0, (1, 1)), "*")}
 
 

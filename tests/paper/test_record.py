@@ -22,10 +22,20 @@ from stand_ins import StandIn  # noqa: E402
 
 # Records of the machines of paper/data that do not tell of what commit and machine they are, or not all of it, so that no
 # statement is made of them; one that does is refused here. They go out when paper/record records these parts again.
-REFUSED = {"h100": {"tests", "stress"}, "llvmpipe": {"stress"}}
+REFUSED = {"h100": {"stress"}, "llvmpipe": {"stress"}}
 # Records of the machines of paper/data that are stale, from a change of kernels until they are recorded again; one that
 # is current is refused here.
-STALE = {}
+STALE = {
+    "h100": {"ablate", "compile.json", "contacts", "contacts_1e8", "contacts_rest", "contacts_rest_1e7",
+        "contacts_steps", "counters.json", "crossover", "energy_all_pairs", "energy_grid", "frame_rates", "frames",
+        "frames_1e8", "frames_pipeline", "frames_transfer", "frames_transfer_1e8", "launches", "listings",
+        "precision_1e8", "precision_compensated_impacts", "precision_compensated_steps", "precision_float32",
+        "precision_float64_impacts", "precision_float64_steps", "results", "sets", "sweep", "sweep_1e8",
+        "sweep_tensor", "window"},
+    "h200": {"contacts", "contacts_1e8", "contacts_rest", "contacts_rest_1e7", "contacts_steps", "frames_1e9",
+        "sweep_largest"},
+    "llvmpipe": {"contacts_cpu", "crossover_glsl", "frame_rates", "precision", "results"},
+}
 
 
 class Recording(StandIn):
