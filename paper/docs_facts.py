@@ -25,11 +25,12 @@ def older(machine):
     """Which records are of sources before today's."""
     checked = sorted(sources.checked(DATA / machine.name).items())
     stale, current = ([f"`{name}`" for name, entry in checked if bool(entry.stale) == wanted] for wanted in (True, False))
-    named = ", ".join(stale) or "none"
+    if not stale:
+        return "All records were made with the newest kernels and launch paths."
+    named = f"these records were made: {', '.join(stale)}"
     if len(stale) > len(current):
-        kept = f" but {', '.join(current)}" if current else ""
-        named = f"all{kept} ([what is faster since](docs/NOTES/launches.md))"
-    return paragraph(f"Records that are older than the newest kernels and launch paths: {named}.")
+        named = "the records were made" + (f", all but {', '.join(current)}" if current else "")
+    return paragraph(f"Kernels and launch paths have become faster since {named}. [The notes](docs/NOTES/launches.md) have the new times.")
 
 
 def errors(machine):

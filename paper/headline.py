@@ -71,7 +71,7 @@ def tensor_cores(machine):
     opengl = {row.n: row for row in machine.need(**wanted, backend="glsl", method="collide_triangle")}
     tensor = [row for row in machine.need(**wanted, backend="cuda", method="collide_tensor") if row.n in opengl]
     row = max(tensor, key=lambda row: row.n)
-    return (f"CUDA's tensor cores test all pairs of {row.n:,} spheres in {short(row.median)}; "
+    return (f"Only CUDA reaches tensor cores, which test all pairs of {row.n:,} spheres in {short(row.median)}. "
             f"OpenGL's fastest kernel takes {time_ratio(opengl[row.n], row).middle:.1f}x that time.")
 
 
@@ -79,26 +79,12 @@ def unusual_scenes(machine):
     usual = [contests.SCENES[name] for name in USUAL]
     found = [entry for entry in contests.contests(machine) if entry.table == "crossover" and not entry.what.endswith(tuple(usual))]
     least, most = contests.extremes(found)
-    parts = [f"{entry.ratio.middle:.2f}x CUDA's time with {entry.what.partition(', ')[2]} (`{entry.what.partition(', ')[0]}`, {entry.n:,} spheres)"
-             for entry in (most, least)]
-    return f"In unusual scenes OpenGL takes up to {parts[0]}, and as little as {parts[1]}."
+    parts = [f"With {entry.what.partition(', ')[2]} OpenGL takes {bound} {entry.ratio.middle:.2f}x CUDA's time "
+             f"(`{entry.what.partition(', ')[0]}`, {entry.n:,} spheres)." for entry, bound in ((most, "up to"), (least, "as little as"))]
+    return " ".join(parts)
 
 
-def wrong_sets(machine):
-    """What the motion gets wrong, by the closed form."""
-    root = machine.source("sets.json")
-    rows = {(row["method"], row["precision"]): row for row in root["motion"] if row["k"] == 6 and row["offset"] == 0}
-    paper, settings = rows["paper", "float32"], root["settings"]
-    wrong = {key: row["missed"] + row["extra"] for key, row in rows.items()}
-    exact = all(wrong[method, precision] == 0 for method in ("impact", "anchored") for precision in ("compensated", "float64"))
-    return (f"After {settings['seconds']:g} s at dt = 2⁻⁶ s, of the {paper['right']:,} pairs of {settings['n']:,} spheres "
-            f"float32 `paper` misses {paper['missed']:,} and adds {paper['extra']:,}; `impact` gets "
-            f"{wrong['impact', 'float32']:,} wrong and `anchored` {wrong['anchored', 'float32']:,}"
-            f"{', in compensated and float64 none' if exact else ''}.")
-
-
-FACTS = {"kernels": kernels, "short-steps": short_steps, "tensor-cores": tensor_cores, "unusual-scenes": unusual_scenes,
-         "wrong-sets": wrong_sets}
+FACTS = {"kernels": kernels, "short-steps": short_steps, "tensor-cores": tensor_cores, "unusual-scenes": unusual_scenes}
 
 
 def generated(name, machine):

@@ -17,12 +17,13 @@ ROOT = Path(__file__).resolve().parent.parent
 GPU_APIS = ("glsl", "cuda")
 MOST_NAMED = 4  # under a figure
 OF_CONTACTS = "contact_|leapfrog|collide_swept"  # stages that host/contacts launches
-# Of what is the same the digest now and those before: host/cpu also covered fixed.h, gap.h and skin.h, which only contacts
-# run; measure had no Sampling::ahead, without which a turn is taken as it was, or one of a quarter of the next batch, not of the
-# longest, and fitted each round by itself, which batches.py does anew; nor did it watch other programs, and it held what `run` prints of its
-# times. The CPU had no enqueue_empty_step and saw no options of graphs or of OpenGL without extensions. Of no use once the first is another: then those records are stale.
+# The digest of today and those of before that time the same: host/cpu also covered fixed.h, gap.h and skin.h, which only
+# contacts run, and the CPU saw neither empty steps nor the options of graphs and of OpenGL without extensions. measure had no
+# Sampling::ahead (without it a turn is taken as it was), or one of a quarter of the next batch, not of the longest; it fitted
+# each round by itself, which batches.py does anew; it did not watch other programs, and held what `run` prints of its times.
+# Of no use once the first is another: then those records are stale.
 SAME = {"host/cpu": ("fcfd6f336f9d", ("2a0c649a3719", "62d1b2be268f")),
-        "measure": ("14bcc287cdc3", ("54e7a7a461e4", "a9828eda902e", "f363e76d471d"))}
+        "measure": ("f9b820c735f7", ("54e7a7a461e4", "a9828eda902e", "f363e76d471d"))}
 SAID_OF_CONTACTS = {"sums", "sphere_steps_per_second", "sleeping"}  # only timings of contacts have one of these
 
 

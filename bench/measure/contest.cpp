@@ -46,11 +46,9 @@ std::string spread_text(const Contest& contest) {
 
 std::string ratio_text(const Contest& contest) {
   if (contest.finding == Finding::undecided)
-    return enough_rounds(contest)
-               ? fmt::format("undecided: {} to {}{}", times_text(contest.ratios.low), times_text(contest.ratios.high),
-                             contest.steady ? "" : unsteady_mark)
-               : fmt::format("undecided: {} too few",
-                             contest.rounds == 1 ? "1 round is" : fmt::format("{} rounds are", contest.rounds));
+    return enough_rounds(contest) ? fmt::format("undecided: {} to {}{}", times_text(contest.ratios.low),
+                                                times_text(contest.ratios.high), contest.steady ? "" : unsteady_mark)
+                                  : fmt::format("undecided: {} only", counted(contest.rounds, "round"));
   return contest.finding == Finding::differ ? times_text(contest.ratio) : "no difference seen";
 }
 

@@ -43,7 +43,7 @@ TEST(Contests, NoDifferenceIsSeenWhereNoneOfWeightCouldHide) {
 TEST(Contests, FewRoundsDecideNothing) {
   const Contest one = of({5}, {1});
   EXPECT_EQ(one.finding, Finding::undecided);
-  EXPECT_EQ(verdict(one), "undecided: 1 round is too few");
+  EXPECT_EQ(verdict(one), "undecided: 1 round only");
   EXPECT_EQ(of({5, 5, 5, 5, 5}, {1, 1, 1, 1, 1}).finding, Finding::undecided);
   EXPECT_EQ(of({5, 5, 5, 5, 5, 5}, {1, 1, 1, 1, 1, 1}).finding, Finding::differ);
 }

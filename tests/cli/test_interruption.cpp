@@ -37,6 +37,11 @@ TEST_F(Interruption, TheInterruptKeyEndsTheProgramAsUsual) {
   EXPECT_FALSE(fs::exists(path("results")));
 }
 
+// Without the warning of a busy machine, as one that runs tests is.
+std::string without_load(const std::string& errors) {
+  return errors.starts_with("WARNING: other programs") ? errors.substr(errors.find('\n') + 1) : errors;
+}
+
 // As timeout sends it: to the program, and at once again to its group, where another thread may take it.
 TEST_F(Interruption, ASecondSignalLosesNothing) {
   for (int k = 0; k < 16; ++k) {
@@ -58,7 +63,8 @@ TEST_F(Interruption, WhatIsFinishedStaysAndIsNamed) {
   const std::string ablate = "ablate --backends cpu --n 64,64k --results " + path("r");
   const Outcome study = interrupt_after(ablate, path("r/ablate.json"), "TERM");
   EXPECT_EQ(study.code, 143);
-  EXPECT_EQ(study.errors, fmt::format("spherepair: ablate interrupted: what was finished is in {}\n", path("r")));
+  EXPECT_EQ(without_load(study.errors),
+            fmt::format("spherepair: ablate interrupted: what was finished is in {}\n", path("r")));
   EXPECT_FALSE(read_json("r/ablate.json").at("complete").get<bool>());
   const std::string moving = "run --backend cpu --n 500 --steps 1G --save-every 500 --save " + path("s");
   const Outcome moved = interrupt_after(moving, path("s"), "TERM");

@@ -145,15 +145,16 @@ class Stale(Tree):
         self.assertEqual({"a.json": ("host code of contacts", 2, 4)}, self.stale())
 
     def test_what_a_digest_covered_before_counts_while_it_is_as_it_was(self):
+        recorded = set()
         for name, (now, before) in sources.SAME.items():
             self.assertEqual(now, sources.current(ROOT)[name], f"{name} has changed: take it out of SAME")
             for record, digest in (*((f"before{k}", digest) for k, digest in enumerate(before)), ("other", "0" * len(now))):
+                recorded.add(f"{pathlib.Path(name).name}-{record}.json")
                 self.record(f"{pathlib.Path(name).name}-{record}.json", [timing("cpu")], {"sources": {**sources.current(self.root), name: digest}})
         self.assertEqual({"cpu-other.json": ("host code (CPU)", 1, 1), "measure-other.json": ("timing", 1, 1)}, self.stale())
         self.append("common/cpu/search/cpu_simd.cpp", "int unused;\n")
         self.append("bench/measure/timing.cpp", "int unused;\n")
-        self.assertEqual({"cpu-before0.json", "cpu-other.json", "measure-before0.json", "measure-before1.json",
-                          "measure-other.json"}, self.stale().keys())
+        self.assertEqual(recorded, self.stale().keys())
 
     def test_without_device_timers_every_kernel_of_the_api_counts(self):
         self.record("a.json", [timing("glsl"), timing("cpu"), timing("cuda")])
