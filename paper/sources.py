@@ -22,7 +22,7 @@ OF_CONTACTS = "contact_|leapfrog|collide_swept"  # stages that host/contacts lau
 # longest, and fitted each round by itself, which batches.py does anew; nor did it watch other programs. The CPU had no
 # enqueue_empty_step. Of no use once the first is another: then those records are stale.
 SAME = {"host/cpu": ("63c21648e1f2", ("2a0c649a3719", "62d1b2be268f")),
-        "measure": ("8169f0f72877", ("54e7a7a461e4", "a9828eda902e", "f363e76d471d"))}
+        "measure": ("ab4d95f24d42", ("54e7a7a461e4", "a9828eda902e", "f363e76d471d"))}
 SAID_OF_CONTACTS = {"sums", "sphere_steps_per_second", "sleeping"}  # only timings of contacts have one of these
 
 

@@ -152,8 +152,8 @@ class Stale(Tree):
         self.assertEqual({"cpu-other.json": ("host code (CPU)", 1, 1), "measure-other.json": ("timing", 1, 1)}, self.stale())
         self.append("common/cpu/search/cpu_simd.cpp", "int unused;\n")
         self.append("bench/measure/timing.cpp", "int unused;\n")
-        self.assertEqual({"cpu-before0.json", "cpu-other.json", "measure-before0.json", "measure-before1.json",
-                          "measure-other.json"}, self.stale().keys())
+        self.assertEqual({"cpu-before0.json", "cpu-before1.json", "cpu-other.json", "measure-before0.json", "measure-before1.json",
+                          "measure-before2.json", "measure-other.json"}, self.stale().keys())
 
     def test_without_device_timers_every_kernel_of_the_api_counts(self):
         self.record("a.json", [timing("glsl"), timing("cpu"), timing("cuda")])
