@@ -24,8 +24,8 @@ std::string tables_of(const AblationStudy& study) {
                               counted(n, "sphere")),
                   {{"", "backend", "", true},
                    {"", "option", "", true},
-                   {"", "on", "ms"},
-                   {"", "off", "ms"},
+                   {"time", "on", "ms"},
+                   {"time", "off", "ms"},
                    {"", "off/on", "", true}},
                   rows,
                   {}}

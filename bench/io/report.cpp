@@ -147,7 +147,10 @@ std::vector<std::string> Table::all_notes() const {
 std::string Table::text() const {
   std::string out = wrapped(title, "", "  ") + "\n";
   const std::vector<Table> parts = parts_of(*this);
-  for (size_t k = 0; k < parts.size(); ++k) out += (k ? "\n" : "") + grid_text(parts[k]);
+  for (size_t k = 0; k < parts.size(); ++k) {
+    if (k) out += '\n';
+    out += grid_text(parts[k]);
+  }
   for (const std::string& note : all_notes()) out += wrapped(note, "* ", "  ") + "\n";
   return out;
 }

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/measure/machine_load.h"
+#include "bench/io/machine_load.h"
 #include "common/backend/backend.h"
 #include "common/shared/hash.h"
 

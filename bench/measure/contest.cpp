@@ -21,13 +21,8 @@ Contest contest(const Samples& left, const Samples& right) {
   const size_t rounds = std::min(left.seconds.size(), right.seconds.size());
   std::vector<double> ratios(rounds);
   for (size_t k = 0; k < rounds; ++k) ratios[k] = left.seconds[k] / right.seconds[k];
-  Contest found{Finding::no_difference,
-                median(ratios),
-                median_interval(ratios),
-                rounds,
-                left.backend,
-                right.backend,
-                left.unsteady().empty() && right.unsteady().empty()};
+  Contest found{Finding::no_difference, median(ratios), median_interval(ratios), rounds, left.backend, right.backend};
+  found.steady = left.unsteady().empty() && right.unsteady().empty();
   if (!enough_rounds(found) || !found.steady)
     found.finding = Finding::undecided;
   else if (found.ratios.low > 1 || found.ratios.high < 1)

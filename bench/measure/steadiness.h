@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/measure/machine_load.h"
+#include "bench/io/machine_load.h"
 #include "bench/measure/statistics.h"
 
 namespace spherepair {

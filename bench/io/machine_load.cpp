@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/measure/machine_load.h"
+#include "bench/io/machine_load.h"
 
 #include <unistd.h>
 
