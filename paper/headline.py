@@ -13,6 +13,7 @@ import textwrap
 
 from paper.numbers import contests
 from paper.numbers.derived import BEYOND_EMPTY, kernels_alone, timer_floor
+from paper.numbers.extensions import whole
 from paper.numbers.prose_studies import CLOSE
 from paper.numbers.ratios import extent, family, time_ratio
 
@@ -59,10 +60,21 @@ def kernels(machine):
 
 
 def short_steps(machine):
-    found = contests.short_steps(machine)
-    sizes = [entry.n for entry in found]
-    return (f"In whole steps of {min(sizes):,} to {max(sizes):,} spheres, which are mostly launches, OpenGL takes "
-            f"{contests.ratio_span(found)} CUDA's time ({extent([entry.ratio for entry in found])}).")
+    """OpenGL's dispatches, sent together, against each way in which CUDA launches, at its faster of both forms."""
+    rows = {(row.path, row.n): row for row in machine.need(table="launches", work="all_pairs") if row.n <= contests.SHORT}
+    opengl = [row for (path, _), row in sorted(rows.items()) if path == "batched"]
+
+    def ratios(path):
+        forms = (path, f"{path}_programmatic")
+        faster = [min((rows[form, row.n] for form in forms if (form, row.n) in rows), key=lambda cuda: cuda.median) for row in opengl]
+        return family(list(zip(opengl, faster)))
+
+    spans = {path: ratios(path) for path in ("stream", "graph", "graph_steps")}
+    by_path = {path: " to ".join(f"{bound(ratio.middle for ratio in found):.1f}x" for bound in (min, max)) for path, found in spans.items()}
+    sizes, times = ([getattr(row, name) for row in opengl] for name in ("n", "median"))
+    return (f"A move and a test of all pairs of {min(sizes):,} to {max(sizes):,} spheres takes {1e3 * min(times):.0f} to "
+            f"{1e3 * max(times):.0f} µs through OpenGL. That is {by_path['stream']} CUDA's time on a stream, {by_path['graph']} its time with a "
+            f"CUDA graph for each step, and {by_path['graph_steps']} with graphs of up to 64 steps ({extent(sum(spans.values(), []))}).")
 
 
 def tensor_cores(machine):
@@ -84,7 +96,17 @@ def unusual_scenes(machine):
     return " ".join(parts)
 
 
-FACTS = {"kernels": kernels, "short-steps": short_steps, "tensor-cores": tensor_cores, "unusual-scenes": unusual_scenes}
+def extensions(machine):
+    """All at once, of one family."""
+    rows = whole(machine)
+    ratios = family([(row.core, row.tuned) for row in rows])
+    least, most = (bound(zip((ratio.middle for ratio in ratios), rows), key=lambda each: each[0]) for bound in (min, max))
+    sizes = sorted({row.core.n for row in rows})
+    return (f"OpenGL is tuned here: its buffers come from NVIDIA's driver, and it uses vendors' extensions. Without these it takes "
+            f"{least[0]:.2f}x to {most[0]:.2f}x that time on {sizes[0]:,} to {sizes[-1]:,} spheres (most: {most[1].what}).")
+
+
+FACTS = {"extensions": extensions, "kernels": kernels, "short-steps": short_steps, "tensor-cores": tensor_cores, "unusual-scenes": unusual_scenes}
 
 
 def generated(name, machine):

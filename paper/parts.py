@@ -2,7 +2,7 @@
 """The parts of a machine's recording: what each runs, what it leaves, and about how long it takes.
 
 In a command {out} is the folder for its output, and in a file's name {process} the number of the process. Minutes are
-estimates, of one process. Several processes are for the times by which the paper compares the APIs.
+estimates, of one process. Several processes are for the times by which the paper compares the APIs; intervals are over them.
 """
 from dataclasses import dataclass, field, replace
 
@@ -10,9 +10,10 @@ from paper.tools import path_of
 
 BACKENDS = ("cpu", "glsl", "cuda")
 MOST_MINUTES = 8
-SEVERAL = 5  # processes: the rank test tells five medians from five at the level of 1 %
+SEVERAL = 5  # processes: of four a t-interval is 1.3 times as wide, of three twice
 GIB = 2**30
-TABLES = "table1,counts,methods,peak_rates,overhead,exactness,scale,step,grid,equality"
+TIMES = "table1,methods,overhead,exactness,scale,step,grid"  # of the APIs, compared over several processes
+TABLES = f"{TIMES},counts,peak_rates,equality"
 DECADES = "64,1024,16384,65536,262144,1000000,10000000"
 
 
@@ -24,6 +25,7 @@ class Part:
     words: str  # of the command line
     files: dict  # in the output folder -> in the machine's folder; "." is the whole folder
     processes: int = 1
+    again: str = ""  # the command line of those behind the first, where it is another
     memory: int = 0  # bytes that the GPU needs
     tests: bool = False  # runs the tests, not the program
     script: str = ""  # of this folder, which runs the program
@@ -32,10 +34,10 @@ class Part:
     alone: bool = False  # short steps or times of the CPU, which another recording on the same host would make longer
 
 
-def study(name, minutes, backends, words, file, **more):
+def study(name, minutes, backends, words, file, again="", **more):
     """A subcommand that leaves one JSON file in the folder that --results names."""
-    words = f"{words} --backends {backends} --results {{out}}"
-    return Part(name, minutes, tuple(backends.split(",")), words, {file: f"{name}/{{process}}.json"}, **more)
+    words, again = (f"{line} --results {{out}}" if line else "" for line in (f"{words} --backends {backends}", again))
+    return Part(name, minutes, tuple(backends.split(",")), words, {file: f"{name}/{{process}}.json"}, again=again, **more)
 
 
 def sweep(name, minutes, backends, words, **more):
@@ -81,16 +83,24 @@ def suite(minutes, minutes_of_a_half):
 
 
 def in_hardware(part):
-    return part if part.tests or part.script or "glsl" not in part.backends else replace(part, words=f"{part.words} --require-hardware")
+    if part.tests or part.script or "glsl" not in part.backends:
+        return part
+    words, again = (line and f"{line} --require-hardware" for line in (part.words, part.again))
+    return replace(part, words=words, again=again)
 
 
 GPU = tuple(map(in_hardware, (
-    study("results", 7, "cpu,glsl,cuda", f"compare --scenes random,uniform --steps 2 --tables {TABLES}", "results.json",
+    study("results", 4, "cpu,glsl,cuda", f"compare --scenes random,uniform --steps 2 --rounds 7 --tables {TABLES}", "results.json",
+          again=f"compare --scenes random,uniform --steps 2 --rounds 7 --tables {TIMES} --backends glsl,cuda",
           processes=SEVERAL, alone=True),
-    study("frame_rates", 3, "cpu,glsl,cuda", "compare --scenes random --steps 2 --blocks 128 "
+    study("frame_rates", 2, "cpu,glsl,cuda", "compare --scenes random --steps 2 --rounds 7 --blocks 128 "
           "--tables frame_rates,arrangements --n 64,256,1024,4096,16384", "results.json", alone=True),
     sweep("sweep", 3, "glsl,cuda", f"--n {DECADES} --rounds 11", processes=SEVERAL, alone=True),
     sweep("sweep_1e8", 1, "glsl,cuda", "--methods collide_grid --n 100000000 --packing-fractions 0.3 --rounds 11",
+          memory=16 * GIB),
+    sweep("sweep_core", 1, "glsl-core,glsl,cuda", "--methods collide_grid --n 1000000,10000000 --packing-fractions 0.3 --rounds 7",
+          alone=True),
+    sweep("sweep_core_1e8", 2, "glsl-core,glsl,cuda", "--methods collide_grid --n 100000000 --packing-fractions 0.3 --rounds 7",
           memory=16 * GIB),
     sweep("sweep_largest", 3, "cuda", "--methods collide_grid --n 1000000000 --packing-fractions 0.3 --rounds 11",
           memory=120 * GIB),
@@ -106,7 +116,7 @@ GPU = tuple(map(in_hardware, (
     study("contacts_rest", 1, "glsl,cuda", "contacts --measure rest --rounds 6", "contacts.json"),
     study("contacts_rest_1e7", 7, "glsl,cuda", "contacts --measure rest --rest-n 10000000 --rest-layers 150 "
           "--drag-steps 0.001:32000,0.1:2000 --rounds 6", "contacts.json", memory=16 * GIB),
-    study("launches", 2, "glsl,cuda", "launches", "launches.json", processes=SEVERAL, alone=True),
+    study("launches", 1, "glsl,cuda", "launches --rounds 7", "launches.json", processes=SEVERAL, alone=True),
     study("energy_all_pairs", 5, "glsl,cuda", "energy --works all_pairs --windows 5 --seconds 10", "energy.json"),
     study("energy_grid", 5, "glsl,cuda", "energy --works warm,cold --n 10000000 --windows 5 --seconds 10", "energy.json"),
     study("frames", 2, "glsl,cuda", "frames --draws compute --n 16384,1000000,10000000 --works frame,lit,loop",
@@ -131,6 +141,10 @@ GPU = tuple(map(in_hardware, (
     study("precision_cpu", 4, "cpu", "precision --steps 4,6,8,10 --rounds 11", "precision.json", alone=True),
     study("precision_1e8", 5, "glsl,cuda", "precision --motions paper,anchored --precisions float32 --n 100000000 "
           "--steps 5 --rounds 11", "precision.json", memory=16 * GIB),
+    study("precision_core", 1, "glsl-core,glsl,cuda", "precision --motions paper,anchored --precisions float32 --n 1000000 "
+          "--steps 5 --rounds 7", "precision.json", alone=True),
+    study("precision_core_1e8", 6, "glsl-core,glsl,cuda", "precision --motions anchored --precisions float32 --n 100000000 "
+          "--steps 5 --rounds 7", "precision.json", memory=16 * GIB),
     study("sets", 4, "cpu,glsl,cuda", "sets --motions paper,impact,anchored", "sets.json", alone=True),
     compiling(("cpu", "glsl", "cuda")),
     scripted("listings", 1, ("glsl", "cuda"), "listings", "cuobjdump", "nvdisasm"),
@@ -175,7 +189,8 @@ class Run:
         variables = dict(self.part.environment)
         if gpu and set(self.part.backends) & {"glsl", "cuda"}:
             variables["CUDA_VISIBLE_DEVICES"] = gpu
-        return ([word.format(out=out) for word in self.part.words.split()],
+        words = self.part.again if self.process > 1 and self.part.again else self.part.words
+        return ([word.format(out=out) for word in words.split()],
                 {name: value.format(out=out) for name, value in variables.items()})
 
 
@@ -199,7 +214,7 @@ def missing_needs(part, backends):
     opened = {backend["name"]: backend for backend in backends if backend.get("open")}
     if "cuda" in opened and opened.get("glsl", {}).get("software"):
         del opened["glsl"]  # records of a GPU are of its own OpenGL
-    absent = [name for name in part.backends if name not in opened]
+    absent = [name for name in part.backends if name.removesuffix("-core") not in opened]
     if absent:
         return f"needs {', '.join(absent)}"
     unfound = [name for name in part.tools if not path_of(name)]

@@ -18,7 +18,7 @@ from paper.spread import summary
 
 DATA = Path(__file__).resolve().parent / "data"
 MAIN = "h100"  # the machine of the paper and of README.md
-OF_ITS_OWN = {"sweep_tensor": {"table": "tensor"}}  # of CUDA alone: no part of the lines and contests of the other sweeps
+OF_ITS_OWN = {"sweep_tensor": "tensor", "sweep_core": "core_grid", "precision_core": "core_motion"}  # tables of these records
 
 
 class Missing(Exception):
@@ -128,7 +128,8 @@ class Machine:
                               "hosts": list(dict.fromkeys(map(host_of, flat)))}
         for part in flat if len(processes) == 1 else [root]:
             date = part.get("context", {}).get("date", "")
-            rows = [Record(row | OF_ITS_OWN.get(name, {}), *summary(row), source, date, name.startswith("sweep"), recorded)
+            own = {"table": table for start, table in OF_ITS_OWN.items() if name.startswith(start)}
+            rows = [Record(row | own, *summary(row), source, date, name.startswith("sweep"), recorded)
                     for row in formats.rows_of(part)]
             self.records += (measured := [record for record in rows if record.low > 0])
             self.lost += len(rows) - len(measured)
@@ -222,8 +223,7 @@ class Machine:
 
     @property
     def title(self):
-        """One line with the hardware and the main run."""
-        return self.title_of([self.id])
+        return self.title_of([self.id])  # with the hardware and the main run
 
 
 def named(machine, records):

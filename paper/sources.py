@@ -23,7 +23,7 @@ OF_CONTACTS = "contact_|leapfrog|collide_swept"  # stages that host/contacts lau
 # each round by itself, which batches.py does anew; it did not watch other programs, and held what `run` prints of its times.
 # Of no use once the first is another: then those records are stale.
 SAME = {"host/cpu": ("fcfd6f336f9d", ("2a0c649a3719", "62d1b2be268f")),
-        "measure": ("8250671bdaba", ("54e7a7a461e4", "a9828eda902e", "f363e76d471d"))}
+        "measure": ("8250671bdaba", ("54e7a7a461e4", "a9828eda902e", "f363e76d471d", "14bcc287cdc3"))}
 SAID_OF_CONTACTS = {"sums", "sphere_steps_per_second", "sleeping"}  # only timings of contacts have one of these
 
 
@@ -55,7 +55,7 @@ def of_stage(name, stage):
 def names_of(row, recorded):
     """What a timing depends on, of the recorded names; without a device timer it may be any kernel of its API, of contacts
     only where these are what is timed. Machine code and hardware counters depend on one kernel alone."""
-    backend, stages = row.get("backend"), row.get("stages") or ()
+    backend, stages = (row.get("backend") or "").removesuffix("-core"), row.get("stages") or ()
     kernels = {name for name in recorded if name.startswith(f"{backend}/") and
                any(of_stage(name, stage) for stage in stages)}
     if backend in GPU_APIS and not kernels:
@@ -107,6 +107,12 @@ def parts(names):
     return [f"{what} ({', '.join(sorted(apis, reverse=True))})" if apis else what for what, apis in by_kernel.items()]
 
 
+def few(found):
+    """The first of them as text, and how many more there are."""
+    more = len(found) - MOST_NAMED
+    return ", ".join(found[:MOST_NAMED]) + (f" and {more} more" if more > 0 else "")
+
+
 def distinct(rows):
     """Rows that say the same of what they depend on, once: those of one record often share all of it."""
     return list({(row.get("backend"), row.get("draw"), frozenset(row.get("stages") or ()), frozenset(row.keys()), id(recorded)):
@@ -117,8 +123,7 @@ def note(rows):
     """What the line under a figure or table of these timings adds: (row, digests of its record or None without) each."""
     rows = distinct(rows)
     found = parts(set().union(*(changed(row, recorded, current()) for row, recorded in rows if recorded)))
-    more = f" and {len(found) - MOST_NAMED} more" if len(found) > MOST_NAMED else ""
-    notes = [f"recorded with earlier {', '.join(found[:MOST_NAMED])}{more}"] if found else []
+    notes = [f"recorded with earlier {few(found)}"] if found else []
     if any(recorded is None for _, recorded in rows):
         notes.append("recorded without digests of its kernels")
     return "; ".join(notes)

@@ -17,7 +17,7 @@ from scipy import stats
 
 TIMED = ("measurements", "records", "frames", "times", "copies", "overlaps", "exactness", "contact_runs",
          "contact_sums", "gas_steps")  # lists of timings in records
-OF_THE_TIMING = ("bounded_by_longest", "fits_l2", "pinned")  # what may be true of one process and not of another
+OF_THE_TIMING = ("bounded_by_longest", "fits_l2", "pinned", "checked_against")  # what processes may differ in
 CONFIDENCE = 0.95
 
 
@@ -53,6 +53,8 @@ def quantile(freedom):
 
 def t_interval(values):
     """Low and high end of the t-interval of the values' logarithms; the values are independent and at least two."""
+    if len(set(values)) == 1:  # without the rounding of their logarithms
+        return values[0], values[0]
     logs, count = [math.log(value) for value in values], len(values)
     mean = math.fsum(logs) / count
     variance = math.fsum((value - mean)**2 for value in logs) / (count - 1)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Ratios, costs, slopes and shares of the floor, derived from records."""
 import math
+import statistics
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -34,7 +35,8 @@ def copy_rate(machine):
     """Bytes a second, the base of every share: the highest that was recorded of data that fits no cache, in either API."""
     rates = [record.peak_per_second for record in machine.select(table="grid", method="collide_grid")
              if "peak_per_second" in record.parameters]
-    rates += [copy["bytes_per_second"] for root in machine.sources.values() for copy in root.get("copies", ())]
+    rates += [copy["bytes_per_second"] for root in machine.sources.values() for copy in root.get("copies", ())
+              if not copy["sample"].get("fits_l2")]
     if not rates:
         raise Missing(f"{machine.name} has no record of the rate of copying")
     return max(rates)
@@ -115,26 +117,24 @@ class StageRatio:
     source: str
 
 
-def stage_bounds(kernel, glsl, cuda):
-    """(low, high) of the ratio: over processes, or of one process from the intervals of both medians."""
+def over_processes(kernel, glsl, cuda):
+    """The ratio in each process that timed the kernel in both."""
     of_glsl, of_cuda = ({run["process"]: run["device_stages_ms"][kernel] for run in record.parameters.get("processes", ())
                          if kernel in run.get("device_stages_ms", {})} for record in (glsl, cuda))
-    found = [of_glsl[k] / of_cuda[k] for k in of_glsl if k in of_cuda]
-    if len(found) > 1:
-        return t_interval(found)
-    low, high = glsl.device_stages_interval_ms[kernel]
-    least, most = cuda.device_stages_interval_ms[kernel]
-    return low / most, high / least
+    return [of_glsl[k] / of_cuda[k] for k in of_glsl if k in of_cuda]
 
 
 def stage_ratio(kernel, glsl, cuda):
-    """None where a reading is no longer than the timer's of an empty kernel."""
-    if any(kernel in record.parameters.get("device_stages_at_floor", []) or record.device_stages_interval_ms[kernel][0] <= 0
-           for record in (glsl, cuda)):
+    """Over processes, or of one process from both medians and their intervals. None where a reading is no longer than the
+    timer's of an empty kernel."""
+    (least, most), (low, high) = (record.device_stages_interval_ms[kernel] for record in (cuda, glsl))
+    if any(kernel in record.parameters.get("device_stages_at_floor", []) for record in (glsl, cuda)) or min(least, low) <= 0:
         return None
-    middle = glsl.device_stages_ms[kernel] / cuda.device_stages_ms[kernel]
-    low, high = stage_bounds(kernel, glsl, cuda)
-    return StageRatio(kernel, f"$n$ = {glsl.n:,}", (middle, middle - low, high - middle), cuda.device_stages_ms[kernel], cuda.source)
+    found = over_processes(kernel, glsl, cuda)
+    several = len(found) > 1
+    middle = statistics.median(found) if several else glsl.device_stages_ms[kernel] / cuda.device_stages_ms[kernel]
+    below, above = t_interval(found) if several else (low / most, high / least)
+    return StageRatio(kernel, f"$n$ = {glsl.n:,}", (middle, middle - below, above - middle), cuda.device_stages_ms[kernel], cuda.source)
 
 
 def timer_floor(machine, **wanted):

@@ -2,7 +2,7 @@
 """Measured times of the prose. Each function puts (key, text, run, description) for one section."""
 from paper.numbers.derived import issue_rate, pairs_of, share_of_floor, slope
 from paper.numbers.ratios import extent, family
-from paper.records import original_paper, said
+from paper.records import original_paper, said, steady
 from paper.text import ms
 
 PRINTED = "original paper"
@@ -37,7 +37,7 @@ def whole_steps(put, machine, others):
     pair = [machine.one(table="step", backend=name, n=SIZE) for name in DEVICES]
     put("step/extent", extent(family([pair])), pair[0].source, "what the comparison of these steps stands on")
     for name in DEVICES:
-        rows = machine.need(table="step", backend=name)
+        rows = [row for row in machine.need(table="step", backend=name) if steady(row, cpu[row.n])]
         compared = family([(row, cpu[row.n]) for row in rows])
         behind = [row.n for row, ratio in zip(rows, compared) if not (ratio.decided and ratio.middle < 1)]
         ahead = [row for row in rows if row.n > max(behind, default=0)]

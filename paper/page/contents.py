@@ -11,7 +11,7 @@ GROUPS = {
         "grid": "The grid", "grid-sizes": "The grid by size", "crossover": "All pairs or grid", "peers": "Other systems",
         "energy": "Energy"},
     "Launches and kernels": {
-        "launch-paths": "Ways to launch", "overhead": "Launch overhead", "kernel-pairs": "Kernels alone",
+        "launch-paths": "Ways to launch", "overhead": "Launch overhead", "extensions": "OpenGL without extensions", "kernel-pairs": "Kernels alone",
         "phases": "Kernels of a step", "grid-phases": "Kernels of the grid",
         "counters": "Limits of CUDA's kernels", "ablation": "Ablations", "code": "Lines of code"},
     "Exactness and equality": {
@@ -34,7 +34,7 @@ GROUPS = {
 }
 
 NEEDS_GPU = {"ratio-by-duration", "claims", "glsl-against-cuda", "methods", "energy", "launch-paths", "kernel-pairs", "phases",
-             "grid-phases", "floor", "interop", "transfer", "loop"}  # both APIs on one, or its timers
+             "grid-phases", "floor", "interop", "transfer", "loop", "extensions"}  # both APIs on one, or its timers
 
 OF_NO_MACHINE = {"code", "peers"}  # mostly measured elsewhere: shown once
 

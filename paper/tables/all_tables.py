@@ -9,6 +9,7 @@ from paper.tables.claims import claims
 from paper.tables.contacts import contacts
 from paper.tables.counters import counters
 from paper.tables.energy import energy
+from paper.tables.extensions import extensions
 from paper.tables.stress import stress
 from paper.tables.studies import STUDIED
 from paper.tables.suite import suite
@@ -168,7 +169,7 @@ def machine_and_run(machine):
 
 
 MAKERS = (claims, table1, table1_p95, frame_rates, arrangements, counts, methods, peak_rates, code, machine_and_run, stress, suite, counters,
-          variation, energy, contacts, *STUDIED)
+          variation, energy, contacts, extensions, *STUDIED)
 
 
 def of_one(maker, machine):

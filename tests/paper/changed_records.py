@@ -21,7 +21,7 @@ def recorded(name=MAIN):
 
 
 def changed(wanted, factor):
-    """The recorded machine with the times of some records made longer or shorter by a factor."""
+    """The recorded machine with the times of some records made longer or shorter by a factor; none is of a busy machine."""
     machine = recorded()
 
     def scaled(record):
@@ -30,7 +30,7 @@ def changed(wanted, factor):
         processes = [{**run, "median_ms": times * run["median_ms"], "plain_ms": run["plain_ms"] and times * run["plain_ms"]}
                      for run in record.parameters.get("processes", [])]
         return replace(record, median=times * record.median, low=times * record.low, high=times * record.high,
-                       parameters={**record.parameters, "samples_ms": samples, **({"processes": processes} if processes else {})})
+                       parameters={**record.parameters, "unsteady": [], "samples_ms": samples, **({"processes": processes} if processes else {})})
 
     machine.records = [scaled(record) for record in machine.records]
     return machine

@@ -48,10 +48,10 @@ class Speed(unittest.TestCase):
             self.assertGreaterEqual(0.5 * large.n * (large.n - 1) / (1e-3 * large.median), 3.3e12 / 1.05)
 
     def test_4b(self):
-        self.stated("4b", "at most 1.05x", "65,536", "1.15x at 16,384", "3 percentage points")
+        self.stated("4b", "at most 1.05x", "65,536", "1.2x at 16,384", "3 percentage points")
         for scene in ("random", "uniform"):
             for glsl, cuda in matched(self.machine, table="scale", scene=scene):
-                bound = 1.05 if glsl.n >= leads.LARGE else 1.15 if glsl.n == 16384 else 9
+                bound = 1.05 if glsl.n >= leads.LARGE else 1.2 if glsl.n == 16384 else 9
                 self.assertLessEqual(glsl.median / cuda.median, bound + 0.03, f"{scene}, {glsl.n}")
 
     def test_4c(self):
@@ -66,14 +66,12 @@ class Speed(unittest.TestCase):
             self.assertLessEqual(self.machine.one(table="step", n=16384, backend=name).median, 0.08 * 1.05)
 
     def test_4e(self):
-        self.stated("4e", "for whole steps", "up to 16,384", "GLSL for all pairs from 262,144", "at least 0.93x CUDA's time",
-                    "3 percentage points")
+        self.stated("4e", "for whole steps", "up to 16,384", "from 262,144 on all pairs take OpenGL 0.93x to 1.03x CUDA's time", "3 percentage points")
         for entry in leads.contests(self.machine):
             if entry.n <= 16384 or entry.where == "whole steps":
                 self.assertEqual("cuda", entry.winner, entry)
             elif entry.n >= 262144:
-                self.assertEqual("glsl", entry.winner, entry)
-                self.assertGreaterEqual(entry.ratio, 0.93 - 0.03, entry)
+                self.assertTrue(0.93 - 0.03 <= entry.ratio <= 1.03 + 0.03, entry)
 
     def test_4f(self):
         self.stated("4f", "≥ 85 %", "at most 1.05x", "at least twice as fast")

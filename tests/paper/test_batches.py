@@ -66,18 +66,18 @@ class Line(unittest.TestCase):
 
 
 class Records(unittest.TestCase):
-    def test_processes_agree_where_late_batches_moved_them_apart(self):
-        """GLSL's collide_tiled of 512 spheres: 3 % between the medians of rounds fitted each by itself."""
+    def test_processes_agree_where_batches_came_late(self):
+        """OpenGL's collide_tiled of 512 spheres, by the program and here. Each round fitted by itself: 3 % apart."""
         def medians(hook):
             for path in sorted((DATA / MAIN / "results").glob("*.json")):
                 for row in json.loads(path.read_text(), object_hook=hook)["measurements"]:
                     if (row["table"], row["label"], row.get("n")) == ("table1", "glsl collide_tiled 128", 512):
                         yield row["median_ms"]
 
-        for hook, least, most in ((None, 1.02, 1.1), (batches.fitted, 1, 1.01)):
+        for hook in (None, batches.fitted):
             found = list(medians(hook))
             self.assertEqual(5, len(found))
-            self.assertTrue(least <= max(found) / min(found) <= most, found)
+            self.assertLessEqual(max(found) / min(found), 1.01)
 
     def test_the_program_has_the_same(self):
         with tempfile.TemporaryDirectory() as folder:

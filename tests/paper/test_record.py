@@ -27,10 +27,10 @@ REFUSED = {"h100": {"stress"}, "llvmpipe": {"stress"}}
 # is current is refused here.
 STALE = {
     "h100": {"ablate", "compile.json", "contacts", "contacts_1e8", "contacts_rest", "contacts_rest_1e7",
-        "contacts_steps", "counters.json", "crossover", "energy_all_pairs", "energy_grid", "frame_rates", "frames",
-        "frames_1e8", "frames_pipeline", "frames_transfer", "frames_transfer_1e8", "launches", "listings",
+        "contacts_steps", "counters.json", "crossover", "energy_all_pairs", "energy_grid", "frames",
+        "frames_1e8", "frames_pipeline", "frames_transfer", "frames_transfer_1e8", "listings",
         "precision_1e8", "precision_compensated_impacts", "precision_compensated_steps", "precision_float32",
-        "precision_float64_impacts", "precision_float64_steps", "results", "sets", "sweep", "sweep_1e8",
+        "precision_float64_impacts", "precision_float64_steps", "sets", "sweep", "sweep_1e8",
         "sweep_tensor", "window"},
     "h200": {"contacts", "contacts_1e8", "contacts_rest", "contacts_rest_1e7", "contacts_steps", "frames_1e9",
         "sweep_largest"},

@@ -125,6 +125,7 @@ class Stale(Tree):
 
     def test_fresh_then_touched(self):
         self.record("a.json", [timing("cuda", collide_grid=1), timing("cuda", move=1), timing("glsl", collide_grid=1)])
+        self.record("core.json", [timing("glsl-core", draw_cull_far=1)])
         self.record("sweep/1/b.json", [timing("glsl", draw_cull_far=1)])
         self.record("sweep/2/b.json", [timing("glsl", draw_cull_far=1)])
         self.assertEqual({}, self.stale())
@@ -132,6 +133,7 @@ class Stale(Tree):
         self.assertEqual({"a.json": ("collide_grid (CUDA)", 1, 3)}, self.stale())
         self.append("shaders/draw/draw_cull.comp", "int unused;\n")
         self.assertEqual(("draw_cull (GLSL)", 2, 2), self.stale()["sweep"])
+        self.assertEqual(("draw_cull (GLSL)", 1, 1), self.stale()["core.json"])
 
     def test_the_way_of_measuring_counts_for_all(self):
         self.record("a.json", [timing("cpu"), timing("cuda", move=1)])

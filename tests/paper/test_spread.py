@@ -56,6 +56,9 @@ class Merged(unittest.TestCase):
         self.assertAlmostEqual(100 * 3.05 / 10.2, found["gpus"])
         self.assertEqual({"within", "gpus"}, set(layers.layers(Record(self.merged([10, 11], gpus="AB"), 10, 10, 10, "made up"))))
 
+    def test_equal_times_have_an_interval_of_no_width(self):
+        self.assertEqual([0.0384, 0.0384], self.merged([0.0384] * 3)["interval_ms"])
+
     def test_all_samples_and_stages_are_kept(self):
         row = self.merged([10, 12])
         self.assertEqual(6, len(row["samples_ms"]))
