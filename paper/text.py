@@ -3,6 +3,9 @@
 import re
 
 
+APIS = {"cpu": "CPU", "glsl": "OpenGL", "cuda": "CUDA"}  # of backends
+
+
 def ms(value):
     """Three significant digits, never an exponent."""
     if value is None:

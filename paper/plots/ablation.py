@@ -7,6 +7,7 @@ from paper.numbers.ablations import pairs_of
 from paper.numbers.derived import ratio
 from paper.records import named
 from paper.style import PAGE, SERIES, panels, series_of, time_text
+from paper.text import APIS
 
 NAME = "ablation"
 CAPTION = ("Ablation of each optimisation, API feature and own kernel (in place of a library's): time without over time with it, at equal "
@@ -17,7 +18,6 @@ KINDS = {"work": "optimisations", "api": "API features", "library": "own kernels
 ONE_API = ({"glsl"}, {"cuda"})
 OF_BOTH = {"vector_loads", "overlap"}  # API features that both have
 MOST_SIZES = 2
-NAMES = {"cpu": "CPU", "glsl": "GLSL", "cuda": "CUDA"}
 
 
 def source(machine):
@@ -74,7 +74,7 @@ def draw_line(axis, place, pairs, last):
         middle, below, above = ratio(off, on)
         axis.errorbar(middle, place + 0.17 * (len(pairs) - 1 - 2 * k), xerr=[[below], [above]], capsize=1.2,
                       elinewidth=0.7, **{**SERIES[series_of(on)], "label": None, "linestyle": "", "markersize": 3})
-        times.append(f"{NAMES[on.backend]} {time_text(on.median)}")
+        times.append(f"{APIS[on.backend]} {time_text(on.median)}")
         counted.append(counts(on, off))
     texts = ["; ".join(times), *(counted[-1:] if last and counted[-1] else [])]
     axis.text(1.02, place, ". ".join(texts), transform=axis.get_yaxis_transform(), fontsize=5.8, va="center")

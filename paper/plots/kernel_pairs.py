@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Each kernel's time ratio GLSL/CUDA, by device timers."""
+"""Each kernel's time ratio OpenGL/CUDA, by device timers."""
 from paper.numbers.derived import stage_ratios
 from paper.records import Missing
 from paper.style import PAGE, panels, time_text
 
 NAME = "kernel-pairs"
-CAPTION = ("Each kernel's time in GLSL over its time in CUDA by device timers (GL timer queries, CUDA events), at the "
+CAPTION = ("Each kernel's time through OpenGL over its time through CUDA by device timers (GL timer queries, CUDA events), at the "
            "largest recorded size; of several such records in the latest run, the one with the tightest bounds. "
            "Right of 1 CUDA is faster. Bars: of several processes the \\given{95}\\,\\% interval over them, of one the bounds from the "
            "intervals of both medians; an arrow where a bar is cut off. Right: CUDA's time. Only kernels that read at least ten "
@@ -48,7 +48,7 @@ def draw_column(axis, lines, height, limit):
     for tick, line in zip(axis.get_yticklabels(), lines):
         tick.set_fontweight("bold" if isinstance(line, str) else "normal")
     axis.axvline(1, color="black", linewidth=0.7)
-    axis.set(xscale="log", xlim=(1 / limit, limit), ylim=(-0.7, height - 0.3), xlabel="GLSL time / CUDA time")
+    axis.set(xscale="log", xlim=(1 / limit, limit), ylim=(-0.7, height - 0.3), xlabel="OpenGL time / CUDA time")
     ticks = [value for value in (0.25, 0.5, 0.7, 1, 1.4, 2, 4) if 1 / limit <= value <= limit]
     axis.set_xticks(ticks, [f"{value:g}" for value in ticks])
     axis.set_xticks([], minor=True)

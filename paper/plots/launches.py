@@ -2,6 +2,7 @@
 """The time of a step on every path by which its launches reach the GPU, against the number of spheres."""
 from paper.numbers.derived import needed_devices
 from paper.style import PAGE, panels, plain_ticks, plot, spheres_axis
+from paper.text import APIS
 
 NAME = "launch-paths"
 TABLE = "launches"
@@ -20,7 +21,7 @@ LINES = {"waited": ("waited", ":", "v"), "batched": ("batched", "-", "o"), "over
 
 def draw_path(axis, rows, backend, path):
     words, line, marker = LINES[path]
-    plot(axis, rows, backend, scale=1e3, label=f"{backend.upper()}, {words}", linestyle=line, marker=marker, markersize=3)
+    plot(axis, rows, backend, scale=1e3, label=f"{APIS[backend]}, {words}", linestyle=line, marker=marker, markersize=3)
 
 
 def draw(machine):

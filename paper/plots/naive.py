@@ -6,12 +6,12 @@ from paper.plots.set_errors import source  # noqa: F401  (used by figures.py)
 from paper.numbers.sets import sets
 from paper.records import Missing
 from paper.style import PAGE, SERIES, panels
+from paper.text import APIS
 
 NAME = "naive"
 CAPTION = ("Pairs that the naive float32 predicate gets wrong (left, missed and extra pairs of the right ones) and the "
            "time of the exact one over the naive one (right; bars: the bounds from the intervals of both "
            "medians), by scene, through the grid.")
-NAMES = {"cpu": "CPU", "glsl": "GLSL", "cuda": "CUDA"}
 
 
 def ratio(entry):
@@ -40,7 +40,7 @@ def draw(machine):
         costs.errorbar(middle, place, xerr=[[below], [above]], capsize=1.5, elinewidth=0.7,
                        **{**look, "linestyle": ""})
         costs.text(1.02, place, cost_text(middle), transform=costs.get_yaxis_transform(), fontsize=6, va="center")
-    wrong.set_yticks(range(len(entries)), [f"{entry['scene']}, $n$ = {entry['n']:,}, {NAMES[entry['backend']]}"
+    wrong.set_yticks(range(len(entries)), [f"{entry['scene']}, $n$ = {entry['n']:,}, {APIS[entry['backend']]}"
                                            for entry in reversed(entries)])
     most = max(entry["missed"] + entry["extra"] for entry in entries)
     wrong.set(xscale="symlog", xlabel="pairs that the naive predicate gets wrong")

@@ -10,7 +10,7 @@ CAPTION = ("The original paper's figure 5. (a) Finding the colliding pairs; (b) 
 DRAWN = {"sequential mesh_each": ("cpu sequential", {"label": "CPU's spheres, one draw each"}),
          "sequential quadric": ("cpu sequential", {"label": "the same, glutSolidSphere's", "marker": "v",
                                                    "linestyle": "-."}),
-         "glsl mesh": ("glsl", {"label": "GLSL, one instanced draw"}),
+         "glsl mesh": ("glsl", {"label": "OpenGL, one instanced draw"}),
          "cuda mesh": ("cuda", {"label": "CUDA, one instanced draw"})}
 
 
@@ -28,7 +28,7 @@ def draw(machine):
         plot(pairs, machine.need(table="table1", backend="cpu", method=method), f"cpu {method}")
     devices = [name for name in ("glsl", "cuda") if machine.has(name)]
     if not devices:
-        raise Missing(f"{machine.name} was run without GLSL and CUDA")
+        raise Missing(f"{machine.name} was run without OpenGL and CUDA")
     for name in devices:
         label = SERIES[name]["label"]
         tiled = machine.need(table="table1", backend=name, method="collide_tiled")

@@ -5,6 +5,7 @@ from itertools import cycle
 from paper.numbers.derived import in_order, stage_bars
 from paper.records import Missing
 from paper.style import COLUMN, panels
+from paper.text import APIS
 
 NAME = "phases"
 CAPTION = ("A collision step's time by kernel, from device timers (GL timer queries, CUDA "
@@ -38,7 +39,7 @@ def draw(machine):
     if not rows:
         raise Missing(f"{machine.name} has no device timers")
     figure, (axis,) = panels(COLUMN, 0.75 + 0.17 * len(rows))
-    names = [f"{record.backend.upper()} {record.method.removeprefix('collide_')}" for record in rows]
+    names = [f"{APIS[record.backend]} {record.method.removeprefix('collide_')}" for record in rows]
     stages = draw_bars(axis, rows, names, lambda record: 1e3)
     axis.set_xlabel(f"time (µs), $n$ = {rows[0].n:,}")
     axis.legend(loc="upper center", bbox_to_anchor=(0.4, 1.28), ncols=len(stages), handlelength=1.2, columnspacing=1.0)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Time ratio GLSL/CUDA against the number of spheres and per method."""
+"""Time ratio OpenGL/CUDA against the number of spheres and per method."""
 from paper.numbers.derived import matched, ratio
 from paper.style import PAGE, panels, spheres_axis
 
 NAME = "glsl-against-cuda"
-CAPTION = ("GLSL's time over CUDA's for the same work: above 1 CUDA is faster, below 1 GLSL. (a) Against the number of "
+CAPTION = ("OpenGL's time over CUDA's for the same work: above 1 CUDA is faster, below 1 OpenGL. (a) Against the number of "
            "spheres: all pairs by the upper triangle, alone and as part of a whole step. (b) Per method at one "
            "size, groups of 128. Bars: the interval of the ratio.")
 SETS = (("pairs, original box", "o", "#15396b", {"table": "scale", "scene": "random"}),
@@ -36,11 +36,11 @@ def draw(machine):
     methods.set_xlabel(f"method, $n$ = {n:,}")
     for axis, title in ((sizes, "(a)"), (methods, "(b)")):
         axis.axhline(1, color="black", linewidth=0.7)
-        axis.set_ylabel("GLSL time / CUDA time")
+        axis.set_ylabel("OpenGL time / CUDA time")
         axis.set_title(title, loc="left")
         low, high = axis.get_ylim()
         axis.set_ylim(min(low, 1 - 0.14 * (high - 1)), high)
-        for name, offset, side in (("CUDA", 1.5, "bottom"), ("GLSL", -2, "top")):
+        for name, offset, side in (("CUDA", 1.5, "bottom"), ("OpenGL", -2, "top")):
             axis.annotate(f" {name} faster", (0.01, 1.0), xycoords=axis.get_yaxis_transform(), xytext=(0, offset),
                           textcoords="offset points", va=side, fontsize=6.5)
     return figure

@@ -28,7 +28,7 @@ def note_slopes(axis, rows):
 def draw(machine):
     devices = [name for name in ("glsl", "cuda") if machine.has(name)]
     if not devices:
-        raise Missing(f"{machine.name} was run without GLSL and CUDA")
+        raise Missing(f"{machine.name} was run without OpenGL and CUDA")
     with_floor = machine.has("cuda")
     figure, axes = panels(PAGE if with_floor else PAGE / 2, 2.2, 2 if with_floor else 1)
     for scene, (title, line, alpha) in SCENES.items():

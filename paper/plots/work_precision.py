@@ -5,6 +5,7 @@ from matplotlib.lines import Line2D
 from paper.numbers.pareto import devices, draw_front, kind, mark_paper, same_time, seconds, study
 from paper.records import Missing, named
 from paper.style import PAGE, panels
+from paper.text import APIS
 
 NAME = "work-precision"
 CAPTION = ("Work-precision diagram: rms position error against run time, one point per time step; every method (line) in "
@@ -56,7 +57,7 @@ def draw(machine):
     methods = list(dict.fromkeys(kind(row) for row in rows))
     for axis, device in zip(axes, names):
         draw_device(axis, [row for row in rows if row.backend == device], methods)
-        axis.set_title(device.upper(), loc="left")
+        axis.set_title(APIS[device], loc="left")
     axes[len(axes) // 2].set_xlabel("run time of a simulated second (ns per sphere)")
     axes[0].set_ylabel(f"rms error after {time:g} s (m)")
     axes[-1].legend(handles=keys(methods), loc="upper left", bbox_to_anchor=(1.0, 1.0), handlelength=2.6)

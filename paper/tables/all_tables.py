@@ -15,7 +15,7 @@ from paper.tables.studies import STUDIED
 from paper.tables.suite import suite
 from paper.tables.tabular import Table, as_tex, as_text, without_empty_columns
 from paper.tables.variation import variation
-from paper.text import cached, interval, ms
+from paper.text import APIS, cached, interval, ms
 
 
 def median_or_dash(machine, **wanted):
@@ -24,7 +24,7 @@ def median_or_dash(machine, **wanted):
 
 
 TIMES_OF_TABLE1 = [("motion + plane", 3), ("pairs, CPU", 2), ("pairs, tile", 2), ("pairs, triangle", 2)]
-NAMES_OF_TABLE1 = ["CPU", "GLSL", "CUDA", "1 thread", "all", *["GLSL", "CUDA"] * 2]
+NAMES_OF_TABLE1 = ["CPU", "OpenGL", "CUDA", "1 thread", "all", *["OpenGL", "CUDA"] * 2]
 
 
 def sizes_of_table1(machine):
@@ -77,7 +77,7 @@ def frame_rates(machine):
                  for name in frames for method in (("mesh_each", "quadric") if name == "sequential" else ("mesh",))]
         rows.append([f"{n:,}", "-" if seed[1] is None else str(seed[1]), *rates,
                      *("-" if seed[k] is None else str(seed[k]) for k in (2, 3)), *drawn])
-    names = [name.upper() for name in list(frames)[1:]]
+    names = [APIS[name] for name in list(frames)[1:]]
     heads = [[("", 1), ("frames per second", 2 + len(names)), ("drawing, ms: original", 2), ("1 thread", 2),
               ("one instanced draw", len(names))],
              ["n", "original", "1 thread", *names, "1 thread", "GLSL", "mesh", "GLUT's", *names]]
@@ -97,7 +97,7 @@ def arrangements(machine):
         rows.append([f"{m} by {n}", *(interval(of_shape[name, block], 1e3) if (name, block) in of_shape else "-"
                                            for block in (n, m * n) for name in names)])
     heads = [[("", 1), ("groups of $n$, µs", len(names)), ("one group of all, µs", len(names))],
-             ["$m$ by $n$", *(name.upper() for name in names), *(name.upper() for name in names)]]
+             ["$m$ by $n$", *(APIS[name] for name in names), *(APIS[name] for name in names)]]
     return Table("arrangements", "The original paper's second animation: $m$ groups of $n$ spheres, searched by its own "
                  "tile in groups of exactly $n$ threads, and in one group of all.", heads, rows,
                  source=records[0].source)
@@ -120,7 +120,7 @@ def methods(machine):
              for method in ("group", "tiled", "square", "triangle")}
     rows = [[method, interval(glsl, 1e3), interval(cuda, 1e3), text]
             for (method, (glsl, cuda)), text in zip(pairs.items(), texts(list(pairs.values())))]
-    heads = [[("", 1), ("median [interval], µs", 2), ("", 1)], ["method", "GLSL", "CUDA", "GLSL/CUDA"]]
+    heads = [[("", 1), ("median [interval], µs", 2), ("", 1)], ["method", "OpenGL", "CUDA", "OpenGL/CUDA"]]
     n = pairs["triangle"][0].n
     return Table("methods", f"One collision step of {n:,} spheres, groups of 128: medians, and the time ratio. {LEGEND}", heads, rows)
 
@@ -129,7 +129,7 @@ def peak_rates(machine):
     rows = []
     for record in machine.need(table="peak_rates"):
         rate = record.amount_per_step / (1e-3 * record.median)
-        rows.append([record.work, f"{record.n:,}", record.backend.upper(), interval(record, 1e3),
+        rows.append([record.work, f"{record.n:,}", APIS[record.backend], interval(record, 1e3),
                      f"{ms(rate)} {record.unit}"])
     heads = [[("", 1)] * 5, ["what", "spheres", "API", "median [interval], µs", "rate"]]
     return Table("peak-rates", "Peak rates of the GPU through each API: 16 bytes copied, a scattered atomic without a result, "

@@ -29,7 +29,7 @@ def contacts(machine):
     if len(counted) != 1:
         raise Missing(f"{machine.name} has steps with contacts that are means of different numbers: {counted}")
     heads = [[("", 1), ("whole step, ms", 4), ("integers over float32 in order", 2), ("integers over atomics", 2)],
-             ["spheres", "CPU", "GLSL", "CUDA", "GLSL/CUDA", *["GLSL", "CUDA"] * 2]]
+             ["spheres", "CPU", "OpenGL", "CUDA", "OpenGL/CUDA", *["OpenGL", "CUDA"] * 2]]
     sources = [row.source for row in steps.values()] + [row.source for row in machine.select(table="contact_sums")]
     caption = CAPTION.format(fraction=machine.source("contacts.json")["settings"]["packing_fraction"], steps=counted.pop(),
                              cpu=cpu_text(machine))

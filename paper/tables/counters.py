@@ -6,7 +6,7 @@ from paper.tables.tabular import Table
 
 CAPTION = ("Hardware counters of CUDA's kernels, in percent of their peaks, medians of several launches, by Nsight Compute. Issue: slots "
            "in which an instruction was issued. Loads: the load pipe of L1. Warps: resident, of the most possible. "
-           "GLSL's kernels cannot be profiled in this way.")
+           "OpenGL's kernels cannot be profiled in this way.")
 ORDERS = {"warm": "cell", "cold": "random"}
 
 

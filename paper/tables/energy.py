@@ -7,7 +7,7 @@ from paper.text import ms
 DEVICES = ("glsl", "cuda")
 MOST = 0.03  # that the two methods may be apart, as a share
 WORKS = {"all_pairs": "all pairs", "warm": "grid, in cell order", "cold": "grid, in random order"}
-CAPTION = ("Energy of a search: power of the whole GPU, energy of a step and of a sphere, GLSL's energy over CUDA's. By NVML's "
+CAPTION = ("Energy of a search: power of the whole GPU, energy of a step and of a sphere, OpenGL's energy over CUDA's. By NVML's "
            "energy counter over windows of {seconds:.0f} s of back-to-back steps, the power of the idle GPU, {idle} W, "
            "subtracted. The integrated power ({power}) gives energies that are at most {apart:.1f} \\% apart.")
 LEFT_OUT = " Left out, since both methods differ by more than {most:.0f} \\%: {names}."
@@ -41,5 +41,5 @@ def energy(machine):
                              apart=100 * max(abs(record.disagreement) for record in kept))
     if apart:
         caption += LEFT_OUT.format(most=100 * MOST, names=", ".join(record.label.replace("_", " ") for record in apart))
-    heads = [[("", 2), ("GLSL", 3), ("CUDA", 3), ("", 1)], ["search", "spheres", *["W", "mJ", "nJ a sphere"] * 2, "ratio"]]
+    heads = [[("", 2), ("OpenGL", 3), ("CUDA", 3), ("", 1)], ["search", "spheres", *["W", "mJ", "nJ a sphere"] * 2, "ratio"]]
     return Table("energy", caption, heads, rows, left=1, source=", ".join(dict.fromkeys(r.source for r in kept)))

@@ -2,6 +2,7 @@
 """The stress catalogue as a table."""
 from paper.numbers.stress import stressed
 from paper.tables.tabular import Table
+from paper.text import APIS
 
 STRESS = ("The stress catalogue: what each row sets up, what was found, what had to hold, and on which backends "
           "it did. A figure without a name is that of every backend.")
@@ -14,7 +15,7 @@ def figure_text(figures):
         owners.setdefault(figure, []).append(backend)
     if len(owners) == 1:
         return next(iter(owners)) or "-"
-    return "; ".join(f"{', '.join(name.upper() for name in names)}: {figure}" for figure, names in owners.items())
+    return "; ".join(f"{', '.join(APIS[name] for name in names)}: {figure}" for figure, names in owners.items())
 
 
 def stress(machine):
@@ -28,6 +29,6 @@ def stress(machine):
                      figure_text(test.figures), test.bound, *verdicts])
         last = test.row
     columns = ("r", *(f">{{\\raggedright\\arraybackslash}}p{{{width}mm}}" for width in (29, 25, 49, 25)), "l", "l", "l")
-    heads = [[("", 1)] * 8, ["row", "scene", "what is tested", "figure", "bound", "CPU", "GLSL", "CUDA"]]
+    heads = [[("", 1)] * 8, ["row", "scene", "what is tested", "figure", "bound", "CPU", "OpenGL", "CUDA"]]
     return Table("stress", STRESS, heads, rows, left=8, columns=columns, source=machine.source("stress.json")["id"],
                  long=True)

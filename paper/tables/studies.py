@@ -6,7 +6,7 @@ from paper.numbers.transfers import hidden, overlaps
 from paper.records import Missing
 from paper.records import peers as measured_peers
 from paper.tables.tabular import Table
-from paper.text import cached, interval, ms
+from paper.text import APIS, cached, interval, ms
 
 DEVICES = ("cuda", "glsl")
 GRID = {"table": "grid", "scene": "uniform", "method": "collide_grid"}
@@ -32,7 +32,7 @@ def ours(machine, name, sizes):
     for n, fraction in sizes:
         found = machine.select(**GRID, order="cold", backend=name, n=n, packing_fraction=fraction)
         cells.append(ms(found[0].median) if found else "-")
-    return [f"this paper, {name.upper()}", "count", *cells, "0"]
+    return [f"this paper, {APIS[name]}", "count", *cells, "0"]
 
 
 def size_text(n):
@@ -67,7 +67,7 @@ def crossover(machine):
             result = by_backend.get(name)
             row += ["-", "-"] if result is None else [result.start, result.loss]
         rows.append(row)
-    heads = [[("", 1), *((name.upper(), 2) for name in names)], ["spheres", *["grid from", "auto"] * len(names)]]
+    heads = [[("", 1), *((APIS[name], 2) for name in names)], ["spheres", *["grid from", "auto"] * len(names)]]
     most = max(row.n for row in machine.need(table="crossover"))
     return Table("crossover", CROSSOVERS.format(most=most), heads, rows, source=next(iter(by_backend.values())).source)
 
@@ -86,8 +86,8 @@ def grid_sizes(machine):
     if not rows:
         raise Missing(f"{machine.name} has no grid on a GPU")
     rows = [[*row, text] for row, text in zip(rows, texts(pairs))]
-    heads = [[("", 3), ("GLSL, ms", 2), ("CUDA, ms", 2), ("", 1)],
-             ["order", "fraction", "spheres", *["median [interval]", "p95"] * 2, "GLSL/CUDA"]]
+    heads = [[("", 3), ("OpenGL, ms", 2), ("CUDA, ms", 2), ("", 1)],
+             ["order", "fraction", "spheres", *["median [interval]", "p95"] * 2, "OpenGL/CUDA"]]
     return Table("grid-sizes", GRID_SIZES, heads, rows, source=", ".join(dict.fromkeys(sources)))
 
 
@@ -119,7 +119,7 @@ def loop(machine):
             pairs.append((glsl[0], cuda[0]) if glsl and cuda else None)
             sources += [found[0].source for found in (glsl, cuda) if found]
     heads = [[("", 2), ("median [interval], ms", 3), ("frames per second", 3), ("", 1)],
-             ["camera", "spheres", *["GLSL", "CUDA", "to GL"] * 2, "GLSL/CUDA"]]
+             ["camera", "spheres", *["OpenGL", "CUDA", "to GL"] * 2, "OpenGL/CUDA"]]
     rows = [[*row, text] for row, text in zip(rows, texts(pairs))]
     caption = LOOPS.format(draw=transfers["overlaps"][0]["draw"])
     return Table("loop", caption, heads, rows, left=1, source=", ".join(dict.fromkeys(sources)))

@@ -69,7 +69,7 @@ class Speed(unittest.TestCase):
         self.stated("4e", "for whole steps", "up to 16,384", "from 262,144 on all pairs take OpenGL 0.93x to 1.03x CUDA's time", "3 percentage points")
         for entry in leads.contests(self.machine):
             if entry.n <= 16384 or entry.where == "whole steps":
-                self.assertEqual("cuda", entry.winner, entry)
+                self.assertGreater(entry.compared.low, 1, entry)
             elif entry.n >= 262144:
                 self.assertTrue(0.93 - 0.03 <= entry.ratio <= 1.03 + 0.03, entry)
 

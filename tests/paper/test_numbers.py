@@ -184,7 +184,7 @@ class Stress(unittest.TestCase):
                 self.table(**wrong)
 
     def test_backends_that_found_different_figures_are_named(self):
-        self.assertEqual("CPU, GLSL: 1 m; CUDA: 2 m",
+        self.assertEqual("CPU, OpenGL: 1 m; CUDA: 2 m",
                          stress_table.figure_text({"cpu": "1 m", "glsl": "1 m", "cuda": "2 m"}))
 
     def test_numbers_are_set_as_mathematics(self):

@@ -60,7 +60,7 @@ class Suites(unittest.TestCase):
     def test_the_table_has_a_row_a_backend(self):
         skips = output(FILES["glsl"], verdicts={"Backends/Draw.Draws/glsl": "SKIPPED"})
         table = suite_table.suite(self.machine(glsl=skips))
-        self.assertEqual([["CPU", "2", "0", "100", "25"], ["GLSL", "1", "1", "100", "25"], ["CUDA", "2", "0", "100", "25"],
+        self.assertEqual([["CPU", "2", "0", "100", "25"], ["OpenGL", "1", "1", "100", "25"], ["CUDA", "2", "0", "100", "25"],
                           ["none of the three", "3", "0", "-", "-"]], table.rows)
         self.assertIn("commit c0ffee, 2026-01-01", table.caption)
 
