@@ -9,6 +9,7 @@
 #include "bench/io/file_bytes.h"
 #include "bench/io/replaced_file.h"
 #include "bench/io/report.h"
+#include "common/scene/contact_scene.h"
 #include "common/scene/counted.h"
 #include "common/shared/hash.h"
 
@@ -17,7 +18,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "checkpoints are little-endian");
 constexpr char magic[] = "SPHCHECK";
-constexpr uint format_version = 1, version_with_contacts = 3;  // 2: contacts without drag
+constexpr uint format_version = 1, version_with_contacts = 4;  // 2: contacts without drag, 3: and without a skin
 
 struct Header {
   char magic[8];
@@ -31,10 +32,11 @@ struct ContactHeader {
   uint law, walls;
   int unit_exponent, momentum_exponent;
   float stiffness, low[3], high[3];
-  float drag;  // of version 3
+  float drag;  // from version 3 on
+  float skin;  // from version 4 on
 };
-static_assert(sizeof(ContactHeader) == 48);
-constexpr size_t bytes_without_drag = 44;
+static_assert(sizeof(ContactHeader) == 52);
+constexpr size_t contact_bytes[] = {0, 0, 44, 48, 52};  // by version
 
 template <typename T>
 std::string_view bytes_of(const T* values, size_t count = 1) {
@@ -109,7 +111,8 @@ ContactHeader header_of(const ContactOptions& c) {
           c.stiffness,
           {c.low.x, c.low.y, c.low.z},
           {c.high.x, c.high.y, c.high.z},
-          c.drag};
+          c.drag,
+          c.skin};
 }
 
 ContactOptions contacts_of(Reader& reader, const Header& header, const ContactHeader& c) {
@@ -126,7 +129,8 @@ ContactOptions contacts_of(Reader& reader, const Header& header, const ContactHe
           .low = {c.low[0], c.low[1], c.low[2], 0},
           .high = {c.high[0], c.high[1], c.high[2], 0},
           .unit_exponent = c.unit_exponent,
-          .momentum_exponent = c.momentum_exponent};
+          .momentum_exponent = c.momentum_exponent,
+          .skin = c.skin};
 }
 
 // Number of elements of a part of this checkpoint.
@@ -201,7 +205,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   Checkpoint checkpoint;
   Scene& scene = checkpoint.scene;
   const bool contacts = header.version != format_version;
-  const size_t bytes = header.version == version_with_contacts ? sizeof(ContactHeader) : bytes_without_drag;
+  const size_t bytes = contact_bytes[header.version];
   const std::string contact(contacts ? reader.take(bytes, "the contacts") : "");
   scene.name = reader.take(header.name_length, "the scene's name");
   reader.verify(std::string(bytes_of(&header)) + contact + scene.name, "header");
@@ -223,6 +227,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
     read_part(reader, name, part, name == "positions" ? header.n : wanted_size(checkpoint, &part));
   });
   reader.finish();
+  if (contacts && bytes < sizeof(ContactHeader)) scene.contact.skin = skin_of(scene);
   check_contents(checkpoint, path.string());
   return checkpoint;
 }

@@ -72,7 +72,7 @@ class Checker {
   }
 
   void check_header() const {
-    const std::string unmovable = why_unmovable(scene_, std::numeric_limits<float>::infinity());
+    const std::string unmovable = why_unmovable(scene_, Origin::resumed);
     if (!unmovable.empty()) throw std::invalid_argument(fmt::format("{}, header: {}", file_, unmovable));
     if (step_ > most_steps) fail("header", fmt::format("at most {} steps", most_steps), fmt::format("{}", step_));
     const uint64_t wanted = anchored() ? step_ : 0;

@@ -122,7 +122,7 @@ MotionState CpuMotion::save(int threads) {
 }
 
 void CpuMotion::resume(const Scene& scene, const MotionState& saved) {
-  unmovable_ = why_unmovable(scene, std::numeric_limits<float>::max());
+  unmovable_ = why_unmovable(scene, Origin::resumed);
   kept_ = saved;
   evaluated_ = state_current_ = motion_.method != MotionMethod::anchored;
 }

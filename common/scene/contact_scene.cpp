@@ -5,34 +5,35 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <ranges>
 #include <stdexcept>
-
-#include "common/shared/contact/skin.h"
 
 namespace spherepair {
 namespace {
 
 constexpr double wanted_overlap = 0.01;  // of the largest radius
 constexpr double steps_a_contact = 40, coarse_steps = 10, fewest_steps = 2;
-constexpr int position_bits = 51, momentum_bits = 56;  // used at the start, and of the fastest sphere
-constexpr double most_units = 0x1p63 - 0x1p57;         // of sums of impulses: room for the roundings of all of them
 constexpr float least_restitution = 0.1f;
 constexpr double most_drag = 0.5;                       // a step
 constexpr double least_skin = 1.0 / 32, most_skin = 1;  // of a radius
+constexpr double most_units = 0x1p63 - 0x1p57;          // of sums of impulses: room for the roundings of all of them
+constexpr int position_bits = 51, momentum_bits = 56;   // used at the start, and of the fastest sphere
 
 double squared(double x) { return x * x; }
 
-Radii radii_of(const Scene& scene) {
-  if (scene.positions.empty()) return {1, 1};
-  Radii r{scene.positions[0].w, scene.positions[0].w};
-  for (const vec4& sphere : scene.positions)
-    r.smallest = std::min(r.smallest, sphere.w), r.largest = std::max(r.largest, sphere.w);
-  return r;
+double speed(const vec4& v) { return std::hypot(double(v.x), double(v.y), double(v.z)); }
+
+double farthest_coordinate(const vec4& s) {
+  return std::max({std::abs(double(s.x)), std::abs(double(s.y)), std::abs(double(s.z))});
 }
 
-double speed(const vec4& v) { return std::hypot(double(v.x), double(v.y), double(v.z)); }
+template <typename Of>
+uint64_t sphere_with_most(const Scene& scene, Of of) {
+  return std::ranges::max(std::views::iota(uint64_t(0), scene.size()), {}, of);
+}
+
+// So that a gap of the smallest radius is not cut off, see gap_of.
+int coarsest_units(const Radii& radii) { return 29 - int(std::floor(std::log2(radii.smallest))); }
 
 // A sphere's speed at the start, or after a fall onto the plane.
 double highest_speed_of(const Scene& scene, uint64_t i) {
@@ -47,18 +48,6 @@ double highest_speed(const Scene& scene) {
   for (uint64_t i = 0; i < scene.size(); ++i) highest = std::max(highest, highest_speed_of(scene, i));
   return highest;
 }
-
-double farthest_coordinate(const vec4& s) {
-  return std::max({std::abs(double(s.x)), std::abs(double(s.y)), std::abs(double(s.z))});
-}
-
-template <typename Of>
-uint64_t sphere_with_most(const Scene& scene, Of of) {
-  return std::ranges::max(std::views::iota(uint64_t(0), scene.size()), {}, of);
-}
-
-// So that a gap of the smallest radius is not cut off, see gap_of.
-int coarsest_units(const Radii& radii) { return 29 - int(std::floor(std::log2(radii.smallest))); }
 
 int bits_above(double x) { return int(std::ceil(std::log2(x))); }
 
@@ -83,12 +72,6 @@ double extent_of(const Scene& scene) {
   return extent;
 }
 
-// As thin as a list of pairs is short, but four times what rounding of the farthest centres may take of it.
-double skin_of(const Scene& scene) {
-  const double rounding = 3 * 1.25 * 0x1p-23 * extent_of(scene);
-  return std::max(least_skin, 4 * rounding / double(radii_of(scene).smallest));
-}
-
 // Positions and walls then take 51 of 63 bits, and the fastest sphere's momentum 56. With drag a unit of length is no
 // finer than gaps of the smallest radius are: each unit then changes impulses, and what is left of their sum when none
 // fits better is small enough for drag to hold it below half a unit a step.
@@ -96,8 +79,10 @@ void choose_units(Scene& scene) {
   const Radii r = radii_of(scene);
   int& exponent = scene.contact.unit_exponent = position_bits - bits_above(extent_of(scene));
   if (scene.contact.drag > 0) exponent = std::min(exponent, coarsest_units(r));
+  const int damped = damping_ratio(double(scene.restitution)) > 1;  // one bit more for impulses
   scene.contact.momentum_exponent =
-      momentum_bits - bits_above(sphere_mass(double(r.largest)) * double(r.smallest) / double(scene.dt));
+      momentum_bits - damped - bits_above(sphere_mass(double(r.largest)) * double(r.smallest) / double(scene.dt));
+  scene.contact.skin = skin_of(scene);
 }
 
 // What momentum and impulses of a sphere can add up to. A contact's alone is less than a hundredth of it, far from
@@ -109,11 +94,82 @@ double impulse_units(const Scene& scene) {
                     contact.momentum_exponent);
 }
 
+// What holds for every step of a run.
+std::string why_no_law(const Scene& scene) {
+  const ContactOptions& contact = scene.contact;
+  const Radii r = radii_of(scene);
+  const double k = double(contact.stiffness);
+  if (!(k > 0) || !std::isfinite(k)) return fmt::format("the stiffness is {}, but must be above 0 and finite", k);
+  if (!(r.smallest > 0)) return "contacts need radii above 0";
+  if (scene.restitution < 1 && contact.law != ContactLaw::spring)
+    return fmt::format("the law {} is elastic: omit the restitution {}, or choose spring", contact_name(contact.law),
+                       scene.restitution);
+  if (scene.restitution < least_restitution)
+    return fmt::format("the restitution of contacts is {}, but must be at least {}", scene.restitution,
+                       least_restitution);
+  if (!(contact.drag >= 0 && double(contact.drag) * double(scene.dt) <= most_drag))
+    return fmt::format("the drag is {} 1/s, but with dt = {:.4g} s can be 0 to {:.3g}", contact.drag, scene.dt,
+                       most_drag / double(scene.dt));
+  if (r.largest > 256 * r.smallest)
+    return fmt::format("radii are {} to {}, but contacts allow 1:256", r.smallest, r.largest);
+  return "";
+}
+std::string why_no_room(const Scene& scene) {
+  const double skin = double(scene.contact.skin), sum = impulse_units(scene);
+  if (!(skin >= least_skin && skin <= most_skin))
+    return fmt::format("the skin of near spheres is {} radii, but must be {} to {}", skin, least_skin, most_skin);
+  if (!(sum < most_units))
+    return fmt::format(
+        "impulses of {:.3g} units could add up, but 64-bit integers hold {:.3g}: give --dt {:.3g} or less, "
+        "or a smaller --stiffness",
+        sum, most_units, 0.45 * double(scene.dt) * most_units / sum);
+  return "";
+}
+
+// What holds for a start: a run may get to shorter contacts of faster spheres, and farther out.
+std::string why_no_start(const Scene& scene) {
+  const Radii r = radii_of(scene);
+  const double time = contact_time(scene);
+  if (double(scene.dt) > time / fewest_steps)
+    return fmt::format("dt is {} s, but a contact lasts {:.3g} s only: give --dt {:.3g} or less", scene.dt, time,
+                       time / steps_a_contact);
+  if (scene.contact.unit_exponent < coarsest_units(r) || double(scene.contact.skin) > most_skin) {
+    const uint64_t i = sphere_with_most(scene, [&](uint64_t k) { return farthest_coordinate(scene.positions[k]); });
+    return fmt::format(
+        "the radius {} is too small for spheres as far out as sphere {}, {:.4g} m along an axis: move "
+        "them towards the origin",
+        r.smallest, i, farthest_coordinate(scene.positions[i]));
+  }
+  return "";
+}
+std::string why_too_fast(const Scene& scene) {
+  const float smallest = radii_of(scene).smallest;
+  for (uint64_t i = 0; i < scene.size(); ++i) {
+    const double radius = double(scene.positions[i].w), v = speed(scene.velocities[i]);
+    const double energy = contact_energy(scene.contact.law, double(scene.contact.stiffness), radius, 2 * radius);
+    const double fastest = std::min(std::sqrt(energy / sphere_mass(radius)), double(smallest) / double(scene.dt));
+    if (v > fastest)
+      return fmt::format(
+          "sphere {} moves at {:.4g} m/s, but its contacts can stop {:.4g} m/s: give a larger "
+          "--stiffness or a smaller --dt",
+          i, v, fastest);
+  }
+  return "";
+}
+
 std::string text_of_drag(const Scene& scene) {
   return scene.contact.drag > 0 ? fmt::format(", drag {:.4g} 1/s", scene.contact.drag) : "";
 }
 
 }  // namespace
+
+Radii radii_of(const Scene& scene) {
+  if (scene.positions.empty()) return {1, 1};
+  Radii r{scene.positions[0].w, scene.positions[0].w};
+  for (const vec4& sphere : scene.positions)
+    r.smallest = std::min(r.smallest, sphere.w), r.largest = std::max(r.largest, sphere.w);
+  return r;
+}
 
 void choose_contacts(Scene& scene, const ContactChoice& choice) {
   if (choice.law == ContactLaw::none) return;
@@ -136,14 +192,15 @@ void choose_contacts(Scene& scene, const ContactChoice& choice) {
   choose_units(scene);
 }
 
+float skin_of(const Scene& scene) {
+  const double rounding = 3 * 1.25 * 0x1p-23 * extent_of(scene);
+  return float(std::max(least_skin, 4 * rounding / double(radii_of(scene).smallest)));
+}
+
 double contact_time(const Scene& scene) {
-  const double k = double(scene.contact.stiffness), radius = double(radii_of(scene).smallest);
-  const double reduced = sphere_mass(radius) / 2;
-  if (scene.contact.law == ContactLaw::quartic)
-    return std::numbers::pi * std::sqrt(reduced / (2 * k * squared(2 * radius)));
-  if (scene.contact.law == ContactLaw::spring) return std::numbers::pi * std::sqrt(reduced / k);
-  const double fastest = 2 * highest_speed(scene);
-  return 2.9432 * std::pow(5 * reduced * squared(fastest) / (4 * k), 0.4) / fastest;
+  const bool by_speed = scene.contact.law == ContactLaw::hertz;
+  return shortest_contact(scene.contact.law, double(scene.contact.stiffness), radii_of(scene),
+                          by_speed ? 2 * highest_speed(scene) : 0);
 }
 
 std::string describe_contacts(const Scene& scene) {
@@ -158,81 +215,13 @@ std::string describe_contacts(const Scene& scene) {
   return text;
 }
 
-std::string why_no_contacts(const Scene& scene) {
-  const ContactOptions& contact = scene.contact;
-  const Radii r = radii_of(scene);
-  const double k = double(contact.stiffness);
-  if (!(k > 0) || !std::isfinite(k)) return fmt::format("the stiffness is {}, but must be above 0 and finite", k);
-  if (!(r.smallest > 0)) return "contacts need radii above 0";
-  if (scene.restitution < 1 && contact.law != ContactLaw::spring)
-    return fmt::format("the law {} is elastic: omit the restitution {}, or choose spring", contact_name(contact.law),
-                       scene.restitution);
-  if (scene.restitution < least_restitution)
-    return fmt::format("the restitution of contacts is {}, but must be at least {}", scene.restitution,
-                       least_restitution);
-  const double time = contact_time(scene);
-  if (double(scene.dt) > time / fewest_steps)
-    return fmt::format("dt is {} s, but a contact lasts {:.3g} s only: give --dt {:.3g} or less", scene.dt, time,
-                       time / steps_a_contact);
-  if (!(contact.drag >= 0 && double(contact.drag) * double(scene.dt) <= most_drag))
-    return fmt::format("the drag is {} 1/s, but with dt = {:.4g} s can be 0 to {:.3g}", contact.drag, scene.dt,
-                       most_drag / double(scene.dt));
-  if (contact.unit_exponent < coarsest_units(r) || skin_of(scene) > most_skin) {
-    const uint64_t i = sphere_with_most(scene, [&](uint64_t k) { return farthest_coordinate(scene.positions[k]); });
-    return fmt::format(
-        "the radius {} is too small for spheres as far out as sphere {}, {:.4g} m along an axis: move "
-        "them towards the origin",
-        r.smallest, i, farthest_coordinate(scene.positions[i]));
-  }
-  if (r.largest > 256 * r.smallest)
-    return fmt::format("radii are {} to {}, but contacts allow 1:256", r.smallest, r.largest);
-  const double sum = impulse_units(scene);
-  if (!(sum < most_units))
-    return fmt::format(
-        "impulses of {:.3g} units could add up, but 64-bit integers hold {:.3g}: give --dt {:.3g} or less, "
-        "or a smaller --stiffness",
-        sum, most_units, 0.45 * double(scene.dt) * most_units / sum);
-  for (uint64_t i = 0; i < scene.size(); ++i) {
-    const double radius = double(scene.positions[i].w), v = speed(scene.velocities[i]);
-    const double stopped = std::sqrt(contact_energy(contact.law, k, radius, 2 * radius) / sphere_mass(radius));
-    const double fastest = std::min(stopped, double(r.smallest) / double(scene.dt));
-    if (v > fastest)
-      return fmt::format(
-          "sphere {} moves at {:.4g} m/s, but its contacts can stop {:.4g} m/s: give a larger "
-          "--stiffness or a smaller --dt",
-          i, v, fastest);
-  }
-  return "";
-}
-
-ContactParams contact_params(const Scene& scene) {
-  const ContactOptions& contact = scene.contact;
-  if (contact.law == ContactLaw::none) return {};
-  const int s = contact.unit_exponent, q = contact.momentum_exponent;
-  const double k = double(contact.stiffness), dt = double(scene.dt);
-  const double density = sphere_mass(1);
-  const Radii r = radii_of(scene);
-  const int reach = int(exponent_field(r.largest + r.largest)) - 127;
-  const double order = contact.law == ContactLaw::quartic ? 3 : contact.law == ContactLaw::hertz ? 1.5 : 1;
-  const auto wall = [&](float at) { return integer_of(std::ldexp(at, s)); };
-  constexpr int64_t none = 2 * MOST_UNITS;
-  return {.low_x = contact.walls ? wall(contact.low.x) : -none,
-          .low_y = wall(scene.plane),
-          .low_z = contact.walls ? wall(contact.low.z) : -none,
-          .high_x = contact.walls ? wall(contact.high.x) : none,
-          .high_y = contact.walls ? wall(contact.high.y) : none,
-          .high_z = contact.walls ? wall(contact.high.z) : none,
-          .law = uint(contact.law),
-          .unit_exponent = s,
-          .reach_exponent = reach,
-          .impulse = float(k * dt * std::exp2(q + order * reach)),
-          .damping = float(2 * damping_ratio(double(scene.restitution)) * std::sqrt(k * density) * std::exp2(q - s)),
-          .gravity = float(double(scene.gravity) * density * dt * std::exp2(q)),
-          .mobility = float(dt / density * std::exp2(s - q)),
-          .metres_per_second = float(std::exp2(-s) / dt),
-          .fastest = std::ldexp(r.smallest, s),
-          .skin = float(skin_of(scene)),
-          .row_capacity = 0};
+std::string why_no_contacts(const Scene& scene, Origin origin) {
+  const bool starts = origin == Origin::start;
+  std::string why = why_no_law(scene);
+  if (why.empty() && starts) why = why_no_start(scene);
+  if (why.empty()) why = why_no_room(scene);
+  if (why.empty() && starts) why = why_too_fast(scene);
+  return why;
 }
 
 }  // namespace spherepair

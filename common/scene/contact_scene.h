@@ -6,6 +6,7 @@
 
 #include "common/scene/contact/contact_law.h"
 #include "common/scene/motion_state.h"
+#include "common/scene/scene_bounds.h"
 #include "common/shared/contact/contact.h"
 
 namespace spherepair {
@@ -22,14 +23,21 @@ struct ContactChoice {
 // Sets the scene's contacts, its motion and its time step. Throws std::invalid_argument that names what is wrong.
 void choose_contacts(Scene& scene, const ContactChoice& choice);
 
-// The shortest contact of two spheres, in seconds; of hertz, whose contacts depend on the speed, at the highest.
+Radii radii_of(const Scene& scene);
+
+// The shortest contact that spheres from the smallest to the largest radius can have, in seconds; of hertz, whose
+// contacts depend on the speed, at the highest.
 double contact_time(const Scene& scene);
 
 // A line that says what was chosen, and a warning where the time step is coarse: longer than a tenth of a contact.
 std::string describe_contacts(const Scene& scene);
 
-// Why a scene with contacts cannot be moved; empty where it can.
-std::string why_no_contacts(const Scene& scene);
+// Thickness of the skin around near spheres, in radii (skin.h): as thin as a list of pairs is short, but four times
+// what rounding of the farthest centres may take of it. A run keeps that of its start.
+float skin_of(const Scene& scene);
+
+// Why a scene with contacts cannot be moved; empty where it can. Of a resumed one only what holds for the whole run.
+std::string why_no_contacts(const Scene& scene, Origin origin = Origin::start);
 
 ContactParams contact_params(const Scene& scene);
 

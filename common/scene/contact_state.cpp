@@ -34,4 +34,34 @@ std::vector<uint> fixed_state(const Scene& scene) {
   return words;
 }
 
+ContactParams contact_params(const Scene& scene) {
+  const ContactOptions& contact = scene.contact;
+  if (contact.law == ContactLaw::none) return {};
+  const int s = contact.unit_exponent, q = contact.momentum_exponent;
+  const double k = double(contact.stiffness), dt = double(scene.dt);
+  const double density = sphere_mass(1);
+  const Radii r = radii_of(scene);
+  const int reach = int(exponent_field(r.largest + r.largest)) - 127;
+  const double order = contact.law == ContactLaw::quartic ? 3 : contact.law == ContactLaw::hertz ? 1.5 : 1;
+  const auto wall = [&](float at) { return integer_of(std::ldexp(at, s)); };
+  constexpr int64_t none = 2 * MOST_UNITS;
+  return {.low_x = contact.walls ? wall(contact.low.x) : -none,
+          .low_y = wall(scene.plane),
+          .low_z = contact.walls ? wall(contact.low.z) : -none,
+          .high_x = contact.walls ? wall(contact.high.x) : none,
+          .high_y = contact.walls ? wall(contact.high.y) : none,
+          .high_z = contact.walls ? wall(contact.high.z) : none,
+          .law = uint(contact.law),
+          .unit_exponent = s,
+          .reach_exponent = reach,
+          .impulse = float(k * dt * std::exp2(q + order * reach)),
+          .damping = float(2 * damping_ratio(double(scene.restitution)) * std::sqrt(k * density) * std::exp2(q - s)),
+          .gravity = float(double(scene.gravity) * density * dt * std::exp2(q)),
+          .mobility = float(dt / density * std::exp2(s - q)),
+          .metres_per_second = float(std::exp2(-s) / dt),
+          .fastest = std::ldexp(r.smallest, s),
+          .skin = contact.skin,
+          .row_capacity = 0};
+}
+
 }  // namespace spherepair

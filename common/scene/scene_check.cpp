@@ -78,7 +78,7 @@ void check_scene(const Scene& scene) {
     throw std::invalid_argument(fmt::format("scene '{}': {}; remove or mend them", scene.name, unsound));
 }
 
-std::string why_unmovable(const Scene& scene, float largest) {
+std::string why_unmovable(const Scene& scene, Origin origin) {
   const auto why = [&](const std::string& text) {
     return fmt::format("scene '{}' cannot be moved: {}", scene.name, text);
   };
@@ -90,9 +90,10 @@ std::string why_unmovable(const Scene& scene, float largest) {
   if (!(std::abs(scene.plane) <= largest_number))
     return why(fmt::format("the plane is at {}, but must be from -2^60 to 2^60", scene.plane));
   if (scene.contact.law != ContactLaw::none)
-    if (const std::string no_contacts = why_no_contacts(scene); !no_contacts.empty()) return why(no_contacts);
-  const auto large = [=](const vec4& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z), std::abs(v.w)}) > largest;
+    if (const std::string no_contacts = why_no_contacts(scene, origin); !no_contacts.empty()) return why(no_contacts);
+  if (origin == Origin::resumed) return "";
+  const auto large = [](const vec4& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z), std::abs(v.w)}) > largest_number;
   };
   uint64_t first = scene.size();
 #pragma omp parallel for schedule(static) reduction(min : first) if (scene.size() > many)

@@ -80,11 +80,10 @@ TEST_P(ContactRest, WhatIsHitAwakens) {
       if (steps == 3000) rested = state.wide;
       const auto moved = [&](uint64_t k) { return word(rested, k) != word(state.wide, k); };
       if (steps == 3001) {
-        for (uint64_t k = 0; k < 24; ++k)
-          if (k % 4 != falling) EXPECT_FALSE(moved(k)) << "at rest: " << k;
+        for (uint64_t k = 0; k < 24; ++k) EXPECT_TRUE(k % 4 == falling || !moved(k)) << "at rest: " << k;
         EXPECT_TRUE(moved(4 + falling)) << "falls along y";
       }
-      if (steps == 20'000) EXPECT_TRUE(moved(1) && moved(2)) << "pushed aside";
+      EXPECT_TRUE(steps != 20'000 || (moved(1) && moved(2))) << "pushed aside";
     }
   }
 }

@@ -118,13 +118,14 @@ TEST(ContactBounds, EveryLawsOwnTimeStepHolds) {
           for (const Scene& scene : {highest, two_spheres(law, ratio, restitution)})
             EXPECT_EQ(why_no_contacts(scene), "") << contact_name(law) << " 1:" << ratio;
         }
-  EXPECT_GT(bound_of(at_a_power_of_two(ContactLaw::spring, 2.001f, 0.1f)), 0.89 * 0x1p63);
+  EXPECT_GT(bound_of(at_a_power_of_two(ContactLaw::spring, 2.001f, 0.1354f)), 0.89 * 0x1p63);
 }
 
-// By a coarse step and unequal spheres, a strong damper, or a stiffness for which contacts of slow spheres last long.
+// By a coarse step and a strong damper, or unequal spheres, or a stiffness for which contacts of slow spheres last
+// long.
 TEST(ContactBounds, WhatCouldAddUpBeyond64BitsIsRefusedWithAStepThatIsNot) {
-  for (Scene scene : {two_spheres(ContactLaw::spring, 2, 0.1f, 12), two_spheres(ContactLaw::quartic, 64, 1, 8),
-                      two_spheres(ContactLaw::hertz, 2, 1, 3), two_spheres(ContactLaw::hertz, 1, 1, 8, 1e6f)}) {
+  for (Scene scene : {two_spheres(ContactLaw::spring, 2, 0.1f, 6), two_spheres(ContactLaw::hertz, 2, 1, 3),
+                      two_spheres(ContactLaw::hertz, 1, 1, 8, 1e6f)}) {
     const std::string why = why_no_contacts(scene), option = "could add up, but 64-bit integers hold 9.08e+18: give ";
     const size_t at = why.find(option);
     ASSERT_NE(at, std::string::npos) << contact_name(scene.contact.law) << ": " << why;

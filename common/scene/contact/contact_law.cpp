@@ -25,6 +25,8 @@ double greatest_force(ContactLaw law, double k, double overlap, double reach) {
 // that is more) and (a + w) b from its own and b from each other, so that balls of radius b/2 around them are disjoint.
 double greatest_number(double a, double w) { return 8 * (cubed_length(a + w + 0.5) - cubed_length(a - 0.5)); }
 
+double reduced_mass(double a, double b) { return sphere_mass(a) * sphere_mass(b) / (sphere_mass(a) + sphere_mass(b)); }
+
 }  // namespace
 
 double sphere_mass(double radius) { return density * radius * radius * radius; }
@@ -35,13 +37,28 @@ double contact_energy(ContactLaw law, double k, double overlap, double reach) {
   return k / 4 * squared(squared(reach) - squared(reach - overlap));
 }
 
-// Schwager and Poeschel, Granular Matter 9 (2007) 465.
+// By the stiffest pair. Of spring and hertz it is that of the lightest two. Of quartic, whose force rises by 2 k R^2
+// where spheres begin to touch, it has the least reduced mass over R^2: over the second radius that has one maximum and
+// no minimum within, so the other sphere is one of the smallest or of the largest.
+double shortest_contact(ContactLaw law, double k, Radii radii, double closing_speed) {
+  const double smallest = double(radii.smallest), largest = double(radii.largest),
+               mass = reduced_mass(smallest, smallest);
+  if (law == ContactLaw::hertz)
+    return 2.9432 * std::pow(5 * mass * squared(closing_speed) / (4 * k), 0.4) / closing_speed;
+  if (law == ContactLaw::spring) return std::numbers::pi * std::sqrt(mass / k);
+  const double lightest =
+      std::min(mass / squared(2 * smallest), reduced_mass(smallest, largest) / squared(smallest + largest));
+  return std::numbers::pi * std::sqrt(lightest / (2 * k));
+}
+
+// Schwager and Poeschel, Granular Matter 9 (2007) 465: damped below and above the critical value.
 double damping_ratio(double restitution) {
   const auto left = [](double b) {
-    const double root = std::sqrt(1 - b * b);
-    return std::exp(-b / root * (std::numbers::pi - std::atan2(2 * b * root, 1 - 2 * b * b)));
+    const double root = std::sqrt(std::abs(1 - b * b));
+    if (b < 1) return std::exp(-b / root * (std::numbers::pi - std::atan2(2 * b * root, 1 - 2 * b * b)));
+    return std::exp(root > 0 ? -b / root * 2 * std::acosh(b) : -2.0);
   };
-  double low = 0, high = 0.999;
+  double low = 0, high = 2;
   for (int turn = 0; turn < 60; ++turn) {
     const double middle = (low + high) / 2;
     (left(middle) > restitution ? low : high) = middle;

@@ -39,6 +39,7 @@ struct ContactOptions {
   bool walls = false;            // a closed box: four sides and a lid, the plane is its floor
   vec4 low = {}, high = {};      // its corners; low.y is not used
   int unit_exponent = 0, momentum_exponent = 0;
+  float skin = 0;  // around spheres, in radii: see skin_of
 };
 
 }  // namespace spherepair

@@ -18,7 +18,7 @@ void DeviceMotion::upload(const Scene& scene, const MotionState* saved) {
   context_.buffers.write(SLOT_VELOCITY, scene.velocities);
   context_.params.motion = motion_params(scene);
   motion_ = scene.motion;
-  unmovable_ = saved ? why_unmovable(scene, std::numeric_limits<float>::max()) : why_unmovable(scene);
+  unmovable_ = why_unmovable(scene, saved ? Origin::resumed : Origin::start);
   write_state(saved ? *saved : initial_state(scene, context_.params.motion));
   current_ = motion_.method != MotionMethod::anchored;
   evaluated_ = !saved || current_;

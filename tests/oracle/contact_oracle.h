@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Two spheres that run into each other, from the equations of docs/contacts.md in extended precision and in far finer
+// steps: nothing here is of the program.
+#pragma once
+
+namespace spherepair {
+
+enum class OracleLaw { spring, quartic, hertz };
+
+// kg, and SI units throughout. A mass of infinity is a wall.
+struct OracleContact {
+  OracleLaw law;
+  long double stiffness;
+  long double first_radius, second_radius;
+  long double first_mass, second_mass;
+  long double damping = 0;  // of spring: kg/s
+};
+
+// Half the period of shallow contacts, from the force's slope where the spheres touch. Not of hertz, which has none
+// there.
+long double shallow_seconds(const OracleContact& contact);
+
+// Share of the closing speed that is left when the force, which never attracts, has become 0: Runge-Kutta of fourth
+// order.
+long double speed_left(const OracleContact& contact, long double closing_speed);
+
+}  // namespace spherepair
