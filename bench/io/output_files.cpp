@@ -32,7 +32,7 @@ void OutputFiles::read(const std::string& option, const fs::path& path) {
 void OutputFiles::write(const std::string& option, const fs::path& path, const std::string& in_place) {
   if (path.empty()) return;
   const bool standard_output = path == kStandardOutput;
-  const std::string file = standard_output ? kStandardOutput : identity(path);
+  const std::string file = standard_output ? kStandardOutput : identity(follow_links(path));
   const auto other = uses_.find(file);
   if (other != uses_.end() && (other->second.output || other->second.option != in_place))
     throw std::invalid_argument(fmt::format("{} {} is the {} {} of {}: choose another name", option, path.string(),

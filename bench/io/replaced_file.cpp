@@ -35,15 +35,6 @@ bool replaceable(const fs::path& path) {
   throw std::invalid_argument(fmt::format("cannot write {}: {}", path.string(), std::strerror(error)));
 }
 
-// Also to a file that does not exist yet.
-fs::path follow_links(const fs::path& path) try {
-  fs::path target = path;
-  while (replaceable(target) && fs::is_symlink(target)) target = target.parent_path() / fs::read_symlink(target);
-  return target;
-} catch (const fs::filesystem_error& error) {
-  fail_to_write(path, error.code().value());
-}
-
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : "."; }
 
 // The file exists already: an unreadable folder is not an error.
@@ -62,6 +53,14 @@ void allow_many_descriptors() {
 }
 
 }  // namespace
+
+fs::path follow_links(const fs::path& path) try {
+  fs::path target = path;
+  while (replaceable(target) && fs::is_symlink(target)) target = target.parent_path() / fs::read_symlink(target);
+  return target;
+} catch (const fs::filesystem_error& error) {
+  fail_to_write(path, error.code().value());
+}
 
 ReplacedFile::ReplacedFile(const fs::path& path) : path_(path), target_(follow_links(path)) {
   if (fs::is_directory(target_)) fail(EISDIR);

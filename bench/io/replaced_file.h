@@ -36,6 +36,9 @@ class ReplacedFile {
   int descriptor_ = -1;
 };
 
+// The file that a write replaces: the end of a chain of links, also where no file is there yet.
+std::filesystem::path follow_links(const std::filesystem::path& path);
+
 // Whether the file is replaced: a pipe or device is not, and what was written there cannot be taken back.
 bool is_replaced(const std::filesystem::path& path);
 

@@ -69,6 +69,15 @@ TEST_F(Outputs, TwoOutputsHaveTwoNames) {
   expect_refused(render_of(fmt::format("--output {} --video {}", path("a.png"), path("a.mp4"))), "is the output");
 }
 
+// A link to a file that does not exist yet, or a chain of such links, is one more name of that file.
+TEST_F(Outputs, ALinkToNoFileYetIsThatFile) {
+  fs::create_symlink("later", path("link"));
+  fs::create_symlink(path("link"), path("chain"));
+  for (const char* two : {"--save {0}/link --json {0}/later", "--json {0}/later --save {0}/chain"})
+    expect_refused("run --backend cpu --n 10 " + fmt::format(fmt::runtime(two), path(".")), "is the output");
+  EXPECT_FALSE(fs::exists(path("later")));
+}
+
 TEST_F(Outputs, RunWritesPairsInTheFormatOfTheirExtension) {
   const std::string scene = fmt::format("run --backend cpu --input {} ", input());
   ASSERT_EQ(run(scene + "--pairs " + path("p.npy") + " --contacts " + path("c.txt")).code, kOk);
