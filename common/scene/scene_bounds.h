@@ -13,8 +13,8 @@ constexpr float largest_number = 0x1p60f;  // of coordinates, radii, speeds, gra
 // How many spheres have a NaN, an infinity or a negative radius, and the first of them; empty where none has.
 std::string unsound_spheres(const std::vector<vec4>& positions, const std::vector<vec4>& velocities);
 
-// Why a scene that check_scene lets pass cannot be moved; empty where it can. What a run has got to may be faster, farther
-// out and larger than what can start: it is refused in the step that cannot be taken.
+// Why a scene that check_scene lets pass cannot be moved; empty where it can. What a run has got to may be faster,
+// farther out and larger than what can start: it is refused in the step that cannot be taken.
 enum class Origin { start, resumed };
 std::string why_unmovable(const Scene& scene, Origin origin = Origin::start);
 

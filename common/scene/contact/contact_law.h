@@ -15,8 +15,8 @@ double sphere_mass(double radius);  // in kg: all spheres are of water
 // What a contact of this overlap and reach stores, in joules.
 double contact_energy(ContactLaw law, double stiffness, double overlap, double reach);
 
-// The shortest contact that spheres of these radii can have, in seconds: of `hertz` at this closing speed, of the others at
-// any.
+// The shortest contact that spheres of these radii can have, in seconds: of `hertz` at this closing speed, of the
+// others at any.
 double shortest_contact(ContactLaw law, double stiffness, Radii radii, double closing_speed);
 
 // Damping over its critical value for which a contact that never pulls leaves this share of the speed.
