@@ -102,8 +102,8 @@ def extensions(machine):
     ratios = family([(row.core, row.tuned) for row in rows])
     least, most = (bound(zip((ratio.middle for ratio in ratios), rows), key=lambda each: each[0]) for bound in (min, max))
     sizes = sorted({row.core.n for row in rows})
-    return (f"OpenGL is tuned here: its buffers come from NVIDIA's driver, and it uses vendors' extensions. Without these it takes "
-            f"{least[0]:.2f}x to {most[0]:.2f}x that time on {sizes[0]:,} to {sizes[-1]:,} spheres (most: {most[1].what}).")
+    return (f"All other times here are of OpenGL with vendors' extensions, and with buffers from NVIDIA's driver. Without these it takes "
+            f"{least[0]:.2f}x to {most[0]:.2f}x as long, with {sizes[0]:,} to {sizes[-1]:,} spheres (longest: {most[1].what}).")
 
 
 FACTS = {"extensions": extensions, "kernels": kernels, "short-steps": short_steps, "tensor-cores": tensor_cores, "unusual-scenes": unusual_scenes}

@@ -17,11 +17,11 @@ ROOT = Path(__file__).resolve().parent.parent
 GPU_APIS = ("glsl", "cuda")
 MOST_NAMED = 4  # under a figure
 OF_CONTACTS = "contact_|leapfrog|collide_swept"  # stages that host/contacts launches
-# The digest of today and those of before that time the same: host/cpu also covered fixed.h, gap.h and skin.h, which only
-# contacts run, and the CPU saw neither empty steps nor the options of graphs and of OpenGL without extensions. All hosts
-# refused a resumed run by what is asked of a start. measure had no
-# Sampling::ahead (without it a turn is taken as it was), or one of a quarter of the next batch, not of the longest; it fitted
-# each round by itself, which batches.py does anew; it did not watch other programs, and held what `run` prints of its times.
+# The digest of today, and those of before whose times are the same. What changed in between moves no time:
+# - hosts: a resumed run is no longer refused by what is asked of a start. The CPU's also covered fixed.h, gap.h and skin.h, which
+#   only contacts run, and had neither empty steps nor the options of graphs and of OpenGL without extensions.
+# - measure: no batch ahead of a turn, or a quarter of the next batch; a line for each round, which batches.py makes anew; no
+#   watch on other programs; the text that `run` prints.
 # Of no use once the first is another: then those records are stale.
 SAME = {"host/cpu": ("362ffb2fba3e", ("2a0c649a3719", "62d1b2be268f", "fcfd6f336f9d")),
         "host/glsl": ("36621c023829", ("db9e174ffae4",)), "host/cuda": ("b837d3cc617f", ("37dcc57e4f5e",)),

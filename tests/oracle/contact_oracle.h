@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two spheres that run into each other, from the equations of docs/contacts.md in extended precision and in far finer
-// steps: nothing here is of the program.
+// Two spheres that collide, from the equations in docs/contacts.md, in extended precision and far finer steps. Nothing
+// here is taken from the program.
 #pragma once
 
 namespace spherepair {

@@ -25,7 +25,7 @@ class Extensions(unittest.TestCase):
         slower = changed(lambda record: record.matches(CORE), lambda _: 2)
         row = next(row for row in table(slower).rows if row[:2] == ["grid, random order", "10,000,000"])
         self.assertRegex(row[5], r"^2\.\d\dx")
-        self.assertRegex(headline.extensions(slower), r"to 2\.\d\dx that time .*most: grid, random order")
+        self.assertRegex(headline.extensions(slower), r"to 2\.\d\dx as long, .*longest: grid, random order")
 
     def test_without_its_records_there_is_none(self):
         machine = recorded()

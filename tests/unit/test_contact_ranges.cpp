@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What contacts do over the ranges of their options, against an oracle of the equations.
+// Contacts over the whole ranges of their options, compared with an oracle.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -37,9 +37,9 @@ double contact_energy(ContactLaw law, double k, double overlap, double reach) {
   return k / 4 * squared(squared(reach) - squared(reach - overlap));
 }
 
-// By the stiffest pair. Of spring and hertz it is that of the lightest two. Of quartic, whose force rises by 2 k R^2
-// where spheres begin to touch, it has the least reduced mass over R^2: over the second radius that has one maximum and
-// no minimum within, so the other sphere is one of the smallest or of the largest.
+// The stiffest pair has the shortest contact. By spring and hertz it is the two lightest spheres. By quartic the force
+// rises by 2 k R^2 where spheres begin to touch, so it is the pair with the least reduced mass over R^2. One of them is
+// a smallest sphere. As the other one's radius grows, that quotient rises, then falls: it is least at either end.
 double shortest_contact(ContactLaw law, double k, Radii radii, double closing_speed) {
   const double smallest = double(radii.smallest), largest = double(radii.largest),
                mass = reduced_mass(smallest, smallest);
