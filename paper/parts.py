@@ -110,6 +110,8 @@ GPU = tuple(map(in_hardware, (
     study("crossover", 5, "glsl,cuda", "crossover", "crossover.json", processes=SEVERAL, alone=True),
     study("crossover_cpu", 2, "cpu", "crossover", "crossover.json", alone=True),
     study("ablate", 6, "glsl,cuda", "ablate --n 16384,1000000", "ablate.json", alone=True),
+    study("ablate_extensions", 1, "glsl", "ablate --names large_pages,subgroups,texture_table --n 1000000,10000000 --rounds 7",
+          "ablate.json", alone=True),
     study("contacts", 4, "glsl,cuda", "contacts --measure errors,sums,rates", "contacts.json"),
     study("contacts_steps", 2, "glsl,cuda", "contacts --measure steps", "contacts.json"),
     study("contacts_1e8", 7, "glsl,cuda", "contacts --measure steps --step-n 100000000", "contacts.json", memory=40 * GIB),

@@ -18,7 +18,8 @@ from paper.spread import summary
 
 DATA = Path(__file__).resolve().parent / "data"
 MAIN = "h100"  # the machine of the paper and of README.md
-OF_ITS_OWN = {"sweep_tensor": "tensor", "sweep_core": "core_grid", "precision_core": "core_motion"}  # tables of these records
+OF_ITS_OWN = {"sweep_tensor": "tensor", "sweep_core": "core_grid", "precision_core": "core_motion",
+              "ablate_extensions": "extension"}  # tables of these records
 
 
 class Missing(Exception):

@@ -36,4 +36,4 @@ def whole(machine):
 
 def single(machine):
     """One extension at a time, in random order."""
-    return [Row(f"without {NAMED[on.option]}", off, on, None) for on, off in pairs_of(machine) if on.option in NAMED]
+    return [Row(f"without {NAMED[on.option]}", off, on, None) for on, off in pairs_of(machine, "extension")]
