@@ -18,8 +18,7 @@ from paper.spread import summary
 
 DATA = Path(__file__).resolve().parent / "data"
 MAIN = "h100"  # the machine of the paper and of README.md
-OF_ITS_OWN = {"sweep_tensor": "tensor", "sweep_core": "core_grid", "precision_core": "core_motion",
-              "ablate_extensions": "extension"}  # tables of these records
+TABLES = {"sweep_tensor": "tensor", "sweep_core": "core_grid", "precision_core": "core_motion", "ablate_extensions": "extension"}  # of their own
 
 
 class Missing(Exception):
@@ -129,7 +128,7 @@ class Machine:
                               "hosts": list(dict.fromkeys(map(host_of, flat)))}
         for part in flat if len(processes) == 1 else [root]:
             date = part.get("context", {}).get("date", "")
-            own = {"table": table for start, table in OF_ITS_OWN.items() if name.startswith(start)}
+            own = {"table": table for start, table in TABLES.items() if name.startswith(start)}
             rows = [Record(row | own, *summary(row), source, date, name.startswith("sweep"), recorded)
                     for row in formats.rows_of(part)]
             self.records += (measured := [record for record in rows if record.low > 0])

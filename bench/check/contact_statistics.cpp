@@ -93,15 +93,16 @@ ContactStatistics contact_statistics(const Scene& scene, const std::vector<uint>
   return sums.sums();
 }
 
-std::string statistics_csv(std::span<const ContactStatistics> rows) {
-  std::string text =
-      "step,time_s,kinetic_J,contact_J,potential_J,momentum_x_kg_m_per_s,momentum_y_kg_m_per_s,momentum_z_kg_m_per_s,"
-      "greatest_overlap_m,contacts,wall_contacts,virial_J,floor_force_N\n";
-  for (const ContactStatistics& s : rows)
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", s.step, s.seconds, s.kinetic, s.contact, s.potential,
-                        fmt::join(s.momentum, ","), s.greatest_overlap, s.contacts, s.wall_contacts, s.virial,
-                        s.floor_force);
-  return text;
+std::string statistics_heading() {
+  return "step,time_s,kinetic_J,contact_J,potential_J,momentum_x_kg_m_per_s,momentum_y_kg_m_per_s,momentum_z_kg_m_per_"
+         "s,"
+         "greatest_overlap_m,contacts,wall_contacts,virial_J,floor_force_N\n";
+}
+
+std::string statistics_row(const ContactStatistics& row) {
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", row.step, row.seconds, row.kinetic, row.contact,
+                     row.potential, fmt::join(row.momentum, ","), row.greatest_overlap, row.contacts, row.wall_contacts,
+                     row.virial, row.floor_force);
 }
 
 }  // namespace spherepair

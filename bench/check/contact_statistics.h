@@ -35,7 +35,8 @@ struct ContactStatistics {
 ContactStatistics contact_statistics(const Scene& scene, const std::vector<uint>& wide, std::span<const Pair> pairs,
                                      uint64_t step);
 
-// Columns separated by commas, numbers with all their digits, below a line of names with their units.
-std::string statistics_csv(std::span<const ContactStatistics> rows);
+// Lines of a table: columns separated by commas, their names with units, numbers with all their digits.
+std::string statistics_heading();
+std::string statistics_row(const ContactStatistics& row);
 
 }  // namespace spherepair

@@ -45,7 +45,6 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
       "sequential, parallel (cpu); collide_group, collide_tiled, collide_square, collide_triangle, collide_grid; "
       "collide_tensor (cuda on an H100 or H200); default: auto, all pairs or the grid, whichever is likely faster");
   add_block_option(*command, options->block);
-  add_too_fast_option(*command, options->divides);
   command->add_flag("--naive", options->naive, "Use the naive float32 test in place of the exact predicate");
   command->add_flag("--swept", options->swept,
                     "Find the pairs that touch at any time within the next step, not only now");

@@ -24,7 +24,6 @@ struct RunOptions {
   uint block = 0;  // 0: not given
   uint64_t steps = 0;
   bool per_step = false, naive = false, swept = false;
-  bool divides = false;  // steps in which a sphere is too fast
   std::string pairs_file, contacts_file, json_file;
   std::string spheres_file;       // those at the end
   std::string save_file;          // a checkpoint
@@ -54,7 +53,6 @@ struct RenderOptions {
   uint images_per_second = 30;          // of the video
   uint64_t steps = 0;                   // before the first image
   uint64_t images = 1, every = 1;       // steps between two images
-  bool divides = false;                 // steps in which a sphere is too fast
   uint width = 1280, height = 720, samples = 16;
   CameraOptions camera;
   std::string draw = "compute";     // DrawMethod

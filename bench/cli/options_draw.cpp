@@ -89,7 +89,6 @@ void add_render(CLI::App& app, CommandLine& line, Action& action) {
       ->transform(whole_number(1, 1000))
       ->capture_default_str();
   add_start_options(*command, options->start);
-  add_too_fast_option(*command, options->divides);
   add_image_options(*command, *options);
   add_backend_option(*command, options->backend, "Where the spheres move and are drawn");
   command->add_option("--method", options->method, "Collision method, see run --help; default: auto");

@@ -8,7 +8,6 @@
 #include "bench/check/step_result.h"
 #include "bench/cli/commands.h"
 #include "bench/formats/files.h"
-#include "bench/formats/step_division.h"
 #include "bench/formats/video.h"
 #include "bench/image/colour_values.h"
 #include "bench/image/ground.h"
@@ -90,7 +89,7 @@ Backend::State advance(const Series& series, uint64_t k) {
   Backend& backend = series.backend();
   if (series.options.frames || k == 0) upload_start(series.start(k), backend);
   const uint64_t steps = series.options.frames ? 0 : k == 0 ? series.options.steps : series.options.every;
-  for (uint64_t step = 0; step < steps * series.start(k).parts; ++step) backend.move();
+  for (uint64_t step = 0; step < steps; ++step) backend.move();
   Backend::State state = current_state(backend);
   require_finite(state, series.step(k));
   backend.collide({.method = series.method});
@@ -104,7 +103,7 @@ std::vector<std::string> facts_of(const Series& series, uint64_t k, uint64_t pai
   if (series.options.frames) facts.push_back(fmt::format("frame {} (0 to {})", k, series.images() - 1));
   if (start.at_rest) return facts;
   facts.push_back(fmt::format("step {}", series.step(k)));
-  facts.push_back(fmt::format("{:.4g} s", double(series.step(k) * start.parts) * double(start.scene.dt)));
+  facts.push_back(fmt::format("{:.4g} s", double(series.step(k)) * double(start.scene.dt)));
   return facts;
 }
 
@@ -170,10 +169,10 @@ std::vector<uint> draw_one(const Series& series, uint64_t k, const std::vector<d
   return std::move(drawn.pixels);
 }
 
-Remarks draw_series(Series& series, EarlierFiles* earlier) {
+Remarks draw_series(Series& series) {
   const RenderOptions& options = series.options;
   Progress progress;
-  ImageWriters writers(earlier);
+  ImageWriters writers;
   std::optional<Video> video;
   Remarks remarks;
   json first, current;
@@ -206,7 +205,7 @@ void print_summary(const Series& series, const Remarks& remarks) {
   const Start& first = series.start(0);
   fmt::print("{}{} on {}: scene {}, {}\n{}{}", options.frames ? "" : first.notes, info.name, device_label(info),
              first.label, counted(first.scene.size(), "sphere"), passed_over_text(series.chosen),
-             describe_contacts(first.scene) + division_text(first));
+             describe_contacts(first.scene));
   if (series.image.method != DrawMethod::compute)
     fmt::print("drawn by {} in OpenGL{}{}\n", options.draw, transfer_in_words(series.backend()),
                series.lights ? ", without ambient occlusion and shadows on the spheres: --draw compute has both" : "");
@@ -242,8 +241,7 @@ int render_command(const CommandLine& line, const RenderOptions& given) {
   const Method method = by_grid ? Method::collide_grid : choose_method(options.method, *chosen.backend);
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
   Series series{line, options, starts, chosen, method, !options.plain};
-  print_summary(series, with_divided_steps(options.divides, starts.front(), *chosen.backend,
-                                           [&](EarlierFiles* earlier) { return draw_series(series, earlier); }));
+  print_summary(series, draw_series(series));
   return kOk;
 }
 

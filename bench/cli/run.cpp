@@ -7,7 +7,6 @@
 #include "bench/check/step_result.h"
 #include "bench/cli/run_steps.h"
 #include "bench/formats/files.h"
-#include "bench/formats/step_division.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/measure/choice.h"
@@ -73,8 +72,7 @@ json run_record(const CommandLine& line, const ChosenBackend& chosen, const Star
           {"passed_over", chosen.passed_over},
           {"scene", start.record},
           {"motion", motion_label(start.scene.motion)},
-          {"dt", start.scene.dt * float(start.parts)},
-          {"divided_into", start.parts},
+          {"dt", start.scene.dt},
           {"restitution", start.scene.restitution},
           {"plane", start.scene.plane},
           {"contacts", to_json(start.scene.contact)},
@@ -98,8 +96,7 @@ std::string heading(const RunOptions& options, const ChosenBackend& chosen, cons
                                        start.label, counted(start.scene.size(), "sphere"),
                                        counted(options.steps, "step"), motion_label(start.scene.motion));
   std::string text = start.notes + wrapped(what, "", "  ") + "\n" + passed_over_text(chosen);
-  if (options.steps || options.swept)
-    text += plane_text(start.scene) + describe_contacts(start.scene) + division_text(start);
+  if (options.steps || options.swept) text += plane_text(start.scene) + describe_contacts(start.scene);
   if (collide.method == Method::automatic)
     text += wrapped("auto: " + describe(backend.choice(collide)), "", "  ") + "\n";
   return text;
@@ -110,10 +107,9 @@ struct Outcome {
   std::vector<ContactStatistics> statistics;
 };
 Outcome simulate(Backend& backend, const RunOptions& options, const Start& start, const CollideOptions& collide,
-                 RunTimes& times, EarlierFiles* earlier) {
-  times.begin_again();
+                 RunTimes& times) {
   times.spend(RunTimes::opening, [&] { upload_start(start, backend); });
-  Run simulation(backend, options, start, collide, times, earlier);
+  Run simulation(backend, options, start, collide, times);
   std::vector<RunStep> steps = simulation.simulate();
   return {std::move(steps), simulation.statistics()};
 }
@@ -125,7 +121,7 @@ int run_command(const CommandLine& line, const RunOptions& options) {
     throw std::invalid_argument("--save-every needs a file name: --save FILE");
   check_files(options);
   RunTimes times;
-  Start start = times.spend(RunTimes::spheres, [&] { return start_of(options.start, line.open.threads); });
+  const Start start = times.spend(RunTimes::spheres, [&] { return start_of(options.start, line.open.threads); });
   check_scene(start.scene);
   if (!options.statistics_file.empty() && start.scene.contact.law == ContactLaw::none)
     throw std::invalid_argument("--statistics is of contacts that push: omit it, or give --contact spring");
@@ -144,9 +140,7 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   const std::string rounded =
       reach_warning(pairs_within_reach(backend, start.scene, start.rounding, collide), start.rounding);
   if (!rounded.empty()) fmt::print(stderr, "{}\n", wrapped("At the start: " + rounded, "* ", "  "));
-  const Outcome outcome = with_divided_steps(options.divides, start, backend, [&](EarlierFiles* earlier) {
-    return simulate(backend, options, start, collide, times, earlier);
-  });
+  const Outcome outcome = simulate(backend, options, start, collide, times);
   if (!options.pairs_file.empty()) write_pairs(options.pairs_file, backend.pairs());
   if (!options.contacts_file.empty()) write_contact_numbers(options.contacts_file, backend.counts());
   if (!options.spheres_file.empty()) {

@@ -5,17 +5,12 @@
 
 #include "bench/check/finite_state.h"
 #include "bench/formats/checkpoint.h"
-#include "bench/formats/files.h"
-#include "bench/io/replaced_file.h"
 
 namespace spherepair {
 namespace {
 
-constexpr uint64_t steps_unasked = 1024;  // whether a sphere is too fast
-
-// With the steps that were taken, divided ones too: it goes on with them.
 void save(Backend& backend, const Start& start, uint64_t step, Backend::State state, const std::string& file) {
-  Checkpoint checkpoint{start.scene, backend.save(), step * start.parts};
+  Checkpoint checkpoint{start.scene, backend.save(), step};
   checkpoint.scene.positions = std::move(state.positions);
   checkpoint.scene.velocities = std::move(state.velocities);
   write_checkpoint(file, checkpoint);
@@ -71,9 +66,9 @@ uint64_t Run::next_stop() const {
 void Run::move_to(uint64_t stop) {
   times_.spend(RunTimes::moves, [&] {
     while (step_ < stop) {
-      for (uint part = 0; part < start_.parts; ++part) backend_.move();
-      times_.count(RunTimes::moves, start_.parts);
-      if (++step_ % steps_unasked == 0 && options_.divides) backend_.evaluate_state();
+      backend_.move();
+      times_.count(RunTimes::moves, 1);
+      ++step_;
       if (!progress_.due()) continue;
       backend_.finish();
       progress_.reach(step_ - start_.step, options_.steps);
@@ -83,15 +78,13 @@ void Run::move_to(uint64_t stop) {
   });
 }
 
-// What is to be done where the spheres now stand. A pipe or device gets the rows at the end alone, and so a checkpoint
-// where the run may be begun again.
+// What is to be done where the spheres now stand.
 void Run::stand() {
   const bool last = step_ == end_, wanted = last || options_.per_step;
   const uint64_t each = statistics_every();
   const bool measures = each && (last || step_ == start_.step || step_ % each == 0);
   const bool periodic = options_.save_every && step_ > start_.step && step_ % options_.save_every == 0;
-  const bool saves =
-      !options_.save_file.empty() && (last || (periodic && (!options_.divides || is_replaced(options_.save_file))));
+  const bool saves = !options_.save_file.empty() && (last || periodic);
   if (!wanted && !measures && !saves) return;
   Backend::State state;
   RunStep result{step_, 0, {}};
@@ -108,15 +101,10 @@ void Run::stand() {
     result.totals = backend_.collisions();
   }
   if (measures) {
-    statistics_.push_back(contact_statistics(start_.scene, state.wide, backend_.pairs(), step_ * start_.parts));
-    statistics_.back().step = step_;
+    statistics_.push_back(contact_statistics(start_.scene, state.wide, backend_.pairs(), step_));
+    table_.add((statistics_.size() == 1 ? statistics_heading() : "") + statistics_row(statistics_.back()));
   }
-  if (saves && earlier_) earlier_->keep(options_.save_file);
   if (saves) save(backend_, start_, step_, std::move(state), options_.save_file);
-  const bool printed = is_standard_output({options_.statistics_file}) || !is_replaced(options_.statistics_file);
-  const bool lists = each && (last || (saves && !printed));
-  if (lists && !printed && earlier_) earlier_->keep(options_.statistics_file);
-  if (lists) write_text(options_.statistics_file, statistics_csv(statistics_));
   if (wanted) results_.push_back(result);
 }
 

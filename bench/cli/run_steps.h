@@ -4,7 +4,8 @@
 
 #include "bench/check/contact_statistics.h"
 #include "bench/cli/commands.h"
-#include "bench/formats/step_division.h"
+#include "bench/formats/growing_file.h"
+#include "bench/formats/start.h"
 #include "bench/options/run_times.h"
 
 namespace spherepair {
@@ -16,17 +17,16 @@ struct RunStep {
 json to_json(const RunStep& result);
 
 // Moves to the last step; keeps the results of the last step, or of every step with --per-step. Writes checkpoints and
-// statistics on the way.
+// statistics on the way: the rows before one that fails are written.
 class Run {
  public:
-  Run(Backend& backend, const RunOptions& options, const Start& start, const CollideOptions& collide, RunTimes& times,
-      EarlierFiles* earlier)
+  Run(Backend& backend, const RunOptions& options, const Start& start, const CollideOptions& collide, RunTimes& times)
       : backend_(backend),
         options_(options),
         start_(start),
         collide_(collide),
         times_(times),
-        earlier_(earlier),
+        table_(options.statistics_file),
         step_(start.step),
         end_(start.step + options.steps) {}
 
@@ -46,8 +46,8 @@ class Run {
   const Start& start_;
   CollideOptions collide_;
   RunTimes& times_;
-  EarlierFiles* earlier_;
-  uint64_t step_, end_;  // undivided
+  GrowingFile table_;  // of the statistics
+  uint64_t step_, end_;
   Progress progress_;
   std::vector<RunStep> results_;
   std::vector<ContactStatistics> statistics_;

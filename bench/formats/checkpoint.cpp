@@ -223,6 +223,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   scene.restitution = header.restitution, scene.equal_radii = header.equal_radii != 0;
   checkpoint.motion.steps = header.anchored_steps;
   checkpoint.step = header.step;
+  if (contacts) checkpoint.motion.contact_steps = header.step;
   visit_all(checkpoint, [&](const std::string& name, auto& part) {
     read_part(reader, name, part, name == "positions" ? header.n : wanted_size(checkpoint, &part));
   });

@@ -32,7 +32,6 @@ struct Start {
   json record;
   std::optional<MotionState> motion = {};  // of a resumed run
   uint64_t step = 0;                       // steps done
-  uint parts = 1;                          // of each step, which the scene's time step is of (step_division.h)
   bool at_rest = false;                    // spheres of a file, none with a velocity
   Rounding rounding = {};                  // of a file's numbers to float32
   std::vector<std::string> species = {};   // that were kept ...

@@ -53,7 +53,6 @@ ImageWriters::~ImageWriters() {
 
 void ImageWriters::write(const fs::path& path, std::vector<uint> pixels, uint width, const json& record) {
   if (jobs_.size() >= std::max(1u, std::thread::hardware_concurrency())) finish_one();
-  if (earlier_) earlier_->keep(path), earlier_->keep(record_of(path));
   jobs_.push_back(std::async([=, pixels = std::move(pixels)] {
     write_png(path, pixels, width, uint(pixels.size() / width));
     write_file(record_of(path), json_text(record));

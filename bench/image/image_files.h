@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "bench/io/output_files.h"
-#include "bench/io/replaced_file.h"
 #include "bench/io/report.h"
 
 namespace spherepair {
@@ -28,15 +27,14 @@ void add_image(OutputFiles& files, const std::string& option, const std::filesys
 // also when their exceptions are thrown.
 class ImageWriters {
  public:
-  explicit ImageWriters(EarlierFiles* earlier) : earlier_(earlier) {}  // which keeps what they replace; may be empty
-  ~ImageWriters();                                                     // waits
+  ImageWriters() = default;
+  ~ImageWriters();  // waits
   void write(const std::filesystem::path& path, std::vector<uint> pixels, uint width, const json& record);
   void finish();
 
  private:
   void finish_one();
   std::deque<std::future<void>> jobs_;
-  EarlierFiles* earlier_;
 };
 
 }  // namespace spherepair

@@ -29,8 +29,7 @@ json image_record(const Start& start, Backend& backend, Method method, const Ima
   const Collisions totals = backend.collisions();
   return {{"scene", start.record},
           {"motion", motion_label(start.scene.motion)},
-          {"dt", start.scene.dt * float(start.parts)},
-          {"divided_into", start.parts},
+          {"dt", start.scene.dt},
           {"restitution", start.scene.restitution},
           {"method", method_name(choice.method)},
           {"choice", to_json(choice)},

@@ -3,7 +3,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,7 +11,6 @@
 #include <cstring>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include "bench/io/interruption.h"
 
@@ -43,13 +41,6 @@ void sync_folder(const fs::path& folder) {
   if (descriptor < 0) return;
   ::fsync(descriptor);
   ::close(descriptor);
-}
-
-void allow_many_descriptors() {
-  rlimit limit{};
-  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
-  limit.rlim_cur = limit.rlim_max;
-  ::setrlimit(RLIMIT_NOFILE, &limit);
 }
 
 }  // namespace
@@ -136,39 +127,6 @@ void ReplacedFile::commit() {
 }
 
 bool is_replaced(const fs::path& path) { return replaceable(follow_links(path)); }
-
-EarlierFiles::~EarlierFiles() {
-  for (const auto& [path, descriptor] : descriptors_)
-    if (descriptor >= 0) ::close(descriptor);
-}
-
-void EarlierFiles::keep(const fs::path& path) {
-  const fs::path target = follow_links(path);
-  if (!replaceable(target) || descriptors_.contains(target)) return;
-  if (descriptors_.empty()) allow_many_descriptors();
-  const int descriptor = ::open(target.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0 && errno != ENOENT)
-    throw std::invalid_argument(fmt::format("cannot keep the earlier {}: {}; remove it, or choose another file",
-                                            path.string(), std::strerror(errno)));
-  descriptors_.emplace(target, descriptor);
-}
-
-void EarlierFiles::take_back() {
-  std::vector<char> bytes(1 << 20);
-  for (const auto& [target, descriptor] : descriptors_) {
-    if (descriptor < 0) {
-      std::error_code ignored;
-      fs::remove(target, ignored);
-      continue;
-    }
-    ReplacedFile file(target);
-    ssize_t read = 0;
-    for (off_t at = 0; (read = ::pread(descriptor, bytes.data(), bytes.size(), at)) > 0; at += read)
-      file.write({bytes.data(), size_t(read)});
-    if (read < 0) fail_to_write(target, errno);  // not half of it
-    file.commit();
-  }
-}
 
 void check_writable(const fs::path& path) {
   const fs::path target = follow_links(path);

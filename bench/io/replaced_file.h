@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <string>
 #include <string_view>
 
@@ -41,22 +40,6 @@ std::filesystem::path follow_links(const std::filesystem::path& path);
 
 // Whether the file is replaced: a pipe or device is not, and what was written there cannot be taken back.
 bool is_replaced(const std::filesystem::path& path);
-
-// What stood where an attempt writes its files, held open until then: take_back() puts it there again and removes what
-// is new. Links stay; pipes and devices are left as they are.
-class EarlierFiles {
- public:
-  EarlierFiles() = default;
-  ~EarlierFiles();
-  EarlierFiles(const EarlierFiles&) = delete;
-  EarlierFiles& operator=(const EarlierFiles&) = delete;
-
-  void keep(const std::filesystem::path& path);  // before each write; throws std::invalid_argument where it cannot
-  void take_back();
-
- private:
-  std::map<std::filesystem::path, int> descriptors_;  // -1: there was no file
-};
 
 // Throws if a file of that name cannot be written. Creates nothing and does not open pipes or devices.
 void check_writable(const std::filesystem::path& path);

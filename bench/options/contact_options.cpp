@@ -39,18 +39,4 @@ void add_contact_options(CLI::App& command, MotionChoice& motion) {
   command.add_flag("--walls", contact.walls, "Close a box around the spheres, whose floor is the plane")->needs(law);
 }
 
-void add_too_fast_option(CLI::App& command, bool& divides) {
-  const auto take = [&divides](const std::string& name) {
-    require_known("answer to --too-fast", name, {"refuse", "divide"});
-    divides = name == "divide";
-  };
-  auto* option = command.add_option_function<std::string>(
-      "--too-fast", take,
-      "Contacts where a sphere moves by more than the smallest radius in a step, or is deeper in another or a wall "
-      "than the smaller radius: refuse, or divide: begin again with each step divided into 2, 4, ... 64, also where "
-      "that mends a start that is refused; what is printed, written and drawn stays at the same times");
-  option->default_str("refuse")->needs(command.get_option("--contact"));
-  command.get_option("--resume")->excludes(option);
-}
-
 }  // namespace spherepair

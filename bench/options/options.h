@@ -54,9 +54,6 @@ void add_motion_options(CLI::App& command, MotionChoice& motion);
 // --contact, --stiffness, --drag, --no-sleeping and --walls, after those of the motion.
 void add_contact_options(CLI::App& command, MotionChoice& motion);
 
-// --too-fast of contacts, where steps can be divided; after the start's options.
-void add_too_fast_option(CLI::App& command, bool& divides);
-
 // --save and --save-every.
 void add_save_options(CLI::App& command, std::string& file, uint64_t& every);
 

@@ -26,11 +26,6 @@ class RunTimes {
   }
   void count(Part part, uint64_t times) { counts_[part] += times; }
 
-  // Of moves, searches and states those that follow; all else counts the time of earlier attempts as well.
-  void begin_again() {
-    for (const Part part : {moves, searches, states}) seconds_[part] = 0, counts_[part] = 0;
-  }
-
   // Of the last step, with every kernel between timers: on a GPU the device's, on the CPU the host's clock.
   void set_stages(const Backend& backend, std::vector<StageTime> stages);
 

@@ -73,13 +73,12 @@ void refuse_of_motion(const Given& given) {
   for (const char* option :
        {"--motion", "--restitution", "--contact", "--stiffness", "--drag", "--no-sleeping", "--walls", "--dt"})
     given.refuse(option, !moves && !given.has("--save") && !given.has("--swept"), still);
-  given.refuse("--too-fast", !moves && !given.has("--save"), still);
   given.refuse("--per-step", !moves, still);
   given.refuse("--save-every", !moves, still);
 }
 
 void refuse_of_contacts(const Given& given) {
-  for (const char* option : {"--stiffness", "--drag", "--no-sleeping", "--walls", "--too-fast"})
+  for (const char* option : {"--stiffness", "--drag", "--no-sleeping", "--walls"})
     given.refuse(option, given.is("--contact", {"none"}), "without contacts: omit it, or give another --contact");
   given.refuse("--walls", !given.has("--input") && given.is("--scene", {"gas", "bed"}),
                "on a scene in a closed box of its own: omit it, or choose another --scene");

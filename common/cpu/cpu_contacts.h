@@ -18,6 +18,8 @@ class CpuContacts {
 
   void sum_impulses(ImpulseSums sums);
 
+  uint64_t steps() const { return failed_.number; }  // since the upload, and those before it
+  void follow(uint64_t steps_before) { failed_.number = steps_before; }
   uint64_t searches() const { return on() ? search_.work().steps : 0; }
 
   // A step of spheres in the wide state, by the impulses of their contacts, walls and gravity. Positions and velocities

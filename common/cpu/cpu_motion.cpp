@@ -118,12 +118,14 @@ Backend::State CpuMotion::state() const {
 
 MotionState CpuMotion::save(int threads) {
   evaluate_state(threads);
+  kept_.contact_steps = contacts_.steps();
   return kept_;
 }
 
 void CpuMotion::resume(const Scene& scene, const MotionState& saved) {
   unmovable_ = why_unmovable(scene, Origin::resumed);
   kept_ = saved;
+  contacts_.follow(saved.contact_steps);
   evaluated_ = state_current_ = motion_.method != MotionMethod::anchored;
 }
 

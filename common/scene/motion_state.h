@@ -12,6 +12,7 @@ namespace spherepair {
 
 struct MotionState {
   uint steps = 0;                       // done, of `anchored`
+  uint64_t contact_steps = 0;           // done with contacts, for messages alone
   std::vector<uint> wide;               // Real[6n]; empty for float32
   std::vector<vec4> anchors;            // these four only for `anchored`
   std::vector<uint> flights;            // Real[2n]

@@ -18,11 +18,11 @@ constexpr uint first_row_capacity = 14;  // equal spheres seldom have more withi
 
 }  // namespace
 
-void Contacts::upload(const Scene& scene) {
+void Contacts::upload(const Scene& scene, uint64_t steps_before) {
   on_ = scene.contact.law != ContactLaw::none;
   made_ = left_ = failed_ = false;
   launched_ = known_ = next_check_ = 0;
-  done_ = 0;
+  done_ = steps_before;
   served_ = 1;
   sleeps_ = may_sleep(scene), tests_all_walls_ = scene.contact.tests_all_walls;
   context_.params.contact = contact_params(scene);
@@ -158,7 +158,7 @@ void Contacts::require_sound() {
   if (!failed_) return;
   const Backend::State state = motion_.state();
   throw_fault(context_.name(),
-              {context_.buffers.read<uint>(SLOT_FAULT, FAULTS), done_ + known_, bodies_of(state.wide, state.positions)},
+              {context_.buffers.read<uint>(SLOT_FAULT, FAULTS), steps(), bodies_of(state.wide, state.positions)},
               context_.params.contact);
 }
 

@@ -12,7 +12,7 @@ class Contacts {
 
   // The scene's part of the parameters; after the motion's upload, whose method decides what the buffers are for, and
   // after that of the scene's own search.
-  void upload(const Scene& scene);
+  void upload(const Scene& scene, uint64_t steps_before);
   bool on() const { return on_; }
 
   void keep_list(bool on) { keeps_ = on; }  // else near pairs are listed in every step
@@ -21,6 +21,8 @@ class Contacts {
   // From the next step on, for measuring; all steps before must be complete.
   void sum_impulses(ImpulseSums sums);
   ImpulseSums sums() const { return sums_; }
+
+  uint64_t steps() const { return done_ + known_; }  // those before the upload included
 
   // Launches a step of the motion. It waits for the device only where near pairs have to be listed, or may have to be
   // soon: the steps behind one in which a sphere left its skin do nothing, and are launched again by `complete`. Both

@@ -43,7 +43,7 @@ void Simulation::begin(const Scene& scene, const MotionState* saved) {
   sorter_.upload(scene);
   motion_.upload(scene, saved);
   search_.upload(scene);
-  contacts_.upload(scene);
+  contacts_.upload(scene, saved ? saved->contact_steps : 0);
   rasterizer_.upload();
   probe_.upload();
 }
@@ -98,7 +98,9 @@ Backend::State Simulation::state() {
 
 MotionState Simulation::save() {
   evaluate_state();
-  return motion_.save();
+  MotionState saved = motion_.save();
+  saved.contact_steps = contacts_.steps();
+  return saved;
 }
 
 MethodChoice Simulation::choice(const CollideOptions& options) const {

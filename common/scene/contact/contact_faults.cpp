@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace spherepair {
 namespace {
@@ -22,17 +23,22 @@ class Failure {
           "the box with --walls, or take fewer steps",
           i, metres(s.x), metres(s.y), metres(s.z));
     const vec4 v = velocity_of(speeds_of(s, mobility_of(s.radius, params_)), params_);
-    const float along = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    const double along = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}), most = params_.fastest * unit();
     return fmt::format(
         "sphere {} moves by more than the smallest radius in a step, {:.4g} m of {:.4g} m along an axis, at {:.4g} "
-        "m/s: "
-        "give a smaller --dt",
-        i, double(along) * seconds(), double(params_.fastest) * unit(), std::hypot(v.x, v.y, v.z));
+        "m/s: give --dt {:.2g} or less, which has room for {:.3g} times that speed",
+        i, along * seconds(), most, std::hypot(v.x, v.y, v.z), roomy_step(along, most),
+        most / (roomy_step(along, most) * along));
   }
 
   double seconds() const { return unit() / double(params_.metres_per_second); }
 
  private:
+  // The longest of 1, 0.5, 0.2, 0.1, ... seconds in which this speed is at most half of what a step may have.
+  static double roomy_step(double speed, double most) {
+    const double longest = most / (2 * speed), decade = std::pow(10, std::floor(std::log10(longest)));
+    return decade * (longest >= 5 * decade ? 5 : longest >= 2 * decade ? 2 : 1);
+  }
   double unit() const { return std::ldexp(1.0, -params_.unit_exponent); }
   double metres(int64_t units) const { return double(units) * unit(); }
 
@@ -83,8 +89,6 @@ void throw_fault(const std::string& backend, const FailedStep& step, const Conta
   const auto kind = uint(std::ranges::find_if(faults, [](uint i) { return i != ~0u; }) - faults.begin());
   const std::string what = fmt::format("{}: contacts cannot go on from step {} of {:.4g} s: {}", backend, step.number,
                                        failure.seconds(), failure.text(kind, faults[kind]));
-  const bool fast = faults[FAULT_FAST] != ~0u, deep = faults[FAULT_DEEP] != ~0u;
-  if (fast || deep) throw StepTooLong(what, faults[fast ? FAULT_FAST : FAULT_DEEP], fast, deep);
   throw std::invalid_argument(what);
 }
 
