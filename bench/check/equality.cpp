@@ -118,7 +118,13 @@ json to_json(const EqualityEntry& entry) {
                       {"colliding_spheres", point.colliding_spheres},
                       {"fingerprint", hex(point.fingerprint)},
                       {"state", hex64(point.state)}});
-  return {{"scene", scene_json(entry.scene)},
+  json scene = scene_json(entry.scene);
+  if (entry.contact.law != ContactLaw::none) {  // with what was chosen for them
+    scene["contact"] = contact_json(entry.contact);
+    scene["dt"] = entry.dt;
+    scene["restitution"] = entry.restitution;
+  }
+  return {{"scene", scene},
           {"set", entry.set},
           {"configurations", entry.configurations},
           {"verdict", "equal"},

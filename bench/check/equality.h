@@ -22,6 +22,8 @@ struct EqualityEntry {
   std::string set;
   std::vector<std::string> configurations;  // labels
   std::vector<ComparedStep> checkpoints;
+  ContactOptions contact = {};
+  float dt = 0, restitution = 0;  // with contacts
 };
 json to_json(const EqualityEntry& entry);
 

@@ -126,7 +126,11 @@ std::vector<EqualityEntry> check_lockstep(Session& session, const LockstepPlan& 
   }
   session.comparisons.require_complete();
   std::vector<EqualityEntry> entries;
-  for (SetCheck& set : sets) entries.push_back(std::move(set.entry));
+  for (SetCheck& set : sets) {
+    entries.push_back(std::move(set.entry));
+    entries.back().contact = scene.contact;
+    entries.back().dt = scene.dt, entries.back().restitution = scene.restitution;
+  }
   return entries;
 }
 

@@ -9,6 +9,7 @@
 #include "bench/formats/files.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
+#include "bench/io/scene_text.h"
 #include "bench/measure/choice.h"
 #include "bench/options/run_times.h"
 #include "bench/spheres/pair_file.h"
@@ -75,7 +76,7 @@ json run_record(const CommandLine& line, const ChosenBackend& chosen, const Star
           {"dt", start.scene.dt},
           {"restitution", start.scene.restitution},
           {"plane", start.scene.plane},
-          {"contacts", to_json(start.scene.contact)},
+          {"contacts", contact_json(start.scene.contact)},
           {"method", method_name(choice.method)},
           {"choice", to_json(choice)},
           {"block", choice.block ? choice.block : collide.block},

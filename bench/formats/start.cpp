@@ -81,16 +81,6 @@ std::string plane_text(const Scene& scene) {
   return fmt::format("plane at y = {}{}\n", scene.plane, lowered ? ", below the lowest sphere" : "");
 }
 
-json to_json(const ContactOptions& contact) {
-  if (contact.law == ContactLaw::none) return contact_name(contact.law);
-  return {{"law", contact_name(contact.law)},
-          {"stiffness", contact.stiffness},
-          {"drag", contact.drag},
-          {"walls", contact.walls},
-          {"unit_exponent", contact.unit_exponent},
-          {"momentum_exponent", contact.momentum_exponent}};
-}
-
 std::string species_warning(const Start& start) {
   if (!start.unread_species) return "";
   return fmt::format("* --spheres writes no species: those of {} are left out, XYZ has X instead\n", start.file);

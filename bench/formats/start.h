@@ -49,9 +49,6 @@ std::vector<Start> start_of_frames(const StartOptions& options, int threads);
 // A line that says where moving spheres bounce.
 std::string plane_text(const Scene& scene);
 
-// Law, stiffness, drag, walls and units.
-json to_json(const ContactOptions& contact);
-
 // A line for --spheres, which writes no species; empty where the start's file has none.
 std::string species_warning(const Start& start);
 

@@ -51,4 +51,14 @@ json scene_json(const SceneOptions& o) {
   return scene;
 }
 
+json contact_json(const ContactOptions& contact) {
+  if (contact.law == ContactLaw::none) return contact_name(contact.law);
+  return {{"law", contact_name(contact.law)},
+          {"stiffness", contact.stiffness},
+          {"drag", contact.drag},
+          {"walls", contact.walls},
+          {"unit_exponent", contact.unit_exponent},
+          {"momentum_exponent", contact.momentum_exponent}};
+}
+
 }  // namespace spherepair

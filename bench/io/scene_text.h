@@ -13,4 +13,7 @@ SceneOptions parse_scene(const std::string& text, uint64_t seed);
 std::string scene_label(const SceneOptions& options);  // aligned 8x16
 json scene_json(const SceneOptions& options);
 
+// Law, stiffness, drag, walls and units.
+json contact_json(const ContactOptions& contact);
+
 }  // namespace spherepair

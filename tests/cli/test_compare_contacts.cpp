@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// compare --contact: the steps compared are those of the contacts asked for, and its record says of which.
+#include <fmt/format.h>
+
+#include "tests/support/backends.h"
+#include "tests/support/program.h"
+
+namespace spherepair {
+namespace {
+
+class CompareContacts : public ProgramTest {
+ protected:
+  Outcome compared(const std::string& contact, const std::string& to) const {
+    return run(
+        fmt::format("compare --scenes gas --n 300 --steps 24 --every 8 --blocks 64 --methods parallel,collide_grid "
+                    "--tables none {} --results '{}'",
+                    contact, path(to)));
+  }
+  Outcome equal(const std::string& a, const std::string& b) const {
+    return run(fmt::format("equal '{0}/results.json' '{1}/results.json'", path(a), path(b)));
+  }
+};
+
+TEST_F(CompareContacts, ComparesTheRunThatWasAskedFor) {
+  for (const char* contact :
+       {"--contact spring --restitution 0.7", "--contact quartic --stiffness 1e9", "--contact hertz --drag 0.5"}) {
+    ASSERT_EQ(compared(contact, "r").code, 0) << contact;
+    const nlohmann::json entry = read_json("r/results.json")["equality"][0];
+    ASSERT_EQ(
+        run(fmt::format("run --backend cpu --scene gas --n 300 --steps 24 {} --json {}", contact, path("s.json"))).code,
+        0);
+    const nlohmann::json plain = read_json("s.json");
+    EXPECT_EQ(entry["checkpoints"].back()["state"], plain["steps"][0]["state"]) << contact;
+    EXPECT_EQ(entry["checkpoints"].size(), 4u);
+    EXPECT_EQ(entry["scene"]["contact"], plain["contacts"]);
+    for (const char* same : {"dt", "restitution"}) EXPECT_EQ(entry["scene"][same], plain[same]) << contact;
+    EXPECT_GE(entry["configurations"].size(), open_backends().size());
+  }
+}
+
+// Records of different contacts have nothing in common: no difference is found where none can be.
+TEST_F(CompareContacts, RecordsOfOtherContactsAreOthers) {
+  ASSERT_EQ(compared("--contact spring", "a").code, 0);
+  ASSERT_EQ(compared("--contact spring", "same").code, 0);
+  EXPECT_EQ(equal("a", "same").code, 0);
+  for (const char* other : {"--contact hertz", "--contact spring --stiffness 1e6", "--contact spring --dt 1e-5",
+                            "--contact spring --restitution 0.5", "--contact spring --drag 0.1"}) {
+    ASSERT_EQ(compared(other, "b").code, 0) << other;
+    const Outcome outcome = equal("a", "b");
+    EXPECT_EQ(outcome.code, 2) << other << outcome.output;
+    EXPECT_EQ(outcome.output.find("DIFFERENT"), std::string::npos) << outcome.output;
+  }
+}
+
+}  // namespace
+}  // namespace spherepair
