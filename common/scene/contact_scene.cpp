@@ -183,9 +183,16 @@ void choose_contacts(Scene& scene, const ContactChoice& choice) {
       choice.stiffness.value_or(float(needed / contact_energy(choice.law, 1, overlap, 2 * largest)));
   if (!choice.stiffness && !std::isfinite(scene.contact.stiffness)) {
     const uint64_t i = sphere_with_most(scene, [&](uint64_t k) { return highest_speed_of(scene, k); });
-    throw std::invalid_argument(fmt::format(
-        "sphere {} comes to {:.4g} m/s, falls included, which no stiffness in float32 stops: give slower spheres", i,
-        highest_speed_of(scene, i)));
+    const double highest = highest_speed_of(scene, i);
+    if (highest < largest)
+      throw std::invalid_argument(fmt::format(
+          "spheres of {:.3g} m, at a radius a second, are stopped by no stiffness in float32: give --stiffness, or "
+          "lengths in another unit, in which radii are nearer to 1",
+          largest));
+    throw std::invalid_argument(
+        fmt::format("sphere {} comes to {:.4g} m/s, falls included, which no stiffness in float32 stops: give slower "
+                    "spheres, or lengths in another unit",
+                    i, highest));
   }
   scene.dt = choice.dt.value_or(float(contact_time(scene) / steps_a_contact));
   choose_box(scene, choice.walls);
@@ -218,6 +225,7 @@ std::string describe_contacts(const Scene& scene) {
 std::string why_no_contacts(const Scene& scene, Origin origin) {
   const bool starts = origin == Origin::start;
   std::string why = why_no_law(scene);
+  if (why.empty()) why = why_beyond_float32(scene);
   if (why.empty() && starts) why = why_no_start(scene);
   if (why.empty()) why = why_no_room(scene);
   if (why.empty() && starts) why = why_too_fast(scene);

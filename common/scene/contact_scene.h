@@ -41,6 +41,10 @@ std::string why_no_contacts(const Scene& scene, Origin origin = Origin::start);
 
 ContactParams contact_params(const Scene& scene);
 
+// Which factor of every step would be cut to 0 or to infinity in float32, by radii, stiffness and time step; empty if
+// none would.
+std::string why_beyond_float32(const Scene& scene);
+
 // What drag leaves of a momentum in half a step.
 float kept_by_drag(const Scene& scene);
 

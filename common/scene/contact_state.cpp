@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What a scene with contacts is uploaded as: parameters, units of state, spheres grown by their skins.
+#include <fmt/format.h>
+
 #include <cmath>
+#include <utility>
 
 #include "common/scene/contact_scene.h"
 #include "common/shared/contact/skin.h"
@@ -62,6 +65,28 @@ ContactParams contact_params(const Scene& scene) {
           .fastest = std::ldexp(r.smallest, s),
           .skin = contact.skin,
           .row_capacity = 0};
+}
+
+std::string why_beyond_float32(const Scene& scene) {
+  const Radii r = radii_of(scene);
+  const ContactParams c = contact_params(scene);
+  const auto cube = [](float radius) { return std::pow(double(radius), 3); };
+  const std::pair<const char*, double> factors[] = {
+      {"the cube of the smallest radius", cube(r.smallest)},
+      {"the cube of the largest, twice", 2 * cube(r.largest)},
+      {"the impulse of a full overlap", double(c.impulse)},
+      {"units that a unit of momentum moves a sphere of 1 m", double(c.mobility)},
+      {"units that it moves the smallest", double(c.mobility) / cube(r.smallest)},
+      {"units that it moves the largest", double(c.mobility) / cube(r.largest)},
+      {"metres a second of a unit a step", double(c.metres_per_second)}};
+  for (const auto& [what, value] : factors)
+    if (!std::isnormal(float(value)))
+      return fmt::format(
+          "with radii of {:.3g} to {:.3g} m, stiffness {:.3g} and steps of {:.3g} s a factor is beyond float32 ({}): "
+          "give "
+          "lengths in another unit, in which radii are nearer to 1",
+          r.smallest, r.largest, scene.contact.stiffness, scene.dt, what);
+  return "";
 }
 
 }  // namespace spherepair

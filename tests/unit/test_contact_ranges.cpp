@@ -81,5 +81,29 @@ TEST(ContactRanges, DampingGivesTheRestitutionBelowAndAboveTheCriticalValue) {
   EXPECT_EQ(damping_ratio(1), 0);
 }
 
+// Two spheres of 2^k m, one of which comes at a radius a second: they exchange their speeds, or the start is refused.
+TEST(ContactRanges, AnyScaleIsRightOrRefused) {
+  int right = 0;
+  for (const ContactLaw law : laws)
+    for (int k = -100; k <= 55; ++k) {  // planes are bounded at 2^60 m
+      const float radius = std::ldexp(1.0f, k);
+      Scene scene = {.name = "two", .plane = -4 * radius, .gravity = 0};
+      scene.positions = {{0, 0, 0, radius}, {2.02f * radius, 0, 0, radius}};
+      scene.velocities = {{}, {-radius, 0, 0, 0}};
+      try {
+        choose_contacts(scene, {.law = law});
+        const Backend::State end = run_steps(cpu_backend(), scene, 200);
+        EXPECT_NEAR(double(end.velocities[0].x) / double(radius), -1, 2e-3) << contact_name(law) << ", 2^" << k << " m";
+        EXPECT_NEAR(double(end.velocities[1].x) / double(radius), 0, 2e-3) << contact_name(law) << ", 2^" << k << " m";
+        ++right;
+      } catch (const std::invalid_argument& refusal) {
+        EXPECT_TRUE(k < -35 || k > 30) << contact_name(law) << ", 2^" << k << " m: " << refusal.what();
+        const std::string said = refusal.what();
+        EXPECT_TRUE(said.find("in another unit") != said.npos || said.find("dt is ") != said.npos) << said;
+      }
+    }
+  EXPECT_GT(right, 3 * 60);
+}
+
 }  // namespace
 }  // namespace spherepair
