@@ -145,7 +145,7 @@ GPU = tuple(map(in_hardware, (
           "--steps 5 --rounds 11", "precision.json", memory=16 * GIB),
     study("precision_core", 1, "glsl-core,glsl,cuda", "precision --motions paper,anchored --precisions float32 --n 1000000 "
           "--steps 5 --rounds 7", "precision.json", alone=True),
-    study("precision_core_1e8", 6, "glsl-core,glsl,cuda", "precision --motions anchored --precisions float32 --n 100000000 "
+    study("precision_core_1e8", 4, "glsl-core,glsl,cuda", "precision --motions paper --precisions float32 --n 100000000 "
           "--steps 5 --rounds 7", "precision.json", memory=16 * GIB),
     study("sets", 4, "cpu,glsl,cuda", "sets --motions paper,impact,anchored", "sets.json", alone=True),
     compiling(("cpu", "glsl", "cuda")),
