@@ -195,6 +195,11 @@ void choose_contacts(Scene& scene, const ContactChoice& choice) {
                     i, highest));
   }
   scene.dt = choice.dt.value_or(float(contact_time(scene) / steps_a_contact));
+  if (!std::isnormal(scene.dt) || !std::isnormal(scene.contact.stiffness))
+    throw std::invalid_argument(fmt::format(
+        "spheres of {:.3g} m need a stiffness or a time step beyond float32: give lengths in another unit, in which "
+        "radii are nearer to 1",
+        largest));
   choose_box(scene, choice.walls);
   choose_units(scene);
 }
