@@ -18,8 +18,8 @@ GPU_APIS = ("glsl", "cuda")
 MOST_NAMED = 4  # under a figure
 OF_CONTACTS = "contact_|leapfrog|collide_swept"  # stages that host/contacts launches
 # The digest of today, and those of before whose times are the same. What changed in between moves no time:
-# - hosts: a resumed run is no longer refused by what is asked of a start; a saved state counts the steps with contacts. The CPU's also covered fixed.h, gap.h and skin.h, which
-#   only contacts run, and had neither empty steps nor the options of graphs and of OpenGL without extensions.
+# - hosts: a resumed run is no longer refused by what is asked of a start; a saved state counts the steps with contacts. The
+#   CPU's also covered fixed.h, gap.h and skin.h, which only contacts run, and had neither empty steps nor the options of graphs and of OpenGL without extensions.
 # - measure: no batch ahead of a turn, or a quarter of the next batch; a line for each round, which batches.py makes anew; no
 #   watch on other programs; the text that `run` prints.
 # Of no use once the first is another: then those records are stale.

@@ -78,7 +78,7 @@ void Run::move_to(uint64_t stop) {
   });
 }
 
-// What is to be done where the spheres now stand.
+// Searches, measures and saves at the current step, as far as the options ask for it.
 void Run::stand() {
   const bool last = step_ == end_, wanted = last || options_.per_step;
   const uint64_t each = statistics_every();

@@ -17,7 +17,7 @@ struct RunStep {
 json to_json(const RunStep& result);
 
 // Moves to the last step; keeps the results of the last step, or of every step with --per-step. Writes checkpoints and
-// statistics on the way: the rows before one that fails are written.
+// statistics on the way. If a step fails, the rows before it are already in the file.
 class Run {
  public:
   Run(Backend& backend, const RunOptions& options, const Start& start, const CollideOptions& collide, RunTimes& times)

@@ -8,8 +8,8 @@
 
 namespace spherepair {
 
-// The first text replaces the file, all others are added behind it: what was added stays, however the run ends. Pipes,
-// devices and standard output get each text at once. No name: nothing is written. Throws std::invalid_argument.
+// The first text replaces the file; each further one is appended at once and stays, however the run ends. Pipes,
+// devices and standard output get each text at once, too. An empty name writes nothing. Throws std::invalid_argument.
 class GrowingFile {
  public:
   explicit GrowingFile(std::string name) : name_(std::move(name)) {}

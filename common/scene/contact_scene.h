@@ -41,8 +41,8 @@ std::string why_no_contacts(const Scene& scene, Origin origin = Origin::start);
 
 ContactParams contact_params(const Scene& scene);
 
-// Which factor of every step would be cut to 0 or to infinity in float32, by radii, stiffness and time step; empty if
-// none would.
+// Steps multiply by float32 factors made of radii, stiffness and time step. Says which of them would be 0 or infinite;
+// empty if none would.
 std::string why_beyond_float32(const Scene& scene);
 
 // What drag leaves of a momentum in half a step.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// compare --contact: the steps compared are those of the contacts asked for, and its record says of which.
+// compare --contact compares runs with the contacts that were asked for, and its record names them.
 #include <fmt/format.h>
 
 #include "tests/support/backends.h"
@@ -38,7 +38,7 @@ TEST_F(CompareContacts, ComparesTheRunThatWasAskedFor) {
   }
 }
 
-// Records of different contacts have nothing in common: no difference is found where none can be.
+// Runs with different contacts are not comparable: `equal` reports nothing in common, not a difference.
 TEST_F(CompareContacts, RecordsOfOtherContactsAreOthers) {
   ASSERT_EQ(compared("--contact spring", "a").code, 0);
   ASSERT_EQ(compared("--contact spring", "same").code, 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a run with contacts leaves that cannot go on: the rows of its statistics, a message that names the step of the
-// whole run and a time step that works, from every backend and wherever the run was cut.
+// When a run with contacts cannot go on, its statistics up to then are in the file, and the message names the step,
+// counted from the first start, and a time step that works. All backends say the same.
 #include <fmt/format.h>
 
 #include <regex>
@@ -19,7 +19,7 @@ class FailedRun : public ProgramTest {
     ProgramTest::SetUp();
     folder_.write("s.txt", "0 0 0 0.001\n0.004 0.002 0 0.001\n0 0.004 0.002 0.001\n");
   }
-  // With steps of 0.002 s: too fast in the 26th, by v = g dt (k - 1/2).
+  // In step k the speed is g dt (k - 1/2). With dt = 0.002 s it is too high in step 26.
   Outcome falls(const std::string& backend, const std::string& rest) const {
     return run(fmt::format("run --backend {} --input {} --contact spring --stiffness 1.29e-4 {}", backend,
                            path("s.txt"), rest));
