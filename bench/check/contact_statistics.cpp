@@ -20,7 +20,6 @@ class Sums {
       : scene_(scene),
         wide_(wide),
         params_(contact_params(scene)),
-        kept_(kept_by_drag(scene)),
         metres_(std::exp2(-scene.contact.unit_exponent)),
         momentum_(std::exp2(-scene.contact.momentum_exponent)),
         impulses_(scene.size()) {
@@ -54,9 +53,9 @@ class Sums {
     sums_.floor_force += force(push_of_wall(s.y - params_.low_y, s.py, s.radius, params_));
     sums_.potential -= mass * double(scene_.gravity) * metres_ * double(s.y - params_.low_y);
     const Push contacts = {impulses_[i][0], impulses_[i][1], impulses_[i][2], FAULTS};
-    const Body later = kicked_in_fluid(s, contacts, push_of_walls(s, false, params_), kept_, params_);
-    const double sums[3] = {double(s.px) + double(later.px), double(s.py) + double(later.py),
-                            double(s.pz) + double(later.pz)};
+    const Body before = slowed(s, params_), after = kicked(before, contacts, push_of_walls(s, false, params_), params_);
+    const double sums[3] = {double(before.px) + double(after.px), double(before.py) + double(after.py),
+                            double(before.pz) + double(after.pz)};
     for (uint64_t axis = 0; axis < 3; ++axis) {
       const double momentum = momentum_ * sums[axis] / 2;
       sums_.momentum[axis] += momentum;
@@ -77,7 +76,6 @@ class Sums {
   const Scene& scene_;
   const std::vector<uint>& wide_;
   const ContactParams params_;
-  const float kept_;                // of momenta by drag, in half a step
   const double metres_, momentum_;  // of a unit
   std::vector<Impulse> impulses_;
   ContactStatistics sums_;

@@ -16,8 +16,8 @@ struct ContactStatistics {
   uint64_t step = 0;
   double seconds = 0;  // step * dt
 
-  // Joules. kinetic: of the momenta at this step, the mean of those half a step before and after; potential: of the
-  // heights of the centres above the plane.
+  // Joules. kinetic: of the momenta at this step, half of its drag and of its impulses after those of the state, which
+  // are of half a step before; potential: of the heights of the centres above the plane.
   double kinetic = 0, contact = 0, potential = 0;
   std::array<double, 3> momentum = {};  // kg m/s, likewise
   double greatest_overlap = 0;          // metres, of spheres and walls

@@ -22,11 +22,11 @@ constexpr const char* known_steps[] = {"10", "20", "40", "80", "160", "320"};
 
 RestStage stage_of(const std::string& text) {
   const size_t colon = text.find(':');
-  const auto drag = real_number_of(text.substr(0, colon), 0, 0.5);
+  const auto drag = real_number_of(text.substr(0, colon), 0, 0.4);
   const auto steps = colon < text.size() ? whole_number_of(text.substr(colon + 1), 0, 1'000'000'000) : std::nullopt;
   if (!drag || !steps)
     throw std::invalid_argument(fmt::format(
-        "'{}' is not a drag a step up to 0.5, a colon and a number of steps, such as 0.001:40000, for --drag-steps",
+        "'{}' is not a drag a step up to 0.4, a colon and a number of steps, such as 0.001:40000, for --drag-steps",
         text));
   return {*drag, *steps};
 }

@@ -22,7 +22,6 @@ void add(Number& sum, Number value) {
 
 void CpuContacts::upload(const Scene& scene) {
   params_ = contact_params(scene);
-  kept_ = kept_by_drag(scene);
   may_sleep_ = may_sleep(scene);
   tests_all_walls_ = scene.contact.tests_all_walls;
   rest_.assign(may_sleep_ ? scene.size() : 0, REST_MOVED);
@@ -150,13 +149,12 @@ void CpuContacts::step(std::vector<uint>& wide, std::vector<vec4>& positions, st
     Body s = before;
     const Push walls = push_of_walls(s, tests_all_walls_, params_);
     record(walls.fault, i);
-    s = kicked_in_fluid(s, {take_impulse(i), take_impulse(n + i), take_impulse(2 * n + i), FAULTS}, walls, kept_,
-                        params_);
+    s = kicked_in_fluid(s, {take_impulse(i), take_impulse(n + i), take_impulse(2 * n + i), FAULTS}, walls, params_);
     const float mobility = mobility_of(s.radius, params_);
     const vec4 speeds = speeds_of(s, mobility);
     const uint wrong = fault_of(s, speeds, params_);
     record(wrong, i);
-    if (wrong == FAULTS) s = drifted(s, mobility);
+    if (wrong == FAULTS) s = drifted(s, speeds, mobility, params_);
     store_body(wide, n, i, s);
     positions[i] = centre_of(s, params_);
     velocities[i] = velocity_of(speeds, params_);

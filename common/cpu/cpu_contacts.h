@@ -44,7 +44,6 @@ class CpuContacts {
   CpuSearch search_;  // of the grown spheres
   int threads_;
   ContactParams params_{};
-  float kept_ = 1;  // of a momentum by drag, in half a step
   bool tests_all_walls_ = false;
   std::vector<int64_t> impulses_;  // as SLOT_IMPULSE
   FailedStep failed_;              // its faults as SLOT_FAULT; the rest where there are any

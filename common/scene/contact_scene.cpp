@@ -5,42 +5,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <stdexcept>
+
+#include "common/shared/contact/skin.h"
 
 namespace spherepair {
 namespace {
 
 constexpr double wanted_overlap = 0.01;  // of the largest radius
-constexpr double steps_a_contact = 40, coarse_steps = 10, fewest_steps = 2;
-constexpr float least_restitution = 0.1f;
-constexpr double most_drag = 0.5;                       // a step
-constexpr double least_skin = 1.0 / 32, most_skin = 1;  // of a radius
-constexpr double most_units = 0x1p63 - 0x1p57;          // of sums of impulses: room for the roundings of all of them
-constexpr int position_bits = 51, momentum_bits = 56;   // used at the start, and of the fastest sphere
+constexpr double coarse_steps = 10;
+constexpr int position_bits = 51, momentum_bits = 56;  // used at the start, and of the fastest sphere
 
 double squared(double x) { return x * x; }
 
 double speed(const vec4& v) { return std::hypot(double(v.x), double(v.y), double(v.z)); }
-
-double farthest_coordinate(const vec4& s) {
-  return std::max({std::abs(double(s.x)), std::abs(double(s.y)), std::abs(double(s.z))});
-}
-
-template <typename Of>
-uint64_t sphere_with_most(const Scene& scene, Of of) {
-  return std::ranges::max(std::views::iota(uint64_t(0), scene.size()), {}, of);
-}
-
-// So that a gap of the smallest radius is not cut off, see gap_of.
-int coarsest_units(const Radii& radii) { return 29 - int(std::floor(std::log2(radii.smallest))); }
-
-// A sphere's speed at the start, or after a fall onto the plane.
-double highest_speed_of(const Scene& scene, uint64_t i) {
-  const vec4& at = scene.positions[i];
-  const double fall = std::max(0.0, double(at.y) - double(at.w) - double(scene.plane));
-  return std::sqrt(squared(speed(scene.velocities[i])) - 2 * double(scene.gravity) * fall);
-}
 
 // At least the largest radius a second.
 double highest_speed(const Scene& scene) {
@@ -72,96 +50,33 @@ double extent_of(const Scene& scene) {
   return extent;
 }
 
-// Positions and walls then take 51 of 63 bits, and the fastest sphere's momentum 56. With drag a unit of length is no
-// finer than gaps of the smallest radius are: each unit then changes impulses, and what is left of their sum when none
-// fits better is small enough for drag to hold it below half a unit a step.
+// Positions and walls then take 51 of 63 bits, and the fastest sphere's momentum 56.
 void choose_units(Scene& scene) {
   const Radii r = radii_of(scene);
-  int& exponent = scene.contact.unit_exponent = position_bits - bits_above(extent_of(scene));
-  if (scene.contact.drag > 0) exponent = std::min(exponent, coarsest_units(r));
+  scene.contact.unit_exponent = position_bits - bits_above(extent_of(scene));
   const int damped = damping_ratio(double(scene.restitution)) > 1;  // one bit more for impulses
   scene.contact.momentum_exponent =
       momentum_bits - damped - bits_above(sphere_mass(double(r.largest)) * double(r.smallest) / double(scene.dt));
   scene.contact.skin = skin_of(scene);
 }
 
-// What momentum and impulses of a sphere can add up to. A contact's alone is less than a hundredth of it, far from
-// where integer_of saturates.
-double impulse_units(const Scene& scene) {
-  const ContactOptions& contact = scene.contact;
-  return std::ldexp(greatest_impulse_sum({contact.law, double(contact.stiffness), double(scene.restitution),
-                                          double(scene.gravity), double(scene.dt), radii_of(scene)}),
-                    contact.momentum_exponent);
-}
-
-// What holds for every step of a run.
-std::string why_no_law(const Scene& scene) {
-  const ContactOptions& contact = scene.contact;
-  const Radii r = radii_of(scene);
-  const double k = double(contact.stiffness);
-  if (!(k > 0) || !std::isfinite(k)) return fmt::format("the stiffness is {}, but must be above 0 and finite", k);
-  if (!(r.smallest > 0)) return "contacts need radii above 0";
-  if (scene.restitution < 1 && contact.law != ContactLaw::spring)
-    return fmt::format("the law {} is elastic: omit the restitution {}, or choose spring", contact_name(contact.law),
-                       scene.restitution);
-  if (scene.restitution < least_restitution)
-    return fmt::format("the restitution of contacts is {}, but must be at least {}", scene.restitution,
-                       least_restitution);
-  if (!(contact.drag >= 0 && double(contact.drag) * double(scene.dt) <= most_drag))
-    return fmt::format("the drag is {} 1/s, but with dt = {:.4g} s can be 0 to {:.3g}", contact.drag, scene.dt,
-                       most_drag / double(scene.dt));
-  if (r.largest > 256 * r.smallest)
-    return fmt::format("radii are {} to {}, but contacts allow 1:256", r.smallest, r.largest);
-  return "";
-}
-std::string why_no_room(const Scene& scene) {
-  const double skin = double(scene.contact.skin), sum = impulse_units(scene);
-  if (!(skin >= least_skin && skin <= most_skin))
-    return fmt::format("the skin of near spheres is {} radii, but must be {} to {}", skin, least_skin, most_skin);
-  if (!(sum < most_units))
-    return fmt::format(
-        "impulses of {:.3g} units could add up, but 64-bit integers hold {:.3g}: give --dt {:.3g} or less, "
-        "or a smaller --stiffness",
-        sum, most_units, 0.45 * double(scene.dt) * most_units / sum);
-  return "";
-}
-
-// What holds for a start: a run may get to shorter contacts of faster spheres, and farther out.
-std::string why_no_start(const Scene& scene) {
-  const Radii r = radii_of(scene);
-  const double time = contact_time(scene);
-  if (double(scene.dt) > time / fewest_steps)
-    return fmt::format("dt is {} s, but a contact lasts {:.3g} s only: give --dt {:.3g} or less", scene.dt, time,
-                       time / steps_a_contact);
-  if (scene.contact.unit_exponent < coarsest_units(r) || double(scene.contact.skin) > most_skin) {
-    const uint64_t i = sphere_with_most(scene, [&](uint64_t k) { return farthest_coordinate(scene.positions[k]); });
-    return fmt::format(
-        "the radius {} is too small for spheres as far out as sphere {}, {:.4g} m along an axis: move "
-        "them towards the origin",
-        r.smallest, i, farthest_coordinate(scene.positions[i]));
-  }
-  return "";
-}
-std::string why_too_fast(const Scene& scene) {
-  const float smallest = radii_of(scene).smallest;
-  for (uint64_t i = 0; i < scene.size(); ++i) {
-    const double radius = double(scene.positions[i].w), v = speed(scene.velocities[i]);
-    const double energy = contact_energy(scene.contact.law, double(scene.contact.stiffness), radius, 2 * radius);
-    const double fastest = std::min(std::sqrt(energy / sphere_mass(radius)), double(smallest) / double(scene.dt));
-    if (v > fastest)
-      return fmt::format(
-          "sphere {} moves at {:.4g} m/s, but its contacts can stop {:.4g} m/s: give a larger "
-          "--stiffness or a smaller --dt",
-          i, v, fastest);
-  }
-  return "";
-}
+double half_step_of_drag(const Scene& scene) { return 0.5 * double(scene.contact.drag) * double(scene.dt); }
 
 std::string text_of_drag(const Scene& scene) {
   return scene.contact.drag > 0 ? fmt::format(", drag {:.4g} 1/s", scene.contact.drag) : "";
 }
 
 }  // namespace
+
+double highest_speed_of(const Scene& scene, uint64_t i) {
+  const vec4& at = scene.positions[i];
+  const double fall = std::max(0.0, double(at.y) - double(at.w) - double(scene.plane));
+  return std::sqrt(squared(speed(scene.velocities[i])) - 2 * double(scene.gravity) * fall);
+}
+
+double farthest_coordinate(const vec4& s) {
+  return std::max({std::abs(double(s.x)), std::abs(double(s.y)), std::abs(double(s.z))});
+}
 
 Radii radii_of(const Scene& scene) {
   if (scene.positions.empty()) return {1, 1};
@@ -227,14 +142,62 @@ std::string describe_contacts(const Scene& scene) {
   return text;
 }
 
-std::string why_no_contacts(const Scene& scene, Origin origin) {
-  const bool starts = origin == Origin::start;
-  std::string why = why_no_law(scene);
-  if (why.empty()) why = why_beyond_float32(scene);
-  if (why.empty() && starts) why = why_no_start(scene);
-  if (why.empty()) why = why_no_room(scene);
-  if (why.empty() && starts) why = why_too_fast(scene);
-  return why;
+Scene grown_scene(const Scene& scene) {
+  const ContactParams c = contact_params(scene);
+  Scene grown = scene;
+  for (vec4& sphere : grown.positions) sphere = grown_sphere(sphere, c);
+  return grown;
+}
+
+std::vector<uint> fixed_state(const Scene& scene) {
+  const ContactParams c = contact_params(scene);
+  const uint64_t n = scene.size();
+  std::vector<uint> words(12 * n);
+  const double undo_drag = std::exp(half_step_of_drag(scene));
+#pragma omp parallel for schedule(static)
+  for (uint64_t i = 0; i < n; ++i) {
+    const vec4 &at = scene.positions[i], &v = scene.velocities[i];
+    const double per_speed = 1 / (double(mobility_of(at.w, c)) * double(c.metres_per_second));
+    const auto earlier = [&](double now) { return int64_t(std::llrint(now * undo_drag)); };
+    const auto momentum = [&](float along) { return earlier(double(along) * per_speed); };
+    const auto units = [&](float along) { return integer_of(std::ldexp(along, c.unit_exponent)); };
+    const int64_t half_weight = earlier(double(integer_of(c.gravity * cubed(at.w)) / 2));
+    store_body(
+        words, n, i,
+        {units(at.x), units(at.y), units(at.z), momentum(v.x), momentum(v.y) - half_weight, momentum(v.z), at.w});
+  }
+  return words;
+}
+
+ContactParams contact_params(const Scene& scene) {
+  const ContactOptions& contact = scene.contact;
+  if (contact.law == ContactLaw::none) return {};
+  const int s = contact.unit_exponent, q = contact.momentum_exponent;
+  const double k = double(contact.stiffness), dt = double(scene.dt);
+  const double density = sphere_mass(1);
+  const Radii r = radii_of(scene);
+  const int reach = int(exponent_field(r.largest + r.largest)) - 127;
+  const double order = contact.law == ContactLaw::quartic ? 3 : contact.law == ContactLaw::hertz ? 1.5 : 1;
+  const auto wall = [&](float at) { return integer_of(std::ldexp(at, s)); };
+  constexpr int64_t none = 2 * MOST_UNITS;
+  return {.low_x = contact.walls ? wall(contact.low.x) : -none,
+          .low_y = wall(scene.plane),
+          .low_z = contact.walls ? wall(contact.low.z) : -none,
+          .high_x = contact.walls ? wall(contact.high.x) : none,
+          .high_y = contact.walls ? wall(contact.high.y) : none,
+          .high_z = contact.walls ? wall(contact.high.z) : none,
+          .law = uint(contact.law),
+          .unit_exponent = s,
+          .reach_exponent = reach,
+          .impulse = float(k * dt * std::exp2(q + order * reach)),
+          .damping = float(2 * damping_ratio(double(scene.restitution)) * std::sqrt(k * density) * std::exp2(q - s)),
+          .gravity = float(double(scene.gravity) * density * dt * std::exp2(q)),
+          .mobility = float(dt / density * std::exp2(s - q)),
+          .metres_per_second = float(std::exp2(-s) / dt),
+          .fastest = std::ldexp(r.smallest, s),
+          .skin = contact.skin,
+          .row_capacity = 0,
+          .drag_loss = float(-std::expm1(-half_step_of_drag(scene)))};
 }
 
 }  // namespace spherepair

@@ -2,7 +2,9 @@
 // Contacts of a scene: stiffness, walls, time step and units chosen from its spheres, its checks and its parameters.
 #pragma once
 
+#include <algorithm>
 #include <optional>
+#include <ranges>
 
 #include "common/scene/contact/contact_law.h"
 #include "common/scene/motion_state.h"
@@ -25,6 +27,20 @@ void choose_contacts(Scene& scene, const ContactChoice& choice);
 
 Radii radii_of(const Scene& scene);
 
+// A sphere's speed at the start, or after a fall onto the plane.
+double highest_speed_of(const Scene& scene, uint64_t i);
+
+double farthest_coordinate(const vec4& sphere);
+
+// The sphere with the largest of(i).
+template <typename Of>
+uint64_t sphere_with_most(const Scene& scene, Of of) {
+  return std::ranges::max(std::views::iota(uint64_t(0), scene.size()), {}, of);
+}
+
+constexpr double steps_a_contact = 40;                  // of the shortest one, by default
+constexpr double least_skin = 1.0 / 32, most_skin = 1;  // of a radius
+
 // The shortest contact that spheres from the smallest to the largest radius can have, in seconds; of hertz, whose
 // contacts depend on the speed, at the highest.
 double contact_time(const Scene& scene);
@@ -44,9 +60,6 @@ ContactParams contact_params(const Scene& scene);
 // Steps multiply by float32 factors made of radii, stiffness and time step. Says which of them would be 0 or infinite;
 // empty if none would.
 std::string why_beyond_float32(const Scene& scene);
-
-// What drag leaves of a momentum in half a step.
-float kept_by_drag(const Scene& scene);
 
 // Whether spheres can come to rest to the bit and are then passed over: with drag, and no other way (NOTES/contacts).
 inline bool may_sleep(const Scene& scene) { return scene.contact.drag > 0 && scene.contact.sleeping; }

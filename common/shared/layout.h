@@ -131,8 +131,7 @@ struct UNIFORM_ALIGN Axis {
 struct MotionParams {
   vec4 gravity_dt, half_gravity_dt2;     // g*dt, g*dt*dt/2, both <= 0
   vec4 seconds_per_speed, zeno_flights;  // 2 / |g|, or 0 without gravity; flights until rest, see rebound
-  // Seconds, <= 0 along y, 1 / dt, 0..1; of leapfrog: what drag leaves of a momentum in half a step.
-  float dt, gravity, steps_per_second, restitution;
+  float dt, gravity, steps_per_second, restitution;      // seconds, <= 0 along y, 1 / dt, 0..1
   float plane;      // its y
   uint steps_done;  // of anchored: after this move
   // Not 0: evaluate_positions also writes velocities and SLOT_WIDE, bounce handles all that bounce; of leapfrog and its
@@ -154,6 +153,7 @@ struct UNIFORM_ALIGN ContactParams {
   float fastest;                      // units a step, see FAULT_FAST
   float skin;                         // share of its radius by which a sphere is grown for the list of near pairs
   uint row_capacity;                  // near spheres of each for which SLOT_ROW has room
+  float drag_loss;                    // share of a momentum that drag takes in half a step
 };
 
 struct UNIFORM_ALIGN SearchParams {

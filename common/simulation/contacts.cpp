@@ -26,7 +26,6 @@ void Contacts::upload(const Scene& scene, uint64_t steps_before) {
   served_ = 1;
   sleeps_ = may_sleep(scene), tests_all_walls_ = scene.contact.tests_all_walls;
   context_.params.contact = contact_params(scene);
-  if (on_) context_.params.motion.restitution = kept_by_drag(scene);
   const uint64_t n = on_ ? context_.n : 0;
   for (uint axis = 0; axis < 3; ++axis) {
     context_.buffers.resize(SLOT_IMPULSE + axis, n * sizeof(int64_t));

@@ -25,12 +25,12 @@ __global__ void __launch_bounds__(BLOCK) leapfrog(Params p, KernelBuffers buf) {
   clear_impulses<FLOAT_SUMS>(buf, i, contacts);
   Push walls = push_of_walls(before, (p.motion.whole_state & TESTS_ALL_WALLS) != 0u, p.contact);
   record_fault(buf, walls.fault, i);
-  Body s = kicked_in_fluid(before, contacts, walls, p.motion.restitution, p.contact);
+  Body s = kicked_in_fluid(before, contacts, walls, p.contact);
   float mobility = mobility_of(s.radius, p.contact);
   vec4 speeds = speeds_of(s, mobility);
   uint wrong = fault_of(s, speeds, p.contact);
   record_fault(buf, wrong, i);
-  if (wrong == FAULTS) s = drifted(s, mobility);
+  if (wrong == FAULTS) s = drifted(s, speeds, mobility, p.contact);
   record_rest(p, buf, i, is_same(s, before));
   store_body(p, buf, i, s, speeds);
   bool failed = walls.fault != FAULTS || wrong != FAULTS || (i == 0u && has_faults(buf));

@@ -24,12 +24,12 @@ void main() {
   clear_impulses(i, contacts);
   Push walls = push_of_walls(before, (p.motion.whole_state & TESTS_ALL_WALLS) != 0u, p.contact);
   record_fault(walls.fault, i);
-  Body s = kicked_in_fluid(before, contacts, walls, p.motion.restitution, p.contact);
+  Body s = kicked_in_fluid(before, contacts, walls, p.contact);
   float mobility = mobility_of(s.radius, p.contact);
   vec4 speeds = speeds_of(s, mobility);
   uint wrong = fault_of(s, speeds, p.contact);
   record_fault(wrong, i);
-  if (wrong == FAULTS) s = drifted(s, mobility);
+  if (wrong == FAULTS) s = drifted(s, speeds, mobility, p.contact);
   record_rest(i, is_same(s, before));
   store_body(i, s, speeds);
   bool failed = walls.fault != FAULTS || wrong != FAULTS || (i == 0u && has_faults());

@@ -51,7 +51,9 @@ std::vector<uint> after_all_pairs(const Scene& scene, uint64_t steps) {
       }
     for (uint64_t i = 0; i < n; ++i) {
       const Body s = load_body(wide, scene.positions, i);
-      store_body(wide, n, i, drifted(kicked(s, sums[i], push_of_walls(s, false, c), c), mobility_of(s.radius, c)));
+      const Body faster = kicked(s, sums[i], push_of_walls(s, false, c), c);
+      const float mobility = mobility_of(s.radius, c);
+      store_body(wide, n, i, drifted(faster, speeds_of(faster, mobility), mobility, c));
     }
   }
   return wide;

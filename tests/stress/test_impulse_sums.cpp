@@ -62,7 +62,9 @@ std::vector<uint> after_sums_in_order(const Scene& scene, uint64_t steps) {
       }
       const Body s = body(before, i);
       const Push sum = {integer_of(x), integer_of(y), integer_of(z), FAULTS};
-      store_body(wide, n, i, drifted(kicked(s, sum, push_of_walls(s, false, c), c), mobility_of(s.radius, c)));
+      const Body faster = kicked(s, sum, push_of_walls(s, false, c), c);
+      const float mobility = mobility_of(s.radius, c);
+      store_body(wide, n, i, drifted(faster, speeds_of(faster, mobility), mobility, c));
     }
   }
   return wide;

@@ -68,22 +68,22 @@ FN float speed_of(int64_t momentum, float mobility) {
   EXACT float speed = float_of(momentum) * mobility;
   return speed;
 }
-// By which the damper's impulse is: in whole units, as positions move, so that spheres that stay in place have none:
-// what `scaled` rounds to 0 is at most a half here, and rounds to 0.
-FN float whole_speed_of(int64_t momentum, float mobility) {
+// With drag a sphere stays in place, and its damper gives nothing, while a step would move it by less than 2^-30 of the
+// smallest radius: about half of the unit of its gaps (gap.h), which no impulse can tell from none.
+FN bool stays(float speed, ContactParams c) {
+  EXACT float slowest = c.fastest * power_of_two(-30);
+  return c.drag_loss != 0.0f && speed < slowest && speed > -slowest;
+}
+FN float moving_speed_of(int64_t momentum, float mobility, ContactParams c) {
   float speed = speed_of(momentum, mobility);
-  uint bits = float_bits(speed) & 0x7FFFFFFFu;
-  if (bits >= 0x4B000000u) return speed;  // from 2^23 on
-  EXACT float sum = bits_float(bits) + 8388608.0f;
-  EXACT float whole = sum - 8388608.0f;
-  return speed < 0.0f ? -whole : whole;
+  return stays(speed, c) ? 0.0f : speed;
 }
 FN float closing_speed(Body a, Body b, Gap g, ContactParams c) {
   float ma = mobility_of(a.radius, c);
   float mb = mobility_of(b.radius, c);
-  EXACT float x = (whole_speed_of(b.px, mb) - whole_speed_of(a.px, ma)) * unit_length(g.x);
-  EXACT float y = (whole_speed_of(b.py, mb) - whole_speed_of(a.py, ma)) * unit_length(g.y);
-  EXACT float z = (whole_speed_of(b.pz, mb) - whole_speed_of(a.pz, ma)) * unit_length(g.z);
+  EXACT float x = (moving_speed_of(b.px, mb, c) - moving_speed_of(a.px, ma, c)) * unit_length(g.x);
+  EXACT float y = (moving_speed_of(b.py, mb, c) - moving_speed_of(a.py, ma, c)) * unit_length(g.y);
+  EXACT float z = (moving_speed_of(b.pz, mb, c) - moving_speed_of(a.pz, ma, c)) * unit_length(g.z);
   EXACT float sum = (x + y) + z;
   return sum;
 }
@@ -143,7 +143,7 @@ FN int64_t push_of_wall(int64_t distance, int64_t outward_momentum, float radius
   if (!in_contact(g)) return 0l;
   float closing = 0.0f;
   if (c.damping != 0.0f) {
-    EXACT float speed = -whole_speed_of(outward_momentum, mobility_of(radius, c)) * unit_length(g.x);
+    EXACT float speed = -moving_speed_of(outward_momentum, mobility_of(radius, c), c) * unit_length(g.x);
     closing = speed;
   }
   EXACT float push = push_per_length(g, closing, cubed(radius), c) * unit_length(g.x);
@@ -208,10 +208,10 @@ FN Body kicked(Body s, Push contacts, Push walls, ContactParams c) {
   s.pz += contacts.z + walls.z;
   return s;
 }
-FN Body drifted(Body s, float mobility) {
-  s.x += scaled(s.px, mobility);
-  s.y += scaled(s.py, mobility);
-  s.z += scaled(s.pz, mobility);
+FN Body drifted(Body s, vec4 speeds, float mobility, ContactParams c) {
+  s.x += stays(speeds.x, c) ? 0l : scaled(s.px, mobility);
+  s.y += stays(speeds.y, c) ? 0l : scaled(s.py, mobility);
+  s.z += stays(speeds.z, c) ? 0l : scaled(s.pz, mobility);
   return s;
 }
 
