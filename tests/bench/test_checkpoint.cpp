@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -125,6 +126,32 @@ TEST(Checkpoint, IntegersThatAreNotThePositionAreRefused) {
   write_checkpoint(folder.path("run.checkpoint"), wrong);
   const std::string complaint = complaint_of([&] { read_checkpoint(folder.path("run.checkpoint")); });
   EXPECT_NE(complaint.find("wide state, sphere 5"), std::string::npos) << complaint;
+}
+
+// Each of a sphere's integers against the float32 number that is nearest to it.
+TEST(Checkpoint, EveryIntegerIsThatOfItsFloat) {
+  const ScratchFolder folder;
+  const Checkpoint right = sample_with_contacts();
+  const auto complaint_about = [&](const Checkpoint& wrong) {
+    write_checkpoint(folder.path("run"), wrong);
+    return complaint_of([&] { read_checkpoint(folder.path("run")); });
+  };
+  EXPECT_EQ(complaint_about(right), "");
+  const uint64_t n = right.scene.size(), i = 13;
+  for (uint64_t part = 0; part < 6; ++part) {
+    Checkpoint wrong = right;
+    const auto value = load_real<int64_t>(wrong.motion.wide, part * n + i);
+    store_real(wrong.motion.wide, part * n + i, value + value / 1024 + 1024);
+    EXPECT_NE(complaint_about(wrong).find("wide state, sphere 13"), std::string::npos) << part;
+  }
+  constexpr float vec4::*components[] = {&vec4::x, &vec4::y, &vec4::z};
+  for (const auto component : components)
+    for (const bool is_velocity : {false, true}) {
+      Checkpoint wrong = right;
+      float& number = (is_velocity ? wrong.scene.velocities : wrong.scene.positions)[i].*component;
+      number = std::nextafter(number, INFINITY);
+      EXPECT_NE(complaint_about(wrong).find("wide state, sphere 13"), std::string::npos) << is_velocity;
+    }
 }
 
 std::string bytes_of_a_checkpoint(const ScratchFolder& folder) {
