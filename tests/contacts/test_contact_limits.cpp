@@ -2,6 +2,9 @@
 // A sphere too fast or out of range along any axis, in either direction, ends a run by its name.
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstdio>
+
 #include "common/scene/contact_scene.h"
 #include "tests/support/motion_runs.h"
 
@@ -80,6 +83,53 @@ TEST(ContactLimitsOfASphere, HoldInEachDirection) {
     EXPECT_EQ(fault(0, 0, 0, {0, fast, 0, 0}), uint(FAULT_FAST));
     EXPECT_EQ(fault(0, 0, 0, {0, 0, fast, 0}), uint(FAULT_FAST));
   }
+}
+
+// Two spheres, the second so far out that rounding takes half of its skin within some 200 steps.
+struct FarOut {
+  Scene scene;
+  MotionState saved;
+};
+FarOut far_out() {
+  FarOut far{scene_of({{0, 0, 0, 0.5f}, {3, 0, 0, 0.5f}}), {}};
+  far.scene.plane = -1000, far.scene.gravity = 0;
+  choose_contacts(far.scene, {.law = ContactLaw::spring});
+  far.scene.velocities[1].x = 1e-4f / far.scene.dt;
+  cpu_backend().upload(far.scene);
+  far.saved = cpu_backend().save();
+  far.scene.positions[1].x = 52428.78f;
+  const double units = std::ldexp(double(far.scene.positions[1].x), far.scene.contact.unit_exponent);
+  store_real(far.saved.wide, 1, int64_t(units));
+  return far;
+}
+
+// What so many steps say, the first of them ahead of a cut.
+std::string text_of_cut_run(Backend& on, const FarOut& far, uint64_t cut, uint64_t steps) {
+  on.resume(far.scene, far.saved);
+  try {
+    for (uint64_t step = 0; step < cut; ++step) on.move();
+    if (cut) {
+      Scene scene = far.scene;
+      const Backend::State state = current_state(on);
+      scene.positions = state.positions, scene.velocities = state.velocities;
+      on.resume(scene, on.save());
+    }
+    for (uint64_t step = cut; step < steps; ++step) on.move();
+    on.evaluate_state();
+  } catch (const std::invalid_argument& fault) {
+    return std::string(fault.what()).substr(on.info().name.size());
+  }
+  return "";
+}
+
+TEST_P(ContactLimits, OfDistanceEndARunInTheSameStepWhereverItIsCut) {
+  const FarOut far = far_out();
+  const std::string wanted = text_of_cut_run(cpu_backend(), far, 0, 600);
+  EXPECT_NE(wanted.find("sphere 1 has left the range"), std::string::npos) << wanted;
+  uint64_t failed = 0;
+  std::sscanf(wanted.c_str(), ": contacts cannot go on from step %lu", &failed);
+  EXPECT_GT(failed, 100u);
+  for (uint64_t cut = 0; cut < failed; cut += 7) EXPECT_EQ(text_of_cut_run(backend(), far, cut, 600), wanted) << cut;
 }
 
 INSTANTIATE_BACKENDS(ContactLimits);
