@@ -112,6 +112,8 @@ std::vector<EqualityEntry> check_lockstep(Session& session, const LockstepPlan& 
   for (const auto& backend : session.backends()) backend->upload(scene);
   const std::vector<Configuration> all = all_configurations(session, plan.methods, plan.blocks);
   plan_comparisons(session, plan, all);
+  SceneOptions moved = plan.scene;  // as messages name it
+  moved.motion = scene.motion;
   std::vector<SetCheck> sets = group_by_set(session, plan, all);
   for (uint64_t step = 0; step <= plan.steps; ++step) {
     if (step > 0)
@@ -119,7 +121,7 @@ std::vector<EqualityEntry> check_lockstep(Session& session, const LockstepPlan& 
     if (!is_compared(plan, step)) continue;
     progress.say(
         fmt::format("checking {} n = {}: step {} of {}", scene_label(plan.scene), plan.scene.n, step, plan.steps));
-    const ComparisonPoint point{plan.scene, step};
+    const ComparisonPoint point{moved, step};
     const uint64_t state = require_same_states(session, point);
     for (SetCheck& set : sets) check_set(session, point, set, state, plan.largest_list);
     for (const auto& backend : session.backends()) backend->check_guards();

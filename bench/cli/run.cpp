@@ -127,7 +127,9 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   if (!options.statistics_file.empty() && start.scene.contact.law == ContactLaw::none)
     throw std::invalid_argument("--statistics is of contacts that push: omit it, or give --contact spring");
   if (options.swept && start.scene.contact.drag > 0)
-    throw std::invalid_argument("--swept tests paths without drag: omit it, or --drag");
+    throw std::invalid_argument(
+        start.motion ? "--swept tests paths without drag, and the checkpoint's run has drag: omit --swept"
+                     : "--swept tests paths without drag: omit it, or --drag");
   const ChosenBackend chosen =
       times.spend(RunTimes::opening, [&] { return choose_backend(options.backend, line.open, line.opener); });
   Backend& backend = *chosen.backend;

@@ -77,6 +77,7 @@ bool Contacts::complete() {
     failed_ = has_faults(words);
     known_ = words[STEPS_DONE];
     if (known_ == launched_ || failed_) break;
+    require_progress();
     const uint again = launched_ - known_;
     served_ = known_;
     list_near_pairs();
@@ -84,6 +85,15 @@ bool Contacts::complete() {
     for (uint step = 0; step < again; ++step) launch(false);
   }
   return listed;
+}
+
+// A list of near pairs serves at least one step.
+void Contacts::require_progress() const {
+  if (known_ > 0 && known_ < launched_) return;
+  throw BackendError(
+      fmt::format("{}: of {} steps with contacts that were launched, the device counts {} as done: kernels or launches "
+                  "of its driver fail; update the driver, or choose another backend",
+                  context_.name(), launched_, known_));
 }
 
 void Contacts::launch(bool clear_results) {

@@ -38,6 +38,7 @@ class Contacts {
  private:
   void list_near_pairs();
   void list_rows();
+  void require_progress() const;  // throws BackendError where the steps done are none, or more than were launched
   void launch(bool clear_results);
   Params pair_params() const;
   void launch_impulses(const Params& params);

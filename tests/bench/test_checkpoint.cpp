@@ -51,11 +51,11 @@ TEST(Checkpoint, HoldsEverything) {
     }
 }
 
-Checkpoint sample_with_contacts() {
+Checkpoint sample_with_contacts(uint64_t steps = 20, float drag = 0.25f) {
   Scene scene = make_scene({.name = "bed", .n = 27, .radius_ratio = 3, .restitution = 0.5f});
-  choose_contacts(scene, {.law = ContactLaw::spring, .drag = 0.25f, .walls = true});
-  const Backend::State state = run_steps(cpu_backend(), scene, 20);
-  Checkpoint checkpoint{scene, cpu_backend().save(), 20};
+  choose_contacts(scene, {.law = ContactLaw::spring, .drag = drag, .walls = true});
+  const Backend::State state = run_steps(cpu_backend(), scene, steps);
+  Checkpoint checkpoint{scene, cpu_backend().save(), steps};
   checkpoint.scene.positions = state.positions;
   checkpoint.scene.velocities = state.velocities;
   return checkpoint;
@@ -125,6 +125,37 @@ TEST(Checkpoint, IntegersThatAreNotThePositionAreRefused) {
   write_checkpoint(folder.path("run.checkpoint"), wrong);
   const std::string complaint = complaint_of([&] { read_checkpoint(folder.path("run.checkpoint")); });
   EXPECT_NE(complaint.find("wide state, sphere 5"), std::string::npos) << complaint;
+}
+
+// Each of a sphere's integers against the float32 number that is nearest to it; of a start, whose floats can be finer
+// than integers, against those that are made of it.
+TEST(Checkpoint, EveryIntegerIsThatOfItsFloat) {
+  const ScratchFolder folder;
+  const auto complaint_about = [&](const Checkpoint& wrong) {
+    write_checkpoint(folder.path("run"), wrong);
+    return complaint_of([&] { read_checkpoint(folder.path("run")); });
+  };
+  const auto expect_refused = [&](const Checkpoint& wrong, const std::string& what) {
+    EXPECT_NE(complaint_about(wrong).find("wide state, sphere 13"), std::string::npos) << what;
+  };
+  for (const Checkpoint& right : {sample_with_contacts(), sample_with_contacts(0, 0)}) {
+    EXPECT_EQ(complaint_about(right), "");
+    const uint64_t n = right.scene.size(), i = 13;
+    for (uint64_t k = i; k < 6 * n; k += n) {
+      Checkpoint wrong = right;
+      const auto value = load_real<int64_t>(wrong.motion.wide, k);
+      store_real(wrong.motion.wide, k, value + value / 1024 + 1024);
+      expect_refused(wrong, fmt::format("step {}, word {}", right.step, k));
+    }
+    constexpr float vec4::*components[] = {&vec4::x, &vec4::y, &vec4::z};
+    for (const auto component : components)
+      for (const bool is_velocity : {false, true}) {
+        Checkpoint wrong = right;
+        float& number = (is_velocity ? wrong.scene.velocities : wrong.scene.positions)[i].*component;
+        number += number / 1024 + 0x1p-20f;
+        expect_refused(wrong, fmt::format("step {}, velocity: {}", right.step, is_velocity));
+      }
+  }
 }
 
 std::string bytes_of_a_checkpoint(const ScratchFolder& folder) {

@@ -4,7 +4,7 @@
 
 #include "bench/studies/crossover_sweep.h"
 #include "bench/tables/api_verdict.h"
-#include "tests/support/faulty_session.h"
+#include "tests/faults/faulty_session.h"
 
 namespace spherepair {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "bench/gpu/energy_study.h"
+#include "tests/faults/faulty_session.h"
 #include "tests/support/clocked_backend.h"
-#include "tests/support/faulty_session.h"
 #include "tests/support/program.h"
 
 namespace spherepair {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "bench/check/lockstep.h"
-#include "tests/support/faulty_session.h"
+#include "tests/faults/faulty_session.h"
 
 namespace spherepair {
 namespace {

@@ -6,7 +6,7 @@
 #include "bench/check/step_result.h"
 #include "bench/studies/set_errors.h"
 #include "bench/studies/work_precision.h"
-#include "tests/support/faulty_backend.h"
+#include "tests/faults/faulty_backend.h"
 #include "tests/support/images.h"
 #include "tests/support/program.h"
 

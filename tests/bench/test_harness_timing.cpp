@@ -5,7 +5,7 @@
 #include "bench/studies/crossover_sweep.h"
 #include "bench/studies/sweep_point.h"
 #include "bench/tables/study.h"
-#include "tests/support/faulty_session.h"
+#include "tests/faults/faulty_session.h"
 
 namespace spherepair {
 namespace {

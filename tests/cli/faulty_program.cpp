@@ -5,7 +5,7 @@
 
 #include "bench/cli/command_line.h"
 #include "common/backend/cpu_team.h"
-#include "tests/support/faulty_backend.h"
+#include "tests/faults/faulty_backend.h"
 
 int main(int argc, char** argv) {
   using namespace spherepair;

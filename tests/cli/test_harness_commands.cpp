@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "tests/support/faulty_backend.h"
+#include "tests/faults/faulty_backend.h"
 #include "tests/support/program.h"
 
 namespace spherepair {

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The deliberate faults, all but those of near pairs, which are in near_pair_mutants.py."""
+"""The deliberate faults; those of near pairs and of contacts are in near_pair_mutants.py and contact_mutants.py."""
+from contact_mutants import CONTACTS
 from mutant import mutant
 from near_pair_mutants import NEAR_PAIRS
 
@@ -54,8 +55,7 @@ HARNESS = [
            "sum += std::pow(seconds - fixed - step * count, 2);", "Time"),
     mutant("each contender has its own K", "bench/measure/timing.cpp", "return contest_of(c) + (on_host(contenders_[c])",
            "return fmt::format(\"{}\", c) + (on_host(contenders_[c])", "Time"),
-    mutant("a capture inside of a sample counts", "bench/measure/batches.cpp",
-           "if (contender.prepares || batch.prepared == Preparations{}) break;", "break;", "Time"),
+    mutant("a capture inside of a sample counts", "bench/measure/batches.cpp", "if (contender.prepares || batch.prepared == Preparations{}) break;", "break;", "Time"),
     mutant("contenders of a contest do not follow each other", "bench/measure/timing.cpp",
            "grouped(contenders_, [&](size_t c) { return contest_of(c); })",
            "grouped(contenders_, [&](size_t c) { return fmt::format(\"{}\", c); })", "Time"),
@@ -106,7 +106,7 @@ CPU = [
     mutant("cpu: spheres beyond the last cell in runs", "common/cpu/search/cpu_grid_body.h",
            "if (is_last(run.cell.x) || is_last(run.cell.y) || is_last(run.cell.z)) return false;", "", "CpuGrid"),
     mutant("cpu: a contact pushes one sphere alone", "common/cpu/cpu_contacts.cpp", "add(impulses_[second], -value);", "", "Contacts", "ContactLaws"),
-    mutant("the skin is never left", "common/shared/contact/skin.h", "return !(path > 0.0f && squared_between(sphere, grown) <= longest);", "return false;", "Contacts"),
+    mutant("the skin is never left", "common/shared/contact/skin.h", "return !(centre_rounding(sphere) < path && squared_between(sphere, grown) <= longest);", "return false;", "Contacts"),
     mutant("near pairs are those that overlap", "common/shared/contact/skin.h", "EXACT float radius = sphere.w + thickness;", "EXACT float radius = sphere.w;", "Contacts"),
     mutant("spheres on the plane are away from walls", "common/shared/contact/contact.h", "(s.y - c.low_y < reach ? 2u : 0u) | ", "", "ContactWalls"),
     mutant("glsl: the last near pair is left out", "shaders/contact/contact_pairs.comp", "uint pairs = p.search.near_pairs;", "uint pairs = max(p.search.near_pairs, 1u) - 1u;", "Contacts"),
@@ -247,4 +247,4 @@ DRAWING = [
            "ViewerImages"),
 ]
 
-MUTANTS = HARNESS + SHADERS + CPU + FILES + CHECKPOINT + COMMANDS + EXACT + DRAWING + NEAR_PAIRS
+MUTANTS = HARNESS + SHADERS + CPU + FILES + CHECKPOINT + COMMANDS + EXACT + DRAWING + NEAR_PAIRS + CONTACTS

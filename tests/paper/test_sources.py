@@ -86,6 +86,11 @@ class Digests(Tree):
         self.assertEqual(set(), self.changed("shaders/collide/collide_grid.comp", "  // a comment\n\n\n"))
         self.assertEqual(set(), self.changed("common/scene/scene.cpp", '#include "common/scene/counted.h"\n'))
 
+    def test_what_stands_behind_a_division_counts(self):
+        for file, name in (("shaders/collide/collide_grid.comp", "glsl/collide_grid"), ("glsl/gl_device.cpp", "host/glsl")):
+            self.append(file, "float unused = 1.0f /")
+            self.assertEqual({name}, self.changed(file, " 2.0f;\n"), file)
+
     def test_a_missing_include_is_named(self):
         self.append("cuda/collide/clear.cu", '#include "cuda/collide/abacus.cuh"\n')
         sources.current.cache_clear()

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "bench/studies/contact/contact_study.h"
+#include "tests/faults/faulty_session.h"
 #include "tests/support/backends.h"
-#include "tests/support/faulty_session.h"
 #include "tests/support/forwarding_backend.h"
 #include "tests/support/program.h"
 

@@ -158,5 +158,21 @@ TEST(ContactStatistics, ErrorsOfTheEnergyFallWithTheSquareOfTheStep) {
   }
 }
 
+// The plane gives a falling sphere what changes its momentum in the next step, less its weight: also by the damper.
+TEST(ContactStatistics, TheForceOnThePlaneIsThatOfTheNextStep) {
+  Scene scene = scene_of({{0, 0.499f, 0, 0.5f}});
+  scene.plane = 0, scene.restitution = 0.3f, scene.velocities[0].y = -1;
+  choose_contacts(scene, {.law = ContactLaw::spring});
+  const Moment m = moment_of(scene, 0);
+  const auto momentum = [&](const Backend::State& state) {
+    return std::ldexp(double(load_body(state.wide, scene.positions, 0).py), -scene.contact.momentum_exponent);
+  };
+  const double weight = sphere_mass(0.5) * -double(scene.gravity);
+  const double wanted = (momentum(m.later) - momentum(m.now)) / double(scene.dt) + weight;
+  EXPECT_NEAR(statistics_of(scene, m).floor_force / wanted, 1, 1e-6);
+  scene.restitution = 1;
+  EXPECT_LT(statistics_of(scene, m).floor_force, 0.9 * wanted) << "without a damper";
+}
+
 }  // namespace
 }  // namespace spherepair

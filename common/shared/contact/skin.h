@@ -50,12 +50,15 @@ FN float free_path(vec4 sphere, vec4 grown) {
   EXACT float path = skin - centre_rounding(sphere);
   return path;
 }
+// Also where rounding takes half of the skin: pairs are then listed in the next step, which finds the sphere too far
+// out. So a run ends in the same step wherever it was cut, since a cut lists pairs, too.
 FN bool has_left_skin(vec4 sphere, vec4 grown) {
   float path = free_path(sphere, grown);
   EXACT float longest = path * path;
-  return !(path > 0.0f && squared_between(sphere, grown) <= longest);
+  return !(centre_rounding(sphere) < path && squared_between(sphere, grown) <= longest);
 }
-// Too far from the origin for its radius: rounding takes more than half of the skin.
+// Too far from the origin for its radius: rounding takes more than half of the skin. It has left its skin then: the
+// free path, less than the skin less the rounding, is no longer than the rounding.
 FN bool is_too_far(vec4 sphere, ContactParams c) {
   EXACT float half_skin = sphere.w * c.skin * 0.5f;
   return !(centre_rounding(sphere) < half_skin);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/faulty_backend.h"
+#include "tests/faults/faulty_backend.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "api/open.h"
+#include "tests/faults/faulty_contacts.h"
 #include "tests/support/forwarding_backend.h"
 
 namespace spherepair {
@@ -41,11 +42,17 @@ class FaultyBackend : public ForwardingBackend {
   }
   void upload(const Scene& scene) override {
     ForwardingBackend::upload(scene);
-    spheres_ = scene.size();
-    step_ = 0;
+    begin(scene);
+  }
+  void resume(const Scene& scene, const MotionState& saved) override {
+    ForwardingBackend::resume(scene, wrong(Fault::old_momenta) ? spoiled_start(fault_, scene, saved) : saved);
+    begin(scene);
   }
   void move() override {
-    ForwardingBackend::move();
+    if (spoils_steps(fault_))
+      move_with_contacts();
+    else
+      ForwardingBackend::move();
     ++step_;
   }
 
@@ -103,6 +110,31 @@ class FaultyBackend : public ForwardingBackend {
  private:
   bool wrong(Fault fault) const { return fault_ == fault && step_ >= from_step_; }
 
+  void begin(const Scene& scene) {
+    scene_ = scene;
+    before_ = {};
+    step_ = lists_ = 0;
+  }
+  State real_state() {
+    evaluate_state();
+    return ForwardingBackend::state();
+  }
+  // The right step, behind which the wrong state takes its place.
+  void move_with_contacts() {
+    const State earlier = std::exchange(before_, real_state());
+    const uint64_t searches = work_counts().steps;
+    ForwardingBackend::move();
+    lists_ += work_counts().steps - searches;
+    if (step_ < from_step_) return;
+    const State right = real_state(), spoiled = spoiled_step(fault_, scene_, earlier, before_, right, lists_ <= 1);
+    if (spoiled.wide == right.wide) return;
+    Scene scene = scene_;
+    scene.positions = spoiled.positions, scene.velocities = spoiled.velocities;
+    MotionState saved = save();
+    saved.wide = spoiled.wide;
+    ForwardingBackend::resume(scene, saved);
+  }
+
   std::vector<Pair> spoiled_set(std::vector<Pair> pairs) const {
     if (wrong(Fault::dropped_pair) && !pairs.empty()) pairs.erase(pairs.begin());
     if (wrong(Fault::added_pair)) add_absent_pair(pairs);
@@ -111,13 +143,16 @@ class FaultyBackend : public ForwardingBackend {
     return pairs;
   }
   std::vector<uint> counts_of(const std::vector<Pair>& pairs) const {
-    std::vector<uint> counts(spheres_);
+    std::vector<uint> counts(scene_.size());
     for (const Pair& pair : pairs) ++counts[pair.first], ++counts[pair.second];
     return counts;
   }
 
   Fault fault_;
-  uint64_t from_step_, spheres_ = 0, step_ = 0;
+  uint64_t from_step_, step_ = 0;
+  uint64_t lists_ = 0;  // of near pairs since the upload
+  Scene scene_;
+  State before_;  // the last step
   std::vector<Pair> set_;
 };
 
@@ -146,12 +181,21 @@ const std::vector<NamedFault>& state_faults() {
   return all;
 }
 
+const std::vector<NamedFault>& contact_faults() {
+  static const std::vector<NamedFault> all = {{"lost_near_pair", Fault::lost_near_pair, "state, first in position"},
+                                              {"moves_at_rest", Fault::moves_at_rest, "state, first in velocity x"},
+                                              {"stays_at_rest", Fault::stays_at_rest, "state, first in "},
+                                              {"drag_once_more", Fault::drag_once_more, "state, first in position"}};
+  return all;
+}
+
 Fault fault_from_name(const std::string& name) {
-  for (const auto* faults : {&set_faults(), &state_faults()})
+  for (const auto* faults : {&set_faults(), &state_faults(), &contact_faults()})
     for (const NamedFault& one : *faults)
       if (name == one.name) return one.fault;
   const std::pair<const char*, Fault> others[] = {{"none", Fault::none},
                                                   {"wide_bit", Fault::wide_bit},
+                                                  {"old_momenta", Fault::old_momenta},
                                                   {"image_pixel", Fault::image_pixel},
                                                   {"infinite_position", Fault::infinite_position},
                                                   {"guard_overwritten", Fault::guard_overwritten},

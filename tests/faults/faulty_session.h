@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "bench/check/step_result.h"
-#include "tests/support/faulty_backend.h"
+#include "tests/faults/faulty_backend.h"
 
 namespace spherepair {
 

@@ -31,6 +31,12 @@ enum class Fault {
   velocity_missing,   // velocities of one sphere fewer
   infinite_position,  // x of sphere 3
   image_pixel,
+  // Steps with contacts, and a resumed run (faulty_contacts.h).
+  lost_near_pair,  // the first pair that touches has no impulse, as if a list lacked it: behind the first list
+  moves_at_rest,   // a sphere at rest goes two units of length a step along x
+  stays_at_rest,   // a sphere that is hit stays at rest
+  drag_once_more,  // momenta are slowed by half a step's drag once more
+  old_momenta,     // a resumed run makes its momenta of the velocities, as a start does
   // What a kernel must not do, and a backend without methods.
   guard_overwritten,
   no_methods
@@ -41,8 +47,9 @@ struct NamedFault {
   Fault fault;
   const char* found_as;  // part of the message that must name it
 };
-const std::vector<NamedFault>& set_faults();    // that a comparison of sets must find
-const std::vector<NamedFault>& state_faults();  // that a comparison of states must find
+const std::vector<NamedFault>& set_faults();      // that a comparison of sets must find
+const std::vector<NamedFault>& state_faults();    // that a comparison of states must find
+const std::vector<NamedFault>& contact_faults();  // and of states with contacts
 Fault fault_from_name(const std::string& name);
 
 // The CPU backend under this name, which answers wrongly after so many moves since the upload, and until then rightly.
