@@ -133,6 +133,9 @@ std::string why_no_start(const Scene& scene) {
   if (double(scene.dt) > time / fewest_steps)
     return fmt::format("dt is {} s, but a contact lasts {:.3g} s only: give --dt {:.3g} or less", scene.dt, time,
                        time / steps_a_contact);
+  if (std::abs(double(scene.plane)) >= extent_of(scene) && !units_are_fine(scene))
+    return fmt::format("the radius {} is too small for the plane at y = {}: give larger spheres", r.smallest,
+                       scene.plane);
   if (scene.contact.unit_exponent < coarsest_units(r) || double(scene.contact.skin) > most_skin) {
     const uint64_t i = sphere_with_most(scene, [&](uint64_t k) { return farthest_coordinate(scene.positions[k]); });
     return fmt::format(
@@ -202,6 +205,12 @@ void choose_contacts(Scene& scene, const ContactChoice& choice) {
         largest));
   choose_box(scene, choice.walls);
   choose_units(scene);
+}
+
+bool units_are_fine(const Scene& scene) {
+  if (!(radii_of(scene).smallest > 0)) return true;  // refused as such
+  const int finest = position_bits - bits_above(extent_of(scene));
+  return finest >= coarsest_units(radii_of(scene)) && double(skin_of(scene)) <= most_skin;
 }
 
 float skin_of(const Scene& scene) {

@@ -25,6 +25,9 @@ void choose_contacts(Scene& scene, const ContactChoice& choice);
 
 Radii radii_of(const Scene& scene);
 
+// Whether units of length that reach to the farthest sphere and to the plane are fine enough for the smallest radius.
+bool units_are_fine(const Scene& scene);
+
 // The shortest contact that spheres from the smallest to the largest radius can have, in seconds; of hertz, whose
 // contacts depend on the speed, at the highest.
 double contact_time(const Scene& scene);
