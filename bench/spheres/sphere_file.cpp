@@ -167,8 +167,7 @@ std::string describe(const SphereFile& input) {
         "boundary are not found",
         in_quotes(input.unread_box));
   if (!input.units.empty())
-    text += fmt::format("\nlengths are in {}, as the file's names say, and so is --radius; nothing is converted",
-                        input.units);
+    text += fmt::format("\nlengths are in {}, as the file's names say; nothing is converted", input.units);
   if (input.unread_momenta) text += "\nmomenta are not read: give velocities, momenta over masses, as velo:R:3";
   const auto [low, high] = radius_range(input.scene);
   text += fmt::format("\n{}", counted(input.scene.size(), "sphere"));
