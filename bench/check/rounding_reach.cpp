@@ -29,9 +29,10 @@ std::string reach_warning(uint64_t pairs, const Rounding& rounding) {
   if (pairs == 0) return "";
   return fmt::format(
       "WARNING: {} so close to touching that rounding the file's numbers to float32, which moves a surface "
-      "by up to {:.2g}, can decide {}. The float32 spheres are decided exactly. To have fewer such pairs, write "
+      "by up to {}, can decide {}. The float32 spheres are decided exactly. To have fewer such pairs, write "
       "positions relative to a point near the spheres, or in numbers that float32 represents.",
-      pairs == 1 ? "1 pair is" : fmt::format("{} pairs are", pairs), rounding.largest, pairs == 1 ? "it" : "them");
+      pairs == 1 ? "1 pair is" : fmt::format("{} pairs are", pairs), at_most(rounding.largest),
+      pairs == 1 ? "it" : "them");
 }
 
 }  // namespace spherepair

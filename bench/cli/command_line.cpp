@@ -82,9 +82,10 @@ void add_pairs(CLI::App& app, CommandLine& line, Action& action) {
           "--input", options->input_file,
           "Extended XYZ (.xyz, .extxyz; columns pos and radius by Properties=, else `[species] x y z [radius]`), "
           "NPY (.npy; n x 3, n x 4 with the radius, or structured with fields x y z or pos, and radius; any real "
-          "numbers), text (.txt, .csv, .tsv, .dat; see --columns), or - for any of these on standard input")
+          "numbers), text (.txt, .csv, .tsv, .dat; columns by a line of names, else x y z [radius]), or - for any of "
+          "these on standard input")
       ->required();
-  add_file_options(*command, options->columns, options->ignore_periodic);
+  add_file_options(*command, options->columns, options->decimal_comma, options->ignore_periodic);
   command->add_option("--radius", options->radius, "Radius of all spheres if the file has none");
   command
       ->add_option("--output", options->output_file,

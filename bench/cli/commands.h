@@ -41,6 +41,7 @@ struct PairsOptions {
   std::optional<double> radius;
   std::optional<uint64_t> frame;
   std::vector<std::string> columns;
+  bool decimal_comma = false;
   bool ignore_periodic = false;
   uint block = 0;  // 0: not given
 };

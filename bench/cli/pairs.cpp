@@ -136,6 +136,7 @@ int pairs_command(const CommandLine& line, const PairsOptions& options) {
     input = read_sphere_file(options.input_file, {.radius = options.radius,
                                                   .frame = options.frame,
                                                   .columns = options.columns,
+                                                  .decimal_comma = options.decimal_comma,
                                                   .ignore_periodic = options.ignore_periodic,
                                                   .may_shift = true,
                                                   .threads = line.open.threads});

@@ -10,6 +10,7 @@
 #include "bench/formats/files.h"
 #include "bench/formats/video.h"
 #include "bench/image/colour_values.h"
+#include "bench/image/drawing_scale.h"
 #include "bench/image/ground.h"
 #include "bench/image/image_files.h"
 #include "bench/image/image_record.h"
@@ -140,16 +141,13 @@ void compose(Series& series, const Backend::State& first, const std::vector<doub
 
 void require_spheres(const Series& series, uint64_t k, bool some) {
   if (some || k > 0) return;
-  if (series.start(0).scene.size() == 0)
-    throw std::invalid_argument(fmt::format("{} has no spheres, so the image would be blank", series.start(0).label));
-  throw std::invalid_argument(
-      "no sphere is in the image: leave out --eye and --target to have all in view, or turn the camera, or give a "
-      "larger --size if they are smaller than a pixel");
+  refuse_blank_image(series.start(0), current_state(series.backend()).positions);
 }
 
 // Also of later images: those without a sphere, and values beyond the colours' range.
 struct Remarks {
   uint64_t blank = 0, beyond = 0;
+  std::string undrawn = {};  // in the first image
   double highest = 0;
 };
 
@@ -184,6 +182,7 @@ Remarks draw_series(Series& series) {
         values_of(colour_by_name(options.colour), series.start(k), series.backend(), state);
     if (k == 0) require_spheres(series, k, !values.empty());
     if (k == 0) compose(series, state, values);
+    if (k == 0) remarks.undrawn = undrawn_text(series.start(0), state.positions);
     std::vector<uint> image = draw_one(series, k, values, current, remarks);
     if (k == 0) first = current;
     if (k == 0 && !options.video_file.empty())
@@ -215,6 +214,7 @@ void print_summary(const Series& series, const Remarks& remarks) {
                options.colour, remarks.beyond, series.images(), remarks.highest);
   if (options.legend && !series.strip)
     fmt::print("{}x{} pixels have no room for the legend: it is left out\n", options.width, options.height);
+  fmt::print("{}", remarks.undrawn);
   if (remarks.blank) fmt::print("no sphere is in {} of {}\n", remarks.blank, counted(series.images(), "image"));
   if (!options.output_file.empty())
     fmt::print("{}{}\n", series.file(0).string(),
@@ -236,6 +236,7 @@ int render_command(const CommandLine& line, const RenderOptions& given) {
     starts.push_back(start_of(options.start, line.open.threads));
   }
   if (options.steps > 0 || options.images > 1) starts.front().at_rest = false;  // they fall
+  fit_for_drawing(starts, options.camera, options.ground);
   const ChosenBackend chosen = choose_backend(options.backend, line.open);
   const bool by_grid = !options.plain && options.method.empty();  // its cells are those of the light
   const Method method = by_grid ? Method::collide_grid : choose_method(options.method, *chosen.backend);

@@ -29,13 +29,28 @@ void lower_plane(Scene& scene) {
   if (lowest < scene.plane) scene.plane = std::max(std::floor(lowest) - 1, -std::numeric_limits<float>::max());
 }
 
+// Contacts count lengths in units that reach from the plane to the farthest sphere. A plane metres below spheres of a
+// micrometre would leave none for their overlaps: it is then as far below them as they extend.
+void raise_plane(Scene& scene, const ContactChoice& contact) {
+  if (contact.law == ContactLaw::none || scene.positions.empty() || units_are_fine(scene)) return;
+  vec4 low = {INFINITY, INFINITY, INFINITY, 0}, high = {-INFINITY, -INFINITY, -INFINITY, 0};
+  for (const vec4& s : scene.positions) {
+    low = {std::min(low.x, s.x - s.w), std::min(low.y, s.y - s.w), std::min(low.z, s.z - s.w), 0};
+    high = {std::max(high.x, s.x + s.w), std::max(high.y, s.y + s.w), std::max(high.z, s.z + s.w), 0};
+  }
+  scene.plane = low.y - std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+}
+
 Start start_from(SphereFile input, const MotionChoice& motion) {
   choose_motion(input.scene, motion);
   lower_plane(input.scene);
+  raise_plane(input.scene, motion.contact);
   choose_contacts(input.scene, motion.contact);
   Start start;
   start.label = input.scene.name;
   start.notes = describe(input);
+  if (!input.units.empty() && input.units != "m")
+    start.notes += fmt::format("WARNING: motion takes lengths for metres: 1 {} moves as 1 m does\n", input.units);
   start.record = to_json(input);
   start.at_rest = input.at_rest;
   start.file = input.file;
@@ -51,6 +66,7 @@ SphereFileOptions file_options(const StartOptions& options, int threads) {
   return {.radius = options.radius,
           .frame = options.frame,
           .columns = options.columns,
+          .decimal_comma = options.decimal_comma,
           .species = options.species,
           .ignore_periodic = options.ignore_periodic,
           .threads = threads};

@@ -19,7 +19,8 @@ struct StartOptions {
   std::string input_file;                                                 // spheres from a file, instead of a scene
   std::optional<double> radius;                                           // of the spheres of that file
   std::optional<uint64_t> frame;                                          // of that file
-  std::vector<std::string> columns;                                       // of that file, if it is text
+  std::vector<std::string> columns;                                       // of that file
+  bool decimal_comma = false;                                             // of that file, if it is text
   bool ignore_periodic = false;                                           // of that file
   bool species = false;                                                   // of that file are kept
   MotionChoice motion = {.method = motion_name(MotionMethod::anchored)};  // the best by error and time
@@ -38,6 +39,7 @@ struct Start {
   std::vector<uint> species_index = {};    // ... of each sphere
   std::string file = {};                   // that the spheres come from ...
   bool unread_species = false;             // ... and whose species were not asked for
+  int length_exponent = 0;                 // lengths are 2^this times those of the file: drawing_scale.h
 };
 
 // Makes the scene or reads the file or checkpoint. threads: 0: all cores.

@@ -7,6 +7,13 @@
 #include <cmath>
 
 namespace spherepair {
+namespace {
+
+double radius_of(const Start& start, const vec4& sphere) {
+  return std::ldexp(double(sphere.w), -start.length_exponent);
+}
+
+}  // namespace
 
 std::vector<double> values_of(ColourBy by, const Start& start, Backend& backend, const Backend::State& state) {
   std::vector<double> values(state.positions.size());
@@ -19,7 +26,7 @@ std::vector<double> values_of(ColourBy by, const Start& start, Backend& backend,
   }
   for (size_t i = 0; i < values.size(); ++i) {
     const vec4& v = state.velocities[i];
-    if (by == ColourBy::radius) values[i] = double(state.positions[i].w);
+    if (by == ColourBy::radius) values[i] = radius_of(start, state.positions[i]);
     if (by == ColourBy::speed) values[i] = std::hypot(double(v.x), double(v.y), double(v.z));
   }
   return values;
@@ -34,7 +41,7 @@ Colouring colouring_of(ColourBy by, const std::vector<Start>& starts, std::vecto
     const std::vector<uint>& species = starts[k].species_index;
     if (by == ColourBy::species) values.insert(values.end(), species.begin(), species.end());
     for (const vec4& sphere : starts[k].scene.positions)
-      if (by == ColourBy::radius) values.push_back(double(sphere.w));
+      if (by == ColourBy::radius) values.push_back(radius_of(starts[k], sphere));
   }
   if (by == ColourBy::species) return {first.species, values};
   const char* unit = first.at_rest ? ", in the file's unit" : by == ColourBy::speed ? ", m/s" : ", m";

@@ -27,22 +27,24 @@ json image_record(const Start& start, Backend& backend, Method method, const Ima
   for (const LegendKey& key : legend.keys) keys.push_back({fmt::format("{:06X}", key.colour), key.label});
   const MethodChoice choice = backend.choice({.method = method});
   const Collisions totals = backend.collisions();
-  return {{"scene", start.record},
-          {"motion", motion_label(start.scene.motion)},
-          {"dt", start.scene.dt},
-          {"restitution", start.scene.restitution},
-          {"method", method_name(choice.method)},
-          {"choice", to_json(choice)},
-          {"drawn_by", draw_method_name(image.method)},
-          {"transfer", transfer_taken(backend)},
-          {"pairs", totals.pairs},
-          {"colliding_spheres", totals.colliding_spheres},
-          {"fingerprint", hex64(totals.fingerprint.a) + hex64(totals.fingerprint.b)},
-          {"height_above_legend", image.height},
-          {"colours", {{"by", legend.title}, {"keys", keys}}},
-          {"box", image.box ? json{{"low", image.box->low}, {"high", image.box->high}} : json()},
-          {"camera", to_json(image.camera)},
-          {"samples", views}};
+  json record = {{"scene", start.record},
+                 {"motion", motion_label(start.scene.motion)},
+                 {"dt", start.scene.dt},
+                 {"restitution", start.scene.restitution},
+                 {"method", method_name(choice.method)},
+                 {"choice", to_json(choice)},
+                 {"drawn_by", draw_method_name(image.method)},
+                 {"transfer", transfer_taken(backend)},
+                 {"pairs", totals.pairs},
+                 {"colliding_spheres", totals.colliding_spheres},
+                 {"fingerprint", hex64(totals.fingerprint.a) + hex64(totals.fingerprint.b)},
+                 {"height_above_legend", image.height},
+                 {"colours", {{"by", legend.title}, {"keys", keys}}},
+                 {"box", image.box ? json{{"low", image.box->low}, {"high", image.box->high}} : json()},
+                 {"camera", to_json(image.camera)},
+                 {"samples", views}};
+  if (start.length_exponent) record["lengths_times_2_to"] = start.length_exponent;
+  return record;
 }
 
 }  // namespace spherepair

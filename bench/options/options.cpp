@@ -7,7 +7,7 @@
 
 #include "bench/io/arguments.h"
 #include "bench/measure/choice.h"
-#include "bench/spheres/columns.h"
+#include "bench/text/column_names.h"
 #include "common/backend/device_name.h"
 #include "common/scene/camera.h"
 #include "common/scene/known_name.h"
@@ -148,21 +148,20 @@ void add_scene_options(CLI::App& command, SceneOptions& scene) {
       ->capture_default_str();
 }
 
-void add_file_options(CLI::App& command, std::vector<std::string>& columns, bool& ignore_periodic) {
+void add_file_options(CLI::App& command, std::vector<std::string>& columns, bool& decimal_comma,
+                      bool& ignore_periodic) {
   command
       .add_option(
           "--columns", columns,
-          "Columns of a text file: x,y,z, radius and vx,vy,vz in its order, _ for one that is not read; default: "
-          "by a first line of names, else x y z [radius [vx vy vz]]")
+          "What the file's columns are, in their order: x,y,z, radius or diameter, vx,vy,vz, species, and _ for "
+          "one that is not read; or by their names in the file: x=NAME,y=NAME,z=NAME. A first line of names is "
+          "skipped. Default: by the names in the file, else x y z [radius [vx vy vz]]")
       ->delimiter(',')
-      ->check([](const std::string& name) -> std::string {
-        std::vector<std::string> known(quantity_names.begin(), quantity_names.end());
-        known.push_back("_");
-        return std::ranges::count(known, name) ? "" : unknown_name("column", name, known);
-      });
+      ->check(complaint_of_column);
+  command.add_flag("--decimal-comma", decimal_comma, "Numbers of text have a decimal comma: 0,5 is a half");
   command.add_flag(
       "--ignore-periodic", ignore_periodic,
-      "Read an XYZ file with a periodic box (Lattice, cell, pbc) as if it had none: pairs across its boundary "
+      "Read an XYZ file with a periodic box (Lattice, cell, box, pbc) as if it had none: pairs across its boundary "
       "are not found");
 }
 
@@ -178,8 +177,9 @@ void add_start_options(CLI::App& command, StartOptions& start) {
   command.add_option("--frame", start.frame, "Frame of an --input with several, counted from 0")
       ->transform(count_range)
       ->needs(input);
-  add_file_options(command, start.columns, start.ignore_periodic);
-  for (const char* file_option : {"--columns", "--ignore-periodic"}) command.get_option(file_option)->needs(input);
+  add_file_options(command, start.columns, start.decimal_comma, start.ignore_periodic);
+  for (const char* file_option : {"--columns", "--decimal-comma", "--ignore-periodic"})
+    command.get_option(file_option)->needs(input);
   add_motion_options(command, start.motion);
   add_contact_options(command, start.motion);
   add_resume_option(command, start.resume_file);
@@ -222,11 +222,11 @@ void add_statistics_options(CLI::App& command, std::string& file, uint64_t& ever
 void add_resume_option(CLI::App& command, std::string& file) {
   auto* resume =
       command.add_option("--resume", file, "Continue from this checkpoint, to the same bits as an uninterrupted run");
-  for (const char* other : {"--input",  "--frame",       "--columns", "--ignore-periodic", "--scene",
-                            "--n",      "--seed",        "--radius",  "--radius-ratio",    "--packing-fraction",
-                            "--groups", "--group-size",  "--offset",  "--motion",          "--precision",
-                            "--dt",     "--restitution", "--contact", "--stiffness",       "--drag",
-                            "--walls",  "--no-sleeping"})
+  for (const char* other :
+       {"--input",  "--frame",      "--columns",      "--ignore-periodic",  "--scene",   "--decimal-comma", "--n",
+        "--seed",   "--radius",     "--radius-ratio", "--packing-fraction", "--groups",  "--group-size",    "--offset",
+        "--motion", "--precision",  "--dt",           "--restitution",      "--contact", "--stiffness",     "--drag",
+        "--walls",  "--no-sleeping"})
     resume->excludes(command.get_option(other));
 }
 

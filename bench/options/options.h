@@ -41,8 +41,8 @@ void add_open_options(CLI::App& command, OpenOptions& open);
 void add_scene_options(CLI::App& command, SceneOptions& scene);
 void add_block_option(CLI::App& command, uint& block);
 
-// --columns and --ignore-periodic, of files of spheres.
-void add_file_options(CLI::App& command, std::vector<std::string>& columns, bool& ignore_periodic);
+// --columns, --decimal-comma and --ignore-periodic, of files of spheres.
+void add_file_options(CLI::App& command, std::vector<std::string>& columns, bool& decimal_comma, bool& ignore_periodic);
 
 // A scene, a file or a checkpoint, and the motion. Call finish_start_options in the command's callback.
 void add_start_options(CLI::App& command, StartOptions& start);

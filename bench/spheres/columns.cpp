@@ -7,14 +7,12 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <stdexcept>
 
+#include "bench/spheres/rounding.h"
 #include "bench/spheres/sphere_file.h"
 
 namespace spherepair {
 namespace {
-
-constexpr std::string_view blanks = " \t";
 
 // Half a unit of the last given digit: 0.005 for 1.25, 50 for 12e2.
 double half_unit(std::string_view text) {
@@ -34,60 +32,20 @@ bool parse_real(std::string_view text, Real& value) {
   return true;
 }
 
-std::string_view trimmed(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-  return text.substr(0, text.find_last_not_of(blanks) + 1);
-}
-
 }  // namespace
 
-size_t Columns::quantities() const {
-  return size_t(std::ranges::count_if(columns, [](const auto& column) { return column.has_value(); }));
-}
-
-Columns columns_of_names(const std::string& where, std::span<const std::string> names) {
-  const auto fail = [&](const std::string& why) { throw std::invalid_argument(where + ": " + why); };
-  Columns columns{.count = names.size(), .text = fmt::format("{}", fmt::join(names, " "))};
-  for (size_t k = 0; k < names.size(); ++k) {
-    const auto name = std::ranges::find(quantity_names, names[k]);
-    if (name == quantity_names.end()) continue;
-    auto& column = columns.columns[size_t(name - quantity_names.begin())];
-    if (column) fail(fmt::format("the column {} stands twice", names[k]));
-    column = k;
+std::optional<Decimal> parse_decimal(std::string_view text, bool decimal_comma) {
+  std::string plain;  // with a decimal point and the exponent's letter e
+  if (text.find_first_of(decimal_comma ? "dD,." : "dD") != text.npos) {
+    if (decimal_comma && text.find('.') != text.npos) return std::nullopt;
+    plain = text;
+    if (decimal_comma) std::ranges::replace(plain, ',', '.');
+    const size_t mark = plain.find_first_of("dD");
+    if (mark != plain.npos && mark > 0 &&
+        (plain[mark - 1] == '.' || (plain[mark - 1] >= '0' && plain[mark - 1] <= '9')))
+      plain[mark] = 'e';
+    text = plain;
   }
-  if (!columns.has(QUANTITY_X) || !columns.has(QUANTITY_Y) || !columns.has(QUANTITY_Z))
-    fail(fmt::format("the columns x, y and z must be among '{}'", columns.text));
-  if (columns.has(QUANTITY_VX) != columns.has(QUANTITY_VY) || columns.has(QUANTITY_VX) != columns.has(QUANTITY_VZ))
-    fail(fmt::format("of the columns vx, vy and vz only some are among '{}'", columns.text));
-  return columns;
-}
-
-void split_fields(std::string_view text, size_t most, std::vector<std::string_view>& fields) {
-  fields.clear();
-  for (size_t start = 0; fields.size() < most;) {
-    while (start < text.size() && (text[start] == ' ' || text[start] == '\t')) ++start;
-    if (start == text.size()) return;
-    size_t end = start + 1;
-    while (end < text.size() && text[end] != ' ' && text[end] != '\t') ++end;
-    fields.push_back(text.substr(start, end - start));
-    start = end;
-  }
-}
-
-void split_separated_fields(std::string_view text, size_t most, std::vector<std::string_view>& fields) {
-  const size_t semicolon = text.find(';'), first = semicolon == text.npos ? text.find(',') : semicolon;
-  if (first == text.npos) return split_fields(text, most, fields);
-  fields.clear();
-  const char separator = text[first];
-  for (bool more = true; more && fields.size() < most;) {
-    const size_t end = text.find(separator);
-    fields.push_back(trimmed(text.substr(0, end)));
-    more = end != text.npos;
-    if (more) text.remove_prefix(end + 1);
-  }
-}
-
-std::optional<Decimal> parse_decimal(std::string_view text) {
   if (text.starts_with('+') && text.size() > 1 && text[1] != '-') text.remove_prefix(1);
   Decimal decimal{0, 0, false};
   if (!parse_real(text, decimal.value) || !parse_real(text, decimal.rounded)) return std::nullopt;
@@ -98,17 +56,41 @@ std::optional<Decimal> parse_decimal(std::string_view text) {
   return decimal;
 }
 
-Decimal read_number(const FileBytes& file, uint64_t line, std::span<const std::string_view> fields,
-                    const Columns& columns, Quantity quantity) {
-  const size_t column = *columns.columns[quantity];
-  const char* name = quantity_names[quantity];
-  const std::string_view text = fields[column];
-  const auto decimal = parse_decimal(text);
-  const char* point = text.find(',') == text.npos ? "" : ", with a decimal point";
-  if (!decimal)
-    file.fail_at_line(line, fmt::format("a number for {} in column {}{}", name, column + 1, point), in_quotes(text));
+Decimal halved(const Decimal& diameter) {
+  const float half = diameter.rounded / 2;  // exact but for denormals
+  return {diameter.value / 2, half, diameter.changed || 2 * half != diameter.rounded};
+}
+
+void RowReader::read(uint64_t line, std::string_view text, std::span<const std::string_view> fields, uint64_t sphere,
+                     SphereRows& rows) {
+  const size_t count = columns_.count;
+  if (fields.size() != count)
+    file_.fail_at_line(line, fmt::format("{} columns ({}), {}", count, columns_.text, columns_.by),
+                       fmt::format("{}{}: {}", fields.size() > count ? "more than " : "",
+                                   std::min(fields.size(), count), in_quotes(text)));
+  for (size_t quantity = 0; quantity < quantity_names.size(); ++quantity) {
+    if (!columns_.has(Quantity(quantity))) continue;
+    Decimal decimal = number(line, fields[*columns_.columns[quantity]], Quantity(quantity));
+    if (quantity == QUANTITY_RADIUS && columns_.diameters) decimal = halved(decimal);
+    changed_ += decimal.changed;
+    rows.set(sphere, Quantity(quantity), decimal);
+  }
+  if (!rows.species.empty()) rows.species[sphere] = fields[*columns_.species];
+}
+
+Decimal RowReader::number(uint64_t line, std::string_view field, Quantity quantity) const {
+  const bool diameter = quantity == QUANTITY_RADIUS && columns_.diameters;
+  const char* name = diameter ? "diameter" : quantity_names[quantity];
+  const auto decimal = parse_decimal(field, decimal_comma_);
+  if (!decimal) {
+    const char* mark = decimal_comma_                  ? ", with a decimal comma and no point"
+                       : field.find(',') == field.npos ? ""
+                                                       : ", with a decimal point (or give --decimal-comma)";
+    file_.fail_at_line(line, fmt::format("a number for {} in column {}{}", name, *columns_.columns[quantity] + 1, mark),
+                       in_quotes(field));
+  }
   const char* expected = why_invalid(decimal->value, quantity == QUANTITY_RADIUS);
-  if (expected) file.fail_at_line(line, fmt::format("{} for {}", expected, name), in_quotes(text));
+  if (expected) file_.fail_at_line(line, fmt::format("{} for {}", expected, name), in_quotes(field));
   return *decimal;
 }
 

@@ -22,60 +22,58 @@ void require_known(const FileBytes& file, const NpyField& field) {
                       in_quotes(field.dtype));
 }
 
-// The fields that a structured array may have; of those of three numbers the first quantity.
-struct KnownField {
-  std::string_view name;
-  Quantity first;
-  uint64_t count = 1;
-};
-constexpr KnownField known_fields[] = {
-    {"x", QUANTITY_X},          {"y", QUANTITY_Y},           {"z", QUANTITY_Z},           {"radius", QUANTITY_RADIUS},
-    {"radii", QUANTITY_RADIUS}, {"r", QUANTITY_RADIUS},      {"vx", QUANTITY_VX},         {"vy", QUANTITY_VY},
-    {"vz", QUANTITY_VZ},        {"pos", QUANTITY_X, 3},      {"position", QUANTITY_X, 3}, {"velo", QUANTITY_VX, 3},
-    {"vel", QUANTITY_VX, 3},    {"velocity", QUANTITY_VX, 3}};
+// Columns by the names of a structured array's fields, or by --columns, or by their order.
+Columns columns_of(const FileBytes& file, const NpyHeader& header, std::span<const std::string> option) {
+  std::vector<NamedColumn> names;
+  if (header.structured)
+    for (const NpyField& field : header.fields) names.push_back({field.name, field.count});
+  if (!option.empty()) return columns_of_option(option, names, file.name());
+  if (!header.structured) return columns_by_order(header.shape[1]);
+  return columns_of_names(fmt::format("{}, byte {}", file.name(), header.fields.front().dtype_at), names);
+}
 
-NpyArray structured_array(const FileBytes& file, const NpyHeader& header) {
-  NpyArray array{.file = file};
-  uint64_t offset = header.data_at, row_bytes = 0;
+void add_column(NpyArray& array, Quantity quantity, const NpyField& field, uint64_t first, uint64_t stride) {
+  require_known(array.file, field);
+  array.columns.push_back({quantity, field.dtype, first, stride});
+}
+
+NpyArray structured_array(const FileBytes& file, const NpyHeader& header, const Columns& columns) {
+  NpyArray array{.file = file, .meaning = columns};
+  uint64_t row_bytes = 0;
+  for (const NpyField& field : header.fields) row_bytes += field.count * field.item_bytes();
+  uint64_t offset = header.data_at, column = 0;
   for (const NpyField& field : header.fields) {
-    if (!field.item_bytes()) file.fail_at_byte(field.dtype_at, "a dtype of fixed size", in_quotes(field.dtype));
-    row_bytes += field.count * field.item_bytes();
+    bool read = false;
+    for (uint64_t k = 0; k < field.count; ++k, ++column, offset += field.item_bytes())
+      for (size_t q = 0; q < quantity_names.size(); ++q)
+        if (columns.columns[q] == column) add_column(array, Quantity(q), field, offset, row_bytes), read = true;
+    if (!read && !field.name.empty()) array.not_read += (array.not_read.empty() ? "" : ", ") + in_quotes(field.name);
   }
-  for (const NpyField& field : header.fields) {
-    const auto known = std::ranges::find(known_fields, field.name, &KnownField::name);
-    if (known == std::end(known_fields) || known->count != field.count) {
-      if (!field.name.empty()) array.not_read += (array.not_read.empty() ? "" : ", ") + in_quotes(field.name);
-    } else {
-      require_known(file, field);
-      for (uint64_t k = 0; k < field.count; ++k)
-        array.columns.push_back({Quantity(known->first + k), field.dtype, offset + k * field.item_bytes(), row_bytes});
-    }
-    offset += field.count * field.item_bytes();
-  }
-  std::vector<std::string> names;
-  for (const NpyColumn& column : array.columns) names.push_back(quantity_names[column.quantity]);
-  columns_of_names(fmt::format("{}, byte {}", file.name(), header.fields.front().dtype_at), names);
   return array;
 }
 
-NpyArray plain_array(const FileBytes& file, const NpyHeader& header) {
+NpyArray plain_array(const FileBytes& file, const NpyHeader& header, const Columns& columns) {
   const NpyField& field = header.fields.front();
-  require_known(file, field);
-  const uint64_t rows = header.shape[0], columns = header.shape[1], size = field.item_bytes();
-  NpyArray array{.file = file};
-  for (uint64_t k = 0; k < columns; ++k)
-    array.columns.push_back({Quantity(k), field.dtype, header.data_at + k * (header.fortran_order ? rows : 1) * size,
-                             header.fortran_order ? size : columns * size});
+  const uint64_t rows = header.shape[0], size = field.item_bytes();
+  NpyArray array{.file = file, .meaning = columns};
+  for (size_t q = 0; q < quantity_names.size(); ++q)
+    if (columns.columns[q])
+      add_column(array, Quantity(q), field,
+                 header.data_at + *columns.columns[q] * (header.fortran_order ? rows : 1) * size,
+                 header.fortran_order ? size : header.shape[1] * size);
   return array;
 }
 
-void check_shape(const FileBytes& file, const NpyHeader& header) {
+void check_shape(const FileBytes& file, const NpyHeader& header, uint64_t columns_of_option) {
   const auto fail = [&](std::string_view expected) {
     file.fail_at_byte(header.shape_at, expected, shape_text(header));
   };
   if (header.structured && header.shape.size() != 1) fail("shape (n,) of a structured array");
-  if (!header.structured && (header.shape.size() != 2 || header.shape[1] < 3 || header.shape[1] > 4))
-    fail("shape (n, 3): x y z, or (n, 4): x y z radius");
+  const bool plain = !header.structured && header.shape.size() == 2;
+  if (plain && columns_of_option && header.shape[1] != columns_of_option)
+    fail(fmt::format("shape (n, {}), by --columns", columns_of_option));
+  if (!header.structured && (!plain || (!columns_of_option && (header.shape[1] < 3 || header.shape[1] > 4))))
+    fail("shape (n, 3): x y z, or (n, 4): x y z radius; other columns need --columns");
   if (header.shape[0] > kMostSpheres) fail(fmt::format("at most {} spheres", kMostSpheres));
 }
 
@@ -87,11 +85,14 @@ bool is_real_dtype(std::string_view dtype) {
   return std::string_view("<>=").find(dtype[0]) != dtype.npos || (dtype[0] == '|' && dtype[2] == '1');
 }
 
-NpyArray array_of(const FileBytes& file, const NpyHeader& header) {
+NpyArray array_of(const FileBytes& file, const NpyHeader& header, std::span<const std::string> option) {
   if (header.fields.empty()) file.fail_at_byte(header.data_at, "a structured array with fields", "none");
   if (!header.structured) require_known(file, header.fields.front());
-  check_shape(file, header);
-  NpyArray array = header.structured ? structured_array(file, header) : plain_array(file, header);
+  for (const NpyField& field : header.fields)
+    if (!field.item_bytes()) file.fail_at_byte(field.dtype_at, "a dtype of fixed size", in_quotes(field.dtype));
+  check_shape(file, header, option.size());
+  const Columns columns = columns_of(file, header, option);
+  NpyArray array = header.structured ? structured_array(file, header, columns) : plain_array(file, header, columns);
   array.rows = header.shape[0];
   uint64_t row_bytes = 0;
   for (const NpyField& field : header.fields) row_bytes += field.count * field.item_bytes();
@@ -111,13 +112,16 @@ std::string describe(const NpyArray& array, const NpyHeader& header) {
   if (header.structured) {
     std::string text = fmt::format("NPY, {} structured rows of", array.rows);
     for (const NpyColumn& column : array.columns)
-      text += fmt::format(" {}:{}", quantity_names[column.quantity], column.dtype.substr(1));
+      text += fmt::format(" {}{}:{}", quantity_names[column.quantity],
+                          column.quantity == QUANTITY_RADIUS && array.meaning.diameters ? " (half the diameter)" : "",
+                          column.dtype.substr(1));
     return text + (array.not_read.empty() ? "" : "; not read: " + array.not_read);
   }
   const std::string_view dtype = header.fields.front().dtype;
   const char* kind = dtype[1] == 'f' ? "float" : dtype[1] == 'i' ? "int" : "uint";
-  return fmt::format("NPY, {} x {} {}{} {}-endian in {} order", array.rows, array.columns.size(), kind,
-                     8 * (dtype[2] - '0'), dtype[0] == '>' ? "big" : "little", header.fortran_order ? "Fortran" : "C");
+  return fmt::format("NPY ({}), {} x {} {}{} {}-endian in {} order", array.meaning.text, array.rows,
+                     array.meaning.count, kind, 8 * (dtype[2] - '0'), dtype[0] == '>' ? "big" : "little",
+                     header.fortran_order ? "Fortran" : "C");
 }
 
 }  // namespace spherepair

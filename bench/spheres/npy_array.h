@@ -2,8 +2,10 @@
 // Where the numbers of an NPY array stand, and what they are.
 #pragma once
 
-#include "bench/spheres/columns.h"
+#include <span>
+
 #include "bench/spheres/npy_header.h"
+#include "bench/text/column_names.h"
 
 namespace spherepair {
 
@@ -18,6 +20,7 @@ struct NpyArray {
   uint64_t rows = 0;
   std::vector<NpyColumn> columns = {};
   std::string not_read = {};  // names of other fields
+  Columns meaning = {};
 
   uint64_t byte_of(uint64_t row, const NpyColumn& column) const { return column.first + row * column.stride; }
 };
@@ -25,8 +28,8 @@ struct NpyArray {
 // Whether a dtype is one of real numbers that are read.
 bool is_real_dtype(std::string_view dtype);
 
-// Checks dtypes, shape and size.
-NpyArray array_of(const FileBytes& file, const NpyHeader& header);
+// Checks dtypes, shape and size. option: the words of --columns, if given.
+NpyArray array_of(const FileBytes& file, const NpyHeader& header, std::span<const std::string> option);
 
 std::string describe(const NpyArray& array, const NpyHeader& header);
 

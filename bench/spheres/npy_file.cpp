@@ -10,6 +10,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "bench/spheres/columns.h"
 #include "bench/spheres/npy_array.h"
 #include "bench/spheres/sphere_file.h"
 
@@ -70,12 +71,13 @@ void convert_column(const NpyArray& array, size_t k, uint64_t start, uint64_t en
   const NpyColumn& column = array.columns[k];
   const bool is_radius = column.quantity == QUANTITY_RADIUS;
   for (uint64_t row = start; row < end; ++row) {
-    const Decimal number = converted(load<Number>(array, row, column));
+    Decimal number = converted(load<Number>(array, row, column));
     if (why_invalid(number.value, is_radius)) [[unlikely]] {
       ++done.wrong;
       done.first_wrong = std::min(done.first_wrong, row * array.columns.size() + k);
       continue;
     }
+    if (is_radius && array.meaning.diameters) number = halved(number);
     rows.set(row, column.quantity, number);
     done.changed += number.changed;
   }
@@ -113,16 +115,18 @@ Converted convert(const NpyArray& array, SphereRows& rows, int threads) {
 
 SphereFile read_npy(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows) {
   const NpyHeader header = read_npy_header(file);
-  const NpyArray array = array_of(file, header);
+  const NpyArray array = array_of(file, header, options.columns);
   if (options.frame)
     throw std::invalid_argument(fmt::format("{} is an NPY file, and --frame is for XYZ files only", file.name()));
   const auto any = [&](auto wanted) { return std::ranges::any_of(array.columns, wanted); };
   SphereFile input;
   input.own_radii = any([](const NpyColumn& column) { return column.quantity == QUANTITY_RADIUS; });
-  check_radius(file, input.own_radii, options);
+  check_radius(file, array.meaning, options);
+  input.units = array.meaning.units;
   rows.resize(array.rows, options.radius.value_or(0),
               any([](const NpyColumn& column) { return column.quantity >= QUANTITY_VX; }),
-              radius_is_rounded(options) || any([](const NpyColumn& column) { return !float32_holds(column.dtype); }));
+              radius_is_rounded(options) || array.meaning.diameters ||
+                  any([](const NpyColumn& column) { return !float32_holds(column.dtype); }));
   input.values = array.rows * array.columns.size();
   const Converted done = convert(array, rows, reading_threads(options));
   if (done.wrong) refuse(array, done);

@@ -18,6 +18,56 @@ struct [[gnu::packed]] ContactRow {
 };
 static_assert(sizeof(ContactRow) == 64);
 
+// A sum without rounding, as numbers none of whose bits overlap, ascending.
+class ExactSum {
+ public:
+  void add(double term) {
+    size_t kept = 0;
+    for (size_t k = 0; k < count_; ++k) {
+      const double other = parts_[k], sum = term + other, from_other = sum - term;
+      const double rest = (term - (sum - from_other)) + (other - from_other);
+      if (rest != 0) parts_[kept++] = rest;
+      term = sum;
+    }
+    parts_[kept] = term;
+    count_ = kept + 1;
+  }
+  void add_product(double a, double b) {
+    const double product = a * b, rest = std::fma(a, b, -product);
+    if (rest != 0) add(rest);
+    if (product != 0) add(product);
+  }
+  double rounded() const {
+    double sum = 0;
+    for (size_t k = 0; k < count_; ++k) sum += parts_[k];
+    return sum;
+  }
+
+ private:
+  std::array<double, 32> parts_ = {};  // at most one a term, of which squared_gap has 24
+  size_t count_ = 0;
+};
+
+// Adds sign * (a + b)^2. No product under- or overflows: float32 squared is far within float64.
+void add_square(ExactSum& sum, double sign, float a, float b) {
+  const double high = double(a) + b, from_b = high - a, low = (a - (high - from_b)) + (b - from_b);
+  sum.add_product(sign * high, high);
+  if (low == 0) return;
+  sum.add_product(2 * sign * high, low);
+  sum.add_product(sign * low, low);
+}
+
+// The squared sum of the radii less the squared distance of the centres, to one unit in the last place and with its
+// sign: the overlap is this over their sum, without the cancellation of a difference of lengths.
+double squared_gap(const vec4& a, const vec4& b) {
+  ExactSum sum;
+  add_square(sum, 1, a.w, b.w);
+  add_square(sum, -1, a.x, -b.x);
+  add_square(sum, -1, a.y, -b.y);
+  add_square(sum, -1, a.z, -b.z);
+  return sum.rounded();
+}
+
 }  // namespace
 
 void check_pair_file(const std::string& option, const std::string& file) {
@@ -42,10 +92,11 @@ void write_pairs(const std::string& file, std::span<const Pair> pairs) {
 Contact contact_of(const Pair& pair, std::span<const vec4> spheres, const std::array<double, 3>& shift) {
   const vec4 &a = spheres[pair.first], &b = spheres[pair.second];
   const double dx = double(b.x) - a.x, dy = double(b.y) - a.y, dz = double(b.z) - a.z;
-  const double distance = std::hypot(dx, dy, dz);
-  Contact contact{.overlap = double(a.w) + b.w - distance, .normal = {}, .point = {}};
+  const double distance = std::hypot(dx, dy, dz), radii = double(a.w) + b.w;
+  Contact contact{.overlap = 0, .normal = {}, .point = {}};
+  if (radii + distance > 0) contact.overlap = squared_gap(a, b) / (radii + distance);
   if (distance > 0) contact.normal = {dx / distance, dy / distance, dz / distance};
-  const double along = a.w - contact.overlap / 2;
+  const double along = (distance + (double(a.w) - b.w)) / 2;
   contact.point = {a.x + along * contact.normal[0] + shift[0], a.y + along * contact.normal[1] + shift[1],
                    a.z + along * contact.normal[2] + shift[2]};
   return contact;

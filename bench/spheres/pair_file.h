@@ -20,7 +20,8 @@ void write_pairs(const std::string& file, std::span<const Pair> pairs);
 
 // Of a pair: how far its spheres overlap, metres; the unit vector from the centre of `first` to that of `second` (zero
 // if they coincide); and the point in the middle of the overlap, on the line of centres. In float64 from the float32
-// spheres, whose centres are `shift` away from the points that are written.
+// spheres, whose centres are `shift` away from the points that are written. The overlap is positive for every pair that
+// collides, with a relative error below 2^-50.
 struct Contact {
   double overlap;
   std::array<double, 3> normal, point;

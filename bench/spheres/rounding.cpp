@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "bench/spheres/rounding.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 namespace spherepair {
@@ -113,6 +116,12 @@ Rounding round_rows(SphereRows& rows, bool may_shift) {
   rounding.reach.clear();
   find_reach(rows, rounding);
   return rounding;
+}
+
+std::string at_most(double value) {
+  const std::string text = fmt::format("{:.2g}", value);
+  if (std::strtod(text.c_str(), nullptr) >= value) return text;
+  return fmt::format("{:.2g}", value + 0.5 * std::pow(10, std::floor(std::log10(value)) - 1));
 }
 
 std::vector<vec4> grown(std::span<const vec4> spheres, std::span<const float> reach) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "bench/spheres/columns.h"
@@ -32,6 +33,9 @@ struct Rounding {
 // Rounds the exact rows into the positions. may_shift: first subtracts the middle of the spheres, rounded to a power of
 // two of their extent, along every axis on which all differences are exact in float64.
 Rounding round_rows(SphereRows& rows, bool may_shift);
+
+// Two digits of a positive number, rounded up: for `at most`.
+std::string at_most(double value);
 
 // The spheres with all radii larger, or smaller, by their reach: two that do not overlap in the first overlap nowhere
 // within it, two that overlap in the second do so everywhere.

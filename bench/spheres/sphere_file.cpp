@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "bench/io/numbers.h"
+#include "bench/text/fields.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {
@@ -33,9 +34,8 @@ Reader reader_by_contents(const FileBytes& file) {
 }
 
 Reader reader_of(const FileBytes& file, const SphereFileOptions& options) {
-  if (file.is_standard_input()) return options.columns.empty() ? reader_by_contents(file) : read_text;
-  std::string extension = std::filesystem::path(file.name()).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  if (file.is_standard_input()) return reader_by_contents(file);
+  const std::string extension = lower_case(std::filesystem::path(file.name()).extension().string());
   const auto found = std::ranges::find_if(formats, [&](const Format& format) { return extension == format.extension; });
   if (found != std::end(formats)) return found->read;
   if (!options.columns.empty()) return read_text;
@@ -60,7 +60,7 @@ std::string describe(const Rounding& rounding) {
     text += fmt::format("centres shifted by ({}, {}, {}) before rounding, which changes no distance\n", 0 - x, 0 - y,
                         0 - z);
   if (rounding.largest > 0)
-    text += fmt::format("rounding to float32 moves a surface by {:.2g} at most\n", rounding.largest);
+    text += fmt::format("rounding to float32 moves a surface by {} at most\n", at_most(rounding.largest));
   return text;
 }
 
@@ -69,9 +69,9 @@ Reader checked_reader(const FileBytes& bytes, const SphereFileOptions& options) 
   if (options.radius && why_invalid(*options.radius, true))
     throw std::invalid_argument(fmt::format("--radius is {}, but must be finite and not negative", *options.radius));
   const Reader read = reader_of(bytes, options);
-  if (!options.columns.empty() && read != read_text)
-    throw std::invalid_argument(fmt::format(
-        "--columns names the columns of text, but {} has names or an order of its own: omit it", bytes.name()));
+  if (options.decimal_comma && read == read_npy)
+    throw std::invalid_argument(
+        fmt::format("--decimal-comma is for text, but {} is an NPY file: omit it", bytes.name()));
   if (options.ignore_periodic && read != read_xyz)
     throw std::invalid_argument(
         fmt::format("{} has no periodic box: only XYZ files have; omit --ignore-periodic", bytes.name()));
@@ -129,14 +129,23 @@ std::vector<SphereFile> read_sphere_frames(const std::string& file, const Sphere
   return frames;
 }
 
-void check_radius(const FileBytes& file, bool own_radii, const SphereFileOptions& options) {
+void check_radius(const FileBytes& file, const Columns& columns, const SphereFileOptions& options) {
+  const bool own_radii = columns.has(QUANTITY_RADIUS);
+  if (own_radii && options.radius && columns.by_order)
+    throw std::invalid_argument(fmt::format(
+        "{} has {} columns, read as {}, and --radius gives one radius for all: omit --radius if column {} holds radii, "
+        "else name the columns, such as --columns {}x,y,z{}",
+        file.name(), columns.count, columns.text, *columns.columns[QUANTITY_RADIUS] + 1,
+        columns.species ? "species," : "", columns.count == 7 ? ",_,_,_,_" : ",_"));
   if (own_radii && options.radius)
     throw std::invalid_argument(
         fmt::format("{} has a radius for each sphere and --radius gives one for all: leave --radius out, or the radii",
                     file.name()));
   if (!own_radii && !options.radius)
     throw std::invalid_argument(
-        fmt::format("{} has no radii: give the radius of all spheres with --radius", file.name()));
+        fmt::format("{} has no radii (its columns: {}): give the radius of all spheres with "
+                    "--radius, or the column of radii with --columns",
+                    file.name(), columns.text));
 }
 
 bool radius_is_rounded(const SphereFileOptions& options) {
@@ -152,6 +161,13 @@ std::string describe(const SphereFile& input) {
   if (input.frames > 1)
     text += fmt::format(", frame {} of {} (counted from 0; --frame takes another)", input.frame, input.frames);
   if (!input.ignored.empty()) text += fmt::format("\nnot periodic, as asked for: {} is ignored", input.ignored);
+  if (!input.unread_box.empty())
+    text += fmt::format(
+        "\nWARNING: a comment has a word for a box, which is not read: {}; pairs across a periodic "
+        "boundary are not found",
+        in_quotes(input.unread_box));
+  if (!input.units.empty())
+    text += fmt::format("\nlengths are in {}, as the file's names say; nothing is converted", input.units);
   if (input.unread_momenta) text += "\nmomenta are not read: give velocities, momenta over masses, as velo:R:3";
   const auto [low, high] = radius_range(input.scene);
   text += fmt::format("\n{}", counted(input.scene.size(), "sphere"));

@@ -16,7 +16,8 @@ namespace spherepair {
 struct SphereFileOptions {
   std::optional<double> radius = {};      // of all spheres: required if the file has none, otherwise an error
   std::optional<uint64_t> frame = {};     // of an XYZ file, counted from 0; default: the first
-  std::vector<std::string> columns = {};  // of text: names of quantities (columns.h), and _ for what is not read
+  std::vector<std::string> columns = {};  // words of --columns (column_names.h)
+  bool decimal_comma = false;             // of text: 0,5 is a half
   bool species = false;                   // required if asked for: a column of text, by XYZ files only
   bool ignore_periodic = false;           // a periodic box is an error otherwise
   bool may_shift = false;                 // by a vector, where that changes no difference of two numbers
@@ -29,8 +30,10 @@ struct SphereFile {
   bool own_radii = false;            // otherwise --radius
   uint64_t values = 0, changed = 0;  // numbers read; those changed by rounding to float32
   uint64_t frame = 0, frames = 1;
-  std::string ignored;  // the periodic box
-  bool at_rest = true;  // no sphere of the file has a velocity
+  std::string ignored;     // the periodic box
+  std::string unread_box;  // a comment that has a word for a box
+  std::string units;       // of lengths, in the file's words; empty if it has none
+  bool at_rest = true;     // no sphere of the file has a velocity
   Rounding rounding;
   std::vector<std::string> species;  // ascending, each once; empty unless asked for ...
   std::vector<uint> species_index;   // ... of each sphere
@@ -49,6 +52,7 @@ std::string describe(const SphereFile& input);
 json to_json(const SphereFile& input);
 
 // The readers of the formats: they fill the format's fields and the rows.
+struct Columns;
 struct SphereRows;
 SphereFile read_npy(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
 SphereFile read_xyz(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
@@ -57,7 +61,7 @@ std::vector<SphereFile> read_xyz_frames(const FileBytes& file, const SphereFileO
 SphereFile read_text(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
 
 // For the readers. Throws unless there is a radius either in the file or in the options.
-void check_radius(const FileBytes& file, bool own_radii, const SphereFileOptions& options);
+void check_radius(const FileBytes& file, const Columns& columns, const SphereFileOptions& options);
 int reading_threads(const SphereFileOptions& options);
 bool radius_is_rounded(const SphereFileOptions& options);  // the one of the options
 

@@ -1,91 +1,185 @@
 // SPDX-License-Identifier: MIT
-// Reads spheres from lines of text, a sphere each: columns separated by blanks, or all by commas or semicolons. The
-// columns are those of --columns; or of a first line of names; or x y z, x y z radius, or these with vx vy vz.
+// Reads spheres from lines of text, a sphere each: columns separated by blanks, or all by commas or semicolons, as many
+// in every line. They are those of --columns; or of a first line, or comment, of names; or x y z, x y z radius, or
+// these with vx vy vz.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "bench/io/file_lines.h"
 #include "bench/io/numbers.h"
 #include "bench/spheres/sphere_file.h"
+#include "bench/spheres/xyz_columns.h"
+#include "bench/text/fields.h"
 
 namespace spherepair {
 namespace {
 
-constexpr size_t most_columns = 1000;
+// That prose seldom has: a comment of as many words as there are columns, with one of these, names the columns.
+constexpr std::array<std::string_view, 8> words_of_tables = {"id", "type", "x", "y", "z", "vx", "vy", "vz"};
 
-// Without quotes and in lower case: "X" is x, and r a radius.
-std::string plain_name(std::string_view field) {
-  std::string name(field);
-  std::erase(name, '"');
-  std::ranges::transform(name, name.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return name == "r" ? "radius" : name;
+using Names = std::vector<NamedColumn>;
+
+Names named(std::span<const std::string> words) {
+  Names names;
+  for (const std::string& word : words) names.push_back({word});
+  return names;
 }
 
-std::string_view unquoted(std::string_view field) {
-  const bool quoted = field.size() > 1 && field.starts_with('"') && field.ends_with('"');
-  return quoted ? field.substr(1, field.size() - 2) : field;
+bool holds_xyz(const Names& names) {
+  const auto has = [&](Quantity quantity) {
+    return std::ranges::any_of(names, [&](const NamedColumn& column) {
+      const KnownName* known = known_name(column.name);
+      return known && known->first == quantity && known->count == 1;
+    });
+  };
+  return has(QUANTITY_X) && has(QUANTITY_Y) && has(QUANTITY_Z);
 }
 
 class TextReader {
  public:
-  TextReader(const FileBytes& file, const SphereFileOptions& options) : file_(file) {
-    if (!options.columns.empty()) columns_ = columns_of_names("--columns", options.columns);
+  TextReader(const FileBytes& file, const SphereFileOptions& options) : file_(file), options_(options) {
+    if (file.name().ends_with(".tsv")) separator_ = '\t';
   }
 
-  // Takes a line; false for one without a sphere: empty, a comment, or names.
-  bool take(uint64_t line, std::string_view text) {
-    split_separated_fields(text.substr(0, text.find('#')), most_columns, fields_);
-    if (fields_.empty()) return false;
-    std::ranges::transform(fields_, fields_.begin(), unquoted);
-    if (columns_.count == 0 && !choose_columns(line, text)) return false;
-    if (by_place_ && columns_.count != 3 && (fields_.size() == 4 || fields_.size() == 7)) columns_by_place();
-    if (fields_.size() != columns_.count)
-      file_.fail_at_line(line, fmt::format("{} columns ({})", columns_.count, columns_.text),
-                         fmt::format("{}: {}", fields_.size(), in_quotes(text)));
-    return true;
+  // Reads a line into another row, unless it is empty, a comment, or names.
+  void read(uint64_t line, std::string_view text, SphereRows& rows) {
+    const std::string_view content = without_comment(text);
+    if (trimmed(content).empty()) {
+      if (!columns_) take_comment(line, trimmed(text));
+      return;
+    }
+    if (!columns_ && separator_ != '\t') separator_ = separator_of(content, options_.decimal_comma);
+    split_line(content, separator_, fields_);
+    if (!columns_ && !choose_columns(line, content)) return;
+    if (rows.positions.size() == kMostSpheres)
+      file_.fail_at_line(line, fmt::format("at most {} spheres", kMostSpheres), "another");
+    rows.add(options_.radius.value_or(0));
+    reader_->read(line, text, fields_, rows.positions.size() - 1, rows);
+    if (by_order_ && fields_.size() == 7) look_for_colours();
   }
-  Decimal number(uint64_t line, Quantity quantity) const {
-    return read_number(file_, line, fields_, columns_, quantity);
+
+  // After the last line. Throws for columns that may mean something else.
+  const Columns& columns() const {
+    if (!columns_)
+      throw std::invalid_argument(fmt::format("{} holds no sphere: expected lines of x y z radius", file_.name()));
+    if (may_be_colours_ && bright_)
+      file_.fail_at_line(
+          first_line_,
+          "columns whose meaning is certain: name them, by --columns x,y,z,radius,vx,vy,vz or, if the last "
+          "three are colours, --columns x,y,z,_,_,_,_",
+          "seven numbers, the last three whole and from 0 to 255 in every line");
+    return *columns_;
   }
-  const Columns& columns() const { return columns_; }
+  uint64_t changed() const { return reader_->changed(); }
+  const std::string& box() const { return box_; }
 
  private:
-  // False if the line holds their names.
+  bool is_number(std::string_view field) const { return parse_decimal(field, options_.decimal_comma).has_value(); }
+
+  // A comment before the first sphere may hold the names of the columns, as np.savetxt writes them, or name a box.
+  void take_comment(uint64_t line, std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of("# \t"), text.size()));
+    if (box_.empty() && mentions_box(text)) box_ = text;
+    std::vector<std::string> words = names_in(text, separator_of(text, options_.decimal_comma));
+    const auto label = std::ranges::find_if(words, [](const std::string& word) { return word.ends_with(':'); });
+    if (label != words.end()) words.erase(words.begin(), label + 1);
+    const auto is_name = [](const std::string& word) {
+      return std::ranges::count(words_of_tables, lower_case(word)) > 0;
+    };
+    const bool numbers = std::ranges::any_of(words, [&](const std::string& word) { return is_number(word); });
+    const Names names = named(words);
+    if (holds_xyz(names) || (!numbers && std::ranges::any_of(words, is_name))) comment_ = names, names_line_ = line;
+  }
+
+  // By the first line that is no comment; false if it holds the names of the columns.
   bool choose_columns(uint64_t line, std::string_view text) {
-    const auto is_number = [](std::string_view field) { return parse_decimal(field).has_value(); };
-    if (!is_number(fields_[0])) {
-      std::vector<std::string> names;
-      for (const std::string_view field : fields_) names.push_back(plain_name(field));
-      if (std::ranges::count(names, "x") == 0 && std::ranges::any_of(fields_, is_number))
-        file_.fail_at_line(
-            line, "numbers, or names of columns with x, y and z; others need --columns, such as --columns _,x,y,z",
-            in_quotes(text));
-      columns_ = columns_of_names(fmt::format("{}, line {}, read as names of columns", file_.name(), line), names);
+    const bool numbers = std::ranges::any_of(fields_, [&](std::string_view field) { return is_number(field); });
+    if (!numbers && header_.empty()) {
+      if (separator_ == ' ' && text.find('\t') != text.npos) separator_ = '\t';
+      header_ = named(names_in(text, separator_));
+      names_line_ = line;
+      if (options_.columns.empty()) take_names(header_, "read as names of columns");
       return false;
     }
+    first_line_ = line;
+    if (!options_.columns.empty()) {
+      take(columns_of_option(options_.columns, header_.empty() ? comment_ : header_, file_.name()));
+    } else if (!header_.empty()) {
+      take(columns_of_header_);
+    } else if (!comment_.empty() && comment_counts()) {
+      if (comment_.size() != fields_.size())
+        file_.fail_at_line(
+            names_line_,
+            fmt::format("a name in this comment for each of the {} columns; name them with --columns", fields_.size()),
+            fmt::to_string(comment_.size()));
+      take_names(comment_, "a comment read as names of columns");
+      take(columns_of_header_);
+    } else {
+      take_order(line, text);
+    }
+    return true;
+  }
+  void take_names(const Names& names, const char* how) {
+    columns_of_header_ = columns_of_names(fmt::format("{}, line {}, {}", file_.name(), names_line_, how), names);
+    columns_of_header_.by = fmt::format("by the names in line {}", names_line_);
+  }
+  // Whether the comment is for these columns: as many names, or x, y and z among them.
+  bool comment_counts() const {
+    if (comment_.size() == fields_.size()) return true;
+    const auto in_order = [](const NamedColumn& name, const char* quantity) {
+      return lower_case(name.name) == quantity;
+    };
+    const auto beside = std::min(fields_.size(), quantity_names.size());
+    const bool as_ordered =
+        comment_.size() > beside &&
+        std::ranges::equal(std::span(comment_).first(beside), std::span(quantity_names).first(beside), in_order);
+    return holds_xyz(comment_) && !as_ordered;
+  }
+  void take_order(uint64_t line, std::string_view text) {
+    if (!is_number(fields_[0]) && fields_[0].find_first_of("0123456789") == 0)
+      file_.fail_at_line(line, "a number in column 1, or names of columns", in_quotes(fields_[0]));
+    if (!is_number(fields_[0]))
+      file_.fail_at_line(
+          line, "numbers, or names of columns with x, y and z; others need --columns, such as --columns _,x,y,z",
+          in_quotes(text));
     if (std::ranges::any_of(fields_, [](auto field) { return field.find_first_of(" \t") != field.npos; }))
-      file_.fail_at_line(line, "columns separated by blanks, commas or semicolons alone, and decimal points",
+      file_.fail_at_line(line,
+                         "columns separated by blanks, commas or semicolons alone, and decimal points (or give "
+                         "--decimal-comma)",
                          in_quotes(text));
     const size_t count = fields_.size();
     if (count != 3 && count != 4 && count != 7)
       file_.fail_at_line(line, "3 columns (x y z), 4 (and radius) or 7 (and vx vy vz); others need --columns",
                          fmt::to_string(count));
-    by_place_ = true;
-    columns_by_place();
-    return true;
+    by_order_ = true;
+    take(columns_by_order(count));
+    columns_->by = fmt::format("by the number of columns in line {}", line);
   }
-  // Lines with and without a velocity may stand in one file.
-  void columns_by_place() {
-    if (columns_.count == fields_.size()) return;
-    const auto names = std::span(quantity_names).first(fields_.size());
-    columns_ = columns_of_names("", std::vector<std::string>(names.begin(), names.end()));
+  void take(const Columns& columns) {
+    columns_ = columns;
+    reader_.emplace(file_, *columns_, options_.decimal_comma);
+  }
+
+  // Points of scanners have x y z intensity r g b. Colours of 0 and 1 alone would all be black.
+  void look_for_colours() {
+    for (const std::string_view field : std::span(fields_).last(3)) {
+      const auto whole = whole_number_of(field, 0, 255);
+      may_be_colours_ = may_be_colours_ && whole;
+      bright_ = bright_ || whole.value_or(0) > 1;
+    }
   }
 
   const FileBytes& file_;
-  Columns columns_;
-  bool by_place_ = false;
+  const SphereFileOptions& options_;
+  char separator_ = ' ';
+  Names header_, comment_;
+  uint64_t names_line_ = 0, first_line_ = 0;
+  Columns columns_of_header_;
+  std::optional<Columns> columns_;
+  std::optional<RowReader> reader_;
+  bool by_order_ = false, may_be_colours_ = true, bright_ = false;
+  std::string box_;
   std::vector<std::string_view> fields_;
 };
 
@@ -96,26 +190,20 @@ SphereFile read_text(const FileBytes& file, const SphereFileOptions& options, Sp
   if (options.frame)
     throw std::invalid_argument(
         fmt::format("{} is text with one frame, and --frame is for XYZ files only", file.name()));
-  SphereFile input;
   TextReader reader(file, options);
   for (FileLines lines = lines_of(file); !lines.at_end();) {
-    const uint64_t line = lines.line, sphere = rows.positions.size();
-    if (!reader.take(line, lines.next())) continue;
-    if (sphere == kMostSpheres) file.fail_at_line(line, fmt::format("at most {} spheres", kMostSpheres), "another");
-    rows.add(options.radius.value_or(0));
-    for (size_t quantity = 0; quantity < quantity_names.size(); ++quantity) {
-      if (!reader.columns().has(Quantity(quantity))) continue;
-      const Decimal number = reader.number(line, Quantity(quantity));
-      ++input.values;
-      input.changed += number.changed;
-      rows.set(sphere, Quantity(quantity), number);
-    }
+    const uint64_t line = lines.line;
+    reader.read(line, lines.next(), rows);
   }
-  if (rows.positions.empty())
-    throw std::invalid_argument(fmt::format("{} holds no sphere: expected lines of x y z radius", file.name()));
-  input.own_radii = reader.columns().has(QUANTITY_RADIUS);
-  check_radius(file, input.own_radii, options);
-  input.format = fmt::format("text ({})", reader.columns().text);
+  SphereFile input;
+  const Columns& columns = reader.columns();
+  input.values = rows.positions.size() * columns.quantities();
+  input.changed = reader.changed();
+  input.unread_box = reader.box();
+  input.own_radii = columns.has(QUANTITY_RADIUS);
+  input.units = columns.units;
+  check_radius(file, columns, options);
+  input.format = fmt::format("text ({}): {}", columns.text, describe(columns));
   return input;
 }
 

@@ -7,55 +7,28 @@
 #include <sstream>
 
 #include "bench/io/numbers.h"
+#include "bench/spheres/columns.h"
+#include "bench/text/fields.h"
 
 namespace spherepair {
 namespace {
 
-constexpr std::string_view blank = " \t";
-
-// Reads up to `stop` or a blank; quotes and brackets around a value may hold both.
-std::string_view take_word(std::string_view& text, std::string_view stop) {
-  const std::string_view open = "\"'{[", close = "\"'}]";
-  const size_t kind = text.empty() ? open.npos : open.find(text.front());
-  const size_t end = kind == open.npos ? open.npos : text.find(close[kind], 1);
-  const bool enclosed = end != text.npos;
-  const size_t size = enclosed ? end + 1 : std::min(text.find_first_of(stop), text.size());
-  const std::string_view word = enclosed ? text.substr(1, size - 2) : text.substr(0, size);
-  text.remove_prefix(size);
-  return word;
-}
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
-
-// Whatever the case of its letters: programs write Lattice and lattice.
-std::optional<std::string_view> value_of_key(std::string_view comment, std::string_view wanted) {
-  while (true) {
-    comment.remove_prefix(std::min(comment.find_first_not_of(blank), comment.size()));
-    if (comment.empty()) return std::nullopt;
-    const std::string_view key = take_word(comment, "= \t");
-    if (!comment.starts_with('=')) continue;
-    comment.remove_prefix(1);
-    const std::string_view value = take_word(comment, blank);
-    if (std::ranges::equal(key, wanted, {}, lower, lower)) return value;
+// The value of one of the keys, whatever the case of its letters: programs write Lattice and lattice. Throws for a key
+// without a value that ends, and for one that stands twice.
+const CommentPair* find_pair(const Comment& comment, std::span<const std::string_view> keys) {
+  const CommentPair* found = nullptr;
+  for (const CommentPair& pair : comment.pairs) {
+    if (!pair.value || std::ranges::count(keys, lower_case(pair.key)) == 0) continue;
+    if (!pair.complete)
+      comment.file.fail_at_line(comment.line, fmt::format("a value of {} whose quotes or brackets end", pair.key),
+                                in_quotes(comment.text));
+    if (found && found->value != pair.value)
+      comment.file.fail_at_line(comment.line, fmt::format("{} once", pair.key), in_quotes(comment.text));
+    found = &pair;
   }
+  return found;
 }
-
-std::vector<std::string> split_at_colons(std::string_view text) {
-  std::vector<std::string> parts;
-  std::istringstream stream{std::string(text)};
-  for (std::string part; std::getline(stream, part, ':');) parts.push_back(part);
-  return parts;
-}
-
-// Quantities by the names that programs give them.
-struct KnownProperty {
-  std::string_view name;
-  Quantity first;
-  size_t columns;
-};
-constexpr KnownProperty known_properties[] = {
-    {"pos", QUANTITY_X, 3},  {"radius", QUANTITY_RADIUS, 1}, {"radii", QUANTITY_RADIUS, 1}, {"velo", QUANTITY_VX, 3},
-    {"vel", QUANTITY_VX, 3}, {"velocity", QUANTITY_VX, 3},   {"velocities", QUANTITY_VX, 3}};
+const CommentPair* find_pair(const Comment& comment, std::string_view key) { return find_pair(comment, {&key, 1}); }
 
 struct Property {
   std::string name, type;
@@ -68,66 +41,94 @@ std::optional<Property> property_of(const std::string& name, const std::string& 
   return Property{name, type, *count};
 }
 
+std::vector<std::string> split_at_colons(std::string_view text) {
+  std::vector<std::string> parts;
+  std::istringstream stream{std::string(text)};
+  for (std::string part; std::getline(stream, part, ':');) parts.push_back(part);
+  return parts;
+}
+
+// Words that may stand between blanks, commas, brackets and quotes: of pbc = "T T F", [T, T, F] or [[T], [T], [F]].
+std::vector<std::string> words_of(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return std::string_view(",[]{}\"\t").find(c) != std::string_view::npos; }, ' ');
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+// i-PI: # CELL(abcABC): 10 10 10 90 90 90.
+bool is_cell_of_ipi(const CommentPair& pair) { return lower_case(pair.key).starts_with("cell("); }
+
 }  // namespace
 
-std::optional<Columns> named_columns(const FileBytes& file, uint64_t line, std::string_view comment) {
-  const auto value = value_of_key(comment, "Properties");
-  if (!value) return std::nullopt;
-  const std::vector<std::string> parts = split_at_colons(*value);
-  const auto fail = [&](std::string_view expected) { file.fail_at_line(line, expected, in_quotes(*value)); };
+std::optional<std::vector<NamedColumn>> properties_of(const Comment& comment) {
+  const CommentPair* pair = find_pair(comment, "properties");
+  if (!pair) return std::nullopt;
+  const std::vector<std::string> parts = split_at_colons(*pair->value);
+  const auto fail = [&](std::string_view expected) {
+    comment.file.fail_at_line(comment.line, expected, in_quotes(*pair->value));
+  };
   if (parts.empty() || parts.size() % 3) fail("Properties=name:type:columns, repeated, such as species:S:1:pos:R:3");
-  Columns columns{.text = in_quotes(*value)};
+  std::vector<NamedColumn> names;
   for (size_t k = 0; k < parts.size(); k += 3) {
     const auto property = property_of(parts[k], parts[k + 1], parts[k + 2]);
     if (!property) fail("Properties with a name, a type S, R, I or L and a number of columns each");
-    const auto known = std::ranges::find(known_properties, property->name, &KnownProperty::name);
-    if (known != std::end(known_properties)) {
-      const bool number = property->type == "R" || property->type == "I";
-      if (columns.has(known->first) || !number || property->columns != known->columns)
-        fail("Properties with pos:R:3 once, and radius:R:1 and velo:R:3 once at most");
-      for (size_t c = 0; c < known->columns; ++c) columns.columns[known->first + c] = columns.count + c;
-    }
-    if (property->name == "species" && property->columns == 1 && !columns.species) columns.species = columns.count;
-    columns.momenta = columns.momenta || property->name == "momenta";
-    columns.count += property->columns;
+    const KnownName* known = known_name(property->name);
+    const bool number = property->type == "R" || property->type == "I";
+    if (known && (!number || property->columns != known->count))
+      fail("Properties with pos:R:3 once, and radius:R:1 and velo:R:3 once at most");
+    names.push_back({property->name, property->columns});
   }
-  if (!columns.has(QUANTITY_X)) fail("Properties with pos:R:3");
+  return names;
+}
+
+Columns columns_of_properties(const Comment& comment, std::span<const NamedColumn> properties) {
+  const std::string value = in_quotes(*find_pair(comment, "properties")->value);
+  Columns columns = columns_of_names(fmt::format("{}, line {}: expected Properties with pos:R:3 once, found {}",
+                                                 comment.file.name(), comment.line, value),
+                                     properties);
+  columns.text = value;
+  columns.by = fmt::format("by Properties in line {}", comment.line);
   return columns;
 }
 
-Columns classic_columns(const FileBytes& file, uint64_t line, std::string_view text) {
+Columns classic_columns(const FileBytes& file, uint64_t line, std::string_view text, bool types) {
   std::vector<std::string_view> fields;
   split_fields(text, 100, fields);
-  const size_t species = fields.empty() || parse_decimal(fields[0]) ? 0 : 1;
+  const size_t species = !fields.empty() && (types || !parse_decimal(fields[0])) ? 1 : 0;
   if (fields.size() < species + 3 || fields.size() > species + 4)
     file.fail_at_line(line,
-                      species ? "4 columns, species x y z, or 5 with a radius; others need Properties= in line 2"
-                              : "3 columns, x y z, or 4 with a radius; others need Properties= in line 2",
+                      species ? "4 columns, species x y z, or 5 with a radius; others need Properties= in line 2, or "
+                                "--columns"
+                              : "3 columns, x y z, or 4 with a radius; others need Properties= in line 2, or --columns",
                       fmt::format("{}: {}", fields.size(), in_quotes(text)));
-  std::vector<std::string> names = {"x", "y", "z"};
-  if (species) names.insert(names.begin(), "species");
-  if (fields.size() == species + 4) names.push_back("radius");
+  std::vector<NamedColumn> names = {{"x"}, {"y"}, {"z"}};
+  if (species) names.insert(names.begin(), {"species"});
+  if (fields.size() == species + 4) names.push_back({"radius"});
   Columns columns = columns_of_names(file.name(), names);
-  if (species) columns.species = 0;
+  columns.by_order = true;
+  columns.by = types ? "the first of four whole in every line: a type, since --radius gives the radii"
+                     : fmt::format("by the number of columns in line {}", line);
   return columns;
 }
 
-std::string periodic_box(const FileBytes& file, uint64_t line, std::string_view comment) {
-  const auto lattice = value_of_key(comment, "Lattice"), cell = lattice ? lattice : value_of_key(comment, "cell");
-  const auto pbc = value_of_key(comment, "pbc");
-  std::vector<std::string_view> axes;
-  if (pbc) split_separated_fields(*pbc, 4, axes);
-  const auto is = [](const std::vector<std::string>& words) {
-    return [=](std::string_view axis) { return std::ranges::count(words, std::string(axis)) > 0; };
-  };
-  const auto periodic = is({"T", "True", "true", "1"}), open = is({"F", "False", "false", "0"});
-  if (pbc && (axes.size() != 3 || !std::ranges::all_of(axes, [&](auto a) { return periodic(a) || open(a); })))
-    file.fail_at_line(line, "pbc with T or F for each of the three axes, such as pbc=\"T T F\"", in_quotes(*pbc));
-  if (pbc ? std::ranges::none_of(axes, periodic) : !cell) return "";
-  std::string box;
-  if (cell) box += fmt::format("{}={}", lattice ? "Lattice" : "cell", in_quotes(*cell));
-  if (pbc) box += fmt::format("{}pbc={}", cell ? " " : "", in_quotes(*pbc));
-  return box;
+PeriodicBox periodic_box(const Comment& comment) {
+  constexpr std::string_view cells[] = {"lattice", "cell", "box", "unitcell", "unit_cell"};
+  const CommentPair *cell = find_pair(comment, cells), *pbc = find_pair(comment, "pbc");
+  std::vector<std::optional<bool>> axes;
+  if (pbc)
+    for (const std::string& word : words_of(*pbc->value)) axes.push_back(parse_boolean(word));
+  if (pbc && (axes.size() != 3 || !std::ranges::all_of(axes, [](const auto& axis) { return axis.has_value(); })))
+    comment.file.fail_at_line(comment.line, "pbc with T or F for each of the three axes, such as pbc=\"T T F\"",
+                              in_quotes(*pbc->value));
+  if (pbc && std::ranges::none_of(axes, [](const auto& axis) { return *axis; })) return {};
+  std::string text;
+  if (cell)
+    text = fmt::format("{}={}", lower_case(cell->key) == "lattice" ? "Lattice" : lower_case(cell->key),
+                       in_quotes(*cell->value));
+  if (pbc) text += fmt::format("{}pbc={}", cell ? " " : "", in_quotes(*pbc->value));
+  if (text.empty() && std::ranges::any_of(comment.pairs, is_cell_of_ipi)) text = in_quotes(comment.text);
+  return {text, text.empty() && mentions_box(comment.text) ? in_quotes(comment.text) : ""};
 }
 
 }  // namespace spherepair

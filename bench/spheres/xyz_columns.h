@@ -2,19 +2,37 @@
 // The columns of an XYZ file, and what else its comment line says.
 #pragma once
 
-#include "bench/spheres/columns.h"
+#include "bench/io/file_bytes.h"
+#include "bench/text/column_names.h"
+#include "bench/text/xyz_comment.h"
 
 namespace spherepair {
 
-// From Properties= in the comment line of extended XYZ; none without that key.
-std::optional<Columns> named_columns(const FileBytes& file, uint64_t line, std::string_view comment);
+// A comment line, and where it stands.
+struct Comment {
+  const FileBytes& file;
+  uint64_t line = 0;
+  std::string_view text = {};
+  std::vector<CommentPair> pairs = parse_comment(text);
+};
 
-// Classic XYZ, `[species] x y z [radius]`, from the first sphere's line.
-Columns classic_columns(const FileBytes& file, uint64_t line, std::string_view text);
+// The names in Properties= of extended XYZ, each a number of columns; none without that key.
+std::optional<std::vector<NamedColumn>> properties_of(const Comment& comment);
 
-// The periodic box of an extended XYZ's comment line, in its words (Lattice="..." pbc="..."); empty where nothing is
-// periodic: without these keys, or where pbc is false along every axis. A Lattice, or a cell, alone is periodic along
-// all three.
-std::string periodic_box(const FileBytes& file, uint64_t line, std::string_view comment);
+// The columns that these are; momenta are noted.
+Columns columns_of_properties(const Comment& comment, std::span<const NamedColumn> properties);
+
+// Classic XYZ, `[species] x y z [radius]`, from the fields of the first sphere's line. types: the first number is whole
+// in every line, and the radius is an option's: a type, as LAMMPS writes it.
+Columns classic_columns(const FileBytes& file, uint64_t line, std::string_view text, bool types);
+
+// The periodic box of the comment line, in its words (Lattice="..." pbc="..."); empty where nothing is periodic:
+// without these keys, or where pbc is false along every axis. A Lattice, a cell or a box alone is periodic along all
+// three.
+struct PeriodicBox {
+  std::string text = {};
+  std::string mention = {};  // the comment, if it has a word for a box, which is not read
+};
+PeriodicBox periodic_box(const Comment& comment);
 
 }  // namespace spherepair

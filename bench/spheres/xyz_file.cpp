@@ -8,8 +8,10 @@
 
 #include "bench/io/file_lines.h"
 #include "bench/io/numbers.h"
+#include "bench/spheres/columns.h"
 #include "bench/spheres/sphere_file.h"
 #include "bench/spheres/xyz_columns.h"
+#include "bench/text/fields.h"
 #include "common/backend/cpu_team.h"
 #include "common/scene/counted.h"
 
@@ -62,76 +64,71 @@ Frame read_frame(const FileBytes& file, FileLines& cursor, bool first) {
   return frame;
 }
 
-class LineReader {
- public:
-  LineReader(const FileBytes& file, const Columns& columns) : file_(file), columns_(columns) {}
-
-  void read(std::string_view text, uint64_t line, uint64_t sphere, SphereRows& rows) {
-    split_fields(text, columns_.count + 1, fields_);
-    if (fields_.size() != columns_.count)
-      file_.fail_at_line(line, fmt::format("{} columns ({})", columns_.count, columns_.text),
-                         fmt::format("{}{}: {}", fields_.size() > columns_.count ? "more than " : "",
-                                     std::min(fields_.size(), columns_.count), in_quotes(text)));
-    for (size_t quantity = 0; quantity < quantity_names.size(); ++quantity) {
-      if (!columns_.has(Quantity(quantity))) continue;
-      const Decimal number = read_number(file_, line, fields_, columns_, Quantity(quantity));
-      changed_ += number.changed;
-      rows.set(sphere, Quantity(quantity), number);
-    }
-    if (!rows.species.empty()) rows.species[sphere] = fields_[*columns_.species];
-  }
-  uint64_t changed() const { return changed_; }
-
- private:
-  const FileBytes& file_;
-  const Columns& columns_;
-  std::vector<std::string_view> fields_;
-  uint64_t changed_ = 0;
-};
-
-uint64_t read_chunk(const FileBytes& file, const Columns& columns, Chunk chunk, SphereRows& rows) {
-  LineReader reader(file, columns);
+uint64_t read_chunk(const FileBytes& file, const Columns& columns, bool decimal_comma, Chunk chunk, SphereRows& rows) {
+  RowReader reader(file, columns, decimal_comma);
+  std::vector<std::string_view> fields;
   for (uint64_t k = 0; k < chunk.spheres; ++k) {
     const uint64_t line = chunk.start.line;
-    reader.read(chunk.start.next(), line, chunk.first_sphere + k, rows);
+    const std::string_view text = chunk.start.next();
+    split_fields(text, columns.count + 1, fields);
+    reader.read(line, text, fields, chunk.first_sphere + k, rows);
   }
   return reader.changed();
 }
 
 // Throws the first error in the file, whichever thread finds one first.
-uint64_t read_spheres(const FileBytes& file, const Columns& columns, const Frame& frame, int threads,
-                      SphereRows& rows) {
+uint64_t read_spheres(const FileBytes& file, const Columns& columns, const Frame& frame,
+                      const SphereFileOptions& options, SphereRows& rows) {
   TeamErrors errors;
   uint64_t changed = 0;
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1) reduction(+ : changed)
+#pragma omp parallel for num_threads(reading_threads(options)) schedule(dynamic, 1) reduction(+ : changed)
   for (size_t k = 0; k < frame.chunks.size(); ++k)
-    errors.run(k, [&] { changed += read_chunk(file, columns, frame.chunks[k], rows); });
+    errors.run(k, [&] { changed += read_chunk(file, columns, options.decimal_comma, frame.chunks[k], rows); });
   errors.rethrow();
   return changed;
 }
 
-struct FrameColumns {
-  Columns columns;
-  bool named = false;  // by Properties=
-};
+// Whether all lines are of four numbers, the first of them whole and positive: LAMMPS writes types in place of names.
+bool may_have_types(const Frame& frame) {
+  std::vector<std::string_view> fields;
+  FileLines lines = frame.chunks.front().start;
+  for (uint64_t k = 0; k < frame.spheres; ++k) {
+    split_fields(lines.next(), 5, fields);
+    if (fields.size() != 4 || !whole_number_of(fields[0], 1, std::numeric_limits<uint64_t>::max())) return false;
+  }
+  return true;
+}
 
-FrameColumns columns_of(const FileBytes& file, const Frame& frame) {
-  if (const auto named = named_columns(file, frame.comment_line, frame.comment)) return {*named, true};
-  if (frame.chunks.empty()) return {{.text = "no spheres"}};
+Columns columns_of(const FileBytes& file, const Frame& frame, const Comment& comment,
+                   const SphereFileOptions& options) {
+  const auto properties = properties_of(comment);
+  if (!options.columns.empty())
+    return columns_of_option(options.columns, properties.value_or(std::vector<NamedColumn>()), file.name());
+  if (properties) return columns_of_properties(comment, *properties);
+  if (frame.chunks.empty()) return {.text = "no spheres"};
   FileLines first = frame.chunks.front().start;
   const uint64_t line = first.line;
-  return {classic_columns(file, line, first.next())};
+  const bool types = may_have_types(frame);
+  const std::string_view text = first.next();
+  if (types && !options.radius)
+    file.fail_at_line(line,
+                      "columns whose meaning is certain, but x y z radius may as well be type x y z: give --columns "
+                      "x,y,z,radius, or --radius and --columns species,x,y,z",
+                      in_quotes(text));
+  return classic_columns(file, line, text, types);
 }
 
 // Pairs across a periodic boundary are not found: such a file would lose them in silence.
-std::string ignored_box(const FileBytes& file, const Frame& frame, const SphereFileOptions& options) {
-  const std::string box = periodic_box(file, frame.comment_line, frame.comment);
-  if (!box.empty() && !options.ignore_periodic)
-    file.fail_at_line(frame.comment_line,
-                      "spheres without a periodic box, since pairs across its boundary are not found yet (take only "
-                      "those inside it with --ignore-periodic)",
-                      box);
-  return box;
+void read_box(const Comment& comment, const SphereFileOptions& options, SphereFile& input) {
+  const PeriodicBox box = periodic_box(comment);
+  if (!box.text.empty() && !options.ignore_periodic)
+    comment.file.fail_at_line(
+        comment.line,
+        "spheres without a periodic box, since pairs across its boundary are not found yet (take only those inside it "
+        "with --ignore-periodic)",
+        box.text);
+  input.ignored = !box.text.empty() || !options.ignore_periodic ? box.text : box.mention;
+  input.unread_box = options.ignore_periodic ? "" : box.mention;
 }
 
 // All of which must be complete.
@@ -151,20 +148,22 @@ SphereFile read_one(const FileBytes& file, std::span<const Frame> frames, uint64
   SphereFile input;
   input.frame = k;
   input.frames = frames.size();
-  input.ignored = ignored_box(file, frame, options);
-  const auto [columns, named] = columns_of(file, frame);
+  const Comment comment{file, frame.comment_line, frame.comment};
+  read_box(comment, options, input);
+  const Columns columns = columns_of(file, frame, comment, options);
   if (options.species && frame.spheres > 0 && !columns.species)
     file.fail_at_line(frame.comment_line,
                       "a column of species, by Properties= with species:S:1 or as the first of four", columns.text);
   input.unread_species = columns.species && !options.species;
   input.unread_momenta = columns.momenta && !columns.has(QUANTITY_VX);
   input.own_radii = columns.has(QUANTITY_RADIUS);
-  if (frame.spheres > 0) check_radius(file, input.own_radii, options);
+  if (frame.spheres > 0) check_radius(file, columns, options);
   rows.resize(frame.spheres, options.radius.value_or(0), columns.has(QUANTITY_VX), true);
   if (options.species) rows.species.resize(frame.spheres);
   input.values = frame.spheres * columns.quantities();
-  input.changed = read_spheres(file, columns, frame, reading_threads(options), rows);
-  input.format = fmt::format("{}XYZ ({})", named ? "extended " : "", columns.text);
+  input.changed = read_spheres(file, columns, frame, options, rows);
+  input.units = columns.units;
+  input.format = fmt::format("XYZ ({}){}", columns.text, frame.spheres > 0 ? ": " + describe(columns) : "");
   return input;
 }
 

@@ -20,9 +20,6 @@ constexpr double most_units = 0x1p63 - 0x1p57;  // of sums of impulses: room for
 
 double speed(const vec4& v) { return std::hypot(double(v.x), double(v.y), double(v.z)); }
 
-// So that a gap of the smallest radius is not cut off, see gap_of.
-int coarsest_units(const Radii& radii) { return 29 - int(std::floor(std::log2(radii.smallest))); }
-
 // What momentum and impulses of a sphere can add up to. A contact's alone is less than a hundredth of it, far from
 // where integer_of saturates.
 double impulse_units(const Scene& scene) {
@@ -71,6 +68,9 @@ std::string why_no_start(const Scene& scene) {
   if (double(scene.dt) > time / fewest_steps)
     return fmt::format("dt is {} s, but a contact lasts {:.3g} s only: give --dt {:.3g} or less", scene.dt, time,
                        time / steps_a_contact);
+  if (std::abs(double(scene.plane)) >= extent_of(scene) && !units_are_fine(scene))
+    return fmt::format("the radius {} is too small for the plane at y = {}: give larger spheres", r.smallest,
+                       scene.plane);
   if (scene.contact.unit_exponent < coarsest_units(r) || double(scene.contact.skin) > most_skin) {
     const uint64_t i = sphere_with_most(scene, [&](uint64_t k) { return farthest_coordinate(scene.positions[k]); });
     return fmt::format(

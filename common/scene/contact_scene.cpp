@@ -41,15 +41,6 @@ void choose_box(Scene& scene, bool walls) {
   }
 }
 
-// The largest coordinate of spheres and walls.
-double extent_of(const Scene& scene) {
-  double extent = std::max(std::abs(double(scene.plane)), double(radii_of(scene).largest));
-  for (const vec4& s : scene.positions) extent = std::max(extent, farthest_coordinate(s));
-  if (scene.contact.walls)
-    for (const vec4& s : {scene.contact.low, scene.contact.high}) extent = std::max(extent, farthest_coordinate(s));
-  return extent;
-}
-
 // Positions and walls then take 51 of 63 bits, and the fastest sphere's momentum 56.
 void choose_units(Scene& scene) {
   const Radii r = radii_of(scene);
@@ -117,6 +108,22 @@ void choose_contacts(Scene& scene, const ContactChoice& choice) {
         largest));
   choose_box(scene, choice.walls);
   choose_units(scene);
+}
+
+double extent_of(const Scene& scene) {
+  double extent = std::max(std::abs(double(scene.plane)), double(radii_of(scene).largest));
+  for (const vec4& s : scene.positions) extent = std::max(extent, farthest_coordinate(s));
+  if (scene.contact.walls)
+    for (const vec4& s : {scene.contact.low, scene.contact.high}) extent = std::max(extent, farthest_coordinate(s));
+  return extent;
+}
+
+int coarsest_units(const Radii& radii) { return 29 - int(std::floor(std::log2(radii.smallest))); }
+
+bool units_are_fine(const Scene& scene) {
+  if (!(radii_of(scene).smallest > 0)) return true;  // refused as such
+  const int finest = position_bits - bits_above(extent_of(scene));
+  return finest >= coarsest_units(radii_of(scene)) && double(skin_of(scene)) <= most_skin;
 }
 
 float skin_of(const Scene& scene) {

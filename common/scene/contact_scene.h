@@ -32,6 +32,12 @@ double highest_speed_of(const Scene& scene, uint64_t i);
 
 double farthest_coordinate(const vec4& sphere);
 
+// The largest coordinate of spheres and walls.
+double extent_of(const Scene& scene);
+
+// The exponent of units in which a gap of the smallest radius is not cut off, see gap_of.
+int coarsest_units(const Radii& radii);
+
 // The sphere with the largest of(i).
 template <typename Of>
 uint64_t sphere_with_most(const Scene& scene, Of of) {
@@ -40,6 +46,9 @@ uint64_t sphere_with_most(const Scene& scene, Of of) {
 
 constexpr double steps_a_contact = 40;                  // of the shortest one, by default
 constexpr double least_skin = 1.0 / 32, most_skin = 1;  // of a radius
+
+// Whether units of length that reach to the farthest sphere and to the plane are fine enough for the smallest radius.
+bool units_are_fine(const Scene& scene);
 
 // The shortest contact that spheres from the smallest to the largest radius can have, in seconds; of hertz, whose
 // contacts depend on the speed, at the highest.

@@ -148,9 +148,9 @@ TEST(BadSphereFile, OptionsThatDoNotFit) {
   const auto expect = [](const std::string& text, const char* word) { EXPECT_NE(text.find(word), text.npos) << text; };
   const std::string four = npy_file(npy_header("<f4", "(1, 4)"), npy_data<float>({1, 2, 3, 4}, 4));
   expect(complaint("a.npy", npy_file(dict, six), {}), "give the radius of all spheres with --radius");
-  expect(complaint("a.npy", four, {.radius = 1}), "leave --radius out");
+  expect(complaint("a.npy", four, {.radius = 1}), "omit --radius if column 4 holds radii");
   expect(complaint("a.xyz", "1\n\nH 1 2 3\n", {}), "give the radius of all spheres with --radius");
-  expect(complaint("a.xyz", "1\n\nH 1 2 3 4\n", {.radius = 1}), "leave --radius out");
+  expect(complaint("a.xyz", "1\n\nH 1 2 3 4\n", {.radius = 1}), "omit --radius if column 5 holds radii");
   for (float radius : {-1.0f, std::nanf(""), std::numeric_limits<float>::infinity()})
     expect(complaint("a.xyz", "1\n\nH 1 2 3\n", {.radius = radius}), "finite and not negative");
   expect(complaint("a.xyz", "1\n\n1 2 3\n", {.radius = 1, .frame = 1}), "has 1 frame, counted from 0");

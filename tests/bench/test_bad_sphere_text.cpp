@@ -80,7 +80,8 @@ TEST(BadSphereFile, TextLines) {
   expect_text_complaint("1;2;3;0,5\n", 1, "a number for radius in column 4", "'0,5'");
   expect_text_complaint("1,2,3,4,\n", 1, "others need --columns", "5");
   expect_text_complaint("1 2 3 -4\n", 1, "not negative", "'-4'");
-  expect_text_complaint("1 2 3 4\n1 2 3 4 5 6 nan\n", 2, "a finite number within the range of float32 for vz", "'nan'");
+  expect_text_complaint("1 2 3 4 5 6 7\n1 2 3 4 5 6 nan\n", 2, "a finite number within the range of float32 for vz",
+                        "'nan'");
   expect_text_complaint("a 1 2 3 .5\nb 1 2 x .5\n", 2, "a number for z", "'x'",
                         {.columns = {"_", "x", "y", "z", "radius"}});
   const ScratchFolder folder;
@@ -91,13 +92,14 @@ TEST(BadSphereFile, TextLines) {
   for (const char* empty : {"", "\n\n", "# nothing\n", "x,y,z,radius\n"})
     expect(complaint(empty, {}), "holds no sphere");
   expect(complaint("1 2 3\n", {}), "with --radius");
-  expect(complaint("1 2 3 4\n", {.radius = 1}), "leave --radius out");
+  expect(complaint("1 2 3 4\n", {.radius = 1}), "omit --radius if column 4 holds radii");
+  expect(complaint("x,y,z,r\n1,2,3,4\n", {.radius = 1}, "a.csv"), "leave --radius out");
   expect(complaint("1 2 3 4\n", {.frame = 0}), "--frame is for XYZ");
   expect(complaint("1 2 3 4\n", {.columns = {"x", "y", "radius", "_"}}), "x, y and z must be among 'x y radius _'");
   expect(complaint("1 2 3 4\n", {.columns = {"x", "y", "z", "z"}}), "the column z stands twice");
   expect(complaint("1 2 3 4\n", {.columns = {"x", "y", "z", "vx"}}), "only some");
   expect(complaint("a b\n1 2\n", {}), "x, y and z must be among 'a b'");
-  expect(complaint("1\n\n1 2 3\n", {.radius = 1, .columns = {"x", "y", "z"}}, "a.xyz"), "--columns");
+  EXPECT_EQ(complaint("1\n\n1 2 3\n", {.radius = 1, .columns = {"x", "y", "z"}}, "a.xyz"), "");
   EXPECT_EQ(complaint("1 2 3\n", {.radius = 1, .columns = {"x", "y", "z"}}, "a.log"), "");
 }
 

@@ -73,7 +73,7 @@ TEST(SphereFile, TextByColumns) {
   expect_spheres(read_text("id,radius,z,y,x\n7,0.5,3,2,1\n8,.75,6,5,4\n", {}, "csv"), own);
   expect_spheres(read_text("7 0.5 3 2 1\n8 .75 6 5 4\n", {.columns = {"_", "radius", "z", "y", "x"}}, "log"), own);
   expect_spheres(read_text("1 2 3\n", {.radius = 0.25f}, "txt"), {{1, 2, 3, 0.25f}});
-  const SphereFile moving = read_text("0 0 0 1\n1 1 1 2 3 4 5\n", {}, "txt");
+  const SphereFile moving = read_text("0 0 0 1 0 0 0\n1 1 1 2 3 4 5.\n", {}, "txt");
   ASSERT_EQ(moving.scene.size(), 2u);
   EXPECT_EQ(moving.scene.velocities[0].x, 0);
   EXPECT_EQ(moving.scene.velocities[1].z, 5);

@@ -97,7 +97,7 @@ TEST(SphereFile, ClassicXyz) {
   expect_spheres(read_text("2\n\n1 -2.5 3\n4 5 6", radius), equal);
   expect_spheres(read_text(" 2 \r\nhello\r\n\tH\t1  -2.5e0 +3.0 \r\n C 4. 5 .6e1\r\n\r\n \r\n", radius), equal);
   expect_spheres(read_text("2\n\nH 1 2 3 0.5\nH 4 5 6 0.75\n"), own);
-  expect_spheres(read_text("2\n\n1 2 3 0.5\n4 5 6 75e-2\n"), own);
+  expect_spheres(read_text("2\n\n1. 2 3 0.5\n4 5 6 75e-2\n"), own);
   expect_spheres(read_text("0\nnothing\n"), {});
 }
 
@@ -131,7 +131,7 @@ TEST(SphereFile, WithoutASpeedIsAtRestInEveryFormat) {
   EXPECT_TRUE(at_rest("a.txt", "0 0 0 1\n3 0 0 1\n"));
   EXPECT_TRUE(at_rest("a.csv", "x,y,z,radius\n0,0,0,1\n"));
   EXPECT_TRUE(at_rest("a.xyz", "1\n\n0 0 0 1\n"));
-  EXPECT_FALSE(at_rest("b.txt", "0 0 0 1 0 0 0\n3 0 0 1 0 2 0\n"));
+  EXPECT_FALSE(at_rest("b.txt", "0 0 0 1 0 0 0\n3 0 0 1 0 2.5 0\n"));
   EXPECT_FALSE(at_rest("b.xyz", "1\nProperties=pos:R:3:radius:R:1:velo:R:3\n0 0 0 1 0 0 2\n"));
 }
 

@@ -41,7 +41,9 @@ TEST_F(Complaints, WhatIsNoNumber) {
          "--n: 'many' is not a whole number from 0 to 2147483647, written like 16384, 16k, 1.5M or 1e6");
   expect("render --target 1,b,3 --output a.png", "--target: '1,b,3' is not made of numbers");
   expect("pairs --input a --columns x,y,q --output -",
-         "--columns: unknown column 'q'; known are x, y, z, radius, vx, vy, vz, _");
+         "--columns: unknown column 'q'; known are x, y, z, radius, vx, vy, vz, diameter, species, _; a column by its "
+         "name "
+         "in the file: x=NAME");
 }
 
 TEST_F(Complaints, AWordThatStandsTwiceInAList) {
@@ -85,13 +87,17 @@ TEST_F(Complaints, ACheckpointThatIsNoneBeginsAtByte0) {
 
 TEST_F(Complaints, FilesThatPeopleHave) {
   const std::string commas = folder_.write("de.csv", "x;y;z;radius\n0,5;0;0;1\n");
-  expect("run --input " + commas,
-         commas + ", line 2: expected a number for x in column 1, with a decimal point, found '0,5'");
+  expect(
+      "run --input " + commas,
+      commas +
+          ", line 2: expected a number for x in column 1, with a decimal point (or give --decimal-comma), found '0,5'");
   const std::string packed = folder_.write("a.xyz.gz", "\x1f\x8b\x08");
   expect("run --input " + packed, packed + " is a gzip file: unpack or convert it to XYZ, NPY or text");
   const std::string text = folder_.write("a.txt", "some words\n");
   expect("run --input " + text,
-         text + ", line 1, read as names of columns: the columns x, y and z must be among 'some words'");
+         text +
+             ", line 1, read as names of columns: the columns x, y and z must be among 'some words'; name them with "
+             "--columns x=NAME,y=NAME,z=NAME");
   const std::string atoms = folder_.write("atoms.txt", "C 1.3 8.4 7.6\n");
   expect("run --input " + atoms,
          atoms +
@@ -101,7 +107,7 @@ TEST_F(Complaints, FilesThatPeopleHave) {
     const std::string decimal_commas = folder_.write("commas.txt", std::string(line) + "\n");
     expect("run --input " + decimal_commas,
            fmt::format("{}, line 1: expected columns separated by blanks, commas or semicolons alone, and decimal "
-                       "points, found '{}'",
+                       "points (or give --decimal-comma), found '{}'",
                        decimal_commas, line));
   }
   expect(fmt::format("equal {0} {0}", text),

@@ -38,7 +38,7 @@ TEST_F(NonFiniteProgram, RefusesTimeStepsBeyondTheBounds) {
 }
 
 TEST_F(NonFiniteProgram, RefusesToMoveSpheresBeyondTheBounds) {
-  folder_.write("spheres.txt", "0 0 0 0.5\n3e38 0 0 0.5 1e38 0 0\n");
+  folder_.write("spheres.txt", "0 0 0 0.5 0 0 0\n3e38 0 0 0.5 1e38 0 0\n");
   const std::string input = "run --backend cpu --input " + path("spheres.txt");
   for (const std::string& motion :
        std::vector<std::string>{"paper", "paper --method sequential --save " + path("saved"), "anchored", "euler"})

@@ -33,7 +33,7 @@ TEST_F(PairsCommand, WritesNpy) {
 
 TEST_F(PairsCommand, WritesNoPairsToo) {
   PairsOptions lone = options("none.npy");
-  lone.input_file = folder_.write("lone.xyz", "1\n\n1 2 3 4\n");
+  lone.input_file = folder_.write("lone.xyz", "1\n\n1. 2 3 4\n");
   EXPECT_EQ(run(lone), "");
   EXPECT_EQ(read_bytes(lone.output_file).size(), 128u);
   lone.input_file = folder_.write("lone.xyz", "0\n\n");
@@ -97,7 +97,7 @@ TEST_F(PairsCommand, NeverOverwritesTheInput) {
 TEST_F(PairsCommand, FailureLosesNothing) {
   const std::string old = folder_.write("pairs.txt", "old"), neighbour = folder_.write("pairs.txt.new", "another's");
   PairsOptions bad = options("pairs.txt");
-  bad.input_file = folder_.write("bad.xyz", "2\n\n1 2 3 4\n1 2 x 4\n");
+  bad.input_file = folder_.write("bad.xyz", "2\n\n1. 2 3 4\n1 2 x 4\n");
   EXPECT_NE(run(bad).find("bad.xyz, line 4"), std::string::npos);
   EXPECT_EQ(read_bytes(old), "old");
   for (const char* output : {"pairs.csv", "no/folder/pairs.txt", "pairs"})

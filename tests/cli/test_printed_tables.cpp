@@ -22,7 +22,7 @@ class PrintedTables : public ProgramTest {
     std::istringstream lines(outcome.output);
     for (std::string line; std::getline(lines, line);) {
       if (line.find("Results: ") != line.npos || line.find(" missing: ") != line.npos) continue;
-      EXPECT_LE(line.size(), line.starts_with("No difference ") ? 100 : kTextWidth) << arguments << "\n" << line;
+      EXPECT_LE(line.size(), line.starts_with("Equal on ") ? 100 : kTextWidth) << arguments << "\n" << line;
     }
     return outcome.output;
   }
@@ -72,7 +72,7 @@ TEST_F(PrintedTables, FramesHasHeadings) {
 }
 
 TEST_F(PrintedTables, OneOfAThingIsSingular) {
-  const std::string one = folder_.write("one.xyz", "1\n\n1 2 3 1\n"),
+  const std::string one = folder_.write("one.xyz", "1\n\n1. 2 3 1\n"),
                     two = folder_.write("two.txt", "0 0 0 1\n1 0 0 1\n");
   const std::string text = words_of(run("run --backend cpu --n 1 --steps 1").output +
                                     run("pairs --backend cpu --output /dev/null --input " + one).output +

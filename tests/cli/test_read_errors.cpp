@@ -59,7 +59,7 @@ TEST_F(ReadErrors, ABadLineOfTextSaysWhatIsWrong) {
 }
 
 TEST_F(ReadErrors, TextIsReadAsBefore) {
-  const std::string text = "# spheres\n0 1 0 .5\r\n\t+0.9\t1e0 -0 0.5 1 2 3 # fast\n\n   \n3 1 0 0.5";
+  const std::string text = "# spheres\n0 1 0 .5 0 0 0\r\n\t+0.9\t1e0 -0 0.5 1 2 3. # fast\n\n   \n3 1 0 0.5 0 0 0";
   const std::string pairs = path("pairs.txt");
   const Outcome outcome =
       run(fmt::format("run --backend cpu --input {} --pairs {}", folder_.write("a.txt", text), pairs));

@@ -69,7 +69,7 @@ TEST_F(SphereOutput, TheSpheresHaveMoved) {
 TEST_F(SphereOutput, SaysThatItLosesTheSpeciesOfAFile) {
   const std::string named = folder_.write("a.extxyz", "1\nProperties=species:S:1:pos:R:3:radius:R:1\nHe 1 2 3 1\n"),
                     classic = folder_.write("b.xyz", "1\n\nHe 1 2 3 1\n"),
-                    bare = folder_.write("c.xyz", "1\n\n1 2 3 1\n");
+                    bare = folder_.write("c.xyz", "1\n\n1. 2 3 1\n");
   const auto errors = [&](const std::string& in, const std::string& out) {
     return run(fmt::format("run --backend cpu --input {} {}", in, out.empty() ? "" : "--spheres " + path(out))).errors;
   };

@@ -5,6 +5,7 @@
 #include "bench/io/arguments.h"
 #include "bench/io/scene_text.h"
 #include "bench/options/shard.h"
+#include "bench/spheres/columns.h"
 #include "bench/spheres/xyz_columns.h"
 #include "tests/fuzz/fuzz.h"
 

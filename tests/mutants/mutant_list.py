@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The deliberate faults; those of near pairs and of contacts are in near_pair_mutants.py and contact_mutants.py."""
+"""The deliberate faults; those of files, of near pairs and of contacts are in files of their own."""
 from contact_mutants import CONTACTS
+from file_mutants import FILES
 from mutant import mutant
 from near_pair_mutants import NEAR_PAIRS
 
@@ -120,28 +121,6 @@ CPU = [
            "const double margin = 1 * 0x1p-24", "Predicate", "StressCatalogue.Row0"),
     mutant("spheres reach half as many cells", "common/backend/grid_plan.cpp", "float(scale * double(plan.largest_radius) +",
            "float(scale * 0.5 * double(plan.largest_radius) +", "CpuGrid", "GridProperties"),
-]
-
-FILES = [
-    mutant("npy pairs of the wrong width", "bench/spheres/pair_file.cpp", "\"'@u4'\", fmt::format(\"({}, 2)\"", "\"'@u8'\", fmt::format(\"({}, 2)\"", "PairsCommand"),
-    mutant("text pairs without a blank", "bench/spheres/pair_file.cpp", "text.push_back(' ');", "", "PairsCommand"),
-    mutant("normals point the other way", "bench/spheres/pair_file.cpp", "double(b.x) - a.x", "double(a.x) - b.x", "PairsCommand"),
-    mutant("points stay shifted", "bench/spheres/pair_file.cpp", "a.x + along * contact.normal[0] + shift[0]",
-           "a.x + along * contact.normal[0]", "PairsCommand"),
-    mutant("periodic boxes are not seen", "bench/spheres/xyz_file.cpp", "if (!box.empty() && !options.ignore_periodic)",
-           "if (false)", "BadSphereFile"),
-    mutant("a shift may lose bits", "bench/spheres/rounding.cpp", "if (middle == 0 || !loses_nothing(rows, axis, middle)) continue;",
-           "if (middle == 0) continue;", "SphereFile"),
-    mutant("rounding reaches half as far", "bench/spheres/rounding.cpp", "float(way * (1 + 0x1p-50))", "float(way / 2)", "SphereFile"),
-    mutant("interrupted files stay", "bench/io/interruption.cpp", "if (temporary.ready) ::unlink(temporary.text.data());", "", "Film"),
-    mutant("threads spin", "common/backend/cpu_team.cpp", '::setenv("OMP_WAIT_POLICY", "passive", 1);',
-           '::setenv("OMP_WAIT_POLICY", "active", 1);', "ExitCodes"),
-    mutant("fortran order ignored", "bench/spheres/npy_array.cpp", "header.fortran_order ? size : columns * size", "columns * size", "SphereFile"),
-    mutant("big-endian numbers not swapped", "bench/spheres/npy_file.cpp", "if (column.dtype[0] == foreign)", "if (false)", "SphereFile"),
-    mutant("columns by name one too far", "bench/spheres/xyz_columns.cpp", "columns.count += property->columns;",
-           "columns.count += 1;", "SphereFile", "BadSphereFile"),
-    mutant("a short frame is taken", "bench/spheres/npy_array.cpp", "if (found < wanted)", "if (false)", "BadSphereFile"),
-    mutant("negative radii are taken", "bench/spheres/sphere_file.h", "is_radius && value < 0", "false && is_radius", "BadSphereFile"),
 ]
 
 CHECKPOINT = [
