@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "common/scene/contact/contact_resolution.h"
 #include "common/scene/contact_scene.h"
 
 namespace spherepair {
@@ -70,7 +71,7 @@ std::string why_no_start(const Scene& scene) {
   const double time = contact_time(scene);
   if (double(scene.dt) > time / fewest_steps)
     return fmt::format("dt is {} s, but a contact lasts {:.3g} s only: give --dt {:.3g} or less", scene.dt, time,
-                       time / steps_a_contact);
+                       time / default_steps(double(scene.restitution)));
   if (scene.contact.unit_exponent < coarsest_units(r) || double(scene.contact.skin) > most_skin) {
     const uint64_t i = sphere_with_most(scene, [&](uint64_t k) { return farthest_coordinate(scene.positions[k]); });
     return fmt::format(
@@ -145,6 +146,8 @@ std::string why_no_contacts(const Scene& scene, Origin origin) {
   std::string why = why_no_law(scene);
   if (why.empty()) why = why_beyond_float32(scene);
   if (why.empty() && starts) why = why_no_start(scene);
+  if (why.empty() && starts)
+    why = why_unresolved({scene.contact, radii_of(scene), highest_speed(scene), double(scene.dt)});
   if (why.empty()) why = why_no_room(scene);
   if (why.empty() && starts) why = why_no_drag(scene);
   if (why.empty() && starts) why = why_too_fast(scene);
