@@ -79,6 +79,19 @@ RC_GTEST_PROP(ContactLimits, DefaultsAreThoseOfTheDocumentation, ()) {
   RC_ASSERT(std::abs(double(scene.dt) / double(wanted.dt) - 1) < 5e-5);
 }
 
+// A sphere that rests on the plane, however small: 1 % deep the plane carries it.
+RC_GTEST_PROP(ContactLimits, WeightPressesInByAHundredthAtMost, ()) {
+  const float radius = float(between(1e-5, 1e3));
+  Scene scene = {.name = "one", .positions = {{0, radius, 0, radius}}, .velocities = {{}}, .plane = 0};
+  scene.gravity = -float(between(1e-2, 1e2));
+  choose_contacts(scene, {.law = any_law()});
+  RC_ASSERT(why_no_contacts(scene).empty());
+  OracleWorld world = world_of(scene);
+  world.spheres[0].at[1] = 0.99L * world.spheres[0].radius;
+  const Real weight = -oracle_mass(world.spheres[0].radius) * world.gravity;
+  RC_ASSERT(statistics_of(world).floor_force > 0.98L * weight);
+}
+
 // A number behind these words; 0 where they are not there.
 float number_behind(const std::string& text, const std::string& words) {
   const size_t at = text.find(words);

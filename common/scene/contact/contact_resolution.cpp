@@ -37,8 +37,7 @@ std::string why_unresolved(const FastestContact& f) {
     const double power = f.contact.law == ContactLaw::hertz ? 2.5 : 2;
     return fmt::format(
         "a sphere of radius {:.4g} m at {:.4g} m/s comes {:.3g} m deep into one of {:.4g} m, and contacts tell {:.2g} "
-        "m "
-        "apart: give --stiffness {:.3g} or less without --dt",
+        "m apart: give --stiffness {:.3g} or less without --dt",
         f.radii.smallest, f.speed, depth, f.radii.largest, unit,
         rounded(0.99 * k * std::pow(depth / (least_depth * unit), power), std::floor));
   }
