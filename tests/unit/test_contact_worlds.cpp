@@ -58,18 +58,20 @@ std::vector<World> worlds() {
   };
 }
 
-Scene chosen(World world, ContactLaw law, double finer) {
+// drag: over one contact.
+Scene chosen(World world, ContactLaw law, double finer, double drag = 0) {
   choose_contacts(world.scene, {.law = law, .walls = world.walls});
   choose_contacts(world.scene, {.law = law,
                                 .stiffness = world.scene.contact.stiffness,
                                 .dt = float(double(world.scene.dt) / finer),
+                                .drag = float(drag / contact_time(world.scene)),
                                 .walls = world.walls});
   return world.scene;
 }
 
 // Greatest difference of two positions, in the way of the fastest sphere.
-double error_of(const World& world, ContactLaw law, double finer) {
-  const Scene scene = chosen(world, law, finer);
+double error_of(const World& world, ContactLaw law, double finer, double drag = 0) {
+  const Scene scene = chosen(world, law, finer, drag);
   const auto steps = uint64_t(world.contacts * contact_time(scene) / double(scene.dt));
   OracleWorld moved = world_of(scene);
   advance(moved, seconds_of(scene, steps), static_cast<Real>(scene.dt));
@@ -97,6 +99,17 @@ TEST(ContactOracle, ManyContactsAtOnceFollowTheEquationsOfMotion) {
         SCOPED_TRACE(fmt::format("{}, {}, restitution {}", contact_name(law), world.name, restitution));
         EXPECT_LT(error_of(world, law, 1), bound);
         EXPECT_LT(error_of(world, law, 4), bound / (restitution < 1 ? 2.5 : 10));
+      }
+}
+
+// A drag that takes 1/e in ten contacts to 1/e^3 in one, at most 0.1 a step.
+TEST(ContactOracle, DragFollowsTheEquationsOfMotion) {
+  for (const ContactLaw law : laws)
+    for (const World& world : worlds())
+      for (const double drag : {0.1, 0.7, 3.0}) {
+        SCOPED_TRACE(fmt::format("{}, {}, drag {}", contact_name(law), world.name, drag));
+        EXPECT_LT(error_of(world, law, 1, drag), 1e-3);
+        EXPECT_LT(error_of(world, law, 4, drag), 1e-4);
       }
 }
 
