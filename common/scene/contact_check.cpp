@@ -146,11 +146,11 @@ std::string why_no_contacts(const Scene& scene, Origin origin) {
   std::string why = why_no_law(scene);
   if (why.empty()) why = why_beyond_float32(scene);
   if (why.empty() && starts) why = why_no_start(scene);
-  if (why.empty() && starts)
-    why = why_unresolved({scene.contact, radii_of(scene), highest_speed(scene), double(scene.dt)});
   if (why.empty()) why = why_no_room(scene);
   if (why.empty() && starts) why = why_no_drag(scene);
   if (why.empty() && starts) why = why_too_fast(scene);
+  if (why.empty() && starts)
+    why = why_unresolved({scene.contact, radii_of(scene), highest_speed(scene), double(scene.dt)});
   return why;
 }
 

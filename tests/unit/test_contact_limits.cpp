@@ -139,7 +139,8 @@ RC_GTEST_PROP(ContactLimits, WhatIsAcceptedIsRightAndAdviceIsAccepted, ()) {
     refusals.push_back(why);
     RC_LOG() << why << '\n';
     const std::string kind = why.substr(0, why.find_first_of("0123456789"));
-    for (size_t k = 0; k + 1 < refusals.size(); ++k) RC_ASSERT(!refusals[k].starts_with(kind));
+    RC_ASSERT(refusals.size() < 5u);  // a smaller stiffness goes with another time step, which can be refused
+    if (refusals.size() > 1) RC_ASSERT(!refusals.end()[-2].starts_with(kind));
     if (!follow(why, scene, choice)) break;
   }
   RC_CLASSIFY(refusals.empty(), "accepted");
