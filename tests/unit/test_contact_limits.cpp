@@ -152,5 +152,17 @@ RC_GTEST_PROP(ContactLimits, WhatIsAcceptedIsRightAndAdviceIsAccepted, ()) {
   RC_ASSERT(std::abs(found / asked - 1) < (asked < 1 ? damped : 1e-3) + coarse);
 }
 
+// A small sphere would pass through a large one in silence: its impulses round to nothing.
+TEST(ContactLimits, StepsTooShortForIntegersAreRefused) {
+  Scene scene = two_spheres(0.5, 256, 1);
+  choose_contacts(scene, {.law = ContactLaw::spring});
+  choose_contacts(scene, {.law = ContactLaw::spring, .dt = 0.003f * scene.dt});
+  const float advised = number_behind(why_no_contacts(scene), "a sphere of radius 0.5 m at 1 m/s: give --dt ");
+  ASSERT_GT(advised, scene.dt);
+  choose_contacts(scene, {.law = ContactLaw::spring, .dt = advised});
+  EXPECT_EQ(why_no_contacts(scene), "");
+  EXPECT_NEAR(rebound(scene, uint64_t(3 * contact_time(scene) / double(scene.dt))), 1, 1e-3);
+}
+
 }  // namespace
 }  // namespace spherepair
