@@ -13,7 +13,7 @@ void add_contact_options(CLI::App& command, MotionChoice& motion) {
   auto* law = command.add_option_function<std::string>(
       "--contact", take,
       "Spheres that touch push each other: spring, quartic or hertz; none: they pass through each other. Motion is "
-      "then the leapfrog's in 64-bit integers, and --dt by default a fortieth of the shortest contact");
+      "then the leapfrog's in 64-bit integers, and --dt by default chosen from the shortest contact");
   law->default_str(contact_name(contact.law));
   for (const char* other : {"--motion", "--precision"}) law->excludes(command.get_option(other));
   command

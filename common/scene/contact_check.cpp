@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "common/scene/contact/contact_resolution.h"
 #include "common/scene/contact_scene.h"
 
 namespace spherepair {
@@ -67,7 +68,7 @@ std::string why_no_start(const Scene& scene) {
   const double time = contact_time(scene);
   if (double(scene.dt) > time / fewest_steps)
     return fmt::format("dt is {} s, but a contact lasts {:.3g} s only: give --dt {:.3g} or less", scene.dt, time,
-                       time / steps_a_contact);
+                       time / default_steps(double(scene.restitution)));
   if (std::abs(double(scene.plane)) >= extent_of(scene) && !units_are_fine(scene))
     return fmt::format("the radius {} is too small for the plane at y = {}: give larger spheres", r.smallest,
                        scene.plane);
@@ -148,6 +149,8 @@ std::string why_no_contacts(const Scene& scene, Origin origin) {
   if (why.empty()) why = why_no_room(scene);
   if (why.empty() && starts) why = why_no_drag(scene);
   if (why.empty() && starts) why = why_too_fast(scene);
+  if (why.empty() && starts)
+    why = why_unresolved({scene.contact, radii_of(scene), highest_speed(scene), double(scene.dt)});
   return why;
 }
 

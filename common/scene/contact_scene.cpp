@@ -13,19 +13,13 @@ namespace spherepair {
 namespace {
 
 constexpr double wanted_overlap = 0.01;  // of the largest radius
+constexpr double slowest_start = 1e-6;   // in smallest radii a second: less is at rest
 constexpr double coarse_steps = 10;
 constexpr int position_bits = 51, momentum_bits = 56;  // used at the start, and of the fastest sphere
 
 double squared(double x) { return x * x; }
 
 double speed(const vec4& v) { return std::hypot(double(v.x), double(v.y), double(v.z)); }
-
-// At least the largest radius a second.
-double highest_speed(const Scene& scene) {
-  double highest = double(radii_of(scene).largest);
-  for (uint64_t i = 0; i < scene.size(); ++i) highest = std::max(highest, highest_speed_of(scene, i));
-  return highest;
-}
 
 int bits_above(double x) { return int(std::ceil(std::log2(x))); }
 
@@ -65,6 +59,16 @@ double highest_speed_of(const Scene& scene, uint64_t i) {
   return std::sqrt(squared(speed(scene.velocities[i])) - 2 * double(scene.gravity) * fall);
 }
 
+double highest_speed(const Scene& scene) {
+  const Radii r = radii_of(scene);
+  double highest = slowest_start * double(r.smallest);
+  for (uint64_t i = 0; i < scene.size(); ++i) highest = std::max(highest, highest_speed_of(scene, i));
+  const double wall = scene.contact.law == ContactLaw::quartic ? 0.25 : 1;  // of the force between two spheres
+  const double pressed = std::sqrt(std::abs(double(scene.gravity)) * wanted_overlap * double(r.largest) / (2 * wall));
+  highest = std::max(highest, pressed);
+  return highest > slowest_start * double(r.smallest) ? highest : double(r.smallest);
+}
+
 double farthest_coordinate(const vec4& s) {
   return std::max({std::abs(double(s.x)), std::abs(double(s.y)), std::abs(double(s.z))});
 }
@@ -90,17 +94,17 @@ void choose_contacts(Scene& scene, const ContactChoice& choice) {
   if (!choice.stiffness && !std::isfinite(scene.contact.stiffness)) {
     const uint64_t i = sphere_with_most(scene, [&](uint64_t k) { return highest_speed_of(scene, k); });
     const double highest = highest_speed_of(scene, i);
-    if (highest < largest)
+    if (highest < highest_speed(scene))
       throw std::invalid_argument(fmt::format(
-          "spheres of {:.3g} m, at a radius a second, are stopped by no stiffness in float32: give --stiffness, or "
-          "lengths in another unit, in which radii are nearer to 1",
+          "spheres of {:.3g} m are stopped by no stiffness in float32: give --stiffness, or lengths in another unit, "
+          "in which radii are nearer to 1",
           largest));
     throw std::invalid_argument(
         fmt::format("sphere {} comes to {:.4g} m/s, falls included, which no stiffness in float32 stops: give slower "
                     "spheres, or lengths in another unit",
                     i, highest));
   }
-  scene.dt = choice.dt.value_or(float(contact_time(scene) / steps_a_contact));
+  scene.dt = choice.dt.value_or(float(contact_time(scene) / default_steps(double(scene.restitution))));
   if (!std::isnormal(scene.dt) || !std::isnormal(scene.contact.stiffness))
     throw std::invalid_argument(fmt::format(
         "spheres of {:.3g} m need a stiffness or a time step beyond float32: give lengths in another unit, in which "
@@ -134,7 +138,7 @@ float skin_of(const Scene& scene) {
 double contact_time(const Scene& scene) {
   const bool by_speed = scene.contact.law == ContactLaw::hertz;
   return shortest_contact(scene.contact.law, double(scene.contact.stiffness), radii_of(scene),
-                          by_speed ? 2 * highest_speed(scene) : 0);
+                          by_speed ? 2 * highest_speed(scene) : 0, double(scene.restitution));
 }
 
 std::string describe_contacts(const Scene& scene) {

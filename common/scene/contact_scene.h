@@ -16,7 +16,7 @@ namespace spherepair {
 struct ContactChoice {
   ContactLaw law = ContactLaw::none;
   std::optional<float> stiffness = {};  // none: such that the fastest sphere, falls included, enters by 1 % of a radius
-  std::optional<float> dt = {};         // none: a fortieth of the shortest contact
+  std::optional<float> dt = {};         // none: of the shortest contact, see default_steps
   float drag = 0;                       // in 1/s, see ContactOptions
   bool sleeping = true;
   bool walls = false;  // around the spheres as they stand, where the scene has none of its own
@@ -29,6 +29,10 @@ Radii radii_of(const Scene& scene);
 
 // A sphere's speed at the start, or after a fall onto the plane.
 double highest_speed_of(const Scene& scene, uint64_t i);
+
+// The speed that the default stiffness stops: the highest of all, but at least such that the weight of a largest sphere
+// alone presses it in by 1 %. Where nothing moves, a smallest radius a second.
+double highest_speed(const Scene& scene);
 
 double farthest_coordinate(const vec4& sphere);
 
@@ -44,7 +48,6 @@ uint64_t sphere_with_most(const Scene& scene, Of of) {
   return std::ranges::max(std::views::iota(uint64_t(0), scene.size()), {}, of);
 }
 
-constexpr double steps_a_contact = 40;                  // of the shortest one, by default
 constexpr double least_skin = 1.0 / 32, most_skin = 1;  // of a radius
 
 // Whether units of length that reach to the farthest sphere and to the plane are fine enough for the smallest radius.

@@ -4,11 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "common/scene/contact_scene.h"
-#include "tests/oracle/contact_oracle.h"
+#include "tests/oracle/world_of_scene.h"
 #include "tests/support/soft_contacts.h"
 
 namespace spherepair {
@@ -16,18 +15,8 @@ namespace {
 
 constexpr ContactLaw laws[] = {ContactLaw::spring, ContactLaw::quartic, ContactLaw::hertz};
 
-OracleLaw oracle_law(ContactLaw law) {
-  return law == ContactLaw::spring    ? OracleLaw::spring
-         : law == ContactLaw::quartic ? OracleLaw::quartic
-                                      : OracleLaw::hertz;
-}
-
-long double mass_of(long double radius) {
-  return 1000 * 4 * std::numbers::pi_v<long double> / 3 * radius * radius * radius;
-}
-
 OracleContact between(ContactLaw law, long double stiffness, long double a, long double b) {
-  return {oracle_law(law), stiffness, a, b, mass_of(a), mass_of(b)};
+  return {oracle_law(law), stiffness, a, b, oracle_mass(a), oracle_mass(b)};
 }
 
 TEST(ContactRanges, NoPairOfRadiiHasAShorterContact) {
@@ -62,7 +51,7 @@ TEST(ContactRanges, ElasticSpheresPartAsTheyMet) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> part(0, 1);
   for (const ContactLaw law : laws)
-    for (const float ratio : {1.0f, 3.0f, 17.0f, 64.0f})
+    for (const float ratio : {1.0f, 3.0f, 17.0f, 64.0f, 256.0f})
       for (int k = 0; k < 8; ++k) {
         const double late = part(random);
         EXPECT_NEAR(rebound(law, ratio, late), 1, 1e-3) << contact_name(law) << " 1:" << ratio << ", late " << late;
@@ -75,6 +64,11 @@ TEST(ContactRanges, DampingGivesTheRestitutionBelowAndAboveTheCriticalValue) {
     contact.damping =
         static_cast<long double>(damping_ratio(restitution)) * 2 * std::sqrt(1e7L * contact.first_mass / 2);
     EXPECT_NEAR(double(speed_left(contact, 1)), restitution, 2e-4) << damping_ratio(restitution);
+  }
+  for (const double restitution : {0.1, 0.135, 0.136, 0.5, 0.99}) {
+    const OracleDamper damper = damper_for(restitution);
+    EXPECT_NEAR(damping_ratio(restitution) / double(damper.damping), 1, 1e-4) << restitution;
+    EXPECT_NEAR(damped_time(damping_ratio(restitution)) / double(damper.seconds), 1, 1e-5) << restitution;
   }
   EXPECT_GT(damping_ratio(0.1), 1);
   EXPECT_LT(damping_ratio(0.14), 1);

@@ -37,34 +37,46 @@ double contact_energy(ContactLaw law, double k, double overlap, double reach) {
   return k / 4 * squared(squared(reach) - squared(reach - overlap));
 }
 
+double overlap_of_energy(ContactLaw law, double k, double energy, double reach) {
+  if (law == ContactLaw::spring) return std::sqrt(2 * energy / k);
+  if (law == ContactLaw::hertz) return std::pow(2.5 * energy / k, 0.4);
+  const double squares = std::min(std::sqrt(4 * energy / k), squared(reach));
+  return squares / (reach + std::sqrt(squared(reach) - squares));
+}
+
 // The stiffest pair has the shortest contact. By spring and hertz it is the two lightest spheres. By quartic the force
 // rises by 2 k R^2 where spheres begin to touch, so it is the pair with the least reduced mass over R^2. One of them is
 // a smallest sphere. As the other one's radius grows, that quotient rises, then falls: it is least at either end.
-double shortest_contact(ContactLaw law, double k, Radii radii, double closing_speed) {
+double shortest_contact(ContactLaw law, double k, Radii radii, double closing_speed, double restitution) {
   const double smallest = double(radii.smallest), largest = double(radii.largest),
                mass = reduced_mass(smallest, smallest);
   if (law == ContactLaw::hertz)
     return 2.9432 * std::pow(5 * mass * squared(closing_speed) / (4 * k), 0.4) / closing_speed;
-  if (law == ContactLaw::spring) return std::numbers::pi * std::sqrt(mass / k);
+  if (law == ContactLaw::spring) return damped_time(damping_ratio(restitution)) * std::sqrt(mass / k);
   const double lightest =
       std::min(mass / squared(2 * smallest), reduced_mass(smallest, largest) / squared(smallest + largest));
   return std::numbers::pi * std::sqrt(lightest / (2 * k));
 }
 
-// Schwager and Poeschel, Granular Matter 9 (2007) 465: damped below and above the critical value.
+// The force of x'' + 2 b x' + x = 0 that begins at x = 0 has fallen to 0 by then: Schwager and Poeschel, Granular
+// Matter 9 (2007) 465.
+double damped_time(double ratio) {
+  const double root = std::sqrt(std::abs(1 - ratio * ratio));
+  if (root == 0) return 2;
+  return 2 * (ratio < 1 ? std::acos(ratio) : std::acosh(ratio)) / root;
+}
+
+// Of the speed, exp(-b t) is left when the force has fallen to 0, below the critical damping and above it.
 double damping_ratio(double restitution) {
-  const auto left = [](double b) {
-    const double root = std::sqrt(std::abs(1 - b * b));
-    if (b < 1) return std::exp(-b / root * (std::numbers::pi - std::atan2(2 * b * root, 1 - 2 * b * b)));
-    return std::exp(root > 0 ? -b / root * 2 * std::acosh(b) : -2.0);
-  };
   double low = 0, high = 2;
   for (int turn = 0; turn < 60; ++turn) {
     const double middle = (low + high) / 2;
-    (left(middle) > restitution ? low : high) = middle;
+    (std::exp(-middle * damped_time(middle)) > restitution ? low : high) = middle;
   }
   return restitution < 1 ? (low + high) / 2 : 0;
 }
+
+double default_steps(double restitution) { return std::max(40.0, 60 * std::log(1 / std::max(restitution, 0.1))); }
 
 // Partners are taken by classes of radii b to 2 b. A wall alone pushes less than one partner of the largest radius
 // does.
