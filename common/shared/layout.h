@@ -129,11 +129,11 @@ struct UNIFORM_ALIGN Axis {
 
 // Constants of the motion are vec4 whose first three floats add up to the constant: see `constant` in real.h.
 struct MotionParams {
-  vec4 gravity_dt, half_gravity_dt2;     // g*dt, g*dt*dt/2, both <= 0
-  vec4 seconds_per_speed, zeno_flights;  // 2 / |g|, or 0 without gravity; flights until rest, see rebound
-  float dt, gravity, steps_per_second, restitution;      // seconds, <= 0 along y, 1 / dt, 0..1
-  float plane;      // its y
-  uint steps_done;  // of anchored: after this move
+  vec4 gravity_dt, half_gravity_dt2;                 // g*dt, g*dt*dt/2, both <= 0
+  vec4 seconds_per_speed, zeno_flights;              // 2 / |g|, or 0 without gravity; flights until rest, see rebound
+  float dt, gravity, steps_per_second, restitution;  // seconds, <= 0 along y, 1 / dt, 0..1
+  float plane;                                       // its y
+  uint steps_done;                                   // of anchored: after this move
   // Not 0: evaluate_positions also writes velocities and SLOT_WIDE, bounce handles all that bounce; of leapfrog and its
   // contacts: SLEEP_*, see contact_rest.h.
   uint whole_state;

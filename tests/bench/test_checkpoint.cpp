@@ -63,9 +63,11 @@ Checkpoint sample_with_contacts(uint64_t steps = 20, float drag = 0.25f) {
 
 TEST(Checkpoint, HoldsContactsAndTheirUnits) {
   const ScratchFolder folder;
-  const Checkpoint written = sample_with_contacts();
+  Checkpoint written = sample_with_contacts();
+  written.scene.contact.skin = 0.05f;  // another than that of most scenes
   write_checkpoint(folder.path("run.checkpoint"), written);
   const Checkpoint read = read_checkpoint(folder.path("run.checkpoint"));
+  EXPECT_EQ(read.scene.contact.skin, 0.05f);
   EXPECT_EQ(read.scene.motion, written.scene.motion);
   EXPECT_EQ(read.motion.wide, written.motion.wide);
   const ContactParams left = contact_params(read.scene), right = contact_params(written.scene);

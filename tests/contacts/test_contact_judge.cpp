@@ -15,9 +15,9 @@ namespace {
 // Spheres fall onto each other and come to rest; the lists of near pairs are renewed on the way.
 constexpr uint64_t steps = 1600, every = 100, n = 8;
 const SceneOptions bed = {.name = "bed", .n = n, .restitution = 0.3f};
-const ContactChoice contact = {.law = ContactLaw::spring, .stiffness = 1e6f, .drag = 100};
-const std::string words =
-    fmt::format("bed --n {} --contact spring --restitution 0.3 --stiffness 1e6 --drag 100 --steps {}", n, steps);
+const ContactChoice contact = {.law = ContactLaw::spring, .stiffness = 1e6f, .dt = 1.25e-3f, .drag = 100};
+const std::string words = fmt::format(
+    "bed --n {} --contact spring --restitution 0.3 --stiffness 1e6 --dt 1.25e-3 --drag 100 --steps {}", n, steps);
 
 std::vector<EqualityEntry> lockstep(Session& session, uint64_t compared) {
   Progress progress;

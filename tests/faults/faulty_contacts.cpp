@@ -10,11 +10,7 @@ namespace {
 class Step {
  public:
   Step(const Scene& scene, const Backend::State& before, Backend::State after)
-      : params_(contact_params(scene)),
-        kept_(kept_by_drag(scene)),
-        before_(before),
-        after_(std::move(after)),
-        n_(before.positions.size()) {}
+      : params_(contact_params(scene)), before_(before), after_(std::move(after)), n_(before.positions.size()) {}
 
   Backend::State state() { return std::move(after_); }
   bool is_same_as(const Backend::State& earlier, uint64_t i) const {
@@ -40,7 +36,7 @@ class Step {
       if (is_same_as(earlier, i)) store(i, body(before_, i));
   }
   void slow() {
-    for (uint64_t i = 0; i < n_; ++i) go_on(i, slowed(body(after_, i), kept_));
+    for (uint64_t i = 0; i < n_; ++i) go_on(i, slowed(body(after_, i), params_));
   }
 
  private:
@@ -56,7 +52,8 @@ class Step {
   void go_on(uint64_t i, Body s) {
     const Body start = body(before_, i);
     s.x = start.x, s.y = start.y, s.z = start.z;
-    store(i, drifted(s, mobility_of(s.radius, params_)));
+    const float mobility = mobility_of(s.radius, params_);
+    store(i, drifted(s, speeds_of(s, mobility), mobility, params_));
   }
   void store(uint64_t i, const Body& s) {
     store_body(after_.wide, n_, i, s);
@@ -65,7 +62,6 @@ class Step {
   }
 
   const ContactParams params_;
-  const float kept_;
   const Backend::State& before_;
   Backend::State after_;
   uint64_t n_;

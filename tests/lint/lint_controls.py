@@ -70,8 +70,10 @@ class Sources(unittest.TestCase):
             listed = f'MUTANTS = [{{"name": "n", "file": "common/a.h", "old": {text!r}, "tests": ["{suite}"]}}]\n'
             return len(self.complaints(lint_sources.mutants, common__a_DOT_h="int a;\nint b;\n",
                                        tests__CMakeLists_DOT_txt="set(suites BoxEdges Draw)\n",
+                                       tests__lint__CMakeLists_DOT_txt="foreach(name numbers sources)\n",
                                        tests__mutants__mutant_list_DOT_py=listed))
         self.assertEqual([0, 1, 1, 1], [check("int a"), check("int "), check("float"), check("int a", "DrawLight")])
+        self.assertEqual([0, 1], [check("int a", "paper.sources"), check("int a", "paper.source")])
 
     def test_builtins(self):
         def check(text):

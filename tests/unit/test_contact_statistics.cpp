@@ -174,5 +174,20 @@ TEST(ContactStatistics, TheForceOnThePlaneIsThatOfTheNextStep) {
   EXPECT_LT(statistics_of(scene, m).floor_force, 0.9 * wanted) << "without a damper";
 }
 
+// The search goes by float32 centres, between which rounding can hide a gap.
+TEST(ContactStatistics, APairThatIsApartInIntegersIsNoContact) {
+  Scene scene = scene_of({{0, 4, 0, 0.5f}, {1, 4, 0, 0.5f}});
+  scene.plane = 0;
+  choose_contacts(scene, {.law = ContactLaw::spring});
+  std::vector<uint> wide = fixed_state(scene);
+  const Pair pair{0, 1};
+  for (const int64_t gap : {1, 0, -1}) {
+    Body second = load_body(wide, scene.positions, 1);
+    second.x = (int64_t(1) << scene.contact.unit_exponent) + gap;
+    store_body(wide, 2, 1, second);
+    EXPECT_EQ(contact_statistics(scene, wide, {&pair, 1}, 0).contacts, gap < 0 ? 1u : 0u) << gap;
+  }
+}
+
 }  // namespace
 }  // namespace spherepair
