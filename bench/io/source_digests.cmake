@@ -19,7 +19,7 @@ set(rooms_of_measure bench/measure)
 set(files_of_contacts "/(cpu_)?(contact|near_pairs|swept)[^/]*$|/shared/contact/")
 
 # The digest of a file's text as it is, and of the text as which it counts, where what has changed between them is
-# nothing to what records time. layout.h: ContactParams has one field more, at its end, in what was padding.
+# nothing to what records time. It goes when all are recorded anew. layout.h: ContactParams has one field more, in padding.
 set(counts_as_f769beb14a1ec63250ab296b0cea28d9562b55156f521bf22006d9e0b131701d
   c6345b47583471d112ee490d712e42f20ba7095c9a6fd4a1f82f38bf7bfae1e3)
 

@@ -16,6 +16,7 @@ constexpr float least_restitution = 0.1f;
 constexpr double most_drag = 0.4;               // a step: positions are wrong by a 24th of its square
 constexpr double slowest_step = 0x1p-30;        // of the smallest radius: less is none, see stays()
 constexpr double least_range = 128;             // of speeds, from the fastest sphere's to where spheres stay
+constexpr double least_factor = 0x1p-71;        // loss in half a step: scaled() multiplies by 2^-72 and more
 constexpr double least_loss = 256;              // units of momentum, of the fastest sphere in half a step
 constexpr double most_units = 0x1p63 - 0x1p57;  // of sums of impulses: room for the roundings of all of them
 
@@ -46,6 +47,9 @@ std::string why_no_law(const Scene& scene) {
   if (!(contact.drag >= 0 && double(contact.drag) * double(scene.dt) <= most_drag))
     return fmt::format("the drag is {} 1/s, but with dt = {:.4g} s can be 0 to {:.3g}", contact.drag, scene.dt,
                        0.995 * most_drag / double(scene.dt));
+  if (contact.drag > 0 && double(contact.drag) * double(scene.dt) / 2 < least_factor)
+    return fmt::format("the drag of {} 1/s is too weak at dt = {:.4g} s to change any momentum: omit --drag",
+                       contact.drag, scene.dt);
   if (r.largest > 256 * r.smallest)
     return fmt::format("radii are {} to {}, but contacts allow 1:256", r.smallest, r.largest);
   return "";
@@ -69,15 +73,16 @@ std::string why_no_start(const Scene& scene) {
   if (double(scene.dt) > time / fewest_steps)
     return fmt::format("dt is {} s, but a contact lasts {:.3g} s only: give --dt {:.3g} or less", scene.dt, time,
                        time / default_steps(double(scene.restitution)));
-  if (std::abs(double(scene.plane)) >= extent_of(scene) && !units_are_fine(scene))
-    return fmt::format("the radius {} is too small for the plane at y = {}: give larger spheres", r.smallest,
-                       scene.plane);
   if (scene.contact.unit_exponent < coarsest_units(r) || double(scene.contact.skin) > most_skin) {
     const uint64_t i = sphere_with_most(scene, [&](uint64_t k) { return farthest_coordinate(scene.positions[k]); });
+    const double farthest = farthest_coordinate(scene.positions[i]);
+    if (std::abs(double(scene.plane)) > 2 * farthest)
+      return fmt::format("the radius {} is too small for the plane at y = {}: give larger spheres", r.smallest,
+                         scene.plane);
     return fmt::format(
         "the radius {} is too small for spheres as far out as sphere {}, {:.4g} m along an axis: move "
         "them towards the origin",
-        r.smallest, i, farthest_coordinate(scene.positions[i]));
+        r.smallest, i, farthest);
   }
   return "";
 }
@@ -89,17 +94,20 @@ std::string why_no_drag(const Scene& scene) {
   for (uint64_t i = 0; i < scene.size(); ++i) fastest = std::max(fastest, highest_speed_of(scene, i));
   if (drag == 0 || fastest == 0) return "";
   const double shortest = least_range * slowest_step * radius / fastest;
+  const double units = std::ldexp(sphere_mass(radius) * fastest, scene.contact.momentum_exponent) * drag * dt / 2;
   if (dt < shortest)
     return fmt::format(
-        "with drag spheres stay in place below {:.3g} m/s, by dt = {:.4g} s and the smallest radius, and the fastest "
-        "has {:.3g}: omit --drag, or give --dt {:.3g} or more",
-        slowest_step * radius / dt, dt, fastest, 1.006 * shortest);
-  const double least = 2 * least_loss / std::ldexp(sphere_mass(radius) * fastest, scene.contact.momentum_exponent) / dt;
-  if (drag < least)
+        "with drag a sphere stays in place below {:.3g} m/s at dt = {:.4g} s, and the fastest moves at {:.3g} m/s: "
+        "omit --drag, or give --dt {:.3g} or more",
+        slowest_step * radius / dt, dt, fastest,
+        std::max(1.006 * shortest, 1.5 * dt * std::sqrt(least_loss / units)));  // units grow with the square of dt
+  if (const double enough = 1.006 * drag * least_loss / units; units < least_loss)
     return fmt::format(
-        "the drag is {} 1/s, too little for momenta to tell at dt = {:.4g} s and radii of {} to {}: {}",
-        scene.contact.drag, dt, radius, radii_of(scene).largest,
-        1.006 * least * dt < most_drag ? fmt::format("omit it, or give {:.3g} or more", 1.006 * least) : "omit it");
+        "the drag of {} 1/s is too weak at dt = {:.4g} s: half a step takes {:.3g} units of the momentum of a sphere "
+        "of "
+        "{} m, and must take {}: omit --drag{}, or give a smaller --stiffness without --dt",
+        scene.contact.drag, dt, units, radius, least_loss,
+        enough * dt < most_drag ? fmt::format(", give --drag {:.3g} or more", enough) : "");
   return "";
 }
 std::string why_too_fast(const Scene& scene) {

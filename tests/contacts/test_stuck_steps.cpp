@@ -25,12 +25,12 @@ class CountingDevice : public Device {
   const DeviceCapabilities& capabilities() const override { return capabilities_; }
   void allocate(uint slot, uint64_t bytes) override { buffers_[slot].assign(bytes, 0); }
   void write(uint slot, const void* data, uint64_t offset, uint64_t bytes) override {
-    std::memcpy(buffers_[slot].data() + offset, data, bytes);
+    std::copy_n(static_cast<const char*>(data), bytes, buffers_[slot].data() + offset);
   }
   void read(uint slot, void* data, uint64_t offset, uint64_t bytes) override {
-    std::memcpy(data, buffers_[slot].data() + offset, bytes);
+    std::copy_n(buffers_[slot].data() + offset, bytes, static_cast<char*>(data));
   }
-  void clear(uint slot, uint64_t bytes) override { std::memset(buffers_[slot].data(), 0, bytes); }
+  void clear(uint slot, uint64_t bytes) override { std::fill_n(buffers_[slot].data(), bytes, '\0'); }
   void swap(uint a, uint b) override { std::swap(buffers_[a], buffers_[b]); }
   void launch(const Launch& launch, const Params&) override {
     auto* words = reinterpret_cast<uint*>(buffers_[SLOT_FAULT].data());

@@ -92,13 +92,13 @@ TEST(ContactDragRange, IsRightOrRefused) {
     flight.drag = power(1e-9, 0.7) / dt;
     Scene scene = flying(flight, ratio);
     for (const auto& [advice, complaint] :
-         {std::pair("can be 0 to ", "can be 0"), {"give --dt ", "stay in place"}, {"or give ", "too little"}}) {
+         {std::pair("can be 0 to ", "can be 0"), {"give --dt ", "stays in place"}, {"give --drag ", "too weak"}}) {
       const std::string why = why_no_contacts(scene);
       const size_t at = why.find(advice);
       if (why.find(complaint) == std::string::npos || at == std::string::npos) continue;
       ++refused;
       const double advised = std::stod(why.substr(at + std::string(advice).size()));
-      if (std::string(complaint) == "stay in place")
+      if (std::string(complaint) == "stays in place")
         flight.dt = advised, flight.stiffness = sphere_mass(radius) / (advised * advised) / 300;
       else
         flight.drag = advised;
@@ -114,6 +114,16 @@ TEST(ContactDragRange, IsRightOrRefused) {
   }
   EXPECT_GT(right, 300u);
   EXPECT_GT(refused, 300u);
+}
+
+// Also where nothing moves, and of a run that goes on.
+TEST(ContactDragRange, ADragThatChangesNothingIsRefused) {
+  Scene scene = flying({.speed = 0});
+  for (const auto& [drag, refused] : {std::pair(1e-30f, true), {1e-16f, false}}) {
+    scene.contact.drag = drag;
+    for (const Origin origin : {Origin::start, Origin::resumed})
+      EXPECT_EQ(why_no_contacts(scene, origin).find("too weak") != std::string::npos, refused) << drag;
+  }
 }
 
 INSTANTIATE_BACKENDS(ContactDrag);

@@ -36,8 +36,8 @@ std::string why_unresolved(const FastestContact& f) {
   if (depth < least_depth * unit) {
     const double power = f.contact.law == ContactLaw::hertz ? 2.5 : 2;
     return fmt::format(
-        "a sphere of radius {:.4g} m at {:.4g} m/s comes {:.3g} m deep into one of {:.4g} m, and contacts tell {:.2g} "
-        "m apart: give --stiffness {:.3g} or less without --dt",
+        "a sphere of radius {:.4g} m at {:.4g} m/s comes {:.3g} m deep into one of {:.4g} m, and overlaps are "
+        "resolved to {:.2g} m: give --stiffness {:.3g} or less without --dt",
         f.radii.smallest, f.speed, depth, f.radii.largest, unit,
         rounded(0.99 * k * std::pow(depth / (least_depth * unit), power), std::floor));
   }
@@ -47,8 +47,8 @@ std::string why_unresolved(const FastestContact& f) {
   const double share = std::min(std::sqrt(impulse / least_impulse), way / least_way);
   if (share < 1)
     return fmt::format(
-        "dt is {:.4g} s, too short for integers to tell what a step of a contact gives a sphere of radius {:.4g} m at "
-        "{:.4g} m/s: give --dt {:.3g} or more",
+        "dt is {:.4g} s: a step of a contact changes the momentum of a sphere of radius {:.4g} m at {:.4g} m/s by too "
+        "few units: give --dt {:.3g} or more",
         f.dt, f.radii.smallest, f.speed, rounded(1.5 * f.dt / share, std::ceil));
   return "";
 }

@@ -23,8 +23,8 @@
 #define TESTS_ALL_WALLS 4u
 FN uint sleep_mode(uint whole_state) { return whole_state & SLEEP_MODES; }
 
-// By the drag of half a step. The loss is rounded, and not what is left: float32 has the loss of a short step to 24
-// bits, of what it leaves but the difference from 1.
+// By the drag of half a step. The factor is the loss and not what is left: float32 keeps 24 bits of a small loss, but
+// few of the difference between 1 and a factor near 1.
 FN Body slowed(Body s, ContactParams c) {
   if (c.drag_loss == 0.0f) return s;
   s.px -= scaled(s.px, c.drag_loss);

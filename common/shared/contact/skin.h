@@ -57,8 +57,7 @@ FN bool has_left_skin(vec4 sphere, vec4 grown) {
   EXACT float longest = path * path;
   return !(centre_rounding(sphere) < path && squared_between(sphere, grown) <= longest);
 }
-// Too far from the origin for its radius: rounding takes more than half of the skin. It has left its skin then: the
-// free path, less than the skin less the rounding, is no longer than the rounding.
+// Too far from the origin for its radius: rounding takes more than half of the skin. has_left_skin is true then, too.
 FN bool is_too_far(vec4 sphere, ContactParams c) {
   EXACT float half_skin = sphere.w * c.skin * 0.5f;
   return !(centre_rounding(sphere) < half_skin);
