@@ -85,7 +85,7 @@ void keep_rows(const std::vector<ContactStatistics>& rows, RunEnd& end) {
 
 std::string state_difference(const Backend::State& a, const Backend::State& b) {
   const auto same = [](const auto& left, const auto& right) {
-    return left.size() == right.size() && std::ranges::equal(std::as_bytes(std::span(left)), std::as_bytes(std::span(right)));
+    return std::ranges::equal(std::as_bytes(std::span(left)), std::as_bytes(std::span(right)));
   };
   if (a.wide != b.wide) {
     const auto first = std::ranges::mismatch(a.wide, b.wide).in1 - a.wide.begin();
