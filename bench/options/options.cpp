@@ -154,7 +154,8 @@ void add_file_options(CLI::App& command, std::vector<std::string>& columns, bool
       .add_option(
           "--columns", columns,
           "What the file's columns are, in their order: x,y,z, radius or diameter, vx,vy,vz, species, and _ for "
-          "one that is not read; or by their names in the file: x=NAME,y=NAME,z=NAME. A first line of names is "
+          "one that is not read; or by their names in the file: x=NAME,y=NAME,z=NAME, or pos=NAME for one of three "
+          "columns. A first line of names is "
           "skipped. Default: by the names in the file, else x y z [radius [vx vy vz]]")
       ->delimiter(',')
       ->check(complaint_of_column);
@@ -167,10 +168,11 @@ void add_file_options(CLI::App& command, std::vector<std::string>& columns, bool
 
 void add_start_options(CLI::App& command, StartOptions& start) {
   add_scene_options(command, start.scene);
-  auto* input = command.add_option(
-      "--input", start.input_file,
-      "Read the spheres from a file instead: .xyz, .extxyz, .npy, or text lines `x y z radius [vx vy vz]`, # starts a "
-      "comment (see pairs --help); without velocities they start at rest");
+  auto* input =
+      command.add_option("--input", start.input_file,
+                         "Read the spheres from a file instead: .xyz, .extxyz, .npy, or text with columns by their "
+                         "names or --columns, else "
+                         "`x y z radius [vx vy vz]` (see pairs --help); without velocities they start at rest");
   for (const char* scene_option :
        {"--scene", "--n", "--seed", "--radius-ratio", "--packing-fraction", "--groups", "--group-size", "--offset"})
     input->excludes(command.get_option(scene_option));

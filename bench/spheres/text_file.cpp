@@ -7,16 +7,14 @@
 #include <algorithm>
 
 #include "bench/io/file_lines.h"
-#include "bench/io/numbers.h"
+#include "bench/spheres/column_comment.h"
+#include "bench/spheres/columns.h"
 #include "bench/spheres/sphere_file.h"
 #include "bench/spheres/xyz_columns.h"
 #include "bench/text/fields.h"
 
 namespace spherepair {
 namespace {
-
-// That prose seldom has: a comment of as many words as there are columns, with one of these, names the columns.
-constexpr std::array<std::string_view, 8> words_of_tables = {"id", "type", "x", "y", "z", "vx", "vy", "vz"};
 
 using Names = std::vector<NamedColumn>;
 
@@ -26,15 +24,11 @@ Names named(std::span<const std::string> words) {
   return names;
 }
 
-bool holds_xyz(const Names& names) {
-  const auto has = [&](Quantity quantity) {
-    return std::ranges::any_of(names, [&](const NamedColumn& column) {
-      const KnownName* known = known_name(column.name);
-      return known && known->first == quantity && known->count == 1;
-    });
-  };
-  return has(QUANTITY_X) && has(QUANTITY_Y) && has(QUANTITY_Z);
-}
+struct SeenComment {
+  uint64_t line = 0;
+  std::string text = {};
+  ColumnComment columns = {};
+};
 
 class TextReader {
  public:
@@ -66,8 +60,8 @@ class TextReader {
     if (may_be_colours_ && bright_)
       file_.fail_at_line(
           first_line_,
-          "columns whose meaning is certain: name them, by --columns x,y,z,radius,vx,vy,vz or, if the last "
-          "three are colours, --columns x,y,z,_,_,_,_",
+          "--columns: the last three of seven numbers may be colours; give --columns x,y,z,radius,vx,vy,vz or, if "
+          "they are, --columns x,y,z,_,_,_,_",
           "seven numbers, the last three whole and from 0 to 255 in every line");
     return *columns_;
   }
@@ -81,15 +75,24 @@ class TextReader {
   void take_comment(uint64_t line, std::string_view text) {
     text.remove_prefix(std::min(text.find_first_not_of("# \t"), text.size()));
     if (box_.empty() && mentions_box(text)) box_ = text;
-    std::vector<std::string> words = names_in(text, separator_of(text, options_.decimal_comma));
-    const auto label = std::ranges::find_if(words, [](const std::string& word) { return word.ends_with(':'); });
-    if (label != words.end()) words.erase(words.begin(), label + 1);
-    const auto is_name = [](const std::string& word) {
-      return std::ranges::count(words_of_tables, lower_case(word)) > 0;
-    };
-    const bool numbers = std::ranges::any_of(words, [&](const std::string& word) { return is_number(word); });
-    const Names names = named(words);
-    if (holds_xyz(names) || (!numbers && std::ranges::any_of(words, is_name))) comment_ = names, names_line_ = line;
+    ColumnComment columns = column_comment(text);
+    if (!columns.names.empty() || !columns.order.empty())
+      comments_.push_back({line, std::string(text), std::move(columns)});
+  }
+
+  // The last comment that names as many columns; null without one.
+  const SeenComment* naming_comment() const {
+    const auto names_them = [&](const SeenComment& each) { return each.columns.names_columns(fields_.size()); };
+    const auto found = std::find_if(comments_.rbegin(), comments_.rend(), names_them);
+    return found == comments_.rend() ? nullptr : &*found;
+  }
+  // For x=NAME of --columns also names without x, y and z.
+  Names names_for_option() const {
+    if (!header_.empty()) return header_;
+    if (const SeenComment* naming = naming_comment()) return naming->columns.names;
+    for (const SeenComment& each : comments_)
+      if (each.columns.names.size() == fields_.size()) return each.columns.names;
+    return {};
   }
 
   // By the first line that is no comment; false if it holds the names of the columns.
@@ -104,18 +107,21 @@ class TextReader {
     }
     first_line_ = line;
     if (!options_.columns.empty()) {
-      take(columns_of_option(options_.columns, header_.empty() ? comment_ : header_, file_.name()));
+      take(columns_of_option(options_.columns, names_for_option(), file_.name()));
     } else if (!header_.empty()) {
       take(columns_of_header_);
-    } else if (!comment_.empty() && comment_counts()) {
-      if (comment_.size() != fields_.size())
-        file_.fail_at_line(
-            names_line_,
-            fmt::format("a name in this comment for each of the {} columns; name them with --columns", fields_.size()),
-            fmt::to_string(comment_.size()));
-      take_names(comment_, "a comment read as names of columns");
+    } else if (const SeenComment* naming = naming_comment()) {
+      names_line_ = naming->line;
+      take_names(naming->columns.names, "a comment read as names of columns");
       take(columns_of_header_);
     } else {
+      for (const SeenComment& each : comments_)
+        if (!each.columns.agrees_with_order(fields_.size()))
+          file_.fail_at_line(each.line,
+                             fmt::format("a name in this comment for each of the {} columns, or no other order than x "
+                                         "y z radius; say by --columns what they are, such as --columns x,y,z{}",
+                                         fields_.size(), fields_.size() > 3 ? ",radius" : ""),
+                             in_quotes(each.text));
       take_order(line, text);
     }
     return true;
@@ -123,18 +129,6 @@ class TextReader {
   void take_names(const Names& names, const char* how) {
     columns_of_header_ = columns_of_names(fmt::format("{}, line {}, {}", file_.name(), names_line_, how), names);
     columns_of_header_.by = fmt::format("by the names in line {}", names_line_);
-  }
-  // Whether the comment is for these columns: as many names, or x, y and z among them.
-  bool comment_counts() const {
-    if (comment_.size() == fields_.size()) return true;
-    const auto in_order = [](const NamedColumn& name, const char* quantity) {
-      return lower_case(name.name) == quantity;
-    };
-    const auto beside = std::min(fields_.size(), quantity_names.size());
-    const bool as_ordered =
-        comment_.size() > beside &&
-        std::ranges::equal(std::span(comment_).first(beside), std::span(quantity_names).first(beside), in_order);
-    return holds_xyz(comment_) && !as_ordered;
   }
   void take_order(uint64_t line, std::string_view text) {
     if (!is_number(fields_[0]) && fields_[0].find_first_of("0123456789") == 0)
@@ -173,7 +167,8 @@ class TextReader {
   const FileBytes& file_;
   const SphereFileOptions& options_;
   char separator_ = ' ';
-  Names header_, comment_;
+  Names header_;
+  std::vector<SeenComment> comments_;
   uint64_t names_line_ = 0, first_line_ = 0;
   Columns columns_of_header_;
   std::optional<Columns> columns_;

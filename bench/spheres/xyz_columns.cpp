@@ -61,7 +61,7 @@ bool is_cell_of_ipi(const CommentPair& pair) { return lower_case(pair.key).start
 
 }  // namespace
 
-std::optional<std::vector<NamedColumn>> properties_of(const Comment& comment) {
+std::optional<std::vector<NamedColumn>> properties_of(const Comment& comment, bool by_names) {
   const CommentPair* pair = find_pair(comment, "properties");
   if (!pair) return std::nullopt;
   const std::vector<std::string> parts = split_at_colons(*pair->value);
@@ -70,14 +70,25 @@ std::optional<std::vector<NamedColumn>> properties_of(const Comment& comment) {
   };
   if (parts.empty() || parts.size() % 3) fail("Properties=name:type:columns, repeated, such as species:S:1:pos:R:3");
   std::vector<NamedColumn> names;
+  std::vector<Property> wrong;
+  bool triples[2] = {};  // of positions, of velocities
   for (size_t k = 0; k < parts.size(); k += 3) {
     const auto property = property_of(parts[k], parts[k + 1], parts[k + 2]);
     if (!property) fail("Properties with a name, a type S, R, I or L and a number of columns each");
     const KnownName* known = known_name(property->name);
     const bool number = property->type == "R" || property->type == "I";
     if (known && (!number || property->columns != known->count))
-      fail("Properties with pos:R:3 once, and radius:R:1 and velo:R:3 once at most");
+      wrong.push_back(*property);
+    else if (known && known->count == 3)
+      triples[known->first >= QUANTITY_VX] = true;
     names.push_back({property->name, property->columns});
+  }
+  for (const Property& property : wrong) {
+    const KnownName* known = known_name(property.name);
+    const bool beside_triple =
+        known->count == 1 && known->first != QUANTITY_RADIUS && triples[known->first >= QUANTITY_VX];
+    if (by_names && !beside_triple)
+      fail("Properties with pos:R:3 once, and radius:R:1 and velo:R:3 once at most, or --columns");
   }
   return names;
 }
@@ -128,7 +139,7 @@ PeriodicBox periodic_box(const Comment& comment) {
                        in_quotes(*cell->value));
   if (pbc) text += fmt::format("{}pbc={}", cell ? " " : "", in_quotes(*pbc->value));
   if (text.empty() && std::ranges::any_of(comment.pairs, is_cell_of_ipi)) text = in_quotes(comment.text);
-  return {text, text.empty() && mentions_box(comment.text) ? in_quotes(comment.text) : ""};
+  return {text, text.empty() && mentions_box(comment.text) ? std::string(comment.text) : ""};
 }
 
 }  // namespace spherepair

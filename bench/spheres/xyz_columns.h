@@ -16,8 +16,9 @@ struct Comment {
   std::vector<CommentPair> pairs = parse_comment(text);
 };
 
-// The names in Properties= of extended XYZ, each a number of columns; none without that key.
-std::optional<std::vector<NamedColumn>> properties_of(const Comment& comment);
+// The names in Properties= of extended XYZ, each a number of columns; none without that key. by_names: throws
+// for known names of another type or number of columns.
+std::optional<std::vector<NamedColumn>> properties_of(const Comment& comment, bool by_names);
 
 // The columns that these are; momenta are noted.
 Columns columns_of_properties(const Comment& comment, std::span<const NamedColumn> properties);

@@ -101,7 +101,7 @@ bool may_have_types(const Frame& frame) {
 
 Columns columns_of(const FileBytes& file, const Frame& frame, const Comment& comment,
                    const SphereFileOptions& options) {
-  const auto properties = properties_of(comment);
+  const auto properties = properties_of(comment, options.columns.empty());
   if (!options.columns.empty())
     return columns_of_option(options.columns, properties.value_or(std::vector<NamedColumn>()), file.name());
   if (properties) return columns_of_properties(comment, *properties);
@@ -111,10 +111,11 @@ Columns columns_of(const FileBytes& file, const Frame& frame, const Comment& com
   const bool types = may_have_types(frame);
   const std::string_view text = first.next();
   if (types && !options.radius)
-    file.fail_at_line(line,
-                      "columns whose meaning is certain, but x y z radius may as well be type x y z: give --columns "
-                      "x,y,z,radius, or --radius and --columns species,x,y,z",
-                      in_quotes(text));
+    file.fail_at_line(
+        line,
+        "--columns: the first of four numbers may be a type; give --columns x,y,z,radius, or --radius and "
+        "--columns species,x,y,z",
+        in_quotes(text));
   return classic_columns(file, line, text, types);
 }
 
@@ -127,7 +128,8 @@ void read_box(const Comment& comment, const SphereFileOptions& options, SphereFi
         "spheres without a periodic box, since pairs across its boundary are not found yet (take only those inside it "
         "with --ignore-periodic)",
         box.text);
-  input.ignored = !box.text.empty() || !options.ignore_periodic ? box.text : box.mention;
+  input.ignored = box.text;
+  if (box.text.empty() && options.ignore_periodic && !box.mention.empty()) input.ignored = in_quotes(box.mention);
   input.unread_box = options.ignore_periodic ? "" : box.mention;
 }
 

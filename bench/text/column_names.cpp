@@ -4,50 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <stdexcept>
 
 #include "bench/io/file_bytes.h"
 #include "bench/text/fields.h"
+#include "bench/text/known_columns.h"
 #include "common/scene/known_name.h"
 
 namespace spherepair {
 namespace {
 
-constexpr KnownName known_names[] = {{"x", QUANTITY_X},
-                                     {"y", QUANTITY_Y},
-                                     {"z", QUANTITY_Z},
-                                     {"radius", QUANTITY_RADIUS},
-                                     {"radii", QUANTITY_RADIUS},
-                                     {"r", QUANTITY_RADIUS},
-                                     {"vx", QUANTITY_VX},
-                                     {"vy", QUANTITY_VY},
-                                     {"vz", QUANTITY_VZ},
-                                     {"pos", QUANTITY_X, 3},
-                                     {"position", QUANTITY_X, 3},
-                                     {"positions", QUANTITY_X, 3},
-                                     {"velo", QUANTITY_VX, 3},
-                                     {"vel", QUANTITY_VX, 3},
-                                     {"velocity", QUANTITY_VX, 3},
-                                     {"velocities", QUANTITY_VX, 3},
-                                     {"diameter", QUANTITY_RADIUS},
-                                     {"diameters", QUANTITY_RADIUS}};
-
 constexpr std::string_view option_name = "--columns";
-
-struct PlainName {
-  std::string name, unit;
-};
-
-// `X [mm]`, `x(mm)`: x and mm.
-PlainName plain_name(std::string_view text) {
-  text = trimmed(text);
-  const size_t open = text.find_first_of("[(");
-  const bool closed = text.ends_with(']') || text.ends_with(')');
-  if (open == text.npos || open == 0 || !closed) return {lower_case(text), ""};
-  return {lower_case(trimmed(text.substr(0, open))),
-          std::string(trimmed(text.substr(open + 1, text.size() - open - 2)))};
-}
 
 bool is_word_of_option(std::string_view word) {
   return std::ranges::count(quantity_names, word) || std::ranges::count(other_columns, word);
@@ -96,47 +63,40 @@ size_t Columns::quantities() const {
   return size_t(std::ranges::count_if(columns, [](const auto& column) { return column.has_value(); }));
 }
 
-const KnownName* known_name(std::string_view name) {
-  const auto known = std::ranges::find(known_names, plain_name(name).name, &KnownName::name);
-  return known == std::end(known_names) ? nullptr : known;
-}
-
 Columns columns_of_names(const std::string& where, std::span<const NamedColumn> names) {
   const auto fail = [&](const std::string& why) { throw std::invalid_argument(where + ": " + why); };
+  const bool in_file = where != option_name;
   Columns columns{.text = all_names(names)};
-  std::vector<std::string> plain;
-  for (const NamedColumn& column : names) plain.push_back(plain_name(column.name).name);
-  const auto beside = [&](const char* name) { return std::ranges::count(plain, name) > 0; };
-  const bool r_is_radius = !(beside("g") && beside("b")) && !beside("theta") && !beside("phi");
+  for (const NamedColumn& column : names) {
+    const std::string plain = plain_name(column.name).name;
+    if (plain == "species" && column.count == 1 && !columns.species) columns.species = columns.count;
+    columns.momenta = columns.momenta || plain == "momenta";
+    columns.count += column.count;
+  }
+  const std::vector<Candidate> candidates = candidates_of(names);
+  const auto remedy = [&] { return in_file ? advice(columns, candidates) : ""; };
   std::string velocity_units;
-  for (size_t k = 0; k < names.size(); columns.count += names[k++].count) {
-    if (plain[k] == "species" && names[k].count == 1 && !columns.species) columns.species = columns.count;
-    columns.momenta = columns.momenta || plain[k] == "momenta";
-    const KnownName* known = known_name(names[k].name);
-    if (!known || known->count != names[k].count || (plain[k] == "r" && !r_is_radius)) continue;
-    const bool diameters = plain[k].starts_with("diameter");
+  for (const auto& [column, known, at, same_case, diameters] : candidates) {
     if (columns.has(known->first)) {
       if (known->first == QUANTITY_RADIUS && diameters != columns.diameters)
-        fail("radius and diameter are both there: name one of them with --columns");
-      fail(fmt::format("the column {} stands twice", quantity_names[known->first]));
+        fail("radius and diameter are both there" + remedy());
+      fail(fmt::format("the column {} stands twice{}", quantity_names[known->first], remedy()));
     }
     columns.diameters = columns.diameters || diameters;
-    for (size_t c = 0; c < known->count; ++c) columns.columns[known->first + c] = columns.count + c;
-    add_unit(where, known->first < QUANTITY_VX ? columns.units : velocity_units, names[k],
-             plain_name(names[k].name).unit);
+    for (size_t c = 0; c < known->count; ++c) columns.columns[known->first + c] = at + c;
+    add_unit(where, known->first < QUANTITY_VX ? columns.units : velocity_units, column, plain_name(column.name).unit);
   }
-  const std::string_view rest =
-      std::string_view(velocity_units).substr(std::min(columns.units.size(), velocity_units.size()));
-  const bool other_unit = !velocity_units.starts_with(columns.units) ||
-                          (!rest.empty() && std::isalpha(static_cast<unsigned char>(rest[0])));
-  if (!columns.units.empty() && !velocity_units.empty() && other_unit)
+  if (!columns.units.empty() && !velocity_units.empty() && !is_unit_per_time(velocity_units, columns.units))
     fail(fmt::format("lengths are in {} and velocities in {}: write both in one unit of length", columns.units,
                      velocity_units));
-  if (!columns.has(QUANTITY_X) || !columns.has(QUANTITY_Y) || !columns.has(QUANTITY_Z))
-    fail(fmt::format("the columns x, y and z must be among '{}'{}", columns.text,
-                     where == option_name ? "" : "; name them with --columns x=NAME,y=NAME,z=NAME"));
+  if (!columns.has(QUANTITY_X) || !columns.has(QUANTITY_Y) || !columns.has(QUANTITY_Z)) {
+    const bool triples = std::ranges::count(names, 3u, &NamedColumn::count) > 0;
+    fail(fmt::format("the columns x, y and z must be among '{}'{}{}", columns.text,
+                     in_file ? "; name them with --columns x=NAME,y=NAME,z=NAME" : "",
+                     in_file && triples ? ", or pos=NAME for one of three columns" : ""));
+  }
   if (columns.has(QUANTITY_VX) != columns.has(QUANTITY_VY) || columns.has(QUANTITY_VX) != columns.has(QUANTITY_VZ))
-    fail(fmt::format("of the columns vx, vy and vz only some are among '{}'", columns.text));
+    fail(fmt::format("of the columns vx, vy and vz only some are among '{}'{}", columns.text, remedy()));
   return columns;
 }
 
@@ -165,6 +125,11 @@ Columns columns_of_option(std::span<const std::string> option, std::span<const N
       const size_t mark = word.find('='), at = find_column(trimmed(word.substr(mark + 1)), names, file);
       if (chosen[at].name != "_")
         throw std::invalid_argument(fmt::format("--columns: '{}' is named twice", names[at].name));
+      const KnownName* known = known_name(word.substr(0, mark));
+      if (known && known->count != names[at].count)
+        throw std::invalid_argument(fmt::format(
+            "--columns: '{}' has {} columns in {}, but {} takes {}: three together are pos=NAME or velo=NAME",
+            names[at].name, names[at].count, file, known->name, known->count));
       const std::string unit = plain_name(names[at].name).unit;
       chosen[at].name = word.substr(0, mark) + (unit.empty() ? "" : " [" + unit + "]");
     }
@@ -177,6 +142,7 @@ Columns columns_of_option(std::span<const std::string> option, std::span<const N
 std::string complaint_of_column(const std::string& word) {
   const std::string quantity = word.substr(0, word.find('='));
   if (is_word_of_option(quantity)) return "";
+  if (quantity != word && (quantity == "pos" || quantity == "velo")) return "";
   std::vector<std::string> known;
   for (const char* name : quantity_names) known.emplace_back(name);
   for (const char* name : other_columns) known.emplace_back(name);

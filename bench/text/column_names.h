@@ -48,15 +48,17 @@ struct KnownName {
 const KnownName* known_name(std::string_view name);  // null if it is not
 
 // Columns by the names that programs give them: x and `X [mm]`, radius, diameter, pos, velo ...; others are not read. r
-// is a radius unless g and b, or angles, stand beside it. Throws std::invalid_argument, whose message begins with
-// `where`, for a quantity that stands twice, for several units, and without x, y and z or with some of vx, vy, vz only.
+// is a radius unless g and b, or angles, stand beside it. Of several names for a quantity one of three components is
+// taken (pos beside Z), else the one in lower case (z beside Z). Throws std::invalid_argument, whose message begins
+// with `where`, for a quantity that stands twice, for several units, and without x, y and z or with some of vx, vy, vz
+// only.
 Columns columns_of_names(const std::string& where, std::span<const NamedColumn> names);
 
 // Columns by their order: x y z, then radius, then vx vy vz.
 Columns columns_by_order(size_t count);
 
-// By --columns: quantities in the order of the columns; or x=NAME,y=NAME ... of the names in the file. Throws
-// std::invalid_argument.
+// By --columns: quantities in the order of the columns; or x=NAME,y=NAME ... or pos=NAME of the names in the file.
+// Throws std::invalid_argument.
 Columns columns_of_option(std::span<const std::string> option, std::span<const NamedColumn> names,
                           const std::string& file);
 
