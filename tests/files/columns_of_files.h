@@ -6,6 +6,12 @@
 
 namespace spherepair {
 
+inline const SphereFileOptions sized = {.radius = 0.5f};
+
+inline SphereFileOptions columns(std::vector<std::string> names, std::optional<double> radius = {}) {
+  return {.radius = radius, .columns = std::move(names)};
+}
+
 // `name` gives the format. Without spheres the file must be refused, with these words and without `unwanted`.
 struct FileCase {
   std::string name, text;

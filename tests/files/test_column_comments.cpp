@@ -5,20 +5,15 @@
 namespace spherepair {
 namespace {
 
-const SphereFileOptions sized = {.radius = 0.5f};
-const std::vector<vec4> halves = {{1, 2, 3, 0.5f}, {11, 2, 3, 0.5f}};
-
-SphereFileOptions columns(std::vector<std::string> names, std::optional<double> radius = {}) {
-  return {.radius = radius, .columns = std::move(names)};
-}
+const std::vector<vec4> two_halves = {{1, 2, 3, 0.5f}, {11, 2, 3, 0.5f}};
 
 TEST(ColumnMeaning, ThreeComponentsStandBeforeOneAndLowerCaseBeforeUpper) {
   expect_cases({
-      {"quip.xyz", "2\nProperties=species:S:1:pos:R:3:Z:I:1\nH 1 2 3 1\nO 11 2 3 8\n", sized, halves},
-      {"quip.xyz", "2\nProperties=Z:I:1:pos:R:3:radius:R:1\n1 1 2 3 .5\n8 11 2 3 .5\n", {}, halves},
-      {"quip.xyz", "2\nProperties=Z:S:1:pos:R:3:radius:R:1\nH 1 2 3 .5\nO 11 2 3 .5\n", {}, halves},
-      {"both.xyz", "2\nProperties=x:R:1:pos:R:3\n9 1 2 3\n9 11 2 3\n", sized, halves},
-      {"both.xyz", "2\nProperties=positions:R:3:pos:R:3\n7 8 9 1 2 3\n7 8 9 11 2 3\n", sized, halves},
+      {"quip.xyz", "2\nProperties=species:S:1:pos:R:3:Z:I:1\nH 1 2 3 1\nO 11 2 3 8\n", sized, two_halves},
+      {"quip.xyz", "2\nProperties=Z:I:1:pos:R:3:radius:R:1\n1 1 2 3 .5\n8 11 2 3 .5\n", {}, two_halves},
+      {"quip.xyz", "2\nProperties=Z:S:1:pos:R:3:radius:R:1\nH 1 2 3 .5\nO 11 2 3 .5\n", {}, two_halves},
+      {"both.xyz", "2\nProperties=x:R:1:pos:R:3\n9 1 2 3\n9 11 2 3\n", sized, two_halves},
+      {"both.xyz", "2\nProperties=positions:R:3:pos:R:3\n7 8 9 1 2 3\n7 8 9 11 2 3\n", sized, two_halves},
       {"both.xyz",
        "1\nProperties=pos:R:3:velocities:R:3:vel:R:3\n1 2 3 7 8 9 0 0 0\n",
        sized,
@@ -31,9 +26,9 @@ TEST(ColumnMeaning, ThreeComponentsStandBeforeOneAndLowerCaseBeforeUpper) {
        {},
        {"x stands twice", "--columns x,y,z,_,_,_"}},
       {"string.xyz", "1\nProperties=pos:S:3:Z:I:1\n1 2 3 7\n", sized, {}, {"pos:R:3"}},
-      {"element.csv", "element,Z,x,y,z\nH,1,1,2,3\nO,8,11,2,3\n", sized, halves},
-      {"element.csv", "Z,X,Y,Z,z\n8,1,2,9,3\n8,11,2,9,3\n", sized, halves},
-      {"upper.csv", "X,Y,Z,R\n1,2,3,.5\n11,2,3,.5\n", {}, halves},
+      {"element.csv", "element,Z,x,y,z\nH,1,1,2,3\nO,8,11,2,3\n", sized, two_halves},
+      {"element.csv", "Z,X,Y,Z,z\n8,1,2,9,3\n8,11,2,9,3\n", sized, two_halves},
+      {"upper.csv", "X,Y,Z,R\n1,2,3,.5\n11,2,3,.5\n", {}, two_halves},
       {"upper.csv", "x,y,Z,Z\n1,2,3,.5\n", sized, {}, {"z stands twice", "--columns x,y,z,_"}},
   });
   const auto npy = [](const char* fields) {
@@ -52,22 +47,23 @@ TEST(ColumnMeaning, ProseInACommentIsNoNames) {
         "# x, y and z", "# x y and z", "# centres (x,y,z) and radii", "# positions x y z", "# id of run",
         "# data x y z radius", "# columns: [x, y, z, r]", "# a type of bed", "# origin x=0 y=0 z=0",
         "# x y z radius vx vy vz", "# 1:x 2:y 3:z 4:radius"})
-    expect_case({"prose.txt", fmt::format("{}\n1 2 3 .5\n11 2 3 .5\n", comment), {}, halves});
+    expect_case({"prose.txt", fmt::format("{}\n1 2 3 .5\n11 2 3 .5\n", comment), {}, two_halves});
 }
 
 TEST(ColumnMeaning, NamesInACommentMayHaveNumbersLabelsAndUnitsWithCommas) {
   for (const char* comment : {"# 1:id 2:x 3:y 4:z", "# 1: id 2: x 3: y 4: z", "# 1=id, 2=x, 3=y, 4=z",
                               "# id x y z (m, kg)", "# [id, x, y, z]", "# columns: id, x, y, z",
                               "# Point Nr, X [mm], Y [mm], Z [mm]", "# Point Nr\tX\tY\tZ", "# id; x; y; z"}) {
-    expect_case({"named.txt", fmt::format("{}\n1 1 2 3\n0 11 2 3\n", comment), sized, halves});
+    expect_case({"named.txt", fmt::format("{}\n1 1 2 3\n0 11 2 3\n", comment), sized, two_halves});
     expect_case({"named.txt", fmt::format("{}\n1 1 2 3\n0 11 2 3\n", comment), {}, {}, {"no radii"}});
   }
-  expect_case({"first.txt", "# radius, x, y, z [m, m]\n.5 1 2 3\n.5 11 2 3\n", {}, halves});
+  expect_case({"first.txt", "# radius, x, y, z [m, m]\n.5 1 2 3\n.5 11 2 3\n", {}, two_halves});
   for (const char* comment : {"# each line is id, x, y, z of a sphere", "# z y x and radius", "# radius and x y z",
                               "# 1:id 2:type 3:x 4:y 5:z", "# x y z mass radius", "# x y z vx vy vz",
                               "# x y z and diameter", "# particle, kind, x, y, z"})
     expect_case({"order.txt", fmt::format("{}\n1 1 2 3\n0 11 2 3\n", comment), {}, {}, {"line 1", "--columns"}});
-  expect_case({"order.txt", "# z y x and radius\n3 2 1 .5\n3 2 11 .5\n", columns({"z", "y", "x", "radius"}), halves});
+  expect_case(
+      {"order.txt", "# z y x and radius\n3 2 1 .5\n3 2 11 .5\n", columns({"z", "y", "x", "radius"}), two_halves});
 }
 
 TEST(ColumnMeaning, AnErrorGivesColumnsThatWork) {
@@ -76,13 +72,13 @@ TEST(ColumnMeaning, AnErrorGivesColumnsThatWork) {
                     named = "2\nProperties=centre:R:3:r:R:1\n1 2 3 .5\n11 2 3 .5\n";
   expect_cases({
       {"both.xyz", both, {}, {}, {"radius and diameter", "--columns species,x,y,z,radius,_"}},
-      {"both.xyz", both, columns({"species", "x", "y", "z", "radius", "_"}), halves},
-      {"both.xyz", both, columns({"pos=pos", "radius=radius"}), halves},
+      {"both.xyz", both, columns({"species", "x", "y", "z", "radius", "_"}), two_halves},
+      {"both.xyz", both, columns({"pos=pos", "radius=radius"}), two_halves},
       {"both.xyz", both, columns({"x=pos", "radius=radius"}), {}, {"'pos' has 3 columns", "pos=NAME"}},
       {"some.csv", some, {}, {}, {"vx, vy and vz only some", "--columns x,y,z,radius,_"}},
-      {"some.csv", some, columns({"x", "y", "z", "radius", "_"}), halves},
+      {"some.csv", some, columns({"x", "y", "z", "radius", "_"}), two_halves},
       {"named.xyz", named, {}, {}, {"pos=NAME"}},
-      {"named.xyz", named, columns({"pos=centre", "radius=r"}), halves},
+      {"named.xyz", named, columns({"pos=centre", "radius=r"}), two_halves},
       {"three.xyz", "1\nProperties=pos:R:3:r:R:3\n1 2 3 4 5 6\n", sized, {}, {"radius:R:1", "--columns"}},
       {"three.xyz", "1\nProperties=pos:R:3:r:R:3\n1 2 3 4 5 6\n", columns({"pos=pos"}, 0.5), {{1, 2, 3, 0.5f}}},
   });
@@ -97,23 +93,23 @@ TEST(ColumnMeaning, UnitsOfVelocitiesAndBracketsThatAreNone) {
                              "11,2,3,.5,0,0,0\n",
                              unit),
                  {},
-                 halves,
+                 two_halves,
                  {"in m,"}});
   expect_cases({
       {"units.csv", "x [m],y [m],z [m],r,vx [mm/s],vy [mm/s],vz [mm/s]\n1,2,3,.5,0,0,0\n", {}, {}, {"mm/s"}},
-      {"axes.csv", "x (first axis),y (second axis),z (third axis),r\n1,2,3,.5\n11,2,3,.5\n", {}, halves},
-      {"digits.csv", "x[0],y[1],z[2],r[3]\n1,2,3,.5\n11,2,3,.5\n", {}, halves},
-      {"blank.csv", "x [],y [ ],z [m],r\n1,2,3,.5\n11,2,3,.5\n", {}, halves, {"in m,"}},
+      {"axes.csv", "x (first axis),y (second axis),z (third axis),r\n1,2,3,.5\n11,2,3,.5\n", {}, two_halves},
+      {"digits.csv", "x[0],y[1],z[2],r[3]\n1,2,3,.5\n11,2,3,.5\n", {}, two_halves},
+      {"blank.csv", "x [],y [ ],z [m],r\n1,2,3,.5\n11,2,3,.5\n", {}, two_halves, {"in m,"}},
   });
 }
 
 TEST(ColumnMeaning, AWarningOfABoxHasItsWordsInOnePairOfQuotes) {
-  expect_case({"box.xyz", "2\nCELL: 10 10 10\nH 1 2 3 .5\nH 11 2 3 .5\n", {}, halves, {"read: 'CELL: 10 10 10';"}});
-  expect_case({"box.txt", "# CELL: 10 10 10\n1 2 3 .5\n11 2 3 .5\n", {}, halves, {"read: 'CELL: 10 10 10';"}});
+  expect_case({"box.xyz", "2\nCELL: 10 10 10\nH 1 2 3 .5\nH 11 2 3 .5\n", {}, two_halves, {"read: 'CELL: 10 10 10';"}});
+  expect_case({"box.txt", "# CELL: 10 10 10\n1 2 3 .5\n11 2 3 .5\n", {}, two_halves, {"read: 'CELL: 10 10 10';"}});
   expect_case({"box.xyz",
                "2\nCELL: 10 10 10\nH 1 2 3 .5\nH 11 2 3 .5\n",
                {.ignore_periodic = true},
-               halves,
+               two_halves,
                {"asked for: 'CELL: 10 10 10' is"}});
 }
 

@@ -5,12 +5,6 @@
 namespace spherepair {
 namespace {
 
-const SphereFileOptions sized = {.radius = 0.5f};
-
-SphereFileOptions columns(std::vector<std::string> names, std::optional<double> radius = {}) {
-  return {.radius = radius, .columns = std::move(names)};
-}
-
 TEST(ColumnMeaning, EveryLineHasAsManyColumns) {
   expect_cases({
       {"welded.txt", "5 5 5 13 0 0 1\n6 5 5 1\n", {}, {}, {"line 2", "7 columns", "line 1", "found 4"}},
