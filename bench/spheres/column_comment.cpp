@@ -54,11 +54,12 @@ void for_outside(std::string_view text, Work work) {
   }
 }
 
-// Without `columns:` before it, and brackets around all.
+// Without `columns:` or `columns =` before it, and brackets around all.
 std::string_view without_label(std::string_view text) {
   size_t label = text.npos;
   for_outside(text, [&](size_t k) {
-    if (text[k] == ':' && (k + 1 == text.size() || is_blank(text[k + 1]) || text[k + 1] == '[' || text[k + 1] == '('))
+    if ((text[k] == ':' || text[k] == '=') &&
+        (k + 1 == text.size() || is_blank(text[k + 1]) || text[k + 1] == '[' || text[k + 1] == '('))
       label = k;
   });
   if (label != text.npos) text = trimmed(text.substr(label + 1));

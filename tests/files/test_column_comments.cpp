@@ -52,7 +52,7 @@ TEST(ColumnMeaning, ProseInACommentIsNoNames) {
 
 TEST(ColumnMeaning, NamesInACommentMayHaveNumbersLabelsAndUnitsWithCommas) {
   for (const char* comment : {"# 1:id 2:x 3:y 4:z", "# 1: id 2: x 3: y 4: z", "# 1=id, 2=x, 3=y, 4=z",
-                              "# id x y z (m, kg)", "# [id, x, y, z]", "# columns: id, x, y, z",
+                              "# id x y z (m, kg)", "# [id, x, y, z]", "# columns: id, x, y, z", "# columns = id x y z",
                               "# Point Nr, X [mm], Y [mm], Z [mm]", "# Point Nr\tX\tY\tZ", "# id; x; y; z"}) {
     expect_case({"named.txt", fmt::format("{}\n1 1 2 3\n0 11 2 3\n", comment), sized, two_halves});
     expect_case({"named.txt", fmt::format("{}\n1 1 2 3\n0 11 2 3\n", comment), {}, {}, {"no radii"}});
