@@ -107,7 +107,7 @@ NEAR_PAIRS = [
            "ContactDrag"),
     mutant("any drag is taken", "common/scene/contact_check.cpp", " && double(contact.drag) * double(scene.dt) <= most_drag", "",
            "ContactRestOptions"),
-    mutant("weak drags are taken", "common/scene/contact_check.cpp", "if (drag < least)", "if (false)", "ContactDragRange"),
+    mutant("weak drags are taken", "common/scene/contact_check.cpp", "units < least_loss)", "units < 0)", "ContactDragRange"),
     mutant("steps too short for drag are taken", "common/scene/contact_check.cpp", "if (dt < shortest)", "if (false)", "ContactDragRange"),
     mutant("slow spheres with drag go on", "common/shared/contact/contact.h", "speed < slowest && speed > -slowest", "speed == 0.0f",
            "ContactRest"),
