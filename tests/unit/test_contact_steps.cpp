@@ -157,7 +157,8 @@ TEST(ContactSteps, StepsTooShortForIntegersAreRefused) {
   Scene scene = two_spheres(0.5, 256, 1);
   choose_contacts(scene, {.law = ContactLaw::spring});
   choose_contacts(scene, {.law = ContactLaw::spring, .dt = 0.003f * scene.dt});
-  const float advised = number_behind(why_no_contacts(scene), "a sphere of radius 0.5 m at 1 m/s: give --dt ");
+  const float advised =
+      number_behind(why_no_contacts(scene), "a sphere of radius 0.5 m at 1 m/s by too few units: give --dt ");
   ASSERT_GT(advised, scene.dt);
   choose_contacts(scene, {.law = ContactLaw::spring, .dt = advised});
   EXPECT_EQ(why_no_contacts(scene), "");
