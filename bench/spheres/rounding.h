@@ -34,7 +34,7 @@ struct Rounding {
 // two of their extent, along every axis on which all differences are exact in float64.
 Rounding round_rows(SphereRows& rows, bool may_shift);
 
-// Two digits of a positive number, rounded up: for `at most`.
+// A positive number in two digits, rounded up, so that `at most` holds for what is printed.
 std::string at_most(double value);
 
 // The spheres with all radii larger, or smaller, by their reach: two that do not overlap in the first overlap nowhere

@@ -50,8 +50,8 @@ const KnownName* known_name(std::string_view name);  // null if it is not
 // Columns by the names that programs give them: x and `X [mm]`, radius, diameter, pos, velo ...; others are not read. r
 // is a radius unless g and b, or angles, stand beside it. Of several names for a quantity one of three components is
 // taken (pos beside Z), else the one in lower case (z beside Z). Throws std::invalid_argument, whose message begins
-// with `where`, for a quantity that stands twice, for several units, and without x, y and z or with some of vx, vy, vz
-// only.
+// with `where`, if a quantity stands twice, if units differ, if x, y or z is missing, or if only some of vx, vy and vz
+// are there.
 Columns columns_of_names(const std::string& where, std::span<const NamedColumn> names);
 
 // Columns by their order: x y z, then radius, then vx vy vz.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether integers tell what a contact of the fastest sphere does: how deep it is, and what a step of it gives.
+// Whether units of length and momentum are fine enough for a contact of the fastest sphere: for its depth, and for the
+// momentum that one step of it changes.
 #pragma once
 
 #include <string>
