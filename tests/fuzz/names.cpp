@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Names and numbers that options hold: each parser knows the text or refuses it.
 #include <cstdlib>
+#include <regex>
 
 #include "bench/io/arguments.h"
 #include "bench/io/scene_text.h"
@@ -24,8 +25,9 @@ void try_shard(const std::string& text) {
 void try_decimal(const std::string& text) {
   const auto decimal = parse_decimal(text);
   if (!decimal) return;
+  const std::string plain = std::regex_replace(text, std::regex("([0-9.])[dD]"), "$1e");  // as Fortran writes exponents
   char* end = nullptr;
-  const float nearest = std::strtof(text.c_str(), &end);
+  const float nearest = std::strtof(plain.c_str(), &end);
   const bool same = float_bits(nearest) == float_bits(decimal->rounded) ||
                     (nearest != nearest && decimal->rounded != decimal->rounded);
   require(*end == 0 && same, "a decimal is rounded as strtof rounds it");
