@@ -14,6 +14,7 @@
 #include "bench/options/help_format.h"
 #include "bench/options/options.h"
 #include "bench/options/unused_options.h"
+#include "bench/options/verbosity.h"
 #include "bench/tables/study.h"
 #include "common/backend/cpu_team.h"
 
@@ -37,9 +38,7 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
   auto options = std::make_shared<RunOptions>();
   add_backend_option(*command, options->backend, "Where the spheres move and are searched");
   add_start_options(*command, options->start);
-  command->add_option("--steps", options->steps, "Steps to move before the pairs are found; 0: none")
-      ->transform(steps_range)
-      ->capture_default_str();
+  add_length_options(*command, options->steps, options->until_step, options->seconds, options->until_rest);
   command->add_option(
       "--method", options->method,
       "sequential, parallel (cpu); collide_group, collide_tiled, collide_square, collide_triangle, collide_grid; "
@@ -49,6 +48,8 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
   command->add_flag("--swept", options->swept,
                     "Find the pairs that touch at any time within the next step, not only now");
   command->add_flag("--per-step", options->per_step, "Print and record every step, not only the last");
+  command->add_flag("--hashes", options->hashes,
+                    "Print the fingerprint of the pairs and the hash of the state as well");
   command->add_option("--pairs", options->pairs_file,
                       "Write the last step's colliding pairs i < j, sorted, to this file: .npy (m x 2, uint32), .txt "
                       "(a line `i j` each), or - for text on standard output");
@@ -63,6 +64,15 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
                       "Write totals, times and context as JSON to this file; -: to standard output");
   add_save_options(*command, options->save_file, options->save_every);
   add_statistics_options(*command, options->statistics_file, options->statistics_every);
+  auto* trajectory =
+      command->add_option("--trajectory", options->trajectory_file,
+                          "Write the spheres to this file at the start, after the last step and between, a frame of "
+                          "extended XYZ each: .extxyz, .xyz, or - for standard output");
+  command->add_option("--trajectory-every", options->trajectory_every, "Steps between two frames of it")
+      ->transform(whole_number(1, kMostSteps))
+      ->capture_default_str()
+      ->needs(trajectory);
+  add_verbosity_options(*command, options->verbosity);
   add_open_options(*command, line.open);
   command->footer(
       "Examples:\n  spherepair run --backend glsl --scene random --n 1024 --steps 100 --pairs pairs.txt\n"

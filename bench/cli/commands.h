@@ -7,6 +7,7 @@
 #include "bench/formats/start.h"
 #include "bench/image/antialiased_image.h"
 #include "bench/options/command.h"
+#include "bench/run/run_options.h"
 #include "bench/tables/plan.h"
 
 namespace spherepair {
@@ -18,19 +19,6 @@ struct DevicesOptions {
 };
 int devices_command(const CommandLine& line, const DevicesOptions& options);
 
-struct RunOptions {
-  std::string backend, method;  // no backend: the fastest that opens; no method: auto
-  StartOptions start;
-  uint block = 0;  // 0: not given
-  uint64_t steps = 0;
-  bool per_step = false, naive = false, swept = false;
-  std::string pairs_file, contacts_file, json_file;
-  std::string spheres_file;       // those at the end
-  std::string save_file;          // a checkpoint
-  uint64_t save_every = 0;        // steps; 0: only at the end
-  std::string statistics_file;    // of contacts, .csv
-  uint64_t statistics_every = 1;  // steps
-};
 int run_command(const CommandLine& line, const RunOptions& options);
 
 struct PairsOptions {

@@ -5,13 +5,14 @@
 #include "bench/check/finite_state.h"
 #include "bench/check/rounding_reach.h"
 #include "bench/check/step_result.h"
-#include "bench/cli/run_steps.h"
+#include "bench/cli/commands.h"
 #include "bench/formats/files.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/io/scene_text.h"
 #include "bench/measure/choice.h"
-#include "bench/options/run_times.h"
+#include "bench/run/run_files.h"
+#include "bench/run/run_steps.h"
 #include "bench/spheres/pair_file.h"
 #include "bench/spheres/sphere_output.h"
 #include "common/scene/counted.h"
@@ -28,10 +29,12 @@ void check_files(const RunOptions& options) {
   files.write("--contacts", options.contacts_file);
   files.write("--spheres", options.spheres_file);
   files.write("--statistics", options.statistics_file);
+  files.write("--trajectory", options.trajectory_file);
   files.write("--json", options.json_file);
   check_pair_file("--pairs", options.pairs_file);
   check_pair_file("--contacts", options.contacts_file);
   check_sphere_output("--spheres", options.spheres_file);
+  check_trajectory(options);
 }
 
 CollideOptions collide_options(const RunOptions& options, Backend& backend) {
@@ -43,31 +46,28 @@ CollideOptions collide_options(const RunOptions& options, Backend& backend) {
   return collide;
 }
 
-std::string steps_text(const std::vector<RunStep>& results) {
-  Table table{"",
-              {{"", "step", ""},
-               {"", "pairs", ""},
-               {"", "colliding", "spheres"},
-               {"", "fingerprint of the pairs", "", true},
-               {"", "hash of the state", "", true}},
-              {},
-              {}};
-  for (const auto& [step, state, totals] : results)
-    table.rows.push_back({std::to_string(step), std::to_string(totals.pairs), std::to_string(totals.colliding_spheres),
-                          hex64(totals.fingerprint.a) + hex64(totals.fingerprint.b), hex64(state)});
+std::string steps_text(const std::vector<RunStep>& results, bool hashes) {
+  Table table{"", {{"", "step", ""}, {"", "pairs", ""}, {"", "colliding", "spheres"}}, {}, {}};
+  if (hashes)
+    for (const char* name : {"fingerprint of the pairs", "hash of the state"})
+      table.columns.push_back({"", name, "", true});
+  for (const auto& [step, state, totals] : results) {
+    table.rows.push_back(
+        {std::to_string(step), std::to_string(totals.pairs), std::to_string(totals.colliding_spheres)});
+    if (!hashes) continue;
+    table.rows.back().push_back(hex64(totals.fingerprint.a) + hex64(totals.fingerprint.b));
+    table.rows.back().push_back(hex64(state));
+  }
   return table.text().substr(1);
 }
 
-// How energy has changed, with --statistics.
-std::string energy_text(const std::vector<ContactStatistics>& rows) {
-  if (rows.empty()) return "";
-  const ContactStatistics &first = rows.front(), &last = rows.back();
-  return fmt::format("energy: {:.6g} J at step {}, {:.6g} J at step {}, of which {:.6g} J kinetic\n", first.energy(),
-                     first.step, last.energy(), last.step, last.kinetic);
-}
+struct Outcome {
+  std::vector<RunStep> steps;
+  RunSummary summary;
+};
 
 json run_record(const CommandLine& line, const ChosenBackend& chosen, const Start& start, const CollideOptions& collide,
-                const MethodChoice& choice, const std::vector<RunStep>& results, const RunTimes& times) {
+                const MethodChoice& choice, const Outcome& outcome, const RunTimes& times) {
   return {{"context", capture_context(line.words)},
           {"backends", chosen.session->to_json()},
           {"passed_over", chosen.passed_over},
@@ -76,6 +76,7 @@ json run_record(const CommandLine& line, const ChosenBackend& chosen, const Star
           {"dt", start.scene.dt},
           {"restitution", start.scene.restitution},
           {"plane", start.scene.plane},
+          {"gravity", start.scene.gravity},
           {"contacts", contact_json(start.scene.contact)},
           {"method", method_name(choice.method)},
           {"choice", to_json(choice)},
@@ -83,36 +84,47 @@ json run_record(const CommandLine& line, const ChosenBackend& chosen, const Star
           {"exact", collide.exact},
           {"swept", collide.swept},
           {"times", times.to_json()},
-          {"steps", list_of(results)}};
+          {"end", to_json(outcome.summary)},
+          {"steps", list_of(outcome.steps)}};
 }
 
 std::string heading(const RunOptions& options, const ChosenBackend& chosen, const Start& start,
-                    const CollideOptions& collide) {
+                    const CollideOptions& collide, uint64_t steps) {
   const Backend& backend = *chosen.backend;
   const std::string what = fmt::format("{} on {}: {}{}, scene {}, {}, {} of {}", backend.info().name,
                                        device_label(backend.info()), label({chosen.backend, collide}),
                                        options.naive   ? " (naive)"
                                        : options.swept ? " (within the next step)"
                                                        : "",
-                                       start.label, counted(start.scene.size(), "sphere"),
-                                       counted(options.steps, "step"), motion_label(start.scene.motion));
-  std::string text = start.notes + wrapped(what, "", "  ") + "\n" + passed_over_text(chosen);
-  if (options.steps || options.swept) text += plane_text(start.scene) + describe_contacts(start.scene);
-  if (collide.method == Method::automatic)
+                                       start.label, counted(start.scene.size(), "sphere"), counted(steps, "step"),
+                                       motion_label(start.scene.motion));
+  std::string text = start.notes + wrapped(what, "", "  ") + "\n";
+  const bool details = options.verbosity == Verbosity::verbose;
+  if (details) text += passed_over_text(chosen);
+  if (steps || options.swept) text += plane_text(start.scene) + describe_contacts(start.scene);
+  if (details && collide.method == Method::automatic)
     text += wrapped("auto: " + describe(backend.choice(collide)), "", "  ") + "\n";
   return text;
 }
 
-struct Outcome {
-  std::vector<RunStep> steps;
-  std::vector<ContactStatistics> statistics;
-};
+// What a run prints; --quiet leaves out all of it.
+std::string report_text(const RunOptions& options, const ChosenBackend& chosen, const Start& start,
+                        const CollideOptions& collide, const Outcome& outcome, const RunTimes& times) {
+  if (options.verbosity == Verbosity::quiet) return "";
+  const uint64_t steps = outcome.summary.step - start.step;
+  const bool details = options.verbosity == Verbosity::verbose;
+  std::string text = heading(options, chosen, start, collide, steps);
+  text += steps_text(outcome.steps, details || options.hashes);
+  if (steps) text += text_of(outcome.summary);
+  return text + (details ? times.text() : fmt::format("{:.3f} s in all\n", times.total()));
+}
+
 Outcome simulate(Backend& backend, const RunOptions& options, const Start& start, const CollideOptions& collide,
                  RunTimes& times) {
   times.spend(RunTimes::opening, [&] { upload_start(start, backend); });
   Run simulation(backend, options, start, collide, times);
   std::vector<RunStep> steps = simulation.simulate();
-  return {std::move(steps), simulation.statistics()};
+  return {std::move(steps), simulation.summary()};
 }
 
 }  // namespace
@@ -126,6 +138,9 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   check_scene(start.scene);
   if (!options.statistics_file.empty() && start.scene.contact.law == ContactLaw::none)
     throw std::invalid_argument("--statistics is of contacts that push: omit it, or give --contact spring");
+  if (options.until_rest && !(start.scene.contact.drag > 0))
+    throw std::invalid_argument("--until-rest needs --drag, without which no sphere comes to rest to the bit");
+  static_cast<void>(end_of(options, start));
   if (options.swept && start.scene.contact.drag > 0)
     throw std::invalid_argument(
         start.motion ? "--swept tests paths without drag, and the checkpoint's run has drag: omit --swept"
@@ -138,7 +153,7 @@ int run_command(const CommandLine& line, const RunOptions& options) {
     throw std::invalid_argument(
         "--statistics needs every pair of the exact test: omit --naive, --swept and --method collide_group");
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
-  if (options.steps) fmt::print(stderr, "{}", stalled_warning(start.scene));
+  if (end_of(options, start) > start.step) fmt::print(stderr, "{}", stalled_warning(start.scene));
   if (!options.spheres_file.empty()) fmt::print(stderr, "{}", species_warning(start));
   const std::string rounded =
       reach_warning(pairs_within_reach(backend, start.scene, start.rounding, collide), start.rounding);
@@ -148,15 +163,13 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   if (!options.contacts_file.empty()) write_contact_numbers(options.contacts_file, backend.counts());
   if (!options.spheres_file.empty()) {
     const Backend::State state = current_state(backend);
-    write_spheres(options.spheres_file, state.positions, state.velocities);
+    write_spheres(options.spheres_file, state.positions, state.velocities, box_of(start.scene));
   }
-  const bool taken = is_standard_output(
-      {options.pairs_file, options.contacts_file, options.spheres_file, options.statistics_file, options.json_file});
+  const bool taken = is_standard_output({options.pairs_file, options.contacts_file, options.spheres_file,
+                                         options.statistics_file, options.trajectory_file, options.json_file});
   std::FILE* report = taken ? stderr : stdout;
-  fmt::print(report, "{}{}{}{}", heading(options, chosen, start, collide), steps_text(outcome.steps),
-             energy_text(outcome.statistics), times.text());
-  write_json(options.json_file,
-             run_record(line, chosen, start, collide, backend.choice(collide), outcome.steps, times));
+  fmt::print(report, "{}", report_text(options, chosen, start, collide, outcome, times));
+  write_json(options.json_file, run_record(line, chosen, start, collide, backend.choice(collide), outcome, times));
   return kOk;
 }
 

@@ -15,11 +15,27 @@ namespace spherepair {
 
 namespace {
 
-Start start_from_checkpoint(const std::string& file) {
+bool is_changed(const MotionChoice& motion) {
+  return motion.dt || motion.restitution || motion.gravity || motion.drag || motion.contact.stiffness;
+}
+
+// The checkpoint's run goes on; or, with other parameters, another one begins with its spheres.
+Start start_from_checkpoint(const std::string& file, const MotionChoice& motion) {
   Checkpoint saved = read_checkpoint(file);
   const json record = {{"file", file}, {"n", saved.scene.size()}, {"step", saved.step}};
   const std::string label = fmt::format("{} from step {}", saved.scene.name, saved.step);
-  return {std::move(saved.scene), label, "", record, std::move(saved.motion), saved.step};
+  if (!is_changed(motion)) return {std::move(saved.scene), label, "", record, std::move(saved.motion), saved.step};
+  Scene& scene = saved.scene;
+  const bool contacts = scene.contact.law != ContactLaw::none;
+  if (!contacts && (motion.drag || motion.contact.stiffness))
+    throw std::invalid_argument(
+        fmt::format("{} is of a run without contacts: omit {}", file, motion.drag ? "--drag" : "--stiffness"));
+  choose_time(scene, motion);
+  choose_contacts(scene, changed_contacts(scene, motion));
+  const std::string note =
+      fmt::format("A new run with other parameters, from step {} of {}: it counts its steps and its time from 0\n",
+                  saved.step, file);
+  return {std::move(scene), label, note, record};
 }
 
 // The ground of the paper's scenes, or a lower one: motion would lift spheres that begin below it.
@@ -41,14 +57,45 @@ void raise_plane(Scene& scene, const ContactChoice& contact) {
   scene.plane = low.y - std::max({high.x - low.x, high.y - low.y, high.z - low.z});
 }
 
+// Spheres on a plane may press into it, and where they push none may be below it.
+void take_plane(Scene& scene, float plane, bool contacts) {
+  scene.plane = plane;
+  if (scene.positions.empty()) return;
+  const auto bottom = [&](uint64_t i) { return double(scene.positions[i].y) - double(scene.positions[i].w); };
+  const uint64_t i = sphere_with_most(scene, [&](uint64_t k) { return -bottom(k); });
+  if (bottom(i) >= double(plane) || (contacts && scene.positions[i].y > plane)) return;
+  float lower = float(bottom(i));
+  if (double(lower) > bottom(i)) lower = std::nextafter(lower, -INFINITY);
+  throw std::invalid_argument(
+      fmt::format("sphere {} reaches down to y = {}, below the plane: give --plane {} or less", i, bottom(i), lower));
+}
+
+// --walls of a file that has a box are those of the file.
+ContactChoice contacts_of(const SphereFile& input, const MotionChoice& motion) {
+  ContactChoice contact = contact_choice(motion);
+  if (!contact.walls || contact.box || !input.box) return contact;
+  if (motion.plane)
+    throw std::invalid_argument(
+        fmt::format("{} has a box, whose floor is at y = {}: omit --plane, or --walls", input.file, input.box->low[1]));
+  contact.box = input.box;
+  return contact;
+}
+
 Start start_from(SphereFile input, const MotionChoice& motion) {
+  const ContactChoice contact = contacts_of(input, motion);
   choose_motion(input.scene, motion);
-  lower_plane(input.scene);
-  raise_plane(input.scene, motion.contact);
-  choose_contacts(input.scene, motion.contact);
+  if (motion.plane) {
+    take_plane(input.scene, *motion.plane, contact.law != ContactLaw::none);
+  } else {
+    lower_plane(input.scene);
+    raise_plane(input.scene, contact);
+  }
+  choose_contacts(input.scene, contact);
   Start start;
   start.label = input.scene.name;
   start.notes = describe(input);
+  if (input.box && contact.law != ContactLaw::none && !input.scene.contact.walls)
+    start.notes += fmt::format("{} has a box, which --walls closes; without it the spheres leave it\n", input.file);
   if (!input.units.empty() && input.units != "m")
     start.notes += fmt::format("WARNING: motion takes lengths for metres: 1 {} moves as 1 m does\n", input.units);
   start.record = to_json(input);
@@ -82,20 +129,18 @@ std::vector<Start> start_of_frames(const StartOptions& options, int threads) {
 }
 
 Start start_of(const StartOptions& options, int threads) {
-  if (!options.resume_file.empty()) return start_from_checkpoint(options.resume_file);
+  if (!options.resume_file.empty()) return start_from_checkpoint(options.resume_file, options.motion);
   if (!options.input_file.empty())
     return start_from(read_sphere_file(options.input_file, file_options(options, threads)), options.motion);
   SceneOptions scene = options.scene;
   choose_motion(scene, options.motion);
   Scene made = make_scene(scene);
-  choose_contacts(made, options.motion.contact);
+  if (options.motion.gravity) made.gravity = 0 - *options.motion.gravity;
+  choose_contacts(made, contact_choice(options.motion));
   return {std::move(made), scene_label(scene), "", scene_json(scene)};
 }
 
-std::string plane_text(const Scene& scene) {
-  const bool lowered = scene.plane != Scene().plane;
-  return fmt::format("plane at y = {}{}\n", scene.plane, lowered ? ", below the lowest sphere" : "");
-}
+std::string plane_text(const Scene& scene) { return fmt::format("plane at y = {}\n", scene.plane); }
 
 std::string species_warning(const Start& start) {
   if (!start.unread_species) return "";

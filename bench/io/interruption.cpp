@@ -31,10 +31,22 @@ struct Name {
 std::array<Name, 64> temporaries;
 std::array<Name, 16> new_folders;  // each before those within it
 Name command, results;             // results: the last folder made
-std::array<Name, 2> written;       // the last file, and the one before while that is set
-std::atomic<size_t> last_written = 0;
 std::mutex writing;
 std::atomic<bool> on_terminal = false;  // where a line of progress may stand
+
+// The last name, and the one before while that is set.
+struct LastName {
+  std::array<Name, 2> names;
+  std::atomic<size_t> last = 0;
+
+  const Name& name() const { return names[last]; }
+  void set(const std::string& value) {
+    const std::lock_guard lock(writing);
+    const size_t next = 1 - last;
+    names[next].set(value);
+    last = next;
+  }
+} written, resumable;
 
 template <size_t most>
 void keep(std::array<Name, most>& names, const std::string& text) {
@@ -51,7 +63,12 @@ void say(const char* text) {
 void say_what_is_kept() {
   say(on_terminal ? "\nspherepair: " : "spherepair: ");
   say(command.text.data());
-  const Name& file = written[last_written];
+  const Name &file = written.name(), &from = resumable.name();
+  if (from.ready) {
+    say(" interrupted: ");
+    say(from.text.data());
+    return say("\n");
+  }
   if (!file.ready) return say(" interrupted: nothing was written\n");
   say(results.ready ? " interrupted: what was finished is in " : " interrupted: the last file written is ");
   say((results.ready ? results : file).text.data());
@@ -116,11 +133,8 @@ void remove_empty_folders() {
     if (new_folders[k].ready) ::rmdir(new_folders[k].text.data());
 }
 
-void note_written(const fs::path& file) {
-  const std::lock_guard lock(writing);
-  const size_t next = 1 - last_written;
-  written[next].set(file.string());
-  last_written = next;
-}
+void note_written(const fs::path& file) { written.set(file.string()); }
+
+void note_resumable(const std::string& sentence) { resumable.set(sentence); }
 
 }  // namespace spherepair

@@ -23,4 +23,7 @@ void remove_empty_folders();  // of those that make_folder made
 // A file that is complete and stays. In the last folder made, it is the folder that is named.
 void note_written(const std::filesystem::path& file);
 
+// What a run that is interrupted from now on can be continued from, in a sentence: said in place of the last file.
+void note_resumable(const std::string& sentence);
+
 }  // namespace spherepair

@@ -7,17 +7,37 @@ namespace spherepair {
 
 void choose_motion(SceneOptions& scene, const MotionChoice& choice) {
   scene.motion = {motion_from_name(choice.method), precision_from_name(choice.precision)};
-  scene.dt = choice.dt;
-  scene.restitution = choice.restitution;
+  scene.dt = choice.dt.value_or(scene.dt);
+  scene.restitution = choice.restitution.value_or(scene.restitution);
   check_options(scene);
 }
 
 void choose_motion(Scene& scene, const MotionChoice& choice) {
+  scene.motion = {motion_from_name(choice.method), precision_from_name(choice.precision)};
+  choose_time(scene, choice);
+}
+
+void choose_time(Scene& scene, const MotionChoice& choice) {
   SceneOptions chosen;
+  chosen.dt = scene.dt, chosen.restitution = scene.restitution;
   choose_motion(chosen, choice);
-  scene.motion = chosen.motion;
   scene.dt = chosen.dt;
   scene.restitution = chosen.restitution;
+  if (choice.gravity) scene.gravity = 0 - *choice.gravity;
+}
+
+ContactChoice contact_choice(const MotionChoice& choice) {
+  ContactChoice contact = choice.contact;
+  contact.dt = choice.dt;
+  contact.drag = choice.drag.value_or(contact.drag);
+  return contact;
+}
+
+ContactChoice changed_contacts(const Scene& scene, const MotionChoice& choice) {
+  return {.law = scene.contact.law,
+          .stiffness = choice.contact.stiffness.value_or(scene.contact.stiffness),
+          .dt = scene.dt,
+          .drag = choice.drag.value_or(scene.contact.drag)};
 }
 
 std::vector<MotionOptions> chosen_motions(const std::vector<std::string>& methods,

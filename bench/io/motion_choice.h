@@ -2,21 +2,32 @@
 // The motion options of the command line.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "common/scene/contact_scene.h"
 
 namespace spherepair {
 
+// What is not given stays as the scene, the file or the checkpoint has it.
 struct MotionChoice {
   std::string method = motion_name(MotionOptions{}.method), precision = precision_name(MotionOptions{}.precision);
-  float dt = SceneOptions{}.dt, restitution = SceneOptions{}.restitution;
-  ContactChoice contact = {};  // its dt: --dt where that was given
+  std::optional<float> dt = {}, restitution = {};
+  std::optional<float> gravity = {};  // downwards
+  std::optional<float> plane = {};    // below the spheres of a file
+  std::optional<float> drag = {};     // of contacts
+  ContactChoice contact = {};         // without its dt and drag, see contact_choice
 };
 
-// Both throw std::invalid_argument with the value and its valid range.
+// All throw std::invalid_argument with the value and its valid range.
 void choose_motion(SceneOptions& scene, const MotionChoice& choice);
 void choose_motion(Scene& scene, const MotionChoice& choice);
+void choose_time(Scene& scene, const MotionChoice& choice);  // time step, restitution and gravity alone
+
+ContactChoice contact_choice(const MotionChoice& choice);
+
+// Of contacts of this law, those of the scene apart from what is given.
+ContactChoice changed_contacts(const Scene& scene, const MotionChoice& choice);
 
 // Every motion of these methods and precisions; an empty list: all.
 std::vector<MotionOptions> chosen_motions(const std::vector<std::string>& methods,

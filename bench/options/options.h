@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <optional>
 
 #include "bench/formats/start.h"
 #include "bench/io/motion_choice.h"
@@ -53,6 +54,10 @@ void add_motion_options(CLI::App& command, MotionChoice& motion);
 
 // --contact, --stiffness, --drag, --no-sleeping and --walls, after those of the motion.
 void add_contact_options(CLI::App& command, MotionChoice& motion);
+
+// --steps, --until-step, --time and --until-rest: how long a run moves.
+void add_length_options(CLI::App& command, std::optional<uint64_t>& steps, std::optional<uint64_t>& until_step,
+                        std::optional<double>& seconds, bool& until_rest);
 
 // --save and --save-every.
 void add_save_options(CLI::App& command, std::string& file, uint64_t& every);

@@ -67,21 +67,25 @@ void refuse_of_scene(const Given& given) {
 void refuse_of_motion(const Given& given) {
   const bool run = given.command() == "run", render = given.command() == "render";
   if (!run && !render) return;
-  const bool moves = !given.zero("--steps") || (render && !given.is("--images", {"1"}));
+  const bool moves = !given.zero("--steps") || given.has("--until-step") || given.has("--time") ||
+                     given.has("--until-rest") || (render && !given.is("--images", {"1"}));
   const std::string still = render ? "on one image of the start: omit it, or give --steps or --images"
                                    : "on spheres that do not move: omit it, or give --steps";
-  for (const char* option :
-       {"--motion", "--restitution", "--contact", "--stiffness", "--drag", "--no-sleeping", "--walls", "--dt"})
+  for (const char* option : {"--motion", "--restitution", "--contact", "--stiffness", "--drag", "--no-sleeping",
+                             "--walls", "--box", "--dt", "--gravity", "--plane"})
     given.refuse(option, !moves && !given.has("--save") && !given.has("--swept"), still);
   given.refuse("--per-step", !moves, still);
-  given.refuse("--save-every", !moves, still);
+  for (const char* option : {"--save-every", "--statistics-every", "--trajectory-every"})
+    given.refuse(option, !moves, still);
 }
 
 void refuse_of_contacts(const Given& given) {
-  for (const char* option : {"--stiffness", "--drag", "--no-sleeping", "--walls"})
-    given.refuse(option, given.is("--contact", {"none"}), "without contacts: omit it, or give another --contact");
-  given.refuse("--walls", !given.has("--input") && given.is("--scene", {"gas", "bed"}),
-               "on a scene in a closed box of its own: omit it, or choose another --scene");
+  for (const char* option : {"--stiffness", "--drag", "--no-sleeping", "--walls", "--box"})
+    given.refuse(option, given.is("--contact", {"none"}) && !given.has("--resume"),
+                 "without contacts: omit it, or give --contact spring");
+  for (const char* option : {"--walls", "--box"})
+    given.refuse(option, !given.has("--input") && given.is("--scene", {"gas", "bed"}),
+                 "on a scene in a closed box of its own: omit it, or choose another --scene");
 }
 
 void refuse_of_search(const Given& given) {
@@ -162,10 +166,10 @@ bool same(const std::string& left, const std::string& right) {
   return left == right || (number && number == real_number_of(right, -most, most));
 }
 
-// Of an option that takes a list: all but --columns, in which `_` may stand often, and the vectors x,y,z.
+// Of an option that takes a list: all but --columns, in which `_` may stand often, and vectors and boxes.
 void refuse_repeated_words(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
-    const bool list = option->get_delimiter() != '\0' && option->get_items_expected_max() > 3;
+    const bool list = option->get_delimiter() != '\0' && option->get_items_expected_max() > 6;
     if (!list || option->count() == 0 || option->get_name() == "--columns") continue;
     const Words words = option->reduced_results();
     for (size_t k = 0; k < words.size(); ++k)

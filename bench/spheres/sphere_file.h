@@ -30,10 +30,11 @@ struct SphereFile {
   bool own_radii = false;            // otherwise --radius
   uint64_t values = 0, changed = 0;  // numbers read; those changed by rounding to float32
   uint64_t frame = 0, frames = 1;
-  std::string ignored;     // the periodic box
-  std::string unread_box;  // a comment that has a word for a box
-  std::string units;       // of lengths, in the file's words; empty if it has none
-  bool at_rest = true;     // no sphere of the file has a velocity
+  std::string ignored;              // the periodic box
+  std::string unread_box;           // a comment that has a word for a box
+  std::optional<WallBox> box = {};  // of extended XYZ with pbc="F F F"
+  std::string units;                // of lengths, in the file's words; empty if it has none
+  bool at_rest = true;              // no sphere of the file has a velocity
   Rounding rounding;
   std::vector<std::string> species;  // ascending, each once; empty unless asked for ...
   std::vector<uint> species_index;   // ... of each sphere

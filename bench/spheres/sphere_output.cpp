@@ -15,17 +15,38 @@ using Numbers = std::array<float, quantity_names.size()>;  // as they lie in an 
 
 Numbers numbers_of(const vec4& p, const vec4& v) { return {p.x, p.y, p.z, p.w, v.x, v.y, v.z}; }
 
+constexpr const char* species = "X ";  // which other programs want
+
 struct TextFormat {
   std::string head, species;
   const char* separator;
 };
 
-TextFormat text_format(const std::string& extension, size_t count) {
-  if (extension == ".xyz" || extension == ".extxyz")  // other programs want a species
-    return {fmt::format("{}\nProperties=species:S:1:pos:R:3:radius:R:1:velo:R:3\n", count), "X ", " "};
+// Edges as differences in float64: those added to the origin, and rounded to float32, are the corners again.
+std::string text_of(const std::optional<WallBox>& box) {
+  if (!box) return "";
+  const auto edge = [&](size_t axis) { return double(box->high[axis]) - double(box->low[axis]); };
+  return fmt::format(" Lattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"{}\" pbc=\"F F F\"", edge(0), edge(1), edge(2),
+                     fmt::join(box->low, " "));
+}
+
+std::string xyz_head(size_t count, const std::optional<WallBox>& box, const std::string& keys) {
+  return fmt::format("{}\nProperties=species:S:1:pos:R:3:radius:R:1:velo:R:3{}{}\n", count, text_of(box), keys);
+}
+
+TextFormat text_format(const std::string& extension, size_t count, const std::optional<WallBox>& box) {
+  if (extension == ".xyz" || extension == ".extxyz") return {xyz_head(count, box, ""), species, " "};
   const char* separator = extension == ".csv" ? "," : extension == ".tsv" ? "\t" : " ";
   const bool names = extension == ".csv" || extension == ".tsv";
   return {fmt::format("{}{}\n", names ? "" : "# ", fmt::join(quantity_names, separator)), "", separator};
+}
+
+Rows rows_of(const TextFormat& format, std::span<const vec4> positions, std::span<const vec4> velocities) {
+  return [&format, positions, velocities](fmt::memory_buffer& text, size_t first, size_t last) {
+    for (size_t i = first; i < last; ++i)
+      fmt::format_to(std::back_inserter(text), "{}{}\n", format.species,
+                     fmt::join(numbers_of(positions[i], velocities[i]), format.separator));
+  };
 }
 
 }  // namespace
@@ -36,13 +57,10 @@ void check_sphere_output(const std::string& option, const std::string& file) {
                   "(text to standard output)");
 }
 
-void write_spheres(const std::string& file, std::span<const vec4> positions, std::span<const vec4> velocities) {
-  const TextFormat format = text_format(lower_extension(file), positions.size());
-  const Rows rows = [&](fmt::memory_buffer& text, size_t first, size_t last) {
-    for (size_t i = first; i < last; ++i)
-      fmt::format_to(std::back_inserter(text), "{}{}\n", format.species,
-                     fmt::join(numbers_of(positions[i], velocities[i]), format.separator));
-  };
+void write_spheres(const std::string& file, std::span<const vec4> positions, std::span<const vec4> velocities,
+                   const std::optional<WallBox>& box) {
+  const TextFormat format = text_format(lower_extension(file), positions.size(), box);
+  const Rows rows = rows_of(format, positions, velocities);
   const auto write_npy = [&](const Sink& sink) {
     sink(npy_head("[('pos', '@f4', (3,)), ('radius', '@f4'), ('velo', '@f4', (3,))]",
                   fmt::format("({},)", positions.size())));
@@ -55,6 +73,19 @@ void write_spheres(const std::string& file, std::span<const vec4> positions, std
     }
   };
   write_rows(file, positions.size(), rows, write_npy, format.head);
+}
+
+std::string xyz_frame(std::span<const vec4> positions, std::span<const vec4> velocities,
+                      const std::optional<WallBox>& box, const std::string& keys) {
+  const TextFormat format{xyz_head(positions.size(), box, keys), species, " "};
+  fmt::memory_buffer text;
+  text.append(format.head);
+  rows_of(format, positions, velocities)(text, 0, positions.size());
+  return fmt::to_string(text);
+}
+
+void check_xyz_output(const std::string& option, const std::string& file) {
+  check_rows_file(option, file, {".xyz", ".extxyz"}, ".xyz and .extxyz (extended XYZ) and - (to standard output)");
 }
 
 }  // namespace spherepair

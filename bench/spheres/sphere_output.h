@@ -2,9 +2,11 @@
 // Writes spheres as read_sphere_file reads them, to the same float32 bits: positions, radii and velocities.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
+#include "common/scene/contact/contact_options.h"
 #include "common/shared/layout.h"
 
 namespace spherepair {
@@ -14,7 +16,13 @@ void check_sphere_output(const std::string& option, const std::string& file);
 
 // By the extension: .npy, a structured array of pos (3), radius and velo (3), float32; .xyz or .extxyz, extended XYZ;
 // .csv, .tsv, .txt, .dat or - (standard output), columns of text. Text has the fewest digits, nine at most, that give
-// the same float32.
-void write_spheres(const std::string& file, std::span<const vec4> positions, std::span<const vec4> velocities);
+// the same float32. Extended XYZ has the box as well, as Origin and Lattice, and no axis is periodic.
+void write_spheres(const std::string& file, std::span<const vec4> positions, std::span<const vec4> velocities,
+                   const std::optional<WallBox>& box = {});
+
+// A frame of extended XYZ: the same lines as text, with more keys in the comment. Its file: .xyz, .extxyz or -.
+std::string xyz_frame(std::span<const vec4> positions, std::span<const vec4> velocities,
+                      const std::optional<WallBox>& box, const std::string& keys);
+void check_xyz_output(const std::string& option, const std::string& file);
 
 }  // namespace spherepair

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "bench/io/numbers.h"
@@ -54,6 +55,17 @@ std::vector<std::string> words_of(std::string text) {
       text, [](char c) { return std::string_view(",[]{}\"\t").find(c) != std::string_view::npos; }, ' ');
   std::istringstream stream(text);
   return {std::istream_iterator<std::string>(stream), {}};
+}
+
+// So many numbers; none where the text is anything else.
+std::optional<std::vector<double>> numbers_of(const std::string& text, size_t count) {
+  std::vector<double> numbers;
+  for (const std::string& word : words_of(text)) {
+    const auto number = parse_decimal(word);
+    if (!number || !std::isfinite(number->rounded)) return std::nullopt;
+    numbers.push_back(number->value);
+  }
+  return numbers.size() == count ? std::optional(numbers) : std::nullopt;
 }
 
 // i-PI: # CELL(abcABC): 10 10 10 90 90 90.
@@ -140,6 +152,23 @@ PeriodicBox periodic_box(const Comment& comment) {
   if (pbc) text += fmt::format("{}pbc={}", cell ? " " : "", in_quotes(*pbc->value));
   if (text.empty() && std::ranges::any_of(comment.pairs, is_cell_of_ipi)) text = in_quotes(comment.text);
   return {text, text.empty() && mentions_box(comment.text) ? std::string(comment.text) : ""};
+}
+
+std::optional<WallBox> closed_box(const Comment& comment) {
+  const CommentPair *lattice = find_pair(comment, "lattice"), *pbc = find_pair(comment, "pbc");
+  if (!lattice || !pbc || !periodic_box(comment).text.empty()) return std::nullopt;
+  const auto edges = numbers_of(*lattice->value, 9);
+  const CommentPair* given = find_pair(comment, "origin");
+  const auto origin = given ? numbers_of(*given->value, 3) : std::vector<double>(3, 0);
+  if (!edges || !origin) return std::nullopt;
+  for (size_t k = 0; k < 9; ++k)
+    if (k % 4 == 0 ? !((*edges)[k] > 0) : (*edges)[k] != 0) return std::nullopt;
+  WallBox box;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    box.low[axis] = float((*origin)[axis]);
+    box.high[axis] = float((*origin)[axis] + (*edges)[4 * axis]);
+  }
+  return box;
 }
 
 }  // namespace spherepair

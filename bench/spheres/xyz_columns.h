@@ -5,6 +5,7 @@
 #include "bench/io/file_bytes.h"
 #include "bench/text/column_names.h"
 #include "bench/text/xyz_comment.h"
+#include "common/scene/contact/contact_options.h"
 
 namespace spherepair {
 
@@ -35,5 +36,8 @@ struct PeriodicBox {
   std::string mention = {};  // the comment, if it has a word for a box, which is not read
 };
 PeriodicBox periodic_box(const Comment& comment);
+
+// The box of a comment line with Lattice and pbc="F F F": Origin, or 0, and the edges, which lie along the axes.
+std::optional<WallBox> closed_box(const Comment& comment);
 
 }  // namespace spherepair

@@ -129,6 +129,7 @@ void read_box(const Comment& comment, const SphereFileOptions& options, SphereFi
         "with --ignore-periodic)",
         box.text);
   input.ignored = box.text;
+  input.box = closed_box(comment);
   if (box.text.empty() && options.ignore_periodic && !box.mention.empty()) input.ignored = in_quotes(box.mention);
   input.unread_box = options.ignore_periodic ? "" : box.mention;
 }

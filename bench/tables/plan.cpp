@@ -111,7 +111,7 @@ Plan make_plan(const PlanOptions& options, bool hardware) {
   plan.hardware = hardware;
   plan.seed = plan.sampling.seed = options.seed;
   plan.every = options.every;
-  plan.contact = options.motion.contact;
+  plan.contact = contact_choice(options.motion);
   const bool contacts = plan.contact.law != ContactLaw::none;
   plan.scenes = all_scenes(options.seed, contacts);
   if (!options.scenes.empty()) plan.scenes.clear();

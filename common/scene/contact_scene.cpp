@@ -2,6 +2,7 @@
 #include "common/scene/contact_scene.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,26 @@ double squared(double x) { return x * x; }
 double speed(const vec4& v) { return std::hypot(double(v.x), double(v.y), double(v.z)); }
 
 int bits_above(double x) { return int(std::ceil(std::log2(x))); }
+
+void take_box(Scene& scene, const WallBox& box) {
+  const auto& [low, high] = box;
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(low[axis] < high[axis]))
+      throw std::invalid_argument(fmt::format("the box is from {} to {} along {}: give the lower corner first",
+                                              low[axis], high[axis], "xyz"[axis]));
+  for (uint64_t i = 0; i < scene.size(); ++i) {
+    const vec4& s = scene.positions[i];
+    const float at[3] = {s.x, s.y, s.z};
+    for (int axis = 0; axis < 3; ++axis)
+      if (!(low[axis] < at[axis] && at[axis] < high[axis]))
+        throw std::invalid_argument(
+            fmt::format("the centre of sphere {} is at {} = {}, outside of the box from {} to {}: give a larger --box",
+                        i, "xyz"[axis], at[axis], low[axis], high[axis]));
+  }
+  scene.plane = low[1];
+  scene.contact.walls = true;
+  scene.contact.low = {low[0], low[1], low[2], 0}, scene.contact.high = {high[0], high[1], high[2], 0};
+}
 
 void choose_box(Scene& scene, bool walls) {
   ContactOptions& contact = scene.contact;
@@ -51,6 +72,11 @@ std::string text_of_drag(const Scene& scene) {
   return scene.contact.drag > 0 ? fmt::format(", drag {:.4g} 1/s", scene.contact.drag) : "";
 }
 
+std::string text_of_walls(const Scene& scene) {
+  const auto box = box_of(scene);
+  return box ? fmt::format("walls: box from {} to {}\n", fmt::join(box->low, ", "), fmt::join(box->high, ", ")) : "";
+}
+
 }  // namespace
 
 double highest_speed_of(const Scene& scene, uint64_t i) {
@@ -67,6 +93,12 @@ double highest_speed(const Scene& scene) {
   const double pressed = std::sqrt(std::abs(double(scene.gravity)) * wanted_overlap * double(r.largest) / (2 * wall));
   highest = std::max(highest, pressed);
   return highest > slowest_start * double(r.smallest) ? highest : double(r.smallest);
+}
+
+std::optional<WallBox> box_of(const Scene& scene) {
+  const auto& [low, high] = std::pair(scene.contact.low, scene.contact.high);
+  if (!scene.contact.walls) return std::nullopt;
+  return WallBox{{low.x, scene.plane, low.z}, {high.x, high.y, high.z}};
 }
 
 double farthest_coordinate(const vec4& s) {
@@ -86,6 +118,7 @@ void choose_contacts(Scene& scene, const ContactChoice& choice) {
   scene.motion = {MotionMethod::leapfrog, Precision::fixed};
   scene.contact.law = choice.law;
   scene.contact.drag = choice.drag, scene.contact.sleeping = choice.sleeping;
+  choice.box ? take_box(scene, *choice.box) : choose_box(scene, choice.walls);
   if (radii_of(scene).smallest <= 0) throw std::invalid_argument("contacts need radii above 0: give every sphere one");
   const double largest = double(radii_of(scene).largest), overlap = wanted_overlap * largest;
   const double needed = sphere_mass(largest) / 4 * squared(2 * highest_speed(scene));
@@ -110,7 +143,6 @@ void choose_contacts(Scene& scene, const ContactChoice& choice) {
         "spheres of {:.3g} m need a stiffness or a time step beyond float32: give lengths in another unit, in which "
         "radii are nearer to 1",
         largest));
-  choose_box(scene, choice.walls);
   choose_units(scene);
 }
 
@@ -144,9 +176,10 @@ double contact_time(const Scene& scene) {
 std::string describe_contacts(const Scene& scene) {
   if (scene.contact.law == ContactLaw::none) return "";
   const double time = contact_time(scene), steps = time / double(scene.dt);
-  std::string text = fmt::format("contacts: {}, stiffness {:.4g}{}; dt = {:.4g} s, a contact lasts {:.3g} steps\n",
-                                 contact_name(scene.contact.law), scene.contact.stiffness,
-                                 text_of_drag(scene) + (scene.contact.walls ? ", walls" : ""), scene.dt, steps);
+  std::string text =
+      fmt::format("contacts: {}, stiffness {:.4g}{}; dt = {:.4g} s, a contact lasts {:.3g} steps\n",
+                  contact_name(scene.contact.law), scene.contact.stiffness, text_of_drag(scene), scene.dt, steps);
+  text += text_of_walls(scene);
   if (steps < coarse_steps)
     text += fmt::format("* dt is coarse: give --dt {:.3g} or less for {} steps a contact\n", time / coarse_steps,
                         coarse_steps);

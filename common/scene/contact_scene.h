@@ -19,11 +19,14 @@ struct ContactChoice {
   std::optional<float> dt = {};         // none: of the shortest contact, see default_steps
   float drag = 0;                       // in 1/s, see ContactOptions
   bool sleeping = true;
-  bool walls = false;  // around the spheres as they stand, where the scene has none of its own
+  bool walls = false;               // around the spheres as they stand, where the scene has none of its own ...
+  std::optional<WallBox> box = {};  // ... or these, the lowest of which is the plane
 };
 
 // Sets the scene's contacts, its motion and its time step. Throws std::invalid_argument that names what is wrong.
 void choose_contacts(Scene& scene, const ContactChoice& choice);
+
+std::optional<WallBox> box_of(const Scene& scene);  // that its walls close
 
 Radii radii_of(const Scene& scene);
 

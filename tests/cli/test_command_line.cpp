@@ -123,7 +123,7 @@ TEST_F(CommandLineTest, AutoSaysWhatItTookAndWhyNotTheOthers) {
   const Outcome outcome = run("run --backend auto --no-gpu --n 64 --json " + path("run.json"));
   ASSERT_EQ(outcome.code, kOk) << outcome.errors;
   EXPECT_TRUE(outcome.output.starts_with("cpu on ")) << outcome.output;
-  const Outcome any = run("run --n 64 --json " + path("any.json"));
+  const Outcome any = run("run --n 64 --verbose --json " + path("any.json"));
   ASSERT_EQ(any.code, kOk) << any.errors;
   const nlohmann::json record = read_json("any.json");
   for (const auto& reason : record.at("passed_over"))
@@ -133,7 +133,8 @@ TEST_F(CommandLineTest, AutoSaysWhatItTookAndWhyNotTheOthers) {
 }
 
 TEST_F(CommandLineTest, RunSaysWhereItsTimeWent) {
-  const Outcome outcome = run("run --backend cpu --n 500 --steps 20 --method parallel --json " + path("run.json"));
+  const Outcome outcome =
+      run("run --backend cpu --n 500 --steps 20 --method parallel --verbose --json " + path("run.json"));
   ASSERT_EQ(outcome.code, kOk) << outcome.errors;
   for (const char* words :
        {" s in all: ", ", 20 moves ", ", 1 search ", "a move ", "the last step on the host's clock: move "})
@@ -149,7 +150,7 @@ TEST_F(CommandLineTest, RunSaysWhereThePlaneIsIfSpheresMove) {
   const std::string high = folder_.write("high.txt", "0 2 0 1\n"), low = folder_.write("low.txt", "0 -6 0 1.25\n");
   for (const auto& [arguments, words, plane] :
        {std::tuple{"--steps 1 --input " + high, std::string("plane at y = -5\n"), -5.0},
-        {"--steps 1 --input " + low, "plane at y = -9, below the lowest sphere\n", -9.0},
+        {"--steps 1 --input " + low, "plane at y = -9\n", -9.0},
         {"--steps 1 --n 9", "plane at y = -5\n", -5.0},
         {"--steps 0 --input " + low, "", -9.0}}) {
     const Outcome outcome = run(fmt::format("run --backend cpu {} --json {}", arguments, path("run.json")));

@@ -61,7 +61,7 @@ TEST_F(StatisticsOption, OnStandardOutputWithTheReportElsewhere) {
   const Outcome outcome = run("run --backend cpu --scene newton --n 5 --contact spring --steps 2 --statistics -");
   EXPECT_EQ(outcome.code, kOk);
   EXPECT_EQ(first_column(outcome.output), (std::vector<std::string>{"step", "0", "1", "2"}));
-  EXPECT_NE(outcome.errors.find("energy: "), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("kinetic energy "), std::string::npos) << outcome.errors;
 }
 
 TEST_F(StatisticsOption, RefusedWhereNothingPushes) {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "bench/cli/run_steps.h"
+#include "bench/run/run_steps.h"
 
 namespace spherepair {
 

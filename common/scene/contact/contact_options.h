@@ -2,6 +2,7 @@
 // Contacts of spheres that push each other: the law of the force, and what it needs.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 
@@ -27,6 +28,11 @@ enum class ImpulseSums {
 };
 const char* impulse_sums_name(ImpulseSums sums);
 std::span<const ImpulseSums> all_impulse_sums();
+
+// Opposite corners, in metres.
+struct WallBox {
+  std::array<float, 3> low, high;
+};
 
 // Part of a scene. Units are powers of two, chosen once for a run: positions of 2^-unit_exponent m, momenta of
 // 2^-momentum_exponent kg m/s.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/options/run_times.h"
+#include "bench/run/run_times.h"
 
 #include <fmt/format.h>
 

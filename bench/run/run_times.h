@@ -30,10 +30,10 @@ class RunTimes {
   void set_stages(const Backend& backend, std::vector<StageTime> stages);
 
   std::string text() const;
+  double total() const;
   json to_json() const;
 
  private:
-  double total() const;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   double seconds_[parts] = {};
   uint64_t counts_[parts] = {};

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// Runs that begin where others ended: from a file with its box, from a checkpoint with other parameters, with files
+// that go on; and how long a run moves.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "bench/options/command.h"
+#include "bench/spheres/sphere_file.h"
+#include "tests/support/program.h"
+
+namespace spherepair {
+namespace {
+
+const std::string bed =
+    "run --backend cpu --scene bed --n 60 --contact spring --restitution 0.4 --stiffness 1e6 --drag 2";
+
+class RunGoesOn : public ProgramTest {
+ protected:
+  Outcome good(const std::string& arguments) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, kOk) << arguments << "\n" << outcome.errors;
+    return outcome;
+  }
+  void refused(const std::string& arguments, const std::string& why) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, kUsage) << arguments;
+    EXPECT_NE(outcome.errors.find(why), std::string::npos) << arguments << "\n" << outcome.errors;
+  }
+  std::vector<vec4> positions(const std::string& file, std::optional<uint64_t> frame = {}) const {
+    return read_sphere_file(path(file), {.frame = frame}).scene.positions;
+  }
+  nlohmann::json end(const std::string& file) const { return read_json(file).at("end"); }
+  std::string state(const std::string& file) const { return read_json(file).at("steps").back().at("state"); }
+};
+
+float lowest(const std::vector<vec4>& spheres) {
+  float y = INFINITY;
+  for (const vec4& s : spheres) y = std::min(y, s.y);
+  return y;
+}
+
+TEST_F(RunGoesOn, InTheBoxOfTheFile) {
+  good(fmt::format("{} --steps 3000 --spheres {}", bed, path("a.extxyz")));
+  const std::string rest = "--contact spring --stiffness 1e6 --restitution 0.4 --drag 2 --steps 2500 --spheres ";
+  good(fmt::format("run --backend cpu --input {} --walls {} {}", path("a.extxyz"), rest, path("b.npy")));
+  EXPECT_NEAR(lowest(positions("b.npy")), lowest(positions("a.extxyz")), 0.01);
+}
+
+TEST_F(RunGoesOn, InABoxOfItsOwn) {
+  good(fmt::format("{} --steps 1500 --spheres {} --json {}", bed, path("a.extxyz"), path("a.json")));
+  good(
+      fmt::format("run --backend cpu --input {} --columns _,x,y,z,radius,vx,vy,vz --contact spring --stiffness 1e6 "
+                  "--walls --steps 500 --json {}",
+                  path("a.extxyz"), path("walls.json")));
+  const SphereFile file = read_sphere_file(path("a.extxyz"), {});
+  ASSERT_TRUE(file.box);
+  good(fmt::format("run --backend cpu --input {} --contact spring --stiffness 1e6 --box {},{} --steps 500 --json {}",
+                   path("a.extxyz"), fmt::join(file.box->low, ","), fmt::join(file.box->high, ","), path("box.json")));
+  EXPECT_EQ(state("walls.json"), state("box.json"));
+  EXPECT_EQ(read_json("box.json").at("plane"), read_json("a.json").at("plane"));
+  const std::string input = fmt::format("run --input {} --contact spring --steps 3 ", path("a.extxyz"));
+  refused(input + "--box 0,0,0,1,1,1", "outside of the box");
+  refused(input + "--box 9,0,0,1,9,9", "give the lower corner first");
+  refused(input + "--walls --plane -3", "omit --plane, or --walls");
+  refused(input + "--box 0,0,0,1,1", "--box");
+  refused("run --n 20 --steps 3 --box 0,0,0,1,1,1", "--contact");
+}
+
+TEST_F(RunGoesOn, OnAPlaneThatIsGiven) {
+  folder_.write("s.txt", "0 10 0 0.5\n3 2 0 1\n");
+  const std::string input =
+      fmt::format("run --backend cpu --input {} --steps 64 --json {} ", path("s.txt"), path("s.json"));
+  good(input + "--plane 1");
+  EXPECT_EQ(read_json("s.json").at("plane"), 1);
+  refused(input + "--plane 1.5", "give --plane 1 or less");
+  const Outcome outcome = run(input + "--plane 1.5");
+  const std::string advice = outcome.errors.substr(outcome.errors.find("--plane "), 9);
+  good(input + advice);
+  refused("run --n 20 --steps 3 --plane 0", "--input");
+}
+
+// A free fall of one second.
+TEST_F(RunGoesOn, WithAnotherGravity) {
+  folder_.write("s.txt", "0 10 0 0.5\n");
+  for (const double gravity : {0.0, 1.62, 24.79}) {
+    good(fmt::format("run --backend cpu --input {} --plane -30 --steps 64 --gravity {} --spheres {}", path("s.txt"),
+                     gravity, path("end.npy")));
+    EXPECT_NEAR(positions("end.npy")[0].y, 10 - gravity / 2, 1e-5) << gravity;
+  }
+  refused("run --n 20 --steps 3 --gravity -9.81", "--gravity");
+}
+
+// As from the same spheres in a file, with the same parameters.
+TEST_F(RunGoesOn, FromACheckpointWithOtherParameters) {
+  good(fmt::format("{} --dt 5e-4 --steps 800 --save {} --spheres {}", bed, path("ck"), path("a.extxyz")));
+  struct {
+    const char *changed, *all;
+  } const cases[] = {
+      {"--restitution 0.7", "--restitution 0.7 --stiffness 1e6 --drag 2 --dt 5e-4"},
+      {"--drag 0.5", "--restitution 0.4 --stiffness 1e6 --drag 0.5 --dt 5e-4"},
+      {"--drag 0 --dt 2e-4", "--restitution 0.4 --stiffness 1e6 --dt 2e-4"},
+      {"--stiffness 2e6 --gravity 3", "--restitution 0.4 --stiffness 2e6 --gravity 3 --drag 2 --dt 5e-4"}};
+  for (const auto& [changed, all] : cases) {
+    const Outcome outcome = good(fmt::format("run --backend cpu --resume {} {} --steps 300 --json {}", path("ck"),
+                                             changed, path("resumed.json")));
+    EXPECT_NE(outcome.output.find("A new run"), std::string::npos) << outcome.output;
+    good(fmt::format("run --backend cpu --input {} --contact spring --walls {} --steps 300 --json {}", path("a.extxyz"),
+                     all, path("file.json")));
+    EXPECT_EQ(state("resumed.json"), state("file.json")) << changed;
+    EXPECT_EQ(end("resumed.json").at("step"), 300);
+  }
+  refused(fmt::format("run --resume {} --stiffness 1e12 --steps 3", path("ck")), "--dt");
+  refused(fmt::format("run --resume {} --walls --steps 3", path("ck")), "does not go with");
+  good(fmt::format("run --backend cpu --n 50 --steps 20 --save {}", path("plain")));
+  refused(fmt::format("run --resume {} --drag 1 --steps 3", path("plain")), "without contacts");
+  good(fmt::format("run --backend cpu --resume {} --restitution 0.5 --steps 3", path("plain")));
+}
+
+TEST_F(RunGoesOn, WithItsFileOfStatistics) {
+  const std::string rows = fmt::format(" --statistics-every 100 --statistics {} ", path("s.csv"));
+  good(bed + " --steps 1000" + rows);
+  const std::string whole = read_bytes(path("s.csv"));
+  good(bed + " --steps 400 --save " + path("ck") + rows);
+  const std::string resume = "run --backend cpu --resume " + path("ck");
+  good(resume + " --until-step 1000" + rows);
+  EXPECT_EQ(read_bytes(path("s.csv")), whole);
+  good(resume + " --steps 600" + rows);  // the rows behind the checkpoint are computed again
+  EXPECT_EQ(read_bytes(path("s.csv")), whole);
+  refused(resume + " --steps 500" + rows, "has rows up to step 1000, and this run ends at step 900");
+  refused(resume + " --steps 600 --drag 1" + rows, "of the run before");
+  std::string other = whole;
+  other[other.find("\n400,") + 9] ^= 1;
+  for (const std::string& text : {whole.substr(0, whole.find("\n400,") + 1), std::string("step\n400,1\n"), other}) {
+    folder_.write("s.csv", text);
+    refused(resume + " --steps 600" + rows, "give --statistics another file");
+    EXPECT_EQ(read_bytes(path("s.csv")), text);
+  }
+}
+
+TEST_F(RunGoesOn, UpToAStepOrATime) {
+  const std::string json = " --json " + path("a.json");
+  good(bed + " --dt 4e-4 --time 0.1" + json);
+  EXPECT_EQ(end("a.json").at("step"), 250);
+  EXPECT_NEAR(end("a.json").at("seconds").get<double>(), 0.1, 1e-8);
+  good(bed + " --dt 4e-4 --time 0.0999 --save " + path("ck") + json);
+  EXPECT_EQ(end("a.json").at("step"), 250);
+  good("run --backend cpu --until-step 300 --resume " + path("ck") + json);
+  EXPECT_EQ(end("a.json").at("step"), 300);
+  refused("run --until-step 200 --resume " + path("ck"), "is at step 250 already");
+  refused(bed + " --time 1e20", "--time");
+  refused(bed + " --time 1 --steps 3", "does not go with");
+}
+
+TEST_F(RunGoesOn, UntilAllIsAtRest) {
+  const std::string few =
+      "run --backend cpu --scene bed --n 20 --contact spring --restitution 0.3 --stiffness 1e6 --drag 30";
+  const std::string save = fmt::format(" --save {} --json {}", path("ck"), path("a.json"));
+  const Outcome outcome = good(few + " --until-rest" + save);
+  EXPECT_NE(outcome.output.find("at rest to the bit"), std::string::npos) << outcome.output;
+  const uint64_t steps = end("a.json").at("step");
+  EXPECT_TRUE(end("a.json").at("at_rest"));
+  EXPECT_EQ(steps % 1000, 1);
+  const std::string rest = state("a.json");
+  good("run --backend cpu --steps 777 --resume " + path("ck") + " --json " + path("b.json"));
+  EXPECT_EQ(state("b.json"), rest);
+  good(fmt::format("{} --steps {}{}", few, steps - 1001, save));
+  EXPECT_FALSE(end("a.json").at("at_rest"));
+  good(fmt::format("{} --until-rest --steps {}{}", few, 50, save));
+  EXPECT_EQ(end("a.json").at("step"), 50);
+  EXPECT_FALSE(end("a.json").at("at_rest"));
+  refused("run --scene bed --n 20 --contact spring --until-rest", "--drag");
+}
+
+// Frames are the states of runs that end there, each with its step, its time and the box.
+TEST_F(RunGoesOn, WithATrajectory) {
+  good(fmt::format("{} --steps 50 --trajectory {} --trajectory-every 20", bed, path("t.extxyz")));
+  const uint64_t steps[] = {0, 20, 40, 50};
+  for (uint64_t frame = 0; frame < 4; ++frame) {
+    good(fmt::format("{} --steps {} --save {} --spheres {}", bed, steps[frame], path("ck"), path("end.npy")));
+    const SphereFile read = read_sphere_file(path("t.extxyz"), {.frame = frame}),
+                     wanted = read_sphere_file(path("end.npy"), {});
+    EXPECT_EQ(state_hash(read.scene.positions, read.scene.velocities),
+              state_hash(wanted.scene.positions, wanted.scene.velocities));
+    EXPECT_EQ(read.frames, 4);
+    EXPECT_TRUE(read.box);
+  }
+  const std::string text = read_bytes(path("t.extxyz"));
+  EXPECT_NE(text.find(" step=20 time=0.0"), std::string::npos) << text.substr(0, 300);
+  refused(fmt::format("run --resume {} --steps 5 --trajectory {}", path("ck"), path("t.extxyz")), "another file");
+  EXPECT_EQ(read_bytes(path("t.extxyz")), text);
+  refused(bed + " --steps 5 --trajectory " + path("t.npy"), ".extxyz");
+}
+
+TEST_F(RunGoesOn, SayingWhatIsAskedFor) {
+  const std::string hash = "hash of the state";
+  EXPECT_EQ(good(bed + " --steps 5 --quiet").output, "");
+  const std::string plain = good(bed + " --steps 5").output, hashes = good(bed + " --steps 5 --hashes").output,
+                    verbose = good(bed + " --steps 5 --verbose").output;
+  EXPECT_EQ(plain.find(hash), std::string::npos) << plain;
+  EXPECT_NE(plain.find("greatest overlap"), std::string::npos) << plain;
+  EXPECT_NE(hashes.find(hash), std::string::npos) << hashes;
+  EXPECT_NE(verbose.find("the last step on"), std::string::npos) << verbose;
+}
+
+}  // namespace
+}  // namespace spherepair
