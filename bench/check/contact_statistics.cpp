@@ -63,7 +63,13 @@ class Sums {
     }
   }
 
-  const ContactStatistics& sums() const { return sums_; }
+  ContactStatistics sums() const {
+    ContactStatistics sums = sums_;
+    for (double* sum : {&sums.kinetic, &sums.contact, &sums.potential, &sums.momentum[0], &sums.momentum[1],
+                        &sums.momentum[2], &sums.virial, &sums.floor_force})
+      *sum *= times_water(scene_);
+    return sums;
+  }
 
  private:
   double force(int64_t impulse) const { return momentum_ * double(impulse) / double(scene_.dt); }

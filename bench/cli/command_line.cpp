@@ -5,6 +5,7 @@
 
 #include "bench/cli/commands.h"
 #include "bench/cli/options_draw.h"
+#include "bench/cli/options_run.h"
 #include "bench/cli/studies.h"
 #include "bench/cli/view.h"
 #include "bench/io/arguments.h"
@@ -12,6 +13,7 @@
 #include "bench/io/interruption.h"
 #include "bench/options/complaint.h"
 #include "bench/options/help_format.h"
+#include "bench/options/help_pages.h"
 #include "bench/options/options.h"
 #include "bench/options/unused_options.h"
 #include "bench/options/verbosity.h"
@@ -31,57 +33,6 @@ void add_devices(CLI::App& app, CommandLine& line, Action& action) {
   add_open_options(*command, line.open);
   command->footer("Example:\n  spherepair devices");
   command->callback([=, &line, &action] { action = [=, &line] { return devices_command(line, *options); }; });
-}
-
-void add_run(CLI::App& app, CommandLine& line, Action& action) {
-  auto* command = app.add_subcommand("run", "Move one scene on one backend and find its colliding pairs");
-  auto options = std::make_shared<RunOptions>();
-  add_backend_option(*command, options->backend, "Where the spheres move and are searched");
-  add_start_options(*command, options->start);
-  add_length_options(*command, options->steps, options->until_step, options->seconds, options->until_rest);
-  command->add_option(
-      "--method", options->method,
-      "sequential, parallel (cpu); collide_group, collide_tiled, collide_square, collide_triangle, collide_grid; "
-      "collide_tensor (cuda on an H100 or H200); default: auto, all pairs or the grid, whichever is likely faster");
-  add_block_option(*command, options->block);
-  command->add_flag("--naive", options->naive, "Use the naive float32 test in place of the exact predicate");
-  command->add_flag("--swept", options->swept,
-                    "Find the pairs that touch at any time within the next step, not only now");
-  command->add_flag("--per-step", options->per_step, "Print and record every step, not only the last");
-  command->add_flag("--hashes", options->hashes,
-                    "Print the fingerprint of the pairs and the hash of the state as well");
-  command->add_option("--pairs", options->pairs_file,
-                      "Write the last step's colliding pairs i < j, sorted, to this file: .npy (m x 2, uint32), .txt "
-                      "(a line `i j` each), or - for text on standard output");
-  command->add_option("--contacts", options->contacts_file,
-                      "Write the number of contacts of each sphere to this file: .npy (uint32) or .txt");
-  command->add_option(
-      "--spheres", options->spheres_file,
-      "Write the spheres after the last step, positions, radii and velocities in float32, to this file, "
-      "as --input reads them: .npy, .xyz, .extxyz, .csv, .tsv, .txt, .dat, or - for text on standard "
-      "output. What --save writes continues to the same bits; this starts a new run");
-  command->add_option("--json", options->json_file,
-                      "Write totals, times and context as JSON to this file; -: to standard output");
-  add_save_options(*command, options->save_file, options->save_every);
-  add_statistics_options(*command, options->statistics_file, options->statistics_every);
-  auto* trajectory =
-      command->add_option("--trajectory", options->trajectory_file,
-                          "Write the spheres to this file at the start, after the last step and between, a frame of "
-                          "extended XYZ each: .extxyz, .xyz, or - for standard output");
-  command->add_option("--trajectory-every", options->trajectory_every, "Steps between two frames of it")
-      ->transform(whole_number(1, kMostSteps))
-      ->capture_default_str()
-      ->needs(trajectory);
-  add_verbosity_options(*command, options->verbosity);
-  add_open_options(*command, line.open);
-  command->footer(
-      "Examples:\n  spherepair run --backend glsl --scene random --n 1024 --steps 100 --pairs pairs.txt\n"
-      "  spherepair run --input spheres.txt --pairs pairs.txt\n"
-      "  spherepair run --n 4096 --steps 1000 --spheres end.csv");
-  command->callback([=, &line, &action] {
-    finish_start_options(*command, options->start);
-    action = [=, &line] { return run_command(line, *options); };
-  });
 }
 
 void add_pairs(CLI::App& app, CommandLine& line, Action& action) {
@@ -181,6 +132,15 @@ void add_equal(CLI::App& app, Action& action) {
   command->callback([=, &action] { action = [=] { return equal_command(*options); }; });
 }
 
+void add_page(CLI::App& app, Action& action, const char* name, const char* what, std::string (*page)(const CLI::App&)) {
+  app.add_subcommand(name, what)->callback([&app, &action, page] {
+    action = [&app, page] {
+      fmt::print("{}", page(app));
+      return int(kOk);
+    };
+  });
+}
+
 // A study has its own options, the options for opening backends, and a function that runs it.
 template <typename AddOptions, typename Study>
 void add_study(CLI::App& app, CommandLine& line, Action& action, const char* name, const char* what,
@@ -239,7 +199,9 @@ int run_program(int argc, const char* const* argv, const Opener& opener, Runner 
   add_compare(app, line, action);
   add_equal(app, action);
   add_studies(app, line, action);
-  for (CLI::App* command : app.get_subcommands({})) refuse_empty_values(*command);
+  add_page(app, action, "completion", "Print a script that completes commands and options in bash", bash_completion);
+  add_page(app, action, "man", "Print the manual page: spherepair man > spherepair.1", man_page);
+  for (CLI::App* command : app.get_subcommands({})) refuse_empty_values(*command), group_options(*command);
   return run_action([&]() -> int {
     try {
       app.parse(argc, argv);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <cstring>
 
 #include "bench/formats/checkpoint_check.h"
@@ -18,7 +19,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "checkpoints are little-endian");
 constexpr char magic[] = "SPHCHECK";
-constexpr uint format_version = 1, version_with_contacts = 4;  // 2: contacts without drag, 3: and without a skin
+constexpr uint format_version = 1, version_with_contacts = 5;  // earlier ones lack what ContactHeader says
 
 struct Header {
   char magic[8];
@@ -32,11 +33,12 @@ struct ContactHeader {
   uint law, walls;
   int unit_exponent, momentum_exponent;
   float stiffness, low[3], high[3];
-  float drag;  // from version 3 on
-  float skin;  // from version 4 on
+  float drag;     // from version 3 on
+  float skin;     // from version 4 on
+  float density;  // from version 5 on
 };
-static_assert(sizeof(ContactHeader) == 52);
-constexpr size_t contact_bytes[] = {0, 0, 44, 48, 52};  // by version
+static_assert(sizeof(ContactHeader) == 56);
+constexpr size_t contact_bytes[] = {0, 0, 44, 48, 52, 56};  // by version
 
 template <typename T>
 std::string_view bytes_of(const T* values, size_t count = 1) {
@@ -112,7 +114,8 @@ ContactHeader header_of(const ContactOptions& c) {
           {c.low.x, c.low.y, c.low.z},
           {c.high.x, c.high.y, c.high.z},
           c.drag,
-          c.skin};
+          c.skin,
+          c.density};
 }
 
 ContactOptions contacts_of(Reader& reader, const Header& header, const ContactHeader& c) {
@@ -124,6 +127,7 @@ ContactOptions contacts_of(Reader& reader, const Header& header, const ContactHe
                             c.law, c.unit_exponent, c.momentum_exponent));
   return {.law = ContactLaw(c.law),
           .stiffness = c.stiffness,
+          .density = c.density,
           .drag = c.drag,
           .walls = c.walls != 0,
           .low = {c.low[0], c.low[1], c.low[2], 0},
@@ -216,6 +220,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   scene.motion = {MotionMethod(header.method), Precision(header.precision)};
   if (contacts) {
     ContactHeader read{};
+    read.density = water;
     std::memcpy(&read, contact.data(), bytes);
     scene.contact = contacts_of(reader, header, read);
   }
@@ -228,7 +233,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
     read_part(reader, name, part, name == "positions" ? header.n : wanted_size(checkpoint, &part));
   });
   reader.finish();
-  if (contacts && bytes < sizeof(ContactHeader)) scene.contact.skin = skin_of(scene);
+  if (contacts && bytes < offsetof(ContactHeader, density)) scene.contact.skin = skin_of(scene);
   check_contents(checkpoint, path.string());
   return checkpoint;
 }

@@ -4,11 +4,11 @@
 // The file is little-endian. First 8 bytes "SPHCHECK", then as 32-bit numbers the version (1), the motion method, the
 // precision, the steps that `anchored` counts, whether all radii are equal, and the length of the scene's name; as
 // float32 dt, gravity, plane and restitution; as 64-bit numbers n and the steps done. Of a run with contacts the
-// version is 3, and there follow their law, walls, both exponents of units (32-bit), the stiffness, the corners of the
-// box and the drag (float32), which version 2 lacks. Then the name, and a 64-bit checksum of all that. Then seven
-// parts, each a 64-bit length in bytes, the bytes, and a 64-bit checksum of the bytes: positions, velocities (vec4[n]
-// each), wide state, anchors, flights, steps of the anchors, due steps (as layout.h describes SLOT_WIDE to
-// SLOT_NEXT_EVENT; empty if the method has none).
+// version is 5, and there follow their law, walls, both exponents of units (32-bit), the stiffness, the corners of the
+// box, the drag, the skin and the density (float32). Version 2 lacks these three, 3 the last two, 4 the density. Then
+// the name, and a 64-bit checksum of all that. Then seven parts, each a 64-bit length in bytes, the bytes, and a 64-bit
+// checksum of the bytes: positions, velocities (vec4[n] each), wide state, anchors, flights, steps of the anchors, due
+// steps (as layout.h describes SLOT_WIDE to SLOT_NEXT_EVENT; empty if the method has none).
 #pragma once
 
 #include <filesystem>

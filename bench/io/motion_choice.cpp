@@ -35,8 +35,9 @@ ContactChoice contact_choice(const MotionChoice& choice) {
 
 ContactChoice changed_contacts(const Scene& scene, const MotionChoice& choice) {
   return {.law = scene.contact.law,
-          .stiffness = choice.contact.stiffness.value_or(scene.contact.stiffness),
+          .stiffness = choice.contact.stiffness.value_or(float(double(scene.contact.stiffness) * times_water(scene))),
           .dt = scene.dt,
+          .density = scene.contact.density,
           .drag = choice.drag.value_or(scene.contact.drag)};
 }
 

@@ -53,12 +53,14 @@ json scene_json(const SceneOptions& o) {
 
 json contact_json(const ContactOptions& contact) {
   if (contact.law == ContactLaw::none) return contact_name(contact.law);
-  return {{"law", contact_name(contact.law)},
-          {"stiffness", contact.stiffness},
-          {"drag", contact.drag},
-          {"walls", contact.walls},
-          {"unit_exponent", contact.unit_exponent},
-          {"momentum_exponent", contact.momentum_exponent}};
+  json record = {{"law", contact_name(contact.law)},
+                 {"stiffness", double(contact.stiffness) * double(contact.density) / double(water)},
+                 {"drag", contact.drag},
+                 {"walls", contact.walls},
+                 {"unit_exponent", contact.unit_exponent},
+                 {"momentum_exponent", contact.momentum_exponent}};
+  if (contact.density != water) record["density"] = contact.density;  // earlier versions had no other
+  return record;
 }
 
 }  // namespace spherepair

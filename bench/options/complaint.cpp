@@ -34,6 +34,8 @@ std::string unknown_word(const CLI::App& app) {
     for (const CLI::Option* one : command.get_options())
       if (!one->get_positional()) known.push_back(one->get_name());
     const std::string name = option->substr(0, option->find('=')), nearest = nearest_name(name, known);
+    if (name.starts_with("--friction") || name.starts_with("--rolling"))
+      return fmt::format("there is no option {}: contacts have neither friction nor rotation", name);
     return fmt::format("unknown option {}{} ({} --help lists all)", name,
                        nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest),
                        &command == &app ? "spherepair" : "spherepair " + command.get_name());

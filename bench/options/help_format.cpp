@@ -5,8 +5,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <sstream>
 
+#include "bench/io/numbers.h"
 #include "bench/io/report.h"
 
 namespace spherepair {
@@ -17,7 +19,68 @@ constexpr size_t column = 30;        // CLI11's, of the descriptions
 constexpr size_t too_narrow = 70;    // for two columns: descriptions go below the names ...
 constexpr size_t narrow_column = 8;  // ... at this one
 
+struct Group {
+  const char* heading;
+  std::vector<std::string> options;
+};
+const std::vector<Group>& groups() {
+  static const std::vector<Group> all = {
+      {"Spheres of a scene",
+       {"--scene", "--n", "--seed", "--radius", "--radius-ratio", "--packing-fraction", "--groups", "--group-size",
+        "--offset"}},
+      {"Spheres of a file",
+       {"--input", "--frame", "--columns", "--decimal-comma", "--ignore-periodic", "--resume", "--cutoff"}},
+      {"Motion",
+       {"--motion", "--precision", "--dt", "--restitution", "--gravity", "--plane", "--steps", "--until-step", "--time",
+        "--until-rest"}},
+      {"Contacts", {"--contact", "--stiffness", "--density", "--drag", "--no-sleeping", "--walls", "--box"}},
+      {"Search", {"--backend", "--backends", "--method", "--block", "--naive", "--swept"}},
+      {"Camera and look",
+       {"--azimuth", "--elevation", "--eye", "--target", "--up", "--field", "--near", "--size", "--samples", "--color",
+        "--color-range", "--ground", "--no-legend", "--no-box", "--plain", "--draw"}},
+      {"Results",
+       {"--output",
+        "--pairs",
+        "--contacts",
+        "--geometry",
+        "--distances",
+        "--csr",
+        "--spheres",
+        "--save",
+        "--save-every",
+        "--statistics",
+        "--statistics-every",
+        "--trajectory",
+        "--trajectory-every",
+        "--json",
+        "--per-step",
+        "--hashes",
+        "--quiet",
+        "--verbose",
+        "--results",
+        "--video",
+        "--rate",
+        "--screenshot"}},
+      {"Devices", {"--cuda-device", "--gl-device", "--require-hardware", "--no-gpu", "--threads"}}};
+  return all;
+}
+
+std::string placeholder(const CLI::Option& option) {
+  const std::string name = option.get_name(), type = option.get_type_name();
+  const auto among = [&](std::initializer_list<const char*> names) { return std::ranges::count(names, name) > 0; };
+  if (option.get_expected_max() == 0) return "";
+  if (among({"--input", "--resume", "--output", "--pairs", "--contacts", "--spheres", "--save", "--statistics",
+             "--trajectory", "--json", "--video", "--screenshot", "left", "right"}))
+    return "FILE";
+  if (name == "--results") return "FOLDER";
+  if (among({"--cuda-device", "--gl-device"})) return "ID";
+  if (type.starts_with("UINT") || type.starts_with("INT")) return "N";
+  return type.starts_with("FLOAT") ? "X" : "NAME";
+}
+
 size_t terminal_width() {
+  if (const char* columns = std::getenv("COLUMNS"))
+    if (const auto width = whole_number_of(columns, 1, 100000)) return std::clamp<size_t>(*width, narrowest, widest);
   winsize size{};
   if (!isatty(STDOUT_FILENO) || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return widest;
   return std::clamp<size_t>(size.ws_col, narrowest, widest);
@@ -52,9 +115,30 @@ std::string wrapped_help(const std::string& help, size_t width) {
   std::istringstream lines(help);
   std::string out;
   for (std::string line; std::getline(lines, line);)
-    out += line.find_first_not_of(' ') == line.npos ? "\n" : wrapped_line(line, width);
+    if (line.find_first_not_of(' ') != line.npos)
+      out += wrapped_line(line, width);
+    else if (!out.ends_with("\n\n"))
+      out += "\n";
   return out;
 }
+
+void group_options(CLI::App& command) {
+  for (const Group& group : groups())
+    for (const std::string& name : group.options)
+      if (CLI::Option* option = command.get_option_no_throw(name)) option->group(group.heading);
+  if (!command.get_option_no_throw("--scene") && command.get_option_no_throw("--columns"))
+    command.get_option("--radius")->group("Spheres of a file");
+}
+
+std::string values_of(const CLI::Option& option) {
+  std::string text = placeholder(option);
+  if (text.empty()) return "";
+  if (option.get_expected_max() > 1) text += ",...";
+  if (!option.get_default_str().empty()) text += "=" + option.get_default_str();
+  return " " + text + (option.get_required() ? " (needed)" : "");
+}
+
+std::string HelpFormat::make_option_opts(const CLI::Option* option) const { return values_of(*option); }
 
 std::string HelpFormat::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const {
   return wrapped_help(CLI::Formatter::make_help(app, std::move(name), mode), terminal_width());

@@ -9,10 +9,18 @@ namespace spherepair {
 // Breaks help between words so that no line is longer than `width`, and indents what follows as what it belongs to.
 std::string wrapped_help(const std::string& help, size_t width);
 
-// CLI11's help in lines of at most 100 columns, or as many as the terminal has.
+// Puts each option under the heading of what it is about.
+void group_options(CLI::App& command);
+
+// What an option takes, and its default: " FILE", " N=16384", nothing for a flag.
+std::string values_of(const CLI::Option& option);
+
+// CLI11's help in lines of at most 100 columns, or as many as the terminal or COLUMNS has. Of options, it shows what
+// they take and their default; what they exclude is said where it is tried.
 class HelpFormat : public CLI::Formatter {
  public:
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
+  std::string make_option_opts(const CLI::Option* option) const override;
 };
 
 }  // namespace spherepair

@@ -51,7 +51,7 @@ void add_backend_option(CLI::App& command, std::string& backend, const std::stri
   };
   command
       .add_option_function<std::string>(
-          "--backend", take, what + ": cpu, glsl or cuda; auto: the first that opens of cuda, glsl on a GPU, and cpu")
+          "--backend", take, what + ": cpu, glsl or cuda; auto: the first of cuda, glsl on a GPU and cpu that opens")
       ->default_str(kAutomaticBackend);
 }
 
@@ -75,8 +75,7 @@ void add_results_option(CLI::App& command, std::string& results, const std::stri
 void add_block_option(CLI::App& command, uint& block) {
   command
       .add_option("--block", block,
-                  "Group size of a GPU's kernels: 32, 64, 128, 256, 512 or 1024; default: 128, and "
-                  "with the method auto as it chooses")
+                  "Group size of a GPU's kernels: 32, 64 ... 1024; default: as auto chooses, else 128")
       ->transform(block_range);
 }
 
@@ -91,22 +90,15 @@ void add_open_options(CLI::App& command, OpenOptions& open) {
       }
     });
   };
-  device("--cuda-device", open.cuda_device,
-         "GPU for CUDA: a number counted from 0 as CUDA does, or a UUID as nvidia-smi -L prints it; default: that of "
-         "--gl-device, or the first");
-  device("--gl-device", open.gl_device,
-         "GPU for OpenGL: a number or UUID; default: that of --cuda-device, or the first that CUDA_VISIBLE_DEVICES "
-         "leaves to CUDA");
+  device("--cuda-device", open.cuda_device, "GPU of CUDA, by number or UUID; default: as OpenGL, else the first");
+  device("--gl-device", open.gl_device, "GPU of OpenGL, likewise");
   command.add_flag("--require-hardware", open.require_hardware, "Refuse software OpenGL");
   command
       .add_flag_callback(
-          "--no-gpu", [&open] { open.allow_gpu = false; },
-          "Use no GPU even if there is one: OpenGL in software; auto takes the CPU")
+          "--no-gpu", [&open] { open.allow_gpu = false; }, "Use no GPU: OpenGL runs in software, auto takes the CPU")
       ->excludes(command.get_option("--cuda-device"))
       ->excludes(command.get_option("--gl-device"));
-  command
-      .add_option("--threads", open.threads,
-                  "Threads of the CPU backend and of the host's work on scenes and files; 0: all cores")
+  command.add_option("--threads", open.threads, "Of the CPU; 0: all cores")
       ->transform(whole_number(0, 4096))
       ->capture_default_str();
 }
@@ -116,32 +108,27 @@ void add_length_options(CLI::App& command, std::optional<uint64_t>& steps, std::
   auto* by_steps = command.add_option("--steps", steps, "Steps to move before the pairs are found")
                        ->transform(steps_range)
                        ->default_str("0");
-  auto* by_step = command
-                      .add_option("--until-step", until_step,
-                                  "Move to this step, counted from the start of the run that --resume continues")
+  auto* by_step = command.add_option("--until-step", until_step, "Move to this step, counted from the first start")
                       ->transform(steps_range)
                       ->excludes(by_steps);
-  command.add_option("--time", seconds, "Move for so many simulated seconds, rounded up to whole steps")
+  command.add_option("--time", seconds, "Move for so many simulated seconds, in whole steps")
       ->check(real_number(0, 1e30))
       ->excludes(by_steps)
       ->excludes(by_step);
   command.add_flag("--until-rest", until_rest,
-                   "With --drag: end after the 1000 steps in which all spheres have come to rest; the options above "
-                   "are then the most");
+                   "With --drag: end when all spheres are at rest, after these steps at the latest");
 }
 
 void add_save_options(CLI::App& command, std::string& file, uint64_t& every) {
-  command.add_option("--save", file, "Write a checkpoint to this file after the last step");
-  command.add_option("--save-every", every, "Also write it every so many steps")
-      ->transform(whole_number(1, kMostSteps));
+  command.add_option("--save", file, "Checkpoint of the last step, to go on with to the same bits");
+  command.add_option("--save-every", every, "Steps between two checkpoints")->transform(whole_number(1, kMostSteps));
 }
 
 void add_statistics_options(CLI::App& command, std::string& file, uint64_t& every) {
   auto* statistics = command.add_option(
       "--statistics", file,
-      "Write energies, momentum, greatest overlap, contacts, virial and the force on the plane to this file as CSV, at "
-      "the start, after the last step and between; -: to standard output. With --contact");
-  command.add_option("--statistics-every", every, "Steps between two rows of it")
+      "CSV of energies, momentum, greatest overlap, contacts, virial and force on the plane, with --contact");
+  command.add_option("--statistics-every", every, "Steps between two rows")
       ->transform(whole_number(1, kMostSteps))
       ->capture_default_str()
       ->needs(statistics);

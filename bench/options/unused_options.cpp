@@ -71,8 +71,8 @@ void refuse_of_motion(const Given& given) {
                      given.has("--until-rest") || (render && !given.is("--images", {"1"}));
   const std::string still = render ? "on one image of the start: omit it, or give --steps or --images"
                                    : "on spheres that do not move: omit it, or give --steps";
-  for (const char* option : {"--motion", "--restitution", "--contact", "--stiffness", "--drag", "--no-sleeping",
-                             "--walls", "--box", "--dt", "--gravity", "--plane"})
+  for (const char* option : {"--motion", "--restitution", "--contact", "--stiffness", "--density", "--drag",
+                             "--no-sleeping", "--walls", "--box", "--dt", "--gravity", "--plane"})
     given.refuse(option, !moves && !given.has("--save") && !given.has("--swept"), still);
   given.refuse("--per-step", !moves, still);
   for (const char* option : {"--save-every", "--statistics-every", "--trajectory-every"})
@@ -80,7 +80,7 @@ void refuse_of_motion(const Given& given) {
 }
 
 void refuse_of_contacts(const Given& given) {
-  for (const char* option : {"--stiffness", "--drag", "--no-sleeping", "--walls", "--box"})
+  for (const char* option : {"--stiffness", "--density", "--drag", "--no-sleeping", "--walls", "--box"})
     given.refuse(option, given.is("--contact", {"none"}) && !given.has("--resume"),
                  "without contacts: omit it, or give --contact spring");
   for (const char* option : {"--walls", "--box"})

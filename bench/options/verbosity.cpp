@@ -10,8 +10,7 @@ void add_verbosity_options(CLI::App& command, Verbosity& verbosity) {
       "--quiet", [&verbosity] { verbosity = Verbosity::quiet; }, "Print errors and warnings about the result alone");
   command
       .add_flag_callback(
-          "--verbose", [&verbosity] { verbosity = Verbosity::verbose; },
-          "Print reasons and details too: why a backend and method were taken, times, numbers of contacts")
+          "--verbose", [&verbosity] { verbosity = Verbosity::verbose; }, "Print reasons and details, too")
       ->excludes(quiet);
 }
 

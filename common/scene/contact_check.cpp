@@ -37,6 +37,8 @@ std::string why_no_law(const Scene& scene) {
   const Radii r = radii_of(scene);
   const double k = double(contact.stiffness);
   if (!(k > 0) || !std::isfinite(k)) return fmt::format("the stiffness is {}, but must be above 0 and finite", k);
+  if (!(contact.density > 0) || !std::isfinite(contact.density))
+    return fmt::format("the density is {}, but must be above 0 and finite", contact.density);
   if (!(r.smallest > 0)) return "contacts need radii above 0";
   if (scene.restitution < 1 && contact.law != ContactLaw::spring)
     return fmt::format("the law {} is elastic: omit the restitution {}, or choose spring", contact_name(contact.law),

@@ -2,7 +2,6 @@
 #include "common/scene/contact_scene.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +12,8 @@
 namespace spherepair {
 namespace {
 
-constexpr double wanted_overlap = 0.01;  // of the largest radius
-constexpr double slowest_start = 1e-6;   // in smallest radii a second: less is at rest
-constexpr double coarse_steps = 10;
+constexpr double wanted_overlap = 0.01;                // of the largest radius
+constexpr double slowest_start = 1e-6;                 // in smallest radii a second: less is at rest
 constexpr int position_bits = 51, momentum_bits = 56;  // used at the start, and of the fastest sphere
 
 double squared(double x) { return x * x; }
@@ -68,15 +66,6 @@ void choose_units(Scene& scene) {
 
 double half_step_of_drag(const Scene& scene) { return 0.5 * double(scene.contact.drag) * double(scene.dt); }
 
-std::string text_of_drag(const Scene& scene) {
-  return scene.contact.drag > 0 ? fmt::format(", drag {:.4g} 1/s", scene.contact.drag) : "";
-}
-
-std::string text_of_walls(const Scene& scene) {
-  const auto box = box_of(scene);
-  return box ? fmt::format("walls: box from {} to {}\n", fmt::join(box->low, ", "), fmt::join(box->high, ", ")) : "";
-}
-
 }  // namespace
 
 double highest_speed_of(const Scene& scene, uint64_t i) {
@@ -122,8 +111,9 @@ void choose_contacts(Scene& scene, const ContactChoice& choice) {
   if (radii_of(scene).smallest <= 0) throw std::invalid_argument("contacts need radii above 0: give every sphere one");
   const double largest = double(radii_of(scene).largest), overlap = wanted_overlap * largest;
   const double needed = sphere_mass(largest) / 4 * squared(2 * highest_speed(scene));
-  scene.contact.stiffness =
-      choice.stiffness.value_or(float(needed / contact_energy(choice.law, 1, overlap, 2 * largest)));
+  scene.contact.density = choice.density;
+  scene.contact.stiffness = float(choice.stiffness ? double(*choice.stiffness) / times_water(scene)
+                                                   : needed / contact_energy(choice.law, 1, overlap, 2 * largest));
   if (!choice.stiffness && !std::isfinite(scene.contact.stiffness)) {
     const uint64_t i = sphere_with_most(scene, [&](uint64_t k) { return highest_speed_of(scene, k); });
     const double highest = highest_speed_of(scene, i);
@@ -171,19 +161,6 @@ double contact_time(const Scene& scene) {
   const bool by_speed = scene.contact.law == ContactLaw::hertz;
   return shortest_contact(scene.contact.law, double(scene.contact.stiffness), radii_of(scene),
                           by_speed ? 2 * highest_speed(scene) : 0, double(scene.restitution));
-}
-
-std::string describe_contacts(const Scene& scene) {
-  if (scene.contact.law == ContactLaw::none) return "";
-  const double time = contact_time(scene), steps = time / double(scene.dt);
-  std::string text =
-      fmt::format("contacts: {}, stiffness {:.4g}{}; dt = {:.4g} s, a contact lasts {:.3g} steps\n",
-                  contact_name(scene.contact.law), scene.contact.stiffness, text_of_drag(scene), scene.dt, steps);
-  text += text_of_walls(scene);
-  if (steps < coarse_steps)
-    text += fmt::format("* dt is coarse: give --dt {:.3g} or less for {} steps a contact\n", time / coarse_steps,
-                        coarse_steps);
-  return text;
 }
 
 Scene grown_scene(const Scene& scene) {

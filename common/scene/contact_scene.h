@@ -15,9 +15,11 @@ namespace spherepair {
 
 struct ContactChoice {
   ContactLaw law = ContactLaw::none;
-  std::optional<float> stiffness = {};  // none: such that the fastest sphere, falls included, enters by 1 % of a radius
-  std::optional<float> dt = {};         // none: of the shortest contact, see default_steps
-  float drag = 0;                       // in 1/s, see ContactOptions
+  std::optional<float> stiffness =
+      {};  // of spheres of this density; none: such that the fastest sphere, falls included, enters by 1 % of a radius
+  std::optional<float> dt = {};  // none: of the shortest contact, see default_steps
+  float density = water;         // kg/m^3
+  float drag = 0;                // in 1/s, see ContactOptions
   bool sleeping = true;
   bool walls = false;               // around the spheres as they stand, where the scene has none of its own ...
   std::optional<WallBox> box = {};  // ... or these, the lowest of which is the plane
@@ -25,6 +27,9 @@ struct ContactChoice {
 
 // Sets the scene's contacts, its motion and its time step. Throws std::invalid_argument that names what is wrong.
 void choose_contacts(Scene& scene, const ContactChoice& choice);
+
+// Forces and energies over those of spheres of water.
+inline double times_water(const Scene& scene) { return double(scene.contact.density) / double(water); }
 
 std::optional<WallBox> box_of(const Scene& scene);  // that its walls close
 

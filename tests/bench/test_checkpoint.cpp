@@ -89,21 +89,25 @@ Checkpoint read_as_of(char version, size_t contact_bytes, const Checkpoint& writ
   std::string bytes = read_bytes(folder.path("4"));
   const size_t end = 64 + contact_bytes + written.scene.name.size();
   bytes[8] = version;
-  bytes.erase(64 + contact_bytes, 52 - contact_bytes);
+  bytes.erase(64 + contact_bytes, 56 - contact_bytes);
   const uint64_t sum = checksum(std::string_view(bytes).substr(0, end));
   bytes.replace(end, 8, std::string(reinterpret_cast<const char*>(&sum), 8));
   return read_checkpoint(folder.write("older", bytes));
 }
 
-TEST(Checkpoint, EarlierVersionsHaveNoDragAndNoSkin) {
-  const Checkpoint written = sample_with_contacts();
-  for (const auto& [version, bytes, drag] : {std::tuple(char(2), 44u, 0.0f), std::tuple(char(3), 48u, 0.25f)}) {
+TEST(Checkpoint, EarlierVersionsHaveNoDragNoSkinAndNoDensity) {
+  Checkpoint written = sample_with_contacts();
+  written.scene.contact.density = 7850;
+  for (const auto& [version, bytes, drag] :
+       {std::tuple(char(2), 44u, 0.0f), std::tuple(char(3), 48u, 0.25f), std::tuple(char(4), 52u, 0.25f)}) {
     const Checkpoint read = read_as_of(version, bytes, written);
     EXPECT_EQ(read.scene.contact.drag, drag);
     EXPECT_EQ(read.scene.contact.skin, written.scene.contact.skin) << "found again by spheres in the same places";
     EXPECT_EQ(read.scene.contact.stiffness, written.scene.contact.stiffness);
+    EXPECT_EQ(read.scene.contact.density, 1000) << "that of water";
     EXPECT_EQ(read.motion.wide, written.motion.wide);
   }
+  EXPECT_EQ(read_as_of(5, 56, written).scene.contact.density, 7850);
 }
 
 // As a gas of stiffness 1.4e4 has become after 4,000 steps, whose checkpoint was refused by advice for starts.
@@ -197,7 +201,7 @@ TEST(Checkpoint, SaysWhatIsWrong) {
     return complaint_of([&] { read_checkpoint(folder.write("changed", changed)); });
   };
   EXPECT_NE(complaint(0, "P").find("no checkpoint"), std::string::npos);
-  EXPECT_NE(complaint(8, "\x05").find("version 5"), std::string::npos);
+  EXPECT_NE(complaint(8, "\x06").find("version 6"), std::string::npos);
   EXPECT_NE(complaint(12, "\x05").find("of the header"), std::string::npos);
   EXPECT_NE(complaint(64, "X").find("of the header"), std::string::npos);
   const size_t positions = 64 + std::string("random").size() + 16;

@@ -2,6 +2,9 @@
 // What is said on the command line and of it: options that change nothing, misspelt names, counts, `auto`, times.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <regex>
+#include <set>
 #include <sstream>
 
 #include "bench/cli/commands.h"
@@ -209,7 +212,44 @@ TEST_F(CommandLineTest, HelpFitsInto100Columns) {
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << command << ": " << line;
     EXPECT_NE(all.find(command), std::string::npos);
   }
-  EXPECT_NE(run("run --help").output.find("smallest sphere"), std::string::npos);
+  const std::string help = run("run --help").output;
+  EXPECT_NE(help.find("smallest sphere"), std::string::npos);
+  EXPECT_LE(std::ranges::count(help, '\n'), 100) << "two screens";
+  const Outcome narrow = run("run --help", "COLUMNS=60");
+  std::istringstream lines(narrow.output);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 60u) << line;
+}
+
+std::set<std::string> options_in(const std::string& help) {
+  std::set<std::string> names;
+  std::istringstream lines(help);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("  --")) names.insert(line.substr(2, line.find(' ', 2) - 2));
+  return names;
+}
+
+// Each option that help has: bash completes it, and the manual page has it.
+TEST_F(CommandLineTest, CompletionAndManualHaveEveryOption) {
+  const std::string script = folder_.write("script", run("completion").output), manual = run("man").output;
+  for (const char* command : {"devices", "run", "pairs", "render", "compare", "sweep", "energy"}) {
+    const std::string bash = fmt::format(
+        "source '{}'; COMP_WORDS=(spherepair {} --); COMP_CWORD=2; _spherepair; printf '  %s \\n' "
+        "\"${{COMPREPLY[@]}}\"",
+        script, command);
+    const Outcome completed =
+        run_shell("bash -c " + fmt::format("'{}'", std::regex_replace(bash, std::regex("'"), "'\\''")), folder_);
+    const std::set<std::string> wanted = options_in(run(fmt::format("{} --help", command)).output);
+    EXPECT_GT(wanted.size(), 5u);
+    const std::set<std::string> found = options_in(completed.output);
+    const size_t page = manual.find(fmt::format(".SH OPTIONS OF {}\n", command));
+    ASSERT_NE(page, std::string::npos) << command;
+    std::string section = manual.substr(page + 5, manual.find("\n.SH", page + 5) - page);
+    section = std::regex_replace(section, std::regex(R"(\\-)"), "-");
+    for (const std::string& option : wanted) {
+      EXPECT_TRUE(found.contains(option)) << command << " " << option << "\n" << completed.output;
+      EXPECT_TRUE(std::regex_search(section, std::regex(option + "[ \n]"))) << command << " " << option;
+    }
+  }
 }
 
 }  // namespace

@@ -92,6 +92,34 @@ TEST_F(RunGoesOn, WithAnotherGravity) {
   refused("run --n 20 --steps 3 --gravity -9.81", "--gravity");
 }
 
+// Spheres of another density and as much stiffer contacts move alike; their energies and forces are in proportion.
+TEST_F(RunGoesOn, WithAnotherDensity) {
+  const std::string gas =
+      "run --backend cpu --scene bed --n 40 --contact spring --restitution 0.5 --drag 1 --steps 400 ";
+  good(gas + fmt::format("--stiffness 1e6 --statistics {} --json {}", path("a.csv"), path("a.json")));
+  good(gas + fmt::format("--stiffness 4e6 --density 4000 --statistics {} --json {} --save {}", path("b.csv"),
+                         path("b.json"), path("ck")));
+  EXPECT_EQ(state("a.json"), state("b.json"));
+  EXPECT_EQ(read_json("b.json").at("contacts").at("stiffness"), 4e6);
+  std::istringstream water(read_bytes(path("a.csv"))), heavy(read_bytes(path("b.csv")));
+  std::string one, other;
+  size_t rows = 0;
+  for (std::getline(water, one), std::getline(heavy, other); std::getline(water, one) && std::getline(heavy, other);
+       ++rows) {
+    std::istringstream left(one), right(other);
+    std::string a, b;
+    for (int column = 0; std::getline(left, a, ',') && std::getline(right, b, ','); ++column) {
+      const bool scales = (column >= 2 && column <= 7) || column >= 11;
+      EXPECT_DOUBLE_EQ(std::stod(b), (scales ? 4 : 1) * std::stod(a)) << "column " << column << "\n" << one;
+    }
+  }
+  EXPECT_EQ(rows, 401);
+  good(fmt::format("run --backend cpu --resume {} --restitution 0.6 --steps 3 --json {}", path("ck"), path("c.json")));
+  EXPECT_EQ(read_json("c.json").at("contacts").at("density"), 4000);
+  EXPECT_EQ(read_json("c.json").at("contacts").at("stiffness"), 4e6);
+  refused("run --n 30 --steps 3 --density 2000", "--contact");
+}
+
 // As from the same spheres in a file, with the same parameters.
 TEST_F(RunGoesOn, FromACheckpointWithOtherParameters) {
   good(fmt::format("{} --dt 5e-4 --steps 800 --save {} --spheres {}", bed, path("ck"), path("a.extxyz")));

@@ -130,6 +130,12 @@ TEST_F(ContactJudgeProgram, AResumedRunShowsMomentaThatWereNotSaved) {
   std::filesystem::rename(path("end"), path("cut"));
   const std::string again = fmt::format("--resume '{}' --steps 300", path("cut")), rows = statistics("none", again),
                     checkpoint = end();
+  const Outcome refused =
+      faulty("old_momenta",
+             fmt::format("run --backend glsl {} --statistics '{}' --statistics-every {}", again, path("rows"), every));
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.errors.find("has another row of step 300"), std::string::npos) << refused.errors;
+  std::filesystem::remove(path("rows"));
   EXPECT_NE(statistics("old_momenta", again), rows);
   EXPECT_TRUE(end() != checkpoint);
 }

@@ -34,11 +34,14 @@ struct WallBox {
   std::array<float, 3> low, high;
 };
 
+constexpr float water = 1000;  // kg/m^3
+
 // Part of a scene. Units are powers of two, chosen once for a run: positions of 2^-unit_exponent m, momenta of
 // 2^-momentum_exponent kg m/s.
 struct ContactOptions {
   ContactLaw law = ContactLaw::none;
-  float stiffness = 0;           // k, in N/m, N/m^3 or N/m^1.5
+  float stiffness = 0;           // k, in N/m, N/m^3 or N/m^1.5, of spheres of water that move alike: k * 1000 / density
+  float density = water;         // kg/m^3
   float drag = 0;                // of a fluid at rest: speeds alone fall to 1/e in 1/drag seconds
   bool sleeping = true;          // where there is drag, spheres at rest are passed over; the same bits
   bool tests_all_walls = false;  // of spheres away from walls, too, to be measured against; the same bits

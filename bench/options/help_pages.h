@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// What shells and man read, made of the same descriptions as --help.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace spherepair {
+
+// A script for bash that completes subcommands, options and file names.
+std::string bash_completion(const CLI::App& app);
+
+// The manual page spherepair(1), with every subcommand and option.
+std::string man_page(const CLI::App& app);
+
+}  // namespace spherepair
