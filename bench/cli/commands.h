@@ -46,10 +46,11 @@ struct RenderOptions {
   CameraOptions camera;
   std::string draw = "compute";     // DrawMethod
   std::string colour = "contacts";  // ColourBy
-  std::string ground;               // see place_ground
-  bool frames = false;              // all of an XYZ file: an image each, in place of steps
-  bool legend = true, box = true;   // box: the edges of the first image's bounding box, or of all frames'
-  bool plain = false;               // no occlusion, shadow or ground
+  std::optional<std::array<double, 2>> colour_range = {};
+  std::string ground;              // see place_ground
+  bool frames = false;             // all of an XYZ file: an image each, in place of steps
+  bool legend = true, box = true;  // box: the edges of the first image's bounding box, or of all frames'
+  bool plain = false;              // no occlusion, shadow or ground
 };
 int render_command(const CommandLine& line, const RenderOptions& options);
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "bench/cli/options_draw.h"
 
+#include "bench/image/colour_values.h"
+#include "bench/image/image_files.h"
+#include "bench/io/arguments.h"
 #include "bench/studies/frames.h"
 
 namespace spherepair {
@@ -69,11 +72,54 @@ void add_image_options(CLI::App& command, RenderOptions& options) {
   command
       .add_option("--color", options.colour,
                   "What colours the spheres: contacts, radius, speed, or species, the text column of an XYZ file. The "
-                  "colours fit the range of the first image, radii and species that of all --frames")
+                  "colours fit the range of all images")
       ->capture_default_str();
+  const auto take_range = [&options](const std::vector<double>& range) { options.colour_range = {range[0], range[1]}; };
+  command
+      .add_option_function<std::vector<double>>("--color-range", take_range,
+                                                "LOW,HIGH: radii or speeds with the first and the last colour")
+      ->delimiter(',')
+      ->expected(2)
+      ->needs("--color");
+}
+
+void check_extension(const std::string& file, const std::string& extension) {
+  if (!file.empty() && std::filesystem::path(file).extension() != extension)
+    throw std::invalid_argument(fmt::format("the output {} does not end in {}", file, extension));
 }
 
 }  // namespace
+
+void check_render_files(const RenderOptions& options, uint64_t images) {
+  check_extension(options.output_file, ".png");
+  check_extension(options.video_file, ".mp4");
+  OutputFiles files;
+  add_inputs(files, options.start);
+  for (uint64_t k = 0; !options.output_file.empty() && k < images; ++k)
+    add_image(files, "--output", numbered(options.output_file, k, images));
+  if (!options.video_file.empty()) add_image(files, "--video", options.video_file);
+}
+
+void check_render_options(const RenderOptions& options) {
+  if (options.output_file.empty() && options.video_file.empty())
+    throw std::invalid_argument("nothing to write: give --output image.png or --video video.mp4");
+  check_render_files(options, options.images);
+  if (!options.backend.empty()) require_known_backends({options.backend});
+  for (const auto& [name, value] : {std::pair{"--eye", options.camera.eye}, {"--target", options.camera.target}})
+    if (!value.empty() && value.size() != 3) throw std::invalid_argument(fmt::format("{} needs x,y,z", name));
+  draw_method_from_name(options.draw);
+  const ColourBy by = colour_by_name(options.colour);
+  if (options.frames && options.start.input_file.empty())
+    throw std::invalid_argument("--frames draws the frames of an XYZ file: give it with --input");
+  if (options.frames && by == ColourBy::speed)
+    throw std::invalid_argument("--color speed: the spheres of a file's frames have no speeds");
+  if (!options.colour_range) return;
+  const auto& [low, high] = *options.colour_range;
+  if (by != ColourBy::speed && by != ColourBy::radius)
+    throw std::invalid_argument(fmt::format("--color-range is of radius and speed, not of {}: omit it", name_of(by)));
+  if (!(low >= 0 && low < high))
+    throw std::invalid_argument(fmt::format("--color-range is {},{}, but must ascend from 0 or more", low, high));
+}
 
 void add_render(CLI::App& app, CommandLine& line, Action& action) {
   auto* command = app.add_subcommand(

@@ -6,7 +6,7 @@
 
 #include "bench/check/finite_state.h"
 #include "bench/check/step_result.h"
-#include "bench/cli/commands.h"
+#include "bench/cli/options_draw.h"
 #include "bench/formats/files.h"
 #include "bench/formats/video.h"
 #include "bench/image/colour_values.h"
@@ -42,37 +42,8 @@ struct Series {
   const Start& start(uint64_t k) const { return starts[options.frames ? k : 0]; }
   uint64_t step(uint64_t k) const { return start(k).step + options.steps + (options.frames ? 0 : k * options.every); }
   fs::path file(uint64_t k) const { return numbered(options.output_file, k, images()); }
+  ColourBy by() const { return colour_by_name(options.colour); }
 };
-
-void check_extension(const std::string& file, const std::string& extension) {
-  if (!file.empty() && fs::path(file).extension() != extension)
-    throw std::invalid_argument(fmt::format("the output {} does not end in {}", file, extension));
-}
-
-void check_files(const RenderOptions& options, uint64_t images) {
-  check_extension(options.output_file, ".png");
-  check_extension(options.video_file, ".mp4");
-  OutputFiles files;
-  add_inputs(files, options.start);
-  for (uint64_t k = 0; !options.output_file.empty() && k < images; ++k)
-    add_image(files, "--output", numbered(options.output_file, k, images));
-  if (!options.video_file.empty()) add_image(files, "--video", options.video_file);
-}
-
-void check_options(const RenderOptions& options) {
-  if (options.output_file.empty() && options.video_file.empty())
-    throw std::invalid_argument("nothing to write: give --output image.png or --video video.mp4");
-  check_files(options, options.images);
-  if (!options.backend.empty()) require_known_backends({options.backend});
-  for (const auto& [name, value] : {std::pair{"--eye", options.camera.eye}, {"--target", options.camera.target}})
-    if (!value.empty() && value.size() != 3) throw std::invalid_argument(fmt::format("{} needs x,y,z", name));
-  draw_method_from_name(options.draw);
-  const ColourBy by = colour_by_name(options.colour);
-  if (options.frames && options.start.input_file.empty())
-    throw std::invalid_argument("--frames draws the frames of an XYZ file: give it with --input");
-  if (options.frames && by == ColourBy::speed)
-    throw std::invalid_argument("--color speed: the spheres of a file's frames have no speeds");
-}
 
 json record(const Series& series, uint64_t k, const Legend& legend) {
   json all = {{"format", record_format},
@@ -122,8 +93,7 @@ Legend widest_legend(const Series& series) {
 // all images.
 void compose(Series& series, const Backend::State& first, const std::vector<double>& values) {
   const RenderOptions& options = series.options;
-  const ColourBy by = colour_by_name(options.colour);
-  series.colouring = colouring_of(by, series.starts, values);
+  series.colouring = colouring_of(series.by(), series.starts, values, options.colour_range.has_value());
   if (options.legend) series.strip = LegendStrip::within(widest_legend(series), options.width, options.height);
   ImageOptions& image = series.image;
   image.width = options.width;
@@ -137,6 +107,25 @@ void compose(Series& series, const Backend::State& first, const std::vector<doub
   if (!series.lights) return;
   image.look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW;
   place_ground(image.look, options.ground, series.starts, first.positions, image.camera.up);
+}
+
+// By what the colours of all images are chosen: --color-range, or a sample of the speeds or contacts in all images of a
+// film, for which the run is made once before it is drawn. Empty: by the first image.
+std::vector<double> values_for_colours(const Series& series, Progress& progress) {
+  const auto& range = series.options.colour_range;
+  if (range) return {range->front(), range->back()};
+  const bool varies = series.by() == ColourBy::speed || series.by() == ColourBy::contacts;
+  if (series.options.frames || series.images() == 1 || !varies) return {};
+  constexpr uint64_t most = 1 << 22;
+  const uint64_t stride = series.images() * series.start(0).scene.size() / most + 1;
+  std::vector<double> sample;
+  for (uint64_t k = 0; k < series.images(); ++k) {
+    progress.say(fmt::format("range of the colours: image {} of {}", k + 1, series.images()));
+    const Backend::State state = advance(series, k);
+    const std::vector<double> values = values_of(series.by(), series.start(k), series.backend(), state);
+    for (uint64_t i = 0; i < values.size(); i += stride) sample.push_back(values[i]);
+  }
+  return series.by() == ColourBy::speed ? range_of_speeds(std::move(sample)) : sample;
 }
 
 void require_spheres(const Series& series, uint64_t k, bool some) {
@@ -174,14 +163,14 @@ Remarks draw_series(Series& series) {
   std::optional<Video> video;
   Remarks remarks;
   json first, current;
+  const std::vector<double> chosen = values_for_colours(series, progress);
   for (uint64_t k = 0; k < series.images(); ++k) {
     progress.say(fmt::format("image {} of {}{}", k + 1, series.images(),
                              options.frames ? "" : fmt::format(", step {}", series.step(k))));
     const Backend::State state = advance(series, k);
-    const std::vector<double> values =
-        values_of(colour_by_name(options.colour), series.start(k), series.backend(), state);
+    const std::vector<double> values = values_of(series.by(), series.start(k), series.backend(), state);
     if (k == 0) require_spheres(series, k, !values.empty());
-    if (k == 0) compose(series, state, values);
+    if (k == 0) compose(series, state, chosen.empty() ? values : chosen);
     if (k == 0) remarks.undrawn = undrawn_text(series.start(0), state.positions);
     std::vector<uint> image = draw_one(series, k, values, current, remarks);
     if (k == 0) first = current;
@@ -210,8 +199,8 @@ void print_summary(const Series& series, const Remarks& remarks) {
                series.lights ? ", without ambient occlusion and shadows on the spheres: --draw compute has both" : "");
   if (!series.colouring->grouping().empty()) fmt::print("{}\n", series.colouring->grouping());
   if (remarks.beyond)
-    fmt::print("{} in {} of {} images are beyond those of the first, up to {:.4g}: they have its last colour\n",
-               options.colour, remarks.beyond, series.images(), remarks.highest);
+    fmt::print("{} up to {:.4g} are beyond the range of the colours in {} of {}: they have the last colour\n",
+               options.colour, remarks.highest, remarks.beyond, counted(series.images(), "image"));
   if (options.legend && !series.strip)
     fmt::print("{}x{} pixels have no room for the legend: it is left out\n", options.width, options.height);
   fmt::print("{}", remarks.undrawn);
@@ -225,13 +214,13 @@ void print_summary(const Series& series, const Remarks& remarks) {
 }  // namespace
 
 int render_command(const CommandLine& line, const RenderOptions& given) {
-  check_options(given);
+  check_render_options(given);
   RenderOptions options = given;
   options.start.species = colour_by_name(options.colour) == ColourBy::species;
   std::vector<Start> starts;
   if (options.frames) {
     starts = start_of_frames(options.start, line.open.threads);
-    check_files(options, starts.size());
+    check_render_files(options, starts.size());
   } else {
     starts.push_back(start_of(options.start, line.open.threads));
   }

@@ -32,12 +32,18 @@ std::vector<double> values_of(ColourBy by, const Start& start, Backend& backend,
   return values;
 }
 
-Colouring colouring_of(ColourBy by, const std::vector<Start>& starts, std::vector<double> values) {
+std::vector<double> range_of_speeds(std::vector<double> speeds) {
+  const auto last = speeds.begin() + ptrdiff_t(speeds.size() * 98 / 100);
+  std::ranges::nth_element(speeds, last);
+  return {0, *last > 0 ? *last : std::ranges::max(speeds)};
+}
+
+Colouring colouring_of(ColourBy by, const std::vector<Start>& starts, std::vector<double> values, bool clipped) {
   const Start& first = starts.front();
   if (by == ColourBy::speed && std::ranges::max(values) == 0)
     throw std::invalid_argument(fmt::format("--color speed: all spheres of {} are at rest{}", first.label,
-                                            first.at_rest ? "" : " in the first image: give --steps"));
-  for (size_t k = 1; k < starts.size(); ++k) {
+                                            first.at_rest ? "" : " in the image: give --steps"));
+  for (size_t k = 1; !clipped && k < starts.size(); ++k) {
     const std::vector<uint>& species = starts[k].species_index;
     if (by == ColourBy::species) values.insert(values.end(), species.begin(), species.end());
     for (const vec4& sphere : starts[k].scene.positions)
@@ -45,7 +51,7 @@ Colouring colouring_of(ColourBy by, const std::vector<Start>& starts, std::vecto
   }
   if (by == ColourBy::species) return {first.species, values};
   const char* unit = first.at_rest ? ", in the file's unit" : by == ColourBy::speed ? ", m/s" : ", m";
-  return {by, values, unit};
+  return {by, values, unit, clipped};
 }
 
 }  // namespace spherepair

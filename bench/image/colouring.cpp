@@ -41,10 +41,10 @@ ColourBy colour_by_name(const std::string& name) {
 }
 const char* name_of(ColourBy by) { return known[size_t(by)]; }
 
-Colouring::Colouring(ColourBy by, const std::vector<double>& values, const std::string& unit)
+Colouring::Colouring(ColourBy by, const std::vector<double>& values, const std::string& unit, bool clipped)
     : title_(by == ColourBy::contacts ? "contacts" : fmt::format("{}{}", name_of(by), unit)) {
   highest_ = *std::ranges::max_element(values);
-  by == ColourBy::contacts ? choose_contacts(values) : choose_range(values);
+  by == ColourBy::contacts ? choose_contacts(values) : choose_range(values, clipped);
 }
 
 // One class a number up to seven contacts. Else none, and seven equal ranges of all but the 2 % with the most.
@@ -72,7 +72,7 @@ void Colouring::choose_contacts(std::vector<double> values) {
 }
 
 // Equal intervals; of values that differ more than tenfold equal ratios, where none is 0.
-void Colouring::choose_range(const std::vector<double>& values) {
+void Colouring::choose_range(const std::vector<double>& values, bool clipped) {
   const double low = *std::ranges::min_element(values);
   palette_ = range_look(COLOUR_BY_RADIUS, 0, 1).palette;
   std::vector<double> borders = {low};
@@ -85,6 +85,7 @@ void Colouring::choose_range(const std::vector<double>& values) {
   if (texts.size() == 1) labels_ = texts, palette_[0] = palette_[COLOURS / 2];
   for (size_t k = 0; k + 1 < texts.size(); ++k) labels_.push_back(range_label(texts[k], texts[k + 1]));
   if (texts.size() > 2) labels_.back() = texts[texts.size() - 2] + "+";  // later images may have more
+  if (clipped) labels_.front() = "under " + texts[1];
   if (borders.size() > 1) limits_.assign(borders.begin() + 1, borders.end() - 1);
 }
 

@@ -17,7 +17,8 @@ const char* name_of(ColourBy by);
 class Colouring {
  public:
   // values: of the first image's spheres, or of all images'; unit: of radius or speed, or empty.
-  Colouring(ColourBy by, const std::vector<double>& values, const std::string& unit);
+  // clipped: both ends of a range, beyond which values have the first and the last colour.
+  Colouring(ColourBy by, const std::vector<double>& values, const std::string& unit, bool clipped = false);
   // By species: values are indices into the names. Where there are more than colours, the rarest share one.
   Colouring(const std::vector<std::string>& names, const std::vector<double>& values);
 
@@ -29,7 +30,7 @@ class Colouring {
 
  private:
   void choose_contacts(std::vector<double> values);
-  void choose_range(const std::vector<double>& values);
+  void choose_range(const std::vector<double>& values, bool clipped);
 
   std::string title_, grouping_;
   std::array<uint, COLOURS> palette_{};

@@ -6,6 +6,7 @@
 
 #include "bench/io/context.h"
 #include "bench/options/help_format.h"
+#include "common/scene/scene.h"
 
 namespace spherepair {
 namespace {
@@ -83,6 +84,9 @@ std::string man_page(const CLI::App& app) {
     text += fmt::format(".TP\n.B {}\n{}\n", roff(command->get_name()), roff(command->get_description()));
   for (const CLI::App* command : commands_of(app))
     text += fmt::format(".SH OPTIONS OF {}\n{}", roff(command->get_name()), options_text(*command));
+  text += ".SH SCENES\n";
+  for (const SceneKind& kind : scene_kinds())
+    text += fmt::format(".TP\n.B {}\n{}\n", roff(kind.name), roff(kind.summary));
   return text + fmt::format(".SH NOTES\n{}\n", roff(app.get_footer()));
 }
 

@@ -19,7 +19,7 @@ std::string scene_names() {
 }  // namespace
 
 void add_scene_options(CLI::App& command, SceneOptions& scene) {
-  command.add_option("--scene", scene.name, scene_names() + ": see docs/commands.md")->capture_default_str();
+  command.add_option("--scene", scene.name, scene_names() + ": see `spherepair man`")->capture_default_str();
   command.add_option("--n", scene.n, "Number of spheres")->transform(count_range)->capture_default_str();
   command.add_option("--seed", scene.seed, "Of random numbers; gives the same scene on every machine")
       ->transform(steps_range)

@@ -231,6 +231,8 @@ std::set<std::string> options_in(const std::string& help) {
 // Each option that help has: bash completes it, and the manual page has it.
 TEST_F(CommandLineTest, CompletionAndManualHaveEveryOption) {
   const std::string script = folder_.write("script", run("completion").output), manual = run("man").output;
+  for (const SceneKind& kind : scene_kinds())
+    EXPECT_NE(manual.find(fmt::format(".B {}\n", kind.name)), std::string::npos) << kind.name;
   for (const char* command : {"devices", "run", "pairs", "render", "compare", "sweep", "energy"}) {
     const std::string bash = fmt::format(
         "source '{}'; COMP_WORDS=(spherepair {} --); COMP_CWORD=2; _spherepair; printf '  %s \\n' "

@@ -3,6 +3,7 @@
 // that go on; and how long a run moves.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -219,6 +220,36 @@ TEST_F(RunGoesOn, WithATrajectory) {
   refused(fmt::format("run --resume {} --steps 5 --trajectory {}", path("ck"), path("t.extxyz")), "another file");
   EXPECT_EQ(read_bytes(path("t.extxyz")), text);
   refused(bed + " --steps 5 --trajectory " + path("t.npy"), ".extxyz");
+}
+
+// Equal intervals from 0 to all but the fastest 2 % of all images.
+TEST_F(RunGoesOn, AsAFilmWhoseColoursFitAllImages) {
+  const std::string scene = "--backend cpu --scene bed --n 60 --contact spring --restitution 0.5 --stiffness 1e6 ";
+  std::vector<double> speeds;
+  for (uint64_t k = 0; k < 5; ++k) {
+    good(fmt::format("run {} --steps {} --save {} --spheres {}", scene, 300 * k, path("ck"), path("end.npy")));
+    for (const vec4& v : read_sphere_file(path("end.npy"), {}).scene.velocities)
+      speeds.push_back(std::hypot(double(v.x), double(v.y), double(v.z)));
+  }
+  std::ranges::sort(speeds);
+  const double last = speeds[speeds.size() * 98 / 100];
+  const std::string film =
+      fmt::format("render {} --color speed --size 160x120 --samples 1 --output {} ", scene, path("f.png"));
+  good(film + "--images 5 --every 300");
+  for (const char* image : {"f-0.json", "f-4.json"}) {
+    const nlohmann::json keys = read_json(image).at("colours").at("keys");
+    ASSERT_EQ(keys.size(), 8u) << keys;
+    EXPECT_EQ(keys.front()[1], fmt::format("0–{:.3g}", last / 8));
+    EXPECT_EQ(keys.back()[1], fmt::format("{:.3g}+", last * 7 / 8));
+  }
+  good(film + "--steps 900 --color-range 2,6");
+  const nlohmann::json keys = read_json("f.json").at("colours").at("keys");
+  EXPECT_EQ(keys.front()[1], "under 2.5");
+  EXPECT_EQ(keys.back()[1], "5.5+");
+  refused(film + "--steps 900 --color-range 6,2", "must ascend");
+  refused(film + "--steps 900 --color contacts --color-range 2,6", "--color");
+  refused(fmt::format("render {} --color contacts --color-range 2,6 --output {}", scene, path("f.png")),
+          "radius and speed");
 }
 
 TEST_F(RunGoesOn, SayingWhatIsAskedFor) {
