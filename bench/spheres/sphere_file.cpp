@@ -34,10 +34,10 @@ Reader reader_by_contents(const FileBytes& file) {
 }
 
 Reader reader_of(const FileBytes& file, const SphereFileOptions& options) {
-  if (file.is_standard_input()) return reader_by_contents(file);
   const std::string extension = lower_case(std::filesystem::path(file.name()).extension().string());
   const auto found = std::ranges::find_if(formats, [&](const Format& format) { return extension == format.extension; });
   if (found != std::end(formats)) return found->read;
+  if (file.is_stream()) return reader_by_contents(file);
   if (!options.columns.empty()) return read_text;
   if (const std::string_view kind = kind_of(file.bytes()); !kind.empty())
     throw std::invalid_argument(fmt::format("{} is {}: unpack or convert it to XYZ, NPY or text", file.name(), kind));
