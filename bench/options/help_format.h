@@ -12,6 +12,8 @@ std::string wrapped_help(const std::string& help, size_t width);
 // CLI11's help in lines of at most 100 columns, or as many as the terminal has.
 class HelpFormat : public CLI::Formatter {
  public:
+  // A positional argument that is also an option refers to that for its description.
+  std::string make_option(const CLI::Option* option, bool is_positional) const override;
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
 };
 
