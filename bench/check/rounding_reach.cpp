@@ -25,14 +25,15 @@ uint64_t pairs_within_reach(Backend& backend, const Scene& scene, const Rounding
   return possible - pairs_of(backend, scene, shrunk(scene.positions, rounding.reach), options);
 }
 
-std::string reach_warning(uint64_t pairs, const Rounding& rounding) {
+std::string reach_warning(uint64_t pairs, const Rounding& rounding, bool of_points) {
   if (pairs == 0) return "";
   return fmt::format(
-      "WARNING: {} so close to touching that rounding the file's numbers to float32, which moves a surface "
-      "by up to {}, can decide {}. The float32 spheres are decided exactly. To have fewer such pairs, write "
+      "WARNING: {} so close to {} that rounding the file's numbers to float32, which moves a {} "
+      "by up to {}, can decide {}. The float32 {} are decided exactly. To have fewer such pairs, write "
       "positions relative to a point near the spheres, or in numbers that float32 represents.",
-      pairs == 1 ? "1 pair is" : fmt::format("{} pairs are", pairs), at_most(rounding.largest),
-      pairs == 1 ? "it" : "them");
+      pairs == 1 ? "1 pair is" : fmt::format("{} pairs are", pairs), of_points ? "the cutoff" : "touching",
+      of_points ? "point" : "surface", at_most(rounding.largest), pairs == 1 ? "it" : "them",
+      of_points ? "points" : "spheres");
 }
 
 }  // namespace spherepair

@@ -15,7 +15,7 @@ namespace spherepair {
 uint64_t pairs_within_reach(Backend& backend, const Scene& scene, const Rounding& rounding,
                             const CollideOptions& options);
 
-// What to tell the user; empty if there are none.
-std::string reach_warning(uint64_t pairs, const Rounding& rounding);
+// What to tell the user; empty if there are none. of_points: they are at a cutoff from each other.
+std::string reach_warning(uint64_t pairs, const Rounding& rounding, bool of_points = false);
 
 }  // namespace spherepair

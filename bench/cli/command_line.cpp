@@ -36,40 +36,14 @@ void add_devices(CLI::App& app, CommandLine& line, Action& action) {
 }
 
 void add_pairs(CLI::App& app, CommandLine& line, Action& action) {
-  auto* command = app.add_subcommand("pairs", "Read spheres from a file and write the colliding pairs");
+  auto* command = app.add_subcommand("pairs", "Read spheres or points from a file and find the pairs");
   auto options = std::make_shared<PairsOptions>();
-  command
-      ->add_option(
-          "--input", options->input_file,
-          "Extended XYZ (.xyz, .extxyz; columns pos and radius by Properties=, else `[species] x y z [radius]`), "
-          "NPY (.npy; n x 3, n x 4 with the radius, or structured with fields x y z or pos, and radius; any real "
-          "numbers), text (.txt, .csv, .tsv, .dat; columns by a line of names, else x y z [radius]), or - for any of "
-          "these on standard input")
-      ->required();
-  add_file_options(*command, options->columns, options->decimal_comma, options->ignore_periodic);
-  command->add_option("--radius", options->radius, "Radius of all spheres if the file has none");
-  command
-      ->add_option("--output", options->output_file,
-                   "Pairs i < j, sorted; format by extension: .npy (m x 2, uint32), .txt (a line `i j` each), or - "
-                   "for text on standard output")
-      ->required();
-  command->add_flag(
-      "--geometry", options->geometry,
-      "Also write the overlap, the unit normal from i to j and the contact point of each pair, in float64: "
-      "`i j overlap nx ny nz px py pz`, or a structured NPY array");
-  command->add_option("--contacts", options->contacts_file,
-                      "Write the number of contacts of each sphere to this file: .npy (uint32) or .txt");
-  command->add_option("--frame", options->frame, "Frame of an XYZ file with several, counted from 0")
-      ->transform(count_range);
-  add_backend_option(*command, options->backend, "Where the pairs are searched");
-  command->add_option("--method", options->method, "See run --help; default: auto");
-  add_block_option(*command, options->block);
-  command->add_option("--json", options->json_file,
-                      "Write the summary and context as JSON to this file; -: to standard output");
+  add_pairs_options(*command, *options);
   add_open_options(*command, line.open);
   command->footer(
-      "Examples:\n  spherepair pairs --input spheres.npy --radius 0.5 --output pairs.npy\n"
-      "  spherepair pairs --input atoms.extxyz --output - | head");
+      "Examples:\n  spherepair pairs spheres.npy --radius 0.5 --output pairs.npy\n"
+      "  spherepair pairs points.csv --cutoff 2.5 --distances --output pairs.csv\n"
+      "  spherepair pairs atoms.extxyz --output - | head");
   command->callback([=, &line, &action] { action = [=, &line] { return pairs_command(line, *options); }; });
 }
 

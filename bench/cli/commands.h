@@ -7,6 +7,7 @@
 #include "bench/formats/start.h"
 #include "bench/image/antialiased_image.h"
 #include "bench/options/command.h"
+#include "bench/options/pairs_options.h"
 #include "bench/run/run_options.h"
 #include "bench/tables/plan.h"
 
@@ -21,18 +22,6 @@ int devices_command(const CommandLine& line, const DevicesOptions& options);
 
 int run_command(const CommandLine& line, const RunOptions& options);
 
-struct PairsOptions {
-  std::string backend, method;  // no backend: the fastest that opens; no method: auto
-  std::string input_file, output_file, json_file;
-  std::string contacts_file;  // the number of contacts of each sphere
-  bool geometry = false;      // overlap, normal and point of each pair as well
-  std::optional<double> radius;
-  std::optional<uint64_t> frame;
-  std::vector<std::string> columns;
-  bool decimal_comma = false;
-  bool ignore_periodic = false;
-  uint block = 0;  // 0: not given
-};
 int pairs_command(const CommandLine& line, const PairsOptions& options);
 
 struct RenderOptions {

@@ -15,6 +15,7 @@
 #include "bench/io/output_files.h"
 #include "bench/measure/choice.h"
 #include "bench/spheres/pair_file.h"
+#include "bench/spheres/rows_file.h"
 #include "bench/spheres/sphere_file.h"
 #include "common/scene/counted.h"
 
@@ -43,15 +44,28 @@ struct PairsReport {
   Seconds seconds;
 };
 
+// None, the one that was named, or those of the neighbour list.
+std::vector<std::string> output_files(const PairsOptions& options) {
+  if (!options.csr) return {options.output_file};
+  const NeighbourFiles files = neighbour_files(options.output_file, options.distances);
+  return {files.offsets, files.neighbours, files.distances};
+}
+
 // Throws for bad options before any work.
 void check_options(const PairsOptions& options) {
   if (!options.backend.empty()) require_known_backends({options.backend});
   if (!options.method.empty() && method_from_name(options.method) == Method::collide_group)
     throw std::invalid_argument("the method collide_group finds only pairs within a group; choose another");
   if (options.block) parse_blocks({options.block});
+  if (options.cutoff && why_invalid(*options.cutoff, true))
+    throw std::invalid_argument(
+        fmt::format("--cutoff is {}, but must be within the range of float32 and not negative", *options.cutoff));
+  if (options.csr && lower_extension(options.output_file) != ".npy")
+    throw std::invalid_argument(fmt::format(
+        "--csr writes NPY arrays, but --output is {}: give it a name that ends in .npy", options.output_file));
   OutputFiles files;
   files.read("--input", options.input_file);
-  files.write("--output", options.output_file);
+  for (const std::string& file : output_files(options)) files.write("--output", file);
   files.write("--contacts", options.contacts_file);
   files.write("--json", options.json_file);
   check_pair_file("--output", options.output_file);
@@ -65,40 +79,108 @@ double seconds_of(Work work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Found find_pairs(Backend& backend, const SphereFile& input, const CollideOptions& options) {
+SphereFile read_input(const PairsOptions& options, int threads) {
+  SphereFileOptions how = {.radius = options.radius,
+                           .frame = options.frame,
+                           .columns = options.columns,
+                           .decimal_comma = options.decimal_comma,
+                           .ignore_radii = options.cutoff.has_value(),
+                           .ignore_periodic = options.ignore_periodic,
+                           .may_shift = true,
+                           .threads = threads};
+  if (options.cutoff) how.radius = radius_above(*options.cutoff);
+  SphereFile input = read_sphere_file(options.input_file, how);
+  if (options.cutoff) widen(input.rounding, *how.radius - *options.cutoff / 2);
+  return input;
+}
+
+// Leaves the pairs out that are farther apart than the cutoff: the spheres of the search are slightly larger.
+void leave_pairs_beyond(double cutoff, std::span<const vec4> points, Found& found) {
+  std::erase_if(found.pairs, [&](const Pair& pair) {
+    if (is_within(pair, points, cutoff)) return false;
+    --found.counts[pair.first], --found.counts[pair.second];
+    return true;
+  });
+  if (found.pairs.size() == found.totals.pairs) return;
+  found.totals.pairs = found.pairs.size();
+  found.totals.colliding_spheres = found.counts.size() - size_t(std::ranges::count(found.counts, 0u));
+  found.totals.fingerprint = fingerprint(found.pairs);
+}
+
+Found find_pairs(Backend& backend, const SphereFile& input, const CollideOptions& options,
+                 std::optional<double> cutoff) {
   Found found;
   found.within_reach = pairs_within_reach(backend, input.scene, input.rounding, options);
   backend.upload(input.scene);
   backend.collide(options);
   found.totals = backend.collisions();
   found.counts = backend.counts();
+  if (options.want_pairs) found.pairs = backend.pairs();
+  if (cutoff) leave_pairs_beyond(*cutoff, input.scene.positions, found);
   found.degrees = degrees_of(found.counts);
-  found.pairs = backend.pairs();
   return found;
 }
 
 void write_found(const PairsOptions& options, const SphereFile& input, const Found& found) {
-  if (options.geometry)
-    write_contacts(options.output_file, found.pairs, input.scene.positions, input.rounding.shift);
-  else
-    write_pairs(options.output_file, found.pairs);
+  const std::string& file = options.output_file;
+  const std::vector<vec4>& spheres = input.scene.positions;
+  if (options.csr)
+    write_neighbours(neighbour_files(file, options.distances), found.pairs, found.counts, spheres);
+  else if (options.geometry)
+    write_contacts(file, found.pairs, spheres, input.rounding.shift);
+  else if (options.distances)
+    write_distances(file, found.pairs, spheres);
+  else if (!file.empty())
+    write_pairs(file, found.pairs);
   if (!options.contacts_file.empty()) write_contact_numbers(options.contacts_file, found.counts);
+}
+
+std::string describe_points(const PairsReport& report) {
+  const SphereFile& input = report.input;
+  if (!report.options.cutoff) return describe_radii(input);
+  return fmt::format("{}, cutoff {}{}\n", counted(input.scene.size(), "point"), *report.options.cutoff,
+                     input.unused_radii ? "; the file's radii are not used" : "");
+}
+
+// What only --verbose prints behind the summary.
+std::string details(const PairsReport& report) {
+  const auto& [options, input, chosen, method, found, seconds] = report;
+  std::string text = passed_over_text(chosen) + wrapped("method: " + describe(method), "", "  ") + "\n";
+  if (found.totals.deferred)
+    text += fmt::format("left to the exact stages by the float32 filter: {}; decided in float64 {}, in integers {}\n",
+                        counted(found.totals.deferred, "pair"), found.totals.decided_by[STAGE_DOUBLE],
+                        found.totals.decided_by[STAGE_INTEGER] + found.totals.decided_by[STAGE_WIDE]);
+  text += fmt::format("seconds: load {:.3f}, open {:.3f}, collide {:.3f}, write {:.3f}\n", seconds.load, seconds.open,
+                      seconds.collide, seconds.write);
+  if (found.degrees.spheres) text += "\n" + degree_table(found.degrees).text();
+  return text;
 }
 
 std::string summary(const PairsReport& report) {
   const auto& [options, input, chosen, method, found, seconds] = report;
-  std::string text = describe(input);
+  const bool verbose = options.verbosity == Verbosity::verbose;
+  std::string text = describe_file(input) + describe_points(report);
+  if (verbose) text += describe_digits(input);
+  text += describe_rounding(input);
   text += wrapped(fmt::format("{} on {}, {}", chosen.backend->info().name, device_label(chosen.backend->info()),
-                              describe(method)),
+                              method_name(method.method)),
                   "", "  ") +
           "\n";
-  text += passed_over_text(chosen);
-  text += fmt::format("{}, {} of {} collide\n", counted(found.totals.pairs, "pair"), found.totals.colliding_spheres,
-                      counted(input.scene.size(), "sphere"));
-  text += fmt::format("seconds: load {:.3f}, open {:.3f}, collide {:.3f}, write {:.3f}\n\n", seconds.load, seconds.open,
-                      seconds.collide, seconds.write);
-  if (found.degrees.spheres) text += degree_table(found.degrees).text();
-  return text;
+  text += fmt::format("{}, {} of {} {}; {:.3f} s\n", counted(found.totals.pairs, "pair"),
+                      found.totals.colliding_spheres, counted(input.scene.size(), options.cutoff ? "point" : "sphere"),
+                      options.cutoff ? "have a neighbour" : "collide",
+                      seconds.load + seconds.open + seconds.collide + seconds.write);
+  return text + (verbose ? details(report) : "");
+}
+
+// On standard error: what can have changed the result, and unless --quiet what slows it.
+void print_warnings(const PairsReport& report) {
+  fmt::print(stderr, "{}", box_warning(report.input));
+  if (report.options.verbosity != Verbosity::quiet)
+    for (const std::string& warning : report.chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
+  const std::string warning =
+      reach_warning(report.found.within_reach, report.input.rounding, report.options.cutoff.has_value());
+  if (!warning.empty()) fmt::print(stderr, "{}\n", wrapped(warning, "* ", "  "));
 }
 
 json to_json(const PairsReport& report, const CommandLine& line) {
@@ -110,6 +192,7 @@ json to_json(const PairsReport& report, const CommandLine& line) {
           {"method", method_name(method.method)},
           {"choice", to_json(method)},
           {"block", method.block ? json(method.block) : json(nullptr)},
+          {"cutoff", options.cutoff ? json(*options.cutoff) : json(nullptr)},
           {"output", options.output_file},
           {"pairs", found.totals.pairs},
           {"pairs_within_rounding", found.within_reach},
@@ -130,32 +213,23 @@ int pairs_command(const CommandLine& line, const PairsOptions& options) {
   SphereFile& input = report.input;
   ChosenBackend& chosen = report.chosen;
   Seconds& seconds = report.seconds;
-  Progress progress;
+  Progress progress(options.verbosity != Verbosity::quiet);
   progress.say("reading " + options.input_file);
-  seconds.load = seconds_of([&] {
-    input = read_sphere_file(options.input_file, {.radius = options.radius,
-                                                  .frame = options.frame,
-                                                  .columns = options.columns,
-                                                  .decimal_comma = options.decimal_comma,
-                                                  .ignore_periodic = options.ignore_periodic,
-                                                  .may_shift = true,
-                                                  .threads = line.open.threads});
-  });
+  seconds.load = seconds_of([&] { input = read_input(options, line.open.threads); });
   progress.say("opening a backend");
-  seconds.open = seconds_of([&] { chosen = choose_backend(options.backend, line.open); });
+  seconds.open = seconds_of([&] { chosen = choose_backend(options.backend, line.open, line.opener); });
   progress.say(fmt::format("{} on {}", counted(input.scene.size(), "sphere"), chosen.backend->info().name));
-  CollideOptions collide = {.method = choose_method(options.method, *chosen.backend), .want_pairs = true};
+  CollideOptions collide = {.method = choose_method(options.method, *chosen.backend),
+                            .want_pairs = !options.output_file.empty() || options.cutoff};
   if (options.block) collide.block = require_groups({chosen.backend, collide}, options.block);
-  seconds.collide = seconds_of([&] { report.found = find_pairs(*chosen.backend, input, collide); });
+  seconds.collide = seconds_of([&] { report.found = find_pairs(*chosen.backend, input, collide, options.cutoff); });
   report.method = chosen.backend->choice(collide);
   progress.say("writing " + options.output_file);
   seconds.write = seconds_of([&] { write_found(options, input, report.found); });
   progress.clear();
-  for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
-  const std::string warning = reach_warning(report.found.within_reach, input.rounding);
-  if (!warning.empty()) fmt::print(stderr, "{}\n", wrapped(warning, "* ", "  "));
+  print_warnings(report);
   const bool taken = is_standard_output({options.output_file, options.contacts_file, options.json_file});
-  fmt::print(taken ? stderr : stdout, "{}", summary(report));
+  if (options.verbosity != Verbosity::quiet) fmt::print(taken ? stderr : stdout, "{}", summary(report));
   write_json(options.json_file, to_json(report, line));
   return kOk;
 }

@@ -123,6 +123,16 @@ json query_clocks() {
 
 bool gpu_seems_present() { return std::filesystem::exists("/dev/nvidiactl"); }
 
+bool gpu_nodes_present(const std::filesystem::path& devices) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(devices, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("nvidia") || name == "dxg" || name == "nvmap") return true;
+    if (name == "dri" && !std::filesystem::is_empty(entry.path(), error)) return true;
+  }
+  return bool(error);  // what cannot be read may hold one
+}
+
 std::string utc_date() { return date("%Y-%m-%dT%H:%M:%SZ"); }
 
 std::string default_results() {

@@ -2,6 +2,7 @@
 // The context recorded with every result: machine, versions, build, environment, clocks.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,11 @@ json capture_context(const std::vector<std::string>& command_line);
 // Clocks, throttle reasons, temperature and power of every GPU from nvidia-smi; null without nvidia-smi.
 json query_clocks();
 
-bool gpu_seems_present();       // the kernel driver's control node exists
+bool gpu_seems_present();  // the kernel driver's control node exists
+
+// Whether the kernel shows any GPU: nodes of NVIDIA's driver or of DRM; WSL's dxg; Jetson's nvmap.
+bool gpu_nodes_present(const std::filesystem::path& devices = "/dev");
+
 std::string utc_date();         // 2025-11-21T04:08:00Z
 std::string default_results();  // results/<host>-<date>
 

@@ -23,6 +23,11 @@ constexpr size_t reserve = 1 << 16;  // bytes by which a file may be longer than
   throw std::invalid_argument(fmt::format("cannot read {}: {}", name, std::strerror(error)));
 }
 
+// Also where it is open on a regular file: `/dev/stdin <file`.
+bool is_descriptor(std::string_view name) {
+  return name == "/dev/stdin" || name.starts_with("/dev/fd/") || name.starts_with("/proc/self/fd/");
+}
+
 struct Descriptor {
   Descriptor(const std::string& name, bool standard_input)
       : value(standard_input ? ::dup(STDIN_FILENO) : ::open(name.c_str(), O_RDONLY | O_CLOEXEC)) {
@@ -36,12 +41,12 @@ struct Descriptor {
 
 }  // namespace
 
-FileBytes::FileBytes(const std::filesystem::path& path)
-    : standard_input_(path == "-"), name_(standard_input_ ? "standard input" : path.string()) {
-  const Descriptor file(name_, standard_input_);
+FileBytes::FileBytes(const std::filesystem::path& path) : name_(path == "-" ? "standard input" : path.string()) {
+  const Descriptor file(name_, path == "-");
   struct stat status {};
   if (::fstat(file.value, &status) != 0) fail_to_read(name_, errno);
   if (S_ISDIR(status.st_mode)) fail_to_read(name_, EISDIR);
+  stream_ = path == "-" || !S_ISREG(status.st_mode) || is_descriptor(name_);
   const size_t size = S_ISREG(status.st_mode) ? size_t(status.st_size) : 0;
   if (!fits_in_memory(size))
     throw BackendError(fmt::format("{} has {} bytes, which do not fit in memory", name_, size));

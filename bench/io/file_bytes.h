@@ -16,7 +16,8 @@ class FileBytes {
   explicit FileBytes(const std::filesystem::path& path);  // -: standard input
 
   const std::string& name() const { return name_; }
-  bool is_standard_input() const { return standard_input_; }
+  // Standard input, a pipe, /dev/fd/63: no extension tells its format.
+  bool is_stream() const { return stream_; }
   std::string_view bytes() const { return bytes_; }
 
   // Throw std::invalid_argument: FILE, line 7: expected ..., found ...
@@ -24,7 +25,7 @@ class FileBytes {
   [[noreturn]] void fail_at_byte(uint64_t offset, std::string_view expected, std::string_view found) const;
 
  private:
-  bool standard_input_;
+  bool stream_ = false;
   std::string name_, bytes_;
 };
 

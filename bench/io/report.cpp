@@ -187,7 +187,7 @@ std::string wrapped(const std::string& text, const std::string& first, const std
   return out + line;
 }
 
-Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(bool shown) : terminal_(shown && isatty(STDERR_FILENO) != 0) {}
 
 void Progress::say(const std::string& what) {
   if (!terminal_) return;

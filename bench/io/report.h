@@ -66,7 +66,7 @@ std::string wrapped(const std::string& text, const std::string& first = "", cons
 // One line on standard error that overwrites itself; silent if that is not a terminal.
 class Progress {
  public:
-  Progress();
+  explicit Progress(bool shown = true);
   ~Progress() { clear(); }
   void say(const std::string& what);
   void clear();

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "bench/io/arguments.h"
+#include "bench/io/context.h"
 #include "common/backend/checks.h"
 
 namespace spherepair {
@@ -22,11 +23,17 @@ ChosenBackend open_one(const std::string& name, const OpenOptions& options, cons
 
 ChosenBackend choose_backend(const std::string& name, const OpenOptions& options, const Opener& opener) {
   if (!name.empty()) return open_one(name, options, opener);
+  const bool wants_gpu = !options.cuda_device.empty() || !options.gl_device.empty() || options.require_hardware;
+  const bool worth_trying = wants_gpu || gpu_nodes_present();  // software OpenGL opens in a tenth of a second
   std::vector<std::string> passed_over;
   OpenOptions hardware = options;
   hardware.require_hardware = true;  // software OpenGL is slower than the CPU backend
   for (const char* device : {"cuda", "glsl"}) {
     if (!options.allow_gpu) break;
+    if (!worth_trying) {
+      passed_over.push_back(fmt::format("{}: not tried, since /dev shows no GPU (nvidia*, dri, dxg, nvmap)", device));
+      continue;
+    }
     try {
       ChosenBackend chosen = open_one(device, hardware, opener);
       chosen.passed_over = passed_over;
@@ -35,7 +42,7 @@ ChosenBackend choose_backend(const std::string& name, const OpenOptions& options
       passed_over.push_back(error.what());
     }
   }
-  if (!options.cuda_device.empty() || !options.gl_device.empty() || options.require_hardware)
+  if (wants_gpu)
     throw BackendError(fmt::format(
         "no GPU for --cuda-device, --gl-device or --require-hardware: {}; omit that option, or mend the first of these",
         fmt::join(passed_over, "; ")));

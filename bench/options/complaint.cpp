@@ -32,7 +32,7 @@ std::string unknown_word(const CLI::App& app) {
   if (option != left.end()) {
     std::vector<std::string> known;
     for (const CLI::Option* one : command.get_options())
-      if (!one->get_positional()) known.push_back(one->get_name());
+      if (one->nonpositional()) known.push_back(one->get_name());
     const std::string name = option->substr(0, option->find('=')), nearest = nearest_name(name, known);
     if (name.starts_with("--friction") || name.starts_with("--rolling"))
       return fmt::format("there is no option {}: contacts have neither friction nor rotation", name);
@@ -54,7 +54,7 @@ std::optional<std::pair<std::string, std::string>> names_around(const std::strin
 // The option that has too few values or too many.
 std::string number_of_values(const CLI::App& command, const std::string& message) {
   for (const CLI::Option* option : command.get_options()) {
-    if (option->get_positional() || !message.starts_with(option->get_name() + ":")) continue;
+    if (!option->nonpositional() || !message.starts_with(option->get_name() + ":")) continue;
     const auto least = uint64_t(option->get_items_expected_min());
     const bool more = option->get_items_expected_max() > option->get_items_expected_min();
     const std::string takes = counted(least, "value") + (more ? " or more" : "");

@@ -140,6 +140,14 @@ std::string values_of(const CLI::Option& option) {
 
 std::string HelpFormat::make_option_opts(const CLI::Option* option) const { return values_of(*option); }
 
+std::string HelpFormat::make_option(const CLI::Option* option, bool is_positional) const {
+  if (!is_positional || !option->nonpositional()) return CLI::Formatter::make_option(option, is_positional);
+  std::ostringstream line;
+  CLI::detail::format_help(line, make_option_name(option, true), "The same as " + make_option_name(option, false),
+                           get_column_width());
+  return line.str();
+}
+
 std::string HelpFormat::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const {
   return wrapped_help(CLI::Formatter::make_help(app, std::move(name), mode), terminal_width());
 }

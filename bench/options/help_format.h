@@ -19,6 +19,8 @@ std::string values_of(const CLI::Option& option);
 // they take and their default; what they exclude is said where it is tried.
 class HelpFormat : public CLI::Formatter {
  public:
+  // A positional argument that is also an option refers to that for its description.
+  std::string make_option(const CLI::Option* option, bool is_positional) const override;
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
   std::string make_option_opts(const CLI::Option* option) const override;
 };

@@ -89,6 +89,10 @@ void refuse_of_contacts(const Given& given) {
 }
 
 void refuse_of_search(const Given& given) {
+  given.refuse("--quiet",
+               given.command() == "pairs" && !given.has("--output") && !given.has("--contacts") && !given.has("--json"),
+               "without an output, since only the summary tells the result: omit it, or give --output, --contacts or "
+               "--json");
   given.refuse("--naive", given.has("--swept"), "with --swept, which has a test of its own: omit one of the two");
 }
 

@@ -115,11 +115,14 @@ Converted convert(const NpyArray& array, SphereRows& rows, int threads) {
 
 SphereFile read_npy(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows) {
   const NpyHeader header = read_npy_header(file);
-  const NpyArray array = array_of(file, header, options.columns);
+  NpyArray array = array_of(file, header, options.columns);
   if (options.frame)
     throw std::invalid_argument(fmt::format("{} is an NPY file, and --frame is for XYZ files only", file.name()));
   const auto any = [&](auto wanted) { return std::ranges::any_of(array.columns, wanted); };
   SphereFile input;
+  input.unused_radii = take_radii_away(array.meaning, options);
+  if (input.unused_radii)
+    std::erase_if(array.columns, [](const NpyColumn& column) { return column.quantity == QUANTITY_RADIUS; });
   input.own_radii = any([](const NpyColumn& column) { return column.quantity == QUANTITY_RADIUS; });
   check_radius(file, array.meaning, options);
   input.units = array.meaning.units;

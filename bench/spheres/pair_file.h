@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes colliding pairs and contact numbers, by the file's extension as NPY (C order) or text.
+// Writes colliding pairs and contact numbers, by the file's extension as NPY (C order), CSV with a line of names, or
+// text with the names in a comment. Replaces each file atomically.
 #pragma once
 
 #include <array>
@@ -7,26 +8,18 @@
 #include <string>
 
 #include "bench/io/output_files.h"
-#include "common/scene/pair_set.h"
-#include "common/shared/layout.h"
+#include "bench/spheres/pair_geometry.h"
 
 namespace spherepair {
 
 // Throws std::invalid_argument for an unknown extension of `option`'s file. Pipes and devices take text.
 void check_pair_file(const std::string& option, const std::string& file);
 
-// NPY: m x 2, uint32; text: lines `i j`. Replaces the file atomically.
+// NPY: m x 2, uint32; text: lines `i j`.
 void write_pairs(const std::string& file, std::span<const Pair> pairs);
 
-// Of a pair: how far its spheres overlap, metres; the unit vector from the centre of `first` to that of `second` (zero
-// if they coincide); and the point in the middle of the overlap, on the line of centres. In float64 from the float32
-// spheres, whose centres are `shift` away from the points that are written. The overlap is positive for every pair that
-// collides, with a relative error below 2^-50.
-struct Contact {
-  double overlap;
-  std::array<double, 3> normal, point;
-};
-Contact contact_of(const Pair& pair, std::span<const vec4> spheres, const std::array<double, 3>& shift = {});
+// NPY: a structured array of i, j (uint32), distance (float64); text: lines `i j distance`.
+void write_distances(const std::string& file, std::span<const Pair> pairs, std::span<const vec4> spheres);
 
 // NPY: a structured array of i, j (uint32), overlap, normal (3), point (3) (float64); text: lines of the same columns.
 void write_contacts(const std::string& file, std::span<const Pair> pairs, std::span<const vec4> spheres,
@@ -34,5 +27,15 @@ void write_contacts(const std::string& file, std::span<const Pair> pairs, std::s
 
 // The number of contacts of each sphere. NPY: n, uint32; text: a line each.
 void write_contact_numbers(const std::string& file, std::span<const uint> counts);
+
+// Of a full neighbour list in CSR: for list.npy list.offsets.npy (n + 1, uint64), list.neighbours.npy (2 m, uint32)
+// and, if asked for, list.distances.npy (2 m, float64). Those of sphere i are from offsets[i] to offsets[i + 1],
+// ascending.
+struct NeighbourFiles {
+  std::string offsets, neighbours, distances;
+};
+NeighbourFiles neighbour_files(const std::string& file, bool distances);
+void write_neighbours(const NeighbourFiles& files, std::span<const Pair> pairs, std::span<const uint> counts,
+                      std::span<const vec4> spheres);
 
 }  // namespace spherepair

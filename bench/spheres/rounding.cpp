@@ -118,6 +118,10 @@ Rounding round_rows(SphereRows& rows, bool may_shift) {
   return rounding;
 }
 
+void widen(Rounding& rounding, double way) {
+  for (float& reach : rounding.reach) reach = std::nextafter(float(double(reach) + way), INFINITY);
+}
+
 std::string at_most(double value) {
   const std::string text = fmt::format("{:.2g}", value);
   if (std::strtod(text.c_str(), nullptr) >= value) return text;

@@ -34,6 +34,9 @@ struct Rounding {
 // two of their extent, along every axis on which all differences are exact in float64.
 Rounding round_rows(SphereRows& rows, bool may_shift);
 
+// Adds a way to the reach of every sphere, if rounding moved any.
+void widen(Rounding& rounding, double way);
+
 // A positive number in two digits, rounded up, so that `at most` holds for what is printed.
 std::string at_most(double value);
 

@@ -34,10 +34,10 @@ Reader reader_by_contents(const FileBytes& file) {
 }
 
 Reader reader_of(const FileBytes& file, const SphereFileOptions& options) {
-  if (file.is_standard_input()) return reader_by_contents(file);
   const std::string extension = lower_case(std::filesystem::path(file.name()).extension().string());
   const auto found = std::ranges::find_if(formats, [&](const Format& format) { return extension == format.extension; });
   if (found != std::end(formats)) return found->read;
+  if (file.is_stream()) return reader_by_contents(file);
   if (!options.columns.empty()) return read_text;
   if (const std::string_view kind = kind_of(file.bytes()); !kind.empty())
     throw std::invalid_argument(fmt::format("{} is {}: unpack or convert it to XYZ, NPY or text", file.name(), kind));
@@ -51,17 +51,6 @@ std::pair<float, float> radius_range(const Scene& scene) {
   if (scene.size() == 0) return {0, 0};
   const auto [low, high] = std::ranges::minmax_element(scene.positions, {}, &vec4::w);
   return {low->w, high->w};
-}
-
-std::string describe(const Rounding& rounding) {
-  std::string text;
-  const auto& [x, y, z] = rounding.shift;
-  if (x != 0 || y != 0 || z != 0)
-    text += fmt::format("centres shifted by ({}, {}, {}) before rounding, which changes no distance\n", 0 - x, 0 - y,
-                        0 - z);
-  if (rounding.largest > 0)
-    text += fmt::format("rounding to float32 moves a surface by {} at most\n", at_most(rounding.largest));
-  return text;
 }
 
 // Throws for options that the format does not take.
@@ -82,6 +71,7 @@ Reader checked_reader(const FileBytes& bytes, const SphereFileOptions& options) 
 
 void complete(SphereFile& input, SphereRows& rows, const FileBytes& bytes, const SphereFileOptions& options) {
   input.file = bytes.name();
+  input.ignores_radii = options.ignore_radii;
   input.at_rest = std::ranges::all_of(rows.velocities, [](const vec4& v) { return v.x == 0 && v.y == 0 && v.z == 0; });
   input.rounding = round_rows(rows, options.may_shift);
   Scene& scene = input.scene;
@@ -129,6 +119,12 @@ std::vector<SphereFile> read_sphere_frames(const std::string& file, const Sphere
   return frames;
 }
 
+bool take_radii_away(Columns& columns, const SphereFileOptions& options) {
+  const bool taken = options.ignore_radii && columns.has(QUANTITY_RADIUS);
+  if (taken) columns.columns[QUANTITY_RADIUS].reset();
+  return taken;
+}
+
 void check_radius(const FileBytes& file, const Columns& columns, const SphereFileOptions& options) {
   const bool own_radii = columns.has(QUANTITY_RADIUS);
   if (own_radii && options.radius && columns.by_order)
@@ -156,30 +152,55 @@ int reading_threads(const SphereFileOptions& options) {
   return options.threads > 0 ? options.threads : omp_get_max_threads();
 }
 
-std::string describe(const SphereFile& input) {
+std::string box_warning(const SphereFile& input) {
+  if (input.unread_box.empty()) return "";
+  return fmt::format(
+      "WARNING: a comment has a word for a box, which is not read: {}; pairs across a periodic boundary are not "
+      "found\n",
+      in_quotes(input.unread_box));
+}
+
+std::string describe_file(const SphereFile& input) {
   std::string text = fmt::format("{}: {}", input.file, input.format);
   if (input.frames > 1)
     text += fmt::format(", frame {} of {} (counted from 0; --frame takes another)", input.frame, input.frames);
   if (!input.ignored.empty()) text += fmt::format("\nnot periodic, as asked for: {} is ignored", input.ignored);
-  if (!input.unread_box.empty())
-    text += fmt::format(
-        "\nWARNING: a comment has a word for a box, which is not read: {}; pairs across a periodic "
-        "boundary are not found",
-        in_quotes(input.unread_box));
   if (!input.units.empty())
     text += fmt::format("\nlengths are in {}, as the file's names say; nothing is converted", input.units);
   if (input.unread_momenta) text += "\nmomenta are not read: give velocities, momenta over masses, as velo:R:3";
+  return text + "\n";
+}
+
+std::string describe_radii(const SphereFile& input) {
   const auto [low, high] = radius_range(input.scene);
-  text += fmt::format("\n{}", counted(input.scene.size(), "sphere"));
-  if (input.scene.size() == 0) return text + "\n";
-  text += ", radius " + (low == high ? fmt::format("{}", low) : fmt::format("{} to {}", low, high));
-  if (!input.own_radii) text += " by --radius";
-  if (input.changed)
-    text += fmt::format("\n{} of {} {} more digits than float32 keeps\n", input.changed,
-                        counted(input.values, "number"), input.changed == 1 ? "has" : "have");
-  else
-    text += fmt::format("\nfloat32 keeps every given digit of the {} numbers\n", input.values);
-  return text + describe(input.rounding);
+  const std::string count = counted(input.scene.size(), "sphere");
+  if (input.scene.size() == 0) return count + "\n";
+  return fmt::format("{}, radius {}{}\n", count,
+                     low == high ? fmt::format("{}", low) : fmt::format("{} to {}", low, high),
+                     input.own_radii ? "" : " by --radius");
+}
+
+std::string describe_digits(const SphereFile& input) {
+  if (input.scene.size() == 0) return "";
+  std::string text = input.changed ? fmt::format("{} of {} {} more digits than float32 keeps\n", input.changed,
+                                                 counted(input.values, "number"), input.changed == 1 ? "has" : "have")
+                                   : fmt::format("float32 keeps every given digit of the {} numbers\n", input.values);
+  const auto& [x, y, z] = input.rounding.shift;
+  if (x != 0 || y != 0 || z != 0)
+    text += fmt::format("centres shifted by ({}, {}, {}) before rounding, which changes no distance\n", 0 - x, 0 - y,
+                        0 - z);
+  return text;
+}
+
+std::string describe_rounding(const SphereFile& input) {
+  if (input.rounding.largest == 0) return "";
+  return fmt::format("rounding to float32 moves a {} by {} at most\n", input.ignores_radii ? "point" : "surface",
+                     at_most(input.rounding.largest));
+}
+
+std::string describe(const SphereFile& input) {
+  return describe_file(input) + box_warning(input) + describe_radii(input) + describe_digits(input) +
+         describe_rounding(input);
 }
 
 json to_json(const SphereFile& input) {
@@ -190,6 +211,7 @@ json to_json(const SphereFile& input) {
           {"frames", input.frames},
           {"n", input.scene.size()},
           {"radius_from", input.own_radii ? "file" : "option"},
+          {"radii_not_used", input.unused_radii},
           {"smallest_radius", low},
           {"largest_radius", high},
           {"numbers", input.values},

@@ -18,6 +18,7 @@ struct SphereFileOptions {
   std::optional<uint64_t> frame = {};     // of an XYZ file, counted from 0; default: the first
   std::vector<std::string> columns = {};  // words of --columns (column_names.h)
   bool decimal_comma = false;             // of text: 0,5 is a half
+  bool ignore_radii = false;              // of the file: all spheres have the option's
   bool species = false;                   // required if asked for: a column of text, by XYZ files only
   bool ignore_periodic = false;           // a periodic box is an error otherwise
   bool may_shift = false;                 // by a vector, where that changes no difference of two numbers
@@ -27,7 +28,9 @@ struct SphereFileOptions {
 struct SphereFile {
   Scene scene;  // at rest where the file has no velocities
   std::string file, format;
-  bool own_radii = false;            // otherwise --radius
+  bool own_radii = false;            // otherwise the option's
+  bool ignores_radii = false;        // as asked for ...
+  bool unused_radii = false;         // ... of a file that has some
   uint64_t values = 0, changed = 0;  // numbers read; those changed by rounding to float32
   uint64_t frame = 0, frames = 1;
   std::string ignored;              // the periodic box
@@ -42,14 +45,19 @@ struct SphereFile {
   bool unread_momenta = false;       // without velocities
 };
 
-// By the file's extension; standard input (-) and files for which columns are named by their contents. Throws
-// std::invalid_argument, also for an unknown extension.
+// By the file's extension; without one, streams (-, pipes, /dev/fd/63) by their contents, and files whose columns are
+// named as text. Throws std::invalid_argument, also for an unknown extension.
 SphereFile read_sphere_file(const std::string& file, const SphereFileOptions& options);
 
 // All frames of an XYZ file, which is read once. Species are those of all frames.
 std::vector<SphereFile> read_sphere_frames(const std::string& file, const SphereFileOptions& options);
 
-std::string describe(const SphereFile& input);
+std::string describe(const SphereFile& input);           // all of these:
+std::string describe_file(const SphereFile& input);      // format, frame, units
+std::string box_warning(const SphereFile& input);        // empty without a word for a box
+std::string describe_radii(const SphereFile& input);     // with the number of spheres
+std::string describe_digits(const SphereFile& input);    // how many are lost, and the shift
+std::string describe_rounding(const SphereFile& input);  // how far it moves a surface; empty if not
 json to_json(const SphereFile& input);
 
 // The readers of the formats: they fill the format's fields and the rows.
@@ -60,6 +68,9 @@ SphereFile read_xyz(const FileBytes& file, const SphereFileOptions& options, Sph
 std::vector<SphereFile> read_xyz_frames(const FileBytes& file, const SphereFileOptions& options,
                                         std::vector<SphereRows>& rows);
 SphereFile read_text(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
+
+// For the readers. Takes the column of radii away if asked for; false if there was none to take.
+bool take_radii_away(Columns& columns, const SphereFileOptions& options);
 
 // For the readers. Throws unless there is a radius either in the file or in the options.
 void check_radius(const FileBytes& file, const Columns& columns, const SphereFileOptions& options);

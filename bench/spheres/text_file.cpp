@@ -67,6 +67,7 @@ class TextReader {
   }
   uint64_t changed() const { return reader_->changed(); }
   const std::string& box() const { return box_; }
+  bool unused_radii() const { return unused_radii_; }
 
  private:
   bool is_number(std::string_view field) const { return parse_decimal(field, options_.decimal_comma).has_value(); }
@@ -152,6 +153,7 @@ class TextReader {
   }
   void take(const Columns& columns) {
     columns_ = columns;
+    unused_radii_ = take_radii_away(*columns_, options_);
     reader_.emplace(file_, *columns_, options_.decimal_comma);
   }
 
@@ -173,7 +175,7 @@ class TextReader {
   Columns columns_of_header_;
   std::optional<Columns> columns_;
   std::optional<RowReader> reader_;
-  bool by_order_ = false, may_be_colours_ = true, bright_ = false;
+  bool unused_radii_ = false, by_order_ = false, may_be_colours_ = true, bright_ = false;
   std::string box_;
   std::vector<std::string_view> fields_;
 };
@@ -195,6 +197,7 @@ SphereFile read_text(const FileBytes& file, const SphereFileOptions& options, Sp
   input.values = rows.positions.size() * columns.quantities();
   input.changed = reader.changed();
   input.unread_box = reader.box();
+  input.unused_radii = reader.unused_radii();
   input.own_radii = columns.has(QUANTITY_RADIUS);
   input.units = columns.units;
   check_radius(file, columns, options);

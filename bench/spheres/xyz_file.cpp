@@ -110,12 +110,14 @@ Columns columns_of(const FileBytes& file, const Frame& frame, const Comment& com
   const uint64_t line = first.line;
   const bool types = may_have_types(frame);
   const std::string_view text = first.next();
-  if (types && !options.radius)
-    file.fail_at_line(
-        line,
-        "--columns: the first of four numbers may be a type; give --columns x,y,z,radius, or --radius and "
-        "--columns species,x,y,z",
-        in_quotes(text));
+  if (types && (!options.radius || options.ignore_radii))
+    file.fail_at_line(line,
+                      options.ignore_radii
+                          ? "--columns: the first of four numbers may be a type; give --columns x,y,z,_ or "
+                            "--columns species,x,y,z"
+                          : "--columns: the first of four numbers may be a type; give --columns x,y,z,radius, or "
+                            "--radius and --columns species,x,y,z",
+                      in_quotes(text));
   return classic_columns(file, line, text, types);
 }
 
@@ -153,12 +155,13 @@ SphereFile read_one(const FileBytes& file, std::span<const Frame> frames, uint64
   input.frames = frames.size();
   const Comment comment{file, frame.comment_line, frame.comment};
   read_box(comment, options, input);
-  const Columns columns = columns_of(file, frame, comment, options);
+  Columns columns = columns_of(file, frame, comment, options);
   if (options.species && frame.spheres > 0 && !columns.species)
     file.fail_at_line(frame.comment_line,
                       "a column of species, by Properties= with species:S:1 or as the first of four", columns.text);
   input.unread_species = columns.species && !options.species;
   input.unread_momenta = columns.momenta && !columns.has(QUANTITY_VX);
+  input.unused_radii = take_radii_away(columns, options);
   input.own_radii = columns.has(QUANTITY_RADIUS);
   if (frame.spheres > 0) check_radius(file, columns, options);
   rows.resize(frame.spheres, options.radius.value_or(0), columns.has(QUANTITY_VX), true);

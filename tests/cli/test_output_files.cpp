@@ -84,8 +84,8 @@ TEST_F(Outputs, RunWritesPairsInTheFormatOfTheirExtension) {
   const std::string bytes = read_bytes(path("p.npy"));
   EXPECT_TRUE(bytes.starts_with("\x93NUMPY")) << bytes;
   EXPECT_TRUE(bytes.ends_with(std::string("\0\0\0\0\1\0\0\0", 8)));
-  EXPECT_EQ(read_bytes(path("c.txt")), "1\n1\n0\n");
-  expect_refused(scene + "--pairs " + path("p.csv"), "the format of --pairs");
+  EXPECT_EQ(read_bytes(path("c.txt")), "# contacts\n1\n1\n0\n");
+  expect_refused(scene + "--pairs " + path("p.dat"), "the format of --pairs");
   expect_refused(scene + "--contacts " + path("c"), "the format of --contacts");
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // spherepair pairs as a whole: a file of spheres in, pairs and a summary out, and nothing lost when it fails.
-#include "tests/cli/pairs_command.h"
+#include "tests/support/pairs_command.h"
 
 namespace spherepair {
 namespace {
@@ -100,7 +100,7 @@ TEST_F(PairsCommand, FailureLosesNothing) {
   bad.input_file = folder_.write("bad.xyz", "2\n\n1. 2 3 4\n1 2 x 4\n");
   EXPECT_NE(run(bad).find("bad.xyz, line 4"), std::string::npos);
   EXPECT_EQ(read_bytes(old), "old");
-  for (const char* output : {"pairs.csv", "no/folder/pairs.txt", "pairs"})
+  for (const char* output : {"pairs.dat", "no/folder/pairs.txt", "pairs"})
     EXPECT_NE(run(options(output)), "") << output;
   PairsOptions groups = options("pairs.txt");
   groups.method = "collide_group";
@@ -143,7 +143,7 @@ TEST_F(PairsCommand, ProgramsExitCodes) {
   EXPECT_EQ(run_program(pairs + input_ + " --radius 1"), kUsage);
   EXPECT_EQ(run_program(pairs + input_ + " --radius -1"), kUsage);
   EXPECT_EQ(run_program(pairs + input_ + " --frame 1"), kUsage);
-  EXPECT_EQ(run_program("pairs --input " + input_), kUsage) << "no output was named";
+  EXPECT_EQ(run_program("pairs --input " + input_ + " " + input_), kUsage);
   EXPECT_FALSE(fs::exists(folder_.path("pairs.txt")));
   EXPECT_EQ(run_program("run --backend cpu --input " + input_ + " --pairs " + folder_.path("run.txt")), kOk) << errors_;
   EXPECT_EQ(read_bytes(folder_.path("run.txt")), text_of(expected_));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What `pairs` reads and writes other than plain pairs: geometry, numbers of contacts, standard input, rounding.
-#include "tests/cli/pairs_command.h"
+#include "tests/support/pairs_command.h"
 
 namespace spherepair {
 namespace {
@@ -10,7 +10,12 @@ TEST_F(PairsCommand, WritesOverlapNormalAndPointOfEachPair) {
   three.geometry = true;
   three.input_file = folder_.write("three.txt", "0 0 0 1\n1.5 0 0 1\n0 0 0 1\n");
   EXPECT_EQ(run(three), "");
-  EXPECT_EQ(read_bytes(three.output_file), "0 1 0.5 1 0 0 0.75 0 0\n0 2 2 0 0 0 0 0 0\n1 2 0.5 -1 0 0 0.75 0 0\n");
+  EXPECT_EQ(read_bytes(three.output_file),
+            "# i j overlap nx ny nz px py pz\n0 1 0.5 1 0 0 0.75 0 0\n0 2 2 0 0 0 0 0 0\n1 2 0.5 -1 0 0 0.75 0 0\n");
+  three.output_file = folder_.path("pairs.csv");
+  EXPECT_EQ(run(three), "");
+  EXPECT_EQ(read_bytes(three.output_file),
+            "i,j,overlap,nx,ny,nz,px,py,pz\n0,1,0.5,1,0,0,0.75,0,0\n0,2,2,0,0,0,0,0,0\n1,2,0.5,-1,0,0,0.75,0,0\n");
   three.output_file = folder_.path("pairs.npy");
   EXPECT_EQ(run(three), "");
   const std::string bytes = read_bytes(three.output_file);
@@ -31,11 +36,12 @@ TEST_F(PairsCommand, WritesOverlapNormalAndPointOfEachPair) {
 TEST_F(PairsCommand, ContactPointsAreWhereTheFileHasThem) {
   PairsOptions far = options("pairs.txt");
   far.geometry = true;
+  far.verbosity = Verbosity::verbose;
   far.input_file = folder_.write("far.txt", "100000.1 0 0 1\n100001.6 0 0 1\n");
   EXPECT_EQ(run(far), "");
   EXPECT_NE(output_.find("shifted by (-100001, 0, 0)"), std::string::npos) << output_;
   double point = 0;
-  ASSERT_EQ(std::sscanf(read_bytes(far.output_file).c_str(), "0 1 %*f 1 0 0 %lf", &point), 1);
+  ASSERT_EQ(std::sscanf(read_bytes(far.output_file).c_str(), "# %*[^\n] 0 1 %*f 1 0 0 %lf", &point), 1);
   EXPECT_NEAR(point, 100000.85, 1e-6);
 }
 
@@ -50,8 +56,11 @@ TEST_F(PairsCommand, WritesTheNumberOfContactsOfEachSphere) {
   EXPECT_EQ(std::memcmp(bytes.data() + 128, counts.data(), 4 * counts.size()), 0);
   both.contacts_file = folder_.path("contacts.txt");
   EXPECT_EQ(run(both), "");
-  EXPECT_EQ(read_bytes(both.contacts_file).substr(0, 8), fmt::format("{}\n", fmt::join(counts, "\n")).substr(0, 8));
+  EXPECT_EQ(read_bytes(both.contacts_file), fmt::format("# contacts\n{}\n", fmt::join(counts, "\n")));
   both.contacts_file = folder_.path("contacts.csv");
+  EXPECT_EQ(run(both), "");
+  EXPECT_EQ(read_bytes(both.contacts_file), fmt::format("contacts\n{}\n", fmt::join(counts, "\n")));
+  both.contacts_file = folder_.path("contacts.dat");
   EXPECT_NE(run(both).find("the format of --contacts"), std::string::npos);
 }
 
@@ -94,7 +103,7 @@ TEST_F(PairsCommand, SpheresDeepDownStayWhereTheyAreUntilTheyMove) {
         run_program(fmt::format("run --backend cpu --input {}{} --pairs {}", deep, motion, folder_.path("run.txt"))),
         kOk)
         << errors_;
-    EXPECT_EQ(read_bytes(folder_.path("run.txt")), "0 2\n") << motion;
+    EXPECT_EQ(read_bytes(folder_.path("run.txt")), "# i j\n0 2\n") << motion;
   }
 }
 
@@ -106,7 +115,7 @@ TEST_F(PairsCommand, ReadsStandardInput) {
                                       {"2\\n\\n0 0 0 1\\n1 0 0 1\\n", ""},
                                       {"A 0 0 0 1\\nB 1 0 0 1\\n", " --columns _,x,y,z,radius"}}) {
     EXPECT_EQ(run_program(pairs + options, fmt::format("printf '{}' |", text)), kOk) << errors_;
-    EXPECT_EQ(output_, "0 1\n") << text;
+    EXPECT_EQ(output_, "# i j\n0 1\n") << text;
     EXPECT_NE(errors_.find("standard input: "), std::string::npos) << errors_;
   }
   EXPECT_EQ(
@@ -114,7 +123,7 @@ TEST_F(PairsCommand, ReadsStandardInput) {
                                      folder_.write("a.npy", npy_file(npy_header("<f4", "(2, 4)"),
                                                                      npy_data<float>({0, 0, 0, 1, 1, 0, 0, 1}, 4))))),
       kOk);
-  EXPECT_EQ(output_, "0 1\n");
+  EXPECT_EQ(output_, "# i j\n0 1\n");
   EXPECT_EQ(run_program(pairs, "printf '' |"), kUsage);
   EXPECT_NE(errors_.find("standard input holds no sphere"), std::string::npos) << errors_;
 }

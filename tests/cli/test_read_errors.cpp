@@ -65,7 +65,7 @@ TEST_F(ReadErrors, TextIsReadAsBefore) {
       run(fmt::format("run --backend cpu --input {} --pairs {}", folder_.write("a.txt", text), pairs));
   EXPECT_EQ(outcome.code, kOk) << outcome.errors;
   EXPECT_NE(outcome.output.find("3 spheres"), std::string::npos) << outcome.output;
-  EXPECT_EQ(read_bytes(pairs), "0 1\n");
+  EXPECT_EQ(read_bytes(pairs), "# i j\n0 1\n");
 }
 
 }  // namespace

@@ -4,8 +4,9 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
-#include "bench/spheres/pair_file.h"
+#include "bench/spheres/pair_geometry.h"
 #include "bench/spheres/rounding.h"
+#include "bench/spheres/sphere_file.h"
 #include "common/shared/exact.h"
 #include "tests/oracle/adversarial.h"
 
@@ -15,9 +16,26 @@ namespace {
 // Enough bits for every square of float32 to be exact.
 using Wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<1200>, boost::multiprecision::et_off>;
 
-Wide overlap_of(const vec4& a, const vec4& b) {
+Wide wide_square(const vec4& a, const vec4& b) {
   const Wide x = Wide(a.x) - b.x, y = Wide(a.y) - b.y, z = Wide(a.z) - b.z;
-  return Wide(a.w) + b.w - sqrt(x * x + y * y + z * z);
+  return x * x + y * y + z * z;
+}
+Wide overlap_of(const vec4& a, const vec4& b) { return Wide(a.w) + b.w - sqrt(wide_square(a, b)); }
+
+// Also of the float64 numbers next to the cutoff. The spheres of the search overlap for every pair within.
+void expect_within(const vec4& a, const vec4& b, double cutoff) {
+  const std::vector<vec4> points = {a, b};
+  for (const double near : {cutoff, std::nextafter(cutoff, 0), std::nextafter(cutoff, INFINITY)}) {
+    const bool within = wide_square(a, b) <= Wide(near) * near;
+    ASSERT_EQ(is_within({0, 1}, points, near), within) << near;
+    if (within) ASSERT_LT(wide_square(a, b), 4 * Wide(radius_above(near)) * radius_above(near)) << near;
+  }
+}
+
+void expect_distance(const vec4& a, const vec4& b) {
+  const std::vector<vec4> points = {a, b};
+  const Wide exact = sqrt(wide_square(a, b));
+  ASSERT_LE(double(abs(Wide(distance_of({0, 1}, points)) - exact)), double(exact) * 0x1p-51);
 }
 
 void expect_overlap(const vec4& a, const vec4& b) {
@@ -29,15 +47,42 @@ void expect_overlap(const vec4& a, const vec4& b) {
   ASSERT_LE(double(abs(Wide(overlap) - exact)), double(abs(exact)) * 0x1p-50) << overlap << " for " << exact;
 }
 
-TEST(ContactGeometry, OverlapsOfHardPairsKeepSignAndDigits) {
+template <typename Check>
+void for_hard_pairs(Check check) {
   for (const Family family : {Family::random_bits, Family::near_tangent, Family::quadruple, Family::quadruple_off,
                               Family::denormal, Family::extreme, Family::axis_offset, Family::beyond_double}) {
     const std::vector<vec4> pairs = adversarial_pairs(family, 0, 1500);
     for (size_t k = 0; k < pairs.size(); k += 2) {
       if (!finite_sphere(pairs[k]) || !finite_sphere(pairs[k + 1]) || pairs[k].w < 0 || pairs[k + 1].w < 0) continue;
-      ASSERT_NO_FATAL_FAILURE(expect_overlap(pairs[k], pairs[k + 1])) << int(family) << ", pair " << k / 2;
+      ASSERT_NO_FATAL_FAILURE(check(pairs[k], pairs[k + 1])) << int(family) << ", pair " << k / 2;
     }
   }
+}
+
+TEST(ContactGeometry, OverlapsOfHardPairsKeepSignAndDigits) { for_hard_pairs(expect_overlap); }
+
+TEST(ContactGeometry, ACutoffDividesHardPairsExactly) {
+  for_hard_pairs([](const vec4& a, const vec4& b) {
+    const double reach = double(a.w) + b.w;
+    if (!why_invalid(reach, true)) expect_within(a, b, reach);
+    const double distance = distance_of({0, 1}, std::vector<vec4>{a, b});
+    if (!why_invalid(distance, true)) expect_within(a, b, distance);
+    expect_distance(a, b);
+  });
+}
+
+TEST(ContactGeometry, PointsOnTheCutoffAreWithinIt) {
+  const float tiny = 0x1p-149f;
+  for (const auto& [a, b, cutoff] : {std::tuple<vec4, vec4, double>{{1, 2, 3, 0}, {4, 6, 15, 0}, 13},
+                                     {{0, 0, 0, 0}, {0, 0, 0, 0}, 0},
+                                     {{0, 0, 0, 0}, {0, 0, 0, 0}, 1e-320},
+                                     {{0, 0, 0, 0}, {tiny, 0, 0, 0}, tiny},
+                                     {{1e8f, 0, 0, 0}, {1e8f, 3e-30f, 4e-30f, 0}, 5e-30},
+                                     {{-1e38f, 0, 0, 0}, {1e38f, 0, 0, 0}, 2.0 * 1e38f}}) {
+    expect_within(a, b, cutoff);
+    expect_within(b, a, cutoff);
+  }
+  EXPECT_TRUE(is_within({0, 1}, std::vector<vec4>{{1, 2, 3, 0}, {4, 6, 15, 0}}, 13));
 }
 
 TEST(ContactGeometry, OverlapsOfPairsMadeByHand) {

@@ -30,7 +30,7 @@ inline std::string xyz_of(const std::vector<vec4>& all) {
 }
 
 inline std::string text_of(const std::vector<Pair>& pairs) {
-  std::string text;
+  std::string text = "# i j\n";
   for (const Pair& pair : pairs) text += fmt::format("{} {}\n", pair.first, pair.second);
   return text;
 }

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "bench/options/pairs_options.h"
+
+#include "bench/options/options.h"
+
+namespace spherepair {
+namespace {
+
+void add_input(CLI::App& command, PairsOptions& options) {
+  command
+      .add_option(
+          "input,--input", options.input_file,
+          "Extended XYZ (.xyz, .extxyz; columns pos and radius by Properties=, else `[species] x y z [radius]`), "
+          "NPY (.npy; n x 3, n x 4 with the radius, or structured with fields x y z or pos, and radius; any real "
+          "numbers), text (.txt, .csv, .tsv, .dat; columns by a line of names, else x y z [radius]); or any of these "
+          "by its contents from standard input (-), a pipe or <(...)")
+      ->required();
+  add_file_options(command, options.columns, options.decimal_comma, options.ignore_periodic);
+  command.get_option("--columns")->allow_extra_args(false);  // the next word may be the input
+  command.add_option("--frame", options.frame, "Frame of an XYZ file with several, counted from 0")
+      ->transform(count_range);
+  auto* radius = command.add_option("--radius", options.radius, "Radius of all spheres if the file has none");
+  command
+      .add_option("--cutoff", options.cutoff,
+                  "Find the pairs of points at most this far apart instead. The test is exact for the float32 points "
+                  "and the float64 cutoff; radii in the file are not used")
+      ->excludes(radius);
+}
+
+void add_output(CLI::App& command, PairsOptions& options) {
+  auto* output = command.add_option(
+      "--output", options.output_file,
+      "Write the pairs i < j, sorted, in the format of the extension: .npy (m x 2, uint32), .csv (a line i,j, then a "
+      "line each), .txt (a line `# i j`, then a line each), or - for that text on standard output. Default: none, "
+      "only the summary");
+  auto* distances = command
+                        .add_flag("--distances", options.distances,
+                                  "Also write the distance of the centres of each pair, in float64: `i j distance`, "
+                                  "or a structured NPY array")
+                        ->needs(output);
+  auto* csr = command
+                  .add_flag("--csr", options.csr,
+                            "Write the neighbours of each sphere, in both directions and ascending, as CSR arrays: for "
+                            "--output list.npy list.offsets.npy (n + 1, uint64), list.neighbours.npy (2 m, uint32) "
+                            "and, with --distances, list.distances.npy (2 m, float64)")
+                  ->needs(output);
+  command
+      .add_flag("--geometry", options.geometry,
+                "Also write the overlap, the unit normal from i to j and the contact point of each pair, in float64: "
+                "`i j overlap nx ny nz px py pz`, or a structured NPY array")
+      ->needs(output)
+      ->excludes(distances)
+      ->excludes(csr)
+      ->excludes(command.get_option("--cutoff"));
+  command.add_option("--contacts", options.contacts_file,
+                     "Write the number of contacts of each sphere to this file: .npy (uint32), .csv or .txt");
+  command.add_option("--json", options.json_file,
+                     "Write the summary and context as JSON to this file; -: to standard output");
+}
+
+}  // namespace
+
+void add_pairs_options(CLI::App& command, PairsOptions& options) {
+  add_input(command, options);
+  add_output(command, options);
+  add_backend_option(command, options.backend, "Where the pairs are searched");
+  command.add_option("--method", options.method, "See run --help; default: auto");
+  add_block_option(command, options.block);
+  add_verbosity_options(command, options.verbosity);
+}
+
+}  // namespace spherepair
