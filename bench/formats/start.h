@@ -51,6 +51,10 @@ std::vector<Start> start_of_frames(const StartOptions& options, int threads);
 // A line that says where moving spheres bounce.
 std::string plane_text(const Scene& scene);
 
+// Lines that say what was chosen for contacts, and a warning where the time step is coarse: longer than a tenth of a
+// contact. Empty without contacts.
+std::string describe_contacts(const Scene& scene);
+
 // A line for --spheres, which writes no species; empty where the start's file has none.
 std::string species_warning(const Start& start);
 

@@ -20,50 +20,23 @@ constexpr size_t too_narrow = 70;    // for two columns: descriptions go below t
 constexpr size_t narrow_column = 8;  // ... at this one
 
 struct Group {
-  const char* heading;
-  std::vector<std::string> options;
+  const char *heading, *options;  // separated by blanks
 };
-const std::vector<Group>& groups() {
-  static const std::vector<Group> all = {
-      {"Spheres of a scene",
-       {"--scene", "--n", "--seed", "--radius", "--radius-ratio", "--packing-fraction", "--groups", "--group-size",
-        "--offset"}},
-      {"Spheres of a file",
-       {"--input", "--frame", "--columns", "--decimal-comma", "--ignore-periodic", "--resume", "--cutoff"}},
-      {"Motion",
-       {"--motion", "--precision", "--dt", "--restitution", "--gravity", "--plane", "--steps", "--until-step", "--time",
-        "--until-rest"}},
-      {"Contacts", {"--contact", "--stiffness", "--density", "--drag", "--no-sleeping", "--walls", "--box"}},
-      {"Search", {"--backend", "--backends", "--method", "--block", "--naive", "--swept"}},
-      {"Camera and look",
-       {"--azimuth", "--elevation", "--eye", "--target", "--up", "--field", "--near", "--size", "--samples", "--color",
-        "--color-range", "--ground", "--no-legend", "--no-box", "--plain", "--draw"}},
-      {"Results",
-       {"--output",
-        "--pairs",
-        "--contacts",
-        "--geometry",
-        "--distances",
-        "--csr",
-        "--spheres",
-        "--save",
-        "--save-every",
-        "--statistics",
-        "--statistics-every",
-        "--trajectory",
-        "--trajectory-every",
-        "--json",
-        "--per-step",
-        "--hashes",
-        "--quiet",
-        "--verbose",
-        "--results",
-        "--video",
-        "--rate",
-        "--screenshot"}},
-      {"Devices", {"--cuda-device", "--gl-device", "--require-hardware", "--no-gpu", "--threads"}}};
-  return all;
-}
+constexpr Group groups[] = {
+    {"Spheres of a scene",
+     "--scene --n --seed --radius --radius-ratio --packing-fraction --groups --group-size --offset"},
+    {"Spheres of a file", "--input --frame --columns --decimal-comma --ignore-periodic --resume --cutoff"},
+    {"Motion", "--motion --precision --dt --restitution --gravity --plane --steps --until-step --time --until-rest"},
+    {"Contacts", "--contact --stiffness --density --drag --no-sleeping --walls --box"},
+    {"Search", "--backend --backends --method --block --naive --swept"},
+    {"Camera and look",
+     "--azimuth --elevation --eye --target --up --field --near --size --samples --color --color-range --ground "
+     "--no-legend --no-box --plain --draw"},
+    {"Results",
+     "--output --pairs --contacts --geometry --distances --csr --spheres --save --save-every --statistics "
+     "--statistics-every --trajectory --trajectory-every --json --per-step --hashes --quiet --verbose --results "
+     "--video --rate --screenshot"},
+    {"Devices", "--cuda-device --gl-device --require-hardware --no-gpu --threads"}};
 
 std::string placeholder(const CLI::Option& option) {
   const std::string name = option.get_name(), type = option.get_type_name();
@@ -123,8 +96,8 @@ std::string wrapped_help(const std::string& help, size_t width) {
 }
 
 void group_options(CLI::App& command) {
-  for (const Group& group : groups())
-    for (const std::string& name : group.options)
+  for (const Group& group : groups)
+    for (const std::string& name : CLI::detail::split(group.options, ' '))
       if (CLI::Option* option = command.get_option_no_throw(name)) option->group(group.heading);
   if (!command.get_option_no_throw("--scene") && command.get_option_no_throw("--columns"))
     command.get_option("--radius")->group("Spheres of a file");

@@ -65,9 +65,6 @@ bool units_are_fine(const Scene& scene);
 // contacts depend on the speed, at the highest.
 double contact_time(const Scene& scene);
 
-// A line that says what was chosen, and a warning where the time step is coarse: longer than a tenth of a contact.
-std::string describe_contacts(const Scene& scene);
-
 // Thickness of the skin around near spheres, in radii (skin.h): as thin as a list of pairs is short, but four times
 // what rounding of the farthest centres may take of it. A run keeps that of its start.
 float skin_of(const Scene& scene);

@@ -85,11 +85,10 @@ TEST(Checkpoint, HoldsContactsAndTheirUnits) {
 // As an earlier version wrote it: with fewer bytes in the header of contacts, behind 64, and in its checksum.
 Checkpoint read_as_of(char version, size_t contact_bytes, const Checkpoint& written) {
   const ScratchFolder folder;
-  write_checkpoint(folder.path("4"), written);
-  std::string bytes = read_bytes(folder.path("4"));
+  write_checkpoint(folder.path("new"), written);
+  std::string bytes = read_bytes(folder.path("new"));
   const size_t end = 64 + contact_bytes + written.scene.name.size();
-  bytes[8] = version;
-  bytes.erase(64 + contact_bytes, 56 - contact_bytes);
+  bytes.erase(64 + contact_bytes, 56 - contact_bytes)[8] = version;
   const uint64_t sum = checksum(std::string_view(bytes).substr(0, end));
   bytes.replace(end, 8, std::string(reinterpret_cast<const char*>(&sum), 8));
   return read_checkpoint(folder.write("older", bytes));

@@ -42,5 +42,5 @@ FILES = [
     mutant("software OpenGL is tried", "bench/measure/choice.cpp", "wants_gpu || gpu_nodes_present()", "true", "AutomaticBackend"),
     mutant("at most is rounded to nearest", "bench/spheres/rounding.cpp", "if (std::strtod(text.c_str(), nullptr) >= value) return text;", "return text;", "ContactGeometry"),
     mutant("small spheres are not scaled for images", "bench/image/drawing_scale.cpp", "sizes.smallest >= least_radius &&", "", "AnyScale"),
-    mutant("the plane stays metres below", "bench/formats/start.cpp", "raise_plane(input.scene, motion.contact);", "", "AnyScale"),
+    mutant("the plane stays metres below", "bench/formats/start.cpp", "raise_plane(input.scene, contact);", "", "AnyScale"),
 ]

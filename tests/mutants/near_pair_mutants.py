@@ -26,7 +26,7 @@ NEAR_PAIRS = [
     mutant("one sphere alone pushes", "common/scene/contact/contact_law.cpp", "greatest_number(largest / b, width) * impulse", "impulse",
            "ContactBounds"),
     mutant("any sum of impulses is in range", "common/scene/contact_check.cpp", "if (!(sum < most_units))", "if (false)", "ContactBounds"),
-    mutant("rows are kept until the run ends", "bench/cli/run_steps.cpp", "table_.add((", "if (last) table_.add((", "FailedRun"),
+    mutant("rows are kept until the run ends", "bench/run/run_steps.cpp", "table_.add(statistics_", "if (last) table_.add(statistics_", "FailedRun"),
     mutant("a table keeps what stood there", "bench/formats/growing_file.cpp", "if (replaced) write_file", "if (false) write_file", "FailedRun"),
     mutant("faults of the CPU count from the checkpoint", "common/cpu/cpu_motion.cpp", "contacts_.follow(saved.contact_steps);", "", "FailedRun"),
     mutant("faults count from the checkpoint", "common/simulation/simulation.cpp", "saved ? saved->contact_steps : 0", "0", "FailedRun"),

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "bench/formats/start.h"
 #include "common/scene/contact_scene.h"
 
 namespace spherepair {
