@@ -11,13 +11,14 @@
 #include "bench/io/context.h"
 #include "bench/options/options.h"
 #include "bench/studies/ablation_study.h"
+#include "bench/studies/study_report.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {
 namespace {
 
 // A table for each number of spheres.
-std::string tables_of(const AblationStudy& study) {
+std::string tables_of(const AblationStudy& study, size_t width) {
   std::string text;
   for (const auto& [n, rows] : study.rows)
     text += Table{fmt::format("Time of a step of {} with each optimisation or API feature on and off",
@@ -29,9 +30,9 @@ std::string tables_of(const AblationStudy& study) {
                    {"", "off/on", "", true}},
                   rows,
                   {}}
-                .text() +
+                .text(width) +
             "\n";
-  for (const std::string& one : study.left_out) text += wrapped(one, "* left out: ", "  ") + "\n";
+  for (const std::string& one : study.left_out) text += wrapped(one, "* left out: ", "  ", width) + "\n";
   return text + "* What each option does: spherepair ablate --help\n";
 }
 
@@ -70,7 +71,7 @@ void require_offered(const std::vector<std::string>& names, const Session& sessi
 
 int ablate_command(const CommandLine& line, const AblateOptions& options) {
   check_names(options.names);
-  const std::filesystem::path folder = prepare_results(options.results, {"ablate.json", "ablate.txt"});
+  const std::filesystem::path folder = prepare_results(options.results, files_of_study("ablate"));
   const StudyLoad load(line.clocks);
   Session session(options.backends, line.open, line.opener);
   require_offered(options.names, session);
@@ -95,9 +96,11 @@ int ablate_command(const CommandLine& line, const AblateOptions& options) {
   record["complete"] = true;
   record["clocks"].push_back(query_clocks());
   write();
-  const std::string text = tables_of(*study) + load.text(session) + spent_text(study->spent) + "\n";
-  write_file(folder / "ablate.txt", text);
-  fmt::print("{}Results: {}\n", text, (folder / "ablate.json").string());
+  const auto page = [&](size_t width) {
+    return tables_of(*study, width) + load.text(session) + spent_text(study->spent) + "\n";
+  };
+  report_page(folder, "ablate", page, study->measurements);
+  fmt::print("Results: {}\n", (folder / "ablate.json").string());
   return kOk;
 }
 
@@ -118,7 +121,7 @@ std::shared_ptr<AblateOptions> add_ablate_options(CLI::App& command) {
   command.add_option("--rounds", options->rounds, "Rounds of each timing")
       ->transform(whole_number(1, 1000))
       ->capture_default_str();
-  add_results_option(command, options->results, "ablate.json and ablate.txt");
+  add_results_option(command, options->results, "ablate.json, .txt and .csv");
   command.footer("Example:\n  spherepair ablate --backends glsl,cuda --n 16384,1000000,10000000");
   return options;
 }

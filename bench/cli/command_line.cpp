@@ -88,7 +88,7 @@ void add_compare(CLI::App& app, CommandLine& line, Action& action) {
       ->check(sample_range);
   command->add_flag("--quick", plan.quick, "Small sizes; without a GPU 6 rounds");
   command->add_flag("--full", plan.full, "All sizes, more steps and rounds");
-  add_results_option(*command, options->results, "results.json and a .txt per table");
+  add_results_option(*command, options->results, "results.json, a .txt and a .csv per table");
   add_open_options(*command, line.open);
   command->footer(
       "Every configuration is checked before it is timed.\n"

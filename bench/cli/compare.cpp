@@ -49,11 +49,13 @@ class Record {
     write_file(folder_ / "results.json", json_text(root_));
   }
 
-  void write_text(const std::string& name, const std::vector<Table>& tables, const Table& details) {
-    std::string text;
-    for (const Table& table : tables) text += table.text() + "\n";
-    if (!details.rows.empty()) text += details.text();
-    write_file(folder_ / (name + ".txt"), text + load_.text(session_));
+  // The tables, and as CSV their samples; of tables without times the last one.
+  void write_tables(const std::string& name, const std::vector<Table>& tables, const json& measurements) {
+    json timed = json::array();
+    for (const json& row : measurements)
+      if (row.at("table") == name) timed.push_back(row);
+    const auto page = [&](size_t width) { return text_of(tables, width) + load_.text(session_); };
+    write_page(folder_, name, page, timed.empty() && !tables.empty() ? csv_of(tables.back()) : samples_csv(timed));
   }
 
  private:
@@ -66,7 +68,7 @@ class Record {
 // The files that the record will write.
 std::vector<std::string> files_of(const Plan& plan) {
   std::vector<std::string> files = {"results.json"};
-  for (const std::string& table : plan.tables) files.push_back(table + ".txt");
+  for (const std::string& table : plan.tables) files.insert(files.end(), {table + ".txt", table + ".csv"});
   return files;
 }
 
@@ -98,11 +100,10 @@ void make_tables(Study& study, Record& record) {
     const std::vector<Table> tables = kind.make(study);
     record.add_clocks(std::string("after ") + kind.name);
     study.progress.clear();
-    for (const Table& table : tables)
-      if (!table.only_in_file) fmt::print("\n{}", table.text());
+    if (!tables.empty()) fmt::print("\n{}", text_of(tables, kTextWidth));
     std::fflush(stdout);
     record.add_tables(kind.name, tables);
-    record.write_text(kind.name, tables, measurement_table(study, kind.name));
+    record.write_tables(kind.name, tables, study.measurements);
     record.write(study);
   }
 }

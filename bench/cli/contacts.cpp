@@ -12,6 +12,7 @@
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/options/options.h"
+#include "bench/studies/study_report.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {
@@ -83,11 +84,12 @@ struct MeasuredContacts {
   std::vector<std::string> left_out;
 };
 
-std::string tables_of(const ContactPlan& plan, const MeasuredContacts& measured) {
-  std::string text = runs_text(plan, measured.runs) + costs_text(measured.costs) + steps_text(measured.steps) +
-                     rates_text(plan, measured.rates) + beds_text(plan.rest, measured.beds);
-  if (!measured.targets.empty()) text += "\n" + target_table(measured.targets).text();
-  for (const std::string& reason : measured.left_out) text += wrapped(reason, "* left out: ", "  ") + "\n";
+std::string tables_of(const ContactPlan& plan, const MeasuredContacts& measured, size_t width) {
+  std::string text = runs_text(plan, measured.runs, width) + costs_text(measured.costs, width) +
+                     steps_text(measured.steps, width) + rates_text(plan, measured.rates, width) +
+                     beds_text(plan.rest, measured.beds, width);
+  if (!measured.targets.empty()) text += "\n" + target_table(measured.targets).text(width);
+  for (const std::string& reason : measured.left_out) text += wrapped(reason, "* left out: ", "  ", width) + "\n";
   return text;
 }
 
@@ -119,9 +121,10 @@ void report(const std::filesystem::path& folder, json record, const ContactPlan&
   record["targets"] = list_of(measured.targets);
   record["left_out"] = measured.left_out;
   record["clocks"].push_back(query_clocks());
-  const std::string text = tables_of(plan, measured) + load.text(session);
-  fmt::print("{}", text);
-  write_file(folder / "contacts.txt", text);
+  const auto page = [&](size_t width) { return tables_of(plan, measured, width) + load.text(session); };
+  json timed = json::object();
+  for (const char* part : {"contact_runs", "contact_sums", "gas_steps", "beds"}) timed[part] = record[part];
+  report_page(folder, "contacts", page, timed);
   write_file(folder / "contacts.json", json_text(record));
 }
 
@@ -130,7 +133,7 @@ void report(const std::filesystem::path& folder, json record, const ContactPlan&
 int contacts_command(const CommandLine& line, const ContactsOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   make_contact_plan(options, false);  // throws for bad values before any work
-  const std::filesystem::path folder = prepare_results(options.results, {"contacts.txt", "contacts.json"});
+  const std::filesystem::path folder = prepare_results(options.results, files_of_study("contacts"));
   const StudyLoad load(line.clocks);
   Session session(options.backends, line.open, line.opener);
   const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
@@ -212,7 +215,7 @@ std::shared_ptr<ContactsOptions> add_contacts_options(CLI::App& command) {
   command.add_option("--rounds", options->rounds, "Rounds of each timing")
       ->transform(whole_number(6, 1000))
       ->capture_default_str();
-  add_results_option(command, options->results, "contacts.json and contacts.txt");
+  add_results_option(command, options->results, "contacts.json, .txt and .csv");
   command.footer("Example:\n  spherepair contacts --laws spring --steps 10,20,40");
   return options;
 }

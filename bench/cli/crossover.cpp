@@ -11,6 +11,7 @@
 #include "bench/io/context.h"
 #include "bench/options/options.h"
 #include "bench/studies/crossover_sweep.h"
+#include "bench/studies/study_report.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {
@@ -22,43 +23,55 @@ std::string time_of(const Timing& t, const std::map<std::string, double>& second
   return format_ms(found->second) + (t.unsteady.contains(way) ? unsteady_mark : "");
 }
 
-std::string median_ratio(const Timing& t) {
-  return t.best.empty() || loss_of(t) == Loss::undecided ? "-" : fmt::format("{:.2f}", t.over_best.ratio);
-}
-
-std::string interval_of_ratios(const Timing& t) {
+std::string over_best(const Timing& t) {
   if (t.best.empty() || !enough_rounds(t.over_best)) return "-";
-  return fmt::format("[{:.2f}, {:.2f}]", t.over_best.ratios.low, t.over_best.ratios.high);
+  const std::string median = loss_of(t) == Loss::undecided ? "undecided" : fmt::format("{:.2f}x", t.over_best.ratio);
+  return fmt::format("{} [{:.2f}, {:.2f}]", median, t.over_best.ratios.low, t.over_best.ratios.high);
 }
 
-Table table_of(const CrossoverSweep& sweep) {
-  Table table{"One collision step of all pairs, the grid and auto; every step sorts the spheres",
-              {{"", "backend", "", true},
-               {"", "spheres", "", true},
-               {"", "n", ""},
-               {"all pairs", "parallel", "ms"},
-               {"all pairs", "square/32", "ms"},
-               {"all pairs", "/64", "ms"},
-               {"all pairs", "/128", "ms"},
-               {"all pairs", "triangle", "ms"},
-               {"grid", "dense", "ms"},
-               {"grid", "hashed", "ms"},
-               {"", "auto", "ms"},
-               {"auto/best", "median", "times"},
-               {"auto/best", "95 % interval", "", true},
-               {"", "auto chose", "", true},
-               {"", "best", "", true}},
-              {},
-              sweep.stopped};
+// square/32 of collide_square/32
+std::string short_name(const std::string& way) {
+  return way.starts_with("collide_") ? way.substr(way.find('_') + 1) : way;
+}
+
+Table table_of(const CrossoverSweep& sweep, const std::string& backend) {
+  Table table{
+      fmt::format("One collision step of all pairs, the grid and auto on {}; every step sorts the spheres", backend),
+      {{"", "spheres", "", true},
+       {"", "n", ""},
+       {"all pairs", "parallel", "ms"},
+       {"all pairs", "square/32", "ms"},
+       {"all pairs", "/64", "ms"},
+       {"all pairs", "/128", "ms"},
+       {"all pairs", "triangle", "ms"},
+       {"grid", "dense", "ms"},
+       {"grid", "hashed", "ms"},
+       {"auto", "median", "ms"},
+       {"auto", "over best", "times", true},
+       {"auto", "chose", "", true},
+       {"auto", "best", "", true}},
+      {},
+      {}};
   for (const Timing& t : sweep.timings) {
-    std::vector<std::string> row = {t.backend, t.kind, std::to_string(t.n), time_of(t, t.all_pairs, "parallel")};
+    if (t.backend != backend) continue;
+    std::vector<std::string> row = {t.kind, std::to_string(t.n), time_of(t, t.all_pairs, "parallel")};
     for (const uint block : square_groups) row.push_back(time_of(t, t.all_pairs, square_way(block)));
     row.insert(row.end(),
                {time_of(t, t.all_pairs, "collide_triangle"), time_of(t, t.grid, "dense"), time_of(t, t.grid, "hashed"),
-                time_of(t, {{"auto", t.automatic}}, "auto"), median_ratio(t), interval_of_ratios(t), t.chosen, t.best});
+                time_of(t, {{"auto", t.automatic}}, "auto"), over_best(t), short_name(t.chosen), short_name(t.best)});
     table.rows.push_back(std::move(row));
   }
   return table;
+}
+
+std::string tables_of(const CrossoverSweep& sweep, size_t width) {
+  std::vector<std::string> backends;
+  for (const Timing& t : sweep.timings)
+    if (!std::ranges::count(backends, t.backend)) backends.push_back(t.backend);
+  std::string text;
+  for (const std::string& backend : backends) text += table_of(sweep, backend).text(width) + "\n";
+  for (const std::string& note : sweep.stopped) text += wrapped(note, "* ", "  ", width) + "\n";
+  return text;
 }
 
 // The size from which one of the two stays the faster; null if it is not, or not decided, at the largest size.
@@ -83,14 +96,14 @@ std::vector<std::string> rows_of(const std::vector<Timing>& timings, Loss loss) 
   return found;
 }
 
-std::string verdict(const std::vector<Timing>& timings) {
+std::string verdict(const std::vector<Timing>& timings, size_t width) {
   const auto within = std::ranges::count(timings, Loss::within, loss_of);
   std::string text = fmt::format("In {} of {} auto takes at most 1.1x the time of the best fixed choice\n", within,
                                  counted(timings.size(), "row"));
   const auto add = [&](Loss loss, const char* what) {
     const std::vector<std::string> rows = rows_of(timings, loss);
-    if (!rows.empty()) text += wrapped(fmt::format("{} {}:", rows.size(), what)) + "\n";
-    for (const std::string& row : rows) text += wrapped(row, "  ", "    ") + "\n";
+    if (!rows.empty()) text += wrapped(fmt::format("{} {}:", rows.size(), what), "", "", width) + "\n";
+    for (const std::string& row : rows) text += wrapped(row, "  ", "    ", width) + "\n";
   };
   add(Loss::beyond, "WARNING: more than 1.1x");
   add(Loss::undecided, fmt::format("not decided by this data (more --rounds, at least {}, or a machine with less other "
@@ -115,7 +128,7 @@ std::vector<SphereKind> chosen_kinds(const std::vector<std::string>& names) {
 
 int crossover_command(const CommandLine& line, const CrossoverOptions& options) {
   const std::vector<SphereKind> chosen = chosen_kinds(options.kinds);
-  const std::filesystem::path folder = prepare_results(options.results, {"crossover.json", "crossover.txt"});
+  const std::filesystem::path folder = prepare_results(options.results, files_of_study("crossover"));
   std::vector<uint64_t> sizes = options.sizes;
   for (uint64_t n = 64; options.sizes.empty() && n <= 1 << 15; n *= 2) sizes.push_back(n);
   std::ranges::sort(sizes);
@@ -141,10 +154,11 @@ int crossover_command(const CommandLine& line, const CrossoverOptions& options) 
   record["complete"] = true;
   record["clocks"].push_back(query_clocks());
   write();
-  std::string text = table_of(*sweep).text() + "\n";
-  text += verdict(sweep->timings) + load.text(session);
-  write_file(folder / "crossover.txt", text);
-  fmt::print("{}Results: {}\n", text, (folder / "crossover.json").string());
+  const auto page = [&](size_t width) {
+    return tables_of(*sweep, width) + verdict(sweep->timings, width) + load.text(session);
+  };
+  report_page(folder, "crossover", page, sweep->measurements);
+  fmt::print("Results: {}\n", (folder / "crossover.json").string());
   return kOk;
 }
 
@@ -163,7 +177,7 @@ std::shared_ptr<CrossoverOptions> add_crossover_options(CLI::App& command) {
   command.add_option("--most-ms", options->most_ms, "A method whose step takes longer is not timed with more spheres")
       ->check(real_number(1e-3, 1e9))
       ->capture_default_str();
-  add_results_option(command, options->results, "crossover.json and crossover.txt");
+  add_results_option(command, options->results, "crossover.json, .txt and .csv");
   command.footer("Example:\n  spherepair crossover --backends cpu,glsl --n 64,1024,16384");
   return options;
 }

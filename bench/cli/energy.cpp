@@ -16,11 +16,12 @@
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/options/options.h"
+#include "bench/studies/study_report.h"
 
 namespace spherepair {
 namespace {
 
-std::string table_of(const json& measurements) {
+std::string table_of(const json& measurements, size_t width) {
   Table table{
       "Energy of a step on the GPU, medians of the windows; idle power is subtracted",
       {{"", "work", "", true},
@@ -41,18 +42,17 @@ std::string table_of(const json& measurements) {
       return format_number(factor * row.at(name).get<double>());
     };
     table.rows.push_back({row.at("work"), std::to_string(row.at("n").get<uint64_t>()), row.at("backend"),
-                          number("counter_watts"), number("idle_counter_watts"),
-                          number("median_ms") + (row.contains("unsteady") ? unsteady_mark : ""),
+                          number("counter_watts"), number("idle_counter_watts"), time_cell(row),
                           number("joules_per_step"), number("nanojoules_per_sphere"), number("disagreement", 100)});
   }
-  return table.text() + "\n";
+  return table.text(width) + "\n";
 }
 
 }  // namespace
 
 int energy_command(const CommandLine& line, const EnergyOptions& options) {
   for (const std::string& work : options.works) require_known("work", work, energy_works());
-  const std::filesystem::path folder = prepare_results(options.results, {"energy.json", "energy.txt"});
+  const std::filesystem::path folder = prepare_results(options.results, files_of_study("energy"));
   const StudyLoad load(line.clocks);
   Session session(options.backends, line.open, line.opener);
   json record = {{"complete", false},
@@ -71,9 +71,9 @@ int energy_command(const CommandLine& line, const EnergyOptions& options) {
   record["complete"] = true;
   record["clocks"].push_back(query_clocks());
   write();
-  const std::string text = table_of(study->measurements) + load.text(session);
-  write_file(folder / "energy.txt", text);
-  fmt::print("{}Results: {}\n", text, (folder / "energy.json").string());
+  const auto page = [&](size_t width) { return table_of(study->measurements, width) + load.text(session); };
+  report_page(folder, "energy", page, study->measurements);
+  fmt::print("Results: {}\n", (folder / "energy.json").string());
   return kOk;
 }
 
@@ -96,7 +96,7 @@ std::shared_ptr<EnergyOptions> add_energy_options(CLI::App& command) {
   command.add_option("--windows", options->windows, "Windows of each row")
       ->transform(whole_number(1, 1000))
       ->capture_default_str();
-  add_results_option(command, options->results, "energy.json and energy.txt");
+  add_results_option(command, options->results, "energy.json, .txt and .csv");
   command.footer("Needs an NVIDIA GPU and its driver's NVML.\nExample:\n  spherepair energy --backends glsl,cuda");
   return options;
 }

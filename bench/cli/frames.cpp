@@ -7,6 +7,7 @@
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/studies/frames_study.h"
+#include "bench/studies/study_report.h"
 #include "bench/viewer/window.h"
 
 namespace spherepair {
@@ -17,7 +18,7 @@ int frames_command(const CommandLine& line, const FramesOptions& options) {
   for (const std::string& work : options.works)
     require_known("work", work, {"frame", "frame_all", "lit", "loop", "view"});
   most_by_draw(options.most);
-  const std::filesystem::path folder = prepare_results(options.results, {"frames.json", "frames.txt"});
+  const std::filesystem::path folder = prepare_results(options.results, files_of_study("frames"));
   const StudyLoad load(line.clocks);
   std::unique_ptr<Window> window;
   OpenOptions open = line.open;
@@ -39,12 +40,16 @@ int frames_command(const CommandLine& line, const FramesOptions& options) {
     window->show();
   };
   FramesStudy study(session, options, show);
-  std::string text;
+  std::vector<uint64_t> measured;
+  const auto page = [&](size_t width) {
+    std::string text;
+    for (const uint64_t n : measured) text += study.text_of(n, width) + "\n";
+    return text + load.text(session);
+  };
   for (const uint64_t n : options.sizes) {
     study.measure_size(n);
-    const std::string tables = study.text_of(n) + "\n";
-    text += tables;
-    fmt::print("{}", tables);
+    measured.push_back(n);
+    fmt::print("{}\n", study.text_of(n, kTextWidth));
     std::fflush(stdout);
     record["clocks"].push_back(query_clocks());
     record["warnings"] = load.warnings(session);
@@ -52,7 +57,7 @@ int frames_command(const CommandLine& line, const FramesOptions& options) {
     record["left_out"] = study.left_out;
     if (options.transfer) record["overlaps"] = study.overlaps;
     write_file(folder / "frames.json", json_text(record));
-    write_file(folder / "frames.txt", text + load.text(session));
+    write_page(folder, "frames", page, samples_csv(study.frames));
   }
   fmt::print("{}", load.text(session));
   fmt::print("Results: {}\n", (folder / "frames.json").string());

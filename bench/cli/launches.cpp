@@ -16,6 +16,7 @@
 #include "bench/formats/files.h"
 #include "bench/io/context.h"
 #include "bench/options/options.h"
+#include "bench/studies/study_report.h"
 
 namespace spherepair {
 namespace {
@@ -33,7 +34,7 @@ const char* title_of(LaunchWork work) {
 }
 
 // A table for each work.
-std::string tables_of(const LaunchStudy& study) {
+std::string tables_of(const LaunchStudy& study, size_t width) {
   std::string text;
   for (const auto& [work, rows] : study.rows)
     text += Table{title_of(work),
@@ -48,9 +49,9 @@ std::string tables_of(const LaunchStudy& study) {
                    {"", "to fastest", "", true}},
                   rows,
                   {}}
-                .text() +
+                .text(width) +
             "\n";
-  for (const std::string& one : study.left_out) text += wrapped(one, "* left out: ", "  ") + "\n";
+  for (const std::string& one : study.left_out) text += wrapped(one, "* left out: ", "  ", width) + "\n";
   return text +
          "* host: until all is enqueued, before the wait\n"
          "* What each path is: spherepair launches --help\n";
@@ -70,7 +71,7 @@ void require_device(const Session& session) {
 }  // namespace
 
 int launches_command(const CommandLine& line, const LaunchesOptions& options) {
-  const std::filesystem::path folder = prepare_results(options.results, {"launches.json", "launches.txt"});
+  const std::filesystem::path folder = prepare_results(options.results, files_of_study("launches"));
   const StudyLoad load(line.clocks);
   Session session(options.backends, line.open, line.opener);
   require_device(session);
@@ -91,9 +92,9 @@ int launches_command(const CommandLine& line, const LaunchesOptions& options) {
   record["complete"] = true;
   record["clocks"].push_back(query_clocks());
   write();
-  const std::string text = tables_of(*study) + load.text(session);
-  write_file(folder / "launches.txt", text);
-  fmt::print("{}Results: {}\n", text, (folder / "launches.json").string());
+  const auto page = [&](size_t width) { return tables_of(*study, width) + load.text(session); };
+  report_page(folder, "launches", page, study->measurements);
+  fmt::print("Results: {}\n", (folder / "launches.json").string());
   return kOk;
 }
 
@@ -108,7 +109,7 @@ std::shared_ptr<LaunchesOptions> add_launches_options(CLI::App& command) {
   command.add_option("--rounds", options->rounds, "Rounds of each timing")
       ->transform(whole_number(1, 1000))
       ->capture_default_str();
-  add_results_option(command, options->results, "launches.json and launches.txt");
+  add_results_option(command, options->results, "launches.json, .txt and .csv");
   std::string paths = "Paths:\n";
   for (const LaunchPath& path : launch_paths())
     paths += fmt::format("  {:<5}{:<20} {}\n", path.backend, path.name, path.summary);

@@ -184,7 +184,7 @@ void add_frames(CLI::App& app, CommandLine& line, Action& action) {
       ->add_option("--min-seconds", options->min_seconds,
                    "Minimum time of the longest batch (default 0.02 on a GPU, else 0.05)")
       ->check(sample_range);
-  add_results_option(*command, options->results, "frames.json and frames.txt");
+  add_results_option(*command, options->results, "frames.json, .txt and .csv");
   add_open_options(*command, line.open);
   command->footer(
       "Images of the exact methods are compared before they are timed.\n"

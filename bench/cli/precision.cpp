@@ -15,6 +15,7 @@
 #include "bench/io/motion_choice.h"
 #include "bench/options/options.h"
 #include "bench/studies/motion_targets.h"
+#include "bench/studies/study_report.h"
 #include "bench/studies/study_sampling.h"
 #include "common/scene/counted.h"
 
@@ -57,6 +58,7 @@ Table error_table(const PrecisionPlan& plan, const std::vector<ErrorEntry>& erro
   return table;
 }
 
+// A row per method, precision and work, a column per backend.
 Table time_table(const PrecisionPlan& plan, const std::vector<TimeEntry>& times, int k) {
   std::vector<std::string> backends;
   for (const TimeEntry& entry : times)
@@ -67,7 +69,7 @@ Table time_table(const PrecisionPlan& plan, const std::vector<TimeEntry>& times,
               {{"", "method", "", true}, {"", "precision", "", true}, {"", "work", "", true}},
               {},
               {}};
-  for (const std::string& backend : backends) table.columns.push_back({backend, "per sphere", "ns"});
+  for (const std::string& backend : backends) table.columns.push_back({"median per sphere", backend, "ns"});
   for (const TimeEntry& first : times) {
     if (first.k != k || first.backend != backends.front()) continue;
     std::vector<std::string> row = {motion_name(first.motion.method), precision_name(first.motion.precision),
@@ -75,7 +77,7 @@ Table time_table(const PrecisionPlan& plan, const std::vector<TimeEntry>& times,
     for (const std::string& backend : backends)
       for (const TimeEntry& entry : times)
         if (entry.k == k && entry.backend == backend && entry.motion == first.motion && entry.work == first.work)
-          row.push_back(marked(format_number(1e9 * entry.per_sphere()), entry.samples));
+          row.push_back(time_cell(entry.samples, 1e9 / double(entry.n)));
     table.rows.push_back(row);
   }
   return table;
@@ -101,7 +103,17 @@ struct Measured {
   std::vector<Target> targets;
 };
 
-// Writes the JSON and the tables, and prints the tables.
+std::string tables_of(const PrecisionPlan& plan, const Measured& measured, size_t width) {
+  std::string text = error_table(plan, measured.errors).text(width);
+  for (int k : plan.time_steps) text += "\n" + time_table(plan, measured.times, k).text(width);
+  for (const CopyEntry& copy : measured.copies)
+    text += fmt::format("\nCopying the positions of {} on {}: {:.4g} GB/s read and written\n",
+                        counted(copy.n, "sphere"), copy.backend, copy.bytes_per_second() / 1e9);
+  if (!measured.targets.empty()) text += "\n" + target_table(measured.targets).text(width);
+  return text;
+}
+
+// Writes the JSON, the tables and the samples, and prints the tables.
 void report(const std::filesystem::path& folder, json record, const PrecisionPlan& plan, const Measured& measured,
             const Session& session, const StudyLoad& load) {
   record["warnings"] = load.warnings(session);
@@ -110,15 +122,8 @@ void report(const std::filesystem::path& folder, json record, const PrecisionPla
   record["copies"] = list_of(measured.copies);
   record["targets"] = list_of(measured.targets);
   record["clocks"].push_back(query_clocks());
-  std::string text = error_table(plan, measured.errors).text();
-  for (int k : plan.time_steps) text += "\n" + time_table(plan, measured.times, k).text();
-  for (const CopyEntry& copy : measured.copies)
-    text += fmt::format("\nCopying the positions of {} on {}: {:.4g} GB/s read and written\n",
-                        counted(copy.n, "sphere"), copy.backend, copy.bytes_per_second() / 1e9);
-  if (!measured.targets.empty()) text += "\n" + target_table(measured.targets).text();
-  text += load.text(session);
-  fmt::print("{}", text);
-  write_file(folder / "precision.txt", text);
+  const auto page = [&](size_t width) { return tables_of(plan, measured, width) + load.text(session); };
+  report_page(folder, "precision", page, {{"times", record["times"]}, {"copies", record["copies"]}});
   write_file(folder / "precision.json", json_text(record));
 }
 
@@ -127,7 +132,7 @@ void report(const std::filesystem::path& folder, json record, const PrecisionPla
 int precision_command(const CommandLine& line, const PrecisionOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   make_precision_plan(options, false);  // throws for bad values before any work
-  const std::filesystem::path folder = prepare_results(options.results, {"precision.txt", "precision.json"});
+  const std::filesystem::path folder = prepare_results(options.results, files_of_study("precision"));
   const StudyLoad load(line.clocks);
   Session session(options.backends, line.open, line.opener);
   const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
@@ -164,7 +169,7 @@ std::shared_ptr<PrecisionOptions> add_precision_options(CLI::App& command) {
       ->transform(whole_number(6, 1000))
       ->capture_default_str();
   command.add_flag("--quick", options->quick, "Few time steps and spheres");
-  add_results_option(command, options->results, "precision.json and precision.txt");
+  add_results_option(command, options->results, "precision.json, .txt and .csv");
   command.footer("Example:\n  spherepair precision --quick --motions paper,impact,anchored");
   return options;
 }

@@ -12,6 +12,7 @@
 #include "bench/io/motion_choice.h"
 #include "bench/options/options.h"
 #include "bench/studies/set_errors.h"
+#include "bench/studies/study_report.h"
 #include "bench/studies/study_sampling.h"
 
 namespace spherepair {
@@ -93,7 +94,7 @@ Table naive_table(const std::vector<NaiveEntry>& entries) {
   for (const NaiveEntry& entry : entries)
     table.rows.push_back({entry.scene, std::to_string(entry.n), entry.exact.backend + " " + entry.method,
                           std::to_string(entry.error.right), std::to_string(entry.error.missed),
-                          std::to_string(entry.error.extra), ms_of(entry.naive), ms_of(entry.exact),
+                          std::to_string(entry.error.extra), time_cell(entry.naive), time_cell(entry.exact),
                           ratio_text(contest(entry.exact, entry.naive))});
   return table;
 }
@@ -122,7 +123,7 @@ Table contact_table(const std::vector<ContactEntry>& entries) {
 int sets_command(const CommandLine& line, const SetsOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   make_set_plan(options, false);  // throws for bad values before any work
-  const std::filesystem::path folder = prepare_results(options.results, {"sets.txt", "sets.json"});
+  const std::filesystem::path folder = prepare_results(options.results, files_of_study("sets"));
   const StudyLoad load(line.clocks);
   Session session(options.backends, line.open, line.opener);
   const SetPlan plan =
@@ -136,10 +137,10 @@ int sets_command(const CommandLine& line, const SetsOptions& options) {
   const auto naive = measure_naive(session, plan, progress);
   const auto contacts = measure_contacts(session, plan, progress);
   progress.clear();
-  const std::string text = motion_table(plan, motion).text() + "\n" + storage_table(storage).text() + "\n" +
-                           naive_table(naive).text() + "\n" + contact_table(contacts).text() + load.text(session);
-  fmt::print("{}", text);
-  write_file(folder / "sets.txt", text);
+  const std::vector<Table> tables = {motion_table(plan, motion), storage_table(storage), naive_table(naive),
+                                     contact_table(contacts)};
+  const auto page = [&](size_t width) { return text_of(tables, width) + load.text(session); };
+  report_page(folder, "sets", page, list_of(naive));
   write_file(
       folder / "sets.json",
       json_text({{"format", "spherepair sets 1"},
@@ -166,7 +167,7 @@ std::shared_ptr<SetsOptions> add_sets_options(CLI::App& command) {
   command.add_option("--precisions", options->precisions, "Only these of float32, compensated, float64")
       ->delimiter(',');
   command.add_flag("--quick", options->quick, "Few time steps, distances and spheres");
-  add_results_option(command, options->results, "sets.json and sets.txt");
+  add_results_option(command, options->results, "sets.json, .txt and .csv");
   command.footer("Example:\n  spherepair sets --quick --motions paper,impact,anchored");
   return options;
 }

@@ -188,9 +188,8 @@ void LaunchStudy::time(const std::vector<Row>& paths, LaunchWork work, const Sce
     record(paths[k], work, options, samples[k], host);
     const bool least = &samples[k] == &*fastest, leads = least && samples[k].unsteady().empty();
     rows[work].push_back({std::to_string(options.n), paths[k].path->backend, paths[k].path->name,
-                          marked(format_us(samples[k].median_seconds()), samples[k]),
-                          format_us(samples[k].median_seconds() / paths[k].launches()), format_number(1e9 * host),
-                          format_number(1e9 * host / paths[k].launches()),
+                          time_cell(samples[k], 1e6), format_us(samples[k].median_seconds() / paths[k].launches()),
+                          format_number(1e9 * host), format_number(1e9 * host / paths[k].launches()),
                           samples[k].fixed.empty() ? "-" : format_us(median(samples[k].fixed)),
                           leads   ? "fastest"
                           : least ? "-"

@@ -76,9 +76,19 @@ Table part_of(const Table& table, const std::vector<size_t>& columns) {
   return part;
 }
 
-// The table in parts that a terminal has room for, each with the columns before the first group, which name its rows.
-// Groups stay whole where they can. A table without groups is one part.
-std::vector<Table> parts_of(const Table& table) {
+bool is_value(const std::string& cell) { return !cell.empty() && cell != "-"; }
+
+Table without_empty_columns(const Table& table) {
+  std::vector<size_t> kept;
+  for (size_t c = 0; c < table.columns.size(); ++c)
+    if (table.rows.empty() || std::ranges::any_of(table.rows, [&](const auto& row) { return is_value(row.at(c)); }))
+      kept.push_back(c);
+  return part_of(table, kept);
+}
+
+// The table in parts of at most this width, each with the columns before the first group, which name its rows. Groups
+// stay whole where they can, and rows without a value in a part are not in it. A table without groups is one part.
+std::vector<Table> parts_of(const Table& table, size_t width) {
   std::vector<size_t> keys;
   while (keys.size() < table.columns.size() && table.columns[keys.size()].group.empty()) keys.push_back(keys.size());
   std::vector<size_t> part = keys;
@@ -86,7 +96,7 @@ std::vector<Table> parts_of(const Table& table) {
   const auto add = [&](size_t first, size_t last) {
     std::vector<size_t> longer = part;
     for (size_t c = first; c < last; ++c) longer.push_back(c);
-    if (part.size() > keys.size() && width_of(part_of(table, longer)) > kTextWidth) {
+    if (part.size() > keys.size() && width_of(part_of(table, longer)) > width) {
       parts.push_back(part_of(table, part));
       longer.erase(longer.begin() + ptrdiff_t(keys.size()), longer.begin() + ptrdiff_t(part.size()));
     }
@@ -96,10 +106,15 @@ std::vector<Table> parts_of(const Table& table) {
     last = group_end(table, first);
     std::vector<size_t> alone = keys;
     for (size_t c = first; c < last; ++c) alone.push_back(c);
-    const bool whole = width_of(part_of(table, alone)) <= kTextWidth;
+    const bool whole = width_of(part_of(table, alone)) <= width;
     for (size_t c = first; c < last; c = whole ? last : c + 1) add(c, whole ? last : c + 1);
   }
   parts.push_back(part_of(table, part));
+  if (parts.size() == 1) return parts;
+  const auto is_empty = [&](const auto& row) {
+    return std::none_of(row.begin() + ptrdiff_t(keys.size()), row.end(), is_value);
+  };
+  for (Table& one : parts) std::erase_if(one.rows, is_empty);
   return parts;
 }
 
@@ -138,20 +153,24 @@ std::string json_line(const json& value) { return value.dump(-1, ' ', false, jso
 
 std::vector<std::string> Table::all_notes() const {
   std::vector<std::string> all = notes;
-  const auto is_marked = [](const std::string& cell) { return cell.ends_with(unsteady_mark); };
-  if (std::ranges::any_of(rows, [&](const auto& row) { return std::ranges::any_of(row, is_marked); }))
+  const auto any_cell = [&](auto of_note) {
+    return std::ranges::any_of(rows, [&](const auto& row) { return std::ranges::any_of(row, of_note); });
+  };
+  if (any_cell([](const std::string& cell) { return cell.find('[') != cell.npos; }))
+    all.push_back("[low, high]: the 95 % interval of the median.");
+  if (any_cell([](const std::string& cell) { return cell.ends_with(unsteady_mark); }))
     all.push_back("!: busy machine, or an interval wider than 2x; such a time decides nothing.");
   return all;
 }
 
-std::string Table::text() const {
-  std::string out = wrapped(title, "", "  ") + "\n";
-  const std::vector<Table> parts = parts_of(*this);
+std::string Table::text(size_t width) const {
+  std::string out = wrapped(title, "", "  ", width) + "\n";
+  const std::vector<Table> parts = parts_of(without_empty_columns(*this), width);
   for (size_t k = 0; k < parts.size(); ++k) {
     if (k) out += '\n';
     out += grid_text(parts[k]);
   }
-  for (const std::string& note : all_notes()) out += wrapped(note, "* ", "  ") + "\n";
+  for (const std::string& note : all_notes()) out += wrapped(note, "* ", "  ", width) + "\n";
   return out;
 }
 
@@ -168,7 +187,6 @@ std::string format_number(double value) { return significant(value); }
 std::string format_rate(double per_second) {
   return std::isfinite(per_second) ? fmt::format("{:.3g}", per_second) : "-";
 }
-std::string format_percent(double share) { return std::isfinite(share) ? fmt::format("{:+.1f}", 100 * share) : "-"; }
 
 std::string hex64(uint64_t value) { return fmt::format("{:016x}", value); }
 

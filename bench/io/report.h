@@ -33,15 +33,20 @@ struct Column {
 // Ends a cell whose time decides nothing; a table with one has a note that says so.
 constexpr const char* unsteady_mark = " !";
 
-// Cells are text, so that a column can hold numbers and "skipped".
+// Columns of a terminal and of a file that has tables: tables are split, and sentences wrapped, to stay within.
+constexpr size_t kTextWidth = 80, kFileWidth = 132;
+
+// Cells are text, so that a column can hold numbers and "skipped"; "-" and nothing stand for no value. Brackets are
+// kept for 95 % intervals: a table with one has a note that says so.
 struct Table {
   std::string title;
   std::vector<Column> columns;
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> notes;
-  bool only_in_file = false;  // too long for a terminal
+  bool only_in_csv = false;  // too long for people
 
-  std::string text() const;  // in parts, where it is too wide for a line
+  // Without the columns that have no value in any row; in parts, where it is wider than this.
+  std::string text(size_t width = kTextWidth) const;
   json to_json() const;
 
  private:
@@ -52,12 +57,8 @@ std::string format_ms(double seconds);       // milliseconds, four significant d
 std::string format_us(double seconds);       // microseconds
 std::string format_number(double value);     // four significant digits
 std::string format_rate(double per_second);  // 3.13e+12
-std::string format_percent(double share);    // +4.2
 
 std::string hex64(uint64_t value);
-
-// What a line on a terminal has room for: tables are split, and sentences wrapped, to stay within.
-constexpr size_t kTextWidth = 80;
 
 // The words of a text in lines of at most this width, the first behind `first` and the others behind `next`.
 std::string wrapped(const std::string& text, const std::string& first = "", const std::string& next = "",

@@ -40,18 +40,11 @@ std::string spread_text(const Contest& contest) {
 }
 
 std::string ratio_text(const Contest& contest) {
-  if (contest.finding == Finding::undecided)
-    return enough_rounds(contest) ? fmt::format("undecided: {} to {}{}", times_text(contest.ratios.low),
-                                                times_text(contest.ratios.high), contest.steady ? "" : unsteady_mark)
-                                  : fmt::format("undecided: {} only", counted(contest.rounds, "round"));
-  return contest.finding == Finding::differ ? times_text(contest.ratio) : "no difference seen";
-}
-
-std::string verdict(const Contest& contest) {
-  if (contest.finding != Finding::differ) return ratio_text(contest);
-  const auto [low, high, coverage] = contest.ratios;
-  return fmt::format("{} takes {} [{}, {}] {}'s time", contest.left, times_text(contest.ratio), number_text(low),
-                     number_text(high), contest.right);
+  if (contest.finding == Finding::no_difference) return "no difference seen";
+  if (!enough_rounds(contest)) return fmt::format("undecided: {} only", counted(contest.rounds, "round"));
+  const std::string finding = contest.finding == Finding::differ ? times_text(contest.ratio) : "undecided";
+  return fmt::format("{} [{}, {}]{}", finding, number_text(contest.ratios.low), number_text(contest.ratios.high),
+                     contest.steady ? "" : unsteady_mark);
 }
 
 }  // namespace spherepair

@@ -25,9 +25,7 @@ struct Contest {
 Contest contest(const Samples& left, const Samples& right);
 bool enough_rounds(const Contest& contest);       // for an interval of 95 %
 std::string spread_text(const Contest& contest);  // 0.54x to 2.10x in 7 rounds
-// 1.07x, "no difference seen", or "undecided: 0.54x to 2.10x": cells of tables, and so short.
+// A cell of a table: 1.07x [1.05, 1.09], "no difference seen", or "undecided [0.54, 2.10]".
 std::string ratio_text(const Contest& contest);
-// The same, but "glsl takes 1.07x [1.05, 1.09] cuda's time", with the interval.
-std::string verdict(const Contest& contest);
 
 }  // namespace spherepair

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bench/measure/samples.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <numeric>
 
@@ -121,6 +123,16 @@ std::string marked(const std::string& cell, const Samples& samples) {
   return samples.unsteady().empty() ? cell : cell + unsteady_mark;
 }
 
-std::string ms_of(const Samples& samples) { return marked(format_ms(samples.median_seconds()), samples); }
+std::string time_cell(const Samples& samples, double in_second) {
+  return time_cell(samples.seconds, in_second, samples.unsteady().empty());
+}
+
+std::string time_cell(const std::vector<double>& seconds, double in_second, bool steady) {
+  const auto text = [&](double value) { return format_number(value * in_second); };
+  const Interval interval = median_interval(seconds);
+  std::string cell = text(median(seconds));
+  if (interval.coverage >= 0.95) cell += fmt::format(" [{}, {}]", text(interval.low), text(interval.high));
+  return cell + (steady ? "" : unsteady_mark);
+}
 
 }  // namespace spherepair

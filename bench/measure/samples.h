@@ -50,8 +50,12 @@ void fit_rounds(Samples& samples);
 
 json to_json(const Samples& samples);
 
-// A table's cell of this time, with a mark if the time is unsteady.
-std::string marked(const std::string& cell, const Samples& samples);
-std::string ms_of(const Samples& samples);  // the median
+std::string marked(const std::string& cell, const Samples& samples);  // with a mark if the time is unsteady
+
+constexpr double in_ms = 1e3;  // of a second
+
+// A cell of a table: 1.234 [1.229, 1.240], the median with its interval, which needs 6 rounds; marked if unsteady.
+std::string time_cell(const Samples& samples, double in_second = in_ms);
+std::string time_cell(const std::vector<double>& seconds, double in_second, bool steady);
 
 }  // namespace spherepair

@@ -123,7 +123,7 @@ std::vector<std::string> Session::warnings() const {
                     "NVIDIA_DRIVER_CAPABILITIES=all), or pass --require-hardware to fail instead.");
   const bool missed = std::ranges::any_of(missing_, [](const Missing& each) { return each.name == "cuda"; });
   if (gpu_seems_present() && missed)  // not where others were requested
-    found.push_back("WARNING: this machine seems to have an NVIDIA GPU, but the backend cuda is not open.");
+    found.emplace_back("WARNING: this machine seems to have an NVIDIA GPU, but the backend cuda is not open.");
   return found;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "bench/io/file_lines.h"
+#include "bench/io/numbers.h"
 #include "bench/spheres/column_comment.h"
 #include "bench/spheres/columns.h"
 #include "bench/spheres/sphere_file.h"

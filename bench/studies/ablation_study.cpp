@@ -196,8 +196,8 @@ void AblationStudy::time(const Case& which) {
                                              contender_for(which, name + " off", false)};
   const std::vector<Samples> samples = measure(session_, contenders, sampling_, progress_);
   for (size_t k = 0; k < 2; ++k) record(which, contenders[k], samples[k], k == 0);
-  rows[scene_options_.n].push_back(
-      {backend, ablation.name, ms_of(samples[0]), ms_of(samples[1]), ratio_text(contest(samples[1], samples[0]))});
+  rows[scene_options_.n].push_back({backend, ablation.name, time_cell(samples[0]), time_cell(samples[1]),
+                                    ratio_text(contest(samples[1], samples[0]))});
   if (moves(ablation.spheres)) holding_.erase(which.on);
   which.on->set_event_driven(true), which.on->keep_near_pairs(true);
 }

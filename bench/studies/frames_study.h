@@ -38,7 +38,7 @@ class FramesStudy {
   void measure_size(uint64_t n);
 
   json frames = json::array(), left_out = json::array(), overlaps = json::array();
-  std::string text_of(uint64_t n) const;  // the tables of this number of spheres
+  std::string text_of(uint64_t n, size_t width) const;  // the tables of this number of spheres
 
  private:
   void leave_out(uint64_t n, const Backend& backend, const std::string& draw, const std::string& reason);

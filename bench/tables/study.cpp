@@ -160,7 +160,7 @@ std::vector<Samples> Study::time_unchecked(const std::string& table, const std::
 
 std::string Study::compare(const std::string& table, const Samples& left, const Samples& right) {
   contests.push_back({table, contest(left, right)});
-  return verdict(contests.back().contest);
+  return ratio_text(contests.back().contest);
 }
 
 void Study::record(const std::string& table, const SceneOptions& scene, const Task& task, const Samples& samples) {
@@ -176,6 +176,11 @@ void Study::record(const std::string& table, const SceneOptions& scene, const Ta
   }
   row.update(to_json(samples));
   measurements.push_back(std::move(row));
+}
+
+void add_contest_column(Table& table, const std::vector<Backend*>& devices) {
+  if (devices.size() > 1)
+    table.columns.push_back({"", devices[0]->info().name + "/" + devices[1]->info().name, "times", true});
 }
 
 bool SizeSequence::next() {

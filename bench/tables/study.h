@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bench/check/lockstep.h"
+#include "bench/studies/study_report.h"
 #include "bench/tables/api_verdict.h"
 #include "bench/tables/plan.h"
 
@@ -25,7 +26,7 @@ class Study {
   // times all tasks in interleaved rounds. Returns samples in the order of the tasks and keeps them for the record.
   std::vector<Samples> time(const std::string& table, const SceneOptions& scene, const std::vector<Task>& tasks);
 
-  // The verdict on two devices' times, GLSL's first; kept for the last lines of the run.
+  // The cell of two devices' times, GLSL's first; the contest is kept for the last lines of the run.
   std::string compare(const std::string& table, const Samples& left, const Samples& right);
 
   // Times and records contenders that have no result to check.
@@ -73,6 +74,9 @@ class SizeSequence {
   std::vector<std::string> notes_;
 };
 
+// Of two devices and more: the column of Study::compare.
+void add_contest_column(Table& table, const std::vector<Backend*>& devices);
+
 struct TableKind {
   const char *name, *summary;
   std::vector<Table> (*make)(Study&);
@@ -91,8 +95,5 @@ std::vector<Table> make_scale(Study& study);
 std::vector<Table> make_step(Study& study);
 std::vector<Table> make_grid(Study& study);
 std::vector<Table> make_equality(Study& study);
-
-// All measurements of a table: K, rounds, median, interval, p95, fixed cost, first step, device timer.
-Table measurement_table(const Study& study, const std::string& table);
 
 }  // namespace spherepair

@@ -39,7 +39,7 @@ std::vector<Table> make_arrangements(Study& study) {
     std::vector<std::string> cells = {fmt::format("{} x {}", arrangement.groups, arrangement.group_size),
                                       std::to_string(scene.n),
                                       std::to_string(study.equality.back().checkpoints.back().colliding_spheres)};
-    for (const Samples& one : samples) cells.push_back(marked(format_us(one.median_seconds()), one));
+    for (const Samples& one : samples) cells.push_back(time_cell(one, 1e6));
     table.rows.push_back(cells);
   }
   return {table};

@@ -117,7 +117,7 @@ Table summary(const std::map<Key, Gathered>& rows, const Session& session) {
   table.notes = {fmt::format(
       "{} compared with a reference, all equal: number of pairs and of colliding spheres, the count of "
       "each sphere, the fingerprint, and in the lockstep check, up to 10^6 pairs, the list of pairs. The reference is "
-      "{}. Every method and group size, and whole fingerprints: equality.txt.",
+      "{}. Every method and group size, and whole fingerprints: equality.csv.",
       counted(total, "result"), reference_text(session))};
   return table;
 }

@@ -97,24 +97,26 @@ const Samples& find(const std::vector<Samples>& samples, const std::string& labe
   return *std::ranges::find(samples, label, &Samples::label);
 }
 
-Table empty_table(const std::vector<Version>& versions) {
-  Table table{"Table 1: frames per second and drawing, random scene, medians",
-              {{"", "n", ""}, {"frames per second", "paper", "1/s"}},
-              {},
-              {}};
-  for (const Version& version : versions) table.columns.push_back({"frames per second", version.name, "1/s"});
-  for (const char* name : {"sequential", "parallel"}) table.columns.push_back({"drawing, the paper's", name, "ms"});
-  for (const Version& version : versions)
-    for (const DrawMethod method : version.draws)
-      table.columns.push_back({"drawing, " + version.name, draw_method_name(method), "ms"});
+Table rates_table(const std::vector<Version>& versions) {
+  Table table{"Table 1: frames per second, random scene", {{"", "n", ""}, {"", "paper", "1/s"}}, {}, {}};
+  for (const Version& version : versions) table.columns.push_back({"median", version.name, "1/s"});
   table.notes = {fmt::format(
       "A frame: motion, pairs and an image of {} x {} pixels, with no display to wait for. sequential: one thread of "
       "the CPU, one draw a sphere, its spheres transferred to OpenGL for each image. The others: collide_tiled and one "
       "instanced draw; CUDA's spheres are transferred for each image too.",
       width, height)};
-  table.notes.push_back(
+  return table;
+}
+
+Table drawing_table(const std::vector<Version>& versions) {
+  Table table{"Table 1: drawing, random scene", {{"", "n", ""}}, {}, {}};
+  for (const char* name : {"sequential", "parallel"}) table.columns.push_back({"the paper's", name, "ms"});
+  for (const Version& version : versions)
+    for (const DrawMethod method : version.draws)
+      table.columns.push_back({version.name, draw_method_name(method), "ms"});
+  table.notes = {
       "mesh_each and mesh: the paper's 80 triangles; quadric: glutSolidSphere's 180. The paper's 60 frames per second "
-      "and 0 ms are the limits of its display and of its clock.");
+      "and 0 ms are the limits of its display and of its clock."};
   return table;
 }
 
@@ -132,17 +134,26 @@ std::vector<Samples> time_frames(Study& study, const std::vector<Version>& versi
   return samples;
 }
 
-std::string rate_of(const Samples& frame) { return marked(format_number(1 / frame.median_seconds()), frame); }
+std::string rate_of(const Samples& frame) {
+  std::vector<double> rates;
+  for (const double seconds : frame.seconds) rates.push_back(1 / seconds);
+  return time_cell(rates, 1, frame.unsteady().empty());
+}
 
-std::vector<std::string> cells_of(const std::vector<Version>& versions, uint64_t n,
-                                  const std::vector<Samples>& samples) {
-  const PaperRow paper = paper_row(n);
-  std::vector<std::string> cells = {std::to_string(n), paper.fps};
+std::vector<std::string> rates_row(const std::vector<Version>& versions, uint64_t n,
+                                   const std::vector<Samples>& samples) {
+  std::vector<std::string> cells = {std::to_string(n), paper_row(n).fps};
   for (const Version& version : versions) cells.push_back(rate_of(find(samples, version.name + " frame")));
-  for (const char* printed : {paper.sequential_drawing, paper.parallel_drawing}) cells.push_back(printed);
+  return cells;
+}
+
+std::vector<std::string> drawing_row(const std::vector<Version>& versions, uint64_t n,
+                                     const std::vector<Samples>& samples) {
+  const PaperRow paper = paper_row(n);
+  std::vector<std::string> cells = {std::to_string(n), paper.sequential_drawing, paper.parallel_drawing};
   for (const Version& version : versions)
     for (const DrawMethod method : version.draws)
-      cells.push_back(ms_of(find(samples, fmt::format("{} {}", version.name, draw_method_name(method)))));
+      cells.push_back(time_cell(find(samples, fmt::format("{} {}", version.name, draw_method_name(method)))));
   return cells;
 }
 
@@ -153,19 +164,20 @@ std::vector<Table> make_frame_rates(Study& study) {
   open.threads = 1;
   const auto one_thread = open_backend("cpu", open);
   const std::vector<Version> versions = versions_of(study, *one_thread);
-  Table table = empty_table(versions);
+  Table rates = rates_table(versions), drawing = drawing_table(versions);
   SizeSequence sizes(study, study.plan.paper_sizes);
   try {
     while (sizes.next()) {
       const std::vector<Samples> samples = time_frames(study, versions, sizes.n());
       sizes.measured(samples);
-      table.rows.push_back(cells_of(versions, sizes.n(), samples));
+      rates.rows.push_back(rates_row(versions, sizes.n(), samples));
+      drawing.rows.push_back(drawing_row(versions, sizes.n(), samples));
     }
   } catch (const BackendError& error) {
-    table.notes.push_back(fmt::format("Left out: {}", error.what()));
+    drawing.notes.push_back(fmt::format("Left out: {}", error.what()));
   }
-  for (const std::string& note : sizes.notes()) table.notes.push_back(note);
-  return {table};
+  for (const std::string& note : sizes.notes()) drawing.notes.push_back(note);
+  return {rates, drawing};
 }
 
 }  // namespace spherepair

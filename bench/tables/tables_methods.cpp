@@ -21,26 +21,6 @@ double candidate_pairs(Method method, uint block, uint64_t n) {
   return double(n / block) * all(block) + all(double(n % block));
 }
 
-std::string interval_text(const Samples& samples) {
-  const Interval interval = samples.interval();
-  return fmt::format("[{}, {}]", format_ms(interval.low), format_ms(interval.high));
-}
-
-void add_contest_columns(Table& table, const std::vector<Backend*>& devices) {
-  if (devices.size() < 2) return;
-  const std::string over = devices[0]->info().name + "/" + devices[1]->info().name;
-  table.columns.push_back({"", over, "times"});
-  table.columns.push_back({"", "verdict", "", true});
-}
-
-void add_contest(Study& study, const char* table, std::vector<std::string>& row, const std::vector<Samples>& samples) {
-  if (samples.size() < 2) return;
-  const std::string text = study.compare(table, samples[0], samples[1]);
-  const Contest& result = study.contests.back().contest;
-  row.push_back(result.finding == Finding::undecided ? "-" : format_number(result.ratio));
-  row.push_back(text);
-}
-
 void methods_rows(Study& study, Table& table, uint64_t n, Method method) {
   std::vector<Task> tasks;
   for (uint block : study.plan.blocks)
@@ -52,11 +32,10 @@ void methods_rows(Study& study, Table& table, uint64_t n, Method method) {
     const std::vector<Samples> pair(samples.begin() + b * devices, samples.begin() + (b + 1) * devices);
     std::vector<std::string> row = {std::to_string(n), method_name(method), std::to_string(block)};
     for (const Samples& one : pair) {
-      row.push_back(ms_of(one));
-      row.push_back(interval_text(one));
+      row.push_back(time_cell(one));
       row.push_back(format_rate(candidate_pairs(method, block, n) / one.median_seconds()));
     }
-    add_contest(study, "methods", row, pair);
+    if (pair.size() > 1) row.push_back(study.compare("methods", pair[0], pair[1]));
     table.rows.push_back(row);
   }
 }
@@ -110,17 +89,16 @@ std::vector<Table> make_methods(Study& study) {
   for (Backend* device : devices) {
     const std::string group = device->info().name + (device->info().software ? " in SOFTWARE" : "");
     table.columns.push_back({group, "median", "ms"});
-    table.columns.push_back({group, "95 % interval", "ms", true});
     table.columns.push_back({group, "pairs", "1/s"});
   }
-  add_contest_columns(table, devices);
+  add_contest_column(table, devices);
   for (uint64_t n : study.plan.method_sizes)
     for (Method method : device_methods())
       if (is_wanted(study.plan, method)) methods_rows(study, table, n, method);
-  table.notes = {
-      "pairs: unordered pairs tested per second; collide_group tests only pairs within a group.",
-      "The ratio is the median of the rounds' ratios of two turns in a row. A difference is stated only if its 95 % "
-      "interval is on one side of 1. What this data does not decide has that interval in place of a ratio."};
+  table.notes = {"pairs: unordered pairs tested per second; collide_group tests only pairs within a group.",
+                 "The ratio is the median of the rounds' ratios of two turns in a row. A difference is stated only if "
+                 "its interval "
+                 "is on one side of 1."};
   return {table};
 }
 
@@ -133,7 +111,7 @@ std::vector<Table> make_overhead(Study& study) {
     table.columns.push_back({device->info().name, "median", "us"});
     table.columns.push_back({device->info().name, "min", "us"});
   }
-  add_contest_columns(table, devices);
+  add_contest_column(table, devices);
   for (uint64_t launches : {1, 10, 100, 1000}) {
     std::vector<Contender> contenders;
     for (Backend* device : devices)
@@ -149,10 +127,10 @@ std::vector<Table> make_overhead(Study& study) {
         study.time_unchecked("overhead", contenders, {{"work", "empty"}, {"launches_per_step", launches}});
     std::vector<std::string> row = {std::to_string(launches)};
     for (const Samples& one : samples) {
-      row.push_back(marked(format_us(one.median_seconds() / double(launches)), one));
+      row.push_back(time_cell(one, 1e6 / double(launches)));
       row.push_back(format_us(minimum(one.seconds) / double(launches)));
     }
-    add_contest(study, "overhead", row, samples);
+    if (samples.size() > 1) row.push_back(study.compare("overhead", samples[0], samples[1]));
     table.rows.push_back(row);
   }
   table.notes = {
@@ -161,39 +139,38 @@ std::vector<Table> make_overhead(Study& study) {
 }
 
 std::vector<Table> make_exactness(Study& study) {
-  Table table{"Cost of the exact predicate, and the pairs that it corrects",
+  Table times{"Cost of the exact predicate, random scene",
               {{"", "n", ""},
                {"", "configuration", "", true},
-               {"random scene", "naive", "ms"},
-               {"random scene", "exact", "ms"},
-               {"random scene", "cost", "%"},
-               {"random scene", "verdict", "", true},
-               {"grazing scene", "pairs", "right"},
-               {"grazing scene", "naive", "missed"},
-               {"grazing scene", "naive", "extra"}},
+               {"median", "naive", "ms"},
+               {"median", "exact", "ms"},
+               {"", "exact/naive", "times", true}},
               {},
               {}};
+  Table wrong{
+      "Pairs that the exact predicate corrects, grazing scene",
+      {{"", "configuration", "", true}, {"", "right", "pairs"}, {"", "missed", "naive"}, {"", "extra", "naive"}},
+      {},
+      {}};
   const std::vector<Configuration> all = exactness_configurations(study);
   const std::vector<NaiveErrors> errors = all_naive_errors(study, all);
-  for (uint64_t n : study.plan.exactness_sizes) {
-    for (size_t k = 0; k < all.size(); ++k) {
-      Configuration naive = all[k];
+  for (uint64_t n : study.plan.exactness_sizes)
+    for (const Configuration& exact : all) {
+      Configuration naive = exact;
       naive.options.exact = false;
       const auto samples = study.time("exactness", study.paper_scene(n),
-                                      {{Work::collide, naive, "predicate"}, {Work::collide, all[k], "predicate"}});
-      const Contest result = contest(samples[1], samples[0]);
-      table.rows.push_back(
-          {std::to_string(n), label(all[k]), ms_of(samples[0]), ms_of(samples[1]),
-           result.finding == Finding::undecided ? "-" : format_percent(result.ratio - 1),
-           result.finding == Finding::differ ? ratio_text(result) + " naive's time" : ratio_text(result),
-           std::to_string(errors[k].right), std::to_string(errors[k].missed), std::to_string(errors[k].extra)});
+                                      {{Work::collide, naive, "predicate"}, {Work::collide, exact, "predicate"}});
+      times.rows.push_back({std::to_string(n), label(exact), time_cell(samples[0]), time_cell(samples[1]),
+                            ratio_text(contest(samples[1], samples[0]))});
     }
-  }
-  table.notes = {
+  for (size_t k = 0; k < all.size(); ++k)
+    wrong.rows.push_back({label(all[k]), std::to_string(errors[k].right), std::to_string(errors[k].missed),
+                          std::to_string(errors[k].extra)});
+  wrong.notes = {
       fmt::format("grazing: {} of spheres within 8 ulp of touching. missed, extra: pairs that the naive float32 test "
                   "gets wrong there; the exact one was checked against the reference.",
                   counted(study.plan.grazing_pairs, "pair"))};
-  return {table};
+  return {times, wrong};
 }
 
 }  // namespace spherepair

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "bench/tables/paper_rows.h"
@@ -21,8 +22,6 @@ struct Table1Row {
 bool complete(const Table1Row& row) {
   return std::ranges::all_of(row.pairs, [](const auto& one) { return one.has_value(); });
 }
-
-std::string ms_cell(const std::optional<Samples>& samples) { return samples ? ms_of(*samples) : "left out"; }
 
 std::vector<Task> table1_moves(const Study& study) {
   std::vector<Task> tasks;
@@ -57,27 +56,57 @@ std::vector<Task> leave_out_slow(const Study& study, const std::vector<Task>& ta
   return affordable;
 }
 
-Table absolute_times(const std::vector<Table1Row>& rows) {
-  Table table{"Table 1: times of the parts of a step, random scene, medians", {{"", "n", ""}}, {}, {}};
-  for (const char* name : {"plane seq", "pairs seq", "pairs par"})
-    table.columns.push_back({"paper, GTX 590", name, "ms"});
-  for (const Samples& move : rows.front().moves) table.columns.push_back({"ours: motion + plane", move.backend, "ms"});
-  for (const auto& one : rows.front().pairs) {
-    const std::string method = one->label.substr(one->backend.size() + 1);
-    table.columns.push_back({"ours: pairs, " + one->backend, method.substr(0, method.find(' ')), "ms"});
+// The time of each backend, none where it was left out.
+using Found = std::map<std::string, std::optional<Samples>>;
+
+std::vector<std::string> cells_of(const Study& study, uint64_t n, const std::string& part, const std::string& paper,
+                                  const Found& found) {
+  std::vector<std::string> cells = {std::to_string(n), part, paper};
+  for (const auto& backend : study.session.backends()) {
+    const auto one = found.find(backend->info().name);
+    cells.push_back(one == found.end() ? "-" : one->second ? time_cell(*one->second) : "left out");
   }
+  const std::vector<Backend*> devices = study.session.devices();
+  if (devices.size() < 2) return cells;
+  const auto left = found.find(devices[0]->info().name), right = found.find(devices[1]->info().name);
+  const bool both = left != found.end() && right != found.end() && left->second && right->second;
+  cells.push_back(both ? ratio_text(contest(*left->second, *right->second)) : "-");
+  return cells;
+}
+
+Found pairs_of(const std::vector<Task>& tasks, const Table1Row& row, Method method) {
+  Found found;
+  for (size_t k = 0; k < tasks.size(); ++k)
+    if (tasks[k].configuration.options.method == method)
+      found[tasks[k].configuration.backend->info().name] = row.pairs[k];
+  return found;
+}
+
+// A row for each size and part of a step.
+Table absolute_times(const Study& study, const std::vector<Task>& tasks, const std::vector<Table1Row>& rows) {
+  Table table{"Table 1: times of the parts of a step, random scene",
+              {{"", "n", ""}, {"", "part", "", true}, {"", "paper", "ms"}},
+              {},
+              {}};
+  for (const auto& backend : study.session.backends()) table.columns.push_back({"median", backend->info().name, "ms"});
+  add_contest_column(table, study.session.devices());
   for (const Table1Row& row : rows) {
     const PaperRow paper = paper_row(row.n);
-    std::vector<std::string> cells = {std::to_string(row.n), paper.plane, paper.sequential_pairs, paper.parallel_pairs};
-    for (const Samples& move : row.moves) cells.push_back(ms_of(move));
-    for (const auto& one : row.pairs) cells.push_back(ms_cell(one));
-    table.rows.push_back(cells);
+    Found moves;
+    for (const Samples& move : row.moves) moves[move.backend] = move;
+    table.rows.push_back(cells_of(study, row.n, "motion + plane", paper.plane, moves));
+    for (const auto& [method, of_paper] : {std::pair{Method::sequential, paper.sequential_pairs},
+                                           {Method::parallel, "-"},
+                                           {Method::collide_tiled, paper.parallel_pairs},
+                                           {Method::collide_triangle, "-"}})
+      if (const Found pairs = pairs_of(tasks, row, method); !pairs.empty())
+        table.rows.push_back(cells_of(study, row.n, method_name(method), of_paper, pairs));
   }
   table.notes = {
-      "The paper's 16 ms is one refresh interval of a 60 Hz display: an upper bound, not a measurement. "
-      "Its 0 is below the resolution of its clock.",
-      "The paper's `pairs par` is its GLSL shader: our collide_tiled is that shader, collide_triangle the fastest one. "
-      "Ours find the exact set, the count and flag of each sphere, and totals.",
+      "The paper's times are of a GTX 590 and its host. Its 16 ms is one refresh interval of a 60 Hz display: an upper "
+      "bound, not a measurement. Its 0 is below the resolution of its clock.",
+      "sequential, parallel and collide_ find the pairs: the exact set, the count and flag of each sphere, and totals. "
+      "collide_tiled is the paper's shader, collide_triangle the fastest.",
       "left out: it would take too long without a GPU; --full or --n includes it."};
   if (std::ranges::all_of(rows, complete)) table.notes.pop_back();
   return table;
@@ -85,11 +114,12 @@ Table absolute_times(const std::vector<Table1Row>& rows) {
 
 std::string speedup(const std::optional<Samples>& base, const std::optional<Samples>& other) {
   if (!base || !other) return "-";
-  return marked(marked(format_number(base->median_seconds() / other->median_seconds()), *base), *other);
+  const std::string times = format_number(base->median_seconds() / other->median_seconds());
+  return marked(times, base->unsteady().empty() ? *other : *base);
 }
 
 Table speedups(const std::vector<Table1Row>& rows) {
-  Table table{"Speedups, and the absolute time of each base", {{"", "n", ""}}, {}, {}};
+  Table table{"Speedups of finding the pairs", {{"", "n", ""}}, {}, {}};
   std::vector<Samples> first;
   for (const auto& one : rows.front().pairs) first.push_back(*one);
   std::vector<size_t> bases;
@@ -105,7 +135,6 @@ Table speedups(const std::vector<Table1Row>& rows) {
   };
   for (size_t base : bases) {
     const std::string group = "over " + first[base].label;
-    table.columns.push_back({group, "base", "ms"});
     for (size_t k = 0; k < first.size(); ++k)
       if (fastest(base, k))
         table.columns.push_back({group, first[k].label.substr(0, first[k].label.find(" collide")), "times"});
@@ -113,7 +142,6 @@ Table speedups(const std::vector<Table1Row>& rows) {
   for (const Table1Row& row : rows) {
     std::vector<std::string> cells = {std::to_string(row.n)};
     for (size_t base : bases) {
-      cells.push_back(ms_cell(row.pairs[base]));
       for (size_t k = 0; k < row.pairs.size(); ++k)
         if (fastest(base, k)) cells.push_back(speedup(row.pairs[base], row.pairs[k]));
     }
@@ -138,7 +166,7 @@ std::vector<Table> make_table1(Study& study) {
         if (one.label == label(pairs[k])) row.pairs[k] = one;
     rows.push_back(std::move(row));
   }
-  return {absolute_times(rows), speedups(rows)};
+  return {absolute_times(study, pairs, rows), speedups(rows)};
 }
 
 }  // namespace spherepair

@@ -35,7 +35,7 @@ std::vector<std::string> peak_row(Study& study, const PeakRateKind& kind, const 
                            {{"work", kind.name}, {"n", scene.n}, {"unit", kind.unit}, {"amount_per_step", amount}});
   std::vector<std::string> row = {kind.name, std::to_string(scene.n), kind.unit};
   for (const Samples& one : samples) {
-    row.push_back(ms_of(one));
+    row.push_back(time_cell(one));
     row.push_back(format_number(amount / one.median_seconds()));
   }
   if (samples.size() > 1) row.push_back(study.compare("peak_rates", samples[0], samples[1]));
@@ -55,7 +55,7 @@ std::vector<Table> make_peak_rates(Study& study) {
     table.columns.push_back({group, "rate", "units"});
   }
   if (study.session.devices().empty()) return {};
-  if (study.session.devices().size() > 1) table.columns.push_back({"", "verdict", "", true});
+  add_contest_column(table, study.session.devices());
   // One size within and one beyond the caches of a GPU.
   const std::vector<uint64_t> sizes =
       study.plan.hardware ? std::vector<uint64_t>{1u << 20, 1u << 25} : std::vector<uint64_t>{1u << 16};

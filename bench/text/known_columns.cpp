@@ -90,7 +90,7 @@ std::vector<Candidate> candidates_of(std::span<const NamedColumn> names) {
 
 std::string advice(const Columns& columns, std::span<const Candidate> candidates) {
   if (columns.count > 40) return "; give --columns with a quantity, or _, for each column in their order";
-  std::vector<std::string> words(columns.count, "_");
+  std::vector<std::string_view> words(columns.count, "_");
   if (columns.species) words[*columns.species] = "species";
   std::array<std::optional<size_t>, quantity_names.size()> first;
   for (const Candidate& one : candidates)

@@ -135,8 +135,8 @@ def exactness(put, machine, others):
     low, high = min(100 * (ratio.low - 1) for ratio in of_cpu.values()), max(100 * (ratio.high - 1) for ratio in of_cpu.values())
     undecided = f"its cost is undecided: the intervals reach from ${low:.0f}$ to ${high:+.0f}$\\,\\%"
     put("exact/cpu", f"it costs {' and '.join(seen)}" if seen else undecided, source, "sentence: the CPU's cost")
-    row = machine.main["tables"]["exactness"][0]["rows"][0]
-    for key, cell in zip(("right", "missed", "added"), row[6:9]):
+    row = machine.main["tables"]["exactness"][-1]["rows"][0]  # older records have one table of times and pairs
+    for key, cell in zip(("right", "missed", "added"), row[-3:]):
         put(f"grazing/{key}", f"{int(cell):,}", machine.id, f"grazing scene, {key}")
 
 

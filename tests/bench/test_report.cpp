@@ -2,6 +2,7 @@
 // What is printed for people: tables and sentences within a terminal's 80 columns, and counts with their noun.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "bench/io/report.h"
@@ -57,6 +58,52 @@ TEST(Report, NarrowTablesStayWhole) {
             "              ms          ms\n"
             "----------------------------\n"
             "row   1000000000  1000000010\n");
+}
+
+TEST(Report, AFileHasInOneWhatATerminalHasInParts) {
+  const auto heads = [](size_t width) {
+    return std::ranges::count_if(lines_of(wide(3, 3).text(width)),
+                                 [](const auto& line) { return line.starts_with("name"); });
+  };
+  EXPECT_EQ(heads(kTextWidth), 2);
+  EXPECT_EQ(heads(kFileWidth), 1);
+}
+
+TEST(Report, ColumnsWithoutAValueAreLeftOut) {
+  Table table = wide(3, 1);
+  table.rows = {{"a", "-", "1", "-"}, {"b", "", "2", "3"}};
+  EXPECT_EQ(table.text(),
+            "Title\n"
+            "      group 1  group 2\n"
+            "name       c0       c0\n"
+            "           ms       ms\n"
+            "----------------------\n"
+            "a           1        -\n"
+            "b           2        3\n");
+  EXPECT_EQ(table.to_json().at("columns").size(), 4u) << "the record keeps them";
+  table.rows = {};
+  EXPECT_NE(table.text().find("group 0"), std::string::npos) << "without rows no column has a value";
+}
+
+TEST(Report, APartHasTheRowsThatHaveAValueInIt) {
+  Table table = wide(3, 3);
+  std::vector<std::string> row = table.rows.front();
+  row.front() = "later";
+  for (size_t c = 1; c <= 6; ++c) row[c] = "-";
+  table.rows.push_back(row);
+  const auto count = [](const std::string& text) {
+    return std::ranges::count_if(lines_of(text), [](const auto& line) { return line.starts_with("later"); });
+  };
+  EXPECT_EQ(count(table.text(kTextWidth)), 1);
+  EXPECT_NE(table.text(kTextWidth).find("later  1000000020"), std::string::npos) << table.text(kTextWidth);
+  EXPECT_EQ(count(table.text(kFileWidth)), 1);
+}
+
+TEST(Report, IntervalsAreExplained) {
+  Table table = wide(1, 1);
+  EXPECT_EQ(table.text().find("95 %"), std::string::npos);
+  table.rows = {{"a", "1.2 [1.1, 1.3]"}};
+  EXPECT_NE(table.text().find("* [low, high]: the 95 % interval of the median.\n"), std::string::npos);
 }
 
 TEST(Report, NotesAreWrapped) {

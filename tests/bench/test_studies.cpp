@@ -95,7 +95,7 @@ TEST_F(Studies, FramesTellsCudasImagesFromThoseOfTransfers) {
   EXPECT_EQ(std::ranges::count_if(study.frames, transferred), 1 + 2 + 2 * 2) << "a step, two ways alone, with images";
   EXPECT_EQ(study.frames.size(), 2u + 7u);
   EXPECT_EQ(study.overlaps.size(), 2u);
-  const std::string text = study.text_of(64);
+  const std::string text = study.text_of(64, kTextWidth);
   for (const char* word : {"compute", "points", "host", "registered", "pipelined"})
     EXPECT_NE(text.find(word), std::string::npos) << word << " in\n" << text;
 }

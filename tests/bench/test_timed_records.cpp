@@ -82,14 +82,14 @@ TEST(TimedRecords, TimesThatScatterAreMarkedInTables) {
   samples.plan.steps = {1};
   samples.seconds = {1e-3, 2e-3, 1e-3, 2e-3, 1e-3, 2e-3};
   EXPECT_TRUE(samples.unsteady().empty()) << "2x is not wider than 2x";
-  Table table{"Times", {{"", "time", "ms"}}, {{ms_of(samples)}}, {}};
+  Table table{"Times", {{"", "time", "ms"}}, {{time_cell(samples)}}, {}};
   EXPECT_EQ(table.text().find("decides nothing"), std::string::npos);
   samples.seconds.back() = 2.1e-3;
   EXPECT_EQ(samples.unsteady(), std::vector<std::string>{"its interval is wider than 2x"});
-  table.rows = {{ms_of(samples)}};
-  EXPECT_NE(table.text().find("1.500 !\n"), std::string::npos) << table.text();
+  table.rows = {{time_cell(samples)}};
+  EXPECT_NE(table.text().find("1.500 [1.000, 2.100] !\n"), std::string::npos) << table.text();
   EXPECT_NE(table.text().find("such a time decides nothing"), std::string::npos) << table.text();
-  EXPECT_EQ(table.to_json().at("notes").size(), 1u);
+  EXPECT_EQ(table.to_json().at("notes").size(), 2u) << "of the interval and of the mark";
 }
 
 // Ticks of 0.01 s: user, nice, system, idle, iowait, irq, softirq, steal, guest.

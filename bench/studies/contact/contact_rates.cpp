@@ -99,7 +99,7 @@ json interval_json(const std::vector<double>& values) {
 std::string interval_text(const std::vector<double>& values, double unit, int digits) {
   if (values.empty()) return "";
   const Interval interval = median_interval(values);
-  return fmt::format("{:.{}f} [{:.{}f}, {:.{}f}]", median(values) / unit, digits, interval.low / unit, digits,
+  return fmt::format("{:.{}f} ({:.{}f} to {:.{}f})", median(values) / unit, digits, interval.low / unit, digits,
                      interval.high / unit, digits);
 }
 
@@ -120,15 +120,15 @@ Table rate_table(const std::vector<ContactRate>& rates) {
 
 }  // namespace
 
-std::string rates_text(const ContactPlan& plan, const std::vector<ContactRate>& rates) {
+std::string rates_text(const ContactPlan& plan, const std::vector<ContactRate>& rates, size_t width) {
   if (rates.empty()) return "";
   const RatePlan& p = plan.rates;
-  return fmt::format("\n{}\n", rate_table(rates).text()) +
+  return fmt::format("\n{}\n", rate_table(rates).text(width)) +
          wrapped(fmt::format("{} in a box, by the law spring with a {}th of its own stiffness: median of {} seeds, and "
                              "the interval that holds it in {:.3g} % of all cases.",
                              counted(p.n, "sphere"), p.softer, p.seeds,
                              100 * median_interval(rates.front().over_theory).coverage),
-                 "* ", "  ") +
+                 "* ", "  ", width) +
          "\n";
 }
 

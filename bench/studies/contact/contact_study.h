@@ -212,11 +212,11 @@ json to_json(const RatePlan& plan);
 json to_json(const RestPlan& plan);
 json to_json(const SettledBed& bed);
 json to_json(const ContactRate& rate);
-// Tables; empty without measurements.
-std::string runs_text(const ContactPlan& plan, const std::vector<ContactRun>& runs);
-std::string costs_text(const std::vector<SumsCost>& costs);
-std::string beds_text(const RestPlan& plan, const std::vector<SettledBed>& beds);
-std::string steps_text(const std::vector<GasSteps>& steps);
-std::string rates_text(const ContactPlan& plan, const std::vector<ContactRate>& rates);
+// Tables within this width; empty without measurements.
+std::string runs_text(const ContactPlan& plan, const std::vector<ContactRun>& runs, size_t width);
+std::string costs_text(const std::vector<SumsCost>& costs, size_t width);
+std::string beds_text(const RestPlan& plan, const std::vector<SettledBed>& beds, size_t width);
+std::string steps_text(const std::vector<GasSteps>& steps, size_t width);
+std::string rates_text(const ContactPlan& plan, const std::vector<ContactRate>& rates, size_t width);
 
 }  // namespace spherepair

@@ -49,7 +49,7 @@ Table run_table(const std::vector<ContactRun>& runs, const ContactKind& kind) {
       momentum = std::max(momentum, largest(run.momentum));
       returns = returns && run.returns.value_or(false);
       times[size_t(std::ranges::find(backends, run.backend) - backends.begin())] =
-          run.samples ? marked(format_ms(run.seconds()), *run.samples) : "-";
+          run.samples ? time_cell(*run.samples, in_ms * double(run.steps)) : "-";
     }
     table.rows.push_back({std::to_string(first.steps_a_contact), impulse_sums_name(first.sums),
                           fmt::format("{:.2e}", position), fmt::format("{:.1e}", energy),
@@ -67,12 +67,12 @@ Table cost_table(const std::vector<SumsCost>& costs) {
               {{"", "spheres", ""},
                {"", "backend", "", true},
                {"", "sums", "", true},
-               {"", "time", "ms"},
+               {"time", "median", "ms"},
                {"", "integers over this", "", true}},
               {},
               {}};
   for (const SumsCost& cost : costs)
-    table.rows.push_back({std::to_string(cost.n), cost.backend, impulse_sums_name(cost.sums), ms_of(cost.samples),
+    table.rows.push_back({std::to_string(cost.n), cost.backend, impulse_sums_name(cost.sums), time_cell(cost.samples),
                           cost.integers ? ratio_text(*cost.integers) : ""});
   return table;
 }
@@ -82,14 +82,14 @@ Table steps_table(const std::vector<GasSteps>& steps) {
               {{"", "spheres", ""},
                {"", "backend", "", true},
                {"", "steps", ""},
-               {"", "time", "ms"},
+               {"time", "median", "ms"},
                {"", "rate", "sphere-steps/s"},
                {"", "over CUDA", "", true}},
               {},
               {}};
   for (const GasSteps& one : steps)
     table.rows.push_back({std::to_string(one.n), one.backend, std::to_string(one.steps),
-                          marked(format_ms(one.seconds()), one.samples), fmt::format("{:.3g}", one.per_second()),
+                          time_cell(one.samples, in_ms / double(one.steps)), fmt::format("{:.3g}", one.per_second()),
                           one.over_cuda ? ratio_text(*one.over_cuda) : ""});
   return table;
 }
@@ -109,7 +109,7 @@ Table rest_table(const std::vector<SettledBed>& beds) {
       if (!one.awake) continue;
       const double seconds = one.samples.median_seconds() / double(bed.averaged);
       table.rows.push_back({std::to_string(bed.n), fmt::format("{:.3f}", 100 * bed.unmoved), one.backend,
-                            format_ms(one.awake->ratio * seconds), marked(format_ms(seconds), one.samples),
+                            format_ms(one.awake->ratio * seconds), time_cell(one.samples, in_ms / double(bed.averaged)),
                             ratio_text(*one.awake)});
     }
   return table;
@@ -117,35 +117,37 @@ Table rest_table(const std::vector<SettledBed>& beds) {
 
 }  // namespace
 
-std::string runs_text(const ContactPlan& plan, const std::vector<ContactRun>& runs) {
+std::string runs_text(const ContactPlan& plan, const std::vector<ContactRun>& runs, size_t width) {
   if (runs.empty()) return "";
   std::string text;
-  for (const ContactKind& kind : plan.kinds) text += run_table(runs, kind).text() + "\n";
+  for (const ContactKind& kind : plan.kinds) text += run_table(runs, kind).text(width) + "\n";
   return text +
          wrapped(fmt::format("{} of a gas without its box, for {} mean times between a sphere's collisions, against a "
                              "run of {} steps a contact. Returns: as many steps back come to the first bits. Bits of "
                              "two backends differ only where sums are by atomics.",
                              counted(plan.n, "sphere"), plan.collisions, plan.converged),
-                 "* ", "  ") +
+                 "* ", "  ", width) +
          "\n\n";
 }
 
-std::string costs_text(const std::vector<SumsCost>& costs) { return costs.empty() ? "" : cost_table(costs).text(); }
+std::string costs_text(const std::vector<SumsCost>& costs, size_t width) {
+  return costs.empty() ? "" : cost_table(costs).text(width);
+}
 
-std::string beds_text(const RestPlan& plan, const std::vector<SettledBed>& beds) {
+std::string beds_text(const RestPlan& plan, const std::vector<SettledBed>& beds, size_t width) {
   if (beds.empty()) return "";
-  std::string text = fmt::format("\n{}", rest_table(beds).text());
+  std::string text = fmt::format("\n{}", rest_table(beds).text(width));
   for (const SettledBed& bed : beds)
     text += wrapped(fmt::format("{} in {} layers: {:.1e} of the energy at the start is in motion, the floor carries "
                                 "{:.9f} of the weight, the greatest overlap is {:.2f} % of a radius.",
                                 counted(bed.n, "sphere"), plan.layers, bed.kinetic, bed.floor_force, 100 * bed.overlap),
-                    "* ", "  ") +
+                    "* ", "  ", width) +
             "\n";
   return text;
 }
 
-std::string steps_text(const std::vector<GasSteps>& steps) {
-  return steps.empty() ? "" : fmt::format("\n{}", steps_table(steps).text());
+std::string steps_text(const std::vector<GasSteps>& steps, size_t width) {
+  return steps.empty() ? "" : fmt::format("\n{}", steps_table(steps).text(width));
 }
 
 }  // namespace spherepair

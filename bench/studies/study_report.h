@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// What a study leaves for people: a page of tables, and every sample as CSV.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "bench/measure/samples.h"
+
+namespace spherepair {
+
+// As of the samples that such an entry of a record holds.
+std::string time_cell(const json& entry, double in_second = in_ms);
+
+// A row for each sample of each entry, found in lists and objects at any depth; an object of lists adds a column with
+// their names. The first columns tell the configuration. Then:
+//   contender, backend   of the sample
+//   timer       host: a round's sample; device: the median of a kernel on the device's timer, taken in a run of its own
+//   kernel, round, turn, batch   the kernel where the timer is the device's; else the sample's number, its place among
+//               all turns, and K
+//   seconds     of what the contender does once
+std::string samples_csv(const json& records);
+
+std::string csv_of(const Table& table);
+
+// Without those that are for the CSV alone; a blank line between two.
+std::string text_of(const std::vector<Table>& tables, size_t width);
+
+// The text of tables and sentences within this width.
+using Page = std::function<std::string(size_t width)>;
+
+// NAME.txt, and NAME.csv of this text.
+void write_page(const std::filesystem::path& folder, const std::string& name, const Page& page, const std::string& csv);
+
+// Prints the page of a study, and writes it and all samples.
+void report_page(const std::filesystem::path& folder, const std::string& name, const Page& page, const json& records);
+std::vector<std::string> files_of_study(const std::string& name);  // NAME.json and those of its page
+
+}  // namespace spherepair
