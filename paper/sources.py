@@ -25,7 +25,7 @@ OF_CONTACTS = "contact_|leapfrog|collide_swept"  # stages that host/contacts lau
 # Of no use once the first is another: then those records are stale.
 SAME = {"host/cpu": ("9719797fe743", ("362ffb2fba3e", "2a0c649a3719", "62d1b2be268f", "fcfd6f336f9d")),
         "host/glsl": ("fcc24cbb6510", ("36621c023829", "db9e174ffae4")), "host/cuda": ("008ae94808d1", ("b837d3cc617f", "37dcc57e4f5e")),
-        "measure": ("78418af23bac", ("8250671bdaba", "54e7a7a461e4", "a9828eda902e", "f363e76d471d", "14bcc287cdc3"))}
+        "measure": ("bd0f9024d4ab", ("78418af23bac", "8250671bdaba", "54e7a7a461e4", "a9828eda902e", "f363e76d471d", "14bcc287cdc3"))}
 SAID_OF_CONTACTS = {"sums", "sphere_steps_per_second", "sleeping"}  # only timings of contacts have one of these
 
 

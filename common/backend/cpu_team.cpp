@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <latch>
 #include <string>
 #include <thread>
@@ -21,10 +20,7 @@ void wait_passively(char** argv) {
   for (const char* name : {"OMP_WAIT_POLICY", "GOMP_SPINCOUNT", "KMP_BLOCKTIME"})
     if (std::getenv(name)) return;
   ::setenv("OMP_WAIT_POLICY", "passive", 1);
-  std::error_code unknown;
-  const std::filesystem::path self =
-      std::filesystem::read_symlink("/proc/self/exe", unknown);  // the name that ps shows
-  ::execv(self.c_str(), argv);  // returns only where that is not possible: then threads spin
+  ::execv("/proc/self/exe", argv);  // returns only where that is not possible: then threads spin
 }
 
 // As many threads of our own, all there at once, show whether OpenMP's can start. Theirs then stay until the end.
