@@ -5,6 +5,7 @@
 #include "api/open.h"
 #include "bench/studies/frames.h"
 #include "common/backend/method_choice.h"
+#include "tests/oracle/oracle.h"
 #include "tests/support/grid_results.h"
 
 namespace spherepair {
