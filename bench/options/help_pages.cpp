@@ -18,7 +18,7 @@ std::vector<const CLI::App*> commands_of(const CLI::App& app) {
 std::vector<std::string> names_of(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())
-    if (!option->get_positional()) names.push_back("--" + option->get_lnames().front());
+    if (!option->get_lnames().empty()) names.push_back("--" + option->get_lnames().front());
   return names;
 }
 
@@ -42,7 +42,7 @@ std::string options_text(const CLI::App& command) {
   std::string text;
   for (const CLI::Option* option : command.get_options())
     text += fmt::format(".TP\n.B {}{}\n{}\n",
-                        roff(option->get_positional() ? option->get_name() : option->get_name(false, true)),
+                        roff(option->get_lnames().empty() ? option->get_name() : option->get_name(false, true)),
                         roff(values_of(*option)), roff(option->get_description()));
   return text;
 }

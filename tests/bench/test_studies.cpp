@@ -158,7 +158,7 @@ TEST_F(Studies, WhatIsUnknownIsRefused) {
 }
 
 TEST_F(Studies, RunNamesTheMethodThatAutoChose) {
-  ASSERT_EQ(run("run --backend cpu --n 100 --scene uniform --json " + folder_.path("run.json")), 0) << said();
+  ASSERT_EQ(run("run --backend cpu --n 100 --scene uniform --verbose --json " + folder_.path("run.json")), 0) << said();
   EXPECT_NE(said().find("auto: parallel"), std::string::npos) << said();
   EXPECT_EQ(record("run.json").at("choice").at("name"), "parallel");
 }
