@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
+#include "bench/run/run_times.h"
 #include "tests/contacts/run_program.h"
+#include "tests/support/backends.h"
 
 namespace spherepair {
 namespace {
@@ -94,6 +97,17 @@ TEST_F(RunShows, AsAFilmWhoseColoursFitAllImages) {
   refused(film + "--steps 900 --color contacts --color-range 2,6", "--color");
   refused(fmt::format("render {} --steps 3 --color contacts --color-range 2,6 --output {}", scene, path("f.png")),
           "is of radius and speed");
+}
+
+TEST(RunShowsTimes, OfEachKindOfWorkAndTheSumOfAKernelsLaunches) {
+  RunTimes times;
+  times.spend(RunTimes::moves, [] { std::this_thread::sleep_for(std::chrono::milliseconds(30)); });
+  times.set_stages(*open_backends().front(), {{"sort", 0.25}, {"search", 1}, {"sort", 0.5}});
+  const nlohmann::json record = times.to_json();
+  EXPECT_GE(record.at("moves_s").get<double>(), 0.03);
+  EXPECT_EQ(record.at("searches_s"), 0);
+  EXPECT_EQ(record.at("last_step_ms").at("sort"), 750);
+  EXPECT_EQ(record.at("last_step_ms").at("search"), 1000);
 }
 
 TEST_F(RunShows, SayingWhatIsAskedFor) {
