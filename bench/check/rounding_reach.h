@@ -15,7 +15,7 @@ namespace spherepair {
 uint64_t pairs_within_reach(Backend& backend, const Scene& scene, const Rounding& rounding,
                             const CollideOptions& options);
 
-// What to tell the user; empty if there are none. of_points: they are at a cutoff from each other.
+// A warning for the user; empty without such pairs. of_points: pairs of points, whose distance is near the cutoff.
 std::string reach_warning(uint64_t pairs, const Rounding& rounding, bool of_points = false);
 
 }  // namespace spherepair

@@ -140,7 +140,7 @@ int run_command(const CommandLine& line, const RunOptions& options) {
     throw std::invalid_argument("--statistics is of contacts that push: omit it, or give --contact spring");
   if (options.until_rest && !(start.scene.contact.drag > 0))
     throw std::invalid_argument("--until-rest needs --drag, without which no sphere comes to rest to the bit");
-  static_cast<void>(end_of(options, start));
+  const bool moves = end_of(options, start) > start.step;
   if (options.swept && start.scene.contact.drag > 0)
     throw std::invalid_argument(
         start.motion ? "--swept tests paths without drag, and the checkpoint's run has drag: omit --swept"
@@ -153,7 +153,7 @@ int run_command(const CommandLine& line, const RunOptions& options) {
     throw std::invalid_argument(
         "--statistics needs every pair of the exact test: omit --naive, --swept and --method collide_group");
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
-  if (end_of(options, start) > start.step) fmt::print(stderr, "{}", stalled_warning(start.scene));
+  if (moves) fmt::print(stderr, "{}", stalled_warning(start.scene));
   if (!options.spheres_file.empty()) fmt::print(stderr, "{}", species_warning(start));
   const std::string rounded =
       reach_warning(pairs_within_reach(backend, start.scene, start.rounding, collide), start.rounding);

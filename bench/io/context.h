@@ -24,7 +24,7 @@ json query_clocks();
 
 bool gpu_seems_present();  // the kernel driver's control node exists
 
-// Whether the kernel shows any GPU: nodes of NVIDIA's driver or of DRM; WSL's dxg; Jetson's nvmap.
+// Whether a GPU's driver has a device file: of NVIDIA, of DRM, in WSL (dxg), or on a Jetson (nvmap).
 bool gpu_nodes_present(const std::filesystem::path& devices = "/dev");
 
 std::string utc_date();         // 2025-11-21T04:08:00Z

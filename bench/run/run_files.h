@@ -8,9 +8,9 @@
 
 namespace spherepair {
 
-// What a run leaves of its file of statistics, up to and with this row, its first. A run from a checkpoint keeps the
-// rows of the run that it continues, and drops those behind the checkpoint's step, which it computes again. Throws
-// std::invalid_argument where the file is of another run, or has rows that this one, up to step `end`, would lose.
+// The text that the file of statistics begins with, up to this row, the run's first. A run from a checkpoint keeps the
+// rows up to the checkpoint's step; it computes the later ones again. Throws std::invalid_argument where the file is of
+// another run, or has rows behind step `end`, where this run ends.
 std::string first_rows(const RunOptions& options, const Start& start, const std::string& row, uint64_t end);
 
 // A frame of the trajectory: extended XYZ with the step, the time in seconds and the box.

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <filesystem>
 #include <stdexcept>
 
 namespace spherepair {
@@ -19,6 +21,11 @@ std::string quoted(const std::string& word) {
   std::string text = "'";
   for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return text + "'";
+}
+
+std::string with_step(const std::filesystem::path& file, uint64_t step) {
+  if (file == kStandardOutput) return file;
+  return (file.parent_path() / fmt::format("{}-{}{}", file.stem().string(), step, file.extension().string())).string();
 }
 
 }  // namespace
@@ -41,19 +48,26 @@ uint64_t end_of(const RunOptions& options, const Start& start) {
   return options.until_rest ? uint64_t(most_steps) : start.step;
 }
 
-std::string command_to_go_on(const RunOptions& options, uint64_t end) {
+std::string command_to_go_on(const RunOptions& options, uint64_t step, uint64_t end) {
   std::string command = "spherepair run --resume " + quoted(options.save_file);
   const auto add = [&](const std::string& option, const std::string& value) {
     if (!value.empty()) command += " " + option + " " + quoted(value);
   };
   const auto every = [&](const std::string& option, uint64_t steps) { add(option, std::to_string(steps)); };
   add("--backend", options.backend);
+  add("--method", options.method);
+  if (options.naive) command += " --naive";
+  if (options.swept) command += " --swept";
   if (options.until_rest) command += " --until-rest";
   if (end < uint64_t(most_steps)) every("--until-step", end);
   add("--save", options.save_file);
   if (options.save_every) every("--save-every", options.save_every);
   add("--statistics", options.statistics_file);
   if (!options.statistics_file.empty()) every("--statistics-every", options.statistics_every);
+  if (!options.trajectory_file.empty()) {
+    add("--trajectory", with_step(options.trajectory_file, step));
+    every("--trajectory-every", options.trajectory_every);
+  }
   add("--pairs", options.pairs_file);
   add("--contacts", options.contacts_file);
   add("--spheres", options.spheres_file);

@@ -31,7 +31,8 @@ struct RunOptions {
 // The step that the run ends with at the latest. Throws std::invalid_argument where that is before the start.
 uint64_t end_of(const RunOptions& options, const Start& start);
 
-// The command that goes on to this step from the checkpoint that the run saves, for a shell.
-std::string command_to_go_on(const RunOptions& options, uint64_t end);
+// The command that goes on from the checkpoint of this step to the step `end`, for a shell. Its frames go into another
+// file: trajectory-5000.extxyz.
+std::string command_to_go_on(const RunOptions& options, uint64_t step, uint64_t end);
 
 }  // namespace spherepair

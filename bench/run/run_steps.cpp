@@ -145,7 +145,7 @@ void Run::stand() {
   if (saves) {
     save(backend_, start_, step_, state, options_.save_file);
     note_resumable(fmt::format("{} is of step {}; go on with\n  {}", options_.save_file, step_,
-                               command_to_go_on(options_, most_)));
+                               command_to_go_on(options_, step_, most_)));
   }
   if (wanted) results_.push_back(result);
 }

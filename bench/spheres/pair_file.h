@@ -28,9 +28,9 @@ void write_contacts(const std::string& file, std::span<const Pair> pairs, std::s
 // The number of contacts of each sphere. NPY: n, uint32; text: a line each.
 void write_contact_numbers(const std::string& file, std::span<const uint> counts);
 
-// Of a full neighbour list in CSR: for list.npy list.offsets.npy (n + 1, uint64), list.neighbours.npy (2 m, uint32)
-// and, if asked for, list.distances.npy (2 m, float64). Those of sphere i are from offsets[i] to offsets[i + 1],
-// ascending.
+// The files of a full neighbour list in CSR. For list.npy they are list.offsets.npy (n + 1, uint64),
+// list.neighbours.npy (2 m, uint32) and, if asked for, list.distances.npy (2 m, float64). The neighbours of sphere i
+// have the indices from offsets[i] to offsets[i + 1] - 1, and ascend.
 struct NeighbourFiles {
   std::string offsets, neighbours, distances;
 };

@@ -57,7 +57,7 @@ std::vector<std::string> words_of(std::string text) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-// So many numbers; none where the text is anything else.
+// The numbers of a text that has `count` of them and nothing else.
 std::optional<std::vector<double>> numbers_of(const std::string& text, size_t count) {
   std::vector<double> numbers;
   for (const std::string& word : words_of(text)) {

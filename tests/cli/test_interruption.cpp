@@ -66,15 +66,22 @@ TEST_F(Interruption, WhatIsFinishedStaysAndIsNamed) {
   EXPECT_EQ(without_load(study.errors),
             fmt::format("spherepair: ablate interrupted: what was finished is in {}\n", path("r")));
   EXPECT_FALSE(read_json("r/ablate.json").at("complete").get<bool>());
-  const std::string moving = "run --backend cpu --n 500 --steps 1G --save-every 500 --save " + path("s");
+  const std::string moving = "run --backend cpu --n 500 --steps 1G --trajectory " + path("t.xyz") +
+                             " --trajectory-every 1G --save-every 500 --save " + path("s");
   const Outcome moved = interrupt_after(moving, path("s"), "TERM");
   const size_t command = moved.errors.find("spherepair run --resume");
   EXPECT_TRUE(moved.errors.starts_with(fmt::format("spherepair: run interrupted: {} is of step ", path("s"))));
   ASSERT_NE(command, std::string::npos) << moved.errors;
-  const std::string last = " --until-step 1000000000 --save " + path("s") + " --save-every 500\n";
-  EXPECT_TRUE(moved.errors.ends_with(last)) << moved.errors;
-  const std::string words = moved.errors.substr(command + 11, moved.errors.size() - last.size() - command - 11);
-  EXPECT_EQ(run(words + " --steps 1").code, kOk) << words;
+  const std::string last = " --until-step 1000000000 --save " + path("s") + " --save-every 500 --trajectory ";
+  const size_t at = moved.errors.find(last);
+  ASSERT_NE(at, std::string::npos) << moved.errors;
+  const std::string frames = read_bytes(path("t.xyz")), rest = moved.errors.substr(at + last.size());
+  EXPECT_TRUE(rest.ends_with(".xyz --trajectory-every 1000000000\n")) << rest;
+  const std::string words = moved.errors.substr(command + 11, at - command - 11);
+  const std::string file = rest.substr(0, rest.find(' '));
+  EXPECT_EQ(run(fmt::format("{} --steps 1 --trajectory {}", words, file)).code, kOk) << words;
+  EXPECT_EQ(read_bytes(path("t.xyz")), frames);
+  EXPECT_NE(read_bytes(file).find(" step="), std::string::npos);
 }
 
 TEST_F(Interruption, AStudyThatFailsBeforeItsFirstResultLeavesNoFolder) {

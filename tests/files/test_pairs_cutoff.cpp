@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `pairs` finds of points within a cutoff, and the distances and neighbour lists that it writes.
+// pairs --cutoff finds the right pairs of points; --distances and --csr write them.
 #include <cmath>
 
 #include "tests/support/pairs_command.h"
