@@ -40,6 +40,11 @@ TEST_F(RunGoesOn, InABoxOfItsOwn) {
   EXPECT_EQ(state("walls.json"), state("box.json"));
   EXPECT_EQ(read_json("box.json").at("plane"), read_json("a.json").at("plane"));
   const std::string input = fmt::format("run --input {} --contact spring --steps 3 ", path("a.extxyz"));
+  good(input + fmt::format("--backend cpu --box -1.5,-2.25,-3.1,19.7,20,21 --spheres {}", path("b.extxyz")));
+  const auto box = read_sphere_file(path("b.extxyz"), {}).box;
+  ASSERT_TRUE(box);
+  EXPECT_EQ(box->low, (std::array{-1.5f, -2.25f, -3.1f}));
+  EXPECT_EQ(box->high, (std::array{19.7f, 20.0f, 21.0f}));
   refused(input + "--box 0,0,0,1,1,1", "outside of the box");
   refused(input + "--box 9,0,0,1,9,9", "give the lower corner first");
   refused(input + "--walls --plane -3", "omit --plane, or --walls");
@@ -106,6 +111,7 @@ TEST_F(RunGoesOn, FromACheckpointWithOtherParameters) {
     const char *changed, *all;
   } const cases[] = {
       {"--restitution 0.7", "--restitution 0.7 --stiffness 1e6 --drag 2 --dt 5e-4"},
+      {"--gravity 3", "--restitution 0.4 --stiffness 1e6 --gravity 3 --drag 2 --dt 5e-4"},
       {"--drag 0.5", "--restitution 0.4 --stiffness 1e6 --drag 0.5 --dt 5e-4"},
       {"--drag 0 --dt 2e-4", "--restitution 0.4 --stiffness 1e6 --dt 2e-4"},
       {"--stiffness 2e6 --gravity 3", "--restitution 0.4 --stiffness 2e6 --gravity 3 --drag 2 --dt 5e-4"}};
