@@ -179,5 +179,22 @@ TEST(TimedRecords, StagesBelowTheReadingOfAnEmptyKernelAreMarked) {
   EXPECT_EQ(on["cuda"].empty_launches, 100u) << "read once a session";
 }
 
+// From the state in which the samples begin, however many steps went before.
+TEST(TimedRecords, AStageHasTheTimeOfAllItsLaunchesInAStep) {
+  ClockedSession on;
+  on["cuda"].facts().device_timers = true;
+  on["cuda"].drift = 1e-6;
+  Contender contender = on.contender("cuda");
+  contender.batch = 3;
+  contender.restart = [](Backend& each) { static_cast<ClockedBackend&>(each).steps = 0; };
+  contender.step = [](Backend& each) {
+    static_cast<ClockedBackend&>(each).run_step();
+    static_cast<ClockedBackend&>(each).run_stages();
+  };
+  const json stages = to_json(on.measure({contender}).front()).at("device_stages_ms");
+  EXPECT_NEAR(stages.at("clear"), 6e-3, 1e-9) << "steps 1 to 3 take 5, 6 and 7 us";
+  EXPECT_NEAR(stages.at("collide_grid"), 2 * 52e-3, 1e-9);
+}
+
 }  // namespace
 }  // namespace spherepair
