@@ -114,9 +114,9 @@ GPU = tuple(map(in_hardware, (
           "ablate.json", alone=True),
     study("contacts", 4, "glsl,cuda", "contacts --measure errors,sums,rates", "contacts.json"),
     study("contacts_steps", 2, "glsl,cuda", "contacts --measure steps", "contacts.json"),
-    study("contacts_1e8", 7, "glsl,cuda", "contacts --measure steps --step-n 100000000", "contacts.json", memory=40 * GIB),
+    study("contacts_1e8", 7, "glsl,cuda", "contacts --measure steps --n 100000000", "contacts.json", memory=40 * GIB),
     study("contacts_rest", 1, "glsl,cuda", "contacts --measure rest --rounds 6", "contacts.json"),
-    study("contacts_rest_1e7", 7, "glsl,cuda", "contacts --measure rest --rest-n 10000000 --rest-layers 150 "
+    study("contacts_rest_1e7", 7, "glsl,cuda", "contacts --measure rest --n 10000000 --rest-layers 150 "
           "--drag-steps 0.001:32000,0.1:2000 --rounds 6", "contacts.json", memory=16 * GIB),
     study("launches", 1, "glsl,cuda", "launches --rounds 7", "launches.json", processes=SEVERAL, alone=True),
     study("energy_all_pairs", 5, "glsl,cuda", "energy --works all_pairs --windows 5 --seconds 10", "energy.json"),
@@ -165,7 +165,7 @@ SOFTWARE = tuple(replace(part, alone=not part.tests) for part in (
     study("crossover", 2, "cpu", "crossover --most-ms 60", "crossover.json"),
     study("crossover_glsl", 2, "glsl", "crossover", "crossover.json"),
     study("cpu_grid", 1, "cpu", "ablate --names pair_list --n 1000000,10000000", "ablate.json"),
-    study("contacts_cpu", 5, "cpu", "contacts --threads 2 --measure steps --step-n 1000000 --averaged 1000 --rounds 6",
+    study("contacts_cpu", 5, "cpu", "contacts --threads 2 --measure steps --n 1000000 --averaged 1000 --rounds 6",
           "contacts.json"),
     study("precision", 2, "cpu,glsl", "precision --threads 1 --rounds 11", "precision.json"),
     *catalogue(("cpu", "glsl"), (3, 3)),

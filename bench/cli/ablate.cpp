@@ -111,16 +111,12 @@ std::shared_ptr<AblateOptions> add_ablate_options(CLI::App& command) {
     help += fmt::format("    {:<22} {}{}\n", ablation.name, ablation.summary,
                         *ablation.backend ? fmt::format(" ({})", ablation.backend) : "");
   add_backends_option(command, options->backends);
-  command.add_option("--names", options->names, help)->delimiter(',');
-  command.add_option("--n", options->sizes, "Numbers of spheres (default 16384, with a GPU also 1000000)")
-      ->delimiter(',')
+  add_list(command, "--names", options->names, help);
+  add_list(command, "--n", options->sizes, "Numbers of spheres (default 16384, with a GPU also 1000000)")
       ->transform(positive_range);
-  command.add_option("--packing-fraction", options->packing_fraction, "Packing fraction of the spheres")
-      ->check(fraction_range)
-      ->capture_default_str();
-  command.add_option("--rounds", options->rounds, "Rounds of each timing")
-      ->transform(whole_number(1, 1000))
-      ->capture_default_str();
+  add_number(command, "--packing-fraction", options->packing_fraction, fraction_range,
+             "Packing fraction of the spheres");
+  add_rounds_option(command, options->rounds);
   add_results_option(command, options->results, "ablate.json, .txt and .csv");
   command.footer("Example:\n  spherepair ablate --backends glsl,cuda --n 16384,1000000,10000000");
   return options;

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include "bench/cli/commands.h"
-#include "bench/cli/options_draw.h"
-#include "bench/cli/options_run.h"
 #include "bench/cli/studies.h"
 #include "bench/cli/view.h"
 #include "bench/io/arguments.h"
@@ -16,7 +14,6 @@
 #include "bench/options/help_pages.h"
 #include "bench/options/options.h"
 #include "bench/options/unused_options.h"
-#include "bench/options/verbosity.h"
 #include "bench/tables/study.h"
 #include "common/backend/cpu_team.h"
 
@@ -35,36 +32,19 @@ void add_devices(CLI::App& app, CommandLine& line, Action& action) {
   command->callback([=, &line, &action] { action = [=, &line] { return devices_command(line, *options); }; });
 }
 
-void add_pairs(CLI::App& app, CommandLine& line, Action& action) {
-  auto* command = app.add_subcommand("pairs", "Read spheres or points from a file and find the pairs");
-  auto options = std::make_shared<PairsOptions>();
-  add_pairs_options(*command, *options);
-  add_open_options(*command, line.open);
-  command->footer(
-      "Examples:\n  spherepair pairs spheres.npy --radius 0.5 --output pairs.npy\n"
-      "  spherepair pairs points.csv --cutoff 2.5 --distances --output pairs.csv\n"
-      "  spherepair pairs atoms.extxyz --output - | head");
-  command->callback([=, &line, &action] { action = [=, &line] { return pairs_command(line, *options); }; });
-}
-
 void add_selection(CLI::App& command, CompareOptions& options) {
   PlanOptions& plan = options.plan;
   add_backends_option(command, options.backends);
-  command.add_option("--scenes", plan.scenes, "Scenes to check, e.g. random,aligned:8x16,grazing (see run --help)")
-      ->delimiter(',');
-  command.add_option("--methods", plan.methods, "Only these methods (see run --help)")->delimiter(',');
-  command.add_option("--blocks", plan.blocks, "Only these group sizes: 32,64,128,256,512,1024")->delimiter(',');
-  command
-      .add_option("--n", plan.sizes,
-                  "Numbers of spheres for the check and for every table but `counts` and `arrangements`")
-      ->delimiter(',')
+  add_list(command, "--scenes", plan.scenes, "Scenes to check, e.g. random,aligned:8x16,grazing (see run --help)");
+  add_list(command, "--methods", plan.methods, "Only these methods (see run --help)");
+  add_list(command, "--blocks", plan.blocks, "Only these group sizes: 32,64,128,256,512,1024");
+  add_list(command, "--n", plan.sizes,
+           "Numbers of spheres for the check and for every table but `counts` and `arrangements`")
       ->transform(positive_range);
   std::vector<std::string> tables;
   for (const TableKind& kind : table_kinds()) tables.push_back(kind.name);
-  command
-      .add_option("--tables", plan.tables,
-                  fmt::format("Only these tables: {}; `none`: check only", fmt::join(tables, ", ")))
-      ->delimiter(',');
+  add_list(command, "--tables", plan.tables,
+           fmt::format("Only these tables: {}; `none`: check only", fmt::join(tables, ", ")));
 }
 
 void add_compare(CLI::App& app, CommandLine& line, Action& action) {
@@ -75,17 +55,10 @@ void add_compare(CLI::App& app, CommandLine& line, Action& action) {
   command->add_option("--steps", plan.steps, "Steps to check")->transform(steps_range);
   add_motion_options(*command, plan.motion);
   add_contact_options(*command, plan.motion);
-  command->add_option("--every", plan.every, "Steps between two comparisons")
-      ->transform(positive_range)
-      ->capture_default_str();
-  command->add_option("--seed", plan.seed, "Seed of the scenes and of the order within the rounds")
-      ->transform(steps_range)
-      ->capture_default_str();
+  add_number(*command, "--every", plan.every, positive_range, "Steps between two comparisons");
+  add_number(*command, "--seed", plan.seed, steps_range, "Seed of the scenes and of the order within the rounds");
   command->add_option("--rounds", plan.rounds, "Rounds per timing (default 11)")->transform(whole_number(1, 100000));
-  command
-      ->add_option("--min-seconds", plan.min_seconds,
-                   "Minimum time of the longest batch (default 0.02 on a GPU, else 0.05)")
-      ->check(sample_range);
+  add_min_seconds_option(*command, plan.min_seconds);
   command->add_flag("--quick", plan.quick, "Small sizes; without a GPU 6 rounds");
   command->add_flag("--full", plan.full, "All sizes, more steps and rounds");
   add_results_option(*command, options->results, "results.json, a .txt and a .csv per table");

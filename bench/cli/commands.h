@@ -7,7 +7,7 @@
 #include "bench/formats/start.h"
 #include "bench/image/antialiased_image.h"
 #include "bench/options/command.h"
-#include "bench/options/pairs_options.h"
+#include "bench/options/options.h"
 #include "bench/run/run_options.h"
 #include "bench/tables/plan.h"
 
@@ -20,8 +20,24 @@ struct DevicesOptions {
 };
 int devices_command(const CommandLine& line, const DevicesOptions& options);
 
+void add_run(CLI::App& app, CommandLine& line, Action& action);
 int run_command(const CommandLine& line, const RunOptions& options);
 
+struct PairsOptions {
+  std::string backend, method;                     // no backend: the fastest that opens; no method: auto
+  std::string input_file, output_file, json_file;  // no output: only the summary
+  std::string contacts_file;                       // the number of contacts of each sphere
+  bool geometry = false;                           // overlap, normal and point of each pair as well
+  bool distances = false;                          // of the centres of each pair as well
+  bool csr = false;                                // a full neighbour list in place of the pairs
+  std::optional<double> radius = {}, cutoff = {};  // cutoff: of points, the distance up to which they are a pair
+  std::optional<uint64_t> frame;
+  std::vector<std::string> columns;
+  bool decimal_comma = false, ignore_periodic = false;
+  uint block = 0;  // 0: not given
+  Verbosity verbosity = Verbosity::normal;
+};
+void add_pairs(CLI::App& app, CommandLine& line, Action& action);
 int pairs_command(const CommandLine& line, const PairsOptions& options);
 
 struct RenderOptions {
@@ -41,9 +57,11 @@ struct RenderOptions {
   bool legend = true, box = true;  // box: the edges of the first image's bounding box, or of all frames'
   bool plain = false;              // no occlusion, shadow or ground
 };
+void add_render(CLI::App& app, CommandLine& line, Action& action);
 int render_command(const CommandLine& line, const RenderOptions& options);
 
 struct FramesOptions;  // frames.h
+void add_frames(CLI::App& app, CommandLine& line, Action& action);
 int frames_command(const CommandLine& line, const FramesOptions& options);
 
 struct CompareOptions {

@@ -32,6 +32,10 @@ RestStage stage_of(const std::string& text) {
   return {*drag, *steps};
 }
 
+bool wanted(const ContactsOptions& options, const char* measurement) {
+  return options.measurements.empty() || std::ranges::count(options.measurements, measurement);
+}
+
 ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
   ContactPlan plan;
   if (!hardware) plan.steps_a_contact = {10, 20, 40};
@@ -50,22 +54,22 @@ ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
       !std::ranges::count(plan.kinds, ContactLaw::spring, &ContactKind::law))
     throw std::invalid_argument(
         "rates are measured by the law spring, which is not among --laws: name it, or omit rates");
-  plan.n = options.n ? options.n : hardware ? 4096 : 512;
-  plan.cost_sizes = options.cost_sizes;
-  if (plan.cost_sizes.empty())
-    plan.cost_sizes = hardware ? std::vector<uint64_t>{16384, 1'000'000, 10'000'000} : std::vector<uint64_t>{16384};
-  plan.step_sizes = options.step_sizes;
-  if (plan.step_sizes.empty())
-    plan.step_sizes = hardware ? std::vector<uint64_t>{1'000'000, 10'000'000} : std::vector<uint64_t>{16384};
+  const auto sizes = [&](std::vector<uint64_t> on_gpu, uint64_t elsewhere) {
+    return !options.sizes.empty() ? options.sizes : hardware ? on_gpu : std::vector{elsewhere};
+  };
+  plan.n = sizes({4096}, 512).front();
+  plan.cost_sizes = sizes({16384, 1'000'000, 10'000'000}, 16384);
+  plan.step_sizes = sizes({1'000'000, 10'000'000}, 16384);
+  plan.rest.sizes = sizes({1'000'000}, 1000);
   for (const std::string& one : options.measurements)
     require_known("measurement", one, {std::begin(known_measurements), std::end(known_measurements)});
-  if (!hardware) plan.rates.n = 1000, plan.rates.softer = 64, plan.rates.converged = 160;
-  plan.rest.sizes = options.rest_sizes;
-  if (plan.rest.sizes.empty()) plan.rest.sizes = {hardware ? 1'000'000u : 1000u};
+  plan.rates.n = sizes({plan.rates.n}, 1000).front();
+  if (wanted(options, "rates") && plan.rates.n < 125)
+    throw std::invalid_argument("rates need a gas of at least 125 spheres: give more as --n, or omit rates");
+  if (!hardware) plan.rates.softer = 64, plan.rates.converged = 160;
   plan.rest.layers = options.rest_layers;
   if (!options.drag_steps.empty()) plan.rest.stages.clear();
   for (const std::string& stage : options.drag_steps) plan.rest.stages.push_back(stage_of(stage));
-  if (options.rate_n) plan.rates.n = options.rate_n;
   plan.rates.converged = std::min(plan.rates.converged, 4 * std::ranges::max(plan.steps_a_contact));
   plan.sampling.rounds = options.rounds;
   plan.sampling.longest = 0.02;
@@ -143,17 +147,14 @@ int contacts_command(const CommandLine& line, const ContactsOptions& options) {
   const json record = start_record(line, session, plan);
   Progress progress;
   MeasuredContacts measured;
-  const auto wanted = [&](const char* measurement) {
-    return options.measurements.empty() || std::ranges::count(options.measurements, measurement);
-  };
-  if (wanted("errors")) {
+  if (wanted(options, "errors")) {
     measured.runs = measure_contact_errors(session, plan, measured.left_out, progress);
     time_contact_runs(session, plan, measured.runs, progress);
   }
-  if (wanted("sums")) measured.costs = measure_sums(session, plan, measured.left_out, progress);
-  if (wanted("steps")) measured.steps = measure_gas_steps(session, plan, measured.left_out, progress);
-  if (wanted("rates")) measured.rates = measure_rates(session, plan, progress);
-  if (wanted("rest")) measured.beds = measure_rest(session, plan, measured.left_out, progress);
+  if (wanted(options, "sums")) measured.costs = measure_sums(session, plan, measured.left_out, progress);
+  if (wanted(options, "steps")) measured.steps = measure_gas_steps(session, plan, measured.left_out, progress);
+  if (wanted(options, "rates")) measured.rates = measure_rates(session, plan, progress);
+  if (wanted(options, "rest")) measured.beds = measure_rest(session, plan, measured.left_out, progress);
   measured.targets = sums_targets(session, measured.costs);
   std::ranges::copy(steps_targets(session, measured.steps), std::back_inserter(measured.targets));
   std::ranges::copy(rest_targets(session, measured.beds), std::back_inserter(measured.targets));
@@ -167,54 +168,26 @@ int contacts_command(const CommandLine& line, const ContactsOptions& options) {
 std::shared_ptr<ContactsOptions> add_contacts_options(CLI::App& command) {
   auto options = std::make_shared<ContactsOptions>();
   add_backends_option(command, options->backends);
-  command
-      .add_option(
-          "--measure", options->measurements,
-          "Only these: errors (of runs), sums (their cost), steps (whole ones of a gas), rates (its pressure and "
-          "cooling), rest (of a bed)")
-      ->delimiter(',');
-  command.add_option("--laws", options->laws, "Only these laws: spring, hertz, quartic")->delimiter(',');
-  command
-      .add_option("--steps", options->steps,
-                  "Only these time steps, by the steps that a contact lasts: 10, 20, 40, 80, 160, 320")
-      ->delimiter(',');
-  command.add_option("--n", options->n, "Spheres of the runs for errors (default 4096 on a GPU, else 512)")
-      ->transform(positive_range);
-  command
-      .add_option("--cost-n", options->cost_sizes,
-                  "Spheres of the steps whose sums are compared (default 16384,1000000,10000000 on a GPU, else 16384)")
-      ->delimiter(',')
-      ->transform(positive_range);
-  command
-      .add_option("--step-n", options->step_sizes,
-                  "Spheres of the whole steps of a gas (default 1000000,10000000 on a GPU, else 16384)")
-      ->delimiter(',')
+  add_list(command, "--measure", options->measurements,
+           "Only these: errors (of runs), sums (their cost), steps (whole ones of a gas), rates (its pressure and "
+           "cooling), rest (of a bed)");
+  add_list(command, "--laws", options->laws, "Only these laws: spring, hertz, quartic");
+  add_list(command, "--steps", options->steps,
+           "Only these time steps, by the steps that a contact lasts: 10, 20, 40, 80, 160, 320");
+  add_list(
+      command, "--n", options->sizes,
+      "Numbers of spheres; errors and rates take the first, beds whole layers (default on a GPU: errors 4096, sums "
+      "16384,1000000,10000000, steps 1000000,10000000, rates 16384, rest 1000000)")
       ->transform(positive_range);
   command
       .add_option("--averaged", options->averaged,
                   "Whole steps whose mean is taken, the first of the gas (default 1000 on a GPU, else 20)")
       ->transform(whole_number(1, 1'000'000));
-  command
-      .add_option("--rate-n", options->rate_n,
-                  "Spheres of the gas whose pressure and cooling are measured (default 16384 on a GPU, else 1000)")
-      ->transform(whole_number(125, kMostSpheres));
-  command
-      .add_option("--rest-n", options->rest_sizes,
-                  "Spheres of the beds at rest, rounded up to whole layers (default 1000000 on a GPU, else 1000)")
-      ->delimiter(',')
-      ->transform(positive_range);
-  command
-      .add_option("--rest-layers", options->rest_layers,
-                  "Their layers, of spheres that are stiffer the more lie on them")
-      ->transform(whole_number(1, 10'000))
-      ->capture_default_str();
-  command
-      .add_option("--drag-steps", options->drag_steps,
-                  "Stages in which they come to rest: DRAG:STEPS, the drag a step (default 0.001:40000,0.1:2000)")
-      ->delimiter(',');
-  command.add_option("--rounds", options->rounds, "Rounds of each timing")
-      ->transform(whole_number(6, 1000))
-      ->capture_default_str();
+  add_number(command, "--rest-layers", options->rest_layers, whole_number(1, 10'000),
+             "Layers of the beds, of spheres that are stiffer the more lie on them");
+  add_list(command, "--drag-steps", options->drag_steps,
+           "Stages in which they come to rest: DRAG:STEPS, the drag a step (default 0.001:40000,0.1:2000)");
+  add_rounds_option(command, options->rounds, 6);
   add_results_option(command, options->results, "contacts.json, .txt and .csv");
   command.footer("Example:\n  spherepair contacts --laws spring --steps 10,20,40");
   return options;

@@ -167,16 +167,11 @@ std::shared_ptr<CrossoverOptions> add_crossover_options(CLI::App& command) {
   std::string help = "Only these of:\n";
   for (const SphereKind& kind : sphere_kinds()) help += fmt::format("    {:<9} {}\n", kind.name, kind.summary);
   add_backends_option(command, options->backends);
-  command.add_option("--n", options->sizes, "Numbers of spheres (default 64, 128 ... 32768)")
-      ->delimiter(',')
-      ->transform(positive_range);
-  command.add_option("--kinds", options->kinds, help)->delimiter(',');
-  command.add_option("--rounds", options->rounds, "Rounds of each timing")
-      ->transform(whole_number(1, 1000))
-      ->capture_default_str();
-  command.add_option("--most-ms", options->most_ms, "A method whose step takes longer is not timed with more spheres")
-      ->check(real_number(1e-3, 1e9))
-      ->capture_default_str();
+  add_list(command, "--n", options->sizes, "Numbers of spheres (default 64, 128 ... 32768)")->transform(positive_range);
+  add_list(command, "--kinds", options->kinds, help);
+  add_rounds_option(command, options->rounds);
+  add_number(command, "--most-ms", options->most_ms, real_number(1e-3, 1e9),
+             "A method whose step takes longer is not timed with more spheres");
   add_results_option(command, options->results, "crossover.json, .txt and .csv");
   command.footer("Example:\n  spherepair crossover --backends cpu,glsl --n 64,1024,16384");
   return options;

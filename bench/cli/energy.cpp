@@ -80,22 +80,14 @@ int energy_command(const CommandLine& line, const EnergyOptions& options) {
 std::shared_ptr<EnergyOptions> add_energy_options(CLI::App& command) {
   auto options = std::make_shared<EnergyOptions>();
   add_backends_option(command, options->backends);
-  command
-      .add_option("--works", options->works,
-                  "Only these: all_pairs; warm, cold: the grid with spheres in cell order, in random order")
-      ->delimiter(',')
-      ->capture_default_str();
-  command
-      .add_option("--n", options->sizes,
-                  "Numbers of spheres (default: of all pairs 16384, 1048576, of the grid 1000000, 10000000)")
-      ->delimiter(',')
+  add_list(command, "--works", options->works,
+           "Only these: all_pairs; warm, cold: the grid with spheres in cell order, in random order");
+  add_list(command, "--n", options->sizes,
+           "Numbers of spheres (default: of all pairs 16384, 1048576, of the grid 1000000, 10000000)")
       ->transform(positive_range);
-  command.add_option("--seconds", options->seconds, "Of each window; NVML's counters need 10 for 1 %")
-      ->check(real_number(0.1, 3600))
-      ->capture_default_str();
-  command.add_option("--windows", options->windows, "Windows of each row")
-      ->transform(whole_number(1, 1000))
-      ->capture_default_str();
+  add_number(command, "--seconds", options->seconds, real_number(0.1, 3600),
+             "Of each window; NVML's counters need 10 for 1 %");
+  add_number(command, "--windows", options->windows, whole_number(1, 1000), "Windows of each row");
   add_results_option(command, options->results, "energy.json, .txt and .csv");
   command.footer("Needs an NVIDIA GPU and its driver's NVML.\nExample:\n  spherepair energy --backends glsl,cuda");
   return options;

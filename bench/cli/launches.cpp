@@ -101,14 +101,10 @@ int launches_command(const CommandLine& line, const LaunchesOptions& options) {
 std::shared_ptr<LaunchesOptions> add_launches_options(CLI::App& command) {
   auto options = std::make_shared<LaunchesOptions>();
   add_backends_option(command, options->backends);
-  command
-      .add_option("--n", options->sizes,
-                  "Numbers of spheres (default 64, 256, 1024, with a GPU also 4096, 16384, 65536)")
-      ->delimiter(',')
+  add_list(command, "--n", options->sizes,
+           "Numbers of spheres (default 64, 256, 1024, with a GPU also 4096, 16384, 65536)")
       ->transform(positive_range);
-  command.add_option("--rounds", options->rounds, "Rounds of each timing")
-      ->transform(whole_number(1, 1000))
-      ->capture_default_str();
+  add_rounds_option(command, options->rounds);
   add_results_option(command, options->results, "launches.json, .txt and .csv");
   std::string paths = "Paths:\n";
   for (const LaunchPath& path : launch_paths())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/cli/options_draw.h"
+#include "bench/cli/commands.h"
 
 #include "bench/image/colour_values.h"
 #include "bench/image/image_files.h"
@@ -10,43 +10,35 @@ namespace spherepair {
 namespace {
 
 void add_camera_options(CLI::App& command, CameraOptions& camera) {
-  const auto vector = [&](const char* name, std::vector<double>& value, const char* text) {
-    command.add_option(name, value, text)->expected(3)->delimiter(',');
-  };
-  command
-      .add_option(
-          "--azimuth", camera.azimuth,
-          "Azimuth of the camera around --up, degrees: for y from +z to +x, for z from +x to +y, for x from +y to +z")
-      ->check(real_number(-360, 360))
-      ->capture_default_str();
-  command.add_option("--elevation", camera.elevation, "Elevation of the camera above the horizon, degrees")
-      ->check(real_number(-90, 90))
-      ->capture_default_str();
+  add_number(
+      command, "--azimuth", camera.azimuth, real_number(-360, 360),
+      "Azimuth of the camera around --up, degrees: for y from +z to +x, for z from +x to +y, for x from +y to +z");
+  add_number(command, "--elevation", camera.elevation, real_number(-90, 90),
+             "Elevation of the camera above the horizon, degrees");
   command.add_option("--field", camera.field, "Vertical field of view, degrees")->capture_default_str();
-  vector("--eye", camera.eye, "Position of the camera, x,y,z in metres; default: all spheres in view");
-  vector("--target", camera.target, "Point that the camera looks at, x,y,z; default: the centre of the spheres");
-  vector("--up", camera.up, "Up direction of camera, light and ground, such as 0,0,1 (default 0,1,0)");
+  add_list(command, "--eye", camera.eye, "Position of the camera, x,y,z in metres; default: all spheres in view")
+      ->expected(3)
+      ->excludes("--azimuth")
+      ->excludes("--elevation");
+  add_list(command, "--target", camera.target,
+           "Point that the camera looks at, x,y,z; default: the centre of the spheres")
+      ->expected(3);
+  add_list(command, "--up", camera.up, "Up direction of camera, light and ground, such as 0,0,1 (default 0,1,0)")
+      ->expected(3);
   command.add_option("--near", camera.near, "Near plane in metres; 0: a thousandth of the distance to --target")
       ->capture_default_str();
 }
 
 void add_image_options(CLI::App& command, RenderOptions& options) {
-  auto* steps = command.add_option("--steps", options.steps, "Steps before the first image")
-                    ->transform(steps_range)
-                    ->capture_default_str();
-  auto* images = command.add_option("--images", options.images, "Number of images")
-                     ->transform(positive_range)
-                     ->capture_default_str();
-  auto* every = command.add_option("--every", options.every, "Steps between two images")
-                    ->transform(positive_range)
-                    ->capture_default_str();
   auto* frames = command.add_flag("--frames", options.frames,
                                   "All frames of the XYZ file given by --input: an image each, from one camera");
-  for (CLI::Option* other : {steps, images, every, command.get_option("--frame")}) frames->excludes(other);
+  for (CLI::Option* other : {add_number(command, "--steps", options.steps, steps_range, "Steps before the first image"),
+                             add_number(command, "--images", options.images, positive_range, "Number of images"),
+                             add_number(command, "--every", options.every, positive_range, "Steps between two images"),
+                             command.get_option("--frame")})
+    frames->excludes(other);
   add_size_option(command, options.width, options.height);
-  command.add_option("--samples", options.samples, "Samples per pixel")
-      ->transform(whole_number(1, 1024))
-      ->capture_default_str();
+  add_number(command, "--samples", options.samples, whole_number(1, 1024), "Samples per pixel");
   add_camera_options(command, options.camera);
   command
       .add_option(
@@ -104,9 +96,6 @@ void check_render_options(const RenderOptions& options) {
   if (options.output_file.empty() && options.video_file.empty())
     throw std::invalid_argument("nothing to write: give --output image.png or --video video.mp4");
   check_render_files(options, options.images);
-  if (!options.backend.empty()) require_known_backends({options.backend});
-  for (const auto& [name, value] : {std::pair{"--eye", options.camera.eye}, {"--target", options.camera.target}})
-    if (!value.empty() && value.size() != 3) throw std::invalid_argument(fmt::format("{} needs x,y,z", name));
   draw_method_from_name(options.draw);
   const ColourBy by = colour_by_name(options.colour);
   if (options.frames && options.start.input_file.empty())
@@ -131,9 +120,8 @@ void add_render(CLI::App& app, CommandLine& line, Action& action) {
       "written by render. With several images, a number precedes the extension");
   command->add_option("--video", options->video_file,
                       "A video of the images, .mp4, encoded by ffmpeg, and its JSON file");
-  command->add_option("--rate", options->images_per_second, "Images per second of the --video")
-      ->transform(whole_number(1, 1000))
-      ->capture_default_str();
+  add_number(*command, "--rate", options->images_per_second, whole_number(1, 1000), "Images per second of the --video")
+      ->needs("--video");
   add_start_options(*command, options->start);
   add_image_options(*command, *options);
   add_backend_option(*command, options->backend, "Where the spheres move and are drawn");
@@ -144,46 +132,31 @@ void add_render(CLI::App& app, CommandLine& line, Action& action) {
       "  spherepair render --input atoms.extxyz --azimuth 60 --elevation 30 --size 1920x1080 --output atoms.png\n"
       "  spherepair render --input atoms.extxyz --up 0,0,1 --color species --frames --video atoms.mp4\n"
       "  spherepair render --scene aligned --n 512 --images 240 --every 2 --video aligned.mp4");
-  command->callback([=, &line, &action] {
-    finish_start_options(*command, options->start);
-    action = [=, &line] { return render_command(line, *options); };
-  });
+  command->callback([=, &line, &action] { action = [=, &line] { return render_command(line, *options); }; });
 }
 
 void add_frames(CLI::App& app, CommandLine& line, Action& action) {
   auto* command = app.add_subcommand("frames", "Time drawing: every method, backend and number of spheres");
   auto options = std::make_shared<FramesOptions>();
-  const auto list = [&](const char* name, std::vector<std::string>& values, const char* text) {
-    command->add_option(name, values, text)->delimiter(',')->capture_default_str();
-  };
   add_backends_option(*command, options->backends);
-  list("--draws", options->draws, "Drawing methods, see render --help");
-  list("--places", options->places, "Camera positions: outside, inside");
-  list("--works", options->works,
-       "frame: an image, each from a new camera; frame_all: the same without culling or reuse; lit: with ambient "
-       "occlusion, shadows and the ground plane; loop: move, collide_grid and frame; view: the same, each complete, as "
-       "`view` has them");
+  add_list(*command, "--draws", options->draws, "Drawing methods, see render --help");
+  add_list(*command, "--places", options->places, "Camera positions: outside, inside");
+  add_list(
+      *command, "--works", options->works,
+      "frame: an image, each from a new camera; frame_all: the same without culling or reuse; lit: with ambient "
+      "occlusion, shadows and the ground plane; loop: move, collide_grid and frame; view: the same, each complete, "
+      "as `view` has them");
   command->add_flag("--window", options->window,
                     "Draw in the context of a window; of the work `view`, each image goes into it");
   command->add_flag("--transfer", options->transfer,
                     "Also time OpenGL drawing of CUDA's spheres, transferred in three ways");
-  command->add_option("--n", options->sizes, "Numbers of spheres, sorted into cell order")
-      ->delimiter(',')
-      ->transform(positive_range)
-      ->capture_default_str();
-  command->add_option("--most", options->most, "Most spheres that a drawing method is timed with, e.g. mesh_each:65536")
-      ->delimiter(',');
+  add_list(*command, "--n", options->sizes, "Numbers of spheres, sorted into cell order")->transform(positive_range);
+  add_list(*command, "--most", options->most, "Most spheres that a drawing method is timed with, e.g. mesh_each:65536");
   add_size_option(*command, options->width, options->height);
-  command->add_option("--packing-fraction", options->packing_fraction, "Packing fraction of the spheres")
-      ->check(fraction_range)
-      ->capture_default_str();
-  command->add_option("--rounds", options->rounds, "Rounds of each timing")
-      ->transform(whole_number(1, 100000))
-      ->capture_default_str();
-  command
-      ->add_option("--min-seconds", options->min_seconds,
-                   "Minimum time of the longest batch (default 0.02 on a GPU, else 0.05)")
-      ->check(sample_range);
+  add_number(*command, "--packing-fraction", options->packing_fraction, fraction_range,
+             "Packing fraction of the spheres");
+  add_rounds_option(*command, options->rounds);
+  add_min_seconds_option(*command, options->min_seconds);
   add_results_option(*command, options->results, "frames.json, .txt and .csv");
   add_open_options(*command, line.open);
   command->footer(

@@ -156,18 +156,13 @@ int precision_command(const CommandLine& line, const PrecisionOptions& options) 
 std::shared_ptr<PrecisionOptions> add_precision_options(CLI::App& command) {
   auto options = std::make_shared<PrecisionOptions>();
   add_backends_option(command, options->backends);
-  command.add_option("--motions", options->methods, "Only these methods, e.g. paper,anchored (see run --help)")
-      ->delimiter(',');
-  command.add_option("--precisions", options->precisions, "Only these of float32, compensated, float64")
-      ->delimiter(',');
+  add_list(command, "--motions", options->methods, "Only these methods, e.g. paper,anchored (see run --help)");
+  add_list(command, "--precisions", options->precisions, "Only these of float32, compensated, float64");
   command.add_option("--n", options->n, "Spheres of the timings (default 4194304 on a GPU, else 65536)")
       ->transform(positive_range);
-  command.add_option("--steps", options->steps, "Only these time steps: k of dt = 2^-k s, e.g. 4,6,10")
-      ->delimiter(',')
+  add_list(command, "--steps", options->steps, "Only these time steps: k of dt = 2^-k s, e.g. 4,6,10")
       ->transform(whole_number(0, 20));
-  command.add_option("--rounds", options->rounds, "Rounds of each timing")
-      ->transform(whole_number(6, 1000))
-      ->capture_default_str();
+  add_rounds_option(command, options->rounds, 6);
   command.add_flag("--quick", options->quick, "Few time steps and spheres");
   add_results_option(command, options->results, "precision.json, .txt and .csv");
   command.footer("Example:\n  spherepair precision --quick --motions paper,impact,anchored");

@@ -6,7 +6,7 @@
 
 #include "bench/check/finite_state.h"
 #include "bench/check/step_result.h"
-#include "bench/cli/options_draw.h"
+#include "bench/cli/commands.h"
 #include "bench/formats/files.h"
 #include "bench/formats/video.h"
 #include "bench/image/colour_values.h"

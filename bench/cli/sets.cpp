@@ -162,10 +162,8 @@ int sets_command(const CommandLine& line, const SetsOptions& options) {
 std::shared_ptr<SetsOptions> add_sets_options(CLI::App& command) {
   auto options = std::make_shared<SetsOptions>();
   add_backends_option(command, options->backends);
-  command.add_option("--motions", options->methods, "Only these methods, e.g. paper,anchored (see run --help)")
-      ->delimiter(',');
-  command.add_option("--precisions", options->precisions, "Only these of float32, compensated, float64")
-      ->delimiter(',');
+  add_list(command, "--motions", options->methods, "Only these methods, e.g. paper,anchored (see run --help)");
+  add_list(command, "--precisions", options->precisions, "Only these of float32, compensated, float64");
   command.add_flag("--quick", options->quick, "Few time steps, distances and spheres");
   add_results_option(command, options->results, "sets.json, .txt and .csv");
   command.footer("Example:\n  spherepair sets --quick --motions paper,impact,anchored");

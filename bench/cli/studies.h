@@ -8,7 +8,7 @@
 #include "bench/cli/commands.h"
 #include "bench/gpu/energy_study.h"
 #include "bench/gpu/launch_study.h"
-#include "bench/options/shard.h"
+#include "bench/options/command.h"
 #include "bench/studies/ablation_study.h"
 #include "bench/studies/contact/contact_study.h"
 #include "bench/studies/crossover_sweep.h"
@@ -46,13 +46,10 @@ int precision_command(const CommandLine& line, const PrecisionOptions& options);
 // Error and run time of contacts by law, time step and sum of the impulses, and what the sums cost.
 struct ContactsOptions {
   std::vector<std::string> backends, measurements, laws, steps;  // empty: all; steps: by machine
-  uint64_t n = 0;                                                // of the errors; 0: by machine
-  std::vector<uint64_t> cost_sizes, step_sizes;                  // empty: by machine
+  std::vector<uint64_t> sizes;                                   // empty: by machine
   uint64_t averaged = 0;                                         // of whole steps, their mean; 0: by machine
-  std::vector<uint64_t> rest_sizes;                              // empty: by machine
   uint64_t rest_layers = 10;
   std::vector<std::string> drag_steps;  // DRAG:STEPS of a stage each; empty: RestPlan's
-  uint64_t rate_n = 0;                  // of pressure and cooling; 0: by machine
   int rounds = 11;
   std::string results;  // empty: default_results()
 };
@@ -74,7 +71,8 @@ struct SweepCommandOptions {
   std::vector<std::string> orders = {"cold", "warm"};
   uint block = 0;  // 0: as auto chooses it
   int rounds = 11;
-  SweepOptions sweep;
+  std::string results;  // a file per configuration; empty: default_results()
+  bool resume = false;  // skip configurations whose file is there
 };
 std::shared_ptr<SweepCommandOptions> add_sweep_options(CLI::App& command);
 int sweep_command(const CommandLine& line, const SweepCommandOptions& options);

@@ -16,19 +16,35 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/formats/files.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
+#include "bench/io/file_bytes.h"
 #include "bench/io/scene_text.h"
 #include "bench/options/options.h"
 #include "bench/studies/study_sampling.h"
 #include "bench/studies/sweep_point.h"
+#include "common/scene/counted.h"
+#include "common/shared/hash.h"
 
 namespace spherepair {
 namespace {
 
 constexpr const char* kFormat = "spherepair sweep 1";
 
-bool is_record(const json& found) { return found.is_object() && found.value("format", json()) == kFormat; }
+// Whether the file is there and whole.
+bool is_record(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return false;
+  const json found = json::parse(FileBytes(file).bytes(), nullptr, false);
+  return found.is_object() && found.value("format", json()) == kFormat;
+}
+
+// 16 hexadecimal digits.
+std::string hash_of(const json& key) {
+  uint64_t hash = 0;
+  for (const unsigned char letter : json_line(key)) hash = splitmix64(hash ^ letter);
+  return hex64(hash);
+}
 
 std::vector<uint64_t> default_sizes(const Session& session) {
   std::vector<uint64_t> sizes = {64, 256, 1024, 4096, 16384, 65536, 262144, 1'000'000};
@@ -79,12 +95,23 @@ class Sweep {
   int run() {
     fmt::print("{}", session_.summary());
     for (const std::string& warning : load_.warnings(session_)) fmt::print("{}\n", wrapped(warning, "* ", "  "));
-    std::vector<SweepTask> all;
-    for (const SweepPoint& point : points_of(session_, options_))
-      all.push_back({file_name(point), label(point), [this, point] { return text_of(point); }});
-    const int code = run_sweep(all, options_.sweep, is_record);
-    fmt::print("{}", load_.text(session_));
-    return code;
+    const std::vector<SweepPoint> points = points_of(session_, options_);
+    std::vector<std::string> files;
+    for (const SweepPoint& point : points) files.push_back(file_name(point));
+    const std::filesystem::path folder = prepare_results(options_.results, files);
+    size_t skipped = 0;
+    for (size_t k = 0; k < points.size(); ++k) {
+      const bool written = options_.resume && is_record(folder / files[k]);
+      fmt::print("{} {}{}\n", files[k], label(points[k]), written ? ": already written" : "");
+      std::fflush(stdout);
+      if (written)
+        ++skipped;
+      else
+        write_file(folder / files[k], text_of(points[k]));
+    }
+    fmt::print("{}Results: {}\n{} of {} timed, {} already written\n", load_.text(session_), folder.string(),
+               points.size() - skipped, counted(points.size(), "configuration"), skipped);
+    return kOk;
   }
 
  private:
@@ -131,29 +158,22 @@ class Sweep {
 std::shared_ptr<SweepCommandOptions> add_sweep_options(CLI::App& command) {
   auto options = std::make_shared<SweepCommandOptions>();
   add_backends_option(command, options->backends);
-  command.add_option("--methods", options->methods, "Only these methods (see run --help)")->delimiter(',');
-  command.add_option("--n", options->sizes, "Numbers of spheres (default: 64 to 10^6, with a GPU to 10^9)")
-      ->delimiter(',')
+  add_list(command, "--methods", options->methods, "Only these methods (see run --help)");
+  add_list(command, "--n", options->sizes, "Numbers of spheres (default: 64 to 10^6, with a GPU to 10^9)")
       ->transform(positive_range);
-  command.add_option("--packing-fractions", options->packing_fractions, "Packing fractions of the scene `uniform`")
-      ->delimiter(',')
-      ->check(fraction_range)
-      ->capture_default_str();
+  add_list(command, "--packing-fractions", options->packing_fractions, "Packing fractions of the scene `uniform`")
+      ->check(fraction_range);
+  add_list(command, "--orders", options->orders,
+           "Order of the spheres: cold (random, so that each step sorts) or warm (cell order)");
+  add_block_option(command, options->block);
+  add_rounds_option(command, options->rounds);
+  add_results_option(command, options->results, "a JSON file per configuration");
   command
-      .add_option("--orders", options->orders,
-                  "Order of the spheres: cold (random, so that each step sorts) or warm (cell order)")
-      ->delimiter(',')
-      ->capture_default_str();
-  command
-      .add_option("--block", options->block, "Group size: 32, 64, 128, 256, 512 or 1024; default: as auto chooses it")
-      ->transform(block_range);
-  command.add_option("--rounds", options->rounds, "Samples of each timing")
-      ->transform(whole_number(1, 100000))
-      ->capture_default_str();
-  add_shard_options(command, options->sweep);
+      .add_flag("--resume", options->resume, "Skip configurations that this commit has already written to the folder")
+      ->needs("--results");
   command.footer(
       "Each file holds one configuration: every backend and method, checked against each other, then timed.\n"
-      "Example:\n  spherepair sweep --results sweep --shard 2/8 --resume");
+      "Example:\n  spherepair sweep --results sweep --resume");
   return options;
 }
 

@@ -117,10 +117,7 @@ void add_view(CLI::App& app, CommandLine& line, std::function<int()>& action) {
       "sphere for its index and contacts. The panel's slider goes to any step. An image that stands still\n"
       "is antialiased. Without a display, use render.\n"
       "Example:\n  spherepair view --scene random --n 16384");
-  command->callback([=, &line, &action] {
-    finish_start_options(*command, options->start);
-    action = [=, &line] { return view_command(line, *options); };
-  });
+  command->callback([=, &line, &action] { action = [=, &line] { return view_command(line, *options); }; });
 }
 
 }  // namespace spherepair

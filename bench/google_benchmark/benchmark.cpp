@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Google Benchmark's interface to the timing core, for its compare.py. A repetition is a turn of batches of up to K
-// steps; its time is that of one step. --results writes a JSON file per configuration, so that a sweep can be sharded
-// and resumed.
+// steps; its time is that of one step.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <iostream>
-#include <sstream>
 
 #include "bench/google_benchmark/benchmark_rows.h"
 #include "bench/io/arguments.h"
@@ -16,7 +13,6 @@
 #include "bench/options/command.h"
 #include "bench/options/options.h"
 #include "bench/options/run_action.h"
-#include "bench/options/shard.h"
 #include "bench/studies/study_sampling.h"
 #include "common/backend/cpu_team.h"
 
@@ -27,8 +23,7 @@ struct BenchOptions {
   std::vector<std::string> backends, scenes = {"random"};
   std::vector<uint64_t> sizes;  // empty: by machine
   std::vector<uint> blocks;
-  int rounds = 0;
-  SweepOptions sweep;
+  int rounds = Sampling{}.rounds;
 };
 
 std::vector<SceneOptions> chosen_scenes(const BenchOptions& options, const Session& session) {
@@ -91,46 +86,6 @@ void add_context(const Session& session) {
   }
 }
 
-// Identified by everything that determines the results: scene, rows, rounds, devices, commit.
-std::string file_name(const SceneOptions& scene, const std::vector<BenchRow>& rows, const Sampling& sampling) {
-  json key = {{"scene", scene_json(scene)}, {"rounds", sampling.rounds}, {"commit", build_info.commit}};
-  for (const BenchRow& row : rows) key["rows"].push_back({row.name, row.backend->info().device});
-  return hash_of(key) + ".json";
-}
-
-std::optional<std::string> run_configuration(Session& session, const SceneOptions& options,
-                                             const std::vector<BenchRow>& rows, const Sampling& sampling) {
-  OnBackend on_backend;
-  bool wrong = false;
-  BenchScene scene(session, options, rows, on_backend);
-  benchmark::ClearRegisteredBenchmarks();
-  for (const BenchRow& row : rows) register_row(scene, row, sampling, wrong);
-  std::ostringstream text;
-  benchmark::JSONReporter reporter;
-  reporter.SetOutputStream(&text);
-  reporter.SetErrorStream(&std::cerr);
-  benchmark::RunSpecifiedBenchmarks(&reporter);
-  if (wrong) return std::nullopt;
-  return text.str();
-}
-
-// One task per kind of work, on every backend that has it: cuda/collide_tiled/128 and glsl/collide_tiled/128 are timed
-// together.
-std::vector<SweepTask> configurations(Session& session, const std::vector<SceneOptions>& scenes,
-                                      const std::vector<BenchRow>& rows, const Sampling& sampling) {
-  std::map<std::string, std::vector<BenchRow>> rows_by_work;
-  for (const BenchRow& row : rows) rows_by_work[work_of(row)].push_back(row);
-  std::vector<SweepTask> all;
-  for (const SceneOptions& scene : scenes)
-    for (const auto& [name, members] : rows_by_work)
-      all.push_back({file_name(scene, members, sampling),
-                     fmt::format("{} {}, n = {}", name, scene_label(scene), scene.n),
-                     [&session, scene, members = members, &sampling] {
-                       return run_configuration(session, scene, members, sampling);
-                     }});
-  return all;
-}
-
 int run_all(Session& session, const std::vector<SceneOptions>& scenes, const std::vector<BenchRow>& rows,
             const Sampling& sampling) {
   bool wrong = false;
@@ -145,16 +100,13 @@ int run_all(Session& session, const std::vector<SceneOptions>& scenes, const std
 }
 
 void add_options(CLI::App& app, BenchOptions& options, OpenOptions& open) {
-  app.add_option("--backends", options.backends, "Only these, and each must open: cpu,glsl,cuda")->delimiter(',');
-  app.add_option("--scenes", options.scenes, "E.g. random,uniform,aligned:8x16")->delimiter(',')->capture_default_str();
-  app.add_option("--n", options.sizes, "Numbers of spheres (default 16384 with a GPU, else 4096)")
-      ->delimiter(',')
+  add_list(app, "--backends", options.backends, "Only these, and each must open: cpu,glsl,cuda");
+  add_list(app, "--scenes", options.scenes, "E.g. random,uniform,aligned:8x16");
+  add_list(app, "--n", options.sizes, "Numbers of spheres (default 16384 with a GPU, else 4096)")
       ->transform(positive_range);
-  app.add_option("--blocks", options.blocks, "Only these group sizes: 32,64,128,256,512,1024")->delimiter(',');
-  app.add_option("--rounds", options.rounds, "Samples of each row (default 11)")->transform(whole_number(1, 100000));
-  app.add_option("--threads", open.threads, "Threads of the CPU backend; 0: all cores")
-      ->transform(whole_number(0, 4096));
-  add_shard_options(app, options.sweep);
+  add_list(app, "--blocks", options.blocks, "Only these group sizes: 32,64,128,256,512,1024");
+  add_rounds_option(app, options.rounds);
+  add_number(app, "--threads", open.threads, whole_number(0, 4096), "Threads of the CPU backend; 0: all cores");
   app.footer(
       "All other options go to Google Benchmark, e.g. --benchmark_filter=triangle --benchmark_out=times.json\n"
       "--benchmark_enable_random_interleaving=true");
@@ -180,15 +132,11 @@ int bench_command(int argc, char** argv) {
   const std::vector<uint> blocks = parse_blocks(options.blocks);
   start_team(open.threads);
   Session session(options.backends, open);
-  Sampling sampling = study_sampling();
-  if (options.rounds > 0) sampling.rounds = options.rounds;
+  const Sampling sampling = study_sampling(options.rounds);
   const std::vector<SceneOptions> scenes = chosen_scenes(options, session);
   const std::vector<BenchRow> rows = bench_rows(session, blocks);
   add_context(session);
-  const int code = options.sweep.results.empty()
-                       ? run_all(session, scenes, rows, sampling)
-                       : run_sweep(configurations(session, scenes, rows, sampling), options.sweep,
-                                   [](const json& found) { return found.is_object() && found.contains("benchmarks"); });
+  const int code = run_all(session, scenes, rows, sampling);
   benchmark::Shutdown();
   return code;
 }

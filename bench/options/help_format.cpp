@@ -64,22 +64,17 @@ std::string broken(const std::string& text, size_t first, size_t next, size_t wi
   return wrapped(text, std::string(first, ' '), std::string(next, ' '), width) + "\n";
 }
 
+// In one column, or in two: what stands behind two blanks is the second.
 std::string wrapped_line(const std::string& line, size_t width) {
-  const size_t start = std::min(line.find_first_not_of(' '), line.size());
   const bool narrow = width < too_narrow;
-  const bool two_columns = start == 2 && line.size() > column && line[column - 1] == ' ' && line[column] != ' ';
-  if (two_columns && narrow)
-    return broken(line.substr(0, column), start, start, width) +
-           broken(line.substr(column), narrow_column, narrow_column, width);
-  const size_t indent = narrow && start >= column ? start - column + narrow_column : start;
-  if (line.size() <= width && indent == start) return line + "\n";
-  const size_t gap = line.find("  ", start);  // before the second column, also of a list within a description
-  if (gap != line.npos && !narrow) {
-    const size_t second = std::min(line.find_first_not_of(' ', gap), line.size());
-    const std::string rest = broken(line.substr(second), second, second, width);
-    return line.substr(0, second) + rest.substr(second);
-  }
-  return broken(line.substr(start), indent, start == 2 ? column : indent, width);
+  const size_t start = std::min(line.find_first_not_of(' '), line.size()), gap = line.find("  ", start);
+  const size_t second = gap == line.npos ? gap : line.find_first_not_of(' ', gap);
+  const size_t indent = narrow && start >= column ? narrow_column : start;
+  if (second == line.npos) return broken(line.substr(start), indent, start == 2 ? column : indent, width);
+  if (narrow)
+    return broken(line.substr(start, gap - start), start, start, width) +
+           broken(line.substr(second), narrow_column, narrow_column, width);
+  return line.substr(0, second) + broken(line.substr(second), second, second, width).substr(second);
 }
 
 }  // namespace
@@ -122,7 +117,7 @@ std::string HelpFormat::make_option(const CLI::Option* option, bool is_positiona
 }
 
 std::string HelpFormat::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const {
-  return wrapped_help(CLI::Formatter::make_help(app, std::move(name), mode), terminal_width());
+  return wrapped_help(CLI::Formatter::make_help(app, std::move(name), mode), width_ ? width_ : terminal_width());
 }
 
 }  // namespace spherepair

@@ -19,10 +19,14 @@ std::string values_of(const CLI::Option& option);
 // they take and their default; what they exclude is said where it is tried.
 class HelpFormat : public CLI::Formatter {
  public:
+  explicit HelpFormat(size_t width = 0) : width_(width) {}  // 0: the terminal's
   // A positional argument that is also an option refers to that for its description.
   std::string make_option(const CLI::Option* option, bool is_positional) const override;
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
   std::string make_option_opts(const CLI::Option* option) const override;
+
+ private:
+  size_t width_;
 };
 
 }  // namespace spherepair

@@ -4,12 +4,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <regex>
+
 #include "bench/io/context.h"
 #include "bench/options/help_format.h"
 #include "common/scene/scene.h"
 
 namespace spherepair {
 namespace {
+
+constexpr size_t manual_width = 72;
 
 std::vector<const CLI::App*> commands_of(const CLI::App& app) {
   return app.get_subcommands([](const CLI::App*) { return true; });
@@ -24,27 +28,8 @@ std::vector<std::string> names_of(const CLI::App& command) {
 
 // Text in which roff sees no requests.
 std::string roff(const std::string& text) {
-  std::string out = text.starts_with('.') || text.starts_with('\'') ? "\\&" : "";
-  for (const char c : text) {
-    if (c == '\\')
-      out += "\\e";
-    else if (c == '-')
-      out += "\\-";
-    else if (c == '\n')
-      out += out.ends_with('\n') ? "" : "\n.br\n";
-    else
-      out += c;
-  }
-  return out;
-}
-
-std::string options_text(const CLI::App& command) {
-  std::string text;
-  for (const CLI::Option* option : command.get_options())
-    text += fmt::format(".TP\n.B {}{}\n{}\n",
-                        roff(option->get_lnames().empty() ? option->get_name() : option->get_name(false, true)),
-                        roff(values_of(*option)), roff(option->get_description()));
-  return text;
+  return std::regex_replace(std::regex_replace(text, std::regex(R"([\\-])"), "\\$&"), std::regex("(^|\n)([.'])"),
+                            "$1\\&$2");
 }
 
 }  // namespace
@@ -77,17 +62,20 @@ std::string bash_completion(const CLI::App& app) {
 std::string man_page(const CLI::App& app) {
   std::string text = fmt::format(
       ".TH SPHEREPAIR 1 \"\" \"spherepair {}\"\n.SH NAME\nspherepair \\- exact colliding pairs of spheres on CPU and "
-      "GPU\n"
-      ".SH SYNOPSIS\n.B spherepair\n.I command\n[\n.I options\n]\n.SH DESCRIPTION\n{}\n.SH COMMANDS\n",
-      build_info.version, roff(app.get_description()));
+      "GPU\n.SH SYNOPSIS\n.B spherepair\n.I command\n[\n.I options\n]\n",
+      build_info.version);
+  const auto section = [&text](const std::string& title, const std::string& body) {
+    text += fmt::format(".SH {}\n.nf\n{}\n.fi\n", title, roff(body));
+  };
+  const HelpFormat format(manual_width);
+  section("COMMANDS", format.make_help(&app, "spherepair", CLI::AppFormatMode::Normal));
   for (const CLI::App* command : commands_of(app))
-    text += fmt::format(".TP\n.B {}\n{}\n", roff(command->get_name()), roff(command->get_description()));
-  for (const CLI::App* command : commands_of(app))
-    text += fmt::format(".SH OPTIONS OF {}\n{}", roff(command->get_name()), options_text(*command));
-  text += ".SH SCENES\n";
-  for (const SceneKind& kind : scene_kinds())
-    text += fmt::format(".TP\n.B {}\n{}\n", roff(kind.name), roff(kind.summary));
-  return text + fmt::format(".SH NOTES\n{}\n", roff(app.get_footer()));
+    section(command->get_name(),
+            format.make_help(command, "spherepair " + command->get_name(), CLI::AppFormatMode::Normal));
+  std::string scenes;
+  for (const SceneKind& kind : scene_kinds()) scenes += fmt::format("{:<14} {}\n", kind.name, kind.summary);
+  section("SCENES", wrapped_help(scenes, manual_width));
+  return text;
 }
 
 }  // namespace spherepair

@@ -72,11 +72,18 @@ void add_results_option(CLI::App& command, std::string& results, const std::stri
   command.add_option("--results", results, fmt::format("Folder for {}; default: results/<host>-<date>", files));
 }
 
+void add_rounds_option(CLI::App& command, int& rounds, uint64_t least) {
+  add_number(command, "--rounds", rounds, whole_number(least, 100'000), "Rounds of each timing");
+}
+
+void add_min_seconds_option(CLI::App& command, double& seconds) {
+  command.add_option("--min-seconds", seconds, "Minimum time of the longest batch (default 0.02 on a GPU, else 0.05)")
+      ->check(real_number(1e-6, 60));
+}
+
 void add_block_option(CLI::App& command, uint& block) {
-  command
-      .add_option("--block", block,
-                  "Group size of a GPU's kernels: 32, 64 ... 1024; default: as auto chooses, else 128")
-      ->transform(block_range);
+  const char* what = "Group size of a GPU's kernels: 32, 64 ... 1024; default: as auto chooses, else 128";
+  command.add_option("--block", block, what)->transform(block_range);
 }
 
 void add_open_options(CLI::App& command, OpenOptions& open) {
@@ -98,40 +105,16 @@ void add_open_options(CLI::App& command, OpenOptions& open) {
           "--no-gpu", [&open] { open.allow_gpu = false; }, "Use no GPU: OpenGL runs in software, auto takes the CPU")
       ->excludes(command.get_option("--cuda-device"))
       ->excludes(command.get_option("--gl-device"));
-  command.add_option("--threads", open.threads, "Of the CPU; 0: all cores")
-      ->transform(whole_number(0, 4096))
-      ->capture_default_str();
+  add_number(command, "--threads", open.threads, whole_number(0, 4096), "Of the CPU; 0: all cores");
 }
 
-void add_length_options(CLI::App& command, std::optional<uint64_t>& steps, std::optional<uint64_t>& until_step,
-                        std::optional<double>& seconds, bool& until_rest) {
-  auto* by_steps = command.add_option("--steps", steps, "Steps to move before the pairs are found")
-                       ->transform(steps_range)
-                       ->default_str("0");
-  auto* by_step = command.add_option("--until-step", until_step, "Move to this step, counted from the first start")
-                      ->transform(steps_range)
-                      ->excludes(by_steps);
-  command.add_option("--time", seconds, "Move for so many simulated seconds, in whole steps")
-      ->check(real_number(0, 1e30))
-      ->excludes(by_steps)
-      ->excludes(by_step);
-  command.add_flag("--until-rest", until_rest,
-                   "With --drag: end when all spheres are at rest, after these steps at the latest");
-}
-
-void add_save_options(CLI::App& command, std::string& file, uint64_t& every) {
-  command.add_option("--save", file, "Checkpoint of the last step, to go on with to the same bits");
-  command.add_option("--save-every", every, "Steps between two checkpoints")->transform(whole_number(1, kMostSteps));
-}
-
-void add_statistics_options(CLI::App& command, std::string& file, uint64_t& every) {
-  auto* statistics = command.add_option(
-      "--statistics", file,
-      "CSV of energies, momentum, greatest overlap, contacts, virial and force on the plane, with --contact");
-  command.add_option("--statistics-every", every, "Steps between two rows")
-      ->transform(whole_number(1, kMostSteps))
-      ->capture_default_str()
-      ->needs(statistics);
+void add_verbosity_options(CLI::App& command, Verbosity& verbosity) {
+  const auto set = [&](const char* name, Verbosity to, const char* text) {
+    return command.add_flag_callback(
+        name, [&verbosity, to] { verbosity = to; }, text);
+  };
+  set("--quiet", Verbosity::quiet, "Print errors and warnings about the result alone");
+  set("--verbose", Verbosity::verbose, "Print reasons and details, too")->excludes("--quiet");
 }
 
 void add_size_option(CLI::App& command, uint& width, uint& height) {

@@ -16,23 +16,24 @@ std::string scene_names() {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-}  // namespace
+constexpr const char* of_scene = "--scene --n --seed --radius-ratio --packing-fraction --groups --group-size --offset";
+constexpr const char* of_file = "--frame --columns --decimal-comma --ignore-periodic";
+constexpr const char* of_start =
+    "--input --radius --motion --precision --contact --walls --box --no-sleeping --density --plane";
+
+// Does it with each of the options whose names stand in `names`.
+void for_each(CLI::App& command, const std::string& names, const std::function<void(CLI::Option*)>& act) {
+  for (const std::string& name : CLI::detail::split(names, ' ')) act(command.get_option(name));
+}
 
 void add_scene_options(CLI::App& command, SceneOptions& scene) {
   command.add_option("--scene", scene.name, scene_names() + ": see `spherepair man`")->capture_default_str();
-  command.add_option("--n", scene.n, "Number of spheres")->transform(count_range)->capture_default_str();
-  command.add_option("--seed", scene.seed, "Of random numbers; gives the same scene on every machine")
-      ->transform(steps_range)
-      ->capture_default_str();
-  command.add_option("--radius", scene.radius, "In metres; of the smallest sphere with --radius-ratio")
-      ->capture_default_str();
+  add_number(command, "--n", scene.n, count_range, "Number of spheres");
+  add_number(command, "--seed", scene.seed, steps_range, "Of random numbers; gives the same scene on every machine");
   command.add_option("--radius-ratio", scene.radius_ratio, "Largest radius over smallest; each octave has as many")
       ->capture_default_str();
-  command
-      .add_option("--packing-fraction", scene.packing_fraction,
-                  "Of the scenes uniform, far, clustered and gas, counting all spheres as smallest ones")
-      ->check(fraction_range)
-      ->capture_default_str();
+  add_number(command, "--packing-fraction", scene.packing_fraction, fraction_range,
+             "Of the scenes uniform, far, clustered and gas, counting all spheres as smallest ones");
   command.add_option("--groups", scene.groups, "Of the scene aligned: m of the paper's m x n arrangement")
       ->transform(count_range);
   command.add_option("--group-size", scene.group_size, "n of that arrangement")->transform(count_range);
@@ -40,13 +41,13 @@ void add_scene_options(CLI::App& command, SceneOptions& scene) {
       ->capture_default_str();
 }
 
+}  // namespace
+
 void add_file_options(CLI::App& command, std::vector<std::string>& columns, bool& decimal_comma,
                       bool& ignore_periodic) {
-  command
-      .add_option("--columns", columns,
-                  "Of the file, in their order: x, y, z, radius or diameter, vx, vy, vz, species, _ (not read); or by "
-                  "its names: x=NAME,y=NAME,z=NAME, pos=NAME for three")
-      ->delimiter(',')
+  add_list(command, "--columns", columns,
+           "Of the file, in their order: x, y, z, radius or diameter, vx, vy, vz, species, _ (not read); or by its "
+           "names: x=NAME,y=NAME,z=NAME, pos=NAME for three")
       ->check(complaint_of_column);
   command.add_flag("--decimal-comma", decimal_comma, "Numbers of text have a decimal comma: 0,5 is a half");
   command.add_flag("--ignore-periodic", ignore_periodic,
@@ -55,18 +56,18 @@ void add_file_options(CLI::App& command, std::vector<std::string>& columns, bool
 
 void add_start_options(CLI::App& command, StartOptions& start) {
   add_scene_options(command, start.scene);
+  const auto take_radius = [&start](long double radius) {
+    start.scene.radius = float(radius), start.radius = double(radius);  // a file has no default
+  };
+  command
+      .add_option_function<long double>("--radius", take_radius,
+                                        "In metres; of the smallest sphere with --radius-ratio")
+      ->default_str(fmt::format("{}", start.scene.radius));
   auto* input = command.add_option("--input", start.input_file,
                                    "Spheres of a file in place of a scene, in the formats of pairs --help; at rest "
                                    "unless it has velocities");
-  for (const char* scene_option :
-       {"--scene", "--n", "--seed", "--radius-ratio", "--packing-fraction", "--groups", "--group-size", "--offset"})
-    input->excludes(command.get_option(scene_option));
-  command.add_option("--frame", start.frame, "Of a file with several frames, counted from 0")
-      ->transform(count_range)
-      ->needs(input);
+  command.add_option("--frame", start.frame, "Of a file with several frames, counted from 0")->transform(count_range);
   add_file_options(command, start.columns, start.decimal_comma, start.ignore_periodic);
-  for (const char* file_option : {"--columns", "--decimal-comma", "--ignore-periodic"})
-    command.get_option(file_option)->needs(input);
   add_motion_options(command, start.motion);
   add_contact_options(command, start.motion);
   command.add_option("--gravity", start.motion.gravity, "Downwards, in m/s^2; default: 9.81, in some scenes 0")
@@ -75,13 +76,13 @@ void add_start_options(CLI::App& command, StartOptions& start) {
       .add_option("--plane", start.motion.plane, "Height of the ground below a file's spheres; default: -5 or lower")
       ->check(real_number(-0x1p60, 0x1p60))
       ->needs(input)
-      ->excludes(command.get_option("--box"));
-  add_resume_option(command, start.resume_file);
-}
-
-void finish_start_options(const CLI::App& command, StartOptions& start) {
-  const bool given = command.count("--radius") > 0;  // a scene has a default radius, a file has not
-  if (given) start.radius = command.get_option("--radius")->as<double>();
+      ->excludes("--box");
+  auto* resume = command.add_option("--resume", start.resume_file,
+                                    "Go on from a checkpoint, to the same bits; with another --restitution, --drag, "
+                                    "--stiffness, --dt or --gravity as a new run of its spheres");
+  for_each(command, of_scene, [=](CLI::Option* one) { one->excludes(input)->excludes(resume); });
+  for_each(command, of_file, [=](CLI::Option* one) { one->needs(input)->excludes(resume); });
+  for_each(command, of_start, [=](CLI::Option* one) { one->excludes(resume); });
 }
 
 void add_motion_options(CLI::App& command, MotionChoice& motion) {
@@ -91,40 +92,10 @@ void add_motion_options(CLI::App& command, MotionChoice& motion) {
       ->capture_default_str();
   command.add_option("--precision", motion.precision, "Of its state: float32, compensated or float64")
       ->capture_default_str();
-  const auto by_default = [](float value) { return fmt::format("{}", value); };
   command.add_option("--dt", motion.dt, "Time step in seconds; with --contact from the shortest contact")
-      ->default_str(by_default(SceneOptions{}.dt));
+      ->default_str(fmt::format("{}", SceneOptions{}.dt));
   command.add_option("--restitution", motion.restitution, "Coefficient of restitution, 0 to 1")
-      ->default_str(by_default(SceneOptions{}.restitution));
-}
-
-void add_resume_option(CLI::App& command, std::string& file) {
-  auto* resume = command.add_option("--resume", file,
-                                    "Go on from a checkpoint, to the same bits; with another --restitution, --drag, "
-                                    "--stiffness, --dt or --gravity as a new run of its spheres");
-  for (const char* other : {"--input",
-                            "--frame",
-                            "--columns",
-                            "--ignore-periodic",
-                            "--scene",
-                            "--decimal-comma",
-                            "--n",
-                            "--seed",
-                            "--radius",
-                            "--radius-ratio",
-                            "--packing-fraction",
-                            "--groups",
-                            "--group-size",
-                            "--offset",
-                            "--motion",
-                            "--precision",
-                            "--contact",
-                            "--walls",
-                            "--box",
-                            "--no-sleeping",
-                            "--density",
-                            "--plane"})
-    resume->excludes(command.get_option(other));
+      ->default_str(fmt::format("{}", SceneOptions{}.restitution));
 }
 
 }  // namespace spherepair

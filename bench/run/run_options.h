@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "bench/formats/start.h"
-#include "bench/options/verbosity.h"
+#include "bench/options/command.h"
 
 namespace spherepair {
 

@@ -23,6 +23,8 @@ TEST_F(Complaints, OptionsThatDoNotGoTogether) {
   expect("view --n 5 --input a", "--n does not go with --input: omit one of the two");
   expect("render --frames --plain --ground none --input a --output a.png",
          "--plain does not go with --ground: omit one of the two");
+  expect("run --naive --swept", "--naive does not go with --swept: omit one of the two");
+  expect("render --eye 1,2,3 --azimuth 10 --output a.png", "--azimuth does not go with --eye: omit one of the two");
   expect("run --frame 2", "--frame has no effect without --input: give both, or omit it");
 }
 

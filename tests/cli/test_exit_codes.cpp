@@ -47,7 +47,7 @@ TEST_F(ExitCodes, OutputToAFullDeviceIsAnErrorOfEveryCommand) {
   expect_lost_output("pairs --backend cpu --json - --output " + path("pairs.txt") + spheres);
   expect_lost_output("pairs --backend cpu --output " + path("pairs.txt") + spheres);
   expect_lost_output("render --backend cpu --size 8x8 --samples 1 --output " + path("two.png") + spheres);
-  expect_lost_output("sweep --list --n 64 --results " + path("sweep") + cpu);
+  expect_lost_output("sweep --n 64 --rounds 1 --results " + path("sweep") + cpu);
   expect_lost_output("ablate --n 64 --rounds 1 --results " + path("ablate") + cpu);
   expect_lost_output("compare --tables none --scenes grazing --n 64 --methods parallel --results " + path("one") + cpu);
   expect_lost_output(fmt::format("equal {0}/results.json {0}/results.json", path("one")));

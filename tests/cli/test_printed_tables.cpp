@@ -56,8 +56,8 @@ TEST_F(PrintedTables, OfEveryStudyFitInto80Columns) {
   expect_narrow("crossover --backends cpu,glsl --n 64 --kinds gas,one_cell --rounds 1");
   expect_narrow("ablate --backends cpu,glsl --n 64 --names radius_load_all_pairs,cells --rounds 1");
   expect_narrow(
-      "contacts --backends cpu,glsl --laws spring --steps 10 --n 27 --cost-n 64 --rate-n 125 "
-      "--rest-n 8 --drag-steps 0.1:5 --rounds 6");
+      "contacts --backends cpu,glsl --laws spring --steps 10 --n 125 "
+      "--drag-steps 0.1:5 --rounds 6");
   expect_narrow("launches --backends cpu,glsl --n 64 --rounds 1");
   expect_narrow("sets --quick --backends cpu --motions impact-linear");
   expect_narrow("precision --quick --backends cpu,glsl --motions impact-linear,anchored --n 100 --rounds 6");

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Sweeps can be shared out and taken up again. Usage: test_sweep.py SPHEREPAIR [SPHEREPAIR_BENCH]"""
+"""A sweep can be taken up again, and Google Benchmark times what is checked. Usage: test_sweep.py SPHEREPAIR [SPHEREPAIR_BENCH]"""
 import json
 import pathlib
 import subprocess
@@ -11,7 +11,9 @@ PROGRAM, BENCH = sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else None
 del sys.argv[1:3]
 
 
-class Sweep:
+class Sweep(unittest.TestCase):
+    SMALL = [PROGRAM, "sweep", "--backends", "cpu", "--n", "200,1000", "--packing-fractions", "0.3", "--rounds", "1"]
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -29,16 +31,10 @@ class Sweep:
     def files(self):
         return {path.name for path in self.folder.glob("*.json")}
 
-    def test_shards_are_disjoint_and_cover_all(self):
-        self.sweep("--shard", "1/2")
-        first = self.files()
-        self.sweep("--shard", "2/2")
-        both = self.files()
+    def test_a_file_holds_a_configuration(self):
         self.sweep()
-        self.assertEqual(both, self.files())
-        self.assertLess(0, len(first))
-        self.assertLess(len(first), len(both))
-        self.check_records([json.loads((self.folder / name).read_text()) for name in both])
+        self.assertEqual(4, len(self.files()))
+        self.check_records([json.loads((self.folder / name).read_text()) for name in self.files()])
 
     def test_resume_times_only_what_is_missing(self):
         self.sweep()
@@ -56,13 +52,6 @@ class Sweep:
             self.assertRegex(self.sweep("--resume"), "^1 of ", text)
             self.assertEqual(json.loads(whole).keys(), json.loads((self.folder / name).read_text()).keys())
 
-    def test_bad_shards_are_refused(self):
-        for shard in ("0/2", "3/2", "2", "1/-2", "a/b"):
-            self.assertEqual(2, self.run_it("--shard", shard).returncode, shard)
-
-
-class OfTheGrid(Sweep, unittest.TestCase):
-    SMALL = [PROGRAM, "sweep", "--backends", "cpu", "--n", "200,1000", "--packing-fractions", "0.3", "--rounds", "1"]
 
     def check_records(self, roots):
         rows = [row for root in roots for row in root["measurements"]]
@@ -86,12 +75,15 @@ class OfTheGrid(Sweep, unittest.TestCase):
 
 
 @unittest.skipUnless(BENCH, "spherepair_bench was not built: Google Benchmark is missing")
-class OfGoogleBenchmark(Sweep, unittest.TestCase):
-    SMALL = [BENCH or "", "--backends", "cpu", "--n", "64,128", "--blocks", "64", "--rounds", "1"]
-
-    def check_records(self, roots):
-        for root in roots:
-            self.assertTrue(root["benchmarks"] and all("error_occurred" not in row for row in root["benchmarks"]))
+class OfGoogleBenchmark(unittest.TestCase):
+    def test_each_row_is_checked_and_timed(self):
+        done = subprocess.run([BENCH, "--backends", "cpu", "--n", "64,128", "--blocks", "64", "--rounds", "2",
+                               "--benchmark_format=json"], capture_output=True, text=True)
+        self.assertEqual(0, done.returncode, done.stderr)
+        rows = json.loads(done.stdout)["benchmarks"]
+        self.assertTrue(all("error_occurred" not in row for row in rows))
+        self.assertLessEqual({f"cpu/{work}/random/n:{n}" for work in ("move", "step", "parallel") for n in (64, 128)},
+                             {row["run_name"].split("/iterations")[0] for row in rows})
 
 
 if __name__ == "__main__":

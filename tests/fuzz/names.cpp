@@ -5,7 +5,6 @@
 
 #include "bench/io/arguments.h"
 #include "bench/io/scene_text.h"
-#include "bench/options/shard.h"
 #include "bench/spheres/columns.h"
 #include "bench/spheres/xyz_columns.h"
 #include "tests/fuzz/fuzz.h"
@@ -13,14 +12,6 @@
 using namespace spherepair;
 
 namespace {
-
-void try_shard(const std::string& text) {
-  const SweepTask named = {"file", "title", {}};
-  unless_refused([&] {
-    return run_sweep({named, named, named}, {.results = "", .shard = text, .list = true},
-                     [](const json&) { return true; });
-  });
-}
 
 void try_decimal(const std::string& text) {
   const auto decimal = parse_decimal(text);
@@ -43,7 +34,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   unless_refused([&] { return motion_from_name(text); });
   unless_refused([&] { return precision_from_name(text); });
   unless_refused([&] { return draw_method_from_name(text); });
-  try_shard(text);
   try_decimal(text);
   return 0;
 }

@@ -128,24 +128,24 @@ TEST_F(ContactStudy, RatesAreThoseOfEachTimeStepAgainstTheConvergedOne) {
 }
 
 TEST_F(ContactStudy, RecordsEveryRunAndCost) {
-  const Outcome outcome = run(
-      fmt::format("contacts --backends cpu --threads 2 --laws spring --steps 10,20 --n 27 --cost-n 64,125 --step-n 125 "
-                  "--averaged 30 --rate-n 125 --rest-n 8 --drag-steps 0.1:5 --rounds 6 --results {}",
-                  path("r")));
+  const Outcome outcome =
+      run(fmt::format("contacts --backends cpu --threads 2 --laws spring --steps 10,20 --n 125,64 --averaged 30 "
+                      "--drag-steps 0.1:5 --rounds 6 --results {}",
+                      path("r")));
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   const json record = json::parse(read_bytes(path("r/contacts.json")));
   EXPECT_EQ(record.at("format"), "spherepair contacts 1");
   ASSERT_EQ(record.at("contact_runs").size(), 2 * 2 * 3u);
   for (const json& run : record.at("contact_runs")) {
     EXPECT_EQ(run.at("law"), "spring");
-    EXPECT_EQ(run.at("n"), 27);
+    EXPECT_EQ(run.at("n"), 125);
     EXPECT_EQ(run.at("returns").is_null(), run.at("restitution") < 1);
     EXPECT_GT(run.at("position"), 0.0);
     EXPECT_LE(run.at("low"), run.at("seconds_per_step"));
     EXPECT_DOUBLE_EQ(run.at("run_seconds").get<double>(),
                      run.at("steps").get<double>() * run.at("seconds_per_step").get<double>());
   }
-  ASSERT_EQ(record.at("gas_steps").size(), 1u);
+  ASSERT_EQ(record.at("gas_steps").size(), 2u);
   const json& steps = record.at("gas_steps").front();
   EXPECT_EQ(steps.at("n"), 125);
   EXPECT_EQ(steps.at("steps"), 30);
@@ -173,7 +173,7 @@ TEST_F(ContactStudy, RecordsEveryRunAndCost) {
 // A single layer in few steps; the same bits awake are compared by the study itself.
 TEST_F(ContactStudy, RecordsBedsAtRest) {
   const Outcome outcome =
-      run(fmt::format("contacts --backends cpu --threads 2 --measure rest --rest-n 90 --rest-layers 8 "
+      run(fmt::format("contacts --backends cpu --threads 2 --measure rest --n 90 --rest-layers 8 "
                       "--drag-steps 0.005:12000,0.1:1000 --rounds 6 --results {}",
                       path("r")));
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
@@ -204,7 +204,8 @@ TEST_F(ContactStudy, RefusesWhatItDoesNotKnow) {
                                        {"--measure rates --laws hertz", "name it, or omit rates"},
                                        {"--measure rest --drag-steps 0.1", "is not a drag a step"},
                                        {"--measure rest --drag-steps 2:9", "is not a drag a step"},
-                                       {"--cost-n 0", "--cost-n"}}) {
+                                       {"--measure rates --n 124", "at least 125"},
+                                       {"--n 0", "--n"}}) {
     const Outcome outcome = run(fmt::format("contacts --backends cpu {} --results {}", words, path("r")));
     EXPECT_EQ(outcome.code, 2) << words;
     EXPECT_NE(outcome.errors.find(message), std::string::npos) << outcome.errors;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/options/pairs_options.h"
-
-#include "bench/options/options.h"
+#include "bench/cli/commands.h"
 
 namespace spherepair {
 namespace {
@@ -60,13 +58,21 @@ void add_output(CLI::App& command, PairsOptions& options) {
 
 }  // namespace
 
-void add_pairs_options(CLI::App& command, PairsOptions& options) {
-  add_input(command, options);
-  add_output(command, options);
-  add_backend_option(command, options.backend, "Where the pairs are searched");
-  command.add_option("--method", options.method, "See run --help; default: auto");
-  add_block_option(command, options.block);
-  add_verbosity_options(command, options.verbosity);
+void add_pairs(CLI::App& app, CommandLine& line, Action& action) {
+  auto* command = app.add_subcommand("pairs", "Read spheres or points from a file and find the pairs");
+  auto options = std::make_shared<PairsOptions>();
+  add_input(*command, *options);
+  add_output(*command, *options);
+  add_backend_option(*command, options->backend, "Where the pairs are searched");
+  command->add_option("--method", options->method, "See run --help; default: auto");
+  add_block_option(*command, options->block);
+  add_verbosity_options(*command, options->verbosity);
+  add_open_options(*command, line.open);
+  command->footer(
+      "Examples:\n  spherepair pairs spheres.npy --radius 0.5 --output pairs.npy\n"
+      "  spherepair pairs points.csv --cutoff 2.5 --distances --output pairs.csv\n"
+      "  spherepair pairs atoms.extxyz --output - | head");
+  command->callback([=, &line, &action] { action = [=, &line] { return pairs_command(line, *options); }; });
 }
 
 }  // namespace spherepair
