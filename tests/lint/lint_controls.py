@@ -69,11 +69,11 @@ class Sources(unittest.TestCase):
         def check(text, suite="Draw"):
             listed = f'MUTANTS = [{{"name": "n", "file": "common/a.h", "old": {text!r}, "tests": ["{suite}"]}}]\n'
             return len(self.complaints(lint_sources.mutants, common__a_DOT_h="int a;\nint b;\n",
-                                       tests__CMakeLists_DOT_txt="set(suites BoxEdges Draw)\n",
+                                       tests__unit__test_a_DOT_cpp="TEST_F(DrawLight, IsRight) {\n",
                                        tests__lint__CMakeLists_DOT_txt="foreach(name numbers sources)\n",
                                        tests__mutants__mutant_list_DOT_py=listed))
-        self.assertEqual([0, 1, 1, 1], [check("int a"), check("int "), check("float"), check("int a", "DrawLight")])
-        self.assertEqual([0, 1], [check("int a", "paper.sources"), check("int a", "paper.source")])
+        self.assertEqual([0, 1, 1, 1], [check("int a"), check("int "), check("float"), check("int a", "DrawLights")])
+        self.assertEqual([0, 1], [check("int a", "paper.sources"), check("int a", "paper.none")])
 
     def test_builtins(self):
         def check(text):
