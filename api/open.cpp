@@ -67,7 +67,6 @@ PipelineOpener pipeline_of_cpu([[maybe_unused]] const OpenOptions& options) {
 #endif
 }
 
-#ifdef SPHEREPAIR_WITH_CUDA
 PipelineOpener pipeline_of_cuda([[maybe_unused]] OpenOptions options, [[maybe_unused]] const Device& device) {
 #ifdef SPHEREPAIR_WITH_INTEROP
   if (options.gl_device.empty()) options.gl_device = device.info().uuid;
@@ -76,29 +75,27 @@ PipelineOpener pipeline_of_cuda([[maybe_unused]] OpenOptions options, [[maybe_un
   return {};
 #endif
 }
-#endif
 
 }  // namespace
 
+std::unique_ptr<Device> open_device(const std::string& name, [[maybe_unused]] const OpenOptions& options) {
+#ifdef SPHEREPAIR_WITH_GLSL
+  if (name == "glsl" || name == "glsl-core") return open_gl_device(with_gl_device(options, name == "glsl-core"));
+#endif
+#ifdef SPHEREPAIR_WITH_CUDA
+  if (name == "cuda") return open_cuda_device(with_cuda_device(options));
+#endif
+  if (name == "glsl" || name == "glsl-core")
+    throw BackendError("glsl: not in this build; install libepoxy-dev and libegl-dev and configure again");
+  if (name == "cuda") throw BackendError("cuda: not in this build; put nvcc on the PATH and configure again");
+  throw std::invalid_argument(unknown_name("backend", name, all_backend_names()));
+}
+
 std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions& options) {
   if (name == "cpu") return open_cpu_backend(options, pipeline_of_cpu(options));
-  if (name == "glsl" || name == "glsl-core") {
-#ifdef SPHEREPAIR_WITH_GLSL
-    return std::make_unique<Simulation>(open_gl_device(with_gl_device(options, name == "glsl-core")));
-#else
-    throw BackendError("glsl: not in this build; install libepoxy-dev and libegl-dev and configure again");
-#endif
-  }
-  if (name == "cuda") {
-#ifdef SPHEREPAIR_WITH_CUDA
-    std::unique_ptr<Device> device = open_cuda_device(with_cuda_device(options));
-    const PipelineOpener pipeline = pipeline_of_cuda(options, *device);
-    return std::make_unique<Simulation>(std::move(device), pipeline);
-#else
-    throw BackendError("cuda: not in this build; put nvcc on the PATH and configure again");
-#endif
-  }
-  throw std::invalid_argument(unknown_name("backend", name, all_backend_names()));
+  std::unique_ptr<Device> device = open_device(name, options);
+  const PipelineOpener pipeline = device->pipeline() ? PipelineOpener{} : pipeline_of_cuda(options, *device);
+  return std::make_unique<Simulation>(std::move(device), pipeline);
 }
 
 void check_same_gpu(const Backend& left, const Backend& right) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/backend/backend.h"
+#include "common/device/device.h"
 
 namespace spherepair {
 
@@ -14,6 +15,9 @@ std::vector<std::string> all_backend_names();
 // Throws BackendError with the reason when this build or machine does not have it, std::invalid_argument for a name
 // that does not exist.
 std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions& options = {});
+
+// The device of a GPU's API alone, for components without a backend. Throws as open_backend.
+std::unique_ptr<Device> open_device(const std::string& name, const OpenOptions& options = {});
 
 // Throws BackendError when two backends sit on different GPUs.
 void check_same_gpu(const Backend& left, const Backend& right);

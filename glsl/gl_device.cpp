@@ -26,12 +26,11 @@ class GlDevice final : public Device {
   const BackendInfo& info() const override { return info_; }
   const DeviceCapabilities& capabilities() const override { return capabilities_; }
 
-  void allocate(uint slot, uint64_t bytes) override;
-  void write(uint slot, const void* data, uint64_t offset, uint64_t bytes) override;
-  void read(uint slot, void* data, uint64_t offset, uint64_t bytes) override;
-  void clear(uint slot, uint64_t bytes) override;
-  void swap(uint a, uint b) override;
-  void launch(const Launch& launch, const Params& params) override;
+  Memory allocate(uint64_t bytes, Memory replaced) override;
+  void write(const Memory& memory, const void* data, uint64_t offset, uint64_t bytes) override;
+  void read(const Memory& memory, void* data, uint64_t offset, uint64_t bytes) override;
+  void clear(const Memory& memory, uint64_t bytes) override;
+  void launch(const Launch& launch, const Params& params, const BufferHandles& buffers) override;
   void wait() override;
 
   void check(const CollideOptions& options) const override;
@@ -48,18 +47,18 @@ class GlDevice final : public Device {
   GraphicsPipeline* pipeline() override { return &pipeline_; }
 
  private:
-  void bind(const Launch& launch);
+  void forget(BufferStorage& storage);
+  void bind(const Launch& launch, const BufferHandles& buffers);
   GLbitfield barriers(const Launch& launch) const;
-  TexelRange texels(const Launch& launch) const;
-  void dispatch(const Launch& launch);
+  TexelRange texels(const Launch& launch, const BufferHandles& buffers) const;
+  void dispatch(const Launch& launch, const BufferHandles& buffers);
 
   Context context_;
   DeviceLimits limits_;
   BackendInfo info_;
   DeviceCapabilities capabilities_;
   BufferMemory memory_{limits_};
-  std::array<BufferStorage, SLOT_TOTAL> storage_{};
-  std::array<GLuint, SLOT_TOTAL> buffers_{}, bound_{};  // of the storage, and which of them kernels see now
+  std::array<GLuint, SLOT_TOTAL> bound_{};  // what kernels see now
   Staging staging_;
   BufferTextures textures_;
   ParamsRing params_;
@@ -67,7 +66,7 @@ class GlDevice final : public Device {
   std::optional<Kernel> last_;  // that was launched, with nothing else behind it
   Programs programs_{limits_.features};
   StageTimer timer_;
-  GlPipeline pipeline_{context_, buffers_, timer_};
+  GlPipeline pipeline_{context_, timer_};
   uint64_t draws_seen_ = 0;  // by renderers, which bind buffers of their own
 };
 
@@ -90,55 +89,59 @@ GlDevice::~GlDevice() {
   pipeline_.forget();
   timer_.forget();
   staging_.forget();
-  for (BufferStorage& storage : storage_) delete_storage(storage);
   params_.forget();
   textures_.forget();
 }
 
-void GlDevice::allocate(uint slot, uint64_t bytes) {
+Memory GlDevice::allocate(uint64_t bytes, Memory replaced) {
+  replaced = {};
   context_.make_current();
-  bound_ = {};  // a new buffer may get the name of the one deleted
-  textures_.forget();
-  buffers_[slot] = 0;
-  delete_storage(storage_[slot]);
-  storage_[slot] = memory_.allocate(bytes);
+  const auto owner = std::shared_ptr<BufferStorage>(new BufferStorage(memory_.allocate(bytes)), [this](auto* storage) {
+    forget(*storage);
+    delete storage;
+  });
   ++prepared.allocations;
-  buffers_[slot] = storage_[slot].buffer;
+  return {owner->buffer, bytes, owner};
 }
 
-void GlDevice::swap(uint a, uint b) {
-  std::swap(storage_[a], storage_[b]);
-  std::swap(buffers_[a], buffers_[b]);
+// A new buffer may get the name of the one deleted.
+void GlDevice::forget(BufferStorage& storage) {
+  if (!context_.try_make_current()) return;  // a lost context took it with it
+  bound_ = {};
+  textures_.forget();
+  delete_storage(storage);
 }
 
-void GlDevice::write(uint slot, const void* data, uint64_t offset, uint64_t bytes) {
+void GlDevice::write(const Memory& memory, const void* data, uint64_t offset, uint64_t bytes) {
   if (bytes == 0) return;
   context_.make_current();
   last_.reset();
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  staging_.write(buffers_[slot], data, offset, bytes);
+  staging_.write(GLuint(memory.handle), data, offset, bytes);
   gl_check(fmt::format("writing {} bytes", bytes));
 }
 
-void GlDevice::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
+void GlDevice::read(const Memory& memory, void* data, uint64_t offset, uint64_t bytes) {
   if (bytes == 0) return;
   context_.make_current();
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  staging_.read(buffers_[slot], data, offset, bytes);
+  staging_.read(GLuint(memory.handle), data, offset, bytes);
   bound_ = {};
   gl_check(fmt::format("reading {} bytes", bytes));
 }
 
 // Binding is dear, and most launches use what the last did.
-void GlDevice::bind(const Launch& launch) {
-  std::array<GLuint, SLOT_TOTAL> wanted = buffers_;
-  wanted[SLOT_POSITION] = buffers_[position_slot(launch.order)];
-  wanted[SLOT_COUNT] = buffers_[count_slot(launch)];
-  wanted[SLOT_SPLIT_ID] = buffers_[id_slot(launch.order)];
-  wanted[SLOT_SORTED] = buffers_[position_slot(launch.target)];
-  wanted[SLOT_ID] = buffers_[id_slot(launch.target)];
-  wanted[SLOT_CELL] = buffers_[launch.table];
-  wanted[SLOT_VISIBLE] = buffers_[launch.visible_slot];
+void GlDevice::bind(const Launch& launch, const BufferHandles& buffers) {
+  std::array<GLuint, SLOT_TOTAL> wanted;
+  for (size_t slot = 0; slot < wanted.size(); ++slot) wanted[slot] = GLuint(buffers[slot]);
+  const auto see = [&](uint slot, uint as) { wanted[as] = GLuint(buffers[slot]); };
+  see(position_slot(launch.order), SLOT_POSITION);
+  see(count_slot(launch), SLOT_COUNT);
+  see(id_slot(launch.order), SLOT_SPLIT_ID);
+  see(position_slot(launch.target), SLOT_SORTED);
+  see(id_slot(launch.target), SLOT_ID);
+  see(launch.table, SLOT_CELL);
+  see(launch.visible_slot, SLOT_VISIBLE);
   size_t first = 0, behind = wanted.size();
   while (first < behind && wanted[first] == bound_[first]) ++first;
   while (first < behind && wanted[behind - 1] == bound_[behind - 1]) --behind;
@@ -152,12 +155,13 @@ void GlDevice::check(const CollideOptions& options) const {
                  false);
 }
 
-void GlDevice::clear(uint slot, uint64_t bytes) {
+void GlDevice::clear(const Memory& memory, uint64_t bytes) {
   context_.make_current();
   last_.reset();
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   timer_.time("gl_clear", [&] {
-    glClearNamedBufferSubData(buffers_[slot], GL_R32UI, 0, GLsizeiptr(bytes), GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+    glClearNamedBufferSubData(GLuint(memory.handle), GL_R32UI, 0, GLsizeiptr(bytes), GL_RED_INTEGER, GL_UNSIGNED_INT,
+                              nullptr);
   });
 }
 
@@ -176,20 +180,20 @@ GLbitfield GlDevice::barriers(const Launch& launch) const {
   return GL_SHADER_STORAGE_BARRIER_BIT | (launch.variant.texture_table ? GL_TEXTURE_FETCH_BARRIER_BIT : 0);
 }
 
-TexelRange GlDevice::texels(const Launch& launch) const {
+TexelRange GlDevice::texels(const Launch& launch, const BufferHandles& buffers) const {
   if (launch.kernel == Kernel::draw_cull)
-    return {PYRAMID_TEXTURE, GL_RG32UI, buffers_[SLOT_PYRAMID], 0, launch.texels * sizeof(uvec2)};
-  return {CELL_TEXTURE, GL_R32UI, buffers_[launch.table], 0, launch.texels * sizeof(uint)};
+    return {PYRAMID_TEXTURE, GL_RG32UI, GLuint(buffers[SLOT_PYRAMID]), 0, launch.texels * sizeof(uvec2)};
+  return {CELL_TEXTURE, GL_R32UI, GLuint(buffers[launch.table]), 0, launch.texels * sizeof(uint)};
 }
 
-void GlDevice::dispatch(const Launch& launch) {
-  if (launch.variant.texture_table) textures_.bind(texels(launch));
+void GlDevice::dispatch(const Launch& launch, const BufferHandles& buffers) {
+  if (launch.variant.texture_table) textures_.bind(texels(launch, buffers));
   ++work.launches;
   glDispatchCompute(launch.groups[0], launch.groups[1], launch.groups[2]);
 }
 
 // GL keeps an error until it is requested, so dispatches are checked where their results are waited for.
-void GlDevice::launch(const Launch& launch, const Params& params) {
+void GlDevice::launch(const Launch& launch, const Params& params, const BufferHandles& buffers) {
   context_.make_current();
   if (std::exchange(draws_seen_, GlRenderer::draws()) != GlRenderer::draws()) bound_ = {}, last_.reset();
   Variant variant = launch.variant;
@@ -205,12 +209,13 @@ void GlDevice::launch(const Launch& launch, const Params& params) {
   program.set_steps(params.motion.steps_done);
   if (launch.view) program.set_view(*launch.view);
   glUseProgram(program.id());
-  bind(launch);
+  bind(launch, buffers);
   const bool overlapped = batched_ && last_ && launch.overlaps == last_;
   timer_.time(stage_name(launch), [&] {
     overlapped ? void(++work.overlapped) : glMemoryBarrier(barriers(launch));
-    if (!variant.windows) return dispatch(launch);
-    windows.dispatch(uint64_t(launch.groups[0]) * launch.groups[1], buffers_[launch.table], program.id(), textures_);
+    if (!variant.windows) return dispatch(launch, buffers);
+    windows.dispatch(uint64_t(launch.groups[0]) * launch.groups[1], GLuint(buffers[launch.table]), program.id(),
+                     textures_);
     work.launches += windows.count();
   });
   last_ = launch.kernel;

@@ -57,7 +57,7 @@ void GlDrawing::transfer(const SphereArrays& spheres, std::optional<Transfer> wa
     throw BackendError("only CUDA's spheres can be transferred otherwise than through the host");
   make_current();
   glFinish();  // the last image has read what is written next
-  through_host(spheres.positions, spheres.counts, spheres.size);
+  through_host(address_of<vec4>(spheres.positions), address_of<uint>(spheres.counts), spheres.size);
 }
 
 void GlDrawing::draw(DrawMethod method, const View& view, const SphereArrays& spheres, std::optional<Transfer> way) {
@@ -84,10 +84,11 @@ bool GlDrawing::show_drawn(uint texture) {
   return true;
 }
 
-bool GlDrawing::show_pixels(const uint* pixels, uvec2 size, uint texture) {
+bool GlDrawing::show_pixels(uint64_t pixels, uvec2 size, uint texture) {
   if (!of_window()) return false;
   make_current();
-  glTextureSubImage2D(texture, 0, 0, 0, GLsizei(size.x), GLsizei(size.y), GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+  glTextureSubImage2D(texture, 0, 0, 0, GLsizei(size.x), GLsizei(size.y), GL_RGBA, GL_UNSIGNED_BYTE,
+                      address_of<uint>(pixels));
   gl_check("uploading an image to the window");
   return true;
 }

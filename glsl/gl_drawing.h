@@ -22,7 +22,7 @@ class GlDrawing : public GraphicsPipeline {
   void transfer(const SphereArrays& spheres, std::optional<Transfer> way) override;
   std::optional<Transfer> taken() const override { return taken_; }
   bool show_drawn(uint texture) override;
-  bool show_pixels(const uint* pixels, uvec2 size, uint texture) override;
+  bool show_pixels(uint64_t pixels, uvec2 size, uint texture) override;
 
  protected:
   bool of_window() const { return context_.of_window(); }

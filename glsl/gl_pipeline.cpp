@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "glsl/gl_pipeline.h"
 
-#include "common/device/launch.h"
-
 namespace spherepair {
 
 void GlPipeline::draw(DrawMethod method, const View& view, const SphereArrays& spheres, std::optional<Transfer>) {
@@ -10,7 +8,7 @@ void GlPipeline::draw(DrawMethod method, const View& view, const SphereArrays& s
   if (!renderer_) renderer_ = std::make_unique<GlRenderer>();
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   timer_.time(draw_method_name(method), [&] {
-    renderer_->draw(method, view, buffers_[SLOT_POSITION], buffers_[colour_slot(view)], uint(spheres.size));
+    renderer_->draw(method, view, GLuint(spheres.positions), GLuint(spheres.counts), uint(spheres.size));
   });
 }
 
@@ -36,11 +34,11 @@ bool GlPipeline::show_drawn(uint texture) {
   return true;
 }
 
-bool GlPipeline::show_pixels(const uint*, uvec2 size, uint texture) {
+bool GlPipeline::show_pixels(uint64_t pixels, uvec2 size, uint texture) {
   if (!context_.of_window()) return false;
   context_.make_current();
   glMemoryBarrier(GL_PIXEL_BUFFER_BARRIER_BIT);
-  texture_from_buffer(texture, size, buffers_[SLOT_IMAGE]);
+  texture_from_buffer(texture, size, GLuint(pixels));
   return true;
 }
 

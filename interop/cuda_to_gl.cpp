@@ -89,14 +89,14 @@ class CudaToGl final : public GlDrawing {
   }
 
   // Through memory that both APIs share.
-  bool show_pixels(const uint* pixels, uvec2 size, uint texture) override {
+  bool show_pixels(uint64_t pixels, uvec2 size, uint texture) override {
     if (!of_window()) return false;
     make_current();
     const uint64_t bytes = uint64_t(size.x) * size.y * sizeof(uint);
     if (image_ && image_->bytes() < bytes) image_.reset();
     make_once(image_, bytes);
     glFinish();  // the last image still reads what is written next
-    copy_on_device(image_->address(), pixels, bytes);
+    copy_on_device(image_->address(), address_of<uint>(pixels), bytes);
     cuda_check(cudaStreamSynchronize(nullptr), "waiting for the image");
     texture_from_buffer(texture, size, image_->buffer());
     return true;
@@ -108,7 +108,8 @@ class CudaToGl final : public GlDrawing {
     uint64_t bytes;
   };
   static std::array<Array, 2> arrays(const SphereArrays& spheres) {
-    return {Array{spheres.positions, spheres.size * sizeof(vec4)}, {spheres.counts, spheres.size * sizeof(uint)}};
+    return {Array{address_of<vec4>(spheres.positions), spheres.size * sizeof(vec4)},
+            {address_of<uint>(spheres.counts), spheres.size * sizeof(uint)}};
   }
 
   template <typename Memory, typename Argument>

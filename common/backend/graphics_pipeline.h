@@ -9,12 +9,22 @@
 
 namespace spherepair {
 
-// Where a backend has its spheres, by index: in the host's memory, or in CUDA's.
+// Where a backend has its spheres, by index: addresses in the host's memory or in CUDA's, names of OpenGL's own
+// buffers.
 struct SphereArrays {
-  const vec4* positions;
-  const uint* counts;  // what chooses the colours, of contacts unless View::colour_by asks for others
+  uint64_t positions;  // vec4[size]
+  uint64_t counts;     // uint[size]: what chooses the colours, of contacts unless View::colour_by asks for others
   uint64_t size;
 };
+
+inline uint64_t handle_of(const void* address) { return reinterpret_cast<uintptr_t>(address); }
+template <typename T>
+const T* address_of(uint64_t handle) {
+  return reinterpret_cast<const T*>(uintptr_t(handle));
+}
+inline SphereArrays arrays_of(std::span<const vec4> positions, std::span<const uint> counts) {
+  return {handle_of(positions.data()), handle_of(counts.data()), positions.size()};
+}
 
 class GraphicsPipeline {
  public:
@@ -34,7 +44,7 @@ class GraphicsPipeline {
   // Into a texture of the context of OpenOptions::window: the last image drawn, or one that the backend has computed,
   // wherever that has its arrays. False where the pipeline has a context of its own.
   virtual bool show_drawn(uint texture) = 0;
-  virtual bool show_pixels(const uint* pixels, uvec2 size, uint texture) = 0;
+  virtual bool show_pixels(uint64_t pixels, uvec2 size, uint texture) = 0;
 };
 
 // Throws BackendError with what is missing.

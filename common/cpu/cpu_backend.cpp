@@ -138,7 +138,7 @@ class CpuBackend final : public Backend {
     if (!pipeline_) return Backend::transfer(way);
     const auto& positions = motion_.positions(threads_);
     const std::vector<uint> contacts = colours({});
-    pipeline_.get().transfer({positions.data(), contacts.data(), positions.size()}, way);
+    pipeline_.get().transfer(arrays_of(positions, contacts), way);
   }
   std::optional<Transfer> transfer_taken() const override {
     return drawn_.method == DrawMethod::compute ? std::nullopt : pipeline_.opened()->taken();
@@ -158,7 +158,7 @@ class CpuBackend final : public Backend {
   bool show(uint texture) override {
     if (!pipeline_) return false;
     if (drawn_.method != DrawMethod::compute) return pipeline_.get().show_drawn(texture);
-    return pipeline_.get().show_pixels(last_image().image.data(), size_, texture);
+    return pipeline_.get().show_pixels(handle_of(last_image().image.data()), size_, texture);
   }
   std::vector<uvec2> visible() override {
     if (!drawn_.keep_visible) throw BackendError("cpu: visible spheres were not kept; set keep_visible");
@@ -214,8 +214,7 @@ class CpuBackend final : public Backend {
     const auto& positions = motion_.positions(threads_);
     const std::vector<uint> entries = colours(view);
     clock_.time(draw_method_name(options.method), [&] {
-      pipeline_.get().draw(options.method, view, {positions.data(), entries.data(), positions.size()},
-                           options.transfer);
+      pipeline_.get().draw(options.method, view, arrays_of(positions, entries), options.transfer);
     });
     image_ = {};
     drawn_ = options;

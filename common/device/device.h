@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What the components need of a GPU API: memory by slot, launches, waiting, timers. GlDevice and CudaDevice are it.
+// The GPU interface of the components: memory, launches, waiting, timers. Implemented by GlDevice and CudaDevice.
 #pragma once
 
 #include "common/backend/graphics_pipeline.h"
 #include "common/device/launch.h"
+#include "common/device/memory.h"
 
 namespace spherepair {
 
@@ -21,9 +22,9 @@ struct DeviceCapabilities {
 class DeviceLibrary {
  public:
   virtual ~DeviceLibrary() = default;
-  virtual void sort_spheres(const Params& params) = 0;  // SLOT_POSITION into cell order: SLOT_CELL, SLOT_SORTED,
-                                                        // SLOT_ID; counts 0
-  virtual void sort_pairs(uint64_t count) = 0;          // SLOT_PAIR into canonical order
+  // SLOT_POSITION into cell order: SLOT_CELL, SLOT_SORTED, SLOT_ID; counts 0.
+  virtual void sort_spheres(const Params& params, const BufferHandles& buffers) = 0;
+  virtual void sort_pairs(const Memory& pairs, uint64_t count) = 0;  // into canonical order
 };
 
 class Device {
@@ -32,14 +33,14 @@ class Device {
   virtual const BackendInfo& info() const = 0;
   virtual const DeviceCapabilities& capabilities() const = 0;
 
-  // A buffer of so many bytes at a slot, in place of what was there. Throws BackendError with the bytes asked and free.
-  virtual void allocate(uint slot, uint64_t bytes) = 0;
-  virtual void write(uint slot, const void* data, uint64_t offset, uint64_t bytes) = 0;
-  virtual void read(uint slot, void* data, uint64_t offset, uint64_t bytes) = 0;  // waits for the device
-  virtual void clear(uint slot, uint64_t bytes) = 0;                              // to 0, by the API's own function
-  virtual void swap(uint a, uint b) = 0;                                          // two buffers
+  // A buffer of so many bytes, after freeing the one that it replaces. Throws BackendError with the bytes asked and
+  // free.
+  virtual Memory allocate(uint64_t bytes, Memory replaced) = 0;
+  virtual void write(const Memory& memory, const void* data, uint64_t offset, uint64_t bytes) = 0;
+  virtual void read(const Memory& memory, void* data, uint64_t offset, uint64_t bytes) = 0;  // waits for the device
+  virtual void clear(const Memory& memory, uint64_t bytes) = 0;  // to 0, by the API's own function
 
-  virtual void launch(const Launch& launch, const Params& params) = 0;
+  virtual void launch(const Launch& launch, const Params& params, const BufferHandles& buffers) = 0;
   virtual void wait() = 0;
 
   // Around the launches of one collision step, which may go out together. `check` throws std::invalid_argument that
@@ -59,10 +60,10 @@ class Device {
   virtual std::vector<StageTime> compile_kernels() { return {}; }
 
   virtual DeviceLibrary* library() { return nullptr; }
-  virtual GraphicsPipeline* pipeline() { return nullptr; }  // its own, which draws SLOT_POSITION and SLOT_COUNT
+  virtual GraphicsPipeline* pipeline() { return nullptr; }  // its own
 
-  // The address of a buffer, until it is allocated again; null for an API without addresses.
-  virtual const void* address(uint) { return nullptr; }
+  // Launches what is held back: another API is about to use a buffer.
+  virtual void flush() {}
 
   Preparations prepared;  // counted by the device, its pipeline's apart
 

@@ -29,12 +29,12 @@ void Contacts::upload(const Scene& scene, uint64_t steps_before) {
   const uint64_t n = on_ ? context_.n : 0;
   for (uint axis = 0; axis < 3; ++axis) {
     context_.buffers.resize(SLOT_IMPULSE + axis, n * sizeof(int64_t));
-    if (on_) context_.device.clear(SLOT_IMPULSE + axis, n * sizeof(int64_t));
+    if (on_) context_.buffers.clear(SLOT_IMPULSE + axis, n * sizeof(int64_t));
   }
   context_.buffers.resize(SLOT_GROWN, n * sizeof(vec4));
   if (on_) context_.buffers.resize(SLOT_REST, sleeps_ ? n * sizeof(uint) : 0);
-  if (!on_) context_.buffers.resize(SLOT_NEAR, 0);
-  if (!on_) return;
+  context_.set_near({});
+  if (!on_) return near_.forget();
   context_.buffers.resize(SLOT_FAULT, FAULT_WORDS * sizeof(uint));
   context_.buffers.write(SLOT_FAULT, std::vector<uint>(FAULT_WORDS, ~0u));
   near_.plan(grown_scene(scene));
@@ -51,26 +51,23 @@ void Contacts::sum_impulses(ImpulseSums sums) {
   next_check_ = 0;
 }
 
-bool Contacts::step(bool clear_results) {
+void Contacts::step(bool clear_results) {
   motion_.begin_step();
   near_.moved();
-  bool listed = false;
   if (!made_ || launched_ >= next_check_ || left_ || !keeps_) {
-    listed = complete();
-    if (failed_) return listed;
+    complete();
+    if (failed_) return;
     if (!made_ || left_ || !keeps_) {
       if (left_) served_ = std::max(launched_, 1u);
       list_near_pairs();
-      listed = true;
     }
     next_check_ = std::max(served_ - served_ / 4, launched_ + 1 + std::max(served_, launched_) / 8);
   }
   launch(clear_results);
-  return listed;
 }
 
 bool Contacts::complete() {
-  bool listed = false;
+  bool repeated = false;
   while (known_ != launched_ && !failed_) {
     const std::vector<uint> words = context_.buffers.read<uint>(SLOT_FAULT, FAULT_WORDS);
     left_ = words[LEFT_SKIN] != ~0u;
@@ -81,10 +78,10 @@ bool Contacts::complete() {
     const uint again = launched_ - known_;
     served_ = known_;
     list_near_pairs();
-    listed = true;
+    repeated = true;
     for (uint step = 0; step < again; ++step) launch(false);
   }
-  return listed;
+  return repeated;
 }
 
 // A list of near pairs serves at least one step.
@@ -103,10 +100,10 @@ void Contacts::launch(bool clear_results) {
   const auto by_sphere = groups_per_sphere(context_);
   context_.device.begin_step({});
   if (sums_ == ImpulseSums::in_order)
-    context_.device.launch({Kernel::contact_gather, SERVICE_BLOCK, {}, by_sphere}, params);
+    context_.launch({Kernel::contact_gather, SERVICE_BLOCK, {}, by_sphere}, params);
   else
     launch_impulses(params);
-  context_.device.launch({Kernel::leapfrog, SERVICE_BLOCK, variant(), by_sphere}, params);
+  context_.launch({Kernel::leapfrog, SERVICE_BLOCK, variant(), by_sphere}, params);
   context_.device.end_step();
 }
 
@@ -127,7 +124,7 @@ Params Contacts::pair_params() const {
 
 void Contacts::launch_pairs(Kernel kernel, const Params& params) {
   const auto groups = folded(std::clamp<uint64_t>(ceil_div(context_.near_pairs, SERVICE_BLOCK), 1, most_groups));
-  context_.device.launch({kernel, SERVICE_BLOCK, variant(), groups}, params);
+  context_.launch({kernel, SERVICE_BLOCK, variant(), groups}, params);
 }
 
 void Contacts::list_near_pairs() {
@@ -138,7 +135,8 @@ void Contacts::list_near_pairs() {
   context_.params.motion.whole_state =
       (sleeps ? SLEEP_AT_REST : SLEEP_NEVER) | (tests_all_walls_ ? TESTS_ALL_WALLS : 0u);
   context_.launch({Kernel::contact_grow, SERVICE_BLOCK, {}, groups_per_sphere(context_)});
-  near_.list();
+  context_.set_near({});  // so that the list can grow in its place
+  context_.set_near(near_.list(context_.buffers.memory(SLOT_GROWN)));
   if (sums_ == ImpulseSums::in_order) list_rows();
   made_ = true;
 }
@@ -155,7 +153,7 @@ void Contacts::list_rows() {
     capacity = wanted;
     context_.buffers.grow(SLOT_ROW, context_.n * capacity * sizeof(uint));
     context_.buffers.grow(SLOT_ROW_LENGTH, context_.n * sizeof(uint));
-    context_.device.clear(SLOT_ROW_LENGTH, context_.n * sizeof(uint));
+    context_.buffers.clear(SLOT_ROW_LENGTH, context_.n * sizeof(uint));
     launch_pairs(Kernel::contact_rows, pair_params());
   };
   fill(std::max(capacity, first_row_capacity));

@@ -2,13 +2,14 @@
 // Contacts that push, on a device: the list of near pairs, their impulses, and what a step could not do.
 #pragma once
 
+#include "common/simulation/motion/device_motion.h"
 #include "common/simulation/search/near_pairs.h"
 
 namespace spherepair {
 
 class Contacts {
  public:
-  Contacts(DeviceContext& context, DeviceMotion& motion) : context_(context), motion_(motion), near_(context, motion) {}
+  Contacts(DeviceContext& context, DeviceMotion& motion) : context_(context), motion_(motion), near_(context.device) {}
 
   // The scene's part of the parameters; after the motion's upload, whose method decides what the buffers are for, and
   // after that of the scene's own search.
@@ -25,10 +26,9 @@ class Contacts {
   uint64_t steps() const { return done_ + known_; }  // those before the upload included
 
   // Launches a step of the motion. It waits for the device only where near pairs have to be listed, or may have to be
-  // soon: the steps behind one in which a sphere left its skin do nothing, and are launched again by `complete`. Both
-  // return whether near pairs were listed, by a search in the buffers of the others. clear_results: the step clears the
-  // results of the last search.
-  bool step(bool clear_results);
+  // soon: the steps behind one in which a sphere left its skin do nothing, and are launched again by `complete`, which
+  // then returns true. clear_results: the step clears the results of the last search.
+  void step(bool clear_results);
   bool complete();
 
   // Throws std::invalid_argument naming the sphere where a step since the upload was not possible; none was taken

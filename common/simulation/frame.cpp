@@ -35,8 +35,8 @@ void launch_tiles(DeviceContext& context, const Frame& frame) {
 
 void restart_tiles(DeviceContext& context, Frame& frame) {
   const uint none[] = {0, 0};
-  context.device.read(SLOT_DRAWN, &frame.tiles_of_depth_pass, DRAWN_TILES * sizeof(uint), sizeof(uint));
-  context.device.write(SLOT_DRAWN, none, DRAWN_TILES * sizeof(uint), sizeof(none));
+  context.buffers.read(SLOT_DRAWN, &frame.tiles_of_depth_pass, DRAWN_TILES * sizeof(uint), sizeof(uint));
+  context.buffers.write(SLOT_DRAWN, none, DRAWN_TILES * sizeof(uint), sizeof(none));
 }
 
 // All spheres lie in the cells' box, so none looks larger than the largest would in its nearest corner, at the image's

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "common/backend/grid_plan.h"
-#include "common/simulation/motion/context.h"
+#include "common/device/context.h"
 
 namespace spherepair {
 

@@ -36,9 +36,9 @@ std::vector<uint> Probe::decide(std::span<const vec4> spheres) {
   for (uint64_t first = 0; first < total; first += decide_batch) {
     const uint64_t count = std::min(decide_batch, total - first);
     params.n = uint(count);
-    context_.device.write(SLOT_SPHERES, &spheres[2 * first], 0, count * 2 * sizeof(vec4));
-    context_.device.launch({Kernel::decide, SERVICE_BLOCK, {}, folded(ceil_div(count, SERVICE_BLOCK))}, params);
-    context_.device.read(SLOT_VERDICT, &verdicts[first], 0, count * sizeof(uint));
+    context_.buffers.write(SLOT_SPHERES, &spheres[2 * first], 0, count * 2 * sizeof(vec4));
+    context_.launch({Kernel::decide, SERVICE_BLOCK, {}, folded(ceil_div(count, SERVICE_BLOCK))}, params);
+    context_.buffers.read(SLOT_VERDICT, &verdicts[first], 0, count * sizeof(uint));
   }
   return verdicts;
 }

@@ -2,7 +2,7 @@
 // Kernels with the simulation: the predicate alone, an empty launch, and the device's peak rates.
 #pragma once
 
-#include "common/simulation/motion/context.h"
+#include "common/device/context.h"
 
 namespace spherepair {
 

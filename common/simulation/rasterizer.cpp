@@ -60,6 +60,7 @@ bool Rasterizer::current(const View& view, const DrawOptions& options) const {
 // Light needs dense cells. Where the search had others, the spheres are sorted once more, and the image does without
 // the search's order.
 void Rasterizer::launch() {
+  if (motion_.evaluate_positions()) search_.cleared();
   if (lit() && !sorter_.built_for_light()) {
     search_.leave_cells();
     sorter_.build_for_light();
@@ -173,7 +174,7 @@ void Rasterizer::require_drawn(bool by_compute) const {
 bool Rasterizer::grow_tiles() {
   if (!draws_by_compute()) return false;
   uint tiles = 0;
-  context_.device.read(SLOT_DRAWN, &tiles, statistics_offset() + DRAWN_TILES * sizeof(uint), sizeof(uint));
+  context_.buffers.read(SLOT_DRAWN, &tiles, statistics_offset() + DRAWN_TILES * sizeof(uint), sizeof(uint));
   tiles = std::max(tiles, frame_.tiles_of_depth_pass);
   if (tiles <= frame_.view.tile_capacity) return false;
   context_.buffers.resize(SLOT_TILE, (uint64_t(tiles) + tiles / 8) * sizeof(uvec2));
@@ -204,8 +205,8 @@ void Rasterizer::set_classes(std::span<const uint> classes) {
 bool Rasterizer::show(uint texture) {
   require_drawn(false);
   if (!draws_by_compute()) return context_.pipeline().show_drawn(texture);
-  const auto* pixels = static_cast<const uint*>(context_.device.address(SLOT_IMAGE));
-  return context_.pipeline().show_pixels(pixels, {view_.width, view_.height}, texture);
+  context_.device.flush();
+  return context_.pipeline().show_pixels(context_.buffers.handles()[SLOT_IMAGE], {view_.width, view_.height}, texture);
 }
 
 std::vector<uvec2> Rasterizer::visible() {
@@ -219,7 +220,7 @@ DrawStatistics Rasterizer::statistics() {
   require_drawn(true);
   if (!options_.count) throw BackendError(fmt::format("{}: drawing was not counted; set count", context_.name()));
   std::vector<uint> drawn(DRAWN_WORDS);
-  context_.device.read(SLOT_DRAWN, drawn.data(), statistics_offset(), drawn.size() * sizeof(uint));
+  context_.buffers.read(SLOT_DRAWN, drawn.data(), statistics_offset(), drawn.size() * sizeof(uint));
   return {.drawn = uint64_t(drawn[DRAWN_SMALL]) + drawn[DRAWN_LARGE],
           .unseen = drawn[DRAWN_UNSEEN],
           .large = drawn[DRAWN_LARGE],

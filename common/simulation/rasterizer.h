@@ -4,6 +4,7 @@
 #pragma once
 
 #include "common/simulation/cluster_culling.h"
+#include "common/simulation/motion/device_motion.h"
 #include "common/simulation/search/pair_search.h"
 
 namespace spherepair {

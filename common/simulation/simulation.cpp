@@ -12,9 +12,9 @@ Simulation::Simulation(std::unique_ptr<Device> device, PipelineOpener open)
       context_(*device_, std::move(open)),
       motion_(context_),
       sorter_(context_),
-      search_(context_, motion_, sorter_),
+      search_(context_, sorter_),
       contacts_(context_, motion_),
-      near_paths_(context_, motion_),
+      swept_(context_, motion_),
       rasterizer_(context_, motion_, sorter_, search_),
       probe_(context_) {}
 
@@ -32,14 +32,10 @@ void Simulation::require_scene(const char* what) const {
 void Simulation::begin(const Scene& scene, const MotionState* saved) {
   check_scene(scene);
   finish();
-  context_.n = scene.size();
-  context_.buffers.set_spheres(scene.size());
-  context_.equal_radii = scene.equal_radii;
+  context_.params = {};
+  context_.set_spheres(scene);
   ++context_.version;
   device_->work = {.plans = 1};
-  context_.params = {};
-  context_.params.n = uint(scene.size());
-  context_.params.radius = common_radius(scene);
   sorter_.upload(scene);
   motion_.upload(scene, saved);
   search_.upload(scene);
@@ -53,7 +49,7 @@ void Simulation::move() {
   const bool sorted = search_.counts_sorted();
   bool cleared = !sorted;
   if (contacts_.on()) {
-    if (contacts_.step(cleared)) sorter_.replaced();
+    contacts_.step(cleared);
   } else {
     const bool overlap = sorted && !search_.results_clear();
     cleared = motion_.step(cleared, overlap ? context_.overlaps_search(search_.options().api) : std::nullopt);
@@ -64,9 +60,7 @@ void Simulation::move() {
 }
 
 void Simulation::complete_moves() {
-  if (!contacts_.on() || !contacts_.complete()) return;
-  sorter_.replaced();
-  search_.moved(false);
+  if (contacts_.on() && contacts_.complete()) search_.moved(false);
 }
 
 void Simulation::sum_impulses(ImpulseSums sums) {
@@ -78,7 +72,11 @@ void Simulation::sum_impulses(ImpulseSums sums) {
 void Simulation::evaluate_positions() {
   require_scene("evaluate_positions");
   complete_moves();
-  search_.evaluate_positions();
+  evaluate();
+}
+
+void Simulation::evaluate() {
+  if (motion_.evaluate_positions()) search_.cleared();
 }
 
 void Simulation::evaluate_state() {
@@ -112,24 +110,20 @@ void Simulation::collide(const CollideOptions& options) {
   require_scene("collide");
   complete_moves();
   contacts_.require_sound();
-  if (options.swept) list_near_paths(options);
-  search_.enqueue(options);
+  enqueue_collide(options);
   search_.complete();
 }
 
 void Simulation::enqueue_collide(const CollideOptions& options) {
   require_scene("collide");
   complete_moves();
-  if (options.swept) list_near_paths(options);
-  search_.enqueue(options);
-}
-
-void Simulation::list_near_paths(const CollideOptions& options) {
   search_.require_options(options);
-  contacts_.forget_list();
-  sorter_.replaced();
-  search_.moved(false);
-  near_paths_.list_paths(options);
+  if (options.swept) {
+    contacts_.forget_list();
+    swept_.list_paths(options);
+  }
+  evaluate();
+  search_.enqueue(options);
 }
 
 void Simulation::step(const CollideOptions& options) {
@@ -144,6 +138,7 @@ void Simulation::enqueue_step(const CollideOptions& options) {
   search_.require_options(options);
   device_->begin_step(options.api);
   move();
+  evaluate();
   search_.enqueue(options, true);
 }
 
@@ -235,6 +230,7 @@ void Simulation::transfer(Transfer way) {
   if (!context_.other_pipeline) return Backend::transfer(way);
   require_scene("transfer");
   complete_moves();
+  evaluate();
   search_.prepare_counts(false);
   context_.other_pipeline.get().transfer(context_.sphere_arrays(SLOT_COUNT), way);
 }

@@ -5,6 +5,7 @@
 #include "common/simulation/contacts.h"
 #include "common/simulation/probe.h"
 #include "common/simulation/rasterizer.h"
+#include "common/simulation/swept_search.h"
 
 namespace spherepair {
 
@@ -68,8 +69,8 @@ class Simulation final : public Backend {
 
  private:
   void begin(const Scene& scene, const MotionState* saved);
-  void complete_moves();                                // of contacts, see Contacts::complete
-  void list_near_paths(const CollideOptions& options);  // for a swept search
+  void evaluate();        // positions of this step, where the motion leaves them for later
+  void complete_moves();  // of contacts, see Contacts::complete
   bool has_pipeline() const { return device_->pipeline() || context_.other_pipeline; }
   void require_scene(const char* what) const;
   void require_method(const DrawOptions& options) const;
@@ -80,7 +81,7 @@ class Simulation final : public Backend {
   CellSorter sorter_;
   PairSearch search_;
   Contacts contacts_;
-  NearPairs near_paths_;  // of spheres around the paths of the next step
+  SweptSearch swept_;
   Rasterizer rasterizer_;
   Probe probe_;
 };

@@ -39,11 +39,10 @@ bool waits_first(const Launch& launch, const Params& params) {
   }
 }
 
-// Owns a chunk of device memory.
-struct DeviceMemory {
-  void* data = nullptr;
-  ~DeviceMemory() { cudaFree(data); }
-};
+template <typename T = void>
+T* data_of(uint64_t handle) {
+  return reinterpret_cast<T*>(uintptr_t(handle));
+}
 
 class CudaDevice final : public Device, private DeviceLibrary {
  public:
@@ -51,12 +50,11 @@ class CudaDevice final : public Device, private DeviceLibrary {
   const BackendInfo& info() const override { return info_; }
   const DeviceCapabilities& capabilities() const override { return capabilities_; }
 
-  void allocate(uint slot, uint64_t bytes) override;
-  void write(uint slot, const void* data, uint64_t offset, uint64_t bytes) override;
-  void read(uint slot, void* data, uint64_t offset, uint64_t bytes) override;
-  void clear(uint slot, uint64_t bytes) override;
-  void swap(uint a, uint b) override { std::swap(memory_[a].data, memory_[b].data); }
-  void launch(const Launch& launch, const Params& params) override;
+  Memory allocate(uint64_t bytes, Memory replaced) override;
+  void write(const Memory& memory, const void* data, uint64_t offset, uint64_t bytes) override;
+  void read(const Memory& memory, void* data, uint64_t offset, uint64_t bytes) override;
+  void clear(const Memory& memory, uint64_t bytes) override;
+  void launch(const Launch& launch, const Params& params, const BufferHandles& buffers) override;
   void wait() override;
 
   void check(const CollideOptions& options) const override;
@@ -66,24 +64,16 @@ class CudaDevice final : public Device, private DeviceLibrary {
   void time_stages(bool on) override;
   std::vector<StageTime> stage_times() override;
   DeviceLibrary* library() override { return this; }
-  const void* address(uint slot) override {
-    graph_.flush();
-    return memory_[slot].data;
-  }
+  void flush() override { graph_.flush(); }
 
  private:
-  void sort_spheres(const Params& params) override;
-  void sort_pairs(uint64_t count) override;
+  void sort_spheres(const Params& params, const BufferHandles& buffers) override;
+  void sort_pairs(const Memory& pairs, uint64_t count) override;
 
-  template <typename T>
-  T* buffer(uint slot) const {
-    return static_cast<T*>(memory_[slot].data);
-  }
   void require_kernels(int device);
 
   BackendInfo info_;
   DeviceCapabilities capabilities_;
-  std::array<DeviceMemory, SLOT_TOTAL> memory_;
   StepGraph graph_{work, prepared};
   LibrarySort library_;
   StageEvents stages_;
@@ -122,11 +112,12 @@ void CudaDevice::require_kernels(int device) {
                   device, info_.device, capability, cudaGetErrorString(error)));
 }
 
-void CudaDevice::allocate(uint slot, uint64_t bytes) {
+Memory CudaDevice::allocate(uint64_t bytes, Memory replaced) {
   graph_.flush();
   last_.reset();
-  cuda_check(cudaFree(std::exchange(memory_[slot].data, nullptr)), "freeing a buffer");
-  const cudaError_t error = cudaMalloc(&memory_[slot].data, bytes);
+  replaced = {};
+  void* data = nullptr;
+  const cudaError_t error = cudaMalloc(&data, bytes);
   if (error == cudaErrorMemoryAllocation) {
     size_t free = 0, total = 0;
     cudaGetLastError();
@@ -136,6 +127,7 @@ void CudaDevice::allocate(uint slot, uint64_t bytes) {
   }
   cuda_check(error, fmt::format("allocating {} bytes", bytes));
   ++prepared.allocations;
+  return {handle_of(data), bytes, std::shared_ptr<void>(data, cudaFree)};
 }
 
 void CudaDevice::wait() {
@@ -143,25 +135,25 @@ void CudaDevice::wait() {
   cuda_check(cudaDeviceSynchronize(), "waiting for the device");
 }
 
-void CudaDevice::write(uint slot, const void* data, uint64_t offset, uint64_t bytes) {
+void CudaDevice::write(const Memory& memory, const void* data, uint64_t offset, uint64_t bytes) {
   if (bytes == 0) return;
   graph_.flush();
   last_.reset();
-  char* target = static_cast<char*>(memory_[slot].data) + offset;
+  char* target = data_of<char>(memory.handle) + offset;
   cuda_check(cudaMemcpy(target, data, bytes, cudaMemcpyHostToDevice), fmt::format("writing {} bytes", bytes));
 }
 
-void CudaDevice::read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
+void CudaDevice::read(const Memory& memory, void* data, uint64_t offset, uint64_t bytes) {
   if (bytes == 0) return;
   graph_.flush();
-  const char* source = static_cast<const char*>(memory_[slot].data) + offset;
+  const char* source = data_of<char>(memory.handle) + offset;
   cuda_check(cudaMemcpy(data, source, bytes, cudaMemcpyDeviceToHost), fmt::format("reading {} bytes", bytes));
 }
 
-void CudaDevice::launch(const Launch& launch, const Params& params) {
+void CudaDevice::launch(const Launch& launch, const Params& params, const BufferHandles& buffers) {
   const dim3 groups(launch.groups[0], launch.groups[1], launch.groups[2]);
   const View view = launch.view ? *launch.view : View{};
-  const auto memory = [this](uint slot) { return memory_[slot].data; };
+  const auto memory = [&](uint slot) { return data_of(buffers[slot]); };
   KernelCall call{
       stage_name(launch), entry_of(launch), groups, launch.block, params, kernel_buffers(launch, memory), view, false,
       launch.steps};
@@ -198,23 +190,26 @@ void CudaDevice::end_step() {
   graph_.end();
 }
 
-void CudaDevice::clear(uint slot, uint64_t bytes) {
+void CudaDevice::clear(const Memory& memory, uint64_t bytes) {
   graph_.flush();
   last_.reset();
-  stages_.time("memset", [&] { cuda_check(cudaMemsetAsync(memory_[slot].data, 0, bytes), "clearing a buffer"); });
+  stages_.time("memset", [&] { cuda_check(cudaMemsetAsync(data_of(memory.handle), 0, bytes), "clearing a buffer"); });
 }
 
-void CudaDevice::sort_spheres(const Params& params) {
+void CudaDevice::sort_spheres(const Params& params, const BufferHandles& buffers) {
   graph_.flush();
   last_.reset();
   stages_.time("thrust_sort", [&] {
-    library_.sort(params, buffer<vec4>(SLOT_POSITION), buffer<uint>(SLOT_CELL), buffer<vec4>(SLOT_SORTED),
-                  buffer<uint>(SLOT_ID), buffer<uint>(SLOT_SORTED_COUNT));
+    library_.sort(params, data_of<vec4>(buffers[SLOT_POSITION]), data_of<uint>(buffers[SLOT_CELL]),
+                  data_of<vec4>(buffers[SLOT_SORTED]), data_of<uint>(buffers[SLOT_ID]),
+                  data_of<uint>(buffers[SLOT_SORTED_COUNT]));
   });
   prepared.allocations += library_.take_allocations();
 }
 
-void CudaDevice::sort_pairs(uint64_t count) { spherepair::sort_pairs(memory_[SLOT_PAIR].data, count); }
+void CudaDevice::sort_pairs(const Memory& pairs, uint64_t count) {
+  spherepair::sort_pairs(data_of(pairs.handle), count);
+}
 
 void CudaDevice::time_stages(bool on) {
   stage_times();

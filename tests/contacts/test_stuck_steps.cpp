@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <map>
-
 #include "common/scene/contact_scene.h"
 #include "common/shared/contact/skin.h"
 #include "common/simulation/simulation.h"
@@ -22,17 +20,19 @@ class CountingDevice : public Device {
   }
   const BackendInfo& info() const override { return info_; }
   const DeviceCapabilities& capabilities() const override { return capabilities_; }
-  void allocate(uint slot, uint64_t bytes) override { buffers_[slot].assign(bytes, 0); }
-  void write(uint slot, const void* data, uint64_t offset, uint64_t bytes) override {
-    std::copy_n(static_cast<const char*>(data), bytes, buffers_[slot].data() + offset);
+  Memory allocate(uint64_t bytes, Memory) override {
+    const auto data = std::make_shared<std::vector<char>>(bytes);
+    return {handle_of(data->data()), bytes, data};
   }
-  void read(uint slot, void* data, uint64_t offset, uint64_t bytes) override {
-    std::copy_n(buffers_[slot].data() + offset, bytes, static_cast<char*>(data));
+  void write(const Memory& memory, const void* data, uint64_t offset, uint64_t bytes) override {
+    std::copy_n(static_cast<const char*>(data), bytes, data_of(memory) + offset);
   }
-  void clear(uint slot, uint64_t bytes) override { std::fill_n(buffers_[slot].data(), bytes, '\0'); }
-  void swap(uint a, uint b) override { std::swap(buffers_[a], buffers_[b]); }
-  void launch(const Launch& launch, const Params&) override {
-    auto* words = reinterpret_cast<uint*>(buffers_[SLOT_FAULT].data());
+  void read(const Memory& memory, void* data, uint64_t offset, uint64_t bytes) override {
+    std::copy_n(data_of(memory) + offset, bytes, static_cast<char*>(data));
+  }
+  void clear(const Memory& memory, uint64_t bytes) override { std::fill_n(data_of(memory), bytes, '\0'); }
+  void launch(const Launch& launch, const Params&, const BufferHandles& buffers) override {
+    auto* words = reinterpret_cast<uint*>(buffers[SLOT_FAULT]);
     if (launch.kernel == Kernel::contact_grow) words[STEPS_DONE] = 0;
     if (launch.kernel == Kernel::leapfrog) words[STEPS_DONE] += counted_, ++launched;
     if (launched > 1000) throw std::logic_error("steps are launched for ever");
@@ -47,10 +47,11 @@ class CountingDevice : public Device {
   uint64_t launched = 0;  // steps
 
  private:
+  static char* data_of(const Memory& memory) { return reinterpret_cast<char*>(memory.handle); }
+
   uint counted_;
   BackendInfo info_;
   DeviceCapabilities capabilities_;
-  std::map<uint, std::vector<char>> buffers_;
 };
 
 Scene two_spheres() {

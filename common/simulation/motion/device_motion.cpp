@@ -66,12 +66,12 @@ void DeviceMotion::launch(Kernel kernel, bool whole_state, bool clear_results, s
   params.motion.whole_state = whole_state;
   const auto groups = kernel == Kernel::bounce ? folded(context_.n / (SERVICE_BLOCK * SPHERES_PER_BOUNCER) + 1)
                                                : groups_per_sphere(context_);
-  context_.device.launch({.kernel = kernel,
-                          .block = SERVICE_BLOCK,
-                          .variant = {.motion = motion_},
-                          .groups = groups,
-                          .overlaps = overlaps},
-                         params);
+  context_.launch({.kernel = kernel,
+                   .block = SERVICE_BLOCK,
+                   .variant = {.motion = motion_},
+                   .groups = groups,
+                   .overlaps = overlaps},
+                  params);
 }
 
 void DeviceMotion::require_movable() const {
@@ -139,7 +139,7 @@ MotionState DeviceMotion::save() {
     saved.next_event.resize(context_.n);
   }
   visit_parts(saved, [&](uint slot, const char*, auto& part) {
-    if (slot != SLOT_WIDE) context_.device.read(slot, part.data(), 0, part.size() * sizeof(part[0]));
+    if (slot != SLOT_WIDE) context_.buffers.read(slot, part.data(), 0, part.size() * sizeof(part[0]));
   });
   return saved;
 }

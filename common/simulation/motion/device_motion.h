@@ -2,7 +2,7 @@
 // The motion of the spheres on a device: positions, velocities and what the method keeps with them.
 #pragma once
 
-#include "common/simulation/motion/context.h"
+#include "common/device/context.h"
 
 namespace spherepair {
 

@@ -2,7 +2,7 @@
 // The searches without a grid: which groups of a kernel test which pairs.
 #pragma once
 
-#include "common/simulation/motion/context.h"
+#include "common/device/context.h"
 
 namespace spherepair {
 

@@ -32,12 +32,6 @@ void CellSorter::moved() {
   ++moves_waited_;
 }
 
-void CellSorter::replaced() {
-  planned_.reset();
-  cell_order_.reset();
-  built_ = false;
-}
-
 uint CellSorter::indices(Order order) const {
   return order != Order::cells ? 0 : index_in_w_ ? INDEX_IN_W : INDEX_IN_ID;
 }
@@ -100,9 +94,9 @@ bool CellSorter::stands_in_cell_order(const GridOptions& options) {
   if (!cell_order_ && moves_waited_ < moves_to_wait_) return false;
   if (!cell_order_) {
     uint disorder = 0;
-    context_.device.write(SLOT_SCAN, &disorder, 0, sizeof(disorder));
+    context_.buffers.write(SLOT_SCAN, &disorder, 0, sizeof(disorder));
     launch_bounds();
-    context_.device.read(SLOT_SCAN, &disorder, 0, sizeof(disorder));
+    context_.buffers.read(SLOT_SCAN, &disorder, 0, sizeof(disorder));
     cell_order_ = disorder == 0;
     moves_to_wait_ = *cell_order_ ? 0 : std::clamp(2 * moves_to_wait_, least_moves_to_wait, most_moves_to_wait);
     moves_waited_ = 0;

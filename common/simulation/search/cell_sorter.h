@@ -3,7 +3,7 @@
 #pragma once
 
 #include "common/backend/plan_watch.h"
-#include "common/simulation/motion/context.h"
+#include "common/device/context.h"
 
 namespace spherepair {
 
@@ -28,9 +28,8 @@ class CellSorter {
   void build_for_light();
   bool built_for_light() const { return built_ && planned_ == Cells::dense && leveled_ == has_light_levels(); }
 
-  bool built() const { return built_; }    // for the spheres as they stand
-  void forget_order() { built_ = false; }  // a search without cells came between
-  void replaced();                         // the table and its parameters, by those of another sorter
+  bool built() const { return built_; }                                 // for the spheres as they stand
+  void forget_order() { built_ = false; }                               // a search without cells came between
   bool dense() const { return planned_ == Cells::dense && !leveled_; }  // as searches have them
   Order order() const { return built_ ? order_ : Order::scene; }        // in which the search finds the spheres
   uint indices(Order order) const;     // INDEX_IN_* of a launch that reads them in this order

@@ -62,7 +62,7 @@ void PairSearch::complete() {
   context_.launch({Kernel::tally, SERVICE_BLOCK, {}, {tally_groups, 1, 1}, order_});
   totals_ = sum_of(read_summary(), search_decides_ ? SUM_UNDECIDED : SUM_DEFERRED);
   if (options_.want_pairs && context_.device.library())
-    context_.device.library()->sort_pairs(std::min(totals_.pairs, most_listed));
+    context_.device.library()->sort_pairs(context_.buffers.memory(SLOT_PAIR), std::min(totals_.pairs, most_listed));
   results_ = Results::complete;
 }
 

@@ -67,7 +67,6 @@ void PairSearch::require_options(const CollideOptions& options) const {
 
 void PairSearch::enqueue(const CollideOptions& options, bool in_step) {
   require_options(options);
-  evaluate_positions();
   choose(options);
   launch(in_step);
 }
@@ -177,7 +176,6 @@ void PairSearch::resolve_undecided() {
 }
 
 void PairSearch::prepare_counts(bool sorted) {
-  evaluate_positions();
   if (results_ == Results::none) {
     if (!results_clear_) clear_results(context_, Order::scene);
     results_clear_ = true;

@@ -6,27 +6,24 @@
 #include <utility>
 
 #include "common/scene/scene_params.h"
-#include "common/simulation/motion/device_motion.h"
 #include "common/simulation/search/cell_sorter.h"
 
 namespace spherepair {
 
 class PairSearch {
  public:
-  PairSearch(DeviceContext& context, DeviceMotion& motion, CellSorter& sorter)
-      : context_(context), motion_(motion), sorter_(sorter) {}
+  PairSearch(DeviceContext& context, CellSorter& sorter) : context_(context), sorter_(sorter) {}
 
   void upload(const Scene& scene);
   void moved(bool results_cleared);
-  void evaluate_positions() { results_clear_ |= motion_.evaluate_positions(); }
+  void cleared() { results_clear_ = true; }  // the results of the last search, by another kernel
 
   MethodChoice choice(const CollideOptions& options) const;
 
-  // Launches a search of these positions and returns. Left out: pairs that the filter left undecided (unless the last
-  // complete search of this kind had some, which makes their kernel part of the step), lists that are too short and the
-  // number of colliding spheres.
-  // in_step: the device has begun the step already, with a move. Of a swept search SLOT_NEAR has the pairs whose paths
-  // are near, and SLOT_VELOCITY the velocities.
+  // Launches a search of the spheres in SLOT_POSITION and returns. Left out: pairs that the filter left undecided
+  // (unless the last complete search of this kind had some, which makes their kernel part of the step), lists that are
+  // too short and the number of colliding spheres. in_step: the device has begun the step already, with a move. Of a
+  // swept search SLOT_NEAR has the pairs whose paths are near, and SLOT_VELOCITY the velocities.
   void enqueue(const CollideOptions& options, bool in_step = false);
   void require_options(const CollideOptions& options) const;  // std::invalid_argument names what cannot be
 
@@ -74,7 +71,6 @@ class PairSearch {
   std::pair<Method, bool> kind() const { return {options_.method, search_decides_}; }
 
   DeviceContext& context_;
-  DeviceMotion& motion_;
   CellSorter& sorter_;
   std::array<SearchParams, 2> constants_{};  // of the scene: [exact]
   CollideOptions options_;                   // of the last search, method and group size as chosen

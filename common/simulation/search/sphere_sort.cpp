@@ -37,8 +37,8 @@ void SphereSort::scan(uint table) {
 void SphereSort::clear(uint64_t bucket_words) {
   const uint64_t table_words = bucket_words ? 0 : slots_ + 2;
   if (options_.api.library_clear.value_or(false)) {
-    context_.device.clear(bucket_words ? SLOT_BUCKET : SLOT_CELL, (bucket_words + table_words) * sizeof(uint));
-    return context_.device.clear(SLOT_SUMMARY, SUMMARY_SLOTS * SUMMARY_WORDS * sizeof(uint));
+    context_.buffers.clear(bucket_words ? SLOT_BUCKET : SLOT_CELL, (bucket_words + table_words) * sizeof(uint));
+    return context_.buffers.clear(SLOT_SUMMARY, SUMMARY_SLOTS * SUMMARY_WORDS * sizeof(uint));
   }
   const uint64_t threads = std::max({table_words / 4 + 2, bucket_words, uint64_t(SUMMARY_SLOTS * SUMMARY_WORDS)});
   launch(Kernel::grid_clear, SERVICE_BLOCK, ceil_div(threads, SERVICE_BLOCK));
@@ -117,8 +117,8 @@ void SphereSort::by_buckets() {
 }
 
 void SphereSort::by_library() {
-  context_.device.clear(SLOT_SUMMARY, SUMMARY_SLOTS * SUMMARY_WORDS * sizeof(uint));
-  context_.device.library()->sort_spheres(context_.params);
+  context_.buffers.clear(SLOT_SUMMARY, SUMMARY_SLOTS * SUMMARY_WORDS * sizeof(uint));
+  context_.device.library()->sort_spheres(context_.params, context_.buffers.handles());
 }
 
 void SphereSort::run() {

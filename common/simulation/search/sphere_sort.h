@@ -3,7 +3,7 @@
 // begin, and clears counts and totals.
 #pragma once
 
-#include "common/simulation/motion/context.h"
+#include "common/device/context.h"
 
 namespace spherepair {
 

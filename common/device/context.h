@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT
-// What the components of one simulation share: the device, its buffers, and the parameters of the current step.
+// What the components of one simulation share: the device, their buffers, and the parameters of the current step.
 #pragma once
 
-#include "common/simulation/motion/buffers.h"
+#include "common/device/buffers.h"
+#include "common/scene/scene_params.h"
 
 namespace spherepair {
 
+// Pairs i < j in any order, in memory that the list shares with the search that made it.
+struct PairList {
+  Memory pairs;  // uvec2[count]
+  uint count = 0;
+};
+
 struct DeviceContext {
-  DeviceContext(Device& device, PipelineOpener open)
+  explicit DeviceContext(Device& device, PipelineOpener open = {})
       : device(device), buffers(device), other_pipeline(std::move(open)) {}
 
   Device& device;
@@ -18,6 +25,19 @@ struct DeviceContext {
   bool equal_radii = true;
   uint near_pairs = 0;   // in SLOT_NEAR
   uint64_t version = 0;  // of the spheres and their contacts: grows with every move and search
+
+  // So many spheres, with such radii: of a scene, or of a search beside it.
+  void set_spheres(const Scene& scene) {
+    n = scene.size();
+    equal_radii = scene.equal_radii;
+    buffers.set_spheres(n);
+    params.n = uint(n);
+    params.radius = common_radius(scene);
+  }
+  void set_near(const PairList& list) {
+    buffers.share(SLOT_NEAR, list.pairs);
+    near_pairs = list.count;
+  }
 
   const std::string& name() const { return device.info().name; }
   bool software() const { return device.info().software; }
@@ -30,11 +50,12 @@ struct DeviceContext {
 
   GraphicsPipeline& pipeline() { return device.pipeline() ? *device.pipeline() : other_pipeline.get(); }
   SphereArrays sphere_arrays(uint colours) const {
-    return {static_cast<const vec4*>(device.address(SLOT_POSITION)), static_cast<const uint*>(device.address(colours)),
-            n};
+    device.flush();
+    return {buffers.handles()[SLOT_POSITION], buffers.handles()[colours], n};
   }
 
-  void launch(const Launch& launch) { device.launch(launch, params); }
+  void launch(const Launch& launch) { this->launch(launch, params); }
+  void launch(const Launch& launch, const Params& with) { device.launch(launch, with, buffers.handles()); }
 };
 
 // A thread for every sphere, and at least one for every word of the summary, which the same kernels clear.

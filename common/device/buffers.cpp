@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common/simulation/motion/buffers.h"
+#include "common/device/buffers.h"
 
 #include <fmt/format.h>
 
@@ -72,30 +72,37 @@ void Buffers::resize(uint slot, uint64_t bytes) {
         device_.info().name, spheres_, whole, slot_names[slot], double(bytes) / double(spheres_), largest,
         fitting(bytes)));
   }
-  if (bytes_[slot] == bytes) return;
-  bytes_[slot] = 0;  // none is there should this fail
-  device_.allocate(slot, whole);
-  bytes_[slot] = bytes;
+  if (memory_[slot].bytes == bytes) return;
+  handles_[slot] = 0;  // none is there should this fail
+  Memory memory = device_.allocate(whole, std::exchange(memory_[slot], {}));
+  memory.bytes = bytes;
+  share(slot, memory);
   const std::vector<uint> guard(guard_words, guard_pattern);
-  device_.write(slot, guard.data(), bytes, guard_words * sizeof(uint));
+  write(slot, guard.data(), bytes, guard_words * sizeof(uint));
+}
+
+void Buffers::share(uint slot, const Memory& memory) {
+  memory_[slot] = memory;
+  handles_[slot] = memory.handle;
+}
+
+void Buffers::forget() {
+  device_.flush();
+  memory_ = {};
+  handles_ = {};
 }
 
 bool Buffers::grow(uint slot, uint64_t bytes) {
-  if (bytes_[slot] >= bytes) return false;
+  if (memory_[slot].bytes >= bytes) return false;
   resize(slot, bytes);
   return true;
 }
 
-void Buffers::swap(uint a, uint b) {
-  std::swap(bytes_[a], bytes_[b]);
-  device_.swap(a, b);
-}
-
 void Buffers::check_guards() {
   for (uint slot = 0; slot < SLOT_TOTAL; ++slot) {
-    if (!bytes_[slot]) continue;
+    if (!memory_[slot].bytes) continue;
     std::vector<uint> guard(guard_words);
-    device_.read(slot, guard.data(), bytes_[slot], guard_words * sizeof(uint));
+    read(slot, guard.data(), memory_[slot].bytes, guard_words * sizeof(uint));
     if (std::ranges::any_of(guard, [](uint word) { return word != guard_pattern; })) {
       throw BackendError(
           fmt::format("{}: something was written behind the end of the {}", device_.info().name, slot_names[slot]));

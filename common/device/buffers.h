@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The buffers of one simulation, by slot (layout.h): their sizes, and guard words behind each.
+// The buffers that the kernels of one simulation see, by slot (layout.h), with guard words behind each.
 #pragma once
 
 #include <array>
@@ -20,17 +20,29 @@ class Buffers {
   // of the device cannot reach as many, or memory has no room.
   void resize(uint slot, uint64_t bytes);
   bool grow(uint slot, uint64_t bytes);  // where it has fewer; true: what was there is lost
-  uint64_t bytes(uint slot) const { return bytes_[slot]; }
-  void swap(uint a, uint b);
+  uint64_t bytes(uint slot) const { return memory_[slot].bytes; }
+  const BufferHandles& handles() const { return handles_; }
 
+  // A buffer that another owns, too; an empty one leaves the slot without any.
+  const Memory& memory(uint slot) const { return memory_[slot]; }
+  void share(uint slot, const Memory& memory);
+  void forget();  // leaves all slots without any
+
+  void write(uint slot, const void* data, uint64_t offset, uint64_t bytes) {
+    device_.write(memory_[slot], data, offset, bytes);
+  }
+  void read(uint slot, void* data, uint64_t offset, uint64_t bytes) {
+    device_.read(memory_[slot], data, offset, bytes);
+  }
+  void clear(uint slot, uint64_t bytes) { device_.clear(memory_[slot], bytes); }
   template <typename T>
   void write(uint slot, const std::vector<T>& values) {
-    device_.write(slot, values.data(), 0, values.size() * sizeof(T));
+    write(slot, values.data(), 0, values.size() * sizeof(T));
   }
   template <typename T>
   std::vector<T> read(uint slot, uint64_t count) {
     std::vector<T> values(count);
-    device_.read(slot, values.data(), 0, count * sizeof(T));
+    read(slot, values.data(), 0, count * sizeof(T));
     return values;
   }
 
@@ -42,7 +54,8 @@ class Buffers {
 
   Device& device_;
   uint64_t spheres_ = 0;
-  std::array<uint64_t, SLOT_TOTAL> bytes_{};  // without the guard words
+  std::array<Memory, SLOT_TOTAL> memory_;  // whose bytes are without the guard words
+  BufferHandles handles_{};                // of the same
 };
 
 }  // namespace spherepair

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// A search of other spheres on the device of a simulation, which keeps its own answer meanwhile.
+#include "common/simulation/simulation.h"
+#include "tests/oracle/oracle.h"
+#include "tests/support/backends.h"
+
+namespace spherepair {
+namespace {
+
+class SecondSearch : public BackendTest {};
+
+TEST_P(SecondSearch, StandsBesideTheFirst) {
+  if (GetParam() == "cpu") GTEST_SKIP() << "the CPU's searches are functions of the spheres that they are handed";
+  std::unique_ptr<Device> opened = open_device(GetParam());
+  Device& device = *opened;
+  Simulation simulation(std::move(opened));
+  const Scene first = make_scene({.name = "uniform", .n = 3000, .packing_fraction = 0.2});
+  const Scene second = make_scene({.name = "clustered", .n = 1700, .seed = 5, .radius_ratio = 7});
+  const CollideOptions listed{.method = Method::collide_grid, .want_pairs = true};
+  simulation.upload(first);
+  simulation.collide(listed);
+
+  DeviceContext context(device);
+  CellSorter sorter(context);
+  PairSearch search(context, sorter);
+  context.set_spheres(second);
+  context.buffers.resize(SLOT_POSITION, second.size() * sizeof(vec4));
+  context.buffers.write(SLOT_POSITION, second.positions);
+  sorter.upload(second);
+  search.upload(second);
+  search.enqueue(listed);
+  search.complete();
+
+  EXPECT_EQ(search.pairs(), swept_pairs(second.positions));
+  EXPECT_EQ(simulation.pairs(), swept_pairs(first.positions)) << "the answer to the first is still there";
+  simulation.move();
+  simulation.collide(listed);
+  EXPECT_EQ(simulation.pairs(), swept_pairs(simulation.state().positions));
+  EXPECT_EQ(search.pairs(), swept_pairs(second.positions)) << "and that to the second";
+  context.buffers.check_guards();
+  simulation.check_guards();
+}
+INSTANTIATE_BACKENDS(SecondSearch);
+
+}  // namespace
+}  // namespace spherepair
