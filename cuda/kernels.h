@@ -42,6 +42,7 @@ struct KernelBuffers {
   void* flight;  // Real[]
   uint* since;
   uint* next_event;
+  uint* rest;
   uint* seen_list;
   uint* colour;
   uint* fault;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "common/backend/checks.h"
@@ -58,7 +59,7 @@ class GlDevice final : public Device {
   BackendInfo info_;
   DeviceCapabilities capabilities_;
   BufferMemory memory_{limits_};
-  std::array<GLuint, SLOT_TOTAL> bound_{};  // what kernels see now
+  BufferHandles bound_{};  // what kernels see now
   Staging staging_;
   BufferTextures textures_;
   ParamsRing params_;
@@ -132,21 +133,21 @@ void GlDevice::read(const Memory& memory, void* data, uint64_t offset, uint64_t 
 
 // Binding is dear, and most launches use what the last did.
 void GlDevice::bind(const Launch& launch, const BufferHandles& buffers) {
-  std::array<GLuint, SLOT_TOTAL> wanted;
-  for (size_t slot = 0; slot < wanted.size(); ++slot) wanted[slot] = GLuint(buffers[slot]);
-  const auto see = [&](uint slot, uint as) { wanted[as] = GLuint(buffers[slot]); };
-  see(position_slot(launch.order), SLOT_POSITION);
-  see(count_slot(launch), SLOT_COUNT);
-  see(id_slot(launch.order), SLOT_SPLIT_ID);
-  see(position_slot(launch.target), SLOT_SORTED);
-  see(id_slot(launch.target), SLOT_ID);
-  see(launch.table, SLOT_CELL);
-  see(launch.visible_slot, SLOT_VISIBLE);
+  BufferHandles wanted = buffers;
+  wanted[SLOT_POSITION] = buffers[position_slot(launch.order)];
+  wanted[SLOT_COUNT] = buffers[count_slot(launch)];
+  wanted[SLOT_SPLIT_ID] = buffers[id_slot(launch.order)];
+  wanted[SLOT_SORTED] = buffers[position_slot(launch.target)];
+  wanted[SLOT_ID] = buffers[id_slot(launch.target)];
+  wanted[SLOT_CELL] = buffers[launch.table];
+  wanted[SLOT_VISIBLE] = buffers[launch.visible_slot];
   size_t first = 0, behind = wanted.size();
   while (first < behind && wanted[first] == bound_[first]) ++first;
   while (first < behind && wanted[behind - 1] == bound_[behind - 1]) --behind;
   if (first == behind) return;
-  glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, GLuint(first), GLsizei(behind - first), &wanted[first]);
+  std::array<GLuint, SLOT_TOTAL> names;
+  std::copy(&wanted[first], &wanted[first] + (behind - first), names.begin());
+  glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, GLuint(first), GLsizei(behind - first), names.data());
   bound_ = wanted;
 }
 

@@ -36,10 +36,10 @@ constexpr const char* slot_names[] = {"positions",
                                       "ages of visible spheres",
                                       "list of clusters",
                                       "depth pyramid",
-                                      "wide state or rows of near spheres",
+                                      "wide state",
                                       "anchors",
-                                      "flights or lengths of rows",
-                                      "steps of the anchors or faults",
+                                      "flights",
+                                      "steps of the anchors",
                                       "steps of the next events",
                                       "list of visible spheres",
                                       "visible spheres of every other image",
@@ -51,7 +51,11 @@ constexpr const char* slot_names[] = {"positions",
                                       "impulses along y",
                                       "impulses along z",
                                       "grown spheres",
-                                      "near pairs"};
+                                      "near pairs",
+                                      "faults",
+                                      "rows of near spheres",
+                                      "lengths of rows",
+                                      "rest of the spheres"};
 static_assert(std::size(slot_names) == SLOT_TOTAL);
 
 }  // namespace

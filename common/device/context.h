@@ -24,6 +24,7 @@ struct DeviceContext {
   uint64_t n = 0;               // spheres
   bool equal_radii = true;
   uint near_pairs = 0;   // in SLOT_NEAR
+  uint64_t moves = 0;    // stamp of the spheres: what is made from them keeps it, and is compared with it when used
   uint64_t version = 0;  // of the spheres and their contacts: grows with every move and search
 
   // So many spheres, with such radii: of a scene, or of a search beside it.
@@ -38,6 +39,8 @@ struct DeviceContext {
     buffers.share(SLOT_NEAR, list.pairs);
     near_pairs = list.count;
   }
+
+  void moved() { ++moves, ++version; }
 
   const std::string& name() const { return device.info().name; }
   bool software() const { return device.info().software; }

@@ -218,7 +218,11 @@ ContactParams contact_params(const Scene& scene) {
           .fastest = std::ldexp(r.smallest, s),
           .skin = contact.skin,
           .row_capacity = 0,
-          .drag_loss = float(-std::expm1(-half_step_of_drag(scene)))};
+          .drag_loss = float(-std::expm1(-half_step_of_drag(scene))),
+          .sleeping = 0,
+          .unused_a = 0,
+          .unused_b = 0,
+          .unused_c = 0};
 }
 
 }  // namespace spherepair

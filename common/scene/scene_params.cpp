@@ -65,7 +65,9 @@ SearchParams search_params(const Scene& scene, bool exact) {
           .columns_per_group = 0,
           .pair_capacity = 0,
           .deferred_capacity = 0,
-          .near_pairs = 0};
+          .near_pairs = 0,
+          .chunk = 0,
+          .tiles_per_group = 0};
 }
 
 }  // namespace spherepair

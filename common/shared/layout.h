@@ -35,9 +35,6 @@
 #define SLOT_FLIGHT 26  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
 #define SLOT_SINCE 27   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
 #define SLOT_NEXT_EVENT 28     // uint[n], of anchored: first step in which the sphere may reach the plane
-#define SLOT_FAULT SLOT_SINCE  // uint[FAULT_WORDS], of leapfrog: the first sphere of each FAULT_*, or ~0; see skin.h
-#define SLOT_ROW SLOT_WIDE     // uint[row_capacity * n], of contact_gather: the k-th near sphere of i at k * n + i
-#define SLOT_ROW_LENGTH SLOT_FLIGHT  // uint[n], of contact_gather: near spheres of each
 #define SLOT_SEEN_LIST 29            // uint[], two by View::turn: indices of the spheres visible in recent frames
 #define SLOT_VISIBLE_ODD 30          // as SLOT_VISIBLE, for every other frame where two are in flight
 #define SLOT_COLOUR 31   // uint[n]: entry of the palette, unless it is the number of contacts; see View::colour_by
@@ -45,7 +42,11 @@
 #define SLOT_IMPULSE 35  // three slots, int64[n] each, of leapfrog: impulses of this step's contacts along x, y and z
 #define SLOT_GROWN 38  // vec4[n]: the spheres whose near pairs are listed: grown by a skin, or around their next paths
 #define SLOT_NEAR 39   // uvec2[]: their colliding pairs (i<j) in any order, SearchParams::near_pairs of them
-#define SLOT_TOTAL 40
+#define SLOT_FAULT 40       // uint[FAULT_WORDS], of leapfrog: the first sphere of each FAULT_*, or ~0; see skin.h
+#define SLOT_ROW 41         // uint[row_capacity * n], of contact_gather: the k-th near sphere of i at k * n + i
+#define SLOT_ROW_LENGTH 42  // uint[n], of contact_gather: near spheres of each
+#define SLOT_REST 43        // uint[n], of leapfrog: what the last step did to each sphere; see contact_rest.h
+#define SLOT_TOTAL 44
 #define SLOT_PARAMS 0     // the uniform block's own binding
 #define STEPS_LOCATION 0  // of GLSL's uniform with MotionParams::steps_done
 #define CELL_TEXTURE 0    // texture units of GLSL, one per use, so that bindings seldom change
@@ -134,9 +135,7 @@ struct MotionParams {
   float dt, gravity, steps_per_second, restitution;  // seconds, <= 0 along y, 1 / dt, 0..1
   float plane;                                       // its y
   uint steps_done;                                   // of anchored: after this move
-  // Not 0: evaluate_positions also writes velocities and SLOT_WIDE, bounce handles all that bounce; of leapfrog and its
-  // contacts: SLEEP_*, see contact_rest.h.
-  uint whole_state;
+  uint whole_state;    // not 0: evaluate_positions also writes velocities and SLOT_WIDE, bounce handles all that bounce
   uint clear_results;  // not 0: move and evaluate_positions clear contact counts and totals
 };
 
@@ -154,16 +153,19 @@ struct UNIFORM_ALIGN ContactParams {
   float skin;                         // share of its radius by which a sphere is grown for the list of near pairs
   uint row_capacity;                  // near spheres of each for which SLOT_ROW has room
   float drag_loss;                    // share of a momentum that drag takes in half a step
+  uint sleeping;                      // SLEEP_* and TESTS_ALL_WALLS, see contact_rest.h
+  uint unused_a, unused_b, unused_c;
 };
 
 struct UNIFORM_ALIGN SearchParams {
   float apart_above, collide_below;       // for equal radii: squared-distance bounds
   float filter_scale, filter_offset;      // K and T of filter_pair
   uint defer_undecided;                   // 0: the naive predicate
-  uint columns_per_group;                 // spheres that a group of collide_triangle tests its rows against;
-                                          // consecutive spheres of a group of collide_grid, a power of two
+  uint columns_per_group;                 // spheres that a group of collide_triangle tests its rows against
   uint pair_capacity, deferred_capacity;  // of SLOT_PAIR and SLOT_DEFERRED
   uint near_pairs;                        // in SLOT_NEAR
+  uint chunk;                             // consecutive spheres of a group of collide_grid, a power of two
+  uint tiles_per_group;                   // of collide_tensor
 };
 
 struct UNIFORM_ALIGN GridParams {
@@ -200,7 +202,7 @@ struct Params {
 #ifndef GL_core_profile
 static_assert(SPLIT_BLOCK == BUCKETS_AT_MOST && SPLIT_BLOCK * SPLIT_EACH == SPLIT_TILE);
 static_assert(sizeof(MotionParams) == 96 && sizeof(SearchParams) == 48 && sizeof(GridParams) == 64 &&
-              sizeof(SortParams) == 32 && sizeof(ContactParams) == 96 && sizeof(Params) == 368 && sizeof(uvec2) == 8 &&
+              sizeof(SortParams) == 32 && sizeof(ContactParams) == 112 && sizeof(Params) == 384 && sizeof(uvec2) == 8 &&
               sizeof(Axis) == 16);
 #endif
 

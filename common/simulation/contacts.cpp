@@ -32,7 +32,7 @@ void Contacts::upload(const Scene& scene, uint64_t steps_before) {
     if (on_) context_.buffers.clear(SLOT_IMPULSE + axis, n * sizeof(int64_t));
   }
   context_.buffers.resize(SLOT_GROWN, n * sizeof(vec4));
-  if (on_) context_.buffers.resize(SLOT_REST, sleeps_ ? n * sizeof(uint) : 0);
+  context_.buffers.resize(SLOT_REST, sleeps_ ? n * sizeof(uint) : 0);
   context_.set_near({});
   if (!on_) return near_.forget();
   context_.buffers.resize(SLOT_FAULT, FAULT_WORDS * sizeof(uint));
@@ -108,9 +108,9 @@ void Contacts::launch(bool clear_results) {
 }
 
 void Contacts::launch_impulses(const Params& params) {
-  if (sleep_mode(params.motion.whole_state) != SLEEP_NEVER) {
+  if (sleep_mode(params.contact) != SLEEP_NEVER) {
     Params awakening = params;
-    awakening.motion.whole_state = SLEEP_AWAKENS;
+    awakening.contact.sleeping = SLEEP_AWAKENS;
     launch_pairs(Kernel::contact_pairs, awakening);
   }
   launch_pairs(Kernel::contact_pairs, params);
@@ -132,8 +132,7 @@ void Contacts::list_near_pairs() {
   done_ += known_;
   launched_ = known_ = 0;
   const bool sleeps = sleeps_ && sums_ == ImpulseSums::integers;
-  context_.params.motion.whole_state =
-      (sleeps ? SLEEP_AT_REST : SLEEP_NEVER) | (tests_all_walls_ ? TESTS_ALL_WALLS : 0u);
+  context_.params.contact.sleeping = (sleeps ? SLEEP_AT_REST : SLEEP_NEVER) | (tests_all_walls_ ? TESTS_ALL_WALLS : 0u);
   context_.launch({Kernel::contact_grow, SERVICE_BLOCK, {}, groups_per_sphere(context_)});
   context_.set_near({});  // so that the list can grow in its place
   context_.set_near(near_.list(context_.buffers.memory(SLOT_GROWN)));

@@ -34,7 +34,7 @@ void Simulation::begin(const Scene& scene, const MotionState* saved) {
   finish();
   context_.params = {};
   context_.set_spheres(scene);
-  ++context_.version;
+  context_.moved();
   device_->work = {.plans = 1};
   sorter_.upload(scene);
   motion_.upload(scene, saved);
@@ -54,13 +54,11 @@ void Simulation::move() {
     const bool overlap = sorted && !search_.results_clear();
     cleared = motion_.step(cleared, overlap ? context_.overlaps_search(search_.options().api) : std::nullopt);
   }
-  ++context_.version;
-  search_.moved(cleared);
-  sorter_.moved();
+  if (cleared) search_.cleared();
 }
 
 void Simulation::complete_moves() {
-  if (contacts_.on() && contacts_.complete()) search_.moved(false);
+  if (contacts_.on() && contacts_.complete()) search_.forget();
 }
 
 void Simulation::sum_impulses(ImpulseSums sums) {
@@ -152,7 +150,6 @@ void Simulation::enqueue_persistent_steps(uint steps) {
   if (!has_persistent_steps()) return Backend::run_persistent_steps(steps);
   motion_.leave_steps_to_search();
   search_.enqueue_steps(steps);
-  sorter_.moved();
 }
 
 std::vector<DrawMethod> Simulation::draw_methods() const {
@@ -186,13 +183,13 @@ void Simulation::enqueue_draw(const View& view, const DrawOptions& options) {
 void Simulation::launch_peak_rate(PeakRate rate) {
   require_scene("launch_peak_rate");
   complete_moves();
-  search_.moved(false);
+  search_.forget();
   probe_.launch_peak_rate(rate);
 }
 
 void Simulation::check_peak_rate(PeakRate rate) {
   require_scene("check_peak_rate");
-  search_.moved(false);
+  search_.forget();
   probe_.check_peak_rate(rate);
 }
 

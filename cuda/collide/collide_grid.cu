@@ -117,13 +117,13 @@ __device__ void decide_undecided(const Params& p, const KernelBuffers& buf,
   collider.add_contact(j, 1u);
 }
 
-// The group's next chunk: the rest of its columns_per_group spheres, then those that lie as far on as all groups take.
+// The group's next spheres: the rest of its chunk, then those that lie as far on as all groups take.
 template <uint BLOCK>
 __device__ uint next_chunk(const Params& p, uint first) {
   uint behind = first + BLOCK;
-  return (behind & (p.search.columns_per_group - 1u)) != 0u
+  return (behind & (p.search.chunk - 1u)) != 0u
              ? behind
-             : behind + (group_count() - 1u) * p.search.columns_per_group;
+             : behind + (group_count() - 1u) * p.search.chunk;
 }
 
 // CUDA only: the resident groups of a multiprocessor, for which the compiler limits registers
@@ -144,7 +144,7 @@ __global__ void __launch_bounds__(BLOCK, resident_groups(BLOCK)) collide_grid(Pa
   trigger_dependent_launch();  // CUDA only: the next step's split_tiles writes nothing that this kernel reads
   collider.start_totals();
   uint end = sorted_end(p) - sorted_begin();
-  for (uint first = group_index(p) * p.search.columns_per_group; first < end;) {
+  for (uint first = group_index(p) * p.search.chunk; first < end;) {
     uint k = first + own * COOPERATING + lane;
     uint i = sorted_begin() + k;
     first = next_chunk<BLOCK>(p, first);

@@ -14,7 +14,7 @@ __global__ void __launch_bounds__(BLOCK) contact_pairs(Params p, KernelBuffers b
   bool stopped = buf.fault[LEFT_SKIN] != 0xFFFFFFFFu;
   uint first = group_index(p) * BLOCK + threadIdx.x;
   if (first == 0u) buf.fault[STOPPED] = stopped ? 1u : 0u;
-  bool awakens = sleep_mode(p.motion.whole_state) == SLEEP_AWAKENS;
+  bool awakens = sleep_mode(p.contact) == SLEEP_AWAKENS;
   if (first == 0u && !stopped && !awakens) ++buf.fault[STEPS_DONE];
   if (stopped) return;
   uint pairs = p.search.near_pairs;

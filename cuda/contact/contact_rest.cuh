@@ -8,19 +8,19 @@
 namespace spherepair {
 
 __device__ inline bool is_at_rest(const Params& p, const KernelBuffers& buf, uint i) {
-  return sleep_mode(p.motion.whole_state) != SLEEP_NEVER && buf.next_event[i] == REST_SAME;
+  return sleep_mode(p.contact) != SLEEP_NEVER && buf.rest[i] == REST_SAME;
 }
 
 // Threads that awaken the same sphere write the same.
 __device__ inline void awaken(const KernelBuffers& buf, uint i, uint j) {
-  bool first_moved = buf.next_event[i] == REST_MOVED;
-  bool second_moved = buf.next_event[j] == REST_MOVED;
-  if (first_moved && !second_moved) buf.next_event[j] = REST_AWAKENED;
-  if (second_moved && !first_moved) buf.next_event[i] = REST_AWAKENED;
+  bool first_moved = buf.rest[i] == REST_MOVED;
+  bool second_moved = buf.rest[j] == REST_MOVED;
+  if (first_moved && !second_moved) buf.rest[j] = REST_AWAKENED;
+  if (second_moved && !first_moved) buf.rest[i] = REST_AWAKENED;
 }
 
 __device__ inline void record_rest(const Params& p, const KernelBuffers& buf, uint i, bool same) {
-  if (sleep_mode(p.motion.whole_state) != SLEEP_NEVER) buf.next_event[i] = same ? REST_SAME : REST_MOVED;
+  if (sleep_mode(p.contact) != SLEEP_NEVER) buf.rest[i] = same ? REST_SAME : REST_MOVED;
 }
 
 }  // namespace spherepair

@@ -23,7 +23,7 @@ __global__ void __launch_bounds__(BLOCK) leapfrog(Params p, KernelBuffers buf) {
   vec4 skin = buf.grown[i];
   if (buf.fault[STOPPED] != 0u) return;
   clear_impulses<FLOAT_SUMS>(buf, i, contacts);
-  Push walls = push_of_walls(before, (p.motion.whole_state & TESTS_ALL_WALLS) != 0u, p.contact);
+  Push walls = push_of_walls(before, (p.contact.sleeping & TESTS_ALL_WALLS) != 0u, p.contact);
   record_fault(buf, walls.fault, i);
   Body s = kicked_in_fluid(before, contacts, walls, p.contact);
   float mobility = mobility_of(s.radius, p.contact);

@@ -48,6 +48,7 @@ KernelBuffers kernel_buffers(const Launch& launch, Memory memory) {
           .flight = at(SLOT_FLIGHT),
           .since = at(SLOT_SINCE),
           .next_event = at(SLOT_NEXT_EVENT),
+          .rest = at(SLOT_REST),
           .seen_list = at(SLOT_SEEN_LIST),
           .colour = at(SLOT_COLOUR),
           .fault = at(SLOT_FAULT),

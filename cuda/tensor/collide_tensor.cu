@@ -3,7 +3,7 @@
 // A, and tests them against later spheres, its columns, which pass through shared memory in tiles. A sum of products is
 // negative where a pair may collide (tensor_form.h). The signs of a thread's sums are joined, 32 pairs at a time; where
 // one is set, the pairs are queued, and the warp decides them, a thread for 32 pairs. The tiles of all blocks of rows
-// form one line, of which each group takes p.search.columns_per_group.
+// form one line, of which each group takes p.search.tiles_per_group.
 //
 // CUDA only: OpenGL has no cooperative matrices
 #include "cuda/collide/collide.cuh"
@@ -79,9 +79,9 @@ __global__ void __launch_bounds__(TENSOR_BLOCK, 1) collide_tensor(Params p, Kern
   Collider<EQUAL_RADII, LISTED> collider(p, buf);
   uint warp = threadIdx.x / 32u, lane = threadIdx.x % 32u;
   const uint* forms = reinterpret_cast<const uint*>(buf.sorted);
-  uint64_t first = uint64_t(group_index(p)) * p.search.columns_per_group, all = tensor_tiles(p.n);
+  uint64_t first = uint64_t(group_index(p)) * p.search.tiles_per_group, all = tensor_tiles(p.n);
   if (first >= all) return;
-  uint count = uint(min(uint64_t(p.search.columns_per_group), all - first));
+  uint count = uint(min(uint64_t(p.search.tiles_per_group), all - first));
   TilePosition position(p.n, first);
   ColumnRing ring{memory, reinterpret_cast<const char*>(forms), position, count};
   NearQueue queue{entries + warp * QUEUE};

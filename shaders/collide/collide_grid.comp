@@ -110,12 +110,12 @@ void decide_undecided() {
   add_contact(j, 1u);
 }
 
-// The group's next chunk: the rest of its columns_per_group spheres, then those that lie as far on as all groups take.
+// The group's next spheres: the rest of its chunk, then those that lie as far on as all groups take.
 uint next_chunk(uint first) {
   uint behind = first + BLOCK;
-  return (behind & (p.search.columns_per_group - 1u)) != 0u
+  return (behind & (p.search.chunk - 1u)) != 0u
              ? behind
-             : behind + (group_count() - 1u) * p.search.columns_per_group;
+             : behind + (group_count() - 1u) * p.search.chunk;
 }
 
 void main() {
@@ -125,7 +125,7 @@ void main() {
   if (gl_LocalInvocationID.x == 0u) undecided_pairs = 0u;
   start_totals();
   uint end = sorted_end() - sorted_begin();
-  for (uint first = group_index() * p.search.columns_per_group; first < end;) {
+  for (uint first = group_index() * p.search.chunk; first < end;) {
     uint k = first + own * COOPERATING + lane;
     uint i = sorted_begin() + k;
     first = next_chunk(first);

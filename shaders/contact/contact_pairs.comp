@@ -13,7 +13,7 @@ void main() {
   bool stopped = fault[LEFT_SKIN] != 0xFFFFFFFFu;
   uint first = group_index() * BLOCK + gl_LocalInvocationID.x;
   if (first == 0u) fault[STOPPED] = stopped ? 1u : 0u;
-  bool awakens = sleep_mode(p.motion.whole_state) == SLEEP_AWAKENS;
+  bool awakens = sleep_mode(p.contact) == SLEEP_AWAKENS;
   if (first == 0u && !stopped && !awakens) ++fault[STEPS_DONE];
   if (stopped) return;
   uint pairs = p.search.near_pairs;

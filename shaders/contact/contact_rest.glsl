@@ -4,18 +4,18 @@
 
 #include "common/shared/contact/contact_rest.h"
 
-layout(std430, binding = SLOT_REST) restrict buffer RestBuffer { uint next_event[]; };
+layout(std430, binding = SLOT_REST) restrict buffer RestBuffer { uint rest[]; };
 
-bool is_at_rest(uint i) { return sleep_mode(p.motion.whole_state) != SLEEP_NEVER && next_event[i] == REST_SAME; }
+bool is_at_rest(uint i) { return sleep_mode(p.contact) != SLEEP_NEVER && rest[i] == REST_SAME; }
 
 // Threads that awaken the same sphere write the same.
 void awaken(uint i, uint j) {
-  bool first_moved = next_event[i] == REST_MOVED;
-  bool second_moved = next_event[j] == REST_MOVED;
-  if (first_moved && !second_moved) next_event[j] = REST_AWAKENED;
-  if (second_moved && !first_moved) next_event[i] = REST_AWAKENED;
+  bool first_moved = rest[i] == REST_MOVED;
+  bool second_moved = rest[j] == REST_MOVED;
+  if (first_moved && !second_moved) rest[j] = REST_AWAKENED;
+  if (second_moved && !first_moved) rest[i] = REST_AWAKENED;
 }
 
 void record_rest(uint i, bool same) {
-  if (sleep_mode(p.motion.whole_state) != SLEEP_NEVER) next_event[i] = same ? REST_SAME : REST_MOVED;
+  if (sleep_mode(p.contact) != SLEEP_NEVER) rest[i] = same ? REST_SAME : REST_MOVED;
 }

@@ -22,7 +22,7 @@ void main() {
   vec4 skin = grown[i];
   if (fault[STOPPED] != 0u) return;
   clear_impulses(i, contacts);
-  Push walls = push_of_walls(before, (p.motion.whole_state & TESTS_ALL_WALLS) != 0u, p.contact);
+  Push walls = push_of_walls(before, (p.contact.sleeping & TESTS_ALL_WALLS) != 0u, p.contact);
   record_fault(walls.fault, i);
   Body s = kicked_in_fluid(before, contacts, walls, p.contact);
   float mobility = mobility_of(s.radius, p.contact);

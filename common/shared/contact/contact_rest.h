@@ -8,20 +8,19 @@
 #include "common/shared/contact/contact.h"
 #include "common/shared/contact/skin.h"
 
-// uint[n]: what the last step did to each sphere. Awake are those that are not at rest: all, where near pairs have just
-// been listed, since a sphere that flew off may have left the list.
-#define SLOT_REST SLOT_NEXT_EVENT
+// Of SLOT_REST: what the last step did to each sphere. Awake are those that are not at rest: all, where near pairs have
+// just been listed, since a sphere that flew off may have left the list.
 #define REST_MOVED 0u     // changed its state
 #define REST_SAME 1u      // did not, and no near sphere's: at rest
 #define REST_AWAKENED 2u  // did not, but a near sphere's
 
-// MotionParams::whole_state of the kernels of contacts: one of SLEEP_MODES, and TESTS_ALL_WALLS of leapfrog.
+// ContactParams::sleeping: one of SLEEP_MODES, and TESTS_ALL_WALLS of leapfrog.
 #define SLEEP_MODES 3u
 #define SLEEP_NEVER 0u    // SLOT_REST is not used
 #define SLEEP_AT_REST 1u  // spheres at rest are passed over
 #define SLEEP_AWAKENS 2u  // of contact_pairs, ahead of the above: awakens what is near a sphere that moved
 #define TESTS_ALL_WALLS 4u
-FN uint sleep_mode(uint whole_state) { return whole_state & SLEEP_MODES; }
+FN uint sleep_mode(ContactParams c) { return c.sleeping & SLEEP_MODES; }
 
 // By the drag of half a step. The factor is the loss and not what is left: float32 keeps 24 bits of a small loss, but
 // few of the difference between 1 and a factor near 1.

@@ -80,6 +80,7 @@ void DeviceMotion::require_movable() const {
 
 void DeviceMotion::begin_step() {
   require_movable();
+  context_.moved();
   moved_ = true;
 }
 
@@ -102,6 +103,7 @@ void DeviceMotion::leave_steps_to_search() {
         fmt::format("{}: the persistent kernel moves spheres by paper float32, not by {}: choose that motion, or take "
                     "steps one by one",
                     context_.name(), motion_label(motion_)));
+  context_.moved();
   moved_ = true;
 }
 

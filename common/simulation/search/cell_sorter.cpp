@@ -20,16 +20,10 @@ void CellSorter::upload(const Scene& scene) {
   watch_ = PlanWatch(scene, plans_);
   planned_.reset();
   cell_order_.reset();
-  moves_to_wait_ = moves_waited_ = 0;
-  built_ = false;
+  moves_to_wait_ = 0;
+  looked_at_ = watched_ = context_.moves;
+  built_of_.reset();
   order_ = Order::scene;
-}
-
-void CellSorter::moved() {
-  built_ = false;
-  cell_order_.reset();
-  watch_.moved();
-  ++moves_waited_;
 }
 
 uint CellSorter::indices(Order order) const {
@@ -54,6 +48,7 @@ std::vector<vec4> CellSorter::sample_positions() {
 }
 
 bool CellSorter::replan_if_needed() {
+  for (; watched_ != context_.moves; ++watched_) watch_.moved();
   if (!watch_.needed()) return false;
   const std::vector<vec4> sample = sample_positions();
   if (!watch_.worthwhile(sample, plans_) || !watch_.replan(sample, context_.n, plans_)) return false;
@@ -67,7 +62,7 @@ void CellSorter::plan_cells(const GridPlan& plan) {
   const bool leveled = plan.cells == Cells::dense && plan.top_level != 0;
   if (planned_ == plan.cells && leveled_ == leveled) return;
   planned_.reset();  // until there is room, should that fail
-  built_ = false;
+  built_of_.reset();
   cell_order_.reset();
   context_.params.grid = grid_params(plan);
   if (context_.n > most_spheres) {
@@ -91,7 +86,9 @@ void CellSorter::launch_bounds() {
 // for the device.
 bool CellSorter::stands_in_cell_order(const GridOptions& options) {
   if (!options.keep_order) return false;
-  if (!cell_order_ && moves_waited_ < moves_to_wait_) return false;
+  const uint64_t moves = context_.moves - looked_at_;
+  if (moves != 0) cell_order_.reset();
+  if (!cell_order_ && moves < moves_to_wait_) return false;
   if (!cell_order_) {
     uint disorder = 0;
     context_.buffers.write(SLOT_SCAN, &disorder, 0, sizeof(disorder));
@@ -99,7 +96,7 @@ bool CellSorter::stands_in_cell_order(const GridOptions& options) {
     context_.buffers.read(SLOT_SCAN, &disorder, 0, sizeof(disorder));
     cell_order_ = disorder == 0;
     moves_to_wait_ = *cell_order_ ? 0 : std::clamp(2 * moves_to_wait_, least_moves_to_wait, most_moves_to_wait);
-    moves_waited_ = 0;
+    looked_at_ = context_.moves;
   }
   return *cell_order_;
 }
@@ -107,9 +104,9 @@ bool CellSorter::stands_in_cell_order(const GridOptions& options) {
 void CellSorter::build(const CollideOptions& options, bool equal_radii, bool results_clear) {
   plan_cells(plans_.plan(options.grid.cells));
   const bool same_indices = order_ == Order::scene || index_in_w_ == equal_radii;
-  const bool kept = built_ && options.grid.keep_cells && same_indices;
+  const bool kept = built() && options.grid.keep_cells && same_indices;
   if (!kept) {
-    built_ = false;  // until they are, should that fail
+    built_of_.reset();  // until they are, should that fail
     order_ = stands_in_cell_order(options.grid) ? Order::scene : Order::cells;
     if (order_ == Order::cells) index_in_w_ = equal_radii;
   }
@@ -123,17 +120,17 @@ void CellSorter::build(const CollideOptions& options, bool equal_radii, bool res
   } else {
     launch_bounds();
   }
-  built_ = true;
+  built_of_ = context_.moves;
 }
 
 void CellSorter::build_for_light() {
   plan_cells(plans_.light);
-  built_ = false;  // until they are, should that fail
+  built_of_.reset();  // until they are, should that fail
   order_ = Order::cells;
   index_in_w_ = context_.equal_radii;
   ++context_.work().sorts;
   SphereSort(context_, {}, index_in_w_).run();
-  built_ = true;
+  built_of_ = context_.moves;
 }
 
 }  // namespace spherepair

@@ -12,7 +12,6 @@ class CellSorter {
   explicit CellSorter(DeviceContext& context) : context_(context) {}
 
   void upload(const Scene& scene);
-  void moved();  // the spheres, by one step
 
   const GridPlans& plans() const { return plans_; }
 
@@ -26,12 +25,12 @@ class CellSorter {
 
   // The same for the light of an image: counts in cell order are lost where the search's cells would not do.
   void build_for_light();
-  bool built_for_light() const { return built_ && planned_ == Cells::dense && leveled_ == has_light_levels(); }
+  bool built_for_light() const { return built() && planned_ == Cells::dense && leveled_ == has_light_levels(); }
 
-  bool built() const { return built_; }                                 // for the spheres as they stand
-  void forget_order() { built_ = false; }                               // a search without cells came between
+  bool built() const { return built_of_ == context_.moves; }            // for the spheres as they stand
+  void forget_order() { built_of_.reset(); }                            // a search without cells came between
   bool dense() const { return planned_ == Cells::dense && !leveled_; }  // as searches have them
-  Order order() const { return built_ ? order_ : Order::scene; }        // in which the search finds the spheres
+  Order order() const { return built() ? order_ : Order::scene; }       // in which the search finds the spheres
   uint indices(Order order) const;     // INDEX_IN_* of a launch that reads them in this order
   std::vector<uint> sphere_indices();  // by sorted index
 
@@ -44,12 +43,14 @@ class CellSorter {
 
   DeviceContext& context_;
   GridPlans plans_;
-  PlanWatch watch_;                 // whether they still fit
-  std::optional<Cells> planned_;    // the cells that table and parameters are for
-  bool leveled_ = false;            // these are plans_.light, in levels
-  std::optional<bool> cell_order_;  // whether the spheres stand in cell order as they are; unknown after a move
-  uint64_t moves_to_wait_ = 0, moves_waited_ = 0;  // before that is looked at again
-  bool built_ = false;
+  PlanWatch watch_;                   // whether they still fit
+  std::optional<Cells> planned_;      // the cells that table and parameters are for
+  bool leveled_ = false;              // these are plans_.light, in levels
+  std::optional<bool> cell_order_;    // whether the spheres stood in cell order as they were when last looked at ...
+  uint64_t looked_at_ = 0;            // ... after so many moves
+  uint64_t moves_to_wait_ = 0;        // before that is looked at again
+  uint64_t watched_ = 0;              // moves that the watch knows of
+  std::optional<uint64_t> built_of_;  // these moves; none: not built
   Order order_ = Order::scene;
   bool index_in_w_ = false;  // of the spheres in cell order
 };

@@ -11,7 +11,6 @@ void NearPairs::plan(const Scene& spheres) {
 
 PairList NearPairs::list(const Memory& spheres, const CollideOptions& options) {
   context_.buffers.share(SLOT_POSITION, spheres);
-  search_.moved(false);
   const auto count = uint(search_.list_pairs(options));
   return {context_.buffers.memory(SLOT_PAIR), count};
 }

@@ -12,7 +12,7 @@ class NearPairs {
   explicit NearPairs(Device& device) : context_(device), sorter_(context_), search_(context_, sorter_) {}
 
   void plan(const Scene& spheres);  // for spheres like these, and as many
-  void moved() { sorter_.moved(); }
+  void moved() { context_.moved(); }
   void forget() { context_.buffers.forget(); }  // frees all
 
   // Of vec4[n] with the radii in w. The list before is overwritten.

@@ -67,10 +67,10 @@ void PairSearch::complete() {
 }
 
 void PairSearch::require_complete() const {
-  if (results_ == Results::none)
+  if (results() == Results::none)
     throw BackendError(
         fmt::format("{}: no collision step to report since the last move; call collide first", context_.name()));
-  if (results_ != Results::complete)
+  if (results() != Results::complete)
     throw BackendError(
         fmt::format("{}: the last collision step was only enqueued; call collide for its results", context_.name()));
 }

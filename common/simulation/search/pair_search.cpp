@@ -35,8 +35,8 @@ void PairSearch::upload(const Scene& scene) {
   resolved_in_step_.clear();
 }
 
-void PairSearch::moved(bool results_cleared) {
-  results_clear_ = results_cleared;
+void PairSearch::forget() {
+  results_clear_ = false;
   results_ = Results::none;
 }
 
@@ -116,7 +116,7 @@ void PairSearch::enqueue_steps(uint steps) {
                    .steps = steps});
   resolved_ = false;
   if (resolved_in_step_.contains(kind())) resolve_undecided();
-  results_ = Results::enqueued;
+  launched();
 }
 
 void PairSearch::launch(bool in_step) {
@@ -138,14 +138,14 @@ void PairSearch::launch(bool in_step) {
   counts_sorted_ = order_ == Order::cells;
   if (resolved_in_step_.contains(kind())) resolve_undecided();
   context_.device.end_step();
-  results_ = Results::enqueued;
+  launched();
 }
 
 void PairSearch::launch_grid(bool results_clear) {
   Params& params = context_.params;
   const bool few = context_.n < cached_spheres;
   // Before the first launch: parameters that change within a step are sent again.
-  params.search.columns_per_group = options_.block * (few ? 1 : options_.block / threads_per_chunk);
+  params.search.chunk = options_.block * (few ? 1 : options_.block / threads_per_chunk);
   sorter_.build(options_, variant_.equal_radii, results_clear);
   variant_.indices = sorter_.indices(sorter_.order());
   Launch launching{params.grid.hash_mask != 0 ? Kernel::collide_hashed : Kernel::collide_grid, options_.block,
@@ -155,7 +155,7 @@ void PairSearch::launch_grid(bool results_clear) {
     launching.variant.texture_table =
         context_.device.reads_texture(launching.kernel, params, launching.texels, options_.api.texture_table);
   }
-  const uint64_t chunks = ceil_div(context_.n, params.search.columns_per_group);
+  const uint64_t chunks = ceil_div(context_.n, params.search.chunk);
   launching.groups = folded(few ? std::min(chunks, most_groups) : chunks);
   launching.order = sorter_.order();
   context_.launch(launching);
@@ -176,7 +176,7 @@ void PairSearch::resolve_undecided() {
 }
 
 void PairSearch::prepare_counts(bool sorted) {
-  if (results_ == Results::none) {
+  if (results() == Results::none) {
     if (!results_clear_) clear_results(context_, Order::scene);
     results_clear_ = true;
     return;

@@ -15,8 +15,8 @@ class PairSearch {
   PairSearch(DeviceContext& context, CellSorter& sorter) : context_(context), sorter_(sorter) {}
 
   void upload(const Scene& scene);
-  void moved(bool results_cleared);
-  void cleared() { results_clear_ = true; }  // the results of the last search, by another kernel
+  void cleared() { results_clear_ = true; }  // counts and totals, by another kernel
+  void forget();                             // the results: other kernels write where they stand
 
   MethodChoice choice(const CollideOptions& options) const;
 
@@ -36,8 +36,8 @@ class PairSearch {
   // Searches these positions for pairs and returns how many SLOT_PAIR has, in any order; no totals.
   uint64_t list_pairs(CollideOptions options);
 
-  bool searched() const { return results_ != Results::none; }  // these positions
-  bool is_complete() const { return results_ == Results::complete; }
+  bool searched() const { return results() != Results::none; }  // these positions
+  bool is_complete() const { return results() == Results::complete; }
   const CollideOptions& options() const { return options_; }
 
   // Of a complete search of these positions; BackendError where there is none.
@@ -55,7 +55,9 @@ class PairSearch {
   Order order() const { return searched() ? order_ : Order::scene; }  // of the results, if the cells are still there
 
  private:
-  enum class Results { none, enqueued, complete };  // of these positions
+  enum class Results { none, enqueued, complete };
+  Results results() const { return results_of_ == context_.moves ? results_ : Results::none; }  // of these positions
+  void launched() { results_ = Results::enqueued, results_of_ = context_.moves; }
 
   void choose(const CollideOptions& options);
   void prepare_launch();
@@ -77,6 +79,7 @@ class PairSearch {
   Variant variant_;
   Order order_ = Order::scene;  // of its results
   Results results_ = Results::none;
+  uint64_t results_of_ = 0;      // these moves
   bool results_clear_ = false;   // counts and totals are 0
   bool counts_sorted_ = false;   // SLOT_COUNT lacks the counts that SLOT_SORTED_COUNT has
   bool search_decides_ = false;  // most pairs that the filter leaves undecided, and defers only what is left

@@ -21,7 +21,7 @@ void launch_tensor_pairs(DeviceContext& context, const Variant& variant) {
   const uint64_t at_once = context.device.capabilities().tensor_groups, tiles = tensor_tiles(context.n);
   const uint64_t share = std::max<uint64_t>(ceil_div(std::min(tiles, tiles_per_dispatch), at_once), 1);
   const uint64_t groups = ceil_div(tiles, share);
-  params.search.columns_per_group = uint(share);  // before the first launch: parameters that change are sent again
+  params.search.tiles_per_group = uint(share);  // before the first launch: parameters that change are sent again
   context.launch({Kernel::tensor_bounds, SERVICE_BLOCK, {}, {TENSOR_BOUNDS_GROUPS, 1, 1}});
   context.launch(
       {Kernel::tensor_forms, SERVICE_BLOCK, {}, folded(padded / SERVICE_BLOCK), Order::scene, Order::buckets});
