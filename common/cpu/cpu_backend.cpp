@@ -213,9 +213,8 @@ class CpuBackend final : public Backend {
           fmt::format("cpu: drawing by {} needs OpenGL, which this build lacks", draw_method_name(options.method)));
     const auto& positions = motion_.positions(threads_);
     const std::vector<uint> entries = colours(view);
-    clock_.time(draw_method_name(options.method), [&] {
-      pipeline_.get().draw(options.method, view, arrays_of(positions, entries), options.transfer);
-    });
+    clock_.time(draw_method_name(options.method),
+                [&] { pipeline_.get().draw(options.method, view, arrays_of(positions, entries), options.transfer); });
     image_ = {};
     drawn_ = options;
   }

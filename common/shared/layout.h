@@ -34,16 +34,16 @@
 #define SLOT_ANCHOR 25        // vec4[n], of anchored: where the spheres started, radius in w
 #define SLOT_FLIGHT 26  // Real[2n], of anchored: upward speeds at the anchors, then the seconds from these to `since`
 #define SLOT_SINCE 27   // uint[n], of anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
-#define SLOT_NEXT_EVENT 28     // uint[n], of anchored: first step in which the sphere may reach the plane
-#define SLOT_SEEN_LIST 29            // uint[], two by View::turn: indices of the spheres visible in recent frames
-#define SLOT_VISIBLE_ODD 30          // as SLOT_VISIBLE, for every other frame where two are in flight
-#define SLOT_COLOUR 31   // uint[n]: entry of the palette, unless it is the number of contacts; see View::colour_by
-#define SLOT_AXIS 32     // three slots, Axis[n] each, of leapfrog: the state along x, y and z
+#define SLOT_NEXT_EVENT 28   // uint[n], of anchored: first step in which the sphere may reach the plane
+#define SLOT_SEEN_LIST 29    // uint[], two by View::turn: indices of the spheres visible in recent frames
+#define SLOT_VISIBLE_ODD 30  // as SLOT_VISIBLE, for every other frame where two are in flight
+#define SLOT_COLOUR 31       // uint[n]: entry of the palette, unless it is the number of contacts; see View::colour_by
+#define SLOT_AXIS 32         // three slots, Axis[n] each, of leapfrog: the state along x, y and z
 #define SLOT_IMPULSE 35  // three slots, int64[n] each, of leapfrog: impulses of this step's contacts along x, y and z
 #define SLOT_GROWN 38  // vec4[n]: the spheres whose near pairs are listed: grown by a skin, or around their next paths
 #define SLOT_NEAR 39   // uvec2[]: their colliding pairs (i<j) in any order, SearchParams::near_pairs of them
-#define SLOT_FAULT 40       // uint[FAULT_WORDS], of leapfrog: the first sphere of each FAULT_*, or ~0; see skin.h
-#define SLOT_ROW 41         // uint[row_capacity * n], of contact_gather: the k-th near sphere of i at k * n + i
+#define SLOT_FAULT 40  // uint[FAULT_WORDS], of leapfrog: the first sphere of each FAULT_*, or ~0; see skin.h
+#define SLOT_ROW 41    // uint[row_capacity * n], of contact_gather: the k-th near sphere of i at k * n + i
 #define SLOT_ROW_LENGTH 42  // uint[n], of contact_gather: near spheres of each
 #define SLOT_REST 43        // uint[n], of leapfrog: what the last step did to each sphere; see contact_rest.h
 #define SLOT_TOTAL 44

@@ -121,9 +121,7 @@ __device__ void decide_undecided(const Params& p, const KernelBuffers& buf,
 template <uint BLOCK>
 __device__ uint next_chunk(const Params& p, uint first) {
   uint behind = first + BLOCK;
-  return (behind & (p.search.chunk - 1u)) != 0u
-             ? behind
-             : behind + (group_count() - 1u) * p.search.chunk;
+  return (behind & (p.search.chunk - 1u)) != 0u ? behind : behind + (group_count() - 1u) * p.search.chunk;
 }
 
 // CUDA only: the resident groups of a multiprocessor, for which the compiler limits registers

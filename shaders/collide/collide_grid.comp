@@ -113,9 +113,7 @@ void decide_undecided() {
 // The group's next spheres: the rest of its chunk, then those that lie as far on as all groups take.
 uint next_chunk(uint first) {
   uint behind = first + BLOCK;
-  return (behind & (p.search.chunk - 1u)) != 0u
-             ? behind
-             : behind + (group_count() - 1u) * p.search.chunk;
+  return (behind & (p.search.chunk - 1u)) != 0u ? behind : behind + (group_count() - 1u) * p.search.chunk;
 }
 
 void main() {

@@ -86,7 +86,7 @@ NEAR_PAIRS = [
     mutant("what is left of a root does not round", "common/shared/contact/contact_quotient.h", "rounded_bits(d.whole, uint(d.rest), 151 + halved)",
            "rounded_bits(d.whole, 0u, 151 + halved)", "ContactQuotient"),
     mutant("glsl: what moves awakens nothing", "shaders/contact/contact_rest.glsl",
-           "if (first_moved && !second_moved) next_event[j] = REST_AWAKENED;", "", "ContactRest"),
+           "if (first_moved && !second_moved) rest[j] = REST_AWAKENED;", "", "ContactRest"),
     mutant("glsl: a new list awakens nothing", "shaders/contact/contact_grow.comp", "record_rest(i, false);", "", "ContactRest"),
     mutant("glsl: a first sphere at rest hides faults", "shaders/contact/leapfrog.comp",
            "if (i == 0u && has_faults()) atomicMin(fault[LEFT_SKIN], i);", "", "ContactRest"),
