@@ -20,11 +20,13 @@ OF_CONTACTS = "contact_|leapfrog|collide_swept"  # stages that host/contacts lau
 # The digest of today, and those of before whose times are the same. What changed in between moves no time:
 # - hosts: a resumed run is no longer refused by what is asked of a start; a saved state counts the steps with contacts. The
 #   CPU's also covered fixed.h, gap.h and skin.h, which only contacts run, and had neither empty steps nor the options of graphs and of OpenGL without extensions.
+#   Each search has memory and parameters of its own (docs/NOTES/launches.md, "Memory of its own").
 # - measure: no batch ahead of a turn, or a quarter of the next batch; a line for each round, which batches.py makes anew; no
 #   watch on other programs; the text that `run` prints, and the cells of tables.
 # Of no use once the first is another: then those records are stale.
-SAME = {"host/cpu": ("9719797fe743", ("362ffb2fba3e", "2a0c649a3719", "62d1b2be268f", "fcfd6f336f9d")),
-        "host/glsl": ("fcc24cbb6510", ("36621c023829", "db9e174ffae4")), "host/cuda": ("008ae94808d1", ("b837d3cc617f", "37dcc57e4f5e")),
+SAME = {"host/cpu": ("f0c163a5e2fc", ("362ffb2fba3e", "2a0c649a3719", "62d1b2be268f", "fcfd6f336f9d", "9719797fe743")),
+        "host/glsl": ("a6f095560602", ("36621c023829", "db9e174ffae4", "fcc24cbb6510")),
+        "host/cuda": ("f5bcaad6c39b", ("b837d3cc617f", "37dcc57e4f5e", "008ae94808d1")),
         "measure": ("bd0f9024d4ab", ("78418af23bac", "8250671bdaba", "54e7a7a461e4", "a9828eda902e", "f363e76d471d", "14bcc287cdc3"))}
 SAID_OF_CONTACTS = {"sums", "sphere_steps_per_second", "sleeping"}  # only timings of contacts have one of these
 
