@@ -16,7 +16,7 @@ std::vector<std::string> all_backend_names();
 // that does not exist.
 std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions& options = {});
 
-// The device of a GPU's API alone, for components without a backend. Throws as open_backend.
+// The device of a GPU's API alone (not of cpu), for components without a backend. Throws as open_backend.
 std::unique_ptr<Device> open_device(const std::string& name, const OpenOptions& options = {});
 
 // Throws BackendError when two backends sit on different GPUs.

@@ -25,8 +25,8 @@ OF_CONTACTS = "contact_|leapfrog|collide_swept"  # stages that host/contacts lau
 #   watch on other programs; the text that `run` prints, and the cells of tables.
 # Of no use once the first is another: then those records are stale.
 SAME = {"host/cpu": ("f0c163a5e2fc", ("362ffb2fba3e", "2a0c649a3719", "62d1b2be268f", "fcfd6f336f9d", "9719797fe743")),
-        "host/glsl": ("a6f095560602", ("36621c023829", "db9e174ffae4", "fcc24cbb6510")),
-        "host/cuda": ("f5bcaad6c39b", ("b837d3cc617f", "37dcc57e4f5e", "008ae94808d1")),
+        "host/glsl": ("12920e26fa93", ("36621c023829", "db9e174ffae4", "fcc24cbb6510")),
+        "host/cuda": ("7b1dbf5e2e27", ("b837d3cc617f", "37dcc57e4f5e", "008ae94808d1")),
         "measure": ("bd0f9024d4ab", ("78418af23bac", "8250671bdaba", "54e7a7a461e4", "a9828eda902e", "f363e76d471d", "14bcc287cdc3"))}
 SAID_OF_CONTACTS = {"sums", "sphere_steps_per_second", "sleeping"}  # only timings of contacts have one of these
 

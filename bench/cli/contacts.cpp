@@ -64,7 +64,10 @@ ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
   for (const std::string& one : options.measurements)
     require_known("measurement", one, {std::begin(known_measurements), std::end(known_measurements)});
   plan.rates.n = sizes({plan.rates.n}, 1000).front();
-  if (wanted(options, "rates") && plan.rates.n < 125)
+  const bool spring = std::ranges::count(plan.kinds, ContactLaw::spring, &ContactKind::law) > 0;
+  if (options.sizes.size() > 1 && !wanted(options, "sums") && !wanted(options, "steps") && !wanted(options, "rest"))
+    throw std::invalid_argument("--n takes one number for errors and rates: omit the others");
+  if (wanted(options, "rates") && spring && plan.rates.n < 125)
     throw std::invalid_argument("rates need a gas of at least 125 spheres: give more as --n, or omit rates");
   if (!hardware) plan.rates.softer = 64, plan.rates.converged = 160;
   plan.rest.layers = options.rest_layers;

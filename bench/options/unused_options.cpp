@@ -123,7 +123,7 @@ void refuse_of_study(const Given& given) {
   const Words measured = given.list("--measure");
   for (const auto& [option, used_by] : uses)
     given.refuse(given.has("--measure") &&
-                     std::ranges::none_of(measured, [&](const auto& one) { return used_by.contains(one); }),
+                     std::ranges::none_of(measured, [&by = used_by](const auto& one) { return by.contains(one); }),
                  {option}, "on what is measured: omit it, or leave --measure out");
 }
 

@@ -85,9 +85,18 @@ void Buffers::resize(uint slot, uint64_t bytes) {
   write(slot, guard.data(), bytes, guard_words * sizeof(uint));
 }
 
+// Launches that are held back still use the memory.
 void Buffers::share(uint slot, const Memory& memory) {
+  if (memory_[slot].owner && memory_[slot].owner != memory.owner) device_.flush();
   memory_[slot] = memory;
   handles_[slot] = memory.handle;
+}
+
+Buffers::~Buffers() {
+  try {
+    forget();
+  } catch (const BackendError&) {  // of a device that has failed, which has said so before
+  }
 }
 
 void Buffers::forget() {

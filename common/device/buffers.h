@@ -12,6 +12,9 @@ namespace spherepair {
 class Buffers {
  public:
   explicit Buffers(Device& device) : device_(device) {}
+  ~Buffers();
+  Buffers(const Buffers&) = delete;
+  Buffers& operator=(const Buffers&) = delete;
 
   // For so many spheres, in messages.
   void set_spheres(uint64_t n) { spheres_ = n; }

@@ -33,7 +33,7 @@ class Device {
   virtual const BackendInfo& info() const = 0;
   virtual const DeviceCapabilities& capabilities() const = 0;
 
-  // A buffer of so many bytes, after freeing the one that it replaces. Throws BackendError with the bytes asked and
+  // A buffer of so many bytes, after giving back the one that it replaces. Throws BackendError with the bytes asked and
   // free.
   virtual Memory allocate(uint64_t bytes, Memory replaced) = 0;
   virtual void write(const Memory& memory, const void* data, uint64_t offset, uint64_t bytes) = 0;

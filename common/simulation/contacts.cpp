@@ -26,6 +26,8 @@ void Contacts::upload(const Scene& scene, uint64_t steps_before) {
   served_ = 1;
   sleeps_ = may_sleep(scene), tests_all_walls_ = scene.contact.tests_all_walls;
   context_.params.contact = contact_params(scene);
+  context_.set_near({});
+  near_.release();
   const uint64_t n = on_ ? context_.n : 0;
   for (uint axis = 0; axis < 3; ++axis) {
     context_.buffers.resize(SLOT_IMPULSE + axis, n * sizeof(int64_t));
@@ -33,7 +35,8 @@ void Contacts::upload(const Scene& scene, uint64_t steps_before) {
   }
   context_.buffers.resize(SLOT_GROWN, n * sizeof(vec4));
   context_.buffers.resize(SLOT_REST, sleeps_ ? n * sizeof(uint) : 0);
-  context_.set_near({});
+  context_.buffers.resize(SLOT_ROW, 0);
+  context_.buffers.resize(SLOT_ROW_LENGTH, 0);
   if (!on_) return near_.forget();
   context_.buffers.resize(SLOT_FAULT, FAULT_WORDS * sizeof(uint));
   context_.buffers.write(SLOT_FAULT, std::vector<uint>(FAULT_WORDS, ~0u));

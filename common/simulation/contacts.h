@@ -31,6 +31,8 @@ class Contacts {
   void step(bool clear_results);
   bool complete();
 
+  void check_guards() { near_.check_guards(); }
+
   // Throws std::invalid_argument naming the sphere where a step since the upload was not possible; none was taken
   // since. All steps must be complete.
   void require_sound();

@@ -40,6 +40,7 @@ void Simulation::begin(const Scene& scene, const MotionState* saved) {
   motion_.upload(scene, saved);
   search_.upload(scene);
   contacts_.upload(scene, saved ? saved->contact_steps : 0);
+  swept_.upload();
   rasterizer_.upload();
   probe_.upload();
 }

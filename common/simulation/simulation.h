@@ -60,7 +60,7 @@ class Simulation final : public Backend {
   void check_peak_rate(PeakRate rate) override;
 
   void finish() override;
-  void check_guards() override { context_.buffers.check_guards(); }
+  void check_guards() override { context_.buffers.check_guards(), contacts_.check_guards(), swept_.check_guards(); }
   WorkCounts work_counts() const override { return device_->work; }
   Preparations preparations() const override;
   std::vector<StageTime> compile_kernels() override { return device_->compile_kernels(); }

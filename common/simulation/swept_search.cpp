@@ -8,10 +8,11 @@
 namespace spherepair {
 
 void SweptSearch::list_of(const Scene& grown, const CollideOptions& options) {
+  context_.set_near({});  // so that list and spheres can grow in their place
+  near_.release();
   context_.buffers.resize(SLOT_GROWN, context_.n * sizeof(vec4));
   context_.buffers.write(SLOT_GROWN, grown.positions);
   near_.plan(grown);
-  context_.set_near({});  // so that the list can grow in its place
   context_.set_near(near_.list(context_.buffers.memory(SLOT_GROWN), near_options(options)));
 }
 

@@ -12,6 +12,9 @@ class SweptSearch {
   SweptSearch(DeviceContext& context, DeviceMotion& motion)
       : context_(context), motion_(motion), near_(context.device) {}
 
+  void upload() { near_.forget(); }  // what was searched for another scene
+  void check_guards() { near_.check_guards(); }
+
   // Leaves those pairs in SLOT_NEAR, DeviceContext::near_pairs of them, and in SLOT_GROWN the velocities with which the
   // paths begin. Near pairs of others are lost, also where it throws.
   void list_paths(const CollideOptions& options);

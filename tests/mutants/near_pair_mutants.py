@@ -87,6 +87,8 @@ NEAR_PAIRS = [
            "rounded_bits(d.whole, 0u, 151 + halved)", "ContactQuotient"),
     mutant("glsl: what moves awakens nothing", "shaders/contact/contact_rest.glsl",
            "if (first_moved && !second_moved) rest[j] = REST_AWAKENED;", "", "ContactRest"),
+    mutant("a list keeps the cells of the one before", "common/simulation/search/near_pairs.cpp", "context_.moved();  // they are others", "// they are others",
+           "SecondSearch"),
     mutant("glsl: a new list awakens nothing", "shaders/contact/contact_grow.comp", "record_rest(i, false);", "", "ContactRest"),
     mutant("glsl: a first sphere at rest hides faults", "shaders/contact/leapfrog.comp",
            "if (i == 0u && has_faults()) atomicMin(fault[LEFT_SKIN], i);", "", "ContactRest"),

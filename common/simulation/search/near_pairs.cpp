@@ -10,6 +10,7 @@ void NearPairs::plan(const Scene& spheres) {
 }
 
 PairList NearPairs::list(const Memory& spheres, const CollideOptions& options) {
+  context_.moved();  // they are others than those of the last list, also within one step
   context_.buffers.share(SLOT_POSITION, spheres);
   const auto count = uint(search_.list_pairs(options));
   return {context_.buffers.memory(SLOT_PAIR), count};

@@ -23,7 +23,7 @@ class PairSearch {
   // Launches a search of the spheres in SLOT_POSITION and returns. Left out: pairs that the filter left undecided
   // (unless the last complete search of this kind had some, which makes their kernel part of the step), lists that are
   // too short and the number of colliding spheres. in_step: the device has begun the step already, with a move. Of a
-  // swept search SLOT_NEAR has the pairs whose paths are near, and SLOT_VELOCITY the velocities.
+  // swept search SLOT_NEAR has the pairs whose paths are near, and SLOT_GROWN the velocities.
   void enqueue(const CollideOptions& options, bool in_step = false);
   void require_options(const CollideOptions& options) const;  // std::invalid_argument names what cannot be
 
