@@ -29,7 +29,7 @@ void add_output(CLI::App& command, PairsOptions& options) {
   auto* output = command.add_option(
       "--output", options.output_file,
       "Write the pairs i < j, sorted, in the format of the extension: .npy (m x 2, uint32), .csv (a line i,j, then a "
-      "line each), .txt (a line `# i j`, then a line each), or - for that text on standard output. Default: none, "
+      "line each), .txt (a line `# i j`, then a line each), or - for those lines on standard output. Default: none, "
       "only the summary");
   auto* distances = command
                         .add_flag("--distances", options.distances,

@@ -26,8 +26,9 @@ static_assert(sizeof(DistanceRow) == 16);
 
 char separator_of_rows(const std::string& file) { return lower_extension(file) == ".csv" ? ',' : ' '; }
 
-// The names of the columns: i,j in CSV, else # i j.
+// The names of the columns: i,j in CSV, # i j in other text files; none on standard output, which programs read.
 std::string names_line(const std::string& file, std::vector<std::string> names) {
+  if (file == "-") return "";
   const char separator = separator_of_rows(file);
   return fmt::format("{}{}\n", separator == ',' ? "" : "# ", fmt::join(names, std::string(1, separator)));
 }

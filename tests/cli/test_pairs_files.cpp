@@ -115,7 +115,7 @@ TEST_F(PairsCommand, ReadsStandardInput) {
                                       {"2\\n\\n0 0 0 1\\n1 0 0 1\\n", ""},
                                       {"A 0 0 0 1\\nB 1 0 0 1\\n", " --columns _,x,y,z,radius"}}) {
     EXPECT_EQ(run_program(pairs + options, fmt::format("printf '{}' |", text)), kOk) << errors_;
-    EXPECT_EQ(output_, "# i j\n0 1\n") << text;
+    EXPECT_EQ(output_, "0 1\n") << text;
     EXPECT_NE(errors_.find("standard input: "), std::string::npos) << errors_;
   }
   EXPECT_EQ(
@@ -123,7 +123,7 @@ TEST_F(PairsCommand, ReadsStandardInput) {
                                      folder_.write("a.npy", npy_file(npy_header("<f4", "(2, 4)"),
                                                                      npy_data<float>({0, 0, 0, 1, 1, 0, 0, 1}, 4))))),
       kOk);
-  EXPECT_EQ(output_, "# i j\n0 1\n");
+  EXPECT_EQ(output_, "0 1\n");
   EXPECT_EQ(run_program(pairs, "printf '' |"), kUsage);
   EXPECT_NE(errors_.find("standard input holds no sphere"), std::string::npos) << errors_;
 }
