@@ -19,7 +19,7 @@ void add_length_options(CLI::App& command, RunOptions& options) {
                    "With --drag: end when all spheres are at rest, after these steps at the latest");
 }
 
-// Outputs of which one belongs to every so many steps.
+// Files that a run writes once every N steps.
 void add_repeated_outputs(CLI::App& command, RunOptions& options) {
   const CLI::Validator steps = whole_number(1, kMostSteps);
   command.add_option("--save", options.save_file, "Checkpoint of the last step, to go on with to the same bits");

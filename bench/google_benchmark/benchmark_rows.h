@@ -19,8 +19,6 @@ struct BenchRow {
 // Every backend's motion, whole step and empty kernel, and all_configurations() at these group sizes.
 std::vector<BenchRow> bench_rows(Session& session, const std::vector<uint>& blocks);
 
-std::string work_of(const BenchRow& row);  // collide_tiled/128: the same on every backend
-
 // The parameters of a row that are not numbers, and so not counters, as `name=value` words.
 std::string parameters_of(const BenchRow& row, const SceneOptions& scene);
 

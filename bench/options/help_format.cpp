@@ -38,7 +38,7 @@ constexpr Group groups[] = {
      "--video --rate --screenshot"},
     {"Devices", "--cuda-device --gl-device --require-hardware --no-gpu --threads"}};
 
-std::string placeholder(const CLI::Option& option) {
+std::string kind_of_value(const CLI::Option& option) {
   const std::string name = option.get_name(), type = option.get_type_name();
   const auto among = [&](std::initializer_list<const char*> names) { return std::ranges::count(names, name) > 0; };
   if (option.get_expected_max() == 0) return "";
@@ -49,6 +49,15 @@ std::string placeholder(const CLI::Option& option) {
   if (among({"--cuda-device", "--gl-device"})) return "ID";
   if (type.starts_with("UINT") || type.starts_with("INT")) return "N";
   return type.starts_with("FLOAT") ? "X" : "NAME";
+}
+
+// What an option takes, and its default: " FILE", " N=16384", nothing for a flag.
+std::string values_of(const CLI::Option& option) {
+  std::string text = kind_of_value(option);
+  if (text.empty()) return "";
+  if (option.get_expected_max() > 1) text += ",...";
+  if (!option.get_default_str().empty()) text += "=" + option.get_default_str();
+  return " " + text + (option.get_required() ? " (needed)" : "");
 }
 
 size_t terminal_width() {
@@ -71,9 +80,11 @@ std::string wrapped_line(const std::string& line, size_t width) {
   const size_t second = gap == line.npos ? gap : line.find_first_not_of(' ', gap);
   const size_t indent = narrow && start >= column ? narrow_column : start;
   if (second == line.npos) return broken(line.substr(start), indent, start == 2 ? column : indent, width);
-  if (narrow)
-    return broken(line.substr(start, gap - start), start, start, width) +
-           broken(line.substr(second), narrow_column, narrow_column, width);
+  if (narrow) {
+    const size_t below = std::max(narrow_column, indent + 2);
+    return broken(line.substr(start, gap - start), indent, indent, width) +
+           broken(line.substr(second), below, below, width);
+  }
   return line.substr(0, second) + broken(line.substr(second), second, second, width).substr(second);
 }
 
@@ -96,14 +107,6 @@ void group_options(CLI::App& command) {
       if (CLI::Option* option = command.get_option_no_throw(name)) option->group(group.heading);
   if (!command.get_option_no_throw("--scene") && command.get_option_no_throw("--columns"))
     command.get_option("--radius")->group("Spheres of a file");
-}
-
-std::string values_of(const CLI::Option& option) {
-  std::string text = placeholder(option);
-  if (text.empty()) return "";
-  if (option.get_expected_max() > 1) text += ",...";
-  if (!option.get_default_str().empty()) text += "=" + option.get_default_str();
-  return " " + text + (option.get_required() ? " (needed)" : "");
 }
 
 std::string HelpFormat::make_option_opts(const CLI::Option* option) const { return values_of(*option); }

@@ -12,9 +12,6 @@ std::string wrapped_help(const std::string& help, size_t width);
 // Puts each option under the heading of what it is about.
 void group_options(CLI::App& command);
 
-// What an option takes, and its default: " FILE", " N=16384", nothing for a flag.
-std::string values_of(const CLI::Option& option);
-
 // CLI11's help in lines of at most 100 columns, or as many as the terminal or COLUMNS has. Of options, it shows what
 // they take and their default; what they exclude is said where it is tried.
 class HelpFormat : public CLI::Formatter {

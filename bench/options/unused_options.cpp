@@ -2,6 +2,7 @@
 #include "bench/options/unused_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -124,10 +125,13 @@ void refuse_of_study(const Given& given) {
   for (const auto& [option, used_by] : uses)
     given.refuse(given.has("--measure") &&
                      std::ranges::none_of(measured, [&by = used_by](const auto& one) { return by.contains(one); }),
-                 {option}, "on what is measured: omit it, or leave --measure out");
+                 {option},
+                 fmt::format("with --measure {}: omit it, or measure {} as well", fmt::join(measured, ","),
+                             fmt::join(used_by, " or ")));
 }
 
-// In lists but --columns, in which `_` may stand often, and vectors and boxes. Numbers are equal by their value.
+// Refuses a word that stands twice in a list. --columns may repeat `_`; vectors and boxes are no lists. Numbers are
+// compared by value.
 void refuse_repeated_words(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     const bool list = option->get_delimiter() != '\0' && option->get_items_expected_max() > 6;

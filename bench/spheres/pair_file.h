@@ -29,8 +29,8 @@ void write_contacts(const std::string& file, std::span<const Pair> pairs, std::s
 void write_contact_numbers(const std::string& file, std::span<const uint> counts);
 
 // The files of a full neighbour list in CSR. For list.npy they are list.offsets.npy (n + 1, uint64),
-// list.neighbours.npy (2 m, uint32) and, if asked for, list.distances.npy (2 m, float64). The neighbours of sphere i
-// have the indices from offsets[i] to offsets[i + 1] - 1, and ascend.
+// list.neighbours.npy (2 m, uint32) and, if asked for, list.distances.npy (2 m, float64). The neighbours of sphere i,
+// ascending, are neighbours[offsets[i]] to neighbours[offsets[i + 1] - 1].
 struct NeighbourFiles {
   std::string offsets, neighbours, distances;
 };

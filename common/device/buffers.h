@@ -49,7 +49,7 @@ class Buffers {
     return values;
   }
 
-  // Throws BackendError naming the buffer when a kernel wrote behind the end of one.
+  // Throws BackendError if a kernel wrote past the end of a buffer; the message names the buffer.
   void check_guards();
 
  private:

@@ -10,7 +10,7 @@
 
 namespace spherepair {
 
-// A buffer. Copies share it; the last one frees it, which must be before its device closes.
+// A buffer of a device. Copies share it, and the last one frees it. Free it before the device is closed.
 struct Memory {
   uint64_t handle = 0;  // what kernels find it by: the name of an OpenGL buffer, an address in CUDA; 0: there is none
   uint64_t bytes = 0;   // that kernels may use

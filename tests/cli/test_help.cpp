@@ -29,9 +29,13 @@ TEST_F(Help, FitsInto100Columns) {
   const std::string help = run("run --help").output;
   EXPECT_NE(help.find("smallest sphere"), std::string::npos);
   EXPECT_LE(std::ranges::count(help, '\n'), 100) << "two screens";
-  const Outcome narrow = run("run --help", "COLUMNS=60");
-  std::istringstream lines(narrow.output);
-  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 60u) << line;
+  for (const char* command : {"run", "ablate"}) {
+    const Outcome narrow = run(fmt::format("{} --help", command), "COLUMNS=60");
+    std::istringstream lines(narrow.output);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 60u) << line;
+  }
+  const std::string list = run("ablate --help", "COLUMNS=60").output;
+  EXPECT_NE(list.find("\n        order\n          spheres already in cell order"), std::string::npos) << list;
 }
 
 std::set<std::string> options_in(const std::string& help) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A search of other spheres on the device of a simulation, which keeps its own answer meanwhile.
+// Searches other spheres on a simulation's device. Both keep their answers.
 #include "common/scene/contact_scene.h"
 #include "common/simulation/simulation.h"
 #include "tests/oracle/oracle.h"

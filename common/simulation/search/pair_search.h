@@ -20,10 +20,10 @@ class PairSearch {
 
   MethodChoice choice(const CollideOptions& options) const;
 
-  // Launches a search of the spheres in SLOT_POSITION and returns. Left out: pairs that the filter left undecided
-  // (unless the last complete search of this kind had some, which makes their kernel part of the step), lists that are
-  // too short and the number of colliding spheres. in_step: the device has begun the step already, with a move. Of a
-  // swept search SLOT_NEAR has the pairs whose paths are near, and SLOT_GROWN the velocities.
+  // Launches a search of the spheres in SLOT_POSITION and returns. `complete` does the rest: it decides the pairs that
+  // the filter left undecided, lets short lists grow, and counts the colliding spheres. The undecided pairs are decided
+  // here if the last complete search of this kind had some. in_step: a move has begun the device's step. A swept search
+  // reads the pairs whose paths are near from SLOT_NEAR, and the velocities from SLOT_GROWN.
   void enqueue(const CollideOptions& options, bool in_step = false);
   void require_options(const CollideOptions& options) const;  // std::invalid_argument names what cannot be
 
