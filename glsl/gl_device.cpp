@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/backend/checks.h"
+#include "common/device/hazards.h"
 #include "glsl/buffer_texture.h"
 #include "glsl/context.h"
 #include "glsl/device_limits.h"
@@ -35,7 +36,10 @@ class GlDevice final : public Device {
   void wait() override;
 
   void check(const CollideOptions& options) const override;
-  void begin_step(const ApiOptions& options) override { batched_ = options.batch.value_or(true); }
+  void begin_step(const ApiOptions& options) override {
+    batched_ = options.batch.value_or(true);
+    overlaps_ = options.overlap.value_or(true);
+  }
   void end_step() override { batched_ = true; }
   bool reads_texture(Kernel kernel, const Params& params, uint64_t texels, std::optional<bool> wanted) const override;
 
@@ -64,7 +68,8 @@ class GlDevice final : public Device {
   BufferTextures textures_;
   ParamsRing params_;
   bool batched_ = true;
-  std::optional<Kernel> last_;  // that was launched, with nothing else behind it
+  bool overlaps_ = true;  // launches of this step, and what follows it, that have no hazard
+  Hazards hazards_;       // writes and clears forget them
   Programs programs_{limits_.features};
   StageTimer timer_;
   GlPipeline pipeline_{context_, timer_};
@@ -109,6 +114,7 @@ Memory GlDevice::allocate(uint64_t bytes, Memory replaced) {
 void GlDevice::forget(BufferStorage& storage) {
   if (!context_.try_make_current()) return;  // a lost context took it with it
   bound_ = {};
+  hazards_.forget();
   textures_.forget();
   delete_storage(storage);
 }
@@ -116,7 +122,7 @@ void GlDevice::forget(BufferStorage& storage) {
 void GlDevice::write(const Memory& memory, const void* data, uint64_t offset, uint64_t bytes) {
   if (bytes == 0) return;
   context_.make_current();
-  last_.reset();
+  hazards_.forget();
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   staging_.write(GLuint(memory.handle), data, offset, bytes);
   gl_check(fmt::format("writing {} bytes", bytes));
@@ -133,14 +139,7 @@ void GlDevice::read(const Memory& memory, void* data, uint64_t offset, uint64_t 
 
 // Binding is dear, and most launches use what the last did.
 void GlDevice::bind(const Launch& launch, const BufferHandles& buffers) {
-  BufferHandles wanted = buffers;
-  wanted[SLOT_POSITION] = buffers[position_slot(launch.order)];
-  wanted[SLOT_COUNT] = buffers[count_slot(launch)];
-  wanted[SLOT_SPLIT_ID] = buffers[id_slot(launch.order)];
-  wanted[SLOT_SORTED] = buffers[position_slot(launch.target)];
-  wanted[SLOT_ID] = buffers[id_slot(launch.target)];
-  wanted[SLOT_CELL] = buffers[launch.table];
-  wanted[SLOT_VISIBLE] = buffers[launch.visible_slot];
+  const BufferHandles wanted = seen_buffers(launch, buffers);
   size_t first = 0, behind = wanted.size();
   while (first < behind && wanted[first] == bound_[first]) ++first;
   while (first < behind && wanted[behind - 1] == bound_[behind - 1]) --behind;
@@ -158,7 +157,7 @@ void GlDevice::check(const CollideOptions& options) const {
 
 void GlDevice::clear(const Memory& memory, uint64_t bytes) {
   context_.make_current();
-  last_.reset();
+  hazards_.forget();
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   timer_.time("gl_clear", [&] {
     glClearNamedBufferSubData(GLuint(memory.handle), GL_R32UI, 0, GLsizeiptr(bytes), GL_RED_INTEGER, GL_UNSIGNED_INT,
@@ -196,7 +195,7 @@ void GlDevice::dispatch(const Launch& launch, const BufferHandles& buffers) {
 // GL keeps an error until it is requested, so dispatches are checked where their results are waited for.
 void GlDevice::launch(const Launch& launch, const Params& params, const BufferHandles& buffers) {
   context_.make_current();
-  if (std::exchange(draws_seen_, GlRenderer::draws()) != GlRenderer::draws()) bound_ = {}, last_.reset();
+  if (std::exchange(draws_seen_, GlRenderer::draws()) != GlRenderer::draws()) bound_ = {}, hazards_.forget();
   Variant variant = launch.variant;
   const bool by_table = launch.kernel == Kernel::collide_grid && variant.texture_table;
   const TableWindows windows(params, limits_.largest_texture);
@@ -211,7 +210,7 @@ void GlDevice::launch(const Launch& launch, const Params& params, const BufferHa
   if (launch.view) program.set_view(*launch.view);
   glUseProgram(program.id());
   bind(launch, buffers);
-  const bool overlapped = batched_ && last_ && launch.overlaps == last_;
+  const bool overlapped = hazards_.overlaps(launch, buffers, !batched_ || !overlaps_);
   timer_.time(stage_name(launch), [&] {
     overlapped ? void(++work.overlapped) : glMemoryBarrier(barriers(launch));
     if (!variant.windows) return dispatch(launch, buffers);
@@ -219,7 +218,6 @@ void GlDevice::launch(const Launch& launch, const Params& params, const BufferHa
                      textures_);
     work.launches += windows.count();
   });
-  last_ = launch.kernel;
   if (!batched_) glFinish(), ++work.waits;
 }
 

@@ -124,7 +124,7 @@ void Program::set_steps(unsigned steps) const {
 std::vector<StageTime> compile_times(Features features) {
   using Clock = std::chrono::steady_clock;
   std::vector<StageTime> times;
-#define NAME(name) #name,
+#define NAME(name, reads, writes) #name,
   for (const std::string kernel : {SPHEREPAIR_MIRRORED_KERNELS(NAME)}) {
     const Clock::time_point start = Clock::now();
     const Program compiled(kernel, SERVICE_BLOCK, {}, features);

@@ -12,50 +12,11 @@ namespace {
 
 constexpr uint guard_words = 16;
 constexpr uint guard_pattern = 0xA5C3F00Du;
-constexpr const char* slot_names[] = {"positions",
-                                      "velocities",
-                                      "counts",
-                                      "summary",
-                                      "deferred pairs",
-                                      "pairs",
-                                      "spheres to decide",
-                                      "verdicts",
-                                      "cells",
-                                      "sphere indices in buckets",
-                                      "spheres in cell order",
-                                      "sphere indices",
-                                      "counts in cell order",
-                                      "tiles of the scan",
-                                      "spheres in buckets",
-                                      "buckets",
-                                      "visible spheres",
-                                      "image",
-                                      "tiles of large spheres",
-                                      "counts of drawing",
-                                      "clusters",
-                                      "ages of visible spheres",
-                                      "list of clusters",
-                                      "depth pyramid",
-                                      "wide state",
-                                      "anchors",
-                                      "flights",
-                                      "steps of the anchors",
-                                      "steps of the next events",
-                                      "list of visible spheres",
-                                      "visible spheres of every other image",
-                                      "colours",
-                                      "state along x",
-                                      "state along y",
-                                      "state along z",
-                                      "impulses along x",
-                                      "impulses along y",
-                                      "impulses along z",
-                                      "grown spheres",
-                                      "near pairs",
-                                      "faults",
-                                      "rows of near spheres",
-                                      "lengths of rows",
-                                      "rest of the spheres"};
+#define ONE(slot, type, name, words) words,
+#define THREE(slot, type, name, words) words " along x", words " along y", words " along z",
+constexpr const char* slot_names[] = {SPHEREPAIR_BUFFERS(ONE, THREE)};
+#undef ONE
+#undef THREE
 static_assert(std::size(slot_names) == SLOT_TOTAL);
 
 }  // namespace

@@ -46,11 +46,6 @@ struct DeviceContext {
   bool software() const { return device.info().software; }
   WorkCounts& work() { return device.work; }
 
-  // For Launch::overlaps of what uses nothing of a search in cell order.
-  std::optional<Kernel> overlaps_search(const ApiOptions& options) const {
-    return options.overlap.value_or(true) ? std::optional(Kernel::collide_grid) : std::nullopt;
-  }
-
   GraphicsPipeline& pipeline() { return device.pipeline() ? *device.pipeline() : other_pipeline.get(); }
   SphereArrays sphere_arrays(uint colours) const {
     device.flush();

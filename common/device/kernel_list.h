@@ -1,22 +1,70 @@
 // SPDX-License-Identifier: MIT
-// Every kernel, by the name that its source files, its stage in the results and its entry in CUDA have in common.
+// Every kernel, by the name that its source files, its stage in the results and its entry in CUDA have in common; with
+// the buffers that it reads, and those that it writes, in any variant. Devices wait between two launches by this table;
+// the lint compares it with what the shaders do.
 #pragma once
 
 // clang-format off
-#define SPHEREPAIR_MIRRORED_KERNELS(each)                                                       \
-  each(move) each(bounce) each(evaluate_positions) each(contact_grow) each(contact_pairs) each(leapfrog)     \
-  each(contact_rows) each(contact_order) each(contact_gather)                                                \
-  each(clear) each(sample) each(empty)                                                                       \
-  each(peak_copy) each(peak_atomics) each(peak_issue) each(peak_words)              \
-  each(resolve_undecided) each(decide) each(tally)                                                         \
-  each(grid_clear) each(grid_bounds) each(grid_count) each(grid_sums) each(grid_scan)           \
-  each(grid_scatter) each(split_tiles) each(split_count) each(split_scan) each(grid_split)      \
-  each(grid_sort)                                                                               \
-  each(collide_grid) each(collide_hashed) each(collide_group) each(collide_tiled)               \
-  each(collide_swept) each(collide_square) each(collide_triangle)                               \
-  each(draw_clear) each(draw_unsort_counts) each(draw_colours) each(draw_bounds) each(draw_cull) each(draw_hiz_pyramid)       \
-  each(draw_previously_visible) each(draw_clusters) each(draw_spheres) each(draw_tiles) each(draw_resolve)    \
-  each(draw_light)
-#define SPHEREPAIR_CUDA_KERNELS(each) each(tensor_bounds) each(tensor_forms) each(collide_tensor) each(persistent_steps)
+#define SPHEREPAIR_MIRRORED_KERNELS(each) \
+  each(move, position | velocity | wide, position | velocity | count | summary | wide) \
+  each(bounce, velocity | anchor | flight | since | next_event, flight | since | next_event) \
+  each(evaluate_positions, velocity | anchor | flight | since, position | velocity | count | summary | wide) \
+  each(contact_grow, position | fault, grown | fault | rest) \
+  each(contact_pairs, position | axis | impulse | near | fault | rest, impulse | fault | rest) \
+  each(leapfrog, position | axis | impulse | grown | fault | rest, \
+       position | velocity | count | summary | axis | impulse | fault | rest) \
+  each(contact_rows, near | fault | row_length, fault | row | row_length) \
+  each(contact_order, row | row_length, row) \
+  each(contact_gather, position | axis | fault | row | row_length, impulse | fault) \
+  each(clear, none, count | summary) \
+  each(sample, position, sorted) \
+  each(empty, none, none) \
+  each(peak_copy, position, velocity) \
+  each(peak_atomics, count, count) \
+  each(peak_issue, position, velocity) \
+  each(peak_words, position, velocity) \
+  each(resolve_undecided, position | count | summary | deferred | id, count | summary | listed) \
+  each(decide, spheres, verdict) \
+  each(tally, count | summary, summary) \
+  each(grid_clear, none, summary | cell | bucket_cursor) \
+  each(grid_bounds, position, count | summary | cell | tile_sum) \
+  each(grid_count, position | cell, cell) \
+  each(grid_sums, cell, tile_sum) \
+  each(grid_scan, cell | tile_sum, cell) \
+  each(grid_scatter, position | cell, cell | sorted | id | sorted_count) \
+  each(split_tiles, position, sorted | id | bucket_cursor) \
+  each(split_count, position | bucket_cursor, bucket_cursor) \
+  each(split_scan, bucket_cursor, bucket_cursor) \
+  each(grid_split, position | from_id | bucket_cursor, sorted | id | bucket_cursor) \
+  each(grid_sort, position | from_id | bucket_cursor, summary | cell | sorted | id | sorted_count) \
+  each(collide_grid, position | count | summary | cell | id, count | summary | deferred | listed) \
+  each(collide_hashed, position | count | summary | cell | id, count | summary | deferred | listed) \
+  each(collide_group, position | count | summary, count | summary | deferred | listed) \
+  each(collide_tiled, position | count | summary, count | summary | deferred | listed) \
+  each(collide_swept, position | count | summary | grown | near, count | summary | listed) \
+  each(collide_square, position | count | summary, count | summary | deferred | listed) \
+  each(collide_triangle, position | count | summary | id, count | summary | deferred | listed) \
+  each(draw_clear, visible | drawn | seen_left, visible | drawn | seen_left | seen_list) \
+  each(draw_unsort_counts, sorted | id | sorted_count, count) \
+  each(draw_colours, position | velocity, colour) \
+  each(draw_bounds, position, cluster) \
+  each(draw_cull, drawn | cluster | cluster_list | pyramid, drawn | cluster | cluster_list) \
+  each(draw_hiz_pyramid, visible | drawn, drawn | pyramid) \
+  each(draw_previously_visible, position | id | sorted_count | visible | drawn | seen_left | pyramid | seen_list, \
+       count | visible | tile | drawn | seen_left | seen_list) \
+  each(draw_clusters, position | id | sorted_count | visible | drawn | seen_left | cluster_list | pyramid, \
+       count | visible | tile | drawn) \
+  each(draw_spheres, position | id | sorted_count | visible | drawn | seen_left | pyramid, \
+       count | visible | tile | drawn) \
+  each(draw_tiles, position | visible | tile | drawn | pyramid, visible) \
+  each(draw_resolve, position | count | visible | drawn | seen_left, \
+       visible | image | drawn | seen_left | seen_list) \
+  each(draw_light, position | count | cell | sorted | id | visible, image)
+#define SPHEREPAIR_CUDA_KERNELS(each) \
+  each(tensor_bounds, position, tile_sum) \
+  each(tensor_forms, position | tile_sum, sorted) \
+  each(collide_tensor, position | count | summary | sorted, count | summary | deferred | listed) \
+  each(persistent_steps, position | velocity | count | summary, \
+       position | velocity | count | summary | deferred | listed)
 #define SPHEREPAIR_KERNELS(each) SPHEREPAIR_MIRRORED_KERNELS(each) SPHEREPAIR_CUDA_KERNELS(each)
 // clang-format on

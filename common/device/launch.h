@@ -5,20 +5,33 @@
 #include <array>
 #include <optional>
 
+#include "common/device/buffer_list.h"
 #include "common/device/kernel_list.h"
+#include "common/device/memory.h"
 #include "common/device/variant.h"
 #include "common/shared/view.h"
 
 namespace spherepair {
 
-#define ENUMERATOR(name) name,
+#define ENUMERATOR(name, reads, writes) name,
 enum class Kernel { SPHEREPAIR_KERNELS(ENUMERATOR) };
 #undef ENUMERATOR
-#define ONE_MORE(name) +1
+#define ONE_MORE(name, reads, writes) +1
 constexpr size_t kernel_count = SPHEREPAIR_KERNELS(ONE_MORE);
 #undef ONE_MORE
 
 const char* kernel_name(Kernel kernel);  // the stem of its two source files
+
+// Buffers, a bit a slot; by their names in kernels.
+using Slots = uint64_t;
+namespace slots {
+constexpr Slots none = 0;
+#define ONE(slot, type, name, words) constexpr Slots name = Slots(1) << SLOT_##slot;
+#define THREE(slot, type, name, words) constexpr Slots name = Slots(7) << SLOT_##slot;
+SPHEREPAIR_BUFFERS(ONE, THREE)
+#undef ONE
+#undef THREE
+}  // namespace slots
 
 constexpr uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
@@ -39,13 +52,13 @@ struct Launch {
   uint block;  // threads per group
   Variant variant;
   std::array<uint, 3> groups = {1, 1, 1};
-  Order order = Order::scene;           // that the kernel reads
-  Order target = Order::cells;          // that it writes
-  uint table = SLOT_CELL;               // of the scan
-  const char* stage = nullptr;          // name of its time, where not the kernel's
-  std::optional<Kernel> overlaps = {};  // right behind this kernel it may begin while that one still runs: neither
-                                        // writes what the other uses
-  const View* view = nullptr;  // of kernels that draw, which see as counts what chooses the colours, by sphere index
+  Order order = Order::scene;   // that the kernel reads
+  Order target = Order::cells;  // that it writes
+  uint table = SLOT_CELL;       // of the scan
+  const char* stage = nullptr;  // name of its time, where not the kernel's
+  Slots unused = 0;             // of the kernel's buffers, with these parameters
+  bool depends = false;         // on the launches before, whatever they and it use
+  const View* view = nullptr;   // of kernels that draw, which see as counts what chooses the colours, by sphere index
   uint visible_slot = SLOT_VISIBLE;  // of kernels that draw
   uint steps = 0;                    // of persistent_steps, whose groups must all run at once
   uint64_t texels = 0;               // GLSL, where variant.texture_table is set: elements of the buffer texture
@@ -54,6 +67,16 @@ struct Launch {
 inline uint count_slot(const Launch& launch) {
   return launch.view ? colour_slot(*launch.view) : count_slot(launch.order);
 }
+
+// The buffers as a kernel sees them.
+BufferHandles seen_buffers(const Launch& launch, const BufferHandles& buffers);
+
+// The slots that a launch reads and those that it writes.
+struct Uses {
+  Slots reads = 0, writes = 0;
+};
+Uses uses_of(const Launch& launch);
+
 inline const char* stage_name(const Launch& launch) { return launch.stage ? launch.stage : kernel_name(launch.kernel); }
 
 }  // namespace spherepair

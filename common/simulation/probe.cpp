@@ -43,7 +43,9 @@ std::vector<uint> Probe::decide(std::span<const vec4> spheres) {
   return verdicts;
 }
 
-void Probe::launch_empty(uint groups) { context_.launch({Kernel::empty, SERVICE_BLOCK, {}, folded(groups)}); }
+void Probe::launch_empty(uint groups) {
+  context_.launch({.kernel = Kernel::empty, .block = SERVICE_BLOCK, .groups = folded(groups), .depends = true});
+}
 
 void Probe::enqueue_empty_step(uint launches, const ApiOptions& api) {
   context_.device.begin_step(api);

@@ -105,7 +105,7 @@ Frame Rasterizer::make_frame() {
 void Rasterizer::choose_pixels(Frame& frame, bool alone) {
   const bool shares = alone || !context_.device.capabilities().overlaps_images || !options_.overlap ||
                       frame.view.counting || frame.may_have_tiles;
-  frame.overlaps_previous = !shares;
+  if (!shares) frame.unused = slots::tile | slots::drawn | slots::seen_left | slots::seen_list | slots::pyramid;
   frame.visible_slot = shares || frame_.visible_slot == SLOT_VISIBLE_ODD ? SLOT_VISIBLE : SLOT_VISIBLE_ODD;
   make_pixels(frame.visible_slot, pixels(frame.view) * 2 * sizeof(uint));
 }
@@ -148,7 +148,7 @@ void Rasterizer::draw_all(Frame& frame) {
     if (pass == PASS_ID) restart_tiles(context_, frame);
     const auto groups = folded(ceil_div(context_.n * frame.view.lanes, SERVICE_BLOCK));
     Launch spheres{Kernel::draw_spheres, SERVICE_BLOCK, {.indices = frame.indices}, groups, frame.order};
-    if (frame.overlaps_previous) spheres.overlaps = Kernel::draw_resolve;
+    if (frame.indices == 0) spheres.unused = slots::count;
     launch_drawing(context_, frame, spheres);
     launch_tiles(context_, frame);
   }

@@ -47,13 +47,11 @@ void Simulation::begin(const Scene& scene, const MotionState* saved) {
 
 void Simulation::move() {
   require_scene("move");
-  const bool sorted = search_.counts_sorted();
-  bool cleared = !sorted;
+  bool cleared = !search_.counts_sorted();
   if (contacts_.on()) {
     contacts_.step(cleared);
   } else {
-    const bool overlap = sorted && !search_.results_clear();
-    cleared = motion_.step(cleared, overlap ? context_.overlaps_search(search_.options().api) : std::nullopt);
+    cleared = motion_.step(cleared);
   }
   if (cleared) search_.cleared();
 }

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "common/backend/checks.h"
+#include "common/device/hazards.h"
 #include "cuda/host/check.h"
 #include "cuda/host/device_choice.h"
 #include "cuda/host/entries.h"
-#include "cuda/host/kernel_buffers.h"
 #include "cuda/host/library_sort.h"
 #include "cuda/host/sort_pairs.h"
 #include "cuda/host/stage_events.h"
@@ -39,6 +39,11 @@ bool waits_first(const Launch& launch, const Params& params) {
   }
 }
 
+// Whether the kernel waits in its last line for the launch before it, if that may still be under way.
+bool waits_last(Kernel kernel) {
+  return kernel == Kernel::split_tiles || kernel == Kernel::move || kernel == Kernel::bounce;
+}
+
 template <typename T = void>
 T* data_of(uint64_t handle) {
   return reinterpret_cast<T*>(uintptr_t(handle));
@@ -64,7 +69,7 @@ class CudaDevice final : public Device, private DeviceLibrary {
   void time_stages(bool on) override;
   std::vector<StageTime> stage_times() override;
   DeviceLibrary* library() override { return this; }
-  void flush() override { graph_.flush(); }
+  void flush() override { recorder_.flush(); }
 
  private:
   void sort_spheres(const Params& params, const BufferHandles& buffers) override;
@@ -74,14 +79,16 @@ class CudaDevice final : public Device, private DeviceLibrary {
 
   BackendInfo info_;
   DeviceCapabilities capabilities_;
-  StepGraph graph_{work, prepared};
+  StepGraphs graphs_;
+  StepRecorder recorder_{graphs_, work, prepared};
   LibrarySort library_;
   StageEvents stages_;
   std::unordered_set<Entry> loaded_;  // kernels that were launched
   bool programmatic_ = false;         // a launch can begin before the one before it is done
   bool early_ = false;                // and does, in this step
   bool batched_ = true;               // else the host waits for each launch of this step
-  std::optional<Kernel> last_;        // that was launched; writes, clears and Thrust forget it
+  bool overlaps_ = true;              // launches of this step, and what follows it, that have no hazard
+  Hazards hazards_;                   // writes, clears and Thrust forget them
 };
 
 CudaDevice::CudaDevice(int device)
@@ -113,8 +120,8 @@ void CudaDevice::require_kernels(int device) {
 }
 
 Memory CudaDevice::allocate(uint64_t bytes, Memory replaced) {
-  graph_.flush();
-  last_.reset();
+  recorder_.flush();
+  hazards_.forget();
   replaced = {};
   void* data = nullptr;
   const cudaError_t error = cudaMalloc(&data, bytes);
@@ -131,44 +138,40 @@ Memory CudaDevice::allocate(uint64_t bytes, Memory replaced) {
 }
 
 void CudaDevice::wait() {
-  graph_.flush();
+  recorder_.flush();
   cuda_check(cudaDeviceSynchronize(), "waiting for the device");
 }
 
 void CudaDevice::write(const Memory& memory, const void* data, uint64_t offset, uint64_t bytes) {
   if (bytes == 0) return;
-  graph_.flush();
-  last_.reset();
+  recorder_.flush();
+  hazards_.forget();
   char* target = data_of<char>(memory.handle) + offset;
   cuda_check(cudaMemcpy(target, data, bytes, cudaMemcpyHostToDevice), fmt::format("writing {} bytes", bytes));
 }
 
 void CudaDevice::read(const Memory& memory, void* data, uint64_t offset, uint64_t bytes) {
   if (bytes == 0) return;
-  graph_.flush();
+  recorder_.flush();
   const char* source = data_of<char>(memory.handle) + offset;
   cuda_check(cudaMemcpy(data, source, bytes, cudaMemcpyDeviceToHost), fmt::format("reading {} bytes", bytes));
 }
 
 void CudaDevice::launch(const Launch& launch, const Params& params, const BufferHandles& buffers) {
-  const dim3 groups(launch.groups[0], launch.groups[1], launch.groups[2]);
-  const View view = launch.view ? *launch.view : View{};
-  const auto memory = [&](uint slot) { return data_of(buffers[slot]); };
-  KernelCall call{
-      stage_name(launch), entry_of(launch), groups, launch.block, params, kernel_buffers(launch, memory), view, false,
-      launch.steps};
-  call.p.indices = launch.variant.indices;
-  const bool overlaps = programmatic_ && last_ && launch.overlaps == last_;
-  prepared.compilations += loaded_.insert(call.entry).second;
-  call.p.waits_first = early_ && !overlaps && waits_first(launch, params);
-  call.early = overlaps || call.p.waits_first;
-  work.early += call.p.waits_first;
+  Call call{launch, params, seen_buffers(launch, buffers)};
+  if (launch.view) call.view = *std::exchange(call.launch.view, nullptr);
+  call.params.indices = launch.variant.indices;
+  const bool must_wait = !programmatic_ || !overlaps_ || !waits_last(launch.kernel);
+  const bool overlaps = hazards_.overlaps(launch, buffers, must_wait);
+  prepared.compilations += loaded_.insert(entry_of(launch)).second;
+  call.params.waits_first = early_ && !overlaps && waits_first(launch, params);
+  call.early = overlaps || call.params.waits_first;
+  work.early += call.params.waits_first;
   work.overlapped += overlaps;
-  last_ = launch.kernel;
-  if (graph_.collecting()) return graph_.add(call);
-  graph_.flush();  // steps that are held back
+  if (recorder_.collecting()) return recorder_.add(call);
+  recorder_.flush();  // steps that are held back
   ++work.launches;
-  stages_.time(call.name, [&] { launch_call(call, nullptr); });
+  stages_.time(stage_name(launch), [&] { graphs_.launch_call(call); });
   if (!batched_) wait(), ++work.waits;
 }
 
@@ -180,25 +183,26 @@ void CudaDevice::check(const CollideOptions& options) const {
 void CudaDevice::begin_step(const ApiOptions& options) {
   batched_ = options.batch.value_or(true);
   if (options.graph.value_or(true) && batched_ && !stages_.on())  // stages are timed one by one
-    graph_.begin(options.graph_steps.value_or(graph_sizes.back()));
-  early_ = programmatic_ && options.overlap.value_or(true);
+    recorder_.begin(options.graph_steps.value_or(graph_sizes.back()));
+  overlaps_ = options.overlap.value_or(true);
+  early_ = programmatic_ && overlaps_;
 }
 
 void CudaDevice::end_step() {
   batched_ = true;
   early_ = false;
-  graph_.end();
+  recorder_.end();
 }
 
 void CudaDevice::clear(const Memory& memory, uint64_t bytes) {
-  graph_.flush();
-  last_.reset();
+  recorder_.flush();
+  hazards_.forget();
   stages_.time("memset", [&] { cuda_check(cudaMemsetAsync(data_of(memory.handle), 0, bytes), "clearing a buffer"); });
 }
 
 void CudaDevice::sort_spheres(const Params& params, const BufferHandles& buffers) {
-  graph_.flush();
-  last_.reset();
+  recorder_.flush();
+  hazards_.forget();
   stages_.time("thrust_sort", [&] {
     library_.sort(params, data_of<vec4>(buffers[SLOT_POSITION]), data_of<uint>(buffers[SLOT_CELL]),
                   data_of<vec4>(buffers[SLOT_SORTED]), data_of<uint>(buffers[SLOT_ID]),

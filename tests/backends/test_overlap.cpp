@@ -88,6 +88,7 @@ TEST_P(Overlap, IsOfWhatNeedsNothingOfTheSearch) {
   EXPECT_EQ(more(collide), 0u);
   EXPECT_EQ(more(move), 0u);
   options = grid_step([](CollideOptions& o) { o.grid.sort = Sort::counting, o.api.graph = false; });
+  collide();  // whose grid_clear may overlap the move
   for (int k = 0; k < 2; ++k) EXPECT_EQ(more(collide), 0u) << "grid_clear writes the cells that are searched";
   options =
       grid_step([](CollideOptions& o) { o.grid.keep_order = true, o.grid.cells = Cells::dense, o.api.graph = false; });

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rules on what compilers make of float arithmetic: glslang's SPIR-V (a proxy, drivers get text), nvcc's PTX, flags.
+"""Rules on what compilers make of kernels: glslang's SPIR-V (a proxy, drivers get text), nvcc's PTX, flags.
 
 Each takes (root, build) and returns (complaints, what was checked)."""
 
@@ -12,6 +12,7 @@ import shutil
 import subprocess
 import tempfile
 
+import lint_kernels
 from lint_sources import Skip
 
 STATE_FEEDING = ("move", "bounce", "evaluate_positions", "contact_pairs", "contact_gather", "leapfrog")  # kernels whose results are the next step's input: every bit counts, so nothing is fused
@@ -94,14 +95,17 @@ def shaders(root, build):
     checked = 0
     for path in flattened:
         text = path.read_text()
+        used = []
         for defines in variants(path.stem, text):
             checked += 1
             try:
                 assembly = disassemble(with_defines(text, *defines))
                 found = spirv_complaints(assembly, may_fuse=path.stem not in STATE_FEEDING)
+                used.append(lint_kernels.used_slots(assembly))
             except ValueError as error:
                 found = [str(error)]
             complaints += [f"{path.name} ({', '.join(defines)}): {complaint}" for complaint in found]
+        complaints += lint_kernels.complaints(root, path.stem, used)
     return complaints, f"{len(flattened)} shaders in {checked} variants"
 
 

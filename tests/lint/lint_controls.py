@@ -9,6 +9,7 @@ import tempfile
 import unittest
 
 import lint_arithmetic
+import lint_kernels
 import lint_rooms
 import lint_sources
 from lint_controls_twins import Twins, tree  # noqa: F401 - unittest finds them here
@@ -124,6 +125,17 @@ class Shaders(unittest.TestCase):
             self.assertEqual([], lint_arithmetic.spirv_complaints(lint_arithmetic.disassemble(text), False))
             loose = lint_arithmetic.disassemble(text.replace("#define EXACT precise", "#define EXACT"))
             self.assertTrue(lint_arithmetic.spirv_complaints(loose, False), defines)
+
+    def test_uses(self):
+        blocks = "".join(f"layout(std430, binding = {k}) buffer B{k} {{ uint b[]; }} b{k}; " for k in (0, 1, 2))
+        array = "layout(std430, binding = 4) buffer B4 { int b[]; } b4[3]; "
+        body = "void main() { b1.b[0] = b0.b[2]; atomicAdd(b2.b[0], 1u); b4[1].b[0] = 2; }"
+        assembly = lint_arithmetic.disassemble("#version 450\n" + blocks + array + body)
+        self.assertEqual(({0, 2}, {1, 2, 4, 5, 6}), lint_kernels.used_slots(assembly))
+        said = list(lint_kernels.complaints(ROOT, "tally", [({2, 3}, {3}), ({3, 0}, set())]))
+        self.assertEqual(["tally: reads position, which common/device/kernel_list.h does not say"], said)
+        said = list(lint_kernels.complaints(ROOT, "tally", [({2, 3}, set())]))
+        self.assertEqual(["tally: never writes summary, as common/device/kernel_list.h says"], said)
 
     def test_broken_shader(self):
         with self.assertRaises(ValueError):

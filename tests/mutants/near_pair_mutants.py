@@ -136,4 +136,8 @@ NEAR_PAIRS = [
     mutant("an advised time step is too short", "common/scene/contact/contact_resolution.cpp", "1.5 * f.dt / share", "0.5 * f.dt / share",
            "ContactSteps"),
     mutant("an advised stiffness is too high", "common/scene/contact/contact_resolution.cpp", "0.99 * k *", "1.01 * k *", "ContactSteps"),
+    mutant("what is read may be written", "common/device/hazards.h", "((reads_ | writes_) & uses.writes)", "(writes_ & uses.writes)", "Hazards"),
+    mutant("what is written may be read", "common/device/hazards.h", " ||\n                       (writes_ & uses.reads);", ";", "Hazards"),
+    mutant("only the last launch is waited for", "common/device/hazards.h", "alone ? uses.reads : reads_ | uses.reads", "uses.reads", "Hazards"),
+    mutant("a launch is known by what its kernel sees", "common/device/launch.cpp", "used |= (seen >> choice.seen & 1) << choice.used;", "used |= (seen >> choice.seen & 1) << choice.seen;", "Hazards"),
 ]

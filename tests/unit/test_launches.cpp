@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// spherepair launches as a user runs it, and the steps that it times.
+// spherepair launches as a user runs it, the steps that it times, and which launches wait for others.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "bench/gpu/launch_paths.h"
 #include "bench/measure/timing.h"
+#include "common/device/hazards.h"
 #include "tests/support/clocked_backend.h"
 #include "tests/support/program.h"
 
@@ -105,6 +106,50 @@ TEST(TimedLaunches, EnqueuingEndsBeforeTheWait) {
   const Batch batch = time_batch(on.contender("glsl"), 64, 0, on.sampling.clocks);
   EXPECT_NEAR(batch.enqueuing, 64 * 1e-5, 1e-12);
   EXPECT_NEAR(batch.seconds, 64 * 1e-5 + 1e-3, 1e-12);
+}
+
+Launch in_order(Kernel kernel, Order order) { return {.kernel = kernel, .block = SERVICE_BLOCK, .order = order}; }
+Launch split_tiles() { return {.kernel = Kernel::split_tiles, .block = SPLIT_BLOCK, .target = Order::buckets}; }
+Launch move(Slots unused) { return {.kernel = Kernel::move, .block = SERVICE_BLOCK, .unused = unused}; }
+constexpr Slots results = slots::count | slots::summary;
+
+// Of a search in cell order the next sort needs nothing, nor does a move that clears no results. A search in the
+// scene's order reads what is moved.
+TEST(Hazards, AreWhereOneWritesWhatAnotherUses) {
+  const BufferHandles buffers{};
+  const auto second_overlaps = [&](const Launch& first, const Launch& second) {
+    Hazards hazards;
+    EXPECT_FALSE(hazards.overlaps(first, buffers)) << "what was before is not known";
+    return hazards.overlaps(second, buffers);
+  };
+  const Launch by_cells = in_order(Kernel::collide_grid, Order::cells);
+  const Launch by_scene = in_order(Kernel::collide_grid, Order::scene);
+  EXPECT_TRUE(second_overlaps(by_cells, split_tiles()));
+  EXPECT_TRUE(second_overlaps(by_scene, split_tiles())) << "both read";
+  EXPECT_TRUE(second_overlaps(by_cells, move(results)));
+  EXPECT_FALSE(second_overlaps(by_cells, move(slots::none))) << "both write totals";
+  EXPECT_FALSE(second_overlaps(by_scene, move(results))) << "the second writes what the first reads";
+  EXPECT_FALSE(second_overlaps(move(results), by_scene)) << "the first writes what the second reads";
+  EXPECT_FALSE(second_overlaps(split_tiles(), in_order(Kernel::grid_sort, Order::buckets)));
+  EXPECT_FALSE(second_overlaps(move(results), move(results)));
+}
+
+TEST(Hazards, AreOfAllLaunchesSinceTheLastWait) {
+  const BufferHandles buffers{}, others{};
+  const Launch search = in_order(Kernel::collide_grid, Order::cells);
+  Hazards hazards;
+  hazards.overlaps(search, buffers);
+  EXPECT_TRUE(hazards.overlaps(split_tiles(), buffers));
+  EXPECT_FALSE(hazards.overlaps(move(results), buffers)) << "split_tiles reads what is moved, the search does not";
+  EXPECT_FALSE(hazards.overlaps(search, buffers, true)) << "it must wait";
+  EXPECT_TRUE(hazards.overlaps(move(results), buffers)) << "what waited is the first of those that run";
+  Launch empty = {.kernel = Kernel::empty, .block = SERVICE_BLOCK};
+  EXPECT_TRUE(hazards.overlaps(empty, buffers));
+  EXPECT_FALSE(hazards.overlaps(empty, others)) << "nothing is known of other buffers";
+  empty.depends = true;
+  EXPECT_FALSE(hazards.overlaps(empty, others));
+  hazards.forget();
+  EXPECT_FALSE(hazards.overlaps(split_tiles(), others));
 }
 
 }  // namespace

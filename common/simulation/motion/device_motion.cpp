@@ -59,7 +59,7 @@ std::vector<uint> DeviceMotion::read_wide() {
   return wide;
 }
 
-void DeviceMotion::launch(Kernel kernel, bool whole_state, bool clear_results, std::optional<Kernel> overlaps) {
+void DeviceMotion::launch(Kernel kernel, bool whole_state, bool clear_results) {
   context_.params.motion.clear_results = clear_results;  // hardly ever changes: the search is launched with the same
   Params params = context_.params;
   params.motion.steps_done = steps_;
@@ -70,7 +70,7 @@ void DeviceMotion::launch(Kernel kernel, bool whole_state, bool clear_results, s
                    .block = SERVICE_BLOCK,
                    .variant = {.motion = motion_},
                    .groups = groups,
-                   .overlaps = overlaps},
+                   .unused = clear_results ? slots::none : slots::count | slots::summary},
                   params);
 }
 
@@ -84,14 +84,14 @@ void DeviceMotion::begin_step() {
   moved_ = true;
 }
 
-bool DeviceMotion::step(bool clear_results, std::optional<Kernel> overlaps) {
+bool DeviceMotion::step(bool clear_results) {
   begin_step();
   if (motion_.method != MotionMethod::anchored) {
-    launch(Kernel::move, false, clear_results, overlaps);
+    launch(Kernel::move, false, clear_results);
     return clear_results;
   }
   check_steps(context_.name(), steps_++);
-  launch(Kernel::bounce, !event_driven_, clear_results, overlaps);
+  launch(Kernel::bounce, !event_driven_, clear_results);
   evaluated_ = current_ = false;
   return false;
 }

@@ -21,7 +21,7 @@ class DeviceMotion {
 
   // One step of a method without contacts. Where `clear_results`, and the method has a kernel that goes through all
   // spheres, the counts and totals of the last search are cleared by it: true.
-  bool step(bool clear_results, std::optional<Kernel> overlaps);
+  bool step(bool clear_results);
 
   // The search's kernel takes the next steps, which it can of `paper` in float32: std::invalid_argument for others.
   void leave_steps_to_search();
@@ -39,7 +39,7 @@ class DeviceMotion {
  private:
   void write_state(const MotionState& state);
   std::vector<uint> read_wide();
-  void launch(Kernel kernel, bool whole_state, bool clear_results, std::optional<Kernel> overlaps = {});
+  void launch(Kernel kernel, bool whole_state, bool clear_results);
 
   DeviceContext& context_;
   MotionOptions motion_;

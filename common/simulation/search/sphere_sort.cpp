@@ -85,9 +85,7 @@ void SphereSort::split_tiles(uint shift, uint buckets) {
   context_.params.sort.bucket_shift = shift;
   context_.params.sort.buckets = buckets;
   context_.buffers.resize(SLOT_BUCKET, tiles * BUCKETS_AT_MOST * sizeof(uint));
-  Launch launching{Kernel::split_tiles, SPLIT_BLOCK, cells_, folded(tiles), Order::scene, Order::buckets};
-  launching.overlaps = context_.overlaps_search(options_.api);
-  context_.launch(launching);
+  context_.launch({Kernel::split_tiles, SPLIT_BLOCK, cells_, folded(tiles), Order::scene, Order::buckets});
 }
 
 void SphereSort::split_twice(uint shift, uint buckets, uint parent_shift) {

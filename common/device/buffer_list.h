@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Every buffer of layout.h, by slot: its type and name in kernels, and what messages call it. `three`: one each for x,
+// y and z. Some kernels see another buffer in a slot; see Launch.
+#pragma once
+
+// clang-format off
+#define SPHEREPAIR_BUFFERS(one, three)                                        \
+  one(POSITION, vec4*, position, "positions")                                 \
+  one(VELOCITY, vec4*, velocity, "velocities")                                \
+  one(COUNT, uint*, count, "counts")                                          \
+  one(SUMMARY, uint*, summary, "summary")                                     \
+  one(DEFERRED, uvec2*, deferred, "deferred pairs")                           \
+  one(PAIR, uvec2*, listed, "pairs")                                          \
+  one(SPHERES, const vec4*, spheres, "spheres to decide")                     \
+  one(VERDICT, uint*, verdict, "verdicts")                                    \
+  one(CELL, uint*, cell, "cells")                                             \
+  one(SPLIT_ID, const uint*, from_id, "sphere indices in buckets")            \
+  one(SORTED, vec4*, sorted, "spheres in cell order")                         \
+  one(ID, uint*, id, "sphere indices")                                        \
+  one(SORTED_COUNT, uint*, sorted_count, "counts in cell order")              \
+  one(SCAN, uint*, tile_sum, "tiles of the scan")                             \
+  one(SPLIT, vec4*, split, "spheres in buckets")                              \
+  one(BUCKET, uint*, bucket_cursor, "buckets")                                \
+  one(VISIBLE, uvec2*, visible, "visible spheres")                            \
+  one(IMAGE, uint*, image, "image")                                           \
+  one(TILE, uvec2*, tile, "tiles of large spheres")                           \
+  one(DRAWN, uint*, drawn, "counts of drawing")                               \
+  one(CLUSTER, vec4*, cluster, "clusters")                                    \
+  one(SEEN_LEFT, uint*, seen_left, "ages of visible spheres")                 \
+  one(CLUSTER_LIST, uint*, cluster_list, "list of clusters")                  \
+  one(PYRAMID, uvec2*, pyramid, "depth pyramid")                              \
+  one(WIDE, void*, wide, "wide state")                                        \
+  one(ANCHOR, const vec4*, anchor, "anchors")                                 \
+  one(FLIGHT, void*, flight, "flights")                                       \
+  one(SINCE, uint*, since, "steps of the anchors")                            \
+  one(NEXT_EVENT, uint*, next_event, "steps of the next events")              \
+  one(SEEN_LIST, uint*, seen_list, "list of visible spheres")                 \
+  one(VISIBLE_ODD, uvec2*, visible_odd, "visible spheres of every other image") \
+  one(COLOUR, uint*, colour, "colours")                                       \
+  three(AXIS, AxisBuffer, axis, "state")                                      \
+  three(IMPULSE, int64_t*, impulse, "impulses")                               \
+  one(GROWN, vec4*, grown, "grown spheres")                                   \
+  one(NEAR, const uvec2*, near, "near pairs")                                 \
+  one(FAULT, uint*, fault, "faults")                                          \
+  one(ROW, uint*, row, "rows of near spheres")                                \
+  one(ROW_LENGTH, uint*, row_length, "lengths of rows")                       \
+  one(REST, uint*, rest, "rest of the spheres")
+// clang-format on
