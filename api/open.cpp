@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "common/cpu/cpu_backend.h"
@@ -21,8 +22,17 @@
 
 namespace spherepair {
 
-std::vector<std::string> backend_names() { return {"cpu", "glsl", "cuda"}; }
-std::vector<std::string> all_backend_names() { return {"cpu", "glsl", "glsl-core", "cuda"}; }
+std::vector<std::string> backend_names() { return {"cpu", "opengl", "cuda"}; }
+std::vector<std::string> all_backend_names() { return {"cpu", "opengl", "opengl-core", "cuda"}; }
+
+std::string backend_id(const std::string& name) {
+  if (name == "glsl") return "opengl";
+  if (name == "glsl-core") return "opengl-core";
+  if (name == "vulkan") throw std::invalid_argument("vulkan: this version has no such backend yet; use opengl or cuda");
+  const std::vector<std::string> known = all_backend_names();
+  if (std::ranges::find(known, name) == known.end()) throw std::invalid_argument(unknown_name("backend", name, known));
+  return name;
+}
 
 namespace {
 
@@ -43,7 +53,7 @@ OpenOptions with_gl_device(OpenOptions options, bool vendor_free = false) {
     options.gl_device.clear();
   }
 #else
-  if (chosen) throw BackendError("glsl: a CUDA device was chosen, but this build lacks CUDA; use --gl-device");
+  if (chosen) throw BackendError("opengl: a CUDA device was chosen, but this build lacks CUDA; use --gl-device");
 #endif
   return options;
 }
@@ -79,20 +89,20 @@ PipelineOpener pipeline_of_cuda([[maybe_unused]] OpenOptions options, [[maybe_un
 }  // namespace
 
 std::unique_ptr<Device> open_device(const std::string& name, [[maybe_unused]] const OpenOptions& options) {
+  const std::string id = backend_id(name);
+  if (id == "cpu") throw std::invalid_argument("cpu is no device of a GPU's API");
 #ifdef SPHEREPAIR_WITH_GLSL
-  if (name == "glsl" || name == "glsl-core") return open_gl_device(with_gl_device(options, name == "glsl-core"));
+  if (id != "cuda") return open_gl_device(with_gl_device(options, id == "opengl-core"));
 #endif
 #ifdef SPHEREPAIR_WITH_CUDA
-  if (name == "cuda") return open_cuda_device(with_cuda_device(options));
+  if (id == "cuda") return open_cuda_device(with_cuda_device(options));
 #endif
-  if (name == "glsl" || name == "glsl-core")
-    throw BackendError("glsl: not in this build; install libepoxy-dev and libegl-dev and configure again");
-  if (name == "cuda") throw BackendError("cuda: not in this build; put nvcc on the PATH and configure again");
-  throw std::invalid_argument(unknown_name("backend", name, all_backend_names()));
+  if (id == "cuda") throw BackendError("cuda: not in this build; put nvcc on the PATH and configure again");
+  throw BackendError(id + ": not in this build; install libepoxy-dev and libegl-dev and configure again");
 }
 
 std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions& options) {
-  if (name == "cpu") return open_cpu_backend(options, pipeline_of_cpu(options));
+  if (backend_id(name) == "cpu") return open_cpu_backend(options, pipeline_of_cpu(options));
   std::unique_ptr<Device> device = open_device(name, options);
   const PipelineOpener pipeline = device->pipeline() ? PipelineOpener{} : pipeline_of_cuda(options, *device);
   return std::make_unique<Simulation>(std::move(device), pipeline);

@@ -7,13 +7,16 @@
 
 namespace spherepair {
 
-std::vector<std::string> backend_names();  // cpu, glsl, cuda: those that are opened where none is named
+std::vector<std::string> backend_names();  // cpu, opengl, cuda: those that are opened where none is named
 
-// These and glsl-core: OpenGL in plain storage without vendors' extensions, to be compared with glsl.
+// These and opengl-core: OpenGL in plain storage without vendors' extensions, to be compared with opengl.
 std::vector<std::string> all_backend_names();
 
-// Throws BackendError with the reason when this build or machine does not have it, std::invalid_argument for a name
-// that does not exist.
+// The backend of this name: glsl is an older name of opengl, glsl-core of opengl-core. Throws std::invalid_argument for
+// a name that is none.
+std::string backend_id(const std::string& name);
+
+// Throws BackendError with the reason when this build or machine does not have it, and as backend_id.
 std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions& options = {});
 
 // The device of a GPU's API alone (not of cpu), for components without a backend. Throws as open_backend.

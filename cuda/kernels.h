@@ -2,6 +2,8 @@
 // What every kernel gets, and where the host finds the kernels: one entry per file, by group size and variant.
 #pragma once
 
+#include <cstddef>
+
 #include "common/device/buffer_list.h"
 #include "common/device/kernel_list.h"
 #include "common/device/variant.h"
@@ -21,6 +23,9 @@ struct KernelBuffers {
 #undef ONE
 #undef THREE
 };
+#define SAME_SLOT(slot, type, name, words) static_assert(offsetof(KernelBuffers, name) == SLOT_##slot * sizeof(void*));
+SPHEREPAIR_BUFFERS(SAME_SLOT, SAME_SLOT)
+#undef SAME_SLOT
 
 // Every kernel is void (Params p, KernelBuffers buf); those that draw also take a View v. A null entry means a group
 // size or a variant that was not compiled; a kernel of one form ignores both.

@@ -19,8 +19,8 @@ template <typename Function>
 Function egl_function(const char* name) {
   const auto function = reinterpret_cast<Function>(eglGetProcAddress(name));
   if (!function)
-    throw BackendError(
-        fmt::format("glsl: EGL here has no {}; install libegl1 and a driver for it (libegl-mesa0 for software)", name));
+    throw BackendError(fmt::format(
+        "opengl: EGL here has no {}; install libegl1 and a driver for it (libegl-mesa0 for software)", name));
   return function;
 }
 
@@ -29,7 +29,7 @@ std::vector<EGLDeviceEXT> egl_devices() {
   EGLint count = 0;
   if (!query(0, nullptr, &count) || count == 0) {
     throw BackendError(
-        "glsl: EGL finds no device; install the GPU's driver, or libegl-mesa0 and libgl1-mesa-dri for software");
+        "opengl: EGL finds no device; install the GPU's driver, or libegl-mesa0 and libgl1-mesa-dri for software");
   }
   std::vector<EGLDeviceEXT> devices(count);
   query(count, devices.data(), &count);
@@ -78,7 +78,7 @@ Context::Context(const OpenOptions& options) : window_(options.window) {
   window_ ? make_current() : open_on_a_device(options);
   software_ = renders_in_software();
   if (window_ && software_ && options.require_hardware)
-    throw BackendError("glsl: hardware was requested, but the window is drawn in software");
+    throw BackendError("opengl: hardware was requested, but the window is drawn in software");
 }
 
 void Context::open_on_a_device(const OpenOptions& options) {
@@ -98,13 +98,14 @@ void Context::open_on_a_device(const OpenOptions& options) {
     close();
   }
   if (!wanted.empty() && !found.empty())
-    throw BackendError(fmt::format("glsl: there is no OpenGL device {}; the devices are {}", options.gl_device, found));
+    throw BackendError(
+        fmt::format("opengl: there is no OpenGL device {}; the devices are {}", options.gl_device, found));
   if (!software.empty())
     throw BackendError(
-        fmt::format("glsl: no GPU, only the software renderer {}; check that the vendor's EGL file is in "
+        fmt::format("opengl: no GPU, only the software renderer {}; check that the vendor's EGL file is in "
                     "/usr/share/glvnd/egl_vendor.d",
                     software));
-  throw BackendError("glsl: no EGL device gives an OpenGL 4.5 core context; update the driver");
+  throw BackendError("opengl: no EGL device gives an OpenGL 4.5 core context; update the driver");
 }
 
 void Context::close() {
@@ -158,7 +159,7 @@ bool context_is_current() { return current_context != nullptr; }
 
 void Context::make_current() const {
   if (!try_make_current()) {
-    throw BackendError(fmt::format("glsl: eglMakeCurrent failed with error 0x{:x}", eglGetError()));
+    throw BackendError(fmt::format("opengl: eglMakeCurrent failed with error 0x{:x}", eglGetError()));
   }
 }
 
@@ -176,7 +177,7 @@ void gl_check(const std::string& what) {
   if (glGetGraphicsResetStatus() != GL_NO_ERROR) lost_contexts().insert(current);
   if (lost_contexts().contains(current)) {
     throw BackendError(
-        fmt::format("glsl: {} failed: the driver reset the context, as it does when a dispatch runs too long; "
+        fmt::format("opengl: {} failed: the driver reset the context, as it does when a dispatch runs too long; "
                     "use fewer spheres or another method",
                     what));
   }
@@ -187,7 +188,7 @@ void gl_check(const std::string& what) {
                      : error == GL_INVALID_OPERATION ? "invalid operation"
                      : error == GL_INVALID_ENUM      ? "invalid enum"
                                                      : "unknown error";
-  throw BackendError(fmt::format("glsl: {} failed: {} (0x{:x})", what, name, error));
+  throw BackendError(fmt::format("opengl: {} failed: {} (0x{:x})", what, name, error));
 }
 
 }  // namespace spherepair

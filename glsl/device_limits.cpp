@@ -23,12 +23,12 @@ int gl_integer(GLenum name) {
 
 void require_features() {
   if (epoxy_gl_version() < 45) {
-    throw BackendError(fmt::format("glsl: {} offers OpenGL {}, but 4.5 is needed; update the driver",
+    throw BackendError(fmt::format("opengl: {} offers OpenGL {}, but 4.5 is needed; update the driver",
                                    gl_string(GL_RENDERER), gl_string(GL_VERSION)));
   }
   if (!epoxy_has_gl_extension("GL_ARB_gpu_shader_int64")) {
     throw BackendError(
-        fmt::format("glsl: {} lacks GL_ARB_gpu_shader_int64, which the exact stages need; update the driver",
+        fmt::format("opengl: {} lacks GL_ARB_gpu_shader_int64, which the exact stages need; update the driver",
                     gl_string(GL_RENDERER)));
   }
 }
@@ -49,7 +49,7 @@ std::string out_of_memory(uint64_t bytes_asked) {
     glGetIntegerv(GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, &free_kib);
   const std::string free =
       free_kib < 0 ? "this driver does not say how many are free" : fmt::format("{} free", uint64_t(free_kib) * 1024);
-  return fmt::format("glsl: out of memory: {} bytes asked, {}; use fewer spheres or no pair list", bytes_asked, free);
+  return fmt::format("opengl: out of memory: {} bytes asked, {}; use fewer spheres or no pair list", bytes_asked, free);
 }
 
 std::string storage_in_words(const DeviceLimits& limits) {
@@ -102,13 +102,15 @@ BufferStorage BufferMemory::allocate(uint64_t bytes) {
 }
 
 std::string texture_too_long(uint64_t texels, const DeviceLimits& limits) {
-  return fmt::format("glsl: {} cells or spheres, which do not fit texture buffers of {} texels; leave the texture out",
-                     texels, limits.largest_texture);
+  return fmt::format(
+      "opengl: {} cells or spheres, which do not fit texture buffers of {} texels; leave the texture out", texels,
+      limits.largest_texture);
 }
 
 BackendInfo describe_device(bool software, const DeviceLimits& limits) {
   BackendInfo info;
-  info.name = limits.vendor_free ? "glsl-core" : "glsl";
+  info.name = limits.vendor_free ? "opengl-core" : "opengl";
+  info.language = "GLSL";
   info.device = gl_string(GL_RENDERER);
   info.software = software;
   info.device_timers = !software;  // a software renderer's timers stop before its work does

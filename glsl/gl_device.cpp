@@ -210,7 +210,7 @@ void GlDevice::launch(const Launch& launch, const Params& params, const BufferHa
   if (launch.view) program.set_view(*launch.view);
   glUseProgram(program.id());
   bind(launch, buffers);
-  const bool overlapped = hazards_.overlaps(launch, buffers, !batched_ || !overlaps_);
+  const bool overlapped = hazards_.overlaps(launch, buffers, !batched_ || !overlaps_ || variant.texture_table);
   timer_.time(stage_name(launch), [&] {
     overlapped ? void(++work.overlapped) : glMemoryBarrier(barriers(launch));
     if (!variant.windows) return dispatch(launch, buffers);

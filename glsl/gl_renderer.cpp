@@ -74,7 +74,7 @@ void GlRenderer::make_image(uint width, uint height) {
   glNamedFramebufferRenderbuffer(frame_, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
   gl_check(fmt::format("making an image of {} x {} pixels", width, height));
   if (glCheckNamedFramebufferStatus(frame_, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    throw BackendError(fmt::format("glsl: the driver cannot draw into an image of {} x {} pixels", width, height));
+    throw BackendError(fmt::format("opengl: the driver cannot draw into an image of {} x {} pixels", width, height));
   width_ = width;
   height_ = height;
   prepared_.allocations += 2;
@@ -90,7 +90,7 @@ void GlRenderer::draw(DrawMethod method, const View& view, GLuint positions, GLu
   ++draws_;
   if (n > most_in_one_draw(method))
     throw BackendError(
-        fmt::format("glsl: {} draws at most {} spheres", draw_method_name(method), most_in_one_draw(method)));
+        fmt::format("opengl: {} draws at most {} spheres", draw_method_name(method), most_in_one_draw(method)));
   make_image(view.width, view.height);
   set_state(view, frame_);
   glUseProgram(program(method).id());

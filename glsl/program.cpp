@@ -83,7 +83,7 @@ GLuint linked(const std::vector<Stage>& stages, const std::string& what) {
   }
   if (done) return program;
   glDeleteProgram(program);
-  throw BackendError(fmt::format("glsl: the driver rejected {}:\n{}", what, log));
+  throw BackendError(fmt::format("opengl: the driver rejected {}:\n{}", what, log));
 }
 
 }  // namespace

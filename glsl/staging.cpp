@@ -65,7 +65,7 @@ void Staging::make() {
     glCreateBuffers(1, &piece.buffer);
     glNamedBufferStorage(piece.buffer, piece_bytes, nullptr, mapping | GL_CLIENT_STORAGE_BIT);
     piece.mapped = static_cast<char*>(glMapNamedBufferRange(piece.buffer, 0, piece_bytes, mapping));
-    if (!piece.mapped) throw BackendError("glsl: a buffer for transfers could not be mapped; update the driver");
+    if (!piece.mapped) throw BackendError("opengl: a buffer for transfers could not be mapped; update the driver");
   }
 }
 

@@ -17,7 +17,7 @@ from paper.numbers.extensions import whole
 from paper.numbers.prose_studies import CLOSE
 from paper.numbers.ratios import extent, family, time_ratio
 
-APIS = ("glsl", "cuda")
+APIS = ("opengl", "cuda")
 MANY = 10**7
 GRID = {"table": "grid", "n": MANY, "scene": "uniform", "packing_fraction": 0.3, "method": "collide_grid"}
 ROWS = {"move 16,384 spheres and test all pairs": {"table": "step", "n": 16384},
@@ -80,7 +80,7 @@ def short_steps(machine):
 def tensor_cores(machine):
     """CUDA's tensor cores have no counterpart in OpenGL: of the sizes of one run that both have, the largest."""
     wanted = {"table": "grid", "scene": "uniform", "packing_fraction": 0.3, "order": "cold"}
-    opengl = {row.n: row for row in machine.need(**wanted, backend="glsl", method="collide_triangle")}
+    opengl = {row.n: row for row in machine.need(**wanted, backend="opengl", method="collide_triangle")}
     tensor = [row for row in machine.need(**wanted, backend="cuda", method="collide_tensor") if row.n in opengl]
     row = max(tensor, key=lambda row: row.n)
     return (f"Only CUDA reaches tensor cores, which test all pairs of {row.n:,} spheres in {short(row.median)}. "

@@ -49,7 +49,7 @@ def cuda_code(kernel, program, architecture):
 
 def glsl_code(kernel, program, architecture):
     """The same, of the program with the most float instructions in its hot loop: a run compiles others, too."""
-    words = [program, "run", "--backend", "glsl", "--scene", "uniform", "--packing-fraction", "0.3", "--steps", "0",
+    words = [program, "run", "--backend", "opengl", "--scene", "uniform", "--packing-fraction", "0.3", "--steps", "0",
              "--method", kernel, "--block", str(BLOCK), "--n", str(KERNELS[kernel][0])]
     texts = [(name, disassembled(code, architecture)) for name, code in shader_cache.compiled_by(words)]
     loops = [(sass.hot_loop(sass.parse(text)), name, text) for name, text in texts]
@@ -85,7 +85,7 @@ def write_listings(folder, program):
     devices = devices_of(program)
     architecture = architecture_of(devices["backends"])
     made = [listing_of(kernel, api, code_of(kernel, program, architecture))
-            for kernel in KERNELS for api, code_of in (("glsl", glsl_code), ("cuda", cuda_code))]
+            for kernel in KERNELS for api, code_of in (("opengl", glsl_code), ("cuda", cuda_code))]
     record = {"format": "spherepair listings 1", "context": devices["context"], "backends": devices["backends"],
               "architecture": architecture, "tools": {name: version_of(name) for name in ("cuobjdump", "nvdisasm")},
               "listings": [entry for entry, _ in made]}

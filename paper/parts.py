@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 
 from paper.tools import path_of
 
-BACKENDS = ("cpu", "glsl", "cuda")
+BACKENDS = ("cpu", "opengl", "cuda")
 MOST_MINUTES = 8
 SEVERAL = 5  # processes: of four a t-interval is 1.3 times as wide, of three twice
 GIB = 2**30
@@ -83,49 +83,49 @@ def suite(minutes, minutes_of_a_half):
 
 
 def in_hardware(part):
-    if part.tests or part.script or "glsl" not in part.backends:
+    if part.tests or part.script or "opengl" not in part.backends:
         return part
     words, again = (line and f"{line} --require-hardware" for line in (part.words, part.again))
     return replace(part, words=words, again=again)
 
 
 GPU = tuple(map(in_hardware, (
-    study("results", 4, "cpu,glsl,cuda", f"compare --scenes random,uniform --steps 2 --rounds 7 --tables {TABLES}", "results.json",
-          again=f"compare --scenes random,uniform --steps 2 --rounds 7 --tables {TIMES} --backends glsl,cuda",
+    study("results", 4, "cpu,opengl,cuda", f"compare --scenes random,uniform --steps 2 --rounds 7 --tables {TABLES}", "results.json",
+          again=f"compare --scenes random,uniform --steps 2 --rounds 7 --tables {TIMES} --backends opengl,cuda",
           processes=SEVERAL, alone=True),
-    study("frame_rates", 2, "cpu,glsl,cuda", "compare --scenes random --steps 2 --rounds 7 --blocks 128 "
+    study("frame_rates", 2, "cpu,opengl,cuda", "compare --scenes random --steps 2 --rounds 7 --blocks 128 "
           "--tables frame_rates,arrangements --n 64,256,1024,4096,16384", "results.json", alone=True),
-    sweep("sweep", 3, "glsl,cuda", f"--n {DECADES} --rounds 11", processes=SEVERAL, alone=True),
-    sweep("sweep_1e8", 1, "glsl,cuda", "--methods collide_grid --n 100000000 --packing-fractions 0.3 --rounds 11",
+    sweep("sweep", 3, "opengl,cuda", f"--n {DECADES} --rounds 11", processes=SEVERAL, alone=True),
+    sweep("sweep_1e8", 1, "opengl,cuda", "--methods collide_grid --n 100000000 --packing-fractions 0.3 --rounds 11",
           memory=16 * GIB),
-    sweep("sweep_core", 1, "glsl-core,glsl,cuda", "--methods collide_grid --n 1000000,10000000 --packing-fractions 0.3 --rounds 7",
+    sweep("sweep_core", 1, "opengl-core,opengl,cuda", "--methods collide_grid --n 1000000,10000000 --packing-fractions 0.3 --rounds 7",
           alone=True),
-    sweep("sweep_core_1e8", 2, "glsl-core,glsl,cuda", "--methods collide_grid --n 100000000 --packing-fractions 0.3 --rounds 7",
+    sweep("sweep_core_1e8", 2, "opengl-core,opengl,cuda", "--methods collide_grid --n 100000000 --packing-fractions 0.3 --rounds 7",
           memory=16 * GIB),
     sweep("sweep_largest", 3, "cuda", "--methods collide_grid --n 1000000000 --packing-fractions 0.3 --rounds 11",
           memory=120 * GIB),
     sweep("sweep_tensor", 1, "cuda", "--methods collide_triangle,collide_tensor --n 4096,16384,65536,262144,1048576 "
           "--packing-fractions 0.3 --orders cold --rounds 11"),
     sweep("sweep_cpu", 2, "cpu", f"--n {DECADES} --rounds 11", alone=True),
-    study("crossover", 5, "glsl,cuda", "crossover", "crossover.json", processes=SEVERAL, alone=True),
+    study("crossover", 5, "opengl,cuda", "crossover", "crossover.json", processes=SEVERAL, alone=True),
     study("crossover_cpu", 2, "cpu", "crossover", "crossover.json", alone=True),
-    study("ablate", 6, "glsl,cuda", "ablate --n 16384,1000000", "ablate.json", alone=True),
-    study("ablate_extensions", 1, "glsl", "ablate --names large_pages,subgroups,texture_table --n 1000000,10000000 --rounds 7",
+    study("ablate", 6, "opengl,cuda", "ablate --n 16384,1000000", "ablate.json", alone=True),
+    study("ablate_extensions", 1, "opengl", "ablate --names large_pages,subgroups,texture_table --n 1000000,10000000 --rounds 7",
           "ablate.json", alone=True),
-    study("contacts", 4, "glsl,cuda", "contacts --measure errors,sums,rates", "contacts.json"),
-    study("contacts_steps", 2, "glsl,cuda", "contacts --measure steps", "contacts.json"),
-    study("contacts_1e8", 7, "glsl,cuda", "contacts --measure steps --n 100000000", "contacts.json", memory=40 * GIB),
-    study("contacts_rest", 1, "glsl,cuda", "contacts --measure rest --rounds 6", "contacts.json"),
-    study("contacts_rest_1e7", 7, "glsl,cuda", "contacts --measure rest --n 10000000 --rest-layers 150 "
+    study("contacts", 4, "opengl,cuda", "contacts --measure errors,sums,rates", "contacts.json"),
+    study("contacts_steps", 2, "opengl,cuda", "contacts --measure steps", "contacts.json"),
+    study("contacts_1e8", 7, "opengl,cuda", "contacts --measure steps --n 100000000", "contacts.json", memory=40 * GIB),
+    study("contacts_rest", 1, "opengl,cuda", "contacts --measure rest --rounds 6", "contacts.json"),
+    study("contacts_rest_1e7", 7, "opengl,cuda", "contacts --measure rest --n 10000000 --rest-layers 150 "
           "--drag-steps 0.001:32000,0.1:2000 --rounds 6", "contacts.json", memory=16 * GIB),
-    study("launches", 1, "glsl,cuda", "launches --rounds 7", "launches.json", processes=SEVERAL, alone=True),
-    study("energy_all_pairs", 5, "glsl,cuda", "energy --works all_pairs --windows 5 --seconds 10", "energy.json"),
-    study("energy_grid", 5, "glsl,cuda", "energy --works warm,cold --n 10000000 --windows 5 --seconds 10", "energy.json"),
-    study("frames", 2, "glsl,cuda", "frames --draws compute --n 16384,1000000,10000000 --works frame,lit,loop",
+    study("launches", 1, "opengl,cuda", "launches --rounds 7", "launches.json", processes=SEVERAL, alone=True),
+    study("energy_all_pairs", 5, "opengl,cuda", "energy --works all_pairs --windows 5 --seconds 10", "energy.json"),
+    study("energy_grid", 5, "opengl,cuda", "energy --works warm,cold --n 10000000 --windows 5 --seconds 10", "energy.json"),
+    study("frames", 2, "opengl,cuda", "frames --draws compute --n 16384,1000000,10000000 --works frame,lit,loop",
           "frames.json"),
-    study("frames_pipeline", 1, "glsl", "frames --draws mesh_each,mesh,points,impostor --places outside --works frame "
+    study("frames_pipeline", 1, "opengl", "frames --draws mesh_each,mesh,points,impostor --places outside --works frame "
           "--n 16384,1000000,10000000 --most mesh_each:16384,mesh:1000000", "frames.json"),
-    study("frames_1e8", 3, "glsl,cuda", "frames --draws compute --n 100000000 --works frame,loop", "frames.json",
+    study("frames_1e8", 3, "opengl,cuda", "frames --draws compute --n 100000000 --works frame,loop", "frames.json",
           memory=16 * GIB),
     study("frames_1e9", 3, "cuda", "frames --draws compute --n 1000000000 --works frame", "frames.json",
           memory=120 * GIB),
@@ -133,25 +133,25 @@ GPU = tuple(map(in_hardware, (
           "--n 16384,1000000", "frames.json"),
     study("frames_transfer_1e8", 5, "cuda", "frames --transfer --draws compute,points --places outside --works frame "
           "--n 100000000", "frames.json", memory=32 * GIB),
-    study("precision_float32", 6, "glsl,cuda", "precision --precisions float32 --steps 4,6,8,10 --rounds 11",
+    study("precision_float32", 6, "opengl,cuda", "precision --precisions float32 --steps 4,6,8,10 --rounds 11",
           "precision.json"),
-    *(study(f"precision_{precision}_{name}", minutes, "glsl,cuda", f"precision --precisions {precision} --motions {methods} "
+    *(study(f"precision_{precision}_{name}", minutes, "opengl,cuda", f"precision --precisions {precision} --motions {methods} "
             "--steps 4,6,8,10 --rounds 11", "precision.json")
       for precision, of_impacts in (("compensated", 7), ("float64", 6))
       for name, minutes, methods in (("steps", 4, "euler,symplectic,paper,paper-clamp"),
                                      ("impacts", of_impacts, "impact-linear,impact,anchored"))),
     study("precision_cpu", 4, "cpu", "precision --steps 4,6,8,10 --rounds 11", "precision.json", alone=True),
-    study("precision_1e8", 5, "glsl,cuda", "precision --motions paper,anchored --precisions float32 --n 100000000 "
+    study("precision_1e8", 5, "opengl,cuda", "precision --motions paper,anchored --precisions float32 --n 100000000 "
           "--steps 5 --rounds 11", "precision.json", memory=16 * GIB),
-    study("precision_core", 1, "glsl-core,glsl,cuda", "precision --motions paper,anchored --precisions float32 --n 1000000 "
+    study("precision_core", 1, "opengl-core,opengl,cuda", "precision --motions paper,anchored --precisions float32 --n 1000000 "
           "--steps 5 --rounds 7", "precision.json", alone=True),
-    study("precision_core_1e8", 4, "glsl-core,glsl,cuda", "precision --motions paper --precisions float32 --n 100000000 "
+    study("precision_core_1e8", 4, "opengl-core,opengl,cuda", "precision --motions paper --precisions float32 --n 100000000 "
           "--steps 5 --rounds 7", "precision.json", memory=16 * GIB),
-    study("sets", 4, "cpu,glsl,cuda", "sets --motions paper,impact,anchored", "sets.json", alone=True),
-    compiling(("cpu", "glsl", "cuda")),
-    scripted("listings", 1, ("glsl", "cuda"), "listings", "cuobjdump", "nvdisasm"),
+    study("sets", 4, "cpu,opengl,cuda", "sets --motions paper,impact,anchored", "sets.json", alone=True),
+    compiling(("cpu", "opengl", "cuda")),
+    scripted("listings", 1, ("opengl", "cuda"), "listings", "cuobjdump", "nvdisasm"),
     scripted("counters", 2, ("cuda",), "counters.json", "ncu"),
-    *catalogue(("cpu", "glsl", "cuda"), (2, 5), STRESS="full", REQUIRE_BACKENDS="cpu,glsl,cuda"),
+    *catalogue(("cpu", "opengl", "cuda"), (2, 5), STRESS="full", REQUIRE_BACKENDS="cpu,opengl,cuda"),
     *suite((2, 5, 4), 5),  # with the catalogue in its short form
     testing("contacts_long", 7, BACKENDS, "*LongContacts*", {"output.txt": "tests/contacts_long.txt"},
             STRESS="full", REQUIRE_BACKENDS=",".join(BACKENDS)),
@@ -159,16 +159,16 @@ GPU = tuple(map(in_hardware, (
 )))
 
 SOFTWARE = tuple(replace(part, alone=not part.tests) for part in (
-    study("results", 4, "cpu,glsl", f"compare --tables {TABLES}", "results.json", processes=SEVERAL),
-    study("frame_rates", 2, "cpu,glsl", "compare --scenes random --steps 2 --blocks 128 "
+    study("results", 4, "cpu,opengl", f"compare --tables {TABLES}", "results.json", processes=SEVERAL),
+    study("frame_rates", 2, "cpu,opengl", "compare --scenes random --steps 2 --blocks 128 "
           "--tables frame_rates,arrangements --n 64,256,1024,4096,8192", "results.json"),
     study("crossover", 2, "cpu", "crossover --most-ms 60", "crossover.json"),
-    study("crossover_glsl", 2, "glsl", "crossover", "crossover.json"),
+    study("crossover_glsl", 2, "opengl", "crossover", "crossover.json"),
     study("cpu_grid", 1, "cpu", "ablate --names pair_list --n 1000000,10000000", "ablate.json"),
     study("contacts_cpu", 5, "cpu", "contacts --threads 2 --measure steps --n 1000000 --averaged 1000 --rounds 6",
           "contacts.json"),
-    study("precision", 2, "cpu,glsl", "precision --threads 1 --rounds 11", "precision.json"),
-    *catalogue(("cpu", "glsl"), (3, 3)),
+    study("precision", 2, "cpu,opengl", "precision --threads 1 --rounds 11", "precision.json"),
+    *catalogue(("cpu", "opengl"), (3, 3)),
 ))
 
 
@@ -189,7 +189,7 @@ class Run:
     def command(self, out, gpu=""):
         """(words, variables of the environment)"""
         variables = dict(self.part.environment)
-        if gpu and set(self.part.backends) & {"glsl", "cuda"}:
+        if gpu and set(self.part.backends) & {"opengl", "cuda"}:
             variables["CUDA_VISIBLE_DEVICES"] = gpu
         words = self.part.again if self.process > 1 and self.part.again else self.part.words
         return ([word.format(out=out) for word in words.split()],
@@ -214,8 +214,8 @@ def done(run, folder):
 def missing_needs(part, backends):
     """Why this machine cannot run a part, or nothing; `backends` is the list of `spherepair devices`."""
     opened = {backend["name"]: backend for backend in backends if backend.get("open")}
-    if "cuda" in opened and opened.get("glsl", {}).get("software"):
-        del opened["glsl"]  # records of a GPU are of its own OpenGL
+    if "cuda" in opened and opened.get("opengl", {}).get("software"):
+        del opened["opengl"]  # records of a GPU are of its own OpenGL
     absent = [name for name in part.backends if name.removesuffix("-core") not in opened]
     if absent:
         return f"needs {', '.join(absent)}"

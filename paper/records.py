@@ -12,7 +12,7 @@ import json
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from paper import batches, formats, sources, spread
+from paper import batches, formats, ids, sources, spread
 from paper.folders import host_of, sources_in
 from paper.spread import summary
 
@@ -114,7 +114,7 @@ class Machine:
 
     def _read(self, name, runs):
         raws = [[path.read_bytes() for path in files] for files in runs]
-        roots = [[json.loads(raw, object_hook=batches.fitted) for raw in of_run] for of_run in raws]
+        roots = [[json.loads(ids.today(raw.decode()), object_hook=batches.fitted) for raw in of_run] for of_run in raws]
         flat = [root for of_run in roots for root in of_run]
         if not flat or not all(isinstance(root, dict) for root in flat):
             return
@@ -197,12 +197,12 @@ class Machine:
     @property
     def software(self):
         """GLSL runs on the CPU, so its times say nothing about a GPU."""
-        return self.has("glsl") and self.backend("glsl")["software"]
+        return self.has("opengl") and self.backend("opengl")["software"]
 
     @property
     def short(self):
         """Device and run, for captions."""
-        name = "cuda" if self.has("cuda") else "glsl" if self.has("glsl") else "cpu"
+        name = "cuda" if self.has("cuda") else "opengl" if self.has("opengl") else "cpu"
         return f"{self.backend(name)['device']}, run {self.id}"
 
     @property
@@ -210,7 +210,7 @@ class Machine:
         """The device that the times are of, and its driver."""
         if self.has("cuda"):
             return f"{self.backend('cuda')['device']}, driver {self.driver}"
-        return self.backend("glsl")["device"] if self.has("glsl") else ""
+        return self.backend("opengl")["device"] if self.has("opengl") else ""
 
     def ids_in(self, text):
         """The ids of sources that a text names."""
@@ -241,10 +241,10 @@ def recorded_code():
     path = DATA / "code.json"
     if not path.exists():
         raise Missing(f"{path} is not there: paper/count_code.py writes it")
-    return {**json.loads(path.read_text()), "id": f"code:{digest(path.read_bytes())}"}
+    return {**json.loads(ids.today(path.read_text())), "id": f"code:{digest(path.read_bytes())}"}
 
 
 def peers():
     """Times of other systems on the same centres."""
     path = DATA / "peers.json"
-    return {**json.loads(path.read_text()), "id": f"peers:{digest(path.read_bytes())}"}
+    return {**json.loads(ids.today(path.read_text())), "id": f"peers:{digest(path.read_bytes())}"}

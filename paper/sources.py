@@ -2,7 +2,7 @@
 """What a record timed, and what of it has changed since: by the digests of kernels and host paths in its context.
 
 The digests of the tree come from bench/io/source_digests.cmake, which the build uses as well. A name is glsl/KERNEL,
-cuda/KERNEL, host/BACKEND, host/contacts or measure, the code that takes the samples.
+cuda/KERNEL, host/FOLDER, host/contacts or measure, the code that takes the samples.
 """
 import json
 import re
@@ -13,21 +13,12 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
 
+from paper import ids
+
 ROOT = Path(__file__).resolve().parent.parent
-GPU_APIS = ("glsl", "cuda")
+GPU_FOLDERS = ("glsl", "cuda")  # of digests
 MOST_NAMED = 4  # under a figure
 OF_CONTACTS = "contact_|leapfrog|collide_swept"  # stages that host/contacts launches
-# The digest of today, and those of before whose times are the same. What changed in between moves no time:
-# - hosts: a resumed run is no longer refused by what is asked of a start; a saved state counts the steps with contacts. The
-#   CPU's also covered fixed.h, gap.h and skin.h, which only contacts run, and had neither empty steps nor the options of graphs and of OpenGL without extensions.
-#   Each search has memory and parameters of its own (docs/NOTES/launches.md, "Memory of its own").
-# - measure: no batch ahead of a turn, or a quarter of the next batch; a line for each round, which batches.py makes anew; no
-#   watch on other programs; the text that `run` prints, and the cells of tables.
-# Of no use once the first is another: then those records are stale.
-SAME = {"host/cpu": ("f0c163a5e2fc", ("362ffb2fba3e", "2a0c649a3719", "62d1b2be268f", "fcfd6f336f9d", "9719797fe743")),
-        "host/glsl": ("12920e26fa93", ("36621c023829", "db9e174ffae4", "fcc24cbb6510")),
-        "host/cuda": ("7b1dbf5e2e27", ("b837d3cc617f", "37dcc57e4f5e", "008ae94808d1")),
-        "measure": ("bd0f9024d4ab", ("78418af23bac", "8250671bdaba", "54e7a7a461e4", "a9828eda902e", "f363e76d471d", "14bcc287cdc3"))}
 SAID_OF_CONTACTS = {"sums", "sphere_steps_per_second", "sleeping"}  # only timings of contacts have one of these
 
 
@@ -59,18 +50,18 @@ def of_stage(name, stage):
 def names_of(row, recorded):
     """What a timing depends on, of the recorded names; without a device timer it may be any kernel of its API, of contacts
     only where these are what is timed. Machine code and hardware counters depend on one kernel alone."""
-    backend, stages = (row.get("backend") or "").removesuffix("-core"), row.get("stages") or ()
-    kernels = {name for name in recorded if name.startswith(f"{backend}/") and
+    folder, stages = ids.FOLDERS.get(row.get("backend"), ""), row.get("stages") or ()
+    kernels = {name for name in recorded if name.startswith(f"{folder}/") and
                any(of_stage(name, stage) for stage in stages)}
-    if backend in GPU_APIS and not kernels:
+    if folder in GPU_FOLDERS and not kernels:
         pushes = SAID_OF_CONTACTS & row.keys() or "option" in row
-        kernels = {name for name in recorded if name.startswith(f"{backend}/") and
+        kernels = {name for name in recorded if name.startswith(f"{folder}/") and
                    (pushes or not re.match(OF_CONTACTS, Path(name).name))}
     if "kernel" in row:
         return kernels
     drawn = {name for name in recorded if Path(name).suffix and of_stage(name, row.get("draw") or "")}
     contacts = {"host/contacts"} if SAID_OF_CONTACTS & row.keys() or any(re.match(OF_CONTACTS, stage) for stage in stages) else set()
-    return kernels | drawn | (contacts | {f"host/{backend}", "measure"}) & recorded.keys()
+    return kernels | drawn | (contacts | {f"host/{folder}", "measure"}) & recorded.keys()
 
 
 def timings(value, above=None):
@@ -93,11 +84,7 @@ def timings(value, above=None):
 
 def changed(row, recorded, now):
     """The names that a timing depends on and whose digests are others now."""
-    def is_same(name):
-        today, before = SAME.get(name, (None, ()))
-        return now.get(name) == recorded[name] or now.get(name) == today and recorded[name] in before
-
-    return {name for name in names_of(row, recorded) if not is_same(name)}
+    return {name for name in names_of(row, recorded) if now.get(name) != recorded[name]}
 
 
 def parts(names):
@@ -147,7 +134,7 @@ def checked(folder, root=ROOT):
     found = {}
     for path in sorted(Path(folder).rglob("*.json")):
         name = path.relative_to(folder).parts[0]
-        record = json.loads(path.read_text())
+        record = json.loads(ids.today(path.read_text()))
         rows = list(timings(record)) if isinstance(record, dict) else []
         if not rows or name.startswith("."):  # a part that is being recorded
             continue

@@ -11,7 +11,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, NullLoca
 COLUMN, PAGE = 3.4, 7.0  # inches: one column of the paper, both columns
 
 SERIES = {
-    "glsl": {"label": "OpenGL", "color": "#15396b", "marker": "o", "linestyle": "-"},
+    "opengl": {"label": "OpenGL", "color": "#15396b", "marker": "o", "linestyle": "-"},
     "cuda": {"label": "CUDA", "color": "#e0812b", "marker": "s", "linestyle": "--", "markerfacecolor": "white"},
     "cpu parallel": {"label": "CPU, all threads", "color": "#5b8c5a", "marker": "^", "linestyle": ":"},
     "cpu sequential": {"label": "CPU, one thread", "color": "#8a8a8a", "marker": "D", "linestyle": ":"},
@@ -38,7 +38,7 @@ def series_of(record):
 
 def name_devices(machine):
     """Software GL is labelled as such."""
-    SERIES["glsl"]["label"] = "OpenGL in software" if machine.software else "OpenGL"
+    SERIES["opengl"]["label"] = "OpenGL in software" if machine.software else "OpenGL"
 
 
 def panels(width, height, columns=1, **options):

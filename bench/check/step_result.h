@@ -25,7 +25,7 @@ struct Configuration {
 bool uses_blocks(const Configuration& configuration);
 // Returns the requested group size; throws std::invalid_argument where it would change nothing.
 uint require_groups(const Configuration& configuration, uint block);
-std::string label(const Configuration& configuration);  // glsl collide_tiled 256
+std::string label(const Configuration& configuration);  // opengl collide_tiled 256
 std::string set_name(const CollideOptions& options);    // "all pairs" or "within groups of 64"
 
 // The configuration that the others are compared with for this set.

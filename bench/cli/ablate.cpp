@@ -118,7 +118,7 @@ std::shared_ptr<AblateOptions> add_ablate_options(CLI::App& command) {
              "Packing fraction of the spheres");
   add_rounds_option(command, options->rounds);
   add_results_option(command, options->results, "ablate.json, .txt and .csv");
-  command.footer("Example:\n  spherepair ablate --backends glsl,cuda --n 16384,1000000,10000000");
+  command.footer("Example:\n  spherepair ablate --backends opengl,cuda --n 16384,1000000,10000000");
   return options;
 }
 

@@ -65,7 +65,7 @@ void add_compare(CLI::App& app, CommandLine& line, Action& action) {
   add_open_options(*command, line.open);
   command->footer(
       "Every configuration is checked before it is timed.\n"
-      "Examples:\n  spherepair compare\n  spherepair compare --quick --backends cpu,glsl\n"
+      "Examples:\n  spherepair compare\n  spherepair compare --quick --backends cpu,opengl\n"
       "  spherepair compare --tables none --scenes random --n 4096 --steps 100000 --every 1000");
   command->callback([=, &line, &action] { action = [=, &line] { return compare_command(line, *options); }; });
 }

@@ -173,7 +173,7 @@ std::shared_ptr<CrossoverOptions> add_crossover_options(CLI::App& command) {
   add_number(command, "--most-ms", options->most_ms, real_number(1e-3, 1e9),
              "A method whose step takes longer is not timed with more spheres");
   add_results_option(command, options->results, "crossover.json, .txt and .csv");
-  command.footer("Example:\n  spherepair crossover --backends cpu,glsl --n 64,1024,16384");
+  command.footer("Example:\n  spherepair crossover --backends cpu,opengl --n 64,1024,16384");
   return options;
 }
 

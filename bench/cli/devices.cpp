@@ -40,6 +40,7 @@ int devices_command(const CommandLine& line, const DevicesOptions& options) {
     const auto show = [&](const std::string& what, const std::string& value) {
       fmt::print(report, "  {:<34} {}\n", what, value);
     };
+    show("language", backend.at("language"));
     show("device", device_label(session.find(name)->info()));
     if (!backend.at("uuid").get<std::string>().empty()) show("uuid", backend.at("uuid"));
     show("device timers", backend.at("device_timers") ? "yes" : "no");

@@ -89,7 +89,7 @@ std::shared_ptr<EnergyOptions> add_energy_options(CLI::App& command) {
              "Of each window; NVML's counters need 10 for 1 %");
   add_number(command, "--windows", options->windows, whole_number(1, 1000), "Windows of each row");
   add_results_option(command, options->results, "energy.json, .txt and .csv");
-  command.footer("Needs an NVIDIA GPU and its driver's NVML.\nExample:\n  spherepair energy --backends glsl,cuda");
+  command.footer("Needs an NVIDIA GPU and its driver's NVML.\nExample:\n  spherepair energy --backends opengl,cuda");
   return options;
 }
 

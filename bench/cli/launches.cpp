@@ -65,7 +65,7 @@ std::vector<uint64_t> sizes_of_launches(const Session& session) {
 
 void require_device(const Session& session) {
   if (session.devices().empty())
-    throw BackendError("launches times those of a GPU API, and neither glsl nor cuda is open:\n" + session.summary());
+    throw BackendError("launches times those of a GPU API, and neither opengl nor cuda is open:\n" + session.summary());
 }
 
 }  // namespace
@@ -108,8 +108,8 @@ std::shared_ptr<LaunchesOptions> add_launches_options(CLI::App& command) {
   add_results_option(command, options->results, "launches.json, .txt and .csv");
   std::string paths = "Paths:\n";
   for (const LaunchPath& path : launch_paths())
-    paths += fmt::format("  {:<5}{:<20} {}\n", path.backend, path.name, path.summary);
-  command.footer(paths + "Example:\n  spherepair launches --backends glsl,cuda --n 64,1024,16384");
+    paths += fmt::format("  {:<7}{:<20} {}\n", path.backend, path.name, path.summary);
+  command.footer(paths + "Example:\n  spherepair launches --backends opengl,cuda --n 64,1024,16384");
   return options;
 }
 

@@ -62,7 +62,7 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
   add_verbosity_options(*command, options->verbosity);
   add_open_options(*command, line.open);
   command->footer(
-      "Examples:\n  spherepair run --backend glsl --scene random --n 1024 --steps 100 --pairs pairs.txt\n"
+      "Examples:\n  spherepair run --backend opengl --scene random --n 1024 --steps 100 --pairs pairs.txt\n"
       "  spherepair run --input spheres.txt --pairs pairs.txt\n"
       "  spherepair run --n 4096 --steps 1000 --spheres end.csv");
   command->callback([=, &line, &action] { action = [=, &line] { return run_command(line, *options); }; });

@@ -53,7 +53,6 @@ std::vector<std::string> output_files(const PairsOptions& options) {
 
 // Throws for bad options before any work.
 void check_options(const PairsOptions& options) {
-  if (!options.backend.empty()) require_known_backends({options.backend});
   if (!options.method.empty() && method_from_name(options.method) == Method::collide_group)
     throw std::invalid_argument("the method collide_group finds only pairs within a group; choose another");
   if (options.block) parse_blocks({options.block});

@@ -25,7 +25,7 @@ Display open_display(const std::string& title, const ViewOptions& options, const
   if (!open.gl_device.empty() || !open.cuda_device.empty()) return {window(false), false};
   std::string renderer;
   try {
-    renderer = open_backend("glsl", open)->info().device;
+    renderer = open_backend("opengl", open)->info().device;
     std::unique_ptr<Window> shared = window(true);
     if (shared->renderer() == renderer) return {std::move(shared), true};
   } catch (const BackendError&) {  // no OpenGL 4.5 here, or no display: said by what follows
@@ -36,7 +36,7 @@ Display open_display(const std::string& title, const ViewOptions& options, const
 // A GPU if there is one, else the CPU.
 std::string preferred_backend(const Session& session, const OpenOptions& open) {
   if (!open.allow_gpu) return "cpu";
-  for (const char* name : {"cuda", "glsl"})
+  for (const char* name : {"cuda", "opengl"})
     if (const Backend* backend = session.find(name); backend && on_hardware(*backend)) return name;
   return "cpu";
 }
@@ -44,7 +44,6 @@ std::string preferred_backend(const Session& session, const OpenOptions& open) {
 }  // namespace
 
 int view_command(const CommandLine& line, const ViewOptions& options) {
-  if (!options.backend.empty()) require_known_backends({options.backend});
   OutputFiles files;
   add_inputs(files, options.start);
   files.write("--screenshot", options.screenshot_file);

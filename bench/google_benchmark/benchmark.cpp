@@ -100,7 +100,7 @@ int run_all(Session& session, const std::vector<SceneOptions>& scenes, const std
 }
 
 void add_options(CLI::App& app, BenchOptions& options, OpenOptions& open) {
-  add_list(app, "--backends", options.backends, "Only these, and each must open: cpu,glsl,cuda");
+  add_list(app, "--backends", options.backends, "Only these, and each must open: cpu,opengl,cuda");
   add_list(app, "--scenes", options.scenes, "E.g. random,uniform,aligned:8x16");
   add_list(app, "--n", options.sizes, "Numbers of spheres (default 16384 with a GPU, else 4096)")
       ->transform(positive_range);
@@ -131,7 +131,7 @@ int bench_command(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(count, words.data())) return kUsage;
   const std::vector<uint> blocks = parse_blocks(options.blocks);
   start_team(open.threads);
-  Session session(options.backends, open);
+  Session session(backend_ids(options.backends), open);
   const Sampling sampling = study_sampling(options.rounds);
   const std::vector<SceneOptions> scenes = chosen_scenes(options, session);
   const std::vector<BenchRow> rows = bench_rows(session, blocks);

@@ -10,7 +10,7 @@ namespace spherepair {
 
 // One benchmark of one backend.
 struct BenchRow {
-  std::string name;  // glsl/collide_tiled/128, cuda/move, cpu/step, glsl/empty
+  std::string name;  // opengl/collide_tiled/128, cuda/move, cpu/step, opengl/empty
   Backend* backend;
   std::optional<Work> work;  // none: an empty kernel
   CollideOptions options;

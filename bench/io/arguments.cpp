@@ -15,8 +15,9 @@ void require_known(const std::string& what, const std::string& name, const std::
   if (std::ranges::find(known, name) == known.end()) throw std::invalid_argument(unknown_name(what, name, known));
 }
 
-void require_known_backends(const std::vector<std::string>& names) {
-  for (const std::string& name : names) require_known("backend", name, all_backend_names());
+std::vector<std::string> backend_ids(std::vector<std::string> names) {
+  std::ranges::transform(names, names.begin(), backend_id);
+  return names;
 }
 
 std::vector<Method> all_methods() {

@@ -10,7 +10,7 @@
 namespace spherepair {
 
 void require_known(const std::string& what, const std::string& name, const std::vector<std::string>& known);
-void require_known_backends(const std::vector<std::string>& names);
+std::vector<std::string> backend_ids(std::vector<std::string> names);  // see backend_id
 
 std::vector<Method> all_methods();
 std::vector<Method> parse_methods(const std::vector<std::string>& names);  // all when empty

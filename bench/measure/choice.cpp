@@ -28,7 +28,7 @@ ChosenBackend choose_backend(const std::string& name, const OpenOptions& options
   std::vector<std::string> passed_over;
   OpenOptions hardware = options;
   hardware.require_hardware = true;  // software OpenGL is slower than the CPU backend
-  for (const char* device : {"cuda", "glsl"}) {
+  for (const char* device : {"cuda", "opengl"}) {
     if (!options.allow_gpu) break;
     if (!worth_trying) {
       passed_over.push_back(fmt::format("{}: not tried, since /dev shows no GPU (nvidia*, dri, dxg, nvmap)", device));

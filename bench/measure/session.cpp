@@ -61,6 +61,17 @@ std::vector<Backend*> Session::devices() const {
   return found;
 }
 
+std::vector<Session::Versus> Session::contests() const {
+  std::vector<Versus> found;
+  const std::vector<Backend*> all = devices();
+  if (all.empty()) return found;
+  Backend* const cuda = find("cuda");
+  Backend* const baseline = cuda ? cuda : all.front();
+  for (Backend* device : all)
+    if (device != baseline) found.push_back({device, baseline});
+  return found;
+}
+
 Backend* Session::find(const std::string& name) const {
   for (const auto& backend : backends_)
     if (backend->info().name == name) return backend.get();
@@ -107,18 +118,18 @@ std::optional<uint64_t> Session::l2_bytes(const Backend& backend) const {
 std::string Session::summary() const {
   std::string text;
   for (const auto& backend : backends_)
-    text += fmt::format("  {:<5} {}\n", backend->info().name, device_label(backend->info()));
-  for (const Missing& missing : missing_) text += fmt::format("  {:<5} missing: {}\n", missing.name, missing.reason);
+    text += fmt::format("  {:<6} {}\n", backend->info().name, device_label(backend->info()));
+  for (const Missing& missing : missing_) text += fmt::format("  {:<6} missing: {}\n", missing.name, missing.reason);
   return text;
 }
 
 std::vector<std::string> Session::warnings() const {
   std::vector<std::string> found;
-  const Backend *glsl = find("glsl"), *cuda = find("cuda");
+  const Backend *opengl = find("opengl"), *cuda = find("cuda");
   const bool gpu = gpu_seems_present() || cuda;
-  if (gpu && glsl && glsl->info().software)
-    found.push_back("WARNING: this machine seems to have a GPU, but OpenGL runs in SOFTWARE (" + glsl->info().device +
-                    "). Times of glsl say nothing about the GPU. Install the driver's EGL files (for NVIDIA: "
+  if (gpu && opengl && opengl->info().software)
+    found.push_back("WARNING: this machine seems to have a GPU, but OpenGL runs in SOFTWARE (" + opengl->info().device +
+                    "). Times of opengl say nothing about the GPU. Install the driver's EGL files (for NVIDIA: "
                     "libnvidia-gl and /usr/share/glvnd/egl_vendor.d/10_nvidia.json, in a container "
                     "NVIDIA_DRIVER_CAPABILITIES=all), or pass --require-hardware to fail instead.");
   const bool missed = std::ranges::any_of(missing_, [](const Missing& each) { return each.name == "cuda"; });
@@ -146,6 +157,7 @@ json Session::to_json() const {
   for (const auto& backend : backends_) {
     const BackendInfo& info = backend->info();
     list.push_back({{"name", info.name},
+                    {"language", info.language},
                     {"open", true},
                     {"device", info.device},
                     {"uuid", info.uuid},

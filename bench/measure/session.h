@@ -29,6 +29,12 @@ class Session {
   std::vector<Backend*> devices() const;  // all but the CPU
   Backend* find(const std::string& name) const;
 
+  // Whose times are compared: each device with the baseline, which is CUDA, else the first device.
+  struct Versus {
+    Backend *device, *baseline;
+  };
+  std::vector<Versus> contests() const;
+
   // The CPU, or the first open backend: the others are compared with it.
   Backend& reference() const { return *backends_.front(); }
 

@@ -43,27 +43,23 @@ void refuse_empty_values(CLI::App& command) {
 }
 
 void add_backend_option(CLI::App& command, std::string& backend, const std::string& what) {
-  const auto take = [&](const std::string& name) {
-    std::vector<std::string> known = backend_names();
-    known.push_back(kAutomaticBackend);
-    require_known("backend", name, known);
-    backend = name == kAutomaticBackend ? "" : name;
-  };
+  const auto take = [&](const std::string& name) { backend = name == kAutomaticBackend ? "" : backend_id(name); };
   command
       .add_option_function<std::string>(
-          "--backend", take, what + ": cpu, glsl or cuda; auto: the first of cuda, glsl on a GPU and cpu that opens")
+          "--backend", take,
+          what + ": cpu, opengl or cuda; auto: the first of cuda, opengl on a GPU and cpu that opens")
       ->default_str(kAutomaticBackend);
 }
 
 void add_backends_option(CLI::App& command, std::vector<std::string>& backends) {
   const auto take = [&](const std::vector<std::string>& names) {
-    if (names != std::vector<std::string>{kAutomaticBackend}) require_known_backends(names), backends = names;
+    if (names != std::vector<std::string>{kAutomaticBackend}) backends = backend_ids(names);
   };
   command
-      .add_option_function<std::vector<std::string>>(
-          "--backends", take,
-          "Only these of cpu,glsl,cuda and glsl-core (OpenGL without vendors' extensions and storage), and each must "
-          "open; auto: all that open but the last")
+      .add_option_function<std::vector<std::string>>("--backends", take,
+                                                     "Only these of cpu,opengl,cuda and opengl-core (OpenGL without "
+                                                     "vendors' extensions and storage), and each must "
+                                                     "open; auto: all that open but the last")
       ->delimiter(',')
       ->default_str(kAutomaticBackend);
 }

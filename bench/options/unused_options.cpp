@@ -92,7 +92,7 @@ void refuse_of_backend(const Given& given, const std::string& command) {
   given.refuse(cpu && !draws_with_opengl, {"--cuda-device"},
                "on the backend cpu: omit it, or name a backend of the GPU");
   given.refuse(no_opengl, {"--gl-device", "--require-hardware", "--no-gpu", "--compile"},
-               "where OpenGL is not opened: omit it, or name the backend glsl");
+               "where OpenGL is not opened: omit it, or name the backend opengl");
   given.refuse(given.is("--method", {"sequential", "parallel"}) || (cpu && !given.is("--method", {"collide_group"})),
                {"--block"}, "on the CPU, whose loops have no groups: omit it, or name a backend of the GPU");
   given.refuse(given.is("--method", {"collide_tensor"}), {"--block"},

@@ -72,21 +72,21 @@ std::vector<Ablation> optimisations() {
 
 std::vector<Ablation> glsl_features() {
   const CollideOptions step = grid_step(), counting = grid_step_by(Sort::counting);
-  return {{"own_clear", "a kernel clears the table of the counting sort; off: the API's function", "glsl", counting,
+  return {{"own_clear", "a kernel clears the table of the counting sort; off: the API's function", "opengl", counting,
            with_api(counting, &ApiOptions::library_clear)},
-          {"large_pages", "buffers in memory with large pages; off: plain storage", "glsl", step, step, Spheres::random,
-           Reads::nothing, &OpenOptions::large_pages},
-          {"subgroups", "reductions through subgroups; off: through shared memory", "glsl", step, step, Spheres::random,
-           Reads::nothing, &OpenOptions::subgroups},
-          {"texture_table", "the cell table is read through a texture buffer", "glsl",
+          {"large_pages", "buffers in memory with large pages; off: plain storage", "opengl", step, step,
+           Spheres::random, Reads::nothing, &OpenOptions::large_pages},
+          {"subgroups", "reductions through subgroups; off: through shared memory", "opengl", step, step,
+           Spheres::random, Reads::nothing, &OpenOptions::subgroups},
+          {"texture_table", "the cell table is read through a texture buffer", "opengl",
            with_api(step, &ApiOptions::texture_table), with_api(step, &ApiOptions::texture_table, false)},
-          {"batch", "dispatches are submitted together; off: all barriers and a host wait after each", "glsl", step,
+          {"batch", "dispatches are submitted together; off: all barriers and a host wait after each", "opengl", step,
            with_api(step, &ApiOptions::batch, false)},
-          {"overlap", "the sort overlaps the previous search; off: it waits for it", "glsl", step,
+          {"overlap", "the sort overlaps the previous search; off: it waits for it", "opengl", step,
            with_api(step, &ApiOptions::overlap, false)},
           {.name = "vector_loads",
            .summary = "16-byte loads and stores; off: 4-byte ones",
-           .backend = "glsl",
+           .backend = "opengl",
            .work = AblationWork::copy}};
 }
 

@@ -196,7 +196,7 @@ void FramesStudy::measure_transfers(uint64_t n, Backend& cuda, const Scene& scen
                         bool moves) {
     json entry = {{"n", n}, {"transferred", true}, {"draw", draw}, {"place", "outside"}, {"work", work}};
     Contender contender{
-        .label = fmt::format("cuda to glsl {} {}", draw, work), .backend = &cuda, .step = [&](Backend&) { step(); }};
+        .label = fmt::format("cuda to opengl {} {}", draw, work), .backend = &cuda, .step = [&](Backend&) { step(); }};
     if (moves) contender.restart = start_of_loop(scene), contender.prepares = true;
     progress_.say(contender.label);
     const Samples samples = measure(session_, {&contender, 1}, sampling_, progress_).front();

@@ -64,13 +64,16 @@ std::vector<Target> motion_targets(const Session& session, const std::vector<Err
     add_bandwidth(targets, times, copy);
     add_anchored(targets, errors, times, copy.backend);
   }
-  const Backend* glsl = session.find("glsl");
-  if (times.empty() || !glsl || !on_hardware(*glsl)) return targets;
-  const TimeEntry* in_glsl = time_of(times, "glsl", MotionMethod::paper, times.front().k);
-  const TimeEntry* in_cuda = time_of(times, "cuda", MotionMethod::paper, times.front().k);
-  if (in_glsl && in_cuda)
-    targets.push_back(
-        {"time of paper in GLSL over that in CUDA", contest(in_glsl->samples, in_cuda->samples).ratio, 1.05, false});
+  if (times.empty()) return targets;
+  for (const auto& [device, baseline] : session.contests()) {
+    if (!on_hardware(*device)) continue;
+    const std::string &name = device->info().name, &other = baseline->info().name;
+    const TimeEntry* left = time_of(times, name, MotionMethod::paper, times.front().k);
+    const TimeEntry* right = time_of(times, other, MotionMethod::paper, times.front().k);
+    if (!left || !right) continue;
+    targets.push_back({fmt::format("{}: time of paper over that of {}", name, other),
+                       contest(left->samples, right->samples).ratio, 1.05, false});
+  }
   return targets;
 }
 

@@ -11,7 +11,7 @@ namespace spherepair {
 namespace {
 
 std::string why_not(const Session& session) {
-  for (const auto& [name, api] : {std::pair{"glsl", "OpenGL"}, {"cuda", "CUDA"}}) {
+  for (const auto& [name, api] : {std::pair{"opengl", "OpenGL"}, {"cuda", "CUDA"}}) {
     const Backend* backend = session.find(name);
     if (!backend) return fmt::format("{} did not run", api);
     if (!on_hardware(*backend)) return fmt::format("{} ran in software, so its times say nothing about a GPU", api);
@@ -20,11 +20,11 @@ std::string why_not(const Session& session) {
 }
 
 // OpenGL takes 1.03x to 1.59x CUDA's time in 28 (methods, scale)
-std::string of_side(const std::vector<ApiContest>& contests, bool glsl_slower) {
+std::string of_side(const std::vector<ApiContest>& contests, bool slower) {
   std::vector<double> ratios;
   std::vector<std::string> tables;
   for (const auto& [table, contest] : contests) {
-    if (contest.finding != Finding::differ || (contest.ratio > 1) != glsl_slower) continue;
+    if (contest.finding != Finding::differ || (contest.ratio > 1) != slower) continue;
     ratios.push_back(contest.ratio);
     if (std::ranges::find(tables, table) == tables.end()) tables.push_back(table);
   }
@@ -35,7 +35,11 @@ std::string of_side(const std::vector<ApiContest>& contests, bool glsl_slower) {
 
 }  // namespace
 
-std::string api_verdict(const Session& session, const std::vector<ApiContest>& contests) {
+std::string api_verdict(const Session& session, const std::vector<ApiContest>& all) {
+  std::vector<ApiContest> contests;
+  std::ranges::copy_if(all, std::back_inserter(contests), [](const ApiContest& one) {
+    return one.contest.left == "opengl" && one.contest.right == "cuda";
+  });
   std::string reason = why_not(session);
   if (reason.empty() && contests.empty()) reason = "no table timed both";
   if (!reason.empty()) return fmt::format("OpenGL or CUDA: this run cannot say which is faster; {}", reason);

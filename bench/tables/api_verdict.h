@@ -12,10 +12,10 @@ namespace spherepair {
 
 struct ApiContest {
   std::string table;
-  Contest contest;  // GLSL's time against CUDA's
+  Contest contest;  // a device's time against the baseline's
 };
 
 // Or why it cannot be said: no GPU, an API that is missing, nothing timed in both.
-std::string api_verdict(const Session& session, const std::vector<ApiContest>& contests);
+std::string api_verdict(const Session& session, const std::vector<ApiContest>& all);
 
 }  // namespace spherepair

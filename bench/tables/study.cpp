@@ -158,9 +158,15 @@ std::vector<Samples> Study::time_unchecked(const std::string& table, const std::
   return samples;
 }
 
-std::string Study::compare(const std::string& table, const Samples& left, const Samples& right) {
-  contests.push_back({table, contest(left, right)});
-  return ratio_text(contests.back().contest);
+std::vector<std::string> Study::compare(const std::string& table, std::span<const Samples> samples) {
+  std::vector<std::string> cells;
+  for (const auto& [device, baseline] : session.contests()) {
+    const auto left = std::ranges::find(samples, device->info().name, &Samples::backend);
+    const auto right = std::ranges::find(samples, baseline->info().name, &Samples::backend);
+    contests.push_back({table, contest(*left, *right)});
+    cells.push_back(ratio_text(contests.back().contest));
+  }
+  return cells;
 }
 
 void Study::record(const std::string& table, const SceneOptions& scene, const Task& task, const Samples& samples) {
@@ -178,9 +184,9 @@ void Study::record(const std::string& table, const SceneOptions& scene, const Ta
   measurements.push_back(std::move(row));
 }
 
-void add_contest_column(Table& table, const std::vector<Backend*>& devices) {
-  if (devices.size() > 1)
-    table.columns.push_back({"", devices[0]->info().name + "/" + devices[1]->info().name, "times", true});
+void add_contest_columns(Table& table, const Session& session) {
+  for (const auto& [device, baseline] : session.contests())
+    table.columns.push_back({"", device->info().name + "/" + baseline->info().name, "times", true});
 }
 
 bool SizeSequence::next() {

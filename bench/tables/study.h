@@ -26,8 +26,8 @@ class Study {
   // times all tasks in interleaved rounds. Returns samples in the order of the tasks and keeps them for the record.
   std::vector<Samples> time(const std::string& table, const SceneOptions& scene, const std::vector<Task>& tasks);
 
-  // The cell of two devices' times, GLSL's first; the contest is kept for the last lines of the run.
-  std::string compare(const std::string& table, const Samples& left, const Samples& right);
+  // The cells of add_contest_columns; the contests are kept for the last lines of the run.
+  std::vector<std::string> compare(const std::string& table, std::span<const Samples> samples);
 
   // Times and records contenders that have no result to check.
   std::vector<Samples> time_unchecked(const std::string& table, const std::vector<Contender>& contenders,
@@ -74,8 +74,8 @@ class SizeSequence {
   std::vector<std::string> notes_;
 };
 
-// Of two devices and more: the column of Study::compare.
-void add_contest_column(Table& table, const std::vector<Backend*>& devices);
+// A column for each device but the baseline: the ratio of its time to the baseline's.
+void add_contest_columns(Table& table, const Session& session);
 
 struct TableKind {
   const char *name, *summary;

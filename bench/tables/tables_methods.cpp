@@ -35,7 +35,7 @@ void methods_rows(Study& study, Table& table, uint64_t n, Method method) {
       row.push_back(time_cell(one));
       row.push_back(format_rate(candidate_pairs(method, block, n) / one.median_seconds()));
     }
-    if (pair.size() > 1) row.push_back(study.compare("methods", pair[0], pair[1]));
+    std::ranges::copy(study.compare("methods", pair), std::back_inserter(row));
     table.rows.push_back(row);
   }
 }
@@ -91,7 +91,7 @@ std::vector<Table> make_methods(Study& study) {
     table.columns.push_back({group, "median", "ms"});
     table.columns.push_back({group, "pairs", "1/s"});
   }
-  add_contest_column(table, devices);
+  add_contest_columns(table, study.session);
   for (uint64_t n : study.plan.method_sizes)
     for (Method method : device_methods())
       if (is_wanted(study.plan, method)) methods_rows(study, table, n, method);
@@ -111,7 +111,7 @@ std::vector<Table> make_overhead(Study& study) {
     table.columns.push_back({device->info().name, "median", "us"});
     table.columns.push_back({device->info().name, "min", "us"});
   }
-  add_contest_column(table, devices);
+  add_contest_columns(table, study.session);
   for (uint64_t launches : {1, 10, 100, 1000}) {
     std::vector<Contender> contenders;
     for (Backend* device : devices)
@@ -130,7 +130,7 @@ std::vector<Table> make_overhead(Study& study) {
       row.push_back(time_cell(one, 1e6 / double(launches)));
       row.push_back(format_us(minimum(one.seconds) / double(launches)));
     }
-    if (samples.size() > 1) row.push_back(study.compare("overhead", samples[0], samples[1]));
+    std::ranges::copy(study.compare("overhead", samples), std::back_inserter(row));
     table.rows.push_back(row);
   }
   table.notes = {

@@ -66,11 +66,11 @@ std::vector<std::string> cells_of(const Study& study, uint64_t n, const std::str
     const auto one = found.find(backend->info().name);
     cells.push_back(one == found.end() ? "-" : one->second ? time_cell(*one->second) : "left out");
   }
-  const std::vector<Backend*> devices = study.session.devices();
-  if (devices.size() < 2) return cells;
-  const auto left = found.find(devices[0]->info().name), right = found.find(devices[1]->info().name);
-  const bool both = left != found.end() && right != found.end() && left->second && right->second;
-  cells.push_back(both ? ratio_text(contest(*left->second, *right->second)) : "-");
+  for (const auto& [device, baseline] : study.session.contests()) {
+    const auto left = found.find(device->info().name), right = found.find(baseline->info().name);
+    const bool both = left != found.end() && right != found.end() && left->second && right->second;
+    cells.push_back(both ? ratio_text(contest(*left->second, *right->second)) : "-");
+  }
   return cells;
 }
 
@@ -89,7 +89,7 @@ Table absolute_times(const Study& study, const std::vector<Task>& tasks, const s
               {},
               {}};
   for (const auto& backend : study.session.backends()) table.columns.push_back({"median", backend->info().name, "ms"});
-  add_contest_column(table, study.session.devices());
+  add_contest_columns(table, study.session);
   for (const Table1Row& row : rows) {
     const PaperRow paper = paper_row(row.n);
     Found moves;
@@ -147,7 +147,7 @@ Table speedups(const std::vector<Table1Row>& rows) {
     }
     table.rows.push_back(cells);
   }
-  table.notes = {"glsl and cuda: collide_triangle. Below 1: slower than the base."};
+  table.notes = {"opengl and cuda: collide_triangle. Below 1: slower than the base."};
   return table;
 }
 

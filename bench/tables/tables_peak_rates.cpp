@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <algorithm>
+
 #include "bench/tables/study.h"
 
 namespace spherepair {
@@ -38,7 +40,7 @@ std::vector<std::string> peak_row(Study& study, const PeakRateKind& kind, const 
     row.push_back(time_cell(one));
     row.push_back(format_number(amount / one.median_seconds()));
   }
-  if (samples.size() > 1) row.push_back(study.compare("peak_rates", samples[0], samples[1]));
+  std::ranges::copy(study.compare("peak_rates", samples), std::back_inserter(row));
   return row;
 }
 
@@ -55,7 +57,7 @@ std::vector<Table> make_peak_rates(Study& study) {
     table.columns.push_back({group, "rate", "units"});
   }
   if (study.session.devices().empty()) return {};
-  add_contest_column(table, study.session.devices());
+  add_contest_columns(table, study.session);
   // One size within and one beyond the caches of a GPU.
   const std::vector<uint64_t> sizes =
       study.plan.hardware ? std::vector<uint64_t>{1u << 20, 1u << 25} : std::vector<uint64_t>{1u << 16};

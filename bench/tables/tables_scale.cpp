@@ -2,6 +2,7 @@
 // All pairs from small to large n, and whole steps.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bench/io/scene_text.h"
@@ -29,7 +30,7 @@ std::vector<std::string> scale_row(Study& study, const SceneOptions& scene, cons
     if (!on_hardware(*tasks[k].configuration.backend) || std::isnan(rate)) continue;
     row.push_back(format_number(100 * per_second * instructions_per_pair / rate));
   }
-  if (samples.size() > 1) row.push_back(study.compare("scale", samples[0], samples[1]));
+  std::ranges::copy(study.compare("scale", samples), std::back_inserter(row));
   return row;
 }
 
@@ -49,7 +50,7 @@ std::vector<Table> make_scale(Study& study) {
     table.columns.push_back({group, "pairs", "1/s"});
     if (on_hardware(*task.configuration.backend) && !std::isnan(rate)) table.columns.push_back({group, "floor", "%"});
   }
-  add_contest_column(table, study.session.devices());
+  add_contest_columns(table, study.session);
   std::vector<std::string> left_out;
   for (const char* name : {"random", "uniform"}) {
     SizeSequence sizes(study, study.plan.scale_sizes);
@@ -85,15 +86,14 @@ std::vector<Table> make_step(Study& study) {
     tasks.push_back({Work::step, {backend.get(), {.method = method, .block = study.plan.table_block}}});
     table.columns.push_back({"median", label(tasks.back().configuration), "ms"});
   }
-  add_contest_column(table, study.session.devices());
+  add_contest_columns(table, study.session);
   SizeSequence sizes(study, study.plan.step_sizes);
   while (sizes.next()) {
     const std::vector<Samples> samples = study.time("step", study.paper_scene(sizes.n()), tasks);
     sizes.measured(samples);
     std::vector<std::string> row = {std::to_string(sizes.n()), sizes.n() <= 16384 ? "16" : "-"};
     for (const Samples& one : samples) row.push_back(time_cell(one));
-    if (study.session.devices().size() > 1)
-      row.push_back(study.compare("step", samples[samples.size() - 2], samples.back()));
+    std::ranges::copy(study.compare("step", samples), std::back_inserter(row));
     table.rows.push_back(row);
   }
   for (const std::string& note : sizes.notes()) table.notes.push_back(note);

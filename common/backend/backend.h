@@ -100,11 +100,11 @@ struct DrawStatistics {
 };
 
 struct BackendInfo {
-  std::string name;       // cpu, glsl, cuda
-  std::string device;     // as the driver names it
-  std::string uuid;       // of the GPU, 32 hex digits; empty for software
-  bool on_host = false;   // loops of host threads: no kernels to launch in groups
-  bool software = false;  // GL on the CPU
+  std::string name, language;  // cpu, opengl, cuda: the API; C++, GLSL, CUDA C++: of its kernels
+  std::string device;          // as the driver names it
+  std::string uuid;            // of the GPU, 32 hex digits; empty for software
+  bool on_host = false;        // loops of host threads: no kernels to launch in groups
+  bool software = false;       // GL on the CPU
   bool device_timers = false;
   std::map<std::string, std::string> details;  // versions, extensions, limits
 };
@@ -242,7 +242,7 @@ struct OpenOptions {
   bool allow_gpu = true;            // false: software GL even where a GPU is
   bool large_pages = true;          // GL: storage in large pages where the driver has it
   bool subgroups = true;            // GL: sums through subgroups where the driver has them
-  bool vendor_free = false;         // GL: plain storage and no extension but ARB's: the backend glsl-core
+  bool vendor_free = false;         // GL: plain storage and no extension but ARB's: the backend opengl-core
   uint64_t texels = ~0ull;          // GL: texels of a texture buffer at most, where the driver has more
   int threads = 0;                  // of the CPU backend; 0: all cores
 };

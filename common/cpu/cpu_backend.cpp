@@ -31,6 +31,7 @@ BackendInfo describe_cpu(int threads) {
   if (threads < 1)
     throw std::invalid_argument(fmt::format("the number of threads is {}, but must be at least 1", threads));
   return {.name = "cpu",
+          .language = "C++",
           .device = cpu_model(),
           .uuid = {},
           .on_host = true,

@@ -23,7 +23,7 @@ std::array<Choice, 7> choices(const Launch& launch) {
 Uses table_of(Kernel kernel) {
   using namespace slots;
 #define USES(name, reads, writes) {reads, writes},
-  constexpr Uses uses[] = {SPHEREPAIR_KERNELS(USES)};
+  static constexpr Uses uses[] = {SPHEREPAIR_KERNELS(USES)};
 #undef USES
   return uses[int(kernel)];
 }
@@ -32,14 +32,14 @@ Slots chosen(const Launch& launch, Slots seen) {
   Slots used = seen;
   for (const Choice& choice : choices(launch)) used &= ~(Slots(1) << choice.seen);
   for (const Choice& choice : choices(launch)) used |= (seen >> choice.seen & 1) << choice.used;
-  return used & ~launch.unused;
+  return used;
 }
 
 }  // namespace
 
 const char* kernel_name(Kernel kernel) {
 #define NAME(name, reads, writes) #name,
-  constexpr const char* names[] = {SPHEREPAIR_KERNELS(NAME)};
+  static constexpr const char* names[] = {SPHEREPAIR_KERNELS(NAME)};
 #undef NAME
   return names[int(kernel)];
 }
@@ -56,8 +56,8 @@ BufferHandles seen_buffers(const Launch& launch, const BufferHandles& buffers) {
 }
 
 Uses uses_of(const Launch& launch) {
-  const Uses kernel = table_of(launch.kernel);
-  return {chosen(launch, kernel.reads), chosen(launch, kernel.writes)};
+  const auto [reads, writes] = table_of(launch.kernel);
+  return {chosen(launch, reads & ~launch.unused), chosen(launch, writes & ~launch.unused)};
 }
 
 }  // namespace spherepair

@@ -50,13 +50,13 @@ inline uint count_slot(Order order) { return order == Order::cells ? SLOT_SORTED
 struct Launch {
   Kernel kernel;
   uint block;  // threads per group
-  Variant variant;
+  Variant variant = {};
   std::array<uint, 3> groups = {1, 1, 1};
   Order order = Order::scene;   // that the kernel reads
   Order target = Order::cells;  // that it writes
   uint table = SLOT_CELL;       // of the scan
   const char* stage = nullptr;  // name of its time, where not the kernel's
-  Slots unused = 0;             // of the kernel's buffers, with these parameters
+  Slots unused = 0;             // of the buffers as the kernel sees them, with these parameters
   bool depends = false;         // on the launches before, whatever they and it use
   const View* view = nullptr;   // of kernels that draw, which see as counts what chooses the colours, by sphere index
   uint visible_slot = SLOT_VISIBLE;  // of kernels that draw

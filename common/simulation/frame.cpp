@@ -19,7 +19,6 @@ const char* tiles_stage(uint phase) {
 Launch drawing(const Frame& frame, Launch launch) {
   launch.view = &frame.view;
   launch.visible_slot = frame.visible_slot;
-  launch.unused |= frame.unused;
   return launch;
 }
 

@@ -13,7 +13,7 @@ struct Frame {
   Order order = Order::scene;        // of the spheres
   uint indices = 0;                  // Variant::indices of that
   uint visible_slot = SLOT_VISIBLE;  // its pixels
-  Slots unused = 0;                  // by its launches
+  Slots unused = 0;                  // by draw_spheres
   bool culls = false;                // by clusters
   bool may_have_tiles = true;        // some sphere may look large
   uint tiles_of_depth_pass = 0;      // where depths and indices take a pass each

@@ -148,7 +148,7 @@ void Rasterizer::draw_all(Frame& frame) {
     if (pass == PASS_ID) restart_tiles(context_, frame);
     const auto groups = folded(ceil_div(context_.n * frame.view.lanes, SERVICE_BLOCK));
     Launch spheres{Kernel::draw_spheres, SERVICE_BLOCK, {.indices = frame.indices}, groups, frame.order};
-    if (frame.indices == 0) spheres.unused = slots::count;
+    spheres.unused = frame.unused | (frame.indices == 0 ? slots::count : slots::none);
     launch_drawing(context_, frame, spheres);
     launch_tiles(context_, frame);
   }

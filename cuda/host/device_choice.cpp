@@ -79,6 +79,7 @@ BackendInfo describe_device(int device) {
   cudaRuntimeGetVersion(&runtime);
   cudaDeviceGetAttribute(&clock_khz, cudaDevAttrClockRate, device);
   info.name = "cuda";
+  info.language = "CUDA C++";
   info.device = properties.name;
   info.uuid = uuid_of(properties);
   info.device_timers = true;

@@ -5,7 +5,7 @@ namespace spherepair {
 
 Entry entry_of(const Launch& launch) {
 #define ENTRY(name, reads, writes) &name##_kernel,
-  constexpr Entry (*entries[])(uint, Variant) = {SPHEREPAIR_KERNELS(ENTRY)};
+  static constexpr Entry (*entries[])(uint, Variant) = {SPHEREPAIR_KERNELS(ENTRY)};
 #undef ENTRY
   return entries[int(launch.kernel)](launch.block, launch.variant);
 }

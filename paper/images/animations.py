@@ -9,6 +9,7 @@ import json
 import matplotlib.pyplot as plt
 import numpy
 
+from paper import ids
 from paper.records import DATA, Missing
 from paper.style import COLUMN, panels
 
@@ -23,7 +24,7 @@ def record(name):
     path = FOLDER / f"{name}.json"
     if not path.exists():
         raise Missing(f"{path.relative_to(DATA)} was not recorded")
-    return json.loads(path.read_text())
+    return json.loads(ids.today(path.read_text()))
 
 
 def describe(letter, frame):

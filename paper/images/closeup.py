@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The mesh of the original paper and exact spheres, close up:
 
-  spherepair render --backend glsl --scene random --n 512 --steps 96 --size 640x480 --no-legend --draw mesh \\
+  spherepair render --backend opengl --scene random --n 512 --steps 96 --size 640x480 --no-legend --draw mesh \\
     --eye 13,1,17 --target 3,-2,5 --field 24 --samples 9 --output closeup-mesh.png
   the same with --draw impostor --output closeup-impostor.png
 """

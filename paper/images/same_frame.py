@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """One frame from each backend, and their difference. For each recorded backend:
 
-  spherepair render --backend glsl --scene random --n 4096 --restitution 0.3 --steps 84 --size 640x480 --samples 9 \\
+  spherepair render --backend opengl --scene random --n 4096 --restitution 0.3 --steps 84 --size 640x480 --samples 9 \\
     --no-legend --output same-glsl.png
 """
 import matplotlib.pyplot as plt
@@ -14,8 +14,8 @@ from paper.style import PAGE, panels
 NAME = "same-frame"
 CAPTION = ("One frame from {backends}, and the greatest difference of a channel at each pixel between any two, black for "
            "none: {said}.")
-BACKENDS = ("cpu", "glsl", "cuda")
-TITLES = {"cpu": "CPU", "glsl": "GLSL", "cuda": "CUDA"}
+BACKENDS = ("cpu", "opengl", "cuda")
+TITLES = {"cpu": "CPU", "opengl": "GLSL", "cuda": "CUDA"}
 
 
 def recorded():

@@ -60,10 +60,10 @@ def pairs_of(machine):
     """Drawing by the compute rasteriser alone: through OpenGL, CUDA's spheres are transferred."""
     by_work = {}
     for record in (record for table in TABLES for record in machine.select(table=table)):
-        if record.backend in ("glsl", "cuda") and record.parameters.get("draw", "compute") == "compute":
+        if record.backend in ("opengl", "cuda") and record.parameters.get("draw", "compute") == "compute":
             by_work.setdefault(key_of(record), {}).setdefault(record.backend, []).append(record)
-    return [(each["glsl"][0], each["cuda"][0]) for each in by_work.values()
-            if {name: len(rows) for name, rows in each.items()} == {"glsl": 1, "cuda": 1}]
+    return [(each["opengl"][0], each["cuda"][0]) for each in by_work.values()
+            if {name: len(rows) for name, rows in each.items()} == {"opengl": 1, "cuda": 1}]
 
 
 def contest(glsl, cuda, ratio):

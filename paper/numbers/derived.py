@@ -58,9 +58,9 @@ def ratio(glsl, cuda):
 
 def matched(machine, **wanted):
     """(parameter record of GLSL, of CUDA) for every size both have."""
-    if not (machine.has("glsl") and machine.has("cuda")):
+    if not (machine.has("opengl") and machine.has("cuda")):
         raise Missing(f"{machine.name} was not run with both GLSL and CUDA")
-    glsl, cuda = (machine.need(backend=name, **wanted) for name in ("glsl", "cuda"))
+    glsl, cuda = (machine.need(backend=name, **wanted) for name in ("opengl", "cuda"))
     by_n = {record.n: record for record in cuda}
     return [(record, by_n[record.n]) for record in glsl if record.n in by_n]
 
@@ -88,7 +88,7 @@ def pairs_of(machine):
 def needed_devices(machine, **wanted):
     """The APIs that have such records; Missing if none has."""
     machine.need(**wanted)
-    devices = [name for name in ("glsl", "cuda") if machine.select(backend=name, **wanted)]
+    devices = [name for name in ("opengl", "cuda") if machine.select(backend=name, **wanted)]
     if not devices:
         raise Missing(f"{machine.name} has no record of GLSL or CUDA in the table {wanted['table']}")
     return devices
@@ -153,7 +153,7 @@ def stage_ratios(machine):
     by_work = {(record.source, work_of(record), record.backend): record for record in timed}
     for (run, work, backend), glsl in by_work.items():
         cuda = by_work.get((run, work, "cuda"))
-        if backend == "glsl" and cuda:
+        if backend == "opengl" and cuda:
             for kernel in glsl.device_stages_ms.keys() & cuda.device_stages_ms.keys():
                 row = stage_ratio(kernel, glsl, cuda)
                 long = row and all(record.device_stages_ms[kernel] >= least for record in (glsl, cuda))

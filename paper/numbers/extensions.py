@@ -28,7 +28,7 @@ def whole(machine):
     found = {}
     for record in (record for table in ("core_grid", "core_motion") for record in machine.select(table=table)):
         found.setdefault((what_of(record), record.n), {})[record.backend] = record
-    rows = [Row(what, *(each[name] for name in ("glsl-core", "glsl", "cuda"))) for (what, _), each in found.items()]
+    rows = [Row(what, *(each[name] for name in ("opengl-core", "opengl", "cuda"))) for (what, _), each in found.items()]
     if not rows:
         raise Missing(f"{machine.name} has no record of OpenGL without vendors' extensions")
     return rows

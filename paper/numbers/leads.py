@@ -9,7 +9,7 @@ from paper.records import Missing
 CONTESTS = {"all pairs of the original's box": {"table": "scale", "scene": "random"},
             "all pairs of a gas": {"table": "scale", "scene": "uniform"},
             "whole steps": {"table": "step"}}
-NAMES = {"glsl": "OpenGL", "cuda": "CUDA"}
+NAMES = {"opengl": "OpenGL", "cuda": "CUDA"}
 LARGE = 65536  # spheres from which launches are negligible
 
 
@@ -29,7 +29,7 @@ class Contest:
 
 def decided(pairs, where=()):
     """The contests of one family, with the kind of work of each."""
-    return [Contest(glsl.n, ("cuda" if ratio.middle > 1 else "glsl") if ratio.decided else "", glsl.source, kind, ratio)
+    return [Contest(glsl.n, ("cuda" if ratio.middle > 1 else "opengl") if ratio.decided else "", glsl.source, kind, ratio)
             for (glsl, cuda), ratio, kind in zip(pairs, family(pairs), where or [""] * len(pairs))]
 
 
@@ -59,7 +59,7 @@ def sizes(found):
 
 def in_order(found):
     """(winner below, winner above) if a number of spheres separates them, otherwise None."""
-    for low, high in (("cuda", "glsl"), ("glsl", "cuda")):
+    for low, high in (("cuda", "opengl"), ("opengl", "cuda")):
         below, above = won(found, low), won(found, high)
         if below and above and max(entry.n for entry in below) < min(entry.n for entry in above):
             return low, high
@@ -117,7 +117,7 @@ def headline(found):
     winners = {entry.winner for entry in found}
     if winners == {""}:
         return "no difference is decided"
-    if {"glsl", "cuda"} <= winners:
+    if {"opengl", "cuda"} <= winners:
         return "neither API wins throughout"
     name = NAMES[max(winners)]
     return f"{name} is never the slower" if "" in winners else f"{name} wins throughout"

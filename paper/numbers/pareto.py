@@ -32,7 +32,7 @@ def kind(row):
 
 
 def devices(rows):
-    return [name for name in ("cpu", "glsl", "cuda") if any(row.backend == name for row in rows)]
+    return [name for name in ("cpu", "opengl", "cuda") if any(row.backend == name for row in rows)]
 
 
 def paper_setting(rows):

@@ -9,7 +9,7 @@ from paper.numbers.stress import places, recorded_stress, stressed
 from paper.records import Missing, said
 from paper.text import ms
 
-DEVICES = ("glsl", "cuda")
+DEVICES = ("opengl", "cuda")
 
 
 def errors_of_motion(put, machine, others):

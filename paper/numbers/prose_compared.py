@@ -7,18 +7,18 @@ from paper.numbers.transfers import MOST_TRANSFERRED, hidden, overlaps
 from paper.records import Missing, peers, said
 from paper.text import ms
 
-DEVICES = ("glsl", "cuda")
+DEVICES = ("opengl", "cuda")
 GRID = {"table": "grid", "scene": "uniform", "method": "collide_grid", "order": "cold"}
 NEVER = float("inf")
 GOOD = 1.2  # auto's time over the best fixed choice's
 FEW = 2048  # spheres for which small groups are faster
-SAID = (("counts_read", "glsl", 1), ("counts_read", "cuda", 1), ("vector_loads", "glsl", 1), ("vector_loads", "cuda", 1),
-        ("batch", "glsl", 1), ("plane_test", "glsl", 1), ("plane_test", "cuda", 1), ("exact_stages", "glsl", 1),
-        ("exact_stages", "cuda", 1), ("order", "glsl", 1), ("order", "cuda", 1), ("cells", "glsl", 1), ("cells", "cuda", 1),
-        ("read_back", "glsl", 1), ("read_back", "cuda", 1), ("own_clear", "glsl", 1), ("own_clear", "cuda", 1),
-        ("overlap", "glsl", 1), ("overlap", "cuda", 1),
-        ("own_buckets", "cuda", 1), ("texture_table", "glsl", 1), ("radius_load", "glsl", 1), ("radius_load", "cuda", 1),
-        ("new_cells", "glsl", -1), ("new_cells", "cuda", -1))  # at the most spheres: saves (1), costs (-1), no difference seen (0)
+SAID = (("counts_read", "opengl", 1), ("counts_read", "cuda", 1), ("vector_loads", "opengl", 1), ("vector_loads", "cuda", 1),
+        ("batch", "opengl", 1), ("plane_test", "opengl", 1), ("plane_test", "cuda", 1), ("exact_stages", "opengl", 1),
+        ("exact_stages", "cuda", 1), ("order", "opengl", 1), ("order", "cuda", 1), ("cells", "opengl", 1), ("cells", "cuda", 1),
+        ("read_back", "opengl", 1), ("read_back", "cuda", 1), ("own_clear", "opengl", 1), ("own_clear", "cuda", 1),
+        ("overlap", "opengl", 1), ("overlap", "cuda", 1),
+        ("own_buckets", "cuda", 1), ("texture_table", "opengl", 1), ("radius_load", "opengl", 1), ("radius_load", "cuda", 1),
+        ("new_cells", "opengl", -1), ("new_cells", "cuda", -1))  # at the most spheres: saves (1), costs (-1), no difference seen (0)
 WORTH = {1: "saves", 0: "makes no difference", -1: "costs"}
 
 
@@ -35,7 +35,7 @@ def against_peers(put, machine, others):
             raise Missing(f"{machine.name}: {n} spheres have other pairs than the peers' centres, which contradicts the text")
         others_ms = [peer["ms"][k] for peer in record["peers"] if peer["ms"][k] is not None]
         libraries = [peer["ms"][k] for peer in record["peers"] if peer["library"] and peer["ms"][k] is not None]
-        said(machine, mine["cuda"][0].high < min(others_ms) and mine["glsl"][0].high < min(libraries),
+        said(machine, mine["cuda"][0].high < min(others_ms) and mine["opengl"][0].high < min(libraries),
              f"CUDA is faster than every peer and GLSL than every library at {n} spheres, packing fraction {fraction}")
         timed.append((n, fraction, mine, min(others_ms), min(libraries)))
     if not timed:

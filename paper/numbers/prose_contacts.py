@@ -2,6 +2,7 @@
 """Numbers of the prose about contacts: what sums in integers keep, errors by time step, and times."""
 import re
 
+from paper import ids
 from paper.numbers.derived import matched, over_other_sums
 from paper.numbers.prose_accuracy import in_words, scientific
 from paper.numbers.ratios import family, time_ratio
@@ -46,8 +47,8 @@ def long_contacts(put, machine, others):
     path = machine.folder / "tests/contacts_long.txt"
     if not path.exists():
         raise Missing(f"{machine.name} has no contacts_long.txt")
-    text = path.read_text()
-    found = dict(re.findall(r"^(glsl|cuda): energy changed by (\S+ of it in \d+) steps", text, re.MULTILINE))
+    text = ids.today(path.read_text())
+    found = dict(re.findall(r"^(opengl|cuda): energy changed by (\S+ of it in \d+) steps", text, re.MULTILINE))
     said(machine, len(found) == 2 and len(set(found.values())) == 1, "the long run of contacts has the same energy in both APIs")
     change, steps = re.match(r"(\S+) of it in (\d+)", found["cuda"]).groups()
     put("contacts/long/steps", f"{int(steps):,}", f"{machine.name}:{digest(text.encode())}", "steps of the longest run with contacts")

@@ -65,8 +65,8 @@ def tests(put, machine, others):
 
 def code(put, machine, others):
     record = recorded_code()
-    for name in ("glsl", "cuda"):
-        lines = sum(twin[f"{name}_lines"] for twin in record["twins"])
+    for name, language in (("opengl", "glsl"), ("cuda", "cuda")):
+        lines = sum(twin[f"{language}_lines"] for twin in record["twins"])
         put(f"code/kernels/{name}", f"{lines:,}", record["id"], f"lines of all kernels in {name}")
         put(f"code/host/{name}", f"{record['host'][name]:,}", record["id"], f"lines of host code of {name} alone")
     put("code/same", f"{sum(twin['same_lines'] for twin in record['twins']):,}", record["id"], "lines common to both")

@@ -7,7 +7,7 @@ from paper.numbers.ratios import extent, family, time_ratio, values
 from paper.records import Missing, said
 from paper.text import ms
 
-DEVICES = ("glsl", "cuda")
+DEVICES = ("opengl", "cuda")
 GROUP = 128
 METHODS = ("group", "tiled", "square", "triangle")
 COMPILED = 50  # ms that a first use takes only if the driver compiles
@@ -46,7 +46,7 @@ def all_contests(put, machine, others):
     for kind in ("", *contests.KINDS):
         own = [entry for entry in found if kind in ("", entry.work)]
         cuda, glsl = contests.decided(own)
-        for key, number in (("all", len(own)), ("several", len(contests.several(own))), ("cuda", len(cuda)), ("glsl", len(glsl)),
+        for key, number in (("all", len(own)), ("several", len(contests.several(own))), ("cuda", len(cuda)), ("opengl", len(glsl)),
                             ("open", len(own) - len(cuda) - len(glsl))):
             put("/".join(filter(None, ("contests", kind.replace(" ", "-"), key))), f"{number:,}", runs, f"contests of {kind or 'all kinds'}: {key}")
     for key, entry in zip(("least", "most"), contests.extremes(found)):
@@ -87,7 +87,7 @@ def methods(put, machine, others):
                    for name in DEVICES) for method in METHODS]
     found = leads.decided(pairs)
     parts = [f"OpenGL takes {leads.ratios(mine)} CUDA's time in {len(mine)} of {len(found)}"
-             for name in ("cuda", "glsl") if (mine := leads.won(found, name))]
+             for name in ("cuda", "opengl") if (mine := leads.won(found, name))]
     put("methods/leads", " and ".join(parts) or "no difference is decided", pairs[0][0].source,
         "sentence made from the four methods at groups of 128")
 
@@ -105,8 +105,8 @@ def repeats(put, machine, others):
 def launches(put, machine, others):
     rows = {name: {r.launches_per_step: r for r in machine.need(table="overhead", backend=name)} for name in DEVICES}
     one, many = ({name: rows[name][count].median / count for name in DEVICES} for count in (1, 1000))
-    said(machine, one["cuda"] < one["glsl"], "a round trip costs less in CUDA")
-    put("launch/one/ratio", f"{one['glsl'] / one['cuda']:.1f}x", rows["glsl"][1].source, "time ratio OpenGL/CUDA of a round trip")
+    said(machine, one["cuda"] < one["opengl"], "a round trip costs less in CUDA")
+    put("launch/one/ratio", f"{one['opengl'] / one['cuda']:.1f}x", rows["opengl"][1].source, "time ratio OpenGL/CUDA of a round trip")
     cheaper = min(DEVICES, key=many.get)
     near = max(many.values()) < 1.25 * many[cheaper]
     put("launch/many", "cost nearly the same" if near else f"cost less in {leads.NAMES[cheaper]}",
@@ -132,8 +132,8 @@ def first_uses(put, machine, others):
         cached, compiled = ([time for time in firsts if (time > COMPILED) is made] for made in (False, True))
         if not (cached and compiled):
             raise Missing(f"{machine.name} has no first uses both with the driver's cache and without")
-        put_span("glsl/cached", cached, "GLSL, the driver's cache has the program")
-        put_span("glsl/compiled", compiled, "GLSL, the driver compiles it")
+        put_span("opengl/cached", cached, "GLSL, the driver's cache has the program")
+        put_span("opengl/compiled", compiled, "GLSL, the driver compiles it")
 
 
 def arrangements(put, machine, others):

@@ -7,7 +7,7 @@ from paper.numbers.sets import sets
 from paper.records import said
 from paper.text import ms
 
-GPU = ("glsl", "cuda")
+GPU = ("opengl", "cuda")
 
 
 def limits_of_the_grid(put, machine, others):
@@ -35,11 +35,11 @@ def tensor_cores(put, machine, others):
     most = max(pairs)
     said(machine, most in faster and set(faster) == {n for n in pairs if n >= min(faster)}, "tensor cores are faster from some size on")
     triangle, tensor = pairs[most]
-    glsl = machine.one(table="scale", scene="uniform", backend="glsl", n=most)
+    glsl = machine.one(table="scale", scene="uniform", backend="opengl", n=most)
     said(machine, tensor.median < glsl.median, "with tensor cores CUDA takes less time than GLSL")
     put("tensor/from", f"{min(faster):,}", tensor.source, "least spheres of a gas that tensor cores search faster than triangle")
     put("tensor/n", f"{most:,}", tensor.source, "most spheres searched through tensor cores")
-    for key, row in (("cuda", tensor), ("triangle", triangle), ("glsl", glsl)):
+    for key, row in (("cuda", tensor), ("triangle", triangle), ("opengl", glsl)):
         put(f"tensor/{key}", ms(row.median), row.source, f"ms, {row.label}, n = {most}, gas")
     put("tensor/gain", f"{time_ratio(triangle, tensor).middle:.1f}x", tensor.source, f"time of triangle over that of tensor cores, CUDA, n = {most}")
     put("tensor/over-glsl", f"{glsl.median / tensor.median:.1f}x", f"{glsl.source}, {tensor.source}",

@@ -7,7 +7,7 @@ from paper.text import ms
 
 PRINTED = "original paper"
 SIZE = 16384
-DEVICES = ("glsl", "cuda")
+DEVICES = ("opengl", "cuda")
 
 
 def original(put, machine, others):
@@ -60,12 +60,12 @@ def frame_rates(put, machine, others):
     small, large = ([frames(name, n).median for name in DEVICES] for n in (64, SIZE))
     said(machine, small[1] > 2 * small[0] and large[1] < 1.1 * large[0],
          "CUDA's frames cost the transfer to OpenGL, which shows where spheres are few")
-    put("fps/ahead", f"{small[0] / small[1]:.2f}x", frames("glsl", 64).source, "time ratio GLSL/CUDA of a frame, n = 64")
+    put("fps/ahead", f"{small[0] / small[1]:.2f}x", frames("opengl", 64).source, "time ratio GLSL/CUDA of a frame, n = 64")
 
     def drawing(label):
         return machine.one(table="frame_rates", work="draw", label=label, n=SIZE)
 
-    quadric, mesh, once = map(drawing, ("sequential quadric", "sequential mesh_each", "glsl mesh"))
+    quadric, mesh, once = map(drawing, ("sequential quadric", "sequential mesh_each", "opengl mesh"))
     put("fps/quadric", f"{quadric.median / mesh.median:.1f}", mesh.source, f"{quadric.label} / {mesh.label}, n = {SIZE}")
     said(machine, once.median < mesh.median, "one instanced draw takes less than one draw a sphere")
     put("fps/instanced", f"{100 * (1 - once.median / mesh.median):.0f}", mesh.source,

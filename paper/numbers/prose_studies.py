@@ -9,7 +9,7 @@ from paper.numbers.transfers import MOST_TRANSFERRED
 from paper.records import Missing, said
 from paper.text import ms
 
-DEVICES = ("glsl", "cuda")
+DEVICES = ("opengl", "cuda")
 GRID = {"table": "grid", "scene": "uniform", "method": "collide_grid"}
 SIZE = 16384
 CLOSE = 0.04  # of CUDA's time: a kernel that is as fast
@@ -110,14 +110,14 @@ def grid_leads(put, machine, others):
     if not found:
         raise Missing(f"{machine.name} has no grid of several processes in both APIs")
     clear = [(cuda, ratio.middle) for cuda, ratio in found if ratio.decided]
-    wins = {"glsl": [lead for lead in clear if lead[1] < 1], "cuda": [lead for lead in clear if lead[1] > 1]}
+    wins = {"opengl": [lead for lead in clear if lead[1] < 1], "cuda": [lead for lead in clear if lead[1] > 1]}
     source = found[0][0].source
     put("grid/contests", str(len(found)), source, "sizes, orders and fractions of the grid in both, of several processes")
     put("grid/extent", extent([ratio for _, ratio in found]), source, "what these contests stand on")
     for name, won in wins.items():
         put(f"grid/wins/{name}", str(len(won)), source, f"those in which {name} is the faster")
     put("grid/open", str(len(found) - len(clear)), source, "those that are undecided")
-    said(machine, not wins["glsl"] and len(wins["cuda"]) > 0.6 * len(found),
+    said(machine, not wins["opengl"] and len(wins["cuda"]) > 0.6 * len(found),
          "CUDA is the faster in most contests of the grid, and in none the slower")
     row, most = max(wins["cuda"], key=lambda lead: lead[1])
     said(machine, row.n <= 1024 and row.order == "warm", "CUDA's lead is greatest for few spheres that are not sorted")
@@ -142,10 +142,10 @@ def fractions(machine):
 
 def drawing(put, machine, others):
     rows = {name: machine.need(table="draw", work="frame", place="outside", backend=name) for name in DEVICES}
-    pipeline = [row for row in rows["glsl"] if row.n == SIZE and row.draw != "compute"]
+    pipeline = [row for row in rows["opengl"] if row.n == SIZE and row.draw != "compute"]
     for row in pipeline:
         put(f"draw/pipeline/{row.draw}", ms(row.median), row.source, f"{row.label}, n = {SIZE}")
-    both = max({row.n for row in rows["glsl"]} & {row.n for row in rows["cuda"]})
+    both = max({row.n for row in rows["opengl"]} & {row.n for row in rows["cuda"]})
     put("draw/both", f"{both:,}", rows["cuda"][0].source, "most spheres drawn through both APIs")
     for name in DEVICES:
         step = machine.one(**GRID, packing_fraction=0.3, order="warm", backend=name, n=both).median
@@ -168,7 +168,7 @@ def drawing(put, machine, others):
 def loops(put, machine, others):
     rows = {name: {row.n: row for row in machine.need(table="draw", work="loop", place="outside", backend=name)}
             for name in DEVICES}
-    n = min(rows["glsl"].keys() & rows["cuda"].keys())
+    n = min(rows["opengl"].keys() & rows["cuda"].keys())
     put("loop/n", f"{n:,}", rows["cuda"][n].source, "least spheres of the loop in both APIs")
     for name in DEVICES:
         row = rows[name][n]

@@ -3,7 +3,7 @@
 import re
 from dataclasses import dataclass
 
-from paper import parts
+from paper import ids, parts
 from paper.records import Missing, digest
 
 HEAD = re.compile(r"^commit: (\S+)\ndate: (\S+)$", re.MULTILINE)
@@ -39,7 +39,7 @@ def backend_of(name):
 def results_of(text):
     """(test -> verdict, test -> pairs and ties) that one output tells."""
     verdicts, pairs, running = {}, {}, None
-    for match in RESULT.finditer(text):
+    for match in RESULT.finditer(ids.OLD_TEST.sub("/opengl", text)):
         verdict, ended, started, count, ties = match.groups()
         if started:
             running = started

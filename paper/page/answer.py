@@ -5,7 +5,7 @@ from paper.numbers.ratios import extent
 from paper.records import Missing
 
 ABOUT_EQUAL = 1.1  # a ratio up to this hardly matters
-WORDS = {"cuda": "faster in CUDA", "glsl": "faster in OpenGL", "equal": "about as fast in both",
+WORDS = {"cuda": "faster in CUDA", "opengl": "faster in OpenGL", "equal": "about as fast in both",
          "mixed": "faster in one or the other, depending on the work"}
 
 
@@ -25,7 +25,7 @@ def faster(found):
     middles = [entry.ratio.middle for entry in found if entry.ratio.decided]
     if all(1 / ABOUT_EQUAL <= middle <= ABOUT_EQUAL for middle in middles):
         return "equal"
-    return "cuda" if min(middles) > 1 else "glsl" if max(middles) < 1 else "mixed"
+    return "cuda" if min(middles) > 1 else "opengl" if max(middles) < 1 else "mixed"
 
 
 def sizes(found):
@@ -35,7 +35,7 @@ def sizes(found):
 
 def answer(machine, recorded):
     """(the answer in words, the same with GPU and ratios), one sentence each."""
-    if not all(machine.has(name) and not machine.backend(name)["software"] for name in ("glsl", "cuda")):
+    if not all(machine.has(name) and not machine.backend(name)["software"] for name in ("opengl", "cuda")):
         raise Missing(f"{machine.name} has not run both OpenGL and CUDA on a GPU")
     short, long = steps(machine)
     sides = [WORDS[faster(found)] for found in (short, long)]
@@ -47,9 +47,9 @@ def answer(machine, recorded):
 
 def why_not(machine):
     """Why this machine's own times do not answer the question."""
-    on_gpu = [name for name in ("glsl", "cuda") if machine.has(name) and not machine.backend(name)["software"]]
+    on_gpu = [name for name in ("opengl", "cuda") if machine.has(name) and not machine.backend(name)["software"]]
     if not on_gpu:
         return "No GPU was found on this machine, so its times do not compare OpenGL with CUDA."
     if len(on_gpu) == 1:
-        return f"On this machine's GPU only {'OpenGL' if on_gpu == ['glsl'] else 'CUDA'} ran, so its times compare nothing."
+        return f"On this machine's GPU only {'OpenGL' if on_gpu == ['opengl'] else 'CUDA'} ran, so its times compare nothing."
     return "This machine timed no whole step with both APIs."

@@ -11,7 +11,7 @@ from paper.tables import all_tables
 from paper.text import plain
 
 PIXELS = 110  # of the page, an inch of a figure
-NAMES = {"cpu": "CPU", "glsl": "OpenGL", "cuda": "CUDA"}
+NAMES = {"cpu": "CPU", "opengl": "OpenGL", "cuda": "CUDA"}
 
 
 @dataclass

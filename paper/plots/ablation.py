@@ -15,7 +15,7 @@ CAPTION = ("Ablation of each optimisation, API feature and own kernel (in place 
            "Right: the time with it{counted}.")
 COUNTED = ", and the counts of a step's work that differ, with it and (in brackets) without"
 KINDS = {"work": "optimisations", "api": "API features", "library": "own kernels"}
-ONE_API = ({"glsl"}, {"cuda"})
+ONE_API = ({"opengl"}, {"cuda"})
 OF_BOTH = {"vector_loads", "overlap"}  # API features that both have
 MOST_SIZES = 2
 

@@ -43,7 +43,7 @@ def draw_law(axis, rows):
 
 
 def keys(rows):
-    names = {"cpu": "CPU", **{name: SERIES[name]["label"] for name in ("glsl", "cuda")}}
+    names = {"cpu": "CPU", **{name: SERIES[name]["label"] for name in ("opengl", "cuda")}}
     return [Line2D([], [], label=names[backend], color=colour(backend), linewidth=2) for backend in devices(rows)] + [
         Line2D([], [], label=LABELS[sums], color="black", **look) for sums, look in LOOKS.items()]
 

@@ -10,7 +10,7 @@ CAPTION = ("The original paper's figure 5. (a) Finding the colliding pairs; (b) 
 DRAWN = {"sequential mesh_each": ("cpu sequential", {"label": "CPU's spheres, one draw each"}),
          "sequential quadric": ("cpu sequential", {"label": "the same, glutSolidSphere's", "marker": "v",
                                                    "linestyle": "-."}),
-         "glsl mesh": ("glsl", {"label": "OpenGL, one instanced draw"}),
+         "opengl mesh": ("opengl", {"label": "OpenGL, one instanced draw"}),
          "cuda mesh": ("cuda", {"label": "CUDA, one instanced draw"})}
 
 
@@ -26,7 +26,7 @@ def draw(machine):
     printed(drawing, 2, "original sequential")
     for method in ("sequential", "parallel"):
         plot(pairs, machine.need(table="table1", backend="cpu", method=method), f"cpu {method}")
-    devices = [name for name in ("glsl", "cuda") if machine.has(name)]
+    devices = [name for name in ("opengl", "cuda") if machine.has(name)]
     if not devices:
         raise Missing(f"{machine.name} was run without OpenGL and CUDA")
     for name in devices:
@@ -39,7 +39,7 @@ def draw(machine):
         rows = machine.select(table="frame_rates", work="draw", label=drawn)
         if rows:
             plot(drawing, rows, series, **looks)
-        elif drawn == "glsl mesh":
+        elif drawn == "opengl mesh":
             raise Missing(f"{machine.name} has no record of drawing (compare --tables frame_rates)")
     for axis, title in ((pairs, "(a) colliding pairs"), (drawing, "(b) drawing")):
         axis.set_yscale("log")

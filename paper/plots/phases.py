@@ -33,7 +33,7 @@ def draw_bars(axis, rows, names, scale):
 
 
 def draw(machine):
-    rows = [record for method in ("collide_square", "collide_triangle") for name in ("glsl", "cuda")
+    rows = [record for method in ("collide_square", "collide_triangle") for name in ("opengl", "cuda")
             for record in machine.select(table="methods", method=method, backend=name, block=128)
             if record.parameters.get("device_stages_ms")]
     if not rows:

@@ -28,7 +28,7 @@ def draw(machine):
     spheres_axis(sizes)
     sizes.legend(loc="upper right")
     for k, method in enumerate(METHODS):
-        pair = [machine.one(table="methods", method=method, backend=name, block=128) for name in ("glsl", "cuda")]
+        pair = [machine.one(table="methods", method=method, backend=name, block=128) for name in ("opengl", "cuda")]
         bars(methods, [k], [ratio(*pair)], marker="o", color="#15396b")
         n = pair[0].n
     methods.set_xticks(range(len(METHODS)), [name.removeprefix("collide_") for name in METHODS])

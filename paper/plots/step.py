@@ -10,7 +10,7 @@ CAPTION = ("A whole step (motion, plane, all pairs, counts) against the number o
 
 def draw(machine):
     figure, (axis,) = panels(COLUMN, 2.1)
-    for name in ("cpu", "glsl", "cuda"):
+    for name in ("cpu", "opengl", "cuda"):
         if machine.has(name):
             plot(axis, machine.need(table="step", backend=name), "cpu parallel" if name == "cpu" else name)
     axis.axhline(16, color="black", linewidth=0.7)

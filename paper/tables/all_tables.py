@@ -33,10 +33,10 @@ def sizes_of_table1(machine):
 
 def records_of_table1(machine, n):
     """Those of one row, in the order of its columns; None for one that a machine lacks."""
-    wanted = [{"work": "move", "backend": name} for name in ("cpu", "glsl", "cuda")]
+    wanted = [{"work": "move", "backend": name} for name in ("cpu", "opengl", "cuda")]
     wanted += [{"method": method} for method in ("sequential", "parallel")]
     wanted += [{"method": method, "backend": name} for method in ("collide_tiled", "collide_triangle")
-               for name in ("glsl", "cuda")]
+               for name in ("opengl", "cuda")]
     return [next(iter(machine.select(table="table1", n=n, **one)), None) for one in wanted]
 
 
@@ -67,7 +67,7 @@ def table1_p95(machine):
 def frame_rates(machine):
     printed = {row[0]: row for row in original_paper()["table1"]}
     frames = {name: machine.need(table="frame_rates", work="frame", label=f"{name} frame")
-              for name in ("sequential", "glsl", "cuda") if name == "sequential" or machine.has(name)}
+              for name in ("sequential", "opengl", "cuda") if name == "sequential" or machine.has(name)}
     rows = []
     for n in [record.n for record in frames["sequential"]]:
         seed = printed.get(n, [None] * 7)
@@ -90,7 +90,7 @@ def frame_rates(machine):
 def arrangements(machine):
     records = machine.need(table="arrangements")
     shapes = dict.fromkeys((r.scene["groups"], r.scene["group_size"]) for r in sorted(records, key=lambda r: r.n))
-    names = [name for name in ("glsl", "cuda") if machine.has(name)]
+    names = [name for name in ("opengl", "cuda") if machine.has(name)]
     rows = []
     for m, n in shapes:
         of_shape = {(r.backend, r.block): r for r in records if (r.scene["groups"], r.scene["group_size"]) == (m, n)}
@@ -116,7 +116,7 @@ def counts(machine):
 
 
 def methods(machine):
-    pairs = {method: [machine.one(table="methods", method=f"collide_{method}", backend=name, block=128) for name in ("glsl", "cuda")]
+    pairs = {method: [machine.one(table="methods", method=f"collide_{method}", backend=name, block=128) for name in ("opengl", "cuda")]
              for method in ("group", "tiled", "square", "triangle")}
     rows = [[method, interval(glsl, 1e3), interval(cuda, 1e3), text]
             for (method, (glsl, cuda)), text in zip(pairs.items(), texts(list(pairs.values())))]
@@ -143,7 +143,7 @@ def code(machine):
                      f"{twin['nvcc_seconds']:.1f}" if "nvcc_seconds" in twin else "-",
                      ms(driver.get(twin["kernel"]))])
     for what, name in (("support", "included by kernels"), ("host", "host code")):
-        rows.append([name, str(record[what]["glsl"]), str(record[what]["cuda"]), "-", "-", "-"])
+        rows.append([name, str(record[what]["opengl"]), str(record[what]["cuda"]), "-", "-", "-"])
     heads = [[("", 1), ("lines of code", 3), ("compiling", 2)],
              ["kernel", "GLSL", "CUDA", "same", "nvcc, s", "GLSL, ms"]]
     return Table("code", "Code and compile time of each API. Lines without blanks and comments; same: lines in both. nvcc: "
@@ -153,7 +153,7 @@ def code(machine):
 
 
 def machine_and_run(machine):
-    context, glsl = machine.main["context"], machine.backend("glsl")["details"]
+    context, glsl = machine.main["context"], machine.backend("opengl")["details"]
     build, host = context["build"], context["machine"]
     rows = [["run", machine.id], ["date", context["date"]], ["commit", build["commit"][:12]]]
     if machine.has("cuda"):

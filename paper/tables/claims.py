@@ -35,7 +35,7 @@ def rows_wanted():
 def claims(machine):
     rows, pairs, sources = [], [], []
     for what, size, wanted, of_cpu in rows_wanted():
-        glsl, cuda = (machine.select(backend=name, **wanted) for name in ("glsl", "cuda"))
+        glsl, cuda = (machine.select(backend=name, **wanted) for name in ("opengl", "cuda"))
         cpu = machine.select(backend="cpu", **{**wanted, **of_cpu})
         if len(glsl) > 1 or len(cuda) > 1:
             raise Missing(f"{machine.name} has several records of: {what}, {size}")

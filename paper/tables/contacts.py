@@ -9,7 +9,7 @@ from paper.tables.studies import size_text
 from paper.tables.tabular import Table
 from paper.text import ms
 
-DEVICES = ("glsl", "cuda")
+DEVICES = ("opengl", "cuda")
 CAPTION = ("A gas with contacts, packing fraction {fraction:g}. Whole steps (motion, walls, contacts, lists of near pairs): the "
            "mean of the first {steps:,}, in milliseconds{cpu}. Integers over float32: the time of a step whose impulses are "
            "added up as integers over that of one with float32 sums. " + LEGEND)

@@ -4,7 +4,7 @@ from paper.records import Missing
 from paper.tables.tabular import Table
 from paper.text import ms
 
-DEVICES = ("glsl", "cuda")
+DEVICES = ("opengl", "cuda")
 MOST = 0.03  # that the two methods may be apart, as a share
 WORKS = {"all_pairs": "all pairs", "warm": "grid, in cell order", "cold": "grid, in random order"}
 CAPTION = ("Energy of a search: power of the whole GPU, energy of a step and of a sphere, OpenGL's energy over CUDA's. By NVML's "
@@ -30,7 +30,7 @@ def energy(machine):
                 if agrees:
                     found[record.backend] = record
             both = len(found) == len(DEVICES)
-            ratio = f"{found['glsl'].joules_per_step / found['cuda'].joules_per_step:.2f}" if both else "-"
+            ratio = f"{found['opengl'].joules_per_step / found['cuda'].joules_per_step:.2f}" if both else "-"
             if found:
                 rows.append([words, f"{n:,}", *(cell for name in DEVICES for cell in cells_of(found.get(name))), ratio])
     if not rows:

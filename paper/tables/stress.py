@@ -22,7 +22,7 @@ def stress(machine):
     rows, last = [], None
     for test in stressed(machine):
         verdicts = [test.verdicts.get(name, test.verdicts.get("all", "-") if machine.has(name) else "-")
-                    for name in ("cpu", "glsl", "cuda")]
+                    for name in ("cpu", "opengl", "cuda")]
         verdicts = ["-" if verdict == "skipped" else verdict for verdict in verdicts]
         first = test.row != last
         rows.append([str(test.row) if first else "", test.scene if first else "", test.what,

@@ -8,7 +8,7 @@ from paper.records import peers as measured_peers
 from paper.tables.tabular import Table
 from paper.text import APIS, cached, interval, ms
 
-DEVICES = ("cuda", "glsl")
+DEVICES = ("cuda", "opengl")
 GRID = {"table": "grid", "scene": "uniform", "method": "collide_grid"}
 ORDERS = {"warm": "cell", "cold": "random"}
 GRID_SIZES = ("A collision step through the grid, by the order of the spheres and the packing fraction: medians with their "
@@ -59,7 +59,7 @@ def peers(machine):
 
 def crossover(machine):
     found = crossovers_by_kind(machine)
-    names = [name for name in ("cpu", "glsl", "cuda") if any(name in by_backend for by_backend in found.values())]
+    names = [name for name in ("cpu", "opengl", "cuda") if any(name in by_backend for by_backend in found.values())]
     rows = []
     for kind, by_backend in found.items():
         row = [kind]
@@ -77,7 +77,7 @@ def grid_sizes(machine):
     for fraction, order in ((fraction, order) for fraction in (0.3, 0.05) for order in ORDERS):
         wanted = {**GRID, "packing_fraction": fraction, "order": order}
         for n in sorted({row.n for name in DEVICES for row in machine.select(**wanted, backend=name)}):
-            glsl, cuda = (machine.select(**wanted, n=n, backend=name) for name in ("glsl", "cuda"))
+            glsl, cuda = (machine.select(**wanted, n=n, backend=name) for name in ("opengl", "cuda"))
             found = [of[0] for of in (glsl, cuda) if of]
             cells = [cell for of in (glsl, cuda) for cell in ((interval(of[0]), ms(of[0].p95_ms)) if of else ("-", "-"))]
             rows.append([ORDERS[order], f"{fraction:g}", cached(size_text(n), found), *cells])
@@ -109,7 +109,7 @@ def loop(machine):
     for place in ("outside", "inside"):
         for n in sorted({row.n for row in machine.need(table="draw", work="loop") if row.place == place}):
             glsl, cuda = (machine.select(table="draw", work="loop", place=place, n=n, backend=name)
-                          for name in ("glsl", "cuda"))
+                          for name in ("opengl", "cuda"))
             cells = [f"{interval(found[0])}" if found else "-" for found in (glsl, cuda)]
             rates = [f"{1e3 / found[0].median:,.0f}" if found else "-" for found in (glsl, cuda)]
             across = min((entry["pipelined_ms"] for entry in transfers["overlaps"] if entry["n"] == n), default=None)

@@ -69,7 +69,7 @@ TEST_P(Ablations, WhatABackendLacksIsRefused) {
   const size_t there = offered(backend(), special_options()).size();
   if (backend().info().on_host) {
     EXPECT_EQ(there, 0u);
-  } else if (backend().info().name == "glsl") {
+  } else if (backend().info().name == "opengl") {
     EXPECT_EQ(there, 8u) << "the texture, library_clear, batch and overlap with both sorts";
   } else {
     EXPECT_GE(there, 5u) << "Thrust, graph and library_clear with both sorts";

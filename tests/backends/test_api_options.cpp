@@ -109,11 +109,11 @@ TEST_P(ApiOptionsOf, AStepLaunchesNoMoreThanItNeeds) {
 TEST(ApiOptionsTextures, ATableLongerThanATextureIsReadInParts) {
   std::unique_ptr<Backend> whole, parts, none;
   try {
-    whole = open_backend("glsl");
-    parts = open_backend("glsl", {.texels = 4096});
-    none = open_backend("glsl", {.texels = 1000});
+    whole = open_backend("opengl");
+    parts = open_backend("opengl", {.texels = 4096});
+    none = open_backend("opengl", {.texels = 1000});
   } catch (const BackendError& missing) {
-    ASSERT_FALSE(backend_required("glsl")) << missing.what();
+    ASSERT_FALSE(backend_required("opengl")) << missing.what();
     GTEST_SKIP() << missing.what();
   }
   const auto launches = [](Backend& backend, const CollideOptions& options) {

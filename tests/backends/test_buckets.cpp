@@ -45,20 +45,20 @@ TEST_P(MethodsByBuckets, OfFewSpheres) {
 
 // A step that fails behind the sort leaves nothing that the next one would keep wrongly.
 TEST_P(MethodsByBuckets, AfterAStepThatFailed) {
-  if (std::string_view(GetParam()) != "glsl") GTEST_SKIP() << "texture buffers are GL's";
+  if (std::string_view(GetParam()) != "opengl") GTEST_SKIP() << "texture buffers are GL's";
   OpenOptions open;
   open.texels = 100;
-  const auto glsl = open_backend("glsl", open);
-  glsl->upload(make_scene({.name = "uniform", .n = 5000}));
+  const auto opengl = open_backend("opengl", open);
+  opengl->upload(make_scene({.name = "uniform", .n = 5000}));
   CollideOptions options = {.method = Method::collide_grid,
                             .grid = {.cells = Cells::dense, .keep_order = false, .sort = Sort::buckets}};
-  const StepResult wanted = run_step(*glsl, options);
+  const StepResult wanted = run_step(*opengl, options);
   options.load_radii = true;
   CollideOptions too_long = options;
   too_long.api.texture_table = true;
-  EXPECT_THROW(glsl->collide(too_long), BackendError);
-  EXPECT_THROW(glsl->counts(), BackendError) << "the step that failed has results";
-  EXPECT_EQ(run_step(*glsl, options).totals.fingerprint, wanted.totals.fingerprint);
+  EXPECT_THROW(opengl->collide(too_long), BackendError);
+  EXPECT_THROW(opengl->counts(), BackendError) << "the step that failed has results";
+  EXPECT_EQ(run_step(*opengl, options).totals.fingerprint, wanted.totals.fingerprint);
 }
 
 // The search's groups are more than a dispatch takes along one axis.

@@ -57,10 +57,10 @@ TEST(DeviceNames, TheGpuThatIsNamedIsOpened) {
 // On a machine with several GPUs this is not the one that is taken without a name.
 TEST(DeviceNames, TheOtherApiTakesTheGpuThatIsNamedForOne) {
   const std::string uuid = last_gpu("cuda");
-  if (uuid.empty() || last_gpu("glsl") != uuid) GTEST_SKIP() << "no GPU that both APIs reach";
+  if (uuid.empty() || last_gpu("opengl") != uuid) GTEST_SKIP() << "no GPU that both APIs reach";
   OpenOptions for_cuda, for_gl;
   for_cuda.cuda_device = for_gl.gl_device = uuid;
-  EXPECT_EQ(open_backend("glsl", for_cuda)->info().uuid, uuid);
+  EXPECT_EQ(open_backend("opengl", for_cuda)->info().uuid, uuid);
   EXPECT_EQ(open_backend("cuda", for_gl)->info().uuid, uuid);
   open_backend("cuda", {});  // the other tests' GPU is CUDA's current one again
 }
@@ -88,17 +88,17 @@ std::string with_dashes(const std::string& uuid) {
 
 TEST_F(VisibleDevices, OpenGlTakesTheGpuThatIsLeftToCuda) {
   const std::string uuid = last_gpu("cuda");
-  if (uuid.empty() || last_gpu("glsl") != uuid) GTEST_SKIP() << "no GPU that both APIs reach";
+  if (uuid.empty() || last_gpu("opengl") != uuid) GTEST_SKIP() << "no GPU that both APIs reach";
   open_backend("cuda", {});  // the other tests' GPU is CUDA's current one again
-  EXPECT_EQ(gpus(with_dashes(uuid)), (std::map<std::string, std::string>{{"glsl", uuid}, {"cuda", uuid}}));
+  EXPECT_EQ(gpus(with_dashes(uuid)), (std::map<std::string, std::string>{{"opengl", uuid}, {"cuda", uuid}}));
 }
 
 TEST_F(VisibleDevices, OpenGlStaysWhereCudaIsLeftNone) {
   const std::map<std::string, std::string> found = gpus("-1");
   EXPECT_EQ(found.count("cuda"), 0u);
   const std::vector<Backend*> there = open_backends();
-  EXPECT_EQ(found.count("glsl"),
-            size_t(std::ranges::count(there, "glsl", [](Backend* one) { return one->info().name; })));
+  EXPECT_EQ(found.count("opengl"),
+            size_t(std::ranges::count(there, "opengl", [](Backend* one) { return one->info().name; })));
 }
 
 }  // namespace

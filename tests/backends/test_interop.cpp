@@ -16,7 +16,7 @@ class Interop : public BackendTest {
     BackendTest::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
     for (Backend* each : open_backends())
-      if (each->info().name == "glsl") glsl_ = each;
+      if (each->info().name == "opengl") glsl_ = each;
     if (const std::string why = why_no_pipeline(backend()); !why.empty()) GTEST_SKIP() << why;
     if (backend().transfers().empty()) GTEST_SKIP() << "the spheres are OpenGL's own";
   }
@@ -87,7 +87,7 @@ INSTANTIATE_BACKENDS(Interop);
 
 TEST(InteropErrors, OpenGLsOwnSpheresAreNotTransferred) {
   for (Backend* backend : open_backends()) {
-    if (backend->info().name != "glsl") continue;
+    if (backend->info().name != "opengl") continue;
     backend->upload(make_scene({.n = 10}));
     EXPECT_THROW(backend->transfer(Transfer::host), BackendError);
     const View view = view_of(make_scene({.n = 10}));
@@ -108,7 +108,7 @@ TEST(InteropErrors, OnlyCudasSpheresAreSharedWithOpenGL) {
 TEST(InteropErrors, OpenGLDrawsForCudaOnlyOnCudasGpu) {
   OpenOptions options;
   options.cuda_device = "0";
-  options.gl_device = last_gpu("glsl");
+  options.gl_device = last_gpu("opengl");
   if (options.gl_device.empty() || last_gpu("cuda") != options.gl_device) GTEST_SKIP() << "no GPU that both APIs reach";
   const auto cuda = open_backend("cuda", options);
   if (cuda->info().uuid == options.gl_device) GTEST_SKIP() << "one GPU";

@@ -17,7 +17,7 @@ Samples samples_of(const char* backend, std::vector<double> seconds) {
   return samples;
 }
 Contest of(std::vector<double> left, std::vector<double> right) {
-  return contest(samples_of("glsl", std::move(left)), samples_of("cuda", std::move(right)));
+  return contest(samples_of("opengl", std::move(left)), samples_of("cuda", std::move(right)));
 }
 
 const std::vector<double> calm = {1.00, 1.01, 0.99, 1.02, 0.98, 1.00, 1.01};
@@ -94,15 +94,15 @@ TEST(Contests, TheAutomaticChoiceIsJudgedByTheInterval) {
 
 // However sharp its ratio is.
 TEST(Contests, AnUnsteadyTimeDecidesNothing) {
-  Samples glsl = samples_of("glsl", times(1.3, calm)), cuda = samples_of("cuda", calm);
-  glsl.others = cuda.others = 0.5;
-  EXPECT_EQ(contest(glsl, cuda).finding, Finding::differ) << "half of the cores is not more than half";
-  for (Samples* busy : {&glsl, &cuda}) {
+  Samples opengl = samples_of("opengl", times(1.3, calm)), cuda = samples_of("cuda", calm);
+  opengl.others = cuda.others = 0.5;
+  EXPECT_EQ(contest(opengl, cuda).finding, Finding::differ) << "half of the cores is not more than half";
+  for (Samples* busy : {&opengl, &cuda}) {
     busy->others = 0.51;
-    EXPECT_EQ(contest(glsl, cuda).finding, Finding::undecided);
-    EXPECT_EQ(ratio_text(contest(glsl, cuda)), "undecided [1.30, 1.30] !");
-    EXPECT_EQ(loss_of(timed(contest(glsl, cuda))), Loss::undecided);
-    EXPECT_EQ(loss_of(timed(contest(cuda, glsl))), Loss::undecided);
+    EXPECT_EQ(contest(opengl, cuda).finding, Finding::undecided);
+    EXPECT_EQ(ratio_text(contest(opengl, cuda)), "undecided [1.30, 1.30] !");
+    EXPECT_EQ(loss_of(timed(contest(opengl, cuda))), Loss::undecided);
+    EXPECT_EQ(loss_of(timed(contest(cuda, opengl))), Loss::undecided);
     busy->others.reset();
   }
   const std::vector<double> wide = {1, 2.1, 1, 2.1, 1, 2.1, 1, 2.1, 1, 2.1, 1};

@@ -132,7 +132,7 @@ class PoweredBackend final : public ForwardingBackend {
 
 struct PoweredSession {
   explicit PoweredSession(FakeNvml& nvml)
-      : session({"cpu", "glsl", "cuda"}, {}, [&](const std::string& name, const OpenOptions&) {
+      : session({"cpu", "opengl", "cuda"}, {}, [&](const std::string& name, const OpenOptions&) {
           return std::make_unique<PoweredBackend>(name, nvml, wrong);
         }) {}
   bool wrong = false;
@@ -188,10 +188,10 @@ class EnergyProgram : public ProgramTest {};
 TEST_F(EnergyProgram, NeedsAGpu) {
   const Outcome none = run("energy --backends cpu --results " + path("r"));
   EXPECT_EQ(none.code, 3) << none.output;
-  EXPECT_NE(none.errors.find("neither glsl nor cuda is open"), std::string::npos) << none.errors;
+  EXPECT_NE(none.errors.find("neither opengl nor cuda is open"), std::string::npos) << none.errors;
   EXPECT_EQ(run("energy --backends cpu --works hot --results " + path("r")).code, 2);
-  if (run("devices --backends glsl --no-gpu").code) GTEST_SKIP() << "no OpenGL in software here";
-  const Outcome software = run("energy --backends glsl --no-gpu --results " + path("r"));
+  if (run("devices --backends opengl --no-gpu").code) GTEST_SKIP() << "no OpenGL in software here";
+  const Outcome software = run("energy --backends opengl --no-gpu --results " + path("r"));
   EXPECT_EQ(software.code, 3) << software.output;
   EXPECT_NE(software.errors.find("has no energy counter"), std::string::npos) << software.errors;
 }

@@ -29,7 +29,7 @@ void compare_sets(Session& session, bool listed) {
   const Scene scene = make_scene(gas);
   for (const auto& backend : session.backends()) backend->upload(scene);
   const Configuration reference{session.find("cpu"), {.method = Method::sequential}};
-  const Configuration configuration{session.find("glsl"), {.method = Method::collide_grid}};
+  const Configuration configuration{session.find("opengl"), {.method = Method::collide_grid}};
   const StepResult expected = run_step(session, reference, listed);
   require_equal(session, {gas, 0}, reference, expected, configuration, run_step(session, configuration, listed));
 }
@@ -65,7 +65,7 @@ TEST(Harness, RequireEqualNamesEveryWrongSet) {
 TEST(Harness, AnswersThatAllContradictThemselvesAlikeAreFound) {
   for (const Fault fault : {Fault::pair_total, Fault::colliding_total, Fault::sphere_count, Fault::listed_pair}) {
     const Opener both = [=](const std::string& name, const OpenOptions&) { return make_faulty(name, fault); };
-    Session session({"cpu", "glsl"}, {}, both);
+    Session session({"cpu", "opengl"}, {}, both);
     EXPECT_NE(difference_of([&] { compare_sets(session, true); }), "") << int(fault);
   }
 }
@@ -92,7 +92,7 @@ TEST(Harness, AStateThatIsNotFiniteIsAnErrorAlsoWhereAllAgree) {
   const Opener both = [](const std::string& name, const OpenOptions&) {
     return make_faulty(name, Fault::infinite_position, 2);
   };
-  Session session({"cpu", "glsl"}, {}, both);
+  Session session({"cpu", "opengl"}, {}, both);
   const std::string message = error_of([&] { lockstep(session); });
   EXPECT_NE(message.find("step 2"), std::string::npos) << message;
   EXPECT_NE(message.find("sphere 3"), std::string::npos) << message;
@@ -140,9 +140,9 @@ TEST(Harness, EveryConfigurationOfEveryBackendIsCompared) {
   for (const char* method : {"sequential", "parallel", "collide_group", "collide_tiled", "collide_square",
                              "collide_triangle", "collide_grid"})
     for (const uint block : plan.blocks)
-      if (std::ranges::count(session.find("glsl")->methods(), method_from_name(method)))
-        wanted.insert(fmt::format("glsl {} {}", method, block));
-  wanted.insert({"glsl auto 32", "glsl auto"});
+      if (std::ranges::count(session.find("opengl")->methods(), method_from_name(method)))
+        wanted.insert(fmt::format("opengl {} {}", method, block));
+  wanted.insert({"opengl auto 32", "opengl auto"});
   EXPECT_EQ(labels, wanted);
   const uint64_t sets = wanted.size() - 3;  // less the references of all pairs and of both group sizes
   EXPECT_EQ(session.comparisons.made(Comparisons::sets), sets * 4);
@@ -163,7 +163,8 @@ TEST(Harness, StepsBetweenComparisonsAreCountedWithTheLast) {
 TEST(Harness, ABackendThatNothingIsAskedOfIsAnError) {
   Session session = session_with(Fault::no_methods);
   LockstepPlan plan = lockstep_plan();
-  EXPECT_NE(error_of([&] { lockstep(session, plan); }).find("no result of glsl would be compared"), std::string::npos);
+  EXPECT_NE(error_of([&] { lockstep(session, plan); }).find("no result of opengl would be compared"),
+            std::string::npos);
   Session alone({"cpu"}, {}, faulty_opener(Fault::none));
   plan.methods = {Method::sequential};
   EXPECT_NE(error_of([&] { lockstep(alone, plan); }).find("nothing would be compared"), std::string::npos);
@@ -171,16 +172,16 @@ TEST(Harness, ABackendThatNothingIsAskedOfIsAnError) {
 
 TEST(Harness, FewerComparisonsThanPlannedAreAnError) {
   Comparisons comparisons;
-  comparisons.plan("glsl", Comparisons::sets, 2);
+  comparisons.plan("opengl", Comparisons::sets, 2);
   comparisons.plan("cuda", Comparisons::states, 1);
-  comparisons.made("glsl", Comparisons::sets);
+  comparisons.made("opengl", Comparisons::sets);
   comparisons.made("cuda", Comparisons::states);
   const std::string message = error_of([&] { comparisons.require_complete(); });
-  EXPECT_NE(message.find("comparisons of sets of glsl: 2 planned, but 1 made"), std::string::npos) << message;
-  comparisons.made("glsl", Comparisons::sets);
+  EXPECT_NE(message.find("comparisons of sets of opengl: 2 planned, but 1 made"), std::string::npos) << message;
+  comparisons.made("opengl", Comparisons::sets);
   EXPECT_EQ(error_of([&] { comparisons.require_complete(); }), "");
   EXPECT_EQ(comparisons.text(), "2 sets and 1 state compared, as many as planned");
-  EXPECT_EQ(comparisons.to_json()["glsl"]["sets"].dump(), R"({"planned":2,"made":2})");
+  EXPECT_EQ(comparisons.to_json()["opengl"]["sets"].dump(), R"({"planned":2,"made":2})");
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ class StudyOfFaults : public testing::Test {
   // The message of the difference that a study finds between the CPU and a faulty backend.
   template <typename Work>
   std::string difference_of(Fault fault, Work work) {
-    Session session({"cpu", "glsl"}, {.threads = 1}, faulty_opener(fault, 1));
+    Session session({"cpu", "opengl"}, {.threads = 1}, faulty_opener(fault, 1));
     try {
       work(session);
       session.comparisons.require_complete();
@@ -68,7 +68,7 @@ class StudyProgram : public ProgramTest {
   }
   Outcome study(const char* fault, const std::string& words) const {
     return run_shell(
-        fmt::format("SPHEREPAIR_FAULT={} '{}' {} --backends cpu,glsl --threads 1 --rounds 1 --results '{}'", fault,
+        fmt::format("SPHEREPAIR_FAULT={} '{}' {} --backends cpu,opengl --threads 1 --rounds 1 --results '{}'", fault,
                     SPHEREPAIR_FAULTY_PROGRAM, words, path("study")),
         folder_);
   }
@@ -98,7 +98,7 @@ TEST_F(StudyProgram, FrameRatesTimesNoWrongImage) {
   if (const std::string why = why_no_pipeline(*open_backend("cpu")); !why.empty()) GTEST_SKIP() << why;
   const auto compare = [&](const char* fault) {
     return run_shell(
-        fmt::format("SPHEREPAIR_FAULT={} '{}' compare --backends cpu,glsl --threads 1 --scenes random --n 64 "
+        fmt::format("SPHEREPAIR_FAULT={} '{}' compare --backends cpu,opengl --threads 1 --scenes random --n 64 "
                     "--steps 1 --blocks 128 --tables frame_rates --rounds 1 --min-seconds 0.001 --results '{}'",
                     fault, SPHEREPAIR_FAULTY_PROGRAM, path(fault)),
         folder_);
@@ -117,8 +117,8 @@ TEST_F(StudyProgram, AblateTimesNoWrongResult) {
 
 TEST_F(StudyProgram, WarnsOfABusyMachineInOutputTablesAndRecord) {
   const auto run = [&](const std::string& others, const std::string& words) {
-    return run_shell(fmt::format("SPHEREPAIR_OTHERS={} '{}' {} --backends cpu,glsl --threads 1 --results '{}'", others,
-                                 SPHEREPAIR_FAULTY_PROGRAM, words, path("study")),
+    return run_shell(fmt::format("SPHEREPAIR_OTHERS={} '{}' {} --backends cpu,opengl --threads 1 --results '{}'",
+                                 others, SPHEREPAIR_FAULTY_PROGRAM, words, path("study")),
                      folder_);
   };
   struct Case {

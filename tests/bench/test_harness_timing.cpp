@@ -23,7 +23,7 @@ class Timed : public testing::Test {
     Session session = session_with(fault, from_step);
     Study study(session, plan_, progress_);
     const std::string error = error_of([&] {
-      study.time("test", scene, {{work, {session.find("glsl"), {.method = Method::collide_grid, .exact = exact}}}});
+      study.time("test", scene, {{work, {session.find("opengl"), {.method = Method::collide_grid, .exact = exact}}}});
     });
     EXPECT_EQ(study.measurements.empty(), !error.empty()) << "a wrong answer was timed, or a right one was not";
     return error;

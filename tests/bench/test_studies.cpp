@@ -102,7 +102,7 @@ TEST_F(Studies, FramesTellsCudasImagesFromThoseOfTransfers) {
 
 // The same image on several backends is timed in turns, those of devices with as many steps a sample.
 TEST_F(Studies, FramesOfSeveralBackendsAreContests) {
-  Session session({"cpu", "glsl"}, {}, [](const std::string& name, const OpenOptions&) {
+  Session session({"cpu", "opengl"}, {}, [](const std::string& name, const OpenOptions&) {
     return std::make_unique<ForwardingBackend>(name, open_backend("cpu", {}));
   });
   const FramesOptions options = {.draws = {"compute"},
@@ -118,7 +118,7 @@ TEST_F(Studies, FramesOfSeveralBackendsAreContests) {
   for (size_t i = 0; i < 4; i += 2) {
     const json &left = study.frames[i], &right = study.frames[i + 1];
     EXPECT_EQ(left.at("backend"), "cpu");
-    EXPECT_EQ(right.at("backend"), "glsl");
+    EXPECT_EQ(right.at("backend"), "opengl");
     EXPECT_EQ(left.at("contest"), "compute outside " + left.at("work").get<std::string>());
     for (const char* field : {"work", "contest", "image"}) EXPECT_EQ(left.at(field), right.at(field)) << field;
     for (size_t round = 0; round < 3; ++round) {

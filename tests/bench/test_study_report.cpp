@@ -12,7 +12,7 @@ namespace {
 
 const json record = json::parse(R"([
   {"table": "methods", "work": "collide", "n": 512, "scene": {"name": "aligned", "groups": 8, "group_size": 64},
-   "exact": true, "block": null, "label": "glsl collide_tiled 64", "backend": "glsl", "batch": 7, "median_ms": 2.5,
+   "exact": true, "block": null, "label": "opengl collide_tiled 64", "backend": "opengl", "batch": 7, "median_ms": 2.5,
    "samples_ms": [2.5, 2.25], "turns": [1, 2], "device_stages_ms": {"collide_tiled": 2}},
   {"n": 64, "scene": {"name": "random", "groups": 0}, "sample":
     {"label": "a, \"b\"", "backend": "cpu", "batch": 1, "samples_ms": [1e-3], "turns": [0]}}])");
@@ -20,9 +20,9 @@ const json record = json::parse(R"([
 TEST(StudyReport, SamplesNameTheirConfigurationAndTimer) {
   EXPECT_EQ(samples_csv(record),
             "work,scene,n,block,exact,contender,backend,timer,kernel,round,turn,batch,seconds\n"
-            "collide,aligned 8x64,512,,true,glsl collide_tiled 64,glsl,host,,1,1,7,0.0025\n"
-            "collide,aligned 8x64,512,,true,glsl collide_tiled 64,glsl,host,,2,2,7,0.00225\n"
-            "collide,aligned 8x64,512,,true,glsl collide_tiled 64,glsl,device,collide_tiled,,,,0.002\n"
+            "collide,aligned 8x64,512,,true,opengl collide_tiled 64,opengl,host,,1,1,7,0.0025\n"
+            "collide,aligned 8x64,512,,true,opengl collide_tiled 64,opengl,host,,2,2,7,0.00225\n"
+            "collide,aligned 8x64,512,,true,opengl collide_tiled 64,opengl,device,collide_tiled,,,,0.002\n"
             ",random,64,,,\"a, \"\"b\"\"\",cpu,host,,1,0,1,1e-06\n");
   EXPECT_EQ(read_csv(samples_csv(record)).back().at("contender"), "a, \"b\"");
 }

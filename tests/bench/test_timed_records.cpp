@@ -33,8 +33,8 @@ TEST(TimedRecords, TheSlowEndOfTheSamplesIsTold) {
 TEST(TimedRecords, AWorkingSetThatFitsTheCacheIsMarkedWhereItsSizeIsKnown) {
   ClockedSession on;
   on["cuda"].facts().details["L2 bytes"] = "1000";
-  on["cuda"].facts().uuid = on["glsl"].facts().uuid = "same";
-  std::vector<Contender> contenders = {on.contender("cpu"), on.contender("glsl"), on.contender("cuda"),
+  on["cuda"].facts().uuid = on["opengl"].facts().uuid = "same";
+  std::vector<Contender> contenders = {on.contender("cpu"), on.contender("opengl"), on.contender("cuda"),
                                        on.contender("cuda")};
   contenders[0].working_set = contenders[1].working_set = 1000, contenders[2].working_set = 1001;
   const auto samples = on.measure(contenders);
@@ -43,7 +43,7 @@ TEST(TimedRecords, AWorkingSetThatFitsTheCacheIsMarkedWhereItsSizeIsKnown) {
   EXPECT_EQ(to_json(samples[1]).at("working_set_bytes"), 1000);
   EXPECT_EQ(to_json(samples[2]).at("fits_l2"), false);
   EXPECT_TRUE(to_json(samples[3]).at("fits_l2").is_null());
-  on["glsl"].facts().uuid = "another";
+  on["opengl"].facts().uuid = "another";
   EXPECT_TRUE(to_json(on.measure({contenders[1]}).front()).at("fits_l2").is_null());
 }
 
@@ -57,7 +57,7 @@ TEST(TimedRecords, WorkingSetsAreTheArraysThatAStepTouches) {
 TEST(TimedRecords, TheCoresThatTheProcessKeepsBusyAreTold) {
   ClockedSession on;
   on["cpu"].busy = 2;
-  const auto samples = on.measure({on.contender("cpu"), on.contender("glsl")});
+  const auto samples = on.measure({on.contender("cpu"), on.contender("opengl")});
   EXPECT_NEAR(to_json(samples[0]).at("busy_cores"), 2, 1e-9);
   EXPECT_FALSE(to_json(samples[1]).contains("busy_cores"));
 }
@@ -149,7 +149,7 @@ TEST(TimedRecords, OnlyContendersOnTheHostArePinned) {
   ClockedSession on;
   std::map<std::string, int> cores;
   std::vector<Contender> contenders;
-  for (const std::string name : {"cpu", "glsl"}) {
+  for (const std::string name : {"cpu", "opengl"}) {
     contenders.push_back(on.contender(name));
     contenders.back().step = [&cores, name](Backend& each) {
       cores[name] = cores_allowed();
@@ -158,7 +158,7 @@ TEST(TimedRecords, OnlyContendersOnTheHostArePinned) {
   }
   const auto samples = on.measure(contenders);
   EXPECT_EQ(cores["cpu"], 1);
-  EXPECT_EQ(cores["glsl"], cores_allowed());
+  EXPECT_EQ(cores["opengl"], cores_allowed());
   EXPECT_EQ(to_json(samples[0]).at("pinned"), true);
 }
 

@@ -13,9 +13,9 @@ namespace {
 
 TEST(TimedTurns, TheFixedCostOfASampleIsNoPartOfItsSteps) {
   ClockedSession on;
-  on["glsl"].fixed = 100e-6;
+  on["opengl"].fixed = 100e-6;
   on["cuda"].fixed = 5e-6;
-  const auto samples = on.measure({on.contender("glsl", "same"), on.contender("cuda", "same")});
+  const auto samples = on.measure({on.contender("opengl", "same"), on.contender("cuda", "same")});
   for (const Samples& one : samples)
     for (const double seconds : one.seconds) EXPECT_NEAR(seconds, 10e-6, 1e-12) << one.label;
   EXPECT_NEAR(median(samples[0].fixed), 100e-6, 1e-9);
@@ -30,9 +30,9 @@ TEST(TimedTurns, TheFixedCostOfASampleIsNoPartOfItsSteps) {
 
 TEST(TimedTurns, TheDevicesOfAContestShareK) {
   ClockedSession on;
-  on["glsl"].fixed = 100e-6;
+  on["opengl"].fixed = 100e-6;
   on["cpu"].step = 1e-3;
-  const auto samples = on.measure({on.contender("cpu", "same"), on.contender("glsl", "same"),
+  const auto samples = on.measure({on.contender("cpu", "same"), on.contender("opengl", "same"),
                                    on.contender("cuda", "same"), on.contender("cuda", "other")});
   EXPECT_EQ(samples[1].plan.steps, samples[2].plan.steps);
   EXPECT_NE(samples[0].plan.steps, samples[1].plan.steps) << "the host's steps are longer by far";
@@ -43,12 +43,12 @@ TEST(TimedTurns, TheDevicesOfAContestShareK) {
 
 TEST(TimedTurns, KIsSoLargeThatTheFixedCostHardlyCounts) {
   ClockedSession on;
-  on["glsl"].fixed = 100e-6;
-  const json wide = to_json(on.measure({on.contender("glsl")}).front());
+  on["opengl"].fixed = 100e-6;
+  const json wide = to_json(on.measure({on.contender("opengl")}).front());
   EXPECT_LE(wide.at("fixed_cost_share").get<double>(), 0.005 + 1e-9);
   EXPECT_FALSE(wide.at("bounded_by_longest").get<bool>());
   on.sampling.longest = 5e-3;
-  const json bounded = to_json(on.measure({on.contender("glsl")}).front());
+  const json bounded = to_json(on.measure({on.contender("opengl")}).front());
   EXPECT_GT(bounded.at("fixed_cost_share").get<double>(), 0.005);
   EXPECT_TRUE(bounded.at("bounded_by_longest").get<bool>());
   EXPECT_EQ(bounded.at("longest_batch_ms"), 5);
@@ -58,9 +58,9 @@ TEST(TimedTurns, KIsSoLargeThatTheFixedCostHardlyCounts) {
 // As in OpenGL, where a batch behind one of many launches is late.
 TEST(TimedTurns, AShortBatchAheadKeepsOneFromBeingLateBehindALongOne) {
   ClockedSession on;
-  on["glsl"].late = 1e-3;
+  on["opengl"].late = 1e-3;
   const auto latest = [&] {
-    const Samples samples = on.measure({on.contender("glsl")}).front();
+    const Samples samples = on.measure({on.contender("opengl")}).front();
     double most = 0;
     for (const auto& round : samples.batch_seconds)
       for (size_t k = 0; k < round.size(); ++k)
@@ -91,17 +91,17 @@ TEST(TimedTurns, StudiesHideWhatABatchCostsInOpenGL) {
   ClockedSession on;
   on.sampling = study_sampling();
   on.sampling.clocks = on.clock.clocks();
-  on["glsl"].step = 100e-6;
-  on["glsl"].late = 1e-3;
-  const Samples samples = on.measure({on.contender("glsl")}).front();
+  on["opengl"].step = 100e-6;
+  on["opengl"].late = 1e-3;
+  const Samples samples = on.measure({on.contender("opengl")}).front();
   EXPECT_LE(80e-6, 0.005 * double(samples.batch()) * 100e-6);
   for (const double seconds : samples.seconds) EXPECT_NEAR(seconds, 100e-6, 1e-12);
 }
 
 TEST(TimedTurns, ALongStepIsABatchOfItsOwnWithoutAFixedCost) {
   ClockedSession on;
-  on["glsl"].step = 0.2;
-  const Samples samples = on.measure({on.contender("glsl")}).front();
+  on["opengl"].step = 0.2;
+  const Samples samples = on.measure({on.contender("opengl")}).front();
   EXPECT_EQ(samples.plan.steps, std::vector<uint64_t>{1});
   EXPECT_NEAR(samples.median_seconds(), 0.2, 1e-9);
   EXPECT_TRUE(to_json(samples).at("fixed_cost_us").is_null());
@@ -131,8 +131,9 @@ TEST(TimedTurns, EveryContenderHasAllRoundsHoweverSlowOrSteady) {
 TEST(TimedTurns, TheContendersOfAContestFollowEachOtherInEveryRound) {
   ClockedSession on;
   on.sampling.rounds = 40;
-  const auto samples = on.measure({on.contender("glsl", "a"), on.contender("glsl", "b"), on.contender("glsl", "c"),
-                                   on.contender("cuda", "a"), on.contender("cuda", "b"), on.contender("cuda", "c")});
+  const auto samples =
+      on.measure({on.contender("opengl", "a"), on.contender("opengl", "b"), on.contender("opengl", "c"),
+                  on.contender("cuda", "a"), on.contender("cuda", "b"), on.contender("cuda", "c")});
   std::set<std::vector<uint64_t>> orders;
   for (size_t round = 0; round < 40; ++round) {
     std::vector<uint64_t> order;
@@ -149,7 +150,7 @@ TEST(TimedTurns, TheContendersOfAContestFollowEachOtherInEveryRound) {
 TEST(TimedTurns, WhatMovesBeginsEveryBatchAlike) {
   ClockedSession on;
   std::vector<Contender> contenders;
-  for (const char* name : {"cpu", "glsl", "cuda"}) {
+  for (const char* name : {"cpu", "opengl", "cuda"}) {
     contenders.push_back(on.contender(name, "same"));
     contenders.back().batch = 8;
     contenders.back().restart = [](Backend& each) { static_cast<ClockedBackend&>(each).steps = 0; };
@@ -164,7 +165,7 @@ TEST(TimedTurns, WhatMovesBeginsEveryBatchAlike) {
 
 TEST(TimedTurns, TheLargestKMayBeGiven) {
   ClockedSession on;
-  Contender fixed = on.contender("glsl");
+  Contender fixed = on.contender("opengl");
   fixed.batch = 3;
   EXPECT_EQ(on.measure({fixed}).front().plan.steps, std::vector<uint64_t>{3});
 }
@@ -172,10 +173,10 @@ TEST(TimedTurns, TheLargestKMayBeGiven) {
 // Three untimed steps go ahead, so a capture in the fourth of each is inside of the sample.
 TEST(TimedTurns, ACaptureInsideOfASampleIsTakenAgain) {
   ClockedSession on;
-  Contender contender = on.contender("glsl");
+  Contender contender = on.contender("opengl");
   contender.batch = 20;
   on.sampling.rounds = 1;
-  on["glsl"].capture_every = 40;
+  on["opengl"].capture_every = 40;
   const Samples samples = on.measure({contender}).front();
   EXPECT_GT(samples.retaken, 0u);
   EXPECT_EQ(samples.prepared, Preparations{});
@@ -184,12 +185,12 @@ TEST(TimedTurns, ACaptureInsideOfASampleIsTakenAgain) {
 
 TEST(TimedTurns, ACaptureInsideOfEverySampleIsAnErrorThatNamesTheContender) {
   ClockedSession on;
-  on["glsl"].capture_every = 1;
+  on["opengl"].capture_every = 1;
   try {
-    on.measure({on.contender("glsl")});
+    on.measure({on.contender("opengl")});
     FAIL() << "samples were taken";
   } catch (const BackendError& error) {
-    EXPECT_NE(std::string(error.what()).find("glsl steps: "), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("opengl steps: "), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("graphs were captured"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("inside 3 samples"), std::string::npos) << error.what();
   }
@@ -197,8 +198,8 @@ TEST(TimedTurns, ACaptureInsideOfEverySampleIsAnErrorThatNamesTheContender) {
 
 TEST(TimedTurns, WhatAStepPreparesAsAPartOfItIsRecorded) {
   ClockedSession on;
-  on["glsl"].capture_every = 1;
-  Contender contender = on.contender("glsl");
+  on["opengl"].capture_every = 1;
+  Contender contender = on.contender("opengl");
   contender.prepares = true, contender.batch = 2, on.sampling.rounds = 5;
   const Samples samples = on.measure({contender}).front();
   EXPECT_EQ(samples.retaken, 0u);

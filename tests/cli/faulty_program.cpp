@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The program with a backend `glsl` that answers wrongly: SPHEREPAIR_FAULT names how (faulty_backend.h), from the step
-// SPHEREPAIR_FAULT_FROM on. SPHEREPAIR_OTHERS is the share of the cores that other programs seem to keep busy.
+// The program with a backend `opengl` that answers wrongly: SPHEREPAIR_FAULT names how (faulty_backend.h), from the
+// step SPHEREPAIR_FAULT_FROM on. SPHEREPAIR_OTHERS is the share of the cores that other programs seem to keep busy.
 #include <cstdlib>
 
 #include "bench/cli/command_line.h"

@@ -99,7 +99,7 @@ TEST_F(CommandLineTest, CountsTakeSuffixesAndPowersOfTen) {
 TEST_F(CommandLineTest, AMisspeltNameIsAnsweredWithTheNearest) {
   expect_refused("run --stesp 3", {"unknown option --stesp; did you mean --steps?"});
   expect_refused("compre", {"unknown subcommand 'compre'; did you mean compare?"});
-  expect_refused("run --backend glls", {"did you mean glsl?"});
+  expect_refused("run --backend opnegl", {"did you mean opengl?"});
   expect_refused("compare --backends cpu,cdua", {"did you mean cuda?"});
   expect_refused("pair --input x", {"unknown subcommand 'pair'", "did you mean pairs?"});
   expect_refused("run --backend cpu --method colide_grid", {"did you mean collide_grid?"});
@@ -112,7 +112,7 @@ TEST_F(CommandLineTest, AMisspeltNameIsAnsweredWithTheNearest) {
   expect_refused(render + " --ground lowst", {"--ground lowst: did you mean lowest? Give none, plane"});
   expect_refused(render + " --ground 1e16", {"--ground 1e16: give none, plane, lowest or a height"});
   EXPECT_EQ(nearest_name("grid", {"collide_tiled", "collide_grid"}), "collide_grid");
-  EXPECT_EQ(nearest_name("nothing", {"cpu", "glsl", "cuda"}), "");
+  EXPECT_EQ(nearest_name("nothing", {"cpu", "opengl", "cuda"}), "");
 }
 
 TEST_F(CommandLineTest, AutoSaysWhatItTookAndWhyNotTheOthers) {
@@ -124,7 +124,7 @@ TEST_F(CommandLineTest, AutoSaysWhatItTookAndWhyNotTheOthers) {
   const nlohmann::json record = read_json("any.json");
   for (const auto& reason : record.at("passed_over"))
     EXPECT_NE(any.output.find("passed over: " + reason.get<std::string>()), std::string::npos) << any.output;
-  const size_t before = any.output.starts_with("cuda") ? 0 : any.output.starts_with("glsl") ? 1 : 2;
+  const size_t before = any.output.starts_with("cuda") ? 0 : any.output.starts_with("opengl") ? 1 : 2;
   EXPECT_EQ(record.at("passed_over").size(), before);
 }
 

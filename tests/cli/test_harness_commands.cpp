@@ -18,7 +18,7 @@ class CompareProgram : public ProgramTest {
  protected:
   Outcome compare(const std::string& fault, const std::string& more = "--tables none", uint64_t from_step = 0) const {
     return run_shell(
-        fmt::format("SPHEREPAIR_FAULT={} SPHEREPAIR_FAULT_FROM={} '{}' compare --backends cpu,glsl --threads 1 "
+        fmt::format("SPHEREPAIR_FAULT={} SPHEREPAIR_FAULT_FROM={} '{}' compare --backends cpu,opengl --threads 1 "
                     "--scenes random --n 300 --steps 2 --blocks 64 --results '{}' {}",
                     fault, from_step, SPHEREPAIR_FAULTY_PROGRAM, path("results"), more),
         folder_);
@@ -33,10 +33,10 @@ class CompareProgram : public ProgramTest {
 TEST_F(CompareProgram, SaysHowManyComparisonsOfWhatItMade) {
   const Outcome outcome = compare("none");
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
-  EXPECT_NE(outcome.output.find("Equal on cpu, glsl: "), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("Equal on cpu, opengl: "), std::string::npos) << outcome.output;
   EXPECT_NE(outcome.output.find(" and 3 states compared, as many as planned"), std::string::npos) << outcome.output;
   EXPECT_EQ(results().at("verdict"), "equal");
-  const nlohmann::json counts = results().at("comparisons").at("glsl");
+  const nlohmann::json counts = results().at("comparisons").at("opengl");
   EXPECT_EQ(counts.at("states"), (nlohmann::json{{"planned", 3}, {"made", 3}}));
   EXPECT_EQ(counts.at("sets").at("made"), counts.at("sets").at("planned"));
   EXPECT_GT(counts.at("sets").at("made"), 9);
@@ -71,7 +71,7 @@ TEST_F(CompareProgram, TimesNoWrongAnswer) {
 TEST_F(CompareProgram, RefusesABackendOfWhichNothingWouldBeCompared) {
   const Outcome outcome = compare("no_methods");
   EXPECT_EQ(outcome.code, 2) << outcome.output;
-  EXPECT_NE(outcome.errors.find("no result of glsl would be compared"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("no result of opengl would be compared"), std::string::npos) << outcome.errors;
   EXPECT_EQ(outcome.output.find("No difference"), std::string::npos) << outcome.output;
 }
 

@@ -44,7 +44,7 @@ class PrintedTables : public ProgramTest {
     EXPECT_GT(texts, 0u);
   }
   static bool has_opengl() {
-    return std::ranges::any_of(open_backends(), [](Backend* backend) { return backend->info().name == "glsl"; });
+    return std::ranges::any_of(open_backends(), [](Backend* backend) { return backend->info().name == "opengl"; });
   }
   // However its lines are broken.
   static std::string words_of(const std::string& text) { return wrapped(text, "", "", text.size() + 1); }
@@ -53,14 +53,14 @@ class PrintedTables : public ProgramTest {
 TEST_F(PrintedTables, OfEveryStudyFitInto80Columns) {
   if (!has_opengl()) GTEST_SKIP() << "no OpenGL here";
   expect_narrow("compare --quick --n 64 --scenes random --blocks 64 --rounds 1 --min-seconds 1e-5");
-  expect_narrow("crossover --backends cpu,glsl --n 64 --kinds gas,one_cell --rounds 1");
-  expect_narrow("ablate --backends cpu,glsl --n 64 --names radius_load_all_pairs,cells --rounds 1");
+  expect_narrow("crossover --backends cpu,opengl --n 64 --kinds gas,one_cell --rounds 1");
+  expect_narrow("ablate --backends cpu,opengl --n 64 --names radius_load_all_pairs,cells --rounds 1");
   expect_narrow(
-      "contacts --backends cpu,glsl --laws spring --steps 10 --n 125 "
+      "contacts --backends cpu,opengl --laws spring --steps 10 --n 125 "
       "--drag-steps 0.1:5 --rounds 6");
-  expect_narrow("launches --backends cpu,glsl --n 64 --rounds 1");
+  expect_narrow("launches --backends cpu,opengl --n 64 --rounds 1");
   expect_narrow("sets --quick --backends cpu --motions impact-linear");
-  expect_narrow("precision --quick --backends cpu,glsl --motions impact-linear,anchored --n 100 --rounds 6");
+  expect_narrow("precision --quick --backends cpu,opengl --motions impact-linear,anchored --n 100 --rounds 6");
 }
 
 TEST_F(PrintedTables, OfTheStepsOfARunFitsInto80Columns) {
@@ -80,7 +80,7 @@ TEST_F(PrintedTables, OfTheStepsOfARunFitsInto80Columns) {
 TEST_F(PrintedTables, FramesHasHeadings) {
   if (!has_opengl()) GTEST_SKIP() << "no OpenGL here";
   const std::string text = expect_narrow(
-      "frames --backends cpu,glsl --n 64 --draws compute,points --rounds 1 --size 64x48 --min-seconds 1e-5");
+      "frames --backends cpu,opengl --n 64 --draws compute,points --rounds 1 --size 64x48 --min-seconds 1e-5");
   for (const char* words : {"Drawing 64 spheres at 64x48: an image", "draw     camera   work", "frame_all"})
     EXPECT_NE(text.find(words), std::string::npos) << text;
   for (const char* row : {"\ncompute  outside  frame_all ", "\npoints   inside   loop "})

@@ -111,7 +111,7 @@ TEST_F(ViewCommand, ShowsTheSamePixelsOnEveryBackend) {
     EXPECT_GT(cpu.size(), 20000u) << "a blank window";
     if (!draw.empty()) continue;
     const std::string own = folder_.path("own.png");
-    const Ended ended = view("--backend glsl --gl-device 0 --frames 8 --keys h --screenshot " + own);
+    const Ended ended = view("--backend opengl --gl-device 0 --frames 8 --keys h --screenshot " + own);
     if (lacks_egl_windows(ended)) continue;
     EXPECT_NE(ended.said.find("images are uploaded to the window"), std::string::npos) << ended.said;
     EXPECT_EQ(read_bytes(own), cpu) << "in a context of its own";
@@ -145,9 +145,9 @@ TEST_F(ViewCommand, WhatStandsStillIsAntialiasedTheSameOnEveryBackend) {
   const std::string still = pixels_of("--backend cpu --frames 17");
   EXPECT_FALSE(still == pixels_of("--backend cpu --frames 16")) << "a sample is missing";
   EXPECT_TRUE(still == pixels_of("--backend cpu --frames 20"));
-  EXPECT_TRUE(still == pixels_of("--backend glsl --frames 17"));
-  if (lacks_egl_windows(shown("--backend glsl --gl-device 0 --frames 1"))) return;
-  EXPECT_TRUE(still == pixels_of("--backend glsl --gl-device 0 --frames 17")) << "in a context of its own";
+  EXPECT_TRUE(still == pixels_of("--backend opengl --frames 17"));
+  if (lacks_egl_windows(shown("--backend opengl --gl-device 0 --frames 1"))) return;
+  EXPECT_TRUE(still == pixels_of("--backend opengl --gl-device 0 --frames 17")) << "in a context of its own";
 }
 
 TEST_F(ViewCommand, SavesImagesAndCloses) {

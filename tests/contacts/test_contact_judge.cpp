@@ -84,7 +84,7 @@ class ContactJudgeProgram : public ProgramTest {
   // The statistics and the checkpoint of a run on the faulty backend.
   std::string statistics(const std::string& fault, const std::string& run) const {
     const Outcome outcome =
-        faulty(fault, fmt::format("run --backend glsl {} --statistics '{}' --statistics-every {} --save '{}'", run,
+        faulty(fault, fmt::format("run --backend opengl {} --statistics '{}' --statistics-every {} --save '{}'", run,
                                   path("rows"), every, path("end")));
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
     return read_bytes(path("rows"));
@@ -93,10 +93,10 @@ class ContactJudgeProgram : public ProgramTest {
 };
 
 TEST_F(ContactJudgeProgram, CompareFindsEveryFault) {
-  const Outcome right = compare("none", "cpu,glsl");
+  const Outcome right = compare("none", "cpu,opengl");
   EXPECT_EQ(right.code, 0) << right.errors;
   for (const NamedFault& fault : contact_faults()) {
-    const Outcome wrong = compare(fault.name, "cpu,glsl");
+    const Outcome wrong = compare(fault.name, "cpu,opengl");
     EXPECT_EQ(wrong.code, 1) << fault.name << wrong.output;
     EXPECT_NE(wrong.errors.find("DIFFERENCE FOUND"), std::string::npos) << wrong.errors;
     EXPECT_EQ(read_json(fmt::format("{}/results.json", fault.name)).at("verdict"), "difference");
@@ -107,7 +107,7 @@ TEST_F(ContactJudgeProgram, CompareFindsEveryFault) {
 TEST_F(ContactJudgeProgram, EqualFindsEveryFault) {
   ASSERT_EQ(compare("none", "cpu").code, 0);
   for (const NamedFault& fault : contact_faults()) {
-    ASSERT_EQ(compare(fault.name, "glsl").code, 0) << fault.name;
+    ASSERT_EQ(compare(fault.name, "opengl").code, 0) << fault.name;
     const Outcome outcome = run_shell(fmt::format("'{}' equal '{}/results.json' '{}/results.json'",
                                                   SPHEREPAIR_FAULTY_PROGRAM, path("none"), path(fault.name)),
                                       folder_);
@@ -130,9 +130,9 @@ TEST_F(ContactJudgeProgram, AResumedRunShowsMomentaThatWereNotSaved) {
   std::filesystem::rename(path("end"), path("cut"));
   const std::string again = fmt::format("--resume '{}' --steps 300", path("cut")), rows = statistics("none", again),
                     checkpoint = end();
-  const Outcome refused =
-      faulty("old_momenta",
-             fmt::format("run --backend glsl {} --statistics '{}' --statistics-every {}", again, path("rows"), every));
+  const Outcome refused = faulty(
+      "old_momenta",
+      fmt::format("run --backend opengl {} --statistics '{}' --statistics-every {}", again, path("rows"), every));
   EXPECT_EQ(refused.code, 2);
   EXPECT_NE(refused.errors.find("has another row of step 300"), std::string::npos) << refused.errors;
   std::filesystem::remove(path("rows"));

@@ -212,7 +212,7 @@ std::unique_ptr<Backend> make_faulty(const std::string& name, Fault fault, uint6
 Opener faulty_opener(Fault fault, uint64_t from_step) {
   return [=](const std::string& name, const OpenOptions& options) {
     if (name == "cpu") return open_backend(name, options);
-    if (name == "glsl") return make_faulty(name, fault, from_step);
+    if (name == "opengl") return make_faulty(name, fault, from_step);
     throw BackendError(name + ": not among the backends of this test");
   };
 }

@@ -10,7 +10,7 @@
 namespace spherepair {
 
 inline Session session_with(Fault fault, uint64_t from_step = 0) {
-  return Session({"cpu", "glsl"}, {.threads = 1}, faulty_opener(fault, from_step));
+  return Session({"cpu", "opengl"}, {.threads = 1}, faulty_opener(fault, from_step));
 }
 
 // The message of the difference that `work` finds; empty when it finds none.
@@ -36,7 +36,7 @@ std::string error_of(Work work) {
 
 inline void expect_named(const std::string& message, const NamedFault& fault, const std::string& where) {
   EXPECT_NE(message.find(fault.found_as), std::string::npos) << where << ", " << fault.name << ": '" << message << "'";
-  EXPECT_NE(message.find("glsl"), std::string::npos) << message;
+  EXPECT_NE(message.find("opengl"), std::string::npos) << message;
 }
 
 }  // namespace spherepair

@@ -16,7 +16,8 @@ read = lru_cache(Machine)
 def recorded(name=MAIN):
     """A copy, whose records and sources may be replaced or added to."""
     machine = copy.copy(read(DATA / name))
-    machine.records, machine.sources, machine.used = list(machine.records), dict(machine.sources), {}
+    machine.records, machine.sources = list(machine.records), dict(machine.sources)
+    machine.used, machine.notes, machine.runs = {}, {}, {}
     return machine
 
 

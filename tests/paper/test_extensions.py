@@ -12,7 +12,7 @@ from paper.numbers import contests, extensions  # noqa: E402
 from paper.records import Missing  # noqa: E402
 from paper.tables.extensions import extensions as table  # noqa: E402
 
-CORE = {"backend": "glsl-core", "n": 10**7, "order": "cold"}
+CORE = {"backend": "opengl-core", "n": 10**7, "order": "cold"}
 
 
 class Extensions(unittest.TestCase):

@@ -17,11 +17,12 @@ if importlib.util.find_spec("matplotlib") is None:
     print("SKIPPED: figures need matplotlib (python3-matplotlib)")
     sys.exit(77)
 
-from paper import all_figures, figures, sources, style  # noqa: E402  (the path must be set first)
+from changed_records import recorded  # noqa: E402  (the path must be set first)
+from paper import all_figures, figures, sources, style  # noqa: E402
 from paper.numbers.derived import GRID_BYTES  # noqa: E402
 from paper.page import contents  # noqa: E402
 from paper.plots import ratio  # noqa: E402
-from paper.records import DATA, MAIN, Machine, Missing, Record, latest  # noqa: E402
+from paper.records import Machine, Missing, Record, latest  # noqa: E402
 from paper.tables import all_tables, energy, studies  # noqa: E402
 
 SCENE = {"name": "uniform", "packing_fraction": 0.3}
@@ -35,7 +36,7 @@ def made_up(table, times, **parameters):
 
 def made_up_records():
     rows = made_up("grid", [9], backend="cpu", method="collide_grid", order="cold")
-    for backend in ("glsl", "cuda"):
+    for backend in ("opengl", "cuda"):
         for method, order, time in (("grid", "cold", 2), ("grid", "warm", 1), ("triangle", "cold", 3)):
             rows += made_up("grid", [time], backend=backend, method=f"collide_{method}", order=order,
                             share_of_floor=0.5, peak_per_second=1e12, device_stages_ms={"collide": 1.0},
@@ -65,8 +66,8 @@ def made_up_sets():
                "whole_extra": 0, **error} for offset in (0, 1e5)]
     times = {"median_ms": 1.0, "interval_ms": [0.9, 1.1]}
     exactness = [{"backend": name, "scene": "far", "n": 1024, "exact": times, "naive": times, **error}
-                 for name in ("cpu", "glsl")]
-    contacts = [{"backend": "glsl", "distance": distance, "pairs": 100, "missed": 8, "deviation": 2.8,
+                 for name in ("cpu", "opengl")]
+    contacts = [{"backend": "opengl", "distance": distance, "pairs": 100, "missed": 8, "deviation": 2.8,
                  "swept_missed": 0} for distance in (1.0, 3.0)]
     return {"format": "spherepair sets 1", "id": "made up", "settings": {"seconds": 10}, "motion": motion,
             "storage": [{"precision": "float32", "offset": 1e5, **error}], "exactness": exactness,
@@ -77,7 +78,7 @@ def made_up_crossovers(cells, time_of_auto):
     square, grid = {"name": "collide_square", "block": 32}, {"name": "collide_grid", "cells": cells}
     return [record for n, times, taken in ((64, (1, 3, 3, 1), square), (1024, (9, 2, 4, time_of_auto), grid))
             for way, time in zip(("collide_square/32", "dense", "hashed", "auto"), times)
-            for record in [Record({"table": "crossover", "kind": "gas", "way": way, "n": n, "backend": "glsl",
+            for record in [Record({"table": "crossover", "kind": "gas", "way": way, "n": n, "backend": "opengl",
                                    "choice": taken, "scene": SCENE, "label": "made up", "contest": "made up",
                                    "samples_ms": [time * factor for factor in (0.99, 1, 1, 1, 1, 1, 1.01)]}, time, time, time,
                                   "made up")]]
@@ -95,7 +96,7 @@ class Figures(unittest.TestCase):
         return left_out
 
     def test_each_is_drawn_if_its_records_exist(self):
-        machine = Machine(DATA / MAIN)
+        machine = recorded()
         kept = [r for r in machine.records if r.table not in ("grid", "draw", "interop", "ablation", "precision")]
         machine.records = kept + made_up_records()
         machine.sources["sets.json"] = made_up_sets()
@@ -112,7 +113,7 @@ class Figures(unittest.TestCase):
         self.assertEqual(([2.0], 2), ([record.median for record in machine.records], machine.lost))
 
     def test_none_is_drawn_without_its_records(self):
-        machine = Machine(DATA / MAIN)
+        machine = recorded()
         machine.records, machine.sources = [], {}
         drawn = {module.NAME for module in all_figures.modules()} - set(self.draw(machine))
         self.assertLessEqual(drawn, {"animations", "closeup", "same-frame", "settling"})  # images
@@ -120,14 +121,14 @@ class Figures(unittest.TestCase):
 
 class Tables(unittest.TestCase):
     def test_crossovers_by_kind(self):
-        machine = Machine(DATA / MAIN)
+        machine = recorded()
         for cells, time_of_auto, loss in (("dense", 2, "1"), ("dense", 2.5, "1"), ("hashed", 4, "2")):
             machine.records = made_up_crossovers(cells, time_of_auto)
             self.assertEqual([["gas", "1,024", loss]], studies.crossover(machine).rows)
 
     def test_of_the_grid_sweeps_alone_count(self):
         def record(n, date, swept, table="grid"):
-            return Record({"table": table, "backend": "glsl", "method": "collide_grid", "n": n, "order": "cold",
+            return Record({"table": table, "backend": "opengl", "method": "collide_grid", "n": n, "order": "cold",
                            "scene": SCENE}, 1, 1, 1, f"{date} {swept}", date, swept)
         old, new, compared = record(64, "1", True), record(64, "2", True), record(4096, "3", False)
         other = record(64, "0", False, "methods")
@@ -140,11 +141,11 @@ class Tables(unittest.TestCase):
         return [Record({"table": "energy", "scene": SCENE, "n": 1000, "work": work, "backend": backend, "label": f"{backend} {work}",
                         "counter_watts": 400, "idle_counter_watts": idle, "joules_per_step": joules, "power": "instant",
                         "nanojoules_per_sphere": 1e6 * joules, "windows": [{"seconds": 10.2}],
-                        "disagreement": disagreement if (backend, work) == ("glsl", "warm") else -0.02}, 1, 1, 1, "made up")
-                for work in ("warm", "cold") for backend, joules, idle in (("glsl", 0.02, 110), ("cuda", 0.01, 115))]
+                        "disagreement": disagreement if (backend, work) == ("opengl", "warm") else -0.02}, 1, 1, 1, "made up")
+                for work in ("warm", "cold") for backend, joules, idle in (("opengl", 0.02, 110), ("cuda", 0.01, 115))]
 
     def test_energies(self):
-        machine = Machine(DATA / MAIN)
+        machine = recorded()
         machine.records = self.energies()
         table = energy.energy(machine)
         self.assertEqual([["grid, in cell order", "1,000", "400", "20.0", "20000", "400", "10.0", "10000", "2.00"],
@@ -153,16 +154,16 @@ class Tables(unittest.TestCase):
         self.assertIn("at most 2.0 \\% apart", table.caption)
 
     def test_energies_whose_methods_disagree_are_left_out_and_named(self):
-        machine = Machine(DATA / MAIN)
+        machine = recorded()
         machine.records = self.energies(0.04)
         table = energy.energy(machine)
         self.assertEqual(["grid, in cell order", "1,000", "-", "-", "-", "400", "10.0", "10000", "-"], table.rows[0])
-        self.assertIn("by more than 3 \\%: glsl warm.", table.caption)
+        self.assertIn("by more than 3 \\%: opengl warm.", table.caption)
         machine.records = [record for record in machine.records if record.disagreement > 0.03]
         self.assertRaises(Missing, energy.energy, machine)
 
     def test_transfers(self):
-        machine = Machine(DATA / MAIN)
+        machine = recorded()
         timed = {"imported": (1.9, 2.2), "step": (0.9, 1.1), "imported_pipelined": (2.4, 2.6)}
 
         def record(n):
@@ -184,7 +185,7 @@ class StaleRecords(unittest.TestCase):
 
     def lines(self, digest):
         """The captions of one figure and of one table, and what the table's text form says."""
-        machine = Machine(DATA / MAIN)
+        machine = recorded()
         machine.records = [replace(record, recorded=({"measure": digest},)) for record in machine.records]
         table = all_tables.of_one(all_tables.methods, machine)
         one = unittest.mock.patch.object(all_figures, "modules", lambda rooms: [ratio])

@@ -32,7 +32,7 @@ def recorded(rng, ratio, processes, between=BETWEEN):
     roots = []
     for made in (process(rng, ratio, between) for _ in range(processes)):
         rows = [{"backend": backend, "contest": "simulated", "n": 64, "scene": {}, "samples_ms": samples}
-                for backend, samples in zip(("glsl", "cuda"), made)]
+                for backend, samples in zip(("opengl", "cuda"), made)]
         roots.append({"measurements": rows, "backends": []})
     return [Record(row, *spread.summary(row), "simulated") for row in spread.merged(roots)["measurements"]]
 

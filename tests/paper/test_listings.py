@@ -167,7 +167,7 @@ class Script(unittest.TestCase):
         self.assertEqual(6, len(record["listings"]))
         self.assertEqual({entry["file"] for entry in record["listings"]} | {"listings.json"}, set(os.listdir(folder)))
         by_api = {entry["backend"]: entry for entry in record["listings"] if entry["kernel"] == "collide_grid"}
-        self.assertEqual((None, 41), (by_api["glsl"]["registers"], by_api["cuda"]["registers"]))
+        self.assertEqual((None, 41), (by_api["opengl"]["registers"], by_api["cuda"]["registers"]))
         self.assertIn("collide_gridILi128ELb1ELb0E", by_api["cuda"]["name"])
         self.assertIn("6 instructions for 2 pairs.\n\n| 00010  LDS", (folder / "collide_grid-cuda.txt").read_text())
         triangle = next(entry for entry in record["listings"] if entry["kernel"] == "collide_triangle")

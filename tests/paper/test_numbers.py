@@ -48,22 +48,22 @@ class Prose(unittest.TestCase):
             check("It takes \\Nr{step/abacus}\\,ms.", self.numbers)
 
     def test_a_digit_in_the_prose_is_found(self):
-        check("A step on an H100 takes \\Nr{step/glsl}\\,ms of $2^{20}$, see GTX~\\given{590}.", self.numbers)
-        for prose in ("It takes 0.068\\,ms.", "GLSL is 8\\,\\% faster.", "In 2 of \\Nr{step/glsl} cases."):
+        check("A step on an H100 takes \\Nr{step/opengl}\\,ms of $2^{20}$, see GTX~\\given{590}.", self.numbers)
+        for prose in ("It takes 0.068\\,ms.", "GLSL is 8\\,\\% faster.", "In 2 of \\Nr{step/opengl} cases."):
             with self.assertRaises(Missing, msg=prose):
                 check(prose, self.numbers)
 
     def test_a_number_names_the_file_it_comes_from(self):
-        text, source, _ = self.numbers.entries["step/glsl"]
+        text, source, _ = self.numbers.entries["step/opengl"]
         self.assertEqual(recorded().id, source)
-        self.assertEqual(f"{recorded().one(table='step', backend='glsl', n=16384).median:.4f}", text)
+        self.assertEqual(f"{recorded().one(table='step', backend='opengl', n=16384).median:.4f}", text)
 
 
 class WhoLeads(unittest.TestCase):
     """The statements of the prose about leads follow the records, or the paper is refused."""
 
     def sentences(self, factor):
-        found = leads.contests(changed(all_pairs("glsl"), factor))
+        found = leads.contests(changed(all_pairs("opengl"), factor))
         return leads.headline(found), leads.wins(found), leads.at_large_sizes(found)
 
     def test_one_api_throughout(self):
@@ -95,8 +95,8 @@ class WhoLeads(unittest.TestCase):
         machine = recorded()
         of_cuda = {(r.table, r.n, str(r.scene)): r for r in machine.records if all_pairs("cuda")(r)}
         alike = lambda r: of_cuda[r.table, r.n, str(r.scene)]
-        machine.records = [replace(alike(r), parameters={**alike(r).parameters, "backend": "glsl"})
-                           if all_pairs("glsl")(r) else r for r in machine.records]
+        machine.records = [replace(alike(r), parameters={**alike(r).parameters, "backend": "opengl"})
+                           if all_pairs("opengl")(r) else r for r in machine.records]
         found = leads.contests(machine)
         self.assertEqual("no difference is decided", leads.headline(found))
         self.assertEqual("no difference is decided", leads.wins(found))
@@ -107,17 +107,17 @@ class WhoLeads(unittest.TestCase):
 
     def test_prose_that_does_not_follow_refuses(self):
         for maker, wanted, factor in (
-                ("who_leads", {"table": "scale", "backend": "glsl"}, 2),
-                ("one_launch", {"table": "table1", "work": "move", "backend": "glsl"}, 2),
-                ("exactness", {"table": "exactness", "method": "collide_tiled", "exact": True, "backend": "glsl"}, 1.02),
+                ("who_leads", {"table": "scale", "backend": "opengl"}, 2),
+                ("one_launch", {"table": "table1", "work": "move", "backend": "opengl"}, 2),
+                ("exactness", {"table": "exactness", "method": "collide_tiled", "exact": True, "backend": "opengl"}, 1.02),
                 ("launches", {"table": "overhead", "backend": "cuda"}, 2),
                 ("arrangements", {"table": "methods", "method": "collide_tiled"}, 0.2),
                 ("group_sizes", {"table": "methods", "method": "collide_square", "block": 128}, 2),
                 ("whole_steps", {"table": "step", "backend": "cpu"}, 0.01),
                 ("keeping_order", {"table": "grid", "backend": "cuda", "order": "warm"}, 3),
-                ("grid_leads", {"table": "grid", "backend": "glsl"}, 0.5),
+                ("grid_leads", {"table": "grid", "backend": "opengl"}, 0.5),
                 ("against_peers", {"table": "grid", "backend": "cuda"}, 9),
-                ("drawing", {"table": "draw", "backend": "glsl", "n": 10**8}, 999),
+                ("drawing", {"table": "draw", "backend": "opengl", "n": 10**8}, 999),
                 ("transfers", {"table": "interop", "way": "through the host's memory"}, 1e-3),
                 ("kinds_of_spheres", {"table": "crossover", "kind": "one_cell", "way": "dense"}, 1e-3),
                 ("exactness", {"table": "exactness", "method": "collide_triangle", "exact": True}, 2),
@@ -143,7 +143,7 @@ class Contacts(unittest.TestCase):
             make(lambda *_: None, machine, [])
 
     def test_bits_and_errors(self):
-        run = {"table": "contact_runs", "backend": "glsl", "law": "hertz", "steps_a_contact": 40}
+        run = {"table": "contact_runs", "backend": "opengl", "law": "hertz", "steps_a_contact": 40}
         self.refused(prose_contacts.contact_bits, {**run, "sums": "integers"}, momentum=[0, 1, 0])
         self.refused(prose_contacts.contact_bits, {**run, "sums": "integers"}, returns=False)
         self.refused(prose_contacts.contact_bits, {**run, "sums": "in_order"}, momentum=[0, 0, 0])
@@ -169,7 +169,7 @@ class Stress(unittest.TestCase):
         machine = recorded()
         found = [{"row": row, "scene": "a lattice", "what": "it holds", "backend": name, "figure": "0 wrong of 100000",
                   "bound": "1e-04 m", "verdict": verdict if row == 7 else "pass"}
-                 for row in range(1, rows + 1) for name in ("cpu", "glsl", "cuda")]
+                 for row in range(1, rows + 1) for name in ("cpu", "opengl", "cuda")]
         machine.sources["stress.json"] = {"rows": found, "id": "made up"}
         return stress_table.stress(machine)
 
@@ -185,7 +185,7 @@ class Stress(unittest.TestCase):
 
     def test_backends_that_found_different_figures_are_named(self):
         self.assertEqual("CPU, OpenGL: 1 m; CUDA: 2 m",
-                         stress_table.figure_text({"cpu": "1 m", "glsl": "1 m", "cuda": "2 m"}))
+                         stress_table.figure_text({"cpu": "1 m", "opengl": "1 m", "cuda": "2 m"}))
 
     def test_numbers_are_set_as_mathematics(self):
         self.assertEqual("0 wrong of 100000, $\\pm$ $10^{-4}$, $5.8\\cdot10^{-5}$ m, 0, $2^{-149}$, 4096",
@@ -195,7 +195,7 @@ class Stress(unittest.TestCase):
 class Records(unittest.TestCase):
     def test_none_or_several_are_refused(self):
         machine = recorded()
-        for wanted in ({"table": "step", "backend": "abacus"}, {"table": "step", "backend": "glsl"}):
+        for wanted in ({"table": "step", "backend": "abacus"}, {"table": "step", "backend": "opengl"}):
             with self.assertRaises(Missing):
                 machine.one(**wanted)
 

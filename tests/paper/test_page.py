@@ -22,7 +22,7 @@ from paper.numbers.ratios import Ratio  # noqa: E402
 from paper.page import answer, index, recorded, report  # noqa: E402
 from paper.page.html_table import as_html  # noqa: E402
 from paper.progress import Progress  # noqa: E402
-from paper.records import DATA, MAIN, Machine, Missing  # noqa: E402
+from paper.records import Machine, Missing  # noqa: E402
 from paper.tables.tabular import Table  # noqa: E402
 
 ANSWER = ("Short steps are <so>.", "On the recorded GPU, OpenGL takes 2.00x CUDA's time.")
@@ -118,7 +118,7 @@ class Answer(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.machine = Machine(DATA / MAIN)
+        cls.machine = recorded_machine()
 
     def test_in_words(self):
         for short, long, words in (([2.4], [0.95, 1.05], "Short steps are faster in CUDA; long steps are about as fast in both."),
@@ -144,7 +144,7 @@ class Answer(unittest.TestCase):
         self.assertRaises(Missing, answer.steps, machine)
 
     def test_software_answers_nothing(self):
-        machine = Machine(DATA / "llvmpipe")
+        machine = recorded_machine("llvmpipe")
         self.assertRaises(Missing, answer.answer, machine, True)
         self.assertIn("No GPU was found", answer.why_not(machine))
 

@@ -14,13 +14,13 @@ class Parts(unittest.TestCase):
         results = next(part for part in parts.GPU if part.name == "results")
         first, second = (parts.Run(results, process).command("OUT")[0] for process in (1, 2))
         self.assertLessEqual(parts.TIMES.split(","), first[first.index("--tables") + 1].split(","))
-        self.assertEqual([parts.TIMES, "glsl,cuda", "OUT"], [second[second.index(name) + 1] for name in ("--tables", "--backends", "--results")])
+        self.assertEqual([parts.TIMES, "opengl,cuda", "OUT"], [second[second.index(name) + 1] for name in ("--tables", "--backends", "--results")])
 
     def test_opengl_without_extensions_needs_opengl(self):
         core = next(part for part in parts.GPU if part.name == "sweep_core")
-        devices = [{"name": name, "open": True, "software": False} for name in ("glsl", "cuda")]
+        devices = [{"name": name, "open": True, "software": False} for name in ("opengl", "cuda")]
         self.assertEqual("", parts.missing_needs(core, devices))
-        self.assertEqual("needs glsl-core, glsl", parts.missing_needs(core, devices[1:]))
+        self.assertEqual("needs opengl-core, opengl", parts.missing_needs(core, devices[1:]))
 
 
 if __name__ == "__main__":

@@ -13,17 +13,17 @@ if importlib.util.find_spec("matplotlib") is None:
     print("SKIPPED: figures need matplotlib (python3-matplotlib)")
     sys.exit(77)
 
-from paper import all_figures, figures, folders, plots  # noqa: E402  (the path must be set first)
+from changed_records import recorded  # noqa: E402  (the path must be set first)
+from paper import all_figures, figures, folders, plots  # noqa: E402
 from paper.numbers.pareto import study  # noqa: E402
 from paper.plots import contact_precision, grid_phases, set_errors, step, work_precision, work_precision_overlay  # noqa: E402
-from paper.records import DATA, MAIN, Machine  # noqa: E402
 from paper.tables import all_tables  # noqa: E402
 
 
 class Provenance(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.machine = Machine(DATA / MAIN)
+        cls.machine = recorded()
 
     def runs(self, module):
         self.machine.used.clear()

@@ -23,7 +23,7 @@ def record(samples, **parameters):
 
 def times(cuda, factors, **parameters):
     """OpenGL's and CUDA's record of one process, whose ratios by rounds are these."""
-    return (record([time * factor for time, factor in zip(cuda, factors)], backend="glsl", **parameters),
+    return (record([time * factor for time, factor in zip(cuda, factors)], backend="opengl", **parameters),
             record(cuda, backend="cuda", **parameters))
 
 
@@ -142,8 +142,8 @@ class Contests(unittest.TestCase):
         records = []
         for n, (table, ratio, parameters) in enumerate(timings, 64):
             spread = parameters.get("spread", 0.01)
-            for backend, factor in (("cuda", 1), ("glsl", ratio)):
-                medians = [factor * (1 + (backend == "glsl") * spread * step) for step in (-1, -0.5, 0, 0.5, 1)][:parameters.get("runs", 5)]
+            for backend, factor in (("cuda", 1), ("opengl", ratio)):
+                medians = [factor * (1 + (backend == "opengl") * spread * step) for step in (-1, -0.5, 0, 0.5, 1)][:parameters.get("runs", 5)]
                 processes = [{"process": k, "gpu": "A", "median_ms": median, "plain_ms": (1 if backend == "cuda" else parameters.get("plain", 1)) * median,
                               "rounds": 2} for k, median in enumerate(medians)]
                 samples = [value for median in medians for value in (0.999 * median, 1.001 * median)]
@@ -155,10 +155,10 @@ class Contests(unittest.TestCase):
 
     def test_each_is_of_its_kind_of_work(self):
         found = contests.contests(self.machine([
-            ("step", 1.7, {"work": "step"}), ("grid", 1.1, {"method": "collide_grid", "glsl": {"block": 64}}),
-            ("table1", 0.8, {"work": "move"}), ("draw", 1.3, {"draw": "compute", "glsl": {"batch": 7, "contest": "other"}}),
+            ("step", 1.7, {"work": "step"}), ("grid", 1.1, {"method": "collide_grid", "opengl": {"block": 64}}),
+            ("table1", 0.8, {"work": "move"}), ("draw", 1.3, {"draw": "compute", "opengl": {"batch": 7, "contest": "other"}}),
             ("gas_steps", 1.2, {}), ("crossover", 2, {"way": "dense", "kind": "radii"}), ("crossover", 0.4, {"way": "collide_triangle", "kind": "one_cell"}),
-            ("draw", 0.3, {"draw": "points"}), ("overhead", 3, {}), ("methods", 2, {"glsl": {"block": 64}})]))
+            ("draw", 0.3, {"draw": "points"}), ("overhead", 3, {}), ("methods", 2, {"opengl": {"block": 64}})]))
         self.assertEqual([("all pairs", 1.7), ("all pairs", 0.4), ("grid", 1.1), ("grid", 2), ("motion", 0.8), ("drawing", 1.3), ("contacts", 1.2)],
                          [(entry.work, round(entry.ratio.middle, 9)) for entry in found])
         self.assertEqual(["drawing"], [entry.work for entry in found if not entry.same_steps])

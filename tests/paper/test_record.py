@@ -15,7 +15,8 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-from paper import parts, sources  # noqa: E402  (the path must be set first)
+from changed_records import recorded  # noqa: E402  (the path must be set first)
+from paper import parts, sources  # noqa: E402
 from paper.numbers.suite import suite  # noqa: E402
 from paper.records import DATA, Machine, Missing  # noqa: E402
 from stand_ins import StandIn  # noqa: E402
@@ -23,19 +24,8 @@ from stand_ins import StandIn  # noqa: E402
 # Records of the machines of paper/data that do not tell of what commit and machine they are, or not all of it, so that no
 # statement is made of them; one that does is refused here. They go out when paper/record records these parts again.
 REFUSED = {"h100": {"stress"}, "llvmpipe": {"stress"}}
-# Records of the machines of paper/data that are stale, from a change of kernels until they are recorded again; one that
-# is current is refused here.
-STALE = {
-    "h100": {"ablate", "compile.json", "contacts", "contacts_1e8", "contacts_rest", "contacts_rest_1e7",
-        "contacts_steps", "counters.json", "crossover", "energy_all_pairs", "energy_grid", "frames",
-        "frames_1e8", "frames_pipeline", "frames_transfer", "frames_transfer_1e8", "listings",
-        "precision_1e8", "precision_compensated_impacts", "precision_compensated_steps", "precision_float32",
-        "precision_float64_impacts", "precision_float64_steps", "sets", "sweep", "sweep_1e8",
-        "sweep_tensor", "window"},
-    "h200": {"contacts", "contacts_1e8", "contacts_rest", "contacts_rest_1e7", "contacts_steps", "frames_1e9",
-        "sweep_largest"},
-    "llvmpipe": {"contacts_cpu", "crossover_glsl", "frame_rates", "precision", "results"},
-}
+# Records of the machines of paper/data that were made again since the kernels changed; one that is stale is refused here.
+CURRENT = {"h100": set(), "h200": set(), "llvmpipe": set()}
 
 
 class Recording(StandIn):
@@ -47,7 +37,7 @@ class Recording(StandIn):
         calls = [words for words in self.calls() if words[0] != "run"]  # those are of the listings
         self.assertEqual(2 * len(several) + len([part for part in parts.GPU if not part.script]), len(calls))
         expected = {"results/3.json", "sweep/2/grid-1.json", "compile.json", "stress/rows-0-1.json", "state_hashes.json",
-                    "tests/glsl.txt", "tests/rest-2.txt", "precision_1e8/1.json", "listings/collide_grid-glsl.txt", "counters.json"}
+                    "tests/opengl.txt", "tests/rest-2.txt", "precision_1e8/1.json", "listings/collide_grid-opengl.txt", "counters.json"}
         self.assertLessEqual(expected, self.files())
         self.assertNotIn("precision_1e8/2.json", self.files())
         for name in self.files():
@@ -116,7 +106,7 @@ class Recording(StandIn):
 
     def test_tests_that_do_not_tell_their_commit_leave_no_record(self):
         self.say(older_tests=True)
-        for part, file in (("tests-glsl", "output.txt"), ("stress-0-1", "stress.json")):
+        for part, file in (("tests-opengl", "output.txt"), ("stress-0-1", "stress.json")):
             self.assertRegex(self.run_it("--part", part, code=1), f"{part} failed, {file} names no commit .* build them again")
         self.assertEqual(set(), self.files())
 
@@ -163,7 +153,7 @@ class Needs(StandIn):
 
     def test_a_gpu_without_its_own_opengl_has_no_records_of_it(self):
         self.say(software=True)
-        self.assertRegex(self.run_it("--list"), r"results .* needs glsl")
+        self.assertRegex(self.run_it("--list"), r"results .* needs opengl")
         self.run_it("--processes", "1")
         self.assertEqual({"crossover", "frames", "precision", "sweep"}, {words[0] for words in self.calls()})
 
@@ -227,13 +217,13 @@ class Stale(StandIn):
         self.assertIn("holds no records with times", self.run_it("--stale", code=1))
 
     def test_the_machines_of_the_paper(self):
-        for machine in ("h100", "h200", "llvmpipe"):
-            stale = {name for name, entry in sources.checked(DATA / machine).items() if entry.stale}
-            self.assertEqual(STALE.get(machine, set()), stale, f"{machine}: paper/record records it again")
+        for machine, current in CURRENT.items():
+            found = {name for name, entry in sources.checked(DATA / machine).items() if not entry.stale}
+            self.assertEqual(current, found, f"{machine}: paper/record records it again")
 
     def test_the_machines_whose_tests_are_recorded(self):
         for name in ("h100", "llvmpipe"):
-            machine, refused = Machine(DATA / name), set()
+            machine, refused = recorded(name), set()
             if not all(machine.source("stress.json")["contexts"]):
                 refused.add("stress")
             if (machine.folder / "tests").exists():

@@ -12,9 +12,10 @@ from dataclasses import replace
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 
-from paper import spread  # noqa: E402  (the path must be set first)
+from changed_records import recorded  # noqa: E402  (the path must be set first)
+from paper import spread  # noqa: E402
 from paper.numbers import layers, prose_equality, ratios  # noqa: E402
-from paper.records import DATA, MAIN, Machine, Missing, Record  # noqa: E402
+from paper.records import Machine, Missing, Record  # noqa: E402
 
 
 def timing(middle, within=0.01, **parameters):
@@ -141,17 +142,17 @@ class Folders(unittest.TestCase):
         self.assertEqual([{"row": 0}, {"row": 1}], Machine(self.folder).source("stress.json")["rows"])
 
     def test_recorded_folders_are_read_as_before(self):
-        self.assertLess(1000, len(Machine(DATA / MAIN).records))
+        self.assertLess(1000, len(recorded().records))
 
 
 class Batches(unittest.TestCase):
     """What the study says of its method: K is so large that a batch's fixed cost is below 0.5 % in the median."""
 
     def test_what_a_batch_costs_besides_its_steps_is_under_half_a_percent(self):
-        machine = Machine(DATA / MAIN)
+        machine = recorded()
         for part in ("results.json", "sweep", "launches.json", "ablate.json", "frame_rates.json", "precision_float32.json"):
             of_part = [record for record in machine.records if record.source == machine.source(part)["id"]]
-            for api in ("glsl", "cuda"):
+            for api in ("opengl", "cuda"):
                 shares = [100 * abs(record.fixed_cost_share) for record in of_part
                           if record.backend == api and record.parameters.get("fixed_cost_share") is not None]
                 self.assertGreater(len(shares), 25, f"{part} {api}")
@@ -168,7 +169,7 @@ class Ratios(unittest.TestCase):
                 for row in spread.merged(roots)["measurements"]]
 
     def ratio(self, factors):
-        return ratios.time_ratio(*self.pair([(timing(10 * factor, backend="glsl"), timing(10)) for factor in factors]))
+        return ratios.time_ratio(*self.pair([(timing(10 * factor, backend="opengl"), timing(10)) for factor in factors]))
 
     def test_processes_that_contradict_each_other_decide_nothing(self):
         found = self.ratio([1.2, 1.3, 1.4, 1.1, 0.85])
@@ -183,22 +184,22 @@ class Ratios(unittest.TestCase):
         self.assertEqual((5, 1), (found.processes, len(found.gpus)))
 
     def test_a_process_that_lacks_one_of_them_does_not_count(self):
-        both = (timing(12, backend="glsl"), timing(10))
-        found = ratios.time_ratio(*self.pair([both, (timing(30, backend="glsl"),), both]))
+        both = (timing(12, backend="opengl"), timing(10))
+        found = ratios.time_ratio(*self.pair([both, (timing(30, backend="opengl"),), both]))
         self.assertEqual(2, found.processes)
         self.assertAlmostEqual(1.2, found.middle)
-        alone = ratios.time_ratio(*self.pair([(timing(30, backend="glsl"),), both]))
+        alone = ratios.time_ratio(*self.pair([(timing(30, backend="opengl"),), both]))
         self.assertEqual(1, alone.processes)
         self.assertAlmostEqual(1.2, alone.middle)
 
     def test_processes_decide_times_that_took_no_turns(self):
         for cuda, decided in (([10, 10.1, 10.2, 10.22, 10.25], True), ([10, 11.1, 10.2, 10.9, 10.55], False)):
-            glsl, other = self.pair([(timing(left, backend="glsl"), timing(right)) for left, right in zip([10.3, 10.4, 10.5, 10.6, 10.7], cuda)])
+            glsl, other = self.pair([(timing(left, backend="opengl"), timing(right)) for left, right in zip([10.3, 10.4, 10.5, 10.6, 10.7], cuda)])
             other.parameters["contest"] = "another"
             self.assertEqual(decided, ratios.time_ratio(glsl, other).decided)
 
     def test_records_of_other_runs_are_independent(self):
-        glsl, cuda = self.pair([(timing(12, backend="glsl"), timing(10 + k)) for k in (0, 0.1, 0.2)])
+        glsl, cuda = self.pair([(timing(12, backend="opengl"), timing(10 + k)) for k in (0, 0.1, 0.2)])
         found = ratios.time_ratio(glsl, replace(cuda, source="another"))
         self.assertAlmostEqual(12 / 10.1, found.middle)
         self.assertTrue(found.decided)

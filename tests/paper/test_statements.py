@@ -15,10 +15,11 @@ if importlib.util.find_spec("matplotlib") is None:
     print("SKIPPED: figures need matplotlib (python3-matplotlib)")
     sys.exit(77)
 
-from paper.numbers import macros, prose_accuracy, prose_compared, prose_limits, prose_measured, stress  # noqa: E402  (the path must be set first)
+from changed_records import recorded  # noqa: E402  (the path must be set first)
+from paper.numbers import macros, prose_accuracy, prose_compared, prose_limits, prose_measured, stress  # noqa: E402
 from paper.numbers.derived import cost, pairs_of  # noqa: E402
 from paper.plots import floor, grid  # noqa: E402
-from paper.records import DATA, MAIN, Machine, Missing  # noqa: E402
+from paper.records import Missing  # noqa: E402
 from paper.tables.counters import counters  # noqa: E402
 
 TEX = re.sub(r"\s+", " ", (ROOT / "paper/paper.tex").read_text())
@@ -27,7 +28,7 @@ TEX = re.sub(r"\s+", " ", (ROOT / "paper/paper.tex").read_text())
 class Statements(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.machine = Machine(DATA / MAIN)
+        cls.machine = recorded()
 
     def made(self, make, machine=None):
         found = {}
@@ -36,7 +37,7 @@ class Statements(unittest.TestCase):
 
     def altered(self, wanted, **parameters):
         """The machine with other parameters, or other medians, of some records."""
-        machine = Machine(DATA / MAIN)
+        machine = recorded()
         times = parameters.pop("times", 1)
         machine.records = [replace(row, median=times * row.median, low=times * row.low, high=times * row.high, parameters={
             **row.parameters, **parameters, "samples_ms": [times * sample for sample in row.samples_ms]})
@@ -63,24 +64,23 @@ class Exactness(Statements):
 
     def test_far_from_the_origin_it_has_a_cost(self):
         low, high = map(int, self.made(prose_limits.exactness_far_away)["naive/far/cost"].split(" to "))
-        times = [float(self.made(prose_accuracy.naive_sets)[f"naive/far/times/{name}"]) for name in ("glsl", "cuda")]
+        times = [float(self.made(prose_accuracy.naive_sets)[f"naive/far/times/{name}"]) for name in ("opengl", "cuda")]
         self.assertEqual([low, high], sorted(round(100 * (value - 1)) for value in times))
 
 
 class Limits(Statements):
+    def counted(self, kernel, **changed):
+        """The machine with other hardware counters of a kernel."""
+        machine = recorded()
+        source = machine.source("counters.json")
+        machine.sources["counters.json"] = {**source, "counters": [row | (changed if row["kernel"] == kernel else {}) for row in source["counters"]]}
+        return machine
+
     def test_a_search_bound_by_memory_refuses(self):
-        machine = Machine(DATA / MAIN)
-        for row in machine.source("counters.json")["counters"]:
-            if row["kernel"] == "collide_grid":
-                row["dram_percent"] = 95
-        self.refused(prose_limits.limits_of_the_grid, machine)
+        self.refused(prose_limits.limits_of_the_grid, self.counted("collide_grid", dram_percent=95))
 
     def test_a_sort_bound_by_instructions_refuses(self):
-        machine = Machine(DATA / MAIN)
-        for row in machine.source("counters.json")["counters"]:
-            if row["kernel"] == "grid_sort":
-                row["nearest_limit"] = "smsp__issue_active"
-        self.refused(prose_limits.limits_of_the_grid, machine)
+        self.refused(prose_limits.limits_of_the_grid, self.counted("grid_sort", nearest_limit="smsp__issue_active"))
 
     def test_the_table_has_every_profiled_kernel(self):
         rows = counters(self.machine).rows
@@ -100,11 +100,11 @@ class TensorCores(Statements):
     def test_their_run_is_no_part_of_the_sweeps_lines(self):
         """CUDA's points would be of another GPU and process than its line, and GLSL would have none."""
         names = {self.machine.source("sweep_tensor")["id"]}
-        lines = [rows for name in ("glsl", "cuda") for _, _, rows in grid.sets(self.machine, name, 0.3)]
+        lines = [rows for name in ("opengl", "cuda") for _, _, rows in grid.sets(self.machine, name, 0.3)]
         lines += [floor.with_floor(self.machine, backend="cuda", method="collide_triangle")]
         for rows in lines:
             self.assertFalse(names & {row.source for row in rows})
-        both = [[row.n for label, _, rows in grid.sets(self.machine, name, 0.3) if label == "all pairs" for row in rows] for name in ("glsl", "cuda")]
+        both = [[row.n for label, _, rows in grid.sets(self.machine, name, 0.3) if label == "all pairs" for row in rows] for name in ("opengl", "cuda")]
         self.assertEqual(*both)
 
     def test_the_fastest_method_is_said_to_be_that_of_both_apis(self):
@@ -114,7 +114,7 @@ class TensorCores(Statements):
 
 class Others(Statements):
     def test_the_peers_wrong_pairs_are_of_a_count_that_both_apis_found(self):
-        wanted = {"table": "grid", "backend": "glsl", "order": "cold", "n": 10**8}
+        wanted = {"table": "grid", "backend": "opengl", "order": "cold", "n": 10**8}
         self.refused(prose_compared.against_peers, self.altered(wanted, pairs=1))
 
     def test_a_record_of_the_catalogue_names_its_own_machine_or_none(self):

@@ -10,10 +10,11 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-from paper import parts  # noqa: E402  (the path must be set first)
+from changed_records import recorded  # noqa: E402  (the path must be set first)
+from paper import parts  # noqa: E402
 from paper.numbers import prose_equality  # noqa: E402
 from paper.numbers.suite import suite  # noqa: E402
-from paper.records import DATA, MAIN, Machine, Missing  # noqa: E402
+from paper.records import Missing  # noqa: E402
 from paper.tables import suite as suite_table  # noqa: E402
 
 FAMILY = "Backends/StressCatalogue.Row1_RandomBits/"
@@ -58,23 +59,23 @@ class Suites(unittest.TestCase):
         self.assertEqual({"tests/passed": "9", "tests/pairs": "100", "tests/ties": "25"}, found)
 
     def test_the_table_has_a_row_a_backend(self):
-        skips = output(FILES["glsl"], verdicts={"Backends/Draw.Draws/glsl": "SKIPPED"})
-        table = suite_table.suite(self.machine(glsl=skips))
+        skips = output(FILES["opengl"], verdicts={"Backends/Draw.Draws/opengl": "SKIPPED"})
+        table = suite_table.suite(self.machine(opengl=skips))
         self.assertEqual([["CPU", "2", "0", "100", "25"], ["OpenGL", "1", "1", "100", "25"], ["CUDA", "2", "0", "100", "25"],
                           ["none of the three", "3", "0", "-", "-"]], table.rows)
         self.assertIn("commit c0ffee, 2026-01-01", table.caption)
 
     def test_a_backend_in_place_of_another_is_refused(self):
-        """As CUDA's tests stood in GLSL's shard."""
-        self.refused("Backends/Draw.Draws was not run with each backend", glsl=output(FILES["cuda"]))
+        """As CUDA's tests stood in OpenGL's shard."""
+        self.refused("Backends/Draw.Draws was not run with each backend", opengl=output(FILES["cuda"]))
         self.refused("was not run with each backend", cpu=output(FILES["cpu"][:1]))
 
     def test_an_output_that_is_absent_cut_off_or_older_is_refused(self):
-        self.refused("tests/ holds", glsl=None)
+        self.refused("tests/ holds", opengl=None)
         self.refused("tests/ holds", **{"1": output(FILES["cuda"])})
-        self.refused("glsl.txt does not hold the result of each", glsl=output(FILES["glsl"]).replace("[       OK ]", "[  WAS OK  ]", 1))
-        self.refused("glsl.txt does not hold the result of each", glsl="\n".join(output(FILES["glsl"]).splitlines()[:-1]))
-        self.refused("glsl.txt names no commit", glsl=output(FILES["glsl"]).replace("commit: ", ""))
+        self.refused("opengl.txt does not hold the result of each", opengl=output(FILES["opengl"]).replace("[       OK ]", "[  WAS OK  ]", 1))
+        self.refused("opengl.txt does not hold the result of each", opengl="\n".join(output(FILES["opengl"]).splitlines()[:-1]))
+        self.refused("opengl.txt names no commit", opengl=output(FILES["opengl"]).replace("commit: ", ""))
         self.refused("of 2 commits", rest_1=output(FILES["rest-1"], commit="decaf"))
 
     def test_a_failed_test_and_unequal_numbers_of_pairs_are_refused(self):
@@ -91,7 +92,7 @@ class Suites(unittest.TestCase):
     def test_a_record_of_the_paper_is_whole_or_the_statement_is_absent(self):
         numbers = {}
         try:
-            prose_equality.tests(lambda key, text, *_: numbers.update({key: text}), Machine(DATA / MAIN), [])
+            prose_equality.tests(lambda key, text, *_: numbers.update({key: text}), recorded(), [])
             self.assertEqual("29,781,250", numbers["tests/pairs"])  # ARTIFACT.md, claim 2
         except Missing:
             self.assertEqual({}, numbers)

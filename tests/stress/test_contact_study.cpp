@@ -80,13 +80,13 @@ class WithoutAtomics : public ForwardingBackend {
  public:
   using ForwardingBackend::ForwardingBackend;
   void sum_impulses(ImpulseSums sums) override {
-    if (sums == ImpulseSums::atomics) throw std::invalid_argument("glsl: no atomics here");
+    if (sums == ImpulseSums::atomics) throw std::invalid_argument("opengl: no atomics here");
     ForwardingBackend::sum_impulses(sums);
   }
 };
 
 TEST_F(ContactStudy, SumsThatADeviceLacksAreLeftOutAndNamedOnce) {
-  Session session({"cpu", "glsl"}, {.threads = 1},
+  Session session({"cpu", "opengl"}, {.threads = 1},
                   [](const std::string& name, const OpenOptions& options) -> std::unique_ptr<Backend> {
                     if (name == "cpu") return open_backend(name, options);
                     return std::make_unique<WithoutAtomics>(name, open_backend("cpu", options));
@@ -96,7 +96,7 @@ TEST_F(ContactStudy, SumsThatADeviceLacksAreLeftOutAndNamedOnce) {
   plan.sampling.rounds = 1, plan.sampling.software_seconds = 1e-4;
   const std::vector<ContactRun> runs = measure_contact_errors(session, plan, left_out_, progress_);
   const std::vector<SumsCost> costs = measure_sums(session, plan, left_out_, progress_);
-  EXPECT_EQ(left_out_, std::vector<std::string>{"glsl: no atomics here"});
+  EXPECT_EQ(left_out_, std::vector<std::string>{"opengl: no atomics here"});
   EXPECT_EQ(runs.size(), 2 * (3 + 2u));
   EXPECT_EQ(costs.size(), 3 + 2u);
   for (const ContactRun& run : runs) EXPECT_TRUE(run.backend == "cpu" || run.sums != ImpulseSums::atomics);

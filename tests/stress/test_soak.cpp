@@ -96,7 +96,7 @@ CollideOptions random_options(Dice& dice, const Backend& backend) {
   options.api.graph = cuda && dice.one_in(2);
   if (options.method != Method::collide_grid) return options;
   options.filter = !dice.one_in(6);
-  options.api.texture_table = backend.info().name == "glsl" && dice.one_in(2);
+  options.api.texture_table = backend.info().name == "opengl" && dice.one_in(2);
   options.api.library_clear = gpu_api && dice.one_in(2);
   if (dice.one_in(2)) options.api.overlap = false;
   return options;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The backends of this machine, opened once a process, and tests parametrised over them. A backend that is missing
-// skips its tests with the reason; the environment variable REQUIRE_BACKENDS=cpu,glsl,cuda makes that a failure.
+// skips its tests with the reason; the environment variable REQUIRE_BACKENDS=cpu,opengl,cuda makes that a failure.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -71,7 +71,7 @@ class ClockedBackend final : public ForwardingBackend {
 
 // The CPU, GLSL and CUDA of a test.
 struct ClockedSession {
-  explicit ClockedSession(const std::vector<std::string>& names = {"cpu", "glsl", "cuda"})
+  explicit ClockedSession(const std::vector<std::string>& names = {"cpu", "opengl", "cuda"})
       : session(names, {}, [this](const std::string& name, const OpenOptions&) {
           auto made = std::make_unique<ClockedBackend>(name, clock);
           backends[name] = made.get();

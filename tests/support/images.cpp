@@ -30,9 +30,9 @@ Image brute_force_image(const std::vector<vec4>& spheres, const std::vector<uint
 std::string why_no_pipeline(const Backend& backend) {
   if (backend.draw_methods().size() == 1) return "this build has no OpenGL";
   const auto& all = all_backends();
-  const auto glsl = std::ranges::find(all, "glsl", &OpenedBackend::name);
-  if (glsl == all.end() || !glsl->backend) return "no OpenGL here";
-  return is_gpu(backend) && !is_gpu(*glsl->backend) ? "OpenGL runs in software, next to a GPU" : "";
+  const auto opengl = std::ranges::find(all, "opengl", &OpenedBackend::name);
+  if (opengl == all.end() || !opengl->backend) return "no OpenGL here";
+  return is_gpu(backend) && !is_gpu(*opengl->backend) ? "OpenGL runs in software, next to a GPU" : "";
 }
 
 void DeviceImages::SetUp() {

@@ -17,7 +17,7 @@ using Launches = ProgramTest;
 
 bool glsl_in_software(const json& record) {
   for (const json& backend : record.at("backends"))
-    if (backend.at("name") == "glsl") return backend.at("software");
+    if (backend.at("name") == "opengl") return backend.at("software");
   return false;
 }
 
@@ -31,23 +31,23 @@ void expect_times_of_a_launch(const json& row, double launches) {
 // Each path of OpenGL launches as it says; those of CUDA are absent where CUDA is not open. In software few spheres are
 // sorted by counting, whose launches overlap nothing.
 TEST_F(Launches, AreCountedAndTimedOnEveryPath) {
-  if (run("devices --backends glsl").code != 0) GTEST_SKIP() << "no OpenGL here";
+  if (run("devices --backends opengl").code != 0) GTEST_SKIP() << "no OpenGL here";
   const Outcome outcome =
-      run(fmt::format("launches --backends cpu,glsl --n 64,300 --rounds 1 --results '{}'", path("launches")));
+      run(fmt::format("launches --backends cpu,opengl --n 64,300 --rounds 1 --results '{}'", path("launches")));
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   const json found = read_json("launches/launches.json");
   EXPECT_TRUE(found.at("complete"));
   const bool software = glsl_in_software(found);
   EXPECT_EQ(found.at("left_out").size(), software ? 2u : 0u) << found.at("left_out");
   for (const json& one : found.at("left_out"))
-    EXPECT_TRUE(one.get<std::string>().starts_with("glsl overlapping, grid of ")) << one;
+    EXPECT_TRUE(one.get<std::string>().starts_with("opengl overlapping, grid of ")) << one;
   const std::map<std::string, double> launches = {{"empty", 8}, {"all_pairs", 2}, {"grid", software ? 6 : 3}};
   std::map<std::string, int> rows;
   for (const json& row : found.at("measurements")) {
     const std::string path = row.at("path"), work = row.at("work");
     ++rows[work + " " + path];
     EXPECT_EQ(row.at("table"), "launches");
-    EXPECT_EQ(row.at("backend"), "glsl");
+    EXPECT_EQ(row.at("backend"), "opengl");
     EXPECT_TRUE(row.at("scene").contains("name"));
     const json& each = row.at("work_per_step");
     EXPECT_EQ(each.at("launches"), launches.at(work)) << path;
@@ -64,27 +64,28 @@ TEST_F(Launches, AreCountedAndTimedOnEveryPath) {
 TEST_F(Launches, NeedAGpuApi) {
   const Outcome outcome = run(fmt::format("launches --backends cpu --results '{}'", path("launches")));
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_NE(outcome.errors.find("neither glsl nor cuda is open"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("neither opengl nor cuda is open"), std::string::npos) << outcome.errors;
 }
 
 // In software the buckets of a GPU's sort, each a group of 512 threads, took 800 times as long as the step of `sweep`.
 TEST(TimedLaunches, OfTheGridTakeTheTimeOfASweeps) {
   std::optional<Session> session;
   try {
-    session.emplace(std::vector<std::string>{"glsl"}, OpenOptions{}, open_backend);
+    session.emplace(std::vector<std::string>{"opengl"}, OpenOptions{}, open_backend);
   } catch (const BackendError& error) {
     GTEST_SKIP() << error.what();
   }
-  Backend& glsl = *session->find("glsl");
-  if (!glsl.info().software)
+  Backend& opengl = *session->find("opengl");
+  if (!opengl.info().software)
     GTEST_SKIP() << "OpenGL runs on a GPU here, where other programs' work would be timed as well";
-  glsl.upload(make_scene(launch_scene(LaunchWork::grid, 64)));
+  opengl.upload(make_scene(launch_scene(LaunchWork::grid, 64)));
   const auto batched = [](const LaunchPath& one) {
-    return std::string_view(one.backend) == "glsl" && std::string_view(one.name) == "batched";
+    return std::string_view(one.backend) == "opengl" && std::string_view(one.name) == "batched";
   };
   const LaunchPath& path = *std::ranges::find_if(launch_paths(), batched);
   const auto contender = [&](const char* label, std::function<void(Backend&)> step) {
-    return Contender{.label = label, .backend = &glsl, .step = std::move(step), .contest = "step", .alternates = true};
+    return Contender{
+        .label = label, .backend = &opengl, .step = std::move(step), .contest = "step", .alternates = true};
   };
   const CollideOptions swept = {.method = Method::collide_grid, .grid = {.keep_cells = false}};
   const std::vector<Contender> contenders = {
@@ -102,8 +103,8 @@ TEST(TimedLaunches, OfTheGridTakeTheTimeOfASweeps) {
 // What the host takes to enqueue is told apart from the wait behind it.
 TEST(TimedLaunches, EnqueuingEndsBeforeTheWait) {
   ClockedSession on;
-  on["glsl"].fixed = 1e-3;
-  const Batch batch = time_batch(on.contender("glsl"), 64, 0, on.sampling.clocks);
+  on["opengl"].fixed = 1e-3;
+  const Batch batch = time_batch(on.contender("opengl"), 64, 0, on.sampling.clocks);
   EXPECT_NEAR(batch.enqueuing, 64 * 1e-5, 1e-12);
   EXPECT_NEAR(batch.seconds, 64 * 1e-5 + 1e-3, 1e-12);
 }
@@ -132,6 +133,27 @@ TEST(Hazards, AreWhereOneWritesWhatAnotherUses) {
   EXPECT_FALSE(second_overlaps(move(results), by_scene)) << "the first writes what the second reads";
   EXPECT_FALSE(second_overlaps(split_tiles(), in_order(Kernel::grid_sort, Order::buckets)));
   EXPECT_FALSE(second_overlaps(move(results), move(results)));
+}
+
+// Spheres may be drawn while the last image's pixels are shown, where they use nothing else of it: not where they are
+// counted, or large ones listed.
+TEST(Hazards, OfImagesByTurnsAreWhatTheyCount) {
+  const BufferHandles buffers{};
+  View view{};
+  view.colour_by = COLOUR_BY_CLASS;
+  Launch shown = {.kernel = Kernel::draw_resolve, .block = PIXELS_BLOCK, .view = &view};
+  Launch drawn = {
+      .kernel = Kernel::draw_spheres, .block = SERVICE_BLOCK, .view = &view, .visible_slot = SLOT_VISIBLE_ODD};
+  const auto overlap = [&] {
+    Hazards hazards;
+    hazards.overlaps(shown, buffers);
+    return hazards.overlaps(drawn, buffers);
+  };
+  EXPECT_FALSE(overlap()) << "both use the counts";
+  drawn.unused = slots::drawn | slots::seen_left | slots::count;
+  EXPECT_TRUE(overlap());
+  drawn.visible_slot = SLOT_VISIBLE;
+  EXPECT_FALSE(overlap()) << "the same pixels";
 }
 
 TEST(Hazards, AreOfAllLaunchesSinceTheLastWait) {

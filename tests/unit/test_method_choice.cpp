@@ -23,7 +23,7 @@ Method taken(const char* device, const SceneOptions& scene, const CollideOptions
 }
 
 TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
-  for (const char* device : {"cuda", "glsl"}) {
+  for (const char* device : {"cuda", "opengl"}) {
     SCOPED_TRACE(device);
     const auto takes = [&](const char* scene, uint64_t n) { return taken(device, {.name = scene, .n = n}); };
     for (const uint64_t n : {64, 1024, 5000}) EXPECT_EQ(takes("uniform", n), Method::collide_triangle) << n;
@@ -45,7 +45,7 @@ TEST(MethodsOnTheHost, AutoFollowsTheCrossovers) {
 
 // Of cells that are hashed, as a stray sphere or many levels of radii want it, the grid is ahead later.
 TEST(MethodsOnTheHost, AutoTakesHashedCellsLater) {
-  for (const auto& [device, few] : {std::pair{"cuda", 9000}, {"glsl", 9000}, {"cpu", 12'000}})
+  for (const auto& [device, few] : {std::pair{"cuda", 9000}, {"opengl", 9000}, {"cpu", 12'000}})
     for (const uint64_t n : {few, 30'000}) {
       std::vector<vec4> spheres = make_scene({.name = "uniform", .n = n}).positions;
       EXPECT_EQ(taken(device, spheres), Method::collide_grid) << device << " " << n;

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "api/open.h"
 #include "bench/io/report.h"
 #include "bench/measure/statistics.h"
 #include "common/backend/method_choice.h"
@@ -52,7 +53,8 @@ std::map<std::string, Recorded> recorded_crossovers() {
     const json record = json::parse(std::ifstream(file));
     for (const json& row : record.at("measurements")) {
       const json& scene = row.at("scene");
-      const std::string backend = row.at("backend"), kind = row.at("kind"), way = row.at("way");
+      const std::string recorded = row.at("backend"), backend = backend_id(recorded);
+      const std::string kind = row.at("kind"), way = row.at("way");
       const uint64_t n = row.at("n");
       Recorded& one = found[fmt::format("{} {} {} of {}", machine_of(file), backend, kind, n)];
       one.scene = {.name = scene.at("name"), .n = n, .seed = scene.at("seed"), .radius = scene.at("radius")};
@@ -61,7 +63,7 @@ std::map<std::string, Recorded> recorded_crossovers() {
       one.info.name = backend;
       one.info.on_host = backend == "cpu";
       for (const json& opened : record.at("backends")) {
-        if (opened.at("name") != backend) continue;
+        if (opened.at("name") != recorded) continue;
         one.info.software = opened.at("software");
         for (const auto& [what, value] : opened.at("details").items())
           one.info.details[what] = value.is_string() ? value.get<std::string>() : value.dump();

@@ -137,7 +137,7 @@ std::vector<GasSteps> measure_gas_steps(Session& session, const ContactPlan& pla
     for (Samples& one : samples) one.stages.clear(), one.stage_intervals.clear(), one.at_floor.clear();
     const auto cuda = std::ranges::find(samples, "cuda", &Samples::backend);
     for (const Samples& one : samples) {
-      const bool other = cuda != samples.end() && one.backend == "glsl";
+      const bool other = cuda != samples.end() && &one != &*cuda && !session.find(one.backend)->info().on_host;
       all.push_back(
           {one.backend, n, plan.steps_averaged, one, other ? std::optional(contest(one, *cuda)) : std::nullopt});
     }
