@@ -13,9 +13,9 @@
 #include "bench/options/help_format.h"
 #include "bench/options/help_pages.h"
 #include "bench/options/options.h"
+#include "bench/options/program_threads.h"
 #include "bench/options/unused_options.h"
 #include "bench/tables/study.h"
-#include "common/backend/cpu_team.h"
 
 namespace spherepair {
 namespace {

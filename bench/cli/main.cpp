@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bench/cli/command_line.h"
-#include "common/backend/cpu_team.h"
+#include "bench/options/program_threads.h"
 
 int main(int argc, char** argv) {
   spherepair::wait_passively(argv);

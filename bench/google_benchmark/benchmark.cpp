@@ -12,9 +12,9 @@
 #include "bench/io/scene_text.h"
 #include "bench/options/command.h"
 #include "bench/options/options.h"
+#include "bench/options/program_threads.h"
 #include "bench/options/run_action.h"
 #include "bench/studies/study_sampling.h"
-#include "common/backend/cpu_team.h"
 
 namespace spherepair {
 namespace {

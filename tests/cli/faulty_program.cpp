@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "bench/cli/command_line.h"
-#include "common/backend/cpu_team.h"
+#include "bench/options/program_threads.h"
 #include "tests/faults/faulty_backend.h"
 
 int main(int argc, char** argv) {

@@ -14,7 +14,7 @@ FILES = [
            "if (middle == 0) continue;", "SphereFile"),
     mutant("rounding reaches half as far", "bench/spheres/rounding.cpp", "float(way * (1 + 0x1p-50))", "float(way / 2)", "SphereFile"),
     mutant("interrupted files stay", "bench/io/interruption.cpp", "if (temporary.ready) ::unlink(temporary.text.data());", "", "Film"),
-    mutant("threads spin", "common/backend/cpu_team.cpp", '::setenv("OMP_WAIT_POLICY", "passive", 1);',
+    mutant("threads spin", "bench/options/program_threads.cpp", '::setenv("OMP_WAIT_POLICY", "passive", 1);',
            '::setenv("OMP_WAIT_POLICY", "active", 1);', "ExitCodes"),
     mutant("fortran order ignored", "bench/spheres/npy_array.cpp", "header.fortran_order ? size : header.shape[1] * size", "header.shape[1] * size", "SphereFile"),
     mutant("big-endian numbers not swapped", "bench/spheres/npy_file.cpp", "if (column.dtype[0] == foreign)", "if (false)", "SphereFile"),

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/io/context.h"
-#include "common/backend/cpu_team.h"
+#include "bench/options/program_threads.h"
 #include "tests/support/backends.h"
 #include "tests/support/catalogue.h"
 

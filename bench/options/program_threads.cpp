@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common/backend/cpu_team.h"
+#include "bench/options/program_threads.h"
 
 #include <fmt/format.h>
 #include <omp.h>
