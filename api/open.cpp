@@ -16,19 +16,21 @@
 #ifdef SPHEREPAIR_WITH_CUDA
 #include "cuda/host/cuda_device.h"
 #endif
+#ifdef SPHEREPAIR_WITH_VULKAN
+#include "vulkan/vulkan_device.h"
+#endif
 #ifdef SPHEREPAIR_WITH_INTEROP
 #include "interop/interop.h"
 #endif
 
 namespace spherepair {
 
-std::vector<std::string> backend_names() { return {"cpu", "opengl", "cuda"}; }
-std::vector<std::string> all_backend_names() { return {"cpu", "opengl", "opengl-core", "cuda"}; }
+std::vector<std::string> backend_names() { return {"cpu", "opengl", "cuda", "vulkan"}; }
+std::vector<std::string> all_backend_names() { return {"cpu", "opengl", "opengl-core", "cuda", "vulkan"}; }
 
 std::string backend_id(const std::string& name) {
   if (name == "glsl") return "opengl";
   if (name == "glsl-core") return "opengl-core";
-  if (name == "vulkan") throw std::invalid_argument("vulkan: this version has no such backend yet; use opengl or cuda");
   const std::vector<std::string> known = all_backend_names();
   if (std::ranges::find(known, name) == known.end()) throw std::invalid_argument(unknown_name("backend", name, known));
   return name;
@@ -69,6 +71,26 @@ OpenOptions with_cuda_device(OpenOptions options) {
 }
 #endif
 
+#ifdef SPHEREPAIR_WITH_VULKAN
+// The GPU that was chosen for another API, or that CUDA_VISIBLE_DEVICES leaves first to CUDA if Vulkan reaches it.
+OpenOptions with_vulkan_device(OpenOptions options) {
+  const bool chosen = !options.cuda_device.empty() || !options.gl_device.empty();
+  if (!options.vulkan_device.empty() || !options.allow_gpu || !(chosen || std::getenv("CUDA_VISIBLE_DEVICES")))
+    return options;
+  const std::string other = options.gl_device.empty() ? "cuda" : "opengl";
+  try {
+    options.vulkan_device = open_device(other, options)->info().uuid;
+    if (!chosen) open_vulkan_device(options);
+  } catch (const BackendError& error) {
+    if (chosen)
+      throw BackendError(fmt::format("vulkan: it takes the device of {}, which is missing; use --vulkan-device: {}",
+                                     other, error.what()));
+    options.vulkan_device.clear();
+  }
+  return options;
+}
+#endif
+
 PipelineOpener pipeline_of_cpu([[maybe_unused]] const OpenOptions& options) {
 #ifdef SPHEREPAIR_WITH_GLSL
   return [options] { return std::make_unique<GlDrawing>(with_gl_device(options)); };
@@ -78,6 +100,7 @@ PipelineOpener pipeline_of_cpu([[maybe_unused]] const OpenOptions& options) {
 }
 
 PipelineOpener pipeline_of_cuda([[maybe_unused]] OpenOptions options, [[maybe_unused]] const Device& device) {
+  if (device.info().name != "cuda") return {};
 #ifdef SPHEREPAIR_WITH_INTEROP
   if (options.gl_device.empty()) options.gl_device = device.info().uuid;
   return [options] { return open_cuda_to_gl(options); };
@@ -91,6 +114,12 @@ PipelineOpener pipeline_of_cuda([[maybe_unused]] OpenOptions options, [[maybe_un
 std::unique_ptr<Device> open_device(const std::string& name, [[maybe_unused]] const OpenOptions& options) {
   const std::string id = backend_id(name);
   if (id == "cpu") throw std::invalid_argument("cpu is no device of a GPU's API");
+#ifdef SPHEREPAIR_WITH_VULKAN
+  if (id == "vulkan") return open_vulkan_device(with_vulkan_device(options));
+#endif
+  if (id == "vulkan")
+    throw BackendError(
+        "vulkan: not in this build; install libvulkan-dev, glslang-dev and spirv-tools, and configure again");
 #ifdef SPHEREPAIR_WITH_GLSL
   if (id != "cuda") return open_gl_device(with_gl_device(options, id == "opengl-core"));
 #endif
@@ -113,7 +142,7 @@ void check_same_gpu(const Backend& left, const Backend& right) {
   if (a.uuid.empty() || b.uuid.empty() || a.uuid == b.uuid) return;
   throw BackendError(
       fmt::format("{} runs on {} ({}) but {} on {} ({}): times would compare two machines; choose one GPU with "
-                  "CUDA_VISIBLE_DEVICES, --cuda-device or --gl-device",
+                  "CUDA_VISIBLE_DEVICES, --cuda-device, --gl-device or --vulkan-device",
                   a.name, a.device, a.uuid, b.name, b.device, b.uuid));
 }
 

@@ -7,7 +7,7 @@
 
 namespace spherepair {
 
-std::vector<std::string> backend_names();  // cpu, opengl, cuda: those that are opened where none is named
+std::vector<std::string> backend_names();  // cpu, opengl, cuda, vulkan: those that are opened where none is named
 
 // These and opengl-core: OpenGL in plain storage without vendors' extensions, to be compared with opengl.
 std::vector<std::string> all_backend_names();

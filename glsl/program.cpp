@@ -7,32 +7,18 @@
 #include <cstring>
 
 #include "common/device/kernel_list.h"
+#include "common/glsl/embedded_shaders.h"
+#include "common/glsl/kernel_text.h"
 #include "common/shared/layout.h"
-#include "glsl/embedded_shaders.h"
 
 namespace spherepair {
 namespace {
 
-constexpr const char* real_names[] = {"float", "Two", "double", "int64_t"};  // by Precision
-
 std::string source_of(const std::string& kernel, unsigned block, const Variant& variant, Features features) {
-  const std::string& text = embedded_shaders().at(kernel + ".comp");
-  const size_t after_version = text.find('\n') + 1;
-  const uint method = uint(variant.motion.method), precision = uint(variant.motion.precision);
-  return text.substr(0, after_version) +
-         fmt::format("#define BLOCK {}\n#define EQUAL_RADII {}\n#define LISTED {}\n#define DENSE {}\n", block,
-                     variant.equal_radii, variant.listed, variant.dense) +
-         fmt::format("#define FROM_TILES {}\n#define BUNDLES {}\n#define BY_CELLS {}\n", variant.from_tiles,
-                     variant.bundles, variant.by_cells) +
-         fmt::format("#define INDICES {}u\n", variant.indices) +
-         (variant.texture_table ? "#define TEXTURE_TABLE\n" : "") + (variant.windows ? "#define WINDOWS\n" : "") +
-         (variant.folded ? "#define FOLDED\n" : "") +
-         fmt::format("#define METHOD {}u\n#define PRECISION {}\n#define Real {}\n", method, precision,
-                     real_names[precision]) +
-         (features.atomics_64 ? "#extension GL_NV_shader_atomic_int64 : require\n#define ATOMICS_64\n" : "") +
-         (variant.float_sums ? "#extension GL_NV_shader_atomic_float : require\n#define FLOAT_SUMS\n" : "") +
-         (features.subgroups ? "#extension GL_KHR_shader_subgroup_arithmetic : require\n#define SUBGROUPS\n" : "") +
-         text.substr(after_version);
+  return kernel_text(kernel, block, variant,
+                     {.atomics_64 = features.atomics_64 ? "GL_NV_shader_atomic_int64" : "",
+                      .float_atomics = "GL_NV_shader_atomic_float",
+                      .subgroups = features.subgroups});
 }
 
 std::string shader_log(GLuint shader) {

@@ -31,7 +31,7 @@ function(flatten path seen_variable text_variable)
 endfunction()
 
 file(REMOVE_RECURSE ${FLATTENED})
-set(output "// Made from shaders/ by shaders/embed.cmake.\n#include \"glsl/embedded_shaders.h\"\n\n")
+set(output "// Made from shaders/ by shaders/embed.cmake.\n#include \"common/glsl/embedded_shaders.h\"\n\n")
 string(APPEND output "namespace spherepair {\n\nconst std::map<std::string, std::string>& embedded_shaders() {\n")
 string(APPEND output "  static const std::map<std::string, std::string> shaders = {\n")
 foreach(shader IN LISTS SHADERS)

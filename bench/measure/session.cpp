@@ -32,7 +32,8 @@ std::string transfer_in_words(const Backend& backend) {
 }
 
 std::string device_label(const BackendInfo& info) {
-  return info.device + (info.software ? " (SOFTWARE: OpenGL on the CPU)" : "");
+  return info.device +
+         (info.software ? fmt::format(" (SOFTWARE: {} on the CPU)", info.name == "vulkan" ? "Vulkan" : "OpenGL") : "");
 }
 
 Session::Session(const std::vector<std::string>& names, const OpenOptions& options, const Opener& opener)

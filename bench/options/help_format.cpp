@@ -36,7 +36,7 @@ constexpr Group groups[] = {
      "--output --pairs --contacts --geometry --distances --csr --spheres --save --save-every --statistics "
      "--statistics-every --trajectory --trajectory-every --json --per-step --hashes --quiet --verbose --results "
      "--video --rate --screenshot"},
-    {"Devices", "--cuda-device --gl-device --require-hardware --no-gpu --threads"}};
+    {"Devices", "--cuda-device --gl-device --vulkan-device --require-hardware --no-gpu --threads"}};
 
 std::string kind_of_value(const CLI::Option& option) {
   const std::string name = option.get_name(), type = option.get_type_name();
@@ -46,7 +46,7 @@ std::string kind_of_value(const CLI::Option& option) {
              "--trajectory", "--json", "--video", "--screenshot", "left", "right"}))
     return "FILE";
   if (name == "--results") return "FOLDER";
-  if (among({"--cuda-device", "--gl-device"})) return "ID";
+  if (among({"--cuda-device", "--gl-device", "--vulkan-device"})) return "ID";
   if (type.starts_with("UINT") || type.starts_with("INT")) return "N";
   return type.starts_with("FLOAT") ? "X" : "NAME";
 }

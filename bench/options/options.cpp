@@ -95,12 +95,15 @@ void add_open_options(CLI::App& command, OpenOptions& open) {
   };
   device("--cuda-device", open.cuda_device, "GPU of CUDA, by number or UUID; default: as OpenGL, else the first");
   device("--gl-device", open.gl_device, "GPU of OpenGL, likewise");
-  command.add_flag("--require-hardware", open.require_hardware, "Refuse software OpenGL");
+  device("--vulkan-device", open.vulkan_device, "GPU of Vulkan, likewise");
+  command.add_flag("--require-hardware", open.require_hardware, "Refuse software OpenGL and Vulkan");
   command
       .add_flag_callback(
-          "--no-gpu", [&open] { open.allow_gpu = false; }, "Use no GPU: OpenGL runs in software, auto takes the CPU")
+          "--no-gpu", [&open] { open.allow_gpu = false; },
+          "Use no GPU: OpenGL and Vulkan run in software, auto takes the CPU")
       ->excludes(command.get_option("--cuda-device"))
-      ->excludes(command.get_option("--gl-device"));
+      ->excludes(command.get_option("--gl-device"))
+      ->excludes(command.get_option("--vulkan-device"));
   add_number(command, "--threads", open.threads, whole_number(0, 4096), "Of the CPU; 0: all cores");
 }
 

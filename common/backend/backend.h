@@ -100,11 +100,11 @@ struct DrawStatistics {
 };
 
 struct BackendInfo {
-  std::string name, language;  // cpu, opengl, cuda: the API; C++, GLSL, CUDA C++: of its kernels
+  std::string name, language;  // cpu, opengl, cuda, vulkan: the API; C++, GLSL, CUDA C++: of its kernels
   std::string device;          // as the driver names it
   std::string uuid;            // of the GPU, 32 hex digits; empty for software
   bool on_host = false;        // loops of host threads: no kernels to launch in groups
-  bool software = false;       // GL on the CPU
+  bool software = false;       // GL or Vulkan on the CPU
   bool device_timers = false;
   std::map<std::string, std::string> details;  // versions, extensions, limits
 };
@@ -237,13 +237,14 @@ class WindowContext;  // window_context.h
 struct OpenOptions {
   std::string cuda_device = {};     // its number or UUID (device_name.h); empty: gl_device's if given, else the first
   std::string gl_device = {};       // the same; empty: cuda_device's if given, else the first left to CUDA
+  std::string vulkan_device = {};   // the same; empty: that of the others if given, else the first left to CUDA
   WindowContext* window = nullptr;  // GL lives in this context; null: in one of its own. Outlives the backends
-  bool require_hardware = false;    // refuse GL in software
-  bool allow_gpu = true;            // false: software GL even where a GPU is
+  bool require_hardware = false;    // refuse GL and Vulkan in software
+  bool allow_gpu = true;            // false: software GL and Vulkan even where a GPU is
   bool large_pages = true;          // GL: storage in large pages where the driver has it
-  bool subgroups = true;            // GL: sums through subgroups where the driver has them
+  bool subgroups = true;            // GL, Vulkan: sums through subgroups where the driver has them
   bool vendor_free = false;         // GL: plain storage and no extension but ARB's: the backend opengl-core
-  uint64_t texels = ~0ull;          // GL: texels of a texture buffer at most, where the driver has more
+  uint64_t texels = ~0ull;          // GL, Vulkan: texels of a texture buffer at most, where the driver has more
   int threads = 0;                  // of the CPU backend; 0: all cores
 };
 

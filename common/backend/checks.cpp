@@ -33,13 +33,14 @@ void refuse_missing(const std::string& backend, const CollideOptions& options, c
       throw std::invalid_argument(fmt::format("{}: {} is to be had with {} only", backend, what, who));
   };
   need(options.grid.sort == Sort::radix, thrust, "the radix sort of Thrust", "the backend cuda");
-  need(options.api.graph, offered.graph, "a graph of launches", "the backend cuda");
-  need(options.api.graph_steps.has_value(), offered.graph, "a graph of several steps", "the backend cuda");
-  need(options.api.texture_table, offered.texture_table, "a table in a texture buffer", "the backend opengl");
-  need(options.api.batch, offered.batch, "a batch of launches", "the backends opengl and cuda");
+  need(options.api.graph, offered.graph, "a graph of launches", "the backends cuda and vulkan");
+  need(options.api.graph_steps.has_value(), offered.graph, "a graph of several steps", "the backends cuda and vulkan");
+  need(options.api.texture_table, offered.texture_table, "a table in a texture buffer",
+       "the backends opengl and vulkan");
+  need(options.api.batch, offered.batch, "a batch of launches", "the backends opengl, cuda and vulkan");
   need(options.api.overlap, offered.overlap, "a launch that overlaps the previous search",
-       "the backend opengl and, compiled for compute capability 9.0 or later, cuda");
-  need(options.api.library_clear, offered.library_clear, "a clear by the API", "the backends opengl and cuda");
+       "the backends opengl, vulkan and, compiled for compute capability 9.0 or later, cuda");
+  need(options.api.library_clear, offered.library_clear, "a clear by the API", "the backends opengl, cuda and vulkan");
 }
 
 void refuse_tensor(const std::string& backend, const CollideOptions& options, bool offered) {

@@ -22,8 +22,12 @@ struct Crossover {
 };
 // grid_from, per_other, hashed_from, per_level, narrow_to, wide_from
 constexpr Crossover crossovers[] = {
-    {"cuda", 5000, 250, 15'500, 17'000, 2100, 4'000'000}, {"opengl", 7500, 310, 15'500, 17'000, 2100},
-    {"opengl in software", 200, 2, 300, 600, 100},        {"cpu", 400, -200, 4000, 2500},
+    {"cuda", 5000, 250, 15'500, 17'000, 2100, 4'000'000},
+    {"opengl", 7500, 310, 15'500, 17'000, 2100},
+    {"vulkan", 7500, 310, 15'500, 17'000, 2100},  // as OpenGL: not measured yet
+    {"vulkan in software", 200, 2, 300, 600, 100},
+    {"opengl in software", 200, 2, 300, 600, 100},
+    {"cpu", 400, -200, 4000, 2500},
     {"cpu of many threads", 400, -200, 20'000, 3000},
 };
 constexpr uint narrow_block = 32, square_block = 64, wide_block = 256;

@@ -164,7 +164,8 @@ void Simulation::require_method(const DrawOptions& options) const {
         fmt::format("{}: drawing by {} transfers no spheres to OpenGL", info().name, draw_method_name(method)));
   if (std::ranges::count(draw_methods(), method) == 0)
     throw std::invalid_argument(
-        fmt::format("{}: drawing by {} needs OpenGL, which this build lacks", info().name, draw_method_name(method)));
+        fmt::format("{}: drawing by {} needs OpenGL's pipeline, which this backend or build lacks; draw by compute",
+                    info().name, draw_method_name(method)));
 }
 
 void Simulation::draw(const View& view, const DrawOptions& options) {

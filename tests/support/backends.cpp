@@ -52,15 +52,21 @@ bool full_stress() {
   return form && std::strcmp(form, "full") == 0;
 }
 
+std::string& device_option(OpenOptions& options, const std::string& backend) {
+  return backend == "cuda" ? options.cuda_device : backend == "vulkan" ? options.vulkan_device : options.gl_device;
+}
+
 std::string last_gpu(const std::string& backend) {
   for (uint number = 16; number-- > 0;) try {
       OpenOptions options;
-      (backend == "cuda" ? options.cuda_device : options.gl_device) = std::to_string(number);
+      device_option(options, backend) = std::to_string(number);
       if (const auto opened = open_backend(backend, options); is_gpu(*opened)) return opened->info().uuid;
     } catch (const BackendError&) {  // there are fewer
     }
   return {};
 }
+
+bool replays_steps(const Backend& backend) { return backend.info().name == "cuda" || backend.info().name == "vulkan"; }
 
 bool is_gpu(const Backend& backend) { return !backend.info().on_host && !backend.info().software; }
 

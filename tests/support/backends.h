@@ -25,8 +25,14 @@ bool backend_required(const std::string& name);
 // STRESS=full in the environment asks for sizes that take long without a GPU.
 bool full_stress();
 
+// Whether the backend can replay the launches of a step that it recorded.
+bool replays_steps(const Backend& backend);
+
 // A GPU: sizes that a CPU would take minutes for are fine.
 bool is_gpu(const Backend& backend);
+
+// The option that chooses the GPU of an API.
+std::string& device_option(OpenOptions& options, const std::string& backend);
 
 // The UUID of the last GPU that an API reaches, by counting; empty where it reaches none.
 std::string last_gpu(const std::string& backend);

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What a device offers of that which kernels and the host need.
+#pragma once
+
+#include "common/backend/backend.h"
+#include "common/device/device.h"
+#include "vulkan/instance.h"
+#include "vulkan/spirv/module.h"
+
+namespace spherepair {
+
+struct DeviceLimits {
+  VkPhysicalDeviceProperties properties{};
+  std::string uuid, driver;
+  bool software = false;
+  uint64_t largest_binding = 0;  // bytes of a storage buffer
+  uint64_t largest_texture = 0;  // elements of a texel buffer
+  uint32_t queue_family = 0;
+  uint32_t timestamp_bits = 0;  // 0: the queue has no clock
+  bool atomics_64 = false, float_atomics = false, subgroups = false, memory_budget = false;
+  FloatControls floats;
+};
+
+// Throws BackendError for a device without what every kernel needs.
+DeviceLimits device_limits(const Calls& vk, VkPhysicalDevice device, const OpenOptions& options);
+
+// What the logical device is made with; `features` points to the other structs, so that this is not copied.
+struct WantedFeatures {
+  explicit WantedFeatures(const DeviceLimits& limits);
+  WantedFeatures(const WantedFeatures&) = delete;
+  WantedFeatures& operator=(const WantedFeatures&) = delete;
+
+  std::vector<const char*> extensions;
+  VkPhysicalDeviceFeatures2 features = typed<VkPhysicalDeviceFeatures2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2);
+
+ private:
+  VkPhysicalDeviceShaderAtomicInt64Features atomics_64_ =
+      typed<VkPhysicalDeviceShaderAtomicInt64Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SHADER_ATOMIC_INT64_FEATURES);
+  VkPhysicalDeviceShaderAtomicFloatFeaturesEXT float_atomics_ = typed<VkPhysicalDeviceShaderAtomicFloatFeaturesEXT>(
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SHADER_ATOMIC_FLOAT_FEATURES_EXT);
+};
+
+BackendInfo describe_device(const DeviceLimits& limits);
+DeviceCapabilities capabilities_of(const DeviceLimits& limits);
+
+}  // namespace spherepair

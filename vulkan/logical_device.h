@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The device and its one queue, opened.
+#pragma once
+
+#include "vulkan/device_limits.h"
+
+namespace spherepair {
+
+class LogicalDevice {
+ public:
+  explicit LogicalDevice(const OpenOptions& options);
+  ~LogicalDevice();
+  LogicalDevice(const LogicalDevice&) = delete;
+  LogicalDevice& operator=(const LogicalDevice&) = delete;
+
+  const Calls& calls() const { return instance_.calls; }
+  const DeviceLimits& limits() const { return limits_; }
+  VkPhysicalDevice physical() const { return physical_; }
+  VkDevice handle() const { return device_; }
+  VkQueue queue() const { return queue_; }
+
+ private:
+  Instance instance_;
+  VkPhysicalDevice physical_;
+  DeviceLimits limits_;
+  VkDevice device_ = VK_NULL_HANDLE;
+  VkQueue queue_ = VK_NULL_HANDLE;
+};
+
+}  // namespace spherepair

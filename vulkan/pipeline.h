@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Compute pipelines: a kernel, compiled for a group size and a variant.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "common/device/launch.h"
+#include "vulkan/logical_device.h"
+#include "vulkan/spirv/compile.h"
+
+namespace spherepair {
+
+class Pipeline {
+ public:
+  // Throws BackendError where glslang or the driver rejects the kernel, or it binds more buffers than the device can.
+  Pipeline(const LogicalDevice& device, Kernel kernel, uint block, const Variant& variant);
+  ~Pipeline();
+  Pipeline(const Pipeline&) = delete;
+  Pipeline& operator=(const Pipeline&) = delete;
+
+  VkPipeline handle() const { return pipeline_; }
+  VkPipelineLayout layout() const { return layout_; }
+  VkDescriptorSetLayout set_layout() const { return set_layout_; }
+  const SpirvModule& module() const { return module_; }
+
+  const std::vector<uint>& slots() const { return slots_; }  // of the storage buffers, in the order of their bindings
+  bool takes(uint binding) const { return module_.bindings().contains(binding); }
+  bool reads_texels() const { return texels_; }
+
+  // Bytes before them in the block of loose uniforms; -1: it takes none.
+  int steps_offset() const { return steps_offset_; }
+  int view_offset() const { return view_offset_; }
+
+ private:
+  void check_bindings(const std::string& what);
+  void make(const std::string& what);
+  void make_layouts(const std::string& what);
+  void release();
+
+  const LogicalDevice& device_;
+  SpirvModule module_;
+  std::vector<uint> slots_;
+  bool texels_ = false;
+  int steps_offset_, view_offset_;
+  VkDescriptorSetLayout set_layout_ = VK_NULL_HANDLE;
+  VkPipelineLayout layout_ = VK_NULL_HANDLE;
+  VkPipeline pipeline_ = VK_NULL_HANDLE;
+};
+
+VkDescriptorType descriptor_type(SpirvBinding::Kind kind);
+
+// Those that were requested, each compiled when it was first.
+class Pipelines {
+ public:
+  explicit Pipelines(const LogicalDevice& device) : device_(device) {}
+  const Pipeline& get(Kernel kernel, uint block, const Variant& variant);
+  uint64_t compiled() const { return compiled_; }
+
+ private:
+  struct Made {
+    uint block;
+    Variant variant;
+    std::unique_ptr<Pipeline> pipeline;
+  };
+  const LogicalDevice& device_;
+  std::array<std::vector<Made>, kernel_count> made_;  // by kernel, which has few
+  uint64_t compiled_ = 0;
+};
+
+// Host seconds to compile each kernel from its text, for groups of 128 and the first variant.
+std::vector<StageTime> compile_times(const LogicalDevice& device);
+
+}  // namespace spherepair

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// What a SPIR-V module of one compute shader binds, read from its words, and how its float operations round.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace spherepair {
+
+// Execution modes of the floats of one width that a device offers.
+struct FloatModes {
+  bool round_to_even = false, keep_denormals = false, keep_signed_zeros = false;  // and infinities and NaN
+};
+
+struct FloatControls {
+  FloatModes of_32, of_64;
+  bool rounding_by_width = false, denormals_by_width = false;  // the two widths may differ
+};
+
+struct SpirvBinding {
+  enum class Kind { storage, uniform, texels };
+  Kind kind;
+  uint32_t count;  // of descriptors
+};
+
+class SpirvModule {
+ public:
+  explicit SpirvModule(std::vector<uint32_t> words);
+
+  const std::vector<uint32_t>& words() const { return words_; }
+  const std::map<uint32_t, SpirvBinding>& bindings() const { return bindings_; }  // by number, of set 0
+  uint32_t storage_buffers() const;                                               // descriptors in all
+
+  // Of a member of the uniform block at this binding, the bytes before it; -1: it has none of this name.
+  int offset_of(uint32_t binding, const std::string& member) const;
+
+  // Declares the execution modes that are offered for the widths that the module uses.
+  void declare(const FloatControls& offered);
+
+ private:
+  struct Member {
+    std::string name;
+    uint32_t offset = 0;
+  };
+  struct Types;
+  void find_bindings(const Types& types);
+
+  std::vector<uint32_t> words_;
+  std::map<uint32_t, SpirvBinding> bindings_;
+  std::map<uint32_t, std::vector<Member>> members_;  // of uniform blocks, by binding
+};
+
+}  // namespace spherepair

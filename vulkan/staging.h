@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Transfers between host arrays and buffers, through small mapped buffers: threads copy one of them while the device
+// transfers the other.
+#pragma once
+
+#include <array>
+
+#include "vulkan/command_stream.h"
+#include "vulkan/device_buffer.h"
+
+namespace spherepair {
+
+class Staging {
+ public:
+  Staging(const LogicalDevice& device, CommandStream& stream);
+
+  void write(VkBuffer buffer, const char* data, uint64_t offset, uint64_t bytes);  // `data` is free when it returns
+  void read(VkBuffer buffer, char* data, uint64_t offset, uint64_t bytes);         // waits for the device
+
+ private:
+  struct Piece {
+    Piece(const LogicalDevice& device, Place place);
+    DeviceBuffer buffer;
+    uint64_t used = 0;    // bytes, from the first on
+    uint64_t number = 0;  // of the submission that reads or writes it last
+  };
+  void copy(VkBuffer from, VkBuffer to, const VkBufferCopy& range);
+  Piece& with_room();
+
+  const Calls& vk_;
+  CommandStream& stream_;
+  std::array<Piece, 2> up_, down_;
+  size_t turn_ = 0;  // of up_
+};
+
+}  // namespace spherepair
