@@ -38,62 +38,58 @@ std::string backend_id(const std::string& name) {
 
 namespace {
 
-// Where a GPU was chosen for one API alone, the other takes the same. EGL does not know CUDA_VISIBLE_DEVICES: OpenGL
-// takes the first GPU that it leaves to CUDA, and its own first where it leaves none or OpenGL does not reach that one.
-#ifdef SPHEREPAIR_WITH_GLSL
-OpenOptions with_gl_device(OpenOptions options, bool vendor_free = false) {
-  options.vendor_free = vendor_free;
-  const bool chosen = !options.cuda_device.empty();
-  const bool narrowed = std::getenv("CUDA_VISIBLE_DEVICES") && !options.window;
-  if (!options.gl_device.empty() || !options.allow_gpu || !(chosen || narrowed)) return options;
-#ifdef SPHEREPAIR_WITH_CUDA
-  try {
-    options.gl_device = open_cuda_device(options)->info().uuid;
-    if (!chosen) open_gl_device(options);
-  } catch (const BackendError&) {
-    if (chosen) throw;
-    options.gl_device.clear();
-  }
-#else
-  if (chosen) throw BackendError("opengl: a CUDA device was chosen, but this build lacks CUDA; use --gl-device");
-#endif
-  return options;
+std::string& device_option(OpenOptions& options, const std::string& id) {
+  return id == "cuda" ? options.cuda_device : id == "vulkan" ? options.vulkan_device : options.gl_device;
 }
-#endif
 
-#ifdef SPHEREPAIR_WITH_CUDA
-OpenOptions with_cuda_device(OpenOptions options) {
-  if (options.gl_device.empty() || !options.cuda_device.empty()) return options;
-#ifdef SPHEREPAIR_WITH_GLSL
-  options.cuda_device = open_gl_device(options)->info().uuid;  // none of a software renderer
-#endif
-  return options;
+// The API for which the user named a GPU; empty: none.
+std::string api_of_choice(OpenOptions options) {
+  for (const char* id : {"cuda", "opengl", "vulkan"})
+    if (!device_option(options, id).empty()) return id;
+  return {};
 }
-#endif
 
+// On the device that the API's own option names.
+std::unique_ptr<Device> open_named(const std::string& id, [[maybe_unused]] const OpenOptions& options) {
+#ifdef SPHEREPAIR_WITH_CUDA
+  if (id == "cuda") return open_cuda_device(options);
+#endif
 #ifdef SPHEREPAIR_WITH_VULKAN
-// The GPU that was chosen for another API, or that CUDA_VISIBLE_DEVICES leaves first to CUDA if Vulkan reaches it.
-OpenOptions with_vulkan_device(OpenOptions options) {
-  const bool chosen = !options.cuda_device.empty() || !options.gl_device.empty();
-  if (!options.vulkan_device.empty() || !options.allow_gpu || !(chosen || std::getenv("CUDA_VISIBLE_DEVICES")))
-    return options;
-  const std::string other = options.gl_device.empty() ? "cuda" : "opengl";
+  if (id == "vulkan") return open_vulkan_device(options);
+#endif
+#ifdef SPHEREPAIR_WITH_GLSL
+  if (id.starts_with("opengl")) return open_gl_device(options);
+#endif
+  if (id == "cuda") throw BackendError("cuda: not in this build; put nvcc on the PATH and configure again");
+  const char* packages = id == "vulkan" ? "libvulkan-dev, glslang-dev and spirv-tools" : "libepoxy-dev and libegl-dev";
+  throw BackendError(fmt::format("{}: not in this build; install {} and configure again", id, packages));
+}
+
+// Where a GPU was chosen for one API alone, the others take the same. EGL and Vulkan do not know CUDA_VISIBLE_DEVICES:
+// they take the first GPU that it leaves to CUDA, and their own first where it leaves none or they do not reach that
+// one.
+OpenOptions with_device(const std::string& id, OpenOptions options) {
+  options.vendor_free = id == "opengl-core";
+  std::string& own = device_option(options, id);
+  if (!own.empty() || !options.allow_gpu) return options;
+  const std::string other = api_of_choice(options);
+  const bool in_window = options.window && id != "vulkan";
+  if (other.empty() && (id == "cuda" || in_window || !std::getenv("CUDA_VISIBLE_DEVICES"))) return options;
   try {
-    options.vulkan_device = open_device(other, options)->info().uuid;
-    if (!chosen) open_vulkan_device(options);
+    own = open_named(other.empty() ? "cuda" : other, options)->info().uuid;  // none of a software renderer
+    if (other.empty()) open_named(id, options);
   } catch (const BackendError& error) {
-    if (chosen)
-      throw BackendError(fmt::format("vulkan: it takes the device of {}, which is missing; use --vulkan-device: {}",
-                                     other, error.what()));
-    options.vulkan_device.clear();
+    if (!other.empty())
+      throw BackendError(fmt::format("{}: a GPU was chosen for {}, which cannot be opened; choose one for {}: {}", id,
+                                     other, id, error.what()));
+    own.clear();
   }
   return options;
 }
-#endif
 
 PipelineOpener pipeline_of_cpu([[maybe_unused]] const OpenOptions& options) {
 #ifdef SPHEREPAIR_WITH_GLSL
-  return [options] { return std::make_unique<GlDrawing>(with_gl_device(options)); };
+  return [options] { return std::make_unique<GlDrawing>(with_device("opengl", options)); };
 #else
   return {};
 #endif
@@ -111,23 +107,10 @@ PipelineOpener pipeline_of_cuda([[maybe_unused]] OpenOptions options, [[maybe_un
 
 }  // namespace
 
-std::unique_ptr<Device> open_device(const std::string& name, [[maybe_unused]] const OpenOptions& options) {
+std::unique_ptr<Device> open_device(const std::string& name, const OpenOptions& options) {
   const std::string id = backend_id(name);
   if (id == "cpu") throw std::invalid_argument("cpu is no device of a GPU's API");
-#ifdef SPHEREPAIR_WITH_VULKAN
-  if (id == "vulkan") return open_vulkan_device(with_vulkan_device(options));
-#endif
-  if (id == "vulkan")
-    throw BackendError(
-        "vulkan: not in this build; install libvulkan-dev, glslang-dev and spirv-tools, and configure again");
-#ifdef SPHEREPAIR_WITH_GLSL
-  if (id != "cuda") return open_gl_device(with_gl_device(options, id == "opengl-core"));
-#endif
-#ifdef SPHEREPAIR_WITH_CUDA
-  if (id == "cuda") return open_cuda_device(with_cuda_device(options));
-#endif
-  if (id == "cuda") throw BackendError("cuda: not in this build; put nvcc on the PATH and configure again");
-  throw BackendError(id + ": not in this build; install libepoxy-dev and libegl-dev and configure again");
+  return open_named(id, with_device(id, options));
 }
 
 std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions& options) {

@@ -65,7 +65,8 @@ std::vector<uint64_t> sizes_of_launches(const Session& session) {
 
 void require_device(const Session& session) {
   if (session.devices().empty())
-    throw BackendError("launches times those of a GPU API, and neither opengl nor cuda is open:\n" + session.summary());
+    throw BackendError("launches times those of a GPU API, and none of opengl, cuda and vulkan is open:\n" +
+                       session.summary());
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ struct Display {
 // GPU's driver, as through VNC, would take the backends to software, nor where the user names a GPU.
 Display open_display(const std::string& title, const ViewOptions& options, const OpenOptions& open) {
   const auto window = [&](bool shared) { return open_window(title, options.width, options.height, shared); };
-  if (!open.gl_device.empty() || !open.cuda_device.empty()) return {window(false), false};
+  if (!open.gl_device.empty() || !open.cuda_device.empty() || !open.vulkan_device.empty())
+    return {window(false), false};
   std::string renderer;
   try {
     renderer = open_backend("opengl", open)->info().device;
@@ -36,7 +37,7 @@ Display open_display(const std::string& title, const ViewOptions& options, const
 // A GPU if there is one, else the CPU.
 std::string preferred_backend(const Session& session, const OpenOptions& open) {
   if (!open.allow_gpu) return "cpu";
-  for (const char* name : {"cuda", "opengl"})
+  for (const char* name : {"cuda", "opengl", "vulkan"})
     if (const Backend* backend = session.find(name); backend && on_hardware(*backend)) return name;
   return "cpu";
 }

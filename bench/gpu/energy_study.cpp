@@ -70,7 +70,8 @@ EnergyStudy::EnergyStudy(Session& session, const EnergyOptions& options, std::fu
                                      device->info().name, device->info().device));
     meters_.try_emplace(uuid, uuid, library);
   }
-  if (meters_.empty()) throw BackendError("the energy of a GPU is measured, and neither opengl nor cuda is open");
+  if (meters_.empty())
+    throw BackendError("the energy of a GPU is measured, and none of opengl, cuda and vulkan is open");
 }
 
 const Scene& EnergyStudy::scene(const Row& row) {

@@ -23,12 +23,13 @@ ChosenBackend open_one(const std::string& name, const OpenOptions& options, cons
 
 ChosenBackend choose_backend(const std::string& name, const OpenOptions& options, const Opener& opener) {
   if (!name.empty()) return open_one(name, options, opener);
-  const bool wants_gpu = !options.cuda_device.empty() || !options.gl_device.empty() || options.require_hardware;
-  const bool worth_trying = wants_gpu || gpu_nodes_present();  // software OpenGL opens in a tenth of a second
+  const bool wants_gpu = !options.cuda_device.empty() || !options.gl_device.empty() || !options.vulkan_device.empty() ||
+                         options.require_hardware;
+  const bool worth_trying = wants_gpu || gpu_nodes_present();  // software opens in a tenth of a second
   std::vector<std::string> passed_over;
   OpenOptions hardware = options;
-  hardware.require_hardware = true;  // software OpenGL is slower than the CPU backend
-  for (const char* device : {"cuda", "opengl"}) {
+  hardware.require_hardware = true;  // OpenGL and Vulkan in software are slower than the CPU backend
+  for (const char* device : {"cuda", "opengl", "vulkan"}) {
     if (!options.allow_gpu) break;
     if (!worth_trying) {
       passed_over.push_back(fmt::format("{}: not tried, since /dev shows no GPU (nvidia*, dri, dxg, nvmap)", device));
@@ -43,9 +44,10 @@ ChosenBackend choose_backend(const std::string& name, const OpenOptions& options
     }
   }
   if (wants_gpu)
-    throw BackendError(fmt::format(
-        "no GPU for --cuda-device, --gl-device or --require-hardware: {}; omit that option, or mend the first of these",
-        fmt::join(passed_over, "; ")));
+    throw BackendError(
+        fmt::format("no GPU for --cuda-device, --gl-device, --vulkan-device or --require-hardware: {}; omit that "
+                    "option, or mend the first of these",
+                    fmt::join(passed_over, "; ")));
   ChosenBackend chosen = open_one("cpu", options, opener);
   chosen.passed_over = passed_over;
   return chosen;

@@ -126,13 +126,18 @@ std::string Session::summary() const {
 
 std::vector<std::string> Session::warnings() const {
   std::vector<std::string> found;
-  const Backend *opengl = find("opengl"), *cuda = find("cuda");
+  const Backend *opengl = find("opengl"), *cuda = find("cuda"), *vulkan = find("vulkan");
   const bool gpu = gpu_seems_present() || cuda;
   if (gpu && opengl && opengl->info().software)
     found.push_back("WARNING: this machine seems to have a GPU, but OpenGL runs in SOFTWARE (" + opengl->info().device +
                     "). Times of opengl say nothing about the GPU. Install the driver's EGL files (for NVIDIA: "
                     "libnvidia-gl and /usr/share/glvnd/egl_vendor.d/10_nvidia.json, in a container "
                     "NVIDIA_DRIVER_CAPABILITIES=all), or pass --require-hardware to fail instead.");
+  if (gpu && vulkan && vulkan->info().software)
+    found.push_back("WARNING: this machine seems to have a GPU, but Vulkan runs in SOFTWARE (" + vulkan->info().device +
+                    "). Times of vulkan say nothing about the GPU. Install the driver's Vulkan file (for NVIDIA: "
+                    "/usr/share/vulkan/icd.d/nvidia_icd.json, in a container NVIDIA_DRIVER_CAPABILITIES=all), or pass "
+                    "--require-hardware to fail instead.");
   const bool missed = std::ranges::any_of(missing_, [](const Missing& each) { return each.name == "cuda"; });
   if (gpu_seems_present() && missed)  // not where others were requested
     found.emplace_back("WARNING: this machine seems to have an NVIDIA GPU, but the backend cuda is not open.");

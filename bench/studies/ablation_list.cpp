@@ -109,6 +109,23 @@ std::vector<Ablation> cuda_features() {
           {"own_buckets", "our bucket sort; off: Thrust's radix sort", "cuda", step, grid_step_by(Sort::radix)}};
 }
 
+std::vector<Ablation> vulkan_features() {
+  const CollideOptions step = grid_step(), counting = grid_step_by(Sort::counting);
+  const CollideOptions one_by_one = with_api(step, &ApiOptions::graph, false);
+  return {{"own_clear", "a kernel clears the table of the counting sort; off: the API's function", "vulkan", counting,
+           with_api(counting, &ApiOptions::library_clear)},
+          {"subgroups", "reductions through subgroups; off: through shared memory", "vulkan", step, step,
+           Spheres::random, Reads::nothing, &OpenOptions::subgroups},
+          {"texture_table", "the cell table is read through a texel buffer", "vulkan",
+           with_api(step, &ApiOptions::texture_table), with_api(step, &ApiOptions::texture_table, false)},
+          {"batch", "dispatches are submitted together; off: a submission and a host wait for each", "vulkan",
+           one_by_one, with_api(one_by_one, &ApiOptions::batch, false)},
+          {"overlap", "the sort overlaps the previous search; off: it waits for it", "vulkan", one_by_one,
+           with_api(one_by_one, &ApiOptions::overlap, false)},
+          {"graph", "a step's command buffer is recorded once and submitted again", "vulkan",
+           with_api(step, &ApiOptions::graph), one_by_one}};
+}
+
 }  // namespace
 
 const std::vector<Ablation>& ablation_list() {
@@ -116,7 +133,7 @@ const std::vector<Ablation>& ablation_list() {
     std::vector<Ablation> list = optimisations();
     list.push_back(
         {"buckets", "bucket sort; off: counting sort", "", grid_step_by(Sort::buckets), grid_step_by(Sort::counting)});
-    for (const auto& features : {glsl_features(), cuda_features()})
+    for (const auto& features : {glsl_features(), cuda_features(), vulkan_features()})
       for (const Ablation& feature : features) list.push_back(feature);
     return list;
   }();

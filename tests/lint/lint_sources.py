@@ -11,11 +11,11 @@ MAX_LINES = 250
 MAX_FUNCTION = 60  # lines, of host code
 CLANG_FORMAT = 14  # other versions lay out some lines differently
 CODE = (".h", ".cpp", ".cu", ".cuh", ".comp", ".glsl")
-FOLDERS = ("common", "shaders", "glsl", "cuda", "interop", "api", "bench", "tests", "paper")
+FOLDERS = ("common", "shaders", "glsl", "vulkan", "cuda", "interop", "api", "bench", "tests", "paper")
 
 # What has no one meaning on all compilers, see rule 1 of the design: their rounding differs even under `precise`.
 FORBIDDEN = re.compile(r"(?<![.\w])(dot|length|distance|normalize|mix|inversesqrt|sqrt|floor|fmaf?|exp|pow)\s*\(")
-FOREIGN = re.compile(r'^\s*#\s*include\s*[<"]((?:GL|GLES\w*|EGL|epoxy|cuda|thrust|cub)[/_.\w]*)', re.M)
+FOREIGN = re.compile(r'^\s*#\s*include\s*[<"]((?:vulkan|glslang|GL|GLES\w*|EGL|epoxy|cuda|thrust|cub)[/_.\w]*)', re.M)
 
 
 class Skip(Exception):

@@ -4,6 +4,7 @@ from contact_mutants import CONTACTS
 from file_mutants import FILES
 from mutant import mutant
 from near_pair_mutants import NEAR_PAIRS
+from vulkan_mutants import VULKAN
 
 HARNESS = [
     mutant("fingerprints not compared", "bench/check/step_result.cpp", "l.fingerprint == r.fingerprint", "true", "Harness"),
@@ -232,4 +233,4 @@ DRAWING = [
            "ViewerImages"),
 ]
 
-MUTANTS = HARNESS + SHADERS + CPU + FILES + CHECKPOINT + COMMANDS + EXACT + DRAWING + NEAR_PAIRS + CONTACTS
+MUTANTS = HARNESS + SHADERS + CPU + FILES + CHECKPOINT + COMMANDS + EXACT + DRAWING + NEAR_PAIRS + CONTACTS + VULKAN

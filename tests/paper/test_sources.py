@@ -52,7 +52,7 @@ class Digests(Tree):
 
     def test_every_kernel_has_one_in_each_api_that_has_it(self):
         names = sources.current(ROOT).keys()
-        self.assertLessEqual({"host/cpu", "host/glsl", "host/cuda", "measure", "glsl/mesh.vert"}, names)
+        self.assertLessEqual({"host/cpu", "host/glsl", "host/cuda", "host/vulkan", "measure", "glsl/mesh.vert"}, names)
         kernels = [{name.split("/")[1] for name in names if name.startswith(api) and "." not in name}
                    for api in ("glsl/", "cuda/")]
         of_cuda = re.search(r"SPHEREPAIR_CUDA_KERNELS\(each\)(.*?)\n#define", (ROOT / "common/device/kernel_list.h").read_text(),
@@ -71,8 +71,9 @@ class Digests(Tree):
         self.assertEqual({"host/contacts", "glsl/collide_swept", "cuda/collide_swept"}, self.changed("common/shared/swept.h", "int unused;\n"))
 
     def test_host_paths(self):
-        both = {"host/glsl", "host/cuda"}
-        for file, names in (("common/simulation/search/pair_search.cpp", both), ("glsl/gl_device.cpp", {"host/glsl"}),
+        every = {"host/glsl", "host/cuda", "host/vulkan"}
+        for file, names in (("common/simulation/search/pair_search.cpp", every), ("glsl/gl_device.cpp", {"host/glsl"}),
+                            ("common/glsl/kernel_text.cpp", {"host/glsl", "host/vulkan"}), ("vulkan/launches.cpp", {"host/vulkan"}),
                             ("cuda/host/cuda_device.cpp", {"host/cuda"}), ("bench/measure/timing.cpp", {"measure"}),
                             ("common/cpu/search/cpu_simd.cpp", {"host/cpu"}),
                             ("common/cpu/cpu_contacts.cpp", {"host/contacts"}),

@@ -93,10 +93,10 @@ CollideOptions random_options(Dice& dice, const Backend& backend) {
   if (cuda) sorts.push_back(Sort::radix);
   options.grid.sort = dice.of(sorts);
   options.load_radii = dice.one_in(4);
-  options.api.graph = cuda && dice.one_in(2);
+  options.api.graph = replays_steps(backend) && dice.one_in(2);
   if (options.method != Method::collide_grid) return options;
   options.filter = !dice.one_in(6);
-  options.api.texture_table = backend.info().name == "opengl" && dice.one_in(2);
+  options.api.texture_table = backend.info().language == "GLSL" && dice.one_in(2);
   options.api.library_clear = gpu_api && dice.one_in(2);
   if (dice.one_in(2)) options.api.overlap = false;
   return options;

@@ -28,7 +28,7 @@ Image brute_force_image(const std::vector<vec4>& spheres, const std::vector<uint
 }
 
 std::string why_no_pipeline(const Backend& backend) {
-  if (backend.draw_methods().size() == 1) return "this build has no OpenGL";
+  if (backend.draw_methods().size() == 1) return "no pipeline of OpenGL's draws its spheres";
   const auto& all = all_backends();
   const auto opengl = std::ranges::find(all, "opengl", &OpenedBackend::name);
   if (opengl == all.end() || !opengl->backend) return "no OpenGL here";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The backend that is taken where none is named: without a GPU, OpenGL in software is not even opened.
+// The backend that is taken where none is named: without a GPU, OpenGL and Vulkan in software are not even opened.
 #include "bench/io/context.h"
 #include "bench/measure/choice.h"
 #include "tests/support/sphere_files.h"
@@ -20,16 +20,16 @@ struct Asked {
 TEST(AutomaticBackend, TriesAGpuOnlyWhereOneIsShown) {
   Asked asked;
   const ChosenBackend chosen = choose_backend("", {}, asked.opener);
-  const std::vector<std::string> all = {"cuda", "opengl", "cpu"}, cpu = {"cpu"};
+  const std::vector<std::string> all = {"cuda", "opengl", "vulkan", "cpu"}, cpu = {"cpu"};
   EXPECT_EQ(asked.names, gpu_nodes_present() ? all : cpu);
   EXPECT_EQ(chosen.backend->info().name, "cpu");
-  EXPECT_EQ(chosen.passed_over.size(), 2u);
+  EXPECT_EQ(chosen.passed_over.size(), 3u);
 }
 
 TEST(AutomaticBackend, TriesWhatAnOptionAsksFor) {
   Asked asked;
   EXPECT_THROW(choose_backend("", {.require_hardware = true}, asked.opener), BackendError);
-  EXPECT_EQ(asked.names, (std::vector<std::string>{"cuda", "opengl"}));
+  EXPECT_EQ(asked.names, (std::vector<std::string>{"cuda", "opengl", "vulkan"}));
 }
 
 TEST(AutomaticBackend, KnowsTheNodesOfGpus) {

@@ -64,7 +64,7 @@ TEST_F(Launches, AreCountedAndTimedOnEveryPath) {
 TEST_F(Launches, NeedAGpuApi) {
   const Outcome outcome = run(fmt::format("launches --backends cpu --results '{}'", path("launches")));
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_NE(outcome.errors.find("neither opengl nor cuda is open"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("none of opengl, cuda and vulkan is open"), std::string::npos) << outcome.errors;
 }
 
 // In software the buckets of a GPU's sort, each a group of 512 threads, took 800 times as long as the step of `sweep`.

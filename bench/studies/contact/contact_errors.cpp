@@ -135,7 +135,7 @@ class Errors {
 }  // namespace
 
 Backend& fastest(const Session& session) {
-  for (const char* name : {"cuda", "opengl"})
+  for (const char* name : {"cuda", "opengl", "vulkan"})
     if (Backend* backend = session.find(name); backend && on_hardware(*backend)) return *backend;
   return session.reference();
 }

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// What only Vulkan has: a loader and drivers that may be missing, rules that a layer checks, limits of its own.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "bench/cli/commands.h"
+#include "tests/oracle/oracle.h"
+#include "tests/support/backends.h"
+#include "tests/support/grid_results.h"
+#include "tests/support/program.h"
+
+namespace spherepair {
+namespace {
+
+constexpr const char* layer = "VK_LAYER_KHRONOS_validation";
+constexpr const char* of_built_program = "not in this build";
+
+const OpenedBackend& vulkan() { return *std::ranges::find(all_backends(), "vulkan", &OpenedBackend::name); }
+
+bool layer_installed() {
+  return std::ranges::any_of(std::array{"/usr/share", "/usr/local/share", "/etc"}, [](const std::string& root) {
+    return std::filesystem::exists(root + "/vulkan/explicit_layer.d/VkLayer_khronos_validation.json");
+  });
+}
+
+std::string complaint_of_opening(const OpenOptions& options) {
+  try {
+    open_backend("vulkan", options);
+  } catch (const BackendError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+class Vulkan : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    if (vulkan().backend) return;
+    if (backend_required("vulkan")) FAIL() << vulkan().reason;
+    GTEST_SKIP() << vulkan().reason;
+  }
+  // With the layer that checks what Vulkan's rules are, and that nothing reads what no barrier makes visible.
+  void expect_valid(const std::string& arguments) const {
+    const Outcome outcome = run(arguments, fmt::format("VK_LOADER_DEBUG=layer VK_INSTANCE_LAYERS={} VK_LAYER_ENABLES="
+                                                       "VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT",
+                                                       layer));
+    const std::string all = outcome.output + outcome.errors;
+    EXPECT_EQ(outcome.code, kOk) << arguments << "\n" << outcome.errors;
+    EXPECT_NE(all.find(fmt::format("Insert instance layer \"{}\"", layer)), std::string::npos) << "no layer";
+    for (const char* report : {"SYNC-HAZARD", "VUID-", "UNASSIGNED-"})
+      EXPECT_EQ(all.find(report), std::string::npos) << arguments << "\n" << all.substr(0, 4000);
+  }
+};
+
+// Mesa's renderer gives right results without any barrier, so that only the layer sees a missing one.
+TEST_F(Vulkan, ValidationFindsNothing) {
+  if (!layer_installed()) GTEST_SKIP() << layer << " is not installed (package vulkan-validationlayers)";
+  expect_valid(fmt::format("compare --quick --backends cpu,vulkan --tables none --results '{}'", path("compare")));
+  for (const char* motion : {"paper", "anchored"})
+    expect_valid(fmt::format("run --backend vulkan --scene random --n 2000 --steps 40 --motion {}", motion));
+  expect_valid(fmt::format("render --backend vulkan --n 2000 --steps 3 --images 3 --output '{}'", path("image.png")));
+}
+
+TEST_F(Vulkan, AMissingDriverIsSaid) {
+  const Outcome outcome = run("run --backend vulkan --n 64", "VK_DRIVER_FILES=/nowhere VK_ICD_FILENAMES=/nowhere");
+  EXPECT_EQ(outcome.code, kDeviceFailure);
+  EXPECT_NE(outcome.errors.find("vulkan: the loader finds no driver; install"), std::string::npos) << outcome.errors;
+}
+
+TEST_F(Vulkan, SoftwareIsRefusedWhereHardwareIsRequired) {
+  const std::string said = complaint_of_opening({.require_hardware = true, .allow_gpu = false});
+  EXPECT_TRUE(said.starts_with("vulkan: no ")) << said;
+  EXPECT_EQ(said.find(of_built_program), std::string::npos) << said;
+}
+
+TEST_F(Vulkan, DrawsByComputeAlone) {
+  Backend& backend = *vulkan().backend;
+  EXPECT_EQ(backend.draw_methods(), std::vector<DrawMethod>{DrawMethod::compute});
+  const Scene scene = make_scene({.name = "uniform", .n = 10});
+  backend.upload(scene);
+  EXPECT_THROW(backend.draw(View{}, {.method = DrawMethod::mesh}), std::invalid_argument);
+}
+
+TEST_F(Vulkan, ATableLongerThanATexelBufferIsReadWithoutOne) {
+  const std::unique_ptr<Backend> small = open_backend("vulkan", {.texels = 1000});
+  const Scene scene = make_scene({.name = "uniform", .n = 5000});
+  small->upload(scene);
+  CollideOptions options = grid_step([](CollideOptions& o) { o.grid.cells = Cells::dense, o.want_pairs = true; });
+  EXPECT_EQ(first_mismatch(run_step(*small, options), brute_force_pairs(scene.positions), scene.size()), "");
+  options.api.texture_table = true;
+  EXPECT_THROW(small->collide(options), BackendError);
+  options.api.texture_table = {};
+  EXPECT_EQ(first_mismatch(run_step(*small, options), brute_force_pairs(scene.positions), scene.size()), "");
+}
+
+// More launches than a ring of parameters and a pool of descriptor sets hold, none waited for.
+TEST_F(Vulkan, LongRunsWithoutAWaitStayRight) {
+  Backend &backend = *vulkan().backend, &cpu = *all_backends().front().backend;
+  const Scene scene = make_scene({.name = "random", .n = 64});
+  CollideOptions options = fast_method(backend);
+  options.api.graph = false;
+  for (Backend* each : {&backend, &cpu}) each->upload(scene);
+  for (int k = 0; k < 6000; ++k) backend.enqueue_step(options), cpu.move();
+  EXPECT_EQ(hash_of_state(backend), hash_of_state(cpu));
+  EXPECT_TRUE(same_result(run_step(backend, options), run_step(cpu, fast_method(cpu))));
+}
+
+}  // namespace
+}  // namespace spherepair

@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: MIT
+"""Deliberate faults of the Vulkan backend. Mesa's renderer answers rightly without barriers: the validation layer sees them."""
+from mutant import mutant
+
+VULKAN = [
+    mutant("dispatches wait for none before", "vulkan/launches.cpp", "if (!one.early) kernel_barrier(vk_, commands);", "", "Vulkan"),
+    mutant("a transfer waits for no kernel", "vulkan/staging.cpp", "  barrier_before_transfer(vk_, commands);\n", "", "Vulkan"),
+    mutant("kernels do not wait for a transfer", "vulkan/staging.cpp", "  barrier_behind_transfer(vk_, commands);\n", "", "Vulkan"),
+    mutant("slices are used again while they are read", "vulkan/launches.cpp",
+           "  stream_.wait();\n  stages_.collect();\n  forget_buffers();", "  bindings_.slices.forget();", "Vulkan"),
+    mutant("a descriptor set is that of other buffers", "vulkan/descriptor_sets.cpp", "if (set.texels == texels && ", "if (true || ",
+           "Methods", "Vulkan"),
+    mutant("the Vulkan device that is named is ignored", "vulkan/instance.cpp", "(wanted.empty() || named)", "(true || named)",
+           "DeviceNames"),
+    mutant("Vulkan runs in software where hardware is required", "vulkan/instance.cpp",
+           "in_software(properties) && options.require_hardware", "false && options.require_hardware", "Vulkan"),
+    mutant("a texel buffer longer than the device's", "vulkan/vulkan_device.cpp", "return wanted.value_or(true) && texels <= most;",
+           "return wanted.value_or(true);", "Vulkan"),
+]
