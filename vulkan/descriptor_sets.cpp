@@ -36,6 +36,7 @@ struct DescriptorSets::Contents {
           write.pBufferInfo = next, next += binding.count;
           break;
         case SpirvBinding::Kind::uniform:
+        case SpirvBinding::Kind::uniform_as_storage:
           write.pBufferInfo = &uniform;
           break;
         case SpirvBinding::Kind::texels:
@@ -72,6 +73,7 @@ VkDescriptorSet DescriptorSets::get(const Pipeline& pipeline, const BufferHandle
 void DescriptorSets::add_pool() {
   const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 16 * sets_of_pool},
                                         {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, 2 * sets_of_pool},
+                                        {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER_DYNAMIC, 2 * sets_of_pool},
                                         {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, sets_of_pool}};
   auto info = typed<VkDescriptorPoolCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO);
   info.maxSets = sets_of_pool;

@@ -30,7 +30,7 @@ std::vector<Wish> wishes(Place place) {
 }
 
 VkBufferUsageFlags usage(Place place) {
-  if (place == Place::parameters) return VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT;
+  if (place == Place::parameters) return VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   const VkBufferUsageFlags copies = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
   if (place != Place::device) return copies;
   return copies | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;

@@ -16,6 +16,9 @@ SpirvModule module_of(const DeviceLimits& limits, Kernel kernel, uint block, con
                                     .float_atomics = "GL_EXT_shader_atomic_float",
                                     .subgroups = limits.subgroups};
   SpirvModule module = compile_to_spirv(kernel_text(kernel_name(kernel), block, variant, extensions), what);
+  // Mesa's software renderer compiles a kernel anew for each value of a uniform that a branch or a loop depends on, and
+  // keeps them all.
+  if (limits.software) module.read_uniforms_as_storage();
   module.declare(limits.floats);
   return module;
 }
@@ -74,6 +77,8 @@ VkDescriptorType descriptor_type(SpirvBinding::Kind kind) {
       return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     case SpirvBinding::Kind::uniform:
       return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC;
+    case SpirvBinding::Kind::uniform_as_storage:
+      return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER_DYNAMIC;
     case SpirvBinding::Kind::texels:
       return VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
   }

@@ -28,7 +28,8 @@ std::vector<Version> versions_of(const Study& study, Backend& one_thread) {
   std::vector<Version> versions = {
       {"sequential", &one_thread, Method::sequential, {DrawMethod::mesh_each, DrawMethod::quadric}}};
   for (Backend* device : study.session.devices())
-    versions.push_back({device->info().name, device, Method::collide_tiled, {DrawMethod::mesh}});
+    if (std::ranges::count(device->draw_methods(), DrawMethod::mesh) != 0)
+      versions.push_back({device->info().name, device, Method::collide_tiled, {DrawMethod::mesh}});
   return versions;
 }
 
@@ -103,7 +104,8 @@ Table rates_table(const std::vector<Version>& versions) {
   table.notes = {fmt::format(
       "A frame: motion, pairs and an image of {} x {} pixels, with no display to wait for. sequential: one thread of "
       "the CPU, one draw a sphere, its spheres transferred to OpenGL for each image. The others: collide_tiled and one "
-      "instanced draw; CUDA's spheres are transferred for each image too.",
+      "instanced draw; CUDA's spheres are transferred for each image too. A backend without OpenGL's pipeline, as "
+      "vulkan, is not among them.",
       width, height)};
   return table;
 }

@@ -8,7 +8,7 @@ VULKAN = [
     mutant("kernels do not wait for a transfer", "vulkan/staging.cpp", "  barrier_behind_transfer(vk_, commands);\n", "", "Vulkan"),
     mutant("slices are used again while they are read", "vulkan/launches.cpp",
            "  stream_.wait();\n  stages_.collect();\n  forget_buffers();", "  bindings_.slices.forget();", "Vulkan"),
-    mutant("a descriptor set is that of other buffers", "vulkan/descriptor_sets.cpp", "if (set.texels == texels && ", "if (true || ",
+    mutant("a descriptor set is that of other buffers", "vulkan/descriptor_sets.cpp", "if (set.texels == texels &&", "if (true ||",
            "Methods", "Vulkan"),
     mutant("the Vulkan device that is named is ignored", "vulkan/instance.cpp", "(wanted.empty() || named)", "(true || named)",
            "DeviceNames"),

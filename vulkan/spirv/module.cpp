@@ -23,7 +23,7 @@ enum Op : uint32_t {
   op_decorate = 71,
   op_member_decorate = 72
 };
-enum : uint32_t { decoration_binding = 33, decoration_offset = 35 };
+enum : uint32_t { decoration_block = 2, decoration_buffer_block = 3, decoration_binding = 33, decoration_offset = 35 };
 enum : uint32_t { storage_uniform_constant = 0, storage_uniform = 2, storage_buffer = 12 };
 enum : uint32_t { capability_float_64 = 10 };
 constexpr uint32_t magic = 0x07230203;
@@ -146,7 +146,9 @@ void SpirvModule::find_bindings(const Types& types) {
     SpirvBinding& binding = bindings_.try_emplace(number->second, SpirvBinding{kind, count}).first->second;
     if (binding.kind != kind) throw BackendError("vulkan: a SPIR-V module has two kinds of buffers in one binding");
     binding.count = std::max(binding.count, count);
-    if (const auto found = types.members.find(type); kind == Kind::uniform && found != types.members.end())
+    if (kind != Kind::uniform) continue;
+    uniform_blocks_.push_back(type);
+    if (const auto found = types.members.find(type); found != types.members.end())
       members_[number->second] = found->second;
   }
 }
@@ -163,6 +165,16 @@ int SpirvModule::offset_of(uint32_t binding, const std::string& member) const {
   if (block == members_.end()) return -1;
   const auto found = std::ranges::find(block->second, member, &Member::name);
   return found == block->second.end() ? -1 : int(found->offset);
+}
+
+void SpirvModule::read_uniforms_as_storage() {
+  for_each_instruction(words_, [&](const Instruction& i) {
+    if (i.op != op_decorate || words_[i.at + 2] != decoration_block) return;
+    if (std::ranges::find(uniform_blocks_, words_[i.at + 1]) != uniform_blocks_.end())
+      words_[i.at + 2] = decoration_buffer_block;
+  });
+  for (auto& [number, binding] : bindings_)
+    if (binding.kind == SpirvBinding::Kind::uniform) binding.kind = SpirvBinding::Kind::uniform_as_storage;
 }
 
 // Capabilities stand first, then extensions; modes behind the entry point.

@@ -20,7 +20,7 @@ struct FloatControls {
 };
 
 struct SpirvBinding {
-  enum class Kind { storage, uniform, texels };
+  enum class Kind { storage, uniform, uniform_as_storage, texels };
   Kind kind;
   uint32_t count;  // of descriptors
 };
@@ -36,6 +36,9 @@ class SpirvModule {
   // Of a member of the uniform block at this binding, the bytes before it; -1: it has none of this name.
   int offset_of(uint32_t binding, const std::string& member) const;
 
+  // Uniform blocks become storage buffers, which are bound where those were.
+  void read_uniforms_as_storage();
+
   // Declares the execution modes that are offered for the widths that the module uses.
   void declare(const FloatControls& offered);
 
@@ -50,6 +53,7 @@ class SpirvModule {
   std::vector<uint32_t> words_;
   std::map<uint32_t, SpirvBinding> bindings_;
   std::map<uint32_t, std::vector<Member>> members_;  // of uniform blocks, by binding
+  std::vector<uint32_t> uniform_blocks_;             // the ids of their types
 };
 
 }  // namespace spherepair
