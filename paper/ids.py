@@ -2,7 +2,8 @@
 """The ids of backends: what records of before called them, and where the sources of each are."""
 import re
 
-FOLDERS = {"opengl": "glsl", "opengl-core": "glsl", "cuda": "cuda", "cpu": "cpu"}  # in the names of digests
+KERNELS = {"opengl": "glsl", "opengl-core": "glsl", "vulkan": "glsl", "cuda": "cuda"}  # in the names of digests
+HOSTS = {**KERNELS, "vulkan": "vulkan", "cpu": "cpu"}
 # Where a line or a text of JSON begins: "glsl", "glsl-core collide_tiled 64", glsl: energy.
 OLD = re.compile(r'(^|")glsl(?=(?:-core)?(?:[" :]|$))', re.MULTILINE)
 OLD_TEST = re.compile(r"/glsl\b")  # in the names of tests

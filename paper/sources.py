@@ -16,7 +16,6 @@ from pathlib import Path
 from paper import ids
 
 ROOT = Path(__file__).resolve().parent.parent
-GPU_FOLDERS = ("glsl", "cuda")  # of digests
 MOST_NAMED = 4  # under a figure
 OF_CONTACTS = "contact_|leapfrog|collide_swept"  # stages that host/contacts launches
 SAID_OF_CONTACTS = {"sums", "sphere_steps_per_second", "sleeping"}  # only timings of contacts have one of these
@@ -50,10 +49,11 @@ def of_stage(name, stage):
 def names_of(row, recorded):
     """What a timing depends on, of the recorded names; without a device timer it may be any kernel of its API, of contacts
     only where these are what is timed. Machine code and hardware counters depend on one kernel alone."""
-    folder, stages = ids.FOLDERS.get(row.get("backend"), ""), row.get("stages") or ()
+    backend, stages = row.get("backend"), row.get("stages") or ()
+    folder = ids.KERNELS.get(backend)
     kernels = {name for name in recorded if name.startswith(f"{folder}/") and
                any(of_stage(name, stage) for stage in stages)}
-    if folder in GPU_FOLDERS and not kernels:
+    if folder and not kernels:
         pushes = SAID_OF_CONTACTS & row.keys() or "option" in row
         kernels = {name for name in recorded if name.startswith(f"{folder}/") and
                    (pushes or not re.match(OF_CONTACTS, Path(name).name))}
@@ -61,7 +61,7 @@ def names_of(row, recorded):
         return kernels
     drawn = {name for name in recorded if Path(name).suffix and of_stage(name, row.get("draw") or "")}
     contacts = {"host/contacts"} if SAID_OF_CONTACTS & row.keys() or any(re.match(OF_CONTACTS, stage) for stage in stages) else set()
-    return kernels | drawn | (contacts | {f"host/{folder}", "measure"}) & recorded.keys()
+    return kernels | drawn | (contacts | {f"host/{ids.HOSTS.get(backend)}", "measure"}) & recorded.keys()
 
 
 def timings(value, above=None):

@@ -235,9 +235,8 @@ inline bool colliding(uint count) { return count != 0; }
 class WindowContext;  // window_context.h
 
 struct OpenOptions {
-  std::string cuda_device = {};     // its number or UUID (device_name.h); empty: gl_device's if given, else the first
-  std::string gl_device = {};       // the same; empty: cuda_device's if given, else the first left to CUDA
-  std::string vulkan_device = {};   // the same; empty: that of the others if given, else the first left to CUDA
+  // A GPU's number or UUID (device_name.h); empty: another API's if given, else the first left to CUDA.
+  std::string cuda_device = {}, gl_device = {}, vulkan_device = {};
   WindowContext* window = nullptr;  // GL lives in this context; null: in one of its own. Outlives the backends
   bool require_hardware = false;    // refuse GL and Vulkan in software
   bool allow_gpu = true;            // false: software GL and Vulkan even where a GPU is

@@ -66,12 +66,18 @@ TEST_P(Methods, OneAfterTheOther) {
   }
 }
 
+// In software two group sizes a scene, by turns.
 TEST_P(Methods, EverySceneEqualsTheOracle) {
+  const size_t sizes = backend().info().software ? 2 : block_sizes().size();
   uint64_t n = 300;
+  size_t first = 0;
   for (const SceneKind& kind : scene_kinds()) {
     n += 37;
-    for (const Scene& scene : scenes_of_kind(kind.name, n))
-      expect_pairs(backend(), scene, brute_force_pairs(scene.positions), every_method(backend(), block_sizes()));
+    for (const Scene& scene : scenes_of_kind(kind.name, n)) {
+      const auto blocks = block_sizes().subspan(first, sizes);
+      expect_pairs(backend(), scene, brute_force_pairs(scene.positions), every_method(backend(), blocks));
+      first = (first + sizes) % block_sizes().size();
+    }
   }
 }
 
@@ -116,8 +122,9 @@ TEST_P(Methods, ColumnsNeverChangeTheSet) {
   for (uint block : {32u, 256u})
     for (uint columns : {0u, 1u, 7u, 32u, 100u, 1024u, 5000u, ~0u})
       methods.push_back({.block = block, .columns = columns});
-  for (const uint64_t n : {200, 257, 600, 1024, 1111, 1281, 2049, 4100})  // 1 to 17 groups of 256 rows, 1 to 3 of 2,048
+  for (const uint64_t n : {200, 257, 1024, 1281, 2049, 4100})  // 1 to 17 groups of 256 rows, 1 to 3 of 2,048
     for (const float radius_ratio : {1.0f, 3.0f}) {
+      if (radius_ratio > 1 && n != 257 && n != 2049) continue;
       SCOPED_TRACE(fmt::format("{} spheres, radii 1 to {}", n, radius_ratio));
       SceneOptions options = {.name = "uniform", .n = n, .radius_ratio = radius_ratio};
       options.packing_fraction = 0.1;

@@ -57,7 +57,7 @@ class Overlap : public BackendTest {
 TEST_P(Overlap, NeverChangesTheSet) {
   if (backend().info().on_host) GTEST_SKIP() << "the others are compared with it";
   overlaps_ = overlaps();
-  for (const uint64_t n : {3000, 100'000}) {
+  for (const uint64_t n : {3000, is_gpu(backend()) ? 100'000 : 30'000}) {
     SceneOptions scene = {.name = "uniform", .n = n};
     for (const std::optional<bool>& graph : {std::optional<bool>(), std::optional<bool>(false)}) {
       scene.motion.method = MotionMethod::paper;

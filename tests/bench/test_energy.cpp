@@ -188,7 +188,7 @@ class EnergyProgram : public ProgramTest {};
 TEST_F(EnergyProgram, NeedsAGpu) {
   const Outcome none = run("energy --backends cpu --results " + path("r"));
   EXPECT_EQ(none.code, 3) << none.output;
-  EXPECT_NE(none.errors.find("neither opengl nor cuda is open"), std::string::npos) << none.errors;
+  EXPECT_NE(none.errors.find("none of opengl, cuda and vulkan is open"), std::string::npos) << none.errors;
   EXPECT_EQ(run("energy --backends cpu --works hot --results " + path("r")).code, 2);
   if (run("devices --backends opengl --no-gpu").code) GTEST_SKIP() << "no OpenGL in software here";
   const Outcome software = run("energy --backends opengl --no-gpu --results " + path("r"));

@@ -18,7 +18,7 @@ PROGRAM = sys.argv.pop(1)
 
 from paper import parts, sources  # noqa: E402  (the path must be set first)
 
-FOLDERS = ("common", "shaders", "cuda", "glsl", "interop", "bench/measure")
+FOLDERS = ("common", "shaders", "cuda", "glsl", "vulkan", "interop", "bench/measure")
 
 
 class Tree(unittest.TestCase):

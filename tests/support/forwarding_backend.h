@@ -22,6 +22,7 @@ class ForwardingBackend : public Backend {
   }
   const BackendInfo& info() const override { return info_; }
   std::vector<Method> methods() const override { return real_->methods(); }
+  std::vector<DrawMethod> draw_methods() const override { return real_->draw_methods(); }
   void upload(const Scene& scene) override { real_->upload(scene); }
   void move() override { real_->move(); }
   void set_event_driven(bool on) override { real_->set_event_driven(on); }
