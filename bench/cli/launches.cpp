@@ -109,8 +109,8 @@ std::shared_ptr<LaunchesOptions> add_launches_options(CLI::App& command) {
   add_results_option(command, options->results, "launches.json, .txt and .csv");
   std::string paths = "Paths:\n";
   for (const LaunchPath& path : launch_paths())
-    paths += fmt::format("  {:<7}{:<20} {}\n", path.backend, path.name, path.summary);
-  command.footer(paths + "Example:\n  spherepair launches --backends opengl,cuda --n 64,1024,16384");
+    paths += fmt::format("  {:<30} {}\n", fmt::format("{} {}", path.backend, path.name), path.summary);
+  command.footer(paths + "Example:\n  spherepair launches --backends opengl,vulkan,cuda --n 64,1024,16384");
   return options;
 }
 
