@@ -68,7 +68,8 @@ TEST_F(Interruption, WhatIsFinishedStaysAndIsNamed) {
   EXPECT_FALSE(read_json("r/ablate.json").at("complete").get<bool>());
   const std::string moving = "run --backend cpu --n 500 --steps 1G --trajectory " + path("t.xyz") +
                              " --trajectory-every 1G --save-every 500 --save " + path("s");
-  const Outcome moved = interrupt_after(moving, path("s"), "TERM");
+  // What goes on from the file is known shortly after it is there.
+  const Outcome moved = interrupt_after(moving, path("s"), "CONT $p; sleep 0.3; kill -TERM");
   const size_t command = moved.errors.find("spherepair run --resume");
   EXPECT_TRUE(moved.errors.starts_with(fmt::format("spherepair: run interrupted: {} is of step ", path("s"))));
   ASSERT_NE(command, std::string::npos) << moved.errors;
