@@ -87,15 +87,6 @@ Program::Program(const std::string& stem)
                   {GL_FRAGMENT_SHADER, embedded_shaders().at(stem + ".frag")}},
                  stem + ".vert with " + stem + ".frag")) {}
 
-const Program& Programs::get(Kernel kernel, unsigned block, const Variant& variant) {
-  std::vector<Made>& made = made_[size_t(kernel)];
-  for (const Made& known : made)
-    if (known.block == block && known.variant == variant) return *known.program;
-  made.push_back({block, variant, std::make_unique<Program>(kernel_name(kernel), block, variant, features_)});
-  ++compiled_;
-  return *made.back().program;
-}
-
 void Program::set_view(const View& view) const {
   static_assert(sizeof(View) == VIEW_FOURS * sizeof(uvec4));
   if (!takes_view_ || std::memcmp(&view, &view_, sizeof(View)) == 0) return;

@@ -3,13 +3,12 @@
 
 #include <epoxy/gl.h>
 
-#include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "common/backend/backend.h"
-#include "common/device/launch.h"
+#include "common/device/variant_cache.h"
 #include "common/shared/view.h"
 #include "glsl/context.h"
 
@@ -44,23 +43,19 @@ class Program {
   mutable View view_{};  // that it has
 };
 
-// Those that were requested, each compiled when it was first. A launch looks its program up, so by number: a map by
-// name takes longer than the dispatch.
+// Compute programs, each compiled on its first use.
 class Programs {
  public:
   explicit Programs(const Features& features) : features_(features) {}
-  const Program& get(Kernel kernel, unsigned block, const Variant& variant);
-  uint64_t compiled() const { return compiled_; }
+  const Program& get(Kernel kernel, unsigned block, const Variant& variant) {
+    return cache_.get(kernel, block, variant,
+                      [&] { return std::make_unique<Program>(kernel_name(kernel), block, variant, features_); });
+  }
+  uint64_t compiled() const { return cache_.compiled(); }
 
  private:
-  struct Made {
-    unsigned block;
-    Variant variant;
-    std::unique_ptr<Program> program;
-  };
   const Features& features_;
-  std::array<std::vector<Made>, kernel_count> made_;  // by kernel, which has few
-  uint64_t compiled_ = 0;
+  VariantCache<Program> cache_;
 };
 
 // A program of one compute shader; `what` names it where the driver rejects it.

@@ -6,7 +6,7 @@
 #include <deque>
 #include <vector>
 
-#include "vulkan/logical_device.h"
+#include "vulkan/device/logical_device.h"
 
 namespace spherepair {
 

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "vulkan/device_buffer.h"
+#include "vulkan/device/device_buffer.h"
 #include "vulkan/pipeline.h"
 
 namespace spherepair {

@@ -16,8 +16,7 @@ SpirvModule module_of(const DeviceLimits& limits, Kernel kernel, uint block, con
                                     .float_atomics = "GL_EXT_shader_atomic_float",
                                     .subgroups = limits.subgroups};
   SpirvModule module = compile_to_spirv(kernel_text(kernel_name(kernel), block, variant, extensions), what);
-  // Mesa's software renderer compiles a kernel anew for each value of a uniform that a branch or a loop depends on, and
-  // keeps them all.
+  // Mesa's lavapipe compiles a version of a kernel for each value of a uniform that controls a branch, and frees none.
   if (limits.software) module.read_uniforms_as_storage();
   module.declare(limits.floats);
   return module;
@@ -119,15 +118,6 @@ void Pipeline::make(const std::string& what) {
   const VkResult result = vk.CreateComputePipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_);
   vk.DestroyShaderModule(device_.handle(), shader, nullptr);
   vulkan_check(result, "compiling " + what);
-}
-
-const Pipeline& Pipelines::get(Kernel kernel, uint block, const Variant& variant) {
-  std::vector<Made>& made = made_[size_t(kernel)];
-  for (const Made& known : made)
-    if (known.block == block && known.variant == variant) return *known.pipeline;
-  made.push_back({block, variant, std::make_unique<Pipeline>(device_, kernel, block, variant)});
-  ++compiled_;
-  return *made.back().pipeline;
 }
 
 std::vector<StageTime> compile_times(const LogicalDevice& device) {

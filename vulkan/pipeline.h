@@ -2,12 +2,11 @@
 // Compute pipelines: a kernel, compiled for a group size and a variant.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <vector>
 
-#include "common/device/launch.h"
-#include "vulkan/logical_device.h"
+#include "common/device/variant_cache.h"
+#include "vulkan/device/logical_device.h"
 #include "vulkan/spirv/compile.h"
 
 namespace spherepair {
@@ -51,22 +50,19 @@ class Pipeline {
 
 VkDescriptorType descriptor_type(SpirvBinding::Kind kind);
 
-// Those that were requested, each compiled when it was first.
+// Pipelines, each compiled on its first use.
 class Pipelines {
  public:
   explicit Pipelines(const LogicalDevice& device) : device_(device) {}
-  const Pipeline& get(Kernel kernel, uint block, const Variant& variant);
-  uint64_t compiled() const { return compiled_; }
+  const Pipeline& get(Kernel kernel, uint block, const Variant& variant) {
+    return cache_.get(kernel, block, variant,
+                      [&] { return std::make_unique<Pipeline>(device_, kernel, block, variant); });
+  }
+  uint64_t compiled() const { return cache_.compiled(); }
 
  private:
-  struct Made {
-    uint block;
-    Variant variant;
-    std::unique_ptr<Pipeline> pipeline;
-  };
   const LogicalDevice& device_;
-  std::array<std::vector<Made>, kernel_count> made_;  // by kernel, which has few
-  uint64_t compiled_ = 0;
+  VariantCache<Pipeline> cache_;
 };
 
 // Host seconds to compile each kernel from its text, for groups of 128 and the first variant.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The device's own clock around stages; nothing at all while it is off.
+// Times stages by the device's timestamps. Records none while it is off.
 #pragma once
 
 #include "vulkan/command_stream.h"

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "vulkan/command_stream.h"
-#include "vulkan/device_buffer.h"
+#include "vulkan/device/device_buffer.h"
 
 namespace spherepair {
 

@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-#include "vulkan/device_buffer.h"
+#include "vulkan/device/device_buffer.h"
 
 namespace spherepair {
 

@@ -100,7 +100,7 @@ int run_all(Session& session, const std::vector<SceneOptions>& scenes, const std
 }
 
 void add_options(CLI::App& app, BenchOptions& options, OpenOptions& open) {
-  add_list(app, "--backends", options.backends, "Only these, and each must open: cpu,opengl,cuda");
+  add_list(app, "--backends", options.backends, "Only these, and each must open: cpu,opengl,cuda,vulkan");
   add_list(app, "--scenes", options.scenes, "E.g. random,uniform,aligned:8x16");
   add_list(app, "--n", options.sizes, "Numbers of spheres (default 16384 with a GPU, else 4096)")
       ->transform(positive_range);

@@ -13,7 +13,7 @@ set(gpu_rooms common/scene common/scene/contact common/backend common/device com
   common/simulation/search)
 set(rooms_of_host/cpu common/shared common/scene common/scene/contact common/backend common/cpu common/cpu/search)
 set(rooms_of_host/glsl ${gpu_rooms} common/glsl glsl)
-set(rooms_of_host/vulkan ${gpu_rooms} common/glsl vulkan/spirv vulkan)
+set(rooms_of_host/vulkan ${gpu_rooms} common/glsl vulkan/spirv vulkan/device vulkan)
 set(rooms_of_host/cuda ${gpu_rooms} cuda/host interop)  # interop: OpenGL drawing CUDA's spheres
 set(rooms_of_host/contacts ${gpu_rooms} common/shared common/shared/contact common/cpu common/cpu/search)
 set(rooms_of_measure bench/measure)

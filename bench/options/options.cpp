@@ -47,7 +47,8 @@ void add_backend_option(CLI::App& command, std::string& backend, const std::stri
   command
       .add_option_function<std::string>(
           "--backend", take,
-          what + ": cpu, opengl or cuda; auto: the first of cuda, opengl on a GPU and cpu that opens")
+          what +
+              ": cpu, opengl, cuda or vulkan; auto: the first that opens of cuda, opengl and vulkan on a GPU, and cpu")
       ->default_str(kAutomaticBackend);
 }
 
@@ -56,10 +57,10 @@ void add_backends_option(CLI::App& command, std::vector<std::string>& backends) 
     if (names != std::vector<std::string>{kAutomaticBackend}) backends = backend_ids(names);
   };
   command
-      .add_option_function<std::vector<std::string>>("--backends", take,
-                                                     "Only these of cpu,opengl,cuda and opengl-core (OpenGL without "
-                                                     "vendors' extensions and storage), and each must "
-                                                     "open; auto: all that open but the last")
+      .add_option_function<std::vector<std::string>>(
+          "--backends", take,
+          "Only these of cpu,opengl,cuda,vulkan and opengl-core (OpenGL without vendors' extensions and storage), and "
+          "each must open; auto: all that open but the last")
       ->delimiter(',')
       ->default_str(kAutomaticBackend);
 }

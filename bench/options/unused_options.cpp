@@ -88,13 +88,10 @@ bool only(const Given& given, const std::set<std::string>& backends) {
 
 void refuse_of_backend(const Given& given, const std::string& command) {
   const bool draws_with_opengl = command == "view" || command == "frames" || !given.is("--draw", {"", "compute"});
-  const bool cpu = only(given, {"cpu"}), no_opengl = only(given, {"cpu", "cuda", "vulkan"}) && !draws_with_opengl;
-  const bool no_glsl = only(given, {"cpu", "cuda"}) && !draws_with_opengl;
+  const bool cpu = only(given, {"cpu"}), no_glsl = only(given, {"cpu", "cuda"}) && !draws_with_opengl;
   given.refuse(cpu && !draws_with_opengl, {"--cuda-device", "--vulkan-device"},
                "on the backend cpu: omit it, or name a backend of the GPU");
-  given.refuse(no_opengl && no_glsl, {"--gl-device"},
-               "where OpenGL is not opened: omit it, or name the backend opengl");
-  given.refuse(no_glsl, {"--require-hardware", "--no-gpu", "--compile"},
+  given.refuse(no_glsl, {"--gl-device", "--require-hardware", "--no-gpu", "--compile"},
                "where neither OpenGL nor Vulkan is opened: omit it, or name the backend opengl or vulkan");
   given.refuse(given.is("--method", {"sequential", "parallel"}) || (cpu && !given.is("--method", {"collide_group"})),
                {"--block"}, "on the CPU, whose loops have no groups: omit it, or name a backend of the GPU");

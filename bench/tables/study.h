@@ -74,7 +74,7 @@ class SizeSequence {
   std::vector<std::string> notes_;
 };
 
-// A column for each device but the baseline: the ratio of its time to the baseline's.
+// Adds a column for each device except the baseline: its time over the baseline's.
 void add_contest_columns(Table& table, const Session& session);
 
 struct TableKind {

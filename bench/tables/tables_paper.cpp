@@ -147,7 +147,7 @@ Table speedups(const std::vector<Table1Row>& rows) {
     }
     table.rows.push_back(cells);
   }
-  table.notes = {"opengl and cuda: collide_triangle. Below 1: slower than the base."};
+  table.notes = {"The APIs of a GPU: collide_triangle. Below 1: slower than the base."};
   return table;
 }
 

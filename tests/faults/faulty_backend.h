@@ -55,7 +55,7 @@ Fault fault_from_name(const std::string& name);
 // The CPU backend under this name, which answers wrongly after so many moves since the upload, and until then rightly.
 std::unique_ptr<Backend> make_faulty(const std::string& name, Fault fault, uint64_t from_step = 0);
 
-// Opens the CPU as it is, and as `opengl` a faulty one; no other backend.
+// Opens the real CPU backend, and a faulty one under the name `opengl`. Refuses other names.
 Opener faulty_opener(Fault fault, uint64_t from_step = 0);
 
 }  // namespace spherepair

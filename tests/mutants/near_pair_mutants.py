@@ -139,5 +139,7 @@ NEAR_PAIRS = [
     mutant("what is read may be written", "common/device/hazards.h", "((reads_ | writes_) & uses.writes)", "(writes_ & uses.writes)", "Hazards"),
     mutant("what is written may be read", "common/device/hazards.h", " ||\n                       (writes_ & uses.reads);", ";", "Hazards"),
     mutant("only the last launch is waited for", "common/device/hazards.h", "alone ? uses.reads : reads_ | uses.reads", "uses.reads", "Hazards"),
+    mutant("what a launch leaves unused is a buffer's own name", "common/device/launch.cpp", "return {chosen(launch, reads & ~launch.unused), chosen(launch, writes & ~launch.unused)};",
+           "return {chosen(launch, reads) & ~launch.unused, chosen(launch, writes) & ~launch.unused};", "Hazards"),
     mutant("a launch is known by what its kernel sees", "common/device/launch.cpp", "used |= (seen >> choice.seen & 1) << choice.used;", "used |= (seen >> choice.seen & 1) << choice.seen;", "Hazards"),
 ]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "vulkan/instance.h"
+#include "vulkan/device/instance.h"
 
 #include <fmt/format.h>
 
@@ -30,8 +30,7 @@ int rank(VkPhysicalDeviceType type) {
 std::string why_no_instance(VkResult result) {
   if (result == VK_ERROR_INCOMPATIBLE_DRIVER)
     return "vulkan: the loader finds no driver; install the GPU's, or mesa-vulkan-drivers for software, and see that "
-           "its "
-           "file is in /usr/share/vulkan/icd.d or /etc/vulkan/icd.d";
+           "its file is in /usr/share/vulkan/icd.d or /etc/vulkan/icd.d";
   return {};
 }
 

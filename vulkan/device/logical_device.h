@@ -2,7 +2,7 @@
 // The device and its one queue, opened.
 #pragma once
 
-#include "vulkan/device_limits.h"
+#include "vulkan/device/device_limits.h"
 
 namespace spherepair {
 

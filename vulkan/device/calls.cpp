@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "vulkan/calls.h"
+#include "vulkan/device/calls.h"
 
 #include <dlfcn.h>
 #include <fmt/format.h>

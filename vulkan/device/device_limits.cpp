@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "vulkan/device_limits.h"
+#include "vulkan/device/device_limits.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 
 #include "common/backend/backend.h"
 #include "common/device/device.h"
-#include "vulkan/instance.h"
+#include "vulkan/device/instance.h"
 #include "vulkan/spirv/module.h"
 
 namespace spherepair {

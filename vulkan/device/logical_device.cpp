@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "vulkan/logical_device.h"
+#include "vulkan/device/logical_device.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <unordered_map>
 
-#include "vulkan/logical_device.h"
+#include "vulkan/device/logical_device.h"
 
 namespace spherepair {
 

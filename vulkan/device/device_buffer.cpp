@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "vulkan/device_buffer.h"
+#include "vulkan/device/device_buffer.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ struct Wish {
   VkMemoryPropertyFlags has, lacks;
 };
 
-// The best first. What the host reaches in a GPU's memory is small on some machines, so kernels' own buffers avoid it.
+// Lists memory types by preference. Buffers of kernels avoid memory that the host maps: some GPUs have little of it.
 std::vector<Wish> wishes(Place place) {
   switch (place) {
     case Place::device:

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/backend/backend.h"
-#include "vulkan/calls.h"
+#include "vulkan/device/calls.h"
 
 namespace spherepair {
 
