@@ -48,9 +48,13 @@ class Record:
         raise AttributeError(name)
 
     def matches(self, wanted):
-        scene = self.parameters.get("scene", {})
+        own = self.parameters
         for name, value in wanted.items():
-            if value != (scene.get("name") if name == "scene" else self.parameters.get(name, scene.get(name))):
+            if name in own and name != "scene":
+                found = own[name]
+            else:
+                found = own.get("scene", {}).get("name" if name == "scene" else name)
+            if found != value:
                 return False
         return True
 

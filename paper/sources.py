@@ -40,10 +40,13 @@ def current(root=ROOT):
         return json.loads(output.read_text())
 
 
+file_of = lru_cache(maxsize=None)(Path)  # of a recorded name: few, each asked for many thousand times
+
+
 @lru_cache(maxsize=None)
 def of_stage(name, stage):
     """Whether a stage runs this kernel, or one of its variants: draw_cull_far, mesh_indexed."""
-    return bool(re.match(rf"{re.escape(Path(name).stem)}(_|$)", stage))
+    return bool(re.match(rf"{re.escape(file_of(name).stem)}(_|$)", stage))
 
 
 def names_of(row, recorded):
@@ -56,10 +59,10 @@ def names_of(row, recorded):
     if folder and not kernels:
         pushes = SAID_OF_CONTACTS & row.keys() or "option" in row
         kernels = {name for name in recorded if name.startswith(f"{folder}/") and
-                   (pushes or not re.match(OF_CONTACTS, Path(name).name))}
+                   (pushes or not re.match(OF_CONTACTS, file_of(name).name))}
     if "kernel" in row:
         return kernels
-    drawn = {name for name in recorded if Path(name).suffix and of_stage(name, row.get("draw") or "")}
+    drawn = {name for name in recorded if file_of(name).suffix and of_stage(name, row.get("draw") or "")}
     contacts = {"host/contacts"} if SAID_OF_CONTACTS & row.keys() or any(re.match(OF_CONTACTS, stage) for stage in stages) else set()
     return kernels | drawn | (contacts | {f"host/{ids.HOSTS.get(backend)}", "measure"}) & recorded.keys()
 

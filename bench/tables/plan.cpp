@@ -49,6 +49,7 @@ void fill_sizes(Plan& plan) {
     plan.scale_sizes = plan.grid_sizes = {1024, 4096, 16384};
     plan.step_sizes = {64, 256, 1024, 4096, 16384};
     plan.count_steps_large = 20;
+    plan.grazing_pairs = 1000;
     plan.row_seconds = 4;
     plan.sampling.software_seconds = 0.02;
     plan.sampling.longest = 0.1;

@@ -42,9 +42,12 @@ class Numbers:
         self.entries[key] = (re.sub(r"(?<!\\)_", r"\\_", text), source, how)
 
 
-def collect(machine, others):
+MAKERS = (*MEASURED, *LEADING, *EQUALITY, *STUDIED, *ACCURATE, *COMPARED, *CONTACTS, *LIMITS)
+
+
+def collect(machine, others, makers=MAKERS):
     numbers = Numbers()
-    for make in (*MEASURED, *LEADING, *EQUALITY, *STUDIED, *ACCURATE, *COMPARED, *CONTACTS, *LIMITS):
+    for make in makers:
         try:
             make(numbers.put, machine, others)
         except Missing as reason:

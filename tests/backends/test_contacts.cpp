@@ -94,13 +94,14 @@ TEST_P(Contacts, NearPairsAreListedSeldom) {
 // and the search of near pairs have one group size.
 TEST_P(Contacts, UndisturbedBySearches) {
   const Scene scene = gas({.side = 5});
-  const Backend::State wanted = run_steps(cpu_backend(), scene, 120);
+  const int steps = by_form(backend(), 120, 45);
+  const Backend::State wanted = run_steps(cpu_backend(), scene, uint64_t(steps));
   constexpr uint ENDS[] = {32, 1024};
   for (CollideOptions options : every_method(backend(), full_stress() ? block_sizes() : ENDS)) {
     for (const bool listed : {true, false}) {
       options.want_pairs = listed;
       backend().upload(scene);
-      for (int step = 0; step < 120; ++step) {
+      for (int step = 0; step < steps; ++step) {
         if (step % 3 != 0) backend().collide(options);
         backend().move();
       }

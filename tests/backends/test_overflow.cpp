@@ -16,7 +16,8 @@ Scene two_points(uint64_t n, float distance) {
 
 class Overflow : public BackendTest {};
 
-constexpr uint64_t MANY = 3000;  // 2.25 million undecided pairs, 4.5 million colliding ones
+// A quarter of its square are undecided pairs, half of it colliding ones; lists begin with room for 4096.
+uint64_t many(const Backend& backend) { return by_form(backend, 3000u, 1000u); }
 
 // Collisions of two_points by what they are: within a point always, across when the points overlap.
 std::vector<Pair> expected_of(uint64_t n, bool across) {
@@ -28,26 +29,29 @@ std::vector<Pair> expected_of(uint64_t n, bool across) {
 }
 
 TEST_P(Overflow, UndecidedPairsBeyondTheList) {
-  const Scene scene = two_points(MANY, 1);
-  expect_pairs(backend(), scene, expected_of(MANY, false), every_method(backend(), block_sizes().subspan(2, 1)));
+  const uint64_t n = many(backend());
+  const Scene scene = two_points(n, 1);
+  expect_pairs(backend(), scene, expected_of(n, false), every_method(backend(), block_sizes().subspan(2, 1)));
   backend().upload(scene);
   const StepResult answer = run_step(backend(), fast_method(backend()));
-  EXPECT_EQ(answer.totals.deferred, MANY * MANY / 4) << "all of them tangent";
-  EXPECT_EQ(answer.totals.decided_by[STAGE_INTEGER], MANY * MANY / 4);
+  EXPECT_EQ(answer.totals.deferred, n * n / 4) << "all of them tangent";
+  EXPECT_EQ(answer.totals.decided_by[STAGE_INTEGER], n * n / 4);
 }
 
 TEST_P(Overflow, UndecidedAndCollidingPairsBeyondBothLists) {
-  const Scene scene = two_points(MANY, 1 - 0x1p-24f);
-  expect_pairs(backend(), scene, expected_of(MANY, true), every_method(backend(), block_sizes().subspan(2, 1)));
+  const uint64_t n = many(backend());
+  const Scene scene = two_points(n, 1 - 0x1p-24f);
+  expect_pairs(backend(), scene, expected_of(n, true), every_method(backend(), block_sizes().subspan(2, 1)));
 }
 
 TEST_P(Overflow, CollidingPairsBeyondTheList) {
-  const Scene scene = make_scene({.name = "coincident", .n = MANY});
-  expect_pairs(backend(), scene, expected_of(MANY, true), every_method(backend(), block_sizes().subspan(2, 1)));
+  const uint64_t n = many(backend());
+  const Scene scene = make_scene({.name = "coincident", .n = n});
+  expect_pairs(backend(), scene, expected_of(n, true), every_method(backend(), block_sizes().subspan(2, 1)));
 }
 
 TEST_P(Overflow, UnequalRadii) {
-  constexpr uint64_t n = 2000;
+  const uint64_t n = by_form(backend(), 2000u, 900u);
   Scene scene = two_points(n, 1);
   for (uint64_t i = 0; i < n; ++i) scene.positions[i].w = i % 2 == 0 ? 0.25f : 0.75f;
   scene.equal_radii = false;
@@ -56,7 +60,7 @@ TEST_P(Overflow, UnequalRadii) {
 
 // The first overflow in the middle of a run: the step is repeated, the motion is not.
 TEST_P(Overflow, MotionIsNotRepeated) {
-  const Scene scene = two_points(MANY, 1);
+  const Scene scene = two_points(many(backend()), 1);
   backend().upload(scene);
   backend().move();
   backend().move();

@@ -11,6 +11,8 @@
 namespace spherepair {
 namespace {
 
+constexpr int TURNS = 4;
+
 class Overlap : public BackendTest {
  protected:
   uint64_t overlapped() { return backend().work_counts().overlapped; }
@@ -35,7 +37,7 @@ class Overlap : public BackendTest {
     };
     const auto oracle = open_backend("cpu");
     for (Backend* each : {oracle.get(), &backend()}) each->upload(scene);
-    for (int turn = 0; turn < 6; ++turn) {
+    for (int turn = 0; turn < TURNS; ++turn) {
       for (int k = 0; k < 3; ++k) backend().enqueue_collide(step((turn + k) % 2 == 0));
       const StepResult given = run_step(backend(), step(turn % 2 != 0)), wanted = run_step(*oracle, step(false));
       EXPECT_EQ(given.totals.pairs, wanted.totals.pairs) << turn;
@@ -46,7 +48,7 @@ class Overlap : public BackendTest {
       for (Backend* each : {oracle.get(), &backend()}) each->move();
     }
     if (overlaps_) {
-      EXPECT_GE(overlapped(), 6u * 4u) << "three sorts and a move a turn";
+      EXPECT_GE(overlapped(), TURNS * 4u) << "three sorts and a move a turn";
     }
     EXPECT_EQ(hash_of_state(backend()), hash_of_state(*oracle));
     backend().check_guards();
@@ -57,7 +59,7 @@ class Overlap : public BackendTest {
 TEST_P(Overlap, NeverChangesTheSet) {
   if (backend().info().on_host) GTEST_SKIP() << "the others are compared with it";
   overlaps_ = overlaps();
-  for (const uint64_t n : {3000, is_gpu(backend()) ? 100'000 : 30'000}) {
+  for (const uint64_t n : {3000, by_form(backend(), 100'000, 12'000)}) {
     SceneOptions scene = {.name = "uniform", .n = n};
     for (const std::optional<bool>& graph : {std::optional<bool>(), std::optional<bool>(false)}) {
       scene.motion.method = MotionMethod::paper;

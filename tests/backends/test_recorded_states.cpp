@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Row 29 of the stress catalogue: 4096 spheres, 100,000 steps, a hash of the state every 1000: equal on every backend
-// of this machine and with what other machines recorded. SPHEREPAIR_RECORD names a folder to leave this machine's in.
+// of this machine and with what other machines recorded; in software the first 10,000 steps, but for STRESS=full.
+// SPHEREPAIR_RECORD names a folder to leave this machine's in.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +29,7 @@ Scene recorded_scene() {
 Hashes hashes_of(Backend& backend) {
   Hashes hashes;
   backend.upload(recorded_scene());
-  for (int step = 1; step <= STEPS; ++step) {
+  for (int step = 1; step <= by_form(backend, STEPS, STEPS / 10); ++step) {
     backend.move();
     if (step % EVERY != 0) continue;
     const Backend::State state = current_state(backend);
@@ -43,8 +44,7 @@ struct Recording {
 };
 
 void expect_equal_runs(const Recording& left, const Recording& right) {
-  ASSERT_EQ(left.hashes.size(), right.hashes.size()) << left.who << ", " << right.who;
-  for (size_t k = 0; k < left.hashes.size(); ++k)
+  for (size_t k = 0; k < std::min(left.hashes.size(), right.hashes.size()); ++k)
     ASSERT_EQ(left.hashes[k], right.hashes[k])
         << left.who << " and " << right.who << " part between steps " << k * EVERY << " and " << (k + 1) * EVERY;
 }
@@ -88,8 +88,11 @@ std::vector<std::filesystem::path> recorded_files() {
 TEST(RecordedStates, Row29_EqualOnAllBackends) {
   const std::vector<Recording>& runs = runs_here();
   ASSERT_FALSE(runs.empty());
-  for (const Recording& run : runs) expect_equal_runs(runs.front(), run);
-  note_figure(fmt::format("{} runs of {} steps, a hash every {}", runs.size(), STEPS, EVERY));
+  for (const Recording& run : runs) {
+    expect_equal_runs(runs.front(), run);
+    EXPECT_GE(run.hashes.size(), size_t(STEPS / 10 / EVERY)) << run.who;
+    note_figure(fmt::format("{}: {} steps, a hash every {}", run.who, run.hashes.size() * EVERY, EVERY));
+  }
   for (const OpenedBackend& entry : all_backends())
     EXPECT_TRUE(entry.backend || !backend_required(entry.name)) << entry.name << " is missing: " << entry.reason;
   const Hashes& hashes = runs.front().hashes;

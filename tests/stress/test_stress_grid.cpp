@@ -41,8 +41,8 @@ TEST_P(StressCatalogue, Row13_OneSpherePerCellNoneTouching) {
 }
 
 TEST_P(StressCatalogue, Row14_RadiiAcrossFiveDecades) {
-  expect_right(backend(), uniform_spheres(2000, 1e5f, 1e-3f));
-  std::vector<vec4> mixed = uniform_spheres(3000, 1, 1e-3f);
+  expect_right(backend(), uniform_spheres(by_form(backend(), 2000, 900), 1e5f, 1e-3f));
+  std::vector<vec4> mixed = uniform_spheres(by_form(backend(), 3000, 1200), 1, 1e-3f);
   mixed.push_back({0.01f, 0.01f, 0.01f, 100.0f});
   mixed.push_back({150.0f, 0.0f, 0.0f, 50.0f});
   expect_right(backend(), mixed);
@@ -50,7 +50,7 @@ TEST_P(StressCatalogue, Row14_RadiiAcrossFiveDecades) {
 
 TEST_P(StressCatalogue, Row31_OneSphereFarAway) {
   for (const vec4& far : {vec4{1e9f, 0, 0, 0.5f}, vec4{-1e9f, 1e9f, -1e9f, 0.5f}, vec4{0, 3e38f, 0, 0.5f}}) {
-    std::vector<vec4> spheres = uniform_spheres(3000);
+    std::vector<vec4> spheres = uniform_spheres(by_form(backend(), 3000, 1200));
     spheres.insert(spheres.begin() + 1000, far);
     spheres.push_back(far);
     expect_right(backend(), spheres);

@@ -104,7 +104,7 @@ TEST_P(StressCatalogue, Row10_LatticeOverlappingByOneUlp) {
 }
 
 TEST_P(StressCatalogue, Row11_AllAtOnePoint) {
-  constexpr uint n = 1001;
+  const uint n = by_form(backend(), 1001u, 501u);
   std::vector<Pair> expected;
   for (uint i = 0; i < n; ++i)
     for (uint j = i + 1; j < n; ++j) expected.push_back({i, j});
@@ -115,9 +115,9 @@ TEST_P(StressCatalogue, Row11_AllAtOnePoint) {
 }
 
 TEST_P(StressCatalogue, Row15_FilterDecidesDensePackings) {
-  const bool cpu = backend().info().on_host, large = is_gpu(backend()) || cpu || full_stress();
-  const uint64_t n = large ? 100'000 : 10'000;
-  if (!large) fmt::print("{}: n = {} instead of 100000 in the short form\n", backend().info().name, n);
+  const bool cpu = backend().info().on_host;
+  const uint64_t n = by_form(backend(), 100'000, 4000);
+  if (n < 100'000) fmt::print("{}: n = {} instead of 100000 in the short form\n", backend().info().name, n);
   for (double fraction : {0.3, 0.5, 0.64}) {
     const std::vector<vec4> spheres = uniform_spheres(n, fraction);
     const std::vector<Pair> expected = swept_pairs(spheres);

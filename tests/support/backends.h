@@ -25,6 +25,12 @@ bool backend_required(const std::string& name);
 // STRESS=full in the environment asks for sizes that take long without a GPU.
 bool full_stress();
 
+// `small` where the backend is a GPU's API in software, unless the long form is wanted; else `large`.
+template <typename Size>
+Size by_form(const Backend& backend, Size large, Size small) {
+  return backend.info().software && !full_stress() ? small : large;
+}
+
 // Whether the backend can replay the launches of a step that it recorded.
 bool replays_steps(const Backend& backend);
 
