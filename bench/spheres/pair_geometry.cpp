@@ -3,41 +3,15 @@
 
 #include <cmath>
 
+#include "common/lists/exact_sum.h"
+
 namespace spherepair {
 namespace {
 
-// A sum without rounding, as numbers none of whose bits overlap, ascending.
-class ExactSum {
- public:
-  void add(double term) {
-    size_t kept = 0;
-    for (size_t k = 0; k < count_; ++k) {
-      const double other = parts_[k], sum = term + other, from_other = sum - term;
-      const double rest = (term - (sum - from_other)) + (other - from_other);
-      if (rest != 0) parts_[kept++] = rest;
-      term = sum;
-    }
-    parts_[kept] = term;
-    count_ = kept + 1;
-  }
-  void add_product(double a, double b) {
-    const double product = a * b, rest = std::fma(a, b, -product);
-    if (rest != 0) add(rest);
-    if (product != 0) add(product);
-  }
-  double rounded() const {
-    double sum = 0;
-    for (size_t k = 0; k < count_; ++k) sum += parts_[k];
-    return sum;
-  }
-
- private:
-  std::array<double, 32> parts_ = {};  // at most one a term, of which squared_gap has 24
-  size_t count_ = 0;
-};
+using Squares = ExactSum<24>;
 
 // Adds sign * (a + b)^2. No product under- or overflows: float32 squared is far within float64.
-void add_square(ExactSum& sum, double sign, float a, float b) {
+void add_square(Squares& sum, double sign, float a, float b) {
   const double high = double(a) + b, from_b = high - a, low = (a - (high - from_b)) + (b - from_b);
   sum.add_product(sign * high, high);
   if (low == 0) return;
@@ -45,7 +19,7 @@ void add_square(ExactSum& sum, double sign, float a, float b) {
   sum.add_product(sign * low, low);
 }
 
-void subtract_squared_distance(ExactSum& sum, const vec4& a, const vec4& b) {
+void subtract_squared_distance(Squares& sum, const vec4& a, const vec4& b) {
   add_square(sum, -1, a.x, -b.x);
   add_square(sum, -1, a.y, -b.y);
   add_square(sum, -1, a.z, -b.z);
@@ -54,7 +28,7 @@ void subtract_squared_distance(ExactSum& sum, const vec4& a, const vec4& b) {
 // The squared sum of the radii less the squared distance of the centres, to one unit in the last place and with its
 // sign: the overlap is this over their sum, without the cancellation of a difference of lengths.
 double squared_gap(const vec4& a, const vec4& b) {
-  ExactSum sum;
+  Squares sum;
   add_square(sum, 1, a.w, b.w);
   subtract_squared_distance(sum, a, b);
   return sum.rounded();
@@ -92,7 +66,7 @@ bool is_within(const Pair& pair, std::span<const vec4> spheres, double cutoff) {
   const double squared = std::pow(distance_of(pair, spheres), 2), limit = cutoff * cutoff;
   if (squared < limit * (1 - margin)) return true;
   if (squared > limit * (1 + margin)) return false;
-  ExactSum sum;
+  Squares sum;
   sum.add_product(cutoff, cutoff);
   subtract_squared_distance(sum, spheres[pair.first], spheres[pair.second]);
   return sum.rounded() >= 0;

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "api/c/arrays.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace spherepair {
+namespace {
+
+constexpr int32_t host = 1;  // kDLCPU
+constexpr const char* type_names[] = {"F32", "F64", "I32", "I64", "U8"};
+
+template <typename Number, typename Element>
+std::vector<Number> read(const sp_array& array) {
+  std::vector<Number> numbers(size_t(array.rows) * size_t(array.columns));
+#pragma omp parallel for schedule(static) if (array.rows > 1 << 14)
+  for (int64_t row = 0; row < array.rows; ++row)
+    for (int64_t column = 0; column < array.columns; ++column)
+      numbers[size_t(row * array.columns + column)] = Number(element<Element>(array, row, column));
+  return numbers;
+}
+
+}  // namespace
+
+void refuse(const std::string& what) { throw ListError(ListFault::argument, what); }
+
+void check_array(const sp_array& array, const std::string& name, int64_t columns, std::initializer_list<sp_type> types) {
+  if (array.device_type != host)
+    refuse(fmt::format("{} lies on a device of type {} (as DLPack has them); only the host's memory, 1, can be used: "
+                       "copy it there",
+                       name, array.device_type));
+  if (array.rows < 0 || array.columns != columns)
+    refuse(fmt::format("{} has {} rows of {}, but each row has {}", name, array.rows, array.columns, columns));
+  if (array.rows > 0 && !array.data) refuse(fmt::format("{} has {} rows but no data", name, array.rows));
+  if (std::ranges::find(types, sp_type(array.type)) != types.end()) return;
+  std::string allowed;
+  for (const sp_type type : types) allowed += (allowed.empty() ? "" : " or ") + std::string(type_names[type]);
+  const bool known = array.type >= SP_F32 && array.type <= SP_U8;
+  refuse(fmt::format("{} is of type {}, but must be {}", name, known ? type_names[array.type] : std::to_string(array.type),
+                     allowed));
+}
+
+std::vector<double> read_numbers(const sp_array& array, const std::string& name, int64_t columns) {
+  check_array(array, name, columns, {SP_F32, SP_F64});
+  return array.type == SP_F32 ? read<double, float>(array) : read<double, double>(array);
+}
+
+std::vector<int64_t> read_integers(const sp_array& array, const std::string& name, int64_t columns) {
+  check_array(array, name, columns, {SP_I32, SP_I64});
+  return array.type == SP_I32 ? read<int64_t, int32_t>(array) : read<int64_t, int64_t>(array);
+}
+
+std::vector<uint8_t> read_flags(const sp_array& array, const std::string& name, int64_t columns) {
+  check_array(array, name, columns, {SP_U8});
+  return read<uint8_t, uint8_t>(array);
+}
+
+std::vector<Point> read_points(const sp_array& array, const std::string& name) {
+  check_array(array, name, 3, {SP_F32, SP_F64});
+  std::vector<Point> points(size_t(array.rows));
+  const auto read_as = [&]<typename Element>(Element) {
+#pragma omp parallel for schedule(static) if (array.rows > 1 << 14)
+    for (int64_t row = 0; row < array.rows; ++row)
+      for (int64_t axis = 0; axis < 3; ++axis) points[size_t(row)][size_t(axis)] = element<Element>(array, row, axis);
+  };
+  if (array.type == SP_F32) read_as(float());
+  else read_as(double());
+  return points;
+}
+
+}  // namespace spherepair

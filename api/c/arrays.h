@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Reads and writes the arrays of include/spherepair/spherepair.h. Messages name the array. All throw ListError.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/lists/list_problem.h"
+#include "include/spherepair/spherepair.h"
+
+namespace spherepair {
+
+[[noreturn]] void refuse(const std::string& what);
+
+inline bool is_given(const sp_array& array) { return array.data != nullptr || array.rows != 0; }
+
+// Refuses what is not of `columns` columns, of one of the types, in the host's memory.
+void check_array(const sp_array& array, const std::string& name, int64_t columns, std::initializer_list<sp_type> types);
+
+std::vector<Point> read_points(const sp_array& array, const std::string& name);
+std::vector<double> read_numbers(const sp_array& array, const std::string& name, int64_t columns);
+std::vector<int64_t> read_integers(const sp_array& array, const std::string& name, int64_t columns);
+std::vector<uint8_t> read_flags(const sp_array& array, const std::string& name, int64_t columns);
+
+// The element's address.
+template <typename Element>
+Element& element(const sp_array& array, int64_t row, int64_t column = 0) {
+  return static_cast<Element*>(array.data)[row * array.row_stride + column * array.column_stride];
+}
+
+// Writes value(row, column) everywhere, as the array's type.
+template <typename Value>
+void write_array(const sp_array& array, int64_t rows, int64_t columns, Value value) {
+  const auto write = [&]<typename Element>(Element) {
+#pragma omp parallel for schedule(static) if (rows > 1 << 14)
+    for (int64_t row = 0; row < rows; ++row)
+      for (int64_t column = 0; column < columns; ++column)
+        element<Element>(array, row, column) = Element(value(row, column));
+  };
+  switch (array.type) {
+    case SP_F32: return write(float());
+    case SP_F64: return write(double());
+    case SP_I32: return write(int32_t());
+    case SP_I64: return write(int64_t());
+    default: return write(uint8_t());
+  }
+}
+
+}  // namespace spherepair

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "api/c/problem_of.h"
+
+#include <fmt/format.h>
+
+#include "api/c/arrays.h"
+
+namespace spherepair {
+namespace {
+
+std::vector<uint64_t> offsets_from(const sp_array& array, const std::string& name, uint64_t points) {
+  if (!is_given(array)) return {0, points};
+  const std::vector<int64_t> offsets = read_integers(array, name, 1);
+  if (offsets.empty()) refuse(name + " has no rows, but has one more than there are systems");
+  if (offsets.front() != 0) refuse(fmt::format("{}[0] is {}, but must be 0", name, offsets.front()));
+  for (size_t b = 1; b < offsets.size(); ++b)
+    if (offsets[b] < offsets[b - 1])
+      refuse(fmt::format("{}[{}] is {}, below {} before it", name, b, offsets[b], offsets[b - 1]));
+  if (uint64_t(offsets.back()) != points)
+    refuse(fmt::format("{} ends with {}, but there are {} points", name, offsets.back(), points));
+  return {offsets.begin(), offsets.end()};
+}
+
+PointSet set_of(const sp_array& points, const sp_array& radii, const sp_array& offsets, const std::string& prefix) {
+  PointSet set;
+  const std::string name = prefix.empty() ? "positions" : "queries";
+  set.points = read_points(points, name);
+  if (is_given(radii)) {
+    set.radii = read_numbers(radii, prefix + "radii", 1);
+    if (set.radii.size() != set.size())
+      refuse(fmt::format("{}radii has {} rows, but {} has {}", prefix, set.radii.size(), name, set.size()));
+  }
+  set.offsets = offsets_from(offsets, prefix + "offsets", set.size());
+  return set;
+}
+
+std::vector<Box> boxes_of(const sp_problem& given, size_t systems) {
+  std::vector<Box> boxes(1);
+  if (is_given(given.boxes) != is_given(given.periodic)) refuse("boxes and periodic go together: give both or neither");
+  if (is_given(given.boxes)) {
+    const std::vector<double> rows = read_numbers(given.boxes, "boxes", 9);
+    const std::vector<uint8_t> flags = read_flags(given.periodic, "periodic", 3);
+    if (given.boxes.rows != given.periodic.rows)
+      refuse(fmt::format("boxes has {} rows, but periodic has {}", given.boxes.rows, given.periodic.rows));
+    boxes.resize(size_t(given.boxes.rows));
+    for (size_t b = 0; b < boxes.size(); ++b)
+      for (size_t k = 0; k < 3; ++k) {
+        if (flags[3 * b + k] > 1) refuse(fmt::format("periodic[{}][{}] is {}, but must be 0 or 1", b, k, flags[3 * b + k]));
+        boxes[b].periodic[k] = flags[3 * b + k] == 1;
+        for (size_t axis = 0; axis < 3; ++axis) boxes[b].rows[k][axis] = rows[9 * b + 3 * k + axis];
+      }
+  }
+  if (boxes.size() == 1) boxes.assign(systems, boxes[0]);
+  if (boxes.size() != systems) refuse(fmt::format("boxes has {} rows, but there are {} systems", boxes.size(), systems));
+  return boxes;
+}
+
+bool flag(int32_t value, const char* name) {
+  if (value != 0 && value != 1) refuse(fmt::format("{} is {}, but must be 0 or 1", name, value));
+  return value == 1;
+}
+
+std::vector<std::array<uint32_t, 2>> exclusions_of(const sp_array& array) {
+  if (!is_given(array)) return {};
+  const std::vector<int64_t> ids = read_integers(array, "exclusions", 2);
+  std::vector<std::array<uint32_t, 2>> pairs(ids.size() / 2);
+  for (size_t e = 0; e < ids.size(); ++e) {
+    if (ids[e] < 0 || ids[e] > 0x7FFFFFFF) refuse(fmt::format("exclusions[{}] has the index {}", e / 2, ids[e]));
+    pairs[e / 2][e % 2] = uint32_t(ids[e]);
+  }
+  return pairs;
+}
+
+}  // namespace
+
+ListProblem problem_of(const sp_problem& given) {
+  if (given.size != sizeof(sp_problem))
+    refuse(fmt::format("problem.size is {}, but sizeof(sp_problem) is {}: the program was compiled with another header",
+                       given.size, sizeof(sp_problem)));
+  ListProblem problem;
+  problem.set = set_of(given.positions, given.radii, given.offsets, "");
+  problem.asks = is_given(given.queries) || given.queries.columns != 0;
+  problem.half = flag(given.half, "half");
+  problem.inclusive = flag(given.inclusive, "inclusive");
+  problem.self_pairs = flag(given.self_pairs, "self_pairs");
+  if (problem.asks) {
+    problem.queries = set_of(given.queries, given.query_radii, given.query_offsets, "query_");
+    if (problem.half || problem.self_pairs) refuse("half and self_pairs must be 0 where there are queries");
+    if (is_given(given.radii) != is_given(given.query_radii)) refuse("radii and query_radii go together: give both or neither");
+    if (problem.queries.offsets.size() != problem.set.offsets.size())
+      refuse(fmt::format("query_offsets is of {} systems, but offsets of {}", problem.queries.offsets.size() - 1,
+                         problem.set.offsets.size() - 1));
+  } else if (is_given(given.query_radii) || is_given(given.query_offsets)) {
+    refuse("query_radii and query_offsets need queries");
+  }
+  problem.cutoff = given.cutoff;
+  problem.skin = given.skin;
+  problem.boxes = boxes_of(given, problem.set.offsets.size() - 1);
+  problem.exclusions = exclusions_of(given.exclusions);
+  return problem;
+}
+
+}  // namespace spherepair

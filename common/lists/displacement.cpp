@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "common/lists/displacement.h"
+
+#include <cmath>
+
+#include "common/lists/exact_sum.h"
+
+namespace spherepair {
+namespace {
+
+using Component = ExactSum<8>;  // two coordinates, and three products of two terms each
+
+Component component(const ListProblem& problem, const Box& box, const ListedPair& pair, size_t axis) {
+  Component sum;
+  sum.add(problem.set.points[pair.second][axis]);
+  sum.add(-problem.firsts().points[pair.first][axis]);
+  for (size_t k = 0; k < 3; ++k)
+    if (pair.shift[k] != 0) sum.add_product(pair.shift[k], box.rows[k][axis]);
+  return sum;
+}
+
+// Squares of three components and of c: at most (3 * 8 * 8 + 3 * 3) products.
+using Squares = ExactSum<2 * (3 * 64 + 9)>;
+
+template <typename Parts>
+void add_square(Squares& sum, double sign, const Parts& parts) {
+  for (auto a = parts.begin(); a != parts.end(); ++a) {
+    sum.add_product(sign * *a, *a);
+    for (auto b = std::next(a); b != parts.end(); ++b) sum.add_product(2 * sign * *a, *b);
+  }
+}
+
+// The sign of |x_j - x_i + S H|^2 - c^2.
+int exact_side(const ListProblem& problem, const Box& box, const ListedPair& pair) {
+  Squares sum;
+  for (size_t axis = 0; axis < 3; ++axis) add_square(sum, 1, component(problem, box, pair, axis));
+  add_square(sum, -1, problem.reach(pair.first, pair.second));
+  return sum.sign();
+}
+
+}  // namespace
+
+// A component has at most seven roundings, each of at most 2^-53 of the sum of the sizes of its terms; 2^-50 of that
+// sum is more. The squares and their sum, and c and its square, have at most four roundings each.
+bool is_within_reach(const ListProblem& problem, const Box& box, const ListedPair& pair) {
+  const Point &a = problem.firsts().points[pair.first], &b = problem.set.points[pair.second];
+  double squared = 0, error = 0;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    double way = b[axis] - a[axis], sizes = std::abs(b[axis]) + std::abs(a[axis]);
+    for (size_t k = 0; k < 3; ++k)
+      if (pair.shift[k] != 0) {
+        const double moved = pair.shift[k] * box.rows[k][axis];
+        way += moved, sizes += std::abs(moved);
+      }
+    const double off = 0x1p-50 * sizes;
+    squared += way * way;
+    error += (2 * std::abs(way) + off) * off;
+  }
+  const auto [c0, c1, c2] = problem.reach(pair.first, pair.second);
+  const double reach = c0 + c1 + c2, limit = reach * reach;
+  error += 0x1p-49 * (squared + limit);
+  if (squared + error < limit) return true;
+  if (squared - error > limit) return false;
+  const int side = exact_side(problem, box, pair);
+  return side < 0 || (side == 0 && problem.inclusive);
+}
+
+Point displacement(const ListProblem& problem, const Box& box, const ListedPair& pair) {
+  Point way;
+  for (size_t axis = 0; axis < 3; ++axis) way[axis] = component(problem, box, pair, axis).rounded();
+  return way;
+}
+
+double length(const Point& vector) {
+  return std::sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
+}
+
+}  // namespace spherepair

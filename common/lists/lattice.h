@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// A periodic box in float64, rounded: how points come into it, and how many rows of it a reach spans. What is decided
+// here is only where to look for pairs; what is a pair is decided by displacement.h.
+#pragma once
+
+#include "common/lists/list_problem.h"
+
+namespace spherepair {
+
+class Lattice {
+ public:
+  // Throws ListError where the periodic rows are too near to a plane or a line; `system` is for the message.
+  Lattice(const Box& box, uint64_t system);
+
+  // How many rows of each kind lie between the origin and the point; 0 where the box is not periodic.
+  Point fraction(const Point& point) const;
+  // How far two points at this distance can be apart in fractions, rounding included.
+  Point spans(double distance) const;
+  Point moved(const Point& point, const Shift& shift) const;
+  const Box& box() const { return box_; }
+
+ private:
+  Box box_;
+  std::array<Point, 3> dual_ = {};  // dual_[k] is perpendicular to the other periodic rows and 1 along row k
+};
+
+}  // namespace spherepair

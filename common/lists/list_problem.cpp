@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "common/lists/list_problem.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace spherepair {
+namespace {
+
+// Indices have 32 bits, and a device's indices one less.
+constexpr uint64_t most_points = 0x7FFFFFFF;
+
+bool is_listed(double number) {
+  const double size = std::abs(number);
+  return size == 0 || (size >= smallest_listed && size <= largest_listed);
+}
+
+void check_number(double number, const std::string& name, bool may_be_negative) {
+  if (!std::isfinite(number)) throw ListError(ListFault::not_finite, fmt::format("{} is {}", name, number));
+  if (number < 0 && !may_be_negative)
+    throw ListError(ListFault::argument, fmt::format("{} is {}, but must not be negative", name, number));
+  if (!is_listed(number))
+    throw ListError(ListFault::range, fmt::format("{} is {}: numbers other than 0 must be from 2^-450 to 2^450 in size, "
+                                                  "so choose another unit of length",
+                                                  name, number));
+}
+
+void check_set(const PointSet& set, const std::string& points, const std::string& radii) {
+  if (set.size() > most_points)
+    throw ListError(ListFault::range, fmt::format("{} has {} rows, but {} at most can be numbered", points, set.size(),
+                                                  most_points));
+  for (uint64_t i = 0; i < set.size(); ++i)
+    for (size_t axis = 0; axis < 3; ++axis)
+      if (const double number = set.points[i][axis]; !is_listed(number) || !std::isfinite(number))
+        check_number(number, fmt::format("{}[{}].{}", points, i, "xyz"[axis]), true);
+  for (uint64_t i = 0; i < set.radii.size(); ++i)
+    if (const double radius = set.radii[i]; !(radius >= 0) || !is_listed(radius) || !std::isfinite(radius))
+      check_number(radius, fmt::format("{}[{}]", radii, i), false);
+}
+
+void check_exclusions(const ListProblem& problem) {
+  const uint64_t sizes[] = {problem.firsts().size(), problem.set.size()};
+  for (uint64_t e = 0; e < problem.exclusions.size(); ++e)
+    for (size_t k : {0, 1})
+      if (problem.exclusions[e][k] >= sizes[k])
+        throw ListError(ListFault::argument, fmt::format("exclusions[{}] names {} {}, but there are {}", e,
+                                                         k == 0 && problem.asks ? "query" : "point",
+                                                         problem.exclusions[e][k], sizes[k]));
+}
+
+}  // namespace
+
+void check_problem(const ListProblem& problem) {
+  check_number(problem.cutoff, "cutoff", false);
+  check_number(problem.skin, "skin", false);
+  if (!problem.set.radii.empty() && problem.cutoff != 0)
+    throw ListError(ListFault::argument, "there are radii and a cutoff: give one of them (and a skin)");
+  check_set(problem.set, "positions", "radii");
+  check_set(problem.queries, "queries", "query_radii");
+  for (size_t b = 0; b < problem.boxes.size(); ++b)
+    for (size_t k = 0; k < 3; ++k)
+      if (problem.boxes[b].periodic[k])
+        for (size_t axis = 0; axis < 3; ++axis)
+          check_number(problem.boxes[b].rows[k][axis], fmt::format("boxes[{}], row {}, {}", b, k, "xyz"[axis]), true);
+  check_exclusions(problem);
+}
+
+}  // namespace spherepair

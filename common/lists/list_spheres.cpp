@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#include "common/lists/list_spheres.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace spherepair {
+namespace {
+
+constexpr double most_cells = 0x1p30;   // away from the box: differences of two fit into 32 bits
+constexpr double most_images = 0x1p27;  // as many spheres as OpenGL's buffers hold
+constexpr int64_t many = 1 << 14;       // points from which on several threads share the work
+
+struct Range {
+  Point low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
+  void add(const Point& point) {
+    for (size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], point[k]), high[k] = std::max(high[k], point[k]);
+  }
+  bool empty() const { return low[0] > high[0]; }
+};
+
+// Of one system: where those that look are, and how far they reach.
+struct System {
+  Range inside, fractions;
+  double reach = 0;    // of the two largest spheres
+  double radius = 0;   // the largest that looks
+  double rounded = 0;  // how far a coordinate of an image can be from its real number
+};
+
+std::vector<uint32_t> systems_of(const PointSet& set) {
+  std::vector<uint32_t> systems(set.size());
+  for (size_t b = 0; b + 1 < set.offsets.size(); ++b)
+    std::fill(systems.begin() + int64_t(set.offsets[b]), systems.begin() + int64_t(set.offsets[b + 1]), uint32_t(b));
+  return systems;
+}
+
+// The points inside their boxes; cells get the way back.
+std::vector<Point> wrapped(const PointSet& set, const char* name, const std::vector<uint32_t>& systems,
+                           const std::vector<Lattice>& lattices, std::vector<Shift>& cells) {
+  std::vector<Point> inside(set.points);
+  cells.assign(set.size(), Shift{});
+  int64_t far = -1;
+#pragma omp parallel for schedule(static) reduction(max : far) if (int64_t(inside.size()) > many)
+  for (int64_t i = 0; i < int64_t(inside.size()); ++i) {
+    const Lattice& lattice = lattices[systems[i]];
+    if (lattice.box().is_open()) continue;
+    const Point at = lattice.fraction(inside[i]);
+    Shift back;
+    for (size_t k = 0; k < 3; ++k) {
+      if (!(std::abs(at[k]) < most_cells)) far = i;
+      else cells[i][k] = int32_t(std::floor(at[k]));
+      back[k] = -cells[i][k];
+    }
+    inside[i] = lattice.moved(inside[i], back);
+  }
+  if (far >= 0) throw ListError(ListFault::range, fmt::format("{}[{}] is more than 2^30 boxes away from its own", name, far));
+  return inside;
+}
+
+double radius_of(const ListProblem& problem, const PointSet& set, uint64_t i) {
+  return (set.radii.empty() ? problem.cutoff / 2 : set.radii[i]) + problem.skin / 2;
+}
+
+class Planner {
+ public:
+  explicit Planner(const ListProblem& problem) : problem_(problem) {
+    for (size_t b = 0; b < problem.boxes.size(); ++b) plan_.lattices.emplace_back(problem.boxes[b], b);
+    plan_.systems = systems_of(problem.firsts());
+    point_systems_ = problem.asks ? systems_of(problem.set) : plan_.systems;
+    points_ = wrapped(problem.set, "positions", point_systems_, plan_.lattices, plan_.cells);
+    if (problem.asks) queries_ = wrapped(problem.queries, "queries", plan_.systems, plan_.lattices, plan_.first_cells);
+    else plan_.first_cells = plan_.cells;
+    measure_systems();
+    add_images();
+    place();
+  }
+  ListSpheres take() { return std::move(plan_); }
+
+ private:
+  const std::vector<Point>& looking() const { return problem_.asks ? queries_ : points_; }
+
+  void measure_systems() {
+    systems_.resize(plan_.lattices.size());
+    std::vector<double> largest(systems_.size()), of_points(systems_.size());
+    for (uint64_t i = 0; i < plan_.looking(); ++i) {
+      System& system = systems_[plan_.systems[i]];
+      system.inside.add(looking()[i]);
+      system.fractions.add(plan_.lattices[plan_.systems[i]].fraction(looking()[i]));
+      system.radius = std::max(system.radius, radius_of(problem_, problem_.firsts(), i));
+    }
+    const auto sizes = [&](const PointSet& set, const std::vector<uint32_t>& systems) {
+      for (uint64_t i = 0; i < set.size(); ++i)
+        for (const double x : set.points[i]) largest[systems[i]] = std::max(largest[systems[i]], std::abs(x));
+    };
+    sizes(problem_.set, point_systems_);
+    sizes(problem_.queries, plan_.systems);
+    for (uint64_t i = 0; i < points_.size(); ++i) {
+      double& radius = of_points[point_systems_[i]];
+      radius = std::max(radius, radius_of(problem_, problem_.set, i));
+    }
+    for (size_t b = 0; b < systems_.size(); ++b) {
+      systems_[b].reach = systems_[b].radius + of_points[b];
+      systems_[b].rounded = 0x1p-48 * (largest[b] + size_of_shifts(b));
+    }
+  }
+
+  // The most that rows of the box add to a coordinate, on the way into it and to an image.
+  double size_of_shifts(size_t b) const {
+    const Lattice& lattice = plan_.lattices[b];
+    const Point spans = lattice.spans(systems_[b].reach);
+    Point cells = {};
+    const auto farthest = [&](const std::vector<Shift>& all, const std::vector<uint64_t>& offsets) {
+      for (uint64_t i = offsets[b]; i < offsets[b + 1]; ++i)
+        for (size_t k = 0; k < 3; ++k) cells[k] = std::max(cells[k], std::abs(double(all[i][k])));
+    };
+    farthest(plan_.cells, problem_.set.offsets);
+    farthest(plan_.first_cells, problem_.firsts().offsets);
+    double size = 0;
+    for (size_t k = 0; k < 3; ++k)
+      if (lattice.box().periodic[k]) {
+        double edge = 0;
+        for (const double x : lattice.box().rows[k]) edge = std::max(edge, std::abs(x));
+        size += (cells[k] + spans[k] + 2) * edge;
+      }
+    return size;
+  }
+
+  // How far images of a point can be of use.
+  double reach_of(uint64_t point, const System& system) const {
+    return (system.radius + radius_of(problem_, problem_.set, point)) * (1 + 0x1p-40) + 4 * system.rounded;
+  }
+
+  // Calls add(shift, place) for the images of a point that those that look can reach.
+  template <typename Add>
+  void images_of(uint64_t point, Add add) const {
+    const uint32_t b = point_systems_[point];
+    const System& system = systems_[b];
+    if (system.inside.empty()) return;
+    const Lattice& lattice = plan_.lattices[b];
+    const double reach = reach_of(point, system);
+    const Point at = lattice.fraction(points_[point]), spans = lattice.spans(reach);
+    Shift low = {}, high = {};
+    for (size_t k = 0; k < 3; ++k)
+      if (lattice.box().periodic[k]) {
+        low[k] = int32_t(std::ceil(system.fractions.low[k] - spans[k] - at[k]));
+        high[k] = int32_t(std::floor(system.fractions.high[k] + spans[k] - at[k]));
+      }
+    for (Shift shift = low; shift[0] <= high[0]; ++shift[0])
+      for (shift[1] = low[1]; shift[1] <= high[1]; ++shift[1])
+        for (shift[2] = low[2]; shift[2] <= high[2]; ++shift[2]) {
+          if (!problem_.asks && shift == Shift{}) continue;
+          const Point place = lattice.moved(points_[point], shift);
+          bool near = true;
+          for (size_t axis = 0; axis < 3; ++axis)
+            near &= place[axis] >= system.inside.low[axis] - reach && place[axis] <= system.inside.high[axis] + reach;
+          if (near) add(shift, place);
+        }
+  }
+
+  void check_number_of_images() const {
+    double images = 0;
+    for (size_t b = 0; b < systems_.size(); ++b) {
+      const Point spans = plan_.lattices[b].spans(systems_[b].reach);
+      double each = 1;
+      for (size_t k = 0; k < 3; ++k)
+        if (plan_.lattices[b].box().periodic[k])
+          each *= systems_[b].fractions.high[k] - systems_[b].fractions.low[k] + 2 * spans[k] + 1;
+      if (!systems_[b].inside.empty())
+        images += each * double(problem_.set.offsets[b + 1] - problem_.set.offsets[b]);
+    }
+    if (images > 8 * most_images) too_many_images(images);
+  }
+
+  [[noreturn]] static void too_many_images(double images) {
+    throw ListError(ListFault::range, fmt::format("the cutoff reaches over {:.3g} images of the points, but 2^27 at most "
+                                                  "can be searched: take a smaller cutoff",
+                                                  images));
+  }
+
+  void add_images() {
+    bool any = problem_.asks;
+    for (const Lattice& lattice : plan_.lattices) any |= !lattice.box().is_open();
+    if (!any) return;
+    check_number_of_images();
+#pragma omp parallel if (int64_t(points_.size()) > many)
+    {
+      std::vector<Image> images;
+      std::vector<Point> places;
+#pragma omp for schedule(static)
+      for (int64_t i = 0; i < int64_t(points_.size()); ++i)
+        images_of(uint64_t(i), [&](const Shift& shift, const Point& place) {
+          images.push_back({uint32_t(i), point_systems_[i], shift}), places.push_back(place);
+        });
+#pragma omp critical
+      {
+        plan_.images.insert(plan_.images.end(), images.begin(), images.end());
+        places_.insert(places_.end(), places.begin(), places.end());
+      }
+    }
+    const double all = double(plan_.images.size()) + double(plan_.looking());
+    if (all > most_images && double(plan_.images.size()) > 0 && !open_only()) too_many_images(all);
+  }
+
+  bool open_only() const {
+    return std::ranges::all_of(plan_.lattices, [](const Lattice& each) { return each.box().is_open(); });
+  }
+
+  // Systems in a cube of cubes with edges of 1 in all, around 0: float32 moves a coordinate by 2^-26 at most, a centre
+  // by less than 2^-25.
+  void place() {
+    double pitch = 0;
+    for (const System& system : systems_)
+      if (!system.inside.empty())
+        for (size_t axis = 0; axis < 3; ++axis)
+          pitch = std::max(pitch, system.inside.high[axis] - system.inside.low[axis] + 3 * system.reach +
+                                      16 * system.rounded);
+    const uint64_t side = uint64_t(std::ceil(std::cbrt(double(systems_.size()))));
+    const double all = pitch * double(side), scale = all > 0 ? std::exp2(-std::ceil(std::log2(all))) : 1;
+    const auto sphere = [&](const Point& at, uint32_t b, double radius) {
+      const System& system = systems_[b];
+      const uint64_t cell[3] = {b % side, b / side % side, b / side / side};
+      float centre[3];
+      for (size_t axis = 0; axis < 3; ++axis) {
+        const double middle = system.inside.low[axis] / 2 + system.inside.high[axis] / 2;
+        centre[axis] = float((at[axis] - middle + (double(cell[axis]) - double(side - 1) / 2) * pitch) * scale);
+      }
+      const double larger = (radius + 4 * system.rounded) * scale * (1 + 0x1p-40) + 0x1p-25;
+      return vec4{centre[0], centre[1], centre[2], std::nextafter(float(larger), INFINITY)};
+    };
+    const int64_t looking_count = int64_t(plan_.looking());
+    plan_.spheres.resize(plan_.looking() + plan_.images.size());
+#pragma omp parallel for schedule(static) if (int64_t(plan_.spheres.size()) > many)
+    for (int64_t i = 0; i < int64_t(plan_.spheres.size()); ++i) {
+      if (i < looking_count) {
+        plan_.spheres[i] = sphere(looking()[i], plan_.systems[i], radius_of(problem_, problem_.firsts(), uint64_t(i)));
+        continue;
+      }
+      const Image& image = plan_.images[i - looking_count];
+      plan_.spheres[i] = sphere(places_[i - looking_count], image.system, radius_of(problem_, problem_.set, image.point));
+    }
+  }
+
+  const ListProblem& problem_;
+  ListSpheres plan_;
+  std::vector<uint32_t> point_systems_;
+  std::vector<Point> points_, queries_, places_;  // inside the boxes; of images
+  std::vector<System> systems_;
+};
+
+}  // namespace
+
+ListSpheres list_spheres(const ListProblem& problem) { return Planner(problem).take(); }
+
+}  // namespace spherepair

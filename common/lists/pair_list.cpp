@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "common/lists/pair_list.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "common/lists/list_spheres.h"
+
+namespace spherepair {
+namespace {
+
+std::vector<Pair> colliding_pairs(Backend& backend, std::vector<vec4> spheres) {
+  if (spheres.size() < 2) return {};
+  Scene scene{.name = "list"};
+  scene.velocities.resize(spheres.size(), vec4{0, 0, 0, 0});
+  scene.equal_radii = std::ranges::all_of(spheres, [&](const vec4& sphere) { return sphere.w == spheres[0].w; });
+  scene.positions = std::move(spheres);
+  backend.upload(scene);
+  backend.collide({.method = Method::automatic, .want_pairs = true});
+  return backend.pairs();
+}
+
+Shift less(const Shift& a, const Shift& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Shift sum(const Shift& a, const Shift& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+
+class Lister {
+ public:
+  Lister(const ListProblem& problem, const ListSpheres& plan) : problem_(problem), plan_(plan) {
+    for (auto [first, second] : problem.exclusions) {
+      if (!problem.asks && first > second) std::swap(first, second);
+      excluded_.push_back({first, second});
+    }
+    std::ranges::sort(excluded_);
+  }
+
+  // Those that a pair of colliding spheres stands for: two, one or none.
+  void add(const Pair& pair, std::vector<ListedPair>& list) const {
+    const uint64_t looking = plan_.looking();
+    if (pair.first >= looking) return;  // two images
+    const uint32_t system = plan_.systems[pair.first];
+    if (pair.second < looking) {
+      if (problem_.asks || plan_.systems[pair.second] != system) return;
+      const ListedPair both{pair.first, pair.second, less(plan_.cells[pair.first], plan_.cells[pair.second])};
+      if (!accepts(both, system)) return;
+      list.push_back(both);
+      if (!problem_.half) list.push_back({both.second, both.first, less({}, both.shift)});
+      return;
+    }
+    const Image& image = plan_.images[pair.second - looking];
+    if (image.system != system) return;
+    const ListedPair one{pair.first, image.point,
+                         sum(image.shift, less(plan_.first_cells[pair.first], plan_.cells[image.point]))};
+    const bool of_other_half = one.first > one.second || (one.first == one.second && one.shift < Shift{});
+    if (problem_.half && of_other_half) return;
+    if (accepts(one, system)) list.push_back(one);
+  }
+
+ private:
+  bool accepts(const ListedPair& pair, uint32_t system) const {
+    return is_within_reach(problem_, problem_.boxes[system], pair) && !is_excluded(pair);
+  }
+
+  bool is_excluded(const ListedPair& pair) const {
+    if (excluded_.empty()) return false;
+    Pair ids{pair.first, pair.second};
+    if (!problem_.asks && ids.first > ids.second) std::swap(ids.first, ids.second);
+    return std::ranges::binary_search(excluded_, ids);
+  }
+
+  const ListProblem& problem_;
+  const ListSpheres& plan_;
+  std::vector<Pair> excluded_;
+};
+
+void add_points_themselves(const ListProblem& problem, std::vector<ListedPair>& list) {
+  for (uint32_t i = 0; i < problem.set.size(); ++i) {
+    const ListedPair self{i, i, {}};
+    if (is_within_reach(problem, {}, self)) list.push_back(self);
+  }
+}
+
+// By first through counting, each first's by the rest.
+std::vector<ListedPair> sorted(const std::vector<ListedPair>& list, uint64_t firsts) {
+  const std::vector<int64_t> offsets = offsets_of(list, firsts);
+  std::vector<int64_t> next(offsets.begin(), offsets.end() - 1);
+  std::vector<ListedPair> in_order(list.size());
+  for (const ListedPair& pair : list) in_order[next[pair.first]++] = pair;
+#pragma omp parallel for schedule(dynamic, 256)
+  for (int64_t i = 0; i < int64_t(firsts); ++i)
+    std::sort(in_order.begin() + offsets[i], in_order.begin() + offsets[i + 1]);
+  return in_order;
+}
+
+}  // namespace
+
+std::vector<int64_t> offsets_of(const std::vector<ListedPair>& list, uint64_t firsts) {
+  std::vector<int64_t> offsets(firsts + 1, 0);
+  for (const ListedPair& pair : list) ++offsets[pair.first + 1];
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  return offsets;
+}
+
+std::vector<ListedPair> list_pairs(Backend& backend, const ListProblem& problem) {
+  check_problem(problem);
+  ListSpheres plan = list_spheres(problem);
+  const std::vector<Pair> pairs = colliding_pairs(backend, std::move(plan.spheres));
+  const Lister lister(problem, plan);
+  std::vector<ListedPair> list;
+#pragma omp parallel
+  {
+    std::vector<ListedPair> own;
+#pragma omp for schedule(static)
+    for (int64_t k = 0; k < int64_t(pairs.size()); ++k) lister.add(pairs[k], own);
+#pragma omp critical
+    list.insert(list.end(), own.begin(), own.end());
+  }
+  if (problem.self_pairs) add_points_themselves(problem, list);
+  return sorted(list, problem.firsts().size());
+}
+
+}  // namespace spherepair

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Lists of pairs, as include/spherepair/spherepair.h defines them, through a backend's search.
+#pragma once
+
+#include "common/backend/backend.h"
+#include "common/lists/displacement.h"
+
+namespace spherepair {
+
+// The whole list in its order. The backend holds other spheres afterwards. Throws ListError, BackendError.
+std::vector<ListedPair> list_pairs(Backend& backend, const ListProblem& problem);
+
+// Where the pairs of each first begin, and behind the last where they end.
+std::vector<int64_t> offsets_of(const std::vector<ListedPair>& list, uint64_t firsts);
+
+}  // namespace spherepair
