@@ -63,7 +63,7 @@ std::vector<EGLDeviceEXT> egl_devices_in_order() {
   return devices;
 }
 
-const Context* current_context = nullptr;
+thread_local const Context* current_context = nullptr;
 
 // Contexts that the driver has reset. It says so once, and what is read from them afterwards is wrong. Lives as long as
 // the process, since contexts may end with it.
@@ -109,10 +109,9 @@ void Context::open_on_a_device(const OpenOptions& options) {
 }
 
 void Context::close() {
-  if (current_context == this) current_context = nullptr;
+  leave();
   if (context_ == EGL_NO_CONTEXT) return;
   lost_contexts().erase(context_);
-  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);
   context_ = EGL_NO_CONTEXT;
 }
@@ -149,10 +148,22 @@ Context::~Context() { close(); }
 
 bool Context::try_make_current() const {
   if (window_) window_->make_current();
-  const bool current = window_ || eglGetCurrentContext() == context_ ||
-                       eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
+  bool current = window_ || eglGetCurrentContext() == context_;
+  if (!current) {
+    before_ = {eglGetCurrentDisplay(), eglGetCurrentSurface(EGL_DRAW), eglGetCurrentSurface(EGL_READ),
+               eglGetCurrentContext()};
+    current = eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
+  }
   current_context = current ? this : nullptr;
   return current;
+}
+
+void Context::leave() const noexcept {
+  if (current_context == this) current_context = nullptr;
+  if (window_ || context_ == EGL_NO_CONTEXT || eglGetCurrentContext() != context_) return;
+  const auto& [display, draw, read, context] = before_;
+  if (context != EGL_NO_CONTEXT && eglMakeCurrent(display, draw, read, context)) return;
+  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
 }
 
 bool context_is_current() { return current_context != nullptr; }

@@ -20,6 +20,7 @@ class Context {
 
   void make_current() const;
   bool try_make_current() const;  // false when the context is lost
+  void leave() const noexcept;    // the thread has the context that it had before this one, or none
   bool software() const { return software_; }
   bool of_window() const { return window_ != nullptr; }
 
@@ -31,6 +32,12 @@ class Context {
   WindowContext* window_ = nullptr;
   EGLDisplay display_ = EGL_NO_DISPLAY;
   EGLContext context_ = EGL_NO_CONTEXT;
+  struct Before {
+    EGLDisplay display = EGL_NO_DISPLAY;
+    EGLSurface draw = EGL_NO_SURFACE, read = EGL_NO_SURFACE;
+    EGLContext context = EGL_NO_CONTEXT;
+  };
+  mutable Before before_;
   bool software_ = false;
 };
 

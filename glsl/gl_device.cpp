@@ -27,6 +27,8 @@ class GlDevice final : public Device {
   ~GlDevice() override;
   const BackendInfo& info() const override { return info_; }
   const DeviceCapabilities& capabilities() const override { return capabilities_; }
+  void enter_thread() override { context_.make_current(); }
+  void leave_thread() noexcept override { context_.leave(); }
 
   Memory allocate(uint64_t bytes, Memory replaced) override;
   void write(const Memory& memory, const void* data, uint64_t offset, uint64_t bytes) override;

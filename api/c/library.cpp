@@ -50,6 +50,23 @@ sp_status guarded(std::string& message, Work work) noexcept {
   }
 }
 
+// The backend's own device and context within, the caller's before and behind.
+class InThread {
+ public:
+  explicit InThread(Backend& backend) : backend_(backend) { backend_.enter_thread(); }
+  ~InThread() { backend_.leave_thread(); }
+  InThread(const InThread&) = delete;
+  InThread& operator=(const InThread&) = delete;
+
+ private:
+  Backend& backend_;
+};
+
+std::vector<ListedPair> list_in_thread(Backend& backend, const ListProblem& problem) {
+  const InThread in_thread(backend);
+  return list_pairs(backend, problem);
+}
+
 // The fastest that opens, as `spherepair run` chooses: software is slower than the CPU's own backend.
 std::unique_ptr<Backend> open_fastest(OpenOptions options) {
   options.require_hardware = true;
@@ -172,12 +189,21 @@ sp_status sp_open(const char* backend, const char* device, int32_t threads, sp_c
     if (!backend) refuse("backend is NULL: name cpu, opengl, cuda, vulkan or auto");
     auto context = std::make_unique<sp_context>();
     context->backend = open(backend, device, threads);
+    context->backend->leave_thread();
     *out = context.release();
     return SP_OK;
   });
 }
 
-void sp_close(sp_context* context) { delete context; }
+void sp_close(sp_context* context) {
+  if (!context) return;
+  guarded(context->message, [&] {
+    context->backend->enter_thread();
+    context->backend.reset();  // an OpenGL context leaves the thread as it ends
+    return SP_OK;
+  });
+  delete context;
+}
 const char* sp_backend(const sp_context* context) { return context ? context->backend->info().name.c_str() : ""; }
 const char* sp_device(const sp_context* context) { return context ? context->backend->info().device.c_str() : ""; }
 const char* sp_message(const sp_context* context) { return (context ? context->message : open_message).c_str(); }
@@ -186,7 +212,7 @@ sp_status sp_count(sp_context* context, const sp_problem* problem, int64_t* coun
   if (!context) return SP_E_ARGUMENT;
   return guarded(context->message, [&] {
     if (!problem || !count) refuse("problem or count is NULL");
-    *count = int64_t(list_pairs(*context->backend, problem_of(*problem)).size());
+    *count = int64_t(list_in_thread(*context->backend, problem_of(*problem)).size());
     return SP_OK;
   });
 }
@@ -199,7 +225,7 @@ sp_status sp_list(sp_context* context, const sp_problem* problem, uint32_t wante
     if (wanted > (SP_SHIFTS | SP_VECTORS | SP_DISTANCES | SP_OFFSETS))
       refuse(fmt::format("wanted is {}, but must be a sum of SP_SHIFTS, SP_VECTORS, SP_DISTANCES, SP_OFFSETS", wanted));
     const ListProblem asked = problem_of(*problem);
-    const std::vector<ListedPair> list = list_pairs(*context->backend, asked);
+    const std::vector<ListedPair> list = list_in_thread(*context->backend, asked);
     auto owned = std::make_unique<OwnedPairs>(int64_t(list.size()), int64_t(asked.firsts().size()), wanted);
     write_list(asked, list, *owned);
     *out = owned.release();
@@ -215,7 +241,7 @@ sp_status sp_fill(sp_context* context, const sp_problem* problem, sp_pairs* pair
     if (!problem || !pairs) refuse("problem or pairs is NULL");
     check_columns(*pairs);
     const ListProblem asked = problem_of(*problem);
-    const std::vector<ListedPair> list = list_pairs(*context->backend, asked);
+    const std::vector<ListedPair> list = list_in_thread(*context->backend, asked);
     pairs->count = int64_t(list.size());
     check_room(*pairs, int64_t(asked.firsts().size()), context->message);
     if (!context->message.empty()) return SP_E_CAPACITY;

@@ -113,6 +113,12 @@ class Backend {
  public:
   virtual ~Backend() = default;
   virtual const BackendInfo& info() const = 0;
+
+  // Around calls in a process that uses the APIs itself, or comes from several threads one after the other: from enter
+  // to leave the thread's CUDA device and OpenGL context are this backend's, then what they were before.
+  virtual void enter_thread() {}
+  virtual void leave_thread() noexcept {}
+
   // Methods that this backend runs under their own name.
   virtual std::vector<Method> methods() const = 0;
 

@@ -32,6 +32,8 @@ class Device {
   virtual ~Device() = default;
   virtual const BackendInfo& info() const = 0;
   virtual const DeviceCapabilities& capabilities() const = 0;
+  virtual void enter_thread() {}  // as of a backend
+  virtual void leave_thread() noexcept {}
 
   // A buffer of so many bytes, after giving back the one that it replaces. Throws BackendError with the bytes asked and
   // free.

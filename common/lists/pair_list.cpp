@@ -33,6 +33,11 @@ class Lister {
     std::ranges::sort(excluded_);
   }
 
+  void add_points_themselves(std::vector<ListedPair>& list) const {
+    for (uint32_t i = 0; i < problem_.set.size(); ++i)
+      if (const ListedPair self{i, i, {}}; accepts(self, plan_.systems[i])) list.push_back(self);
+  }
+
   // Those that a pair of colliding spheres stands for: two, one or none.
   void add(const Pair& pair, std::vector<ListedPair>& list) const {
     const uint64_t looking = plan_.looking();
@@ -72,13 +77,6 @@ class Lister {
   std::vector<Pair> excluded_;
 };
 
-void add_points_themselves(const ListProblem& problem, std::vector<ListedPair>& list) {
-  for (uint32_t i = 0; i < problem.set.size(); ++i) {
-    const ListedPair self{i, i, {}};
-    if (is_within_reach(problem, {}, self)) list.push_back(self);
-  }
-}
-
 // By first through counting, each first's by the rest.
 std::vector<ListedPair> sorted(const std::vector<ListedPair>& list, uint64_t firsts) {
   const std::vector<int64_t> offsets = offsets_of(list, firsts);
@@ -114,7 +112,7 @@ std::vector<ListedPair> list_pairs(Backend& backend, const ListProblem& problem)
 #pragma omp critical
     list.insert(list.end(), own.begin(), own.end());
   }
-  if (problem.self_pairs) add_points_themselves(problem, list);
+  if (problem.self_pairs) lister.add_points_themselves(list);
   return sorted(list, problem.firsts().size());
 }
 

@@ -51,9 +51,14 @@ T* data_of(uint64_t handle) {
 
 class CudaDevice final : public Device, private DeviceLibrary {
  public:
-  explicit CudaDevice(int device);
+  CudaDevice(int device, int before);
   const BackendInfo& info() const override { return info_; }
   const DeviceCapabilities& capabilities() const override { return capabilities_; }
+  void enter_thread() override {
+    cuda_check(cudaGetDevice(&before_), "asking for the device");
+    cuda_check(cudaSetDevice(device_), "choosing the device");
+  }
+  void leave_thread() noexcept override { cudaSetDevice(before_); }
 
   Memory allocate(uint64_t bytes, Memory replaced) override;
   void write(const Memory& memory, const void* data, uint64_t offset, uint64_t bytes) override;
@@ -77,6 +82,8 @@ class CudaDevice final : public Device, private DeviceLibrary {
 
   void require_kernels(int device);
 
+  const int device_;
+  int before_;  // the thread's, from enter to leave
   BackendInfo info_;
   DeviceCapabilities capabilities_;
   StepGraphs graphs_;
@@ -91,8 +98,10 @@ class CudaDevice final : public Device, private DeviceLibrary {
   Hazards hazards_;                   // writes, clears and Thrust forget them
 };
 
-CudaDevice::CudaDevice(int device)
-    : info_(describe_device(device)),
+CudaDevice::CudaDevice(int device, int before)
+    : device_(device),
+      before_(before),
+      info_(describe_device(device)),
       capabilities_{.largest_buffer = uint64_t(1) << 47,
                     .atomics_64 = true,
                     .float_atomics = true,
@@ -228,7 +237,9 @@ std::vector<StageTime> CudaDevice::stage_times() {
 }  // namespace
 
 std::unique_ptr<Device> open_cuda_device(const OpenOptions& options) {
-  return std::make_unique<CudaDevice>(use_device(DeviceName(options.cuda_device)));
+  int before = 0;
+  cudaGetDevice(&before);  // without a driver it fails, and what follows says so
+  return std::make_unique<CudaDevice>(use_device(DeviceName(options.cuda_device)), before);
 }
 
 }  // namespace spherepair

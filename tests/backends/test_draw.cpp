@@ -50,7 +50,7 @@ Camera inside(const Scene& scene, double near) {
 
 TEST_P(Draw, EverySceneFromOutsideAndInside) {
   for (const SceneKind& kind : scene_kinds()) {
-    const Scene scene = make_scene({.name = kind.name, .n = 700});
+    const Scene scene = make_scene({.name = kind.name, .n = by_form(backend(), 700u, 300u)});
     expect_image(scene, view_of(framed(scene)), fmt::format("{} from outside", kind.name));
     for (double near : {0.0, 2.0})
       expect_image(scene, view_of(inside(scene, near)), fmt::format("{} from inside, near {}", kind.name, near));

@@ -163,7 +163,7 @@ TEST_P(DrawCulling, ThroughAHole) {
 
 // Longer than a sphere that is not seen again stands in the list of those seen, there and back.
 TEST_P(DrawCulling, OverManyImages) {
-  const Scene scene = make_scene({.name = "uniform", .n = 8000});
+  const Scene scene = make_scene({.name = "uniform", .n = by_form(backend(), 8000u, 4000u)});
   backend().upload(scene);
   backend().collide({.method = Method::collide_grid});
   for (const size_t ablation : {2, 3, 4, 5}) {  // the far ones at once, deferred, by bundles

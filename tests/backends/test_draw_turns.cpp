@@ -44,7 +44,7 @@ TEST_P(DrawTurns, LeaveNothingToTheNext) {
   backend().collide(dense);
   const std::vector<Shot> all = shots(backend(), scene);
   std::minstd_rand random(7);
-  for (int turn = 0; turn < 120; ++turn) {
+  for (int turn = 0; turn < by_form(backend(), 120, 60); ++turn) {
     if (turn % 40 == 20) {  // another scene, then this one: nothing of the last image is listed
       backend().upload(make_scene({.name = "uniform", .n = 50}));
       backend().draw(all[0].view, {.clusters_from = 0});
@@ -104,7 +104,7 @@ TEST_P(DrawTurns, MayOverlap) {
     all.push_back({view, image_of(backend(), view, {.reuse_unchanged = false, .overlap = false})});
   }
   std::minstd_rand random(11);
-  for (int turn = 0; turn < 40; ++turn) {
+  for (int turn = 0; turn < by_form(backend(), 40, 10); ++turn) {
     const Shot& shot = all[random() % all.size()];
     const bool overlap = random() % 8 > 0;
     for (uint before = random() % 20; before-- > 0;)

@@ -121,7 +121,7 @@ class Swept : public BackendTest {
 
 TEST_P(Swept, EveryMethodFindsWhatTestingAllPairsFinds) {
   for (const float dt : {0.01f, 1.0f}) {
-    Scene scene = crossing_scene(2000, dt);
+    Scene scene = crossing_scene(by_form(backend(), 2000, 900), dt);
     scene.motion.method = MotionMethod::impact;
     scene.plane = 0;
     backend().upload(scene);

@@ -9,6 +9,7 @@
 #include "bench/spheres/sphere_file.h"
 #include "common/shared/exact.h"
 #include "tests/oracle/adversarial.h"
+#include "tests/support/backends.h"
 
 namespace spherepair {
 namespace {
@@ -52,7 +53,7 @@ template <typename Check>
 void for_hard_pairs(Check check) {
   for (const Family family : {Family::random_bits, Family::near_tangent, Family::quadruple, Family::quadruple_off,
                               Family::denormal, Family::extreme, Family::axis_offset, Family::beyond_double}) {
-    const std::vector<vec4> pairs = adversarial_pairs(family, 0, 1500);
+    const std::vector<vec4> pairs = adversarial_pairs(family, 0, by_form(1500u, 300u));
     for (size_t k = 0; k < pairs.size(); k += 2) {
       if (!finite_sphere(pairs[k]) || !finite_sphere(pairs[k + 1]) || pairs[k].w < 0 || pairs[k + 1].w < 0) continue;
       ASSERT_NO_FATAL_FAILURE(check(pairs[k], pairs[k + 1])) << int(family) << ", pair " << k / 2;

@@ -47,10 +47,17 @@ bool backend_required(const std::string& name) {
   return false;
 }
 
-bool full_stress() {
+namespace {
+
+bool is_form(const char* name) {
   const char* form = std::getenv("STRESS");
-  return form && std::strcmp(form, "full") == 0;
+  return form && std::strcmp(form, name) == 0;
 }
+
+}  // namespace
+
+bool full_stress() { return is_form("full"); }
+bool short_stress() { return is_form("short"); }
 
 std::string& device_option(OpenOptions& options, const std::string& backend) {
   return backend == "cuda" ? options.cuda_device : backend == "vulkan" ? options.vulkan_device : options.gl_device;

@@ -22,13 +22,19 @@ std::vector<OpenedBackend>& all_backends();
 std::vector<Backend*> open_backends();  // those that are there
 bool backend_required(const std::string& name);
 
-// STRESS=full in the environment asks for sizes that take long without a GPU.
+// STRESS=full in the environment asks for sizes that take long without a GPU; STRESS=short for small ones everywhere,
+// as sanitizers need them.
 bool full_stress();
+bool short_stress();
 
-// `small` where the backend is a GPU's API in software, unless the long form is wanted; else `large`.
+// `small` in the short form, and where the backend is a GPU's API in software unless the full form is wanted.
+template <typename Size>
+Size by_form(Size large, Size small) {
+  return short_stress() ? small : large;
+}
 template <typename Size>
 Size by_form(const Backend& backend, Size large, Size small) {
-  return backend.info().software && !full_stress() ? small : large;
+  return backend.info().software && !full_stress() ? small : by_form(large, small);
 }
 
 // Whether the backend can replay the launches of a step that it recorded.

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: MIT
+"""The structs and functions of spherepair.h, for ctypes."""
+
+from __future__ import annotations
+
+import ctypes
+from ctypes import POINTER, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_void_p
+
+ABI_VERSION = 1
+
+OK, ARGUMENT, NONFINITE, RANGE, CAPACITY, MEMORY, BACKEND = range(7)  # sp_status
+SHIFTS, VECTORS, DISTANCES, OFFSETS = 1, 2, 4, 8  # what sp_list makes beside i and j
+
+TYPES = {"f4": 0, "f8": 1, "i4": 2, "i8": 3, "u1": 4}  # sp_type of a kind and a size in bytes
+CODES = {number: code for code, number in TYPES.items()}
+HOST = 1  # DLPack's number of the host's memory
+
+
+class Array(ctypes.Structure):
+    """sp_array: strides are in elements."""
+
+    _fields_ = [("data", c_void_p), ("rows", c_int64), ("columns", c_int64), ("row_stride", c_int64),
+                ("column_stride", c_int64), ("type", c_int32), ("device_type", c_int32), ("device_id", c_int32)]
+
+
+class Problem(ctypes.Structure):
+    """sp_problem: what is searched."""
+
+    _fields_ = [("size", c_size_t), ("positions", Array), ("radii", Array), ("cutoff", c_double), ("skin", c_double),
+                ("boxes", Array), ("periodic", Array), ("offsets", Array), ("queries", Array),
+                ("query_radii", Array), ("query_offsets", Array), ("exclusions", Array), ("half", c_int32),
+                ("inclusive", c_int32), ("self_pairs", c_int32)]
+
+
+class Pairs(ctypes.Structure):
+    """sp_pairs: the columns of a list."""
+
+    _fields_ = [("size", c_size_t), ("count", c_int64), ("first", Array), ("second", Array), ("shifts", Array),
+                ("vectors", Array), ("distances", Array), ("offsets", Array)]
+
+
+# name: (type of the result, types of the arguments)
+FUNCTIONS = {
+    "sp_abi_version": (c_uint32, []),
+    "sp_version": (c_char_p, []),
+    "sp_backend_name": (c_char_p, [c_int32]),
+    "sp_open": (c_int32, [c_char_p, c_char_p, c_int32, POINTER(c_void_p)]),
+    "sp_close": (None, [c_void_p]),
+    "sp_backend": (c_char_p, [c_void_p]),
+    "sp_device": (c_char_p, [c_void_p]),
+    "sp_message": (c_char_p, [c_void_p]),
+    "sp_count": (c_int32, [c_void_p, POINTER(Problem), POINTER(c_int64)]),
+    "sp_list": (c_int32, [c_void_p, POINTER(Problem), c_uint32, POINTER(POINTER(Pairs))]),
+    "sp_free": (None, [POINTER(Pairs)]),
+    "sp_fill": (c_int32, [c_void_p, POINTER(Problem), POINTER(Pairs)]),
+}

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: MIT
+"""Builds an sp_problem from the arguments of a search."""
+
+from __future__ import annotations
+
+import ctypes
+import re
+import sys
+from typing import Any, Optional
+
+from . import _abi, _inputs
+from ._systems import Sorted, sort
+from ._views import View
+
+
+def _atoms(positions: Any, cell: Any, pbc: Any) -> tuple:
+    """Takes positions, cell and pbc from an ASE Atoms object. Arguments that are given win."""
+    if not hasattr(positions, "get_positions"):
+        return positions, cell, pbc
+    return (positions.get_positions(), positions.cell if cell is None else cell,
+            positions.pbc if pbc is None else pbc)
+
+
+class Search:
+    """A problem and the memory that it points to.
+
+    rows: points, or queries, that i counts. points, queries: their systems.
+    """
+
+    def __init__(self, positions: Any, cutoff: Any = None, cell: Any = None, pbc: Any = None, *, radii: Any = None,
+                 batch: Any = None, exclude: Any = None, half: bool = False, inclusive: bool = False,
+                 self_pairs: bool = False, skin: Any = 0, queries: Any = None, query_radii: Any = None,
+                 query_batch: Any = None):
+        self.struct = _abi.Problem(size=ctypes.sizeof(_abi.Problem))
+        self._keep: dict = {}
+        self.torch = torch_of(positions)
+        positions, cell, pbc = _atoms(positions, cell, pbc)
+        points = _inputs.points(positions, "positions")
+        asked = None if queries is None else _inputs.points(queries, "queries")
+        self._put_boxes(*_inputs.boxes(cell, pbc))
+        self._set_systems(points, batch, asked, query_batch)
+        self._set_points("positions", "radii", points, radii, self.points)
+        if asked is not None:
+            self._set_points("queries", "query_radii", asked, query_radii, self.queries)
+        elif query_radii is not None:
+            raise ValueError("query_radii are given, but there are no queries")
+        self._set_lengths(cutoff, skin, radii)
+        if exclude is not None:
+            self._set_exclusions(_inputs.index_pairs(exclude, "exclude"))
+        self.struct.half, self.struct.inclusive, self.struct.self_pairs = map(int, map(bool, (half, inclusive, self_pairs)))
+        self.rows = points.shape[0] if asked is None else asked.shape[0]
+
+    def _put(self, name: str, view: Optional[View]) -> None:
+        if view is not None:
+            setattr(self.struct, name, view.struct())
+            self._keep[name] = view
+
+    def _put_boxes(self, cells: Optional[View], flags: Optional[View]) -> None:
+        self._put("boxes", cells)
+        self._put("periodic", flags)
+        self._boxes = 1 if cells is None else cells.shape[0]
+
+    def _set_systems(self, points: View, batch: Any, asked: Optional[View], query_batch: Any) -> None:
+        if asked is None:
+            [self.points] = sort([batch], ["batch"], [points.shape[0]], self._boxes)
+            self.queries = self.points
+            return
+        rows = [points.shape[0], asked.shape[0]]
+        self.points, self.queries = sort([batch, query_batch], ["batch", "query_batch"], rows, self._boxes)
+        self._put("query_offsets", self.queries.offsets)
+
+    def _set_points(self, name: str, radii_name: str, points: View, radii: Any, systems: Sorted) -> None:
+        sizes = None if radii is None else _inputs.radii_of(radii, radii_name, points.shape[0])
+        if systems.order is not None:
+            points = _inputs.arrays.permuted(points, systems.order)
+            sizes = sizes and _inputs.arrays.permuted(sizes, systems.order)
+        self._put(name, points)
+        self._put(radii_name, sizes)
+        if name == "positions":
+            self._put("offsets", systems.offsets)
+
+    def set_positions(self, positions: Any) -> None:
+        """Replaces the positions of a problem whose systems are sorted. Their number stays."""
+        points = _inputs.points(_atoms(positions, 0, 0)[0], "positions")
+        if points.shape[0] != self.rows:
+            raise ValueError(f"positions has {points.shape[0]} rows: the plan is for {self.rows} points")
+        self._put("positions", points)
+
+    def set_cell(self, cell: Any, pbc: Any) -> None:
+        """Replaces the boxes. Their number stays."""
+        cells, flags = _inputs.boxes(cell, pbc)
+        if cells is not None and cells.shape[0] != self._boxes:
+            raise ValueError(f"cell has {cells.shape[0]} boxes: the plan is for {self._boxes}")
+        self._put_boxes(cells, flags)
+
+    def _set_lengths(self, cutoff: Any, skin: Any, radii: Any) -> None:
+        if cutoff is None and radii is None:
+            raise ValueError("neither a cutoff nor radii are given: give one of them")
+        if hasattr(cutoff, "__len__") and not isinstance(cutoff, str):
+            raise ValueError("cutoff is one number for all pairs: give the sizes of spheres as `radii`")
+        self.struct.cutoff = 0.0 if cutoff is None else _inputs.number(cutoff, "cutoff")
+        self.struct.skin = _inputs.number(skin, "skin")
+
+    def _set_exclusions(self, pairs: View) -> None:
+        if self.points.order is not None or self.queries.order is not None:
+            pairs = _inputs.arrays.renumbered(pairs, self.queries.order, self.points.order)
+        self._put("exclusions", pairs)
+
+    def translate(self, message: str) -> str:
+        """Replaces row numbers in the library's message by the caller's, where points were sorted by system."""
+        for names, order in (("positions|radii", self.points.order), ("queries|query_radii", self.queries.order)):
+            if order is not None:
+                message = re.sub(rf"\b({names})\[(\d+)\]", lambda m: f"{m[1]}[{order[int(m[2])]}]", message)
+        return message
+
+
+def torch_of(positions: Any) -> Any:
+    """Gives the torch module if it is loaded and the positions are one of its tensors."""
+    torch = sys.modules.get("torch")
+    tensor = getattr(torch, "Tensor", None)
+    return torch if isinstance(tensor, type) and isinstance(positions, tensor) else None

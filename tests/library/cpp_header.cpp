@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// The calls of spherepair.hpp as a user's program makes them, against the installed library. Exits 1 at the first that
+// does not hold, and names its line.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <spherepair/spherepair.hpp>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+using namespace spherepair;
+
+static_assert(!std::is_copy_constructible_v<Context> && std::is_nothrow_move_constructible_v<Context>);
+static_assert(!std::is_copy_constructible_v<PairList> && std::is_nothrow_move_assignable_v<PairList>);
+static_assert(!std::is_convertible_v<std::vector<int>, Points> && !std::is_convertible_v<std::vector<double>, Offsets>);
+
+#define HOLDS(condition)                                                         \
+  do {                                                                           \
+    if (!(condition)) {                                                          \
+      std::fprintf(stderr, "line %d: %s does not hold\n", __LINE__, #condition); \
+      std::exit(1);                                                              \
+    }                                                                            \
+  } while (false)
+
+// The status with which work() fails, and whether its message has the words.
+template <typename Work>
+static bool fails(sp_status status, const char* words, Work work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    if (error.status() == status && std::string(error.what()).find(words) != std::string::npos) return true;
+    std::fprintf(stderr, "status %d: %s\n", int(error.status()), error.what());
+  }
+  return false;
+}
+
+const std::vector<double> row = {0, 0, 0, 1, 0, 0, 2, 0, 0, 4, 0, 0};  // four points on a line
+using Ids = std::vector<int32_t>;
+
+static Ids ids(std::span<const int32_t> column) { return {column.begin(), column.end()}; }
+
+static void views(Context& context) {
+  const std::vector<float> narrow(row.begin(), row.end());
+  const std::vector<std::array<double, 3>> triples = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {4, 0, 0}};
+  const std::array<std::array<float, 3>, 2> narrow_triples = {{{0, 0, 0}, {1, 0, 0}}};
+  const double plain[] = {0, 0, 0, 1, 0, 0};
+  struct Particle {
+    double mass, position[3];
+  } const particles[] = {{1, {0, 0, 0}}, {1, {1, 0, 0}}, {1, {9, 0, 0}}};
+  HOLDS(context.count({.positions = row, .cutoff = 1.5, .half = true}) == 2);
+  HOLDS(context.count({.positions = narrow, .cutoff = 1.5, .half = true}) == 2);
+  HOLDS(context.count({.positions = triples, .cutoff = 1.5, .half = true}) == 2);
+  HOLDS(context.count({.positions = std::span(row).first(6), .cutoff = 1.5, .half = true}) == 1);
+  HOLDS(context.count({.positions = narrow_triples, .cutoff = 1.5, .half = true}) == 1);
+  HOLDS(context.count({.positions = plain, .cutoff = 1.5, .half = true}) == 1);
+  HOLDS(context.count({.positions = {particles[0].position, 3, 4}, .cutoff = 1.5, .half = true}) == 1);
+  HOLDS(context.count({.positions = {row.data(), 2, 9}, .cutoff = 4.5, .half = true}) == 1);
+  HOLDS(context.count({.positions = std::vector<double>(), .cutoff = 1}) == 0);
+}
+
+static void fields(Context& context) {
+  const std::vector<float> radii = {0.5F, 0.5F, 0.75F, 1.25F};
+  HOLDS(context.count({.positions = row, .radii = radii, .half = true}) == 1);
+  HOLDS(context.count({.positions = row, .radii = radii, .half = true, .inclusive = true}) == 3);
+  HOLDS(context.count({.positions = row, .radii = radii, .skin = 0.01, .half = true}) == 3);
+  HOLDS(context.count({.positions = row, .cutoff = 0.5, .self_pairs = true}) == 4);
+
+  const Ids two_systems = {0, 1, 4};
+  const std::vector<std::array<int64_t, 2>> left_out = {{2, 1}};
+  HOLDS(context.count({.positions = row, .cutoff = 1.5, .offsets = two_systems, .half = true}) == 1);
+  HOLDS(context.count({.positions = row, .cutoff = 1.5, .exclusions = left_out, .half = true}) == 1);
+
+  const std::vector<double> queries = {3, 0, 0}, far = {0, 9, 0, 4, 1, 0};
+  const std::vector<double> query_radii = {0.5};
+  const std::vector<int64_t> a_query_each = {0, 1, 2};
+  const auto found = context.list({.positions = row, .cutoff = 1.5, .queries = queries}, SP_OFFSETS);
+  HOLDS(ids(found.second()) == Ids({2, 3}) && ids(found.first()) == Ids({0, 0}) && found.offsets().size() == 2);
+  HOLDS(context.count({.positions = row, .radii = radii, .queries = queries, .query_radii = query_radii}) == 2);
+  HOLDS(context.count({.positions = row, .cutoff = 1.5, .queries = std::vector<float>()}) == 0);
+  HOLDS(context.count(
+            {.positions = row, .cutoff = 1.5, .offsets = two_systems, .queries = far, .query_offsets = a_query_each}) ==
+        1);
+
+  std::vector<Box> boxes = {Box::orthogonal(5, 1, 1), Box::orthogonal(5, 1, 1)};
+  boxes[0].periodic = boxes[1].periodic = {true, false, false};
+  HOLDS(context.count({.positions = row, .cutoff = 1.5, .box = boxes[0], .half = true}) == 3);
+  HOLDS(context.count({.positions = row, .cutoff = 2.5, .boxes = boxes, .offsets = two_systems, .half = true}) == 3);
+  boxes[1].rows[0][0] = 6;
+  HOLDS(context.count({.positions = row, .cutoff = 2.5, .boxes = boxes, .offsets = two_systems, .half = true}) == 2);
+}
+
+static void columns(Context& context) {
+  const Problem problem{.positions = row, .cutoff = 1.5, .box = Box::orthogonal(5, 50, 50), .half = true};
+  PairList list = context.list(problem);
+  HOLDS(list.size() == 3 && list.shifts().empty() && list.vectors().empty() && list.offsets().empty());
+  list = context.list(problem, SP_SHIFTS | SP_VECTORS | SP_DISTANCES | SP_OFFSETS);
+  HOLDS(ids(list.first()) == Ids({0, 0, 1}) && ids(list.second()) == Ids({1, 3, 2}));
+  HOLDS(list.shifts()[1] == (std::array{-1, 0, 0}) && list.vectors()[1] == (std::array{-1.0, 0.0, 0.0}));
+  HOLDS(list.distances()[2] == 1 && list.offsets().size() == 5 && list.offsets()[1] == 2);
+
+  Ids first(3), second(3);
+  std::vector<std::array<int32_t, 3>> shifts(3);
+  std::vector<std::array<double, 3>> vectors(3);
+  std::vector<double> distances(3);
+  std::vector<int64_t> offsets(5);
+  HOLDS(context.fill(problem, {first, second, shifts, vectors, distances, offsets}) == 3);
+  HOLDS(first == ids(list.first()) && second == ids(list.second()) && std::ranges::equal(shifts, list.shifts()));
+  HOLDS(std::ranges::equal(vectors, list.vectors()) && std::ranges::equal(distances, list.distances()));
+  HOLDS(std::ranges::equal(offsets, list.offsets()));
+
+  HOLDS(context.fill(problem, {}) == 3);
+  std::vector<double> none;
+  HOLDS(fails(SP_E_CAPACITY, "distances has 0 rows", [&] { context.fill(problem, {.distances = none}); }));
+  try {
+    context.fill(problem, {.first = std::span(first).first(2)});
+    HOLDS(false);
+  } catch (const CapacityError& error) {
+    HOLDS(error.needed() == 3);
+  }
+}
+
+static void errors(Context& context) {
+  const std::vector<double> seven(7), infinite = {0, 0, HUGE_VAL};
+  const std::vector<Box> boxes(1);
+  HOLDS(fails(SP_E_ARGUMENT, "7 numbers", [&] { context.count({.positions = seven, .cutoff = 1}); }));
+  HOLDS(fails(SP_E_NONFINITE, "positions[0].z", [&] { context.list({.positions = infinite, .cutoff = 1}); }));
+  HOLDS(fails(SP_E_ARGUMENT, "radii has 0 rows",
+              [&] { context.count({.positions = row, .radii = std::vector<double>()}); }));
+  HOLDS(fails(SP_E_ARGUMENT, "box and boxes",
+              [&] { context.count({.positions = row, .box = boxes[0], .boxes = boxes}); }));
+  HOLDS(fails(SP_E_ARGUMENT, "gpu", [] { Context("gpu"); }));
+  HOLDS(fails(SP_E_ARGUMENT, "device", [] { Context("cpu", "0"); }));
+}
+
+int main() try {
+  Context opened("cpu", "", 1), context = std::move(opened);
+  HOLDS(context.backend() == "cpu" && !context.device().empty());
+  views(context);
+  fields(context);
+  columns(context);
+  errors(context);
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "an error that is none: %s\n", error.what());
+  return 1;
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Lists of pairs by trying every two points and every image within a range, in integers or rational numbers.
+#pragma once
+
+#include "common/lists/displacement.h"
+#include "tests/oracle/adversarial.h"
+
+namespace spherepair {
+
+// Of a problem all of whose numbers are multiples of 1/8 below 2^20, by integers. Images from -range to range along each
+// periodic row; throws std::logic_error if one at the end of the range is a pair.
+std::vector<ListedPair> list_by_integers(const ListProblem& problem, int range);
+
+// Of any problem, by rational numbers; slow.
+std::vector<ListedPair> list_by_rationals(const ListProblem& problem, int range);
+
+// Numbers that are multiples of 1/8; points, radii or a cutoff, boxes of every kind, one system or several, queries,
+// exclusions, ties in plenty.
+ListProblem random_problem(Random& random);
+
+}  // namespace spherepair
