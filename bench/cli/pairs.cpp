@@ -13,10 +13,12 @@
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/io/output_files.h"
+#include "bench/lists/listed_file.h"
 #include "bench/measure/choice.h"
 #include "bench/spheres/pair_file.h"
 #include "bench/spheres/rows_file.h"
 #include "bench/spheres/sphere_file.h"
+#include "common/lists/pair_list.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {
@@ -27,6 +29,7 @@ struct Found {
   Degrees degrees;
   std::vector<uint> counts;
   std::vector<Pair> pairs;
+  std::vector<ListedPair> listed;  // in place of them, in a periodic box
   uint64_t within_reach = 0;  // of rounding to float32
 };
 
@@ -85,12 +88,21 @@ SphereFile read_input(const PairsOptions& options, int threads) {
                            .decimal_comma = options.decimal_comma,
                            .ignore_radii = options.cutoff.has_value(),
                            .ignore_periodic = options.ignore_periodic,
+                           .take_periodic = true,
                            .may_shift = true,
                            .threads = threads};
   if (options.cutoff) how.radius = radius_above(*options.cutoff);
   SphereFile input = read_sphere_file(options.input_file, how);
   if (options.cutoff) widen(input.rounding, *how.radius - *options.cutoff / 2);
   return input;
+}
+
+void check_periodic(const PairsOptions& options, const SphereFile& input) {
+  if (!input.periodic) return;
+  if (options.geometry)
+    throw std::invalid_argument(
+        "--geometry is not for periodic boxes yet: take --distances, which gives the image of j as well");
+  if (options.csr) OutputFiles().write("--output", shifts_file(options.output_file));
 }
 
 // Leaves the pairs out that are farther apart than the cutoff: the spheres of the search are slightly larger.
@@ -104,6 +116,40 @@ void leave_pairs_beyond(double cutoff, std::span<const vec4> points, Found& foun
   found.totals.pairs = found.pairs.size();
   found.totals.colliding_spheres = found.counts.size() - size_t(std::ranges::count(found.counts, 0u));
   found.totals.fingerprint = fingerprint(found.pairs);
+}
+
+// What is to be listed in a periodic box: in the file's own numbers, and for --cutoff those at it, too.
+ListProblem problem_of(const PairsOptions& options, const PeriodicSpheres& spheres) {
+  ListProblem problem{.set = spheres.set, .queries = {}, .boxes = {spheres.box}, .exclusions = {}};
+  problem.half = !options.csr;
+  if (options.cutoff) {
+    problem.cutoff = *options.cutoff;
+    problem.inclusive = true;
+    problem.set.radii.clear();
+  }
+  return problem;
+}
+
+Found find_listed(Backend& backend, const SphereFile& input, const PairsOptions& options, const CollideOptions& how) {
+  const ListProblem problem = problem_of(options, *input.periodic);
+  Found found;
+  try {
+    found.listed = list_pairs(backend, problem, how);
+  } catch (const ListError& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", input.file, error.what()));
+  }
+  found.counts.resize(problem.set.size());
+  std::vector<Pair> ids;
+  for (const auto& [first, second, shift] : found.listed) {
+    ++found.counts[first];
+    if (problem.half) ++found.counts[second];
+    if (first < second || (first == second && shift > Shift{})) ids.push_back({first, second});
+  }
+  found.totals.pairs = ids.size();
+  found.totals.colliding_spheres = found.counts.size() - size_t(std::ranges::count(found.counts, 0u));
+  found.totals.fingerprint = fingerprint(ids);
+  found.degrees = degrees_of(found.counts);
+  return found;
 }
 
 Found find_pairs(Backend& backend, const SphereFile& input, const CollideOptions& options,
@@ -123,6 +169,12 @@ Found find_pairs(Backend& backend, const SphereFile& input, const CollideOptions
 void write_found(const PairsOptions& options, const SphereFile& input, const Found& found) {
   const std::string& file = options.output_file;
   const std::vector<vec4>& spheres = input.scene.positions;
+  if (!options.contacts_file.empty()) write_contact_numbers(options.contacts_file, found.counts);
+  if (input.periodic && !file.empty()) {
+    const ListProblem problem = problem_of(options, *input.periodic);
+    if (options.csr) return write_listed_neighbours(file, problem, found.listed, options.distances);
+    return write_listed(file, problem, found.listed, options.distances);
+  }
   if (options.csr)
     write_neighbours(neighbour_files(file, options.distances), found.pairs, found.counts, spheres);
   else if (options.geometry)
@@ -131,7 +183,6 @@ void write_found(const PairsOptions& options, const SphereFile& input, const Fou
     write_distances(file, found.pairs, spheres);
   else if (!file.empty())
     write_pairs(file, found.pairs);
-  if (!options.contacts_file.empty()) write_contact_numbers(options.contacts_file, found.counts);
 }
 
 std::string describe_points(const PairsReport& report) {
@@ -159,7 +210,8 @@ std::string summary(const PairsReport& report) {
   const auto& [options, input, chosen, method, found, seconds] = report;
   const bool verbose = options.verbosity == Verbosity::verbose;
   std::string text = describe_file(input) + describe_points(report);
-  if (verbose) text += describe_digits(input);
+  if (input.periodic) text += "decided by the file's numbers, none of which is rounded\n";
+  if (verbose && !input.periodic) text += describe_digits(input);
   text += describe_rounding(input);
   text += wrapped(fmt::format("{} on {}, {}", chosen.backend->info().name, device_label(chosen.backend->info()),
                               method_name(method.method)),
@@ -215,13 +267,17 @@ int pairs_command(const CommandLine& line, const PairsOptions& options) {
   Progress progress(options.verbosity != Verbosity::quiet);
   progress.say("reading " + options.input_file);
   seconds.load = seconds_of([&] { input = read_input(options, line.open.threads); });
+  check_periodic(options, input);
   progress.say("opening a backend");
   seconds.open = seconds_of([&] { chosen = choose_backend(options.backend, line.open, line.opener); });
   progress.say(fmt::format("{} on {}", counted(input.scene.size(), "sphere"), chosen.backend->info().name));
   CollideOptions collide = {.method = choose_method(options.method, *chosen.backend),
                             .want_pairs = !options.output_file.empty() || options.cutoff};
   if (options.block) collide.block = require_groups({chosen.backend, collide}, options.block);
-  seconds.collide = seconds_of([&] { report.found = find_pairs(*chosen.backend, input, collide, options.cutoff); });
+  seconds.collide = seconds_of([&] {
+    report.found = input.periodic ? find_listed(*chosen.backend, input, options, collide)
+                                  : find_pairs(*chosen.backend, input, collide, options.cutoff);
+  });
   report.method = chosen.backend->choice(collide);
   progress.say("writing " + options.output_file);
   seconds.write = seconds_of([&] { write_found(options, input, report.found); });

@@ -24,15 +24,6 @@ struct DistanceRow {
 };
 static_assert(sizeof(DistanceRow) == 16);
 
-char separator_of_rows(const std::string& file) { return lower_extension(file) == ".csv" ? ',' : ' '; }
-
-// The names of the columns: i,j in CSV, # i j in other text files; none on standard output, which programs read.
-std::string names_line(const std::string& file, std::vector<std::string> names) {
-  if (file == "-") return "";
-  const char separator = separator_of_rows(file);
-  return fmt::format("{}{}\n", separator == ',' ? "" : "# ", fmt::join(names, std::string(1, separator)));
-}
-
 template <typename Make>
 void write_structured(const Sink& sink, const std::string& dtype, std::span<const Pair> pairs, Make make) {
   sink(npy_head(dtype, fmt::format("({},)", pairs.size())));
@@ -54,6 +45,14 @@ void write_array(const std::string& file, const char* dtype, std::span<const Num
 }
 
 }  // namespace
+
+char separator_of_rows(const std::string& file) { return lower_extension(file) == ".csv" ? ',' : ' '; }
+
+std::string names_line(const std::string& file, const std::vector<std::string>& names) {
+  if (file == "-") return "";
+  const char separator = separator_of_rows(file);
+  return fmt::format("{}{}\n", separator == ',' ? "" : "# ", fmt::join(names, std::string(1, separator)));
+}
 
 void check_pair_file(const std::string& option, const std::string& file) {
   check_rows_file(option, file, {".npy", ".txt", ".csv"},

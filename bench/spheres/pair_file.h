@@ -15,6 +15,11 @@ namespace spherepair {
 // Throws std::invalid_argument for an unknown extension of `option`'s file. Pipes and devices take text.
 void check_pair_file(const std::string& option, const std::string& file);
 
+// Between the columns of a text file; the names of its columns: i,j in CSV, # i j in other text files, none on standard
+// output, which programs read.
+char separator_of_rows(const std::string& file);
+std::string names_line(const std::string& file, const std::vector<std::string>& names);
+
 // NPY: m x 2, uint32; text: lines `i j`.
 void write_pairs(const std::string& file, std::span<const Pair> pairs);
 

@@ -73,7 +73,12 @@ void complete(SphereFile& input, SphereRows& rows, const FileBytes& bytes, const
   input.file = bytes.name();
   input.ignores_radii = options.ignore_radii;
   input.at_rest = std::ranges::all_of(rows.velocities, [](const vec4& v) { return v.x == 0 && v.y == 0 && v.z == 0; });
-  input.rounding = round_rows(rows, options.may_shift);
+  if (input.periodic) {
+    PointSet& set = input.periodic->set;
+    for (const auto& [x, y, z, radius] : rows.exact) set.points.push_back({x, y, z}), set.radii.push_back(radius);
+    set.offsets = {0, set.size()};
+  }
+  if (!input.periodic) input.rounding = round_rows(rows, options.may_shift);
   Scene& scene = input.scene;
   scene.name = std::filesystem::path(bytes.name()).filename().string();
   scene.positions = std::move(rows.positions);
@@ -165,6 +170,7 @@ std::string describe_file(const SphereFile& input) {
   if (input.frames > 1)
     text += fmt::format(", frame {} of {} (counted from 0; --frame takes another)", input.frame, input.frames);
   if (!input.ignored.empty()) text += fmt::format("\nnot periodic, as asked for: {} is ignored", input.ignored);
+  if (input.periodic) text += "\nperiodic: " + input.periodic->text;
   if (!input.units.empty())
     text += fmt::format("\nlengths are in {}, as the file's names say; nothing is converted", input.units);
   if (input.unread_momenta) text += "\nmomenta are not read: give velocities, momenta over masses, as velo:R:3";
@@ -217,6 +223,7 @@ json to_json(const SphereFile& input) {
           {"numbers", input.values},
           {"numbers_changed", input.changed},
           {"ignored", input.ignored},
+          {"periodic", input.periodic ? input.periodic->text : ""},
           {"shift", input.rounding.shift},
           {"largest_rounding", input.rounding.largest}};
 }

@@ -9,6 +9,7 @@
 #include "bench/io/file_bytes.h"
 #include "bench/io/report.h"
 #include "bench/spheres/rounding.h"
+#include "common/lists/list_problem.h"
 #include "common/scene/scene.h"
 
 namespace spherepair {
@@ -20,9 +21,17 @@ struct SphereFileOptions {
   bool decimal_comma = false;             // of text: 0,5 is a half
   bool ignore_radii = false;              // of the file: all spheres have the option's
   bool species = false;                   // required if asked for: a column of text, by XYZ files only
-  bool ignore_periodic = false;           // a periodic box is an error otherwise
+  bool ignore_periodic = false;           // a periodic box is an error otherwise ...
+  bool take_periodic = false;             // ... unless it is taken, as Lattice of nine numbers
   bool may_shift = false;                 // by a vector, where that changes no difference of two numbers
   int threads = 0;                        // 0: all cores
+};
+
+// Spheres in a periodic box, in the file's own numbers.
+struct PeriodicSpheres {
+  Box box;
+  PointSet set;
+  std::string text;  // Lattice="..." pbc="..."
 };
 
 struct SphereFile {
@@ -36,6 +45,7 @@ struct SphereFile {
   std::string ignored;              // the periodic box
   std::string unread_box;           // a comment that has a word for a box
   std::optional<WallBox> box = {};  // of extended XYZ with pbc="F F F"
+  std::optional<PeriodicSpheres> periodic = {};
   std::string units;                // of lengths, in the file's words; empty if it has none
   bool at_rest = true;              // no sphere of the file has a velocity
   Rounding rounding;

@@ -135,6 +135,16 @@ Columns classic_columns(const FileBytes& file, uint64_t line, std::string_view t
   return columns;
 }
 
+std::optional<Box> box_of(const CommentPair* cell, const std::vector<std::optional<bool>>& axes) {
+  if (!cell || lower_case(cell->key) != "lattice" || !cell->value) return std::nullopt;
+  const auto numbers = numbers_of(*cell->value, 9);
+  if (!numbers) return std::nullopt;
+  Box box;
+  for (size_t k = 0; k < 9; ++k) box.rows[k / 3][k % 3] = (*numbers)[k];
+  for (size_t k = 0; k < 3; ++k) box.periodic[k] = axes.empty() || *axes[k];
+  return box;
+}
+
 PeriodicBox periodic_box(const Comment& comment) {
   constexpr std::string_view cells[] = {"lattice", "cell", "box", "unitcell", "unit_cell"};
   const CommentPair *cell = find_pair(comment, cells), *pbc = find_pair(comment, "pbc");
@@ -151,7 +161,9 @@ PeriodicBox periodic_box(const Comment& comment) {
                        in_quotes(*cell->value));
   if (pbc) text += fmt::format("{}pbc={}", cell ? " " : "", in_quotes(*pbc->value));
   if (text.empty() && std::ranges::any_of(comment.pairs, is_cell_of_ipi)) text = in_quotes(comment.text);
-  return {text, text.empty() && mentions_box(comment.text) ? std::string(comment.text) : ""};
+  return {.text = text,
+          .box = box_of(cell, axes),
+          .mention = text.empty() && mentions_box(comment.text) ? std::string(comment.text) : ""};
 }
 
 std::optional<WallBox> closed_box(const Comment& comment) {

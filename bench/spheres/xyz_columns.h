@@ -5,6 +5,7 @@
 #include "bench/io/file_bytes.h"
 #include "bench/text/column_names.h"
 #include "bench/text/xyz_comment.h"
+#include "common/lists/list_problem.h"
 #include "common/scene/contact/contact_options.h"
 
 namespace spherepair {
@@ -33,6 +34,7 @@ Columns classic_columns(const FileBytes& file, uint64_t line, std::string_view t
 // three.
 struct PeriodicBox {
   std::string text = {};
+  std::optional<Box> box = {};  // of Lattice with nine numbers, the rows of the box one after another
   std::string mention = {};  // the comment, if it has a word for a box, which is not read
 };
 PeriodicBox periodic_box(const Comment& comment);

@@ -121,15 +121,23 @@ Columns columns_of(const FileBytes& file, const Frame& frame, const Comment& com
   return classic_columns(file, line, text, types);
 }
 
-// Pairs across a periodic boundary are not found: such a file would lose them in silence.
+// Where pairs across a periodic boundary are not found, such a file would lose them in silence.
 void read_box(const Comment& comment, const SphereFileOptions& options, SphereFile& input) {
   const PeriodicBox box = periodic_box(comment);
-  if (!box.text.empty() && !options.ignore_periodic)
-    comment.file.fail_at_line(
-        comment.line,
-        "spheres without a periodic box, since pairs across its boundary are not found yet (take only those inside it "
-        "with --ignore-periodic)",
-        box.text);
+  if (!box.text.empty() && !options.ignore_periodic) {
+    if (!options.take_periodic)
+      comment.file.fail_at_line(comment.line,
+                                "spheres without a periodic box, since only `pairs` finds pairs across its boundary "
+                                "(take only those inside it with --ignore-periodic)",
+                                box.text);
+    if (!box.box)
+      comment.file.fail_at_line(comment.line,
+                                "a periodic box as Lattice=\"...\" of nine numbers, its three vectors, with "
+                                "pbc=\"T T F\" (or take only pairs inside it with --ignore-periodic)",
+                                box.text);
+    input.periodic = PeriodicSpheres{.box = *box.box, .set = {}, .text = box.text};
+    return;
+  }
   input.ignored = box.text;
   input.box = closed_box(comment);
   if (box.text.empty() && options.ignore_periodic && !box.mention.empty()) input.ignored = in_quotes(box.mention);

@@ -46,9 +46,9 @@ struct ListProblem {
 enum class ListFault { argument, not_finite, range };
 
 // What is wrong with a problem: which number, and what it may be.
-class ListError : public std::runtime_error {
+class ListError : public std::invalid_argument {
  public:
-  ListError(ListFault fault, const std::string& what) : std::runtime_error(what), fault(fault) {}
+  ListError(ListFault fault, const std::string& what) : std::invalid_argument(what), fault(fault) {}
   const ListFault fault;
 };
 

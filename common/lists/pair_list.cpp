@@ -9,14 +9,14 @@
 namespace spherepair {
 namespace {
 
-std::vector<Pair> colliding_pairs(Backend& backend, std::vector<vec4> spheres) {
+std::vector<Pair> colliding_pairs(Backend& backend, std::vector<vec4> spheres, const CollideOptions& options) {
   if (spheres.size() < 2) return {};
   Scene scene{.name = "list"};
   scene.velocities.resize(spheres.size(), vec4{0, 0, 0, 0});
   scene.equal_radii = std::ranges::all_of(spheres, [&](const vec4& sphere) { return sphere.w == spheres[0].w; });
   scene.positions = std::move(spheres);
   backend.upload(scene);
-  backend.collide({.method = Method::automatic, .want_pairs = true});
+  backend.collide(options);
   return backend.pairs();
 }
 
@@ -98,10 +98,11 @@ std::vector<int64_t> offsets_of(const std::vector<ListedPair>& list, uint64_t fi
   return offsets;
 }
 
-std::vector<ListedPair> list_pairs(Backend& backend, const ListProblem& problem) {
+std::vector<ListedPair> list_pairs(Backend& backend, const ListProblem& problem, CollideOptions options) {
+  options.want_pairs = true;
   check_problem(problem);
   ListSpheres plan = list_spheres(problem);
-  const std::vector<Pair> pairs = colliding_pairs(backend, std::move(plan.spheres));
+  const std::vector<Pair> pairs = colliding_pairs(backend, std::move(plan.spheres), options);
   const Lister lister(problem, plan);
   std::vector<ListedPair> list;
 #pragma omp parallel

@@ -7,8 +7,10 @@
 
 namespace spherepair {
 
-// The whole list in its order. The backend holds other spheres afterwards. Throws ListError, BackendError.
-std::vector<ListedPair> list_pairs(Backend& backend, const ListProblem& problem);
+// The whole list in its order; the options say how it is searched. The backend holds other spheres afterwards. Throws
+// ListError, BackendError.
+std::vector<ListedPair> list_pairs(Backend& backend, const ListProblem& problem,
+                                   CollideOptions options = {.method = Method::automatic});
 
 // Where the pairs of each first begin, and behind the last where they end.
 std::vector<int64_t> offsets_of(const std::vector<ListedPair>& list, uint64_t firsts);

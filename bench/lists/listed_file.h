@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Writes lists of pairs in a periodic box, by the file's extension as NPY, CSV or text. Replaces each file atomically.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "bench/spheres/pair_file.h"
+#include "common/lists/displacement.h"
+
+namespace spherepair {
+
+// NPY: a structured array of i, j (uint32), shift (3, int32) and, if asked for, distance (float64); text: lines of the
+// same columns.
+void write_listed(const std::string& file, const ListProblem& problem, std::span<const ListedPair> list,
+                  bool distances);
+
+// A full list of one system in CSR: the files of neighbour_files, and for list.npy also list.shifts.npy (m x 3, int32).
+std::string shifts_file(const std::string& file);
+void write_listed_neighbours(const std::string& file, const ListProblem& problem, std::span<const ListedPair> list,
+                             bool distances);
+
+}  // namespace spherepair
