@@ -8,7 +8,8 @@ void add_input(CLI::App& command, PairsOptions& options) {
   command
       .add_option(
           "input,--input", options.input_file,
-          "Extended XYZ (.xyz, .extxyz; columns pos and radius by Properties=, else `[species] x y z [radius]`), "
+          "Extended XYZ (.xyz, .extxyz; columns pos and radius by Properties=, else `[species] x y z [radius]`; "
+          "a periodic box by Lattice= and pbc=), "
           "NPY (.npy; n x 3, n x 4 with the radius, or structured with fields x y z or pos, and radius; any real "
           "numbers), text (.txt, .csv, .tsv, .dat; columns by a line of names, else x y z [radius]); or any of these "
           "by its contents from standard input (-), a pipe or <(...)")
@@ -29,8 +30,8 @@ void add_output(CLI::App& command, PairsOptions& options) {
   auto* output = command.add_option(
       "--output", options.output_file,
       "Write the pairs i < j, sorted, in the format of the extension: .npy (m x 2, uint32), .csv (a line i,j, then a "
-      "line each), .txt (a line `# i j`, then a line each), or - for those lines on standard output. Default: none, "
-      "only the summary");
+      "line each), .txt (a line `# i j`, then a line each), or - for those lines on standard output; in a "
+      "periodic box `i j sx sy sz` with the shift of j in rows of the Lattice. Default: none, only the summary");
   auto* distances = command
                         .add_flag("--distances", options.distances,
                                   "Also write the distance of the centres of each pair, in float64: `i j distance`, "

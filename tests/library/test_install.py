@@ -129,6 +129,16 @@ class Install(unittest.TestCase):
             run(compiler, f"-std={language}{20 if language == 'c++' else 11}", *STRICT, "-fsyntax-only", "-x", language, "-",
                 *self.flags("--cflags"), input=text)
 
+    def test_the_first_page_shows_what_runs(self):
+        page = (ROOT / "README.md").read_text()
+        cpp, python = (re.search(rf"^```{language}\n(.*?)^```", page, re.M | re.S)[1] for language in ("cpp", "python"))
+        program = self.folder / "first_page"
+        run(CXX, "-std=c++20", *STRICT, "-x", "c++", "-", "-o", program, *self.flags("--cflags"), "-x", "none",
+            *self.flags("--libs"), input=cpp)
+        self.assertEqual("2 neighbours\n", run(program, env=self.loading))
+        environment = {**os.environ, "SPHEREPAIR_LIBRARY": str(self.library), "PYTHONPATH": str(ROOT / "python")}
+        self.assertEqual("4 neighbours, 1 overlap\n", run(sys.executable, "-B", "-c", python, env=environment))
+
     def test_another_minor_version_is_refused(self):
         major, minor, patch = map(int, VERSION.split("."))
         project = "cmake_minimum_required(VERSION 3.22)\nproject(asks LANGUAGES NONE)\nfind_package(spherepair %s REQUIRED)\n"
