@@ -13,7 +13,8 @@
  * is 0. Two points at one place are a pair if c > 0.
  *
  * A full list has (i, j, S) and (j, i, -S). A half list has the one with i < j; of an image of the point itself
- * (i = j) the one whose first component of S other than 0 is positive. (i, i, 0) is in the list only with `self_pairs`.
+ * (i = j) the one whose first component of S other than 0 is positive. (i, i, 0) is in the list only with `self_pairs`,
+ * and then if 0 < c^2 (with `inclusive` always).
  * Lists are sorted by i, then j, then S_0, S_1, S_2. They are equal bit for bit on every backend.
  *
  * Units: one unit of length for positions, radii, boxes, cutoff and skin; which one is the caller's choice.
@@ -43,8 +44,10 @@ typedef enum sp_status {
   SP_OK = 0,
   SP_E_ARGUMENT,  /* an argument that no call of this kind can take: its shape, type, sign or a missing pointer */
   SP_E_NONFINITE, /* a NaN or an infinity among the numbers; the message names the first */
-  SP_E_RANGE,     /* numbers beyond what can be decided, or more points, images or indices than 32 bits count */
-  SP_E_CAPACITY,  /* the caller's arrays are too short; `count` says how many rows are needed */
+  SP_E_RANGE,     /* a number other than 0 whose size is not from 2^-450 to 2^450; a point more than 2^30 boxes away
+                   * from its own; more points than 2^31 - 1, or more images of them within reach than 2^27 */
+  SP_E_CAPACITY,  /* the caller's arrays are too short; `count` says how many rows are needed, of offsets one more than
+                   * there are points */
   SP_E_MEMORY,    /* out of memory, on the host or on the device */
   SP_E_BACKEND    /* no such backend here, or the driver failed; the message has the reason */
 } sp_status;
