@@ -25,11 +25,13 @@ std::vector<Number> read(const sp_array& array) {
 
 void refuse(const std::string& what) { throw ListError(ListFault::argument, what); }
 
-void check_array(const sp_array& array, const std::string& name, int64_t columns, std::initializer_list<sp_type> types) {
+void check_array(const sp_array& array, const std::string& name, int64_t columns,
+                 std::initializer_list<sp_type> types) {
   if (array.device_type != host)
-    refuse(fmt::format("{} lies on a device of type {} (as DLPack has them); only the host's memory, 1, can be used: "
-                       "copy it there",
-                       name, array.device_type));
+    refuse(
+        fmt::format("{} lies on a device of type {} (as DLPack has them); only the host's memory, 1, can be used: "
+                    "copy it there",
+                    name, array.device_type));
   if (array.rows < 0 || array.columns != columns)
     refuse(fmt::format("{} has {} rows of {}, but each row has {}", name, array.rows, array.columns, columns));
   if (array.rows > 0 && !array.data) refuse(fmt::format("{} has {} rows but no data", name, array.rows));
@@ -37,8 +39,8 @@ void check_array(const sp_array& array, const std::string& name, int64_t columns
   std::string allowed;
   for (const sp_type type : types) allowed += (allowed.empty() ? "" : " or ") + std::string(type_names[type]);
   const bool known = array.type >= SP_F32 && array.type <= SP_U8;
-  refuse(fmt::format("{} is of type {}, but must be {}", name, known ? type_names[array.type] : std::to_string(array.type),
-                     allowed));
+  refuse(fmt::format("{} is of type {}, but must be {}", name,
+                     known ? type_names[array.type] : std::to_string(array.type), allowed));
 }
 
 std::vector<double> read_numbers(const sp_array& array, const std::string& name, int64_t columns) {
@@ -64,8 +66,10 @@ std::vector<Point> read_points(const sp_array& array, const std::string& name) {
     for (int64_t row = 0; row < array.rows; ++row)
       for (int64_t axis = 0; axis < 3; ++axis) points[size_t(row)][size_t(axis)] = element<Element>(array, row, axis);
   };
-  if (array.type == SP_F32) read_as(float());
-  else read_as(double());
+  if (array.type == SP_F32)
+    read_as(float());
+  else
+    read_as(double());
   return points;
 }
 

@@ -38,11 +38,16 @@ void write_array(const sp_array& array, int64_t rows, int64_t columns, Value val
         element<Element>(array, row, column) = Element(value(row, column));
   };
   switch (array.type) {
-    case SP_F32: return write(float());
-    case SP_F64: return write(double());
-    case SP_I32: return write(int32_t());
-    case SP_I64: return write(int64_t());
-    default: return write(uint8_t());
+    case SP_F32:
+      return write(float());
+    case SP_F64:
+      return write(double());
+    case SP_I32:
+      return write(int32_t());
+    case SP_I64:
+      return write(int64_t());
+    default:
+      return write(uint8_t());
   }
 }
 

@@ -45,13 +45,15 @@ std::vector<Box> boxes_of(const sp_problem& given, size_t systems) {
     boxes.resize(size_t(given.boxes.rows));
     for (size_t b = 0; b < boxes.size(); ++b)
       for (size_t k = 0; k < 3; ++k) {
-        if (flags[3 * b + k] > 1) refuse(fmt::format("periodic[{}][{}] is {}, but must be 0 or 1", b, k, flags[3 * b + k]));
+        if (flags[3 * b + k] > 1)
+          refuse(fmt::format("periodic[{}][{}] is {}, but must be 0 or 1", b, k, flags[3 * b + k]));
         boxes[b].periodic[k] = flags[3 * b + k] == 1;
         for (size_t axis = 0; axis < 3; ++axis) boxes[b].rows[k][axis] = rows[9 * b + 3 * k + axis];
       }
   }
   if (boxes.size() == 1) boxes.assign(systems, boxes[0]);
-  if (boxes.size() != systems) refuse(fmt::format("boxes has {} rows, but there are {} systems", boxes.size(), systems));
+  if (boxes.size() != systems)
+    refuse(fmt::format("boxes has {} rows, but there are {} systems", boxes.size(), systems));
   return boxes;
 }
 
@@ -86,7 +88,8 @@ ListProblem problem_of(const sp_problem& given) {
   if (problem.asks) {
     problem.queries = set_of(given.queries, given.query_radii, given.query_offsets, "query_");
     if (problem.half || problem.self_pairs) refuse("half and self_pairs must be 0 where there are queries");
-    if (is_given(given.radii) != is_given(given.query_radii)) refuse("radii and query_radii go together: give both or neither");
+    if (is_given(given.radii) != is_given(given.query_radii))
+      refuse("radii and query_radii go together: give both or neither");
     if (problem.queries.offsets.size() != problem.set.offsets.size())
       refuse(fmt::format("query_offsets is of {} systems, but offsets of {}", problem.queries.offsets.size() - 1,
                          problem.set.offsets.size() - 1));

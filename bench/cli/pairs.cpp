@@ -30,7 +30,7 @@ struct Found {
   std::vector<uint> counts;
   std::vector<Pair> pairs;
   std::vector<ListedPair> listed;  // in place of them, in a periodic box
-  uint64_t within_reach = 0;  // of rounding to float32
+  uint64_t within_reach = 0;       // of rounding to float32
 };
 
 struct Seconds {

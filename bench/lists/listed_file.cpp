@@ -57,8 +57,9 @@ void write_listed(const std::string& file, const ListProblem& problem, std::span
   };
   std::vector<std::string> names = {"i", "j", "sx", "sy", "sz"};
   if (distances) names.push_back("distance");
-  write_rows(file, list.size(), rows, [&](const Sink& sink) { write_npy(sink, problem, list, distances); },
-             names_line(file, names));
+  write_rows(
+      file, list.size(), rows, [&](const Sink& sink) { write_npy(sink, problem, list, distances); },
+      names_line(file, names));
 }
 
 std::string shifts_file(const std::string& file) {

@@ -46,8 +46,8 @@ struct SphereFile {
   std::string unread_box;           // a comment that has a word for a box
   std::optional<WallBox> box = {};  // of extended XYZ with pbc="F F F"
   std::optional<PeriodicSpheres> periodic = {};
-  std::string units;                // of lengths, in the file's words; empty if it has none
-  bool at_rest = true;              // no sphere of the file has a velocity
+  std::string units;    // of lengths, in the file's words; empty if it has none
+  bool at_rest = true;  // no sphere of the file has a velocity
   Rounding rounding;
   std::vector<std::string> species;  // ascending, each once; empty unless asked for ...
   std::vector<uint> species_index;   // ... of each sphere

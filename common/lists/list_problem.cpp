@@ -21,15 +21,16 @@ void check_number(double number, const std::string& name, bool may_be_negative) 
   if (number < 0 && !may_be_negative)
     throw ListError(ListFault::argument, fmt::format("{} is {}, but must not be negative", name, number));
   if (!is_listed(number))
-    throw ListError(ListFault::range, fmt::format("{} is {}: numbers other than 0 must be from 2^-450 to 2^450 in size, "
-                                                  "so choose another unit of length",
-                                                  name, number));
+    throw ListError(ListFault::range,
+                    fmt::format("{} is {}: numbers other than 0 must be from 2^-450 to 2^450 in size, "
+                                "so choose another unit of length",
+                                name, number));
 }
 
 void check_set(const PointSet& set, const std::string& points, const std::string& radii) {
   if (set.size() > most_points)
-    throw ListError(ListFault::range, fmt::format("{} has {} rows, but {} at most can be numbered", points, set.size(),
-                                                  most_points));
+    throw ListError(ListFault::range,
+                    fmt::format("{} has {} rows, but {} at most can be numbered", points, set.size(), most_points));
   for (uint64_t i = 0; i < set.size(); ++i)
     for (size_t axis = 0; axis < 3; ++axis)
       if (const double number = set.points[i][axis]; !is_listed(number) || !std::isfinite(number))
@@ -44,9 +45,9 @@ void check_exclusions(const ListProblem& problem) {
   for (uint64_t e = 0; e < problem.exclusions.size(); ++e)
     for (size_t k : {0, 1})
       if (problem.exclusions[e][k] >= sizes[k])
-        throw ListError(ListFault::argument, fmt::format("exclusions[{}] names {} {}, but there are {}", e,
-                                                         k == 0 && problem.asks ? "query" : "point",
-                                                         problem.exclusions[e][k], sizes[k]));
+        throw ListError(ListFault::argument,
+                        fmt::format("exclusions[{}] names {} {}, but there are {}", e,
+                                    k == 0 && problem.asks ? "query" : "point", problem.exclusions[e][k], sizes[k]));
 }
 
 }  // namespace

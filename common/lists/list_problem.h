@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a list of pairs is asked for: points or spheres, boxes, systems. What a pair is: include/spherepair/spherepair.h.
+// What a list of pairs is asked for: points or spheres, boxes, systems. What a pair is:
+// include/spherepair/spherepair.h.
 #pragma once
 
 #include <array>

@@ -6,62 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/backend/cpu_team.h"
+#include "common/lists/list_systems.h"
+
 namespace spherepair {
 namespace {
 
-constexpr double most_cells = 0x1p30;   // away from the box: differences of two fit into 32 bits
 constexpr double most_images = 0x1p27;  // as many spheres as OpenGL's buffers hold
-constexpr int64_t many = 1 << 14;       // points from which on several threads share the work
-
-struct Range {
-  Point low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
-  void add(const Point& point) {
-    for (size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], point[k]), high[k] = std::max(high[k], point[k]);
-  }
-  bool empty() const { return low[0] > high[0]; }
-};
-
-// Of one system: where those that look are, and how far they reach.
-struct System {
-  Range inside, fractions;
-  double reach = 0;    // of the two largest spheres
-  double radius = 0;   // the largest that looks
-  double rounded = 0;  // how far a coordinate of an image can be from its real number
-};
-
-std::vector<uint32_t> systems_of(const PointSet& set) {
-  std::vector<uint32_t> systems(set.size());
-  for (size_t b = 0; b + 1 < set.offsets.size(); ++b)
-    std::fill(systems.begin() + int64_t(set.offsets[b]), systems.begin() + int64_t(set.offsets[b + 1]), uint32_t(b));
-  return systems;
-}
-
-// The points inside their boxes; cells get the way back.
-std::vector<Point> wrapped(const PointSet& set, const char* name, const std::vector<uint32_t>& systems,
-                           const std::vector<Lattice>& lattices, std::vector<Shift>& cells) {
-  std::vector<Point> inside(set.points);
-  cells.assign(set.size(), Shift{});
-  int64_t far = -1;
-#pragma omp parallel for schedule(static) reduction(max : far) if (int64_t(inside.size()) > many)
-  for (int64_t i = 0; i < int64_t(inside.size()); ++i) {
-    const Lattice& lattice = lattices[systems[i]];
-    if (lattice.box().is_open()) continue;
-    const Point at = lattice.fraction(inside[i]);
-    Shift back;
-    for (size_t k = 0; k < 3; ++k) {
-      if (!(std::abs(at[k]) < most_cells)) far = i;
-      else cells[i][k] = int32_t(std::floor(at[k]));
-      back[k] = -cells[i][k];
-    }
-    inside[i] = lattice.moved(inside[i], back);
-  }
-  if (far >= 0) throw ListError(ListFault::range, fmt::format("{}[{}] is more than 2^30 boxes away from its own", name, far));
-  return inside;
-}
-
-double radius_of(const ListProblem& problem, const PointSet& set, uint64_t i) {
-  return (set.radii.empty() ? problem.cutoff / 2 : set.radii[i]) + problem.skin / 2;
-}
 
 class Planner {
  public:
@@ -70,8 +21,10 @@ class Planner {
     plan_.systems = systems_of(problem.firsts());
     point_systems_ = problem.asks ? systems_of(problem.set) : plan_.systems;
     points_ = wrapped(problem.set, "positions", point_systems_, plan_.lattices, plan_.cells);
-    if (problem.asks) queries_ = wrapped(problem.queries, "queries", plan_.systems, plan_.lattices, plan_.first_cells);
-    else plan_.first_cells = plan_.cells;
+    if (problem.asks)
+      queries_ = wrapped(problem.queries, "queries", plan_.systems, plan_.lattices, plan_.first_cells);
+    else
+      plan_.first_cells = plan_.cells;
     measure_systems();
     add_images();
     place();
@@ -167,16 +120,16 @@ class Planner {
       for (size_t k = 0; k < 3; ++k)
         if (plan_.lattices[b].box().periodic[k])
           each *= systems_[b].fractions.high[k] - systems_[b].fractions.low[k] + 2 * spans[k] + 1;
-      if (!systems_[b].inside.empty())
-        images += each * double(problem_.set.offsets[b + 1] - problem_.set.offsets[b]);
+      if (!systems_[b].inside.empty()) images += each * double(problem_.set.offsets[b + 1] - problem_.set.offsets[b]);
     }
     if (images > 8 * most_images) too_many_images(images);
   }
 
   [[noreturn]] static void too_many_images(double images) {
-    throw ListError(ListFault::range, fmt::format("the cutoff reaches over {:.3g} images of the points, but 2^27 at most "
-                                                  "can be searched: take a smaller cutoff",
-                                                  images));
+    throw ListError(ListFault::range,
+                    fmt::format("the cutoff reaches over {:.3g} images of the points, but 2^27 at most "
+                                "can be searched: take a smaller cutoff",
+                                images));
   }
 
   void add_images() {
@@ -184,20 +137,23 @@ class Planner {
     for (const Lattice& lattice : plan_.lattices) any |= !lattice.box().is_open();
     if (!any) return;
     check_number_of_images();
-#pragma omp parallel if (int64_t(points_.size()) > many)
-    {
-      std::vector<Image> images;
-      std::vector<Point> places;
-#pragma omp for schedule(static)
-      for (int64_t i = 0; i < int64_t(points_.size()); ++i)
-        images_of(uint64_t(i), [&](const Shift& shift, const Point& place) {
-          images.push_back({uint32_t(i), point_systems_[i], shift}), places.push_back(place);
-        });
-#pragma omp critical
-      {
-        plan_.images.insert(plan_.images.end(), images.begin(), images.end());
-        places_.insert(places_.end(), places.begin(), places.end());
-      }
+    constexpr uint64_t share = 4096;  // points
+    const auto shares = int64_t((points_.size() + share - 1) / share);
+    std::vector<std::vector<Image>> images(shares);
+    std::vector<std::vector<Point>> places(shares);
+    TeamErrors errors;
+#pragma omp parallel for schedule(dynamic, 1)
+    for (int64_t k = 0; k < shares; ++k)
+      errors.run(uint64_t(k), [&] {
+        for (uint64_t i = uint64_t(k) * share; i < std::min((uint64_t(k) + 1) * share, uint64_t(points_.size())); ++i)
+          images_of(i, [&](const Shift& shift, const Point& place) {
+            images[k].push_back({uint32_t(i), point_systems_[i], shift}), places[k].push_back(place);
+          });
+      });
+    errors.rethrow();
+    for (int64_t k = 0; k < shares; ++k) {
+      plan_.images.insert(plan_.images.end(), images[k].begin(), images[k].end());
+      places_.insert(places_.end(), places[k].begin(), places[k].end());
     }
     const double all = double(plan_.images.size()) + double(plan_.looking());
     if (all > most_images && double(plan_.images.size()) > 0 && !open_only()) too_many_images(all);
@@ -214,8 +170,8 @@ class Planner {
     for (const System& system : systems_)
       if (!system.inside.empty())
         for (size_t axis = 0; axis < 3; ++axis)
-          pitch = std::max(pitch, system.inside.high[axis] - system.inside.low[axis] + 3 * system.reach +
-                                      16 * system.rounded);
+          pitch = std::max(pitch,
+                           system.inside.high[axis] - system.inside.low[axis] + 3 * system.reach + 16 * system.rounded);
     const uint64_t side = uint64_t(std::ceil(std::cbrt(double(systems_.size()))));
     const double all = pitch * double(side), scale = all > 0 ? std::exp2(-std::ceil(std::log2(all))) : 1;
     const auto sphere = [&](const Point& at, uint32_t b, double radius) {
@@ -238,7 +194,8 @@ class Planner {
         continue;
       }
       const Image& image = plan_.images[i - looking_count];
-      plan_.spheres[i] = sphere(places_[i - looking_count], image.system, radius_of(problem_, problem_.set, image.point));
+      plan_.spheres[i] =
+          sphere(places_[i - looking_count], image.system, radius_of(problem_, problem_.set, image.point));
     }
   }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "common/backend/cpu_team.h"
 #include "common/lists/list_spheres.h"
 
 namespace spherepair {
@@ -104,15 +105,19 @@ std::vector<ListedPair> list_pairs(Backend& backend, const ListProblem& problem,
   ListSpheres plan = list_spheres(problem);
   const std::vector<Pair> pairs = colliding_pairs(backend, std::move(plan.spheres), options);
   const Lister lister(problem, plan);
+  constexpr size_t share = 1 << 16;  // pairs
+  const auto shares = int64_t((pairs.size() + share - 1) / share);
+  std::vector<std::vector<ListedPair>> parts(shares);
+  TeamErrors errors;
+#pragma omp parallel for schedule(dynamic, 1)
+  for (int64_t k = 0; k < shares; ++k)
+    errors.run(uint64_t(k), [&] {
+      for (size_t p = size_t(k) * share; p < std::min((size_t(k) + 1) * share, pairs.size()); ++p)
+        lister.add(pairs[p], parts[k]);
+    });
+  errors.rethrow();
   std::vector<ListedPair> list;
-#pragma omp parallel
-  {
-    std::vector<ListedPair> own;
-#pragma omp for schedule(static)
-    for (int64_t k = 0; k < int64_t(pairs.size()); ++k) lister.add(pairs[k], own);
-#pragma omp critical
-    list.insert(list.end(), own.begin(), own.end());
-  }
+  for (const std::vector<ListedPair>& part : parts) list.insert(list.end(), part.begin(), part.end());
   if (problem.self_pairs) lister.add_points_themselves(list);
   return sorted(list, problem.firsts().size());
 }

@@ -77,7 +77,8 @@ TEST_F(PeriodicPairs, NoNumberIsRounded) {
 
 TEST_F(PeriodicPairs, NeighboursHaveTheirShifts) {
   PairsOptions asked = options("list.npy");
-  asked.input_file = folder_.write("cubic.xyz", "1\nLattice=\"1 0 0 0 1 0 0 0 1\" pbc=\"T T F\" Properties=pos:R:3\n0 0 5\n");
+  asked.input_file =
+      folder_.write("cubic.xyz", "1\nLattice=\"1 0 0 0 1 0 0 0 1\" pbc=\"T T F\" Properties=pos:R:3\n0 0 5\n");
   asked.cutoff = 1;
   asked.csr = asked.distances = true;
   asked.contacts_file = folder_.path("contacts.txt");
@@ -106,7 +107,8 @@ TEST_F(PeriodicPairs, WhatIsNotPossibleIsRefused) {
     return complaint;
   };
   const std::string cubic = "Lattice=\"1 0 0 0 1 0 0 0 1\"";
-  EXPECT_NE(refusal("Lattice=\"1 0 0 0 1 0 0 0 0\"").find("boxes[0]: its periodic rows span no volume"), std::string::npos);
+  EXPECT_NE(refusal("Lattice=\"1 0 0 0 1 0 0 0 0\"").find("boxes[0]: its periodic rows span no volume"),
+            std::string::npos);
   EXPECT_NE(refusal("cell=\"1 1 1\"").find("Lattice=\"...\" of nine numbers"), std::string::npos);
   EXPECT_NE(refusal("Lattice=\"1 1 1\"").find("Lattice=\"...\" of nine numbers"), std::string::npos);
   EXPECT_NE(refusal(cubic, [](PairsOptions& o) { o.geometry = true; }).find("--geometry is not for periodic boxes"),

@@ -42,8 +42,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   std::array<std::array<double, ROOM>, 9> memory;
   sp_problem problem = {};
   problem.size = sizeof problem;
-  sp_array* const arrays[] = {&problem.positions, &problem.radii,       &problem.boxes,         &problem.periodic, &problem.offsets,
-                              &problem.queries,   &problem.query_radii, &problem.query_offsets, &problem.exclusions};
+  sp_array* const arrays[] = {&problem.positions,   &problem.radii,         &problem.boxes,
+                              &problem.periodic,    &problem.offsets,       &problem.queries,
+                              &problem.query_radii, &problem.query_offsets, &problem.exclusions};
   for (size_t k = 0; k < memory.size(); ++k) *arrays[k] = array_in(values, memory[k]);
   problem.cutoff = values.next<uint8_t>() % 8 ? values.next<uint8_t>() / 16.0 : 0;
   problem.skin = values.next<uint8_t>() % 8 ? 0 : values.next<double>();
@@ -54,7 +55,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   require((counted == SP_OK) == (*sp_message(context) == 0), "what fails says why");
   if (counted != SP_OK || count > 100'000) return 0;
   sp_pairs* list = nullptr;
-  require(sp_list(context, &problem, SP_SHIFTS | SP_VECTORS | SP_DISTANCES | SP_OFFSETS, &list) == SP_OK, "what counts lists");
+  require(sp_list(context, &problem, SP_SHIFTS | SP_VECTORS | SP_DISTANCES | SP_OFFSETS, &list) == SP_OK,
+          "what counts lists");
   require(list->count == count, "the list has as many");
   sp_free(list);
   return 0;

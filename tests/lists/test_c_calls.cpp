@@ -50,7 +50,8 @@ TEST_F(CCalls, ListHasWhatIsWanted) {
   sp_pairs* list = nullptr;
   ASSERT_EQ(sp_list(context_, &asked, SP_OFFSETS | SP_DISTANCES, &list), SP_OK) << sp_message(context_);
   ASSERT_EQ(list->count, 4);
-  const auto first = static_cast<const int32_t*>(list->first.data), second = static_cast<const int32_t*>(list->second.data);
+  const auto first = static_cast<const int32_t*>(list->first.data),
+             second = static_cast<const int32_t*>(list->second.data);
   EXPECT_EQ(std::vector<int32_t>(first, first + 4), (std::vector<int32_t>{0, 1, 1, 2}));
   EXPECT_EQ(std::vector<int32_t>(second, second + 4), (std::vector<int32_t>{1, 0, 2, 1}));
   const auto offsets = static_cast<const int64_t*>(list->offsets.data);

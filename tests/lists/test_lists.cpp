@@ -115,7 +115,8 @@ TEST_P(Lists, VectorsAndDistancesAreThoseOfTheirPairs) {
   for (int k = 0; k < 30; ++k) {
     const ListProblem problem = random_problem(random);
     for (const ListedPair& pair : list(problem)) {
-      const auto system = std::ranges::upper_bound(problem.firsts().offsets, pair.first) - problem.firsts().offsets.begin();
+      const auto system =
+          std::ranges::upper_bound(problem.firsts().offsets, pair.first) - problem.firsts().offsets.begin();
       const Box& box = problem.boxes[size_t(system) - 1];
       const Point way = displacement(problem, box, pair);
       for (size_t axis = 0; axis < 3; ++axis) {
@@ -144,10 +145,12 @@ TEST_P(Lists, WhatCannotBeListedIsRefusedByName) {
   EXPECT_EQ(of(of_points({origin, {0, NAN, 0}}, 1), ListFault::not_finite), "positions[1].y is nan");
   EXPECT_EQ(of(of_points({{-INFINITY, 0, 0}}, 1), ListFault::not_finite), "positions[0].x is -inf");
   EXPECT_EQ(of(of_points({origin}, -1), ListFault::argument), "cutoff is -1, but must not be negative");
-  EXPECT_TRUE(of(of_points({{0, 0, 1e-300}}, 1), ListFault::range).starts_with("positions[0].z is 1e-300: numbers other"));
+  EXPECT_TRUE(
+      of(of_points({{0, 0, 1e-300}}, 1), ListFault::range).starts_with("positions[0].z is 1e-300: numbers other"));
   Box flat = cube(1);
   flat.rows[2] = {1, 1, 0};
-  EXPECT_TRUE(of(of_points({origin}, 1, flat), ListFault::argument).starts_with("boxes[0]: its periodic rows span no vol"));
+  EXPECT_TRUE(
+      of(of_points({origin}, 1, flat), ListFault::argument).starts_with("boxes[0]: its periodic rows span no vol"));
   flat.periodic[2] = false;
   EXPECT_EQ(list(of_points({origin}, 1.25, flat)).size(), 4u) << "a row that is not periodic is not read";
   EXPECT_TRUE(of(of_points({origin}, 10, cube(0.01)), ListFault::range).starts_with("the cutoff reaches over 8"));

@@ -35,8 +35,10 @@ bool is_pair(const ListProblem& problem, const Box& box, const ListedPair& pair)
     squared += way * way;
   }
   Number reach = Kind::of(problem.skin);
-  if (problem.set.radii.empty()) reach += Kind::of(problem.cutoff);
-  else reach += Kind::of(problem.firsts().radii[pair.first]) + Kind::of(problem.set.radii[pair.second]);
+  if (problem.set.radii.empty())
+    reach += Kind::of(problem.cutoff);
+  else
+    reach += Kind::of(problem.firsts().radii[pair.first]) + Kind::of(problem.set.radii[pair.second]);
   return squared < reach * reach || (problem.inclusive && squared == reach * reach);
 }
 
@@ -66,7 +68,8 @@ std::vector<ListedPair> list_by(const ListProblem& problem, int range) {
               if ((self && !problem.self_pairs) || (problem.half && !is_of_half(pair))) continue;
               if (!is_pair<Kind>(problem, box, pair)) continue;
               for (size_t k = 0; k < 3; ++k)
-                if (box.periodic[k] && std::abs(pair.shift[k]) == range) throw std::logic_error("the range is too short");
+                if (box.periodic[k] && std::abs(pair.shift[k]) == range)
+                  throw std::logic_error("the range is too short");
               list.push_back(pair);
             }
       }

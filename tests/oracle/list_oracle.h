@@ -7,8 +7,8 @@
 
 namespace spherepair {
 
-// Of a problem all of whose numbers are multiples of 1/8 below 2^20, by integers. Images from -range to range along each
-// periodic row; throws std::logic_error if one at the end of the range is a pair.
+// Of a problem all of whose numbers are multiples of 1/8 below 2^20, by integers. Images from -range to range along
+// each periodic row; throws std::logic_error if one at the end of the range is a pair.
 std::vector<ListedPair> list_by_integers(const ListProblem& problem, int range);
 
 // Of any problem, by rational numbers; slow.

@@ -32,7 +32,8 @@ SceneOptions drawn_scene(uint64_t seed) {
 // SOAK_SECONDS in the environment makes it longer; SOAK_SEED starts it elsewhere.
 TEST(CpuGrid, Soak) {
   const char *seconds = std::getenv("SOAK_SECONDS"), *start = std::getenv("SOAK_SEED");
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds ? std::atof(seconds) : by_form(5, 2));
+  const auto end =
+      std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds ? std::atof(seconds) : by_form(5, 2));
   uint64_t seed = start ? std::strtoull(start, nullptr, 10) : 1;
   const uint64_t first = seed;
   for (; std::chrono::steady_clock::now() < end; ++seed) {

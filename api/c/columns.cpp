@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "api/c/columns.h"
+
+#include <fmt/format.h>
+
+#include "api/c/arrays.h"
+#include "common/lists/list_systems.h"
+#include "common/lists/pair_list.h"
+
+namespace spherepair {
+namespace {
+
+void check_column(const sp_array& array, const char* name, int64_t columns, std::initializer_list<sp_type> types) {
+  if (array.data) check_array(array, name, columns, types);
+}
+
+}  // namespace
+
+void check_columns(const sp_pairs& pairs) {
+  if (pairs.size != sizeof(sp_pairs))
+    refuse(fmt::format("pairs.size is {}, but sizeof(sp_pairs) is {}: the program was compiled with another header",
+                       pairs.size, sizeof(sp_pairs)));
+  check_column(pairs.first, "first", 1, {SP_I32, SP_I64});
+  check_column(pairs.second, "second", 1, {SP_I32, SP_I64});
+  check_column(pairs.shifts, "shifts", 3, {SP_I32, SP_I64});
+  check_column(pairs.vectors, "vectors", 3, {SP_F64});
+  check_column(pairs.distances, "distances", 1, {SP_F64});
+  check_column(pairs.offsets, "offsets", 1, {SP_I64});
+}
+
+void check_room(const sp_pairs& pairs, int64_t firsts, std::string& message) {
+  const std::pair<const char*, const sp_array*> columns[] = {{"first", &pairs.first},
+                                                             {"second", &pairs.second},
+                                                             {"shifts", &pairs.shifts},
+                                                             {"vectors", &pairs.vectors},
+                                                             {"distances", &pairs.distances}};
+  for (const auto& [name, array] : columns)
+    if (array->data && array->rows < pairs.count)
+      message = fmt::format("{} has {} rows, but the list has {} pairs", name, array->rows, pairs.count);
+  if (pairs.offsets.data && pairs.offsets.rows < firsts + 1)
+    message = fmt::format("offsets has {} rows, but needs {}", pairs.offsets.rows, firsts + 1);
+}
+
+void write_list(const ListProblem& problem, const std::vector<ListedPair>& list, const sp_pairs& to) {
+  const int64_t count = int64_t(list.size());
+  if (to.first.data) write_array(to.first, count, 1, [&](int64_t row, int64_t) { return list[row].first; });
+  if (to.second.data) write_array(to.second, count, 1, [&](int64_t row, int64_t) { return list[row].second; });
+  if (to.shifts.data) write_array(to.shifts, count, 3, [&](int64_t row, int64_t k) { return list[row].shift[k]; });
+  if (to.offsets.data) {
+    const std::vector<int64_t> offsets = offsets_of(list, problem.firsts().size());
+    write_array(to.offsets, int64_t(offsets.size()), 1, [&](int64_t row, int64_t) { return offsets[row]; });
+  }
+  if (!to.vectors.data && !to.distances.data) return;
+  const std::vector<uint32_t> systems = systems_of(problem.firsts());
+#pragma omp parallel for schedule(static) if (count > 1 << 14)
+  for (int64_t row = 0; row < count; ++row) {
+    const Point way = displacement(problem, problem.boxes[systems[list[row].first]], list[row]);
+    if (to.vectors.data)
+      for (int64_t axis = 0; axis < 3; ++axis) element<double>(to.vectors, row, axis) = way[size_t(axis)];
+    if (to.distances.data) element<double>(to.distances, row) = length(way);
+  }
+}
+
+}  // namespace spherepair

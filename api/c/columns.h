@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The columns of a list, in the caller's memory.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/lists/displacement.h"
+#include "include/spherepair/spherepair.h"
+
+namespace spherepair {
+
+// Throws ListError for a column of another shape or type.
+void check_columns(const sp_pairs& pairs);
+
+// Says in the message which column is too short for pairs.count rows; else leaves it as it is.
+void check_room(const sp_pairs& pairs, int64_t firsts, std::string& message);
+
+// Into the columns that have data; vectors and distances are of the same displacements.
+void write_list(const ListProblem& problem, const std::vector<ListedPair>& list, const sp_pairs& to);
+
+}  // namespace spherepair

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "common/lists/list_systems.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace spherepair {
+namespace {
+
+constexpr double most_cells = 0x1p30;  // away from the box: differences of two fit into 32 bits
+
+}  // namespace
+
+std::vector<uint32_t> systems_of(const PointSet& set) {
+  std::vector<uint32_t> systems(set.size());
+  for (size_t b = 0; b + 1 < set.offsets.size(); ++b)
+    std::fill(systems.begin() + int64_t(set.offsets[b]), systems.begin() + int64_t(set.offsets[b + 1]), uint32_t(b));
+  return systems;
+}
+
+std::vector<Point> wrapped(const PointSet& set, const char* name, const std::vector<uint32_t>& systems,
+                           const std::vector<Lattice>& lattices, std::vector<Shift>& cells) {
+  std::vector<Point> inside(set.points);
+  cells.assign(set.size(), Shift{});
+  int64_t far = -1;
+#pragma omp parallel for schedule(static) reduction(max : far) if (int64_t(inside.size()) > many)
+  for (int64_t i = 0; i < int64_t(inside.size()); ++i) {
+    const Lattice& lattice = lattices[systems[i]];
+    if (lattice.box().is_open()) continue;
+    const Point at = lattice.fraction(inside[i]);
+    Shift back;
+    for (size_t k = 0; k < 3; ++k) {
+      if (!(std::abs(at[k]) < most_cells))
+        far = i;
+      else
+        cells[i][k] = int32_t(std::floor(at[k]));
+      back[k] = -cells[i][k];
+    }
+    inside[i] = lattice.moved(inside[i], back);
+  }
+  if (far >= 0)
+    throw ListError(ListFault::range, fmt::format("{}[{}] is more than 2^30 boxes away from its own", name, far));
+  return inside;
+}
+
+double radius_of(const ListProblem& problem, const PointSet& set, uint64_t i) {
+  return (set.radii.empty() ? problem.cutoff / 2 : set.radii[i]) + problem.skin / 2;
+}
+
+}  // namespace spherepair
