@@ -49,14 +49,9 @@ class Record:
 
     def matches(self, wanted):
         own = self.parameters
-        for name, value in wanted.items():
-            if name in own and name != "scene":
-                found = own[name]
-            else:
-                found = own.get("scene", {}).get("name" if name == "scene" else name)
-            if found != value:
-                return False
-        return True
+        return all(value == (own[name] if name in own and name != "scene" else
+                             own.get("scene", {}).get("name" if name == "scene" else name))
+                   for name, value in wanted.items())
 
 
 def steady(*records):

@@ -27,6 +27,7 @@ void refuse(const std::string& what) { throw ListError(ListFault::argument, what
 
 void check_array(const sp_array& array, const std::string& name, int64_t columns,
                  std::initializer_list<sp_type> types) {
+  if (!array.data && array.rows == 0 && array.columns == 0) refuse(name + " are missing");
   if (array.device_type != host)
     refuse(
         fmt::format("{} lies on a device of type {} (as DLPack has them); only the host's memory, 1, can be used: "
@@ -58,9 +59,9 @@ std::vector<uint8_t> read_flags(const sp_array& array, const std::string& name, 
   return read<uint8_t, uint8_t>(array);
 }
 
-std::vector<Point> read_points(const sp_array& array, const std::string& name) {
+std::vector<Point3> read_points(const sp_array& array, const std::string& name) {
   check_array(array, name, 3, {SP_F32, SP_F64});
-  std::vector<Point> points(size_t(array.rows));
+  std::vector<Point3> points(size_t(array.rows));
   const auto read_as = [&]<typename Element>(Element) {
 #pragma omp parallel for schedule(static) if (array.rows > 1 << 14)
     for (int64_t row = 0; row < array.rows; ++row)

@@ -17,7 +17,7 @@ inline bool is_given(const sp_array& array) { return array.data != nullptr || ar
 // Refuses what is not of `columns` columns, of one of the types, in the host's memory.
 void check_array(const sp_array& array, const std::string& name, int64_t columns, std::initializer_list<sp_type> types);
 
-std::vector<Point> read_points(const sp_array& array, const std::string& name);
+std::vector<Point3> read_points(const sp_array& array, const std::string& name);
 std::vector<double> read_numbers(const sp_array& array, const std::string& name, int64_t columns);
 std::vector<int64_t> read_integers(const sp_array& array, const std::string& name, int64_t columns);
 std::vector<uint8_t> read_flags(const sp_array& array, const std::string& name, int64_t columns);

@@ -54,7 +54,7 @@ void write_list(const ListProblem& problem, const std::vector<ListedPair>& list,
   const std::vector<uint32_t> systems = systems_of(problem.firsts());
 #pragma omp parallel for schedule(static) if (count > 1 << 14)
   for (int64_t row = 0; row < count; ++row) {
-    const Point way = displacement(problem, problem.boxes[systems[list[row].first]], list[row]);
+    const Point3 way = displacement(problem, problem.boxes[systems[list[row].first]], list[row]);
     if (to.vectors.data)
       for (int64_t axis = 0; axis < 3; ++axis) element<double>(to.vectors, row, axis) = way[size_t(axis)];
     if (to.distances.data) element<double>(to.distances, row) = length(way);

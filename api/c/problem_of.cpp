@@ -34,8 +34,8 @@ PointSet set_of(const sp_array& points, const sp_array& radii, const sp_array& o
   return set;
 }
 
-std::vector<Box> boxes_of(const sp_problem& given, size_t systems) {
-  std::vector<Box> boxes(1);
+std::vector<ListBox> boxes_of(const sp_problem& given, size_t systems) {
+  std::vector<ListBox> boxes(1);
   if (is_given(given.boxes) != is_given(given.periodic)) refuse("boxes and periodic go together: give both or neither");
   if (is_given(given.boxes)) {
     const std::vector<double> rows = read_numbers(given.boxes, "boxes", 9);

@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include "bench/cli/commands.h"
+#include "bench/io/arguments.h"
+#include "bench/io/output_files.h"
+#include "bench/lists/listed_file.h"
+#include "bench/spheres/rows_file.h"
+#include "bench/spheres/sphere_file.h"
 
 namespace spherepair {
 namespace {
@@ -57,7 +64,40 @@ void add_output(CLI::App& command, PairsOptions& options) {
                      "Write the summary and context as JSON to this file; -: to standard output");
 }
 
+// None, the one that was named, or those of the neighbour list.
+std::vector<std::string> output_files(const PairsOptions& options) {
+  if (!options.csr) return {options.output_file};
+  const NeighbourFiles files = neighbour_files(options.output_file, options.distances);
+  return {files.offsets, files.neighbours, files.distances};
+}
+
 }  // namespace
+
+void check_pairs_options(const PairsOptions& options) {
+  if (!options.method.empty() && method_from_name(options.method) == Method::collide_group)
+    throw std::invalid_argument("the method collide_group finds only pairs within a group; choose another");
+  if (options.block) parse_blocks({options.block});
+  if (options.cutoff && why_invalid(*options.cutoff, true))
+    throw std::invalid_argument(
+        fmt::format("--cutoff is {}, but must be within the range of float32 and not negative", *options.cutoff));
+  if (options.csr && lower_extension(options.output_file) != ".npy")
+    throw std::invalid_argument(fmt::format(
+        "--csr writes NPY arrays, but --output is {}: give it a name that ends in .npy", options.output_file));
+  OutputFiles files;
+  files.read("--input", options.input_file);
+  for (const std::string& file : output_files(options)) files.write("--output", file);
+  files.write("--contacts", options.contacts_file);
+  files.write("--json", options.json_file);
+  check_pair_file("--output", options.output_file);
+  check_pair_file("--contacts", options.contacts_file);
+}
+
+void check_periodic_options(const PairsOptions& options) {
+  if (options.geometry)
+    throw std::invalid_argument(
+        "--geometry is not for periodic boxes yet: take --distances, which gives the image of j as well");
+  if (options.csr) OutputFiles().write("--output", shifts_file(options.output_file));
+}
 
 void add_pairs(CLI::App& app, CommandLine& line, Action& action) {
   auto* command = app.add_subcommand("pairs", "Read spheres or points from a file and find the pairs");

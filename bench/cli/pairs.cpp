@@ -14,11 +14,11 @@
 #include "bench/io/context.h"
 #include "bench/io/output_files.h"
 #include "bench/lists/listed_file.h"
+#include "bench/lists/listed_spheres.h"
 #include "bench/measure/choice.h"
 #include "bench/spheres/pair_file.h"
 #include "bench/spheres/rows_file.h"
 #include "bench/spheres/sphere_file.h"
-#include "common/lists/pair_list.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {
@@ -47,33 +47,6 @@ struct PairsReport {
   Seconds seconds;
 };
 
-// None, the one that was named, or those of the neighbour list.
-std::vector<std::string> output_files(const PairsOptions& options) {
-  if (!options.csr) return {options.output_file};
-  const NeighbourFiles files = neighbour_files(options.output_file, options.distances);
-  return {files.offsets, files.neighbours, files.distances};
-}
-
-// Throws for bad options before any work.
-void check_options(const PairsOptions& options) {
-  if (!options.method.empty() && method_from_name(options.method) == Method::collide_group)
-    throw std::invalid_argument("the method collide_group finds only pairs within a group; choose another");
-  if (options.block) parse_blocks({options.block});
-  if (options.cutoff && why_invalid(*options.cutoff, true))
-    throw std::invalid_argument(
-        fmt::format("--cutoff is {}, but must be within the range of float32 and not negative", *options.cutoff));
-  if (options.csr && lower_extension(options.output_file) != ".npy")
-    throw std::invalid_argument(fmt::format(
-        "--csr writes NPY arrays, but --output is {}: give it a name that ends in .npy", options.output_file));
-  OutputFiles files;
-  files.read("--input", options.input_file);
-  for (const std::string& file : output_files(options)) files.write("--output", file);
-  files.write("--contacts", options.contacts_file);
-  files.write("--json", options.json_file);
-  check_pair_file("--output", options.output_file);
-  check_pair_file("--contacts", options.contacts_file);
-}
-
 template <typename Work>
 double seconds_of(Work work) {
   const auto start = std::chrono::steady_clock::now();
@@ -97,14 +70,6 @@ SphereFile read_input(const PairsOptions& options, int threads) {
   return input;
 }
 
-void check_periodic(const PairsOptions& options, const SphereFile& input) {
-  if (!input.periodic) return;
-  if (options.geometry)
-    throw std::invalid_argument(
-        "--geometry is not for periodic boxes yet: take --distances, which gives the image of j as well");
-  if (options.csr) OutputFiles().write("--output", shifts_file(options.output_file));
-}
-
 // Leaves the pairs out that are farther apart than the cutoff: the spheres of the search are slightly larger.
 void leave_pairs_beyond(double cutoff, std::span<const vec4> points, Found& found) {
   std::erase_if(found.pairs, [&](const Pair& pair) {
@@ -118,36 +83,12 @@ void leave_pairs_beyond(double cutoff, std::span<const vec4> points, Found& foun
   found.totals.fingerprint = fingerprint(found.pairs);
 }
 
-// What is to be listed in a periodic box: in the file's own numbers, and for --cutoff those at it, too.
-ListProblem problem_of(const PairsOptions& options, const PeriodicSpheres& spheres) {
-  ListProblem problem{.set = spheres.set, .queries = {}, .boxes = {spheres.box}, .exclusions = {}};
-  problem.half = !options.csr;
-  if (options.cutoff) {
-    problem.cutoff = *options.cutoff;
-    problem.inclusive = true;
-    problem.set.radii.clear();
-  }
-  return problem;
-}
-
 Found find_listed(Backend& backend, const SphereFile& input, const PairsOptions& options, const CollideOptions& how) {
-  const ListProblem problem = problem_of(options, *input.periodic);
   Found found;
-  try {
-    found.listed = list_pairs(backend, problem, how);
-  } catch (const ListError& error) {
-    throw std::invalid_argument(fmt::format("{}: {}", input.file, error.what()));
-  }
-  found.counts.resize(problem.set.size());
-  std::vector<Pair> ids;
-  for (const auto& [first, second, shift] : found.listed) {
-    ++found.counts[first];
-    if (problem.half) ++found.counts[second];
-    if (first < second || (first == second && shift > Shift{})) ids.push_back({first, second});
-  }
-  found.totals.pairs = ids.size();
-  found.totals.colliding_spheres = found.counts.size() - size_t(std::ranges::count(found.counts, 0u));
-  found.totals.fingerprint = fingerprint(ids);
+  ListedSpheres listed = find_listed(backend, input, options.cutoff, options.csr, how);
+  found.totals = listed.totals;
+  found.counts = std::move(listed.counts);
+  found.listed = std::move(listed.pairs);
   found.degrees = degrees_of(found.counts);
   return found;
 }
@@ -171,7 +112,7 @@ void write_found(const PairsOptions& options, const SphereFile& input, const Fou
   const std::vector<vec4>& spheres = input.scene.positions;
   if (!options.contacts_file.empty()) write_contact_numbers(options.contacts_file, found.counts);
   if (input.periodic && !file.empty()) {
-    const ListProblem problem = problem_of(options, *input.periodic);
+    const ListProblem problem = problem_of(*input.periodic, options.cutoff, options.csr);
     if (options.csr) return write_listed_neighbours(file, problem, found.listed, options.distances);
     return write_listed(file, problem, found.listed, options.distances);
   }
@@ -259,7 +200,7 @@ json to_json(const PairsReport& report, const CommandLine& line) {
 }  // namespace
 
 int pairs_command(const CommandLine& line, const PairsOptions& options) {
-  check_options(options);
+  check_pairs_options(options);
   PairsReport report{options, {}, {}, {}, {}, {}};
   SphereFile& input = report.input;
   ChosenBackend& chosen = report.chosen;
@@ -267,7 +208,7 @@ int pairs_command(const CommandLine& line, const PairsOptions& options) {
   Progress progress(options.verbosity != Verbosity::quiet);
   progress.say("reading " + options.input_file);
   seconds.load = seconds_of([&] { input = read_input(options, line.open.threads); });
-  check_periodic(options, input);
+  if (input.periodic) check_periodic_options(options);
   progress.say("opening a backend");
   seconds.open = seconds_of([&] { chosen = choose_backend(options.backend, line.open, line.opener); });
   progress.say(fmt::format("{} on {}", counted(input.scene.size(), "sphere"), chosen.backend->info().name));

@@ -29,7 +29,7 @@ struct SphereFileOptions {
 
 // Spheres in a periodic box, in the file's own numbers.
 struct PeriodicSpheres {
-  Box box;
+  ListBox box;
   PointSet set;
   std::string text;  // Lattice="..." pbc="..."
 };

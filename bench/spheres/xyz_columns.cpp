@@ -135,11 +135,11 @@ Columns classic_columns(const FileBytes& file, uint64_t line, std::string_view t
   return columns;
 }
 
-std::optional<Box> box_of(const CommentPair* cell, const std::vector<std::optional<bool>>& axes) {
+std::optional<ListBox> box_of(const CommentPair* cell, const std::vector<std::optional<bool>>& axes) {
   if (!cell || lower_case(cell->key) != "lattice" || !cell->value) return std::nullopt;
   const auto numbers = numbers_of(*cell->value, 9);
   if (!numbers) return std::nullopt;
-  Box box;
+  ListBox box;
   for (size_t k = 0; k < 9; ++k) box.rows[k / 3][k % 3] = (*numbers)[k];
   for (size_t k = 0; k < 3; ++k) box.periodic[k] = axes.empty() || *axes[k];
   return box;

@@ -34,8 +34,8 @@ Columns classic_columns(const FileBytes& file, uint64_t line, std::string_view t
 // three.
 struct PeriodicBox {
   std::string text = {};
-  std::optional<Box> box = {};  // of Lattice with nine numbers, the rows of the box one after another
-  std::string mention = {};     // the comment, if it has a word for a box, which is not read
+  std::optional<ListBox> box = {};  // of Lattice with nine numbers, the rows of the box one after another
+  std::string mention = {};         // the comment, if it has a word for a box, which is not read
 };
 PeriodicBox periodic_box(const Comment& comment);
 

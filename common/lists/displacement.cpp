@@ -10,7 +10,7 @@ namespace {
 
 using Component = ExactSum<8>;  // two coordinates, and three products of two terms each
 
-Component component(const ListProblem& problem, const Box& box, const ListedPair& pair, size_t axis) {
+Component component(const ListProblem& problem, const ListBox& box, const ListedPair& pair, size_t axis) {
   Component sum;
   sum.add(problem.set.points[pair.second][axis]);
   sum.add(-problem.firsts().points[pair.first][axis]);
@@ -31,7 +31,7 @@ void add_square(Squares& sum, double sign, const Parts& parts) {
 }
 
 // The sign of |x_j - x_i + S H|^2 - c^2.
-int exact_side(const ListProblem& problem, const Box& box, const ListedPair& pair) {
+int exact_side(const ListProblem& problem, const ListBox& box, const ListedPair& pair) {
   Squares sum;
   for (size_t axis = 0; axis < 3; ++axis) add_square(sum, 1, component(problem, box, pair, axis));
   add_square(sum, -1, problem.reach(pair.first, pair.second));
@@ -42,8 +42,8 @@ int exact_side(const ListProblem& problem, const Box& box, const ListedPair& pai
 
 // A component has at most seven roundings, each of at most 2^-53 of the sum of the sizes of its terms; 2^-50 of that
 // sum is more. The squares and their sum, and c and its square, have at most four roundings each.
-bool is_within_reach(const ListProblem& problem, const Box& box, const ListedPair& pair) {
-  const Point &a = problem.firsts().points[pair.first], &b = problem.set.points[pair.second];
+bool is_within_reach(const ListProblem& problem, const ListBox& box, const ListedPair& pair) {
+  const Point3 &a = problem.firsts().points[pair.first], &b = problem.set.points[pair.second];
   double squared = 0, error = 0;
   for (size_t axis = 0; axis < 3; ++axis) {
     double way = b[axis] - a[axis], sizes = std::abs(b[axis]) + std::abs(a[axis]);
@@ -65,13 +65,13 @@ bool is_within_reach(const ListProblem& problem, const Box& box, const ListedPai
   return side < 0 || (side == 0 && problem.inclusive);
 }
 
-Point displacement(const ListProblem& problem, const Box& box, const ListedPair& pair) {
-  Point way;
+Point3 displacement(const ListProblem& problem, const ListBox& box, const ListedPair& pair) {
+  Point3 way;
   for (size_t axis = 0; axis < 3; ++axis) way[axis] = component(problem, box, pair, axis).rounded();
   return way;
 }
 
-double length(const Point& vector) {
+double length(const Point3& vector) {
   return std::sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
 }
 

@@ -13,12 +13,12 @@ struct ListedPair {
   auto operator<=>(const ListedPair&) const = default;
 };
 
-bool is_within_reach(const ListProblem& problem, const Box& box, const ListedPair& pair);
+bool is_within_reach(const ListProblem& problem, const ListBox& box, const ListedPair& pair);
 
 // Each component at most one unit in the last place from the real number.
-Point displacement(const ListProblem& problem, const Box& box, const ListedPair& pair);
+Point3 displacement(const ListProblem& problem, const ListBox& box, const ListedPair& pair);
 
 // Of a displacement; its relative error is below 2^-50.
-double length(const Point& vector);
+double length(const Point3& vector);
 
 }  // namespace spherepair

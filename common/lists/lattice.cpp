@@ -12,17 +12,17 @@ namespace {
 // far below the slack of spans().
 constexpr double flattest = 1e-7, slack = 1e-6;
 
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double dot(const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-Point cross(const Point& a, const Point& b) {
+Point3 cross(const Point3& a, const Point3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-Point scaled(const Point& a, double by) { return {a[0] * by, a[1] * by, a[2] * by}; }
+Point3 scaled(const Point3& a, double by) { return {a[0] * by, a[1] * by, a[2] * by}; }
 
 // Unit vectors that complete the periodic rows to a basis, perpendicular to them.
-std::array<Point, 3> completed(const Box& box) {
-  std::array<Point, 3> rows = {};
+std::array<Point3, 3> completed(const ListBox& box) {
+  std::array<Point3, 3> rows = {};
   std::array<double, 3> sizes = {};
   for (size_t k = 0; k < 3; ++k)
     if (box.periodic[k]) {
@@ -31,11 +31,11 @@ std::array<Point, 3> completed(const Box& box) {
     }
   for (size_t k = 0; k < 3; ++k) {
     if (box.periodic[k]) continue;
-    const Point &a = rows[(k + 1) % 3], &b = rows[(k + 2) % 3];
-    Point normal = cross(a, b);
+    const Point3 &a = rows[(k + 1) % 3], &b = rows[(k + 2) % 3];
+    Point3 normal = cross(a, b);
     if (dot(normal, normal) == 0) {  // at most one of the two is known yet: any direction that is far from it
-      const Point& known = dot(a, a) > 0 ? a : b;
-      Point axis = {};
+      const Point3& known = dot(a, a) > 0 ? a : b;
+      Point3 axis = {};
       size_t least = 0;
       for (size_t n = 1; n < 3; ++n)
         if (std::abs(known[n]) < std::abs(known[least])) least = n;
@@ -49,9 +49,9 @@ std::array<Point, 3> completed(const Box& box) {
 
 }  // namespace
 
-Lattice::Lattice(const Box& box, uint64_t system) : box_(box) {
+Lattice::Lattice(const ListBox& box, uint64_t system) : box_(box) {
   if (box.is_open()) return;
-  const std::array<Point, 3> rows = completed(box);
+  const std::array<Point3, 3> rows = completed(box);
   const double volume = dot(rows[0], cross(rows[1], rows[2]));
   if (!(std::abs(volume) >= flattest))
     throw ListError(ListFault::argument,
@@ -65,18 +65,18 @@ Lattice::Lattice(const Box& box, uint64_t system) : box_(box) {
   }
 }
 
-Point Lattice::fraction(const Point& point) const {
+Point3 Lattice::fraction(const Point3& point) const {
   return {dot(point, dual_[0]), dot(point, dual_[1]), dot(point, dual_[2])};
 }
 
-Point Lattice::spans(double distance) const {
-  Point spans;
+Point3 Lattice::spans(double distance) const {
+  Point3 spans;
   for (size_t k = 0; k < 3; ++k) spans[k] = distance * std::sqrt(dot(dual_[k], dual_[k])) * (1 + slack) + slack;
   return spans;
 }
 
-Point Lattice::moved(const Point& point, const Shift& shift) const {
-  Point to = point;
+Point3 Lattice::moved(const Point3& point, const Shift& shift) const {
+  Point3 to = point;
   for (size_t k = 0; k < 3; ++k)
     if (shift[k] != 0)
       for (size_t axis = 0; axis < 3; ++axis) to[axis] += shift[k] * box_.rows[k][axis];

@@ -10,18 +10,18 @@ namespace spherepair {
 class Lattice {
  public:
   // Throws ListError where the periodic rows are too near to a plane or a line; `system` is for the message.
-  Lattice(const Box& box, uint64_t system);
+  Lattice(const ListBox& box, uint64_t system);
 
   // How many rows of each kind lie between the origin and the point; 0 where the box is not periodic.
-  Point fraction(const Point& point) const;
+  Point3 fraction(const Point3& point) const;
   // How far two points at this distance can be apart in fractions, rounding included.
-  Point spans(double distance) const;
-  Point moved(const Point& point, const Shift& shift) const;
-  const Box& box() const { return box_; }
+  Point3 spans(double distance) const;
+  Point3 moved(const Point3& point, const Shift& shift) const;
+  const ListBox& box() const { return box_; }
 
  private:
-  Box box_;
-  std::array<Point, 3> dual_ = {};  // dual_[k] is perpendicular to the other periodic rows and 1 along row k
+  ListBox box_;
+  std::array<Point3, 3> dual_ = {};  // dual_[k] is perpendicular to the other periodic rows and 1 along row k
 };
 
 }  // namespace spherepair

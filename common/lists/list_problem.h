@@ -11,18 +11,18 @@
 
 namespace spherepair {
 
-using Point = std::array<double, 3>;
+using Point3 = std::array<double, 3>;
 using Shift = std::array<int32_t, 3>;  // S: how many rows of the box are added
 
-struct Box {
-  std::array<Point, 3> rows = {};  // not read where it is not periodic
+struct ListBox {
+  std::array<Point3, 3> rows = {};  // not read where it is not periodic
   std::array<bool, 3> periodic = {};
   bool is_open() const { return !periodic[0] && !periodic[1] && !periodic[2]; }
 };
 
 // A set of points, of several systems one after another; one length unit for all.
 struct PointSet {
-  std::vector<Point> points;
+  std::vector<Point3> points;
   std::vector<double> radii;      // of each, not negative; none: the cutoff is for all
   std::vector<uint64_t> offsets;  // system b has the points offsets[b] to offsets[b + 1] - 1
   uint64_t size() const { return points.size(); }
@@ -32,7 +32,7 @@ struct ListProblem {
   PointSet set, queries;
   bool asks = false;  // pairs of queries with points; else of points with points
   double cutoff = 0, skin = 0;
-  std::vector<Box> boxes;  // one a system
+  std::vector<ListBox> boxes;  // one a system
   std::vector<std::array<uint32_t, 2>> exclusions;
   bool half = false, inclusive = false, self_pairs = false;
 

@@ -32,7 +32,7 @@ class Planner {
   ListSpheres take() { return std::move(plan_); }
 
  private:
-  const std::vector<Point>& looking() const { return problem_.asks ? queries_ : points_; }
+  const std::vector<Point3>& looking() const { return problem_.asks ? queries_ : points_; }
 
   void measure_systems() {
     systems_.resize(plan_.lattices.size());
@@ -62,8 +62,8 @@ class Planner {
   // The most that rows of the box add to a coordinate, on the way into it and to an image.
   double size_of_shifts(size_t b) const {
     const Lattice& lattice = plan_.lattices[b];
-    const Point spans = lattice.spans(systems_[b].reach);
-    Point cells = {};
+    const Point3 spans = lattice.spans(systems_[b].reach);
+    Point3 cells = {};
     const auto farthest = [&](const std::vector<Shift>& all, const std::vector<uint64_t>& offsets) {
       for (uint64_t i = offsets[b]; i < offsets[b + 1]; ++i)
         for (size_t k = 0; k < 3; ++k) cells[k] = std::max(cells[k], std::abs(double(all[i][k])));
@@ -93,7 +93,7 @@ class Planner {
     if (system.inside.empty()) return;
     const Lattice& lattice = plan_.lattices[b];
     const double reach = reach_of(point, system);
-    const Point at = lattice.fraction(points_[point]), spans = lattice.spans(reach);
+    const Point3 at = lattice.fraction(points_[point]), spans = lattice.spans(reach);
     Shift low = {}, high = {};
     for (size_t k = 0; k < 3; ++k)
       if (lattice.box().periodic[k]) {
@@ -104,7 +104,7 @@ class Planner {
       for (shift[1] = low[1]; shift[1] <= high[1]; ++shift[1])
         for (shift[2] = low[2]; shift[2] <= high[2]; ++shift[2]) {
           if (!problem_.asks && shift == Shift{}) continue;
-          const Point place = lattice.moved(points_[point], shift);
+          const Point3 place = lattice.moved(points_[point], shift);
           bool near = true;
           for (size_t axis = 0; axis < 3; ++axis)
             near &= place[axis] >= system.inside.low[axis] - reach && place[axis] <= system.inside.high[axis] + reach;
@@ -115,7 +115,7 @@ class Planner {
   void check_number_of_images() const {
     double images = 0;
     for (size_t b = 0; b < systems_.size(); ++b) {
-      const Point spans = plan_.lattices[b].spans(systems_[b].reach);
+      const Point3 spans = plan_.lattices[b].spans(systems_[b].reach);
       double each = 1;
       for (size_t k = 0; k < 3; ++k)
         if (plan_.lattices[b].box().periodic[k])
@@ -139,14 +139,14 @@ class Planner {
     check_number_of_images();
     constexpr uint64_t share = 4096;  // points
     const auto shares = int64_t((points_.size() + share - 1) / share);
-    std::vector<std::vector<Image>> images(shares);
-    std::vector<std::vector<Point>> places(shares);
+    std::vector<std::vector<PointImage>> images(shares);
+    std::vector<std::vector<Point3>> places(shares);
     TeamErrors errors;
 #pragma omp parallel for schedule(dynamic, 1)
     for (int64_t k = 0; k < shares; ++k)
       errors.run(uint64_t(k), [&] {
         for (uint64_t i = uint64_t(k) * share; i < std::min((uint64_t(k) + 1) * share, uint64_t(points_.size())); ++i)
-          images_of(i, [&](const Shift& shift, const Point& place) {
+          images_of(i, [&](const Shift& shift, const Point3& place) {
             images[k].push_back({uint32_t(i), point_systems_[i], shift}), places[k].push_back(place);
           });
       });
@@ -174,7 +174,7 @@ class Planner {
                            system.inside.high[axis] - system.inside.low[axis] + 3 * system.reach + 16 * system.rounded);
     const uint64_t side = uint64_t(std::ceil(std::cbrt(double(systems_.size()))));
     const double all = pitch * double(side), scale = all > 0 ? std::exp2(-std::ceil(std::log2(all))) : 1;
-    const auto sphere = [&](const Point& at, uint32_t b, double radius) {
+    const auto sphere = [&](const Point3& at, uint32_t b, double radius) {
       const System& system = systems_[b];
       const uint64_t cell[3] = {b % side, b / side % side, b / side / side};
       float centre[3];
@@ -187,13 +187,13 @@ class Planner {
     };
     const int64_t looking_count = int64_t(plan_.looking());
     plan_.spheres.resize(plan_.looking() + plan_.images.size());
-#pragma omp parallel for schedule(static) if (int64_t(plan_.spheres.size()) > many)
+#pragma omp parallel for schedule(static) if (int64_t(plan_.spheres.size()) > share_from)
     for (int64_t i = 0; i < int64_t(plan_.spheres.size()); ++i) {
       if (i < looking_count) {
         plan_.spheres[i] = sphere(looking()[i], plan_.systems[i], radius_of(problem_, problem_.firsts(), uint64_t(i)));
         continue;
       }
-      const Image& image = plan_.images[i - looking_count];
+      const PointImage& image = plan_.images[i - looking_count];
       plan_.spheres[i] =
           sphere(places_[i - looking_count], image.system, radius_of(problem_, problem_.set, image.point));
     }
@@ -202,7 +202,7 @@ class Planner {
   const ListProblem& problem_;
   ListSpheres plan_;
   std::vector<uint32_t> point_systems_;
-  std::vector<Point> points_, queries_, places_;  // inside the boxes; of images
+  std::vector<Point3> points_, queries_, places_;  // inside the boxes; of images
   std::vector<System> systems_;
 };
 

@@ -9,14 +9,14 @@
 
 namespace spherepair {
 
-struct Image {
+struct PointImage {
   uint32_t point, system;
   Shift shift;  // from the point inside the box
 };
 
 struct ListSpheres {
   std::vector<vec4> spheres;              // those that look, in order (queries, or points), then the images
-  std::vector<Image> images;              // of spheres[looking], spheres[looking + 1] ...
+  std::vector<PointImage> images;         // of spheres[looking], spheres[looking + 1] ...
   std::vector<uint32_t> systems;          // of those that look
   std::vector<Shift> first_cells, cells;  // of those that look and of points: x = inside + cell H
   std::vector<Lattice> lattices;          // one a system

@@ -19,16 +19,16 @@ std::vector<uint32_t> systems_of(const PointSet& set) {
   return systems;
 }
 
-std::vector<Point> wrapped(const PointSet& set, const char* name, const std::vector<uint32_t>& systems,
-                           const std::vector<Lattice>& lattices, std::vector<Shift>& cells) {
-  std::vector<Point> inside(set.points);
+std::vector<Point3> wrapped(const PointSet& set, const char* name, const std::vector<uint32_t>& systems,
+                            const std::vector<Lattice>& lattices, std::vector<Shift>& cells) {
+  std::vector<Point3> inside(set.points);
   cells.assign(set.size(), Shift{});
   int64_t far = -1;
-#pragma omp parallel for schedule(static) reduction(max : far) if (int64_t(inside.size()) > many)
+#pragma omp parallel for schedule(static) reduction(max : far) if (int64_t(inside.size()) > share_from)
   for (int64_t i = 0; i < int64_t(inside.size()); ++i) {
     const Lattice& lattice = lattices[systems[i]];
     if (lattice.box().is_open()) continue;
-    const Point at = lattice.fraction(inside[i]);
+    const Point3 at = lattice.fraction(inside[i]);
     Shift back;
     for (size_t k = 0; k < 3; ++k) {
       if (!(std::abs(at[k]) < most_cells))

@@ -52,7 +52,7 @@ class Lister {
       if (!problem_.half) list.push_back({both.second, both.first, less({}, both.shift)});
       return;
     }
-    const Image& image = plan_.images[pair.second - looking];
+    const PointImage& image = plan_.images[pair.second - looking];
     if (image.system != system) return;
     const ListedPair one{pair.first, image.point,
                          sum(image.shift, less(plan_.first_cells[pair.first], plan_.cells[image.point]))};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // pairs of spheres in a periodic box, as extended XYZ has it: Lattice and pbc.
 #include "bench/lists/listed_file.h"
+#include "bench/spheres/rows_file.h"
 #include "tests/oracle/list_oracle.h"
 #include "tests/support/pairs_command.h"
 
@@ -11,7 +12,7 @@ class PeriodicPairs : public PairsCommand {
  protected:
   // A frame of these points in this box; numbers are multiples of 1/8 or written with all digits.
   std::string file_of(const std::string& name, const ListProblem& problem, bool radii) {
-    const Box& box = problem.boxes[0];
+    const ListBox& box = problem.boxes[0];
     std::string text = fmt::format("{}\nLattice=\"", problem.set.size());
     for (size_t k = 0; k < 9; ++k) text += fmt::format("{}{}", k ? " " : "", box.rows[k / 3][k % 3]);
     text += "\" pbc=\"";

@@ -28,7 +28,7 @@ std::string first_difference(const std::vector<ListedPair>& given, const std::ve
                      b == wanted.end() ? "end" : text_of(*b), given.size(), wanted.size());
 }
 
-ListProblem of_points(std::vector<Point> points, double cutoff, const Box& box = {}) {
+ListProblem of_points(std::vector<Point3> points, double cutoff, const ListBox& box = {}) {
   ListProblem problem;
   problem.set.offsets = {0, points.size()};
   problem.set.points = std::move(points);
@@ -37,7 +37,7 @@ ListProblem of_points(std::vector<Point> points, double cutoff, const Box& box =
   return problem;
 }
 
-Box cube(double edge) { return {{{{edge, 0, 0}, {0, edge, 0}, {0, 0, edge}}}, {true, true, true}}; }
+ListBox cube(double edge) { return {{{{edge, 0, 0}, {0, edge, 0}, {0, 0, edge}}}, {true, true, true}}; }
 
 TEST_P(Lists, EqualThoseOfAllPointsAndImages) {
   Random random(59);
@@ -55,7 +55,7 @@ TEST_P(Lists, EqualThoseOfAllPointsAndImages) {
 TEST_P(Lists, DecideInRealNumbersWhatFloat64CannotTell) {
   Random random(60);
   for (int k = 0; k < 12; ++k) {
-    ListProblem problem = of_points({}, 0, k % 2 == 0 ? Box{} : cube(3 + 0x1p-30));
+    ListProblem problem = of_points({}, 0, k % 2 == 0 ? ListBox{} : cube(3 + 0x1p-30));
     for (int i = 0; i < 9; ++i) {
       const auto near = [&] { return 1048576 + random.between(-2, 2) + random.between(-3, 3) * 0x1p-32; };
       problem.set.points.push_back({near(), near(), near()});
@@ -96,7 +96,7 @@ TEST_P(Lists, OfManySystemsAreThoseOfEach) {
   all.boxes.clear(), all.set.offsets = {0};
   std::vector<ListedPair> wanted;
   for (uint32_t b = 0; b < 50; ++b) {
-    ListProblem one = of_points({}, 1.5, b % 3 == 0 ? Box{} : cube(2.0 + b));
+    ListProblem one = of_points({}, 1.5, b % 3 == 0 ? ListBox{} : cube(2.0 + b));
     for (uint32_t i = 0; i < 3 * b; ++i)
       one.set.points.push_back({random.uniform(0, 4), random.uniform(0, 4), random.uniform(0, 4 + b)});
     one.set.offsets = {0, one.set.size()};
@@ -117,8 +117,8 @@ TEST_P(Lists, VectorsAndDistancesAreThoseOfTheirPairs) {
     for (const ListedPair& pair : list(problem)) {
       const auto system =
           std::ranges::upper_bound(problem.firsts().offsets, pair.first) - problem.firsts().offsets.begin();
-      const Box& box = problem.boxes[size_t(system) - 1];
-      const Point way = displacement(problem, box, pair);
+      const ListBox& box = problem.boxes[size_t(system) - 1];
+      const Point3 way = displacement(problem, box, pair);
       for (size_t axis = 0; axis < 3; ++axis) {
         double wanted = problem.set.points[pair.second][axis] - problem.firsts().points[pair.first][axis];
         for (size_t row = 0; row < 3; ++row) wanted += pair.shift[row] ? pair.shift[row] * box.rows[row][axis] : 0;
@@ -140,14 +140,14 @@ std::string refusal(Backend& backend, const ListProblem& problem, ListFault faul
 }
 
 TEST_P(Lists, WhatCannotBeListedIsRefusedByName) {
-  const Point origin = {};
+  const Point3 origin = {};
   const auto of = [&](const ListProblem& problem, ListFault fault) { return refusal(backend(), problem, fault); };
   EXPECT_EQ(of(of_points({origin, {0, NAN, 0}}, 1), ListFault::not_finite), "positions[1].y is nan");
   EXPECT_EQ(of(of_points({{-INFINITY, 0, 0}}, 1), ListFault::not_finite), "positions[0].x is -inf");
   EXPECT_EQ(of(of_points({origin}, -1), ListFault::argument), "cutoff is -1, but must not be negative");
   EXPECT_TRUE(
       of(of_points({{0, 0, 1e-300}}, 1), ListFault::range).starts_with("positions[0].z is 1e-300: numbers other"));
-  Box flat = cube(1);
+  ListBox flat = cube(1);
   flat.rows[2] = {1, 1, 0};
   EXPECT_TRUE(
       of(of_points({origin}, 1, flat), ListFault::argument).starts_with("boxes[0]: its periodic rows span no vol"));

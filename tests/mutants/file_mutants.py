@@ -34,7 +34,7 @@ FILES = [
     mutant("words for a box are not seen", "bench/text/xyz_comment.cpp", "word.starts_with(box) || word.ends_with(box)", "false", "XyzComment"),
     mutant("exponents have no D", "bench/spheres/columns.cpp", "plain[mark] = 'e';", "{}", "XyzComment"),
     mutant("squares lose their low parts", "bench/spheres/pair_geometry.cpp", "if (low == 0) return;", "return;", "ContactGeometry"),
-    mutant("products are rounded", "bench/spheres/pair_geometry.cpp", "if (rest != 0) add(rest);", "", "ContactGeometry"),
+    mutant("products are rounded", "common/lists/exact_sum.h", "if (rest != 0) add(rest);", "", "ContactGeometry"),
     mutant("points on the cutoff are beyond it", "bench/spheres/pair_geometry.cpp", "return sum.rounded() >= 0;", "return sum.rounded() > 0;", "ContactGeometry"),
     mutant("pairs beyond the cutoff stay", "bench/cli/pairs.cpp", "if (cutoff) leave_pairs_beyond(", "if (false) leave_pairs_beyond(", "PairsCommand"),
     mutant("the cutoff is rounded", "bench/cli/pairs.cpp", "is_within(pair, points, cutoff)", "is_within(pair, points, float(cutoff))", "PairsCommand"),

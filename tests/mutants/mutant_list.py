@@ -3,6 +3,7 @@
 from contact_mutants import CONTACTS
 from file_mutants import FILES
 from mutant import mutant
+from list_mutants import LISTS
 from near_pair_mutants import NEAR_PAIRS
 from vulkan_mutants import VULKAN
 
@@ -233,4 +234,4 @@ DRAWING = [
            "ViewerImages"),
 ]
 
-MUTANTS = HARNESS + SHADERS + CPU + FILES + CHECKPOINT + COMMANDS + EXACT + DRAWING + NEAR_PAIRS + CONTACTS + VULKAN
+MUTANTS = HARNESS + SHADERS + CPU + FILES + CHECKPOINT + COMMANDS + EXACT + DRAWING + NEAR_PAIRS + CONTACTS + VULKAN + LISTS

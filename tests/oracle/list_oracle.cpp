@@ -25,7 +25,7 @@ bool is_excluded(const ListProblem& problem, uint32_t i, uint32_t j) {
 }
 
 template <typename Kind>
-bool is_pair(const ListProblem& problem, const Box& box, const ListedPair& pair) {
+bool is_pair(const ListProblem& problem, const ListBox& box, const ListedPair& pair) {
   using Number = typename Kind::Number;
   Number squared = 0;
   for (size_t axis = 0; axis < 3; ++axis) {
@@ -55,7 +55,7 @@ std::vector<ListedPair> list_by(const ListProblem& problem, int range) {
   std::vector<ListedPair> list;
   const PointSet &firsts = problem.firsts(), &seconds = problem.set;
   for (size_t b = 0; b + 1 < seconds.offsets.size(); ++b) {
-    const Box& box = problem.boxes[b];
+    const ListBox& box = problem.boxes[b];
     const auto to = [&](size_t k) { return box.periodic[k] ? range : 0; };
     for (auto i = uint32_t(firsts.offsets[b]); i < firsts.offsets[b + 1]; ++i)
       for (auto j = uint32_t(seconds.offsets[b]); j < seconds.offsets[b + 1]; ++j) {
@@ -97,8 +97,8 @@ PointSet random_set(Random& random, int systems, bool radii) {
   return set;
 }
 
-Box random_box(Random& random) {
-  Box box;
+ListBox random_box(Random& random) {
+  ListBox box;
   for (size_t k = 0; k < 3; ++k) {
     box.periodic[k] = random.below(2) == 1;
     box.rows[k][k] = eighths(random, 20, 60);

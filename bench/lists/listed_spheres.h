@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The pairs of a file's spheres in a periodic box, decided by the file's own numbers.
+#pragma once
+
+#include "bench/spheres/sphere_file.h"
+#include "common/lists/pair_list.h"
+
+namespace spherepair {
+
+// A half list, or a full one. With a cutoff: of points at most that far apart; else of spheres that overlap.
+ListProblem problem_of(const PeriodicSpheres& spheres, std::optional<double> cutoff, bool full);
+
+struct ListedSpheres {
+  Collisions totals;         // each pair counts once
+  std::vector<uint> counts;  // of each sphere: its neighbours, images included
+  std::vector<ListedPair> pairs;
+};
+
+// Throws std::invalid_argument that names the file.
+ListedSpheres find_listed(Backend& backend, const SphereFile& input, std::optional<double> cutoff, bool full,
+                          const CollideOptions& how);
+
+}  // namespace spherepair
