@@ -3,6 +3,7 @@
 
 import array
 import ctypes
+import types
 import unittest
 
 import numpy as np
