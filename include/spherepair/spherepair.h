@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT
  *
- * Lists of pairs: neighbours within a cutoff, or spheres that overlap, in open and periodic boxes, for one system or many.
+ * Lists of pairs: neighbours within a cutoff, or spheres that overlap; open and periodic boxes; one system or many.
  *
- * What a pair is. A pair is (i, j, S): the points i and j, and S, three integers that say which image of j. It is in the
- * list if and only if
+ * What a pair is. A pair is (i, j, S): the points i and j, and S, three integers that say which image of j. It is in
+ * the list if and only if
  *
  *     |x_j - x_i + S_0 H_0 + S_1 H_1 + S_2 H_2|^2  <  c^2,
  *
- * decided in real arithmetic on the numbers as they are given: no coordinate, radius or cutoff is rounded first. H_k are
- * the rows of the box. c is the cutoff, or r_i + r_j where there are radii, plus the skin. With `inclusive` the sign is
- * <=. S refers to the coordinates as they are given, which need not lie in the box; along an axis that is not periodic it
- * is 0. Two points at one place are a pair if c > 0.
+ * decided in real arithmetic on the numbers as they are given: no coordinate, radius or cutoff is rounded first. H_k
+ * are the rows of the box. c is the cutoff, or r_i + r_j where there are radii, plus the skin. With `inclusive` equal
+ * numbers are a pair, too. S refers to the coordinates as they are given, which need not lie in the box; along an axis
+ * that is not periodic it is 0. Two points at one place are a pair if c > 0.
  *
  * A full list has (i, j, S) and (j, i, -S). A half list has the one with i < j; of an image of the point itself
  * (i = j) the one whose first component of S other than 0 is positive. (i, i, 0) is in the list only with `self_pairs`,
@@ -102,7 +102,7 @@ typedef struct sp_pairs {
   sp_array shifts;    /* count x 3, I32 or I64: S */
   sp_array vectors;   /* count x 3, F64: x_j - x_i + S H, each component at most 1 unit in the last place off */
   sp_array distances; /* F64: the length of the vector; its relative error is below 2^-50 */
-  sp_array offsets;   /* N + 1 (of queries: their number + 1), I64: pairs of point i are offsets[i] to offsets[i + 1] - 1 */
+  sp_array offsets;   /* I64, one row more than points or queries: those of i are offsets[i] to offsets[i + 1] - 1 */
 } sp_pairs;
 
 /* What sp_list gives beside first and second: a sum of these. */
@@ -110,8 +110,8 @@ enum { SP_SHIFTS = 1, SP_VECTORS = 2, SP_DISTANCES = 4, SP_OFFSETS = 8 };
 
 typedef struct sp_context sp_context; /* a backend on a device, opened */
 
-SP_API uint32_t sp_abi_version(void);   /* SP_ABI_VERSION of the library that is loaded */
-SP_API const char* sp_version(void);    /* "0.3.0" */
+SP_API uint32_t sp_abi_version(void); /* SP_ABI_VERSION of the library that is loaded */
+SP_API const char* sp_version(void);  /* "0.3.0" */
 
 /* The name of a backend that this version knows: "cpu", "opengl", "cuda", "vulkan"; NULL behind the last. */
 SP_API const char* sp_backend_name(int32_t index);
@@ -119,17 +119,17 @@ SP_API const char* sp_backend_name(int32_t index);
 /* Opens a backend by its name; "auto": the first of cuda, vulkan, opengl on a GPU, else cpu. device: a GPU's number or
  * UUID, or NULL. threads: of cpu; 0: one a core. On failure *out is NULL and sp_message(NULL) has the reason. */
 SP_API sp_status sp_open(const char* backend, const char* device, int32_t threads, sp_context** out);
-SP_API void sp_close(sp_context* context); /* NULL is fine. Lists that it made stay valid */
+SP_API void sp_close(sp_context* context);                /* NULL is fine. Lists that it made stay valid */
 SP_API const char* sp_backend(const sp_context* context); /* the name of what was opened, until the context is closed */
 SP_API const char* sp_device(const sp_context* context);  /* its device, as the driver names it */
 
-/* Why the last call with this context failed, until its next call; of NULL: why the calling thread's last sp_open did. */
+/* Why the last call with this context failed, until its next call; of NULL: why this thread's last sp_open did. */
 SP_API const char* sp_message(const sp_context* context);
 
 /* How many pairs the list has. */
 SP_API sp_status sp_count(sp_context* context, const sp_problem* problem, int64_t* count);
 
-/* Makes the list in memory of its own, to be freed by sp_free. wanted: a sum of SP_SHIFTS ... On failure *out is NULL. */
+/* Makes the list in memory of its own, which sp_free frees. wanted: a sum of SP_SHIFTS ... On failure *out is NULL. */
 SP_API sp_status sp_list(sp_context* context, const sp_problem* problem, uint32_t wanted, sp_pairs** out);
 SP_API void sp_free(sp_pairs* list); /* NULL is fine */
 

@@ -41,7 +41,7 @@ def library():
         if not pathlib.Path(given).is_file():
             raise SystemExit(f"SPHEREPAIR_LIBRARY is {given}: there is no such file")
         return pathlib.Path(given)
-    options = ["-DCMAKE_BUILD_TYPE=Release", "-DSPHEREPAIR_TESTS=OFF", *shlex.split(os.environ.get("CMAKE_ARGS", ""))]
+    options = ["-DCMAKE_BUILD_TYPE=Release", "-DSPHEREPAIR_PROGRAM=OFF", *shlex.split(os.environ.get("CMAKE_ARGS", ""))]
     subprocess.run(["cmake", "-S", ROOT, "-B", BUILD, *options], check=True)
     subprocess.run(["cmake", "--build", BUILD, "--target", "spherepair_shared", "--parallel"], check=True)
     found = sorted(BUILD.rglob("libspherepair.so"))

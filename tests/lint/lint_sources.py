@@ -11,7 +11,8 @@ MAX_LINES = 250
 MAX_FUNCTION = 60  # lines, of host code
 CLANG_FORMAT = 14  # other versions lay out some lines differently
 CODE = (".h", ".cpp", ".cu", ".cuh", ".comp", ".glsl")
-FOLDERS = ("common", "shaders", "glsl", "vulkan", "cuda", "interop", "api", "bench", "tests", "paper")
+FOLDERS = ("common", "shaders", "glsl", "vulkan", "cuda", "interop", "api", "include", "bench", "tests", "paper",
+           "examples", "python")
 
 # What has no one meaning on all compilers, see rule 1 of the design: their rounding differs even under `precise`.
 FORBIDDEN = re.compile(r"(?<![.\w])(dot|length|distance|normalize|mix|inversesqrt|sqrt|floor|fmaf?|exp|pow)\s*\(")
