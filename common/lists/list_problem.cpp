@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace spherepair {
@@ -13,8 +14,10 @@ constexpr uint64_t most_points = 0x7FFFFFFF;
 
 bool is_listed(double number) {
   const double size = std::abs(number);
-  return size == 0 || (size >= smallest_listed && size <= largest_listed);
+  return size == 0 || (size >= smallest_listed && size <= largest_listed);  // no NaN
 }
+
+bool is_radius(double number) { return number >= 0 && is_listed(number); }
 
 void check_number(double number, const std::string& name, bool may_be_negative) {
   if (!std::isfinite(number)) throw ListError(ListFault::not_finite, fmt::format("{} is {}", name, number));
@@ -31,13 +34,18 @@ void check_set(const PointSet& set, const std::string& points, const std::string
   if (set.size() > most_points)
     throw ListError(ListFault::range,
                     fmt::format("{} has {} rows, but {} at most can be numbered", points, set.size(), most_points));
-  for (uint64_t i = 0; i < set.size(); ++i)
-    for (size_t axis = 0; axis < 3; ++axis)
-      if (const double number = set.points[i][axis]; !is_listed(number) || !std::isfinite(number))
-        check_number(number, fmt::format("{}[{}].{}", points, i, "xyz"[axis]), true);
-  for (uint64_t i = 0; i < set.radii.size(); ++i)
-    if (const double radius = set.radii[i]; !(radius >= 0) || !is_listed(radius) || !std::isfinite(radius))
-      check_number(radius, fmt::format("{}[{}]", radii, i), false);
+  const auto n = int64_t(set.size());
+  int64_t first = n;  // that is wrong
+#pragma omp parallel for schedule(static) reduction(min : first) if (n > 1 << 14)
+  for (int64_t i = 0; i < n; ++i) {
+    const auto& [x, y, z] = set.points[i];
+    if (is_listed(x) && is_listed(y) && is_listed(z) && (set.radii.empty() || is_radius(set.radii[i]))) continue;
+    first = std::min(first, i);
+  }
+  if (first == n) return;
+  for (size_t axis = 0; axis < 3; ++axis)
+    check_number(set.points[first][axis], fmt::format("{}[{}].{}", points, first, "xyz"[axis]), true);
+  check_number(set.radii[first], fmt::format("{}[{}]", radii, first), false);
 }
 
 void check_exclusions(const ListProblem& problem) {

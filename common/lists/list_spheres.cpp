@@ -40,7 +40,8 @@ class Planner {
     for (uint64_t i = 0; i < plan_.looking(); ++i) {
       System& system = systems_[plan_.systems[i]];
       system.inside.add(looking()[i]);
-      system.fractions.add(plan_.lattices[plan_.systems[i]].fraction(looking()[i]));
+      if (const Lattice& lattice = plan_.lattices[plan_.systems[i]]; !lattice.box().is_open())
+        system.fractions.add(lattice.fraction(looking()[i]));
       system.radius = std::max(system.radius, radius_of(problem_, problem_.firsts(), i));
     }
     const auto sizes = [&](const PointSet& set, const std::vector<uint32_t>& systems) {

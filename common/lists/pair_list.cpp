@@ -78,8 +78,9 @@ class Lister {
   std::vector<Pair> excluded_;
 };
 
-// By first through counting, each first's by the rest.
-std::vector<ListedPair> sorted(const std::vector<ListedPair>& list, uint64_t firsts) {
+// By first through counting, each first's by the rest. Half lists of open boxes come in order from the search.
+std::vector<ListedPair> sorted(std::vector<ListedPair> list, uint64_t firsts) {
+  if (std::ranges::is_sorted(list)) return list;
   const std::vector<int64_t> offsets = offsets_of(list, firsts);
   std::vector<int64_t> next(offsets.begin(), offsets.end() - 1);
   std::vector<ListedPair> in_order(list.size());
@@ -119,7 +120,7 @@ std::vector<ListedPair> list_pairs(Backend& backend, const ListProblem& problem,
   std::vector<ListedPair> list;
   for (const std::vector<ListedPair>& part : parts) list.insert(list.end(), part.begin(), part.end());
   if (problem.self_pairs) lister.add_points_themselves(list);
-  return sorted(list, problem.firsts().size());
+  return sorted(std::move(list), problem.firsts().size());
 }
 
 }  // namespace spherepair
