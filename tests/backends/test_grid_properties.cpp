@@ -24,7 +24,7 @@ rc::Gen<std::vector<vec4>> lattice_spheres() {
   return rc::gen::container<std::vector<vec4>>(sphere);
 }
 
-class GridProperties : public BackendTest {
+class GridProperties : public KernelTest {
  protected:
   // On the CPU RapidCheck tries all of its cases; elsewhere, where each takes 50 ms in software, some.
   bool tried_enough() { return !backend().info().on_host && ++tried_ > (full_stress() ? 1000 : 100); }

@@ -9,7 +9,7 @@
 namespace spherepair {
 namespace {
 
-class MotionMethods : public BackendTest {};
+class MotionMethods : public KernelTest {};
 
 // Powers of two and not, so that a backend that fuses products shows it; long steps hold many bounces each, and every
 // bounce divides and takes a root.

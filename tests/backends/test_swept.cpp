@@ -96,7 +96,7 @@ TEST_P(StressCatalogue, Row26_DiscreteTestMissesAsGeometrySays) {
   }
 }
 
-class Swept : public BackendTest {
+class Swept : public KernelTest {
  protected:
   // The pairs that the backend finds to touch within the next dt, which are those found by testing all.
   std::vector<Pair> expect_all_pairs_tested(const Scene& scene, const CollideOptions& options = swept_options()) {

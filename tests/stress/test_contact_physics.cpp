@@ -19,11 +19,11 @@
 namespace spherepair {
 namespace {
 
-class ContactPhysics : public BackendTest {
+class ContactPhysics : public KernelTest {
  protected:
   // The other software renderer has the CPU's bits (Contacts), at a twentieth of its speed.
   void SetUp() override {
-    BackendTest::SetUp();
+    KernelTest::SetUp();
     if (IsSkipped()) return;
     if (backend().info().software) GTEST_SKIP() << "the same bits as the CPU's";
   }

@@ -12,7 +12,7 @@
 namespace spherepair {
 namespace {
 
-class ContactRest : public BackendTest {};
+class ContactRest : public KernelTest {};
 
 Scene awake(Scene scene) {
   scene.contact.sleeping = false;

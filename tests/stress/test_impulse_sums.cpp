@@ -15,7 +15,7 @@ namespace {
 
 constexpr uint64_t enough = 700;  // steps in which spheres of every scene run into each other
 
-class SumsOfImpulses : public BackendTest {
+class SumsOfImpulses : public KernelTest {
  protected:
   void TearDown() override {
     if (IsSkipped()) return;

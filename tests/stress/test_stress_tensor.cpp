@@ -15,7 +15,7 @@ namespace {
 
 const CollideOptions tensor = {.method = Method::collide_tensor};
 
-class TensorCores : public BackendTest {
+class TensorCores : public KernelTest {
  protected:
   bool offered() {
     const std::vector<Method> methods = backend().methods();

@@ -60,7 +60,7 @@ Scene falling_scene(const MotionOptions& motion, const Fall& fall, uint64_t n) {
 const Fall falls[] = {{0.01f, 1, 1000}, {0.25f, 0.8f, 20}, {1, 1, 10},           {1, 0.5f, 5},
                       {4, 1, 2},        {0.5f, 0, 10},     {0.25f, 0.9f, 30, 0}, {0.25f, 0.7f, 6, -9.81f, true}};
 
-class SweptPaths : public BackendTest {
+class SweptPaths : public KernelTest {
  protected:
   std::vector<Pair> search(Method method = Method::automatic) {
     return run_step(backend(), {.method = method, .want_pairs = true, .swept = true}).pairs.value();

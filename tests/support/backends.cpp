@@ -117,6 +117,14 @@ void BackendTest::SetUp() {
   }
 }
 
+void KernelTest::SetUp() {
+  BackendTest::SetUp();
+  if (IsSkipped() || HasFatalFailure() || GetParam() != "vulkan" || !backend().info().software) return;
+  const auto opengl = std::ranges::find(all_backends(), "opengl", &OpenedBackend::name);
+  if (opengl->backend && !full_stress() && !backend_required("vulkan"))
+    GTEST_SKIP() << "in software Vulkan's kernels are OpenGL's; REQUIRE_BACKENDS=vulkan or STRESS=full runs them";
+}
+
 std::string parameter_name(const testing::TestParamInfo<std::string>& info) { return info.param; }
 
 StepResult run_step(Backend& backend, const CollideOptions& options) {

@@ -65,8 +65,15 @@ class BackendTest : public testing::TestWithParam<std::string> {
   Backend* backend_ = nullptr;
 };
 
+// What kernels compute, not how an API launches them. In software Vulkan's kernels are OpenGL's, by the same compiler:
+// they run with STRESS=full, and where REQUIRE_BACKENDS has vulkan.
+class KernelTest : public BackendTest {
+ protected:
+  void SetUp() override;
+};
+
 // Rows of the stress catalogue that every backend must pass; each test is named by its row.
-class StressCatalogue : public BackendTest {};
+class StressCatalogue : public KernelTest {};
 
 std::string parameter_name(const testing::TestParamInfo<std::string>& info);
 #define INSTANTIATE_BACKENDS(suite) \
