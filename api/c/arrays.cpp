@@ -36,7 +36,7 @@ void check_array(const sp_array& array, const std::string& name, int64_t columns
   if (array.rows < 0 || array.columns != columns)
     refuse(fmt::format("{} has {} rows of {}, but each row has {}", name, array.rows, array.columns, columns));
   if (array.rows > 0 && !array.data) refuse(fmt::format("{} has {} rows but no data", name, array.rows));
-  if (std::ranges::find(types, sp_type(array.type)) != types.end()) return;
+  if (std::ranges::any_of(types, [&](sp_type type) { return int32_t(type) == array.type; })) return;
   std::string allowed;
   for (const sp_type type : types) allowed += (allowed.empty() ? "" : " or ") + std::string(type_names[type]);
   const bool known = array.type >= SP_F32 && array.type <= SP_U8;
