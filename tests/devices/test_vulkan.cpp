@@ -61,7 +61,8 @@ TEST_F(Vulkan, ValidationFindsNothing) {
                            path("compare")));
   for (const char* motion : {"paper", "anchored"})
     expect_valid(fmt::format("run --backend vulkan --scene random --n 2000 --steps 40 --motion {}", motion));
-  expect_valid(fmt::format("render --backend vulkan --n 2000 --steps 3 --images 3 --size 160x90 --output '{}'", path("image.png")));
+  expect_valid(fmt::format("render --backend vulkan --n 2000 --steps 3 --images 3 --size 160x90 --output '{}'",
+                           path("image.png")));
 }
 
 TEST_F(Vulkan, AMissingDriverIsSaid) {
