@@ -82,7 +82,7 @@ TEST_F(CCalls, FillWritesOnlyWhatFitsWhole) {
 
 // Backwards, and as columns of a larger array.
 TEST_F(CCalls, StridesAreObeyed) {
-  std::vector<float> wide = {2, 9, 0, 9, 0, 9, 1, 9, 0, 9, 0, 9, 0, 9, 0, 9, 0, 9};
+  std::vector<float> wide = {2, 5, 0, 9, 0, 9, 1, -7, 0, 9, 0, 9, 0, 30, 0, 9, 0, 9};
   sp_problem asked = problem();
   asked.positions = {wide.data() + 12, 3, 3, -6, 2, SP_F32, 1, 0};
   std::vector<int32_t> second(8, -1);

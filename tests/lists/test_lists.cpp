@@ -81,6 +81,16 @@ TEST_P(Lists, TheCutoffIsNotRounded) {
   }
 }
 
+// A third point far away makes float32 coarse for the two.
+TEST_P(Lists, RoundingToFloat32LosesNoPair) {
+  Random random(64);
+  for (int k = 0; k < 40; ++k) {
+    const double x = random.uniform(0, 100), y = random.uniform(0, 100);
+    const ListProblem problem = of_points({{x, y, 0}, {x + 0.01, y, 0}, {1000, 1000, 1000}}, 0.01 + 1e-12);
+    EXPECT_EQ(list(problem).size(), 2u) << x << ", " << y;
+  }
+}
+
 // As many as there are in a body-centred lattice, whatever the unit of length is.
 TEST_P(Lists, HoldForEveryUnitOfLength) {
   for (const int power : {-400, -150, -30, 0, 60, 200, 400}) {

@@ -3,8 +3,6 @@
 from mutant import mutant
 
 LISTS = [
-    mutant("a filter without the bound of its roundings", "common/lists/displacement.cpp",
-           "error += 0x1p-49 * (squared + limit);", "error = 0;", "Lists"),
     mutant("shifts are left out of exact sums", "common/lists/displacement.cpp",
            "if (pair.shift[k] != 0) sum.add_product(pair.shift[k], box.rows[k][axis]);", "", "Lists"),
     mutant("inclusive lists lack their ties", "common/lists/displacement.cpp", "(side == 0 && problem.inclusive)", "false", "Lists"),
@@ -13,7 +11,6 @@ LISTS = [
            "sum(image.shift, less(plan_.first_cells[pair.first], plan_.cells[image.point]))", "image.shift", "Lists"),
     mutant("half lists have both images of a point", "common/lists/pair_list.cpp",
            "(one.first == one.second && one.shift < Shift{})", "false", "Lists"),
-    mutant("pairs join two systems", "common/lists/pair_list.cpp", "if (image.system != system) return;", "", "Lists"),
     mutant("exclusions are in the order given", "common/lists/pair_list.cpp",
            "if (!problem_.asks && ids.first > ids.second) std::swap(ids.first, ids.second);", "", "Lists"),
     mutant("spheres are as large as in real numbers", "common/lists/list_spheres.cpp", "+ 0x1p-25;", ";", "Lists"),
