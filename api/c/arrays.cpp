@@ -11,6 +11,12 @@ namespace {
 constexpr int32_t host = 1;  // kDLCPU
 constexpr const char* type_names[] = {"F32", "F64", "I32", "I64", "U8"};
 
+void check_rows(const sp_array& array, const std::string& name) {
+  if (array.rows > most_points)
+    throw ListError(ListFault::range,
+                    fmt::format("{} has {} rows, but {} at most can be read", name, array.rows, most_points));
+}
+
 template <typename Number, typename Element>
 std::vector<Number> read(const sp_array& array) {
   std::vector<Number> numbers(size_t(array.rows) * size_t(array.columns));
@@ -46,21 +52,25 @@ void check_array(const sp_array& array, const std::string& name, int64_t columns
 
 std::vector<double> read_numbers(const sp_array& array, const std::string& name, int64_t columns) {
   check_array(array, name, columns, {SP_F32, SP_F64});
+  check_rows(array, name);
   return array.type == SP_F32 ? read<double, float>(array) : read<double, double>(array);
 }
 
 std::vector<int64_t> read_integers(const sp_array& array, const std::string& name, int64_t columns) {
   check_array(array, name, columns, {SP_I32, SP_I64});
+  check_rows(array, name);
   return array.type == SP_I32 ? read<int64_t, int32_t>(array) : read<int64_t, int64_t>(array);
 }
 
 std::vector<uint8_t> read_flags(const sp_array& array, const std::string& name, int64_t columns) {
   check_array(array, name, columns, {SP_U8});
+  check_rows(array, name);
   return read<uint8_t, uint8_t>(array);
 }
 
 std::vector<Point3> read_points(const sp_array& array, const std::string& name) {
   check_array(array, name, 3, {SP_F32, SP_F64});
+  check_rows(array, name);
   std::vector<Point3> points(size_t(array.rows));
   const auto read_as = [&]<typename Element>(Element) {
 #pragma omp parallel for schedule(static) if (array.rows > 1 << 14)

@@ -14,7 +14,7 @@ namespace spherepair {
 
 inline bool is_given(const sp_array& array) { return array.data != nullptr || array.rows != 0; }
 
-// Refuses what is not of `columns` columns, of one of the types, in the host's memory.
+// Refuses an array that has another number of columns or another type, or that lies in a device's memory.
 void check_array(const sp_array& array, const std::string& name, int64_t columns, std::initializer_list<sp_type> types);
 
 std::vector<Point3> read_points(const sp_array& array, const std::string& name);
@@ -22,13 +22,13 @@ std::vector<double> read_numbers(const sp_array& array, const std::string& name,
 std::vector<int64_t> read_integers(const sp_array& array, const std::string& name, int64_t columns);
 std::vector<uint8_t> read_flags(const sp_array& array, const std::string& name, int64_t columns);
 
-// The element's address.
+// One element, where the strides put it.
 template <typename Element>
 Element& element(const sp_array& array, int64_t row, int64_t column = 0) {
   return static_cast<Element*>(array.data)[row * array.row_stride + column * array.column_stride];
 }
 
-// Writes value(row, column) everywhere, as the array's type.
+// Writes value(row, column) to each element, converted to the array's type.
 template <typename Value>
 void write_array(const sp_array& array, int64_t rows, int64_t columns, Value value) {
   const auto write = [&]<typename Element>(Element) {

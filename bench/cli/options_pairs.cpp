@@ -96,7 +96,7 @@ void check_periodic_options(const PairsOptions& options) {
   if (options.geometry)
     throw std::invalid_argument(
         "--geometry is not for periodic boxes yet: take --distances, which gives the image of j as well");
-  if (options.csr) OutputFiles().write("--output", shifts_file(options.output_file));
+  if (options.csr) OutputFiles().write("--output", neighbour_files(options.output_file, options.distances).shifts);
 }
 
 void add_pairs(CLI::App& app, CommandLine& line, Action& action) {

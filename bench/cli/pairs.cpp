@@ -113,7 +113,7 @@ void write_found(const PairsOptions& options, const SphereFile& input, const Fou
   if (!options.contacts_file.empty()) write_contact_numbers(options.contacts_file, found.counts);
   if (input.periodic && !file.empty()) {
     const ListProblem problem = problem_of(*input.periodic, options.cutoff, options.csr);
-    if (options.csr) return write_listed_neighbours(file, problem, found.listed, options.distances);
+    if (options.csr) return write_listed_neighbours(neighbour_files(file, options.distances), problem, found.listed);
     return write_listed(file, problem, found.listed, options.distances);
   }
   if (options.csr)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bench/image/box_edges.h"
 
-#include "bench/image/canvas.h"
+#include "bench/legend/canvas.h"
 
 namespace spherepair {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "bench/image/canvas.h"
+#include "bench/legend/canvas.h"
 #include "common/scene/camera.h"
 
 namespace spherepair {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/image/legend.h"
+#include "bench/legend/legend.h"
 
 namespace spherepair {
 

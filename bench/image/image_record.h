@@ -4,7 +4,7 @@
 
 #include "bench/formats/start.h"
 #include "bench/image/antialiased_image.h"
-#include "bench/image/legend.h"
+#include "bench/legend/legend.h"
 
 namespace spherepair {
 

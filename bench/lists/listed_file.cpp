@@ -62,21 +62,16 @@ void write_listed(const std::string& file, const ListProblem& problem, std::span
       names_line(file, names));
 }
 
-std::string shifts_file(const std::string& file) {
-  return file.substr(0, file.size() - std::string(".npy").size()) + ".shifts.npy";
-}
-
-void write_listed_neighbours(const std::string& file, const ListProblem& problem, std::span<const ListedPair> list,
-                             bool distances) {
-  const NeighbourFiles files = neighbour_files(file, distances);
+void write_listed_neighbours(const NeighbourFiles& files, const ListProblem& problem,
+                             std::span<const ListedPair> list) {
   const std::vector<int64_t> offsets = offsets_of({list.begin(), list.end()}, problem.set.size());
   const std::string rows = fmt::format("({},)", list.size());
   write_array<uint64_t>(files.offsets, "'@u8'", fmt::format("({},)", offsets.size()), offsets.size(),
                         [&](size_t k) { return uint64_t(offsets[k]); });
   write_array<uint32_t>(files.neighbours, "'@u4'", rows, list.size(), [&](size_t k) { return list[k].second; });
-  write_array<Shift>(shifts_file(file), "'@i4'", fmt::format("({}, 3)", list.size()), list.size(),
+  write_array<Shift>(files.shifts, "'@i4'", fmt::format("({}, 3)", list.size()), list.size(),
                      [&](size_t k) { return list[k].shift; });
-  if (distances)
+  if (!files.distances.empty())
     write_array<double>(files.distances, "'@f8'", rows, list.size(),
                         [&](size_t k) { return distance_of(problem, list[k]); });
 }

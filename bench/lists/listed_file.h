@@ -15,9 +15,7 @@ namespace spherepair {
 void write_listed(const std::string& file, const ListProblem& problem, std::span<const ListedPair> list,
                   bool distances);
 
-// A full list of one system in CSR: the files of neighbour_files, and for list.npy also list.shifts.npy (m x 3, int32).
-std::string shifts_file(const std::string& file);
-void write_listed_neighbours(const std::string& file, const ListProblem& problem, std::span<const ListedPair> list,
-                             bool distances);
+// A full list of one system in CSR, with its shifts.
+void write_listed_neighbours(const NeighbourFiles& files, const ListProblem& problem, std::span<const ListedPair> list);
 
 }  // namespace spherepair

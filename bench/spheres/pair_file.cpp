@@ -128,7 +128,8 @@ void write_contact_numbers(const std::string& file, std::span<const uint> counts
 
 NeighbourFiles neighbour_files(const std::string& file, bool distances) {
   const std::string stem = file.substr(0, file.size() - std::string(".npy").size());
-  return {stem + ".offsets.npy", stem + ".neighbours.npy", distances ? stem + ".distances.npy" : ""};
+  return {stem + ".offsets.npy", stem + ".neighbours.npy", distances ? stem + ".distances.npy" : "",
+          stem + ".shifts.npy"};
 }
 
 // Of a sorted list: the lower neighbours of a sphere come in ascending order, and so do the higher ones.

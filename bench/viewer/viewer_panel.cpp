@@ -6,7 +6,7 @@
 
 #include "bench/check/finite_state.h"
 #include "bench/formats/png_file.h"
-#include "bench/image/legend.h"
+#include "bench/legend/legend.h"
 #include "bench/measure/choice.h"
 #include "bench/viewer/viewer.h"
 #include "common/scene/counted.h"

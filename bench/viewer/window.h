@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/image/canvas.h"
+#include "bench/legend/canvas.h"
 #include "common/backend/window_context.h"
 #include "common/shared/layout.h"
 

@@ -40,8 +40,8 @@ int exact_side(const ListProblem& problem, const ListBox& box, const ListedPair&
 
 }  // namespace
 
-// A component has at most seven roundings, each of at most 2^-53 of the sum of the sizes of its terms; 2^-50 of that
-// sum is more. The squares and their sum, and c and its square, have at most four roundings each.
+// Rounding moves a component at most seven times, each time by 2^-53 of the sum of its terms' sizes at most. So 2^-50
+// of that sum bounds them all. The squares, their sum, and c squared are each rounded four times at most.
 bool is_within_reach(const ListProblem& problem, const ListBox& box, const ListedPair& pair) {
   const Point3 &a = problem.firsts().points[pair.first], &b = problem.set.points[pair.second];
   double squared = 0, error = 0;

@@ -9,9 +9,6 @@
 namespace spherepair {
 namespace {
 
-// Indices have 32 bits, and a device's indices one less.
-constexpr uint64_t most_points = 0x7FFFFFFF;
-
 bool is_listed(double number) {
   const double size = std::abs(number);
   return size == 0 || (size >= smallest_listed && size <= largest_listed);  // no NaN
@@ -31,9 +28,6 @@ void check_number(double number, const std::string& name, bool may_be_negative) 
 }
 
 void check_set(const PointSet& set, const std::string& points, const std::string& radii) {
-  if (set.size() > most_points)
-    throw ListError(ListFault::range,
-                    fmt::format("{} has {} rows, but {} at most can be numbered", points, set.size(), most_points));
   const auto n = int64_t(set.size());
   int64_t first = n;  // that is wrong
 #pragma omp parallel for schedule(static) reduction(min : first) if (n > 1 << 14)

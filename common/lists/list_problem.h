@@ -20,7 +20,7 @@ struct ListBox {
   bool is_open() const { return !periodic[0] && !periodic[1] && !periodic[2]; }
 };
 
-// A set of points, of several systems one after another; one length unit for all.
+// The points of all systems, one system after another. All lengths have one unit.
 struct PointSet {
   std::vector<Point3> points;
   std::vector<double> radii;      // of each, not negative; none: the cutoff is for all
@@ -52,6 +52,8 @@ class ListError : public std::invalid_argument {
   ListError(ListFault fault, const std::string& what) : std::invalid_argument(what), fault(fault) {}
   const ListFault fault;
 };
+
+constexpr int64_t most_points = 0x7FFFFFFF;  // indices have 32 bits, of which devices use 31
 
 // Numbers other than 0 must lie between these, so that no square or product of two leaves float64.
 constexpr double smallest_listed = 0x1p-450, largest_listed = 0x1p450;

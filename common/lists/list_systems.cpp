@@ -40,7 +40,8 @@ std::vector<Point3> wrapped(const PointSet& set, const char* name, const std::ve
     inside[i] = lattice.moved(inside[i], back);
   }
   if (far >= 0)
-    throw ListError(ListFault::range, fmt::format("{}[{}] is more than 2^30 boxes away from its own", name, far));
+    throw ListError(ListFault::range,
+                    fmt::format("{}[{}] lies more than 2^30 boxes away from the box at the origin", name, far));
   return inside;
 }
 

@@ -45,7 +45,7 @@ typedef enum sp_status {
   SP_E_ARGUMENT,  /* an argument that no call of this kind can take: its shape, type, sign or a missing pointer */
   SP_E_NONFINITE, /* a NaN or an infinity among the numbers; the message names the first */
   SP_E_RANGE,     /* a number other than 0 whose size is not from 2^-450 to 2^450; a point more than 2^30 boxes away
-                   * from its own; more points than 2^31 - 1, or more images of them within reach than 2^27 */
+                   * from the box at the origin; more points than 2^31 - 1, or more images of them within reach than 2^27 */
   SP_E_CAPACITY,  /* the caller's arrays are too short; `count` says how many rows are needed, of offsets one more than
                    * there are points */
   SP_E_MEMORY,    /* out of memory, on the host or on the device */

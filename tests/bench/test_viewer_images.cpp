@@ -7,7 +7,7 @@
 
 #include "bench/formats/png_file.h"
 #include "bench/image/box_edges.h"
-#include "bench/image/legend.h"
+#include "bench/legend/legend.h"
 #include "bench/viewer/viewer.h"
 #include "tests/support/scripted_window.h"
 #include "tests/support/sphere_files.h"

@@ -107,6 +107,10 @@ TEST_F(CCalls, WrongArgumentsAreNamed) {
   EXPECT_EQ(message(wrong), "positions has 3 rows but no data");
   wrong = problem(), wrong.positions.device_type = 2;
   EXPECT_TRUE(message(wrong).starts_with("positions lies on a device of type 2"));
+  wrong = problem(), wrong.positions.rows = int64_t(1) << 60;
+  EXPECT_EQ(message(wrong, SP_E_RANGE), "positions has 1152921504606846976 rows, but 2147483647 at most can be read");
+  wrong = problem(), wrong.positions = {};
+  EXPECT_EQ(message(wrong), "positions are missing");
   wrong = problem(), wrong.half = 2;
   EXPECT_EQ(message(wrong), "half is 2, but must be 0 or 1");
   positions_[4] = -INFINITY;

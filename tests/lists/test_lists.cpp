@@ -81,6 +81,43 @@ TEST_P(Lists, TheCutoffIsNotRounded) {
   }
 }
 
+// Two points many boxes apart, so that float64 rounds the way between them by far more than it rounds its square. Their
+// decimal numbers make ties common.
+TEST_P(Lists, FarImagesAreThoseOfRationalNumbers) {
+  Random random(65);
+  int pairs = 0, near = 0;
+  for (int k = 0; k < 200; ++k) {
+    const double edge = 0.1 * random.between(13, 17);
+    const int boxes = random.between(1000, 100'000);
+    ListProblem problem =
+        of_points({{0.1 * random.between(0, 9), 0, 0}, {0.1 * random.between(0, 9) + boxes * edge, 0, 0}},
+                  0.1 * random.between(1, 9), cube(edge));
+    problem.boxes[0].periodic = {true, false, false};
+    problem.half = true;
+    std::vector<ListedPair> wanted;
+    for (int s = -boxes - 3; s <= -boxes + 3; ++s)
+      if (const ListedPair pair{0, 1, {s, 0, 0}}; is_pair_by_rationals(problem, problem.boxes[0], pair))
+        wanted.push_back(pair);
+    ASSERT_EQ(first_difference(list(problem), wanted), "") << "case " << k;
+    pairs += int(wanted.size());
+    problem.cutoff += 1e-9;
+    near += int(list(problem).size() - wanted.size());
+  }
+  EXPECT_GT(pairs, 50);
+  EXPECT_GT(near, 5) << "no ties";
+}
+
+// The cutoff is so short that rounding to float32 brings points of neighbouring systems within reach. They are at one
+// place, but not in one system.
+TEST_P(Lists, SystemsBesideEachOtherShareNoPair) {
+  ListProblem problem = of_points({{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {2, 0, 0}}, 1e-12);
+  problem.set.offsets = {0, 2, 4};
+  problem.boxes.resize(2);
+  EXPECT_TRUE(list(problem).empty());
+  problem.set.offsets = {0, 0, 4}, problem.boxes.resize(2);
+  EXPECT_EQ(list(problem).size(), 2u) << "in one system they are a pair";
+}
+
 // A third point far away makes float32 coarse for the two.
 TEST_P(Lists, RoundingToFloat32LosesNoPair) {
   Random random(64);
@@ -165,7 +202,7 @@ TEST_P(Lists, WhatCannotBeListedIsRefusedByName) {
   EXPECT_EQ(list(of_points({origin}, 1.25, flat)).size(), 4u) << "a row that is not periodic is not read";
   EXPECT_TRUE(of(of_points({origin}, 10, cube(0.01)), ListFault::range).starts_with("the cutoff reaches over 8"));
   EXPECT_EQ(of(of_points({origin, {1e12, 0, 0}}, 1, cube(1)), ListFault::range),
-            "positions[1] is more than 2^30 boxes away from its own");
+            "positions[1] lies more than 2^30 boxes away from the box at the origin");
 }
 
 // As before and after it on the same backend: nothing of one list comes into the next.

@@ -3,6 +3,10 @@
 from mutant import mutant
 
 LISTS = [
+    mutant("a filter without the bound of its roundings", "common/lists/displacement.cpp",
+           "error += (2 * std::abs(way) + off) * off;", "", "Lists"),
+    mutant("pairs join two systems", "common/lists/pair_list.cpp", "problem_.asks || plan_.systems[pair.second] != system",
+           "problem_.asks", "Lists"),
     mutant("shifts are left out of exact sums", "common/lists/displacement.cpp",
            "if (pair.shift[k] != 0) sum.add_product(pair.shift[k], box.rows[k][axis]);", "", "Lists"),
     mutant("inclusive lists lack their ties", "common/lists/displacement.cpp", "(side == 0 && problem.inclusive)", "false", "Lists"),

@@ -123,6 +123,10 @@ std::vector<ListedPair> list_by_rationals(const ListProblem& problem, int range)
   return list_by<Rationals>(problem, range);
 }
 
+bool is_pair_by_rationals(const ListProblem& problem, const ListBox& box, const ListedPair& pair) {
+  return is_pair<Rationals>(problem, box, pair);
+}
+
 ListProblem random_problem(Random& random) {
   ListProblem problem;
   const int systems = random.between(1, 3);

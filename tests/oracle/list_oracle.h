@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lists of pairs by trying every two points and every image within a range, in integers or rational numbers.
+// Finds lists of pairs by brute force: it tries every two points and every image, in integers or rational numbers.
 #pragma once
 
 #include "common/lists/displacement.h"
@@ -13,6 +13,9 @@ std::vector<ListedPair> list_by_integers(const ListProblem& problem, int range);
 
 // Of any problem, by rational numbers; slow.
 std::vector<ListedPair> list_by_rationals(const ListProblem& problem, int range);
+
+// Whether this one is a pair, by rational numbers.
+bool is_pair_by_rationals(const ListProblem& problem, const ListBox& box, const ListedPair& pair);
 
 // Numbers that are multiples of 1/8; points, radii or a cutoff, boxes of every kind, one system or several, queries,
 // exclusions, ties in plenty.

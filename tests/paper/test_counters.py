@@ -11,7 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
 import stand_ins  # noqa: E402  (the path must be set first)
-from paper import hardware_counters  # noqa: E402
+from paper.machine import hardware_counters  # noqa: E402
 from paper.tools import Failed  # noqa: E402
 
 PROGRAM = """#!{python}

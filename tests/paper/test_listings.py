@@ -14,7 +14,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
 import stand_ins  # noqa: E402  (the path must be set first)
-from paper import machine_code, sass, shader_cache  # noqa: E402
+from paper.machine import machine_code, sass, shader_cache  # noqa: E402
 from paper.tools import Failed  # noqa: E402
 
 

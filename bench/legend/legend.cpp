@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/image/legend.h"
+#include "bench/legend/legend.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "bench/image/font.h"
+#include "bench/legend/font.h"
 
 namespace spherepair {
 namespace {

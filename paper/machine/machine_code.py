@@ -6,7 +6,7 @@ import re
 import shutil
 import tempfile
 
-from paper import sass, shader_cache
+from paper.machine import sass, shader_cache
 from paper.recording import devices_of
 from paper.tools import Failed, output_of, version_of
 

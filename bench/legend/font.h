@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "bench/image/canvas.h"
+#include "bench/legend/canvas.h"
 
 namespace spherepair {
 

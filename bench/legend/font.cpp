@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/image/font.h"
+#include "bench/legend/font.h"
 
 #include <png.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/image/canvas.h"
+#include "bench/legend/canvas.h"
 
 namespace spherepair {
 
