@@ -135,7 +135,7 @@ Columns classic_columns(const FileBytes& file, uint64_t line, std::string_view t
   return columns;
 }
 
-std::optional<ListBox> box_of(const CommentPair* cell, const std::vector<std::optional<bool>>& axes) {
+static std::optional<ListBox> box_of(const CommentPair* cell, const std::vector<std::optional<bool>>& axes) {
   if (!cell || lower_case(cell->key) != "lattice" || !cell->value) return std::nullopt;
   const auto numbers = numbers_of(*cell->value, 9);
   if (!numbers) return std::nullopt;

@@ -38,6 +38,7 @@ struct FieldValue {
 
 }  // namespace
 
+#pragma GCC diagnostic ignored "-Wmissing-declarations"  // NVML's names: no header here has them
 extern "C" {
 
 void fake_nvml_power(unsigned to_milliwatts) {
