@@ -2,8 +2,8 @@
 // spherepair launches: launches.json has an entry of `measurements` for each size, work and path:
 //   n, scene, work   empty, all_pairs or grid, see LaunchWork; of empty, n is the first size, and no sphere takes part
 //   backend, path    see LaunchPath
-//   work_per_step    launches, waits, graphs_replayed, overlapped, early
-//   us_per_launch    the step's time over its launches
+//   work_per_step    launches, of which a replayed graph is one; kernels; waits, graphs_replayed, overlapped, early
+//   us_per_kernel    the step's time over its kernels
 //   host_ns_per_step, host_ns_per_launch   the host's time from the first call that enqueues 64 steps to the last one's
 //                    return, before the wait at their end, over the steps or their launches
 // and the timing core's fields, all paths of a size and a work in one contest; left_out has what is not timed, and why.
@@ -42,7 +42,7 @@ std::string tables_of(const LaunchStudy& study, size_t width) {
                    {"", "backend", "", true},
                    {"", "path", "", true},
                    {"time of a", "step", "us"},
-                   {"time of a", "launch", "us"},
+                   {"time of a", "kernel", "us"},
                    {"host, for a", "step", "ns"},
                    {"host, for a", "launch", "ns"},
                    {"fixed cost", "a sample", "us"},

@@ -13,7 +13,8 @@ bool is_programmatic(const WorkCounts& made) { return made.overlapped + made.ear
 bool is_graph(const WorkCounts& made) { return made.graphs_replayed == made.steps && made.early == 0; }
 bool is_early_graph(const WorkCounts& made) { return made.graphs_replayed == made.steps && made.early > 0; }
 bool are_steps(const WorkCounts& made) { return made.graphs_replayed > 0 && 2 * made.graphs_replayed < made.steps; }
-bool are_graphs_of_steps(const WorkCounts& made) { return are_steps(made) && made.early == 0; }
+bool are_graphs_of_steps(const WorkCounts& made) { return are_steps(made) && made.early + made.overlapped == 0; }
+bool are_overlapping_steps(const WorkCounts& made) { return are_steps(made) && made.overlapped > 0; }
 bool are_early_graphs_of_steps(const WorkCounts& made) { return are_steps(made) && made.early > 0; }
 bool is_one_launch(const WorkCounts& made) { return made.launches == 1 && made.steps > 1; }
 
@@ -95,6 +96,12 @@ constexpr LaunchPath paths[] = {
      .backend = "vulkan",
      .api = {.graph = true, .graph_steps = 64, .overlap = false},
      .shown = are_graphs_of_steps},
+    {.name = "recorded_steps_overlapping",
+     .summary = "the same, but no barrier before what needs nothing of the last step",
+     .backend = "vulkan",
+     .api = {.graph = true, .graph_steps = 64},
+     .of_all_pairs = false,
+     .shown = are_overlapping_steps},
     {.name = "persistent",
      .summary = "one cooperative kernel for all steps of a sample",
      .backend = "cuda",

@@ -27,8 +27,9 @@ uint64_t working_set(LaunchWork work, const Scene& scene) {
 
 WorkCounts difference(const WorkCounts& after, const WorkCounts& before) {
   WorkCounts made;
-  for (uint64_t WorkCounts::*count : {&WorkCounts::steps, &WorkCounts::launches, &WorkCounts::waits,
-                                      &WorkCounts::graphs_replayed, &WorkCounts::overlapped, &WorkCounts::early})
+  for (uint64_t WorkCounts::*count :
+       {&WorkCounts::steps, &WorkCounts::launches, &WorkCounts::waits, &WorkCounts::graphs_replayed,
+        &WorkCounts::kernels_replayed, &WorkCounts::overlapped, &WorkCounts::early})
     made.*count = after.*count - before.*count;
   return made;
 }
@@ -36,6 +37,7 @@ WorkCounts difference(const WorkCounts& after, const WorkCounts& before) {
 json per_step(const WorkCounts& made) {
   const auto each = [&](uint64_t count) { return double(count) / double(made.steps); };
   return {{"launches", each(made.launches)},
+          {"kernels", each(made.launches - made.graphs_replayed + made.kernels_replayed)},
           {"waits", each(made.waits)},
           {"graphs_replayed", each(made.graphs_replayed)},
           {"overlapped", each(made.overlapped)},
@@ -161,14 +163,14 @@ double LaunchStudy::enqueuing(const Contender& contender) const {
 
 void LaunchStudy::record(const Row& row, LaunchWork work, const SceneOptions& options, const Samples& samples,
                          double enqueuing) {
-  const double launches = row.launches();
+  const double launches = row.each("launches");
   json entry = {{"table", "launches"},
                 {"n", options.n},
                 {"scene", scene_json(options)},
                 {"work", launch_work_name(work)},
                 {"path", row.path->name},
                 {"work_per_step", row.work_per_step},
-                {"us_per_launch", 1e6 * samples.median_seconds() / launches},
+                {"us_per_kernel", 1e6 * samples.median_seconds() / row.each("kernels")},
                 {"host_ns_per_step", 1e9 * enqueuing},
                 {"host_ns_per_launch", 1e9 * enqueuing / launches}};
   entry.update(to_json(samples));
@@ -188,8 +190,8 @@ void LaunchStudy::time(const std::vector<Row>& paths, LaunchWork work, const Sce
     record(paths[k], work, options, samples[k], host);
     const bool least = &samples[k] == &*fastest, leads = least && samples[k].unsteady().empty();
     rows[work].push_back({std::to_string(options.n), paths[k].path->backend, paths[k].path->name,
-                          time_cell(samples[k], 1e6), format_us(samples[k].median_seconds() / paths[k].launches()),
-                          format_number(1e9 * host), format_number(1e9 * host / paths[k].launches()),
+                          time_cell(samples[k], 1e6), format_us(samples[k].median_seconds() / paths[k].each("kernels")),
+                          format_number(1e9 * host), format_number(1e9 * host / paths[k].each("launches")),
                           samples[k].fixed.empty() ? "-" : format_us(median(samples[k].fixed)),
                           leads   ? "fastest"
                           : least ? "-"

@@ -31,7 +31,7 @@ class LaunchStudy {
     const LaunchPath* path;
     Backend* backend;
     json work_per_step;
-    double launches() const { return work_per_step.at("launches"); }  // of a step
+    double each(const char* count) const { return work_per_step.at(count); }
   };
 
   void measure_size(LaunchWork work, uint64_t n);

@@ -48,6 +48,7 @@ void StepRecorder::replay(size_t size) {
   api_.replay(recording);
   ++work_.launches;
   ++work_.graphs_replayed;
+  work_.kernels_replayed += steps_.front().calls.size() * graph_sizes[size];
 }
 
 // The longest recordings first.

@@ -119,6 +119,7 @@ TEST_P(Overlap, IsWithinAGraphOfSeveralSteps) {
     EXPECT_EQ(after.early - before.early, backend().info().name == "cuda" ? 60u : 0u)
         << "grid_sort and collide_grid get ready early";
     EXPECT_EQ(after.graphs_replayed - before.graphs_replayed, 1u + 1 + 1 + 2 + 1) << "of 1, 4, 16, 2 x 4 and 1 steps";
+    EXPECT_EQ(after.kernels_replayed - before.kernels_replayed, 30u * 3) << "split_tiles, grid_sort, collide_grid";
     const StepResult given = run_step(backend(), step), wanted = run_step(*oracle, step);
     EXPECT_TRUE(same_result(given, wanted));
   }

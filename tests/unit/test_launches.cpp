@@ -22,7 +22,7 @@ bool glsl_in_software(const json& record) {
 }
 
 void expect_times_of_a_launch(const json& row, double launches) {
-  const double ns = row.at("host_ns_per_launch"), us = row.at("us_per_launch"), ms = row.at("median_ms");
+  const double ns = row.at("host_ns_per_launch"), us = row.at("us_per_kernel"), ms = row.at("median_ms");
   EXPECT_GT(ns, 0) << row;
   EXPECT_NEAR(row.at("host_ns_per_step"), ns * launches, 1e-6 * ns);
   EXPECT_NEAR(ms, 1e-3 * us * launches, 1e-9 * ms);
@@ -51,6 +51,7 @@ TEST_F(Launches, AreCountedAndTimedOnEveryPath) {
     EXPECT_TRUE(row.at("scene").contains("name"));
     const json& each = row.at("work_per_step");
     EXPECT_EQ(each.at("launches"), launches.at(work)) << path;
+    EXPECT_EQ(each.at("kernels"), launches.at(work)) << path;
     EXPECT_EQ(each.at("waits"), path != "waited" ? json(0) : each.at("launches")) << path;
     EXPECT_EQ(each.at("overlapped"), path == "overlapping" ? 1 : 0) << path;
     expect_times_of_a_launch(row, launches.at(work));
