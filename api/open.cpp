@@ -22,6 +22,9 @@
 #ifdef SPHEREPAIR_WITH_INTEROP
 #include "interop/interop.h"
 #endif
+#ifdef SPHEREPAIR_WITH_INTEROP_VULKAN
+#include "interop/vulkan/vulkan_to_gl.h"
+#endif
 
 namespace spherepair {
 
@@ -89,20 +92,35 @@ OpenOptions with_device(const std::string& id, OpenOptions options) {
 
 PipelineOpener pipeline_of_cpu([[maybe_unused]] const OpenOptions& options) {
 #ifdef SPHEREPAIR_WITH_GLSL
-  return [options] { return std::make_unique<GlDrawing>(with_device("opengl", options)); };
+  return {[options] { return std::make_unique<GlDrawing>(with_device("opengl", options)); }, {Transfer::host}};
 #else
   return {};
 #endif
 }
 
 PipelineOpener pipeline_of_cuda([[maybe_unused]] OpenOptions options, [[maybe_unused]] const Device& device) {
-  if (device.info().name != "cuda") return {};
 #ifdef SPHEREPAIR_WITH_INTEROP
   if (options.gl_device.empty()) options.gl_device = device.info().uuid;
-  return [options] { return open_cuda_to_gl(options); };
+  return {[options] { return open_cuda_to_gl(options); }, {Transfer::host, Transfer::registered, Transfer::imported}};
 #else
   return {};
 #endif
+}
+
+PipelineOpener pipeline_of_vulkan([[maybe_unused]] OpenOptions options, [[maybe_unused]] Device& device) {
+#ifdef SPHEREPAIR_WITH_INTEROP_VULKAN
+  if (options.gl_device.empty()) options.gl_device = device.info().uuid;  // none of a software renderer
+  std::vector<Transfer> ways = {Transfer::host};
+  if (exports_memory(device)) ways.push_back(Transfer::imported);
+  return {[options, &device] { return open_vulkan_to_gl(with_device("opengl", options), device); }, ways};
+#else
+  return {};
+#endif
+}
+
+PipelineOpener pipeline_of(const OpenOptions& options, Device& device) {
+  if (device.pipeline()) return {};  // of its own
+  return device.info().name == "vulkan" ? pipeline_of_vulkan(options, device) : pipeline_of_cuda(options, device);
 }
 
 }  // namespace
@@ -116,7 +134,7 @@ std::unique_ptr<Device> open_device(const std::string& name, const OpenOptions& 
 std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions& options) {
   if (backend_id(name) == "cpu") return open_cpu_backend(options, pipeline_of_cpu(options));
   std::unique_ptr<Device> device = open_device(name, options);
-  const PipelineOpener pipeline = device->pipeline() ? PipelineOpener{} : pipeline_of_cuda(options, *device);
+  const PipelineOpener pipeline = pipeline_of(options, *device);
   return std::make_unique<Simulation>(std::move(device), pipeline);
 }
 

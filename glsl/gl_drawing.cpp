@@ -54,7 +54,7 @@ void GlDrawing::through_host(const vec4* positions, const uint* counts, uint64_t
 
 void GlDrawing::transfer(const SphereArrays& spheres, std::optional<Transfer> way) {
   if (way.value_or(Transfer::host) != Transfer::host)
-    throw BackendError("only CUDA's spheres can be transferred otherwise than through the host");
+    throw BackendError("only spheres of CUDA and Vulkan can be transferred otherwise than through the host");
   make_current();
   glFinish();  // the last image has read what is written next
   through_host(address_of<vec4>(spheres.positions), address_of<uint>(spheres.counts), spheres.size);

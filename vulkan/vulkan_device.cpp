@@ -36,6 +36,9 @@ class VulkanDevice final : public Device {
   std::vector<StageTime> compile_kernels() override { return compile_times(device_); }
   void flush() override;
 
+  const LogicalDevice& logical() const { return device_; }
+  void copy(uint64_t from, const DeviceBuffer& to);  // waits
+
  private:
   void forget(uint64_t handle);
 
@@ -98,6 +101,18 @@ void VulkanDevice::read(const Memory& memory, void* data, uint64_t offset, uint6
   staging_.read(table_.at(memory.handle), static_cast<char*>(data), offset, bytes);
 }
 
+void VulkanDevice::copy(uint64_t from, const DeviceBuffer& to) {
+  recorder_.flush();
+  const Calls& vk = device_.calls();
+  const VkCommandBuffer commands = stream_.open();
+  barrier_before_transfer(vk, commands);
+  const VkBufferCopy range{0, 0, to.bytes()};
+  vk.CmdCopyBuffer(commands, table_.at(from), to.handle(), 1, &range);
+  barrier_behind_transfer(vk, commands);
+  stream_.recorded();
+  wait();
+}
+
 void VulkanDevice::clear(const Memory& memory, uint64_t bytes) {
   recorder_.flush();
   hazards_.forget();
@@ -157,10 +172,31 @@ std::vector<StageTime> VulkanDevice::stage_times() {
   return stages_.take();
 }
 
+class ExportedBuffer final : public ExportedMemory {
+ public:
+  ExportedBuffer(VulkanDevice& device, uint64_t bytes)
+      : device_(device), buffer_(device.logical(), bytes, Place::exported) {}
+  uint64_t bytes() const override { return buffer_.allocated(); }
+  int descriptor() const override { return buffer_.descriptor(); }
+  void copy(uint64_t buffer) override { device_.copy(buffer, buffer_); }
+
+ private:
+  VulkanDevice& device_;
+  DeviceBuffer buffer_;
+};
+
 }  // namespace
 
 std::unique_ptr<Device> open_vulkan_device(const OpenOptions& options) {
   return std::make_unique<VulkanDevice>(options);
+}
+
+bool exports_memory(const Device& vulkan) {
+  return static_cast<const VulkanDevice&>(vulkan).logical().limits().exports_memory;
+}
+
+std::unique_ptr<ExportedMemory> export_memory(Device& vulkan, uint64_t bytes) {
+  return std::make_unique<ExportedBuffer>(static_cast<VulkanDevice&>(vulkan), bytes);
 }
 
 }  // namespace spherepair

@@ -26,7 +26,7 @@ bool on_hardware(const Backend& backend) { return !backend.info().on_host && !ba
 std::string transfer_in_words(const Backend& backend) {
   const auto taken = backend.transfer_taken();
   if (!taken) return {};
-  if (*taken == Transfer::imported) return ", its spheres copied into memory that CUDA and OpenGL share";
+  if (*taken == Transfer::imported) return ", its spheres copied into memory that OpenGL shares";
   if (*taken == Transfer::registered) return ", its spheres copied into OpenGL's buffers, which CUDA maps";
   return ", its spheres transferred through the host";
 }

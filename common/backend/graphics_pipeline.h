@@ -10,7 +10,7 @@
 namespace spherepair {
 
 // Where a backend has its spheres, by index: addresses in the host's memory or in CUDA's, names of OpenGL's own
-// buffers.
+// buffers, handles of Vulkan's.
 struct SphereArrays {
   uint64_t positions;  // vec4[size]
   uint64_t counts;     // uint[size]: what chooses the colours, of contacts unless View::colour_by asks for others
@@ -47,22 +47,25 @@ class GraphicsPipeline {
   virtual bool show_pixels(uint64_t pixels, uvec2 size, uint texture) = 0;
 };
 
-// Throws BackendError with what is missing.
-using PipelineOpener = std::function<std::unique_ptr<GraphicsPipeline>()>;
+struct PipelineOpener {
+  std::function<std::unique_ptr<GraphicsPipeline>()> open = {};  // throws BackendError with what is missing
+  std::vector<Transfer> ways = {};                               // in which spheres come to it, the fastest last
+};
 
 // Opened when it is first used.
 class LazyPipeline {
  public:
-  explicit LazyPipeline(PipelineOpener open) : open_(std::move(open)) {}
-  explicit operator bool() const { return bool(open_); }
+  explicit LazyPipeline(PipelineOpener opener) : opener_(std::move(opener)) {}
+  explicit operator bool() const { return bool(opener_.open); }
+  const std::vector<Transfer>& ways() const { return opener_.ways; }
   GraphicsPipeline& get() {
-    if (!opened_) opened_ = open_();
+    if (!opened_) opened_ = opener_.open();
     return *opened_;
   }
   GraphicsPipeline* opened() const { return opened_.get(); }
 
  private:
-  PipelineOpener open_;
+  PipelineOpener opener_;
   std::unique_ptr<GraphicsPipeline> opened_;
 };
 

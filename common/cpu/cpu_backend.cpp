@@ -131,10 +131,7 @@ class CpuBackend final : public Backend {
     if (pipeline_) return {all_draw_methods().begin(), all_draw_methods().end()};
     return {DrawMethod::compute};
   }
-  std::vector<Transfer> transfers() const override {
-    if (!pipeline_) return {};
-    return {Transfer::host};
-  }
+  std::vector<Transfer> transfers() const override { return pipeline_.ways(); }
   void transfer(Transfer way) override {
     if (!pipeline_) return Backend::transfer(way);
     const auto& positions = motion_.positions(threads_);

@@ -213,10 +213,7 @@ Preparations Simulation::preparations() const {
   return all;
 }
 
-std::vector<Transfer> Simulation::transfers() const {
-  if (!context_.other_pipeline) return {};
-  return {Transfer::host, Transfer::registered, Transfer::imported};
-}
+std::vector<Transfer> Simulation::transfers() const { return context_.other_pipeline.ways(); }
 
 std::optional<Transfer> Simulation::transfer_taken() const {
   const GraphicsPipeline* pipeline = context_.other_pipeline.opened();

@@ -8,6 +8,7 @@
 #include "tests/oracle/oracle.h"
 #include "tests/support/backends.h"
 #include "tests/support/grid_results.h"
+#include "tests/support/images.h"
 #include "tests/support/program.h"
 
 namespace spherepair {
@@ -77,12 +78,13 @@ TEST_F(Vulkan, SoftwareIsRefusedWhereHardwareIsRequired) {
   EXPECT_EQ(said.find(of_built_program), std::string::npos) << said;
 }
 
-TEST_F(Vulkan, DrawsByComputeAlone) {
+TEST_F(Vulkan, MapsNoBufferOfOpenGL) {
   Backend& backend = *vulkan().backend;
-  EXPECT_EQ(backend.draw_methods(), std::vector<DrawMethod>{DrawMethod::compute});
+  if (const std::string why = why_no_pipeline(backend); !why.empty()) GTEST_SKIP() << why;
   const Scene scene = make_scene({.name = "uniform", .n = 10});
   backend.upload(scene);
-  EXPECT_THROW(backend.draw(View{}, {.method = DrawMethod::mesh}), std::invalid_argument);
+  const View view = make_view(frame(bounds_of(scene.positions), 30, 20, 40, 1), contact_look(), 32, 32);
+  EXPECT_THROW(backend.draw(view, {.method = DrawMethod::mesh, .transfer = Transfer::registered}), BackendError);
 }
 
 TEST_F(Vulkan, ATableLongerThanATexelBufferIsReadWithoutOne) {

@@ -18,6 +18,7 @@ struct Wish {
 std::vector<Wish> wishes(Place place) {
   switch (place) {
     case Place::device:
+    case Place::exported:
       return {{local, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT}, {local, 0}, {0, 0}};
     case Place::uploads:
       return {{mapped, local}, {mapped, 0}};
@@ -92,22 +93,41 @@ void DeviceBuffer::make(Place place) {
   auto info = typed<VkBufferCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO);
   info.size = bytes_;
   info.usage = usage(place);
+  auto external = typed<VkExternalMemoryBufferCreateInfo>(VK_STRUCTURE_TYPE_EXTERNAL_MEMORY_BUFFER_CREATE_INFO);
+  external.handleTypes = VK_EXTERNAL_MEMORY_HANDLE_TYPE_OPAQUE_FD_BIT;
+  if (place == Place::exported) info.pNext = &external;
   vulkan_check(vk.CreateBuffer(device_.handle(), &info, nullptr, &buffer_), fmt::format("making {} bytes", bytes_));
   VkMemoryRequirements needs;
   vk.GetBufferMemoryRequirements(device_.handle(), buffer_, &needs);
   const MemoryState memory = memory_of(device_);
   auto wanted = typed<VkMemoryAllocateInfo>(VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO);
-  wanted.allocationSize = needs.size;
+  wanted.allocationSize = allocated_ = needs.size;
+  auto dedicated = typed<VkMemoryDedicatedAllocateInfo>(VK_STRUCTURE_TYPE_MEMORY_DEDICATED_ALLOCATE_INFO);
+  dedicated.buffer = buffer_;
+  auto exported = typed<VkExportMemoryAllocateInfo>(VK_STRUCTURE_TYPE_EXPORT_MEMORY_ALLOCATE_INFO);
+  exported.handleTypes = external.handleTypes;
+  exported.pNext = &dedicated;
+  if (place == Place::exported) wanted.pNext = &exported;
   wanted.memoryTypeIndex = memory_type(memory, needs.memoryTypeBits, place);
   const VkResult result = vk.AllocateMemory(device_.handle(), &wanted, nullptr, &memory_);
   if (is_full(result)) throw BackendError(out_of_memory(memory, wanted.memoryTypeIndex, bytes_));
   vulkan_check(result, fmt::format("allocating {} bytes", bytes_));
   vulkan_check(vk.BindBufferMemory(device_.handle(), buffer_, memory_, 0), fmt::format("binding {} bytes", bytes_));
-  if (place == Place::device) return;
+  if (place == Place::device || place == Place::exported) return;
   void* address = nullptr;
   vulkan_check(vk.MapMemory(device_.handle(), memory_, 0, VK_WHOLE_SIZE, 0, &address),
                fmt::format("mapping {} bytes", bytes_));
   mapped_ = static_cast<char*>(address);
+}
+
+int DeviceBuffer::descriptor() const {
+  auto info = typed<VkMemoryGetFdInfoKHR>(VK_STRUCTURE_TYPE_MEMORY_GET_FD_INFO_KHR);
+  info.memory = memory_;
+  info.handleType = VK_EXTERNAL_MEMORY_HANDLE_TYPE_OPAQUE_FD_BIT;
+  int descriptor = -1;
+  vulkan_check(device_.calls().GetMemoryFdKHR(device_.handle(), &info, &descriptor),
+               fmt::format("exporting {} bytes", bytes_));
+  return descriptor;
 }
 
 void DeviceBuffer::release() {

@@ -10,10 +10,11 @@
 namespace spherepair {
 
 enum class Place {
-  device,     // of kernels alone
-  uploads,    // the host writes, the device reads a few times; mapped, as all below
-  downloads,  // the device writes, the host reads
-  parameters  // the host writes, kernels read: in the device's memory where the host reaches that
+  device,      // of kernels alone
+  uploads,     // the host writes, the device reads a few times; mapped, as all below
+  downloads,   // the device writes, the host reads
+  parameters,  // the host writes, kernels read: in the device's memory where the host reaches that
+  exported     // of the device, to be imported by another API; not mapped
 };
 
 class DeviceBuffer {
@@ -27,13 +28,15 @@ class DeviceBuffer {
   VkBuffer handle() const { return buffer_; }
   char* mapped() const { return mapped_; }
   uint64_t bytes() const { return bytes_; }
+  uint64_t allocated() const { return allocated_; }  // bytes of its memory
+  int descriptor() const;                            // of an exported buffer's memory; the caller closes it
 
  private:
   void make(Place place);
   void release();
 
   const LogicalDevice& device_;
-  uint64_t bytes_;
+  uint64_t bytes_, allocated_ = 0;
   VkBuffer buffer_ = VK_NULL_HANDLE;
   VkDeviceMemory memory_ = VK_NULL_HANDLE;
   char* mapped_ = nullptr;
