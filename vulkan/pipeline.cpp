@@ -17,7 +17,8 @@ SpirvModule module_of(const DeviceLimits& limits, Kernel kernel, uint block, con
                                     .subgroups = limits.subgroups};
   SpirvModule module = compile_to_spirv(kernel_text(kernel_name(kernel), block, variant, extensions), what);
   // Mesa's lavapipe compiles a version of a kernel for each value of a uniform that controls a branch, and frees none.
-  if (limits.software) module.read_uniforms_as_storage();
+  // With unrolled loops its collide_tiled finds wrong pairs (Mesa 22.3).
+  limits.software ? module.read_uniforms_as_storage() : module.unroll_loops();
   module.declare(limits.floats);
   return module;
 }
@@ -124,9 +125,13 @@ std::vector<StageTime> compile_times(const LogicalDevice& device) {
   using Clock = std::chrono::steady_clock;
   std::vector<StageTime> times;
 #define KERNEL(name, reads, writes) Kernel::name,
-  for (const Kernel kernel : {SPHEREPAIR_MIRRORED_KERNELS(KERNEL)}) {
+  std::vector<Kernel> kernels = {SPHEREPAIR_MIRRORED_KERNELS(KERNEL)};
+  if (device.limits().tensor_groups) kernels.insert(kernels.end(), {SPHEREPAIR_TENSOR_KERNELS(KERNEL)});
+  for (const Kernel kernel : kernels) {
     const Clock::time_point start = Clock::now();
-    const Pipeline compiled(device, kernel, SERVICE_BLOCK, {});
+    const Pipeline compiled(
+        device, kernel,
+        kernel == Kernel::collide_tensor ? capabilities_of(device.limits()).tensor_block : SERVICE_BLOCK, {});
     times.push_back({kernel_name(kernel), std::chrono::duration<double>(Clock::now() - start).count()});
   }
 #undef KERNEL

@@ -46,7 +46,7 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
   command->add_option("--method", options->method,
                       "auto: all pairs or the grid, whichever is likely faster; sequential, parallel (cpu); "
                       "collide_group, collide_tiled, collide_square, collide_triangle, collide_grid; collide_tensor "
-                      "(cuda)");
+                      "(cuda, vulkan)");
   add_block_option(*command, options->block);
   command->add_flag("--naive", options->naive, "Test in plain float32, which is not exact");
   command->add_flag("--swept", options->swept, "Find the pairs that touch within the next step")->excludes("--naive");

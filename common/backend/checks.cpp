@@ -46,8 +46,9 @@ void refuse_missing(const std::string& backend, const CollideOptions& options, c
 void refuse_tensor(const std::string& backend, const CollideOptions& options, bool offered) {
   if (options.method == Method::collide_tensor && !offered)
     throw std::invalid_argument(
-        fmt::format("{}: collide_tensor runs in CUDA on a GPU of compute capability 9.0 (H100, H200) only; choose "
-                    "another method, collide_triangle for the same search without tensor cores",
+        fmt::format("{}: collide_tensor runs in CUDA on a GPU of compute capability 9.0 (H100, H200), and in Vulkan on "
+                    "one with GL_NV_cooperative_matrix, only; choose another method, collide_triangle for the same "
+                    "search without tensor cores",
                     backend));
 }
 

@@ -15,6 +15,7 @@ struct DeviceCapabilities {
   bool overlaps_images = false;  // the spheres of one image can be drawn while the last is still resolved
   uint bounds_block = 0;         // group size of grid_bounds
   uint tensor_groups = 0;        // groups of collide_tensor that run at once; 0: the device has no such kernel
+  uint tensor_block = 0;         // group size of that kernel
   uint persistent_groups = 0;    // groups of persistent_steps that run at once; 0: the device has no such kernel
 };
 

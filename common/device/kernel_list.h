@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Every kernel, by the name that its source files, its stage in the results and its entry in CUDA have in common; with
 // the buffers that it reads, and those that it writes, in any variant. Devices wait between two launches by this table;
-// the lint compares it with what the shaders do.
+// the lint compares it with what the shaders do. OpenGL has no tensor cores, and no kernel whose groups wait for each
+// other.
 #pragma once
 
 // clang-format off
@@ -60,11 +61,13 @@
   each(draw_resolve, position | count | visible | drawn | seen_left, \
        visible | image | drawn | seen_left | seen_list) \
   each(draw_light, position | count | cell | sorted | id | visible, image)
-#define SPHEREPAIR_CUDA_KERNELS(each) \
+#define SPHEREPAIR_TENSOR_KERNELS(each) \
   each(tensor_bounds, position, tile_sum) \
   each(tensor_forms, position | tile_sum, sorted) \
-  each(collide_tensor, position | count | summary | sorted, count | summary | deferred | listed) \
+  each(collide_tensor, position | count | summary | sorted | id, count | summary | deferred | listed)
+#define SPHEREPAIR_CUDA_KERNELS(each) \
   each(persistent_steps, position | velocity | count | summary, \
        position | velocity | count | summary | deferred | listed)
-#define SPHEREPAIR_KERNELS(each) SPHEREPAIR_MIRRORED_KERNELS(each) SPHEREPAIR_CUDA_KERNELS(each)
+#define SPHEREPAIR_KERNELS(each) \
+  SPHEREPAIR_MIRRORED_KERNELS(each) SPHEREPAIR_TENSOR_KERNELS(each) SPHEREPAIR_CUDA_KERNELS(each)
 // clang-format on

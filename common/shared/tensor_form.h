@@ -33,7 +33,7 @@
 
 #define TENSOR_ROWS 1024         // spheres that a group of collide_tensor holds, a multiple of ...
 #define TENSOR_COLUMNS 256       // ... those of a tile that it tests them against
-#define TENSOR_BLOCK 512         // threads of that group
+#define TENSOR_BLOCK 512         // threads of that group in CUDA
 #define TENSOR_BOUNDS_GROUPS 64  // groups of tensor_bounds
 #define TENSOR_RANGE 4096.0f     // coordinates and radii are smaller
 #define TENSOR_UNDERFLOW 2.0f
@@ -44,8 +44,14 @@ FN vec4 tensor_frame(vec4 low, vec4 high) {
   EXACT float x = low.x * 0.5f + high.x * 0.5f;
   EXACT float y = low.y * 0.5f + high.y * 0.5f;
   EXACT float z = low.z * 0.5f + high.z * 0.5f;
-  float extent = larger(high.w, larger(high.x - x, larger(high.y - y, high.z - z)));
-  extent = larger(extent, larger(x - low.x, larger(y - low.y, z - low.z)));
+  EXACT float above_x = high.x - x;
+  EXACT float above_y = high.y - y;
+  EXACT float above_z = high.z - z;
+  EXACT float below_x = x - low.x;
+  EXACT float below_y = y - low.y;
+  EXACT float below_z = z - low.z;
+  float extent = larger(high.w, larger(above_x, larger(above_y, above_z)));
+  extent = larger(extent, larger(below_x, larger(below_y, below_z)));
   uint exponent = extent > bits_float(0x0D800000u) ? float_bits(extent) >> 23 : 27u;  // 2^-100 at least
   vec4 frame = {x, y, z, bits_float((265u - exponent) << 23)};                        // extent * w < 2^12
   return frame;
@@ -98,9 +104,12 @@ FN TensorForm tensor_form(vec4 a, vec4 frame) {
   uint hx = nearest_half(x);
   uint hy = nearest_half(y);
   uint hz = nearest_half(z);
-  uint lx = nearest_half(x - half_value(hx));
-  uint ly = nearest_half(y - half_value(hy));
-  uint lz = nearest_half(z - half_value(hz));
+  EXACT float rest_x = x - half_value(hx);
+  EXACT float rest_y = y - half_value(hy);
+  EXACT float rest_z = z - half_value(hz);
+  uint lx = nearest_half(rest_x);
+  uint ly = nearest_half(rest_y);
+  uint lz = nearest_half(rest_z);
   uint hr = half_above(radius);
   x = half_value(hx) + half_value(lx);
   y = half_value(hy) + half_value(ly);

@@ -9,6 +9,7 @@
 
 #include "common/backend/checks.h"
 #include "common/device/hazards.h"
+#include "common/shared/tensor_form.h"
 #include "cuda/host/check.h"
 #include "cuda/host/device_choice.h"
 #include "cuda/host/entries.h"
@@ -108,6 +109,7 @@ CudaDevice::CudaDevice(int device, int before)
                     .overlaps_images = false,
                     .bounds_block = SERVICE_BLOCK,
                     .tensor_groups = tensor_groups(device),
+                    .tensor_block = TENSOR_BLOCK,
                     .persistent_groups = persistent_groups(device)} {
   require_kernels(device);
 }

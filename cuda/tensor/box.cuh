@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The box of all centres, with the greatest radius in high.w, from the boxes of parts.
-//
-// CUDA only: for collide_tensor
 #pragma once
 
 #include "cuda/kernels.cuh"
 
 namespace spherepair {
 
+// CUDA only from here: references to shared memory
 __device__ inline void widen(vec4& low, vec4& high, vec4 other_low, vec4 other_high) {
   low = vec4{smaller(other_low.x, low.x), smaller(other_low.y, low.y), smaller(other_low.z, low.z), 0.0f};
   high = vec4{larger(other_high.x, high.x), larger(other_high.y, high.y), larger(other_high.z, high.z),
@@ -24,5 +23,6 @@ __device__ inline void widen_first(vec4* low, vec4* high) {
   }
   __syncthreads();
 }
+// until here
 
 }  // namespace spherepair

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Each unordered pair once, through tensor cores: a group holds TENSOR_ROWS spheres, its rows, as fragments of matrix
 // A, and tests them against later spheres, its columns, which pass through shared memory in tiles. A sum of products is
-// negative where a pair may collide (tensor_form.h). The signs of a thread's sums are joined, 32 pairs at a time; where
-// one is set, the pairs are queued, and the warp decides them, a thread for 32 pairs. The tiles of all blocks of rows
-// form one line, of which each group takes p.search.tiles_per_group.
-//
-// CUDA only: OpenGL has no cooperative matrices
+// negative where a pair may collide (tensor_form.h). The tiles of all blocks of rows form one line, of which each group
+// takes p.search.tiles_per_group.
 #include "cuda/collide/collide.cuh"
 #include "cuda/tensor/product.cuh"
 
 namespace spherepair {
 
+// CUDA only from here: a product of four warps, of whose sums a thread knows rows and columns. The signs of a thread's
+// sums are joined, 32 pairs at a time; where one is set, the pairs are queued, and the warp decides them, a thread for
+// 32 pairs.
 constexpr uint WARPS = TENSOR_BLOCK / 32u;
 constexpr uint PRODUCTS = TENSOR_ROWS / (WARPS / 4u) / PRODUCT_ROWS;  // of each four warps with a tile
 constexpr uint ENTRY_COLUMNS = 64u;                                   // of a queue entry: 2 rows, 16 of these columns
@@ -111,6 +111,7 @@ __global__ void __launch_bounds__(TENSOR_BLOCK, 1) collide_tensor(Params p, Kern
   }
   collider.finish_totals();
 }
+// until here
 
 Entry collide_tensor_kernel(uint, Variant variant) {
   return pick_variant<TENSOR_BLOCK>(variant, [](auto, auto equal, auto listed) {

@@ -2,7 +2,7 @@
 // The columns of collide_tensor: tiles of forms that pass through a ring in shared memory, copied by the bulk copy
 // engine. Every warp of the group reads each tile; warp 0 also refills the ring.
 //
-// CUDA only: OpenGL has no bulk copies
+// CUDA only: GLSL has no bulk copies
 #pragma once
 
 #include "common/shared/tensor_form.h"

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // TENSOR_BOUNDS_GROUPS groups share the spheres: each writes the box of its finite centres, with its greatest radius.
-//
-// CUDA only: prepares collide_tensor
 #include "common/shared/tensor_form.h"
 #include "cuda/tensor/box.cuh"
 
@@ -11,7 +9,7 @@ constexpr uint BLOCK = SERVICE_BLOCK;
 constexpr float GREATEST = 3.402823466e38f;
 
 __global__ void __launch_bounds__(BLOCK) tensor_bounds(Params p, KernelBuffers buf) {
-  __shared__ vec4 low[BLOCK], high[BLOCK];
+  __shared__ vec4 low[BLOCK], high[BLOCK];  // CUDA only: box.glsl declares them
   uint lane = threadIdx.x;
   vec4 own_low = {GREATEST, GREATEST, GREATEST, 0.0f};
   vec4 own_high = {-GREATEST, -GREATEST, -GREATEST, 0.0f};
@@ -22,7 +20,7 @@ __global__ void __launch_bounds__(BLOCK) tensor_bounds(Params p, KernelBuffers b
   }
   low[lane] = own_low;
   high[lane] = own_high;
-  widen_first<BLOCK>(low, high);
+  widen_first<BLOCK>(low, high);  // CUDA only: see above
   vec4* boxes = reinterpret_cast<vec4*>(buf.tile_sum);
   if (lane == 0u) boxes[blockIdx.x] = low[0];
   if (lane == 1u) boxes[TENSOR_BOUNDS_GROUPS + blockIdx.x] = high[0];

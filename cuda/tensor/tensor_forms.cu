@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere, and more up to a whole block of rows: each writes a form, as matrix B has it in shared memory:
-// of eight spheres the first eight halves each, then the others.
-//
-// CUDA only: prepares collide_tensor
+// One thread per sphere, and more up to a whole block of rows: each writes a form.
 #include "common/shared/tensor_form.h"
 #include "cuda/tensor/box.cuh"
 
@@ -12,18 +9,23 @@ constexpr uint BLOCK = SERVICE_BLOCK;
 static_assert(2 * TENSOR_BOUNDS_GROUPS == BLOCK && TENSOR_ROWS % BLOCK == 0);
 
 __global__ void __launch_bounds__(BLOCK) tensor_forms(Params p, KernelBuffers buf) {
-  __shared__ vec4 boxes[BLOCK];  // the low corners that tensor_bounds wrote, then the high ones
   uint lane = threadIdx.x;
+  // CUDA only from here: the low corners that tensor_bounds wrote, then the high ones
+  __shared__ vec4 boxes[BLOCK];
   boxes[lane] = reinterpret_cast<const vec4*>(buf.tile_sum)[lane];
   widen_first<TENSOR_BOUNDS_GROUPS>(boxes, boxes + TENSOR_BOUNDS_GROUPS);
   vec4 frame = tensor_frame(boxes[0], boxes[TENSOR_BOUNDS_GROUPS]);
+  // until here
   uint i = group_index(p) * BLOCK + lane;
   if (i >= (p.n + TENSOR_ROWS - 1u) / TENSOR_ROWS * TENSOR_ROWS) return;
   TensorForm form = i < p.n ? tensor_form(buf.position[i], frame) : never_near_form();
   uvec4* forms = reinterpret_cast<uvec4*>(buf.sorted);
+  // CUDA only from here: as matrix B has it in shared memory, of eight spheres the first eight halves each, then the
+  // others
   uint at = i / 8u * 16u + i % 8u;
   forms[at] = form.low;
   forms[at + 8u] = form.high;
+  // until here
 }
 
 Entry tensor_forms_kernel(uint, Variant) { return reinterpret_cast<Entry>(&tensor_forms); }

@@ -45,7 +45,8 @@ def disassemble(text):
     with tempfile.TemporaryDirectory() as folder:
         shader, binary = pathlib.Path(folder, "shader.comp"), pathlib.Path(folder, "shader.spv")
         shader.write_text(text)
-        made = subprocess.run(["glslangValidator", "-G", "-o", binary, shader], capture_output=True, text=True)
+        newer = ["--target-env", "spirv1.3"] if "GL_NV_cooperative_matrix" in text else []  # as Vulkan alone takes them
+        made = subprocess.run(["glslangValidator", "-G", *newer, "-o", binary, shader], capture_output=True, text=True)
         if made.returncode:
             raise ValueError(made.stdout.replace(folder + "/", "").strip())
         return subprocess.run(["spirv-dis", binary], capture_output=True, text=True, check=True).stdout

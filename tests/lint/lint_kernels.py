@@ -23,16 +23,19 @@ def table(root):
 
 def used_slots(assembly):
     """The bindings of storage blocks that a shader reads and those that it writes."""
-    blocks = set(re.findall(r"OpDecorate (%\w+) BufferBlock", assembly))
+    of_buffers = "BufferBlock", "Uniform"  # as SPIR-V has them until 1.3
+    if "StorageBuffer" in assembly:
+        of_buffers = "Block", "StorageBuffer"
+    blocks = set(re.findall(rf"OpDecorate (%\w+) {of_buffers[0]}", assembly))
     length = {name: 1 for name in blocks}
     constants = dict(re.findall(r"(%\w+) = OpConstant %uint (\d+)", assembly))
     for name, block, count in re.findall(r"(%\w+) = OpTypeArray (%\w+) (%\w+)", assembly):
         if block in blocks:
             length[name] = int(constants[count])
-    pointed = dict(re.findall(r"(%\w+) = OpTypePointer Uniform (%\w+)", assembly))
+    pointed = dict(re.findall(rf"(%\w+) = OpTypePointer {of_buffers[1]} (%\w+)", assembly))
     first = dict(re.findall(r"OpDecorate (%\w+) Binding (\d+)", assembly))
     slots = {variable: set(range(int(first[variable]), int(first[variable]) + length[pointed[pointer]]))
-             for variable, pointer in re.findall(r"(%\w+) = OpVariable (%\w+) Uniform$", assembly, re.M)
+             for variable, pointer in re.findall(rf"(%\w+) = OpVariable (%\w+) {of_buffers[1]}$", assembly, re.M)
              if pointed[pointer] in length}
     reads, writes = set(), set()
     for result, operation, operands in re.findall(r"^ *(?:(%\w+) = )?Op(\w+) (.*)$", assembly, re.M):

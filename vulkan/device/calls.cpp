@@ -69,6 +69,9 @@ void Calls::load_of(VkInstance instance) {
 #define LOAD(name) set(name, instance_function()(instance, "vk" #name), "vk" #name);
   SPHEREPAIR_VULKAN_INSTANCE(LOAD)
 #undef LOAD
+#define LOAD(name) name = reinterpret_cast<PFN_vk##name>(instance_function()(instance, "vk" #name));
+  SPHEREPAIR_VULKAN_OPTIONAL(LOAD)
+#undef LOAD
 }
 
 void Calls::load_of(VkDevice device) {

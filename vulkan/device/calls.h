@@ -16,6 +16,7 @@ namespace spherepair {
   each(DestroyInstance) each(EnumeratePhysicalDevices) each(EnumerateDeviceExtensionProperties) \
   each(GetPhysicalDeviceProperties2) each(GetPhysicalDeviceFeatures2) each(GetPhysicalDeviceMemoryProperties2) \
   each(GetPhysicalDeviceQueueFamilyProperties) each(CreateDevice) each(GetDeviceProcAddr)
+#define SPHEREPAIR_VULKAN_OPTIONAL(each) each(GetPhysicalDeviceCooperativeMatrixPropertiesNV) each(GetMemoryFdKHR)
 #define SPHEREPAIR_VULKAN_DEVICE(each) \
   each(DestroyDevice) each(GetDeviceQueue) each(DeviceWaitIdle) each(QueueSubmit) \
   each(CreateFence) each(DestroyFence) each(ResetFences) each(WaitForFences) each(GetFenceStatus) \
@@ -37,6 +38,7 @@ struct Calls {
 #define POINTER(name) PFN_vk##name name = nullptr;
   SPHEREPAIR_VULKAN_GLOBAL(POINTER)
   SPHEREPAIR_VULKAN_INSTANCE(POINTER)
+  SPHEREPAIR_VULKAN_OPTIONAL(POINTER)  // null where the driver does not know it
   SPHEREPAIR_VULKAN_DEVICE(POINTER)
 #undef POINTER
 

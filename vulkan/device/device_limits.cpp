@@ -9,6 +9,7 @@ namespace spherepair {
 namespace {
 
 constexpr uint32_t nvidia = 0x10DE;
+constexpr uint tensor_block = 256;
 constexpr uint32_t shared_bytes = 32 << 10;  // of the kernel that needs most, as OpenGL 4.5 has them at least
 
 // Structs of a query that the device may not know are left out.
@@ -45,7 +46,43 @@ void read_features(const Calls& vk, VkPhysicalDevice device, const std::set<std:
   require(all.features.shaderFloat64, limits, "float64 (shaderFloat64)");
   limits.atomics_64 = atomics.shaderBufferInt64Atomics;
   limits.float_atomics = floats.shaderBufferFloat32AtomicAdd;
+  limits.exports_memory = !limits.software && extensions.contains(VK_KHR_EXTERNAL_MEMORY_FD_EXTENSION_NAME);
   limits.memory_budget = extensions.contains(VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
+}
+
+// Products of 16 x 16 halves of a subgroup, with float32 sums.
+bool multiplies_halves(const Calls& vk, VkPhysicalDevice device) {
+  uint32_t count = 0;
+  vk.GetPhysicalDeviceCooperativeMatrixPropertiesNV(device, &count, nullptr);
+  std::vector<VkCooperativeMatrixPropertiesNV> shapes(
+      count, typed<VkCooperativeMatrixPropertiesNV>(VK_STRUCTURE_TYPE_COOPERATIVE_MATRIX_PROPERTIES_NV));
+  vk.GetPhysicalDeviceCooperativeMatrixPropertiesNV(device, &count, shapes.data());
+  return std::ranges::any_of(shapes, [](const VkCooperativeMatrixPropertiesNV& shape) {
+    return shape.MSize == 16 && shape.NSize == 16 && shape.KSize == 16 && shape.scope == VK_SCOPE_SUBGROUP_NV &&
+           shape.AType == VK_COMPONENT_TYPE_FLOAT16_NV && shape.BType == VK_COMPONENT_TYPE_FLOAT16_NV &&
+           shape.CType == VK_COMPONENT_TYPE_FLOAT32_NV && shape.DType == VK_COMPONENT_TYPE_FLOAT32_NV;
+  });
+}
+
+// Two groups on each multiprocessor.
+uint32_t tensor_groups(const Calls& vk, VkPhysicalDevice device, const std::set<std::string>& extensions) {
+  const auto lacks = [&](const char* name) { return !extensions.contains(name); };
+  if (lacks(VK_NV_COOPERATIVE_MATRIX_EXTENSION_NAME) || lacks(VK_NV_SHADER_SM_BUILTINS_EXTENSION_NAME)) return 0;
+  auto halves =
+      typed<VkPhysicalDeviceShaderFloat16Int8Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SHADER_FLOAT16_INT8_FEATURES);
+  auto model =
+      typed<VkPhysicalDeviceVulkanMemoryModelFeatures>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_MEMORY_MODEL_FEATURES);
+  auto features = typed<VkPhysicalDeviceFeatures2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2);
+  chain(features.pNext, halves, true);
+  chain(features.pNext, model, true);
+  vk.GetPhysicalDeviceFeatures2(device, &features);
+  if (!halves.shaderFloat16 || !model.vulkanMemoryModel || !multiplies_halves(vk, device)) return 0;
+  auto processors = typed<VkPhysicalDeviceShaderSMBuiltinsPropertiesNV>(
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SHADER_SM_BUILTINS_PROPERTIES_NV);
+  auto properties = typed<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2);
+  properties.pNext = &processors;
+  vk.GetPhysicalDeviceProperties2(device, &properties);
+  return 2 * processors.shaderSMCount;
 }
 
 FloatControls float_controls(const VkPhysicalDeviceFloatControlsProperties& said) {
@@ -137,6 +174,7 @@ DeviceLimits device_limits(const Calls& vk, VkPhysicalDevice device, const OpenO
   read_properties(vk, device, extensions, limits);
   find_queue(vk, device, limits);
   require_groups(limits);
+  if (limits.subgroups) limits.tensor_groups = tensor_groups(vk, device, extensions);
   limits.subgroups &= options.subgroups;
   limits.largest_texture = std::min<uint64_t>(limits.properties.limits.maxTexelBufferElements, options.texels);
   return limits;
@@ -147,6 +185,9 @@ WantedFeatures::WantedFeatures(const DeviceLimits& limits) {
   const FloatModes &of_32 = limits.floats.of_32, &of_64 = limits.floats.of_64;
   const bool floats = of_32.round_to_even || of_32.keep_denormals || of_32.keep_signed_zeros || of_64.round_to_even ||
                       of_64.keep_denormals || of_64.keep_signed_zeros;
+  if (limits.exports_memory) extensions.push_back(VK_KHR_EXTERNAL_MEMORY_FD_EXTENSION_NAME);
+  if (limits.tensor_groups) extensions.push_back(VK_NV_COOPERATIVE_MATRIX_EXTENSION_NAME);
+  matrices_.cooperativeMatrix = memory_model_.vulkanMemoryModel = halves_.shaderFloat16 = VK_TRUE;
   features.features.shaderInt64 = features.features.shaderFloat64 = VK_TRUE;
   if (floats && !core) extensions.push_back(VK_KHR_SHADER_FLOAT_CONTROLS_EXTENSION_NAME);
   if (limits.atomics_64 && !core) extensions.push_back(VK_KHR_SHADER_ATOMIC_INT64_EXTENSION_NAME);
@@ -154,6 +195,9 @@ WantedFeatures::WantedFeatures(const DeviceLimits& limits) {
   atomics_64_.shaderBufferInt64Atomics = float_atomics_.shaderBufferFloat32AtomicAdd = VK_TRUE;
   chain(features.pNext, atomics_64_, limits.atomics_64);
   chain(features.pNext, float_atomics_, limits.float_atomics);
+  chain(features.pNext, matrices_, limits.tensor_groups != 0);
+  chain(features.pNext, memory_model_, limits.tensor_groups != 0);
+  chain(features.pNext, halves_, limits.tensor_groups != 0);
 }
 
 BackendInfo describe_device(const DeviceLimits& limits) {
@@ -171,6 +215,7 @@ BackendInfo describe_device(const DeviceLimits& limits) {
                   {"shared memory bytes", std::to_string(limits.properties.limits.maxComputeSharedMemorySize)},
                   {"64-bit atomics", limits.atomics_64 ? "yes" : "no: drawing takes two passes"},
                   {"subgroups", limits.subgroups ? "yes" : "no: sums go through shared memory"},
+                  {"tensor cores", limits.tensor_groups ? "yes" : "no: collide_tensor is left out"},
                   {"float32 keeps", modes_in_words(limits.floats.of_32)},
                   {"float64 keeps", modes_in_words(limits.floats.of_64)}};
   return info;
@@ -181,7 +226,9 @@ DeviceCapabilities capabilities_of(const DeviceLimits& limits) {
           .atomics_64 = limits.atomics_64,
           .float_atomics = limits.float_atomics,
           .overlaps_images = true,
-          .bounds_block = 256};  // as OpenGL's
+          .bounds_block = 256,  // as OpenGL's
+          .tensor_groups = limits.tensor_groups,
+          .tensor_block = tensor_block};
 }
 
 }  // namespace spherepair

@@ -18,6 +18,8 @@ struct DeviceLimits {
   uint32_t queue_family = 0;
   uint32_t timestamp_bits = 0;  // 0: the queue has no clock
   bool atomics_64 = false, float_atomics = false, subgroups = false, memory_budget = false;
+  bool exports_memory = false;  // for other APIs, through file descriptors
+  uint32_t tensor_groups = 0;   // of collide_tensor at once; 0: no matrices of 16 x 16 halves
   FloatControls floats;
 };
 
@@ -36,6 +38,12 @@ struct WantedFeatures {
  private:
   VkPhysicalDeviceShaderAtomicInt64Features atomics_64_ =
       typed<VkPhysicalDeviceShaderAtomicInt64Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SHADER_ATOMIC_INT64_FEATURES);
+  VkPhysicalDeviceCooperativeMatrixFeaturesNV matrices_ = typed<VkPhysicalDeviceCooperativeMatrixFeaturesNV>(
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_COOPERATIVE_MATRIX_FEATURES_NV);
+  VkPhysicalDeviceVulkanMemoryModelFeatures memory_model_ =
+      typed<VkPhysicalDeviceVulkanMemoryModelFeatures>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_MEMORY_MODEL_FEATURES);
+  VkPhysicalDeviceShaderFloat16Int8Features halves_ =
+      typed<VkPhysicalDeviceShaderFloat16Int8Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SHADER_FLOAT16_INT8_FEATURES);
   VkPhysicalDeviceShaderAtomicFloatFeaturesEXT float_atomics_ = typed<VkPhysicalDeviceShaderAtomicFloatFeaturesEXT>(
       VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SHADER_ATOMIC_FLOAT_FEATURES_EXT);
 };

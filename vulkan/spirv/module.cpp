@@ -21,8 +21,10 @@ enum Op : uint32_t {
   op_constant = 43,
   op_variable = 59,
   op_decorate = 71,
-  op_member_decorate = 72
+  op_member_decorate = 72,
+  op_loop_merge = 246
 };
+enum : uint32_t { loop_unrolled = 1 };
 enum : uint32_t { decoration_block = 2, decoration_buffer_block = 3, decoration_binding = 33, decoration_offset = 35 };
 enum : uint32_t { storage_uniform_constant = 0, storage_uniform = 2, storage_buffer = 12 };
 enum : uint32_t { capability_float_64 = 10 };
@@ -201,6 +203,13 @@ void SpirvModule::declare(const FloatControls& offered) {
   capabilities.insert(capabilities.end(), extension.begin(), extension.end());
   words_.insert(words_.begin() + ptrdiff_t(behind_entry), declarations.begin(), declarations.end());
   words_.insert(words_.begin() + ptrdiff_t(behind_capabilities), capabilities.begin(), capabilities.end());
+}
+
+void SpirvModule::unroll_loops() {
+  constexpr size_t control = 3;  // behind the blocks at its end
+  for_each_instruction(words_, [&](const Instruction& one) {
+    if (one.op == op_loop_merge && words_[one.at + control] == 0) words_[one.at + control] = loop_unrolled;
+  });
 }
 
 }  // namespace spherepair

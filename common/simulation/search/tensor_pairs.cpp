@@ -19,6 +19,7 @@ void launch_tensor_pairs(DeviceContext& context, const Variant& variant) {
   context.buffers.grow(SLOT_SPLIT, padded * sizeof(TensorForm));
   context.buffers.grow(SLOT_SCAN, 2 * TENSOR_BOUNDS_GROUPS * sizeof(vec4));
   const uint64_t at_once = context.device.capabilities().tensor_groups, tiles = tensor_tiles(context.n);
+  const uint block = context.device.capabilities().tensor_block;
   const uint64_t share = std::max<uint64_t>(ceil_div(std::min(tiles, tiles_per_dispatch), at_once), 1);
   const uint64_t groups = ceil_div(tiles, share);
   params.search.tiles_per_group = uint(share);  // before the first launch: parameters that change are sent again
@@ -28,7 +29,7 @@ void launch_tensor_pairs(DeviceContext& context, const Variant& variant) {
   for (uint64_t first = 0; first < groups; first += at_once) {
     params.first_group = uint(first);
     const uint part = uint(std::min(at_once, groups - first));
-    context.launch({Kernel::collide_tensor, TENSOR_BLOCK, variant, {part, 1, 1}, Order::scene, Order::buckets});
+    context.launch({Kernel::collide_tensor, block, variant, {part, 1, 1}, Order::scene, Order::buckets});
     if (groups > at_once) context.device.wait();
   }
   params.first_group = 0;

@@ -1,0 +1,27 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// One thread per sphere, and more up to a whole block of rows: each writes a form.
+#include "shaders/tensor/box.glsl"
+#include "common/shared/tensor_form.h"
+
+layout(std430, binding = SLOT_SCAN) restrict readonly buffer BoxBuffer { vec4 boxes[]; };
+layout(std430, binding = SLOT_SORTED) restrict writeonly buffer FormBuffer { uvec4 forms[]; };
+layout(local_size_x = BLOCK) in;
+
+void main() {
+  uint lane = gl_LocalInvocationID.x;
+  // GLSL only from here: the low corners that tensor_bounds wrote, then the high ones
+  uint own = min(lane, uint(TENSOR_BOUNDS_GROUPS - 1));
+  low[lane] = boxes[own];
+  high[lane] = boxes[TENSOR_BOUNDS_GROUPS + own];
+  widen_first(TENSOR_BOUNDS_GROUPS);
+  vec4 frame = tensor_frame(low[0], high[0]);
+  // until here
+  uint i = group_index() * BLOCK + lane;
+  if (i >= (p.n + TENSOR_ROWS - 1u) / TENSOR_ROWS * TENSOR_ROWS) return;
+  TensorForm form = i < p.n ? tensor_form(position[i], frame) : never_near_form();
+  // GLSL only from here: one sphere behind the other, as cooperative matrices are loaded
+  forms[2u * i] = form.low;
+  forms[2u * i + 1u] = form.high;
+  // until here
+}
