@@ -83,7 +83,7 @@ def tensor_cores(machine):
     opengl = {row.n: row for row in machine.need(**wanted, backend="opengl", method="collide_triangle")}
     tensor = [row for row in machine.need(**wanted, backend="cuda", method="collide_tensor") if row.n in opengl]
     row = max(tensor, key=lambda row: row.n)
-    return (f"Only CUDA reaches tensor cores, which test all pairs of {row.n:,} spheres in {short(row.median)}. "
+    return (f"OpenGL has no tensor cores, with which CUDA tests all pairs of {row.n:,} spheres in {short(row.median)}; "
             f"OpenGL's fastest kernel takes {time_ratio(opengl[row.n], row).middle:.1f}x that time.")
 
 

@@ -12,6 +12,7 @@ COLUMN, PAGE = 3.4, 7.0  # inches: one column of the paper, both columns
 
 SERIES = {
     "opengl": {"label": "OpenGL", "color": "#15396b", "marker": "o", "linestyle": "-"},
+    "vulkan": {"label": "Vulkan", "color": "#b5322b", "marker": "v", "linestyle": "-."},
     "cuda": {"label": "CUDA", "color": "#e0812b", "marker": "s", "linestyle": "--", "markerfacecolor": "white"},
     "cpu parallel": {"label": "CPU, all threads", "color": "#5b8c5a", "marker": "^", "linestyle": ":"},
     "cpu sequential": {"label": "CPU, one thread", "color": "#8a8a8a", "marker": "D", "linestyle": ":"},
@@ -37,8 +38,9 @@ def series_of(record):
 
 
 def name_devices(machine):
-    """Software GL is labelled as such."""
-    SERIES["opengl"]["label"] = "OpenGL in software" if machine.software else "OpenGL"
+    """Those in software are labelled as such."""
+    for name, words in (("opengl", "OpenGL"), ("vulkan", "Vulkan")):
+        SERIES[name]["label"] = f"{words} in software" if machine.has(name) and machine.backend(name)["software"] else words
 
 
 def panels(width, height, columns=1, **options):

@@ -8,10 +8,9 @@ from paper.page import answer
 from paper.page.html_table import as_html
 from paper.records import DATA, Missing
 from paper.tables import all_tables
-from paper.text import plain
+from paper.text import APIS, plain
 
 PIXELS = 110  # of the page, an inch of a figure
-NAMES = {"cpu": "CPU", "opengl": "OpenGL", "cuda": "CUDA"}
 
 
 @dataclass
@@ -64,7 +63,7 @@ def backends_of(machine):
             return f"did not run: {backend['reason']}"
         return backend["device"] + (", in software" if backend.get("software") else "")
 
-    return [f"{NAMES[backend['name']]}: {line(backend)}" for backend in machine.main.get("backends", ())]
+    return [f"{APIS[backend['name']]}: {line(backend)}" for backend in machine.main.get("backends", ())]
 
 
 def equality(machine):
@@ -74,7 +73,7 @@ def equality(machine):
             for kind in ("sets", "states")}
     if root.get("verdict") != "equal":
         return f"Not confirmed: the run's verdict is {root.get('verdict', 'missing')}."
-    names = [NAMES[backend["name"]] for backend in root.get("backends", ()) if backend.get("open", True)]
+    names = [APIS[backend["name"]] for backend in root.get("backends", ()) if backend.get("open", True)]
     where = " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
     return f"Equal: {made['sets']:,} sets of pairs and {made['states']:,} states of the spheres, on {where}."
 

@@ -12,7 +12,7 @@ METHODS = ("collide_tiled", "collide_square", "collide_triangle")
 
 
 def draw(machine):
-    devices = [name for name in ("opengl", "cuda") if machine.has(name)]
+    devices = [name for name in ("opengl", "vulkan", "cuda") if machine.has(name)]
     if not devices:
         raise Missing(f"{machine.name} was run without OpenGL and CUDA")
     figure, (axis,) = panels(COLUMN, 2.0)

@@ -14,7 +14,7 @@ TITLES = {"collide_group": "group (within groups)", "collide_tiled": "tiled (one
 
 
 def draw(machine):
-    devices = [name for name in ("opengl", "cuda") if machine.has(name)]
+    devices = [name for name in ("opengl", "vulkan", "cuda") if machine.has(name)]
     if not devices:
         raise Missing(f"{machine.name} was run without OpenGL and CUDA")
     figure, axes = panels(PAGE, 1.9, 4)

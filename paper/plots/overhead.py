@@ -9,7 +9,7 @@ CAPTION = ("An empty kernel of one group: time per dispatch or launch against th
 
 
 def draw(machine):
-    devices = [name for name in ("opengl", "cuda") if machine.has(name)]
+    devices = [name for name in ("opengl", "vulkan", "cuda") if machine.has(name)]
     if not devices:
         raise Missing(f"{machine.name} was run without OpenGL and CUDA")
     figure, (axis,) = panels(COLUMN, 1.7)

@@ -26,7 +26,7 @@ def draw(machine):
     printed(drawing, 2, "original sequential")
     for method in ("sequential", "parallel"):
         plot(pairs, machine.need(table="table1", backend="cpu", method=method), f"cpu {method}")
-    devices = [name for name in ("opengl", "cuda") if machine.has(name)]
+    devices = [name for name in ("opengl", "vulkan", "cuda") if machine.has(name)]
     if not devices:
         raise Missing(f"{machine.name} was run without OpenGL and CUDA")
     for name in devices:

@@ -26,7 +26,7 @@ def note_slopes(axis, rows):
 
 
 def draw(machine):
-    devices = [name for name in ("opengl", "cuda") if machine.has(name)]
+    devices = [name for name in ("opengl", "vulkan", "cuda") if machine.has(name)]
     if not devices:
         raise Missing(f"{machine.name} was run without OpenGL and CUDA")
     with_floor = machine.has("cuda")

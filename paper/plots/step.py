@@ -10,7 +10,7 @@ CAPTION = ("A whole step (motion, plane, all pairs, counts) against the number o
 
 def draw(machine):
     figure, (axis,) = panels(COLUMN, 2.1)
-    for name in ("cpu", "opengl", "cuda"):
+    for name in ("cpu", "opengl", "vulkan", "cuda"):
         if machine.has(name):
             plot(axis, machine.need(table="step", backend=name), "cpu parallel" if name == "cpu" else name)
     axis.axhline(16, color="black", linewidth=0.7)
@@ -20,5 +20,5 @@ def draw(machine):
     plain_ticks(axis)
     spheres_axis(axis)
     axis.set_ylabel("time of one step (ms)")
-    axis.legend(loc="center left", bbox_to_anchor=(0.0, 0.6))
+    axis.legend(loc="best")
     return figure

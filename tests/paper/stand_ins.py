@@ -145,7 +145,8 @@ class StandIn(unittest.TestCase):
 
     def say(self, memory=150 * 10**9, software=False, cuda=True, digests=None, **more):
         backends = [{"name": "cpu", "open": True}, {"name": "opengl", "open": True, "software": software},
-                    {"name": "cuda", "open": cuda, "uuid": "A", "details": {"memory bytes": str(memory), "compute capability": "9.0"}}]
+                    {"name": "cuda", "open": cuda, "uuid": "A", "details": {"memory bytes": str(memory), "compute capability": "9.0"}},
+                    {"name": "vulkan", "open": cuda, "uuid": "A", "software": software}]
         context = {"build": {"commit": "made-up"}, "sources": digests or sources.current()}
         said = {"devices": {"context": context, "backends": backends}, "fails": None, "sleeps": False, "text": None, "older_tests": False,
                 "verdict": "equal", **more}

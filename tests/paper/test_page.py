@@ -8,6 +8,7 @@ import sys
 import tempfile
 import unittest
 import unittest.mock
+from dataclasses import replace
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
@@ -147,6 +148,20 @@ class Answer(unittest.TestCase):
         machine = recorded_machine("llvmpipe")
         self.assertRaises(Missing, answer.answer, machine, True)
         self.assertIn("No GPU was found", answer.why_not(machine))
+
+
+class WithVulkan(unittest.TestCase):
+    def test_a_machine_that_also_timed_vulkan_has_a_page(self):
+        machine = recorded_machine("llvmpipe")
+        machine.records += [replace(record, parameters={**record.parameters, "backend": "vulkan"})
+                            for record in machine.records if record.parameters.get("backend") == "opengl"]
+        opengl = next(backend for backend in machine.main["backends"] if backend["name"] == "opengl")
+        machine.main = {**machine.main, "backends": [*machine.main["backends"], {**opengl, "name": "vulkan"}]}
+        with tempfile.TemporaryDirectory() as folder:
+            made = report.make(machine, pathlib.Path(folder), Progress())
+        self.assertRegex(made.equal, "on CPU, OpenGL and Vulkan")
+        self.assertTrue(any(line.startswith("Vulkan: ") for line in made.backends))
+        self.assertIn("exactness", {item.name for item in made.items})
 
 
 class Recorded(unittest.TestCase):
