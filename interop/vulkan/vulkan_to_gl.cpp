@@ -2,10 +2,12 @@
 // Spheres and images of Vulkan's in OpenGL: copied into memory that both share, or through the host.
 #include "interop/vulkan/vulkan_to_gl.h"
 
+#include <epoxy/gl.h>
 #include <fmt/format.h>
 
 #include <array>
 
+#include "glsl/context.h"
 #include "glsl/driver_memory.h"
 #include "glsl/gl_drawing.h"
 #include "glsl/gl_renderer.h"
@@ -23,7 +25,9 @@ class SharedBuffer {
       throw BackendError(fmt::format("interop: OpenGL could not import {} bytes of Vulkan's memory", bytes));
     storage_ = *storage;
   }
-  ~SharedBuffer() { delete_storage(storage_); }  // in OpenGL's context
+  ~SharedBuffer() {
+    if (context_is_current()) delete_storage(storage_);
+  }
   SharedBuffer(const SharedBuffer&) = delete;
   SharedBuffer& operator=(const SharedBuffer&) = delete;
 
@@ -40,7 +44,9 @@ class SharedBuffer {
 class VulkanToGl final : public GlDrawing {
  public:
   VulkanToGl(const OpenOptions& options, Device& vulkan)
-      : GlDrawing(options), vulkan_(vulkan), shares_(exports_memory(vulkan)) {}
+      : GlDrawing(options),
+        vulkan_(vulkan),
+        shares_(exports_memory(vulkan) && epoxy_has_gl_extension("GL_EXT_memory_object_fd")) {}
   ~VulkanToGl() override {
     if (try_make_current()) shared_ = {}, image_.reset();
   }

@@ -20,7 +20,7 @@ struct Asked {
 TEST(AutomaticBackend, TriesAGpuOnlyWhereOneIsShown) {
   Asked asked;
   const ChosenBackend chosen = choose_backend("", {}, asked.opener);
-  const std::vector<std::string> all = {"cuda", "opengl", "vulkan", "cpu"}, cpu = {"cpu"};
+  const std::vector<std::string> all = {"cuda", "vulkan", "opengl", "cpu"}, cpu = {"cpu"};
   EXPECT_EQ(asked.names, gpu_nodes_present() ? all : cpu);
   EXPECT_EQ(chosen.backend->info().name, "cpu");
   EXPECT_EQ(chosen.passed_over.size(), 3u);
@@ -29,7 +29,7 @@ TEST(AutomaticBackend, TriesAGpuOnlyWhereOneIsShown) {
 TEST(AutomaticBackend, TriesWhatAnOptionAsksFor) {
   Asked asked;
   EXPECT_THROW(choose_backend("", {.require_hardware = true}, asked.opener), BackendError);
-  EXPECT_EQ(asked.names, (std::vector<std::string>{"cuda", "opengl", "vulkan"}));
+  EXPECT_EQ(asked.names, (std::vector<std::string>{"cuda", "vulkan", "opengl"}));
 }
 
 TEST(AutomaticBackend, KnowsTheNodesOfGpus) {
