@@ -13,7 +13,8 @@ from ._errors import BackendError, CapacityError
 from ._library import lib as _lib
 from ._lists import collisions, csr, neighbor_list, query, radius_graph
 from ._plan import Pairs, Plan
+from ._simulation import Simulation
 
 __version__: str = _lib.sp_version().decode()
-__all__ = ["BackendError", "CapacityError", "Context", "Pairs", "Plan", "backends", "collisions", "csr", "neighbor_list",
+__all__ = ["BackendError", "CapacityError", "Context", "Pairs", "Plan", "Simulation", "backends", "collisions", "csr", "neighbor_list",
            "open", "query", "radius_graph"]

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import ctypes
-from ctypes import POINTER, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_void_p
+from ctypes import POINTER, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p
 
 ABI_VERSION = 1
 
@@ -39,6 +39,14 @@ class Pairs(ctypes.Structure):
                 ("vectors", Array), ("distances", Array), ("offsets", Array)]
 
 
+class Scene(ctypes.Structure):
+    """sp_scene: where spheres start."""
+
+    _fields_ = [("size", c_size_t), ("positions", Array), ("velocities", Array), ("radii", Array), ("plane", c_double),
+                ("gravity", c_double), ("restitution", c_double), ("dt", c_double), ("contact", c_char_p),
+                ("stiffness", c_double), ("density", c_double), ("drag", c_double), ("walls", Array)]
+
+
 # name: (type of the result, types of the arguments)
 FUNCTIONS = {
     "sp_abi_version": (c_uint32, []),
@@ -53,4 +61,12 @@ FUNCTIONS = {
     "sp_list": (c_int32, [c_void_p, POINTER(Problem), c_uint32, POINTER(POINTER(Pairs))]),
     "sp_free": (None, [POINTER(Pairs)]),
     "sp_fill": (c_int32, [c_void_p, POINTER(Problem), POINTER(Pairs)]),
+    "sp_simulation_open": (c_int32, [c_char_p, c_char_p, c_int32, POINTER(Scene), POINTER(c_void_p)]),
+    "sp_simulation_close": (None, [c_void_p]),
+    "sp_simulation_move": (c_int32, [c_void_p, c_uint64]),
+    "sp_simulation_state": (c_int32, [c_void_p, POINTER(Array), POINTER(Array)]),
+    "sp_simulation_pairs": (c_int32, [c_void_p, POINTER(POINTER(Pairs))]),
+    "sp_simulation_dt": (c_double, [c_void_p]),
+    "sp_simulation_steps": (c_uint64, [c_void_p]),
+    "sp_simulation_message": (c_char_p, [c_void_p]),
 }

@@ -35,7 +35,7 @@ def letters(quantities: Any) -> str:
     return quantities
 
 
-class _List:
+class List:
     """Owns a list that the library made."""
 
     def __init__(self, pointer: Any):
@@ -64,7 +64,7 @@ def columns(search: Search, names: Any, backend: Union[str, Context], index_dtyp
         context_of(backend)._call(lib.sp_list, ctypes.byref(search.struct), wanted, ctypes.byref(pointer))
     except ValueError as failure:
         raise ValueError(search.translate(str(failure))) from None
-    made = _List(pointer)
+    made = List(pointer)
     found = {name: made.column(name) for name in needed if name != "offsets" or not sorts}
     if sorts:
         _regroup(search, found, "offsets" in needed)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <spherepair/simulation.hpp>
 #include <spherepair/spherepair.hpp>
 #include <type_traits>
 #include <utility>
@@ -134,6 +135,32 @@ static void errors(Context& context) {
   HOLDS(fails(SP_E_ARGUMENT, "device", [] { Context("cpu", "0"); }));
 }
 
+void simulations() {
+  const std::vector<std::array<double, 3>> positions = {{0, 1, 0}, {0, 1.75, 0}, {4, 3, 0}}, velocities(3, {0.5, 0, 0});
+  const std::vector<double> radii = {0.5, 0.5, 0.25};
+  Simulation first({.positions = positions, .velocities = velocities, .radii = radii}, "cpu", "", 1);
+  HOLDS(first.pairs().size() == 1 && first.pairs().second()[0] == 1);
+  Simulation moving = std::move(first);
+  moving.move(), moving.move(2);
+  HOLDS(moving.steps() == 3 && moving.dt() == 1.0 / 64);
+  const auto [at, speeds] = moving.state();
+  HOLDS(at.size() == 3 && at[2][0] == 4 + 0.5f * 3 / 64 && speeds[2][0] == 0.5f);
+  const Scene walled = {.positions = positions,
+                        .radii = radii,
+                        .restitution = 0.5,
+                        .contact = "spring",
+                        .walls = Walls{{-1, 0, -1}, {5, 5, 1}}};
+  Simulation contacts(walled, "cpu");
+  contacts.move(10);
+  HOLDS(contacts.state().velocities[1][1] > 0);
+  HOLDS(fails(SP_E_ARGUMENT, "glue",
+              [&] { Simulation({.positions = positions, .radii = radii, .contact = "glue"}, "cpu"); }));
+  HOLDS(fails(SP_E_ARGUMENT, "radii has 2 rows", [&] {
+    const std::vector<double> two = {1, 1};
+    Simulation({.positions = positions, .radii = two}, "cpu");
+  }));
+}
+
 int main() try {
   Context opened("cpu", "", 1), context = std::move(opened);
   HOLDS(context.backend() == "cpu" && !context.device().empty());
@@ -141,6 +168,7 @@ int main() try {
   fields(context);
   columns(context);
   errors(context);
+  simulations();
 } catch (const std::exception& error) {
   std::fprintf(stderr, "an error that is none: %s\n", error.what());
   return 1;

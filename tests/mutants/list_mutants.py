@@ -25,4 +25,10 @@ LISTS = [
     mutant("a Lattice is read by columns", "bench/spheres/xyz_columns.cpp", "box.rows[k / 3][k % 3]", "box.rows[k % 3][k / 3]",
            "PeriodicPairs"),
     mutant("pbc is ignored", "bench/spheres/xyz_columns.cpp", "axes.empty() || *axes[k]", "true", "PeriodicPairs"),
+    mutant("a simulation's gravity points up", "api/c/simulation.cpp", "0 - rounded(given.gravity", "rounded(given.gravity", "SimulationCalls"),
+    mutant("a simulation goes on after a failed step", "api/c/simulation.cpp", "simulation->failed = true;", "simulation->failed = false;",
+           "SimulationCalls"),
+    mutant("a simulation's walls are left out", "api/c/simulation.cpp", "choice.walls = is_given(given.walls);", "choice.walls = false;",
+           "SimulationCalls"),
+    mutant("a simulation has no drag", "api/c/simulation.cpp", 'choice.drag = rounded(given.drag, "drag");', "choice.drag = 0;", "SimulationCalls"),
 ]

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "api/c/guarded.h"
+
+#include <fmt/format.h>
+
+#include "api/open.h"
+
+namespace spherepair {
+namespace {
+
+// The fastest that opens, as `spherepair run` chooses: software is slower than the CPU's own backend.
+std::unique_ptr<Backend> open_fastest(OpenOptions options) {
+  options.require_hardware = true;
+  for (const char* name : {"cuda", "vulkan", "opengl"}) try {
+      return open_backend(name, options);
+    } catch (const BackendError&) {
+    }
+  return open_backend("cpu", options);
+}
+
+std::unique_ptr<Backend> open(const std::string& name, const char* device, int32_t threads) {
+  if (threads < 0) refuse(fmt::format("threads is {}, but must not be negative", threads));
+  OpenOptions options;
+  options.threads = threads;
+  if (device && *device) {
+    if (name != "cuda" && name != "vulkan" && name != "opengl" && name != "opengl-core")
+      refuse(fmt::format("a device is given for the backend {}: name cuda, opengl or vulkan", name));
+    (name == "cuda" ? options.cuda_device : name == "vulkan" ? options.vulkan_device : options.gl_device) = device;
+  }
+  return name == "auto" ? open_fastest(options) : open_backend(name, options);
+}
+
+}  // namespace
+
+std::string& open_message() {
+  thread_local std::string message;
+  return message;
+}
+
+sp_status status_of(ListFault fault) {
+  return fault == ListFault::argument ? SP_E_ARGUMENT : fault == ListFault::not_finite ? SP_E_NONFINITE : SP_E_RANGE;
+}
+
+std::unique_ptr<Backend> open_for_calls(const char* backend, const char* device, int32_t threads) {
+  if (!backend) refuse("backend is NULL: name cpu, opengl, cuda, vulkan or auto");
+  std::unique_ptr<Backend> opened = open(backend, device, threads);
+  opened->leave_thread();
+  return opened;
+}
+
+void close_for_calls(std::unique_ptr<Backend>& backend) noexcept {
+  if (!backend) return;
+  try {
+    backend->enter_thread();
+  } catch (const std::exception&) {  // of a device that has failed, which has said so before
+  }
+  backend.reset();  // an OpenGL context leaves the thread as it ends
+}
+
+OwnedPairs::OwnedPairs(int64_t pairs, int64_t firsts, uint32_t wanted) : sp_pairs{} {
+  size = sizeof(sp_pairs);
+  count = pairs;
+  allocate(first, SP_I32, sizeof(int32_t), pairs, 1);
+  allocate(second, SP_I32, sizeof(int32_t), pairs, 1);
+  if (wanted & SP_SHIFTS) allocate(shifts, SP_I32, sizeof(int32_t), pairs, 3);
+  if (wanted & SP_VECTORS) allocate(vectors, SP_F64, sizeof(double), pairs, 3);
+  if (wanted & SP_DISTANCES) allocate(distances, SP_F64, sizeof(double), pairs, 1);
+  if (wanted & SP_OFFSETS) allocate(offsets, SP_I64, sizeof(int64_t), firsts + 1, 1);
+}
+
+void OwnedPairs::allocate(sp_array& array, sp_type type, size_t bytes, int64_t rows, int64_t columns) {
+  // One element more, so that an empty column has an address as well.
+  memory_.push_back(std::make_unique_for_overwrite<std::byte[]>((size_t(rows * columns) + 1) * bytes));
+  array = {memory_.back().get(), rows, columns, columns, 1, type, 1, 0};
+}
+
+}  // namespace spherepair

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// What all calls of include/spherepair/spherepair.h share: no exception leaves them, a backend is used in the caller's
+// thread, and a list owns its columns.
+#pragma once
+
+#include <memory>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "api/c/arrays.h"
+#include "common/backend/backend.h"
+
+namespace spherepair {
+
+std::string& open_message();  // why this thread's last call that opens something failed
+
+sp_status status_of(ListFault fault);
+
+// Runs work(); what it throws becomes a status, and the message says why.
+template <typename Work>
+sp_status guarded(std::string& message, Work work) noexcept {
+  try {
+    try {
+      message.clear();
+      return work();
+    } catch (const ListError& error) {
+      message = error.what();
+      return status_of(error.fault);
+    } catch (const std::invalid_argument& error) {
+      message = error.what();
+      return SP_E_ARGUMENT;
+    } catch (const std::bad_alloc&) {
+      message = "out of memory";
+      return SP_E_MEMORY;
+    } catch (const std::exception& error) {
+      message = error.what();
+      return SP_E_BACKEND;
+    }
+  } catch (...) {  // no memory for the message
+    return SP_E_MEMORY;
+  }
+}
+
+// The backend's own device and context within, the caller's before and behind.
+class InThread {
+ public:
+  explicit InThread(Backend& backend) : backend_(backend) { backend_.enter_thread(); }
+  ~InThread() { backend_.leave_thread(); }
+  InThread(const InThread&) = delete;
+  InThread& operator=(const InThread&) = delete;
+
+ private:
+  Backend& backend_;
+};
+
+// The backend that sp_open describes, left by this thread.
+std::unique_ptr<Backend> open_for_calls(const char* backend, const char* device, int32_t threads);
+void close_for_calls(std::unique_ptr<Backend>& backend) noexcept;
+
+// A list with the memory of its columns.
+class OwnedPairs : public sp_pairs {
+ public:
+  OwnedPairs(int64_t pairs, int64_t firsts, uint32_t wanted);
+
+ private:
+  void allocate(sp_array& array, sp_type type, size_t bytes, int64_t rows, int64_t columns);
+
+  std::vector<std::unique_ptr<std::byte[]>> memory_;
+};
+
+}  // namespace spherepair
