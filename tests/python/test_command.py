@@ -162,7 +162,7 @@ class Command(unittest.TestCase):
             for block in blocks:
                 exec(block, names)
         self.assertRegex(out.getvalue(), r"^\d+ neighbours, \d+ overlaps, \{'cpu': None")
-        self.assertEqual((100, 2), (len(moved), len(blocks)))
+        self.assertEqual((100, 3), (len(moved), len(blocks)))
 
     def test_a_file_through_ase(self):
         try:
