@@ -78,13 +78,13 @@ def short_steps(machine):
 
 
 def tensor_cores(machine):
-    """CUDA's tensor cores have no counterpart in OpenGL: of the sizes of one run that both have, the largest."""
+    """OpenGL cannot use tensor cores: of the sizes of one run that both have, the largest."""
     wanted = {"table": "grid", "scene": "uniform", "packing_fraction": 0.3, "order": "cold"}
     opengl = {row.n: row for row in machine.need(**wanted, backend="opengl", method="collide_triangle")}
     tensor = [row for row in machine.need(**wanted, backend="cuda", method="collide_tensor") if row.n in opengl]
     row = max(tensor, key=lambda row: row.n)
-    return (f"OpenGL has no tensor cores, with which CUDA tests all pairs of {row.n:,} spheres in {short(row.median)}; "
-            f"OpenGL's fastest kernel takes {time_ratio(opengl[row.n], row).middle:.1f}x that time.")
+    return (f"CUDA's tensor cores test all pairs of {row.n:,} spheres in {short(row.median)}. OpenGL cannot use them: its fastest "
+            f"kernel takes {time_ratio(opengl[row.n], row).middle:.1f}x that time.")
 
 
 def unusual_scenes(machine):

@@ -38,7 +38,7 @@ def series_of(record):
 
 
 def name_devices(machine):
-    """Those in software are labelled as such."""
+    """Adds "in software" to the labels of APIs that run there."""
     for name, words in (("opengl", "OpenGL"), ("vulkan", "Vulkan")):
         SERIES[name]["label"] = f"{words} in software" if machine.has(name) and machine.backend(name)["software"] else words
 

@@ -17,7 +17,7 @@ SpirvModule module_of(const DeviceLimits& limits, Kernel kernel, uint block, con
                                     .subgroups = limits.subgroups};
   SpirvModule module = compile_to_spirv(kernel_text(kernel_name(kernel), block, variant, extensions), what);
   // Mesa's lavapipe compiles a version of a kernel for each value of a uniform that controls a branch, and frees none.
-  // With unrolled loops its collide_tiled finds wrong pairs (Mesa 22.3).
+  // With unrolled loops Mesa 22.3 finds wrong pairs in collide_tiled.
   limits.software ? module.read_uniforms_as_storage() : module.unroll_loops();
   module.declare(limits.floats);
   return module;

@@ -8,7 +8,7 @@
 namespace spherepair {
 namespace {
 
-// The fastest that opens, as `spherepair run` chooses: software is slower than the CPU's own backend.
+// Opens the fastest backend, as `spherepair run` does. OpenGL and Vulkan in software are slower than the CPU backend.
 std::unique_ptr<Backend> open_fastest(OpenOptions options) {
   options.require_hardware = true;
   for (const char* name : {"cuda", "vulkan", "opengl"}) try {
@@ -52,7 +52,7 @@ void close_for_calls(std::unique_ptr<Backend>& backend) noexcept {
   if (!backend) return;
   try {
     backend->enter_thread();
-  } catch (const std::exception&) {  // of a device that has failed, which has said so before
+  } catch (const std::exception&) {  // the device has failed, and an earlier call said so
   }
   backend.reset();  // an OpenGL context leaves the thread as it ends
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What all calls of include/spherepair/spherepair.h share: no exception leaves them, a backend is used in the caller's
-// thread, and a list owns its columns.
+// Shared by all calls of the C headers: turns exceptions into statuses, uses a backend in the caller's thread, and owns
+// the columns of a list.
 #pragma once
 
 #include <memory>
@@ -42,7 +42,7 @@ sp_status guarded(std::string& message, Work work) noexcept {
   }
 }
 
-// The backend's own device and context within, the caller's before and behind.
+// Makes the backend's device and context current, and the caller's again when it ends.
 class InThread {
  public:
   explicit InThread(Backend& backend) : backend_(backend) { backend_.enter_thread(); }
@@ -54,11 +54,11 @@ class InThread {
   Backend& backend_;
 };
 
-// The backend that sp_open describes, left by this thread.
+// Opens the backend that sp_open's arguments name. No thread has its context current afterwards.
 std::unique_ptr<Backend> open_for_calls(const char* backend, const char* device, int32_t threads);
 void close_for_calls(std::unique_ptr<Backend>& backend) noexcept;
 
-// A list with the memory of its columns.
+// An sp_pairs that owns its columns.
 class OwnedPairs : public sp_pairs {
  public:
   OwnedPairs(int64_t pairs, int64_t firsts, uint32_t wanted);

@@ -24,7 +24,7 @@ struct sp_simulation {
 
 namespace {
 
-// What names the program's options then names the struct's fields: they are called the same.
+// Runs work() and turns options of the program in its messages into fields of sp_scene: --stiffness into stiffness.
 template <typename Work>
 void with_fields(Work work) {
   try {
@@ -89,7 +89,7 @@ ContactChoice contacts_of(const sp_scene& given) {
   return choice;
 }
 
-// Motion would lift spheres that begin below the plane.
+// Refuses spheres below the plane: the first step would lift them.
 void require_above_plane(const Scene& scene) {
   const bool contacts = scene.contact.law != ContactLaw::none;
   for (uint64_t i = 0; i < scene.size(); ++i) {
@@ -128,7 +128,7 @@ Scene scene_of(const sp_scene& given) {
   return scene;
 }
 
-// A call on a simulation that has not failed.
+// Runs work(backend), unless a step of the simulation failed before.
 template <typename Work>
 sp_status on(sp_simulation* simulation, Work work) noexcept {
   if (!simulation) return SP_E_ARGUMENT;
@@ -178,7 +178,7 @@ sp_status sp_simulation_move(sp_simulation* simulation, uint64_t steps) {
     with_fields([&] {
       for (uint64_t k = 0; k < steps; ++k) backend.move();
       backend.finish();
-      if (steps > 0) backend.evaluate_state();  // says what went wrong on a device
+      if (steps > 0) backend.evaluate_state();  // throws if a step failed on the device
     });
     simulation->steps += steps;
     simulation->failed = false;

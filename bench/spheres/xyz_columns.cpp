@@ -71,6 +71,16 @@ std::optional<std::vector<double>> numbers_of(const std::string& text, size_t co
 // i-PI: # CELL(abcABC): 10 10 10 90 90 90.
 bool is_cell_of_ipi(const CommentPair& pair) { return lower_case(pair.key).starts_with("cell("); }
 
+std::optional<ListBox> box_of(const CommentPair* cell, const std::vector<std::optional<bool>>& axes) {
+  if (!cell || lower_case(cell->key) != "lattice" || !cell->value) return std::nullopt;
+  const auto numbers = numbers_of(*cell->value, 9);
+  if (!numbers) return std::nullopt;
+  ListBox box;
+  for (size_t k = 0; k < 9; ++k) box.rows[k / 3][k % 3] = (*numbers)[k];
+  for (size_t k = 0; k < 3; ++k) box.periodic[k] = axes.empty() || *axes[k];
+  return box;
+}
+
 }  // namespace
 
 std::optional<std::vector<NamedColumn>> properties_of(const Comment& comment, bool by_names) {
@@ -133,16 +143,6 @@ Columns classic_columns(const FileBytes& file, uint64_t line, std::string_view t
   columns.by = types ? "the first of four whole in every line: a type, since --radius gives the radii"
                      : fmt::format("by the number of columns in line {}", line);
   return columns;
-}
-
-static std::optional<ListBox> box_of(const CommentPair* cell, const std::vector<std::optional<bool>>& axes) {
-  if (!cell || lower_case(cell->key) != "lattice" || !cell->value) return std::nullopt;
-  const auto numbers = numbers_of(*cell->value, 9);
-  if (!numbers) return std::nullopt;
-  ListBox box;
-  for (size_t k = 0; k < 9; ++k) box.rows[k / 3][k % 3] = (*numbers)[k];
-  for (size_t k = 0; k < 3; ++k) box.periodic[k] = axes.empty() || *axes[k];
-  return box;
 }
 
 PeriodicBox periodic_box(const Comment& comment) {

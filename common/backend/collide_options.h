@@ -94,7 +94,7 @@ struct WorkCounts {
   uint64_t sorts = 0, orders_kept = 0, cells_kept = 0;  // of steps through the grid, what became of the cell order
   uint64_t plans = 0;                                   // of cells, with that of the upload
   uint64_t graphs_replayed = 0;
-  uint64_t kernels_replayed = 0;          // in these
+  uint64_t kernels_replayed = 0;          // kernels of these
   uint64_t waits = 0;                     // for a launch alone, within steps
   uint64_t overlapped = 0;                // launches that need not wait for the one before
   uint64_t early = 0;                     // that get ready while the one before is under way, of replays too

@@ -49,7 +49,7 @@ class GraphicsPipeline {
 
 struct PipelineOpener {
   std::function<std::unique_ptr<GraphicsPipeline>()> open = {};  // throws BackendError with what is missing
-  std::vector<Transfer> ways = {};                               // in which spheres come to it, the fastest last
+  std::vector<Transfer> ways = {};                               // how spheres reach OpenGL, the fastest last
 };
 
 // Opened when it is first used.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Every kernel, by the name that its source files, its stage in the results and its entry in CUDA have in common; with
 // the buffers that it reads, and those that it writes, in any variant. Devices wait between two launches by this table;
-// the lint compares it with what the shaders do. OpenGL has no tensor cores, and no kernel whose groups wait for each
-// other.
+// the lint compares it with what the shaders do. Vulkan and CUDA have the kernels of tensor cores, CUDA alone has
+// persistent_steps.
 #pragma once
 
 // clang-format off

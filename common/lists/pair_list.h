@@ -12,7 +12,7 @@ namespace spherepair {
 std::vector<ListedPair> list_pairs(Backend& backend, const ListProblem& problem,
                                    CollideOptions options = {.method = Method::automatic});
 
-// The pairs of point i are list[offsets[i]] to list[offsets[i + 1] - 1]; there are firsts + 1 offsets.
+// Gives firsts + 1 offsets: the pairs of point i are list[offsets[i]] to list[offsets[i + 1] - 1].
 std::vector<int64_t> offsets_of(const std::vector<ListedPair>& list, uint64_t firsts);
 
 }  // namespace spherepair

@@ -13,7 +13,7 @@ __device__ inline void widen(vec4& low, vec4& high, vec4 other_low, vec4 other_h
               larger(other_high.w, high.w)};
 }
 
-// Of COUNT boxes in shared memory, a power of two: the first becomes that of all. For all threads of a group.
+// Reduces COUNT boxes in shared memory, a power of two, to the first. Every thread of the group calls it.
 template <uint COUNT>
 __device__ inline void widen_first(vec4* low, vec4* high) {
   for (uint half = COUNT / 2u; half > 0u; half /= 2u) {

@@ -8,9 +8,8 @@
 
 namespace spherepair {
 
-// CUDA only from here: a product of four warps, of whose sums a thread knows rows and columns. The signs of a thread's
-// sums are joined, 32 pairs at a time; where one is set, the pairs are queued, and the warp decides them, a thread for
-// 32 pairs.
+// CUDA only from here: four warps compute a product, and each thread knows the rows and columns of its sums. It joins
+// the signs of 32 sums and queues these pairs if one is negative. The warp decides queued pairs, a thread for 32 pairs.
 constexpr uint WARPS = TENSOR_BLOCK / 32u;
 constexpr uint PRODUCTS = TENSOR_ROWS / (WARPS / 4u) / PRODUCT_ROWS;  // of each four warps with a tile
 constexpr uint ENTRY_COLUMNS = 64u;                                   // of a queue entry: 2 rows, 16 of these columns

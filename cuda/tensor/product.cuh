@@ -2,7 +2,7 @@
 // One product of tensor cores by four warps: 64 rows, whose forms the threads hold, with the 256 columns of a tile in
 // shared memory.
 //
-// CUDA only: GLSL multiplies matrices of a subgroup
+// CUDA only: in GLSL a subgroup multiplies matrices
 #pragma once
 
 #include "cuda/tensor/column_ring.cuh"

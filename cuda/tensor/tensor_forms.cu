@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere, and more up to a whole block of rows: each writes a form.
+// One thread per sphere writes its form. Threads behind the last sphere fill its block of rows with forms that are near
+// nothing.
 #include "common/shared/tensor_form.h"
 #include "cuda/tensor/box.cuh"
 
@@ -20,8 +21,7 @@ __global__ void __launch_bounds__(BLOCK) tensor_forms(Params p, KernelBuffers bu
   if (i >= (p.n + TENSOR_ROWS - 1u) / TENSOR_ROWS * TENSOR_ROWS) return;
   TensorForm form = i < p.n ? tensor_form(buf.position[i], frame) : never_near_form();
   uvec4* forms = reinterpret_cast<uvec4*>(buf.sorted);
-  // CUDA only from here: as matrix B has it in shared memory, of eight spheres the first eight halves each, then the
-  // others
+  // CUDA only from here: in the order of matrix B, the first eight halves of eight spheres, then the other eight
   uint at = i / 8u * 16u + i % 8u;
   forms[at] = form.low;
   forms[at + 8u] = form.high;

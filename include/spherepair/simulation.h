@@ -34,34 +34,33 @@ typedef struct sp_scene {
   sp_array radii;      /* N, F32 or F64, not negative; with contacts above 0 */
   double plane;        /* height of the plane; no sphere may reach below it, with contacts no centre */
   double gravity;      /* m/s^2, downwards: 9.81 on the earth */
-  double
-      restitution; /* speed behind a bounce over the speed before, 0 to 1: of the plane, and of contacts by `spring` */
-  double dt;       /* seconds of a step; 0: 1/64, with contacts a fraction of the shortest contact */
+  double restitution;  /* speed after a bounce over the speed before, 0 to 1; 1 with `hertz` and `quartic` */
+  double dt;           /* seconds of a step; 0: 1/64, with contacts a fraction of the shortest contact */
 
   const char* contact; /* "spring", "hertz" or "quartic"; NULL or "none": spheres pass through each other */
-  double stiffness;    /* k; 0: such that the fastest sphere, falls included, enters another by 1 % of a radius */
-  double density;      /* kg/m^3; 0: 1000, water */
-  double drag;         /* of a fluid at rest: speeds alone fall to 1/e in 1/drag seconds; 0: none */
+  double stiffness; /* k; 0: chosen so that the fastest sphere, after its fall, overlaps another by 1 % of a radius */
+  double density;   /* kg/m^3; 0: 1000, water */
+  double drag;      /* of a fluid at rest: speeds alone fall to 1/e in 1/drag seconds; 0: none */
   sp_array walls; /* 2 x 3, F32 or F64: the lowest and the highest corner of a closed box, whose floor is the plane and
                    * replaces `plane`; none: no walls. With contacts only */
 } sp_scene;
 
 typedef struct sp_simulation sp_simulation;
 
-/* Starts a simulation on a backend, which is named as for sp_open. On failure *out is NULL, and
+/* Opens a backend, named as for sp_open, and puts the scene on it. On failure *out is NULL, and
  * sp_simulation_message(NULL) has the reason. */
 SP_API sp_status sp_simulation_open(const char* backend, const char* device, int32_t threads, const sp_scene* scene,
                                     sp_simulation** out);
 SP_API void sp_simulation_close(sp_simulation* simulation); /* NULL is fine */
 
-/* Moves by so many steps. Ends with SP_E_ARGUMENT in a step that cannot be made: a sphere too fast, too deep in another
- * or too far away; the message says which, and what to do. Such a simulation can only be closed. */
+/* Makes `steps` steps. Fails with SP_E_ARGUMENT if a sphere gets too fast, too far away or too deep into another; the
+ * message names the sphere and says what to do. After that all calls but sp_simulation_close fail. */
 SP_API sp_status sp_simulation_move(sp_simulation* simulation, uint64_t steps);
 
-/* The spheres as they stand, rounded to F32, into N x 3 of F32 or F64; NULL: not asked for. */
+/* Writes the state, rounded to F32, into N x 3 arrays of F32 or F64. NULL: not wanted. */
 SP_API sp_status sp_simulation_state(sp_simulation* simulation, const sp_array* positions, const sp_array* velocities);
 
-/* The pairs i < j of spheres that overlap as they stand, sorted: columns first and second. sp_free frees the list. */
+/* Lists the pairs i < j of spheres that overlap now, sorted: columns first and second. sp_free frees the list. */
 SP_API sp_status sp_simulation_pairs(sp_simulation* simulation, sp_pairs** out);
 
 SP_API double sp_simulation_dt(const sp_simulation* simulation);      /* seconds of a step */

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Spheres that move, for C++20: simulation.h with spans, an owner and exceptions. That header has the laws and the
-// units.
+// Moves spheres in C++20: simulation.h with spans, an owner and exceptions. That header has the laws and the units.
 //
 //   spherepair::Simulation simulation({.positions = positions, .radii = radii, .contact = "spring"});
 //   simulation.move(1000);
@@ -33,7 +32,7 @@ struct Scene {
   std::optional<Walls> walls = {};
 };
 
-// A moving scene on a backend of its own. One thread at a time uses it. Throws Error.
+// Moves a scene on a backend of its own. One thread at a time may use it. All members throw Error.
 class Simulation {
  public:
   struct State {
@@ -67,7 +66,7 @@ class Simulation {
   double dt() const { return sp_simulation_dt(simulation_.get()); }          // seconds of a step
   uint64_t steps() const { return sp_simulation_steps(simulation_.get()); }  // made so far
 
-  // The spheres as they stand.
+  // Reads the state, rounded to float32.
   State state() {
     State found{std::vector<Row>(spheres_), std::vector<Row>(spheres_)};
     const auto array = [&](std::vector<Row>& rows) {
@@ -78,7 +77,7 @@ class Simulation {
     return found;
   }
 
-  // The pairs i < j of spheres that overlap as they stand.
+  // Lists the pairs i < j of spheres that overlap now.
   PairList pairs() {
     sp_pairs* list = nullptr;
     check(sp_simulation_pairs(simulation_.get(), &list));

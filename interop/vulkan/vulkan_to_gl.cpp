@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Spheres and images of Vulkan's in OpenGL: copied into memory that both share, or through the host.
+// Copies Vulkan's spheres and images to OpenGL: into memory that both share, or through the host.
 #include "interop/vulkan/vulkan_to_gl.h"
 
 #include <epoxy/gl.h>
@@ -16,7 +16,7 @@
 namespace spherepair {
 namespace {
 
-// Memory of Vulkan's, and the buffer of OpenGL's that it is.
+// A buffer of Vulkan's memory that OpenGL imports.
 class SharedBuffer {
  public:
   SharedBuffer(Device& vulkan, uint64_t bytes) : bytes_(bytes), memory_(export_memory(vulkan, bytes)) {
@@ -94,8 +94,9 @@ class VulkanToGl final : public GlDrawing {
 
   void transfer_by(Transfer way, const SphereArrays& spheres) {
     if (way == Transfer::registered)
-      throw BackendError(
-          "interop: OpenGL's buffers are not mapped by Vulkan; spheres come through the host or are imported");
+      throw BackendError("interop: Vulkan maps no buffers of OpenGL; transfer spheres as host or imported");
+    if (way == Transfer::imported && !shares_)
+      throw BackendError("interop: Vulkan and OpenGL share no memory here; transfer spheres as host");
     if (way == Transfer::host) {
       const std::vector<vec4> positions = read<vec4>(spheres.positions, spheres.size);
       return through_host(positions.data(), read<uint>(spheres.counts, spheres.size).data(), spheres.size);

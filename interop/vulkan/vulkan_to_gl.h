@@ -6,7 +6,7 @@
 
 namespace spherepair {
 
-// OpenGL draws the spheres of a device that open_vulkan_device opened, which must outlive the pipeline.
+// Opens OpenGL to draw the spheres of a device from open_vulkan_device, which must outlive the pipeline.
 std::unique_ptr<GraphicsPipeline> open_vulkan_to_gl(const OpenOptions& options, Device& vulkan);
 
 }  // namespace spherepair

@@ -3,26 +3,18 @@
 
 from __future__ import annotations
 
-import ctypes
 import itertools
 import operator
 import os
 import threading
-import weakref
 from typing import Any, Dict, Optional, Union
 
-from . import _abi
-from ._errors import BackendError, error
+from ._errors import BackendError
+from ._handle import Handle
 from ._library import lib
 
 
-def _close(handle: ctypes.c_void_p, process: int) -> None:
-    """Closes a context, but not in a child process: the driver's state stayed with the parent."""
-    if os.getpid() == process:
-        lib.sp_close(handle)
-
-
-class Context:
+class Context(Handle):
     """A backend on a device, opened. Give it to any function of the package as `backend`.
 
     Several threads may share a context: their calls wait for each other. A context does not survive os.fork().
@@ -31,44 +23,15 @@ class Context:
     """
 
     def __init__(self, backend: str = "auto", device: Union[None, int, str] = None, threads: int = 0):
-        handle = ctypes.c_void_p()
         name = None if device is None else str(device).encode()
-        status = lib.sp_open(str(backend).encode(), name, operator.index(threads), ctypes.byref(handle))
-        if status != _abi.OK:
-            raise error(status, (lib.sp_message(None) or b"").decode(errors="replace"))
-        self._handle, self._lock, self._process = handle, threading.Lock(), os.getpid()
-        self._closer = weakref.finalize(self, _close, handle, self._process)
-        self._closer.atexit = False  # another thread may still be in a call when the interpreter ends
-        self.backend: str = lib.sp_backend(handle).decode()
-        self.device: str = (lib.sp_device(handle) or b"").decode(errors="replace")
-
-    def close(self) -> None:
-        """Closes the backend. Arrays that came from it stay valid. Closing twice is fine."""
-        with self._lock:
-            self._closer()
-
-    def __enter__(self) -> "Context":
-        return self
-
-    def __exit__(self, *_: Any) -> None:
-        self.close()
+        super().__init__("context", lib.sp_open, lib.sp_message, lib.sp_close, str(backend).encode(), name,
+                         operator.index(threads))
+        self.backend: str = lib.sp_backend(self._handle).decode()
+        self.device: str = (lib.sp_device(self._handle) or b"").decode(errors="replace")
 
     def __repr__(self) -> str:
         state = "" if self._closer.alive else ", closed"
         return f"<spherepair.Context {self.backend}: {self.device}{state}>"
-
-    def _call(self, function: Any, *arguments: Any, allowed: int = _abi.OK) -> int:
-        """Calls `function` with the context. Raises for a status other than OK and `allowed`; returns the status."""
-        if os.getpid() != self._process:
-            raise BackendError("the context was opened before os.fork(): open another one in this process")
-        with self._lock:
-            if not self._closer.alive:
-                raise BackendError("the context is closed: open another one")
-            status = function(self._handle, *arguments)
-            if status in (_abi.OK, allowed):
-                return status
-            message = (lib.sp_message(self._handle) or b"").decode(errors="replace")
-        raise error(status, message)
 
 
 def open(backend: str = "auto", device: Union[None, int, str] = None, threads: int = 0) -> Context:

@@ -1,44 +1,35 @@
 # SPDX-License-Identifier: MIT
-"""Simulation: spheres that fall, bounce, and push each other or pass through each other."""
+"""Simulation: moves spheres that fall, bounce, and push each other or pass through each other."""
 
 from __future__ import annotations
 
 import ctypes
 import operator
-import os
-import threading
-import weakref
 from typing import Any, Optional, Union
 
 from . import _abi, _inputs
 from ._columns import List
-from ._errors import BackendError, error
+from ._handle import Handle
 from ._inputs import arrays
 from ._library import lib
 from ._views import view
 
 
-def _close(handle: ctypes.c_void_p, process: int) -> None:
-    """Closes a simulation, but not in a child process: the driver's state stayed with the parent."""
-    if os.getpid() == process:
-        lib.sp_simulation_close(handle)
-
-
-class Simulation:
-    """Spheres that move, on a backend of their own. Lengths in metres, times in seconds, y points up.
+class Simulation(Handle):
+    """Moves spheres on a backend of its own. Lengths in metres, times in seconds, y points up.
 
     positions: (N, 3), rounded to float32. radii: (N,) or one number. velocities: (N, 3), m/s; None: at rest.
     contact: "none": spheres pass through each other and bounce off the plane; "spring", "hertz" or "quartic": they push
         each other, the plane and the walls.
-    gravity: m/s^2, downwards. plane: its height. restitution: speed behind a bounce over that before, 0 to 1.
+    gravity: m/s^2, downwards. plane: its height. restitution: speed after a bounce over the speed before, 0 to 1.
     dt: seconds of a step; None: 1/64, with contacts a fraction of the shortest contact.
     stiffness: N/m (spring), N/m^1.5 (hertz), N/m^3 (quartic); None: the fastest sphere enters by 1 % of a radius.
     density: kg/m^3; None: 1000. drag: 1/s: speeds alone fall to 1/e in 1/drag seconds.
     walls: ((x, y, z), (x, y, z)): the lowest and the highest corner of a closed box, whose floor is the plane.
     backend, device, threads: as for open().
 
-    Steps have the same bits on every backend. Raises ValueError, BackendError, MemoryError. After a step that cannot be
-    made every call raises ValueError.
+    Steps have the same bits on every backend. Raises ValueError, BackendError, MemoryError. After a step that fails every
+    call raises ValueError.
     """
 
     def __init__(self, positions: Any, radii: Any, velocities: Any = None, *, contact: str = "none",
@@ -58,41 +49,13 @@ class Simulation:
                    "density": density, "drag": drag}
         for name, value in numbers.items():
             setattr(scene, name, 0.0 if value is None else _inputs.number(value, name))
-        handle = ctypes.c_void_p()
         name = None if device is None else str(device).encode()
-        status = lib.sp_simulation_open(str(backend).encode(), name, operator.index(threads), ctypes.byref(scene),
-                                        ctypes.byref(handle))
-        if status != _abi.OK:
-            raise error(status, (lib.sp_simulation_message(None) or b"").decode(errors="replace"))
-        self._handle, self._lock, self._process, self._spheres = handle, threading.Lock(), os.getpid(), points.shape[0]
-        self._closer = weakref.finalize(self, _close, handle, self._process)
-        self._closer.atexit = False  # another thread may still be in a call when the interpreter ends
-
-    def close(self) -> None:
-        """Closes the backend. Arrays that came from it stay valid. Closing twice is fine."""
-        with self._lock:
-            self._closer()
-
-    def __enter__(self) -> "Simulation":
-        return self
-
-    def __exit__(self, *_: Any) -> None:
-        self.close()
-
-    def _call(self, function: Any, *arguments: Any) -> Any:
-        if os.getpid() != self._process:
-            raise BackendError("the simulation was opened before os.fork(): open another one in this process")
-        with self._lock:
-            if not self._closer.alive:
-                raise BackendError("the simulation is closed: open another one")
-            result = function(self._handle, *arguments)
-            if function.restype is not ctypes.c_int32 or result == _abi.OK:
-                return result
-            message = (lib.sp_simulation_message(self._handle) or b"").decode(errors="replace")
-        raise error(result, message)
+        super().__init__("simulation", lib.sp_simulation_open, lib.sp_simulation_message, lib.sp_simulation_close,
+                         str(backend).encode(), name, operator.index(threads), ctypes.byref(scene))
+        self._spheres = points.shape[0]
 
     def move(self, steps: int = 1) -> None:
-        """Makes so many steps."""
+        """Makes `steps` steps."""
         if operator.index(steps) < 0:
             raise ValueError(f"steps is {steps}: it must not be negative")
         self._call(lib.sp_simulation_move, steps)
@@ -121,16 +84,16 @@ class Simulation:
 
     @property
     def positions(self) -> Any:
-        """The centres as they stand: (N, 3) float32, a new array each time."""
+        """The centres now: (N, 3) float32, a new array each time."""
         return self._vectors(False)
 
     @property
     def velocities(self) -> Any:
-        """The velocities as they stand: (N, 3) float32, m/s, a new array each time."""
+        """The velocities now: (N, 3) float32, m/s, a new array each time."""
         return self._vectors(True)
 
     def pairs(self) -> Any:
-        """The spheres that overlap as they stand: (P, 2) int32, each pair once with i < j, sorted."""
+        """Lists the spheres that overlap now: (P, 2) int32, each pair once with i < j, sorted."""
         pointer = ctypes.POINTER(_abi.Pairs)()
         self._call(lib.sp_simulation_pairs, ctypes.byref(pointer))
         made = List(pointer)

@@ -2,8 +2,7 @@
 // The box of all centres, with the greatest radius in high.w, from the boxes of parts.
 #include "shaders/kernels.glsl"
 
-// GLSL only from here: `inout` in place of references, and boxes that both kernels name, since shared memory has no
-// addresses
+// GLSL only from here: functions cannot take shared memory by reference, so the boxes are declared here
 shared vec4 low[BLOCK], high[BLOCK];
 
 void widen(inout vec4 own_low, inout vec4 own_high, vec4 other_low, vec4 other_high) {
@@ -13,7 +12,7 @@ void widen(inout vec4 own_low, inout vec4 own_high, vec4 other_low, vec4 other_h
                   larger(other_high.w, own_high.w));
 }
 
-// Of so many boxes, a power of two: the first becomes that of all. For all threads of a group.
+// Reduces the first `boxes` boxes, a power of two, to low[0] and high[0]. Every thread of the group calls it.
 void widen_first(uint boxes) {
   for (uint left = boxes / 2u; left > 0u; left /= 2u) {
     barrier();

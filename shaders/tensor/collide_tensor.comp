@@ -3,7 +3,8 @@
 // Each unordered pair once, through tensor cores: a group holds TENSOR_ROWS spheres, its rows, as fragments of matrix
 // A, and tests them against later spheres, its columns, which pass through shared memory in tiles. A sum of products is
 // negative where a pair may collide (tensor_form.h). The tiles of all blocks of rows form one line, of which each group
-// takes p.search.tiles_per_group. Vulkan's alone: OpenGL has no cooperative matrices.
+// takes p.search.tiles_per_group. Only Vulkan runs it: OpenGL has no
+// cooperative matrices.
 #extension GL_NV_cooperative_matrix : require
 #extension GL_KHR_memory_scope_semantics : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -14,16 +15,16 @@
 
 layout(std430, binding = SLOT_SORTED) restrict readonly buffer FormBuffer { uvec4 forms[]; };
 layout(local_size_x = BLOCK) in;
-// GLSL only from here: a product of one subgroup, of whose sums no thread knows rows and columns. Where one is
+// GLSL only from here: a subgroup computes a product, and GLSL does not say which thread has which sum. If a sum is
 // negative, the subgroup decides all pairs of the product.
 const uint SIDE = 16u;  // of a product
 const uint WARPS = BLOCK / 32u;
 const uint PRODUCTS = TENSOR_ROWS / WARPS / SIDE;  // of a subgroup with SIDE columns
 const uint WORDS = TENSOR_COLUMNS * 2u;            // of a tile
-const uint EACH = WORDS / BLOCK;                   // of these, that a thread copies
+const uint EACH = WORDS / BLOCK;                   // words that a thread copies
 shared uvec4 columns[2][WORDS];
 
-// Half `part` of a row of matrix A, from the same half of the sphere's form.
+// Turns half `part` of a form into the same half of a row of matrix A.
 uvec4 row_of(uvec4 form, uint part) {
   uvec4 row;
   for (uint k = 0u; k < 4u; ++k) {
@@ -33,7 +34,7 @@ uvec4 row_of(uvec4 form, uint part) {
   return row;
 }
 
-// All pairs of SIDE rows and as many columns: a thread has one row and half of the columns.
+// Decides all pairs of SIDE rows and SIDE columns. A thread takes one row and half of the columns.
 void decide(uint first_row, uint first_column) {
   uint lane = gl_SubgroupInvocationID;
   uint i = first_row + lane % SIDE;

@@ -1,6 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere, and more up to a whole block of rows: each writes a form.
+// One thread per sphere writes its form. Threads behind the last sphere fill its block of rows with forms that are near
+// nothing.
 #include "shaders/tensor/box.glsl"
 #include "common/shared/tensor_form.h"
 
@@ -20,7 +21,7 @@ void main() {
   uint i = group_index() * BLOCK + lane;
   if (i >= (p.n + TENSOR_ROWS - 1u) / TENSOR_ROWS * TENSOR_ROWS) return;
   TensorForm form = i < p.n ? tensor_form(position[i], frame) : never_near_form();
-  // GLSL only from here: one sphere behind the other, as cooperative matrices are loaded
+  // GLSL only from here: sphere after sphere, so that a cooperative matrix can be loaded
   forms[2u * i] = form.low;
   forms[2u * i + 1u] = form.high;
   // until here

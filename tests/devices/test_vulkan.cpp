@@ -78,13 +78,24 @@ TEST_F(Vulkan, SoftwareIsRefusedWhereHardwareIsRequired) {
   EXPECT_EQ(said.find(of_built_program), std::string::npos) << said;
 }
 
-TEST_F(Vulkan, MapsNoBufferOfOpenGL) {
+TEST_F(Vulkan, RefusesTransfersThatItLacks) {
   Backend& backend = *vulkan().backend;
   if (const std::string why = why_no_pipeline(backend); !why.empty()) GTEST_SKIP() << why;
   const Scene scene = make_scene({.name = "uniform", .n = 10});
   backend.upload(scene);
   const View view = make_view(frame(bounds_of(scene.positions), 30, 20, 40, 1), contact_look(), 32, 32);
-  EXPECT_THROW(backend.draw(view, {.method = DrawMethod::mesh, .transfer = Transfer::registered}), BackendError);
+  const auto complaint = [&](Transfer way) -> std::string {
+    try {
+      backend.draw(view, {.method = DrawMethod::mesh, .transfer = way});
+    } catch (const BackendError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(complaint(Transfer::registered).find("maps no buffers"), std::string::npos);
+  const std::string imported = complaint(Transfer::imported);
+  EXPECT_EQ(imported.find("share no memory") != std::string::npos, backend.transfers().back() == Transfer::host)
+      << imported;
 }
 
 TEST_F(Vulkan, ATableLongerThanATexelBufferIsReadWithoutOne) {

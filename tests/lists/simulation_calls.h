@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes and simulations as a program that calls include/spherepair/simulation.h has them.
+// Builds scenes and opens simulations through the C calls.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace spherepair {
 
-// Rows of x, y and z, and radii, which a scene points to.
+// Owns the arrays that a scene points to.
 struct GivenSpheres {
   std::vector<double> positions, velocities = {}, radii;
   std::vector<double> walls = {};

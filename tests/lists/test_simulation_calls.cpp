@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The calls of include/spherepair/simulation.h, against the backend that they drive, closed forms, and each other.
+// Compares the calls of include/spherepair/simulation.h with a backend, with closed forms, and between backends.
 #include <algorithm>
 #include <array>
 #include <cmath>

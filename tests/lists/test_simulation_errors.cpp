@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Wrong use of include/spherepair/simulation.h gets a status and a message.
+// Checks the status and the message that wrong use of include/spherepair/simulation.h gets.
 #include <cmath>
 #include <limits>
 

@@ -14,7 +14,7 @@ std::vector<ListedPair> list_by_integers(const ListProblem& problem, int range);
 // Of any problem, by rational numbers; slow.
 std::vector<ListedPair> list_by_rationals(const ListProblem& problem, int range);
 
-// Whether this one is a pair, by rational numbers.
+// Decides one pair in rational arithmetic.
 bool is_pair_by_rationals(const ListProblem& problem, const ListBox& box, const ListedPair& pair);
 
 // Numbers that are multiples of 1/8; points, radii or a cutoff, boxes of every kind, one system or several, queries,

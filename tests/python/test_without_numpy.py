@@ -73,6 +73,16 @@ class WithoutNumpy(unittest.TestCase):
                 assert sp.csr(points, 1.0, backend="cpu")[0].tolist() == [0] * (len(points) + 1)
         """)
 
+    def test_simulations_give_memoryviews(self):
+        self.run_code("""
+            falling = sp.Simulation([[0, 5.5, 0], [0, 6.25, 0]], 0.5, gravity=8, dt=1 / 64, backend="cpu")
+            falling.move(64)
+            at = falling.positions
+            assert at.shape == (2, 3) and at.format == "f" and abs(at[0, 1] - 1.5) < 1e-5, at.tolist()
+            assert abs(falling.velocities[1, 1] + 8) < 1e-5
+            assert falling.pairs().tolist() == [[0, 1]]
+        """)
+
     def test_kinds_of_arrays(self):
         self.run_code("""
             flat = array.array("d", [c for row in x for c in row])

@@ -50,7 +50,7 @@ void read_features(const Calls& vk, VkPhysicalDevice device, const std::set<std:
   limits.memory_budget = extensions.contains(VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
 }
 
-// Products of 16 x 16 halves of a subgroup, with float32 sums.
+// Whether a subgroup can multiply matrices of 16 x 16 halves into float32 sums.
 bool multiplies_halves(const Calls& vk, VkPhysicalDevice device) {
   uint32_t count = 0;
   vk.GetPhysicalDeviceCooperativeMatrixPropertiesNV(device, &count, nullptr);
@@ -64,7 +64,7 @@ bool multiplies_halves(const Calls& vk, VkPhysicalDevice device) {
   });
 }
 
-// Two groups on each multiprocessor.
+// How many groups of collide_tensor run at once: two on each multiprocessor. 0: the device lacks what it needs.
 uint32_t tensor_groups(const Calls& vk, VkPhysicalDevice device, const std::set<std::string>& extensions) {
   const auto lacks = [&](const char* name) { return !extensions.contains(name); };
   if (lacks(VK_NV_COOPERATIVE_MATRIX_EXTENSION_NAME) || lacks(VK_NV_SHADER_SM_BUILTINS_EXTENSION_NAME)) return 0;

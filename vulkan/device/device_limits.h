@@ -18,8 +18,8 @@ struct DeviceLimits {
   uint32_t queue_family = 0;
   uint32_t timestamp_bits = 0;  // 0: the queue has no clock
   bool atomics_64 = false, float_atomics = false, subgroups = false, memory_budget = false;
-  bool exports_memory = false;  // for other APIs, through file descriptors
-  uint32_t tensor_groups = 0;   // of collide_tensor at once; 0: no matrices of 16 x 16 halves
+  bool exports_memory = false;  // to other APIs, through file descriptors
+  uint32_t tensor_groups = 0;   // of collide_tensor that run at once; 0: not supported
   FloatControls floats;
 };
 
