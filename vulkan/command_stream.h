@@ -42,6 +42,7 @@ class CommandStream {
   void close();
   void count(uint dispatches);
   VkFence take_fence();
+  void poll(VkFence fence) const;
   void finish_first();
 
   const LogicalDevice& device_;
