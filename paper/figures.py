@@ -3,7 +3,7 @@
 """Draws every figure and table that recorded runs allow.
 
   paper/figures.py                                from paper/data/h100 to build/paper, with the numbers of paper.tex
-  paper/figures.py --headline                     the image paper/headline.png, and what README.md and docs/motion.md say of paper/data/h100
+  paper/figures.py --headline                     paper/headline.png and paper/apis.png, and what README.md and docs/motion.md say of records
   paper/figures.py --data FOLDER... --output F    the page of those folders, side by side
 """
 import argparse
@@ -17,9 +17,9 @@ sys.path[0] = str(ROOT)  # in place of paper/, whose numbers/ would hide Python'
 from paper import all_figures, docs_facts, headline, sources, style  # noqa: E402  (the path must be set first)
 from paper.numbers import macros  # noqa: E402
 from paper.page import contents, index, recorded, report  # noqa: E402
-from paper.plots import ratio_by_duration  # noqa: E402
+from paper.plots import apis as plots_apis, ratio_by_duration  # noqa: E402
 from paper.progress import Progress  # noqa: E402
-from paper.records import DATA, MAIN, Machine, Missing  # noqa: E402
+from paper.records import APIS, DATA, MAIN, Machine, Missing  # noqa: E402
 from paper.tables import all_tables  # noqa: E402
 from paper.tables.stress import stress  # noqa: E402
 from paper.text import escape  # noqa: E402
@@ -92,7 +92,9 @@ def write_paper_inputs(output):
 def write_headline(machine):
     ratio_by_duration.draw_headline(machine).savefig(ROOT / "paper/headline.png", dpi=220, metadata={"Software": None})
     readme = ROOT / "README.md"
-    readme.write_text(headline.updated(readme.read_text(), machine))
+    three = Machine(DATA / APIS, whole=False)
+    plots_apis.draw_headline(three).savefig(ROOT / "paper/apis.png", dpi=220, metadata={"Software": None})
+    readme.write_text(headline.updated(readme.read_text(), machine, three))
     for page in docs_facts.PAGES:
         (ROOT / page).write_text(docs_facts.updated(page, (ROOT / page).read_text(), machine))
 

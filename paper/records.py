@@ -17,7 +17,8 @@ from paper.folders import host_of, sources_in
 from paper.spread import summary
 
 DATA = Path(__file__).resolve().parent / "data"
-MAIN = "h100"  # the machine of the paper and of README.md
+MAIN = "h100"  # the machine of the paper
+APIS = "apis"  # one on which OpenGL, Vulkan and CUDA were timed in turns
 TABLES = {"sweep_tensor": "tensor", "sweep_core": "core_grid", "precision_core": "core_motion", "ablate_extensions": "extension"}  # of their own
 
 
@@ -89,9 +90,9 @@ def latest(records):
 
 
 class Machine:
-    """One folder of recorded runs."""
+    """One folder of recorded runs; a whole one has those of `spherepair compare`."""
 
-    def __init__(self, folder, name=None):
+    def __init__(self, folder, name=None, whole=True):
         self.folder = Path(folder)
         self.name = name or self.folder.name
         self.records, self.sources = [], {}
@@ -102,10 +103,10 @@ class Machine:
         for name, runs in sources_in(self.folder):
             self._read(name, [files for files in runs if files])
         self.records = latest(self.records)
-        if "results.json" not in self.sources:
+        self.main = self.sources.get("results.json")  # of `spherepair compare`
+        self.id = self.main and self.ids["results.json"]
+        if whole and not self.main:
             raise Missing(f"{self.folder} holds no results.json of `spherepair compare`")
-        self.main = self.sources["results.json"]
-        self.id = self.ids["results.json"]
 
     @property
     def ids(self):

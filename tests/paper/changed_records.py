@@ -8,22 +8,27 @@ from functools import lru_cache
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 
-from paper.records import DATA, MAIN, Machine  # noqa: E402  (the path must be set first)
+from paper.records import APIS, DATA, MAIN, Machine  # noqa: E402  (the path must be set first)
 
 read = lru_cache(Machine)
 
 
 def recorded(name=MAIN):
     """A copy, whose records and sources may be replaced or added to."""
-    machine = copy.copy(read(DATA / name))
+    machine = copy.copy(read(DATA / name, whole=name != APIS))
     machine.records, machine.sources = list(machine.records), dict(machine.sources)
     machine.used, machine.notes, machine.runs = {}, {}, {}
     return machine
 
 
-def changed(wanted, factor):
-    """The recorded machine with the times of some records made longer or shorter by a factor; none is of a busy machine."""
-    machine = recorded()
+def three_apis():
+    """The machine on which OpenGL, Vulkan and CUDA were timed in turns."""
+    return recorded(APIS)
+
+
+def changed(wanted, factor, name=MAIN):
+    """A recorded machine with the times of some records made longer or shorter by a factor; none is of a busy machine."""
+    machine = recorded(name)
 
     def scaled(record):
         times = factor(record) if wanted(record) else 1

@@ -17,7 +17,7 @@ if importlib.util.find_spec("matplotlib") is None:
     print("SKIPPED: figures need matplotlib (python3-matplotlib)")
     sys.exit(77)
 
-from changed_records import recorded  # noqa: E402  (the path must be set first)
+from changed_records import recorded, three_apis  # noqa: E402  (the path must be set first)
 from paper import all_figures, figures, sources, style  # noqa: E402
 from paper.numbers.derived import GRID_BYTES  # noqa: E402
 from paper.page import contents  # noqa: E402
@@ -100,6 +100,8 @@ class Figures(unittest.TestCase):
         kept = [r for r in machine.records if r.table not in ("grid", "draw", "interop", "ablation", "precision")]
         machine.records = kept + made_up_records()
         machine.sources["sets.json"] = made_up_sets()
+        self.assertEqual(["three-apis"], self.draw(machine))  # of OpenGL and CUDA alone
+        machine.records += [record for record in three_apis().records if record.table == "launches"]
         self.assertEqual([], self.draw(machine))
 
     def test_timings_lost_in_noise_are_no_records(self):
