@@ -21,6 +21,7 @@ from paper.plots import apis as plots_apis, ratio_by_duration  # noqa: E402
 from paper.progress import Progress  # noqa: E402
 from paper.records import APIS, DATA, MAIN, Machine, Missing  # noqa: E402
 from paper.tables import all_tables  # noqa: E402
+from paper.tables.apis import apis  # noqa: E402
 from paper.tables.stress import stress  # noqa: E402
 from paper.text import escape  # noqa: E402
 
@@ -50,41 +51,50 @@ def stale_text(note):
     return f" {note[0].upper()}{note[1:]}." if note else ""
 
 
-def write_runs(machine, tex, made, path):
+def write_runs(machines, tex, made, path):
     """The appendix's list: the figures and tables of the paper by the runs and hosts that they come from."""
-    wanted = [name for name in re.findall(r"\\recorded\w+(?:\[[^]]*\])?\{([\w-]+)\}", tex) if name in made and name in machine.runs]
+    titles = {name: machine.title_of(runs) for machine in machines for name, runs in machine.runs.items()}
+    wanted = [name for name in re.findall(r"\\recorded\w+(?:\[[^]]*\])?\{([\w-]+)\}", tex) if name in made and name in titles]
     together = {}
     for name in dict.fromkeys(wanted):
         kind = ("Figure", "fig") if (path.parent / f"recorded/{name}.pdf").exists() else ("Table", "tab")
-        together.setdefault(machine.title_of(machine.runs[name]), []).append(f"{kind[0]}~\\ref{{{kind[1]}:{name}}}")
+        together.setdefault(titles[name], []).append(f"{kind[0]}~\\ref{{{kind[1]}:{name}}}")
     path.write_text("".join(f"\\item {', '.join(names)}: {escape(title)}.\n" for title, names in together.items()))
 
 
-def stress_elsewhere(machine, folder):
-    """(name, caption) of the stress catalogue of a machine without a GPU, which is written if the main machine has none."""
-    table = all_tables.of_one(stress, machine)
+def table_elsewhere(maker, machine, folder):
+    """(name, caption) of a table of another machine than the paper's, which is written."""
+    table = all_tables.of_one(maker, machine)
     all_tables.write(table, machine, folder)
     return table.name, f"{table.caption} {escape(all_tables.table_title(table, machine))}."
 
 
+def figure_elsewhere(module, machine, folder):
+    made = all_figures.drawn(module, machine)
+    style.save(made.figure, folder, made.name, f"{made.source}\n{made.note}".strip())
+    return made.name, f"{made.caption} {escape(made.source)}."
+
+
 def write_paper_inputs(output):
     machine, other, progress = Machine(DATA / MAIN), Machine(DATA / "llvmpipe"), Progress()
-    drawn, left_out = draw_all(machine, output / "recorded", progress.start)
+    three, folder = Machine(DATA / APIS, whole=False), output / "recorded"
+    drawn, left_out = draw_all(machine, folder, progress.start)
     progress.start("tables")
-    tables, unwritten = all_tables.write_all(machine, output / "recorded")
-    lines = dict(captions(machine, drawn, tables))
+    tables, unwritten = all_tables.write_all(machine, folder)
+    lines = dict([*captions(machine, drawn, tables), figure_elsewhere(plots_apis, three, folder), table_elsewhere(apis, three, folder)])
     if "stress" not in lines:
-        lines.update([stress_elsewhere(other, output / "recorded")])
+        lines.update([table_elsewhere(stress, other, folder)])
     (output / "captions.tex").write_text("".join(f"\\definecaption{{{name}}}{{{text}}}\n" for name, text in lines.items()))
     progress.start("numbers")
     tex, names = (ROOT / "paper/paper.tex").read_text(), list(dict.fromkeys([*(made.name for made in drawn), *lines]))
-    numbers = macros.collect(machine, [other])
+    numbers = macros.collect(machine, [other], three)
     macros.check(tex, numbers, names)
     macros.write(numbers, tex, output / "numbers.tex", names)
-    write_runs(machine, tex, names, output / "runs.tex")
+    write_runs((machine, three), tex, names, output / "runs.tex")
     progress.end()
     for name, reason in left_out + unwritten:
-        print(f"  {name} is left out: {reason}")
+        if name not in lines:
+            print(f"  {name} is left out: {reason}")
     print(f"{machine.title}\n  {len(drawn)} figures, {len(tables)} tables, {len(macros.used_keys(tex, names))} numbers in the text, "
           "each from a recorded run")
 

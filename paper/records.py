@@ -90,7 +90,7 @@ def latest(records):
 
 
 class Machine:
-    """One folder of recorded runs; a whole one has those of `spherepair compare`."""
+    """One folder of recorded runs; a whole one has that of `spherepair compare`, another at least a sweep."""
 
     def __init__(self, folder, name=None, whole=True):
         self.folder = Path(folder)
@@ -103,10 +103,10 @@ class Machine:
         for name, runs in sources_in(self.folder):
             self._read(name, [files for files in runs if files])
         self.records = latest(self.records)
-        self.main = self.sources.get("results.json")  # of `spherepair compare`
-        self.id = self.main and self.ids["results.json"]
-        if whole and not self.main:
+        if whole and "results.json" not in self.sources:
             raise Missing(f"{self.folder} holds no results.json of `spherepair compare`")
+        self.main = self.sources.get("results.json") or self.source("sweep")
+        self.id = self.main["id"]
 
     @property
     def ids(self):
@@ -166,7 +166,7 @@ class Machine:
 
     def source(self, name):
         if name not in self.sources:
-            raise Missing(f"{self.name} has no {name}")
+            raise Missing(f"{self.name} has no {name}: paper/record makes it")
         return self.sources[name]
 
     def backend(self, name):

@@ -97,7 +97,8 @@ def parts(names):
         room, _, kernel = name.rpartition("/")
         api, what = (kernel, "host code") if room == "host" else (room, Path(kernel).stem)
         apis = by_kernel.setdefault(what if api else "timing", [])
-        apis += [api.upper()] if api and api.upper() not in apis else []
+        named = api.capitalize() if api == "vulkan" else api.upper()
+        apis += [named] if api and named not in apis else []
     return [f"{what} ({', '.join(sorted(apis, reverse=True))})" if apis else what for what, apis in by_kernel.items()]
 
 

@@ -8,6 +8,7 @@ import re
 import sys
 
 from paper.numbers.prose_accuracy import ACCURATE
+from paper.numbers.prose_apis import COMPARED_APIS
 from paper.numbers.prose_compared import COMPARED
 from paper.numbers.prose_contacts import CONTACTS
 from paper.numbers.prose_equality import EQUALITY
@@ -45,11 +46,12 @@ class Numbers:
 MAKERS = (*MEASURED, *LEADING, *EQUALITY, *STUDIED, *ACCURATE, *COMPARED, *CONTACTS, *LIMITS)
 
 
-def collect(machine, others, makers=MAKERS):
+def collect(machine, others, three=None, makers=MAKERS):
+    """Of a machine, of others that are compared with it, and of one that timed three APIs, if there is one."""
     numbers = Numbers()
-    for make in makers:
+    for make in (*makers, *(COMPARED_APIS if three else ())):
         try:
-            make(numbers.put, machine, others)
+            make(numbers.put, three if make in COMPARED_APIS else machine, others)
         except Missing as reason:
             numbers.left_out.append((make.__name__, str(reason)))
     return numbers

@@ -5,7 +5,7 @@ HEAD = ("ratio-by-duration", "claims")  # right below the answer
 
 GROUPS = {
     "Speed": {
-        "ratio-by-duration": "OpenGL against CUDA by work", "claims": "Main claims",
+        "ratio-by-duration": "OpenGL against CUDA by work", "claims": "Main claims", "apis": "Three APIs",
         "glsl-against-cuda": "OpenGL against CUDA by size", "step": "Whole steps", "methods": "Search methods",
         "dimensions": "Ways to test all pairs", "group-sizes": "Group sizes", "arrangements": "Small groups",
         "grid": "The grid", "grid-sizes": "The grid by size", "crossover": "All pairs or grid", "peers": "Other systems",
@@ -33,7 +33,7 @@ GROUPS = {
     "The runs": {"machine": "Machine and run", "variation": "Spread of the times"},
 }
 
-NEEDS_GPU = {"ratio-by-duration", "claims", "glsl-against-cuda", "methods", "energy", "three-apis", "launch-paths", "kernel-pairs", "phases",
+NEEDS_GPU = {"ratio-by-duration", "claims", "glsl-against-cuda", "methods", "energy", "three-apis", "apis", "launch-paths", "kernel-pairs", "phases",
              "grid-phases", "floor", "interop", "transfer", "loop", "extensions"}  # both APIs on one, or its timers
 
 OF_NO_MACHINE = {"code", "peers"}  # mostly measured elsewhere: shown once

@@ -28,9 +28,9 @@ class Readme(unittest.TestCase):
             self.assertNotEqual(stale, table)
             self.assertEqual(readme, headline.updated(readme.replace(table, stale), recorded(), three_apis()))
 
-    def test_the_table_has_six_rows_of_six_columns(self):
+    def test_the_table_has_seven_rows_of_six_columns(self):
         lines = headline.table(three_apis()).splitlines()
-        self.assertEqual(2 + 6, len(lines))
+        self.assertEqual(2 + 7, len(lines))
         self.assertEqual({7}, {line.count("|") for line in lines})
         ratio = r"([\d.]+x|undecided) \[[\d.]+, [\d.]+\]\*? \|"
         for line in lines[2:]:

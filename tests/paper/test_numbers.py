@@ -13,7 +13,7 @@ from dataclasses import replace
 PAPER = pathlib.Path(__file__).resolve().parents[2] / "paper"
 sys.path.insert(0, str(PAPER.parent))
 
-from changed_records import all_pairs, changed, recorded  # noqa: E402
+from changed_records import all_pairs, changed, recorded, three_apis  # noqa: E402
 from paper import formats  # noqa: E402  (the path must be set first)
 from paper.numbers import leads, macros, prose_contacts  # noqa: E402
 from paper.records import DATA, MAIN, Machine, Missing  # noqa: E402
@@ -32,7 +32,7 @@ def check(prose, numbers, recorded=()):
 class Prose(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.numbers = macros.collect(recorded(), [recorded("llvmpipe")])
+        cls.numbers = macros.collect(recorded(), [recorded("llvmpipe")], three_apis())
 
     def test_every_number_of_the_paper_is_recorded(self):
         macros.check((PAPER / "paper.tex").read_text(), self.numbers)
@@ -104,7 +104,7 @@ class WhoLeads(unittest.TestCase):
     def refused(self, wanted, factor, *makers):
         """Of these makers, or of all: those that refuse records so changed."""
         chosen = [make for make in macros.MAKERS if not makers or make.__name__ in makers]
-        return [name for name, reason in macros.collect(changed(wanted, factor), [recorded("llvmpipe")], chosen).left_out
+        return [name for name, reason in macros.collect(changed(wanted, factor), [recorded("llvmpipe")], makers=chosen).left_out
                 if "the text says" in reason]
 
     def test_prose_that_does_not_follow_refuses(self):

@@ -61,7 +61,7 @@ class Provenance(unittest.TestCase):
                 drawn.append(made)
             tables = [table for table, _ in all_tables.made(self.machine) if table]
             captions = dict(figures.captions(self.machine, drawn, tables))
-            figures.write_runs(self.machine, (ROOT / "paper/paper.tex").read_text(), captions, folder / "runs.tex")
+            figures.write_runs([self.machine], (ROOT / "paper/paper.tex").read_text(), captions, folder / "runs.tex")
             runs = (folder / "runs.tex").read_text()
         self.assertGreater(len(captions), 30)
         self.assertEqual([], re.findall(r"\w+:[0-9a-f]{8}\b", " ".join(captions.values())))
