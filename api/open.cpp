@@ -29,6 +29,7 @@
 namespace spherepair {
 
 std::vector<std::string> backend_names() { return {"cpu", "opengl", "cuda", "vulkan"}; }
+std::vector<std::string> gpu_backend_names() { return {"cuda", "vulkan", "opengl"}; }
 std::vector<std::string> all_backend_names() { return {"cpu", "opengl", "opengl-core", "cuda", "vulkan"}; }
 
 std::string backend_id(const std::string& name) {

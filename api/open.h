@@ -9,7 +9,11 @@ namespace spherepair {
 
 std::vector<std::string> backend_names();  // cpu, opengl, cuda, vulkan: those that are opened where none is named
 
-// These and opengl-core: OpenGL in plain storage without vendors' extensions, to be compared with opengl.
+// cuda, vulkan, opengl: those of a GPU, in the order in which they are tried where the fastest is wanted.
+std::vector<std::string> gpu_backend_names();
+
+// Those of backend_names() and opengl-core: OpenGL in plain storage without vendors' extensions, to be compared with
+// opengl.
 std::vector<std::string> all_backend_names();
 
 // The backend of this name: glsl is an older name of opengl, glsl-core of opengl-core. Throws std::invalid_argument for

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The only folder that knows both APIs. OpenGL has its own context on CUDA's device.
+// The only folder that knows CUDA and OpenGL. OpenGL has its own context on CUDA's device.
 #include <epoxy/gl.h>
 
 #include <cuda_gl_interop.h>

@@ -3,7 +3,8 @@
 
 
 def sources_in(folder):
-    """(name, files of each process): NAME.json, NAME/*.json, and of several processes NAME/1.json or NAME/1/*.json."""
+    """Yields (name, the files of each process) for each record in the folder. One process: NAME.json or NAME/*.json;
+    several: NAME/1.json ... or NAME/1/*.json ..."""
     for path in sorted(folder.glob("[!.]*"), key=lambda path: (path.is_dir(), path.name)):
         if path.is_dir():
             numbered = sorted((inner for inner in path.iterdir() if inner.stem.isdigit() and

@@ -52,7 +52,7 @@ def check_program(program, record):
 
 
 def older_records(folder, planned):
-    """Records of earlier recordings, whose processes had no numbers, of the same parts."""
+    """Records of the same parts from before their processes were numbered."""
     numbered = {run.part.name for run in planned if parts.numbered(run.part)}
     files = {f"{name}.json" for name in numbered} | {"stress.json"}
     found = [path for path in sorted(folder.glob("*.json")) if path.name in files]

@@ -11,7 +11,7 @@ namespace {
 // Opens the fastest backend, as `spherepair run` does. OpenGL and Vulkan in software are slower than the CPU backend.
 std::unique_ptr<Backend> open_fastest(OpenOptions options) {
   options.require_hardware = true;
-  for (const char* name : {"cuda", "vulkan", "opengl"}) try {
+  for (const std::string& name : gpu_backend_names()) try {
       return open_backend(name, options);
     } catch (const BackendError&) {
     }

@@ -11,7 +11,10 @@ namespace {
 std::vector<uint64_t> offsets_from(const sp_array& array, const std::string& name, uint64_t points) {
   if (!is_given(array)) return {0, points};
   const std::vector<int64_t> offsets = read_integers(array, name, 1);
-  if (offsets.empty()) refuse(name + " has no rows, but has one more than there are systems");
+  if (offsets.empty())
+    refuse(name +
+           " is empty, but must have one entry more than there are systems: give 0 and the number of points for one "
+           "system");
   if (offsets.front() != 0) refuse(fmt::format("{}[0] is {}, but must be 0", name, offsets.front()));
   for (size_t b = 1; b < offsets.size(); ++b)
     if (offsets[b] < offsets[b - 1])

@@ -21,8 +21,8 @@ double fraction_at_rest(const Scene& scene);
 // out from the walls, which last long in a large box.
 void squeeze(Scene& scene);
 
-// Moves the gas so many seconds, from its start in the backend. It is at rest with its walls once sound, at two metres
-// a second and more, has crossed the box some times, a dense one some times more.
+// Moves the gas so many seconds from its start in the backend. It is in equilibrium with its walls once sound, at 2 m/s
+// or more, has crossed the box several times; a dense gas needs more.
 Gas equilibrated_gas(Backend& backend, const Scene& start, double seconds);
 
 // Found, and what theory expects of the packing fraction away from the walls, where centres stand in layers.

@@ -62,7 +62,7 @@ struct RenderOptions {
 };
 void add_render(CLI::App& app, CommandLine& line, Action& action);
 int render_command(const CommandLine& line, const RenderOptions& options);
-// Throw std::invalid_argument for options that do not go together, and for names that images or films cannot have.
+// Throw std::invalid_argument for options that do not go together, and for names that images or videos cannot have.
 void check_render_options(const RenderOptions& options);
 void check_render_files(const RenderOptions& options, uint64_t images);
 

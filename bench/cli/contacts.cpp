@@ -48,7 +48,8 @@ ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
     return options.laws.empty() || std::ranges::count(options.laws, contact_name(kind.law));
   };
   for (const std::string& law : options.laws)
-    if (contact_from_name(law) == ContactLaw::none) throw std::invalid_argument("the law none has no contacts");
+    if (contact_from_name(law) == ContactLaw::none)
+      throw std::invalid_argument("the law none has no contacts: leave it out of --laws");
   std::erase_if(plan.kinds, [&](const ContactKind& kind) { return !is_wanted(kind); });
   if (std::ranges::count(options.measurements, "rates") &&
       !std::ranges::count(plan.kinds, ContactLaw::spring, &ContactKind::law))

@@ -89,7 +89,7 @@ Legend widest_legend(const Series& series) {
   return legend;
 }
 
-// By the first image's spheres, and by all frames of a film: colours, legend, camera, box and ground are the same for
+// By the first image's spheres, and by all frames of a video: colours, legend, camera, box and ground are the same for
 // all images.
 void compose(Series& series, const Backend::State& first, const std::vector<double>& values) {
   const RenderOptions& options = series.options;
@@ -110,7 +110,7 @@ void compose(Series& series, const Backend::State& first, const std::vector<doub
 }
 
 // By what the colours of all images are chosen: --color-range, or a sample of the speeds or contacts in all images of a
-// film, for which the run is made once before it is drawn. Empty: by the first image.
+// video, for which the run is made once before it is drawn. Empty: by the first image.
 std::vector<double> values_for_colours(const Series& series, Progress& progress) {
   const auto& range = series.options.colour_range;
   if (range) return {range->front(), range->back()};

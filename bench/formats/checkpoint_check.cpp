@@ -142,7 +142,8 @@ class Checker {
       return false;
     };
     refuse(n_, wrong, [&](uint64_t i) {
-      fail(fmt::format("wide state, sphere {}", i), "the integers of its position and velocity", "others");
+      fail(fmt::format("wide state, sphere {}", i), "the integers made from its position and velocity",
+           "other integers: the file was changed or is damaged");
     });
   }
 

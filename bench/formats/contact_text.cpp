@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is said of a scene's contacts.
+// The summary of a scene's contacts: law, stiffness, density, drag, time step, walls.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

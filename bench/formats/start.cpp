@@ -57,7 +57,7 @@ void raise_plane(Scene& scene, const ContactChoice& contact) {
   scene.plane = low.y - std::max({high.x - low.x, high.y - low.y, high.z - low.z});
 }
 
-// Spheres on a plane may press into it, and where they push none may be below it.
+// Refuses spheres that reach below the plane. With contacts they may press into it, but their centres must be above.
 void take_plane(Scene& scene, float plane, bool contacts) {
   scene.plane = plane;
   if (scene.positions.empty()) return;

@@ -14,7 +14,8 @@ Video::Video(const std::filesystem::path& path, uint width, uint height, uint im
   if (std::system("ffmpeg -version >/dev/null 2>&1") != 0)
     throw std::invalid_argument("a video needs ffmpeg: install the package ffmpeg, or write images with --output");
   if (width % 2 || height % 2)
-    throw std::invalid_argument(fmt::format("a video of {}x{} pixels: both must be even", width, height));
+    throw std::invalid_argument(
+        fmt::format("a video of {}x{} pixels: both must be even; give another --size", width, height));
   std::signal(SIGPIPE, SIG_IGN);  // a failing ffmpeg is reported instead of ending this process
   const std::string command = fmt::format(
       "ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgba -s {}x{} -r {} -i - -c:v libx264 -crf 18 -pix_fmt yuv420p "

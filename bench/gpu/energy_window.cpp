@@ -67,8 +67,9 @@ MeanPower mean_power(std::span<const PowerSample> samples) {
   for (size_t k = 1; k < samples.size(); ++k)
     if (samples[k].millijoules != samples[k - 1].millijoules) ticks.push_back(k);
   if (ticks.size() < 2)
-    throw BackendError(fmt::format("the GPU's energy counter moved {} in {} samples: take a longer window (--seconds)",
-                                   ticks.empty() ? "never" : "once", samples.size()));
+    throw BackendError(fmt::format(
+        "the GPU's energy counter changed {} in {} samples, but must change twice: take a longer window (--seconds)",
+        ticks.empty() ? "not once" : "once", samples.size()));
   const std::span<const PowerSample> between = samples.subspan(ticks.front(), ticks.back() - ticks.front() + 1);
   const double seconds = between.back().seconds - between.front().seconds;
   double counter = 0, integrated = 0;

@@ -30,7 +30,7 @@ struct Edge {
   bool behind;
 };
 
-// An edge of a side that is turned to the camera has nothing of the box before it.
+// An edge is behind the box if neither of its two sides faces the camera.
 std::vector<Edge> edges_in_front(const View& v, const Bounds& box) {
   const double near = v.eye.w, eye[] = {v.eye.x, v.eye.y, v.eye.z};
   const auto corner = [&](int k) {

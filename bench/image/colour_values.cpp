@@ -41,8 +41,9 @@ std::vector<double> range_of_speeds(std::vector<double> speeds) {
 Colouring colouring_of(ColourBy by, const std::vector<Start>& starts, std::vector<double> values, bool clipped) {
   const Start& first = starts.front();
   if (by == ColourBy::speed && std::ranges::max(values) == 0)
-    throw std::invalid_argument(fmt::format("--color speed: all spheres of {} are at rest{}", first.label,
-                                            first.at_rest ? "" : " in the image: give --steps"));
+    throw std::invalid_argument(
+        fmt::format("--color speed: all spheres of {} are at rest{}", first.label,
+                    first.at_rest ? ": choose another --color" : " in the image: give --steps"));
   for (size_t k = 1; !clipped && k < starts.size(); ++k) {
     const std::vector<uint>& species = starts[k].species_index;
     if (by == ColourBy::species) values.insert(values.end(), species.begin(), species.end());

@@ -11,7 +11,7 @@ namespace spherepair {
 // Start::species.
 std::vector<double> values_of(ColourBy by, const Start& start, Backend& backend, const Backend::State& state);
 
-// Speeds for a film's colours: equal intervals from 0 to all but the fastest 2 %, which share the last colour.
+// Speeds for a video's colours: equal intervals from 0 to all but the fastest 2 %, which share the last colour.
 std::vector<double> range_of_speeds(std::vector<double> speeds);
 
 // values: of an image or of all; or, `clipped`, both ends of a range. More starts than one are the frames of a file,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the camera of one image or of a whole film finds its spheres and their ground.
+// Where the camera of one image or of a whole video finds its spheres and their ground.
 #pragma once
 
 #include "bench/formats/start.h"
@@ -7,7 +7,7 @@
 
 namespace spherepair {
 
-// Of the first image's spheres, and of all starts where they are the frames of a film.
+// Of the first image's spheres, and of all starts where they are the frames of a video.
 Bounds bounds_of_all(const std::vector<Start>& starts, std::span<const vec4> spheres);
 
 // wanted: none; plane, the scene's, the default of spheres that move; lowest, below the lowest sphere of all starts

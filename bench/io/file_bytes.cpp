@@ -49,7 +49,8 @@ FileBytes::FileBytes(const std::filesystem::path& path) : name_(path == "-" ? "s
   stream_ = path == "-" || !S_ISREG(status.st_mode) || is_descriptor(name_);
   const size_t size = S_ISREG(status.st_mode) ? size_t(status.st_size) : 0;
   if (!fits_in_memory(size))
-    throw BackendError(fmt::format("{} has {} bytes, which do not fit in memory", name_, size));
+    throw BackendError(
+        fmt::format("{} has {} bytes, which do not fit in memory: split it, or use a machine with more", name_, size));
   bytes_.reserve(size + reserve);
   advise_large_pages(bytes_.data(), bytes_.capacity());
   bytes_.resize(size + reserve);

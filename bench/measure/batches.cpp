@@ -35,7 +35,8 @@ double least_duration(const Contender& contender, const Sampling& sampling) {
   return on_hardware(*contender.backend) ? sampling.hardware_seconds : sampling.software_seconds;
 }
 
-// From one step and from so many that they last a while; a step that is as long as a batch may be is all of it.
+// From the times of one step and of so many that they last a while. A step longer than a quarter of the longest batch
+// is timed alone.
 Estimate estimate(const Contender& contender, const Sampling& sampling) {
   const double wanted = least_duration(contender, sampling);
   time_batch(contender, 1, steps_ahead(contender, most_steps), sampling.clocks);  // compiles, allocates, wakes up

@@ -29,8 +29,8 @@ struct Contender {
 
   bool alternates = false;  // others change the backend's state: a step goes ahead, also on the host
 
-  // Untimed, before each batch: to the state in which all of the contest begin. For steps that change the next ones'
-  // work.
+  // Called before each batch, untimed: brings the backend to the state in which all of the contest begin. For steps
+  // that change the work of the next ones.
   std::function<void(Backend&)> restart = {};
 
   uint64_t batch = 0;        // the largest K; 0: chosen
@@ -43,7 +43,7 @@ struct Sampling {
   double fixed_share = 0.005;  // K is so large that a sample's fixed cost is no larger share of the longest batch ...
   double longest = 0.25;       // ... unless that would take longer than this, in seconds
   double hardware_seconds = 2e-3;  // least duration of the longest batch on a GPU ...
-  double software_seconds = 0.05;  // ... and on the host, GL in software included
+  double software_seconds = 0.05;  // ... and on the host, GPU APIs in software included
   // Ahead of each batch on a GPU one of this share of the longest one's steps is taken, waited for and not timed: in
   // OpenGL the batch behind a long one is 1 to 2 ms late (docs/NOTES/measuring.md).
   double ahead = 0;

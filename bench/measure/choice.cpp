@@ -29,7 +29,7 @@ ChosenBackend choose_backend(const std::string& name, const OpenOptions& options
   std::vector<std::string> passed_over;
   OpenOptions hardware = options;
   hardware.require_hardware = true;  // OpenGL and Vulkan in software are slower than the CPU backend
-  for (const char* device : {"cuda", "vulkan", "opengl"}) {
+  for (const std::string& device : gpu_backend_names()) {
     if (!options.allow_gpu) break;
     if (!worth_trying) {
       passed_over.push_back(fmt::format("{}: not tried, since /dev shows no GPU (nvidia*, dri, dxg, nvmap)", device));

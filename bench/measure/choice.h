@@ -14,8 +14,8 @@ struct ChosenBackend {
   std::vector<std::string> passed_over;  // reasons why faster backends were not chosen
 };
 
-// The named backend, or without a name the fastest that opens: CUDA, OpenGL on a GPU, the CPU. Where the system shows
-// no GPU and no option asks for one, neither of the first two is tried.
+// The named backend. Without a name the first of gpu_backend_names() that opens on a GPU, else the CPU. Where the
+// system shows no GPU and no option asks for one, the CPU at once.
 ChosenBackend choose_backend(const std::string& name, const OpenOptions& options, const Opener& opener = open_backend);
 
 // A line for each backend that was passed over.

@@ -33,7 +33,7 @@ struct Samples {
   std::map<std::string, double> stages = {};  // device timer, seconds per step; empty without one
   std::map<std::string, Interval> stage_intervals = {};
   std::optional<double> timer_floor = {};  // that timer's reading of an empty kernel, seconds
-  std::vector<std::string> at_floor = {};  // stages whose reading is no longer
+  std::vector<std::string> at_floor = {};  // stages whose reading is no longer than that
 
   uint64_t batch() const { return plan.steps.back(); }  // K
   double median_seconds() const { return median(seconds); }

@@ -68,7 +68,7 @@ class Session {
   std::map<std::string, double> first_, timer_floors_;
 };
 
-bool on_hardware(const Backend& backend);  // a GPU: neither the CPU nor GL in software
+bool on_hardware(const Backend& backend);  // a GPU: neither the CPU nor OpenGL or Vulkan in software
 // ", " and how the spheres last came to OpenGL's pipeline; empty where they did not have to.
 std::string transfer_in_words(const Backend& backend);
 

@@ -48,7 +48,7 @@ void add_backend_option(CLI::App& command, std::string& backend, const std::stri
       .add_option_function<std::string>(
           "--backend", take,
           what +
-              ": cpu, opengl, cuda or vulkan; auto: the first that opens of cuda, opengl and vulkan on a GPU, and cpu")
+              ": cpu, opengl, cuda or vulkan; auto: the first that opens of cuda, vulkan and opengl on a GPU, and cpu")
       ->default_str(kAutomaticBackend);
 }
 

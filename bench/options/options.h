@@ -46,7 +46,7 @@ void add_backend_option(CLI::App& command, std::string& backend, const std::stri
 // --backends of a study, each of which must open: none, or `auto`, stands for all that open.
 void add_backends_option(CLI::App& command, std::vector<std::string>& backends);
 
-// Of timings; and --results of a study, which writes these files into it.
+// --rounds and --min-seconds of timings; --results: the folder into which a study writes `files`.
 void add_rounds_option(CLI::App& command, int& rounds, uint64_t least = 1);
 void add_min_seconds_option(CLI::App& command, double& seconds);
 void add_results_option(CLI::App& command, std::string& results, const std::string& files);

@@ -98,8 +98,7 @@ void refuse_of_backend(const Given& given, const std::string& command) {
   given.refuse(given.is("--method", {"collide_tensor"}), {"--block"},
                "with the method collide_tensor, whose groups have one size: omit it, or name another method");
   given.refuse(given.is("--method", {"auto"}) && given.is("--block", {"128"}), {"--block"},
-               "with the method auto, which chooses the group size itself unless another than 128 is given: omit it, "
-               "or name a method");
+               "with the method auto, for which 128 means that it chooses the group size: omit it, or name a method");
 }
 
 void refuse_of_outputs(const Given& given, const std::string& command) {

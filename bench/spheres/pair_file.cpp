@@ -132,7 +132,8 @@ NeighbourFiles neighbour_files(const std::string& file, bool distances) {
           stem + ".shifts.npy"};
 }
 
-// Of a sorted list: the lower neighbours of a sphere come in ascending order, and so do the higher ones.
+// `pairs` must be sorted. The first loop then writes each sphere's lower neighbours in ascending order, the second its
+// higher ones behind them.
 void write_neighbours(const NeighbourFiles& files, std::span<const Pair> pairs, std::span<const uint> counts,
                       std::span<const vec4> spheres) {
   std::vector<uint64_t> offsets(counts.size() + 1, 0);

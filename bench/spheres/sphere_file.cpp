@@ -65,7 +65,8 @@ Reader checked_reader(const FileBytes& bytes, const SphereFileOptions& options) 
     throw std::invalid_argument(
         fmt::format("{} has no periodic box: only XYZ files have; omit --ignore-periodic", bytes.name()));
   if (options.species && read != read_xyz)
-    throw std::invalid_argument(fmt::format("{} has no species: only XYZ files have", bytes.name()));
+    throw std::invalid_argument(
+        fmt::format("{} has no species: only XYZ files have; choose another --color", bytes.name()));
   return read;
 }
 

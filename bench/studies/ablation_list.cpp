@@ -28,7 +28,7 @@ CollideOptions with_api(const CollideOptions& step, std::optional<bool> ApiOptio
   return changed(step, [=](CollideOptions& o) { o.api.*option = on; });
 }
 
-// Work that a scene may not need.
+// What every backend skips where a scene does not need it; off: it is always done.
 std::vector<Ablation> optimisations() {
   const CollideOptions step = grid_step(), all_pairs = {.method = Method::collide_triangle};
   const auto keeping = [](bool order, bool cells) {

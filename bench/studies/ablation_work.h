@@ -15,8 +15,8 @@ Scene scene_of(Spheres kind, const SceneOptions& uniform);
 
 bool moves(Spheres kind);  // with every timed step
 
-// Uploads them and moves them as far as the timing begins: until all drifting spheres have left their cells, and for a
-// second until falling ones bounce at all times.
+// Uploads the scene and moves it to where the timing begins: drifting spheres until all have left their cells, falling
+// ones for a second, so that some bounce in every step.
 void start(Backend& backend, Spheres kind, const Scene& scene);
 
 // Runs a few more steps and returns means per step: launches, sorts, ...; depending on the work also the pairs left to

@@ -47,7 +47,9 @@ struct Timing {
   std::set<std::string> unsteady = {};                      // ways, auto among them, whose times decide nothing
   std::string chosen = {}, best = {};  // what auto chose; the fastest of the others, empty if there is none
   Contest over_best = {};              // auto against that
-  bool grid_faster = false, triangle_fastest = false;  // the best of the grid's ways; of all pairs'. As far as decided
+  // By an interval that decides it: the best way of the grid is faster than the best of all pairs, and collide_triangle
+  // than every other way of all pairs.
+  bool grid_faster = false, triangle_fastest = false;
 };
 json to_json(const Timing& timing);
 

@@ -17,7 +17,7 @@ uint64_t bytes_of(const std::vector<T>& values) {
 
 }  // namespace
 
-// Reading a state back takes as long as some steps of as many spheres.
+// Reading a state back takes as long as many steps, so states of many spheres are kept less often.
 History::History(const Start& start, uint64_t most_bytes)
     : start_(start),
       most_bytes_(most_bytes),

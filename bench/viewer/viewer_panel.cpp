@@ -27,7 +27,7 @@ fs::path free_name(const fs::path& folder, uint64_t step) {
 
 }  // namespace
 
-// Of the exact spheres, by whichever method the image is drawn.
+// Picks from the exact spheres, by whichever method the image is drawn.
 void Viewer::pick(std::array<uint, 2> pixel) {
   picked_.clear();
   const View& seen = shown_->view;

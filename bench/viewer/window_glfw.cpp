@@ -32,7 +32,7 @@ class GlfwWindow final : public Window, private WindowContext {
     window_ = glfwCreateWindow(int(width), int(height), title.c_str(), nullptr, nullptr);
     if (!window_) {
       try {
-        fail("the window was refused");
+        fail(shared ? "no window with OpenGL 4.5 can be opened" : "no window with OpenGL 3.3 can be opened");
       } catch (...) {
         glfwTerminate();
         throw;

@@ -63,8 +63,8 @@ class Backend {
 
   // One step of the motion, or std::invalid_argument for a scene that cannot be moved. Enqueued: results wait for it.
   virtual void move() = 0;
-  // Work that steps leave out unless told otherwise, the state's bits being the same: tests of spheres whose next event
-  // is not due (anchored), listing near pairs while a list still serves (contacts).
+  // Steps skip work that cannot change a bit of the state. `false` does it in every step: set_event_driven tests all
+  // spheres (anchored), keep_near_pairs lists near pairs (contacts).
   virtual void set_event_driven(bool on) = 0;
   virtual void keep_near_pairs(bool on) = 0;
   virtual void sum_impulses(ImpulseSums sums) = 0;  // for measuring; std::invalid_argument where the device cannot

@@ -19,7 +19,7 @@ void refuse_tensor(const std::string& backend, const CollideOptions& options, bo
 // Throws std::invalid_argument unless each of n spheres has an entry of the palette.
 void check_classes(const std::string& backend, std::span<const uint> classes, uint64_t n);
 
-// Throws BackendError when `anchored` has done so many steps that their count would be lost.
+// Throws BackendError when `anchored` has done as many steps as it can count.
 void check_steps(const std::string& backend, uint steps);
 
 }  // namespace spherepair

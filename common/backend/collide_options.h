@@ -48,24 +48,25 @@ struct GridOptions {
 
 constexpr std::array<uint, 4> graph_sizes = {1, 4, 16, 64};  // steps that a graph may hold
 
-// What one API offers and the other lacks, each to be measured against going without. Absent: what was measured to be
-// faster; a backend that lacks one refuses it by name when it is requested, std::invalid_argument.
+// What not every backend offers, each to be measured against going without. Absent: what was measured to be faster. A
+// backend that lacks what is asked for throws std::invalid_argument, which names it.
 struct ApiOptions {
-  // CUDA: a step's launches are captured once, replayed while none changes. Absent: on
+  // CUDA and Vulkan: a step's launches are recorded once, and replayed while none changes. Absent: on
   std::optional<bool> graph = {};
-  // CUDA: equal steps that nobody waits for go out in graphs of so many at most, one of graph_sizes. Absent: the last
+  // CUDA and Vulkan: equal steps that nobody waits for are replayed together, at most so many, one of graph_sizes.
+  // Absent: the last
   std::optional<uint> graph_steps = {};
-  // GLSL: collide_grid reads the table of cells through a texture buffer, in parts where one is too small. Absent: on
-  // where it fits
+  // OpenGL and Vulkan: collide_grid reads the table of cells through a texture buffer, in OpenGL in parts where one is
+  // too small. Absent: on where it fits
   std::optional<bool> texture_table = {};
-  // both: the API's function clears the table, in place of a kernel. Absent: off
+  // All: the API's function clears the table, in place of a kernel. Absent: off
   std::optional<bool> library_clear = {};
-  // both: a step's launches go out together, in GLSL each behind the one barrier that it needs. Off: the host waits for
-  // each, GLSL behind all barriers, CUDA without a graph. Absent: on
+  // All: a step's launches go out together, in OpenGL each behind the one barrier that it needs. Off: the host waits
+  // for each; OpenGL sets all barriers, CUDA and Vulkan replay nothing. Absent: on
   std::optional<bool> batch = {};
-  // both, CUDA 12.3 or later where kernels are compiled for 9.0 or later: what needs nothing of the search right before
-  // it begins while that is under way, in CUDA within a graph of several steps too, and CUDA's later launches of a step
-  // get ready early. Absent: on
+  // All; CUDA from 12.3 on, with kernels compiled for 9.0 or later. What begins a step runs beside the search before,
+  // where neither writes what the other uses: between replayed steps, too. In CUDA later launches of a step also start
+  // early, and wait in the kernel. Absent: on
   std::optional<bool> overlap = {};
   auto operator<=>(const ApiOptions&) const = default;
 };

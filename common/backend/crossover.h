@@ -13,7 +13,7 @@ namespace spherepair {
 constexpr uint64_t never = ~uint64_t(0);
 
 struct Crossover {
-  const char* device;             // a backend, OpenGL in software, or a CPU of more than few_threads
+  const char* device;             // a backend, one in software, or a CPU of more than few_threads
   double grid_from, per_other;    // spheres from which on dense cells are faster: more for each other sphere in a
                                   // sphere's cell, or on a CPU, whose vectors like full cells, fewer
   double hashed_from, per_level;  // of hashed cells: more for each level after the first, and per_other where positive

@@ -91,9 +91,9 @@ std::vector<vec4> drift_velocities(const Backend::State& state, const ContactPar
   return velocities;
 }
 
-// Centred on the box that holds the path, as far as its corners; 2^-17 covers rounding here and what touch_within adds:
-// 2^-24 of reaches, and at most 2^-20 of both lengths and reaches. Paths that bounce are taken as they are, since the
-// plane holds them, others in the frame of swept.h, where they are straight.
+// The sphere around the box that holds the path. 2^-17 covers rounding here and what touch_within adds: 2^-24 of
+// reaches, and at most 2^-20 of both lengths and reaches. Paths of methods that bounce are taken as they are; those of
+// the others in the frame of swept.h, where they are straight.
 vec4 around_path(const vec4& s, const vec4& v, const MotionParams& m) {
   const double start[3] = {double(s.x), double(s.y), double(s.z)}, speed[3] = {double(v.x), double(v.y), double(v.z)};
   const double seconds = double(m.dt), pull = v.w == PATH_STRAIGHT ? 0 : gravity_of(m);

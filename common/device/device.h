@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The GPU interface of the components: memory, launches, waiting, timers. Implemented by GlDevice and CudaDevice.
+// The GPU interface of the components: memory, launches, waiting, timers. Implemented by GlDevice, VulkanDevice and
+// CudaDevice.
 #pragma once
 
 #include "common/backend/graphics_pipeline.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One launch of a kernel, as both GPU APIs take it.
+// One launch of a kernel, as every GPU API takes it.
 #pragma once
 
 #include <array>

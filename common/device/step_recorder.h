@@ -20,7 +20,8 @@ struct Call {
   Params params;
   BufferHandles buffers;  // as the kernel sees them
   View view{};            // zeros for a kernel that takes none: another view is no other call of it
-  bool early = false;     // CUDA: may begin before the launch before is done, for which the kernel itself waits
+  bool early = false;     // need not wait for the launch before: no barrier in Vulkan; in CUDA a programmatic launch,
+                          // whose kernel may wait itself
 };
 
 // How an API launches and records; throws BackendError.

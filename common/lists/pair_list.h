@@ -7,8 +7,8 @@
 
 namespace spherepair {
 
-// The whole list in its order; the options say how it is searched. The backend holds other spheres afterwards. Throws
-// ListError, BackendError.
+// The whole list, in the order that the header defines; `options` choose the search. Uploads the list's points: the
+// backend's scene is lost. Throws ListError, BackendError.
 std::vector<ListedPair> list_pairs(Backend& backend, const ListProblem& problem,
                                    CollideOptions options = {.method = Method::automatic});
 

@@ -37,7 +37,8 @@ struct Horizon {
   glm::dvec3 start, quarter, up;
 };
 Horizon horizon_of(const Vector& v) {
-  if (!(glm::length(vector(v)) > 0)) throw std::invalid_argument("the up direction is 0,0,0: give it a length");
+  if (!(glm::length(vector(v)) > 0))
+    throw std::invalid_argument("the up direction is 0,0,0, which is none: give --up such as 0,1,0");
   const glm::dvec3 up = glm::normalize(vector(v)), size = glm::abs(up);
   const int axis = size.y >= size.x && size.y >= size.z ? 1 : size.z >= size.x ? 2 : 0;
   glm::dvec3 next(0);

@@ -119,8 +119,8 @@ void choose_contacts(Scene& scene, const ContactChoice& choice) {
     const double highest = highest_speed_of(scene, i);
     if (highest < highest_speed(scene))
       throw std::invalid_argument(fmt::format(
-          "spheres of {:.3g} m are stopped by no stiffness in float32: give --stiffness, or lengths in another unit, "
-          "in which radii are nearer to 1",
+          "no stiffness within float32 stops spheres of {:.3g} m: give --stiffness, or lengths in another unit, in "
+          "which radii are nearer to 1",
           largest));
     throw std::invalid_argument(
         fmt::format("sphere {} comes to {:.4g} m/s, falls included, which no stiffness in float32 stops: give slower "

@@ -31,7 +31,8 @@ float cube_root(double value) {
   return root;
 }
 
-// A lattice of so many cells along x and z, upwards as far as needed; each sphere is moved within its cell.
+// A lattice of so many cells along x and z, with as many layers along y as are needed. Each sphere is moved within its
+// cell.
 struct Lattice {
   uint64_t along_x, along_z;
   float gap;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The cells of the uniform grid. A coordinate's cell number is a chain of one subtraction, one multiplication, a clamp
-// and a truncation, each of which is monotonic however it rounds. So x <= y gives cell(x) <= cell(y) for all floats,
-// and a sphere that reaches down to x - reach can only collide with spheres of the cells from cell(x - reach) on: no
-// margin is needed, at any distance from the origin. A cell belongs to a level, chosen by the radii of its spheres; the
+// and a truncation, each of which is monotonic however it rounds. So x <= y gives cell(x) <= cell(y) for all floats.
+// Hashed cells: a sphere that reaches down to x - reach can only collide with spheres of the cells from cell(x - reach)
+// on, at any distance from the origin; reach_of rounds upwards. Dense cells subtract the reach after the
+// multiplication, so reach_in_cells has a margin. A cell belongs to a level, chosen by the radii of its spheres; the
 // cells of level k are 2^k times as wide as those of level 0.
 #ifndef SPHEREPAIR_CELL_H
 #define SPHEREPAIR_CELL_H
@@ -95,7 +96,8 @@ FN Cell highest_cell(vec4 sphere, float reach, uint level, GridParams g) {
   return cell_at(x, y, z, level, g);
 }
 
-// One level of a dense grid; their tables follow each other in SLOT_CELL. A search has one level only; see draw_light.
+// One level of a dense grid. The tables of the levels follow each other in SLOT_CELL. A search has one level only;
+// draw_light may have several.
 struct DenseLevel {
   float scale;  // cells per metre
   uint first_slot, cells_x, cells_y, cells_z;

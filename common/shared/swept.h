@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Continuous collision detection: whether two spheres touch at any time within the next dt, on the paths that the
 // scene's motion takes from the float32 numbers nearest to its state:
-// - impact and anchored: flights and bounces on the plane, then rest. BOUNCES_FOLLOWED are followed one by one; behind
-//   them a sphere counts as anywhere between the plane and the height of its last flight, which holds all it may do.
+// - impact and anchored: flights and bounces on the plane, then rest. The first BOUNCES_FOLLOWED bounces are followed
+//   one by one. After them a sphere counts as anywhere between the plane and the height of its last flight, which no
+//   later bounce exceeds.
 // - impact_linear: it is on the plane at the time that the method finds, flies on and rests where it comes down again.
 // - From below the plane, a sphere of impact and impact_linear flies on where the step takes it above, and else is put
 //   onto the plane. One of anchored is on the plane where its flight is below, until one from the plane would end.
@@ -23,7 +24,7 @@
 const float PATH_STRAIGHT = 0.0f;    // euler, symplectic, paper, paper_clamp, leapfrog
 const float PATH_ONE_BOUNCE = 1.0f;  // impact_linear
 const float PATH_BOUNCES = 2.0f;     // impact, anchored; below 0: from below the plane, upwards at -w m/s
-const float PATH_FLIGHT = 3.0f;      // what bounces, in a step that does not
+const float PATH_FLIGHT = 3.0f;      // impact, impact_linear or anchored, in a step without a bounce
 const uint BOUNCES_FOLLOWED = 16u;
 const uint DEEPEST_HALVING = 24u;
 

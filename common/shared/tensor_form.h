@@ -9,11 +9,10 @@
 //
 // How far the sum may be above G, with e = 2^-23, N = x^2 + y^2 + z^2 and P = Na + Nb + ra^2 + rb^2, which bounds the
 // sum of all magnitudes. Halves are normal numbers or 0, so each product is exact in float32.
-//   24 eP   the sum: tensor cores align a block of products, with the sum so far, to the greatest and cut them 23 bits
-//   or
-//           more below it, then cut the result to 24 bits. In blocks of four (V100) that is 4 * (5 + 1) cuts of eP;
-//           A100 has blocks of 8 and 24 bits, H100 one of 16 and 25 bits (Fasi, Higham, Mikaitis, Pranesh 2021;
-//           Khattak, Mikaitis 2025).
+//   24 eP   the sum: tensor cores align a block of products, with the sum so far, to the greatest. They cut them 23
+//           bits or more below it, then cut the result to 24 bits. In blocks of four (V100) that is 4 * (5 + 1) cuts
+//           of eP; A100 has blocks of 8 and 24 bits, H100 one of 16 and 25 bits (Fasi, Higham, Mikaitis, Pranesh
+//           2021; Khattak, Mikaitis 2025).
 //    5 eP   centring, and what high + low leave of a coordinate: (2^-24 + 2^-22)|x|, so 5 e(Na + Nb) of |a - b|^2 / 2
 //      eP   low * low, since |low| <= 2^-11 |x|
 //  1.5 eP   float32 for N and w: 6 roundings of 2^-24 (N + r^2) / 2

@@ -72,7 +72,8 @@ __device__ inline void store_sorted(const Params& p, const KernelBuffers& buf, v
   buf.sorted_count[at] = 0u;
 }
 
-// Turns the counts of the cells in `scratch` into begins, within the bucket and in the table.
+// Exclusive prefix sum over `scratch`: counts of cells become the index in the bucket at which each begins. The table
+// gets the same index counted over all spheres.
 __device__ inline void begin_cells(const Params& p, const KernelBuffers& buf, Bucket b, uint low) {
   uint lane = threadIdx.x;
   __syncthreads();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one place where CUDA's answers are checked.
+// cuda_check: throws BackendError when a call of CUDA failed; `what` says what was tried.
 #pragma once
 
 #include <cuda_runtime.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The device's own clock around stages, on the default stream; nothing at all while it is off.
+// Times stages with CUDA events on the default stream. While it is off, it records no events.
 #pragma once
 
 #include <vector>
@@ -31,7 +31,7 @@ class StageEvents {
     stages_.push_back(stage);
   }
 
-  // Since the last call, in order; the work must be done.
+  // Device times of the stages since the last call, in the order of launch. The device must have finished them.
   std::vector<StageTime> take() {
     std::vector<StageTime> times;
     for (const Stage& stage : stages_) {

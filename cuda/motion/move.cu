@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere: one step of motion with the plane; clears the results of the last collision step, where these
-// are by sphere index.
+// One thread per sphere: one step of motion with the plane. Clears the counts and totals of the last search where
+// p.motion.clear_results is set.
 #include "cuda/motion/motion_state.cuh"
 
 namespace spherepair {

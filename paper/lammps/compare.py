@@ -23,8 +23,8 @@ DENSITY = 1000.0  # kg/m^3, of both
 
 
 def damping_ratio(restitution):
-    """Over its critical value, for which a damper that never pulls leaves this share of the speed (Schwager and
-    Poeschel, Granular Matter 9 (2007) 465)."""
+    """The damping over its critical value with which a damper that never pulls leaves this share of the speed (Schwager
+    and Poeschel, Granular Matter 9 (2007) 465)."""
     def left(b):
         root = math.sqrt(1 - b * b)
         return math.exp(-b / root * (math.pi - math.atan2(2 * b * root, 1 - 2 * b * b)))
@@ -55,7 +55,7 @@ def spheres_of(program, folder, scene):
 
 
 def spherepair(program, folder, scene, options, steps, every):
-    """(the chosen stiffness and time step, seconds and kinetic energy of every so many steps)"""
+    """(the chosen stiffness, the chosen time step, the kinetic energies after every so many steps)"""
     file = folder / "statistics.csv"
     said = text_of([program, "run", "--backend", "cpu", *scene, "--contact", "spring", *options, "--steps", steps,
                     "--statistics", file, "--statistics-every", every])

@@ -10,7 +10,8 @@ WORDS = {"cuda": "faster in CUDA", "opengl": "faster in OpenGL", "equal": "about
 
 
 def steps(machine):
-    """The contests of short whole steps and those of the largest size, by all pairs; of several processes if there are such."""
+    """(contests of short whole steps, contests of the largest size), by all pairs; only those of several processes where there
+    are any."""
     found = contests(machine)
     found = [entry for entry in several(found) or found if entry.table in ("step", "scale")]
     short = [entry for entry in found if entry.table == "step" and entry.n <= SHORT]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The original paper's arrangements in one and two dimensions: a double or a single loop."""
+from paper.devices import devices_of
 from paper.numbers.derived import best
-from paper.records import Missing
 from paper.style import COLUMN, panels, plain_ticks, plot
 
 NAME = "dimensions"
@@ -12,9 +12,7 @@ METHODS = ("collide_tiled", "collide_square", "collide_triangle")
 
 
 def draw(machine):
-    devices = [name for name in ("opengl", "vulkan", "cuda") if machine.has(name)]
-    if not devices:
-        raise Missing(f"{machine.name} was run without OpenGL and CUDA")
+    devices = devices_of(machine)
     figure, (axis,) = panels(COLUMN, 2.0)
     for k, name in enumerate(devices):
         rows = [best(machine, name, method) for method in METHODS]

@@ -2,7 +2,7 @@
 """Every method and group size: the thread arrangements that the original paper varied."""
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
-from paper.records import Missing
+from paper.devices import devices_of
 from paper.style import PAGE, panels, plain_ticks, plot
 
 NAME = "group-sizes"
@@ -14,9 +14,7 @@ TITLES = {"collide_group": "group (within groups)", "collide_tiled": "tiled (one
 
 
 def draw(machine):
-    devices = [name for name in ("opengl", "vulkan", "cuda") if machine.has(name)]
-    if not devices:
-        raise Missing(f"{machine.name} was run without OpenGL and CUDA")
+    devices = devices_of(machine)
     figure, axes = panels(PAGE, 1.9, 4)
     n = max(record.n for record in machine.need(table="methods"))
     for axis, (method, title) in zip(axes, TITLES.items()):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The cost of a dispatch or launch of an empty kernel."""
-from paper.records import Missing
+from paper.devices import devices_of
 from paper.style import COLUMN, panels, plain_ticks, plot
 
 NAME = "overhead"
@@ -9,9 +9,7 @@ CAPTION = ("An empty kernel of one group: time per dispatch or launch against th
 
 
 def draw(machine):
-    devices = [name for name in ("opengl", "vulkan", "cuda") if machine.has(name)]
-    if not devices:
-        raise Missing(f"{machine.name} was run without OpenGL and CUDA")
+    devices = devices_of(machine)
     figure, (axis,) = panels(COLUMN, 1.7)
     for name in devices:
         for record in machine.need(table="overhead", backend=name):

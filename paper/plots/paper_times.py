@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The original paper's figure 5: its printed times and ours."""
+from paper.devices import devices_of
 from paper.records import Missing, original_paper
 from paper.style import PAGE, SERIES, panels, plain_ticks, plot, spheres_axis
 
@@ -26,9 +27,7 @@ def draw(machine):
     printed(drawing, 2, "original sequential")
     for method in ("sequential", "parallel"):
         plot(pairs, machine.need(table="table1", backend="cpu", method=method), f"cpu {method}")
-    devices = [name for name in ("opengl", "vulkan", "cuda") if machine.has(name)]
-    if not devices:
-        raise Missing(f"{machine.name} was run without OpenGL and CUDA")
+    devices = devices_of(machine)
     for name in devices:
         label = SERIES[name]["label"]
         tiled = machine.need(table="table1", backend=name, method="collide_tiled")

@@ -2,8 +2,8 @@
 """All pairs from small to large n: time with its slope, and the share of the instruction floor."""
 import math
 
+from paper.devices import devices_of
 from paper.numbers.derived import INSTRUCTIONS, issue_rate, share_of_floor, slope
-from paper.records import Missing
 from paper.style import PAGE, SERIES, panels, plain_ticks, plot, spheres_axis
 
 NAME = "scale"
@@ -26,9 +26,7 @@ def note_slopes(axis, rows):
 
 
 def draw(machine):
-    devices = [name for name in ("opengl", "vulkan", "cuda") if machine.has(name)]
-    if not devices:
-        raise Missing(f"{machine.name} was run without OpenGL and CUDA")
+    devices = devices_of(machine)
     with_floor = machine.has("cuda")
     figure, axes = panels(PAGE if with_floor else PAGE / 2, 2.2, 2 if with_floor else 1)
     for scene, (title, line, alpha) in SCENES.items():

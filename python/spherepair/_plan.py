@@ -42,7 +42,7 @@ class Pairs:
         if name not in FIELDS:
             raise AttributeError(f"Pairs has no {name!r}")
         if name not in self._columns:
-            raise AttributeError(f"{name!r} is not among the quantities of the plan")
+            raise AttributeError(f"{name!r} is not among the quantities of the plan: make a plan with it")
         if self.overflowed:
             raise CapacityError(self.found, self.capacity)
         column = self._columns[name]

@@ -3,8 +3,8 @@
 // Each unordered pair once: a group keeps SPHERES_PER_THREAD spheres a thread in registers, its rows, and tests them
 // against p.search.columns_per_group later spheres, its columns, which pass through shared memory in Gram form.
 // Candidates are marked in a bit mask, then queued; after each tile the whole group decides the queued pairs, a thread
-// per pair. Row groups near the end have few columns left, and those mirrored at the middle many: one line of the
-// launch holds both, so that few groups are idle.
+// per pair. A row group near the end has few columns, one near the beginning many. Groups of one y index share a row
+// group and its mirror image, so that few are idle.
 #include "shaders/collide/collide.glsl"
 
 layout(local_size_x = BLOCK) in;

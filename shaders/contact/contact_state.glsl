@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Loads and stores a sphere whose state is in 64-bit integers (see layout.h), and adds impulses to it in any order. A
-// shader may have 16 blocks of storage: kernels declare themselves what few of them use.
+// shader may have 16 storage blocks, so a buffer that few kernels use is declared in those kernels.
 #define POSITION_ACCESS
 #include "shaders/kernels.glsl"
 

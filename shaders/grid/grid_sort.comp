@@ -72,7 +72,8 @@ void store_sorted(vec4 sphere, uint i, uint at) {
   sorted_count[at] = 0u;
 }
 
-// Turns the counts of the cells in `scratch` into begins, within the bucket and in the table.
+// Exclusive prefix sum over `scratch`: counts of cells become the index in the bucket at which each begins. The table
+// gets the same index counted over all spheres.
 void begin_cells(Bucket b, uint low) {
   uint lane = gl_LocalInvocationID.x;
   barrier();

@@ -13,8 +13,7 @@ layout(std430, binding = SLOT_FLIGHT) restrict buffer FlightBuffer { Real flight
 layout(std430, binding = SLOT_SINCE) restrict buffer SinceBuffer { uint since[]; };
 layout(std430, binding = SLOT_NEXT_EVENT) buffer NextEventBuffer { uint next_event[]; };
 
-// GLSL only from here: the steps done change with every launch, so that they are a plain uniform, sent with the
-// commands
+// GLSL only from here: the steps done change with every launch, so they are a uniform outside the block
 layout(location = STEPS_LOCATION) uniform uint steps_done;
 
 MotionParams motion_params() {

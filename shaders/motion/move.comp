@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere: one step of motion with the plane; clears the results of the last collision step, where these
-// are by sphere index.
+// One thread per sphere: one step of motion with the plane. Clears the counts and totals of the last search where
+// p.motion.clear_results is set.
 #include "shaders/motion/motion_state.glsl"
 
 layout(local_size_x = BLOCK) in;

@@ -22,7 +22,8 @@ TEST_P(ApiOptionsOf, OnlyWithoutABatchTheHostWaitsForEveryLaunch) {
   EXPECT_THROW(backend().enqueue_collide(both), std::invalid_argument);
 }
 
-// The move is one of the step's launches: waited for without a batch, and in CUDA a part of the graph.
+// The move is one of the step's launches: without a batch it is waited for, else CUDA and Vulkan replay it with the
+// rest.
 TEST_P(ApiOptionsOf, AStepIsAMoveAndASearchTogether) {
   const Scene scene = make_scene({.name = "uniform", .n = 900});
   Backend& cpu = *all_backends().front().backend;

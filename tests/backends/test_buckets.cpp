@@ -81,8 +81,9 @@ uint most_in_a_cell(const Scene& scene) {
   return std::ranges::max(held);
 }
 
-// Most spheres lie on the floor of a box, so that a bucket has more than a group holds where buckets are few; in a
-// small box all buckets would, were they of as many cells. At one point a bucket of a single cell has.
+// Buckets with more spheres than a group holds. In the large box most spheres lie on the floor, whose buckets have
+// more. In the small one all buckets would have more, if they were of as many cells. At the end a bucket of one cell
+// has.
 TEST_P(MethodsByBuckets, OfManySpheres) {
   Scene scene = make_scene({.name = "uniform", .n = 7000});
   std::minstd_rand random(5);

@@ -125,7 +125,7 @@ TEST_F(CommandLineTest, AutoSaysWhatItTookAndWhyNotTheOthers) {
   const nlohmann::json record = read_json("any.json");
   for (const auto& reason : record.at("passed_over"))
     EXPECT_NE(any.output.find("passed over: " + reason.get<std::string>()), std::string::npos) << any.output;
-  const std::vector<std::string> order = {"cuda", "opengl", "vulkan", "cpu"};
+  const std::vector<std::string> order = {"cuda", "vulkan", "opengl", "cpu"};
   const auto taken = std::ranges::find_if(order, [&](const auto& name) { return any.output.starts_with(name); });
   const size_t before = size_t(taken - order.begin());
   EXPECT_EQ(record.at("passed_over").size(), before);

@@ -104,7 +104,8 @@ TEST_F(RunGoesOn, WithAnotherDensity) {
   refused("run --n 30 --steps 3 --density 2000", "--contact");
 }
 
-// As from the same spheres in a file, with the same parameters.
+// A checkpoint that is resumed with other parameters goes on as its spheres do from a file with all of these
+// parameters.
 TEST_F(RunGoesOn, FromACheckpointWithOtherParameters) {
   good(fmt::format("{} --dt 5e-4 --steps 800 --save {} --spheres {}", bed, path("ck"), path("a.extxyz")));
   struct {

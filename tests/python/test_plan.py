@@ -103,7 +103,7 @@ class Plans(Case):
                               ("batch is not sorted", lambda: spherepair.Plan(POINTS[:2], 1, batch=[1, 0]))):
             with self.subTest(message=message), self.assertRaisesRegex(ValueError, message):
                 call()
-        with self.assertRaisesRegex(AttributeError, "'d' is not among the quantities of the plan"):
+        with self.assertRaisesRegex(AttributeError, "'d' is not among the quantities of the plan: make a plan with it"):
             plan.fill(POINTS).d
         with self.assertRaisesRegex(AttributeError, "Pairs has no 'k'"):
             plan.fill(POINTS).k

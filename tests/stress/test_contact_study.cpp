@@ -198,7 +198,7 @@ TEST_F(ContactStudy, RecordsBedsAtRest) {
 
 TEST_F(ContactStudy, RefusesWhatItDoesNotKnow) {
   for (const auto& [words, message] : {std::pair("--laws springs", "did you mean spring"),
-                                       {"--laws none", "the law none has no contacts"},
+                                       {"--laws none", "the law none has no contacts: leave it out of --laws"},
                                        {"--steps 15", "15"},
                                        {"--measure error", "did you mean errors"},
                                        {"--measure rates --laws hertz", "name it, or omit rates"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The backends of this machine, opened once a process, and tests parametrised over them. A backend that is missing
-// skips its tests with the reason; the environment variable REQUIRE_BACKENDS=cpu,opengl,cuda makes that a failure.
+// skips its tests with the reason; the environment variable REQUIRE_BACKENDS=cpu,opengl,vulkan,cuda makes that a
+// failure.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -49,8 +50,8 @@ std::string& device_option(OpenOptions& options, const std::string& backend);
 // The UUID of the last GPU that an API reaches, by counting; empty where it reaches none.
 std::string last_gpu(const std::string& backend);
 
-// A backend's methods at these group sizes, where the size matters: not to collide_tensor, on the CPU to collide_group
-// alone.
+// A backend's methods, with each of these group sizes. Methods without a group size come once: collide_tensor, and on
+// the CPU all but collide_group.
 std::vector<CollideOptions> every_method(const Backend& backend, std::span<const uint> blocks);
 CollideOptions fast_method(const Backend& backend);
 uint64_t hash_of_state(Backend& backend);  // as it stands: evaluated, then read

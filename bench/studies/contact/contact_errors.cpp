@@ -135,7 +135,7 @@ class Errors {
 }  // namespace
 
 Backend& fastest(const Session& session) {
-  for (const char* name : {"cuda", "opengl", "vulkan"})
+  for (const std::string& name : gpu_backend_names())
     if (Backend* backend = session.find(name); backend && on_hardware(*backend)) return *backend;
   return session.reference();
 }

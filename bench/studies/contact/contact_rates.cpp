@@ -52,7 +52,7 @@ Measured measured(Backend& backend, const ContactPlan& plan, Gas gas, uint steps
 
 }  // namespace
 
-// The gas of a seed comes to rest once, and starts from there with every restitution and time step.
+// The gas of a seed is equilibrated once; every restitution and time step starts from there.
 std::vector<ContactRate> measure_rates(Session& session, const ContactPlan& plan, Progress& progress) {
   if (std::ranges::none_of(plan.kinds, [](const ContactKind& kind) { return kind.law == ContactLaw::spring; }))
     return {};
@@ -66,7 +66,7 @@ std::vector<ContactRate> measure_rates(Session& session, const ContactPlan& plan
     for (const uint fine : steps)
       rates.push_back({restitution, fine, backend.info().name, plan.rates.n, 0, {}, {}, {}});
   for (uint64_t seed = 0; seed < plan.rates.seeds; ++seed) {
-    progress.say(fmt::format("rates of a gas, {} of {}: it comes to rest", seed + 1, plan.rates.seeds));
+    progress.say(fmt::format("rates of a gas, {} of {}: it is equilibrated", seed + 1, plan.rates.seeds));
     Gas gas = equilibrated(backend, plan, seed);
     for (ContactRate& rate : rates) {
       progress.say(fmt::format("rates of a gas, {} of {}: restitution {}, {} steps a contact", seed + 1,

@@ -21,10 +21,9 @@
 //   gas_steps  whole steps of the same, the mean of so many from its start: contacts, motion, walls and near pairs:
 //     {backend, n, steps, seconds_per_step, low, high, sphere_steps_per_second,
 //      sample       of all these steps at once
-//      over_cuda    GLSL's time over CUDA's: ratio, low and high of its interval; null for other backends and without
-//      CUDA}
+//      over_cuda    time over CUDA's, of GPU APIs other than CUDA: ratio, low and high of its interval; else null}
 //   contact_rates  of the scene gas by the law spring on one backend, whose bits are those of the others; one entry per
-//     quantity and time step, the converged one's among them:
+//     restitution and time step, the converged one included:
 //     {quantity     "pressure", elastic; or "cooling time" of Haff's law, restitution 0.9 and 0.8
 //      restitution, steps_a_contact, backend, n, dt,
 //      found        p d^3 / (k T), or seconds
@@ -34,7 +33,7 @@
 //   beds       that have come to rest, and steps from there with spheres at rest passed over and without:
 //     {n, dt, steps_averaged; layers, stages and the like are in the settings
 //      unmoved      share of the spheres whose state a step leaves as it is, bit for bit
-//      kinetic      energy over that of all at the start
+//      kinetic      kinetic energy over the total energy at the start
 //      floor_force  over the weight
 //      overlap      greatest, in radii
 //      steps        [{backend, sleeping, seconds_per_step, low, high, sample
@@ -133,7 +132,7 @@ struct GasSteps {  // whole steps of a gas from its start: contacts, motion, wal
   std::string backend;
   uint64_t n, steps;
   Samples samples;                                                             // of all steps at once
-  std::optional<Contest> over_cuda;                                            // GLSL's
+  std::optional<Contest> over_cuda;                                            // of other GPU APIs
   double seconds() const { return samples.median_seconds() / double(steps); }  // of a step, the mean
   double per_second() const { return double(n) / seconds(); }                  // sphere-steps
 };
@@ -166,13 +165,14 @@ Scene contact_scene(const ContactPlan& plan, const ContactKind& kind, uint steps
 // For so many mean times between the collisions of a sphere, as kinetic theory has them.
 uint64_t steps_of_run(const ContactPlan& plan, const ContactKind& kind, uint steps_a_contact);
 
-// Those that this many spheres are timed on: a CPU and software OpenGL leave out more than plan.most_on_host.
+// Those that this many spheres are timed on: the CPU and APIs in software leave out more than plan.most_on_host.
 std::vector<Backend*> backends_for(const Session& session, const ContactPlan& plan, uint64_t n,
                                    std::vector<std::string>& left_out);
 json ratio_of(const std::optional<Contest>& contest);
 json time_of_a_step(const Samples& samples, uint64_t steps = 1);
 
-// Whether a backend has these sums; it then uses them from the next step on. Else the reason joins `left_out`, once.
+// Makes the backend use these sums from the next step on. False where it lacks them; the reason is then added to
+// `left_out`, once.
 bool use_sums(Backend& backend, ImpulseSums sums, std::vector<std::string>& left_out);
 
 // Each run on every backend. Throws DifferenceFound if two backends differ in any bit after steps whose sums have an
@@ -182,27 +182,28 @@ std::vector<ContactRun> measure_contact_errors(Session& session, const ContactPl
 // Adds the times of their steps.
 void time_contact_runs(Session& session, const ContactPlan& plan, std::vector<ContactRun>& runs, Progress& progress);
 
-// Both compare states first, and throw DifferenceFound if two backends differ in any bit. A CPU and software OpenGL
-// leave out more than plan.most_on_host spheres.
+// Both first compare the states by each of the sums that they time, `atomics` excepted, and throw DifferenceFound where
+// two backends differ in any bit. The CPU and APIs in software leave out more than plan.most_on_host spheres.
 std::vector<SumsCost> measure_sums(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
                                    Progress& progress);
 std::vector<GasSteps> measure_gas_steps(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
                                         Progress& progress);
 
-// By every time step of the plan and the converged one, with integer sums: the others round otherwise, which in a gas
-// soon changes all paths, but no mean.
+// Over every time step of the plan and the converged one, with integer sums alone. Other sums round differently: that
+// soon changes every path of a gas, but no mean.
 std::vector<ContactRate> measure_rates(Session& session, const ContactPlan& plan, Progress& progress);
 
 // The fastest backend moves a bed by all stages; all go on from there, compared first.
 std::vector<SettledBed> measure_rest(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
                                      Progress& progress);
 
-// Of GPUs: a step of 10^6 spheres at rest and more takes at most a third of the time that it takes awake.
+// For GPUs: with 10^6 spheres or more, a step that skips spheres at rest takes at most a third of the time of one that
+// does not.
 std::vector<Target> rest_targets(const Session& session, const std::vector<SettledBed>& beds);
 
-// Of GPUs: CUDA takes 1e10 sphere-steps/s and more, others at most 1.10x its time.
+// For GPUs: CUDA takes 1e10 sphere-steps/s or more, others at most 1.10x its time.
 std::vector<Target> steps_targets(const Session& session, const std::vector<GasSteps>& steps);
-// Of GPUs: a step with integer sums takes at most 1.10x the time of one with float32 sums in a fixed order.
+// For GPUs: a step with integer sums takes at most 1.10x the time of one with float32 sums in a fixed order.
 std::vector<Target> sums_targets(const Session& session, const std::vector<SumsCost>& costs);
 
 json to_json(const ContactRun& run);

@@ -10,7 +10,8 @@
 
 namespace spherepair {
 
-// Spheres in cell order, component by component; a whole vector may be read behind the last.
+// Spheres in cell order, one array per component. Each array must have room for a whole vector behind its last sphere,
+// as Buffer gives it.
 struct CellOrder {
   const float *x, *y, *z;
   const float* radius;  // null when all are Params.radius

@@ -28,8 +28,8 @@ Share share_of(const CollideOptions& options, uint64_t n, const std::string& bac
     case Method::collide_triangle:
       return {Kernel::collide_triangle, block * SPHERES_PER_THREAD, n};
     default:
-      throw std::invalid_argument(
-          fmt::format("{}: the method {} runs on the backend cpu only", backend, method_name(options.method)));
+      throw std::invalid_argument(fmt::format("{}: the method {} runs on the backend cpu only; choose another --method",
+                                              backend, method_name(options.method)));
   }
 }
 

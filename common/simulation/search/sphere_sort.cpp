@@ -9,8 +9,9 @@ namespace spherepair {
 namespace {
 
 static_assert(SCAN_TILE == SCAN_BLOCK * SCAN_VECTORS * 4);
-// Groups of grid_sort, if there are cells for so many: with fewer, most of a device idles. In software each group costs
-// its threads: buckets are few unless asked for, and few spheres are sorted by counting.
+// On a GPU, grid_sort gets at least so many groups where there are as many cells: with fewer, most of the GPU idles. In
+// software every group costs time. The automatic choice then has no minimum, and sorts fewer than
+// buckets_pay_from_in_software spheres by counting.
 constexpr uint least_buckets = 64;
 constexpr uint64_t buckets_pay_from_in_software = 16384;  // spheres
 
