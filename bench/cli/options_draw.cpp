@@ -31,7 +31,7 @@ void add_camera_options(CLI::App& command, CameraOptions& camera) {
 
 void add_image_options(CLI::App& command, RenderOptions& options) {
   auto* frames = command.add_flag("--frames", options.frames,
-                                  "All frames of the XYZ file given by --input: an image each, from one camera");
+                                  "All frames of the file given by --input: an image each, from one camera");
   for (CLI::Option* other : {add_number(command, "--steps", options.steps, steps_range, "Steps before the first image"),
                              add_number(command, "--images", options.images, positive_range, "Number of images"),
                              add_number(command, "--every", options.every, positive_range, "Steps between two images"),
@@ -63,8 +63,9 @@ void add_image_options(CLI::App& command, RenderOptions& options) {
       ->excludes(plain);
   command
       .add_option("--color", options.colour,
-                  "What colours the spheres: contacts, radius, speed, or species, the text column of an XYZ file. The "
-                  "colours fit the range of all images")
+                  "What colours the spheres: contacts, radius, speed, or species, the text column of an XYZ file, "
+                  "element or type "
+                  "of a LAMMPS dump. The colours fit the range of all images")
       ->capture_default_str();
   const auto take_range = [&options](const std::vector<double>& range) { options.colour_range = {range[0], range[1]}; };
   command
@@ -99,7 +100,7 @@ void check_render_options(const RenderOptions& options) {
   draw_method_from_name(options.draw);
   const ColourBy by = colour_by_name(options.colour);
   if (options.frames && options.start.input_file.empty())
-    throw std::invalid_argument("--frames draws the frames of an XYZ file: give it with --input");
+    throw std::invalid_argument("--frames draws the frames of a file: give it with --input");
   if (options.frames && by == ColourBy::speed)
     throw std::invalid_argument("--color speed: the spheres of a file's frames have no speeds");
   if (!options.colour_range) return;

@@ -5,7 +5,7 @@
 #include "bench/io/arguments.h"
 #include "bench/io/output_files.h"
 #include "bench/lists/listed_file.h"
-#include "bench/spheres/rows_file.h"
+#include "bench/npy/rows_file.h"
 #include "bench/spheres/sphere_file.h"
 
 namespace spherepair {
@@ -16,15 +16,16 @@ void add_input(CLI::App& command, PairsOptions& options) {
       .add_option(
           "input,--input", options.input_file,
           "Extended XYZ (.xyz, .extxyz; columns pos and radius by Properties=, else `[species] x y z [radius]`; "
-          "a periodic box by Lattice= and pbc=), "
-          "NPY (.npy; n x 3, n x 4 with the radius, or structured with fields x y z or pos, and radius; any real "
+          "a periodic box by Lattice= and pbc=), LAMMPS dump (.lammpstrj, .dump; columns x y z or xu yu zu, and radius "
+          "or "
+          "diameter), NPY (.npy; n x 3, n x 4 with the radius, or structured with fields x y z or pos, and radius; any "
+          "real "
           "numbers), text (.txt, .csv, .tsv, .dat; columns by a line of names, else x y z [radius]); or any of these "
           "by its contents from standard input (-), a pipe or <(...)")
       ->required();
   add_file_options(command, options.columns, options.decimal_comma, options.ignore_periodic);
   command.get_option("--columns")->allow_extra_args(false);  // the next word may be the input
-  command.add_option("--frame", options.frame, "Frame of an XYZ file with several, counted from 0")
-      ->transform(count_range);
+  command.add_option("--frame", options.frame, "Frame of a file with several, counted from 0")->transform(count_range);
   auto* radius = command.add_option("--radius", options.radius, "Radius of all spheres if the file has none");
   command
       .add_option("--cutoff", options.cutoff,

@@ -56,7 +56,7 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
   command->add_option("--contacts", options->contacts_file, "Contacts of each sphere: .npy or .txt");
   command->add_option("--spheres", options->spheres_file,
                       "Spheres after the last step in float32, for --input: .npy, .xyz, .extxyz, .csv, .tsv, .txt, "
-                      ".dat or -");
+                      ".dat or -; for ParaView: .vtp");
   command->add_option("--json", options->json_file, "All results, times and the machine as JSON");
   add_repeated_outputs(*command, *options);
   add_verbosity_options(*command, options->verbosity);

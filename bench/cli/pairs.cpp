@@ -16,8 +16,8 @@
 #include "bench/lists/listed_file.h"
 #include "bench/lists/listed_spheres.h"
 #include "bench/measure/choice.h"
+#include "bench/npy/rows_file.h"
 #include "bench/spheres/pair_file.h"
-#include "bench/spheres/rows_file.h"
 #include "bench/spheres/sphere_file.h"
 #include "common/scene/counted.h"
 

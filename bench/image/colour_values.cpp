@@ -21,7 +21,7 @@ std::vector<double> values_of(ColourBy by, const Start& start, Backend& backend,
   if (by == ColourBy::species) {
     if (start.species_index.size() != values.size())
       throw std::invalid_argument(
-          fmt::format("--color species: {} has no species; the text column of an XYZ file has", start.label));
+          fmt::format("--color species: {} has no species: a file with a column of names or types has", start.label));
     std::ranges::copy(start.species_index, values.begin());
   }
   for (size_t i = 0; i < values.size(); ++i) {

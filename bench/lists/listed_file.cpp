@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/spheres/rows_file.h"
+#include "bench/npy/rows_file.h"
 #include "common/lists/pair_list.h"
 
 namespace spherepair {

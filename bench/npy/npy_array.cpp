@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/spheres/npy_array.h"
+#include "bench/npy/npy_array.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "bench/spheres/npy_header.h"
+#include "bench/npy/npy_header.h"
 #include "bench/text/column_names.h"
 
 namespace spherepair {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/spheres/npy_header.h"
+#include "bench/npy/npy_header.h"
 
 #include <fmt/format.h>
 

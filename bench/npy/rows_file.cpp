@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/spheres/rows_file.h"
+#include "bench/npy/rows_file.h"
 
 #include <algorithm>
 #include <bit>
@@ -61,11 +61,12 @@ std::string npy_head(std::string dtype, const std::string& shape) {
 }
 
 void write_rows(const std::string& file, size_t count, const Rows& rows,
-                const std::function<void(const Sink&)>& write_npy, const std::string& head) {
+                const std::function<void(const Sink&)>& write_binary, const std::string& head) {
   if (file == kStandardOutput) return write_text(count, rows, head, write_standard_output);
   ReplacedFile output(file);
   const Sink sink = [&](std::string_view bytes) { output.write(bytes); };
-  lower_extension(file) == ".npy" ? write_npy(sink) : write_text(count, rows, head, sink);
+  const std::string extension = lower_extension(file);
+  extension == ".npy" || extension == ".vtp" ? write_binary(sink) : write_text(count, rows, head, sink);
   output.commit();
 }
 

@@ -30,9 +30,9 @@ void check_rows_file(const std::string& option, const std::string& file, const s
 // NPY version 1.0. The dtype's @ stands for the byte order.
 std::string npy_head(std::string dtype, const std::string& shape);
 
-// What write_npy writes into a .npy file; else `head` and the rows as text. -: text to standard output.
+// What write_binary writes into a .npy or .vtp file; else `head` and the rows as text. -: text to standard output.
 void write_rows(const std::string& file, size_t count, const Rows& rows,
-                const std::function<void(const Sink&)>& write_npy, const std::string& head = "");
+                const std::function<void(const Sink&)>& write_binary, const std::string& head = "");
 
 template <typename Number>
 std::string_view bytes_of(std::span<const Number> numbers) {

@@ -25,7 +25,7 @@ void add_contact_options(CLI::App& command, MotionChoice& motion) {
   const auto keep_awake = [&contact](int64_t) { contact.sleeping = false; };
   command.add_flag("--no-sleeping", keep_awake, "Compute spheres at rest, too: slower, the same bits")->needs("--drag");
   auto* walls =
-      command.add_flag("--walls", contact.walls, "Close a box: that of an .extxyz file, else one around the spheres");
+      command.add_flag("--walls", contact.walls, "Close a box: that of the file, else one around the spheres");
   const auto take_box = [&contact](const std::vector<float>& corners) {
     contact.box = {{corners[0], corners[1], corners[2]}, {corners[3], corners[4], corners[5]}};
   };

@@ -51,7 +51,7 @@ void add_file_options(CLI::App& command, std::vector<std::string>& columns, bool
       ->check(complaint_of_column);
   command.add_flag("--decimal-comma", decimal_comma, "Numbers of text have a decimal comma: 0,5 is a half");
   command.add_flag("--ignore-periodic", ignore_periodic,
-                   "Read XYZ with a periodic box as if it had none: pairs across its boundary are not found");
+                   "Read a file with a periodic box as if it had none: pairs across its boundary are not found");
 }
 
 void add_start_options(CLI::App& command, StartOptions& start) {

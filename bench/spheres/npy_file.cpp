@@ -10,8 +10,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "bench/npy/npy_array.h"
 #include "bench/spheres/columns.h"
-#include "bench/spheres/npy_array.h"
 #include "bench/spheres/sphere_file.h"
 
 namespace spherepair {
@@ -116,8 +116,6 @@ Converted convert(const NpyArray& array, SphereRows& rows, int threads) {
 SphereFile read_npy(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows) {
   const NpyHeader header = read_npy_header(file);
   NpyArray array = array_of(file, header, options.columns);
-  if (options.frame)
-    throw std::invalid_argument(fmt::format("{} is an NPY file, and --frame is for XYZ files only", file.name()));
   const auto any = [&](auto wanted) { return std::ranges::any_of(array.columns, wanted); };
   SphereFile input;
   input.unused_radii = take_radii_away(array.meaning, options);

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "bench/spheres/rows_file.h"
+#include "bench/npy/rows_file.h"
 
 namespace spherepair {
 namespace {

@@ -10,64 +10,93 @@
 #include <stdexcept>
 
 #include "bench/io/numbers.h"
+#include "bench/spheres/frames.h"
 #include "bench/text/fields.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {
 namespace {
 
-using Reader = SphereFile (*)(const FileBytes&, const SphereFileOptions&, SphereRows&);
+// A format is read whole, or frame by frame. Those with frames may have periodic boxes and species.
 struct Format {
-  const char* extension;
-  Reader read;
+  const char* name;
+  std::array<std::string_view, 4> extensions;
+  SphereFile (*read)(const FileBytes&, const SphereFileOptions&, SphereRows&);
+  std::unique_ptr<Frames> (*open)(const FileBytes&, const SphereFileOptions&);
+  bool is_text = true;
 };
-constexpr Format formats[] = {{".xyz", read_xyz},  {".extxyz", read_xyz}, {".npy", read_npy}, {".txt", read_text},
-                              {".csv", read_text}, {".tsv", read_text},   {".dat", read_text}};
+constexpr Format formats[] = {{"extended XYZ", {".xyz", ".extxyz"}, nullptr, xyz_frames},
+                              {"LAMMPS dump", {".lammpstrj", ".dump"}, nullptr, lammps_frames},
+                              {"NPY", {".npy"}, read_npy, nullptr, false},
+                              {"columns of text", {".txt", ".csv", ".tsv", ".dat"}, read_text, nullptr}};
+constexpr const Format &xyz = formats[0], &lammps = formats[1], &npy = formats[2], &text = formats[3];
 
-// Of a stream: NPY by its magic string, XYZ by its first line, which is a number alone.
-Reader reader_by_contents(const FileBytes& file) {
+std::string names_of_framed() {
+  std::vector<std::string_view> names;
+  for (const Format& format : formats)
+    if (format.open) names.push_back(format.name);
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+// Of a stream: NPY by its magic string, a dump by its first item, XYZ by its first line, which is a number alone.
+const Format& format_by_contents(const FileBytes& file) {
   const std::string_view bytes = file.bytes();
-  if (bytes.starts_with("\x93NUMPY")) return read_npy;
+  if (bytes.starts_with("\x93NUMPY")) return npy;
+  if (bytes.starts_with("ITEM:")) return lammps;
   std::vector<std::string_view> fields;
   split_fields(bytes.substr(0, bytes.find_first_of("\r\n")), 2, fields);
-  return fields.size() == 1 && whole_number_of(fields[0], 0, UINT64_MAX) ? read_xyz : read_text;
+  return fields.size() == 1 && whole_number_of(fields[0], 0, UINT64_MAX) ? xyz : text;
 }
 
-Reader reader_of(const FileBytes& file, const SphereFileOptions& options) {
+const Format& format_of(const FileBytes& file, const SphereFileOptions& options) {
   const std::string extension = lower_case(std::filesystem::path(file.name()).extension().string());
-  const auto found = std::ranges::find_if(formats, [&](const Format& format) { return extension == format.extension; });
-  if (found != std::end(formats)) return found->read;
-  if (file.is_stream()) return reader_by_contents(file);
-  if (!options.columns.empty()) return read_text;
+  for (const Format& format : formats)
+    if (!extension.empty() && std::ranges::count(format.extensions, extension)) return format;
+  if (file.is_stream()) return format_by_contents(file);
+  if (!options.columns.empty()) return text;
   if (const std::string_view kind = kind_of(file.bytes()); !kind.empty())
     throw std::invalid_argument(fmt::format("{} is {}: unpack or convert it to XYZ, NPY or text", file.name(), kind));
-  throw std::invalid_argument(
-      fmt::format("cannot tell the format of {} by its extension; known are .xyz and .extxyz (XYZ, extended XYZ), .npy "
-                  "(NPY) and .txt, .csv, .tsv, .dat (columns of text); other text needs --columns x,y,z,radius",
-                  file.name()));
-}
-
-std::pair<float, float> radius_range(const Scene& scene) {
-  if (scene.size() == 0) return {0, 0};
-  const auto [low, high] = std::ranges::minmax_element(scene.positions, {}, &vec4::w);
-  return {low->w, high->w};
+  throw std::invalid_argument(fmt::format(
+      "cannot tell the format of {} by its extension; known are {}; other text needs --columns x,y,z,radius",
+      file.name(), known_sphere_formats()));
 }
 
 // Throws for options that the format does not take.
-Reader checked_reader(const FileBytes& bytes, const SphereFileOptions& options) {
+const Format& checked_format(const FileBytes& file, const SphereFileOptions& options) {
   if (options.radius && why_invalid(*options.radius, true))
     throw std::invalid_argument(fmt::format("--radius is {}, but must be finite and not negative", *options.radius));
-  const Reader read = reader_of(bytes, options);
-  if (options.decimal_comma && read == read_npy)
-    throw std::invalid_argument(
-        fmt::format("--decimal-comma is for text, but {} is an NPY file: omit it", bytes.name()));
-  if (options.ignore_periodic && read != read_xyz)
-    throw std::invalid_argument(
-        fmt::format("{} has no periodic box: only XYZ files have; omit --ignore-periodic", bytes.name()));
-  if (options.species && read != read_xyz)
-    throw std::invalid_argument(
-        fmt::format("{} has no species: only XYZ files have; choose another --color", bytes.name()));
-  return read;
+  const Format& format = format_of(file, options);
+  const auto refuse_if = [&](bool wanted, const char* what, const std::string& instead) {
+    if (wanted)
+      throw std::invalid_argument(fmt::format("{} ({}) has no {}: {}", file.name(), format.name, what, instead));
+  };
+  const std::string framed = names_of_framed();
+  refuse_if(options.decimal_comma && !format.is_text, "decimal comma", "--decimal-comma is for text, omit it");
+  refuse_if(options.frame && !format.open, "frames", fmt::format("--frame is for {}, omit it", framed));
+  refuse_if(options.ignore_periodic && !format.open, "periodic box",
+            fmt::format("{} may have one, omit --ignore-periodic", framed));
+  refuse_if(options.species && !format.open, "species",
+            fmt::format("{} may have some, choose another --color", framed));
+  return format;
+}
+
+SphereFile read_frame(const FileBytes& file, const Frames& frames, uint64_t wanted, SphereRows& rows) {
+  if (wanted >= frames.count())
+    throw std::invalid_argument(fmt::format("{} has {}, counted from 0, so --frame {} is not among them", file.name(),
+                                            counted(frames.count(), "frame"), wanted));
+  SphereFile input = frames.read(wanted, rows);
+  input.frame = wanted;
+  input.frames = frames.count();
+  return input;
+}
+
+SphereFile read_one(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows) {
+  const Format& format = checked_format(file, options);
+  if (!format.open) return format.read(file, options, rows);
+  SphereFile input = read_frame(file, *format.open(file, options), options.frame.value_or(0), rows);
+  if (options.ignore_periodic && input.ignored.empty())
+    throw std::invalid_argument(fmt::format("{} has no periodic box: omit --ignore-periodic", file.name()));
+  return input;
 }
 
 void complete(SphereFile& input, SphereRows& rows, const FileBytes& bytes, const SphereFileOptions& options) {
@@ -104,11 +133,19 @@ void index_species(std::span<SphereFile> frames, std::span<const SphereRows> row
 
 }  // namespace
 
+std::string known_sphere_formats() {
+  std::vector<std::string> known;
+  for (const Format& format : formats) {
+    const auto end = std::ranges::find(format.extensions, "");
+    known.push_back(fmt::format("{} ({})", fmt::join(format.extensions.begin(), end, ", "), format.name));
+  }
+  return fmt::format("{}", fmt::join(known, ", "));
+}
+
 SphereFile read_sphere_file(const std::string& file, const SphereFileOptions& options) {
   const FileBytes bytes(file);
-  const Reader read = checked_reader(bytes, options);
   SphereRows rows;
-  SphereFile input = read(bytes, options, rows);
+  SphereFile input = read_one(bytes, options, rows);
   index_species({&input, 1}, {&rows, 1});
   complete(input, rows, bytes, options);
   return input;
@@ -116,10 +153,14 @@ SphereFile read_sphere_file(const std::string& file, const SphereFileOptions& op
 
 std::vector<SphereFile> read_sphere_frames(const std::string& file, const SphereFileOptions& options) {
   const FileBytes bytes(file);
-  if (checked_reader(bytes, options) != read_xyz)
-    throw std::invalid_argument(fmt::format("{} has no frames: --frames draws those of an XYZ file", bytes.name()));
-  std::vector<SphereRows> rows;
-  std::vector<SphereFile> frames = read_xyz_frames(bytes, options, rows);
+  const Format& format = checked_format(bytes, options);
+  if (!format.open)
+    throw std::invalid_argument(
+        fmt::format("{} ({}) has no frames: --frames draws those of {}", bytes.name(), format.name, names_of_framed()));
+  const std::unique_ptr<Frames> all = format.open(bytes, options);
+  std::vector<SphereRows> rows(all->count());
+  std::vector<SphereFile> frames;
+  for (size_t k = 0; k < rows.size(); ++k) frames.push_back(read_frame(bytes, *all, k, rows[k]));
   index_species(frames, rows);
   for (size_t k = 0; k < frames.size(); ++k) complete(frames[k], rows[k], bytes, options);
   return frames;
@@ -156,77 +197,6 @@ bool radius_is_rounded(const SphereFileOptions& options) {
 
 int reading_threads(const SphereFileOptions& options) {
   return options.threads > 0 ? options.threads : omp_get_max_threads();
-}
-
-std::string box_warning(const SphereFile& input) {
-  if (input.unread_box.empty()) return "";
-  return fmt::format(
-      "WARNING: a comment has a word for a box, which is not read: {}; pairs across a periodic boundary are not "
-      "found\n",
-      in_quotes(input.unread_box));
-}
-
-std::string describe_file(const SphereFile& input) {
-  std::string text = fmt::format("{}: {}", input.file, input.format);
-  if (input.frames > 1)
-    text += fmt::format(", frame {} of {} (counted from 0; --frame takes another)", input.frame, input.frames);
-  if (!input.ignored.empty()) text += fmt::format("\nnot periodic, as asked for: {} is ignored", input.ignored);
-  if (input.periodic) text += "\nperiodic: " + input.periodic->text;
-  if (!input.units.empty())
-    text += fmt::format("\nlengths are in {}, as the file's names say; nothing is converted", input.units);
-  if (input.unread_momenta) text += "\nmomenta are not read: give velocities, momenta over masses, as velo:R:3";
-  return text + "\n";
-}
-
-std::string describe_radii(const SphereFile& input) {
-  const auto [low, high] = radius_range(input.scene);
-  const std::string count = counted(input.scene.size(), "sphere");
-  if (input.scene.size() == 0) return count + "\n";
-  return fmt::format("{}, radius {}{}\n", count,
-                     low == high ? fmt::format("{}", low) : fmt::format("{} to {}", low, high),
-                     input.own_radii ? "" : " by --radius");
-}
-
-std::string describe_digits(const SphereFile& input) {
-  if (input.scene.size() == 0) return "";
-  std::string text = input.changed ? fmt::format("{} of {} {} more digits than float32 keeps\n", input.changed,
-                                                 counted(input.values, "number"), input.changed == 1 ? "has" : "have")
-                                   : fmt::format("float32 keeps every given digit of the {} numbers\n", input.values);
-  const auto& [x, y, z] = input.rounding.shift;
-  if (x != 0 || y != 0 || z != 0)
-    text += fmt::format("centres shifted by ({}, {}, {}) before rounding, which changes no distance\n", 0 - x, 0 - y,
-                        0 - z);
-  return text;
-}
-
-std::string describe_rounding(const SphereFile& input) {
-  if (input.rounding.largest == 0) return "";
-  return fmt::format("rounding to float32 moves a {} by {} at most\n", input.ignores_radii ? "point" : "surface",
-                     at_most(input.rounding.largest));
-}
-
-std::string describe(const SphereFile& input) {
-  return describe_file(input) + box_warning(input) + describe_radii(input) + describe_digits(input) +
-         describe_rounding(input);
-}
-
-json to_json(const SphereFile& input) {
-  const auto [low, high] = radius_range(input.scene);
-  return {{"file", input.file},
-          {"format", input.format},
-          {"frame", input.frame},
-          {"frames", input.frames},
-          {"n", input.scene.size()},
-          {"radius_from", input.own_radii ? "file" : "option"},
-          {"radii_not_used", input.unused_radii},
-          {"smallest_radius", low},
-          {"largest_radius", high},
-          {"numbers", input.values},
-          {"numbers_changed", input.changed},
-          {"ignored", input.ignored},
-          {"periodic", input.periodic ? input.periodic->text : ""},
-          {"shift", input.rounding.shift},
-          {"largest_rounding", input.rounding.largest}};
 }
 
 }  // namespace spherepair

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads spheres from files of other programs: extended XYZ, NPY and columns of text. Errors name the line or byte, what
-// was expected and what was found.
+// Reads spheres from files of other programs: extended XYZ, LAMMPS dumps, NPY and columns of text. Errors name the line
+// or byte, what was expected and what was found.
 #pragma once
 
 #include <optional>
@@ -16,13 +16,13 @@ namespace spherepair {
 
 struct SphereFileOptions {
   std::optional<double> radius = {};      // of all spheres: required if the file has none, otherwise an error
-  std::optional<uint64_t> frame = {};     // of an XYZ file, counted from 0; default: the first
+  std::optional<uint64_t> frame = {};     // of a file with frames, counted from 0; default: the first
   std::vector<std::string> columns = {};  // words of --columns (column_names.h)
   bool decimal_comma = false;             // of text: 0,5 is a half
   bool ignore_radii = false;              // of the file: all spheres have the option's
-  bool species = false;                   // required if asked for: a column of text, by XYZ files only
+  bool species = false;                   // required if asked for: a column of text, of a format with species
   bool ignore_periodic = false;           // a periodic box is an error otherwise ...
-  bool take_periodic = false;             // ... unless it is taken, as Lattice of nine numbers
+  bool take_periodic = false;             // ... unless it is taken
   bool may_shift = false;                 // by a vector, where that changes no difference of two numbers
   int threads = 0;                        // 0: all cores
 };
@@ -44,7 +44,7 @@ struct SphereFile {
   uint64_t frame = 0, frames = 1;
   std::string ignored;              // the periodic box
   std::string unread_box;           // a comment that has a word for a box
-  std::optional<WallBox> box = {};  // of extended XYZ with pbc="F F F"
+  std::optional<WallBox> box = {};  // along the axes, with no periodic one
   std::optional<PeriodicSpheres> periodic = {};
   std::string units;    // of lengths, in the file's words; empty if it has none
   bool at_rest = true;  // no sphere of the file has a velocity
@@ -59,7 +59,7 @@ struct SphereFile {
 // named as text. Throws std::invalid_argument, also for an unknown extension.
 SphereFile read_sphere_file(const std::string& file, const SphereFileOptions& options);
 
-// All frames of an XYZ file, which is read once. Species are those of all frames.
+// All frames of a file, which is read once. Species are those of all frames.
 std::vector<SphereFile> read_sphere_frames(const std::string& file, const SphereFileOptions& options);
 
 std::string describe(const SphereFile& input);           // all of these:
@@ -70,13 +70,13 @@ std::string describe_digits(const SphereFile& input);    // how many are lost, a
 std::string describe_rounding(const SphereFile& input);  // how far it moves a surface; empty if not
 json to_json(const SphereFile& input);
 
-// The readers of the formats: they fill the format's fields and the rows.
+// The formats that are read, for help and messages: .xyz and .extxyz (extended XYZ), ...
+std::string known_sphere_formats();
+
+// The readers of formats without frames: they fill the format's fields and the rows. Of the others: frames.h.
 struct Columns;
 struct SphereRows;
 SphereFile read_npy(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
-SphereFile read_xyz(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
-std::vector<SphereFile> read_xyz_frames(const FileBytes& file, const SphereFileOptions& options,
-                                        std::vector<SphereRows>& rows);
 SphereFile read_text(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
 
 // For the readers. Takes the column of radii away if asked for; false if there was none to take.

@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "bench/npy/rows_file.h"
 #include "bench/spheres/columns.h"
-#include "bench/spheres/rows_file.h"
 
 namespace spherepair {
 namespace {
@@ -52,16 +52,18 @@ Rows rows_of(const TextFormat& format, std::span<const vec4> positions, std::spa
 }  // namespace
 
 void check_sphere_output(const std::string& option, const std::string& file) {
-  check_rows_file(option, file, {".npy", ".xyz", ".extxyz", ".csv", ".tsv", ".txt", ".dat"},
-                  ".npy (NPY), .xyz and .extxyz (extended XYZ), .csv, .tsv, .txt and .dat (columns of text) and - "
-                  "(text to standard output)");
+  check_rows_file(
+      option, file, {".npy", ".vtp", ".xyz", ".extxyz", ".csv", ".tsv", ".txt", ".dat"},
+      ".npy (NPY), .vtp (VTK PolyData), .xyz and .extxyz (extended XYZ), .csv, .tsv, .txt and .dat (columns "
+      "of text) and - (text to standard output)");
 }
 
 void write_spheres(const std::string& file, std::span<const vec4> positions, std::span<const vec4> velocities,
                    const std::optional<WallBox>& box) {
   const TextFormat format = text_format(lower_extension(file), positions.size(), box);
   const Rows rows = rows_of(format, positions, velocities);
-  const auto write_npy = [&](const Sink& sink) {
+  const auto write_binary = [&](const Sink& sink) {
+    if (lower_extension(file) == ".vtp") return write_vtp(sink, positions, velocities);
     sink(npy_head("[('pos', '@f4', (3,)), ('radius', '@f4'), ('velo', '@f4', (3,))]",
                   fmt::format("({},)", positions.size())));
     std::vector<Numbers> packed;
@@ -72,7 +74,7 @@ void write_spheres(const std::string& file, std::span<const vec4> positions, std
       sink(bytes_of(std::span<const Numbers>(packed)));
     }
   };
-  write_rows(file, positions.size(), rows, write_npy, format.head);
+  write_rows(file, positions.size(), rows, write_binary, format.head);
 }
 
 std::string xyz_frame(std::span<const vec4> positions, std::span<const vec4> velocities,

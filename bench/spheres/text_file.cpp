@@ -185,9 +185,6 @@ class TextReader {
 
 SphereFile read_text(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows) {
   require_text(file);
-  if (options.frame)
-    throw std::invalid_argument(
-        fmt::format("{} is text with one frame, and --frame is for XYZ files only", file.name()));
   TextReader reader(file, options);
   for (FileLines lines = lines_of(file); !lines.at_end();) {
     const uint64_t line = lines.line;

@@ -94,7 +94,7 @@ TEST(BadSphereFile, TextLines) {
   expect(complaint("1 2 3\n", {}), "with --radius");
   expect(complaint("1 2 3 4\n", {.radius = 1}), "omit --radius if column 4 holds radii");
   expect(complaint("x,y,z,r\n1,2,3,4\n", {.radius = 1}, "a.csv"), "leave --radius out");
-  expect(complaint("1 2 3 4\n", {.frame = 0}), "--frame is for XYZ");
+  expect(complaint("1 2 3 4\n", {.frame = 0}), "--frame is for extended XYZ");
   expect(complaint("1 2 3 4\n", {.columns = {"x", "y", "radius", "_"}}), "x, y and z must be among 'x y radius _'");
   expect(complaint("1 2 3 4\n", {.columns = {"x", "y", "z", "z"}}), "the column z stands twice");
   expect(complaint("1 2 3 4\n", {.columns = {"x", "y", "z", "vx"}}), "only some");

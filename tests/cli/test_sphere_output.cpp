@@ -42,6 +42,41 @@ TEST_F(SphereOutput, EveryFormatGivesTheSameBitsBack) {
   }
 }
 
+// The arrays behind the mark _, each with its size before it, where the description says.
+TEST_F(SphereOutput, VtpHoldsTheSameBits) {
+  const Scene scene = awkward_spheres();
+  const std::string file = path("spheres.vtp");
+  write_spheres(file, scene.positions, scene.velocities);
+  const std::string bytes = read_bytes(file);
+  EXPECT_NE(bytes.find("NumberOfPoints=\"3000\" NumberOfVerts=\"3000\""), bytes.npos);
+  EXPECT_TRUE(bytes.ends_with("\n</AppendedData>\n</VTKFile>\n"));
+  const size_t data = bytes.find("_", bytes.find("<AppendedData encoding=\"raw\">")) + 1;
+  const auto array_of = [&]<typename Number>(const std::string& name, const std::string& type, Number) {
+    const size_t tag = bytes.find(fmt::format("<DataArray type=\"{}\" Name=\"{}\"", type, name));
+    const size_t at = data + std::stoull(bytes.substr(bytes.find("offset=\"", tag) + 8));
+    uint64_t size = 0;
+    std::memcpy(&size, bytes.data() + std::min(at, bytes.size() - sizeof size), sizeof size);
+    if (size > bytes.size() - at) return std::vector<Number>();  // not an array's size
+    std::vector<Number> numbers(size / sizeof(Number));
+    std::memcpy(numbers.data(), bytes.data() + at + sizeof size, size);
+    return numbers;
+  };
+  const auto points = array_of("Points", "Float32", uint32_t()), radii = array_of("radius", "Float32", uint32_t()),
+             velocities = array_of("velocity", "Float32", uint32_t());
+  const auto vertices = array_of("connectivity", "Int64", int64_t()), ends = array_of("offsets", "Int64", int64_t());
+  ASSERT_EQ(points.size(), 3 * scene.size());
+  ASSERT_EQ(velocities.size(), points.size());
+  for (const size_t size : {radii.size(), vertices.size(), ends.size()}) ASSERT_EQ(size, scene.size());
+  for (size_t i = 0; i < scene.size(); ++i) {
+    const vec4 &p = scene.positions[i], &v = scene.velocities[i];
+    const auto same = [&](float wanted, uint32_t found) { return float_bits(wanted) == found; };
+    ASSERT_TRUE(same(p.x, points[3 * i]) && same(p.y, points[3 * i + 1]) && same(p.z, points[3 * i + 2])) << i;
+    ASSERT_TRUE(same(v.x, velocities[3 * i]) && same(v.y, velocities[3 * i + 1]) && same(v.z, velocities[3 * i + 2]))
+        << i;
+    ASSERT_TRUE(same(p.w, radii[i]) && vertices[i] == int64_t(i) && ends[i] == int64_t(i) + 1) << i;
+  }
+}
+
 TEST_F(SphereOutput, OneRunGoesOnWhereTheOtherEnded) {
   const std::string first = "run --backend cpu --scene random --n 700 --steps 50 --pairs " + path("pairs.txt");
   for (const std::string& extension : extensions_) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // pairs of spheres in a periodic box, as extended XYZ has it: Lattice and pbc.
 #include "bench/lists/listed_file.h"
-#include "bench/spheres/rows_file.h"
+#include "bench/npy/rows_file.h"
 #include "tests/oracle/list_oracle.h"
 #include "tests/support/pairs_command.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// XYZ and extended XYZ: what is read is a scene that every backend takes.
+// XYZ, extended XYZ and LAMMPS dumps, told apart by their first word: what is read is a scene that every backend takes.
 #include <tuple>
 
 #include "bench/spheres/sphere_file.h"
@@ -8,7 +8,8 @@
 using namespace spherepair;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  const std::string file = input_file("spheres.xyz", text_of(data, size));
+  const std::string_view text = text_of(data, size);
+  const std::string file = input_file(text.starts_with("ITEM") ? "spheres.dump" : "spheres.xyz", text);
   const SphereFileOptions own_radii = {.threads = 1}, one_radius = {.radius = 0.5f, .threads = 1};
   const SphereFileOptions second = {.radius = 0.5f, .frame = 1, .threads = 1};
   for (const SphereFileOptions& options : {own_radii, one_radius, second}) {

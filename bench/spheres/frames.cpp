@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "bench/spheres/frames.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "bench/io/numbers.h"
+#include "bench/text/fields.h"
+#include "common/backend/cpu_team.h"
+#include "common/scene/counted.h"
+
+namespace spherepair {
+namespace {
+
+constexpr uint64_t lines_per_chunk = 16384;
+
+uint64_t read_chunk(const FileBytes& file, const Columns& columns, bool decimal_comma, SphereLines::Chunk chunk,
+                    SphereRows& rows) {
+  RowReader reader(file, columns, decimal_comma);
+  std::vector<std::string_view> fields;
+  for (uint64_t k = 0; k < chunk.spheres; ++k) {
+    const uint64_t line = chunk.start.line;
+    const std::string_view text = chunk.start.next();
+    split_fields(text, columns.count + 1, fields);
+    reader.read(line, text, fields, chunk.first_sphere + k, rows);
+  }
+  return reader.changed();
+}
+
+// Throws the first error in the file, whichever thread finds one first.
+uint64_t read_chunks(const FileBytes& file, const Columns& columns, const SphereLines& lines,
+                     const SphereFileOptions& options, SphereRows& rows) {
+  TeamErrors errors;
+  uint64_t changed = 0;
+#pragma omp parallel for num_threads(reading_threads(options)) schedule(dynamic, 1) reduction(+ : changed)
+  for (size_t k = 0; k < lines.chunks.size(); ++k)
+    errors.run(k, [&] { changed += read_chunk(file, columns, options.decimal_comma, lines.chunks[k], rows); });
+  errors.rethrow();
+  return changed;
+}
+
+}  // namespace
+
+uint64_t read_sphere_count(const FileBytes& file, FileLines& cursor, const std::string& expected) {
+  const uint64_t line = cursor.line;
+  if (cursor.at_end()) file.fail_at_line(line, expected, "the end of the file");
+  const std::string_view text = cursor.next();
+  std::vector<std::string_view> fields;
+  split_fields(text, 2, fields);
+  const auto count = whole_number_of(fields.size() == 1 ? fields[0] : "", 0, std::numeric_limits<uint64_t>::max());
+  if (!count) file.fail_at_line(line, expected, in_quotes(text));
+  if (*count > kMostSpheres)
+    file.fail_at_line(line, fmt::format("at most {} spheres", kMostSpheres), fmt::to_string(*count));
+  return *count;
+}
+
+SphereLines pass_over_spheres(const FileBytes& file, FileLines& cursor, uint64_t spheres, const std::string& said) {
+  SphereLines lines{.spheres = spheres};
+  for (uint64_t sphere = 0; sphere < spheres; ++sphere) {
+    if (sphere % lines_per_chunk == 0)
+      lines.chunks.push_back({cursor, sphere, std::min(lines_per_chunk, spheres - sphere)});
+    if (cursor.at_end())
+      file.fail_at_line(cursor.line, fmt::format("{} as {} says", counted(spheres, "sphere"), said),
+                        fmt::format("the end of the file after {}", sphere));
+    cursor.next();
+  }
+  return lines;
+}
+
+void read_sphere_lines(const FileBytes& file, uint64_t line, Columns columns, const SphereLines& lines,
+                       const SphereFileOptions& options, SphereRows& rows, SphereFile& input) {
+  if (options.species && lines.spheres > 0 && !columns.species)
+    file.fail_at_line(line, "a column of species: species:S:1 in Properties=, the first of four, or type or element",
+                      columns.text);
+  input.unread_species = columns.species && !options.species;
+  input.unread_momenta = columns.momenta && !columns.has(QUANTITY_VX);
+  input.unused_radii = take_radii_away(columns, options);
+  input.own_radii = columns.has(QUANTITY_RADIUS);
+  if (lines.spheres > 0) check_radius(file, columns, options);
+  rows.resize(lines.spheres, options.radius.value_or(0), columns.has(QUANTITY_VX), true);
+  if (options.species) rows.species.resize(lines.spheres);
+  input.values = lines.spheres * columns.quantities();
+  input.changed = read_chunks(file, columns, lines, options, rows);
+  input.units = columns.units;
+  input.format = fmt::format("({}){}", columns.text, lines.spheres > 0 ? ": " + describe(columns) : "");
+}
+
+// Where pairs across a periodic boundary are not found, such a file would lose them in silence.
+void take_periodic_box(const FileBytes& file, uint64_t line, const std::string& text, const std::optional<ListBox>& box,
+                       const char* wanted, const SphereFileOptions& options, SphereFile& input) {
+  if (text.empty() || options.ignore_periodic) {
+    input.ignored = text;
+    return;
+  }
+  if (!options.take_periodic)
+    file.fail_at_line(line,
+                      "spheres without a periodic box, since only `pairs` finds pairs across its boundary "
+                      "(take only those inside it with --ignore-periodic)",
+                      text);
+  if (!box)
+    file.fail_at_line(line, fmt::format("{} (or take only pairs inside it with --ignore-periodic)", wanted), text);
+  input.periodic = PeriodicSpheres{.box = *box, .set = {}, .text = text};
+}
+
+}  // namespace spherepair

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Files of text with frames: each has a head, and a line per sphere.
+#pragma once
+
+#include <memory>
+
+#include "bench/io/file_lines.h"
+#include "bench/spheres/columns.h"
+#include "bench/spheres/sphere_file.h"
+
+namespace spherepair {
+
+// The lines of a frame's spheres, in chunks of which a thread reads one at a time.
+struct SphereLines {
+  struct Chunk {
+    FileLines start;
+    uint64_t first_sphere, spheres;
+  };
+  uint64_t spheres = 0;
+  std::vector<Chunk> chunks = {};
+};
+
+// Passes over the lines of so many spheres; throws where the file ends before, which `said` names: line 2.
+SphereLines pass_over_spheres(const FileBytes& file, FileLines& cursor, uint64_t spheres, const std::string& said);
+
+// A number of spheres, in a line of its own.
+uint64_t read_sphere_count(const FileBytes& file, FileLines& cursor, const std::string& expected);
+
+// Reads the spheres, and fills what the input says of their columns; `format` are these in words, without the format's
+// name. `line` is that of the columns' names.
+void read_sphere_lines(const FileBytes& file, uint64_t line, Columns columns, const SphereLines& lines,
+                       const SphereFileOptions& options, SphereRows& rows, SphereFile& input);
+
+// A periodic box, in the file's words (`text`; empty where nothing is periodic): taken, ignored or refused, as the
+// options say. box: if it can be taken; else `wanted` says how it must be written.
+void take_periodic_box(const FileBytes& file, uint64_t line, const std::string& text, const std::optional<ListBox>& box,
+                       const char* wanted, const SphereFileOptions& options, SphereFile& input);
+
+class Frames {
+ public:
+  virtual ~Frames() = default;
+  virtual size_t count() const = 0;
+  virtual SphereFile read(size_t frame, SphereRows& rows) const = 0;
+};
+
+// The readers of the formats. The file and the options must outlive what they return.
+std::unique_ptr<Frames> xyz_frames(const FileBytes& file, const SphereFileOptions& options);
+std::unique_ptr<Frames> lammps_frames(const FileBytes& file, const SphereFileOptions& options);
+
+}  // namespace spherepair

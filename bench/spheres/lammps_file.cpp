@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// Reads spheres from LAMMPS's text dumps (docs.lammps.org/dump.html): sections that begin with ITEM: NAME, of which
+// ITEM: ATOMS ends a frame and names its columns.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "bench/spheres/frames.h"
+#include "bench/text/fields.h"
+
+namespace spherepair {
+namespace {
+
+constexpr std::string_view item = "ITEM: ";
+
+std::vector<std::string> words_in(std::string_view text) {
+  std::istringstream stream{std::string(text)};
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+struct Box {
+  uint64_t line = 0;       // of ITEM: BOX BOUNDS
+  std::string text = {};   // what follows it
+  std::string flags = {};  // two letters an axis: pp is periodic, f, s and m are not
+  ListBox box = {};
+  std::array<double, 3> low = {};  // where it is along the axes
+  bool along_axes = false;
+
+  bool is_open() const { return flags.find('p') == flags.npos; }
+};
+
+struct Frame {
+  uint64_t names_line = 0;
+  std::vector<std::string> names;
+  std::string units;
+  Box box;
+  SphereLines lines;
+};
+
+std::vector<double> numbers_in(const FileBytes& file, FileLines& cursor, size_t count) {
+  const uint64_t line = cursor.line;
+  if (cursor.at_end()) file.fail_at_line(line, fmt::format("{} numbers of the box", count), "the end of the file");
+  const std::string_view text = cursor.next();
+  std::vector<double> numbers;
+  for (const std::string& word : words_in(text))
+    if (const auto number = parse_decimal(word); number && std::isfinite(number->value))
+      numbers.push_back(number->value);
+  if (numbers.size() != count || words_in(text).size() != count)
+    file.fail_at_line(line, fmt::format("{} finite numbers of the box", count), in_quotes(text));
+  return numbers;
+}
+
+// Bounds of a tilted box enclose it; its edges begin and end within them by the tilts.
+void set_edges(Box& box, const std::array<std::vector<double>, 3>& bounds, bool tilted) {
+  const double xy = tilted ? bounds[0][2] : 0, xz = tilted ? bounds[1][2] : 0, yz = tilted ? bounds[2][2] : 0;
+  const double below[3] = {std::min({0.0, xy, xz, xy + xz}), std::min(0.0, yz), 0};
+  const double above[3] = {std::max({0.0, xy, xz, xy + xz}), std::max(0.0, yz), 0};
+  for (size_t axis = 0; axis < 3; ++axis) {
+    box.low[axis] = bounds[axis][0] - below[axis];
+    box.box.rows[axis][axis] = bounds[axis][1] - above[axis] - box.low[axis];
+  }
+  box.box.rows[1][0] = xy, box.box.rows[2][0] = xz, box.box.rows[2][1] = yz;
+  box.along_axes = xy == 0 && xz == 0 && yz == 0;
+}
+
+// BOX BOUNDS pp pp ff; BOX BOUNDS xy xz yz pp pp pp; BOX BOUNDS abc origin pp pp pp.
+Box read_box(const FileBytes& file, FileLines& cursor, std::string_view head) {
+  Box box{.line = cursor.line - 1, .text = std::string(trimmed(head))};
+  std::vector<std::string> words = words_in(head);
+  const bool tilted = words.size() > 2 && words[0] == "xy", general = words.size() > 1 && words[0] == "abc";
+  words.erase(words.begin(), words.begin() + (tilted ? 3 : general ? 2 : 0));
+  for (size_t axis = 0; axis < words.size(); ++axis) {
+    if (words[axis].size() != 2 || words[axis].find_first_not_of("pfsm") != std::string::npos)
+      words.clear();
+    else
+      box.flags += words[axis];
+  }
+  if (words.size() != 3)
+    file.fail_at_line(box.line, "BOX BOUNDS with pp, ff, ss or the like for each axis, such as pp pp ff",
+                      in_quotes(head));
+  std::array<std::vector<double>, 3> bounds;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    box.box.periodic[axis] = words[axis] == "pp";
+    bounds[axis] = numbers_in(file, cursor, general ? 4 : tilted ? 3 : 2);
+    if (general) std::copy_n(bounds[axis].begin(), 3, box.box.rows[axis].begin());
+  }
+  if (!general) set_edges(box, bounds, tilted);
+  return box;
+}
+
+Frame read_frame(const FileBytes& file, FileLines& cursor) {
+  Frame frame;
+  uint64_t count_line = 0, spheres = 0;
+  while (true) {
+    const uint64_t line = cursor.line;
+    const char* expected = "ITEM: ATOMS, behind ITEM: NUMBER OF ATOMS and ITEM: BOX BOUNDS";
+    if (cursor.at_end()) file.fail_at_line(line, expected, "the end of the file");
+    const std::string_view text = cursor.next();
+    const auto begins = [&](std::string_view name) {
+      return text.substr(std::min(item.size(), text.size())).starts_with(name);
+    };
+    if (!text.starts_with(item)) file.fail_at_line(line, "ITEM: and the name of a section", in_quotes(text));
+    if (begins("NUMBER OF ATOMS")) {
+      count_line = cursor.line;
+      spheres = read_sphere_count(file, cursor, "the number of atoms");
+    } else if (begins("BOX BOUNDS")) {
+      frame.box = read_box(file, cursor, text.substr(item.size() + 10));
+    } else if (begins("UNITS")) {
+      frame.units = trimmed(cursor.next());
+    } else if (begins("TIMESTEP") || begins("TIME")) {
+      cursor.next();
+    } else if (!begins("ATOMS") || count_line == 0 || frame.box.line == 0) {
+      file.fail_at_line(line, expected, in_quotes(text));
+    } else {
+      frame.names_line = line;
+      frame.names = words_in(text.substr(item.size() + 5));
+      frame.lines = pass_over_spheres(file, cursor, spheres, fmt::format("line {}", count_line));
+      return frame;
+    }
+  }
+}
+
+// Unwrapped coordinates where there are no others; element or type is the species.
+std::vector<NamedColumn> named_columns(const FileBytes& file, const Frame& frame) {
+  const auto has = [&](const char* name) { return std::ranges::count(frame.names, name) > 0; };
+  const bool wrapped = has("x") || has("y") || has("z");
+  if (!wrapped && !has("xu") && (has("xs") || has("xsu")))
+    file.fail_at_line(frame.names_line, "coordinates x y z, or xu yu zu; write them by `dump ... custom ... id x y z`",
+                      "coordinates scaled by the box");
+  std::vector<NamedColumn> columns;
+  for (const std::string& name : frame.names) {
+    const bool unwrapped = name == "xu" || name == "yu" || name == "zu";
+    const bool species = name == "element" || (name == "type" && !has("element"));
+    columns.push_back({species ? "species" : unwrapped && !wrapped ? name.substr(0, 1) : name});
+  }
+  return columns;
+}
+
+Columns columns_of(const FileBytes& file, const Frame& frame, const SphereFileOptions& options) {
+  const std::vector<NamedColumn> names = named_columns(file, frame);
+  if (!options.columns.empty()) return columns_of_option(options.columns, names, file.name());
+  Columns columns = columns_of_names(fmt::format("{}, line {}", file.name(), frame.names_line), names);
+  columns.text = fmt::format("{}", fmt::join(frame.names, " "));
+  columns.by = fmt::format("by the names in line {}", frame.names_line);
+  if (!frame.units.empty()) columns.units = fmt::format("LAMMPS's units {}", frame.units);
+  return columns;
+}
+
+class LammpsFrames final : public Frames {
+ public:
+  LammpsFrames(const FileBytes& file, const SphereFileOptions& options) : file_(file), options_(options) {
+    require_text(file);
+    FileLines cursor = lines_of(file);
+    while (frames_.empty() || !cursor.at_end()) {  // all must be complete
+      frames_.push_back(read_frame(file, cursor));
+      cursor.skip_blank_lines();
+    }
+  }
+  size_t count() const override { return frames_.size(); }
+
+  SphereFile read(size_t k, SphereRows& rows) const override {
+    const Frame& frame = frames_[k];
+    const Box& box = frame.box;
+    SphereFile input;
+    take_periodic_box(file_, box.line, box.is_open() ? "" : fmt::format("BOX BOUNDS {}", box.text), box.box, "",
+                      options_, input);
+    if (box.flags == "ffffff" && box.along_axes) input.box = walls(box);
+    read_sphere_lines(file_, frame.names_line, columns_of(file_, frame, options_), frame.lines, options_, rows, input);
+    input.format = "LAMMPS dump " + input.format;
+    return input;
+  }
+
+ private:
+  static WallBox walls(const Box& box) {
+    WallBox walls;
+    for (size_t axis = 0; axis < 3; ++axis) {
+      walls.low[axis] = float(box.low[axis]);
+      walls.high[axis] = float(box.low[axis] + box.box.rows[axis][axis]);
+    }
+    return walls;
+  }
+
+  const FileBytes& file_;
+  const SphereFileOptions& options_;
+  std::vector<Frame> frames_;
+};
+
+}  // namespace
+
+std::unique_ptr<Frames> lammps_frames(const FileBytes& file, const SphereFileOptions& options) {
+  return std::make_unique<LammpsFrames>(file, options);
+}
+
+}  // namespace spherepair
