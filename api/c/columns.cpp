@@ -51,7 +51,7 @@ void write_list(const ListProblem& problem, const std::vector<ListedPair>& list,
     write_array(to.offsets, int64_t(offsets.size()), 1, [&](int64_t row, int64_t) { return offsets[row]; });
   }
   if (!to.vectors.data && !to.distances.data) return;
-  const std::vector<uint32_t> systems = systems_of(problem.firsts());
+  const PointSystems systems(problem.firsts());
 #pragma omp parallel for schedule(static) if (count > 1 << 14)
   for (int64_t row = 0; row < count; ++row) {
     const Point3 way = displacement(problem, problem.boxes[systems[list[row].first]], list[row]);

@@ -16,15 +16,16 @@ constexpr double most_images = 0x1p27;  // as many spheres as OpenGL's buffers h
 
 class Planner {
  public:
-  explicit Planner(const ListProblem& problem) : problem_(problem) {
+  explicit Planner(const ListProblem& problem) : problem_(problem), plan_(problem), point_systems_(problem.set) {
     for (size_t b = 0; b < problem.boxes.size(); ++b) plan_.lattices.emplace_back(problem.boxes[b], b);
-    plan_.systems = systems_of(problem.firsts());
-    point_systems_ = problem.asks ? systems_of(problem.set) : plan_.systems;
-    points_ = wrapped(problem.set, "positions", point_systems_, plan_.lattices, plan_.cells);
-    if (problem.asks)
-      queries_ = wrapped(problem.queries, "queries", plan_.systems, plan_.lattices, plan_.first_cells);
-    else
-      plan_.first_cells = plan_.cells;
+    open_ = std::ranges::all_of(plan_.lattices, [](const Lattice& each) { return each.box().is_open(); });
+    if (!open_) {
+      points_ = wrapped(problem.set, "positions", point_systems_, plan_.lattices, plan_.cells);
+      if (problem.asks)
+        queries_ = wrapped(problem.queries, "queries", plan_.systems, plan_.lattices, plan_.first_cells);
+      else
+        plan_.first_cells = plan_.cells;
+    }
     measure_systems();
     add_images();
     place();
@@ -32,31 +33,52 @@ class Planner {
   ListSpheres take() { return std::move(plan_); }
 
  private:
-  const std::vector<Point3>& looking() const { return problem_.asks ? queries_ : points_; }
+  // Inside their boxes.
+  const std::vector<Point3>& points() const { return open_ ? problem_.set.points : points_; }
+  const std::vector<Point3>& looking() const {
+    if (!problem_.asks) return points();
+    return open_ ? problem_.queries.points : queries_;
+  }
+
+  struct Measured {
+    PointRange inside = {}, fractions = {};
+    double radius = 0, largest = 0;  // of coordinates as given
+    void add(const Measured& other) {
+      inside.add(other.inside), fractions.add(other.fractions);
+      radius = std::max(radius, other.radius), largest = std::max(largest, other.largest);
+    }
+  };
+  // Of a system's points in a set, which lie here.
+  Measured measured(const PointSet& set, const std::vector<Point3>& inside, size_t b) const {
+    const Lattice& lattice = plan_.lattices[b];
+    const auto first = int64_t(set.offsets[b]), last = int64_t(set.offsets[b + 1]);
+    Measured all;
+#pragma omp parallel if (last - first > share_from)
+    {
+      Measured own;
+#pragma omp for schedule(static) nowait
+      for (int64_t i = first; i < last; ++i) {
+        own.inside.add(inside[i]);
+        if (!lattice.box().is_open()) own.fractions.add(lattice.fraction(inside[i]));
+        own.radius = std::max(own.radius, radius_of(problem_, set, uint64_t(i)));
+        for (const double x : set.points[i]) own.largest = std::max(own.largest, std::abs(x));
+      }
+#pragma omp critical(measured_of_a_list)
+      all.add(own);
+    }
+    return all;
+  }
 
   void measure_systems() {
     systems_.resize(plan_.lattices.size());
-    std::vector<double> largest(systems_.size()), of_points(systems_.size());
-    for (uint64_t i = 0; i < plan_.looking(); ++i) {
-      System& system = systems_[plan_.systems[i]];
-      system.inside.add(looking()[i]);
-      if (const Lattice& lattice = plan_.lattices[plan_.systems[i]]; !lattice.box().is_open())
-        system.fractions.add(lattice.fraction(looking()[i]));
-      system.radius = std::max(system.radius, radius_of(problem_, problem_.firsts(), i));
-    }
-    const auto sizes = [&](const PointSet& set, const std::vector<uint32_t>& systems) {
-      for (uint64_t i = 0; i < set.size(); ++i)
-        for (const double x : set.points[i]) largest[systems[i]] = std::max(largest[systems[i]], std::abs(x));
-    };
-    sizes(problem_.set, point_systems_);
-    sizes(problem_.queries, plan_.systems);
-    for (uint64_t i = 0; i < points_.size(); ++i) {
-      double& radius = of_points[point_systems_[i]];
-      radius = std::max(radius, radius_of(problem_, problem_.set, i));
-    }
     for (size_t b = 0; b < systems_.size(); ++b) {
-      systems_[b].reach = systems_[b].radius + of_points[b];
-      systems_[b].rounded = 0x1p-48 * (largest[b] + size_of_shifts(b));
+      const Measured of_looking = measured(problem_.firsts(), looking(), b);
+      const Measured of_points = problem_.asks ? measured(problem_.set, points(), b) : of_looking;
+      systems_[b] = {.inside = of_looking.inside,
+                     .fractions = of_looking.fractions,
+                     .reach = of_looking.radius + of_points.radius,
+                     .radius = of_looking.radius};
+      systems_[b].rounded = 0x1p-48 * (std::max(of_looking.largest, of_points.largest) + size_of_shifts(b));
     }
   }
 
@@ -65,7 +87,8 @@ class Planner {
     const Lattice& lattice = plan_.lattices[b];
     const Point3 spans = lattice.spans(systems_[b].reach);
     Point3 cells = {};
-    const auto farthest = [&](const std::vector<Shift>& all, const std::vector<uint64_t>& offsets) {
+    if (lattice.box().is_open()) return 0;
+    const auto farthest = [&](const PointCells& all, const std::vector<uint64_t>& offsets) {
       for (uint64_t i = offsets[b]; i < offsets[b + 1]; ++i)
         for (size_t k = 0; k < 3; ++k) cells[k] = std::max(cells[k], std::abs(double(all[i][k])));
     };
@@ -94,7 +117,7 @@ class Planner {
     if (system.inside.empty()) return;
     const Lattice& lattice = plan_.lattices[b];
     const double reach = reach_of(point, system);
-    const Point3 at = lattice.fraction(points_[point]), spans = lattice.spans(reach);
+    const Point3 at = lattice.fraction(points()[point]), spans = lattice.spans(reach);
     Shift low = {}, high = {};
     for (size_t k = 0; k < 3; ++k)
       if (lattice.box().periodic[k]) {
@@ -105,7 +128,7 @@ class Planner {
       for (shift[1] = low[1]; shift[1] <= high[1]; ++shift[1])
         for (shift[2] = low[2]; shift[2] <= high[2]; ++shift[2]) {
           if (!problem_.asks && shift == Shift{}) continue;
-          const Point3 place = lattice.moved(points_[point], shift);
+          const Point3 place = lattice.moved(points()[point], shift);
           bool near = true;
           for (size_t axis = 0; axis < 3; ++axis)
             near &= place[axis] >= system.inside.low[axis] - reach && place[axis] <= system.inside.high[axis] + reach;
@@ -134,19 +157,18 @@ class Planner {
   }
 
   void add_images() {
-    bool any = problem_.asks;
-    for (const Lattice& lattice : plan_.lattices) any |= !lattice.box().is_open();
-    if (!any) return;
+    if (open_ && !problem_.asks) return;
     check_number_of_images();
     constexpr uint64_t share = 4096;  // points
-    const auto shares = int64_t((points_.size() + share - 1) / share);
+    const uint64_t count = problem_.set.size();
+    const auto shares = int64_t((count + share - 1) / share);
     std::vector<std::vector<PointImage>> images(shares);
     std::vector<std::vector<Point3>> places(shares);
     TeamErrors errors;
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) if (shares > 1)
     for (int64_t k = 0; k < shares; ++k)
       errors.run(uint64_t(k), [&] {
-        for (uint64_t i = uint64_t(k) * share; i < std::min((uint64_t(k) + 1) * share, uint64_t(points_.size())); ++i)
+        for (uint64_t i = uint64_t(k) * share; i < std::min((uint64_t(k) + 1) * share, count); ++i)
           images_of(i, [&](const Shift& shift, const Point3& place) {
             images[k].push_back({uint32_t(i), point_systems_[i], shift}), places[k].push_back(place);
           });
@@ -156,12 +178,8 @@ class Planner {
       plan_.images.insert(plan_.images.end(), images[k].begin(), images[k].end());
       places_.insert(places_.end(), places[k].begin(), places[k].end());
     }
-    const double all = double(plan_.images.size()) + double(plan_.looking());
-    if (all > most_images && double(plan_.images.size()) > 0 && !open_only()) too_many_images(all);
-  }
-
-  bool open_only() const {
-    return std::ranges::all_of(plan_.lattices, [](const Lattice& each) { return each.box().is_open(); });
+    const double all = double(plan_.images.size()) + double(plan_.looking);
+    if (all > most_images && double(plan_.images.size()) > 0 && !open_) too_many_images(all);
   }
 
   // Systems in a cube of cubes with edges of 1 in all, around 0: float32 moves a coordinate by 2^-26 at most, a centre
@@ -186,8 +204,8 @@ class Planner {
       const double larger = (radius + 4 * system.rounded) * scale * (1 + 0x1p-40) + 0x1p-25;
       return vec4{centre[0], centre[1], centre[2], std::nextafter(float(larger), INFINITY)};
     };
-    const int64_t looking_count = int64_t(plan_.looking());
-    plan_.spheres.resize(plan_.looking() + plan_.images.size());
+    const int64_t looking_count = int64_t(plan_.looking);
+    plan_.spheres.resize(plan_.looking + plan_.images.size());
 #pragma omp parallel for schedule(static) if (int64_t(plan_.spheres.size()) > share_from)
     for (int64_t i = 0; i < int64_t(plan_.spheres.size()); ++i) {
       if (i < looking_count) {
@@ -202,8 +220,9 @@ class Planner {
 
   const ListProblem& problem_;
   ListSpheres plan_;
-  std::vector<uint32_t> point_systems_;
-  std::vector<Point3> points_, queries_, places_;  // inside the boxes; of images
+  PointSystems point_systems_;
+  bool open_ = true;                               // no box is periodic
+  std::vector<Point3> points_, queries_, places_;  // inside periodic boxes; of images
   std::vector<System> systems_;
 };
 

@@ -4,7 +4,7 @@
 // that every pair of the list collides here; displacement.h tells them from the few others.
 #pragma once
 
-#include "common/lists/lattice.h"
+#include "common/lists/list_systems.h"
 #include "common/shared/layout.h"
 
 namespace spherepair {
@@ -15,12 +15,14 @@ struct PointImage {
 };
 
 struct ListSpheres {
-  std::vector<vec4> spheres;              // those that look, in order (queries, or points), then the images
-  std::vector<PointImage> images;         // of spheres[looking], spheres[looking + 1] ...
-  std::vector<uint32_t> systems;          // of those that look
-  std::vector<Shift> first_cells, cells;  // of those that look and of points: x = inside + cell H
-  std::vector<Lattice> lattices;          // one a system
-  uint64_t looking() const { return systems.size(); }
+  explicit ListSpheres(const ListProblem& problem) : looking(problem.firsts().size()), systems(problem.firsts()) {}
+
+  uint64_t looking;                // spheres that look, in order (queries, or points); behind them are the images
+  std::vector<vec4> spheres = {};  // of both
+  std::vector<PointImage> images = {};
+  PointSystems systems;                // of those that look
+  PointCells first_cells, cells;       // of those that look and of points
+  std::vector<Lattice> lattices = {};  // one a system
 };
 
 // Throws ListError for a flat box, for points too far outside of one, and for more images than 2^27.

@@ -12,17 +12,17 @@ constexpr double most_cells = 0x1p30;  // away from the box: differences of two 
 
 }  // namespace
 
-std::vector<uint32_t> systems_of(const PointSet& set) {
-  std::vector<uint32_t> systems(set.size());
+PointSystems::PointSystems(const PointSet& set) {
+  if (set.offsets.size() <= 2) return;
+  of_.resize(set.size());
   for (size_t b = 0; b + 1 < set.offsets.size(); ++b)
-    std::fill(systems.begin() + int64_t(set.offsets[b]), systems.begin() + int64_t(set.offsets[b + 1]), uint32_t(b));
-  return systems;
+    std::fill(of_.begin() + int64_t(set.offsets[b]), of_.begin() + int64_t(set.offsets[b + 1]), uint32_t(b));
 }
 
-std::vector<Point3> wrapped(const PointSet& set, const char* name, const std::vector<uint32_t>& systems,
-                            const std::vector<Lattice>& lattices, std::vector<Shift>& cells) {
+std::vector<Point3> wrapped(const PointSet& set, const char* name, const PointSystems& systems,
+                            const std::vector<Lattice>& lattices, PointCells& cells) {
   std::vector<Point3> inside(set.points);
-  cells.assign(set.size(), Shift{});
+  cells.resize(set.size());
   int64_t far = -1;
 #pragma omp parallel for schedule(static) reduction(max : far) if (int64_t(inside.size()) > share_from)
   for (int64_t i = 0; i < int64_t(inside.size()); ++i) {
@@ -34,8 +34,8 @@ std::vector<Point3> wrapped(const PointSet& set, const char* name, const std::ve
       if (!(std::abs(at[k]) < most_cells))
         far = i;
       else
-        cells[i][k] = int32_t(std::floor(at[k]));
-      back[k] = -cells[i][k];
+        cells.at(i)[k] = int32_t(std::floor(at[k]));
+      back[k] = -cells.at(i)[k];
     }
     inside[i] = lattice.moved(inside[i], back);
   }

@@ -13,10 +13,35 @@ constexpr int64_t share_from = 1 << 14;  // points from which on several threads
 
 struct PointRange {
   Point3 low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
-  void add(const Point3& point) {
-    for (size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], point[k]), high[k] = std::max(high[k], point[k]);
+  void add(const Point3& point) { add({point, point}); }
+  void add(const PointRange& other) {
+    for (size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], other.low[k]), high[k] = std::max(high[k], other.high[k]);
   }
   bool empty() const { return low[0] > high[0]; }
+};
+
+// The system of each point of a set; of one system, none is kept.
+class PointSystems {
+ public:
+  explicit PointSystems(const PointSet& set);
+  uint32_t operator[](uint64_t point) const { return of_.empty() ? 0 : of_[point]; }
+
+ private:
+  std::vector<uint32_t> of_;
+};
+
+// The cell of each point, x = inside + cell H; where no box is periodic, none is kept.
+class PointCells {
+ public:
+  void resize(uint64_t points) { of_.resize(points); }
+  Shift operator[](uint64_t point) const { return of_.empty() ? Shift{} : of_[point]; }
+  Shift& at(uint64_t point) { return of_[point]; }
+  void prefetch(uint64_t point) const {
+    if (!of_.empty()) __builtin_prefetch(&of_[point]);
+  }
+
+ private:
+  std::vector<Shift> of_;
 };
 
 // Of one system: where those that look are, and how far they reach.
@@ -27,13 +52,9 @@ struct System {
   double rounded = 0;  // how far a coordinate of an image can be from its real number
 };
 
-// The system of each point.
-std::vector<uint32_t> systems_of(const PointSet& set);
-
-// The points inside their boxes: point = inside + cell H. Throws ListError for a point too far away; `name` is the
-// set's.
-std::vector<Point3> wrapped(const PointSet& set, const char* name, const std::vector<uint32_t>& systems,
-                            const std::vector<Lattice>& lattices, std::vector<Shift>& cells);
+// The points inside their boxes, and their cells. Throws ListError for a point too far away; `name` is the set's.
+std::vector<Point3> wrapped(const PointSet& set, const char* name, const PointSystems& systems,
+                            const std::vector<Lattice>& lattices, PointCells& cells);
 
 // A point's share of the reach.
 double radius_of(const ListProblem& problem, const PointSet& set, uint64_t i);

@@ -39,9 +39,17 @@ class Lister {
       if (const ListedPair self{i, i, {}}; accepts(self, plan_.systems[i])) list.push_back(self);
   }
 
+  // What `add` reads of the pair's second sphere.
+  void prefetch(const Pair& pair) const {
+    if (pair.second >= plan_.looking) return __builtin_prefetch(&plan_.images[pair.second - plan_.looking]);
+    if (problem_.asks) return;
+    __builtin_prefetch(&problem_.set.points[pair.second]);
+    plan_.cells.prefetch(pair.second);
+  }
+
   // Those that a pair of colliding spheres stands for: two, one or none.
   void add(const Pair& pair, std::vector<ListedPair>& list) const {
-    const uint64_t looking = plan_.looking();
+    const uint64_t looking = plan_.looking;
     if (pair.first >= looking) return;  // two images
     const uint32_t system = plan_.systems[pair.first];
     if (pair.second < looking) {
@@ -78,14 +86,30 @@ class Lister {
   std::vector<Pair> excluded_;
 };
 
+std::vector<ListedPair> joined(const std::vector<std::vector<ListedPair>>& parts) {
+  std::vector<size_t> starts = {0};
+  for (const std::vector<ListedPair>& part : parts) starts.push_back(starts.back() + part.size());
+  std::vector<ListedPair> list(starts.back());
+#pragma omp parallel for schedule(dynamic, 1) if (parts.size() > 1)
+  for (size_t k = 0; k < parts.size(); ++k) std::ranges::copy(parts[k], list.begin() + int64_t(starts[k]));
+  return list;
+}
+
+bool in_order(const std::vector<ListedPair>& list) {
+  bool ascending = true;
+#pragma omp parallel for schedule(static) reduction(&& : ascending) if (int64_t(list.size()) > share_from)
+  for (size_t k = 1; k < list.size(); ++k) ascending = ascending && list[k - 1] <= list[k];
+  return ascending;
+}
+
 // By first through counting, each first's by the rest. Half lists of open boxes come in order from the search.
 std::vector<ListedPair> sorted(std::vector<ListedPair> list, uint64_t firsts) {
-  if (std::ranges::is_sorted(list)) return list;
+  if (in_order(list)) return list;
   const std::vector<int64_t> offsets = offsets_of(list, firsts);
   std::vector<int64_t> next(offsets.begin(), offsets.end() - 1);
   std::vector<ListedPair> in_order(list.size());
   for (const ListedPair& pair : list) in_order[next[pair.first]++] = pair;
-#pragma omp parallel for schedule(dynamic, 256)
+#pragma omp parallel for schedule(dynamic, 256) if (int64_t(list.size()) > share_from)
   for (int64_t i = 0; i < int64_t(firsts); ++i)
     std::sort(in_order.begin() + offsets[i], in_order.begin() + offsets[i + 1]);
   return in_order;
@@ -106,19 +130,22 @@ std::vector<ListedPair> list_pairs(Backend& backend, const ListProblem& problem,
   ListSpheres plan = list_spheres(problem);
   const std::vector<Pair> pairs = colliding_pairs(backend, std::move(plan.spheres), options);
   const Lister lister(problem, plan);
-  constexpr size_t share = 1 << 16;  // pairs
+  constexpr size_t share = 1 << 16, ahead = 16;  // pairs
   const auto shares = int64_t((pairs.size() + share - 1) / share);
   std::vector<std::vector<ListedPair>> parts(shares);
   TeamErrors errors;
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) if (shares > 1)
   for (int64_t k = 0; k < shares; ++k)
     errors.run(uint64_t(k), [&] {
-      for (size_t p = size_t(k) * share; p < std::min((size_t(k) + 1) * share, pairs.size()); ++p)
+      const size_t end = std::min((size_t(k) + 1) * share, pairs.size());
+      parts[k].reserve((problem.half ? 1 : 2) * share);
+      for (size_t p = size_t(k) * share; p < end; ++p) {
+        lister.prefetch(pairs[std::min(p + ahead, end - 1)]);
         lister.add(pairs[p], parts[k]);
+      }
     });
   errors.rethrow();
-  std::vector<ListedPair> list;
-  for (const std::vector<ListedPair>& part : parts) list.insert(list.end(), part.begin(), part.end());
+  std::vector<ListedPair> list = joined(parts);
   if (problem.self_pairs) lister.add_points_themselves(list);
   return sorted(std::move(list), problem.firsts().size());
 }
