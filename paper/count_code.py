@@ -93,7 +93,8 @@ def main():
     seconds = compile_seconds(options.build, options.rounds)
     result = {"format": "spherepair code 1", "context": context(), "twins": list(twins(seconds)),
               "support": {"glsl": total("shaders/**/*.glsl"), "cuda": total("cuda/**/*.cuh")},
-              "host": {"glsl": total("glsl/*.cpp", "glsl/*.h"), "cuda": total("cuda/**/*.cpp", "cuda/**/*.h")},
+              "host": {"opengl": total("glsl/*.cpp", "glsl/*.h"), "vulkan": total("vulkan/**/*.cpp", "vulkan/**/*.h"),
+                       "cuda": total("cuda/**/*.cpp", "cuda/**/*.h")},
               "shared": {"arithmetic": total(*(f"common/shared/{name}.h" for name in SHARED_ARITHMETIC)),
                          "host": total(*(f"common/{room}/*.{kind}" for room in ("device", "simulation") for kind in ("cpp", "h")))}}
     options.output.write_text(json.dumps(result, indent=1) + "\n")
