@@ -69,6 +69,7 @@ def code(put, machine, others):
         lines = sum(twin[f"{language}_lines"] for twin in record["twins"])
         put(f"code/kernels/{name}", f"{lines:,}", record["id"], f"lines of all kernels in {name}")
         put(f"code/host/{name}", f"{record['host'][name]:,}", record["id"], f"lines of host code of {name} alone")
+    put("code/host/vulkan", f"{record['host']['vulkan']:,}", record["id"], "lines of host code of vulkan alone")
     put("code/same", f"{sum(twin['same_lines'] for twin in record['twins']):,}", record["id"], "lines common to both")
     seconds = [twin["nvcc_seconds"] for twin in record["twins"] if "nvcc_seconds" in twin]
     if len(seconds) != len(record["twins"]):

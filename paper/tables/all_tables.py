@@ -145,6 +145,7 @@ def code(machine):
                      ms(driver.get(twin["kernel"]))])
     for what, name in (("support", "included by kernels"), ("host", "host code")):
         rows.append([name, str(record[what]["opengl"]), str(record[what]["cuda"]), "-", "-", "-"])
+    rows.append(["host code of Vulkan", str(record["host"]["vulkan"]), "-", "-", "-", "-"])
     heads = [[("", 1), ("lines of code", 3), ("compiling", 2)],
              ["kernel", "GLSL", "CUDA", "same", "nvcc, s", "GLSL, ms"]]
     return Table("code", "Code and compile time of each API. Lines without blanks and comments; same: lines in both. nvcc: "
