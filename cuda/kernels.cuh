@@ -71,7 +71,7 @@ __device__ inline void clear_results(const Params& p, const KernelBuffers& buf, 
   if (i < SUMMARY_SLOTS * SUMMARY_WORDS) buf.summary[i] = 0u;
 }
 
-// CUDA only from here: OpenGL has no programmatic dependent launch
+// CUDA only from here: OpenGL and Vulkan have no programmatic dependent launch
 // Of a launch that may begin before the previous one has ended (KernelCall::early): waits for that, and sees what it
 // has written. A kernel that needs nothing of the previous launch waits at its end, so that the next launch need only
 // wait for this one; what it reads was written before the previous launch began.

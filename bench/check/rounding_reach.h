@@ -9,9 +9,9 @@
 
 namespace spherepair {
 
-// The pairs whose spheres overlap by the file's numbers and not by the rounded ones, or the other way round, are among
-// these: how many there are. Two searches, with radii larger and smaller by the reach; the backend then holds other
-// spheres.
+// Counts the pairs that rounding may have decided, within the reach of touching: those that differ between the file's
+// numbers and the rounded ones are among them. Searches twice, with radii larger and smaller by the reach; the backend
+// then holds other spheres.
 uint64_t pairs_within_reach(Backend& backend, const Scene& scene, const Rounding& rounding,
                             const CollideOptions& options);
 

@@ -75,8 +75,9 @@ class Backend {
   // For timing: enqueues the same search and returns. Left out are decisions that the last complete search of this kind
   // did not need, lists that turn out too short, and the number of colliding spheres; so it has no results to ask for.
   virtual void enqueue_collide(const CollideOptions& options) = 0;
-  // A move and the search behind it, whose launches go out as one step's: in CUDA as one graph, and without a batch
-  // each of them waited for. Complete as collide(); enqueue_step: for timing, as enqueue_collide().
+  // A move and a search, launched as one step: with graphs, CUDA and Vulkan replay both together; without a batch the
+  // host waits for each launch. Contacts and swept searches are launched apart from the move. step() is complete as
+  // collide() is; enqueue_step() is for timing, as enqueue_collide().
   virtual void step(const CollideOptions& options) { move(), collide(options); }
   virtual void enqueue_step(const CollideOptions& options) { move(), enqueue_collide(options); }
   // Steps of `paper` in float32 and all pairs in one launch, of a persistent kernel; the results are those of the last.
@@ -110,30 +111,31 @@ class Backend {
   virtual MotionState save() = 0;
   virtual void resume(const Scene& scene, const MotionState& saved) = 0;
 
-  // Draws the spheres as they stand, coloured by the contacts that the last collide() found; none since the last move()
-  // or upload(): by 0 contacts. The image is complete when it returns. view.tile_capacity, counting and pass are the
-  // backend's own.
+  // Draws the spheres as they stand; the image is complete on return. Contacts that choose colours are those of the
+  // last collide(), or 0 if a move() or upload() came after it. The backend sets view.tile_capacity, counting and pass.
   virtual void draw(const View& view, const DrawOptions& options) = 0;
-  // For timing: enqueues the same and returns. Left out is a list of tiles that turns out too short.
+  // For timing: enqueues the same and returns. A list of tiles that is too short does not grow.
   virtual void enqueue_draw(const View& view, const DrawOptions& options) = 0;
-  // Those that this build has: OpenGL may turn out to be missing when it is first drawn with (BackendError).
+  // The methods of this build. OpenGL is opened by the first draw that needs it, which throws BackendError if it is
+  // missing.
   virtual std::vector<DrawMethod> draw_methods() const { return {DrawMethod::compute}; }
 
-  // The ways in which its spheres can come to OpenGL's pipeline; none where they are OpenGL's own, or it has none.
+  // How its spheres can reach OpenGL's pipeline; empty if they are OpenGL's own or there is no pipeline.
   virtual std::vector<Transfer> transfers() const { return {}; }
-  // Of the last draw; none without a transfer.
+  // By the last draw; none if it transferred nothing.
   virtual std::optional<Transfer> transfer_taken() const { return {}; }
-  // For timing: what such a draw begins with.
+  // For timing: the transfer alone, with which a draw through OpenGL begins.
   virtual void transfer(Transfer) { throw BackendError(info().name + ": its spheres are not transferred to OpenGL"); }
 
-  // Of the last draw(). Pixels as SLOT_IMAGE has them, row by row from the top; visible: of each pixel the sphere's
-  // index and the depth, as SLOT_VISIBLE has them.
+  // Results of the last draw(), row by row from the top. image(): pixels as in SLOT_IMAGE; visible(): each pixel's
+  // sphere index and depth as in SLOT_VISIBLE.
   virtual std::vector<uint> image() = 0;
   virtual std::vector<uvec2> visible() = 0;
-  // Of the last draw(), through OpenGL: the near plane over the distance along forward of each pixel's surface; 0:
-  // none.
+  // Of the last draw(), which must be through OpenGL, for each pixel: near / z, z along the camera's forward axis; 0:
+  // background.
   virtual std::vector<float> depths() = 0;
-  // The palette's entry of each sphere, for COLOUR_BY_CLASS; forgotten by upload() and resume().
+  // The palette entry of each sphere, for COLOUR_BY_CLASS. Lost by upload(), resume() and, on a GPU, by drawing by
+  // speed or radius.
   virtual void set_classes(std::span<const uint> classes) = 0;
   // Copies the image into an RGBA8 texture of its size in the context of OpenOptions::window, on the GPU if it is
   // there. False without such a context: image() then has to be uploaded.
@@ -143,7 +145,7 @@ class Backend {
   // Decides spheres[2k] against spheres[2k + 1] for every k, with the same code as the kernels: verdict_code() each.
   virtual std::vector<uint> decide(std::span<const vec4> spheres) = 0;
 
-  // An empty kernel, to measure what a launch costs; a step that is a chain of them, which goes out as the options say.
+  // Empty kernels, to measure the cost of launches: one, or a step of several in a chain, launched as the options say.
   virtual void launch_empty(uint groups) = 0;
   virtual void enqueue_empty_step(uint /*launches*/, const ApiOptions&) {}
   // Launches a kernel that measures this peak rate and overwrites velocities and counts; only devices have it.
@@ -165,7 +167,7 @@ class Backend {
   virtual std::vector<StageTime> stage_times() = 0;
 };
 
-// As it stands: evaluated, then read.
+// Evaluates the state and returns it.
 inline Backend::State current_state(Backend& backend) {
   backend.evaluate_state();
   return backend.state();
@@ -177,7 +179,8 @@ inline bool colliding(uint count) { return count != 0; }
 class WindowContext;  // window_context.h
 
 struct OpenOptions {
-  // A GPU's number or UUID (device_name.h); empty: another API's if given, else the first left to CUDA.
+  // A GPU's number or UUID (device_name.h). Empty: the GPU named for another API, else the first in
+  // CUDA_VISIBLE_DEVICES, else the API's first.
   std::string cuda_device = {}, gl_device = {}, vulkan_device = {};
   WindowContext* window = nullptr;  // GL lives in this context; null: in one of its own. Outlives the backends
   bool require_hardware = false;    // refuse GL and Vulkan in software

@@ -61,12 +61,12 @@ struct ApiOptions {
   std::optional<bool> texture_table = {};
   // All: the API's function clears the table, in place of a kernel. Absent: off
   std::optional<bool> library_clear = {};
-  // All: a step's launches go out together, in OpenGL each behind the one barrier that it needs. Off: the host waits
-  // for each; OpenGL sets all barriers, CUDA and Vulkan replay nothing. Absent: on
+  // All GPU APIs: a step's launches go out together; OpenGL sets only the barriers that they need. Off: the host waits
+  // for each launch; OpenGL sets GL_ALL_BARRIER_BITS, CUDA and Vulkan replay nothing. Absent: on
   std::optional<bool> batch = {};
-  // All; CUDA from 12.3 on, with kernels compiled for 9.0 or later. What begins a step runs beside the search before,
-  // where neither writes what the other uses: between replayed steps, too. In CUDA later launches of a step also start
-  // early, and wait in the kernel. Absent: on
+  // All GPU APIs; CUDA from 12.3 on, with kernels compiled for compute capability 9.0 or later. The start of a step
+  // runs beside the search of the step before where neither writes what the other uses, also between replayed steps. In
+  // CUDA later launches of a step also start early and wait in the kernel. Absent: on
   std::optional<bool> overlap = {};
   auto operator<=>(const ApiOptions&) const = default;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// When Method::automatic takes the grid, and when which way of all pairs. Only speed depends on it, never the set. The
-// figures are fitted to those of `spherepair crossover`; docs/NOTES/crossover.md has them, their machines, and what the
-// rule loses to the best choice.
+// When Method::automatic takes the grid, and which all-pairs method otherwise. This changes the speed, never the set.
+// The figures are fitted to `spherepair crossover`; docs/NOTES/crossover.md has the data, the machines and the loss
+// against the best choice.
 #pragma once
 
 #include <algorithm>
@@ -34,15 +34,15 @@ constexpr uint narrow_block = 32, square_block = 64, wide_block = 256;
 constexpr double least_spheres = 32;  // of a grid
 constexpr int few_threads = 4;
 
-// The spheres from which on the grid is ahead, with so many others in a sphere's cell on average. hashed_levels: levels
-// of hashed cells; 0: cells are dense.
+// The number of spheres from which on the grid is faster. others_in_cell: mean number of other spheres in a sphere's
+// cell; hashed_levels: levels of hashed cells, 0: dense cells.
 constexpr double grid_from(const Crossover& row, double others_in_cell, uint hashed_levels) {
   if (hashed_levels == 0) return std::max(least_spheres, row.grid_from + row.per_other * others_in_cell);
   return row.hashed_from + row.per_level * (hashed_levels - 1) + std::max(row.per_other, 0.0) * others_in_cell;
 }
 
-// collide_triangle queues near pairs, collide_square tests them in its loop: it is ahead where most pairs are near. Of
-// that the hashed cells tell, which are made for radii like a sphere's own: so many others in a sphere's.
+// Whether most pairs are near. Then collide_square, which tests them in its loop, is faster than collide_triangle,
+// which queues them. others_like_it: mean number of others in a sphere's hashed cell, whose size suits its radius.
 constexpr bool most_pairs_near(uint64_t n, double others_like_it) {
   constexpr double free_others = 10, spheres_per_other = 140;
   return double(n) <= spheres_per_other * (others_like_it - free_others);

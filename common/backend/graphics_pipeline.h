@@ -37,12 +37,12 @@ class GraphicsPipeline {
   virtual void finish() = 0;                // waits for the images that were drawn
   virtual Preparations preparations() const = 0;
 
-  // What draw() begins with. The spheres are OpenGL's when this returns, which is done with those it had before.
+  // The first part of draw(). On return OpenGL has the spheres and no longer uses those before.
   virtual void transfer(const SphereArrays& spheres, std::optional<Transfer> way) = 0;
   virtual std::optional<Transfer> taken() const { return {}; }  // by the last transfer; none: there is no need of one
 
-  // Into a texture of the context of OpenOptions::window: the last image drawn, or one that the backend has computed,
-  // wherever that has its arrays. False where the pipeline has a context of its own.
+  // Copies an image into a texture of OpenOptions::window's context: the last one drawn, or the backend's own pixels (a
+  // handle as in SphereArrays). False if the pipeline has a context of its own.
   virtual bool show_drawn(uint texture) = 0;
   virtual bool show_pixels(uint64_t pixels, uvec2 size, uint texture) = 0;
 };

@@ -21,8 +21,8 @@ constexpr uint64_t spheres_per_bucket =
 static_assert(SORT_EACH * SORT_BLOCK <= CELLS_PER_BUCKET);
 constexpr float many_octaves = 4;  // largest over smallest radius from which on levels pay
 
-// The median coordinate of a sample: cells are fine where most spheres are, however far away a few spheres are, since
-// float32 places are finest near the origin.
+// The median coordinate of a sample. As the plan's origin it puts the finest float32 numbers where most spheres are,
+// whatever the outliers.
 float middle_of(const std::vector<vec4>& spheres, float vec4::*axis) {
   const uint64_t m = std::min<uint64_t>(spheres.size(), 1023);
   std::vector<float> sample(m);
@@ -60,7 +60,7 @@ GridPlan hashed_plan(const std::vector<vec4>& spheres, const Extent& extent) {
   return plan;
 }
 
-// How many others of n spheres share a sphere's slot, on average over them, estimated from some of these.
+// Mean number of other spheres in a sphere's slot, for n spheres like these; estimated from a sample.
 double occupancy_of(const std::vector<vec4>& spheres, const GridPlan& plan, uint64_t n) {
   const uint64_t m = std::min<uint64_t>(spheres.size(), sample_size);
   if (m < 2) return 0;

@@ -9,12 +9,12 @@ namespace spherepair {
 
 class Lattice {
  public:
-  // Throws ListError where the periodic rows are too near to a plane or a line; `system` is for the message.
+  // Throws ListError if the periodic rows are 0 or nearly coplanar or collinear; `system` is for the message.
   Lattice(const ListBox& box, uint64_t system);
 
-  // How many rows of each kind lie between the origin and the point; 0 where the box is not periodic.
+  // Fractional coordinates; 0 along rows that are not periodic.
   Point3 fraction(const Point3& point) const;
-  // How far two points at this distance can be apart in fractions, rounding included.
+  // Upper bounds on the difference in fractional coordinates of two points at this distance, rounding included.
   Point3 spans(double distance) const;
   Point3 moved(const Point3& point, const Shift& shift) const;
   const ListBox& box() const { return box_; }

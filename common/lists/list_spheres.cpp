@@ -33,7 +33,7 @@ class Planner {
   ListSpheres take() { return std::move(plan_); }
 
  private:
-  // Inside their boxes.
+  // Wrapped into their boxes.
   const std::vector<Point3>& points() const { return open_ ? problem_.set.points : points_; }
   const std::vector<Point3>& looking() const {
     if (!problem_.asks) return points();
@@ -48,7 +48,7 @@ class Planner {
       radius = std::max(radius, other.radius), largest = std::max(largest, other.largest);
     }
   };
-  // Of a system's points in a set, which lie here.
+  // Measures the points of system b in a set; inside: the set's wrapped points.
   Measured measured(const PointSet& set, const std::vector<Point3>& inside, size_t b) const {
     const Lattice& lattice = plan_.lattices[b];
     const auto first = int64_t(set.offsets[b]), last = int64_t(set.offsets[b + 1]);
@@ -82,7 +82,7 @@ class Planner {
     }
   }
 
-  // The most that rows of the box add to a coordinate, on the way into it and to an image.
+  // Upper bound of what the box's rows add to a coordinate when a point is wrapped and moved to an image.
   double size_of_shifts(size_t b) const {
     const Lattice& lattice = plan_.lattices[b];
     const Point3 spans = lattice.spans(systems_[b].reach);
@@ -104,12 +104,12 @@ class Planner {
     return size;
   }
 
-  // How far images of a point can be of use.
+  // Upper bound of the distance at which an image of a point can be in a pair.
   double reach_of(uint64_t point, const System& system) const {
     return (system.radius + radius_of(problem_, problem_.set, point)) * (1 + 0x1p-40) + 4 * system.rounded;
   }
 
-  // Calls add(shift, place) for the images of a point that those that look can reach.
+  // Calls add(shift, place) for each image of a point that may be within reach of a point that looks for pairs.
   template <typename Add>
   void images_of(uint64_t point, Add add) const {
     const uint32_t b = point_systems_[point];
@@ -182,8 +182,8 @@ class Planner {
     if (all > most_images && double(plan_.images.size()) > 0 && !open_) too_many_images(all);
   }
 
-  // Systems in a cube of cubes with edges of 1 in all, around 0: float32 moves a coordinate by 2^-26 at most, a centre
-  // by less than 2^-25.
+  // Places the systems in a cubic grid around 0 whose edge is 1 at most: float32 then moves a coordinate by 2^-26 at
+  // most, a centre by less than 2^-25.
   void place() {
     double pitch = 0;
     for (const System& system : systems_)

@@ -20,7 +20,7 @@ struct PointRange {
   bool empty() const { return low[0] > high[0]; }
 };
 
-// The system of each point of a set; of one system, none is kept.
+// The system of each point of a set; nothing is stored for a single system.
 class PointSystems {
  public:
   explicit PointSystems(const PointSet& set);
@@ -30,7 +30,7 @@ class PointSystems {
   std::vector<uint32_t> of_;
 };
 
-// The cell of each point, x = inside + cell H; where no box is periodic, none is kept.
+// The cell of each point: x = inside + cell H. Nothing is stored if no box is periodic.
 class PointCells {
  public:
   void resize(uint64_t points) { of_.resize(points); }
@@ -44,7 +44,7 @@ class PointCells {
   std::vector<Shift> of_;
 };
 
-// Of one system: where those that look are, and how far they reach.
+// A system: the ranges of the points that look for pairs, and their reach.
 struct System {
   PointRange inside, fractions;
   double reach = 0;    // of the two largest spheres

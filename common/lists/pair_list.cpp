@@ -47,7 +47,7 @@ class Lister {
     plan_.cells.prefetch(pair.second);
   }
 
-  // Those that a pair of colliding spheres stands for: two, one or none.
+  // Appends the listed pairs of two colliding spheres: 0, 1 or 2.
   void add(const Pair& pair, std::vector<ListedPair>& list) const {
     const uint64_t looking = plan_.looking;
     if (pair.first >= looking) return;  // two images

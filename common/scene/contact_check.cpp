@@ -68,7 +68,7 @@ std::string why_no_room(const Scene& scene) {
   return "";
 }
 
-// What holds for a start: a run may get to shorter contacts of faster spheres, and farther out.
+// Checked at the start only: later in a run spheres may be faster, with shorter contacts, and farther out.
 std::string why_no_start(const Scene& scene) {
   const Radii r = radii_of(scene);
   const double time = contact_time(scene);

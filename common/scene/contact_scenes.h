@@ -13,8 +13,8 @@ struct SceneMaker {
 const std::vector<SceneMaker>& contact_makers();
 bool made_for_contacts(const std::string& name);
 
-// So many square layers, each in the hollows of that below and touching it, in a box as wide as the even ones: with
-// --contact they come to rest in some thousand steps, where those of the scene bed take a million.
+// Square layers, each in the hollows of the one below and touching it, in a box as wide as the even layers. With
+// --contact they come to rest in some thousand steps, the scene bed in a million.
 Scene packed_bed(uint64_t n, uint64_t layers);
 
 }  // namespace spherepair

@@ -52,12 +52,12 @@ void check_options(const SceneOptions& options);
 Scene make_scene(const SceneOptions& options);
 
 // Throws std::invalid_argument when a number is not finite or a radius negative: how many, the first one's index and
-// why. At rest a scene may hold any others; those of one that moves, its time step, restitution and gravity have bounds
-// as well (scene_bounds.h), which the first move checks.
+// why. Scenes that move have bounds on numbers, time step, restitution and gravity as well (scene_bounds.h), which the
+// first move checks.
 void check_scene(const Scene& scene);
 
-// How many spheres have a velocity that the scene's motion loses, since float32 positions are too coarse for one step
-// of it along some axis: they stall where they are. The other precisions and `anchored` lose none.
+// How many spheres stall: along some axis the velocity is not 0, but a step changes no bit of the float32 position. 0
+// for other precisions and for `anchored`.
 uint64_t stalled_spheres(const Scene& scene);
 
 // A 64-bit hash of the bits of all positions and velocities, in order, and of the words of a wide state.

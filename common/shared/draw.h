@@ -42,8 +42,8 @@ struct Box {
   uint x, y, width, height;
 };
 
-// Pixel centres from low to high along an axis. The margin of 1/64 pixel covers the rounding of low and high, with any
-// driver's division, up to 16,384 pixels; a wider range only costs time.
+// The first pixel with its centre within low .. high along an axis, and one past the last. The margin of 1/64 pixel
+// covers the rounding of low and high, with any driver's division, up to 16,384 pixels; a wider range only costs time.
 FN uint first_pixel(float low) {
   EXACT float margin = low - 0.015625f;
   EXACT float before = larger(margin, -1.0f) + 1.0f;

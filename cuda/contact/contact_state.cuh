@@ -12,7 +12,7 @@ __device__ inline float radius_of(const Params& p, const KernelBuffers& buf, uin
   return p.radius != 0.0f ? p.radius : buf.position[i].w;  // equal radii need no load
 }
 
-// CUDA only from here: GLSL has another type, for the alignment
+// CUDA only from here: GLSL has i64vec2 in place of Axis, for its alignment to 16 bytes
 __device__ inline int64_t load_position(const KernelBuffers& buf, uint k, uint i) { return buf.axis[k].of[i].position; }
 __device__ inline Axis load_axis(const KernelBuffers& buf, uint k, uint i) { return buf.axis[k].of[i]; }
 __device__ inline void store_axis(const KernelBuffers& buf, uint k, uint i, int64_t at, int64_t momentum) {

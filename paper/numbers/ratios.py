@@ -93,7 +93,7 @@ def log_mean(observed):
 
 
 def difference(left, right):
-    """The same of the logarithm of left over right, of independent observations (Welch 1947)."""
+    """log_mean of left over right, for independent observations (Welch 1947)."""
     (ours, first, of_first), (theirs, second, of_second) = log_mean(left), log_mean(right)
     error = first + second
     freedom = error**2 / (first**2 / of_first + second**2 / of_second) if 0 < error < math.inf else 1

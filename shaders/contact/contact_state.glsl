@@ -15,7 +15,7 @@ float radius_of(uint i) {
   return p.radius != 0.0f ? p.radius : position[i].w;  // equal radii need no load
 }
 
-// GLSL only from here: what CUDA aligns by itself
+// GLSL only from here: i64vec2 in place of Axis, for its alignment to 16 bytes
 int64_t load_position(uint k, uint i) { return axis[k].of[i].x; }
 Axis load_axis(uint k, uint i) {
   i64vec2 loaded = axis[k].of[i];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How launches go out in each API, and what GLSL reads through textures.
+// ApiOptions: batches, steps, launches per step, the persistent kernel, OpenGL's table of cells in several textures.
 #include "api/open.h"
 #include "tests/oracle/oracle.h"
 #include "tests/support/grid_results.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sort by buckets of cells, where there are many, and where they hold many spheres.
+// The sort by buckets of cells: many buckets, and buckets of many spheres.
 #include <algorithm>
 #include <random>
 

@@ -65,7 +65,7 @@ TEST_P(Draw, NoneOneAndTwo) {
   }
 }
 
-// Nobody but the drawing has asked where they are.
+// Only draw() evaluates the positions.
 TEST_P(Draw, AnchoredSpheresWhereTheyAreNow) {
   const Scene scene = make_scene({.n = 300, .motion = {.method = MotionMethod::anchored}});
   const View view = view_of(framed(scene));

@@ -20,7 +20,7 @@
 namespace spherepair {
 namespace {
 
-// Whether two spheres come nearer than `shorter` times their radii within dt, in quadruple precision.
+// Whether two spheres come nearer than `shorter` times the sum of their radii within dt, in quadruple precision.
 bool touch_in_quad(const Scene& scene, uint i, uint j, const Quad& shorter = 1) {
   const vec4 &a = scene.positions[i], &b = scene.positions[j], &v = scene.velocities[i], &w = scene.velocities[j];
   const Quad p[3] = {Quad(a.x) - b.x, Quad(a.y) - b.y, Quad(a.z) - b.z};

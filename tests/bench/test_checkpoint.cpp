@@ -82,7 +82,7 @@ TEST(Checkpoint, HoldsContactsAndTheirUnits) {
   EXPECT_EQ(read.scene.contact.drag, 0.25f);
 }
 
-// As an earlier version wrote it: with fewer bytes in the header of contacts, behind 64, and in its checksum.
+// Reads a checkpoint as an earlier version wrote it: the contact header, at byte 64, has contact_bytes bytes, not 56.
 Checkpoint read_as_of(char version, size_t contact_bytes, const Checkpoint& written) {
   const ScratchFolder folder;
   write_checkpoint(folder.path("new"), written);

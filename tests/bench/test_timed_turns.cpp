@@ -146,7 +146,7 @@ TEST(TimedTurns, TheContendersOfAContestFollowEachOtherInEveryRound) {
   EXPECT_GT(orders.size(), 20u) << "of 3! orders of the contests and 2^3 within them";
 }
 
-// The clock slows down from step to step: what does not start anew, or with other steps ahead, is seen in the time.
+// Each step takes longer than the one before, so a batch that does not restart, or has more steps ahead, takes longer.
 TEST(TimedTurns, WhatMovesBeginsEveryBatchAlike) {
   ClockedSession on;
   std::vector<Contender> contenders;

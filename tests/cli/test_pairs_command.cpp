@@ -68,7 +68,7 @@ TEST_F(PairsCommand, SummaryAndJson) {
   EXPECT_TRUE(record.at("context").contains("build") && record.at("seconds").contains("load"));
 }
 
-// Neither a terminal nor JSON takes such bytes.
+// Control characters and invalid UTF-8 are escaped; the JSON file stays valid.
 TEST_F(PairsCommand, NamesMayBeAnyBytes) {
   PairsOptions odd = options("pairs.txt");
   odd.input_file = folder_.write("odd\xff.xyz", "1\nProperties=\x1b\xff:S:1:pos:R:3:radius:R:1\nH 1 2 3 4\n");

@@ -47,7 +47,7 @@ bool lacks_egl_windows(const Ended& ended) {
   return ended.code == kDeviceFailure && ended.said.find("EGL: Failed to get EGL display") != std::string::npos;
 }
 
-// What stands behind the last colon of the last line.
+// The text from the last ": step" on.
 std::string totals_in(const std::string& said) { return said.substr(said.rfind(": step")); }
 
 struct Shot {

@@ -42,7 +42,7 @@ class Line(unittest.TestCase):
         self.check(timing(), 1e-9)
 
     def test_late_batches_do_not_bend_it(self):
-        """The short ones of seven rounds: by least squares most rounds' steps were 7 % too short."""
+        """The shortest batches of seven rounds are late: least squares makes most rounds' steps 7 % too short."""
         late = {(k, 0) for k in range(7)} | {(8, 1), (9, 2)}
         bent = [numpy.polyfit(STEPS, batch, 1)[0] for batch in timing(late)["batch_ms"]]
         self.assertLess(numpy.median(bent), 0.95 * STEP)

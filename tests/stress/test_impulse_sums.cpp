@@ -110,7 +110,7 @@ float fastest_difference(const std::vector<vec4>& a, const std::vector<vec4>& b)
   return largest;
 }
 
-// Each impulse has a relative error of 2^-24, and so have the sums of some.
+// float32 rounds each impulse and each addition, by 2^-24 at most.
 TEST_P(SumsOfImpulses, ByAtomicsAreWithinRoundingOfThoseInOrder) {
   if (!has_atomics()) GTEST_SKIP() << backend().info().name << " has none";
   for (const Scene& scene : crowded_scenes()) {

@@ -28,7 +28,7 @@ struct Direction {
   double x, y, z;
 };
 
-// Every axis both ways, then any.
+// Each axis in both directions for k < 6, then at random.
 Direction direction_of(int k, std::mt19937_64& random) {
   const double sign = k % 2 == 0 ? 1 : -1;
   if (k < 6) return {k / 2 == 0 ? sign : 0, k / 2 == 1 ? sign : 0, k / 2 == 2 ? sign : 0};
@@ -37,8 +37,8 @@ Direction direction_of(int k, std::mt19937_64& random) {
   return {x / length, y / length, z / length};
 }
 
-// Spheres on both sides of a point: in one of three turns in their own direction from the origin, just beyond a power
-// of two, where centres are rounded most for where they are, else about as far out as the offset on every axis.
+// Two spheres on opposite sides of a point. For every third k the point is in their own direction from the origin, just
+// beyond a power of two, where centres are rounded most for their distance; else about `offset` away along each axis.
 struct TwoSpheres {
   ContactParams c;
   Direction d;

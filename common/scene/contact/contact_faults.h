@@ -20,8 +20,7 @@ struct FailedStep {
 // Of words of SLOT_FAULT.
 bool has_faults(const std::vector<uint>& words);
 
-// Throws std::invalid_argument that names the step, the sphere and by how much; of one that is too fast also a
-// time step that works.
+// Throws std::invalid_argument with the step, the sphere, its depth, speed or position, and a remedy.
 [[noreturn]] void throw_fault(const std::string& backend, const FailedStep& step, const ContactParams& params);
 
 }  // namespace spherepair

@@ -21,8 +21,8 @@ double greatest_force(ContactLaw law, double k, double overlap, double reach) {
   return k * std::min(2 * overlap * squared(reach), 0.385 * cubed_length(reach));
 }
 
-// More than the spheres of radius b to w b that touch one of radius a b: their centres are between a b (or b, where
-// that is more) and (a + w) b from its own and b from each other, so that balls of radius b/2 around them are disjoint.
+// Upper bound of the number of spheres of radius b to w b that touch one of radius a b. Their centres are max(a, 1) b
+// to (a + w) b from its centre and at least b apart, so balls of radius b/2 around them are disjoint.
 double greatest_number(double a, double w) { return 8 * (cubed_length(a + w + 0.5) - cubed_length(a - 0.5)); }
 
 double reduced_mass(double a, double b) { return sphere_mass(a) * sphere_mass(b) / (sphere_mass(a) + sphere_mass(b)); }
@@ -58,15 +58,15 @@ double shortest_contact(ContactLaw law, double k, Radii radii, double closing_sp
   return std::numbers::pi * std::sqrt(lightest / (2 * k));
 }
 
-// The force of x'' + 2 b x' + x = 0 that begins at x = 0 has fallen to 0 by then: Schwager and Poeschel, Granular
-// Matter 9 (2007) 465.
+// Time until the force of x'' + 2 b x' + x = 0, started at x = 0, falls to 0; b: `ratio`. Schwager and Poeschel,
+// Granular Matter 9 (2007) 465.
 double damped_time(double ratio) {
   const double root = std::sqrt(std::abs(1 - ratio * ratio));
   if (root == 0) return 2;
   return 2 * (ratio < 1 ? std::acos(ratio) : std::acosh(ratio)) / root;
 }
 
-// Of the speed, exp(-b t) is left when the force has fallen to 0, below the critical damping and above it.
+// When the force has fallen to 0, the speed is exp(-b t) of the initial one, below and above critical damping.
 double damping_ratio(double restitution) {
   double low = 0, high = 2;
   for (int turn = 0; turn < 60; ++turn) {

@@ -10,7 +10,7 @@
 
 namespace spherepair {
 
-// Along the line of centres, of an overlap o, a reach R and a distance d; never attractive.
+// Force along the line of centres at overlap o, reach R and distance d; never attractive.
 enum class ContactLaw : uint {
   none,     // spheres pass through each other
   spring,   // k * o, with a damper where the restitution is below 1

@@ -32,10 +32,10 @@ FN float cubed(float radius) {
 // Units of length that a unit of momentum moves this sphere in a step: by its mass.
 FN float mobility_of(float radius, ContactParams c) { return corrected_quotient(c.mobility, cubed(radius)); }
 
-// The impulse along the gap, over the gap's components in unit_length. closing: the speed, in units a step, along the
-// gap's components; reduced_cube: of the radii, for the reduced mass. Momenta are those half a step before the
-// positions, and the damper's speed is to be that of the step's middle: half of the impulse is taken from it, hence the
-// divisor.
+// The impulse along the gap over the gap's length: times the gap's components in unit_length it is the impulse.
+// closing: the relative speed, in units a step, dotted with these components; reduced_cube: of the radii, for the
+// reduced mass. Momenta are half a step older than the positions. The damper uses the speed in the middle of the step,
+// after half of the impulse: hence the divisor.
 FN float push_per_length(Gap g, float closing, float reduced_cube, ContactParams c) {
   if (c.law == CONTACT_QUARTIC) {
     EXACT float depth = float_of(int64_t(g.reach * g.reach - g.square)) * power_of_two(-58);
@@ -68,8 +68,8 @@ FN float speed_of(int64_t momentum, float mobility) {
   EXACT float speed = float_of(momentum) * mobility;
   return speed;
 }
-// With drag a sphere stays in place, and its damper gives nothing, while a step would move it by less than 2^-30 of the
-// smallest radius: about half of the unit of its gaps (gap.h), which no impulse can tell from none.
+// With drag, a sphere that a step would move by less than 2^-30 of the smallest radius stays in place, and its damper
+// gives nothing. That is about half a unit of its gaps (gap.h): too little to change an impulse.
 FN bool stays(float speed, ContactParams c) {
   EXACT float slowest = c.fastest * power_of_two(-30);
   return c.drag_loss != 0.0f && speed < slowest && speed > -slowest;
