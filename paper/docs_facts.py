@@ -30,7 +30,7 @@ def older(machine):
     named = f"these records were made: {', '.join(stale)}"
     if len(stale) > len(current):
         named = "the records were made" + (f", all but {', '.join(current)}" if current else "")
-    return paragraph(f"Kernels and launch paths have become faster since {named}. [The notes](docs/NOTES/launches.md) have the new times.")
+    return paragraph(f"Kernels and launches have become faster since {named}: [new times](docs/NOTES/launches.md).")
 
 
 def errors(machine):

@@ -61,7 +61,7 @@ def short_steps(machine):
     steps = apis.short_steps(machine)
     times = {way: f"{first:.1f} to {last:.1f}" for way, (first, last) in steps.times.items()}
     return (f"A move and a test of all pairs of {steps.sizes[0]:,} to {steps.sizes[-1]:,} spheres takes {times['OpenGL']} µs through OpenGL, "
-            f"{times['Vulkan']} through Vulkan with the same GLSL, and {times[apis.ONE_STEP]} as a CUDA graph. OpenGL takes "
+            f"{times['Vulkan']} through Vulkan with the same GLSL, and {times[apis.ONE_STEP]} as a CUDA graph of one step. OpenGL takes "
             f"{span(*steps.ratios['OpenGL'])} CUDA's time, Vulkan {span(*steps.ratios['Vulkan'])} ({steps.extent}). CUDA graphs of up to 64 "
             f"steps take {times[apis.MANY_STEPS]} µs.")
 
@@ -85,7 +85,7 @@ def tensor_cores(machine):
     """GLSL reaches tensor cores through Vulkan alone."""
     n, times = apis.tensor_times(machine)
     return (f"CUDA tests all pairs of {n:,} spheres in {short(times['cuda', 'tensor'])} with tensor cores and in "
-            f"{short(times['cuda', 'triangle'])} without. GLSL reaches them through Vulkan only, where they gain nothing: "
+            f"{short(times['cuda', 'triangle'])} without. GLSL can use them through Vulkan only, where they gain nothing: "
             f"{short(times['vulkan', 'tensor'])} and {short(times['vulkan', 'triangle'])}.")
 
 

@@ -60,7 +60,7 @@ void add_output(CLI::App& command, PairsOptions& options) {
       ->excludes(csr)
       ->excludes(command.get_option("--cutoff"));
   command.add_option("--contacts", options.contacts_file,
-                     "Write the number of contacts of each sphere to this file: .npy (uint32), .csv or .txt");
+                     "Write the number of contacts of each sphere to this file: .npy (uint32), .csv, .txt or -");
   command.add_option("--json", options.json_file,
                      "Write the summary and context as JSON to this file; -: to standard output");
 }

@@ -52,8 +52,8 @@ void add_run(CLI::App& app, CommandLine& line, Action& action) {
   command->add_flag("--swept", options->swept, "Find the pairs that touch within the next step")->excludes("--naive");
   command->add_flag("--per-step", options->per_step, "Print and record every step");
   command->add_flag("--hashes", options->hashes, "Print fingerprints of the pairs and hashes of the state");
-  command->add_option("--pairs", options->pairs_file, "Pairs i < j of the last step, sorted: .npy, .txt or -");
-  command->add_option("--contacts", options->contacts_file, "Contacts of each sphere: .npy or .txt");
+  command->add_option("--pairs", options->pairs_file, "Pairs i < j of the last step, sorted: .npy, .csv, .txt or -");
+  command->add_option("--contacts", options->contacts_file, "Contacts of each sphere: .npy, .csv, .txt or -");
   command->add_option("--spheres", options->spheres_file,
                       "Spheres after the last step in float32, for --input: .npy, .xyz, .extxyz, .csv, .tsv, .txt, "
                       ".dat or -; for ParaView: .vtp");

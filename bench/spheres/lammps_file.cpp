@@ -78,7 +78,8 @@ Box read_box(const FileBytes& file, FileLines& cursor, std::string_view head) {
       box.flags += words[axis];
   }
   if (words.size() != 3)
-    file.fail_at_line(box.line, "BOX BOUNDS with pp, ff, ss or the like for each axis, such as pp pp ff",
+    file.fail_at_line(box.line,
+                      "BOX BOUNDS and for each axis whether it is periodic: pp, ff, ss or the like, such as pp pp ff",
                       in_quotes(head));
   std::array<std::vector<double>, 3> bounds;
   for (size_t axis = 0; axis < 3; ++axis) {
@@ -87,6 +88,11 @@ Box read_box(const FileBytes& file, FileLines& cursor, std::string_view head) {
     if (general) std::copy_n(bounds[axis].begin(), 3, box.box.rows[axis].begin());
   }
   if (!general) set_edges(box, bounds, tilted);
+  for (size_t axis = 0; axis < 3 && !general; ++axis)
+    if (const double edge = box.box.rows[axis][axis]; edge < 0 || (edge == 0 && box.box.periodic[axis]))
+      file.fail_at_line(box.line + 1 + axis,
+                        "an upper bound above the lower one (of a tilted box the bounds include the tilt)",
+                        fmt::format("{} {}", bounds[axis][0], bounds[axis][1]));
   return box;
 }
 
@@ -95,7 +101,8 @@ Frame read_frame(const FileBytes& file, FileLines& cursor) {
   uint64_t count_line = 0, spheres = 0;
   while (true) {
     const uint64_t line = cursor.line;
-    const char* expected = "ITEM: ATOMS, behind ITEM: NUMBER OF ATOMS and ITEM: BOX BOUNDS";
+    const char* expected =
+        "ITEM: NUMBER OF ATOMS and ITEM: BOX BOUNDS (BOX BOUNDS ff ff ff for an open one) before ITEM: ATOMS";
     if (cursor.at_end()) file.fail_at_line(line, expected, "the end of the file");
     const std::string_view text = cursor.next();
     const auto begins = [&](std::string_view name) {

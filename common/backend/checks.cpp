@@ -47,7 +47,7 @@ void refuse_tensor(const std::string& backend, const CollideOptions& options, bo
   if (options.method == Method::collide_tensor && !offered)
     throw std::invalid_argument(
         fmt::format("{}: collide_tensor runs in CUDA on a GPU of compute capability 9.0 (H100, H200), and in Vulkan on "
-                    "one with GL_NV_cooperative_matrix, only; choose another method, collide_triangle for the same "
+                    "one with VK_NV_cooperative_matrix, only; choose another method, collide_triangle for the same "
                     "search without tensor cores",
                     backend));
 }

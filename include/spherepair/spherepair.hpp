@@ -195,7 +195,7 @@ class PairList {
 // An open backend. One thread at a time uses it; several contexts can be used at once.
 class Context {
  public:
-  // Opens a backend: cpu, opengl, cuda, vulkan, or auto for the fastest. device: a GPU's number or UUID. threads: of
+  // Opens a backend: cpu, opengl, cuda, vulkan, or auto: the first of CUDA, Vulkan and OpenGL on a GPU, else cpu. device: a GPU's number or UUID. threads: of
   // cpu; 0: one a core. Throws Error: SP_E_BACKEND if the backend is missing here, SP_E_ARGUMENT for an unknown name.
   explicit Context(const std::string& backend = "auto", const std::string& device = "", int32_t threads = 0) {
     if (sp_abi_version() != SP_ABI_VERSION)

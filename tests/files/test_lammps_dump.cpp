@@ -119,16 +119,20 @@ TEST_F(LammpsDump, WhatIsWrongIsNamed) {
   };
   expect(dump(periodic, "x y z\n0 0 0", 1), "line 5: expected spheres without a periodic box");
   expect(dump(open_box, "xs ys zs\n0 0 0", 1), "line 9: expected coordinates x y z, or xu yu zu");
-  expect(dump("\n0 1\n0 1\n0 1", "x y z\n0 0 0", 1), "line 5: expected BOX BOUNDS with pp, ff");
-  expect(dump("pp ff\n0 1\n0 1\n0 1", "x y z\n0 0 0", 1), "line 5: expected BOX BOUNDS with pp, ff");
+  expect(dump("\n0 1\n0 1\n0 1", "x y z\n0 0 0", 1), "line 5: expected BOX BOUNDS and for each axis");
+  expect(dump("pp ff\n0 1\n0 1\n0 1", "x y z\n0 0 0", 1), "line 5: expected BOX BOUNDS and for each axis");
   expect(dump("ff ff ff\n0 1\n0 nan\n0 1", "x y z\n0 0 0", 1), "line 7: expected 2 finite numbers of the box");
   expect(dump("xy xz yz ff ff ff\n0 1 0\n0 1\n0 1 0", "x y z\n0 0 0", 1), "line 7: expected 3 finite numbers");
+  expect(dump("pp ff ff\n1 1\n0 1\n0 1", "x y z\n0 0 0", 1), "line 6: expected an upper bound above the lower one");
+  expect(dump("ff ff ff\n0 1\n1 0\n0 1", "x y z\n0 0 0", 1), "line 7: expected an upper bound above the lower one");
+  expect(dump("xy xz yz pp pp pp\n0 0.5 1\n0 4 0\n0 4 0", "x y z\n0 0 0", 1), "line 6: expected an upper bound");
   expect(dump(open_box, "x y z\n0 0 0", 3), "3 spheres as line 4 says");
   expect(dump(open_box, "id x y\n0 0 0", 1), "columns x, y and z must be among");
   expect("ITEM: TIMESTEP\n0\n", "the end of the file");
-  expect("ITEM: TIMESTEP\n0\nITEM: ATOMS x y z\n", "line 3: expected ITEM: ATOMS, behind ITEM: NUMBER OF ATOMS");
-  expect("ITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS x y z\n0 0 0\n", "line 3: expected ITEM: ATOMS, behind");
-  expect("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n1\n", "line 3: expected ITEM: ATOMS");
+  expect("ITEM: TIMESTEP\n0\nITEM: ATOMS x y z\n", "line 3: expected ITEM: NUMBER OF ATOMS and ITEM: BOX BOUNDS");
+  expect("ITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS x y z\n0 0 0\n",
+         "line 3: expected ITEM: NUMBER OF ATOMS and ITEM: BOX BOUNDS");
+  expect("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n1\n", "line 3: expected ITEM: NUMBER OF ATOMS");
   expect("1\n\nHe 0 0 0\n", "line 1: expected ITEM:");
   expect(good + "ITEM:", "line 12: expected ITEM:");
   expect(good, "has no periodic box: omit --ignore-periodic", {.radius = 1, .ignore_periodic = true});

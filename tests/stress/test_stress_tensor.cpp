@@ -66,7 +66,7 @@ TEST_P(TensorCores, AreThereOnSomeGpusAndRefusedWithTheReasonElsewhere) {
     backend().collide(tensor);
     FAIL() << "searched";
   } catch (const std::invalid_argument& error) {
-    for (const char* what : {"compute capability 9.0 (H100, H200)", "in Vulkan on one with GL_NV_cooperative_matrix"})
+    for (const char* what : {"compute capability 9.0 (H100, H200)", "in Vulkan on one with VK_NV_cooperative_matrix"})
       EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();
   }
 }
