@@ -119,8 +119,8 @@ void add_studies(CLI::App& app, CommandLine& line, Action& action) {
 
 int run_program(int argc, const char* const* argv, const Opener& opener, Runner run, const Clocks& clocks) {
   CLI::App app(
-      "spherepair finds the colliding pairs of spheres exactly, on the CPU, with GLSL compute shaders and with CUDA; "
-      "checks that all backends find the same pairs; and times them.");
+      "spherepair finds the colliding pairs of spheres exactly, on the CPU, with GLSL through OpenGL and Vulkan, and "
+      "with CUDA; checks that all backends find the same pairs; and times them.");
   app.set_version_flag("--version", fmt::format("spherepair {} ({})", build_info.version, build_info.commit));
   app.formatter(std::make_shared<HelpFormat>());  // before the subcommands, which take it over
   app.require_subcommand(1);

@@ -144,7 +144,7 @@ std::string plane_text(const Scene& scene) { return fmt::format("plane at y = {}
 
 std::string species_warning(const Start& start) {
   if (!start.unread_species) return "";
-  return fmt::format("* --spheres writes no species: those of {} are left out, XYZ has X instead\n", start.file);
+  return fmt::format("* --spheres writes no species: those of {} are left out (XYZ: X instead)\n", start.file);
 }
 
 void add_inputs(OutputFiles& files, const StartOptions& options) {

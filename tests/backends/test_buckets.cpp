@@ -45,7 +45,7 @@ TEST_P(MethodsByBuckets, OfFewSpheres) {
 
 // A step that fails behind the sort leaves nothing that the next one would keep wrongly.
 TEST_P(MethodsByBuckets, AfterAStepThatFailed) {
-  if (std::string_view(GetParam()) != "opengl") GTEST_SKIP() << "texture buffers are GL's";
+  if (std::string_view(GetParam()) != "opengl") GTEST_SKIP() << "only OpenGL reads the table in parts";
   OpenOptions open;
   open.texels = 100;
   const auto opengl = open_backend("opengl", open);
