@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The answer at the head of the page, from the records: the time ratio of short steps and of the longest recorded ones."""
+from paper.numbers import apis
 from paper.numbers.contests import SHORT, contests, ratio_span, several
 from paper.numbers.ratios import extent
-from paper.records import Missing
+from paper.records import APIS, DATA, Machine, Missing
 
 ABOUT_EQUAL = 1.1  # a ratio up to this hardly matters
 WORDS = {"cuda": "faster in CUDA", "opengl": "faster in OpenGL", "equal": "about as fast in both",
@@ -34,6 +35,13 @@ def sizes(found):
     return least if least == most else f"{least} to {most}"
 
 
+def through_vulkan(three):
+    """What Vulkan makes of the same GLSL, as recorded."""
+    low, high = apis.short_steps(three).ratios["Vulkan"]
+    return (f" In short steps the same GLSL through Vulkan takes {low:.1f}x to {high:.1f}x the time of a CUDA graph of one step "
+            f"({three.backend('cuda')['device']}).")
+
+
 def answer(machine, recorded):
     """(the answer in words, the same with GPU and ratios), one sentence each."""
     if not all(machine.has(name) and not machine.backend(name)["software"] for name in ("opengl", "cuda")):
@@ -43,7 +51,8 @@ def answer(machine, recorded):
     words = f"Steps are {sides[0]}." if sides[0] == sides[1] else f"Short steps are {sides[0]}; long steps are {sides[1]}."
     where = f"the recorded {machine.backend('cuda')['device']}" if recorded else f"this machine's {machine.backend('cuda')['device']}"
     return words, (f"On {where}, OpenGL takes {ratio_span(short)} CUDA's time in steps of {sizes(short)} spheres and {ratio_span(long)} "
-                   f"in steps of {sizes(long)} ({extent([entry.ratio for entry in short + long])}).")
+                   f"in steps of {sizes(long)} ({extent([entry.ratio for entry in short + long])})."
+                   + (through_vulkan(Machine(DATA / APIS, whole=False)) if recorded else ""))
 
 
 def why_not(machine):
