@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of text with frames: each has a head, and a line per sphere.
+// Text files with frames. A frame has some lines of its own, then one line per sphere.
 #pragma once
 
 #include <memory>
@@ -25,6 +25,17 @@ SphereLines pass_over_spheres(const FileBytes& file, FileLines& cursor, uint64_t
 
 // A number of spheres, in a line of its own.
 uint64_t read_sphere_count(const FileBytes& file, FileLines& cursor, const std::string& expected);
+
+// Calls read_frame(cursor) until the file ends, once at least: all frames must be complete.
+template <typename ReadFrame>
+void for_frames(const FileBytes& file, ReadFrame read_frame) {
+  require_text(file);
+  FileLines cursor = lines_of(file);
+  do {
+    read_frame(cursor);
+    cursor.skip_blank_lines();
+  } while (!cursor.at_end());
+}
 
 // Reads the spheres, and fills what the input says of their columns; `format` are these in words, without the format's
 // name. `line` is that of the columns' names.

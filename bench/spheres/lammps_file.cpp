@@ -20,22 +20,20 @@ std::vector<std::string> words_in(std::string_view text) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-struct Box {
+struct DumpBox {
   uint64_t line = 0;       // of ITEM: BOX BOUNDS
   std::string text = {};   // what follows it
   std::string flags = {};  // two letters an axis: pp is periodic, f, s and m are not
   ListBox box = {};
   std::array<double, 3> low = {};  // where it is along the axes
   bool along_axes = false;
-
-  bool is_open() const { return flags.find('p') == flags.npos; }
 };
 
-struct Frame {
+struct DumpFrame {
   uint64_t names_line = 0;
   std::vector<std::string> names;
   std::string units;
-  Box box;
+  DumpBox box;
   SphereLines lines;
 };
 
@@ -53,7 +51,7 @@ std::vector<double> numbers_in(const FileBytes& file, FileLines& cursor, size_t 
 }
 
 // Bounds of a tilted box enclose it; its edges begin and end within them by the tilts.
-void set_edges(Box& box, const std::array<std::vector<double>, 3>& bounds, bool tilted) {
+void set_edges(DumpBox& box, const std::array<std::vector<double>, 3>& bounds, bool tilted) {
   const double xy = tilted ? bounds[0][2] : 0, xz = tilted ? bounds[1][2] : 0, yz = tilted ? bounds[2][2] : 0;
   const double below[3] = {std::min({0.0, xy, xz, xy + xz}), std::min(0.0, yz), 0};
   const double above[3] = {std::max({0.0, xy, xz, xy + xz}), std::max(0.0, yz), 0};
@@ -66,13 +64,14 @@ void set_edges(Box& box, const std::array<std::vector<double>, 3>& bounds, bool 
 }
 
 // BOX BOUNDS pp pp ff; BOX BOUNDS xy xz yz pp pp pp; BOX BOUNDS abc origin pp pp pp.
-Box read_box(const FileBytes& file, FileLines& cursor, std::string_view head) {
-  Box box{.line = cursor.line - 1, .text = std::string(trimmed(head))};
+DumpBox read_bounds(const FileBytes& file, FileLines& cursor, std::string_view head) {
+  DumpBox box{.line = cursor.line - 1, .text = std::string(trimmed(head))};
   std::vector<std::string> words = words_in(head);
   const bool tilted = words.size() > 2 && words[0] == "xy", general = words.size() > 1 && words[0] == "abc";
   words.erase(words.begin(), words.begin() + (tilted ? 3 : general ? 2 : 0));
   for (size_t axis = 0; axis < words.size(); ++axis) {
-    if (words[axis].size() != 2 || words[axis].find_first_not_of("pfsm") != std::string::npos)
+    const bool is_open = words[axis].size() == 2 && words[axis].find_first_not_of("fsm") == std::string::npos;
+    if (!is_open && words[axis] != "pp")
       words.clear();
     else
       box.flags += words[axis];
@@ -96,8 +95,8 @@ Box read_box(const FileBytes& file, FileLines& cursor, std::string_view head) {
   return box;
 }
 
-Frame read_frame(const FileBytes& file, FileLines& cursor) {
-  Frame frame;
+DumpFrame read_dump_frame(const FileBytes& file, FileLines& cursor) {
+  DumpFrame frame;
   uint64_t count_line = 0, spheres = 0;
   while (true) {
     const uint64_t line = cursor.line;
@@ -113,7 +112,7 @@ Frame read_frame(const FileBytes& file, FileLines& cursor) {
       count_line = cursor.line;
       spheres = read_sphere_count(file, cursor, "the number of atoms");
     } else if (begins("BOX BOUNDS")) {
-      frame.box = read_box(file, cursor, text.substr(item.size() + 10));
+      frame.box = read_bounds(file, cursor, text.substr(item.size() + 10));
     } else if (begins("UNITS")) {
       frame.units = trimmed(cursor.next());
     } else if (begins("TIMESTEP") || begins("TIME")) {
@@ -130,7 +129,7 @@ Frame read_frame(const FileBytes& file, FileLines& cursor) {
 }
 
 // Unwrapped coordinates where there are no others; element or type is the species.
-std::vector<NamedColumn> named_columns(const FileBytes& file, const Frame& frame) {
+std::vector<NamedColumn> named_columns(const FileBytes& file, const DumpFrame& frame) {
   const auto has = [&](const char* name) { return std::ranges::count(frame.names, name) > 0; };
   const bool wrapped = has("x") || has("y") || has("z");
   if (!wrapped && !has("xu") && (has("xs") || has("xsu")))
@@ -145,10 +144,14 @@ std::vector<NamedColumn> named_columns(const FileBytes& file, const Frame& frame
   return columns;
 }
 
-Columns columns_of(const FileBytes& file, const Frame& frame, const SphereFileOptions& options) {
-  const std::vector<NamedColumn> names = named_columns(file, frame);
-  if (!options.columns.empty()) return columns_of_option(options.columns, names, file.name());
-  Columns columns = columns_of_names(fmt::format("{}, line {}", file.name(), frame.names_line), names);
+Columns columns_of_dump(const FileBytes& file, const DumpFrame& frame, const SphereFileOptions& options) {
+  if (!options.columns.empty()) {
+    std::vector<NamedColumn> as_written;
+    for (const std::string& name : frame.names) as_written.push_back({name});
+    return columns_of_option(options.columns, as_written, file.name());
+  }
+  Columns columns =
+      columns_of_names(fmt::format("{}, line {}", file.name(), frame.names_line), named_columns(file, frame));
   columns.text = fmt::format("{}", fmt::join(frame.names, " "));
   columns.by = fmt::format("by the names in line {}", frame.names_line);
   if (!frame.units.empty()) columns.units = fmt::format("LAMMPS's units {}", frame.units);
@@ -158,29 +161,25 @@ Columns columns_of(const FileBytes& file, const Frame& frame, const SphereFileOp
 class LammpsFrames final : public Frames {
  public:
   LammpsFrames(const FileBytes& file, const SphereFileOptions& options) : file_(file), options_(options) {
-    require_text(file);
-    FileLines cursor = lines_of(file);
-    while (frames_.empty() || !cursor.at_end()) {  // all must be complete
-      frames_.push_back(read_frame(file, cursor));
-      cursor.skip_blank_lines();
-    }
+    for_frames(file, [&](FileLines& cursor) { frames_.push_back(read_dump_frame(file, cursor)); });
   }
   size_t count() const override { return frames_.size(); }
 
   SphereFile read(size_t k, SphereRows& rows) const override {
-    const Frame& frame = frames_[k];
-    const Box& box = frame.box;
+    const DumpFrame& frame = frames_[k];
+    const DumpBox& box = frame.box;
     SphereFile input;
-    take_periodic_box(file_, box.line, box.is_open() ? "" : fmt::format("BOX BOUNDS {}", box.text), box.box, "",
+    take_periodic_box(file_, box.line, box.box.is_open() ? "" : fmt::format("BOX BOUNDS {}", box.text), box.box, "",
                       options_, input);
     if (box.flags == "ffffff" && box.along_axes) input.box = walls(box);
-    read_sphere_lines(file_, frame.names_line, columns_of(file_, frame, options_), frame.lines, options_, rows, input);
+    read_sphere_lines(file_, frame.names_line, columns_of_dump(file_, frame, options_), frame.lines, options_, rows,
+                      input);
     input.format = "LAMMPS dump " + input.format;
     return input;
   }
 
  private:
-  static WallBox walls(const Box& box) {
+  static WallBox walls(const DumpBox& box) {
     WallBox walls;
     for (size_t axis = 0; axis < 3; ++axis) {
       walls.low[axis] = float(box.low[axis]);
@@ -191,7 +190,7 @@ class LammpsFrames final : public Frames {
 
   const FileBytes& file_;
   const SphereFileOptions& options_;
-  std::vector<Frame> frames_;
+  std::vector<DumpFrame> frames_;
 };
 
 }  // namespace

@@ -31,6 +31,15 @@ constexpr Format formats[] = {{"extended XYZ", {".xyz", ".extxyz"}, nullptr, xyz
                               {"columns of text", {".txt", ".csv", ".tsv", ".dat"}, read_text, nullptr}};
 constexpr const Format &xyz = formats[0], &lammps = formats[1], &npy = formats[2], &text = formats[3];
 
+std::string known_formats() {
+  std::vector<std::string> known;
+  for (const Format& format : formats) {
+    const auto end = std::ranges::find(format.extensions, "");
+    known.push_back(fmt::format("{} ({})", fmt::join(format.extensions.begin(), end, ", "), format.name));
+  }
+  return fmt::format("{}", fmt::join(known, ", "));
+}
+
 std::string names_of_framed() {
   std::vector<std::string_view> names;
   for (const Format& format : formats)
@@ -58,7 +67,7 @@ const Format& format_of(const FileBytes& file, const SphereFileOptions& options)
     throw std::invalid_argument(fmt::format("{} is {}: unpack or convert it to XYZ, NPY or text", file.name(), kind));
   throw std::invalid_argument(fmt::format(
       "cannot tell the format of {} by its extension; known are {}; other text needs --columns x,y,z,radius",
-      file.name(), known_sphere_formats()));
+      file.name(), known_formats()));
 }
 
 // Throws for options that the format does not take.
@@ -132,15 +141,6 @@ void index_species(std::span<SphereFile> frames, std::span<const SphereRows> row
 }
 
 }  // namespace
-
-std::string known_sphere_formats() {
-  std::vector<std::string> known;
-  for (const Format& format : formats) {
-    const auto end = std::ranges::find(format.extensions, "");
-    known.push_back(fmt::format("{} ({})", fmt::join(format.extensions.begin(), end, ", "), format.name));
-  }
-  return fmt::format("{}", fmt::join(known, ", "));
-}
 
 SphereFile read_sphere_file(const std::string& file, const SphereFileOptions& options) {
   const FileBytes bytes(file);

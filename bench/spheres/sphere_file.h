@@ -70,9 +70,6 @@ std::string describe_digits(const SphereFile& input);    // how many are lost, a
 std::string describe_rounding(const SphereFile& input);  // how far it moves a surface; empty if not
 json to_json(const SphereFile& input);
 
-// The formats that are read, for help and messages: .xyz and .extxyz (extended XYZ), ...
-std::string known_sphere_formats();
-
 // The readers of formats without frames: they fill the format's fields and the rows. Of the others: frames.h.
 struct Columns;
 struct SphereRows;

@@ -79,12 +79,7 @@ void read_box(const Comment& comment, const SphereFileOptions& options, SphereFi
 class XyzFrames final : public Frames {
  public:
   XyzFrames(const FileBytes& file, const SphereFileOptions& options) : file_(file), options_(options) {
-    require_text(file);
-    FileLines cursor = lines_of(file);
-    while (frames_.empty() || !cursor.at_end()) {  // all must be complete
-      frames_.push_back(read_frame(file, cursor, frames_.empty()));
-      cursor.skip_blank_lines();
-    }
+    for_frames(file, [&](FileLines& cursor) { frames_.push_back(read_frame(file, cursor, frames_.empty())); });
   }
   size_t count() const override { return frames_.size(); }
 

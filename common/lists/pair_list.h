@@ -12,7 +12,7 @@ namespace spherepair {
 std::vector<ListedPair> list_pairs(Backend& backend, const ListProblem& problem,
                                    CollideOptions options = {.method = Method::automatic});
 
-// Gives firsts + 1 offsets: the pairs of point i are list[offsets[i]] to list[offsets[i + 1] - 1].
+// firsts + 1 offsets: the pairs of point i begin at list[offsets[i]] and end before list[offsets[i + 1]].
 std::vector<int64_t> offsets_of(const std::vector<ListedPair>& list, uint64_t firsts);
 
 }  // namespace spherepair

@@ -22,8 +22,8 @@ WAYS = {"OpenGL": ("opengl", ("batched", "overlapping")),
         "CUDA, stream": ("cuda", ("stream", "stream_programmatic")),
         ONE_STEP: ("cuda", ("graph", "graph_programmatic")),
         MANY_STEPS: ("cuda", ("graph_steps", "graph_steps_programmatic"))}
-# Paths on which each launch waits for the one before. The model makes the others from the first. Vulkan's batches are left
-# out: its empty kernels take as long as the host needs to record them.
+# Paths whose launches wait for each other. The model starts from the first and predicts the others. Vulkan's batches are
+# left out: there an empty kernel takes as long as the host needs to record it.
 DEPENDENT = (("cuda", "graph"), ("opengl", "batched"), ("vulkan", "recorded_steps"))
 
 

@@ -85,6 +85,14 @@ def pairs_of(machine):
             yield exact, machine.one(table="exactness", exact=False, backend=exact.backend, method=exact.method, n=n)
 
 
+def devices_of(machine):
+    """The GPU APIs of a machine, in the order of the figures; Missing without any."""
+    found = [name for name in ("opengl", "vulkan", "cuda") if machine.has(name)]
+    if not found:
+        raise Missing(f"{machine.name} has no OpenGL, Vulkan or CUDA: record it on a machine with one of them")
+    return found
+
+
 def needed_devices(machine, **wanted):
     """The APIs that have such records; Missing if none has."""
     machine.need(**wanted)
@@ -209,3 +217,13 @@ def over_other_sums(machine, sums):
     """(n, API) -> a step with integer sums of impulses, the same with these."""
     rows = {(row.n, row.backend, row.sums): row for row in machine.need(table="contact_sums")}
     return {(n, name): (rows[n, name, "integers"], row) for (n, name, other), row in rows.items() if other == sums}
+
+
+def driver_record(machine):
+    """(id, kernel -> compile time by the GL driver) of `spherepair devices --compile`; empty without a record."""
+    return next(((root["id"], backend["compile_ms"]) for root in machine.sources.values() for backend in root.get("backends", [])
+                 if isinstance(backend, dict) and backend.get("compile_ms")), ("", {}))
+
+
+def driver_milliseconds(machine):
+    return driver_record(machine)[1]

@@ -4,8 +4,8 @@ import json
 import re
 import statistics
 
-from paper.numbers.compilers import driver_milliseconds
 from paper.numbers.contests import contests
+from paper.numbers.derived import driver_milliseconds
 from paper.numbers.ratios import ENOUGH
 from paper.numbers.suite import suite
 from paper.records import Missing, recorded_code, said

@@ -1,13 +1,24 @@
 # SPDX-License-Identifier: MIT
 """Numbers of the prose about what limits the kernels, and about what only one API can express."""
 from paper.numbers.derived import matched
-from paper.numbers.limits import LOADS, MEMORY, counters, largest
 from paper.numbers.ratios import time_ratio
 from paper.numbers.sets import sets
 from paper.records import said
 from paper.text import ms
 
 GPU = ("opengl", "cuda")
+ISSUE, LOADS, MEMORY = "smsp__issue_active", "l1tex__data_pipe_lsu_wavefronts", "dram__cycles_active"
+NAMES = {ISSUE: "issue slots", LOADS: "loads of L1", MEMORY: "memory", "lts__t_tag_requests": "tags of L2"}
+
+
+def counters(machine):
+    """One entry a kernel, size and order."""
+    return machine.source("counters.json")["counters"]
+
+
+def largest(rows):
+    """Most spheres of the grid."""
+    return max(row["n"] for row in rows if row["kernel"] == "collide_grid")
 
 
 def limits_of_the_grid(put, machine, others):

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The original paper's arrangements in one and two dimensions: a double or a single loop."""
-from paper.devices import devices_of
-from paper.numbers.derived import best
+from paper.numbers.derived import best, devices_of
 from paper.style import COLUMN, panels, plain_ticks, plot
 
 NAME = "dimensions"

@@ -2,7 +2,7 @@
 """Every method and group size: the thread arrangements that the original paper varied."""
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
-from paper.devices import devices_of
+from paper.numbers.derived import devices_of
 from paper.style import PAGE, panels, plain_ticks, plot
 
 NAME = "group-sizes"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The cost of a dispatch or launch of an empty kernel."""
-from paper.devices import devices_of
+from paper.numbers.derived import devices_of
 from paper.style import COLUMN, panels, plain_ticks, plot
 
 NAME = "overhead"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The original paper's figure 5: its printed times and ours."""
-from paper.devices import devices_of
+from paper.numbers.derived import devices_of
 from paper.records import Missing, original_paper
 from paper.style import PAGE, SERIES, panels, plain_ticks, plot, spheres_axis
 

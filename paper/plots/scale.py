@@ -2,8 +2,7 @@
 """All pairs from small to large n: time with its slope, and the share of the instruction floor."""
 import math
 
-from paper.devices import devices_of
-from paper.numbers.derived import INSTRUCTIONS, issue_rate, share_of_floor, slope
+from paper.numbers.derived import devices_of, INSTRUCTIONS, issue_rate, share_of_floor, slope
 from paper.style import PAGE, SERIES, panels, plain_ticks, plot, spheres_axis
 
 NAME = "scale"

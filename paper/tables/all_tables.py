@@ -2,7 +2,7 @@
 """All tables of the paper, made from recorded runs alone and written as LaTeX and as text."""
 import re
 
-from paper.numbers.compilers import driver_record
+from paper.numbers.derived import driver_record
 from paper.numbers.ratios import LEGEND, texts
 from paper.records import Missing, original_paper, recorded_code
 from paper.tables.apis import apis

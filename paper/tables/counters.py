@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What limits the kernels of CUDA's searches, as a table."""
-from paper.numbers.limits import LOADS, NAMES
-from paper.numbers.limits import counters as recorded_counters
+from paper.numbers.prose_limits import LOADS, NAMES
+from paper.numbers.prose_limits import counters as recorded_counters
 from paper.tables.tabular import Table
 
 CAPTION = ("Hardware counters of CUDA's kernels, in percent of their peaks, medians of several launches, by Nsight Compute. Issue: slots "

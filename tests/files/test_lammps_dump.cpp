@@ -58,7 +58,7 @@ TEST_F(LammpsDump, UnwrappedCoordinatesAreTakenWhereThereAreNoOthers) {
   const SphereFileOptions one = {.radius = 1};
   EXPECT_EQ(read(dump(open_box, "id xu yu zu\n1 5 6 7", 1), one).scene.positions[0].x, 5);
   EXPECT_EQ(read(dump(open_box, "id xu yu zu x y z\n1 5 6 7 1 2 3", 1), one).scene.positions[0].x, 1);
-  EXPECT_EQ(read(dump(open_box, "id q yu zu xu\n1 5 6 7 8", 1), {.radius = 1, .columns = {"x=q", "y=y", "z=z"}})
+  EXPECT_EQ(read(dump(open_box, "id q yu zu xu\n1 5 6 7 8", 1), {.radius = 1, .columns = {"x=q", "y=yu", "z=zu"}})
                 .scene.positions[0]
                 .x,
             5);
@@ -120,6 +120,7 @@ TEST_F(LammpsDump, WhatIsWrongIsNamed) {
   expect(dump(periodic, "x y z\n0 0 0", 1), "line 5: expected spheres without a periodic box");
   expect(dump(open_box, "xs ys zs\n0 0 0", 1), "line 9: expected coordinates x y z, or xu yu zu");
   expect(dump("\n0 1\n0 1\n0 1", "x y z\n0 0 0", 1), "line 5: expected BOX BOUNDS and for each axis");
+  expect(dump("pf ff ff\n0 1\n0 1\n0 1", "x y z\n0 0 0", 1), "line 5: expected BOX BOUNDS and for each axis");
   expect(dump("pp ff\n0 1\n0 1\n0 1", "x y z\n0 0 0", 1), "line 5: expected BOX BOUNDS and for each axis");
   expect(dump("ff ff ff\n0 1\n0 nan\n0 1", "x y z\n0 0 0", 1), "line 7: expected 2 finite numbers of the box");
   expect(dump("xy xz yz ff ff ff\n0 1 0\n0 1\n0 1 0", "x y z\n0 0 0", 1), "line 7: expected 3 finite numbers");

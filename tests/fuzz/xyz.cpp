@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// XYZ, extended XYZ and LAMMPS dumps, told apart by their first word: what is read is a scene that every backend takes.
+// XYZ, extended XYZ and LAMMPS dumps (ITEM is their first word): every backend takes the scene that is read.
 #include <tuple>
 
 #include "bench/spheres/sphere_file.h"

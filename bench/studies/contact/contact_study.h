@@ -171,8 +171,8 @@ std::vector<Backend*> backends_for(const Session& session, const ContactPlan& pl
 json ratio_of(const std::optional<Contest>& contest);
 json time_of_a_step(const Samples& samples, uint64_t steps = 1);
 
-// Makes the backend use these sums from the next step on. False where it lacks them; the reason is then added to
-// `left_out`, once.
+// The backend uses these sums from the next step on. If it lacks them, returns false and adds the reason to `left_out`
+// once.
 bool use_sums(Backend& backend, ImpulseSums sums, std::vector<std::string>& left_out);
 
 // Each run on every backend. Throws DifferenceFound if two backends differ in any bit after steps whose sums have an
