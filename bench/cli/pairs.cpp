@@ -17,7 +17,7 @@
 #include "bench/lists/listed_spheres.h"
 #include "bench/measure/choice.h"
 #include "bench/npy/rows_file.h"
-#include "bench/spheres/pair_file.h"
+#include "bench/output/pair_file.h"
 #include "bench/spheres/sphere_file.h"
 #include "common/scene/counted.h"
 

@@ -11,10 +11,10 @@
 #include "bench/io/context.h"
 #include "bench/io/scene_text.h"
 #include "bench/measure/choice.h"
+#include "bench/output/pair_file.h"
+#include "bench/output/sphere_output.h"
 #include "bench/run/run_files.h"
 #include "bench/run/run_steps.h"
-#include "bench/spheres/pair_file.h"
-#include "bench/spheres/sphere_output.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {

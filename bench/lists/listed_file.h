@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "bench/spheres/pair_file.h"
+#include "bench/output/pair_file.h"
 #include "common/lists/displacement.h"
 
 namespace spherepair {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "bench/cli/commands.h"
-#include "bench/spheres/sphere_output.h"
+#include "bench/output/sphere_output.h"
 #include "common/scene/scene.h"
 #include "tests/support/program.h"
 

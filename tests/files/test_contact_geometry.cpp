@@ -4,7 +4,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
-#include "bench/spheres/pair_geometry.h"
+#include "bench/output/pair_geometry.h"
 #include "bench/spheres/rounding.h"
 #include "bench/spheres/sphere_file.h"
 #include "common/shared/exact.h"

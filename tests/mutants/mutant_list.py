@@ -166,7 +166,7 @@ COMMANDS = [
            "k + 1 < samples.size()", "SamplesCsv"),
     mutant("CSV does not tell the sizes of runs", "bench/studies/study_report.cpp", '"n",', "", "SamplesCsv"),
     mutant("intervals of few rounds stand in tables", "bench/measure/samples.cpp", "interval.coverage >= 0.95", "true", "StudyReport"),
-    mutant("spheres are written in six digits", "bench/spheres/sphere_output.cpp", '"{}{}\\n", format.species',
+    mutant("spheres are written in six digits", "bench/output/sphere_output.cpp", '"{}{}\\n", format.species',
            '"{}{:.6g}\\n", format.species', "SphereOutput"),
     mutant("an input may be an output", "bench/io/output_files.cpp", "if (other != uses_.end() &&", "if (false &&", "Outputs"),
     mutant("bytes reach the disk later", "bench/io/replaced_file.cpp",

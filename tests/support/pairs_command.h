@@ -8,7 +8,7 @@
 
 #include "bench/check/degrees.h"
 #include "bench/cli/commands.h"
-#include "bench/spheres/pair_file.h"
+#include "bench/output/pair_file.h"
 #include "tests/oracle/oracle.h"
 #include "tests/support/backends.h"
 #include "tests/support/program.h"

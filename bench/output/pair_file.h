@@ -8,7 +8,7 @@
 #include <string>
 
 #include "bench/io/output_files.h"
-#include "bench/spheres/pair_geometry.h"
+#include "bench/output/pair_geometry.h"
 
 namespace spherepair {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/spheres/sphere_output.h"
+#include "bench/output/sphere_output.h"
 
 #include <algorithm>
 #include <array>

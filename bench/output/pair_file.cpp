@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/spheres/pair_file.h"
+#include "bench/output/pair_file.h"
 
 #include <fmt/format.h>
 

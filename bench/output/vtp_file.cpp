@@ -5,7 +5,7 @@
 #include <bit>
 #include <vector>
 
-#include "bench/spheres/sphere_output.h"
+#include "bench/output/sphere_output.h"
 
 namespace spherepair {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/spheres/pair_geometry.h"
+#include "bench/output/pair_geometry.h"
 
 #include <cmath>
 
