@@ -4,6 +4,7 @@
 #include "bench/image/colour_values.h"
 #include "bench/image/image_files.h"
 #include "bench/io/arguments.h"
+#include "bench/spheres/sphere_formats.h"
 #include "bench/studies/frames.h"
 
 namespace spherepair {
@@ -63,9 +64,8 @@ void add_image_options(CLI::App& command, RenderOptions& options) {
       ->excludes(plain);
   command
       .add_option("--color", options.colour,
-                  "What colours the spheres: contacts, radius, speed, or species, the text column of an XYZ file, "
-                  "element or type "
-                  "of a LAMMPS dump. The colours fit the range of all images")
+                  "What colours the spheres: contacts, radius, speed, or species, of " +
+                      names_of_formats(FORMAT_HAS_SPECIES) + ". The colours fit the range of all images")
       ->capture_default_str();
   const auto take_range = [&options](const std::vector<double>& range) { options.colour_range = {range[0], range[1]}; };
   command

@@ -6,22 +6,16 @@
 #include "bench/io/output_files.h"
 #include "bench/lists/listed_file.h"
 #include "bench/npy/rows_file.h"
-#include "bench/spheres/sphere_file.h"
+#include "bench/spheres/sphere_formats.h"
 
 namespace spherepair {
 namespace {
 
 void add_input(CLI::App& command, PairsOptions& options) {
   command
-      .add_option(
-          "input,--input", options.input_file,
-          "Extended XYZ (.xyz, .extxyz; columns pos and radius by Properties=, else `[species] x y z [radius]`; "
-          "a periodic box by Lattice= and pbc=), LAMMPS dump (.lammpstrj, .dump; columns x y z or xu yu zu, and radius "
-          "or "
-          "diameter), NPY (.npy; n x 3, n x 4 with the radius, or structured with fields x y z or pos, and radius; any "
-          "real "
-          "numbers), text (.txt, .csv, .tsv, .dat; columns by a line of names, else x y z [radius]); or any of these "
-          "by its contents from standard input (-), a pipe or <(...)")
+      .add_option("input,--input", options.input_file,
+                  "File of spheres: " + describe_sphere_formats() +
+                      "; or any of these by its contents from standard input (-), a pipe or <(...)")
       ->required();
   add_file_options(command, options.columns, options.decimal_comma, options.ignore_periodic);
   command.get_option("--columns")->allow_extra_args(false);  // the next word may be the input

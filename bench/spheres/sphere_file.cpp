@@ -9,85 +9,11 @@
 #include <map>
 #include <stdexcept>
 
-#include "bench/io/numbers.h"
-#include "bench/spheres/frames.h"
-#include "bench/text/fields.h"
+#include "bench/spheres/sphere_formats.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {
 namespace {
-
-// A format is read whole, or frame by frame. Those with frames may have periodic boxes and species.
-struct Format {
-  const char* name;
-  std::array<std::string_view, 4> extensions;
-  SphereFile (*read)(const FileBytes&, const SphereFileOptions&, SphereRows&);
-  std::unique_ptr<Frames> (*open)(const FileBytes&, const SphereFileOptions&);
-  bool is_text = true;
-};
-constexpr Format formats[] = {{"extended XYZ", {".xyz", ".extxyz"}, nullptr, xyz_frames},
-                              {"LAMMPS dump", {".lammpstrj", ".dump"}, nullptr, lammps_frames},
-                              {"NPY", {".npy"}, read_npy, nullptr, false},
-                              {"columns of text", {".txt", ".csv", ".tsv", ".dat"}, read_text, nullptr}};
-constexpr const Format &xyz = formats[0], &lammps = formats[1], &npy = formats[2], &text = formats[3];
-
-std::string known_formats() {
-  std::vector<std::string> known;
-  for (const Format& format : formats) {
-    const auto end = std::ranges::find(format.extensions, "");
-    known.push_back(fmt::format("{} ({})", fmt::join(format.extensions.begin(), end, ", "), format.name));
-  }
-  return fmt::format("{}", fmt::join(known, ", "));
-}
-
-std::string names_of_framed() {
-  std::vector<std::string_view> names;
-  for (const Format& format : formats)
-    if (format.open) names.push_back(format.name);
-  return fmt::format("{}", fmt::join(names, " and "));
-}
-
-// Of a stream: NPY by its magic string, a dump by its first item, XYZ by its first line, which is a number alone.
-const Format& format_by_contents(const FileBytes& file) {
-  const std::string_view bytes = file.bytes();
-  if (bytes.starts_with("\x93NUMPY")) return npy;
-  if (bytes.starts_with("ITEM:")) return lammps;
-  std::vector<std::string_view> fields;
-  split_fields(bytes.substr(0, bytes.find_first_of("\r\n")), 2, fields);
-  return fields.size() == 1 && whole_number_of(fields[0], 0, UINT64_MAX) ? xyz : text;
-}
-
-const Format& format_of(const FileBytes& file, const SphereFileOptions& options) {
-  const std::string extension = lower_case(std::filesystem::path(file.name()).extension().string());
-  for (const Format& format : formats)
-    if (!extension.empty() && std::ranges::count(format.extensions, extension)) return format;
-  if (file.is_stream()) return format_by_contents(file);
-  if (!options.columns.empty()) return text;
-  if (const std::string_view kind = kind_of(file.bytes()); !kind.empty())
-    throw std::invalid_argument(fmt::format("{} is {}: unpack or convert it to XYZ, NPY or text", file.name(), kind));
-  throw std::invalid_argument(fmt::format(
-      "cannot tell the format of {} by its extension; known are {}; other text needs --columns x,y,z,radius",
-      file.name(), known_formats()));
-}
-
-// Throws for options that the format does not take.
-const Format& checked_format(const FileBytes& file, const SphereFileOptions& options) {
-  if (options.radius && why_invalid(*options.radius, true))
-    throw std::invalid_argument(fmt::format("--radius is {}, but must be finite and not negative", *options.radius));
-  const Format& format = format_of(file, options);
-  const auto refuse_if = [&](bool wanted, const char* what, const std::string& instead) {
-    if (wanted)
-      throw std::invalid_argument(fmt::format("{} ({}) has no {}: {}", file.name(), format.name, what, instead));
-  };
-  const std::string framed = names_of_framed();
-  refuse_if(options.decimal_comma && !format.is_text, "decimal comma", "--decimal-comma is for text, omit it");
-  refuse_if(options.frame && !format.open, "frames", fmt::format("--frame is for {}, omit it", framed));
-  refuse_if(options.ignore_periodic && !format.open, "periodic box",
-            fmt::format("{} may have one, omit --ignore-periodic", framed));
-  refuse_if(options.species && !format.open, "species",
-            fmt::format("{} may have some, choose another --color", framed));
-  return format;
-}
 
 SphereFile read_frame(const FileBytes& file, const Frames& frames, uint64_t wanted, SphereRows& rows) {
   if (wanted >= frames.count())
@@ -100,9 +26,9 @@ SphereFile read_frame(const FileBytes& file, const Frames& frames, uint64_t want
 }
 
 SphereFile read_one(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows) {
-  const Format& format = checked_format(file, options);
-  if (!format.open) return format.read(file, options, rows);
-  SphereFile input = read_frame(file, *format.open(file, options), options.frame.value_or(0), rows);
+  const SphereFormat& format = format_of(file, options);
+  SphereFile input = format.open ? read_frame(file, *format.open(file, options), options.frame.value_or(0), rows)
+                                 : format.read(file, options, rows);
   if (options.ignore_periodic && input.ignored.empty())
     throw std::invalid_argument(fmt::format("{} has no periodic box: omit --ignore-periodic", file.name()));
   return input;
@@ -153,7 +79,7 @@ SphereFile read_sphere_file(const std::string& file, const SphereFileOptions& op
 
 std::vector<SphereFile> read_sphere_frames(const std::string& file, const SphereFileOptions& options) {
   const FileBytes bytes(file);
-  const Format& format = checked_format(bytes, options);
+  const SphereFormat& format = format_of(bytes, options);
   if (!format.open)
     throw std::invalid_argument(
         fmt::format("{} ({}) has no frames: --frames draws those of {}", bytes.name(), format.name, names_of_framed()));
