@@ -32,13 +32,24 @@ Columns columns_of(const FileBytes& file, const NpyHeader& header, std::span<con
   return columns_of_names(fmt::format("{}, byte {}", file.name(), header.fields.front().dtype_at), names);
 }
 
-void add_column(NpyArray& array, Quantity quantity, const NpyField& field, uint64_t first, uint64_t stride) {
-  require_known(array.file, field);
-  array.columns.push_back({quantity, field.dtype, first, stride});
+Columns checked_columns(const FileBytes& file, const NpyHeader& header, std::span<const std::string> option) {
+  const Columns columns = columns_of(file, header, option);
+  uint64_t count = 0;
+  for (const NpyField& field : header.fields) count += field.count;
+  if (header.structured && columns.count != count)
+    file.fail_at_byte(header.fields.front().dtype_at,
+                      fmt::format("fields of {}, by --columns", counted(columns.count, "column")),
+                      fmt::to_string(count));
+  return columns;
 }
 
-NpyArray structured_array(const FileBytes& file, const NpyHeader& header, const Columns& columns) {
-  NpyArray array{.file = file, .meaning = columns};
+void add_column(NumberTable& table, Quantity quantity, const NpyField& field, uint64_t first, uint64_t stride) {
+  require_known(table.file, field);
+  table.columns.push_back({&table.file, quantity, field.dtype, first, stride});
+}
+
+NumberTable structured_array(const FileBytes& file, const NpyHeader& header, const Columns& columns) {
+  NumberTable table{.file = file, .meaning = columns};
   uint64_t row_bytes = 0;
   for (const NpyField& field : header.fields) row_bytes += field.count * field.item_bytes();
   uint64_t offset = header.data_at, column = 0;
@@ -46,22 +57,22 @@ NpyArray structured_array(const FileBytes& file, const NpyHeader& header, const 
     bool read = false;
     for (uint64_t k = 0; k < field.count; ++k, ++column, offset += field.item_bytes())
       for (size_t q = 0; q < quantity_names.size(); ++q)
-        if (columns.columns[q] == column) add_column(array, Quantity(q), field, offset, row_bytes), read = true;
-    if (!read && !field.name.empty()) array.not_read += (array.not_read.empty() ? "" : ", ") + in_quotes(field.name);
+        if (columns.columns[q] == column) add_column(table, Quantity(q), field, offset, row_bytes), read = true;
+    if (!read && !field.name.empty()) table.not_read += (table.not_read.empty() ? "" : ", ") + in_quotes(field.name);
   }
-  return array;
+  return table;
 }
 
-NpyArray plain_array(const FileBytes& file, const NpyHeader& header, const Columns& columns) {
+NumberTable plain_array(const FileBytes& file, const NpyHeader& header, const Columns& columns) {
   const NpyField& field = header.fields.front();
   const uint64_t rows = header.shape[0], size = field.item_bytes();
-  NpyArray array{.file = file, .meaning = columns};
+  NumberTable table{.file = file, .meaning = columns};
   for (size_t q = 0; q < quantity_names.size(); ++q)
     if (columns.columns[q])
-      add_column(array, Quantity(q), field,
+      add_column(table, Quantity(q), field,
                  header.data_at + *columns.columns[q] * (header.fortran_order ? rows : 1) * size,
                  header.fortran_order ? size : header.shape[1] * size);
-  return array;
+  return table;
 }
 
 void check_shape(const FileBytes& file, const NpyHeader& header, uint64_t columns_of_option) {
@@ -85,42 +96,44 @@ bool is_real_dtype(std::string_view dtype) {
   return std::string_view("<>=").find(dtype[0]) != dtype.npos || (dtype[0] == '|' && dtype[2] == '1');
 }
 
-NpyArray array_of(const FileBytes& file, const NpyHeader& header, std::span<const std::string> option) {
+NumberTable table_of(const FileBytes& file, const NpyHeader& header, std::span<const std::string> option) {
   if (header.fields.empty()) file.fail_at_byte(header.data_at, "a structured array with fields", "none");
   if (!header.structured) require_known(file, header.fields.front());
   for (const NpyField& field : header.fields)
     if (!field.item_bytes()) file.fail_at_byte(field.dtype_at, "a dtype of fixed size", in_quotes(field.dtype));
   check_shape(file, header, option.size());
-  const Columns columns = columns_of(file, header, option);
-  NpyArray array = header.structured ? structured_array(file, header, columns) : plain_array(file, header, columns);
-  array.rows = header.shape[0];
+  const Columns columns = checked_columns(file, header, option);
+  NumberTable table = header.structured ? structured_array(file, header, columns) : plain_array(file, header, columns);
+  table.rows = header.shape[0];
   uint64_t row_bytes = 0;
   for (const NpyField& field : header.fields) row_bytes += field.count * field.item_bytes();
-  const uint64_t wanted = array.rows * row_bytes * (header.structured ? 1 : header.shape[1]),
-                 found = file.bytes().size() - header.data_at;
-  if (found < wanted)
+  if (!header.structured) row_bytes *= header.shape[1];
+  const uint64_t found = file.bytes().size() - header.data_at;
+  const bool fits = row_bytes == 0 || table.rows <= found / row_bytes;  // their product may be beyond 64 bits
+  const uint64_t wanted = table.rows * row_bytes;
+  if (!fits)
     file.fail_at_byte(file.bytes().size(),
                       fmt::format("{} of data from byte {} on", counted(wanted, "byte"), header.data_at),
                       fmt::format("the end of the file after {}: it is truncated", found));
   if (found > wanted)
     file.fail_at_byte(header.data_at + wanted, "the end of the file after the data",
                       counted(found - wanted, "trailing byte"));
-  return array;
+  return table;
 }
 
-std::string describe(const NpyArray& array, const NpyHeader& header) {
+std::string describe(const NumberTable& table, const NpyHeader& header) {
   if (header.structured) {
-    std::string text = fmt::format("NPY, {} structured rows of", array.rows);
-    for (const NpyColumn& column : array.columns)
+    std::string text = fmt::format("NPY, {} structured rows of", table.rows);
+    for (const NumberColumn& column : table.columns)
       text += fmt::format(" {}{}:{}", quantity_names[column.quantity],
-                          column.quantity == QUANTITY_RADIUS && array.meaning.diameters ? " (half the diameter)" : "",
+                          column.quantity == QUANTITY_RADIUS && table.meaning.diameters ? " (half the diameter)" : "",
                           column.dtype.substr(1));
-    return text + (array.not_read.empty() ? "" : "; not read: " + array.not_read);
+    return text + (table.not_read.empty() ? "" : "; not read: " + table.not_read);
   }
   const std::string_view dtype = header.fields.front().dtype;
   const char* kind = dtype[1] == 'f' ? "float" : dtype[1] == 'i' ? "int" : "uint";
-  return fmt::format("NPY ({}), {} x {} {}{} {}-endian in {} order", array.meaning.text, array.rows,
-                     array.meaning.count, kind, 8 * (dtype[2] - '0'), dtype[0] == '>' ? "big" : "little",
+  return fmt::format("NPY ({}), {} x {} {}{} {}-endian in {} order", table.meaning.text, table.rows,
+                     table.meaning.count, kind, 8 * (dtype[2] - '0'), dtype[0] == '>' ? "big" : "little",
                      header.fortran_order ? "Fortran" : "C");
 }
 

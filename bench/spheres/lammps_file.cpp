@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "bench/spheres/frames.h"
 #include "bench/text/fields.h"
@@ -14,11 +13,6 @@ namespace spherepair {
 namespace {
 
 constexpr std::string_view item = "ITEM: ";
-
-std::vector<std::string> words_in(std::string_view text) {
-  std::istringstream stream{std::string(text)};
-  return {std::istream_iterator<std::string>(stream), {}};
-}
 
 struct DumpBox {
   uint64_t line = 0;       // of ITEM: BOX BOUNDS

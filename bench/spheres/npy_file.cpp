@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads spheres from an NPY array: n x 3 centres, n x 4 with the radius, or a structured array with fields of these
-// names.
+// names. Its binary numbers are converted as those of all formats are.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,9 +29,9 @@ struct Half {
 };
 
 template <typename Number>
-Number load(const NpyArray& array, uint64_t row, const NpyColumn& column) {
+Number load(const NumberColumn& column, uint64_t row) {
   std::array<char, sizeof(Number)> bytes;
-  std::memcpy(bytes.data(), array.file.bytes().data() + array.byte_of(row, column), sizeof bytes);
+  std::memcpy(bytes.data(), column.file->bytes().data() + column.byte_of(row), sizeof bytes);
   const char foreign = std::endian::native == std::endian::little ? '>' : '<';
   if (column.dtype[0] == foreign) std::ranges::reverse(bytes);
   return std::bit_cast<Number>(bytes);
@@ -56,7 +56,7 @@ void with_type(std::string_view dtype, Work work) {
   const bool known = is("f4", float()) || is("f8", double()) || is("f2", Half()) || is("i1", int8_t()) ||
                      is("i2", int16_t()) || is("i4", int32_t()) || is("i8", int64_t()) || is("u1", uint8_t()) ||
                      is("u2", uint16_t()) || is("u4", uint32_t()) || is("u8", uint64_t());
-  if (!known) throw std::logic_error("a dtype that array_of refuses");
+  if (!known) throw std::logic_error("a dtype that table_of refuses");
 }
 
 bool float32_holds(std::string_view dtype) { return dtype.ends_with("f4") || dtype[2] == '2' || dtype[2] == '1'; }
@@ -67,32 +67,33 @@ struct Converted {
 };
 
 template <typename Number>
-void convert_column(const NpyArray& array, size_t k, uint64_t start, uint64_t end, SphereRows& rows, Converted& done) {
-  const NpyColumn& column = array.columns[k];
+void convert_column(const NumberTable& table, size_t k, uint64_t start, uint64_t end, SphereRows& rows,
+                    Converted& done) {
+  const NumberColumn& column = table.columns[k];
   const bool is_radius = column.quantity == QUANTITY_RADIUS;
   for (uint64_t row = start; row < end; ++row) {
-    Decimal number = converted(load<Number>(array, row, column));
+    Decimal number = converted(load<Number>(column, row));
     if (why_invalid(number.value, is_radius)) [[unlikely]] {
       ++done.wrong;
-      done.first_wrong = std::min(done.first_wrong, row * array.columns.size() + k);
+      done.first_wrong = std::min(done.first_wrong, row * table.columns.size() + k);
       continue;
     }
-    if (is_radius && array.meaning.diameters) number = halved(number);
+    if (is_radius && table.meaning.diameters) number = halved(number);
     rows.set(row, column.quantity, number);
     done.changed += number.changed;
   }
 }
 
 // Integer sums and a minimum do not depend on the number of threads.
-Converted convert(const NpyArray& array, SphereRows& rows, int threads) {
+Converted convert(const NumberTable& table, SphereRows& rows, int threads) {
   uint64_t changed = 0, wrong = 0, first_wrong = Converted{}.first_wrong;
 #pragma omp parallel for num_threads(threads) schedule(static) reduction(+ : changed, wrong) reduction(min : first_wrong)
-  for (uint64_t start = 0; start < array.rows; start += 4096) {
+  for (uint64_t start = 0; start < table.rows; start += 4096) {
     Converted done;
-    const uint64_t end = std::min(start + 4096, array.rows);
-    for (size_t k = 0; k < array.columns.size(); ++k)
-      with_type(array.columns[k].dtype,
-                [&](auto number) { convert_column<decltype(number)>(array, k, start, end, rows, done); });
+    const uint64_t end = std::min(start + 4096, table.rows);
+    for (size_t k = 0; k < table.columns.size(); ++k)
+      with_type(table.columns[k].dtype,
+                [&](auto number) { convert_column<decltype(number)>(table, k, start, end, rows, done); });
     changed += done.changed;
     wrong += done.wrong;
     first_wrong = std::min(first_wrong, done.first_wrong);
@@ -100,39 +101,43 @@ Converted convert(const NpyArray& array, SphereRows& rows, int threads) {
   return {changed, wrong, first_wrong};
 }
 
-[[noreturn]] void refuse(const NpyArray& array, const Converted& done) {
-  const uint64_t row = done.first_wrong / array.columns.size();
-  const NpyColumn& column = array.columns[done.first_wrong % array.columns.size()];
+[[noreturn]] void refuse(const NumberTable& table, const Converted& done) {
+  const uint64_t row = done.first_wrong / table.columns.size();
+  const NumberColumn& column = table.columns[done.first_wrong % table.columns.size()];
   double value = 0;
-  with_type(column.dtype, [&](auto number) { value = converted(load<decltype(number)>(array, row, column)).value; });
-  array.file.fail_at_byte(
-      array.byte_of(row, column), why_invalid(value, column.quantity == QUANTITY_RADIUS),
+  with_type(column.dtype, [&](auto number) { value = converted(load<decltype(number)>(column, row)).value; });
+  column.file->fail_at_byte(
+      column.byte_of(row), why_invalid(value, column.quantity == QUANTITY_RADIUS),
       fmt::format("{} ({} of sphere {}; the first of {} such numbers of {})", value, quantity_names[column.quantity],
-                  row, done.wrong, array.rows * array.columns.size()));
+                  row, done.wrong, table.rows * table.columns.size()));
 }
 
 }  // namespace
 
+void read_numbers(NumberTable table, const SphereFileOptions& options, SphereRows& rows, SphereFile& input) {
+  const auto any = [&](auto wanted) { return std::ranges::any_of(table.columns, wanted); };
+  input.unused_radii = take_radii_away(table.meaning, options);
+  if (input.unused_radii)
+    std::erase_if(table.columns, [](const NumberColumn& column) { return column.quantity == QUANTITY_RADIUS; });
+  input.own_radii = any([](const NumberColumn& column) { return column.quantity == QUANTITY_RADIUS; });
+  check_radius(table.file, table.meaning, options);
+  input.units = table.meaning.units;
+  rows.resize(table.rows, options.radius.value_or(0),
+              any([](const NumberColumn& column) { return column.quantity >= QUANTITY_VX; }),
+              radius_is_rounded(options) || table.meaning.diameters ||
+                  any([](const NumberColumn& column) { return !float32_holds(column.dtype); }));
+  input.values = table.rows * table.columns.size();
+  const Converted done = convert(table, rows, reading_threads(options));
+  if (done.wrong) refuse(table, done);
+  input.changed = done.changed;
+}
+
 SphereFile read_npy(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows) {
   const NpyHeader header = read_npy_header(file);
-  NpyArray array = array_of(file, header, options.columns);
-  const auto any = [&](auto wanted) { return std::ranges::any_of(array.columns, wanted); };
+  const NumberTable table = table_of(file, header, options.columns);
   SphereFile input;
-  input.unused_radii = take_radii_away(array.meaning, options);
-  if (input.unused_radii)
-    std::erase_if(array.columns, [](const NpyColumn& column) { return column.quantity == QUANTITY_RADIUS; });
-  input.own_radii = any([](const NpyColumn& column) { return column.quantity == QUANTITY_RADIUS; });
-  check_radius(file, array.meaning, options);
-  input.units = array.meaning.units;
-  rows.resize(array.rows, options.radius.value_or(0),
-              any([](const NpyColumn& column) { return column.quantity >= QUANTITY_VX; }),
-              radius_is_rounded(options) || array.meaning.diameters ||
-                  any([](const NpyColumn& column) { return !float32_holds(column.dtype); }));
-  input.values = array.rows * array.columns.size();
-  const Converted done = convert(array, rows, reading_threads(options));
-  if (done.wrong) refuse(array, done);
-  input.changed = done.changed;
-  input.format = describe(array, header);
+  read_numbers(table, options, rows, input);
+  input.format = describe(table, header);
   return input;
 }
 

@@ -72,9 +72,13 @@ json to_json(const SphereFile& input);
 
 // The readers of formats without frames: they fill the format's fields and the rows. Of the others: frames.h.
 struct Columns;
+struct NumberTable;
 struct SphereRows;
 SphereFile read_npy(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
 SphereFile read_text(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
+
+// For the readers. Converts binary numbers, and fills what the input says of them but the format.
+void read_numbers(NumberTable table, const SphereFileOptions& options, SphereRows& rows, SphereFile& input);
 
 // For the readers. Takes the column of radii away if asked for; false if there was none to take.
 bool take_radii_away(Columns& columns, const SphereFileOptions& options);

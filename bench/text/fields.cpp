@@ -58,6 +58,12 @@ void split_fields(std::string_view text, size_t most, std::vector<std::string_vi
   }
 }
 
+std::vector<std::string> words_in(std::string_view text) {
+  std::vector<std::string_view> fields;
+  split_fields(text, text.npos, fields);
+  return {fields.begin(), fields.end()};
+}
+
 char separator_of(std::string_view line, bool decimal_comma) {
   if (find_unquoted(line, ";") != line.npos) return ';';
   return !decimal_comma && find_unquoted(line, ",") != line.npos ? ',' : ' ';

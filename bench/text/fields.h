@@ -16,6 +16,8 @@ std::string lower_case(std::string_view text);  // ASCII
 // Splits at blanks and tabs into at most `most` fields; overwrites `fields`.
 void split_fields(std::string_view text, size_t most, std::vector<std::string_view>& fields);
 
+std::vector<std::string> words_in(std::string_view text);  // the same, all of them
+
 // The separator of a file whose first line this is: ; or , outside double quotes, else blanks and tabs (' '). A comma
 // separates nothing where it is the decimal comma.
 char separator_of(std::string_view line, bool decimal_comma);

@@ -65,6 +65,19 @@ TEST(BadSphereFile, NpyLayout) {
   expect_npy_complaint(npy_file(npy_header("<f8", "(1, 3)"), six + six), 152, "the end", "24 trailing bytes");
 }
 
+TEST(BadSphereFile, NpyRowsOfFields) {
+  const std::string xyz = "[('x', '<f4'), ('y', '<f4'), ('z', '<f4')";
+  const auto structured = [&](const std::string& fields, const std::string& shape) {
+    return npy_file(fmt::format("{{'descr': {}], 'fortran_order': False, 'shape': {}}}", fields, shape), six);
+  };
+  expect_npy_complaint(structured(xyz, "(2,)"), 27, "fields of 4 columns, by --columns", "3",
+                       {.columns = {"x", "y", "z", "radius"}});
+  // Rows of 2^34 bytes: 2^30 of them have 2^64 bytes.
+  const std::string wide = structured(xyz + ", ('p', 'V131072', (131071,)), ('q', 'V131060')", "(1073741824,)");
+  expect_npy_complaint(wide.substr(0, wide.size() - six.size()), wide.size() - six.size(), "of data from byte",
+                       "the end of the file after 0");
+}
+
 TEST(BadSphereFile, NpyValues) {
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
   const auto with = [](size_t place, double value, size_t columns, bool fortran_order = false,

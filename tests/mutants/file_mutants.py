@@ -22,7 +22,7 @@ FILES = [
     mutant("big-endian numbers not swapped", "bench/spheres/npy_file.cpp", "if (column.dtype[0] == foreign)", "if (false)", "SphereFile"),
     mutant("columns by name one too far", "bench/text/known_columns.cpp", "at += names[k++].count",
            "at += 1, ++k", "SphereFile", "BadSphereFile"),
-    mutant("a short frame is taken", "bench/npy/npy_array.cpp", "if (found < wanted)", "if (false)", "BadSphereFile"),
+    mutant("a short frame is taken", "bench/npy/npy_array.cpp", "if (!fits)", "if (false)", "BadSphereFile"),
     mutant("negative radii are taken", "bench/spheres/sphere_file.h", "is_radius && value < 0", "false && is_radius", "BadSphereFile"),
     mutant("lines may have another number of columns", "bench/spheres/columns.cpp", "if (fields.size() != count)", "if (fields.size() < count)", "ColumnMeaning"),
     mutant("r beside g and b is a radius", "bench/text/known_columns.cpp", '!(beside("g") && beside("b"))', "true", "ColumnMeaning"),
