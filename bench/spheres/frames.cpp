@@ -16,14 +16,27 @@ namespace {
 
 constexpr uint64_t lines_per_chunk = 16384;
 
+void take_lists_out(const FileBytes& file, uint64_t line, std::span<const size_t> lists,
+                    std::vector<std::string_view>& fields) {
+  for (const size_t at : lists) {
+    const std::string_view length = at < fields.size() ? fields[at] : "";
+    const auto count = whole_number_of(length, 0, fields.size() - std::min(at + 1, fields.size()));
+    if (!count)
+      file.fail_at_line(line, fmt::format("a list after {}, its length and so many numbers", counted(at, "number")),
+                        in_quotes(length));
+    fields.erase(fields.begin() + ptrdiff_t(at), fields.begin() + ptrdiff_t(at + 1 + *count));
+  }
+}
+
 uint64_t read_chunk(const FileBytes& file, const Columns& columns, bool decimal_comma, SphereLines::Chunk chunk,
-                    SphereRows& rows) {
+                    std::span<const size_t> lists, SphereRows& rows) {
   RowReader reader(file, columns, decimal_comma);
   std::vector<std::string_view> fields;
   for (uint64_t k = 0; k < chunk.spheres; ++k) {
     const uint64_t line = chunk.start.line;
     const std::string_view text = chunk.start.next();
-    split_fields(text, columns.count + 1, fields);
+    split_fields(text, lists.empty() ? columns.count + 1 : text.npos, fields);
+    take_lists_out(file, line, lists, fields);
     reader.read(line, text, fields, chunk.first_sphere + k, rows);
   }
   return reader.changed();
@@ -36,7 +49,8 @@ uint64_t read_chunks(const FileBytes& file, const Columns& columns, const Sphere
   uint64_t changed = 0;
 #pragma omp parallel for num_threads(reading_threads(options)) schedule(dynamic, 1) reduction(+ : changed)
   for (size_t k = 0; k < lines.chunks.size(); ++k)
-    errors.run(k, [&] { changed += read_chunk(file, columns, options.decimal_comma, lines.chunks[k], rows); });
+    errors.run(
+        k, [&] { changed += read_chunk(file, columns, options.decimal_comma, lines.chunks[k], lines.lists, rows); });
   errors.rethrow();
   return changed;
 }
@@ -56,13 +70,14 @@ uint64_t read_sphere_count(const FileBytes& file, FileLines& cursor, const std::
   return *count;
 }
 
-SphereLines pass_over_spheres(const FileBytes& file, FileLines& cursor, uint64_t spheres, const std::string& said) {
+SphereLines pass_over_spheres(const FileBytes& file, FileLines& cursor, uint64_t spheres, const std::string& said,
+                              const char* what) {
   SphereLines lines{.spheres = spheres};
   for (uint64_t sphere = 0; sphere < spheres; ++sphere) {
     if (sphere % lines_per_chunk == 0)
       lines.chunks.push_back({cursor, sphere, std::min(lines_per_chunk, spheres - sphere)});
     if (cursor.at_end())
-      file.fail_at_line(cursor.line, fmt::format("{} as {} says", counted(spheres, "sphere"), said),
+      file.fail_at_line(cursor.line, fmt::format("{} as {} says", counted(spheres, what), said),
                         fmt::format("the end of the file after {}", sphere));
     cursor.next();
   }

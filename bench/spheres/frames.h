@@ -18,10 +18,12 @@ struct SphereLines {
   };
   uint64_t spheres = 0;
   std::vector<Chunk> chunks = {};
+  std::vector<size_t> lists = {};  // of PLY: before which column there is a list, its length and so many fields
 };
 
 // Passes over the lines of so many spheres; throws where the file ends before, which `said` names: line 2.
-SphereLines pass_over_spheres(const FileBytes& file, FileLines& cursor, uint64_t spheres, const std::string& said);
+SphereLines pass_over_spheres(const FileBytes& file, FileLines& cursor, uint64_t spheres, const std::string& said,
+                              const char* what = "sphere");
 
 // A number of spheres, in a line of its own.
 uint64_t read_sphere_count(const FileBytes& file, FileLines& cursor, const std::string& expected);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads spheres from files of other programs: extended XYZ, LAMMPS dumps, NPY and columns of text. Errors name the line
-// or byte, what was expected and what was found.
+// Reads spheres from files of other programs: extended XYZ, LAMMPS dumps, NPY, PLY and columns of text. Errors name
+// the line or byte, what was expected and what was found.
 #pragma once
 
 #include <optional>
@@ -75,6 +75,7 @@ struct Columns;
 struct NumberTable;
 struct SphereRows;
 SphereFile read_npy(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
+SphereFile read_ply(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
 SphereFile read_text(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
 
 // For the readers. Converts binary numbers, and fills what the input says of them but the format.

@@ -21,6 +21,7 @@ bool begins_as_xyz(std::string_view bytes) {
 }
 bool begins_as_dump(std::string_view bytes) { return bytes.starts_with("ITEM:"); }
 bool begins_as_npy(std::string_view bytes) { return bytes.starts_with("\x93NUMPY"); }
+bool begins_as_ply(std::string_view bytes) { return bytes.starts_with("ply\n") || bytes.starts_with("ply\r\n"); }
 bool begins_as_text(std::string_view) { return true; }
 
 constexpr unsigned text_with_boxes = FORMAT_IS_TEXT | FORMAT_HAS_BOXES | FORMAT_HAS_SPECIES;
@@ -44,6 +45,13 @@ constexpr SphereFormat formats[] = {
      "n x 3, n x 4 with the radius, or structured with fields x y z or pos, and radius; any real numbers",
      begins_as_npy,
      read_npy,
+     nullptr,
+     0},
+    {"PLY",
+     {".ply"},
+     "text or binary; properties x y z and radius of the element vertex",
+     begins_as_ply,
+     read_ply,
      nullptr,
      0},
     {"columns of text",

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// PLY: what is read is a scene that every backend takes.
+#include "bench/spheres/sphere_file.h"
+#include "tests/fuzz/fuzz.h"
+
+using namespace spherepair;
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  const std::string file = input_file("spheres.ply", text_of(data, size));
+  const SphereFileOptions own_radii = {.threads = 1}, one_radius = {.radius = 0.5f, .threads = 1};
+  for (const SphereFileOptions& options : {own_radii, one_radius}) {
+    const auto input = unless_refused([&] { return read_sphere_file(file, options); });
+    if (!input) continue;
+    check_scene(input->scene);
+    describe(*input);
+    to_json(*input).dump();
+  }
+  return 0;
+}
