@@ -75,7 +75,7 @@ void RowReader::read(uint64_t line, std::string_view text, std::span<const std::
     changed_ += decimal.changed;
     rows.set(sphere, Quantity(quantity), decimal);
   }
-  if (!rows.species.empty()) rows.species[sphere] = fields[*columns_.species];
+  if (!rows.species.empty() && columns_.species) rows.species[sphere] = fields[*columns_.species];
 }
 
 Decimal RowReader::number(uint64_t line, std::string_view field, Quantity quantity) const {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "bench/io/numbers.h"
@@ -28,15 +29,16 @@ void take_lists_out(const FileBytes& file, uint64_t line, std::span<const size_t
   }
 }
 
-uint64_t read_chunk(const FileBytes& file, const Columns& columns, bool decimal_comma, SphereLines::Chunk chunk,
-                    std::span<const size_t> lists, SphereRows& rows) {
+uint64_t read_chunk(const FileBytes& file, const Columns& columns, bool decimal_comma, const SphereLines& lines,
+                    SphereLines::Chunk chunk, SphereRows& rows) {
   RowReader reader(file, columns, decimal_comma);
   std::vector<std::string_view> fields;
   for (uint64_t k = 0; k < chunk.spheres; ++k) {
     const uint64_t line = chunk.start.line;
     const std::string_view text = chunk.start.next();
-    split_fields(text, lists.empty() ? columns.count + 1 : text.npos, fields);
-    take_lists_out(file, line, lists, fields);
+    split_fields(lines.comments ? without_comment(text) : text, lines.lists.empty() ? columns.count + 1 : text.npos,
+                 fields);
+    take_lists_out(file, line, lines.lists, fields);
     reader.read(line, text, fields, chunk.first_sphere + k, rows);
   }
   return reader.changed();
@@ -49,8 +51,7 @@ uint64_t read_chunks(const FileBytes& file, const Columns& columns, const Sphere
   uint64_t changed = 0;
 #pragma omp parallel for num_threads(reading_threads(options)) schedule(dynamic, 1) reduction(+ : changed)
   for (size_t k = 0; k < lines.chunks.size(); ++k)
-    errors.run(
-        k, [&] { changed += read_chunk(file, columns, options.decimal_comma, lines.chunks[k], lines.lists, rows); });
+    errors.run(k, [&] { changed += read_chunk(file, columns, options.decimal_comma, lines, lines.chunks[k], rows); });
   errors.rethrow();
   return changed;
 }
@@ -68,6 +69,18 @@ uint64_t read_sphere_count(const FileBytes& file, FileLines& cursor, const std::
   if (*count > kMostSpheres)
     file.fail_at_line(line, fmt::format("at most {} spheres", kMostSpheres), fmt::to_string(*count));
   return *count;
+}
+
+std::vector<double> finite_numbers(const FileBytes& file, uint64_t line, std::span<const std::string> words,
+                                   size_t count) {
+  std::vector<double> numbers;
+  for (const std::string& word : words)
+    if (const auto number = parse_decimal(word); number && std::isfinite(number->value))
+      numbers.push_back(number->value);
+  if (numbers.size() != count || words.size() != count)
+    file.fail_at_line(line, fmt::format("{} finite numbers of the box", count),
+                      in_quotes(fmt::format("{}", fmt::join(words, " "))));
+  return numbers;
 }
 
 SphereLines pass_over_spheres(const FileBytes& file, FileLines& cursor, uint64_t spheres, const std::string& said,

@@ -19,11 +19,16 @@ struct SphereLines {
   uint64_t spheres = 0;
   std::vector<Chunk> chunks = {};
   std::vector<size_t> lists = {};  // of PLY: before which column there is a list, its length and so many fields
+  bool comments = false;           // of LAMMPS's data: # ends the numbers of a line
 };
 
 // Passes over the lines of so many spheres; throws where the file ends before, which `said` names: line 2.
 SphereLines pass_over_spheres(const FileBytes& file, FileLines& cursor, uint64_t spheres, const std::string& said,
                               const char* what = "sphere");
+
+// Of the box of a LAMMPS file: throws unless the words are so many finite numbers.
+std::vector<double> finite_numbers(const FileBytes& file, uint64_t line, std::span<const std::string> words,
+                                   size_t count);
 
 // A number of spheres, in a line of its own.
 uint64_t read_sphere_count(const FileBytes& file, FileLines& cursor, const std::string& expected);

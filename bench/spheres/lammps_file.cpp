@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "bench/spheres/frames.h"
 #include "bench/text/fields.h"
@@ -34,14 +33,7 @@ struct DumpFrame {
 std::vector<double> numbers_in(const FileBytes& file, FileLines& cursor, size_t count) {
   const uint64_t line = cursor.line;
   if (cursor.at_end()) file.fail_at_line(line, fmt::format("{} numbers of the box", count), "the end of the file");
-  const std::string_view text = cursor.next();
-  std::vector<double> numbers;
-  for (const std::string& word : words_in(text))
-    if (const auto number = parse_decimal(word); number && std::isfinite(number->value))
-      numbers.push_back(number->value);
-  if (numbers.size() != count || words_in(text).size() != count)
-    file.fail_at_line(line, fmt::format("{} finite numbers of the box", count), in_quotes(text));
-  return numbers;
+  return finite_numbers(file, line, words_in(cursor.next()), count);
 }
 
 // Bounds of a tilted box enclose it; its edges begin and end within them by the tilts.

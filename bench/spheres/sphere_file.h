@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads spheres from files of other programs: extended XYZ, LAMMPS dumps, NPY, PLY and columns of text. Errors name
-// the line or byte, what was expected and what was found.
+// Reads spheres from files of other programs: extended XYZ, LAMMPS dumps and data, NPY, PLY and columns of text. Errors
+// name the line or byte, what was expected and what was found.
 #pragma once
 
 #include <optional>
@@ -74,6 +74,7 @@ json to_json(const SphereFile& input);
 struct Columns;
 struct NumberTable;
 struct SphereRows;
+SphereFile read_lammps_data(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
 SphereFile read_npy(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
 SphereFile read_ply(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
 SphereFile read_text(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);

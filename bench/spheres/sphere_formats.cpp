@@ -20,6 +20,15 @@ bool begins_as_xyz(std::string_view bytes) {
   return fields.size() == 1 && whole_number_of(fields[0], 0, UINT64_MAX);
 }
 bool begins_as_dump(std::string_view bytes) { return bytes.starts_with("ITEM:"); }
+// A comment and the number of atoms.
+bool begins_as_data(std::string_view bytes) {
+  FileLines cursor{bytes};
+  cursor.next();
+  while (!cursor.at_end())
+    if (const std::vector<std::string> words = words_in(cursor.next()); !words.empty())
+      return words.size() == 2 && whole_number_of(words[0], 0, UINT64_MAX) && words[1] == "atoms";
+  return false;
+}
 bool begins_as_npy(std::string_view bytes) { return bytes.starts_with("\x93NUMPY"); }
 bool begins_as_ply(std::string_view bytes) { return bytes.starts_with("ply\n") || bytes.starts_with("ply\r\n"); }
 bool begins_as_text(std::string_view) { return true; }
@@ -39,6 +48,13 @@ constexpr SphereFormat formats[] = {
      begins_as_dump,
      nullptr,
      lammps_frames,
+     text_with_boxes},
+    {"LAMMPS data",
+     {".data", ".lmp"},
+     "`Atoms # sphere`, atomic, charge, full, molecular ...; a periodic box; species by type",
+     begins_as_data,
+     read_lammps_data,
+     nullptr,
      text_with_boxes},
     {"NPY",
      {".npy"},

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// LAMMPS data files: what is read is a scene that every backend takes, or one in a periodic box.
+#include <tuple>
+
+#include "bench/spheres/sphere_file.h"
+#include "tests/fuzz/fuzz.h"
+
+using namespace spherepair;
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  const std::string file = input_file("spheres.data", text_of(data, size));
+  const SphereFileOptions own_radii = {.ignore_periodic = true, .threads = 1};
+  const SphereFileOptions one_radius = {.radius = 0.5f, .species = true, .ignore_periodic = true, .threads = 1};
+  const SphereFileOptions named = {
+      .radius = 0.5f, .columns = {"_", "x", "y", "z"}, .take_periodic = true, .threads = 1};
+  for (const SphereFileOptions& options : {own_radii, one_radius, named}) {
+    const auto input = unless_refused([&] { return read_sphere_file(file, options); });
+    if (!input) continue;
+    check_scene(input->scene);
+    for (const uint species : input->species_index) std::ignore = input->species.at(species);
+    require(!options.take_periodic || input->periodic->set.size() == input->scene.size(), "spheres outside the box");
+    describe(*input);
+    to_json(*input).dump();
+  }
+  return 0;
+}
