@@ -2,7 +2,7 @@
 # What check, reproduce and .ci/sanitize share; sourced by each from the root of the project.
 
 build_packages="g++ cmake ninja-build pkg-config libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
-  libcli11-dev nlohmann-json3-dev libfmt-dev libboost-dev libglm-dev libpng-dev libglfw3-dev libimgui-dev libgl1
+  libcli11-dev nlohmann-json3-dev libfmt-dev libboost-dev libglm-dev libpng-dev zlib1g-dev libglfw3-dev libimgui-dev libgl1
   libvulkan-dev libvulkan1 mesa-vulkan-drivers glslang-dev spirv-tools"
 test_packages="libbenchmark-dev libgtest-dev libgmp-dev librapidcheck-dev glslang-tools vulkan-validationlayers
   clang-format python3 xvfb xauth"

@@ -14,6 +14,7 @@ namespace spherepair {
 class FileBytes {
  public:
   explicit FileBytes(const std::filesystem::path& path);  // -: standard input
+  FileBytes(std::string name, std::string bytes) : name_(std::move(name)), bytes_(std::move(bytes)) {}
 
   const std::string& name() const { return name_; }
   // Standard input, a pipe, /dev/fd/63: no extension tells its format.
@@ -28,6 +29,13 @@ class FileBytes {
   bool stream_ = false;
   std::string name_, bytes_;
 };
+
+// A whole number, whose last byte is the highest.
+inline uint64_t little_endian(std::string_view bytes) {
+  uint64_t value = 0;
+  for (size_t k = bytes.size(); k-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes[k]);
+  return value;
+}
 
 // "a gzip archive", "UTF-16 text" ...: what bytes begin with that are no text of ours; empty for anything else.
 std::string_view kind_of(std::string_view bytes);

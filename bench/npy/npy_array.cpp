@@ -63,18 +63,6 @@ NumberTable structured_array(const FileBytes& file, const NpyHeader& header, con
   return table;
 }
 
-NumberTable plain_array(const FileBytes& file, const NpyHeader& header, const Columns& columns) {
-  const NpyField& field = header.fields.front();
-  const uint64_t rows = header.shape[0], size = field.item_bytes();
-  NumberTable table{.file = file, .meaning = columns};
-  for (size_t q = 0; q < quantity_names.size(); ++q)
-    if (columns.columns[q])
-      add_column(table, Quantity(q), field,
-                 header.data_at + *columns.columns[q] * (header.fortran_order ? rows : 1) * size,
-                 header.fortran_order ? size : header.shape[1] * size);
-  return table;
-}
-
 void check_shape(const FileBytes& file, const NpyHeader& header, uint64_t columns_of_option) {
   const auto fail = [&](std::string_view expected) {
     file.fail_at_byte(header.shape_at, expected, shape_text(header));
@@ -85,7 +73,26 @@ void check_shape(const FileBytes& file, const NpyHeader& header, uint64_t column
     fail(fmt::format("shape (n, {}), by --columns", columns_of_option));
   if (!header.structured && (!plain || (!columns_of_option && (header.shape[1] < 3 || header.shape[1] > 4))))
     fail("shape (n, 3): x y z, or (n, 4): x y z radius; other columns need --columns");
-  if (header.shape[0] > kMostSpheres) fail(fmt::format("at most {} spheres", kMostSpheres));
+}
+
+// Throws unless the file has the bytes of its rows, and no more.
+void check_size(const FileBytes& file, const NpyHeader& header) {
+  const uint64_t rows = header.shape[0];
+  if (rows > kMostSpheres)
+    file.fail_at_byte(header.shape_at, fmt::format("at most {} spheres", kMostSpheres), shape_text(header));
+  uint64_t row_bytes = 0;
+  for (const NpyField& field : header.fields) row_bytes += field.count * field.item_bytes();
+  if (!header.structured) row_bytes *= header.shape[1];
+  const uint64_t found = file.bytes().size() - header.data_at;
+  const bool fits = row_bytes == 0 || rows <= found / row_bytes;  // their product may be beyond 64 bits
+  const uint64_t wanted = rows * row_bytes;
+  if (!fits)
+    file.fail_at_byte(file.bytes().size(),
+                      fmt::format("{} of data from byte {} on", counted(wanted, "byte"), header.data_at),
+                      fmt::format("the end of the file after {}: it is truncated", found));
+  if (found > wanted)
+    file.fail_at_byte(header.data_at + wanted, "the end of the file after the data",
+                      counted(found - wanted, "trailing byte"));
 }
 
 }  // namespace
@@ -96,6 +103,19 @@ bool is_real_dtype(std::string_view dtype) {
   return std::string_view("<>=").find(dtype[0]) != dtype.npos || (dtype[0] == '|' && dtype[2] == '1');
 }
 
+NumberTable plain_table(const FileBytes& file, const NpyHeader& header, const Columns& columns) {
+  const NpyField& field = header.fields.front();
+  const uint64_t rows = header.shape[0], size = field.item_bytes();
+  NumberTable table{.file = file, .rows = rows, .meaning = columns};
+  for (size_t q = 0; q < quantity_names.size(); ++q)
+    if (columns.columns[q])
+      add_column(table, Quantity(q), field,
+                 header.data_at + *columns.columns[q] * (header.fortran_order ? rows : 1) * size,
+                 header.fortran_order ? size : header.shape[1] * size);
+  check_size(file, header);
+  return table;
+}
+
 NumberTable table_of(const FileBytes& file, const NpyHeader& header, std::span<const std::string> option) {
   if (header.fields.empty()) file.fail_at_byte(header.data_at, "a structured array with fields", "none");
   if (!header.structured) require_known(file, header.fields.front());
@@ -103,21 +123,10 @@ NumberTable table_of(const FileBytes& file, const NpyHeader& header, std::span<c
     if (!field.item_bytes()) file.fail_at_byte(field.dtype_at, "a dtype of fixed size", in_quotes(field.dtype));
   check_shape(file, header, option.size());
   const Columns columns = checked_columns(file, header, option);
-  NumberTable table = header.structured ? structured_array(file, header, columns) : plain_array(file, header, columns);
+  if (!header.structured) return plain_table(file, header, columns);
+  NumberTable table = structured_array(file, header, columns);
   table.rows = header.shape[0];
-  uint64_t row_bytes = 0;
-  for (const NpyField& field : header.fields) row_bytes += field.count * field.item_bytes();
-  if (!header.structured) row_bytes *= header.shape[1];
-  const uint64_t found = file.bytes().size() - header.data_at;
-  const bool fits = row_bytes == 0 || table.rows <= found / row_bytes;  // their product may be beyond 64 bits
-  const uint64_t wanted = table.rows * row_bytes;
-  if (!fits)
-    file.fail_at_byte(file.bytes().size(),
-                      fmt::format("{} of data from byte {} on", counted(wanted, "byte"), header.data_at),
-                      fmt::format("the end of the file after {}: it is truncated", found));
-  if (found > wanted)
-    file.fail_at_byte(header.data_at + wanted, "the end of the file after the data",
-                      counted(found - wanted, "trailing byte"));
+  check_size(file, header);
   return table;
 }
 

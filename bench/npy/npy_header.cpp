@@ -159,12 +159,6 @@ uint64_t HeaderText::number() {
   return value;
 }
 
-uint64_t little_endian(std::string_view bytes) {
-  uint64_t value = 0;
-  for (size_t k = bytes.size(); k-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes[k]);
-  return value;
-}
-
 }  // namespace
 
 uint64_t NpyField::item_bytes() const {

@@ -116,19 +116,20 @@ void read_sphere_lines(const FileBytes& file, uint64_t line, Columns columns, co
 }
 
 // Where pairs across a periodic boundary are not found, such a file would lose them in silence.
-void take_periodic_box(const FileBytes& file, uint64_t line, const std::string& text, const std::optional<ListBox>& box,
+void take_periodic_box(const std::string& where, const std::string& text, const std::optional<ListBox>& box,
                        const char* wanted, const SphereFileOptions& options, SphereFile& input) {
+  const auto fail = [&](std::string_view expected) {
+    throw std::invalid_argument(fmt::format("{}: expected {}, found {}", where, expected, text));
+  };
   if (text.empty() || options.ignore_periodic) {
     input.ignored = text;
     return;
   }
   if (!options.take_periodic)
-    file.fail_at_line(line,
-                      "spheres without a periodic box, since only `pairs` finds pairs across its boundary "
-                      "(take only those inside it with --ignore-periodic)",
-                      text);
-  if (!box)
-    file.fail_at_line(line, fmt::format("{} (or take only pairs inside it with --ignore-periodic)", wanted), text);
+    fail(
+        "spheres without a periodic box, since only `pairs` finds pairs across its boundary "
+        "(take only those inside it with --ignore-periodic)");
+  if (!box) fail(fmt::format("{} (or take only pairs inside it with --ignore-periodic)", wanted));
   input.periodic = PeriodicSpheres{.box = *box, .set = {}, .text = text};
 }
 

@@ -50,8 +50,9 @@ void read_sphere_lines(const FileBytes& file, uint64_t line, Columns columns, co
                        const SphereFileOptions& options, SphereRows& rows, SphereFile& input);
 
 // A periodic box, in the file's words (`text`; empty where nothing is periodic): taken, ignored or refused, as the
-// options say. box: if it can be taken; else `wanted` says how it must be written.
-void take_periodic_box(const FileBytes& file, uint64_t line, const std::string& text, const std::optional<ListBox>& box,
+// options say. `where`: the file and the place in it. box: if it can be taken; else `wanted` says how it must be
+// written.
+void take_periodic_box(const std::string& where, const std::string& text, const std::optional<ListBox>& box,
                        const char* wanted, const SphereFileOptions& options, SphereFile& input);
 
 class Frames {

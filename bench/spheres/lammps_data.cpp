@@ -202,7 +202,8 @@ SphereFile read_lammps_data(const FileBytes& file, const SphereFileOptions& opti
   Columns columns = columns_of(file, section, atoms, options);
   if (!header.units.empty()) columns.units = fmt::format("LAMMPS's units {}", header.units);
   SphereFile input;
-  take_periodic_box(file, header.box_line, words_of_box(header), header.box, "", options, input);
+  take_periodic_box(fmt::format("{}, line {}", file.name(), header.box_line), words_of_box(header), header.box, "",
+                    options, input);
   read_sphere_lines(file, section.line, columns, atoms, options, rows, input);
   if (find_section(file, cursor, "Velocities").line > 0)
     read_velocities(file, atoms, lines_of_section(file, cursor, header), rows, input);

@@ -155,8 +155,8 @@ class LammpsFrames final : public Frames {
     const DumpFrame& frame = frames_[k];
     const DumpBox& box = frame.box;
     SphereFile input;
-    take_periodic_box(file_, box.line, box.box.is_open() ? "" : fmt::format("BOX BOUNDS {}", box.text), box.box, "",
-                      options_, input);
+    take_periodic_box(fmt::format("{}, line {}", file_.name(), box.line),
+                      box.box.is_open() ? "" : fmt::format("BOX BOUNDS {}", box.text), box.box, "", options_, input);
     if (box.flags == "ffffff" && box.along_axes) input.box = walls(box);
     read_sphere_lines(file_, frame.names_line, columns_of_dump(file_, frame, options_), frame.lines, options_, rows,
                       input);

@@ -104,8 +104,7 @@ Converted convert(const NumberTable& table, SphereRows& rows, int threads) {
 [[noreturn]] void refuse(const NumberTable& table, const Converted& done) {
   const uint64_t row = done.first_wrong / table.columns.size();
   const NumberColumn& column = table.columns[done.first_wrong % table.columns.size()];
-  double value = 0;
-  with_type(column.dtype, [&](auto number) { value = converted(load<decltype(number)>(column, row)).value; });
+  const double value = number_at(column, row);
   column.file->fail_at_byte(
       column.byte_of(row), why_invalid(value, column.quantity == QUANTITY_RADIUS),
       fmt::format("{} ({} of sphere {}; the first of {} such numbers of {})", value, quantity_names[column.quantity],
@@ -113,6 +112,12 @@ Converted convert(const NumberTable& table, SphereRows& rows, int threads) {
 }
 
 }  // namespace
+
+double number_at(const NumberColumn& column, uint64_t row) {
+  double value = 0;
+  with_type(column.dtype, [&](auto number) { value = converted(load<decltype(number)>(column, row)).value; });
+  return value;
+}
 
 void read_numbers(NumberTable table, const SphereFileOptions& options, SphereRows& rows, SphereFile& input) {
   const auto any = [&](auto wanted) { return std::ranges::any_of(table.columns, wanted); };

@@ -70,11 +70,9 @@ SphereFile read_lines(const FileBytes& file, const PlyHeader& header, const Sphe
 }
 
 uint64_t whole_number_at(const FileBytes& file, uint64_t at, std::string_view dtype) {
-  const uint64_t size = bytes_of_dtype(dtype);
-  uint64_t value = 0;
-  for (uint64_t k = 0; k < size; ++k)
-    value = value << 8 | static_cast<unsigned char>(file.bytes()[at + (dtype[0] == '>' ? k : size - 1 - k)]);
-  return value;
+  std::string bytes(file.bytes().substr(at, bytes_of_dtype(dtype)));
+  if (dtype[0] == '>') std::ranges::reverse(bytes);
+  return little_endian(bytes);
 }
 
 // The byte behind so many items from `at` on, which must be in the file.

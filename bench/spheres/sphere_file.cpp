@@ -41,6 +41,8 @@ void complete(SphereFile& input, SphereRows& rows, const FileBytes& bytes, const
   if (input.periodic) {
     PointSet& set = input.periodic->set;
     for (const auto& [x, y, z, radius] : rows.exact) set.points.push_back({x, y, z}), set.radii.push_back(radius);
+    if (rows.exact.empty())  // the file's numbers are float32
+      for (const auto& [x, y, z, radius] : rows.positions) set.points.push_back({x, y, z}), set.radii.push_back(radius);
     set.offsets = {0, set.size()};
   }
   if (!input.periodic) input.rounding = round_rows(rows, options.may_shift);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads spheres from files of other programs: extended XYZ, LAMMPS dumps and data, NPY, PLY and columns of text. Errors
-// name the line or byte, what was expected and what was found.
+// Reads spheres from files of other programs: extended XYZ, LAMMPS dumps and data, NPY, NPZ, PLY and columns of text.
+// Errors name the line or byte, what was expected and what was found.
 #pragma once
 
 #include <optional>
@@ -72,12 +72,16 @@ json to_json(const SphereFile& input);
 
 // The readers of formats without frames: they fill the format's fields and the rows. Of the others: frames.h.
 struct Columns;
+struct NumberColumn;
 struct NumberTable;
 struct SphereRows;
 SphereFile read_lammps_data(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
 SphereFile read_npy(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
+SphereFile read_npz(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
 SphereFile read_ply(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
 SphereFile read_text(const FileBytes& file, const SphereFileOptions& options, SphereRows& rows);
+
+double number_at(const NumberColumn& column, uint64_t row);
 
 // For the readers. Converts binary numbers, and fills what the input says of them but the format.
 void read_numbers(NumberTable table, const SphereFileOptions& options, SphereRows& rows, SphereFile& input);

@@ -30,6 +30,7 @@ bool begins_as_data(std::string_view bytes) {
   return false;
 }
 bool begins_as_npy(std::string_view bytes) { return bytes.starts_with("\x93NUMPY"); }
+bool begins_as_npz(std::string_view bytes) { return bytes.starts_with("PK\3\4"); }
 bool begins_as_ply(std::string_view bytes) { return bytes.starts_with("ply\n") || bytes.starts_with("ply\r\n"); }
 bool begins_as_text(std::string_view) { return true; }
 
@@ -63,6 +64,13 @@ constexpr SphereFormat formats[] = {
      read_npy,
      nullptr,
      0},
+    {"NPZ",
+     {".npz"},
+     "arrays positions or centers, n x 3, and radii, n; or spheres, n x 4; box and pbc",
+     begins_as_npz,
+     read_npz,
+     nullptr,
+     FORMAT_HAS_BOXES},
     {"PLY",
      {".ply"},
      "text or binary; properties x y z and radius of the element vertex",

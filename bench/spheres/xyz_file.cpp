@@ -67,7 +67,7 @@ Columns columns_of(const FileBytes& file, const Frame& frame, const Comment& com
 
 void read_box(const Comment& comment, const SphereFileOptions& options, SphereFile& input) {
   const PeriodicBox box = periodic_box(comment);
-  take_periodic_box(comment.file, comment.line, box.text, box.box,
+  take_periodic_box(fmt::format("{}, line {}", comment.file.name(), comment.line), box.text, box.box,
                     "a periodic box as Lattice=\"...\" of nine numbers, its three vectors, with pbc=\"T T F\"", options,
                     input);
   if (input.periodic) return;

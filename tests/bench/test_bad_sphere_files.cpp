@@ -168,7 +168,7 @@ TEST(BadSphereFile, OptionsThatDoNotFit) {
     expect(complaint("a.xyz", "1\n\nH 1 2 3\n", {.radius = radius}), "finite and not negative");
   expect(complaint("a.xyz", "1\n\n1 2 3\n", {.radius = 1, .frame = 1}), "has 1 frame, counted from 0");
   expect(complaint("a.npy", four, {.frame = 0}), "--frame is for extended XYZ and LAMMPS dump");
-  for (const char* name : {"a.log", "a", "a.npz", "a.xyz.gz", ".xyz"}) expect(complaint(name, six, {}), ".extxyz");
+  for (const char* name : {"a.log", "a", "a.xyz.gz", ".xyz"}) expect(complaint(name, six, {}), ".extxyz");
   expect(complaint_of([&] { read_sphere_file(folder.path("none.npy"), {}); }), "No such file");
   std::filesystem::create_directory(folder.path("folder.xyz"));
   expect(complaint_of([&] { read_sphere_file(folder.path("folder.xyz"), {}); }), "Is a directory");

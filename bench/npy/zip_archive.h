@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The members of a zip archive (PKWARE's APPNOTE.TXT), stored or deflated, as NPZ files have them.
+#pragma once
+
+#include <vector>
+
+#include "bench/io/file_bytes.h"
+
+namespace spherepair {
+
+struct ZipMember {
+  std::string name;
+  uint64_t header_at = 0;  // byte offset of the local header
+  uint64_t flags = 0, method = 0, crc = 0;
+  uint64_t packed_bytes = 0, bytes = 0;
+};
+
+// Those that the central directory lists, in its order; also of archives beyond 4 GiB (zip64).
+std::vector<ZipMember> zip_members(const FileBytes& file);
+
+// The bytes of a member, as a file of the name `FILE, NAME`.
+FileBytes unpacked(const FileBytes& file, const ZipMember& member);
+
+}  // namespace spherepair
