@@ -136,12 +136,12 @@ FileBytes unpacked(const FileBytes& file, const ZipMember& member) {
     fail("a size that its data may have", fmt::format("{} in {}", counted(member.bytes, "byte"), packed.size()));
   if (!fits_in_memory(member.bytes))
     throw BackendError(fmt::format("{} in {} has {} bytes, which do not fit in memory: use a machine with more",
-                                   member.name, file.name(), member.bytes));
+                                   in_quotes(member.name), file.name(), member.bytes));
   std::string bytes = member.method == 0 ? std::string(packed) : inflated(file, member, packed);
   const uint64_t crc = crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
   if (crc != member.crc)
     fail(fmt::format("the checksum {:08x}", member.crc), fmt::format("{:08x}: the file is damaged", crc));
-  return FileBytes(fmt::format("{}, {}", file.name(), member.name), std::move(bytes));
+  return FileBytes(fmt::format("{}, {}", file.name(), in_quotes(member.name)), std::move(bytes));
 }
 
 }  // namespace spherepair

@@ -18,7 +18,7 @@ struct ZipMember {
 // Those that the central directory lists, in its order; also of archives beyond 4 GiB (zip64).
 std::vector<ZipMember> zip_members(const FileBytes& file);
 
-// The bytes of a member, as a file of the name `FILE, NAME`.
+// The bytes of a member, as a file of the name `FILE, 'NAME'`.
 FileBytes unpacked(const FileBytes& file, const ZipMember& member);
 
 }  // namespace spherepair

@@ -186,7 +186,7 @@ void read_velocities(const FileBytes& file, const SphereLines& atoms, const Sphe
 
 std::string words_of_box(const DataHeader& header) {
   const auto& rows = header.box.rows;
-  return fmt::format("rows ({}), ({}), ({}), along all axes, as is LAMMPS's default", fmt::join(rows[0], " "),
+  return fmt::format("boundary p p p (LAMMPS's default), box ({}), ({}), ({})", fmt::join(rows[0], " "),
                      fmt::join(rows[1], " "), fmt::join(rows[2], " "));
 }
 

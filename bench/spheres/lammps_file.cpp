@@ -131,14 +131,12 @@ std::vector<NamedColumn> named_columns(const FileBytes& file, const DumpFrame& f
 }
 
 Columns columns_of_dump(const FileBytes& file, const DumpFrame& frame, const SphereFileOptions& options) {
-  if (!options.columns.empty()) {
-    std::vector<NamedColumn> as_written;
-    for (const std::string& name : frame.names) as_written.push_back({name});
-    return columns_of_option(options.columns, as_written, file.name());
-  }
+  std::vector<NamedColumn> as_written;
+  for (const std::string& name : frame.names) as_written.push_back({name});
+  if (!options.columns.empty()) return columns_of_option(options.columns, as_written, file.name());
   Columns columns =
       columns_of_names(fmt::format("{}, line {}", file.name(), frame.names_line), named_columns(file, frame));
-  columns.text = fmt::format("{}", fmt::join(frame.names, " "));
+  columns.text = all_names(as_written);
   columns.by = fmt::format("by the names in line {}", frame.names_line);
   if (!frame.units.empty()) columns.units = fmt::format("LAMMPS's units {}", frame.units);
   return columns;

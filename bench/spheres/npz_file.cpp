@@ -85,8 +85,8 @@ SphereFile read_arrays(const FileBytes& file, const Archive& archive, const Sphe
   }
   if (!options.columns.empty() && options.columns[0].find('=') == std::string::npos)
     throw std::invalid_argument(
-        fmt::format("--columns: name the arrays of {}, such as --columns pos=NAME,radius=NAME; it has {}", file.name(),
-                    fmt::join(archive.names(), ", ")));
+        fmt::format("--columns: name the arrays of {}, such as --columns pos=NAME,radius=NAME; it has '{}'",
+                    file.name(), all_names(names)));
   Columns columns = options.columns.empty() ? columns_of_names(file.name(), names)
                                             : columns_of_option(options.columns, names, file.name());
   if (options.columns.empty()) columns.by = "by the names of the arrays";
@@ -103,7 +103,8 @@ SphereFile read_arrays(const FileBytes& file, const Archive& archive, const Sphe
     const NumberTable part = plain_table(array.file, array.header, own);
     if (!first) first = &array, table.rows = part.rows;
     if (part.rows != table.rows)
-      array.file.fail_at_byte(array.header.shape_at, fmt::format("{} rows, as in {}", table.rows, first->name),
+      array.file.fail_at_byte(array.header.shape_at,
+                              fmt::format("{} rows, as in {}", table.rows, in_quotes(first->name)),
                               fmt::to_string(part.rows));
     table.columns.insert(table.columns.end(), part.columns.begin(), part.columns.end());
   }
@@ -164,7 +165,7 @@ SphereFile read_npz(const FileBytes& file, const SphereFileOptions& options, Sph
   read_box(archive, options, boxed);
   SphereFile input = all ? read_npy(all->file, options, rows) : read_arrays(file, archive, options, rows);
   input.periodic = boxed.periodic, input.ignored = boxed.ignored;
-  input.format = fmt::format("NPZ {}", all ? all->name + ": " + input.format : input.format);
+  input.format = fmt::format("NPZ {}", all ? in_quotes(all->name) + ": " + input.format : input.format);
   return input;
 }
 

@@ -28,16 +28,6 @@ void add_unit(const std::string& where, std::string& units, const NamedColumn& c
   if (units.empty()) units = unit;
 }
 
-std::string all_names(std::span<const NamedColumn> names) {
-  std::string words;
-  for (const NamedColumn& column : names) {
-    if (&column != names.data()) words += ' ';
-    for (const char c : column.name)  // neither a terminal nor JSON takes all bytes
-      words += c >= ' ' && c <= '~' ? std::string(1, c) : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-  }
-  return words;
-}
-
 // The one column of the file that has this name; of names that differ only in case and unit, the one that is equal.
 size_t find_column(std::string_view wanted, std::span<const NamedColumn> names, const std::string& file) {
   const auto fail = [&](std::string_view what) {
@@ -61,6 +51,16 @@ size_t find_column(std::string_view wanted, std::span<const NamedColumn> names, 
 
 size_t Columns::quantities() const {
   return size_t(std::ranges::count_if(columns, [](const auto& column) { return column.has_value(); }));
+}
+
+std::string all_names(std::span<const NamedColumn> names) {
+  std::string words;
+  for (const NamedColumn& column : names) {
+    if (&column != names.data()) words += ' ';
+    for (const char c : column.name)  // neither a terminal nor JSON takes all bytes
+      words += c >= ' ' && c <= '~' ? std::string(1, c) : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+  }
+  return words;
 }
 
 Columns columns_of_names(const std::string& where, std::span<const NamedColumn> names) {

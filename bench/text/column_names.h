@@ -47,6 +47,8 @@ struct KnownName {
 };
 const KnownName* known_name(std::string_view name);  // null if it is not
 
+std::string all_names(std::span<const NamedColumn> names);  // with unprintable bytes as \x..
+
 // Columns by the names that programs give them: x and `X [mm]`, radius, diameter, pos, velo ...; others are not read. r
 // is a radius unless g and b, or angles, stand beside it. Of several names for a quantity one of three components is
 // taken (pos beside Z), else the one in lower case (z beside Z). Throws std::invalid_argument, whose message begins

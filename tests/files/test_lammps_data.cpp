@@ -156,7 +156,8 @@ TEST_F(LammpsData, BadFilesAreRefusedWhereTheyAre) {
   expect(data_file(atoms_section("atomic", "1 1 0 0 0\n2 1 0 0 0\n") + "Velocities\n\n1 0 0 0\n1 0 0 0\n"), 19,
          "the id of an atom in Atoms, once", "'1 0 0 0'");
   expect(data_file(one + "Velocities\n\n1 0 inf 0\n", 1), 17, "a finite number", "'inf'");
-  expect(data_file(one, 1), 9, "spheres without a periodic box", "rows (4 0 0), (0 5 0), (0 0 6)", {.radius = 1});
+  expect(data_file(one, 1), 9, "spheres without a periodic box",
+         "boundary p p p (LAMMPS's default), box (4 0 0), (0 5 0), (0 0 6)", {.radius = 1});
   EXPECT_NE(complaint_of([&] { read(data_file(one, 1)); }).find("has no radii"), std::string::npos);
 }
 

@@ -43,6 +43,8 @@ TEST_F(LammpsDump, ColumnsMeanWhatTheirNamesSay) {
   EXPECT_EQ((std::array{v.x, v.y, v.z}), (std::array{1.0f, 2.0f, 3.0f}));
   EXPECT_EQ(file.units, "LAMMPS's units si");
   EXPECT_TRUE(file.format.starts_with("LAMMPS dump (id type diameter x y z vx vy vz)")) << file.format;
+  EXPECT_TRUE(
+      read(dump(open_box, "x y z q\x98\n1 2 3 4", 1), {.radius = 1}).format.starts_with("LAMMPS dump (x y z q\\x98)"));
   ASSERT_TRUE(file.box);
   EXPECT_EQ(file.box->low, (std::array{-1.0f, 0.0f, 0.0f}));
   EXPECT_EQ(file.box->high, (std::array{9.0f, 4.0f, 5.5f}));

@@ -113,6 +113,7 @@ TEST_F(NpzFile, OneArrayMayHaveAllNumbers) {
   const std::string rows = npy_array<float>("(2, 4)", {0.5, 1, 2, 0.75, 3.5, 4, 5, 1});
   expect_two(read({{"spheres.npy", rows}, {"positions.npy", "not read"}}));
   expect_two(read({{"arr_0.npy", rows}}));
+  EXPECT_TRUE(read({{"a\x98.npy", rows}}).format.starts_with("NPZ 'a\\x98': NPY (x y z radius)"));  // JSON is UTF-8
   expect_two(read({{"arr_0.npy", rows}}, {.columns = {"x", "y", "z", "radius"}}));
 }
 
@@ -204,24 +205,24 @@ TEST_F(NpzFile, BadArraysAreRefusedWhereTheyAre) {
     expect_complaint("bad.npz", zip_of(members), place, expected, found, asked);
   };
   const std::pair<std::string, std::string> centres = {"positions.npy", two_centres};
-  expect({{"positions.npy", npy_array<float>("(3, 2)", {1, 2, 3, 4, 5, 6})}}, "positions.npy, byte 60", "shape (n, 3)",
-         "(3, 2)");
-  expect({centres, {"radii.npy", npy_array<float>("(1, 2)", {1, 2})}}, "radii.npy, byte 60", "shape (n,)", "(1, 2)",
+  expect({{"positions.npy", npy_array<float>("(3, 2)", {1, 2, 3, 4, 5, 6})}}, "'positions.npy', byte 60",
+         "shape (n, 3)", "(3, 2)");
+  expect({centres, {"radii.npy", npy_array<float>("(1, 2)", {1, 2})}}, "'radii.npy', byte 60", "shape (n,)", "(1, 2)",
          {});
-  expect({centres, {"radii.npy", npy_array<float>("(3,)", {1, 2, 3})}}, "radii.npy, byte 60", "2 rows, as in positions",
-         "3", {});
-  expect({centres, {"radii.npy", npy_array<float>("(2,)", {1, -2})}}, "radii.npy, byte 132",
+  expect({centres, {"radii.npy", npy_array<float>("(3,)", {1, 2, 3})}}, "'radii.npy', byte 60",
+         "2 rows, as in 'positions'", "3", {});
+  expect({centres, {"radii.npy", npy_array<float>("(2,)", {1, -2})}}, "'radii.npy', byte 132",
          "a radius that is not negative", "-2 (radius of sphere 1", {});
-  expect({{"positions.npy", npy_array<float>("(1, 3)", {1, 2, std::nanf("")})}}, "positions.npy, byte 136",
+  expect({{"positions.npy", npy_array<float>("(1, 3)", {1, 2, std::nanf("")})}}, "'positions.npy', byte 136",
          "a finite number", "nan (z of sphere 0");
-  expect({{"positions.npy", two_centres.substr(0, 140)}}, "positions.npy, byte 140", "24 bytes of data",
+  expect({{"positions.npy", two_centres.substr(0, 140)}}, "'positions.npy', byte 140", "24 bytes of data",
          "the end of the file after 12");
-  expect({{"positions.npy", "no array"}}, "positions.npy, byte 0", "the magic string", "'no arr'");
-  expect({centres, {"box.npy", npy_array<double>("(2, 3)", {4, 0, 0, 0, 5, 0})}}, "box.npy, byte 60",
+  expect({{"positions.npy", "no array"}}, "'positions.npy', byte 0", "the magic string", "'no arr'");
+  expect({centres, {"box.npy", npy_array<double>("(2, 3)", {4, 0, 0, 0, 5, 0})}}, "'box.npy', byte 60",
          "a box of shape (3, 3)", "(2, 3)");
-  expect({centres, {"box.npy", npy_array<double>("(3,)", {4, std::nan(""), 5})}}, "box.npy, byte 136",
+  expect({centres, {"box.npy", npy_array<double>("(3,)", {4, std::nan(""), 5})}}, "'box.npy', byte 136",
          "a finite number", "nan");
-  expect({centres, {"box.npy", cube}, {"pbc.npy", npy_array<uint8_t>("(2,)", {1, 1}, "u")}}, "pbc.npy, byte 60",
+  expect({centres, {"box.npy", cube}, {"pbc.npy", npy_array<uint8_t>("(2,)", {1, 1}, "u")}}, "'pbc.npy', byte 60",
          "pbc of shape (3,)", "(2, 1)");
   const auto refusal = [&](const Members& members, const SphereFileOptions& asked) {
     return complaint_of([&] { read(members, asked); });

@@ -29,6 +29,7 @@ FILES = [
     mutant("periodic spheres in float32 are lost", "bench/spheres/sphere_file.cpp", "if (rows.exact.empty())", "if (false)", "NpzFile"),
     mutant("checksums of archives do not count", "bench/npy/zip_archive.cpp", "if (crc != member.crc)", "if (false)", "NpzFile"),
     mutant("arrays have other numbers of rows", "bench/spheres/npz_file.cpp", "if (part.rows != table.rows)", "if (false)", "NpzFile"),
+    mutant("arrays have fewer fields than columns", "bench/npy/npy_array.cpp", "header.structured && columns.count != count", "false", "BadSphereFile"),
     mutant("columns by name one too far", "bench/text/known_columns.cpp", "at += names[k++].count",
            "at += 1, ++k", "SphereFile", "BadSphereFile"),
     mutant("a short frame is taken", "bench/npy/npy_array.cpp", "if (!fits)", "if (false)", "BadSphereFile"),
