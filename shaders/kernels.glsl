@@ -4,6 +4,9 @@
 #include "common/shared/layout.h"
 
 layout(std140, binding = SLOT_PARAMS) uniform ParamsBlock { Params p; };
+// GLSL only from here: a kernel has 16 buffers at most, used or not
+#ifndef ONLY_GROUPS
+// until here
 #ifndef ID_ACCESS
 #define ID_ACCESS readonly
 #endif
@@ -17,6 +20,9 @@ layout(std430, binding = SLOT_SUMMARY) restrict buffer SummaryBuffer { uint summ
 layout(std430, binding = SLOT_DEFERRED) restrict buffer DeferredBuffer { uvec2 deferred[]; };
 layout(std430, binding = SLOT_PAIR) restrict buffer PairBuffer { uvec2 listed[]; };
 layout(std430, binding = SLOT_ID) restrict ID_ACCESS buffer IdBuffer { uint id[]; };
+// GLSL only from here: their end
+#endif
+// until here
 
 // The index of this group and the number of groups, however the dispatch is folded and sliced.
 #ifdef FOLDED  // GLSL only: the plain form saves the multiplication where the dispatch is neither folded nor sliced
@@ -29,6 +35,9 @@ uint group_count() { return gl_NumWorkGroups.x; }
 #endif
 // until here
 
+// GLSL only from here: what uses these buffers
+#ifndef ONLY_GROUPS
+// until here
 uint index_source() { return INDICES; }  // GLSL only: known to the compiler
 
 // The index and the radius of a sphere found at index k of the launch's order. Where INDEX_IN_W, w holds the index in
@@ -46,3 +55,6 @@ void clear_results(uint i) {
   if (i < p.n) count[i] = 0u;
   if (i < SUMMARY_SLOTS * SUMMARY_WORDS) summary[i] = 0u;
 }
+// GLSL only from here: their end
+#endif
+// until here

@@ -8,14 +8,8 @@
 namespace spherepair {
 namespace {
 
-constexpr int32_t host = 1;  // kDLCPU
 constexpr const char* type_names[] = {"F32", "F64", "I32", "I64", "U8"};
-
-void check_rows(const sp_array& array, const std::string& name) {
-  if (array.rows > most_points)
-    throw ListError(ListFault::range,
-                    fmt::format("{} has {} rows, but {} at most can be read", name, array.rows, most_points));
-}
+constexpr int64_t type_sizes[] = {4, 8, 4, 8, 1};
 
 template <typename Number, typename Element>
 std::vector<Number> read(const sp_array& array) {
@@ -31,17 +25,15 @@ std::vector<Number> read(const sp_array& array) {
 
 void refuse(const std::string& what) { throw ListError(ListFault::argument, what); }
 
-void check_array(const sp_array& array, const std::string& name, int64_t columns,
+void check_shape(const sp_array& array, const std::string& name, int64_t columns,
                  std::initializer_list<sp_type> types) {
   if (!array.data && array.rows == 0 && array.columns == 0) refuse(name + " are missing");
-  if (array.device_type != host)
-    refuse(
-        fmt::format("{} lies on a device of type {} (as DLPack has them); only the host's memory, 1, can be used: "
-                    "copy it there",
-                    name, array.device_type));
   if (array.rows < 0 || array.columns != columns)
     refuse(fmt::format("{} has {} rows of {}, but each row has {}", name, array.rows, array.columns, columns));
   if (array.rows > 0 && !array.data) refuse(fmt::format("{} has {} rows but no data", name, array.rows));
+  if (array.rows > most_points)
+    throw ListError(ListFault::range,
+                    fmt::format("{} has {} rows, but {} at most can be read", name, array.rows, most_points));
   if (std::ranges::any_of(types, [&](sp_type type) { return int32_t(type) == array.type; })) return;
   std::string allowed;
   for (const sp_type type : types) allowed += (allowed.empty() ? "" : " or ") + std::string(type_names[type]);
@@ -50,27 +42,47 @@ void check_array(const sp_array& array, const std::string& name, int64_t columns
                      known ? type_names[array.type] : std::to_string(array.type), allowed));
 }
 
+void check_array(const sp_array& array, const std::string& name, int64_t columns,
+                 std::initializer_list<sp_type> types) {
+  if (is_given(array) && array.device_type != host_memory && array.device_type != cuda_pinned_memory)
+    refuse(
+        fmt::format("{} lies on a device of type {} (as DLPack has them), but positions in the host's memory: both "
+                    "must lie in one",
+                    name, array.device_type));
+  check_shape(array, name, columns, types);
+}
+
+sp_array on_host(const sp_array& array, const ReadDevice& read, std::vector<std::byte>& keep) {
+  if (!is_cuda_array(array) || array.rows < 1 || array.columns < 1 || !array.data) return array;
+  if (array.type < SP_F32 || array.type > SP_U8) return array;
+  const int64_t rows = (array.rows - 1) * array.row_stride, columns = (array.columns - 1) * array.column_stride;
+  const int64_t low = std::min<int64_t>(rows, 0) + std::min<int64_t>(columns, 0),
+                high = std::max<int64_t>(rows, 0) + std::max<int64_t>(columns, 0), size = type_sizes[array.type];
+  keep.resize(size_t((high - low + 1) * size));
+  read(static_cast<const std::byte*>(array.data) + low * size, keep.data(), keep.size());
+  sp_array copy = array;
+  copy.data = keep.data() - low * size;
+  copy.device_type = host_memory;
+  return copy;
+}
+
 std::vector<double> read_numbers(const sp_array& array, const std::string& name, int64_t columns) {
   check_array(array, name, columns, {SP_F32, SP_F64});
-  check_rows(array, name);
   return array.type == SP_F32 ? read<double, float>(array) : read<double, double>(array);
 }
 
 std::vector<int64_t> read_integers(const sp_array& array, const std::string& name, int64_t columns) {
   check_array(array, name, columns, {SP_I32, SP_I64});
-  check_rows(array, name);
   return array.type == SP_I32 ? read<int64_t, int32_t>(array) : read<int64_t, int64_t>(array);
 }
 
 std::vector<uint8_t> read_flags(const sp_array& array, const std::string& name, int64_t columns) {
   check_array(array, name, columns, {SP_U8});
-  check_rows(array, name);
   return read<uint8_t, uint8_t>(array);
 }
 
 std::vector<Point3> read_points(const sp_array& array, const std::string& name) {
   check_array(array, name, 3, {SP_F32, SP_F64});
-  check_rows(array, name);
   std::vector<Point3> points(size_t(array.rows));
   const auto read_as = [&]<typename Element>(Element) {
 #pragma omp parallel for schedule(static) if (array.rows > 1 << 14)

@@ -2,6 +2,7 @@
 // Reads and writes the arrays of include/spherepair/spherepair.h. Messages name the array. All throw ListError.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,22 @@ namespace spherepair {
 
 inline bool is_given(const sp_array& array) { return array.data != nullptr || array.rows != 0; }
 
-// Refuses an array that has another number of columns or another type, or that lies in a device's memory.
+// DLPack's types of devices.
+constexpr int32_t host_memory = 1, cuda_memory = 2, cuda_pinned_memory = 3, cuda_managed_memory = 13;
+inline bool is_cuda_array(const sp_array& array) {
+  return array.device_type == cuda_memory || array.device_type == cuda_managed_memory;
+}
+
+// Refuses an array that has another number of columns, another type, too many rows or no memory.
+void check_shape(const sp_array& array, const std::string& name, int64_t columns, std::initializer_list<sp_type> types);
+// And one that does not lie in the host's memory.
 void check_array(const sp_array& array, const std::string& name, int64_t columns, std::initializer_list<sp_type> types);
+
+// Copies bytes of a device's memory to the host's.
+using ReadDevice = std::function<void(const void* from, void* to, uint64_t bytes)>;
+
+// The same array in the host's memory: itself, or a copy that `keep` owns.
+sp_array on_host(const sp_array& array, const ReadDevice& read, std::vector<std::byte>& keep);
 
 std::vector<Point3> read_points(const sp_array& array, const std::string& name);
 std::vector<double> read_numbers(const sp_array& array, const std::string& name, int64_t columns);

@@ -10,22 +10,26 @@
 namespace spherepair {
 namespace {
 
-void check_column(const sp_array& array, const char* name, int64_t columns, std::initializer_list<sp_type> types) {
-  if (array.data) check_array(array, name, columns, types);
+void check_column(const sp_array& array, const char* name, int64_t columns, std::initializer_list<sp_type> types,
+                  bool on_device) {
+  if (!array.data) return;
+  on_device ? check_shape(array, name, columns, types) : check_array(array, name, columns, types);
 }
 
 }  // namespace
 
-void check_columns(const sp_pairs& pairs) {
+void check_columns(const sp_pairs& pairs, bool on_device) {
   if (pairs.size != sizeof(sp_pairs))
     refuse(fmt::format("pairs.size is {}, but sizeof(sp_pairs) is {}: the program was compiled with another header",
                        pairs.size, sizeof(sp_pairs)));
-  check_column(pairs.first, "first", 1, {SP_I32, SP_I64});
-  check_column(pairs.second, "second", 1, {SP_I32, SP_I64});
-  check_column(pairs.shifts, "shifts", 3, {SP_I32, SP_I64});
-  check_column(pairs.vectors, "vectors", 3, {SP_F64});
-  check_column(pairs.distances, "distances", 1, {SP_F64});
-  check_column(pairs.offsets, "offsets", 1, {SP_I64});
+  check_column(pairs.first, "first", 1, {SP_I32, SP_I64}, on_device);
+  check_column(pairs.second, "second", 1, {SP_I32, SP_I64}, on_device);
+  check_column(pairs.shifts, "shifts", 3, {SP_I32, SP_I64}, on_device);
+  check_column(pairs.vectors, "vectors", 3, {SP_F64}, on_device);
+  check_column(pairs.distances, "distances", 1, {SP_F64}, on_device);
+  check_column(pairs.offsets, "offsets", 1, {SP_I64}, on_device);
+  if (pairs.found.data && !on_device) refuse("found is given: it is for positions in CUDA's memory");
+  check_column(pairs.found, "found", 1, {SP_I64}, on_device);
 }
 
 void check_room(const sp_pairs& pairs, int64_t firsts, std::string& message) {

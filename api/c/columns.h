@@ -10,8 +10,8 @@
 
 namespace spherepair {
 
-// Throws ListError for a column of another shape or type.
-void check_columns(const sp_pairs& pairs);
+// Throws ListError for a column of another shape or type, or in other memory than the host's unless `on_device`.
+void check_columns(const sp_pairs& pairs, bool on_device);
 
 // Says in the message which column is too short for pairs.count rows; else leaves it as it is.
 void check_room(const sp_pairs& pairs, int64_t firsts, std::string& message);

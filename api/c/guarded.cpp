@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "api/open.h"
+#include "common/device/device.h"
 
 namespace spherepair {
 namespace {
@@ -58,20 +59,30 @@ void close_for_calls(std::unique_ptr<Backend>& backend) noexcept {
 }
 
 OwnedPairs::OwnedPairs(int64_t pairs, int64_t firsts, uint32_t wanted) : sp_pairs{} {
-  size = sizeof(sp_pairs);
-  count = pairs;
-  allocate(first, SP_I32, sizeof(int32_t), pairs, 1);
-  allocate(second, SP_I32, sizeof(int32_t), pairs, 1);
-  if (wanted & SP_SHIFTS) allocate(shifts, SP_I32, sizeof(int32_t), pairs, 3);
-  if (wanted & SP_VECTORS) allocate(vectors, SP_F64, sizeof(double), pairs, 3);
-  if (wanted & SP_DISTANCES) allocate(distances, SP_F64, sizeof(double), pairs, 1);
-  if (wanted & SP_OFFSETS) allocate(offsets, SP_I64, sizeof(int64_t), firsts + 1, 1);
+  make_columns(pairs, firsts, wanted, host_memory, 0, [&](uint64_t bytes) {
+    return memory_.emplace_back(new std::byte[bytes], std::default_delete<std::byte[]>()).get();
+  });
 }
 
-void OwnedPairs::allocate(sp_array& array, sp_type type, size_t bytes, int64_t rows, int64_t columns) {
-  // One element more, so that an empty column has an address as well.
-  memory_.push_back(std::make_unique_for_overwrite<std::byte[]>((size_t(rows * columns) + 1) * bytes));
-  array = {memory_.back().get(), rows, columns, columns, 1, type, 1, 0};
+OwnedPairs::OwnedPairs(int64_t pairs, int64_t firsts, uint32_t wanted, Device& device, int32_t device_id) : sp_pairs{} {
+  make_columns(pairs, firsts, wanted, cuda_memory, device_id,
+               [&](uint64_t bytes) { return memory_.emplace_back(device.allocate(bytes, {}).owner).get(); });
+}
+
+void OwnedPairs::make_columns(int64_t pairs, int64_t firsts, uint32_t wanted, int32_t device_type, int32_t device_id,
+                              const Allocate& allocate) {
+  size = sizeof(sp_pairs);
+  count = pairs;
+  const auto make = [&](sp_array& array, sp_type type, size_t bytes, int64_t rows, int64_t columns) {
+    // One element more, so that an empty column has an address as well.
+    array = {allocate((size_t(rows * columns) + 1) * bytes), rows, columns, columns, 1, type, device_type, device_id};
+  };
+  make(first, SP_I32, sizeof(int32_t), pairs, 1);
+  make(second, SP_I32, sizeof(int32_t), pairs, 1);
+  if (wanted & SP_SHIFTS) make(shifts, SP_I32, sizeof(int32_t), pairs, 3);
+  if (wanted & SP_VECTORS) make(vectors, SP_F64, sizeof(double), pairs, 3);
+  if (wanted & SP_DISTANCES) make(distances, SP_F64, sizeof(double), pairs, 1);
+  if (wanted & SP_OFFSETS) make(offsets, SP_I64, sizeof(int64_t), firsts + 1, 1);
 }
 
 }  // namespace spherepair

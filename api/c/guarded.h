@@ -3,6 +3,7 @@
 // the columns of a list.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <new>
 #include <string>
@@ -58,15 +59,18 @@ class InThread {
 std::unique_ptr<Backend> open_for_calls(const char* backend, const char* device, int32_t threads);
 void close_for_calls(std::unique_ptr<Backend>& backend) noexcept;
 
-// An sp_pairs that owns its columns.
+// An sp_pairs that owns its columns, in the host's memory or in CUDA's.
 class OwnedPairs : public sp_pairs {
  public:
   OwnedPairs(int64_t pairs, int64_t firsts, uint32_t wanted);
+  OwnedPairs(int64_t pairs, int64_t firsts, uint32_t wanted, Device& device, int32_t device_id);
 
  private:
-  void allocate(sp_array& array, sp_type type, size_t bytes, int64_t rows, int64_t columns);
+  using Allocate = std::function<void*(uint64_t)>;
+  void make_columns(int64_t pairs, int64_t firsts, uint32_t wanted, int32_t device_type, int32_t device_id,
+                    const Allocate& allocate);
 
-  std::vector<std::unique_ptr<std::byte[]>> memory_;
+  std::vector<std::shared_ptr<void>> memory_;
 };
 
 }  // namespace spherepair

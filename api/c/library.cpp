@@ -2,7 +2,10 @@
 // The calls of include/spherepair/spherepair.h that open backends and make lists.
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "api/c/columns.h"
+#include "api/c/device_calls.h"
 #include "api/c/guarded.h"
 #include "api/c/problem_of.h"
 #include "api/open.h"
@@ -11,20 +14,46 @@
 using namespace spherepair;
 
 struct sp_context {
-  ~sp_context() { close_for_calls(backend); }
+  ~sp_context() {
+    if (backend) end_lists();
+    close_for_calls(backend);
+  }
+  DeviceCalls& on_device() {
+    if (!device_calls) device_calls.emplace(*backend);
+    return *device_calls;
+  }
+  void end_lists() noexcept;
 
   std::unique_ptr<Backend> backend;
+  std::optional<DeviceCalls> device_calls;
+  std::optional<DeviceLists> lists;  // of the host's arrays, on a device
   std::string message;
 };
 
 namespace {
 
-std::vector<ListedPair> list_in_thread(Backend& backend, const ListProblem& problem) {
-  const InThread in_thread(backend);
-  return list_pairs(backend, problem);
+std::vector<ListedPair> list_in_thread(sp_context& context, const ListProblem& problem) {
+  const InThread in_thread(*context.backend);
+  check_problem(problem);
+  Device* const device = context.backend->device();
+  const bool makes_lists = device && device->capabilities().makes_lists;
+  if (makes_lists && !context.lists) context.lists.emplace(*device);
+  if (makes_lists)
+    if (auto list = context.lists->list(problem)) return std::move(*list);
+  return list_by_search(*context.backend, problem);
 }
 
 }  // namespace
+
+// Their buffers are freed while the backend's device is the thread's.
+void sp_context::end_lists() noexcept {
+  try {
+    const InThread in_thread(*backend);
+    device_calls.reset();
+    lists.reset();
+  } catch (const std::exception&) {  // the device has failed, and an earlier call said so
+  }
+}
 
 uint32_t sp_abi_version(void) { return SP_ABI_VERSION; }
 const char* sp_version(void) { return SPHEREPAIR_VERSION; }
@@ -55,7 +84,11 @@ sp_status sp_count(sp_context* context, const sp_problem* problem, int64_t* coun
   if (!context) return SP_E_ARGUMENT;
   return guarded(context->message, [&] {
     if (!problem || !count) refuse("problem or count is NULL");
-    *count = int64_t(list_in_thread(*context->backend, problem_of(*problem)).size());
+    if (is_on_device(*problem)) {
+      *count = context->on_device().count(*problem);
+      return SP_OK;
+    }
+    *count = int64_t(list_in_thread(*context, problem_of(*problem)).size());
     return SP_OK;
   });
 }
@@ -67,8 +100,12 @@ sp_status sp_list(sp_context* context, const sp_problem* problem, uint32_t wante
     if (!problem || !out) refuse("problem or out is NULL");
     if (wanted > (SP_SHIFTS | SP_VECTORS | SP_DISTANCES | SP_OFFSETS))
       refuse(fmt::format("wanted is {}, but must be a sum of SP_SHIFTS, SP_VECTORS, SP_DISTANCES, SP_OFFSETS", wanted));
+    if (is_on_device(*problem)) {
+      *out = context->on_device().list(*problem, wanted).release();
+      return SP_OK;
+    }
     const ListProblem asked = problem_of(*problem);
-    const std::vector<ListedPair> list = list_in_thread(*context->backend, asked);
+    const std::vector<ListedPair> list = list_in_thread(*context, asked);
     auto owned = std::make_unique<OwnedPairs>(int64_t(list.size()), int64_t(asked.firsts().size()), wanted);
     write_list(asked, list, *owned);
     *out = owned.release();
@@ -82,9 +119,11 @@ sp_status sp_fill(sp_context* context, const sp_problem* problem, sp_pairs* pair
   if (!context) return SP_E_ARGUMENT;
   return guarded(context->message, [&] {
     if (!problem || !pairs) refuse("problem or pairs is NULL");
-    check_columns(*pairs);
+    check_columns(*pairs, is_on_device(*problem));
+    if (is_on_device(*problem))
+      return context->on_device().fill(*problem, *pairs, context->message) ? SP_OK : SP_E_CAPACITY;
     const ListProblem asked = problem_of(*problem);
-    const std::vector<ListedPair> list = list_in_thread(*context->backend, asked);
+    const std::vector<ListedPair> list = list_in_thread(*context, asked);
     pairs->count = int64_t(list.size());
     check_room(*pairs, int64_t(asked.firsts().size()), context->message);
     if (!context->message.empty()) return SP_E_CAPACITY;

@@ -24,16 +24,20 @@ std::vector<uint64_t> offsets_from(const sp_array& array, const std::string& nam
   return {offsets.begin(), offsets.end()};
 }
 
-PointSet set_of(const sp_array& points, const sp_array& radii, const sp_array& offsets, const std::string& prefix) {
+PointSet set_of(const sp_array& points, const sp_array& radii, const sp_array& offsets, const std::string& prefix,
+                bool on_device) {
   PointSet set;
   const std::string name = prefix.empty() ? "positions" : "queries";
-  set.points = read_points(points, name);
-  if (is_given(radii)) {
-    set.radii = read_numbers(radii, prefix + "radii", 1);
-    if (set.radii.size() != set.size())
-      refuse(fmt::format("{}radii has {} rows, but {} has {}", prefix, set.radii.size(), name, set.size()));
+  if (on_device) {
+    check_shape(points, name, 3, {SP_F32, SP_F64});
+    if (is_given(radii)) check_shape(radii, prefix + "radii", 1, {SP_F32, SP_F64});
+  } else {
+    set.points = read_points(points, name);
+    if (is_given(radii)) set.radii = read_numbers(radii, prefix + "radii", 1);
   }
-  set.offsets = offsets_from(offsets, prefix + "offsets", set.size());
+  if (is_given(radii) && radii.rows != points.rows)
+    refuse(fmt::format("{}radii has {} rows, but {} has {}", prefix, radii.rows, name, points.rows));
+  set.offsets = offsets_from(offsets, prefix + "offsets", uint64_t(points.rows));
   return set;
 }
 
@@ -78,18 +82,25 @@ std::vector<std::array<uint32_t, 2>> exclusions_of(const sp_array& array) {
 
 }  // namespace
 
-ListProblem problem_of(const sp_problem& given) {
-  if (given.size != sizeof(sp_problem))
+ListProblem problem_of(const sp_problem& caller, const ReadDevice& read) {
+  if (caller.size != sizeof(sp_problem))
     refuse(fmt::format("problem.size is {}, but sizeof(sp_problem) is {}: the program was compiled with another header",
-                       given.size, sizeof(sp_problem)));
+                       caller.size, sizeof(sp_problem)));
+  sp_problem given = caller;
+  std::vector<std::byte> kept[5];
+  if (read)
+    for (size_t k = 0;
+         sp_array * array : {&given.boxes, &given.periodic, &given.offsets, &given.query_offsets, &given.exclusions})
+      *array = on_host(*array, read, kept[k++]);
+  const bool on_device = bool(read);
   ListProblem problem;
-  problem.set = set_of(given.positions, given.radii, given.offsets, "");
+  problem.set = set_of(given.positions, given.radii, given.offsets, "", on_device);
   problem.asks = is_given(given.queries) || given.queries.columns != 0;
   problem.half = flag(given.half, "half");
   problem.inclusive = flag(given.inclusive, "inclusive");
   problem.self_pairs = flag(given.self_pairs, "self_pairs");
   if (problem.asks) {
-    problem.queries = set_of(given.queries, given.query_radii, given.query_offsets, "query_");
+    problem.queries = set_of(given.queries, given.query_radii, given.query_offsets, "query_", on_device);
     if (problem.half || problem.self_pairs) refuse("half and self_pairs must be 0 where there are queries");
     if (is_given(given.radii) != is_given(given.query_radii))
       refuse("radii and query_radii go together: give both or neither");
@@ -99,6 +110,8 @@ ListProblem problem_of(const sp_problem& given) {
   } else if (is_given(given.query_radii) || is_given(given.query_offsets)) {
     refuse("query_radii and query_offsets need queries");
   }
+  if (on_device && is_given(given.radii) && given.cutoff != 0)
+    refuse("there are radii and a cutoff: give one of them (and a skin)");
   problem.cutoff = given.cutoff;
   problem.skin = given.skin;
   problem.boxes = boxes_of(given, problem.set.offsets.size() - 1);

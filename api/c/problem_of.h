@@ -2,12 +2,13 @@
 // From the C struct to a ListProblem.
 #pragma once
 
-#include "common/lists/list_problem.h"
-#include "include/spherepair/spherepair.h"
+#include "api/c/arrays.h"
 
 namespace spherepair {
 
 // Throws ListError for whatever the arrays' shapes, types and offsets make impossible; check_problem does the rest.
-ListProblem problem_of(const sp_problem& given);
+// Where the positions lie in a device's memory, points and radii are checked but not read, and `read` brings the other
+// arrays to the host.
+ListProblem problem_of(const sp_problem& given, const ReadDevice& read = {});
 
 }  // namespace spherepair

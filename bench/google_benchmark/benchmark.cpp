@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "bench/google_benchmark/benchmark_rows.h"
+#include "bench/google_benchmark/list_rows.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/io/scene_text.h"
@@ -95,6 +96,7 @@ int run_all(Session& session, const std::vector<SceneOptions>& scenes, const std
     made.push_back(std::make_unique<BenchScene>(session, scene, rows, on_backend));
     for (const BenchRow& row : rows) register_row(*made.back(), row, sampling, wrong);
   }
+  register_list_rows(session, wrong);
   benchmark::RunSpecifiedBenchmarks();
   return wrong ? kDifference : kOk;
 }
@@ -113,7 +115,7 @@ void add_options(CLI::App& app, BenchOptions& options, OpenOptions& open) {
 }
 
 int bench_command(int argc, char** argv) {
-  CLI::App app("Checks, then times every backend's motion, steps, launches and methods with Google Benchmark.");
+  CLI::App app("Checks, then times every backend's motion, steps, launches, methods and lists with Google Benchmark.");
   BenchOptions options;
   OpenOptions open;
   add_options(app, options, open);

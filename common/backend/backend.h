@@ -45,10 +45,13 @@ struct BackendInfo {
   std::map<std::string, std::string> details;  // versions, extensions, limits
 };
 
+class Device;
+
 class Backend {
  public:
   virtual ~Backend() = default;
   virtual const BackendInfo& info() const = 0;
+  virtual Device* device() { return nullptr; }  // of a GPU's API, for work beside the scene
 
   // Around calls in a process that uses the APIs itself, or comes from several threads one after the other: from enter
   // to leave the thread's CUDA device and OpenGL context are this backend's, then what they were before.

@@ -3,6 +3,10 @@
 // y and z. Some kernels see another buffer in a slot; see Launch.
 #pragma once
 
+struct ListState;  // of common/shared/list.h
+struct ListSystem;
+struct ListLook;
+
 // clang-format off
 #define SPHEREPAIR_BUFFERS(one, three)                                        \
   one(POSITION, vec4*, position, "positions")                                 \
@@ -44,5 +48,16 @@
   one(FAULT, uint*, fault, "faults")                                          \
   one(ROW, uint*, row, "rows of near spheres")                                \
   one(ROW_LENGTH, uint*, row_length, "lengths of rows")                       \
-  one(REST, uint*, rest, "rest of the spheres")
+  one(REST, uint*, rest, "rest of the spheres")                               \
+  one(LIST_STATE, ListState*, list_state, "state of a list")                  \
+  one(LIST_SYSTEM, ListSystem*, list_system, "systems of a list")             \
+  one(LIST_GIVEN, const dvec4*, list_given, "points of a list")               \
+  one(LIST_PLACE, ivec4*, list_place, "places of points")                     \
+  one(LIST_BEGIN, int64_t*, list_begin, "begins of rows")                     \
+  one(LIST_SUM, uint64_t*, list_sum, "tiles of rows")                         \
+  one(LIST_FIRST, uint*, list_first, "first points of pairs")                 \
+  one(LIST_SECOND, uint*, list_second, "second points of pairs")              \
+  one(LIST_SHIFT, int*, list_shift, "shifts of pairs")                        \
+  one(LIST_LOOK, ListLook*, list_look, "what points look through")            \
+  one(LIST_EXCLUDED, const uvec2*, list_excluded, "pairs that are left out")
 // clang-format on

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "common/backend/graphics_pipeline.h"
+#include "common/device/device_arrays.h"
 #include "common/device/launch.h"
 #include "common/device/memory.h"
 
@@ -14,6 +15,7 @@ struct DeviceCapabilities {
   bool atomics_64 = false;       // 64-bit atomic minimum on buffers
   bool float_atomics = false;    // atomic addition of float32 on buffers
   bool overlaps_images = false;  // the spheres of one image can be drawn while the last is still resolved
+  bool makes_lists = false;      // lists of pairs are made by kernels, see DeviceLists
   uint bounds_block = 0;         // group size of grid_bounds
   uint tensor_groups = 0;        // groups of collide_tensor that run at once; 0: the device has no such kernel
   uint tensor_block = 0;         // group size of that kernel
@@ -64,6 +66,7 @@ class Device {
   virtual std::vector<StageTime> compile_kernels() { return {}; }
 
   virtual DeviceLibrary* library() { return nullptr; }
+  virtual DeviceArrays* arrays() { return nullptr; }        // callers' own, of an API that has such
   virtual GraphicsPipeline* pipeline() { return nullptr; }  // its own
 
   // Launches what is held back: another API is about to use a buffer.

@@ -2,7 +2,7 @@
 // Every kernel, by the name that its source files, its stage in the results and its entry in CUDA have in common; with
 // the buffers that it reads, and those that it writes, in any variant. Devices wait between two launches by this table;
 // the lint compares it with what the shaders do. Vulkan and CUDA have the kernels of tensor cores, CUDA alone has
-// persistent_steps.
+// persistent_steps. Kernels of lists are mirrored, too; OpenGL and Vulkan run them in software (docs/NOTES/lists.md).
 #pragma once
 
 // clang-format off
@@ -61,6 +61,27 @@
   each(draw_resolve, position | count | visible | drawn | seen_left, \
        visible | image | drawn | seen_left | seen_list) \
   each(draw_light, position | count | cell | sorted | id | visible, image)
+#define SPHEREPAIR_LIST_KERNELS(each) \
+  each(list_clear, list_state, list_state | list_system | cell) \
+  each(list_measure, list_state | list_system | list_given, list_state | list_system | list_place) \
+  each(list_plan, list_state | list_system, list_state | list_system) \
+  each(list_bin, cell | list_state | list_system | list_given | list_place, cell) \
+  each(list_scatter, cell | list_state | list_system | list_given | list_place, cell | sorted | id | list_look) \
+  each(list_count, cell | sorted | id | list_state | list_system | list_given | list_place | list_look | list_excluded, \
+       row_length) \
+  each(list_count_few, \
+       cell | sorted | id | list_state | list_system | list_given | list_place | list_look | list_excluded, \
+       list_state | row_length) \
+  each(list_sums, row_length | list_state, list_sum) \
+  each(list_scan, row_length | list_state | list_sum, list_begin) \
+  each(list_fill, \
+       cell | sorted | id | list_state | list_system | list_given | list_place | list_look | list_excluded | \
+           row_length | list_begin, \
+       list_first | list_second | list_shift) \
+  each(list_fill_few, \
+       cell | sorted | id | list_state | list_system | list_given | list_place | list_look | list_excluded | \
+           row_length | list_begin, \
+       list_first | list_second | list_shift)
 #define SPHEREPAIR_TENSOR_KERNELS(each) \
   each(tensor_bounds, position, tile_sum) \
   each(tensor_forms, position | tile_sum, sorted) \
@@ -69,5 +90,6 @@
   each(persistent_steps, position | velocity | count | summary, \
        position | velocity | count | summary | deferred | listed)
 #define SPHEREPAIR_KERNELS(each) \
-  SPHEREPAIR_MIRRORED_KERNELS(each) SPHEREPAIR_TENSOR_KERNELS(each) SPHEREPAIR_CUDA_KERNELS(each)
+  SPHEREPAIR_MIRRORED_KERNELS(each) SPHEREPAIR_LIST_KERNELS(each) SPHEREPAIR_TENSOR_KERNELS(each) \
+  SPHEREPAIR_CUDA_KERNELS(each)
 // clang-format on

@@ -3,9 +3,10 @@
 // arithmetic and fast robust geometric predicates", Discrete & Computational Geometry 18 (1997), section 2.4.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstddef>
+
+#include "common/shared/portable.h"
 
 namespace spherepair {
 
@@ -14,7 +15,7 @@ namespace spherepair {
 template <size_t Terms>
 class ExactSum {
  public:
-  void add(double term) {
+  FN void add(double term) {
     size_t kept = 0;
     for (size_t k = 0; k < count_; ++k) {
       const double other = parts_[k], sum = term + other, from_other = sum - term;
@@ -26,24 +27,24 @@ class ExactSum {
     count_ = kept;
   }
   // Counts as two terms.
-  void add_product(double a, double b) {
-    const double product = a * b, rest = std::fma(a, b, -product);
+  FN void add_product(double a, double b) {
+    const double product = a * b, rest = fma(a, b, -product);
     if (rest != 0) add(rest);
     if (product != 0) add(product);
   }
   // At most one unit in the last place from the sum.
-  double rounded() const {
+  FN double rounded() const {
     double sum = 0;
     for (size_t k = 0; k < count_; ++k) sum += parts_[k];
     return sum;
   }
   // The sum's own sign: its largest part is larger than all others together.
-  int sign() const { return count_ == 0 ? 0 : parts_[count_ - 1] > 0 ? 1 : -1; }
-  const double* begin() const { return parts_.data(); }
-  const double* end() const { return parts_.data() + count_; }
+  FN int sign() const { return count_ == 0 ? 0 : parts_[count_ - 1] > 0 ? 1 : -1; }
+  const double* begin() const { return parts_; }
+  const double* end() const { return parts_ + count_; }
 
  private:
-  std::array<double, Terms> parts_;
+  double parts_[Terms];
   size_t count_ = 0;
 };
 

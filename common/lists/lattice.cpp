@@ -59,19 +59,23 @@ Lattice::Lattice(const ListBox& box, uint64_t system) : box_(box) {
                                 "plane or on a line)",
                                 system, flattest));
   for (size_t k = 0; k < 3; ++k) {
-    if (!box.periodic[k]) continue;
-    const double edge = std::sqrt(dot(box.rows[k], box.rows[k]));
+    axes_[k] = box.periodic[k] ? box.rows[k] : rows[k];
+    const double edge = box.periodic[k] ? std::sqrt(dot(box.rows[k], box.rows[k])) : 1;
     dual_[k] = scaled(cross(rows[(k + 1) % 3], rows[(k + 2) % 3]), 1 / (volume * edge));
   }
 }
 
 Point3 Lattice::fraction(const Point3& point) const {
-  return {dot(point, dual_[0]), dot(point, dual_[1]), dot(point, dual_[2])};
+  Point3 fraction = {};
+  for (size_t k = 0; k < 3; ++k)
+    if (box_.periodic[k]) fraction[k] = dot(point, dual_[k]);
+  return fraction;
 }
 
 Point3 Lattice::spans(double distance) const {
-  Point3 spans;
-  for (size_t k = 0; k < 3; ++k) spans[k] = distance * std::sqrt(dot(dual_[k], dual_[k])) * (1 + slack) + slack;
+  Point3 spans = {};
+  for (size_t k = 0; k < 3; ++k)
+    if (box_.periodic[k]) spans[k] = distance * std::sqrt(dot(dual_[k], dual_[k])) * (1 + slack) + slack;
   return spans;
 }
 

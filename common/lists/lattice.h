@@ -19,9 +19,14 @@ class Lattice {
   Point3 moved(const Point3& point, const Shift& shift) const;
   const ListBox& box() const { return box_; }
 
+  // The rows of the box; unit vectors perpendicular to them where it is not periodic.
+  const std::array<Point3, 3>& axes() const { return axes_; }
+  // dual()[k] . x is coordinate k of x along the axes.
+  const std::array<Point3, 3>& dual() const { return dual_; }
+
  private:
   ListBox box_;
-  std::array<Point3, 3> dual_ = {};  // dual_[k] is perpendicular to the other periodic rows and 1 along row k
+  std::array<Point3, 3> axes_ = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, dual_ = axes_;
 };
 
 }  // namespace spherepair

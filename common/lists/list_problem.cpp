@@ -28,7 +28,7 @@ void check_number(double number, const std::string& name, bool may_be_negative) 
 }
 
 void check_set(const PointSet& set, const std::string& points, const std::string& radii) {
-  const auto n = int64_t(set.size());
+  const auto n = int64_t(set.points.size());
   int64_t first = n;  // that is wrong
 #pragma omp parallel for schedule(static) reduction(min : first) if (n > 1 << 14)
   for (int64_t i = 0; i < n; ++i) {
@@ -36,10 +36,8 @@ void check_set(const PointSet& set, const std::string& points, const std::string
     if (is_listed(x) && is_listed(y) && is_listed(z) && (set.radii.empty() || is_radius(set.radii[i]))) continue;
     first = std::min(first, i);
   }
-  if (first == n) return;
-  for (size_t axis = 0; axis < 3; ++axis)
-    check_number(set.points[first][axis], fmt::format("{}[{}].{}", points, first, "xyz"[axis]), true);
-  check_number(set.radii[first], fmt::format("{}[{}]", radii, first), false);
+  if (first < n)
+    refuse_point(points, radii, uint64_t(first), set.points[first], set.radii.empty() ? 0 : set.radii[first]);
 }
 
 void check_exclusions(const ListProblem& problem) {
@@ -53,6 +51,13 @@ void check_exclusions(const ListProblem& problem) {
 }
 
 }  // namespace
+
+void refuse_point(const std::string& points, const std::string& radii, uint64_t i, const Point3& point, double radius) {
+  for (size_t axis = 0; axis < 3; ++axis)
+    check_number(point[axis], fmt::format("{}[{}].{}", points, i, "xyz"[axis]), true);
+  check_number(radius, fmt::format("{}[{}]", radii, i), false);
+  throw ListError(ListFault::argument, fmt::format("{}[{}] changed while it was read", points, i));
+}
 
 void check_problem(const ListProblem& problem) {
   check_number(problem.cutoff, "cutoff", false);

@@ -20,12 +20,13 @@ struct ListBox {
   bool is_open() const { return !periodic[0] && !periodic[1] && !periodic[2]; }
 };
 
-// The points of all systems, one system after another. All lengths have one unit.
+// The points of all systems, one system after another. All lengths have one unit. Points in a device's memory have
+// offsets alone here.
 struct PointSet {
   std::vector<Point3> points;
   std::vector<double> radii;      // of each, not negative; none: the cutoff is for all
   std::vector<uint64_t> offsets;  // system b has the points offsets[b] to offsets[b + 1] - 1
-  uint64_t size() const { return points.size(); }
+  uint64_t size() const { return points.empty() && !offsets.empty() ? offsets.back() : points.size(); }
 };
 
 struct ListProblem {
@@ -57,6 +58,10 @@ constexpr int64_t most_points = 0x7FFFFFFF;  // indices have 32 bits, of which d
 
 // Numbers other than 0 must lie between these, so that no square or product of two leaves float64.
 constexpr double smallest_listed = 0x1p-450, largest_listed = 0x1p450;
+
+// Throws the ListError of point i of a set, whose numbers are wrong.
+[[noreturn]] void refuse_point(const std::string& points, const std::string& radii, uint64_t i, const Point3& point,
+                               double radius);
 
 // Throws ListError for the first thing that is wrong.
 void check_problem(const ListProblem& problem);

@@ -39,10 +39,12 @@ std::vector<Point3> wrapped(const PointSet& set, const char* name, const PointSy
     }
     inside[i] = lattice.moved(inside[i], back);
   }
-  if (far >= 0)
-    throw ListError(ListFault::range,
-                    fmt::format("{}[{}] lies more than 2^30 boxes away from the box at the origin", name, far));
+  if (far >= 0) throw too_far(name, uint64_t(far));
   return inside;
+}
+
+ListError too_far(const char* name, uint64_t i) {
+  return {ListFault::range, fmt::format("{}[{}] lies more than 2^30 boxes away from the box at the origin", name, i)};
 }
 
 double radius_of(const ListProblem& problem, const PointSet& set, uint64_t i) {

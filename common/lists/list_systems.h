@@ -56,6 +56,9 @@ struct System {
 std::vector<Point3> wrapped(const PointSet& set, const char* name, const PointSystems& systems,
                             const std::vector<Lattice>& lattices, PointCells& cells);
 
+// Of a point of the set with that name.
+ListError too_far(const char* name, uint64_t i);
+
 // A point's share of the reach.
 double radius_of(const ListProblem& problem, const PointSet& set, uint64_t i);
 

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "common/backend/cpu_team.h"
+#include "common/lists/device_lists.h"
 #include "common/lists/list_spheres.h"
 
 namespace spherepair {
@@ -125,8 +126,15 @@ std::vector<int64_t> offsets_of(const std::vector<ListedPair>& list, uint64_t fi
 }
 
 std::vector<ListedPair> list_pairs(Backend& backend, const ListProblem& problem, CollideOptions options) {
-  options.want_pairs = true;
   check_problem(problem);
+  if (Device* device = backend.device();
+      device && device->capabilities().makes_lists && options.method == Method::automatic)
+    if (auto list = DeviceLists(*device).list(problem)) return std::move(*list);
+  return list_by_search(backend, problem, options);
+}
+
+std::vector<ListedPair> list_by_search(Backend& backend, const ListProblem& problem, CollideOptions options) {
+  options.want_pairs = true;
   ListSpheres plan = list_spheres(problem);
   const std::vector<Pair> pairs = colliding_pairs(backend, std::move(plan.spheres), options);
   const Lister lister(problem, plan);

@@ -7,10 +7,15 @@
 
 namespace spherepair {
 
-// The whole list, in the order that the header defines; `options` choose the search. Uploads the list's points: the
-// backend's scene is lost. Throws ListError, BackendError.
+// The whole list, in the order that the header defines. On a GPU's API with the automatic method a device makes it;
+// else `options` choose the search, which uploads the list's points: the backend's scene is lost. Throws ListError,
+// BackendError.
 std::vector<ListedPair> list_pairs(Backend& backend, const ListProblem& problem,
                                    CollideOptions options = {.method = Method::automatic});
+
+// The same of a checked problem, always through a search.
+std::vector<ListedPair> list_by_search(Backend& backend, const ListProblem& problem,
+                                       CollideOptions options = {.method = Method::automatic});
 
 // firsts + 1 offsets: the pairs of point i begin at list[offsets[i]] and end before list[offsets[i + 1]].
 std::vector<int64_t> offsets_of(const std::vector<ListedPair>& list, uint64_t firsts);

@@ -44,9 +44,20 @@
 #define SLOT_NEAR 39   // uvec2[]: their colliding pairs (i<j) in any order, SearchParams::near_pairs of them
 #define SLOT_FAULT 40  // uint[FAULT_WORDS], of leapfrog: the first sphere of each FAULT_*, or ~0; see skin.h
 #define SLOT_ROW 41    // uint[row_capacity * n], of contact_gather: the k-th near sphere of i at k * n + i
-#define SLOT_ROW_LENGTH 42  // uint[n], of contact_gather: near spheres of each
-#define SLOT_REST 43        // uint[n], of leapfrog: what the last step did to each sphere; see contact_rest.h
-#define SLOT_TOTAL 44
+#define SLOT_ROW_LENGTH 42     // uint[n], of contact_gather: near spheres of each
+#define SLOT_REST 43           // uint[n], of leapfrog: what the last step did to each sphere; see contact_rest.h
+#define SLOT_LIST_STATE 44     // ListState, of lists of pairs; see list.h
+#define SLOT_LIST_SYSTEM 45    // ListSystem[systems]
+#define SLOT_LIST_GIVEN 46     // dvec4[n]: points as given, then queries; radius in w
+#define SLOT_LIST_PLACE 47     // ivec4[n]: boxes by which each was wrapped, and its system
+#define SLOT_LIST_BEGIN 48     // int64[looking + 1]: begin of each row
+#define SLOT_LIST_SUM 49       // uint64[tiles of rows]: their lengths
+#define SLOT_LIST_FIRST 50     // uint[pairs], the columns: i, ...
+#define SLOT_LIST_SECOND 51    // uint[pairs]: ... j, ...
+#define SLOT_LIST_SHIFT 52     // int[3 * pairs]: ... and S
+#define SLOT_LIST_LOOK 53      // ListLook[looking]: what each looks through
+#define SLOT_LIST_EXCLUDED 54  // uvec2[]: pairs that are left out, sorted
+#define SLOT_TOTAL 55
 #define SLOT_PARAMS 0     // the uniform block's own binding
 #define STEPS_LOCATION 0  // of GLSL's uniform with MotionParams::steps_done
 #define CELL_TEXTURE 0    // texture units of GLSL, one per use, so that bindings seldom change

@@ -8,6 +8,7 @@
 #ifdef GL_core_profile
 
 #define FN
+#define RARE_FN
 #define EXACT precise
 #define UNIFORM_ALIGN  // std140 aligns structs by itself
 
@@ -41,8 +42,10 @@ float smaller(float a, float b) { return a < b ? a : b; }
 
 #ifdef __CUDACC__
 #define FN __host__ __device__ inline
+#define RARE_FN __host__ __device__ __noinline__ inline  // keeps the registers of a kernel's common case few
 #else
 #define FN inline
+#define RARE_FN inline
 #endif
 #define EXACT
 #define UNIFORM_ALIGN alignas(16)
@@ -59,6 +62,15 @@ struct alignas(16) uvec4 {
 };
 struct alignas(16) vec4 {
   float x, y, z, w;
+};
+struct alignas(8) ivec2 {
+  int x, y;
+};
+struct alignas(16) ivec4 {
+  int x, y, z, w;
+};
+struct alignas(32) dvec4 {
+  double x, y, z, w;
 };
 
 #ifdef __CUDA_ARCH__

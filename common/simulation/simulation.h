@@ -15,6 +15,7 @@ class Simulation final : public Backend {
   explicit Simulation(std::unique_ptr<Device> device, PipelineOpener open = {});
 
   const BackendInfo& info() const override { return device_->info(); }
+  Device* device() override { return device_.get(); }
   void enter_thread() override { device_->enter_thread(); }
   void leave_thread() noexcept override { device_->leave_thread(); }
   std::vector<Method> methods() const override;

@@ -10,8 +10,10 @@
 #include "common/backend/checks.h"
 #include "common/device/hazards.h"
 #include "common/shared/tensor_form.h"
+#include "cuda/host/caller_arrays.h"
 #include "cuda/host/check.h"
 #include "cuda/host/device_choice.h"
+#include "cuda/host/early_launch.h"
 #include "cuda/host/entries.h"
 #include "cuda/host/library_sort.h"
 #include "cuda/host/sort_pairs.h"
@@ -20,30 +22,6 @@
 
 namespace spherepair {
 namespace {
-
-// Up to so many spheres the kernels of all pairs gain by getting ready early. Of more, groups that are resident early
-// are spread over the multiprocessors less evenly: 4,096 spheres take 8.9 us a step instead of 8.1.
-constexpr uint early_spheres = 2048;
-
-// Whether the kernel gets ready while the launch before it is under way, and waits for that first.
-bool waits_first(const Launch& launch, const Params& params) {
-  switch (launch.kernel) {
-    case Kernel::grid_sort:
-    case Kernel::collide_grid:
-    case Kernel::empty:
-      return true;
-    case Kernel::move:
-    case Kernel::collide_triangle:
-      return params.n <= early_spheres;
-    default:
-      return false;
-  }
-}
-
-// Whether the kernel waits in its last line for the launch before it, if that may still be under way.
-bool waits_last(Kernel kernel) {
-  return kernel == Kernel::split_tiles || kernel == Kernel::move || kernel == Kernel::bounce;
-}
 
 template <typename T = void>
 T* data_of(uint64_t handle) {
@@ -75,6 +53,7 @@ class CudaDevice final : public Device, private DeviceLibrary {
   void time_stages(bool on) override;
   std::vector<StageTime> stage_times() override;
   DeviceLibrary* library() override { return this; }
+  DeviceArrays* arrays() override { return &arrays_; }
   void flush() override { recorder_.flush(); }
 
  private:
@@ -89,6 +68,7 @@ class CudaDevice final : public Device, private DeviceLibrary {
   DeviceCapabilities capabilities_;
   StepGraphs graphs_;
   StepRecorder recorder_{graphs_, work, prepared};
+  CallerArrays arrays_;
   LibrarySort library_;
   StageEvents stages_;
   std::unordered_set<Entry> loaded_;  // kernels that were launched
@@ -107,10 +87,16 @@ CudaDevice::CudaDevice(int device, int before)
                     .atomics_64 = true,
                     .float_atomics = true,
                     .overlaps_images = false,
+                    .makes_lists = true,
                     .bounds_block = SERVICE_BLOCK,
                     .tensor_groups = tensor_groups(device),
                     .tensor_block = TENSOR_BLOCK,
-                    .persistent_groups = persistent_groups(device)} {
+                    .persistent_groups = persistent_groups(device)},
+      arrays_(device, [this](cudaStream_t stream) {
+        recorder_.flush();
+        hazards_.forget();
+        graphs_.use_stream(stream);
+      }) {
   require_kernels(device);
 }
 
@@ -158,14 +144,14 @@ void CudaDevice::write(const Memory& memory, const void* data, uint64_t offset, 
   recorder_.flush();
   hazards_.forget();
   char* target = data_of<char>(memory.handle) + offset;
-  cuda_check(cudaMemcpy(target, data, bytes, cudaMemcpyHostToDevice), fmt::format("writing {} bytes", bytes));
+  cuda_check(cudaMemcpyAsync(target, data, bytes, cudaMemcpyHostToDevice, arrays_.stream()),
+             fmt::format("writing {} bytes", bytes));
 }
 
 void CudaDevice::read(const Memory& memory, void* data, uint64_t offset, uint64_t bytes) {
   if (bytes == 0) return;
   recorder_.flush();
-  const char* source = data_of<char>(memory.handle) + offset;
-  cuda_check(cudaMemcpy(data, source, bytes, cudaMemcpyDeviceToHost), fmt::format("reading {} bytes", bytes));
+  arrays_.read(data_of<const char>(memory.handle) + offset, data, bytes);
 }
 
 void CudaDevice::launch(const Launch& launch, const Params& params, const BufferHandles& buffers) {
@@ -208,7 +194,9 @@ void CudaDevice::end_step() {
 void CudaDevice::clear(const Memory& memory, uint64_t bytes) {
   recorder_.flush();
   hazards_.forget();
-  stages_.time("memset", [&] { cuda_check(cudaMemsetAsync(data_of(memory.handle), 0, bytes), "clearing a buffer"); });
+  stages_.time("memset", [&] {
+    cuda_check(cudaMemsetAsync(data_of(memory.handle), 0, bytes, arrays_.stream()), "clearing a buffer");
+  });
 }
 
 void CudaDevice::sort_spheres(const Params& params, const BufferHandles& buffers) {

@@ -41,7 +41,7 @@ StepGraphs::~StepGraphs() {
   if (stream_) cudaStreamDestroy(stream_);
 }
 
-void StepGraphs::launch_call(const Call& call) { launch_on(nullptr, call); }
+void StepGraphs::launch_call(const Call& call) { launch_on(launches_on_, call); }
 
 StepApi::Recording StepGraphs::record(const std::vector<Call>& calls, uint steps) {
   if (!stream_) cuda_check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "creating a stream");

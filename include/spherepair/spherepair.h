@@ -38,7 +38,7 @@
 extern "C" {
 #endif
 
-#define SP_ABI_VERSION 1 /* changes when a struct or the meaning of a call changes */
+#define SP_ABI_VERSION 2 /* changes when a struct or the meaning of a call changes */
 
 typedef enum sp_status {
   SP_OK = 0,
@@ -62,8 +62,12 @@ typedef struct sp_array {
   int64_t rows, columns;
   int64_t row_stride, column_stride; /* in elements, may be negative */
   int32_t type;                      /* sp_type */
-  int32_t device_type, device_id;    /* as DLPack has them; only 1, the host's memory, can be read and written today */
+  int32_t device_type, device_id;    /* as DLPack has them: 1 is the host's memory, 2 is CUDA's; see sp_problem */
 } sp_array;
+
+/* Positions in CUDA's memory stay there: a context of cuda reads them, with radii and queries, and writes columns, all
+ * in its device's memory and in `stream`. Boxes, periodic, offsets and exclusions may lie in either memory; those in
+ * CUDA's are copied to the host, for which a call waits. */
 
 /* What is searched. Set `size` to sizeof(sp_problem), the rest to zero, then fill in what there is. */
 typedef struct sp_problem {
@@ -91,6 +95,7 @@ typedef struct sp_problem {
   sp_array exclusions;
 
   int32_t half, inclusive, self_pairs; /* 0 or 1 */
+  void* stream; /* the cudaStream_t in which arrays in CUDA's memory are used; NULL: the default stream */
 } sp_problem;
 
 /* The columns of a list, of `count` rows but for offsets. */
@@ -103,6 +108,9 @@ typedef struct sp_pairs {
   sp_array vectors;   /* count x 3, F64: x_j - x_i + S H, each component at most 1 unit in the last place off */
   sp_array distances; /* F64: the length of the vector; its relative error is below 2^-50 */
   sp_array offsets;   /* I64, one row more than points or queries: those of i are offsets[i] to offsets[i + 1] - 1 */
+
+  /* For sp_fill with positions in CUDA's memory: one I64 there, which gets the number of pairs. See sp_fill. */
+  sp_array found;
 } sp_pairs;
 
 /* What sp_list gives beside first and second: a sum of these. */
@@ -129,12 +137,19 @@ SP_API const char* sp_message(const sp_context* context);
 /* How many pairs the list has. */
 SP_API sp_status sp_count(sp_context* context, const sp_problem* problem, int64_t* count);
 
-/* Makes the list in memory of its own, which sp_free frees. wanted: a sum of SP_SHIFTS ... On failure *out is NULL. */
+/* Makes the list in memory of its own, which sp_free frees; in CUDA's memory if the positions are there, complete when
+ * the stream has got there. wanted: a sum of SP_SHIFTS ... On failure *out is NULL. */
 SP_API sp_status sp_list(sp_context* context, const sp_problem* problem, uint32_t wanted, sp_pairs** out);
 SP_API void sp_free(sp_pairs* list); /* NULL is fine */
 
 /* Writes the list into the caller's arrays: those of `pairs` that have data, each of at least `count` rows. `count` is
- * set in any case; where it is more than the rows of an array, nothing is written and the status is SP_E_CAPACITY. */
+ * set in any case; where it is more than the rows of an array, nothing is written and the status is SP_E_CAPACITY.
+ *
+ * With `found` a call waits for nothing and allocates nothing if the context's last call had the same problem but for
+ * the numbers in positions, radii and queries, and columns of as many rows; it can then be captured into a CUDA graph,
+ * which can be replayed until the context's next call with another problem. `count` is -1 then, and `found` gets the
+ * number of pairs in the stream's turn: if it is more than the rows of a column, no pair was written. Below 0, -1 - i:
+ * the numbers of position i, of query i - N, cannot be listed; INT64_MIN: call once without `found`. */
 SP_API sp_status sp_fill(sp_context* context, const sp_problem* problem, sp_pairs* pairs);
 
 #ifdef __cplusplus

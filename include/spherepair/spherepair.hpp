@@ -126,6 +126,7 @@ struct Problem {
   Offsets query_offsets = {};       // B + 1
   Exclusions exclusions = {};       // E x 2
   bool half = false, inclusive = false, self_pairs = false;
+  void* stream = nullptr;  // the cudaStream_t in which arrays in CUDA's memory are used; null: the default stream
 
   // The C struct; it points into this one. Throws Error if both box and boxes are given.
   sp_problem in_c() const {
@@ -146,7 +147,8 @@ struct Problem {
             .exclusions = exclusions.array(),
             .half = half,
             .inclusive = inclusive,
-            .self_pairs = self_pairs};
+            .self_pairs = self_pairs,
+            .stream = stream};
   }
 };
 
@@ -162,10 +164,15 @@ struct Columns {
     const auto array = [](const auto& rows, sp_type type, int64_t columns = 1) {
       return rows ? detail::host_array(rows->data(), type, int64_t(rows->size()), columns, columns) : sp_array{};
     };
-    return {sizeof(sp_pairs),         0,
-            array(first, SP_I32),     array(second, SP_I32),
-            array(shifts, SP_I32, 3), array(vectors, SP_F64, 3),
-            array(distances, SP_F64), array(offsets, SP_I64)};
+    return {sizeof(sp_pairs),
+            0,
+            array(first, SP_I32),
+            array(second, SP_I32),
+            array(shifts, SP_I32, 3),
+            array(vectors, SP_F64, 3),
+            array(distances, SP_F64),
+            array(offsets, SP_I64),
+            sp_array{}};
   }
 };
 
@@ -195,8 +202,9 @@ class PairList {
 // An open backend. One thread at a time uses it; several contexts can be used at once.
 class Context {
  public:
-  // Opens a backend: cpu, opengl, cuda, vulkan, or auto: the first of CUDA, Vulkan and OpenGL on a GPU, else cpu. device: a GPU's number or UUID. threads: of
-  // cpu; 0: one a core. Throws Error: SP_E_BACKEND if the backend is missing here, SP_E_ARGUMENT for an unknown name.
+  // Opens a backend: cpu, opengl, cuda, vulkan, or auto: the first of CUDA, Vulkan and OpenGL on a GPU, else cpu.
+  // device: a GPU's number or UUID. threads: of cpu; 0: one a core. Throws Error: SP_E_BACKEND if the backend is
+  // missing here, SP_E_ARGUMENT for an unknown name.
   explicit Context(const std::string& backend = "auto", const std::string& device = "", int32_t threads = 0) {
     if (sp_abi_version() != SP_ABI_VERSION)
       throw Error(SP_E_BACKEND, "the library that was loaded has another ABI than spherepair.h: compile again");

@@ -6,14 +6,14 @@ from __future__ import annotations
 import ctypes
 from ctypes import POINTER, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p
 
-ABI_VERSION = 1
+ABI_VERSION = 2
 
 OK, ARGUMENT, NONFINITE, RANGE, CAPACITY, MEMORY, BACKEND = range(7)  # sp_status
 SHIFTS, VECTORS, DISTANCES, OFFSETS = 1, 2, 4, 8  # what sp_list makes beside i and j
 
 TYPES = {"f4": 0, "f8": 1, "i4": 2, "i8": 3, "u1": 4}  # sp_type of a kind and a size in bytes
 CODES = {number: code for code, number in TYPES.items()}
-HOST = 1  # DLPack's number of the host's memory
+HOST, CUDA = 1, 2  # DLPack's numbers of the host's memory and of CUDA's
 
 
 class Array(ctypes.Structure):
@@ -29,14 +29,14 @@ class Problem(ctypes.Structure):
     _fields_ = [("size", c_size_t), ("positions", Array), ("radii", Array), ("cutoff", c_double), ("skin", c_double),
                 ("boxes", Array), ("periodic", Array), ("offsets", Array), ("queries", Array),
                 ("query_radii", Array), ("query_offsets", Array), ("exclusions", Array), ("half", c_int32),
-                ("inclusive", c_int32), ("self_pairs", c_int32)]
+                ("inclusive", c_int32), ("self_pairs", c_int32), ("stream", c_void_p)]
 
 
 class Pairs(ctypes.Structure):
     """sp_pairs: the columns of a list."""
 
     _fields_ = [("size", c_size_t), ("count", c_int64), ("first", Array), ("second", Array), ("shifts", Array),
-                ("vectors", Array), ("distances", Array), ("offsets", Array)]
+                ("vectors", Array), ("distances", Array), ("offsets", Array), ("found", Array)]
 
 
 class Scene(ctypes.Structure):

@@ -42,15 +42,15 @@ class List:
         self.pairs = pointer.contents
         weakref.finalize(self, lib.sp_free, pointer).atexit = False
 
-    def column(self, letter: str) -> Any:
-        """Gives an array on the list's memory. It keeps the list."""
+    def column(self, letter: str) -> View:
+        """Gives a view of the list's memory. It keeps the list."""
         given = getattr(self.pairs, FIELDS[letter])
         code = _abi.CODES[given.type]
         size = int(code[1:])
         wide = letter in "SD"
         shape = (given.rows, 3) if wide else (given.rows,)
         strides = (given.row_stride * size, given.column_stride * size) if wide else (given.row_stride * size,)
-        return arrays.output(View(given.data or 0, shape, strides, code, True, self))
+        return View(given.data or 0, shape, strides, code, True, self)
 
 
 def columns(search: Search, names: Any, backend: Union[str, Context], index_dtype: Any) -> Dict[str, Any]:
@@ -65,7 +65,9 @@ def columns(search: Search, names: Any, backend: Union[str, Context], index_dtyp
     except ValueError as failure:
         raise ValueError(search.translate(str(failure))) from None
     made = List(pointer)
-    found = {name: made.column(name) for name in needed if name != "offsets" or not sorts}
+    if search.cuda is not None:
+        return {name: search.cuda.array(made.column(name), code if name in "ijS" else None) for name in names}
+    found = {name: arrays.output(made.column(name)) for name in needed if name != "offsets" or not sorts}
     if sorts:
         _regroup(search, found, "offsets" in needed)
     found = {name: arrays.cast(found[name], code) if name in "ijS" else found[name] for name in names}

@@ -8,6 +8,7 @@ from typing import Any, Optional, Tuple, Union
 from . import _inputs
 from ._columns import columns, letters, to_torch
 from ._context import Context
+from ._on_cuda import is_on_cuda
 from ._problem import Search, torch_of
 
 Backend = Union[str, Context]
@@ -24,7 +25,8 @@ def neighbor_list(quantities: str, positions: Any, cutoff: Optional[float] = Non
     quantities: letters of "ijSdD", as ASE has them, for P pairs:
         i, j: (P,) indices. S: (P, 3) images of j, in rows of the cell. d: (P,) float64 distances.
         D: (P, 3) float64 vectors x_j - x_i + S H.
-    positions: (N, 3), or an ASE Atoms object, which has a cell and pbc, too. They need not lie in the cell.
+    positions: (N, 3), or an ASE Atoms object, which has a cell and pbc, too. They need not lie in the cell. A tensor of
+        torch or an array of cupy in CUDA's memory stays there, as the result does; the backend is then cuda.
     cutoff: c. Leave it out where there are radii.
     cell: H: (3, 3) rows, (3,) lengths, or (B, 3, 3) for B systems. None: open.
     pbc: one flag, (3,) or (B, 3). None: periodic along all rows of the cell.
@@ -100,7 +102,8 @@ def radius_graph(x: Any, r: float, batch: Any = None, loop: bool = False, flow: 
     """
     if flow not in ("source_to_target", "target_to_source"):
         raise ValueError(f"flow is {flow!r}: source_to_target or target_to_source")
-    positions = x if hasattr(x, "get_positions") else _inputs.padded_points(x, "x")
+    given = hasattr(x, "get_positions") or is_on_cuda(x)
+    positions = x if given else _inputs.padded_points(x, "x")
     search = Search(positions, r, cell, pbc, batch=batch, self_pairs=loop)
     search.torch = torch_of(x)
     return _stacked(search, "ji" if flow == "source_to_target" else "ij", 0, backend, "int64")
@@ -110,5 +113,7 @@ def _stacked(search: Search, order: str, axis: int, backend: Backend, index_dtyp
     """Two columns as one array: (2, P) along axis 0, (P, 2) along axis 1."""
     torch, search.torch = search.torch, None
     found = columns(search, "ij", backend, index_dtype)
+    if search.cuda is not None:
+        return search.cuda.stacked(found[order[0]], found[order[1]], axis)
     stacked = _inputs.arrays.stacked(found[order[0]], found[order[1]], axis)
     return stacked if torch is None else to_torch(torch, stacked)

@@ -66,6 +66,8 @@ class Plan:
                  skin: float = 0, backend: Union[str, Context] = "auto", index_dtype: Any = "int32"):
         self._search = Search(positions_like, cutoff, cell, pbc, radii=radii, batch=batch, exclude=exclude, half=half,
                               inclusive=inclusive, self_pairs=self_pairs, skin=skin)
+        if self._search.cuda is not None:
+            raise ValueError("a plan is for positions in the host's memory: in CUDA's, call neighbor_list, or sp_fill from C")
         if self._search.points.order is not None:
             raise ValueError("batch is not sorted: sort the points of a plan by system")
         self._follows_atoms, self._pbc = cell is None, pbc

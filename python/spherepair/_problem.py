@@ -8,7 +8,7 @@ import re
 import sys
 from typing import Any, Optional
 
-from . import _abi, _inputs
+from . import _abi, _inputs, _on_cuda
 from ._systems import Sorted, sort
 from ._views import View
 
@@ -35,9 +35,10 @@ class Search:
         self._keep: dict = {}
         self.torch = torch_of(positions)
         positions, cell, pbc = _atoms(positions, cell, pbc)
-        points = _inputs.points(positions, "positions")
-        asked = None if queries is None else _inputs.points(queries, "queries")
-        self._put_boxes(*_inputs.boxes(cell, pbc))
+        self.cuda = self._cuda_of(positions, queries)
+        points = self._points(positions, "positions")
+        asked = None if queries is None else self._points(queries, "queries")
+        self._put_boxes(*_inputs.boxes(_on_cuda.on_host(cell, "cell"), _on_cuda.on_host(pbc, "pbc")))
         self._set_systems(points, batch, asked, query_batch)
         self._set_points("positions", "radii", points, radii, self.points)
         if asked is not None:
@@ -46,9 +47,26 @@ class Search:
             raise ValueError("query_radii are given, but there are no queries")
         self._set_lengths(cutoff, skin, radii)
         if exclude is not None:
-            self._set_exclusions(_inputs.index_pairs(exclude, "exclude"))
+            self._set_exclusions(_inputs.index_pairs(_on_cuda.on_host(exclude, "exclude"), "exclude"))
         self.struct.half, self.struct.inclusive, self.struct.self_pairs = map(int, map(bool, (half, inclusive, self_pairs)))
         self.rows = points.shape[0] if asked is None else asked.shape[0]
+
+    def _cuda_of(self, positions: Any, queries: Any) -> Optional[_on_cuda.Library]:
+        if not _on_cuda.is_on_cuda(positions):
+            return None
+        if queries is not None and not _on_cuda.is_on_cuda(queries):
+            raise ValueError("queries are in the host's memory, the points in CUDA's: both must be in one")
+        library = _on_cuda.Library(positions, _on_cuda.view(positions, "positions").cuda or 0)
+        self.struct.stream = library.stream()
+        return library
+
+    def _points(self, given: Any, name: str) -> View:
+        if self.cuda is None:
+            return _inputs.points(given, name)
+        points = _on_cuda.view(given, name)
+        if len(points.shape) != 2 or points.shape[1] != 3:
+            raise ValueError(f"{name} has shape {points.shape}: N x 3 is needed")
+        return points
 
     def _put(self, name: str, view: Optional[View]) -> None:
         if view is not None:
@@ -62,15 +80,19 @@ class Search:
 
     def _set_systems(self, points: View, batch: Any, asked: Optional[View], query_batch: Any) -> None:
         if asked is None:
-            [self.points] = sort([batch], ["batch"], [points.shape[0]], self._boxes)
+            [self.points] = sort([_on_cuda.on_host(batch, "batch")], ["batch"], [points.shape[0]], self._boxes)
             self.queries = self.points
             return
         rows = [points.shape[0], asked.shape[0]]
-        self.points, self.queries = sort([batch, query_batch], ["batch", "query_batch"], rows, self._boxes)
+        self.points, self.queries = sort([_on_cuda.on_host(batch, "batch"), _on_cuda.on_host(query_batch, "query_batch")],
+                                         ["batch", "query_batch"], rows, self._boxes)
         self._put("query_offsets", self.queries.offsets)
 
     def _set_points(self, name: str, radii_name: str, points: View, radii: Any, systems: Sorted) -> None:
-        sizes = None if radii is None else _inputs.radii_of(radii, radii_name, points.shape[0])
+        of = _inputs.radii_of if self.cuda is None else self.cuda.radii
+        sizes = None if radii is None else of(radii, radii_name, points.shape[0])
+        if systems.order is not None and self.cuda is not None:
+            raise ValueError("batch is not sorted: sort points in CUDA's memory by their systems")
         if systems.order is not None:
             points = _inputs.arrays.permuted(points, systems.order)
             sizes = sizes and _inputs.arrays.permuted(sizes, systems.order)

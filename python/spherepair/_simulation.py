@@ -97,4 +97,4 @@ class Simulation(Handle):
         pointer = ctypes.POINTER(_abi.Pairs)()
         self._call(lib.sp_simulation_pairs, ctypes.byref(pointer))
         made = List(pointer)
-        return arrays.stacked(made.column("i"), made.column("j"), 1)
+        return arrays.stacked(arrays.output(made.column("i")), arrays.output(made.column("j")), 1)

@@ -24,7 +24,7 @@ _nothing = ctypes.create_string_buffer(8)  # what an array without elements poin
 
 
 class View(NamedTuple):
-    """Numbers in the host's memory. `keep` is the object that owns them."""
+    """Numbers in the host's memory, or in CUDA's. `keep` is the object that owns them."""
 
     address: int
     shape: Tuple[int, ...]
@@ -32,6 +32,7 @@ class View(NamedTuple):
     code: str  # kind and size in bytes: f8, i4, ...
     native: bool  # whether the order of the bytes is this machine's
     keep: Any
+    cuda: Optional[int] = None  # the number of the CUDA device; None: the host
 
     @property
     def __array_interface__(self) -> dict:
@@ -51,7 +52,8 @@ class View(NamedTuple):
         rows, columns = (*self.shape, 1)[:2]
         strides = [stride // size for stride in self.strides] + [1]
         address = self.address if rows * columns else ctypes.addressof(_nothing)
-        return _abi.Array(address, rows, columns, strides[0], strides[1], _abi.TYPES[self.code], _abi.HOST, 0)
+        device = (_abi.HOST, 0) if self.cuda is None else (_abi.CUDA, self.cuda)
+        return _abi.Array(address, rows, columns, strides[0], strides[1], _abi.TYPES[self.code], *device)
 
 
 def contiguous(shape: Tuple[int, ...], size: int) -> Tuple[int, ...]:
@@ -86,8 +88,7 @@ def refuse_device_memory(obj: Any, name: str) -> None:
     """Raises ValueError for an array that the host cannot read."""
     device = getattr(obj, "__dlpack_device__", None)
     if hasattr(obj, "__cuda_array_interface__") or (callable(device) and device()[0] not in _dlpack.HOST_DEVICES):
-        raise ValueError(f"{name} is in a device's memory: the library reads the host's memory only, today; "
-                         "copy the array to the host first")
+        raise ValueError(f"{name} is in a device's memory, where it is not read; copy the array to the host first")
 
 
 def _of_interface(obj: Any, interface: dict, name: str) -> View:

@@ -106,7 +106,12 @@ TEST_F(CCalls, WrongArgumentsAreNamed) {
   wrong = problem(), wrong.positions.data = nullptr;
   EXPECT_EQ(message(wrong), "positions has 3 rows but no data");
   wrong = problem(), wrong.positions.device_type = 2;
-  EXPECT_TRUE(message(wrong).starts_with("positions lies on a device of type 2"));
+  EXPECT_EQ(
+      message(wrong),
+      "positions lies in CUDA's memory, but the context is of cpu: open a context of cuda, or copy the array to the "
+      "host");
+  wrong = problem(), wrong.positions.device_type = 10;
+  EXPECT_TRUE(message(wrong).starts_with("positions lies on a device of type 10"));
   wrong = problem(), wrong.positions.rows = int64_t(1) << 60;
   EXPECT_EQ(message(wrong, SP_E_RANGE), "positions has 1152921504606846976 rows, but 2147483647 at most can be read");
   wrong = problem(), wrong.positions = {};

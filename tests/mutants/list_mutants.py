@@ -31,4 +31,11 @@ LISTS = [
     mutant("a simulation's walls are left out", "api/c/simulation.cpp", "choice.walls = is_given(given.walls);", "choice.walls = false;",
            "SimulationCalls"),
     mutant("a simulation has no drag", "api/c/simulation.cpp", 'choice.drag = rounded(given.drag, "drag");', "choice.drag = 0;", "SimulationCalls"),
+    mutant("kernels' exact numbers lose their highest words", "common/shared/list_exact.h", "term.m2 = uint(high >> 32);", "term.m2 = 0u;", "ListExact"),
+    mutant("kernels leave ties out of inclusive lists", "common/shared/list_exact.h", "(side == 0 && inclusive)", "false", "ListExact"),
+    mutant("bounds of extremes are not rounded outwards", "common/shared/list.h", "number_of(ordered + 1u)", "number_of(ordered)", "ListExact"),
+    mutant("kernels' half lists have both images of a point", "shaders/list/list_row.glsl", "first > 0 || !has_flag(LIST_HALF)", "true", "Lists"),
+    mutant("kernels take wrapped shifts", "shaders/list/list_columns.glsl", "image_of_key(key, 0u) + mine.x - other.x", "image_of_key(key, 0u)", "Lists"),
+    mutant("rows longer than shared memory lose pairs", "shaders/list/list_fill.comp", "if (count > LIST_ROOM) {", "if (false) {", "Lists"),
+    mutant("kernels do not look into images", "shaders/list/list_scatter.comp", "if ((list_system[s].periodic >> k & 1u) == 0u) {", "if (true) {", "Lists"),
 ]

@@ -84,7 +84,7 @@ class OnDevice:
     """An array in the memory of a GPU."""
 
     def __dlpack_device__(self):
-        return 2, 0
+        return 10, 0  # ROCm
 
     def __dlpack__(self):
         raise AssertionError("not to be called")
@@ -111,10 +111,16 @@ class Wrong(unittest.TestCase):
         self.assertEqual([0, 1, 1, 2], spherepair.neighbor_list("i", POINTS, 1.5, backend="cpu").tolist())
 
     def test_arrays_on_a_device(self):
-        for array in (OnDevice(), OnCuda()):
-            self.complaint("positions is in a device's memory: the library reads the host's memory only, today",
-                           spherepair.neighbor_list, "ij", array, 1.0, backend="cpu")
-        self.complaint("radii is in a device's memory", spherepair.collisions, POINTS, OnCuda(), backend="cpu")
+        complaint, neighbor_list = self.complaint, spherepair.neighbor_list
+        complaint("positions is in a device's memory, where it is not read", neighbor_list, "ij", OnDevice(), 1.0)
+        complaint("radii is in a device's memory", spherepair.collisions, POINTS, OnCuda(), backend="cpu")
+        complaint("positions lies in CUDA's memory, but the context is of cpu", neighbor_list, "ij", OnCuda(), 1.0,
+                  backend="cpu")
+        complaint("queries are in the host's memory", spherepair.query, OnCuda(), POINTS, 1.0, backend="cpu")
+        complaint("radii are in the host's memory", spherepair.collisions, OnCuda(), [1, 1, 1], backend="cpu")
+        complaint("cell is in CUDA's memory: copy it", neighbor_list, "ij", POINTS, 1.0, OnCuda(), backend="cpu")
+        complaint("a plan is for positions in the host's memory", spherepair.Plan, OnCuda(), 1.0, backend="cpu")
+        complaint("batch is not sorted", neighbor_list, "ij", OnCuda(), 1.0, batch=[1, 0, 1], backend="cpu")
 
     def test_queries(self):
         query = spherepair.query

@@ -161,7 +161,7 @@ class Library(unittest.TestCase):
 
     def test_another_abi(self):
         with mock.patch.object(_abi, "ABI_VERSION", 7), self.assertRaisesRegex(
-                ImportError, "has version 1 of the ABI, this package needs 7"):
+                ImportError, "has version 2 of the ABI, this package needs 7"):
             _library.load(_library._candidates()[0])
 
     def test_structs_have_the_librarys_sizes(self):

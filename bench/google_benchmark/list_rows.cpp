@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "bench/google_benchmark/list_rows.h"
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "common/lists/device_lists.h"
+#include "common/lists/pair_list.h"
+
+namespace spherepair {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+ListBox box_of(const Point3& edges) {
+  return {{{{edges[0], 0, 0}, {0, edges[1], 0}, {0, 0, edges[2]}}}, {true, true, true}};
+}
+
+// Appends a system: cells of a crystal with the lattice constant `a` along x, y and z.
+void add_crystal(ListProblem& problem, std::array<int, 3> cells, double a, const std::vector<Point3>& basis) {
+  if (problem.set.offsets.empty()) problem.set.offsets = {0};
+  for (int x = 0; x < cells[0]; ++x)
+    for (int y = 0; y < cells[1]; ++y)
+      for (int z = 0; z < cells[2]; ++z)
+        for (const Point3& at : basis)
+          problem.set.points.push_back({(x + at[0]) * a, (y + at[1]) * a, (z + at[2]) * a});
+  problem.set.offsets.push_back(problem.set.points.size());
+  problem.boxes.push_back(box_of({cells[0] * a, cells[1] * a, cells[2] * a}));
+}
+
+const std::vector<Point3> caesium_chloride = {{0, 0, 0}, {0.5, 0.5, 0.5}};
+const std::vector<Point3> face_centred = {{0, 0, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {0.5, 0.5, 0}};
+
+ListProblem crystal(double cutoff, std::array<int, 3> cells, double a, const std::vector<Point3>& basis, int systems) {
+  ListProblem problem;
+  problem.cutoff = cutoff;
+  for (int b = 0; b < systems; ++b) add_crystal(problem, cells, a, basis);
+  return problem;
+}
+
+// Random points of which spheres with the cutoff as their diameter would fill this part of a unit cube.
+ListProblem packed(uint64_t n, double fraction) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> along(0, 1);
+  ListProblem problem;
+  problem.set.points.resize(n);
+  for (Point3& point : problem.set.points)
+    for (double& x : point) x = along(random);
+  problem.set.offsets = {0, n};
+  problem.boxes = {ListBox{}};
+  problem.cutoff = std::cbrt(6 * fraction / (3.14159265358979 * double(n)));
+  return problem;
+}
+
+struct ListScene {
+  const char* name;
+  ListProblem (*make)();
+  bool wants_shifts;
+};
+// Lengths of crystals in angstroms: caesium chloride, and fcc with 42 neighbours within 5.
+constexpr ListScene scenes[] = {{"cscl-137842-6",
+                                 [] {
+                                   return crystal(6, {41, 41, 41}, 4.119, caesium_chloride, 1);
+                                 },
+                                 true},
+                                {"cscl-137842-15",
+                                 [] {
+                                   return crystal(15, {41, 41, 41}, 4.119, caesium_chloride, 1);
+                                 },
+                                 true},
+                                {"fcc-524288-5",
+                                 [] {
+                                   return crystal(5, {32, 64, 64}, 3.8, face_centred, 1);
+                                 },
+                                 true},
+                                {"fcc-512x64-5",
+                                 [] {
+                                   return crystal(5, {2, 2, 4}, 3.8, face_centred, 512);
+                                 },
+                                 true},
+                                {"fcc-512x2048-5",
+                                 [] {
+                                   return crystal(5, {8, 8, 8}, 3.8, face_centred, 512);
+                                 },
+                                 true},
+                                {"cscl-128-6",
+                                 [] {
+                                   return crystal(6, {4, 4, 4}, 4.119, caesium_chloride, 1);
+                                 },
+                                 true},
+                                {"packed-1e6", [] { return packed(1000000, 0.3); }, false},
+                                {"packed-1e7", [] { return packed(10000000, 0.3); }, false}};
+
+struct Timed {
+  int64_t pairs;
+  double seconds;
+  std::map<std::string, double> stages = {};  // microseconds of each kernel, on the device's timer
+};
+
+// Points and columns stay in the device's memory.
+Timed time_on_device(Device& device, const ListProblem& problem, bool wants_shifts) {
+  DeviceLists lists(device);
+  lists.begin(problem);
+  lists.write_points(problem);
+  lists.count();
+  const int64_t pairs = lists.found().pairs;
+  lists.set_columns(LIST_WANTS_FIRST | LIST_WANTS_SECOND | (wants_shifts ? LIST_WANTS_SHIFTS : 0), pairs);
+  const auto run = [&](int turns) {
+    device.wait();
+    const auto start = Clock::now();
+    for (int turn = 0; turn < turns; ++turn) lists.count(), lists.fill();
+    device.wait();
+    return std::chrono::duration<double>(Clock::now() - start).count() / turns;
+  };
+  const double once = (run(1), run(1));
+  Timed timed{pairs, run(std::clamp(int(0.05 / once), 1, 200))};
+  device.time_stages(true);
+  run(1);
+  for (const StageTime& stage : device.stage_times()) timed.stages[stage.stage] += stage.seconds * 1e6;
+  device.time_stages(false);
+  return timed;
+}
+
+Timed time_on_host(Backend& backend, const ListProblem& problem) {
+  const auto start = Clock::now();
+  const auto list = list_pairs(backend, problem);
+  return {int64_t(list.size()), std::chrono::duration<double>(Clock::now() - start).count()};
+}
+
+// The list's pairs and columns in one number, of lists that are not too long for the host.
+uint64_t hash_of(Backend& backend, const ListProblem& problem) {
+  uint64_t hash = 0;
+  for (const ListedPair& pair : list_pairs(backend, problem))
+    for (const uint64_t word : {uint64_t(pair.first), uint64_t(pair.second), uint64_t(uint32_t(pair.shift[0])),
+                                uint64_t(uint32_t(pair.shift[1])), uint64_t(uint32_t(pair.shift[2]))})
+      hash = (hash ^ word) * 0x9E3779B97F4A7C15u, hash ^= hash >> 29;
+  return hash;
+}
+
+struct Answer {
+  std::string by;
+  int64_t pairs;
+  uint64_t hash;
+};
+
+void time_list(benchmark::State& state, Backend& backend, const ListScene& scene, bool& wrong) {
+  static std::map<std::string, Answer> answers;
+  const ListProblem problem = scene.make();
+  Device* const device = backend.device() && backend.device()->capabilities().makes_lists ? backend.device() : nullptr;
+  constexpr int64_t most_hashed = 30000000;  // pairs
+  for (auto _ : state) {
+    const Timed timed = device ? time_on_device(*device, problem, scene.wants_shifts) : time_on_host(backend, problem);
+    state.SetIterationTime(timed.seconds);
+    state.counters["n"] = double(problem.set.size());
+    state.counters["pairs"] = double(timed.pairs);
+    for (const auto& [stage, microseconds] : timed.stages) state.counters[stage + "_us"] = microseconds;
+    if (answers.contains(fmt::format("{}/{}", backend.info().name, scene.name))) continue;
+    const Answer own{backend.info().name, timed.pairs, timed.pairs <= most_hashed ? hash_of(backend, problem) : 0};
+    answers[fmt::format("{}/{}", own.by, scene.name)] = own;
+    const Answer& first = answers.try_emplace(scene.name, own).first->second;
+    if (first.pairs == own.pairs && first.hash == own.hash) continue;
+    wrong = true;
+    state.SkipWithError(
+        fmt::format("{} has {} pairs, {} has {}, or others", own.by, own.pairs, first.by, first.pairs).c_str());
+  }
+}
+
+}  // namespace
+
+void register_list_rows(Session& session, bool& wrong) {
+  for (const ListScene& scene : scenes)
+    for (const auto& backend : session.backends())
+      benchmark::RegisterBenchmark(
+          fmt::format("{}/list/{}", backend->info().name, scene.name).c_str(),
+          [&scene, &backend = *backend, &wrong](benchmark::State& state) { time_list(state, backend, scene, wrong); })
+          ->UseManualTime()
+          ->Iterations(1)
+          ->Repetitions(5)
+          ->Unit(benchmark::kMillisecond);
+}
+
+}  // namespace spherepair

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include "common/lists/device_lists.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <utility>
+
+#include "common/lists/list_systems.h"
+
+namespace spherepair {
+namespace {
+
+ListRows rows_of(const std::array<Point3, 3>& vectors) {
+  ListRows rows;
+  for (size_t k = 0; k < 9; ++k) rows.of[k] = vectors[k / 3][k % 3];
+  return rows;
+}
+
+constexpr uint all_columns = LIST_WANTS_FIRST | LIST_WANTS_SECOND | LIST_WANTS_SHIFTS;
+
+double size_of_vector(const Point3& vector) { return std::hypot(vector[0], vector[1], vector[2]) * (1 + 0x1p-40); }
+
+ListSystem system_in(const Lattice& lattice) {
+  ListSystem system = {};
+  system.row = rows_of(lattice.axes());
+  system.dual = rows_of(lattice.dual());
+  for (size_t k = 0; k < 3; ++k) {
+    system.edge[k] = size_of_vector(lattice.axes()[k]);
+    system.span[k] = size_of_vector(lattice.dual()[k]);
+    system.periodic |= uint(lattice.box().periodic[k]) << k;
+  }
+  return system;
+}
+
+template <typename Item>
+bool same_bytes(const std::vector<Item>& a, const std::vector<Item>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Item)) == 0);
+}
+
+}  // namespace
+
+void DeviceLists::launch(Kernel kernel, uint block, uint64_t groups) {
+  context_.launch({.kernel = kernel, .block = block, .groups = folded(groups)});
+}
+
+DeviceLists::Sent DeviceLists::told(const ListProblem& problem) {
+  Sent told;
+  ListState& state = told.state;
+  state.cutoff = problem.cutoff;
+  state.skin = problem.skin;
+  state.points = uint(problem.set.size());
+  state.queries = problem.asks ? uint(problem.queries.size()) : 0;
+  state.looking = uint(problem.firsts().size());
+  state.systems = uint(problem.boxes.size());
+  state.flags = (problem.asks ? LIST_ASKS : 0) | (problem.half ? LIST_HALF : 0) |
+                (problem.inclusive ? LIST_INCLUSIVE : 0) | (problem.self_pairs ? LIST_SELF_PAIRS : 0);
+  state.exclusions = uint(problem.exclusions.size());
+  for (size_t b = 0; b < problem.boxes.size(); ++b) {
+    ListSystem system = system_in(Lattice(problem.boxes[b], b));
+    system.first_point = uint(problem.set.offsets[b]);
+    system.end_point = uint(problem.set.offsets[b + 1]);
+    system.first_query = problem.asks ? uint(problem.queries.offsets[b]) : 0;
+    system.end_query = problem.asks ? uint(problem.queries.offsets[b + 1]) : 0;
+    system.first_cell = system.first_point + uint(b);  // a slot more than there are points
+    told.systems.push_back(system);
+  }
+  for (auto [first, second] : problem.exclusions) {
+    if (!problem.asks && first > second) std::swap(first, second);
+    told.exclusions.push_back({first, second});
+  }
+  std::ranges::sort(told.exclusions, {}, [](const uvec2& pair) { return uint64_t(pair.x) << 32 | pair.y; });
+  return told;
+}
+
+// But for what set_columns() tells the device.
+bool DeviceLists::knows(const Sent& told) const {
+  ListState state = sent_.state;
+  state.room = 0;
+  state.flags &= ~all_columns;
+  return std::memcmp(&state, &told.state, sizeof(ListState)) == 0 && same_bytes(told.systems, sent_.systems) &&
+         same_bytes(told.exclusions, sent_.exclusions);
+}
+
+bool DeviceLists::is_ready(const ListProblem& problem, uint wanted, int64_t room) const {
+  return knows(told(problem)) && (sent_.state.flags & all_columns) == wanted && sent_.state.room == room;
+}
+
+bool DeviceLists::grow(std::span<const std::pair<uint, uint64_t>> slots) {
+  bool grown = false;
+  for (const auto& [slot, bytes] : slots) grown |= context_.buffers.grow(slot, std::max<uint64_t>(bytes, 16));
+  return grown;
+}
+
+bool DeviceLists::make_room() {
+  const ListState& state = sent_.state;
+  context_.n = uint64_t(state.points) + state.queries;
+  context_.params.sort.scan_tiles = uint(ceil_div(uint64_t(state.points) + state.systems + 2, SCAN_TILE));
+  context_.buffers.set_spheres(std::max<uint64_t>(context_.n, 1));
+  const uint64_t looking = state.looking, points = state.points, tiles = context_.params.sort.scan_tiles;
+  const std::pair<uint, uint64_t> needed[] = {{SLOT_LIST_STATE, sizeof(ListState)},
+                                              {SLOT_LIST_SYSTEM, state.systems * sizeof(ListSystem)},
+                                              {SLOT_LIST_EXCLUDED, state.exclusions * sizeof(uvec2)},
+                                              {SLOT_LIST_GIVEN, context_.n * sizeof(dvec4)},
+                                              {SLOT_LIST_PLACE, context_.n * sizeof(ivec4)},
+                                              {SLOT_SORTED, points * sizeof(vec4)},
+                                              {SLOT_ID, points * sizeof(uint)},
+                                              {SLOT_ROW_LENGTH, looking * sizeof(uint)},
+                                              {SLOT_LIST_BEGIN, (looking + 1) * sizeof(int64_t)},
+                                              {SLOT_LIST_SUM, ceil_div(looking, LIST_TILE) * sizeof(uint64_t)},
+                                              {SLOT_CELL, tiles * SCAN_TILE * sizeof(uint)},
+                                              {SLOT_SCAN, (tiles + 1) * sizeof(uint)},
+                                              {SLOT_LIST_LOOK, looking * sizeof(ListLook)}};
+  return grow(needed);
+}
+
+bool DeviceLists::begin(const ListProblem& problem) {
+  Sent told = DeviceLists::told(problem);
+  const bool known = knows(told);
+  if (!known) sent_ = std::move(told);
+  if (!make_room() && known) return true;
+  context_.buffers.write(SLOT_LIST_SYSTEM, sent_.systems);
+  context_.buffers.write(SLOT_LIST_EXCLUDED, sent_.exclusions);
+  context_.buffers.write(SLOT_LIST_STATE, &sent_.state, 0, sizeof(ListState));
+  return false;
+}
+
+bool DeviceLists::set_columns(uint wanted, int64_t room) {
+  const auto bytes = [&](uint flag, uint64_t each) { return wanted & flag ? uint64_t(room) * each : 0; };
+  const std::pair<uint, uint64_t> columns[] = {{SLOT_LIST_FIRST, bytes(LIST_WANTS_FIRST, sizeof(uint))},
+                                               {SLOT_LIST_SECOND, bytes(LIST_WANTS_SECOND, sizeof(uint))},
+                                               {SLOT_LIST_SHIFT, bytes(LIST_WANTS_SHIFTS, 3 * sizeof(int))}};
+  const bool grown = grow(columns);
+  const uint flags = (sent_.state.flags & ~all_columns) | wanted;
+  if (!grown && sent_.state.flags == flags && sent_.state.room == room) return true;
+  sent_.state.flags = flags;
+  sent_.state.room = room;
+  // The rest of the state is the kernels' by now.
+  context_.buffers.write(SLOT_LIST_STATE, &sent_.state.room, offsetof(ListState, room), sizeof(int64_t));
+  context_.buffers.write(SLOT_LIST_STATE, &sent_.state.flags, offsetof(ListState, flags), sizeof(uint));
+  return false;
+}
+
+void DeviceLists::count() {
+  if (sent_.state.points == 0 || sent_.state.looking == 0)
+    return context_.buffers.clear(SLOT_LIST_BEGIN, (looking() + 1) * sizeof(int64_t));
+  const uint64_t words =
+      std::max<uint64_t>(context_.params.sort.scan_tiles * SCAN_TILE, sent_.state.systems * LIST_EXTREMES);
+  launch(Kernel::list_clear, SERVICE_BLOCK, ceil_div(words, SERVICE_BLOCK));
+  launch(Kernel::list_measure, SERVICE_BLOCK, ceil_div(context_.n, SERVICE_BLOCK * LIST_EACH));
+  launch(Kernel::list_plan, SERVICE_BLOCK, ceil_div(sent_.state.systems, SERVICE_BLOCK));
+  launch(Kernel::list_bin, SERVICE_BLOCK, ceil_div(sent_.state.points, SERVICE_BLOCK));
+  launch(Kernel::grid_sums, SCAN_BLOCK, context_.params.sort.scan_tiles);
+  launch(Kernel::grid_scan, SCAN_BLOCK, context_.params.sort.scan_tiles);
+  launch(Kernel::list_scatter, SERVICE_BLOCK, ceil_div(context_.n, SERVICE_BLOCK));
+  launch(Kernel::list_count_few, LIST_FEW_BLOCK, ceil_div(looking(), LIST_FEW_BLOCK));
+  launch(Kernel::list_count, LIST_BLOCK, std::min<uint64_t>(looking(), LIST_GROUPS));
+  launch(Kernel::list_sums, SCAN_BLOCK, ceil_div(looking(), LIST_TILE));
+  launch(Kernel::list_scan, SCAN_BLOCK, ceil_div(looking(), LIST_TILE));
+}
+
+DeviceLists::Found DeviceLists::found() {
+  Found found;
+  ListState state;
+  context_.buffers.read(SLOT_LIST_STATE, &state, 0, sizeof(ListState));
+  context_.buffers.read(SLOT_LIST_BEGIN, &found.pairs, looking() * sizeof(int64_t), sizeof(int64_t));
+  if (state.wrong) found.wrong = ~state.wrong;
+  if (state.far) found.far = ~state.far;
+  found.wide = state.wide != 0;
+  return found;
+}
+
+void DeviceLists::fill() {
+  launch(Kernel::list_fill_few, LIST_FEW_BLOCK, ceil_div(looking(), LIST_FEW_BLOCK));
+  launch(Kernel::list_fill, LIST_BLOCK, std::min<uint64_t>(looking(), LIST_GROUPS));
+}
+
+void DeviceLists::write_points(const ListProblem& problem) {
+  std::vector<dvec4> given(context_.n);
+  const auto write = [&](const PointSet& set, int64_t first) {
+#pragma omp parallel for schedule(static) if (int64_t(set.size()) > share_from)
+    for (int64_t i = 0; i < int64_t(set.size()); ++i) {
+      const auto& [x, y, z] = set.points[size_t(i)];
+      given[size_t(first + i)] = {x, y, z, set.radii.empty() ? 0 : set.radii[size_t(i)]};
+    }
+  };
+  write(problem.set, 0);
+  if (problem.asks) write(problem.queries, int64_t(problem.set.size()));
+  context_.buffers.write(SLOT_LIST_GIVEN, given);
+}
+
+std::vector<ListedPair> DeviceLists::read_list(uint64_t pairs) {
+  const auto begins = context_.buffers.read<int64_t>(SLOT_LIST_BEGIN, uint64_t(sent_.state.looking) + 1);
+  const auto seconds = context_.buffers.read<uint>(SLOT_LIST_SECOND, pairs);
+  const auto shifts = context_.buffers.read<Shift>(SLOT_LIST_SHIFT, pairs);
+  std::vector<ListedPair> list(pairs);
+#pragma omp parallel for schedule(static) if (int64_t(sent_.state.looking) > share_from)
+  for (int64_t i = 0; i < int64_t(sent_.state.looking); ++i)
+    for (auto k = size_t(begins[size_t(i)]); k < size_t(begins[size_t(i) + 1]); ++k)
+      list[k] = {uint32_t(i), seconds[k], shifts[k]};
+  return list;
+}
+
+void DeviceLists::refuse(const Found& found) {
+  const uint64_t points = sent_.state.points;
+  if (const auto i = found.wrong) {
+    dvec4 given;
+    context_.buffers.read(SLOT_LIST_GIVEN, &given, *i * sizeof(dvec4), sizeof(dvec4));
+    const bool query = *i >= points;
+    refuse_point(query ? "queries" : "positions", query ? "query_radii" : "radii", query ? *i - points : *i,
+                 {given.x, given.y, given.z}, given.w);
+  }
+  if (const auto i = found.far) throw *i < points ? too_far("positions", *i) : too_far("queries", *i - points);
+  throw ListError(ListFault::range,
+                  "the reach spans more than 1,020 boxes along an axis, or 2^24 in all: give positions in the host's "
+                  "memory, or a box "
+                  "that is larger");
+}
+
+std::optional<std::vector<ListedPair>> DeviceLists::list(const ListProblem& problem) {
+  if (problem.set.size() == 0 || problem.firsts().size() == 0) return std::vector<ListedPair>();
+  begin(problem);
+  write_points(problem);
+  count();
+  const Found counted = found();
+  if (counted.wide) return std::nullopt;
+  if (counted.far) refuse(counted);
+  if (counted.pairs == 0) return std::vector<ListedPair>();
+  set_columns(LIST_WANTS_SECOND | LIST_WANTS_SHIFTS, counted.pairs);
+  fill();
+  return read_list(uint64_t(counted.pairs));
+}
+
+}  // namespace spherepair

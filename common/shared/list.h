@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+// Lists of pairs on a device: its structs, and where pairs are looked for. Points are wrapped into their system's box
+// and binned into cells; a point looks through all cells within its reach, image by image. Cells may only leave too
+// little out: what is a pair is decided by list_exact.h on the numbers as given.
+#ifndef SPHEREPAIR_LIST_H
+#define SPHEREPAIR_LIST_H
+
+#include "common/shared/layout.h"
+
+#define LIST_BLOCK 32                    // threads that share the row of a point with many neighbours
+#define LIST_ROOM 512u                   // pairs that they sort at a time
+#define LIST_RANKED 128u                 // as many find their places by counting
+#define LIST_GROUPS 32768u               // groups of threads that do so, at most
+#define LIST_FEW_BLOCK 128               // group size where each thread has a row of its own, ...
+#define LIST_FEW 16u                     // ... of so many pairs
+#define LIST_EACH 8u                     // elements of a thread of list_measure
+#define LIST_TILE 4096u                  // rows that a group of list_sums and of list_scan adds up
+#define LIST_IMAGES 1024                 // images along an axis, to either side, that a key has room for
+#define LIST_IMAGES_AT_MOST 16777216.0f  // of a box within reach
+#define LIST_ASKS 1u                     // flags of ListState: queries look, not the points
+#define LIST_HALF 2u
+#define LIST_INCLUSIVE 4u
+#define LIST_SELF_PAIRS 8u
+#define LIST_WANTS_FIRST 16u  // columns that are written
+#define LIST_WANTS_SECOND 32u
+#define LIST_WANTS_SHIFTS 64u
+#define LIST_LOW 0  // extremes of a system: coordinates of its points, three each, ...
+#define LIST_HIGH 3
+#define LIST_CELLS 6            // ... boxes by which its points and queries were wrapped, ...
+#define LIST_LARGEST 9          // ... the size of their coordinates as given, ...
+#define LIST_RADIUS 10          // ... the radii of points ...
+#define LIST_LOOKING_RADIUS 11  // ... and of those that look
+#define LIST_EXTREMES 12u
+
+// A vector for each axis of a box.
+struct ListRows {
+  double of[9];
+};
+
+struct ListSystem {
+  ListRows row;             // H; a unit vector perpendicular to H where the box is not periodic
+  ListRows dual;            // coordinate k of x is dual_k . x, in boxes or, where not periodic, lengths
+  double edge[3], span[3];  // sizes of rows and of duals
+  uint periodic;            // bit k: axis k is
+  uint first_point, end_point, first_query, end_query, first_cell;
+  uint extreme[LIST_EXTREMES];  // of list_measure, see ordered_high; of the low ones the complement
+  uint cells[3];                // from here: of list_plan
+  float error;                  // of the distance of two wrapped points less their reach, in scaled units
+  uint dense, unused;           // not 0: points have many neighbours
+  double origin[3], scale;      // a wrapped point x is binned at (x - origin) * scale
+  double low[3], cells_per_unit[3], slack[3];  // of coordinates
+  double reach;                                // of a point of radius 0
+};
+
+struct ListState {
+  double cutoff, skin;
+  int64_t room;                            // pairs that the columns have room for
+  uint points, queries, looking, systems;  // queries stand behind the points; looking: all that look
+  uint flags, exclusions;                  // LIST_*; pairs in SLOT_LIST_EXCLUDED
+  uint wrong, far;                         // ~index of the first point that is not listed, or too far from its box
+  uint wide;                               // not 0: the reach spans too many images
+  uint dense;                              // not 0: points have many neighbours
+  uint longest;                            // not 0: some row is longer than LIST_FEW, where they have few
+  uint unused;
+};
+
+// What a point or a query looks through: cells, which beyond the system's own are of images.
+struct UNIFORM_ALIGN ListLook {
+  vec4 place;  // wrapped and scaled; w: its own part of the reach
+  int low_x, low_y, low_z, high_x, high_y, high_z;
+  uint i, system;  // its index in the list's rows
+};
+
+// Order-preserving code of a number's upper 32 bits, for atomic maxima; 0 stands for none.
+FN uint ordered_high(double x) {
+  uint high = double_high(x);
+  return (high & 0x80000000u) != 0u ? ~high : high | 0x80000000u;
+}
+FN double number_of(uint ordered) {
+  return bits_double((ordered & 0x80000000u) != 0u ? ordered & 0x7FFFFFFFu : ~ordered, 0u);
+}
+FN double bound_above(uint ordered) { return ordered == 0u ? bits_double(0u, 0u) : number_of(ordered + 1u); }
+FN double bound_below(uint complement) { return number_of(~complement - 1u); }
+
+FN double magnitude(double x) { return x < bits_double(0u, 0u) ? -x : x; }
+
+// Whether a number is 0 or from 2^-450 to 2^450 in size.
+FN bool is_listed_number(double x) {
+  uint high = double_high(x) & 0x7FFFFFFFu;
+  uint low = double_low(x);
+  if ((high | low) == 0u) return true;
+  return high >= (1023u - 450u) << 20 && (high < (1023u + 450u) << 20 || (high == (1023u + 450u) << 20 && low == 0u));
+}
+
+FN double list_coordinate(ListRows dual, uint k, dvec4 x) {
+  EXACT double at = dual.of[3u * k] * x.x + dual.of[3u * k + 1u] * x.y + dual.of[3u * k + 2u] * x.z;
+  return at;
+}
+
+// Cells of two points or so, half a reach wide at least, and no more than there are points. x, y and z: reaches that a
+// system is long.
+FN ListSystem with_cells(ListSystem s, float x, float y, float z) {
+  float points = float(s.end_point - s.first_point);
+  EXACT float enough = points * 0.5f;
+  EXACT float product = points + 1.0f;
+  EXACT float side = 0.5f;
+  for (uint turn = 0u; turn < 200u && product > enough; ++turn) {
+    EXACT float cells_x = x / side;
+    EXACT float cells_y = y / side;
+    EXACT float cells_z = z / side;
+    s.cells[0] = uint(larger(cells_x, 1.0f));
+    s.cells[1] = uint(larger(cells_y, 1.0f));
+    s.cells[2] = uint(larger(cells_z, 1.0f));
+    product = float(s.cells[0]) * float(s.cells[1]) * float(s.cells[2]);
+    if (s.cells[0] == 1u && s.cells[1] == 1u && s.cells[2] == 1u) return s;
+    side = side * 1.25f;
+  }
+  return s;
+}
+
+FN bool is_periodic(ListSystem s, uint k) { return (s.periodic >> k & 1u) != 0u; }
+
+// Points in a cube of the reach to either side.
+FN float points_around(ListSystem s, float x, float y, float z) {
+  EXACT float around = float(s.end_point - s.first_point);
+  for (uint k = 0u; k < 3u; ++k) {
+    float reaches = k == 0u ? x : k == 1u ? y : z;
+    EXACT float share = 2.0f / reaches;
+    if (is_periodic(s, k) || reaches > 2.0f) around = around * share;
+  }
+  return around;
+}
+
+FN double largest_reach(ListSystem s) {
+  EXACT double reach = s.reach + bound_above(s.extreme[LIST_LOOKING_RADIUS]);
+  return reach;
+}
+
+// The cells along axis k, but for their number; the reaches that it is long.
+struct ListAxis {
+  double low, extent, slack;
+  float reaches;
+};
+FN ListAxis list_axis(ListSystem s, uint k) {
+  double zero = bits_double(0u, 0u);
+  double one = bits_double(0x3FF00000u, 0u);
+  bool some = s.extreme[LIST_HIGH + k] != 0u;
+  ListAxis axis;
+  axis.low = is_periodic(s, k) || !some ? zero : bound_below(s.extreme[LIST_LOW + k]);
+  EXACT double measured = bound_above(s.extreme[LIST_HIGH + k]) - axis.low;
+  axis.extent = is_periodic(s, k) ? one : some ? measured : zero;
+  EXACT double wide = largest_reach(s) * s.span[k];
+  EXACT double ratio = axis.extent / wide;
+  EXACT double most = wide * bits_double(0x41CDCD65u, 0u);  // 1e9 reaches
+  axis.reaches = !(axis.extent > zero) ? 1.0f : axis.extent >= most ? 1.0e9f : float(ratio);
+  EXACT double slack = bound_above(s.extreme[LIST_LARGEST]) * s.span[k] * bits_double((1023u - 46u) << 20, 0u) +
+                       (is_periodic(s, k) ? bits_double(0x3EB0C6F8u, 0u) : zero);  // 1e-6
+  axis.slack = slack;
+  return axis;
+}
+
+// Sums of lengths: of a system with its reach, and of what is added when a point is wrapped and moved to an image.
+FN double list_size(ListSystem s) {
+  EXACT double size = largest_reach(s);
+  for (uint k = 0u; k < 3u; ++k) size = size + list_axis(s, k).extent * s.edge[k];
+  return size;
+}
+FN double list_added(ListSystem s) {
+  EXACT double added = bound_above(s.extreme[LIST_LARGEST]);
+  for (uint k = 0u; k < 3u; ++k) {
+    EXACT double boxes =
+        double(s.extreme[LIST_CELLS + k]) + largest_reach(s) * s.span[k] + bits_double(0x40000000u, 0u);
+    if (is_periodic(s, k)) added = added + boxes * s.edge[k];
+  }
+  return added;
+}
+
+// The cells of a system, from its extremes. With u = 2^-53: a coordinate, and a wrapped point's distance from another,
+// are rounded by less than 64u of the numbers that are added, which 2^-46 of them covers; in float32 and scaled, by
+// less than 2^-21.
+FN ListSystem list_planned(ListSystem s, ListState state) {
+  double zero = bits_double(0u, 0u);
+  EXACT double reach = state.cutoff + state.skin + bound_above(s.extreme[LIST_RADIUS]);
+  s.reach = reach;
+  ListAxis x = list_axis(s, 0u);
+  ListAxis y = list_axis(s, 1u);
+  ListAxis z = list_axis(s, 2u);
+  s = with_cells(s, x.reaches, y.reaches, z.reaches);
+  s.dense = points_around(s, x.reaches, y.reaches, z.reaches) > 24.0f ? 1u : 0u;
+  double size = list_size(s);
+  uint exponent = (double_high(size) >> 20) + 1u;  // of a power of two above the size
+  s.scale = size > zero ? bits_double((2046u - exponent) << 20, 0u) : bits_double(0x3FF00000u, 0u);
+  EXACT double rounded = list_added(s) * s.scale * bits_double((1023u - 46u) << 20, 0u);
+  EXACT float error = float(rounded) * 8.0f + bits_float((127u - 20u) << 23);
+  s.error = error;
+  for (uint k = 0u; k < 3u; ++k) {
+    ListAxis axis = list_axis(s, k);
+    EXACT double per_unit = double(s.cells[k]) / axis.extent;
+    s.low[k] = axis.low;
+    s.slack[k] = axis.slack;
+    s.cells_per_unit[k] = axis.extent > zero ? per_unit : zero;
+    EXACT double origin = zero;
+    for (uint open = 0u; open < 3u; ++open)
+      if (!is_periodic(s, open)) origin = origin + list_axis(s, open).low * s.row.of[3u * open + k];
+    s.origin[k] = origin;
+  }
+  return s;
+}
+
+// Whether images within a system's reach are too many for a key, or to be looked through by a group.
+FN bool spans_too_much(ListSystem s) {
+  EXACT double images = bits_double(0x3FF00000u, 0u);
+  for (uint k = 0u; k < 3u; ++k) {
+    if (!is_periodic(s, k)) continue;
+    EXACT double span = largest_reach(s) * s.span[k];
+    if (!(span < double(LIST_IMAGES - 4))) return true;
+    EXACT double several = span + span + bits_double(0x40080000u, 0u);
+    images = images * several;
+  }
+  return images > double(LIST_IMAGES_AT_MOST);
+}
+
+// The power of two of keys that a row's sort takes.
+FN uint room_for(uint length) { return length < 2u ? length : 2u << highest_bit(length - 1u); }
+
+// The key of a pair in its row: rows ascend by j, then by the images.
+FN uint64_t list_key(uint j, int x, int y, int z) {
+  return uint64_t(j) << 33 | uint64_t(uint(x + LIST_IMAGES)) << 22 | uint64_t(uint(y + LIST_IMAGES)) << 11 |
+         uint64_t(uint(z + LIST_IMAGES));
+}
+FN uint point_of_key(uint64_t key) { return uint(key >> 33); }
+FN int image_of_key(uint64_t key, uint axis) {
+  return int(uint(key >> (22u - 11u * axis)) & (2u * uint(LIST_IMAGES) - 1u)) - LIST_IMAGES;
+}
+
+#endif

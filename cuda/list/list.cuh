@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// What the kernels of lists share: their buffers, and where a point lies. Elements are the points, then the queries.
+#pragma once
+
+#include "common/shared/list.h"
+#include "cuda/kernels.cuh"
+
+namespace spherepair {
+
+__device__ inline bool has_flag(const KernelBuffers& buf, uint flag) { return (buf.list_state[0].flags & flag) != 0u; }
+
+// The last system that begins at the element or before it, and is not empty.
+__device__ inline uint system_of(const KernelBuffers& buf, uint i) {
+  bool query = i >= buf.list_state[0].points;
+  uint low = 0u;
+  uint high = buf.list_state[0].systems;
+  while (high - low > 1u) {
+    uint middle = (low + high) / 2u;
+    uint first =
+        query ? buf.list_state[0].points + buf.list_system[middle].first_query : buf.list_system[middle].first_point;
+    if (first <= i) {
+      low = middle;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+__device__ inline int floor_of(double x) {
+  int below = int(x);
+  return double(below) > x ? below - 1 : below;
+}
+
+// Less the boxes by which the point was wrapped.
+__device__ inline double wrapped_coordinate(const KernelBuffers& buf, uint i, uint k) {
+  ivec4 place = buf.list_place[i];
+  int boxes = k == 0u ? place.x : k == 1u ? place.y : place.z;
+  EXACT double at = list_coordinate(buf.list_system[place.w].dual, k, buf.list_given[i]) - double(boxes);
+  return at;
+}
+
+__device__ inline uint cell_along(const KernelBuffers& buf, uint i, uint k) {
+  uint s = uint(buf.list_place[i].w);
+  EXACT double at = (wrapped_coordinate(buf, i, k) - buf.list_system[s].low[k]) * buf.list_system[s].cells_per_unit[k];
+  return min(at > double(0.0f) ? uint(at) : 0u, buf.list_system[s].cells[k] - 1u);
+}
+__device__ inline uint cell_of(const KernelBuffers& buf, uint i) {
+  uint s = uint(buf.list_place[i].w);
+  uint row = cell_along(buf, i, 2u) * buf.list_system[s].cells[1] + cell_along(buf, i, 1u);
+  return buf.list_system[s].first_cell + row * buf.list_system[s].cells[0] + cell_along(buf, i, 0u);
+}
+
+// So many boxes, along an axis and scaled.
+__device__ inline float scaled_boxes(const KernelBuffers& buf, uint s, ivec4 boxes, uint axis) {
+  EXACT double moved = double(boxes.x) * buf.list_system[s].row.of[axis] +
+                       double(boxes.y) * buf.list_system[s].row.of[3u + axis] +
+                       double(boxes.z) * buf.list_system[s].row.of[6u + axis];
+  EXACT double scaled = moved * buf.list_system[s].scale;
+  return float(scaled);
+}
+
+__device__ inline float place_along(const KernelBuffers& buf, uint i, uint axis) {
+  ivec4 place = buf.list_place[i];
+  uint s = uint(place.w);
+  dvec4 x = buf.list_given[i];
+  EXACT double along = (axis == 0u   ? x.x
+                        : axis == 1u ? x.y
+                                     : x.z) -
+                       double(place.x) * buf.list_system[s].row.of[axis] -
+                       double(place.y) * buf.list_system[s].row.of[3u + axis] -
+                       double(place.z) * buf.list_system[s].row.of[6u + axis];
+  EXACT double scaled = (along - buf.list_system[s].origin[axis]) * buf.list_system[s].scale;
+  return float(scaled);
+}
+
+}  // namespace spherepair

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// What the kernels of lists share: their buffers, and where a point lies. Elements are the points, then the queries.
+#define ONLY_GROUPS
+#include "shaders/kernels.glsl"
+#include "common/shared/list.h"
+
+layout(std430, binding = SLOT_LIST_STATE) restrict buffer ListStateBuffer { ListState list_state[]; };
+layout(std430, binding = SLOT_LIST_SYSTEM) restrict buffer ListSystemBuffer { ListSystem list_system[]; };
+layout(std430, binding = SLOT_LIST_GIVEN) restrict readonly buffer ListGivenBuffer { dvec4 list_given[]; };
+layout(std430, binding = SLOT_LIST_PLACE) restrict buffer ListPlaceBuffer { ivec4 list_place[]; };
+
+bool has_flag(uint flag) { return (list_state[0].flags & flag) != 0u; }
+
+// The last system that begins at the element or before it, and is not empty.
+uint system_of(uint i) {
+  bool query = i >= list_state[0].points;
+  uint low = 0u;
+  uint high = list_state[0].systems;
+  while (high - low > 1u) {
+    uint middle = (low + high) / 2u;
+    uint first = query ? list_state[0].points + list_system[middle].first_query : list_system[middle].first_point;
+    if (first <= i) {
+      low = middle;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+int floor_of(double x) {
+  int below = int(x);
+  return double(below) > x ? below - 1 : below;
+}
+
+// Less the boxes by which the point was wrapped.
+double wrapped_coordinate(uint i, uint k) {
+  ivec4 place = list_place[i];
+  int boxes = k == 0u ? place.x : k == 1u ? place.y : place.z;
+  EXACT double at = list_coordinate(list_system[place.w].dual, k, list_given[i]) - double(boxes);
+  return at;
+}
+
+uint cell_along(uint i, uint k) {
+  uint s = uint(list_place[i].w);
+  EXACT double at = (wrapped_coordinate(i, k) - list_system[s].low[k]) * list_system[s].cells_per_unit[k];
+  return min(at > double(0.0f) ? uint(at) : 0u, list_system[s].cells[k] - 1u);
+}
+uint cell_of(uint i) {
+  uint s = uint(list_place[i].w);
+  uint row = cell_along(i, 2u) * list_system[s].cells[1] + cell_along(i, 1u);
+  return list_system[s].first_cell + row * list_system[s].cells[0] + cell_along(i, 0u);
+}
+
+// So many boxes, along an axis and scaled.
+float scaled_boxes(uint s, ivec4 boxes, uint axis) {
+  EXACT double moved = double(boxes.x) * list_system[s].row.of[axis] +
+                       double(boxes.y) * list_system[s].row.of[3u + axis] +
+                       double(boxes.z) * list_system[s].row.of[6u + axis];
+  EXACT double scaled = moved * list_system[s].scale;
+  return float(scaled);
+}
+
+float place_along(uint i, uint axis) {
+  ivec4 place = list_place[i];
+  uint s = uint(place.w);
+  dvec4 x = list_given[i];
+  EXACT double along = (axis == 0u   ? x.x
+                        : axis == 1u ? x.y
+                                     : x.z) -
+                       double(place.x) * list_system[s].row.of[axis] -
+                       double(place.y) * list_system[s].row.of[3u + axis] -
+                       double(place.z) * list_system[s].row.of[6u + axis];
+  EXACT double scaled = (along - list_system[s].origin[axis]) * list_system[s].scale;
+  return float(scaled);
+}

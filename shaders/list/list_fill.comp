@@ -1,0 +1,103 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// One group per point or query with many neighbours, in turns until none is left: its row of the list. The keys of its
+// pairs are sorted in shared memory; of a row that is too long for it, a range of keys after the other.
+#include "shaders/list/list_columns.glsl"
+#include "shaders/list/list_group.glsl"
+
+layout(local_size_x = LIST_BLOCK) in;
+shared uint64_t keys[LIST_ROOM];
+shared uint found;
+
+// The pairs whose keys are from low to below high; those that there is room for are kept.
+uint keys_between(ListLook look, uint64_t low, uint64_t high) {
+  float error = list_system[look.system].error;
+  uint rows = rows_of(look);
+  if (gl_LocalInvocationID.x == 0u) found = 0u;
+  barrier();
+  for (uint first = 0u; first < rows; first += LIST_BLOCK) {
+    uint points = take_rows(look, first, rows);
+    uint row = 0u;
+    for (uint k = gl_LocalInvocationID.x; k < points; k += LIST_BLOCK) {
+      row = row_from(row, k);
+      uint at = row_begin[row] + k;
+      ivec4 image = row_image[row];
+      if (!is_listed(look, error, at, row_shift[row], image)) continue;
+      uint64_t key = list_key(id[at], image.x, image.y, image.z);
+      if (key < low || key >= high) continue;
+      uint n = atomicAdd(found, 1u);
+      if (n < LIST_ROOM) keys[n] = key;
+    }
+    barrier();
+  }
+  return found;
+}
+
+// Bitonic: of a power of two of keys.
+void sort_keys(uint room) {
+  for (uint size = 2u; size <= room; size *= 2u) {
+    for (uint stride = size / 2u; stride != 0u; stride /= 2u) {
+      for (uint k = gl_LocalInvocationID.x; k < room / 2u; k += LIST_BLOCK) {
+        uint low = 2u * k - (k & (stride - 1u));
+        uint64_t a = keys[low];
+        uint64_t b = keys[low + stride];
+        if ((a > b) == ((low & size) == 0u)) {
+          keys[low] = b;
+          keys[low + stride] = a;
+        }
+      }
+      barrier();
+    }
+  }
+}
+
+void write_keys(uint i, uint64_t begin, uint count) {
+  uint thread = gl_LocalInvocationID.x;
+  if (count <= LIST_RANKED) {
+    for (uint k = thread; k < count; k += LIST_BLOCK) {
+      uint64_t key = keys[k];
+      uint rank = 0u;
+      for (uint n = 0u; n < count; ++n) rank += uint(keys[n] < key);
+      write_pair(i, begin + uint64_t(rank), key);
+    }
+    return;
+  }
+  uint room = room_for(count);
+  for (uint k = count + thread; k < room; k += LIST_BLOCK) keys[k] = ~uint64_t(0u);
+  barrier();
+  sort_keys(room);
+  for (uint k = thread; k < count; k += LIST_BLOCK) write_pair(i, begin + uint64_t(k), keys[k]);
+}
+
+void write_row(ListLook look, uint length) {
+  uint64_t all = ~uint64_t(0u);
+  uint64_t begin = uint64_t(list_begin[look.i]);
+  uint64_t end = begin + uint64_t(length);
+  uint64_t low = uint64_t(0u);
+  uint64_t step =
+      length <= LIST_ROOM ? all : (uint64_t(list_state[0].points) << 33) / uint64_t(length) * (LIST_ROOM / 2u);
+  while (begin < end && low != all) {
+    uint64_t high = step > all - low ? all : low + step;
+    uint count = keys_between(look, low, high);
+    barrier();
+    if (count > LIST_ROOM) {
+      step = step / 2u;
+      continue;
+    }
+    write_keys(look.i, begin, count);
+    barrier();
+    begin += uint64_t(count);
+    low = high;
+    if (count < LIST_ROOM / 2u && step <= all / 2u) step = step * 2u;
+  }
+}
+
+void main() {
+  bool dense = list_state[0].dense != 0u;
+  if (!is_right() || (!dense && list_state[0].longest == 0u)) return;
+  for (uint k = group_index(); k < list_state[0].looking; k += group_count()) {
+    ListLook look = list_look[k];
+    uint length = length_to_write(look.i);
+    if (length > (dense ? 0u : LIST_FEW)) write_row(look, length);
+  }
+}

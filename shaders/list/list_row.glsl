@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// What threads that look for pairs share: the cells within a point's reach are rows of cells, each a contiguous range
+// of binned points in one image; and which of these points are in the list.
+#include "shaders/list/list.glsl"
+#include "common/shared/list_exact.h"
+
+layout(std430, binding = SLOT_CELL) restrict readonly buffer CellBuffer { uint cell[]; };
+layout(std430, binding = SLOT_ID) restrict readonly buffer IdBuffer { uint id[]; };
+layout(std430, binding = SLOT_SORTED) restrict readonly buffer SortedBuffer { vec4 sorted[]; };
+layout(std430, binding = SLOT_LIST_LOOK) restrict readonly buffer ListLookBuffer { ListLook list_look[]; };
+layout(std430, binding = SLOT_LIST_EXCLUDED) restrict readonly buffer ListExcludedBuffer { uvec2 list_excluded[]; };
+
+// Whether lists can be made: the numbers, the places and the reach of all are right.
+bool is_right() { return (list_state[0].wrong | list_state[0].far | list_state[0].wide) == 0u; }
+
+int floor_divide(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
+
+uint images_along_x(ListLook look) {
+  int cells = int(list_system[look.system].cells[0]);
+  return uint(floor_divide(look.high_x, cells) - floor_divide(look.low_x, cells) + 1);
+}
+uint rows_of(ListLook look) {
+  if (look.high_x < look.low_x || look.high_y < look.low_y || look.high_z < look.low_z) return 0u;
+  return images_along_x(look) * uint(look.high_y - look.low_y + 1) * uint(look.high_z - look.low_z + 1);
+}
+
+struct CellRow {
+  uint begin, end;  // binned indices
+  vec4 shift;       // of the image
+  ivec4 image;
+};
+CellRow row_at(ListLook look, uint r) {
+  uint s = look.system;
+  int cells_x = int(list_system[s].cells[0]);
+  int cells_y = int(list_system[s].cells[1]);
+  int cells_z = int(list_system[s].cells[2]);
+  uint images = images_along_x(look);
+  uint ys = uint(look.high_y - look.low_y + 1);
+  int y = look.low_y + int(r / images % ys);
+  int z = look.low_z + int(r / images / ys);
+  ivec4 image =
+      ivec4(floor_divide(look.low_x, cells_x) + int(r % images), floor_divide(y, cells_y), floor_divide(z, cells_z), 0);
+  int from = max(look.low_x - image.x * cells_x, 0);
+  int to = min(look.high_x - image.x * cells_x, cells_x - 1);
+  uint first = uint((z - image.z * cells_z) * cells_y + y - image.y * cells_y) * uint(cells_x);
+  first += list_system[s].first_cell;
+  CellRow row;
+  row.begin = cell[first + uint(from)];
+  row.end = cell[first + uint(to) + 1u];
+  row.image = image;
+  row.shift = vec4(0.0f, 0.0f, 0.0f, 0.0f);
+  if (image.x != 0 || image.y != 0 || image.z != 0)
+    row.shift = vec4(scaled_boxes(s, image, 0u), scaled_boxes(s, image, 1u), scaled_boxes(s, image, 2u), 0.0f);
+  return row;
+}
+
+bool is_excluded(uint i, uint j) {
+  uint first = has_flag(LIST_ASKS) ? i : min(i, j);
+  uint second = has_flag(LIST_ASKS) ? j : max(i, j);
+  uint low = 0u;
+  uint high = list_state[0].exclusions;
+  while (low < high) {
+    uint middle = (low + high) / 2u;
+    uvec2 pair = list_excluded[middle];
+    if (pair.x == first && pair.y == second) return true;
+    if (pair.x < first || (pair.x == first && pair.y < second)) {
+      low = middle + 1u;
+    } else {
+      high = middle;
+    }
+  }
+  return false;
+}
+
+// Whether a list has (i, j, S) besides (j, i, -S), and (i, i, 0).
+bool is_wanted(uint i, uint j, ivec4 image) {
+  if (has_flag(LIST_ASKS)) return true;
+  if (i != j) return i < j || !has_flag(LIST_HALF);
+  int first = image.x != 0 ? image.x : image.y != 0 ? image.y : image.z;
+  return first == 0 ? has_flag(LIST_SELF_PAIRS) : first > 0 || !has_flag(LIST_HALF);
+}
+
+uint element_of(uint i) { return has_flag(LIST_ASKS) ? list_state[0].points + i : i; }
+
+bool is_within_reach(uint i, uint j, ivec4 image) {
+  uint element = element_of(i);
+  ivec4 mine = list_place[element];
+  ivec4 other = list_place[j];
+  return list_within_reach(list_given[element], list_given[j], list_system[mine.w].row, image.x + mine.x - other.x,
+                           image.y + mine.y - other.y, image.z + mine.z - other.z, list_state[0].cutoff,
+                           list_state[0].skin, has_flag(LIST_INCLUSIVE));
+}
+
+// Whether the list has the pair with a binned point in an image: a float32 filter, then the numbers as given.
+bool is_listed(ListLook look, float error, uint at, vec4 shift, ivec4 image) {
+  vec4 other = sorted[at];
+  EXACT float x = other.x + shift.x - look.place.x;
+  EXACT float y = other.y + shift.y - look.place.y;
+  EXACT float z = other.z + shift.z - look.place.z;
+  EXACT float squared = x * x + y * y + z * z;
+  EXACT float reach = look.place.w + other.w;
+  EXACT float far = reach + error;
+  EXACT float near = reach - error;
+  EXACT float farthest = far * far * 1.00001f;
+  EXACT float nearest = near * near * 0.99999f;
+  if (squared > farthest) return false;
+  uint j = id[at];
+  if (!is_wanted(look.i, j, image)) return false;
+  if (list_state[0].exclusions != 0u && is_excluded(look.i, j)) return false;
+  return (near > 0.0f && squared < nearest) || is_within_reach(look.i, j, image);
+}
