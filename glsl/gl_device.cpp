@@ -87,8 +87,7 @@ GlDevice::GlDevice(const OpenOptions& options) : context_(options) {
                    .atomics_64 = limits_.features.atomics_64,
                    .float_atomics = limits_.features.float_atomics,
                    .overlaps_images = true,
-                   .makes_lists = info_.software,  // docs/NOTES/lists.md
-                   .bounds_block = 256};           // all groups then run at once (docs/NOTES/grid.md)
+                   .bounds_block = 256};  // all groups then run at once (docs/NOTES/grid.md)
   params_.make();
   gl_check("making the buffer of parameters");
 }

@@ -82,7 +82,7 @@ class DeviceCalls::InStream {
 bool is_on_device(const sp_problem& given) { return is_cuda_array(given.positions); }
 
 DeviceCalls::DeviceCalls(Backend& backend)
-    : backend_(backend), device_(*backend.device()), arrays_(arrays_of(backend)), lists_(device_) {}
+    : backend_(backend), arrays_(arrays_of(backend)), device_(*backend.device()), lists_(device_) {}
 
 DeviceArray DeviceCalls::array_of(const sp_array& array, const char* name) const {
   if (!array.data) return {};

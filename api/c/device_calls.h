@@ -32,8 +32,8 @@ class DeviceCalls {
   DeviceArray array_of(const sp_array& array, const char* name) const;
 
   Backend& backend_;
-  Device& device_;
   DeviceArrays& arrays_;
+  Device& device_;
   DeviceLists lists_;
 };
 

@@ -15,7 +15,7 @@ struct DeviceCapabilities {
   bool atomics_64 = false;       // 64-bit atomic minimum on buffers
   bool float_atomics = false;    // atomic addition of float32 on buffers
   bool overlaps_images = false;  // the spheres of one image can be drawn while the last is still resolved
-  bool makes_lists = false;      // lists of pairs are made by kernels, see DeviceLists
+  bool makes_lists = false;      // lists of pairs are made by kernels: in CUDA, see docs/NOTES/lists.md
   uint bounds_block = 0;         // group size of grid_bounds
   uint tensor_groups = 0;        // groups of collide_tensor that run at once; 0: the device has no such kernel
   uint tensor_block = 0;         // group size of that kernel

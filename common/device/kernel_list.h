@@ -2,7 +2,8 @@
 // Every kernel, by the name that its source files, its stage in the results and its entry in CUDA have in common; with
 // the buffers that it reads, and those that it writes, in any variant. Devices wait between two launches by this table;
 // the lint compares it with what the shaders do. Vulkan and CUDA have the kernels of tensor cores, CUDA alone has
-// persistent_steps. Kernels of lists are mirrored, too; OpenGL and Vulkan run them in software (docs/NOTES/lists.md).
+// persistent_steps. Kernels of lists are mirrored, too, but only
+// tests run them in OpenGL and Vulkan (docs/NOTES/lists.md).
 #pragma once
 
 // clang-format off

@@ -70,25 +70,23 @@ void write_keys(uint i, uint64_t begin, uint count) {
 }
 
 void write_row(ListLook look, uint length) {
-  uint64_t all = ~uint64_t(0u);
   uint64_t begin = uint64_t(list_begin[look.i]);
   uint64_t end = begin + uint64_t(length);
   uint64_t low = uint64_t(0u);
-  uint64_t step =
-      length <= LIST_ROOM ? all : (uint64_t(list_state[0].points) << 33) / uint64_t(length) * (LIST_ROOM / 2u);
-  while (begin < end && low != all) {
-    uint64_t high = step > all - low ? all : low + step;
-    uint count = keys_between(look, low, high);
+  uint64_t beyond = uint64_t(list_state[0].points) << 33;
+  uint64_t step = beyond;
+  while (begin < end && low < beyond) {
+    uint count = keys_between(look, low, low + step);
     barrier();
     if (count > LIST_ROOM) {
-      step = step / 2u;
-      continue;
+      step = step >> 1;
+    } else {
+      write_keys(look.i, begin, count);
+      begin += uint64_t(count);
+      low += step;
+      if (count < LIST_ROOM / 2u) step = step << 1;
     }
-    write_keys(look.i, begin, count);
     barrier();
-    begin += uint64_t(count);
-    low = high;
-    if (count < LIST_ROOM / 2u && step <= all / 2u) step = step * 2u;
   }
 }
 

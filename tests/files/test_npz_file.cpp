@@ -19,7 +19,7 @@ struct ZipOptions {
 
 std::string little_bytes(uint64_t number, size_t bytes) {
   std::string text;
-  for (size_t k = 0; k < bytes; ++k) text += char(number >> 8 * k & 255);
+  for (size_t k = 0; k < bytes; ++k) text += k < 8 ? char(number >> 8 * k & 255) : char(0);
   return text;
 }
 

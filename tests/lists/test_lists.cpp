@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "common/lists/device_lists.h"
 #include "common/lists/pair_list.h"
 #include "tests/oracle/list_oracle.h"
 #include "tests/support/backends.h"
@@ -13,7 +14,8 @@ namespace {
 
 class Lists : public BackendTest {
  protected:
-  std::vector<ListedPair> list(const ListProblem& problem) { return list_pairs(backend(), problem); }
+  // In software OpenGL and Vulkan also run the kernels that CUDA mirrors; they must give the same list.
+  std::vector<ListedPair> list(const ListProblem& problem);
 };
 
 std::string text_of(const ListedPair& pair) {
@@ -26,6 +28,16 @@ std::string first_difference(const std::vector<ListedPair>& given, const std::ve
   if (a == given.end() && b == wanted.end()) return "";
   return fmt::format("row {}: {}, not {}; {} rows, not {}", a - given.begin(), a == given.end() ? "end" : text_of(*a),
                      b == wanted.end() ? "end" : text_of(*b), given.size(), wanted.size());
+}
+
+std::vector<ListedPair> Lists::list(const ListProblem& problem) {
+  std::vector<ListedPair> all = list_pairs(backend(), problem);
+  Device* const device = backend().device();
+  if (!device || !backend().info().software) return all;
+  if (const auto made = DeviceLists(*device).list(problem)) {
+    EXPECT_EQ(first_difference(*made, all), "") << "kernels of lists, not the search";
+  }
+  return all;
 }
 
 ListProblem of_points(std::vector<Point3> points, double cutoff, const ListBox& box = {}) {
@@ -155,6 +167,27 @@ TEST_P(Lists, OfManySystemsAreThoseOfEach) {
   }
   EXPECT_GT(wanted.size(), 5000u);
   EXPECT_EQ(first_difference(list(all), wanted), "");
+}
+
+// All points are neighbours of all others. (llvmpipe ends loops after 65,535 turns, so rows of thousands are for GPUs.)
+TEST_P(Lists, RowsMayBeLongerThanAGroupsMemory) {
+  Random random(64);
+  for (const size_t points : {100, 300, 513, 700}) {
+    ListProblem problem = of_points({}, 8);
+    for (size_t i = 0; i < points; ++i)
+      problem.set.points.push_back(
+          {random.between(0, 31) / 8.0, random.between(0, 31) / 8.0, random.between(0, 31) / 8.0});
+    problem.set.offsets = {0, points};
+    const std::vector<ListedPair> wanted = list_by_integers(problem, 0);
+    EXPECT_EQ(wanted.size(), points * (points - 1));
+    EXPECT_EQ(first_difference(list(problem), wanted), "") << points;
+  }
+  if (backend().info().software) return;
+  ListProblem images = of_points({{0, 0, 0}, {0.5, 0.25, 0}, {0.75, 0, 0.5}}, 6.25, cube(1));
+  for (const bool half : {false, true}) {
+    images.half = half;
+    EXPECT_EQ(first_difference(list(images), list_by_integers(images, 8)), "") << half;
+  }
 }
 
 TEST_P(Lists, VectorsAndDistancesAreThoseOfTheirPairs) {
