@@ -30,6 +30,7 @@ void check_columns(const sp_pairs& pairs, bool on_device) {
   check_column(pairs.offsets, "offsets", 1, {SP_I64}, on_device);
   if (pairs.found.data && !on_device) refuse("found is given: it is for positions in CUDA's memory");
   check_column(pairs.found, "found", 1, {SP_I64}, on_device);
+  if (pairs.found.data && pairs.found.rows < 1) refuse("found has no row: it needs one");
 }
 
 void check_room(const sp_pairs& pairs, int64_t firsts, std::string& message) {

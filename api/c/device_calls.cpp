@@ -18,7 +18,7 @@ DeviceArrays& arrays_of(Backend& backend) {
                   backend.info().name));
 }
 
-// The columns that kernels write for what a caller wants of each pair.
+// The columns that kernels have to write; vectors and distances are made from all three.
 uint wanted_of(const sp_pairs& pairs) {
   const bool vectors = pairs.vectors.data || pairs.distances.data;
   return (pairs.first.data || vectors ? LIST_WANTS_FIRST : 0) | (pairs.second.data || vectors ? LIST_WANTS_SECOND : 0) |
@@ -34,32 +34,28 @@ int64_t room_of(const sp_pairs& pairs) {
   return any ? room : 0;
 }
 
-// A buffer of the kernels that is the caller's column for a while.
+// Lets kernels write straight into a caller's column of contiguous int32, instead of the list's own buffer.
 class BorrowedColumn {
  public:
-  BorrowedColumn(DeviceLists& lists, uint slot, const sp_array& column, sp_type type, int64_t columns)
-      : lists_(lists), slot_(slot), own_(lists.buffers().memory(slot)) {
-    const int64_t size = type == SP_I64 ? 8 : 4;
-    taken_ = column.data && column.type == type && (columns == 1 || column.column_stride == 1) &&
-             column.row_stride == columns;
-    if (taken_)
-      lists_.buffers().share(slot, {uint64_t(uintptr_t(column.data)), uint64_t(column.rows * columns * size), nullptr});
+  BorrowedColumn(DeviceLists& lists, uint slot, DeviceArray& column, int64_t columns, int64_t rows)
+      : buffers_(lists.buffers()), slot_(slot), own_(buffers_.memory(slot)) {
+    const bool contiguous = (columns == 1 || column.column_stride == 1) && column.row_stride == columns;
+    taken_ = column.data && column.type == ElementType::int32 && contiguous;
+    if (!taken_) return;
+    buffers_.share(slot, {uint64_t(uintptr_t(column.data)), uint64_t(rows * columns) * sizeof(int32_t), nullptr});
+    column = {};  // need not be copied
   }
-  ~BorrowedColumn() { give_back(); }
+  ~BorrowedColumn() {
+    if (taken_) buffers_.share(slot_, own_);
+  }
   BorrowedColumn(const BorrowedColumn&) = delete;
   BorrowedColumn& operator=(const BorrowedColumn&) = delete;
 
-  bool taken() const { return taken_; }
-
  private:
-  void give_back() {
-    if (taken_) lists_.buffers().share(slot_, own_);
-  }
-
-  DeviceLists& lists_;
+  Buffers& buffers_;
   uint slot_;
   Memory own_;
-  bool taken_;
+  bool taken_ = false;
 };
 
 }  // namespace
@@ -126,20 +122,22 @@ int64_t DeviceCalls::count(const sp_problem& given) {
   return counted(given);
 }
 
+DeviceColumns DeviceCalls::columns_of(const sp_pairs& pairs) const {
+  return {.first = array_of(pairs.first, "first"),
+          .second = array_of(pairs.second, "second"),
+          .shifts = array_of(pairs.shifts, "shifts"),
+          .vectors = array_of(pairs.vectors, "vectors"),
+          .distances = array_of(pairs.distances, "distances"),
+          .offsets = array_of(pairs.offsets, "offsets"),
+          .found = array_of(pairs.found, "found")};
+}
+
 // Fills the rows that count() has found, and the columns from them.
-void DeviceCalls::write(const ListProblem& problem, const sp_pairs& pairs, int64_t room) {
-  const BorrowedColumn first(lists_, SLOT_LIST_FIRST, pairs.first, SP_I32, 1),
-      second(lists_, SLOT_LIST_SECOND, pairs.second, SP_I32, 1),
-      shifts(lists_, SLOT_LIST_SHIFT, pairs.shifts, SP_I32, 3);
+void DeviceCalls::write(const ListProblem& problem, DeviceColumns columns, int64_t room) {
+  const BorrowedColumn first(lists_, SLOT_LIST_FIRST, columns.first, 1, room),
+      second(lists_, SLOT_LIST_SECOND, columns.second, 1, room),
+      shifts(lists_, SLOT_LIST_SHIFT, columns.shifts, 3, room);
   if (room > 0) lists_.fill();
-  DeviceColumns columns;
-  columns.vectors = array_of(pairs.vectors, "vectors");
-  columns.distances = array_of(pairs.distances, "distances");
-  columns.offsets = array_of(pairs.offsets, "offsets");
-  columns.found = array_of(pairs.found, "found");
-  if (!first.taken()) columns.first = array_of(pairs.first, "first");
-  if (!second.taken()) columns.second = array_of(pairs.second, "second");
-  if (!shifts.taken()) columns.shifts = array_of(pairs.shifts, "shifts");
   arrays_.write_columns(lists_.buffers().handles(), problem.firsts().size(), room, columns);
 }
 
@@ -151,15 +149,13 @@ std::unique_ptr<OwnedPairs> DeviceCalls::list(const sp_problem& given, uint32_t 
   auto owned =
       std::make_unique<OwnedPairs>(pairs, int64_t(problem.firsts().size()), wanted, device_, given.positions.device_id);
   lists_.set_columns(wanted_of(*owned), pairs);
-  write(problem, *owned, pairs);
+  write(problem, columns_of(*owned), pairs);
   return owned;
 }
 
 bool DeviceCalls::fill(const sp_problem& given, sp_pairs& pairs, std::string& message) {
-  for (const sp_array* column :
-       {&pairs.first, &pairs.second, &pairs.shifts, &pairs.vectors, &pairs.distances, &pairs.offsets, &pairs.found})
-    array_of(*column, "a column");
   const InStream in_stream(*this, given);
+  const DeviceColumns columns = columns_of(pairs);
   const ListProblem problem = read(given);
   const uint wanted = wanted_of(pairs);
   const int64_t room = room_of(pairs);
@@ -168,18 +164,16 @@ bool DeviceCalls::fill(const sp_problem& given, sp_pairs& pairs, std::string& me
         "this call cannot be captured: give `found`, and call sp_fill once with the same problem before the capture");
   const bool known = lists_.begin(problem);
   const bool ready = lists_.set_columns(wanted, room) && known;
-  const bool waits = !pairs.found.data || !ready;
   pairs.count = -1;
-  if (waits) {
-    pairs.count = counted(given);
-    check_room(pairs, int64_t(problem.firsts().size()), message);
-    if (!message.empty()) return false;
-  } else {
+  if (ready && pairs.found.data) {
     read_points(given);
     lists_.count();
+  } else {
+    pairs.count = counted(given);
   }
-  write(problem, pairs, room);
-  return true;
+  check_room(pairs, int64_t(problem.firsts().size()), message);
+  if (message.empty()) write(problem, columns, room);
+  return message.empty();
 }
 
 }  // namespace spherepair

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lists of points in a device's memory, into columns in the same memory.
+// The library's calls for arrays in CUDA's memory.
 #pragma once
 
 #include "api/c/guarded.h"
@@ -7,10 +7,10 @@
 
 namespace spherepair {
 
-// Whether a call is for arrays of a device: its positions are.
+// Whether a problem's positions lie in CUDA's memory, where all arrays of the call have to lie then.
 bool is_on_device(const sp_problem& given);
 
-// What a context keeps for such calls.
+// A context's calls for such problems, and the buffers that it keeps from one to the next.
 class DeviceCalls {
  public:
   // Throws ListError for a backend whose callers have no memory of its device.
@@ -18,8 +18,8 @@ class DeviceCalls {
 
   int64_t count(const sp_problem& given);
   std::unique_ptr<OwnedPairs> list(const sp_problem& given, uint32_t wanted);
-  // Waits for nothing where `found` is given and the call before had the same problem but for the numbers of points.
-  // Gives false, with the reason in the message, where a column is too short.
+  // Waits for nothing if `found` is given and the last call had the same problem, apart from the numbers in positions,
+  // radii and queries. Returns false, with the reason in the message, if a column is too short.
   bool fill(const sp_problem& given, sp_pairs& pairs, std::string& message);
 
  private:
@@ -28,7 +28,8 @@ class DeviceCalls {
   ListProblem read(const sp_problem& given);
   void read_points(const sp_problem& given);
   int64_t counted(const sp_problem& given);
-  void write(const ListProblem& problem, const sp_pairs& pairs, int64_t room);
+  DeviceColumns columns_of(const sp_pairs& pairs) const;
+  void write(const ListProblem& problem, DeviceColumns columns, int64_t room);
   DeviceArray array_of(const sp_array& array, const char* name) const;
 
   Backend& backend_;

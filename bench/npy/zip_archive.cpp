@@ -43,7 +43,7 @@ class Record {
   uint64_t at_;
 };
 
-// Sizes and offset that do not fit into 32 bits, in this order, as far as they do not fit.
+// Reads the sizes and the offset that need 64 bits. The extra field has only those, in this order.
 void read_zip64(std::string_view extra, ZipMember& member) {
   while (extra.size() >= 4) {
     const uint64_t id = little_endian(extra.substr(0, 2));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads spheres from PLY (paulbourke.net/dataformats/ply): the element vertex, as text or as binary numbers. Other
-// elements and lists are passed over.
+// Reads spheres from PLY (paulbourke.net/dataformats/ply): one sphere for each vertex, text or binary.
+// Skips other elements and lists.
 #include <fmt/format.h>
 
 #include <array>

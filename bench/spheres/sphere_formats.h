@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The formats of files of spheres: a row each, from which readers, messages and help texts are taken.
+// The table of file formats: readers, messages and help texts come from its rows.
 #pragma once
 
 #include <array>

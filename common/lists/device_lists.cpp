@@ -62,7 +62,6 @@ DeviceLists::Sent DeviceLists::told(const ListProblem& problem) {
     system.first_point = uint(problem.set.offsets[b]);
     system.end_point = uint(problem.set.offsets[b + 1]);
     system.first_query = problem.asks ? uint(problem.queries.offsets[b]) : 0;
-    system.end_query = problem.asks ? uint(problem.queries.offsets[b + 1]) : 0;
     system.first_cell = system.first_point + uint(b);  // a slot more than there are points
     told.systems.push_back(system);
   }
@@ -74,7 +73,7 @@ DeviceLists::Sent DeviceLists::told(const ListProblem& problem) {
   return told;
 }
 
-// But for what set_columns() tells the device.
+// Ignores what set_columns() sends.
 bool DeviceLists::knows(const Sent& told) const {
   ListState state = sent_.state;
   state.room = 0;
@@ -143,8 +142,7 @@ bool DeviceLists::set_columns(uint wanted, int64_t room) {
 }
 
 void DeviceLists::count() {
-  if (sent_.state.points == 0 || sent_.state.looking == 0)
-    return context_.buffers.clear(SLOT_LIST_BEGIN, (looking() + 1) * sizeof(int64_t));
+  if (is_empty()) return context_.buffers.clear(SLOT_LIST_BEGIN, (looking() + 1) * sizeof(int64_t));
   const uint64_t words =
       std::max<uint64_t>(context_.params.sort.scan_tiles * SCAN_TILE, sent_.state.systems * LIST_EXTREMES);
   launch(Kernel::list_clear, SERVICE_BLOCK, ceil_div(words, SERVICE_BLOCK));
@@ -172,6 +170,7 @@ DeviceLists::Found DeviceLists::found() {
 }
 
 void DeviceLists::fill() {
+  if (is_empty()) return;  // nothing was counted
   launch(Kernel::list_fill_few, LIST_FEW_BLOCK, ceil_div(looking(), LIST_FEW_BLOCK));
   launch(Kernel::list_fill, LIST_BLOCK, std::min<uint64_t>(looking(), LIST_GROUPS));
 }
@@ -213,9 +212,8 @@ void DeviceLists::refuse(const Found& found) {
   }
   if (const auto i = found.far) throw *i < points ? too_far("positions", *i) : too_far("queries", *i - points);
   throw ListError(ListFault::range,
-                  "the reach spans more than 1,020 boxes along an axis, or 2^24 in all: give positions in the host's "
-                  "memory, or a box "
-                  "that is larger");
+                  "the reach spans more than 1,020 boxes along an axis, or 2^24 in all: take a larger box, or copy the "
+                  "positions to the host");
 }
 
 std::optional<std::vector<ListedPair>> DeviceLists::list(const ListProblem& problem) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lists of pairs made by a device: points are binned into cells of their wrapped coordinates, the rows of the list are
-// counted, then filled and sorted. The same list as the CPU's, see displacement.h. Nothing here waits for the device
-// but `found` and the reads of `list`.
+// Makes lists of pairs on a device: bins the points into cells, counts the rows of the list, then fills and sorts them.
+// The list is the CPU's, see displacement.h. Only found() and list() wait for the device.
 #pragma once
 
 #include <optional>
@@ -18,22 +17,23 @@ class DeviceLists {
  public:
   explicit DeviceLists(Device& device) : context_(device) {}
 
-  // The list of a problem that has been checked; none where the reach spans more images than a device's list can hold.
+  // Lists a problem that has been checked. None: the reach spans more images than the kernels can number.
   std::optional<std::vector<ListedPair>> list(const ListProblem& problem);
 
-  // The steps of it. Of a problem's sets the offsets count; their points are in `points`, dvec4 each with the radius in
-  // w, points before queries. The columns that are wanted, LIST_WANTS_*, are written where they have room for all
-  // pairs. Both give whether the device knew all that and had enough memory: then nothing was sent or allocated.
+  // The steps of list(). begin() reads the offsets of a problem's sets, not their points: those go into points(), a
+  // dvec4 each with the radius in w, queries last. fill() writes the wanted columns (LIST_WANTS_*) if `room` holds all
+  // pairs. begin() and set_columns() return true if they sent and allocated nothing, since the device had it from the
+  // last call.
   bool begin(const ListProblem& problem);
   bool set_columns(uint wanted, int64_t room);
-  bool is_ready(const ListProblem& problem, uint wanted, int64_t room) const;  // whether neither would send anything
+  bool is_ready(const ListProblem& problem, uint wanted, int64_t room) const;  // whether both would return true
   Memory points() const { return context_.buffers.memory(SLOT_LIST_GIVEN); }
   void write_points(const ListProblem& problem);  // of the host
   uint64_t looking() const { return sent_.state.looking; }
   void count();
   struct Found {
     int64_t pairs = 0;
-    std::optional<uint64_t> wrong, far;  // the first element whose numbers are not listed, or that is too far away
+    std::optional<uint64_t> wrong, far;  // the first element with an invalid number, and the first that is too far away
     bool wide = false;                   // the reach spans too many images
   };
   Found found();  // waits
@@ -43,7 +43,7 @@ class DeviceLists {
   Buffers& buffers() { return context_.buffers; }
 
  private:
-  // What the device is told of a problem.
+  // What begin() sends to the device.
   struct Sent {
     ListState state = {};
     std::vector<ListSystem> systems;
@@ -52,7 +52,8 @@ class DeviceLists {
   static Sent told(const ListProblem& problem);
   bool knows(const Sent& told) const;
   bool grow(std::span<const std::pair<uint, uint64_t>> slots);
-  bool make_room();
+  bool make_room();  // returns whether any buffer grew
+  bool is_empty() const { return sent_.state.points == 0 || sent_.state.looking == 0; }
 
   void launch(Kernel kernel, uint block, uint64_t groups);
   std::vector<ListedPair> read_list(uint64_t pairs);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Lists of pairs on a device: its structs, and where pairs are looked for. Points are wrapped into their system's box
-// and binned into cells; a point looks through all cells within its reach, image by image. Cells may only leave too
-// little out: what is a pair is decided by list_exact.h on the numbers as given.
+// Lists of pairs on a device: the structs of its kernels, and the cells in which they look for pairs. Points are
+// wrapped into their system's box and binned into cells. A point looks through all cells within its reach, image by
+// image. Rounding may add candidates but never loses one; list_exact.h decides on the numbers as given.
 #ifndef SPHEREPAIR_LIST_H
 #define SPHEREPAIR_LIST_H
 
@@ -42,11 +42,11 @@ struct ListSystem {
   ListRows dual;            // coordinate k of x is dual_k . x, in boxes or, where not periodic, lengths
   double edge[3], span[3];  // sizes of rows and of duals
   uint periodic;            // bit k: axis k is
-  uint first_point, end_point, first_query, end_query, first_cell;
+  uint first_point, end_point, first_query, first_cell;
   uint extreme[LIST_EXTREMES];  // of list_measure, see ordered_high; of the low ones the complement
   uint cells[3];                // from here: of list_plan
   float error;                  // of the distance of two wrapped points less their reach, in scaled units
-  uint dense, unused;           // not 0: points have many neighbours
+  uint dense;                   // not 0: points have many neighbours
   double origin[3], scale;      // a wrapped point x is binned at (x - origin) * scale
   double low[3], cells_per_unit[3], slack[3];  // of coordinates
   double reach;                                // of a point of radius 0
@@ -82,6 +82,7 @@ FN double number_of(uint ordered) {
 FN double bound_above(uint ordered) { return ordered == 0u ? bits_double(0u, 0u) : number_of(ordered + 1u); }
 FN double bound_below(uint complement) { return number_of(~complement - 1u); }
 
+FN double component_of(dvec4 x, uint axis) { return axis == 0u ? x.x : axis == 1u ? x.y : x.z; }
 FN double magnitude(double x) { return x < bits_double(0u, 0u) ? -x : x; }
 
 // Whether a number is 0 or from 2^-450 to 2^450 in size.
@@ -97,8 +98,8 @@ FN double list_coordinate(ListRows dual, uint k, dvec4 x) {
   return at;
 }
 
-// Cells of two points or so, half a reach wide at least, and no more than there are points. x, y and z: reaches that a
-// system is long.
+// Sets the numbers of cells: about two points a cell, each at least half a reach wide. x, y and z: the system's lengths
+// in reaches.
 FN ListSystem with_cells(ListSystem s, float x, float y, float z) {
   float points = float(s.end_point - s.first_point);
   EXACT float enough = points * 0.5f;
@@ -120,7 +121,7 @@ FN ListSystem with_cells(ListSystem s, float x, float y, float z) {
 
 FN bool is_periodic(ListSystem s, uint k) { return (s.periodic >> k & 1u) != 0u; }
 
-// Points in a cube of the reach to either side.
+// Estimates the points in a cube that extends by the reach to either side.
 FN float points_around(ListSystem s, float x, float y, float z) {
   EXACT float around = float(s.end_point - s.first_point);
   for (uint k = 0u; k < 3u; ++k) {
@@ -136,7 +137,7 @@ FN double largest_reach(ListSystem s) {
   return reach;
 }
 
-// The cells along axis k, but for their number; the reaches that it is long.
+// Where the cells along axis k begin, how long it is, by how much coordinates may be off, and its length in reaches.
 struct ListAxis {
   double low, extent, slack;
   float reaches;
@@ -159,7 +160,7 @@ FN ListAxis list_axis(ListSystem s, uint k) {
   return axis;
 }
 
-// Sums of lengths: of a system with its reach, and of what is added when a point is wrapped and moved to an image.
+// Upper bounds: of the lengths of a system and its reach; of the numbers that are added to move a point to an image.
 FN double list_size(ListSystem s) {
   EXACT double size = largest_reach(s);
   for (uint k = 0u; k < 3u; ++k) size = size + list_axis(s, k).extent * s.edge[k];

@@ -13,7 +13,7 @@ struct ListWide {
   uint word[LIST_WORDS];
 };
 
-// |number * times| = (m2, m1, m0) * 2^(32 * first word) in units of 2^(base - 1075).
+// A product number * times: words m2, m1 and m0, shifted by `shift` bits, in units of 2^(base - 1075).
 struct ListTerm {
   uint m0, m1, m2, shift;
   uint negative;  // not 0
@@ -67,8 +67,8 @@ FN ListWide magnitude_of_terms(ListTerm a, ListTerm b, ListTerm c, ListTerm d, L
   return sum;
 }
 
-// The sign of x*x + y*y + z*z - c*c: columns of the squares are added low to high, what is carried out at the top is
-// negative where the difference is.
+// The sign of x*x + y*y + z*z - c*c. Adds the columns of the squares from low to high, as squares_less() in exact.h
+// does with fewer words; the carry out of the top has the sign.
 FN int side_of_squares(ListWide x, ListWide y, ListWide z, ListWide c, uint words) {
   int64_t carry = int64_t(0);
   int64_t high = int64_t(0);
@@ -134,7 +134,7 @@ RARE_FN int list_exact_side(dvec4 a, dvec4 b, ListRows row, int s0, int s1, int 
   return side_of_squares(x, y, z, c, words);
 }
 
-// A component of b - a + S H, and the sum of the sizes of its terms.
+// A component of b - a + S H, and the sum of its terms' absolute values.
 struct ListWay {
   double way, sizes;
 };

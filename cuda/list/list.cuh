@@ -32,7 +32,7 @@ __device__ inline int floor_of(double x) {
   return double(below) > x ? below - 1 : below;
 }
 
-// Less the boxes by which the point was wrapped.
+// Coordinate k inside the box.
 __device__ inline double wrapped_coordinate(const KernelBuffers& buf, uint i, uint k) {
   ivec4 place = buf.list_place[i];
   int boxes = k == 0u ? place.x : k == 1u ? place.y : place.z;
@@ -51,7 +51,7 @@ __device__ inline uint cell_of(const KernelBuffers& buf, uint i) {
   return buf.list_system[s].first_cell + row * buf.list_system[s].cells[0] + cell_along(buf, i, 0u);
 }
 
-// So many boxes, along an axis and scaled.
+// The length of these boxes along an axis, scaled.
 __device__ inline float scaled_boxes(const KernelBuffers& buf, uint s, ivec4 boxes, uint axis) {
   EXACT double moved = double(boxes.x) * buf.list_system[s].row.of[axis] +
                        double(boxes.y) * buf.list_system[s].row.of[3u + axis] +
@@ -63,11 +63,7 @@ __device__ inline float scaled_boxes(const KernelBuffers& buf, uint s, ivec4 box
 __device__ inline float place_along(const KernelBuffers& buf, uint i, uint axis) {
   ivec4 place = buf.list_place[i];
   uint s = uint(place.w);
-  dvec4 x = buf.list_given[i];
-  EXACT double along = (axis == 0u   ? x.x
-                        : axis == 1u ? x.y
-                                     : x.z) -
-                       double(place.x) * buf.list_system[s].row.of[axis] -
+  EXACT double along = component_of(buf.list_given[i], axis) - double(place.x) * buf.list_system[s].row.of[axis] -
                        double(place.y) * buf.list_system[s].row.of[3u + axis] -
                        double(place.z) * buf.list_system[s].row.of[6u + axis];
   EXACT double scaled = (along - buf.list_system[s].origin[axis]) * buf.list_system[s].scale;

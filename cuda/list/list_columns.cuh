@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The columns that are written for a pair.
+// Writes the columns of a pair.
 #pragma once
 
 #include "cuda/list/list_row.cuh"
 
 namespace spherepair {
 
-// 0 where the columns have no room for the row.
+// The length of the row; 0 if the columns have no room for it.
 __device__ inline uint length_to_write(const KernelBuffers& buf, uint i) {
   uint length = buf.row_length[i];
   return buf.list_begin[i] + int64_t(length) > buf.list_state[0].room ? 0u : length;

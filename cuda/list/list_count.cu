@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One group per point or query with many neighbours, in turns until none is left: the length of its row in the list.
+// One group per point or query with many neighbours, in turns until none is left: counts the pairs of its row.
 #include "cuda/list/list_group.cuh"
 
 namespace spherepair {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per point or query with few neighbours: the length of its row in the list.
+// One thread per point or query with few neighbours: counts the pairs of its row.
 #include "cuda/list/list_row.cuh"
 
 namespace spherepair {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One group per point or query with many neighbours, in turns until none is left: its row of the list. The keys of its
-// pairs are sorted in shared memory; of a row that is too long for it, a range of keys after the other.
+// One group per point or query with many neighbours, in turns until none is left: writes its row of the list. The group
+// sorts the keys of the pairs in shared memory. It sorts a row that does not fit there in several ranges of keys.
 #include "cuda/list/list_columns.cuh"
 #include "cuda/list/list_group.cuh"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per point or query with few neighbours: its row of the list. A pair's place in the row is the number of
-// smaller keys.
+// One thread per point or query with few neighbours: writes its row of the list. A pair's place in the row is the
+// number of smaller keys.
 #include "cuda/list/list_columns.cuh"
 #include "cuda/list/list_row.cuh"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a group looks for the pairs of one point: its threads take a row of cells each at a time, and test all points of
+// How a group finds the pairs of one point: each thread takes a row of cells, then the group tests the points of all
 // these rows together.
 #pragma once
 

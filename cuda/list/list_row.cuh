@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What threads that look for pairs share: the cells within a point's reach are rows of cells, each a contiguous range
-// of binned points in one image; and which of these points are in the list.
+// The rows of cells within a point's reach, each a contiguous range of binned points in one image, and the test whether
+// the list has one of these points.
 #pragma once
 
 #include "common/shared/list_exact.h"
@@ -8,7 +8,7 @@
 
 namespace spherepair {
 
-// Whether lists can be made: the numbers, the places and the reach of all are right.
+// Whether no invalid number, no point too far away and no reach too long was found.
 __device__ inline bool is_right(const KernelBuffers& buf) {
   return (buf.list_state[0].wrong | buf.list_state[0].far | buf.list_state[0].wide) == 0u;
 }
@@ -73,7 +73,7 @@ __device__ inline bool is_excluded(const KernelBuffers& buf, uint i, uint j) {
   return false;
 }
 
-// Whether a list has (i, j, S) besides (j, i, -S), and (i, i, 0).
+// Half lists have one of (i, j, S) and (j, i, -S); (i, i, 0) is only in lists with self_pairs.
 __device__ inline bool is_wanted(const KernelBuffers& buf, uint i, uint j, ivec4 image) {
   if (has_flag(buf, LIST_ASKS)) return true;
   if (i != j) return i < j || !has_flag(buf, LIST_HALF);

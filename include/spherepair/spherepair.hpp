@@ -126,7 +126,6 @@ struct Problem {
   Offsets query_offsets = {};       // B + 1
   Exclusions exclusions = {};       // E x 2
   bool half = false, inclusive = false, self_pairs = false;
-  void* stream = nullptr;  // the cudaStream_t in which arrays in CUDA's memory are used; null: the default stream
 
   // The C struct; it points into this one. Throws Error if both box and boxes are given.
   sp_problem in_c() const {
@@ -148,7 +147,7 @@ struct Problem {
             .half = half,
             .inclusive = inclusive,
             .self_pairs = self_pairs,
-            .stream = stream};
+            .stream = nullptr};
   }
 };
 

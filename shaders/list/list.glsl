@@ -33,7 +33,7 @@ int floor_of(double x) {
   return double(below) > x ? below - 1 : below;
 }
 
-// Less the boxes by which the point was wrapped.
+// Coordinate k inside the box.
 double wrapped_coordinate(uint i, uint k) {
   ivec4 place = list_place[i];
   int boxes = k == 0u ? place.x : k == 1u ? place.y : place.z;
@@ -52,7 +52,7 @@ uint cell_of(uint i) {
   return list_system[s].first_cell + row * list_system[s].cells[0] + cell_along(i, 0u);
 }
 
-// So many boxes, along an axis and scaled.
+// The length of these boxes along an axis, scaled.
 float scaled_boxes(uint s, ivec4 boxes, uint axis) {
   EXACT double moved = double(boxes.x) * list_system[s].row.of[axis] +
                        double(boxes.y) * list_system[s].row.of[3u + axis] +
@@ -64,11 +64,7 @@ float scaled_boxes(uint s, ivec4 boxes, uint axis) {
 float place_along(uint i, uint axis) {
   ivec4 place = list_place[i];
   uint s = uint(place.w);
-  dvec4 x = list_given[i];
-  EXACT double along = (axis == 0u   ? x.x
-                        : axis == 1u ? x.y
-                                     : x.z) -
-                       double(place.x) * list_system[s].row.of[axis] -
+  EXACT double along = component_of(list_given[i], axis) - double(place.x) * list_system[s].row.of[axis] -
                        double(place.y) * list_system[s].row.of[3u + axis] -
                        double(place.z) * list_system[s].row.of[6u + axis];
   EXACT double scaled = (along - list_system[s].origin[axis]) * list_system[s].scale;

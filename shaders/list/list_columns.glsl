@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The columns that are written for a pair.
+// Writes the columns of a pair.
 #include "shaders/list/list_row.glsl"
 
 layout(std430, binding = SLOT_ROW_LENGTH) restrict readonly buffer RowLengthBuffer { uint row_length[]; };
@@ -8,7 +8,7 @@ layout(std430, binding = SLOT_LIST_FIRST) restrict writeonly buffer ListFirstBuf
 layout(std430, binding = SLOT_LIST_SECOND) restrict writeonly buffer ListSecondBuffer { uint list_second[]; };
 layout(std430, binding = SLOT_LIST_SHIFT) restrict writeonly buffer ListShiftBuffer { int list_shift[]; };
 
-// 0 where the columns have no room for the row.
+// The length of the row; 0 if the columns have no room for it.
 uint length_to_write(uint i) {
   uint length = row_length[i];
   return list_begin[i] + int64_t(length) > list_state[0].room ? 0u : length;

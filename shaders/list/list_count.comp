@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One group per point or query with many neighbours, in turns until none is left: the length of its row in the list.
+// One group per point or query with many neighbours, in turns until none is left: counts the pairs of its row.
 #include "shaders/list/list_group.glsl"
 
 layout(std430, binding = SLOT_ROW_LENGTH) restrict writeonly buffer RowLengthBuffer { uint row_length[]; };

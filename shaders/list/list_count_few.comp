@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per point or query with few neighbours: the length of its row in the list.
+// One thread per point or query with few neighbours: counts the pairs of its row.
 #include "shaders/list/list_row.glsl"
 
 layout(std430, binding = SLOT_ROW_LENGTH) restrict writeonly buffer RowLengthBuffer { uint row_length[]; };

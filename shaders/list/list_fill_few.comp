@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per point or query with few neighbours: its row of the list. A pair's place in the row is the number of
-// smaller keys.
+// One thread per point or query with few neighbours: writes its row of the list. A pair's place in the row is the
+// number of smaller keys.
 #include "shaders/list/list_columns.glsl"
 #include "shaders/list/list_row.glsl"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What threads that look for pairs share: the cells within a point's reach are rows of cells, each a contiguous range
-// of binned points in one image; and which of these points are in the list.
+// The rows of cells within a point's reach, each a contiguous range of binned points in one image, and the test whether
+// the list has one of these points.
 #include "shaders/list/list.glsl"
 #include "common/shared/list_exact.h"
 
@@ -10,7 +10,7 @@ layout(std430, binding = SLOT_SORTED) restrict readonly buffer SortedBuffer { ve
 layout(std430, binding = SLOT_LIST_LOOK) restrict readonly buffer ListLookBuffer { ListLook list_look[]; };
 layout(std430, binding = SLOT_LIST_EXCLUDED) restrict readonly buffer ListExcludedBuffer { uvec2 list_excluded[]; };
 
-// Whether lists can be made: the numbers, the places and the reach of all are right.
+// Whether no invalid number, no point too far away and no reach too long was found.
 bool is_right() { return (list_state[0].wrong | list_state[0].far | list_state[0].wide) == 0u; }
 
 int floor_divide(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
@@ -72,7 +72,7 @@ bool is_excluded(uint i, uint j) {
   return false;
 }
 
-// Whether a list has (i, j, S) besides (j, i, -S), and (i, i, 0).
+// Half lists have one of (i, j, S) and (j, i, -S); (i, i, 0) is only in lists with self_pairs.
 bool is_wanted(uint i, uint j, ivec4 image) {
   if (has_flag(LIST_ASKS)) return true;
   if (i != j) return i < j || !has_flag(LIST_HALF);

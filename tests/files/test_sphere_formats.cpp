@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of formats: what help texts and documentation say of each.
+// Help texts and documentation name every format of the table of formats.
 #include "bench/spheres/sphere_formats.h"
 #include "tests/support/pairs_command.h"
 

@@ -110,6 +110,12 @@ TEST_F(CCalls, WrongArgumentsAreNamed) {
       message(wrong),
       "positions lies in CUDA's memory, but the context is of cpu: open a context of cuda, or copy the array to the "
       "host");
+  int64_t found = 0;
+  sp_pairs pairs = {};
+  pairs.size = sizeof pairs, pairs.found = {&found, 1, 1, 1, 1, SP_I64, 1, 0};
+  const sp_problem right = problem();
+  EXPECT_EQ(sp_fill(context_, &right, &pairs), SP_E_ARGUMENT);
+  EXPECT_STREQ(sp_message(context_), "found is given: it is for positions in CUDA's memory");
   wrong = problem(), wrong.positions.device_type = 10;
   EXPECT_TRUE(message(wrong).starts_with("positions lies on a device of type 10"));
   wrong = problem(), wrong.positions.rows = int64_t(1) << 60;

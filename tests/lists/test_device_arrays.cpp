@@ -111,6 +111,17 @@ TEST_F(DeviceArraysOfCuda, FillWritesIntoTheCallersMemory) {
   pairs.second = wide.array();
   ASSERT_EQ(sp_fill(context_, &problem, &pairs), SP_OK) << sp_message(context_);
   EXPECT_EQ(wide.read()[2], 2);
+  OnDevice<int64_t> found(1), few(3);  // offsets need 4 rows, also where the call does not wait
+  pairs.found = found.array();
+  for (int k = 0; k < 2; ++k) EXPECT_EQ(sp_fill(context_, &problem, &pairs), SP_OK);
+  pairs.offsets = few.array();
+  EXPECT_EQ(sp_fill(context_, &problem, &pairs), SP_E_CAPACITY);
+  EXPECT_STREQ(sp_message(context_), "offsets has 3 rows, but needs 4");
+  pairs.offsets = offsets.array(), pairs.found = {};
+  sp_problem none = problem;  // no points to ask
+  none.positions.rows = 0, none.queries = problem.positions;
+  EXPECT_EQ(sp_fill(context_, &none, &pairs), SP_OK) << sp_message(context_);
+  EXPECT_EQ(offsets.read(), (std::vector<int64_t>{0, 0, 0, 0}));
   problem.cutoff = 3;  // six pairs
   OnDevice<int32_t> narrow(5);
   pairs.second = narrow.array();
